@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "engine/molecule/molecule.h"
+
+namespace nacre {
+
+/// Element of a symbol in any case ("FE", "Fe", "D"); 0 for "X" or an unknown one.
+Element elementFromSymbol(std::string_view symbol);
+std::string_view elementSymbol(Element element);
+
+/// van der Waals radius, Å (gemmi's table; its value for an unknown element).
+float vanDerWaalsRadius(Element element);
+/// Covalent radius, Å (gemmi's table: Cordero et al. 2008).
+float covalentRadius(Element element);
+
+bool isHydrogen(Element element);
+bool isMetal(Element element);
+
+}  // namespace nacre

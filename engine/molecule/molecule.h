@@ -1,0 +1,99 @@
+#pragma once
+// Plain data of one molecule. This header must also compile as C++17 (see read_cif.cpp).
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+namespace nacre {
+
+/// Atomic number, 1 to 118; 0 = unknown; 119 = deuterium. Same numbering as gemmi::El.
+using Element = std::uint8_t;
+
+/// A name of at most eight bytes, kept inline ("CA", "HO5'"). Longer ones are cut; no encoding is assumed.
+struct Name {
+    std::array<char, 8> bytes{};
+
+    Name() = default;
+    Name(std::string_view text) { std::memcpy(bytes.data(), text.data(), text.size() < 8 ? text.size() : 8); }
+    std::string_view view() const {
+        std::size_t length = 0;
+        while (length < bytes.size() && bytes[length] != '\0') ++length;
+        return {bytes.data(), length};
+    }
+    friend bool operator==(const Name& a, const Name& b) { return a.bytes == b.bytes; }
+    friend bool operator!=(const Name& a, const Name& b) { return !(a == b); }
+};
+
+struct Atom {
+    glm::vec3 position{};         ///< Å
+    std::uint32_t residue = 0;    ///< index into Molecule::residues
+    float occupancy = 1.0f;       ///< 0..1
+    float temperatureFactor = 0;  ///< B factor, Å^2
+    Name name;                    ///< "CA"; the element's symbol where the format has no names
+    Element element = 0;
+    char alternate = '\0';        ///< alternate location; '\0' = none
+    bool hetero = false;          ///< HETATM
+    std::int8_t charge = 0;       ///< formal charge, elementary charges
+};
+
+/// A run of neighbouring atom records with the same chain, number, insertion code and name.
+struct Residue {
+    Name name;                     ///< "ALA"; empty where the format has no residues
+    std::int32_t number = 0;       ///< author's number
+    char insertionCode = '\0';     ///< '\0' = none
+    std::uint32_t chain = 0;       ///< index into Molecule::chains
+    std::uint32_t firstAtom = 0;   ///< index into Molecule::atoms
+    std::uint32_t atomCount = 0;
+};
+
+struct Chain {
+    std::string name;  ///< author's identifier; may be empty
+};
+
+enum class BondSource : std::uint8_t { file, residueTemplate, distance };
+
+/// An unordered pair of different atoms, stored with a < b; no pair occurs twice.
+struct Bond {
+    std::uint32_t a = 0;      ///< index into Molecule::atoms
+    std::uint32_t b = 0;
+    std::uint8_t order = 1;   ///< 1, 2, 3; 4 = aromatic
+    BondSource source = BondSource::file;
+};
+
+/// What the file as a whole holds, as `nacre info` reports it. Keys that a format lacks are empty.
+struct FileSummary {
+    std::string format;  ///< "pdb", "mmcif", "mmjson", "sdf-v2000", "sdf-v3000", "xyz", "sample"
+    std::string title;
+    std::optional<std::int64_t> models;                ///< models or frames
+    std::optional<std::int64_t> records;               ///< molecules of a multi-record file
+    std::optional<std::int64_t> totalAtomsAllModels;
+    std::optional<std::int64_t> totalAtomsAllRecords;
+    std::optional<std::int64_t> totalBondsAllRecords;
+    std::optional<std::int64_t> bonds;                 ///< stated by the file for this record
+    std::optional<std::int64_t> conectUniquePairs;     ///< unordered CONECT pairs whose atoms both exist
+    std::optional<std::int64_t> chains;                ///< distinct chain characters (PDB)
+    std::optional<std::int64_t> chainsAuth;            ///< distinct auth_asym_id (mmCIF)
+    std::optional<std::int64_t> chainsLabel;           ///< distinct label_asym_id (mmCIF)
+    std::optional<std::int64_t> biomtOperators;
+    std::optional<std::int64_t> assemblies;
+    std::optional<std::int64_t> operators;             ///< _pdbx_struct_oper_list rows
+};
+
+/// One model of one file: every atom record in the file's order, so that an atom's 1-based position is its id.
+struct Molecule {
+    std::vector<Atom> atoms;
+    std::vector<Residue> residues;
+    std::vector<Chain> chains;
+    std::vector<Bond> bonds;
+    std::vector<std::string> warnings;  ///< what was read leniently, one sentence each, bounded in number
+    FileSummary file;
+};
+
+}  // namespace nacre

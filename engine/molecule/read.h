@@ -1,0 +1,36 @@
+#pragma once
+// Reads molecules from files. One reader per format; this header is the only one a caller needs.
+// Must also compile as C++17.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "engine/molecule/molecule.h"
+
+namespace nacre {
+
+enum class Format { pdb, mmcif, mmjson, sdf, xyz };
+
+struct ReadOptions {
+    std::optional<Format> format;             ///< empty: from the content first, the name second
+    int model = 1;                            ///< 1-based model, frame or record
+    std::size_t maxBytes = std::size_t{1} << 31;  ///< largest text accepted, after inflation
+};
+
+/// Name of a format as `--format` takes it ("pdb", "mmcif", "mmjson", "sdf", "xyz"); empty if there is none such.
+std::optional<Format> formatFromName(std::string_view name);
+
+/// Reads a molecule and completes its bonds (bonds.h). gz is recognised by content and inflated under maxBytes.
+/// @param name  file name for messages and as a hint to the format
+/// @throws Error what, where (line), why
+Molecule readMolecule(const std::string& name, std::string bytes, const ReadOptions& options = {});
+
+/// The same from a file, or from standard input if the path is "-".
+Molecule readMoleculeFile(const std::string& path, const ReadOptions& options = {});
+
+/// Built-in molecules: "dna", "glucose", "buckyball", with bonds. @throws Error if there is none of that name.
+Molecule sampleMolecule(std::string_view name);
+
+}  // namespace nacre

@@ -1,0 +1,66 @@
+#pragma once
+// Molecule + style + colours -> the primitive streams that the GPU draws. Knows no Vulkan.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "engine/molecule/molecule.h"
+
+namespace nacre {
+
+enum class Style { spacefill, ballAndStick, licorice };
+enum class ColorScheme { element, chain, residue };
+
+/// Stream A: all that the geometry passes read. 16 bytes.
+struct Sphere {
+    glm::vec3 center;  ///< Å, relative to Representation::center
+    float radius;      ///< Å
+};
+/// Stream B: what shading reads beside it. 12 bytes.
+struct SphereLook {
+    std::uint32_t color;  ///< sRGB, 8 bits a channel, red in the lowest byte
+    std::uint32_t atom;   ///< 1-based position of the atom in its file
+    std::uint32_t patch;  ///< texel x | y << 16 of its patch in the occlusion atlas
+};
+
+/// A cylinder with flat caps from a to b. 32 bytes.
+struct Cylinder {
+    glm::vec3 a;  ///< Å, relative to Representation::center
+    float radius; ///< Å
+    glm::vec3 b;
+    float unused = 0;
+};
+struct CylinderLook {
+    std::uint32_t colorA, colorB;  ///< of the half next to a and to b
+    std::uint32_t atomA, atomB;
+    std::uint32_t patch;
+};
+
+struct RepresentationOptions {
+    Style style = Style::spacefill;
+    ColorScheme color = ColorScheme::element;
+};
+
+struct Representation {
+    std::vector<Sphere> spheres;
+    std::vector<SphereLook> sphereLooks;      ///< same length as spheres
+    std::vector<Cylinder> cylinders;
+    std::vector<CylinderLook> cylinderLooks;  ///< same length as cylinders
+    glm::dvec3 center{};  ///< middle of the axis-aligned box of the drawn atoms' centres, Å, in the file's frame
+    double radius = 0;    ///< max(|p - center| + r) over drawn spheres, Å
+    std::size_t drawnAtoms = 0;
+    std::size_t drawnBonds = 0;
+};
+
+/// @param drawn  indices of drawn atoms (drawn_atoms.h), at least one
+Representation represent(const Molecule& molecule, std::span<const std::uint32_t> drawn,
+                         const RepresentationOptions& options);
+
+/// The style that `render` takes when none is asked for: ball-and-stick under 100 drawn atoms with bonds.
+Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn);
+
+}  // namespace nacre

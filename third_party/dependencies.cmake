@@ -1,0 +1,30 @@
+# How each dependency is found. Debian bookworm names stand in tools/packages.txt.
+find_package(Threads REQUIRED)
+find_package(ZLIB REQUIRED)
+find_package(Vulkan 1.3.239 REQUIRED)
+
+find_path(GLM_INCLUDE_DIR glm/glm.hpp REQUIRED)
+if(NOT TARGET glm::glm)
+    add_library(glm::glm INTERFACE IMPORTED)
+    target_include_directories(glm::glm SYSTEM INTERFACE ${GLM_INCLUDE_DIR})
+endif()
+
+find_path(GEMMI_INCLUDE_DIR gemmi/elem.hpp REQUIRED)
+find_path(PEGTL_INCLUDE_DIR tao/pegtl.hpp REQUIRED)
+add_library(gemmi::headers INTERFACE IMPORTED)
+target_include_directories(gemmi::headers SYSTEM INTERFACE ${GEMMI_INCLUDE_DIR} ${PEGTL_INCLUDE_DIR})
+
+find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
+find_program(SPIRV_VAL spirv-val REQUIRED)
+
+if(NACRE_APPS)
+    find_package(OpenImageIO 2.4 REQUIRED)
+    find_path(CLI11_INCLUDE_DIR CLI/CLI.hpp REQUIRED)
+    find_path(NLOHMANN_JSON_INCLUDE_DIR nlohmann/json.hpp REQUIRED)
+    add_library(cli11::headers INTERFACE IMPORTED)
+    target_include_directories(cli11::headers SYSTEM INTERFACE ${CLI11_INCLUDE_DIR} ${NLOHMANN_JSON_INCLUDE_DIR})
+endif()
+if(NACRE_TESTS)
+    find_package(GTest REQUIRED)
+    find_package(embree 3 REQUIRED)
+endif()
