@@ -1,0 +1,183 @@
+#pragma once
+// The frame, declared: what each pass does to each image and buffer. Nothing here calls Vulkan (its enums are used).
+//
+//   Graph g("screen");
+//   auto depth = g.image("depth", {VK_FORMAT_D32_SFLOAT, extent});
+//   g.graphics("opaque prepass").depth(depth, Clear{1.0f}).record(plates);
+//   g.graphics("impostor colour").depthTest(depth).color(picture, Clear{0, 0, 0, 1}).record(shade);
+//   g.output(picture);
+//   Plan plan = compile(g, caps);   // plan.h
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <vulkan/vulkan_core.h>
+
+namespace nacre::graph {
+
+struct PassContext;  // execute.h: what a pass gets when it records
+using Record = std::function<void(PassContext&)>;
+
+struct Extent {
+    std::uint32_t width = 0, height = 0;
+    friend bool operator==(const Extent&, const Extent&) = default;
+};
+
+struct ImageDesc {
+    VkFormat format = VK_FORMAT_UNDEFINED;
+    Extent extent;
+    std::uint32_t samples = 1;
+    std::uint32_t layers = 1;
+    friend bool operator==(const ImageDesc&, const ImageDesc&) = default;
+};
+
+/// Handles are good for the graph that made them; use in another one is an error that names pass and resource.
+struct Image {
+    std::uint32_t index = 0, graph = 0;
+};
+struct Buffer {
+    std::uint32_t index = 0, graph = 0;
+};
+
+/// Value that an attachment is cleared to. One number clears depth or all channels.
+struct Clear {
+    std::array<float, 4> value{};
+    Clear(float all) : value{all, all, all, all} {}
+    Clear(float r, float g, float b, float a) : value{r, g, b, a} {}
+    friend bool operator==(const Clear&, const Clear&) = default;
+};
+
+enum class PassKind : std::uint8_t { graphics, compute, transfer };
+enum class Verb : std::uint8_t {
+    depth,       // attachment, tested and written
+    depthTest,   // attachment, tested only
+    color,       // attachment, written (and blended)
+    input,       // read at the pixel's own place
+    samples,     // texture
+    reads,       // buffer: storage or uniform, read
+    writes,      // buffer: storage, read and written
+    vertices,    // buffer: vertex streams
+    copiesFrom,  // transfer source
+    copiesTo,    // transfer target
+};
+constexpr bool isWrite(Verb verb) {
+    return verb == Verb::depth || verb == Verb::color || verb == Verb::writes || verb == Verb::copiesTo;
+}
+constexpr bool isAttachment(Verb verb) { return verb <= Verb::input; }
+const char* verbName(Verb verb);
+
+/// Where a resource stands between frames.
+struct State {
+    VkPipelineStageFlags stages = VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT;
+    VkAccessFlags access = 0;
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+    friend bool operator==(const State&, const State&) = default;
+};
+
+struct Use {
+    Verb verb{};
+    bool isImage = true;
+    std::uint32_t resource = 0;
+    std::optional<Clear> clear;
+};
+
+struct PassDecl {
+    std::string name;
+    PassKind kind{};
+    std::vector<Use> uses;
+    Record record;
+    bool sideEffect = false;  ///< kept although nothing reads what it writes
+};
+
+struct ImageDecl {
+    std::string name;
+    ImageDesc desc;
+    std::optional<State> imported;  ///< contents from outside; the state they are in
+    bool output = false;            ///< read after the graph has run
+};
+
+struct BufferDecl {
+    std::string name;
+    VkDeviceSize size = 0;
+    std::optional<State> imported;
+    bool output = false;  ///< read by the host after the graph has run
+};
+
+class Graph;
+
+/// Declares one pass; every verb returns the pass, so that a pass reads as one sentence.
+class PassBuilder {
+public:
+    PassBuilder& depth(Image image, std::optional<Clear> clear = {}) { return use(Verb::depth, image, clear); }
+    PassBuilder& depthTest(Image image) { return use(Verb::depthTest, image); }
+    PassBuilder& color(Image image, std::optional<Clear> clear = {}) { return use(Verb::color, image, clear); }
+    PassBuilder& input(Image image) { return use(Verb::input, image); }
+    PassBuilder& samples(Image image) { return use(Verb::samples, image); }
+    PassBuilder& copiesFrom(Image image) { return use(Verb::copiesFrom, image); }
+    PassBuilder& copiesTo(Image image) { return use(Verb::copiesTo, image); }
+    PassBuilder& copiesFrom(Buffer buffer) { return use(Verb::copiesFrom, buffer); }
+    PassBuilder& copiesTo(Buffer buffer) { return use(Verb::copiesTo, buffer); }
+    PassBuilder& reads(Buffer buffer) { return use(Verb::reads, buffer); }
+    PassBuilder& writes(Buffer buffer) { return use(Verb::writes, buffer); }
+    PassBuilder& vertices(Buffer buffer) { return use(Verb::vertices, buffer); }
+    PassBuilder& sideEffect();
+    PassBuilder& record(Record record);
+
+private:
+    friend class Graph;
+    PassBuilder(Graph& graph, std::uint32_t pass) : graph_(graph), pass_(pass) {}
+    PassBuilder& use(Verb verb, Image image, std::optional<Clear> clear = {});
+    PassBuilder& use(Verb verb, Buffer buffer);
+    Graph& graph_;
+    std::uint32_t pass_;
+};
+
+class Graph {
+public:
+    explicit Graph(std::string name);
+
+    /// An image that lives inside one execution; memory and usage follow from the plan.
+    Image image(std::string name, const ImageDesc& desc);
+    /// An image from outside, whose contents are defined on entry. It is left in the same state.
+    Image importImage(std::string name, const ImageDesc& desc, const State& state);
+    Buffer buffer(std::string name, VkDeviceSize size);
+    Buffer importBuffer(std::string name, VkDeviceSize size, const State& state = {});
+
+    PassBuilder graphics(std::string name) { return pass(std::move(name), PassKind::graphics); }
+    PassBuilder compute(std::string name) { return pass(std::move(name), PassKind::compute); }
+    PassBuilder transfer(std::string name) { return pass(std::move(name), PassKind::transfer); }
+
+    /// Contents that someone reads after the graph has run.
+    void output(Image image);
+    void output(Buffer buffer);
+
+    const std::string& name() const { return name_; }
+    const std::vector<PassDecl>& passes() const { return passes_; }
+    const std::vector<ImageDecl>& images() const { return images_; }
+    const std::vector<BufferDecl>& buffers() const { return buffers_; }
+
+private:
+    friend class PassBuilder;
+    PassBuilder pass(std::string name, PassKind kind);
+    void check(std::uint32_t graph, std::uint32_t index, std::size_t count, const char* kind,
+               const std::string& user) const;
+
+    std::string name_;
+    std::uint32_t id_;
+    std::vector<PassDecl> passes_;
+    std::vector<ImageDecl> images_;
+    std::vector<BufferDecl> buffers_;
+};
+
+/// A graph that cannot be planned: a fault of the program, with the names of pass and resource.
+class GraphError : public std::logic_error {
+public:
+    using std::logic_error::logic_error;
+};
+
+}  // namespace nacre::graph

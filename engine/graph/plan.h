@@ -1,0 +1,122 @@
+#pragma once
+// What a graph becomes on a device: a value that can be compared and printed. Pure: no Vulkan call.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/graph/graph.h"
+
+namespace nacre::graph {
+
+/// What the planner must know of a device. Named sets stand in capability_sets.h.
+struct PlanCaps {
+    std::string name;
+    bool merge = true;                          ///< neighbouring passes may share a render pass
+    bool tileSubpasses = true;                  ///< input attachments between subpasses stay on the tile
+    bool transient = true;                      ///< attachments that never leave the tile need no memory
+    bool storeNone = false;                     ///< VK_EXT_load_store_op_none: a tested depth buffer is not stored again
+    std::uint32_t tileBytesPerPixel = 16;       ///< colour + input attachments of one render pass
+    std::uint32_t maxColorAttachments = 4;      ///< of one subpass
+    std::uint32_t maxInputAttachments = 4;
+};
+
+enum class Load : std::uint8_t { clear, load, dontCare };
+enum class Store : std::uint8_t { store, dontCare, none };
+
+struct Attachment {
+    std::uint32_t image = 0;  ///< index into Graph::images()
+    VkFormat format{};
+    Load load{};
+    Store store{};
+    bool transient = false;
+    Clear clear{0.0f};
+    VkImageLayout initialLayout{};
+    VkImageLayout finalLayout{};
+    friend bool operator==(const Attachment&, const Attachment&) = default;
+};
+
+/// Indices are into RenderPassPlan::attachments.
+struct Subpass {
+    std::vector<std::uint32_t> passes;  ///< indices into Graph::passes()
+    std::vector<std::uint32_t> colors;
+    std::vector<std::uint32_t> inputs;
+    std::vector<std::uint32_t> preserve;
+    std::int32_t depth = -1;  ///< -1: none
+    bool depthWrite = false;
+    friend bool operator==(const Subpass&, const Subpass&) = default;
+};
+
+struct Dependency {
+    std::uint32_t from = 0, to = 0;  ///< subpass, or VK_SUBPASS_EXTERNAL
+    VkPipelineStageFlags fromStages{}, toStages{};
+    VkAccessFlags fromAccess{}, toAccess{};
+    bool byRegion = true;
+    friend bool operator==(const Dependency&, const Dependency&) = default;
+};
+
+struct RenderPassPlan {
+    Extent extent;
+    std::uint32_t layers = 1, samples = 1;
+    std::vector<Attachment> attachments;
+    std::vector<Subpass> subpasses;
+    std::vector<Dependency> dependencies;
+    std::uint32_t tileBytesPerPixel = 0;  ///< colour and input attachments; depth beside it
+    friend bool operator==(const RenderPassPlan&, const RenderPassPlan&) = default;
+};
+
+struct Barrier {
+    bool isImage = true;
+    std::uint32_t resource = 0;
+    State from, to;
+    friend bool operator==(const Barrier&, const Barrier&) = default;
+};
+
+struct Step {
+    PassKind kind{};
+    std::vector<Barrier> before;
+    std::uint32_t pass = 0;    ///< compute and transfer: index into Graph::passes()
+    RenderPassPlan renderPass; ///< graphics
+    friend bool operator==(const Step&, const Step&) = default;
+};
+
+struct PlannedImage {
+    VkImageUsageFlags usage = 0;
+    bool transient = false;
+    bool used = false;
+    friend bool operator==(const PlannedImage&, const PlannedImage&) = default;
+};
+
+/// Bytes of attachments and of whole-image reads per execution.
+struct Traffic {
+    std::uint64_t loaded = 0, stored = 0;
+    friend bool operator==(const Traffic&, const Traffic&) = default;
+};
+
+struct Plan {
+    std::vector<Step> steps;
+    std::vector<Barrier> after;            ///< imported resources go back to their state, outputs to the host
+    std::vector<PlannedImage> images;      ///< by Graph::images()
+    std::vector<Traffic> traffic;          ///< by Graph::images()
+    std::vector<bool> culled;              ///< by Graph::passes()
+    std::vector<bool> inputIsSampled;      ///< by Graph::passes(): its input reads became texture reads
+    Traffic total;
+    friend bool operator==(const Plan&, const Plan&) = default;
+};
+
+/// @throws GraphError that names pass and resource
+Plan compile(const Graph& graph, const PlanCaps& caps);
+
+/// The plan as text: render passes, subpasses, attachments, traffic. Stable: tests compare it.
+std::string describe(const Graph& graph, const Plan& plan);
+
+/// Bytes of a texel of the formats that the renderer uses. @throws GraphError for any other
+std::uint32_t bytesPerTexel(VkFormat format);
+bool isDepthFormat(VkFormat format);
+/// "RGBA8", "D32F", "R32F", ...
+std::string formatName(VkFormat format);
+
+/// Stage, access and layout of a verb in a kind of pass: the one table that all barriers come from.
+State stateOf(Verb verb, PassKind kind);
+
+}  // namespace nacre::graph

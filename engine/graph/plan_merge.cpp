@@ -1,0 +1,181 @@
+#include <algorithm>
+
+#include "engine/graph/plan_internal.h"
+
+namespace nacre::graph {
+namespace {
+
+bool contains(const std::vector<std::uint32_t>& list, std::uint32_t value) {
+    return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+/// Builds one render pass from neighbouring passes.
+class Merger {
+public:
+    Merger(const Graph& graph, const PlanCaps& caps, Plan& plan) : graph_(graph), caps_(caps), plan_(plan) {}
+
+    void add(std::uint32_t p) {
+        const PassDecl& pass = graph_.passes()[p];
+        if (pass.kind != PassKind::graphics) {
+            Step step;
+            step.kind = pass.kind;
+            step.pass = p;
+            plan_.steps.push_back(std::move(step));
+            return;
+        }
+        if (!joins(pass)) open(pass);
+        place(p);
+    }
+
+private:
+    RenderPassPlan& current() { return plan_.steps.back().renderPass; }
+
+    std::int32_t find(std::uint32_t image) {
+        for (std::size_t i = 0; i < current().attachments.size(); ++i)
+            if (current().attachments[i].image == image) return static_cast<std::int32_t>(i);
+        return -1;
+    }
+
+    void open(const PassDecl& pass) {
+        Step step;
+        step.kind = PassKind::graphics;
+        for (const Use& use : pass.uses)
+            if (use.isImage && isAttachment(use.verb)) {
+                const ImageDesc& desc = graph_.images()[use.resource].desc;
+                step.renderPass.extent = desc.extent;
+                step.renderPass.samples = desc.samples;
+                step.renderPass.layers = desc.layers;
+            }
+        plan_.steps.push_back(std::move(step));
+    }
+
+    bool joins(const PassDecl& pass) {
+        if (!caps_.merge || plan_.steps.empty() || plan_.steps.back().kind != PassKind::graphics) return false;
+        bool shares = false;
+        std::uint32_t bytes = current().tileBytesPerPixel;
+        for (const Use& use : pass.uses) {
+            if (crossesPixels(use)) return false;
+            if (!use.isImage || !isAttachment(use.verb)) continue;
+            const ImageDesc& desc = graph_.images()[use.resource].desc;
+            if (desc.extent != current().extent || desc.samples != current().samples ||
+                desc.layers != current().layers)
+                return false;
+            const std::int32_t at = find(use.resource);
+            if (at >= 0) {
+                shares = true;
+                if (use.clear) return false;  // an attachment is cleared only on entry
+                if (use.verb == Verb::input && !caps_.tileSubpasses) return false;
+            } else if (isDepthFormat(desc.format)) {
+                if (hasDepth()) return false;  // another depth image
+            } else {
+                if (use.verb == Verb::input) return false;  // comes from memory: read it as a texture
+                bytes += bytesPerTexel(desc.format);
+            }
+        }
+        return shares && bytes <= caps_.tileBytesPerPixel;
+    }
+
+    bool hasDepth() {
+        return std::any_of(current().subpasses.begin(), current().subpasses.end(),
+                           [](const Subpass& s) { return s.depth >= 0; });
+    }
+
+    /// Whether a use conflicts with an earlier pass of the current render pass in a way that only the end of the
+    /// render pass orders: textures and buffers are visible to every pixel.
+    bool crossesPixels(const Use& use) {
+        for (const Subpass& subpass : current().subpasses)
+            for (const std::uint32_t earlier : subpass.passes)
+                for (const Use& other : graph_.passes()[earlier].uses) {
+                    if (other.isImage != use.isImage || other.resource != use.resource) continue;
+                    const bool bothOnTile =
+                        isAttachment(use.verb) && isAttachment(effectiveVerb(plan_, earlier, other));
+                    if (!bothOnTile && (isWrite(use.verb) || isWrite(other.verb))) return true;
+                }
+        return false;
+    }
+
+    /// Whether a pass can share the last subpass: no input read, and every attachment in common used the same way.
+    bool sharesSubpass(const PassDecl& pass) {
+        if (current().subpasses.empty()) return false;
+        const Subpass& last = current().subpasses.back();
+        std::size_t common = 0, colors = 0;
+        for (const Use& use : pass.uses)
+            if (use.verb == Verb::color) {
+                const std::int32_t at = find(use.resource);
+                ++colors;
+                if (at >= 0 && contains(last.colors, static_cast<std::uint32_t>(at))) ++common;
+            }
+        const bool sameColors = common == colors && common == last.colors.size();
+        std::size_t colorCount = last.colors.size();
+        for (const Use& use : pass.uses) {
+            if (!use.isImage || !isAttachment(use.verb)) continue;
+            if (use.verb == Verb::input) return false;
+            const std::int32_t at = find(use.resource);
+            const auto index = static_cast<std::uint32_t>(at);
+            if (at >= 0 && contains(last.inputs, index)) return false;
+            if (use.verb == Verb::color && !(at >= 0 && contains(last.colors, index))) ++colorCount;
+            if (at < 0 || last.depth != at) continue;
+            if (use.verb == Verb::depth && !last.depthWrite) return false;
+            if (use.verb == Verb::depthTest && last.depthWrite && !sameColors) return false;
+        }
+        return colorCount <= caps_.maxColorAttachments;
+    }
+
+    std::uint32_t attach(const Use& use) {
+        std::int32_t at = find(use.resource);
+        if (at < 0) {
+            Attachment attachment;
+            attachment.image = use.resource;
+            attachment.format = graph_.images()[use.resource].desc.format;
+            attachment.load = use.clear ? Load::clear : Load::dontCare;
+            if (use.clear) attachment.clear = *use.clear;
+            if (!isDepthFormat(attachment.format)) current().tileBytesPerPixel += bytesPerTexel(attachment.format);
+            at = static_cast<std::int32_t>(current().attachments.size());
+            current().attachments.push_back(attachment);
+        }
+        return static_cast<std::uint32_t>(at);
+    }
+
+    void place(std::uint32_t p) {
+        const PassDecl& pass = graph_.passes()[p];
+        for (const Use& use : pass.uses)
+            if (use.verb == Verb::input && find(use.resource) < 0) plan_.inputIsSampled[p] = true;
+        if (!sharesSubpass(pass)) current().subpasses.emplace_back();
+        // attach() may grow the attachments, never the subpasses.
+        Subpass& subpass = current().subpasses.back();
+        subpass.passes.push_back(p);
+        for (const Use& use : pass.uses) {
+            const Verb verb = effectiveVerb(plan_, p, use);
+            if (!use.isImage || !isAttachment(verb)) continue;
+            const std::uint32_t at = attach(use);
+            if (verb == Verb::color && !contains(subpass.colors, at)) subpass.colors.push_back(at);
+            if (verb == Verb::input) subpass.inputs.push_back(at);
+            if (verb == Verb::depth || verb == Verb::depthTest) {
+                subpass.depth = static_cast<std::int32_t>(at);
+                subpass.depthWrite = subpass.depthWrite || verb == Verb::depth;
+            }
+        }
+    }
+
+    const Graph& graph_;
+    const PlanCaps& caps_;
+    Plan& plan_;
+};
+
+}  // namespace
+
+bool attachmentVerb(const Subpass& subpass, std::uint32_t attachment, Verb& verb) {
+    if (contains(subpass.colors, attachment)) return verb = Verb::color, true;
+    if (contains(subpass.inputs, attachment)) return verb = Verb::input, true;
+    if (subpass.depth == static_cast<std::int32_t>(attachment))
+        return verb = subpass.depthWrite ? Verb::depth : Verb::depthTest, true;
+    return false;
+}
+
+void mergePasses(const Graph& graph, const PlanCaps& caps, Plan& plan) {
+    Merger merger(graph, caps, plan);
+    for (std::uint32_t p = 0; p < graph.passes().size(); ++p)
+        if (!plan.culled[p]) merger.add(p);
+}
+
+}  // namespace nacre::graph

@@ -1,0 +1,136 @@
+#include "engine/graph/plan_internal.h"
+
+namespace nacre::graph {
+namespace {
+
+/// How one step uses one image, in the order of its passes.
+struct ImageUse {
+    bool used = false, written = false, onlyAttachment = true, clearedFirst = false;
+};
+
+ImageUse useOf(const Graph& graph, const Plan& plan, const Step& step, std::uint32_t image) {
+    ImageUse result;
+    auto visit = [&](std::uint32_t p) {
+        for (const Use& use : graph.passes()[p].uses) {
+            if (!use.isImage || use.resource != image) continue;
+            const Verb verb = effectiveVerb(plan, p, use);
+            if (!result.used) result.clearedFirst = use.clear.has_value();
+            result.used = true;
+            result.written = result.written || isWrite(verb);
+            result.onlyAttachment = result.onlyAttachment && isAttachment(verb);
+        }
+    };
+    if (step.kind != PassKind::graphics) visit(step.pass);
+    for (const Subpass& subpass : step.renderPass.subpasses)
+        for (const std::uint32_t p : subpass.passes) visit(p);
+    return result;
+}
+
+VkImageUsageFlags usageFlag(Verb verb) {
+    switch (verb) {
+        case Verb::depth:
+        case Verb::depthTest: return VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+        case Verb::color: return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+        case Verb::input: return VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT;
+        case Verb::samples: return VK_IMAGE_USAGE_SAMPLED_BIT;
+        case Verb::copiesFrom: return VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+        case Verb::copiesTo: return VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+        default: return 0;
+    }
+}
+
+std::uint64_t bytesOf(const ImageDecl& image) {
+    return std::uint64_t{bytesPerTexel(image.desc.format)} * image.desc.extent.width * image.desc.extent.height *
+           image.desc.layers * image.desc.samples;
+}
+
+class Operations {
+public:
+    Operations(const Graph& graph, const PlanCaps& caps, Plan& plan) : graph_(graph), caps_(caps), plan_(plan) {}
+
+    void derive(std::uint32_t image) {
+        const ImageDecl& decl = graph_.images()[image];
+        std::vector<ImageUse> uses;
+        std::uint32_t steps = 0;
+        bool onlyAttachment = true, defined = decl.imported.has_value();
+        for (const Step& step : plan_.steps) {
+            uses.push_back(useOf(graph_, plan_, step, image));
+            if (uses.back().used) ++steps;
+            onlyAttachment = onlyAttachment && uses.back().onlyAttachment;
+        }
+        PlannedImage& planned = plan_.images[image];
+        planned.used = steps > 0;
+        bool loaded = false;
+        for (std::size_t s = 0; s < plan_.steps.size(); ++s) {
+            for (Attachment& a : plan_.steps[s].renderPass.attachments) {
+                if (a.image != image) continue;
+                if (a.load != Load::clear) a.load = defined ? Load::load : Load::dontCare;
+                a.store = storeOf(decl, uses, s);
+                loaded = loaded || a.load == Load::load;
+            }
+            defined = defined || uses[s].written;
+        }
+        planned.transient =
+            steps == 1 && onlyAttachment && !loaded && !decl.output && !decl.imported && caps_.transient;
+        for (Step& step : plan_.steps)
+            for (Attachment& a : step.renderPass.attachments)
+                if (a.image == image) a.transient = planned.transient;
+    }
+
+    void deriveUsage() {
+        for (std::uint32_t p = 0; p < graph_.passes().size(); ++p) {
+            if (plan_.culled[p]) continue;
+            for (const Use& use : graph_.passes()[p].uses)
+                if (use.isImage) plan_.images[use.resource].usage |= usageFlag(effectiveVerb(plan_, p, use));
+        }
+        for (PlannedImage& image : plan_.images)
+            if (image.transient) image.usage |= VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT;
+    }
+
+    void deriveTraffic() {
+        for (const Step& step : plan_.steps)
+            for (const Attachment& a : step.renderPass.attachments) {
+                const std::uint64_t bytes = bytesOf(graph_.images()[a.image]);
+                if (a.load == Load::load) plan_.traffic[a.image].loaded += bytes;
+                if (a.store == Store::store) plan_.traffic[a.image].stored += bytes;
+            }
+        // An image made by this graph and read as a texture by a later graphics pass comes back once.
+        for (std::uint32_t p = 0; p < graph_.passes().size(); ++p)
+            for (const Use& use : graph_.passes()[p].uses) {
+                if (plan_.culled[p] || !use.isImage || effectiveVerb(plan_, p, use) != Verb::samples) continue;
+                const ImageDecl& decl = graph_.images()[use.resource];
+                if (!decl.imported) plan_.traffic[use.resource].loaded += bytesOf(decl);
+            }
+        for (const Traffic& t : plan_.traffic) {
+            plan_.total.loaded += t.loaded;
+            plan_.total.stored += t.stored;
+        }
+    }
+
+private:
+    Store storeOf(const ImageDecl& decl, const std::vector<ImageUse>& uses, std::size_t s) const {
+        bool wanted = decl.output || decl.imported.has_value();
+        for (std::size_t later = s + 1; later < uses.size(); ++later)
+            if (uses[later].used) {
+                wanted = !uses[later].clearedFirst || (wanted && !uses[later].written);
+                break;
+            }
+        if (!wanted) return Store::dontCare;
+        return !uses[s].written && caps_.storeNone ? Store::none : Store::store;
+    }
+
+    const Graph& graph_;
+    const PlanCaps& caps_;
+    Plan& plan_;
+};
+
+}  // namespace
+
+void deriveOperations(const Graph& graph, const PlanCaps& caps, Plan& plan) {
+    Operations operations(graph, caps, plan);
+    for (std::uint32_t i = 0; i < graph.images().size(); ++i) operations.derive(i);
+    operations.deriveUsage();
+    operations.deriveTraffic();
+}
+
+}  // namespace nacre::graph

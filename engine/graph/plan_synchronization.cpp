@@ -1,0 +1,247 @@
+#include <algorithm>
+
+#include "engine/graph/plan_internal.h"
+
+namespace nacre::graph {
+namespace {
+
+/// What has happened to a resource since it was last written, and who may already see that write.
+struct Track {
+    VkPipelineStageFlags writeStages = 0, readStages = 0, visibleStages = 0;
+    VkAccessFlags writeAccess = 0, visibleAccess = 0;
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED;
+
+    bool touched() const { return (writeStages | readStages) != 0; }
+    State before() const {
+        const VkPipelineStageFlags stages = writeStages | readStages;
+        return {stages ? stages : static_cast<VkPipelineStageFlags>(VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT), writeAccess,
+                layout};
+    }
+};
+
+Track trackOf(const State& state) {
+    Track track;
+    track.layout = state.layout;
+    if (state.access & kWriteAccess) {
+        track.writeStages = state.stages;
+        track.writeAccess = state.access & kWriteAccess;
+    } else {
+        track.readStages = track.visibleStages = state.stages;
+        track.visibleAccess = state.access;
+    }
+    return track;
+}
+
+/// One use of a resource by a step: how it is entered, and all that it does until the step ends.
+struct StepUse {
+    bool isImage = true;
+    std::uint32_t resource = 0;
+    State entry, whole;  // whole.layout: the layout it is left in
+    Attachment* attachment = nullptr;
+};
+
+class Synchronizer {
+public:
+    Synchronizer(const Graph& graph, Plan& plan) : graph_(graph), plan_(plan) {}
+
+    void run() {
+        for (Step& step : plan_.steps)
+            if (step.kind == PassKind::graphics) subpassDependencies(step.renderPass);
+        // Once to learn in what state everything ends, and once more from there: a graph may follow itself.
+        reset();
+        for (Step& step : plan_.steps) walk(step, false);
+        const std::vector<Track> images = images_, buffers = buffers_;
+        reset();
+        for (std::size_t i = 0; i < images_.size(); ++i)
+            if (!graph_.images()[i].imported) {
+                images_[i] = images[i];
+                images_[i].layout = VK_IMAGE_LAYOUT_UNDEFINED;
+            }
+        for (std::size_t i = 0; i < buffers_.size(); ++i)
+            if (!graph_.buffers()[i].imported) buffers_[i] = buffers[i];
+        for (Step& step : plan_.steps) walk(step, true);
+        finish();
+    }
+
+private:
+    void reset() {
+        images_.assign(graph_.images().size(), {});
+        buffers_.assign(graph_.buffers().size(), {});
+        for (std::size_t i = 0; i < images_.size(); ++i)
+            if (graph_.images()[i].imported) images_[i] = trackOf(*graph_.images()[i].imported);
+        for (std::size_t i = 0; i < buffers_.size(); ++i)
+            if (graph_.buffers()[i].imported) buffers_[i] = trackOf(*graph_.buffers()[i].imported);
+    }
+
+    std::vector<StepUse> usesOf(Step& step) const {
+        std::vector<StepUse> uses;
+        auto add = [&](std::uint32_t p) {
+            for (const Use& use : graph_.passes()[p].uses) {
+                const Verb verb = effectiveVerb(plan_, p, use);
+                if (use.isImage && isAttachment(verb)) continue;
+                merge(uses, {use.isImage, use.resource, stateOf(verb, step.kind), stateOf(verb, step.kind), nullptr});
+            }
+        };
+        if (step.kind != PassKind::graphics) add(step.pass);
+        for (const Subpass& subpass : step.renderPass.subpasses)
+            for (const std::uint32_t p : subpass.passes) add(p);
+        for (std::size_t a = 0; a < step.renderPass.attachments.size(); ++a)
+            uses.push_back(attachmentUse(step.renderPass, static_cast<std::uint32_t>(a)));
+        return uses;
+    }
+
+    static void merge(std::vector<StepUse>& uses, const StepUse& use) {
+        for (StepUse& other : uses)
+            if (other.isImage == use.isImage && other.resource == use.resource) {
+                other.entry.stages |= use.entry.stages;
+                other.entry.access |= use.entry.access;
+                other.whole = other.entry;
+                return;
+            }
+        uses.push_back(use);
+    }
+
+    static StepUse attachmentUse(RenderPassPlan& pass, std::uint32_t a) {
+        StepUse use;
+        use.resource = pass.attachments[a].image;
+        use.attachment = &pass.attachments[a];
+        bool first = true;
+        for (const Subpass& subpass : pass.subpasses) {
+            Verb verb{};
+            if (!attachmentVerb(subpass, a, verb)) continue;
+            const State state = stateOf(verb, PassKind::graphics);
+            if (first) use.entry = state;
+            use.whole.stages = first ? state.stages : use.whole.stages | state.stages;
+            use.whole.access |= state.access;
+            use.whole.layout = state.layout;
+            first = false;
+        }
+        // Load and store operations write too: clears on entry, don't-care and store on exit.
+        const bool depth = isDepthFormat(use.attachment->format);
+        const State writing = stateOf(depth ? Verb::depth : Verb::color, PassKind::graphics);
+        if (use.attachment->load != Load::load) use.entry = {use.entry.stages | writing.stages,
+                                                             use.entry.access | writing.access, use.entry.layout};
+        if (use.attachment->store != Store::none) {
+            use.whole.stages |= writing.stages;
+            use.whole.access |= writing.access;
+        }
+        use.attachment->finalLayout = use.whole.layout;
+        return use;
+    }
+
+    void walk(Step& step, bool emit) {
+        for (StepUse& use : usesOf(step)) {
+            Track& track = use.isImage ? images_[use.resource] : buffers_[use.resource];
+            const bool discards = use.attachment && use.attachment->load != Load::load;
+            const VkImageLayout wanted = use.isImage ? use.entry.layout : VK_IMAGE_LAYOUT_UNDEFINED;
+            const State from{track.before().stages, track.before().access,
+                             discards ? VK_IMAGE_LAYOUT_UNDEFINED : track.layout};
+            const State to{use.entry.stages, use.entry.access, wanted};
+            if (use.attachment) {
+                use.attachment->initialLayout = discards ? VK_IMAGE_LAYOUT_UNDEFINED : wanted;
+                if (discards && emit) externalDependency(step.renderPass, from, to);
+            }
+            const bool needed = needsBarrier(track, to, use.isImage);
+            if (emit && needed && !discards) step.before.push_back({use.isImage, use.resource, from, to});
+            advance(track, use, needed || discards);
+        }
+        if (emit) sortDependencies(step.renderPass);
+    }
+
+    static bool needsBarrier(const Track& track, const State& to, bool isImage) {
+        if (isImage && track.layout != to.layout) return true;
+        if (to.access & kWriteAccess) return track.touched();
+        if (!track.writeStages) return false;
+        return (to.stages & ~track.visibleStages) != 0 || (to.access & ~track.visibleAccess) != 0;
+    }
+
+    static void advance(Track& track, const StepUse& use, bool synchronized) {
+        const bool writes = (use.whole.access & kWriteAccess) != 0;
+        if (writes || synchronized) {
+            track = {};
+            track.writeStages = use.whole.stages;
+            track.writeAccess = use.whole.access & kWriteAccess;
+            if (!writes) track.visibleStages = use.whole.stages, track.visibleAccess = use.whole.access;
+        } else {
+            track.readStages |= use.whole.stages;
+        }
+        track.layout = use.isImage ? use.whole.layout : VK_IMAGE_LAYOUT_UNDEFINED;
+    }
+
+    static void subpassDependencies(RenderPassPlan& pass) {
+        for (std::uint32_t a = 0; a < pass.attachments.size(); ++a)
+            for (std::uint32_t to = 1; to < pass.subpasses.size(); ++to) {
+                Verb later{};
+                if (!attachmentVerb(pass.subpasses[to], a, later)) continue;
+                for (std::uint32_t from = 0; from < to; ++from) {
+                    Verb earlier{};
+                    if (!attachmentVerb(pass.subpasses[from], a, earlier)) continue;
+                    if (isWrite(earlier) || isWrite(later) || earlier != later)
+                        depend(pass, from, to, stateOf(earlier, PassKind::graphics),
+                               stateOf(later, PassKind::graphics), true);
+                }
+            }
+        for (std::uint32_t a = 0; a < pass.attachments.size(); ++a) preserve(pass, a);
+    }
+
+    static void preserve(RenderPassPlan& pass, std::uint32_t a) {
+        std::vector<bool> used;
+        Verb verb{};
+        for (const Subpass& subpass : pass.subpasses) used.push_back(attachmentVerb(subpass, a, verb));
+        const auto first = std::find(used.begin(), used.end(), true);
+        const auto last = std::find(used.rbegin(), used.rend(), true).base();
+        const bool stored = pass.attachments[a].store != Store::dontCare;
+        for (auto it = first; it < (stored ? used.end() : last); ++it)
+            if (!*it) pass.subpasses[static_cast<std::size_t>(it - used.begin())].preserve.push_back(a);
+    }
+
+    static void externalDependency(RenderPassPlan& pass, const State& from, const State& to) {
+        depend(pass, VK_SUBPASS_EXTERNAL, 0, from, to, false);
+    }
+
+    static void depend(RenderPassPlan& pass, std::uint32_t from, std::uint32_t to, const State& source,
+                       const State& target, bool byRegion) {
+        auto at = std::find_if(pass.dependencies.begin(), pass.dependencies.end(),
+                               [&](const Dependency& d) { return d.from == from && d.to == to; });
+        if (at == pass.dependencies.end()) at = pass.dependencies.insert(at, {from, to, 0, 0, 0, 0, byRegion});
+        at->fromStages |= source.stages;
+        at->toStages |= target.stages;
+        at->fromAccess |= source.access & kWriteAccess;
+        at->toAccess |= target.access;
+    }
+
+    static void sortDependencies(RenderPassPlan& pass) {
+        std::sort(pass.dependencies.begin(), pass.dependencies.end(), [](const Dependency& x, const Dependency& y) {
+            const std::int64_t fx = x.from == VK_SUBPASS_EXTERNAL ? -1 : std::int64_t{x.from};
+            const std::int64_t fy = y.from == VK_SUBPASS_EXTERNAL ? -1 : std::int64_t{y.from};
+            return fx != fy ? fx < fy : x.to < y.to;
+        });
+    }
+
+    void finish() {
+        for (std::uint32_t i = 0; i < images_.size(); ++i) {
+            const auto& imported = graph_.images()[i].imported;
+            if (!imported || !plan_.images[i].used) continue;
+            if (needsBarrier(images_[i], *imported, true) || images_[i].writeAccess)
+                plan_.after.push_back({true, i, images_[i].before(), *imported});
+        }
+        for (std::uint32_t i = 0; i < buffers_.size(); ++i) {
+            const BufferDecl& decl = graph_.buffers()[i];
+            if (decl.imported && buffers_[i].writeAccess)
+                plan_.after.push_back({false, i, buffers_[i].before(), *decl.imported});
+            if (decl.output)
+                plan_.after.push_back({false, i, buffers_[i].before(),
+                                       {VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT, {}}});
+        }
+    }
+
+    const Graph& graph_;
+    Plan& plan_;
+    std::vector<Track> images_, buffers_;
+};
+
+}  // namespace
+
+void deriveSynchronization(const Graph& graph, Plan& plan) { Synchronizer(graph, plan).run(); }
+
+}  // namespace nacre::graph

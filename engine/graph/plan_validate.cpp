@@ -1,0 +1,94 @@
+#include <algorithm>
+
+#include "engine/graph/plan_internal.h"
+
+namespace nacre::graph {
+namespace {
+
+bool fits(Verb verb, PassKind kind) {
+    switch (kind) {
+        case PassKind::graphics: return verb != Verb::copiesFrom && verb != Verb::copiesTo;
+        case PassKind::compute: return verb == Verb::samples || verb == Verb::reads || verb == Verb::writes;
+        case PassKind::transfer: return verb == Verb::copiesFrom || verb == Verb::copiesTo;
+    }
+    return false;
+}
+
+void checkReads(const Graph& graph) {
+    std::vector<bool> imageWritten, bufferWritten;
+    for (const ImageDecl& image : graph.images()) imageWritten.push_back(image.imported.has_value());
+    for (const BufferDecl& buffer : graph.buffers()) bufferWritten.push_back(buffer.imported.has_value());
+    auto writtenLater = [&](std::size_t from, const Use& read) {
+        for (std::size_t p = from; p < graph.passes().size(); ++p)
+            for (const Use& use : graph.passes()[p].uses)
+                if (use.isImage == read.isImage && use.resource == read.resource && isWrite(use.verb))
+                    return graph.passes()[p].name;
+        return std::string();
+    };
+    for (std::size_t p = 0; p < graph.passes().size(); ++p) {
+        const PassDecl& pass = graph.passes()[p];
+        for (const Use& use : pass.uses) {
+            const bool written = use.isImage ? imageWritten[use.resource] : bufferWritten[use.resource];
+            if (isWrite(use.verb) || written) continue;
+            const std::string writer = writtenLater(p, use);
+            const std::string what = naming(graph, pass, use) + ": " + verbName(use.verb);
+            throw GraphError(what + (writer.empty() ? " of contents that no pass writes"
+                                                    : " before pass '" + writer + "', which writes it, is declared"));
+        }
+        for (const Use& use : pass.uses)
+            if (isWrite(use.verb)) (use.isImage ? imageWritten : bufferWritten)[use.resource] = true;
+    }
+}
+
+void checkAttachments(const Graph& graph, const PassDecl& pass, const PlanCaps& caps) {
+    const ImageDesc* first = nullptr;
+    std::uint32_t bytes = 0, colors = 0, inputs = 0;
+    for (const Use& use : pass.uses) {
+        if (!use.isImage || !isAttachment(use.verb)) continue;
+        const ImageDesc& desc = graph.images()[use.resource].desc;
+        if (!first) first = &desc;
+        if (desc.extent != first->extent || desc.samples != first->samples || desc.layers != first->layers)
+            throw GraphError(naming(graph, pass, use) + ": " + verbName(use.verb) +
+                             " attachment of another extent, sample or layer count than the pass's first");
+        const bool depthVerb = use.verb == Verb::depth || use.verb == Verb::depthTest;
+        if (depthVerb != isDepthFormat(desc.format))
+            throw GraphError(naming(graph, pass, use) + ": " + formatName(desc.format) + " cannot be a " +
+                             verbName(use.verb) + " attachment");
+        if (use.verb == Verb::color) {
+            ++colors;
+            bytes += bytesPerTexel(desc.format);
+        }
+        if (use.verb == Verb::input) ++inputs;
+    }
+    if (pass.kind == PassKind::graphics && !first)
+        throw GraphError("pass '" + pass.name + "': a graphics pass needs an attachment");
+    if (colors > caps.maxColorAttachments || inputs > caps.maxInputAttachments)
+        throw GraphError("pass '" + pass.name + "': " + std::to_string(colors) + " colour and " +
+                         std::to_string(inputs) + " input attachments exceed '" + caps.name + "' (" +
+                         std::to_string(caps.maxColorAttachments) + " and " +
+                         std::to_string(caps.maxInputAttachments) + ")");
+    if (bytes > caps.tileBytesPerPixel)
+        throw GraphError("pass '" + pass.name + "': " + std::to_string(bytes) +
+                         " bytes of colour a pixel exceed the tile budget of '" + caps.name + "' (" +
+                         std::to_string(caps.tileBytesPerPixel) + ")");
+}
+
+}  // namespace
+
+void validate(const Graph& graph, const PlanCaps& caps) {
+    for (const PassDecl& pass : graph.passes()) {
+        for (std::size_t i = 0; i < pass.uses.size(); ++i) {
+            const Use& use = pass.uses[i];
+            if (!fits(use.verb, pass.kind) || (!use.isImage && isAttachment(use.verb)))
+                throw GraphError(naming(graph, pass, use) + ": '" + verbName(use.verb) +
+                                 "' does not go with this kind of pass");
+            for (std::size_t j = 0; j < i; ++j)
+                if (pass.uses[j].isImage == use.isImage && pass.uses[j].resource == use.resource)
+                    throw GraphError(naming(graph, pass, use) + ": used twice by one pass");
+        }
+        checkAttachments(graph, pass, caps);
+    }
+    checkReads(graph);
+}
+
+}  // namespace nacre::graph

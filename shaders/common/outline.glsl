@@ -1,0 +1,45 @@
+// Flat outlines on the plane z = 0 that cover a primitive's picture.
+
+layout(constant_id = 3) const int kCorners = 8;  // 8: octagon, 4: square
+
+/// Corner of a triangle strip over the polygon circumscribed about the unit circle, no buffers needed.
+vec2 corner(int index) {
+    if (kCorners == 4) return vec2((index & 1) == 0 ? -1.0 : 1.0, (index & 2) == 0 ? -1.0 : 1.0);
+    const float t = 0.41421356;  // tan 22.5 degrees
+    // Strip order: left pair, then pairs of rising x. Odd indices have the positive y.
+    int pair = index >> 1;
+    float x = pair == 0 ? -1.0 : pair == 1 ? -t : pair == 2 ? t : 1.0;
+    float y = pair == 0 || pair == 3 ? t : 1.0;
+    return vec2(x, (index & 1) == 0 ? -y : y);
+}
+
+struct Outline {
+    vec2 center, axisU, axisV;  // an ellipse, Å on the plane z = 0, grown by the snap margin
+};
+
+/// Silhouette of a sphere. Perspective: the image of its tangent cone, an ellipse whose long axis points away from
+/// the view axis. With D = distance of the centre along -z and K = D^2 + rho^2 - r^2: centre rho E D / (D^2 - r^2),
+/// half-axes E r sqrt(K) / (D^2 - r^2) and E r / sqrt(D^2 - r^2).
+Outline sphereOutline(vec3 center, float radius) {
+    Outline o;
+    float margin = view.screen.w;
+    if (!kPerspective) {
+        o.center = center.xy;
+        o.axisU = vec2(radius + margin, 0.0);
+        o.axisV = vec2(0.0, radius + margin);
+        return o;
+    }
+    float E = view.row2.w;
+    float D = E - center.z;
+    float rho = length(center.xy);
+    float under = D * D - radius * radius;
+    vec2 u = rho > 1e-6 ? center.xy / rho : vec2(1.0, 0.0);
+    float a = E * radius * sqrt(under + rho * rho) / under;
+    float b = E * radius * inversesqrt(under);
+    o.center = u * (rho * E * D / under);
+    // The floats above carry a relative error of some 1e-6 of the whole picture.
+    float slack = margin + 4e-6 * (rho + a) * E / D;
+    o.axisU = u * (a + slack);
+    o.axisV = vec2(-u.y, u.x) * (b + slack);
+    return o;
+}

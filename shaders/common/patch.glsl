@@ -1,0 +1,38 @@
+// Patches of the occlusion atlas. The texels of a patch stand on its corners and edges too, so that bilinear
+// interpolation inside a patch needs no gutter and meets itself where the map is folded or wrapped.
+
+/// Octahedral map of a unit vector to [0, 1]^2 (Meyer et al. 2010, "On Floating-Point Normal Vectors").
+vec2 octahedralCoordinate(vec3 n) {
+    vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));
+    if (n.z < 0.0) p = (1.0 - abs(p.yx)) * vec2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
+    return p * 0.5 + 0.5;
+}
+vec3 octahedralNormal(vec2 uv) {
+    vec2 p = uv * 2.0 - 1.0;
+    vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
+    if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * vec2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
+    return normalize(n);
+}
+
+/// Two unit vectors that make a right-handed frame with the unit vector w (Duff et al. 2017, JCGT 6(1)).
+void frameAbout(vec3 w, out vec3 u, out vec3 v) {
+    float s = w.z >= 0.0 ? 1.0 : -1.0;
+    float a = -1.0 / (s + w.z);
+    float b = w.x * w.y * a;
+    u = vec3(1.0 + s * w.x * w.x * a, s * b, -s * w.x);
+    v = vec3(b, s + w.y * w.y * a, -w.y);
+}
+const float kTwoPi = 6.283185307179586;
+
+/// Angle about the axis w of a direction n, as 0..1 around.
+float angleAbout(vec3 w, vec3 n) {
+    vec3 u, v;
+    frameAbout(w, u, v);
+    return atan(dot(n, v), dot(n, u)) / kTwoPi + 0.5;
+}
+vec3 directionAbout(vec3 w, float around) {
+    vec3 u, v;
+    frameAbout(w, u, v);
+    float angle = (around - 0.5) * kTwoPi;
+    return u * cos(angle) + v * sin(angle);
+}

@@ -1,0 +1,25 @@
+// The view of a geometry pass, and what follows from a pixel alone.
+#extension GL_GOOGLE_include_directive : require
+#include "layout.h"
+
+layout(push_constant) uniform Push { ViewConstants view; };
+layout(constant_id = 0) const bool kPerspective = false;
+
+vec3 toView(vec3 p) {
+    precise vec3 v = vec3(dot(view.row0.xyz, p), dot(view.row1.xyz, p), dot(view.row2.xyz, p));
+    return v;
+}
+vec3 toObject(vec3 v) { return view.row0.xyz * v.x + view.row1.xyz * v.y + view.row2.xyz * v.z; }
+
+/// The point of the plane z = 0 that this pixel looks through, Å.
+vec2 planePoint(vec2 fragment) {
+    precise vec2 q = (fragment - view.screen.xy) * view.screen.z;
+    return vec2(q.x, -q.y);
+}
+/// Encoded depth, 0 near to 1 far, of a distance Z.
+float encodedDepth(float Z) {
+    precise float d = (Z - view.depth.x) * view.depth.y;
+    return d;
+}
+/// Clip position of a point of the plane z = 0 at encoded depth d. w = 1: depth is constant over a polygon.
+vec4 clipPosition(vec2 q, float d) { return vec4(q.x * view.row0.w, q.y * view.row1.w, clamp(d, 0.0, 1.0), 1.0); }

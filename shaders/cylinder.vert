@@ -1,0 +1,59 @@
+#version 450
+// The impostor polygon of a cylinder: a rectangle along its axis, flat, at the cylinder's nearest depth.
+#extension GL_GOOGLE_include_directive : require
+#include "common/view.glsl"
+#include "common/outline.glsl"
+
+layout(location = 0) in vec4 inA;  // xyz, radius
+layout(location = 1) in vec4 inB;
+#ifdef LOOK
+layout(location = 2) in uvec4 inLook;
+layout(location = 3) in uint inPatch;
+layout(location = 2) flat out uvec4 look;
+layout(location = 3) flat out vec4 axisPatch;  // object-space axis, patch address as bits
+#endif
+layout(location = 0) flat out vec4 endA;  // view space, radius
+layout(location = 1) flat out vec4 endB;
+invariant gl_Position;
+
+/// Reach of an ellipse from the origin in a direction.
+float reach(Outline o, vec2 direction) {
+    return dot(o.center, direction) + length(vec2(dot(o.axisU, direction), dot(o.axisV, direction)));
+}
+
+void main() {
+    precise vec3 a = toView(inA.xyz);
+    precise vec3 b = toView(inB.xyz);
+    float radius = inA.w;
+    endA = vec4(a, radius);
+    endB = vec4(b, 0.0);
+#ifdef LOOK
+    look = inLook;
+    axisPatch = vec4(normalize(inB.xyz - inA.xyz), uintBitsToFloat(inPatch));
+#endif
+    vec3 axis = normalize(b - a);
+    // Both ends' silhouettes as spheres of the cylinder's radius: their hull holds the cylinder in any projection.
+    Outline oa = sphereOutline(a, radius);
+    Outline ob = sphereOutline(b, radius);
+    vec2 along = ob.center - oa.center;
+    float span = length(along);
+    vec2 u = span > 1e-6 ? along / span : vec2(1.0, 0.0);
+    vec2 v = vec2(-u.y, u.x);
+    float low = -reach(oa, -u);
+    float high = reach(ob, u);
+    low = min(low, -reach(ob, -u));
+    high = max(high, reach(oa, u));
+    if (!kPerspective) {
+        // A flat cap sticks out by r |axis.z| only.
+        float cap = radius * abs(axis.z) + view.screen.w;
+        low = dot(oa.center, u) - cap;
+        high = dot(ob.center, u) + cap;
+    }
+    float left = min(-reach(oa, -v), -reach(ob, -v));
+    float right = max(reach(oa, v), reach(ob, v));
+    bool first = (gl_VertexIndex & 1) == 0;
+    bool second = (gl_VertexIndex & 2) == 0;
+    vec2 q = u * (first ? low : high) + v * (second ? left : right);
+    float front = max(a.z, b.z) + radius * sqrt(max(1.0 - axis.z * axis.z, 0.0));
+    gl_Position = clipPosition(q, encodedDepth(view.row2.w - front - radius * 1e-3));
+}

@@ -1,0 +1,24 @@
+#version 450
+// Depth encoding: the hit's depth as a colour, kept by a MIN blend. A pixel outside writes the blend's neutral
+// value instead of discarding, so that nothing stands in the way of early depth tests.
+#extension GL_GOOGLE_include_directive : require
+#include "common/hit.glsl"
+#include "common/encoding.glsl"
+
+layout(early_fragment_tests) in;
+#ifdef CYLINDER
+layout(location = 0) flat in vec4 endA;
+layout(location = 1) flat in vec4 endB;
+#else
+layout(location = 0) flat in vec4 sphere;
+#endif
+layout(location = 0) out vec4 encoded;
+
+void main() {
+#ifdef CYLINDER
+    Hit hit = cylinderHit(endA.xyz, endB.xyz, endA.w, gl_FragCoord.xy);
+#else
+    Hit hit = sphereHit(sphere, gl_FragCoord.xy);
+#endif
+    encoded = hit.inside ? encodeDepth(encodedDepth(hit.Z)) : vec4(1.0);
+}

@@ -1,0 +1,23 @@
+#version 450
+// The opaque plate of a sphere: an octagon wholly inside it, facing the view plane. Whatever lies behind is hidden
+// by the sphere itself, so plates never change a pixel.
+#extension GL_GOOGLE_include_directive : require
+#include "common/view.glsl"
+#include "common/outline.glsl"
+
+// Corner radius of the plate in sphere radii; it stands sqrt(1 - rim^2) in front of the centre.
+layout(constant_id = 4) const float kRim = 0.98516;
+
+layout(location = 0) in vec4 inSphere;
+invariant gl_Position;
+
+void main() {
+    precise vec3 center = toView(inSphere.xyz);
+    float radius = inSphere.w * (1.0 - 1e-3);
+    float Z = view.row2.w - center.z - radius * sqrt(1.0 - kRim * kRim);
+    float magnify = kPerspective ? view.row2.w / Z : 1.0;
+    // cos 22.5 degrees takes the corners of the circumscribed octagon back to the rim. The rasteriser may move a
+    // corner by the snap margin: draw that much less, or nothing.
+    float reach = max(radius * kRim * 0.92387953 - view.screen.w / magnify * 1.0824, 0.0);
+    gl_Position = clipPosition((center.xy + corner(gl_VertexIndex) * reach) * magnify, encodedDepth(Z));
+}

@@ -1,0 +1,27 @@
+#version 450
+// The impostor polygon of a sphere: flat, at the sphere's nearest depth, around its silhouette.
+#extension GL_GOOGLE_include_directive : require
+#include "common/view.glsl"
+#include "common/outline.glsl"
+
+layout(location = 0) in vec4 inSphere;
+#ifdef LOOK
+layout(location = 1) in uvec3 inLook;
+layout(location = 1) flat out uvec3 look;
+#endif
+layout(location = 0) flat out vec4 sphere;
+invariant gl_Position;
+
+void main() {
+    precise vec3 center = toView(inSphere.xyz);
+    float radius = inSphere.w;
+    sphere = vec4(center, radius);
+#ifdef LOOK
+    look = inLook;
+#endif
+    Outline outline = sphereOutline(center, radius);
+    vec2 e = corner(gl_VertexIndex);
+    vec2 q = outline.center + outline.axisU * e.x + outline.axisV * e.y;
+    // A little nearer than the nearest point, so that rounding never lets the fixed-function test cut into it.
+    gl_Position = clipPosition(q, encodedDepth(view.row2.w - center.z - radius * 1.001));
+}
