@@ -1,0 +1,35 @@
+#pragma once
+// The built-in molecules, one function each, and what they share. Callers use sampleMolecule() of read.h.
+
+#include <string_view>
+
+#include "engine/molecule/molecule.h"
+
+namespace nacre {
+
+Molecule sampleDna();
+Molecule sampleGlucose();
+Molecule sampleBuckyball();
+
+/// Appends atoms to a molecule residue by residue.
+class SampleBuilder {
+public:
+    explicit SampleBuilder(std::string_view title);
+
+    void chain(std::string_view name);
+    /// A residue of the latest chain; `hetero` marks its atoms.
+    void residue(std::string_view name, std::int32_t number, bool hetero);
+    /// An atom of the latest residue; returns its index. The position is in Å.
+    std::uint32_t atom(std::string_view name, std::string_view symbol, glm::dvec3 position);
+    /// A bond between two atoms of different index.
+    void bond(std::uint32_t a, std::uint32_t b, std::uint8_t order);
+
+    /// The molecule with its summary filled in and its bonds sorted.
+    Molecule finish();
+
+private:
+    Molecule molecule_;
+    bool hetero_ = false;
+};
+
+}  // namespace nacre
