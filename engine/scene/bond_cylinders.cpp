@@ -1,0 +1,33 @@
+#include "engine/scene/bond_cylinders.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace nacre {
+
+BondStrands bondStrands(std::uint8_t order) {
+    switch (order) {
+        case 2:
+            return {{{{-0.13f, 0.08f}, {0.13f, 0.08f}}}, 2};
+        case 3:
+            return {{{{-0.155f, 0.055f}, {0.0f, 0.055f}, {0.155f, 0.055f}}}, 3};
+        case 4:
+            return {{{{-0.09f, 0.1f}, {0.16f, 0.05f}}}, 2};
+        default:
+            return {{{{0.0f, kBondRadius}}}, 1};
+    }
+}
+
+glm::dvec3 bondSide(const glm::dvec3& axis, const glm::dvec3& toward) {
+    const glm::dvec3 across = toward - axis * glm::dot(axis, toward);
+    const double length = glm::length(across);
+    if (length > 1e-3) return across / length;
+    // Nearly straight through: the coordinate axis farthest from the bond gives a side that never degenerates.
+    const glm::dvec3 size = glm::abs(axis);
+    const glm::dvec3 other = size.x <= size.y && size.x <= size.z ? glm::dvec3(1, 0, 0)
+                             : size.y <= size.z                   ? glm::dvec3(0, 1, 0)
+                                                                  : glm::dvec3(0, 0, 1);
+    return glm::normalize(glm::cross(axis, other));
+}
+
+}  // namespace nacre

@@ -1,0 +1,77 @@
+#include "engine/scene/colors.h"
+
+#include <algorithm>
+#include <array>
+
+namespace nacre {
+namespace {
+
+/// 0xRRGGBB as it is read -> red in the lowest byte, opaque.
+constexpr std::uint32_t packed(std::uint32_t rgb) {
+    return (rgb >> 16 & 0xff) | (rgb & 0xff00) | (rgb & 0xff) << 16 | 0xff000000u;
+}
+
+// Index = atomic number; 0 = unknown, 119 = deuterium.
+constexpr std::array<std::uint32_t, 120> kElements = {
+    0xd88ab8,                                                                        // unknown
+    0xf2f0ec, 0xcfeeee,                                                              // H He
+    0xb58ae0, 0xb3d98c, 0xeab5a4, 0xc4beb4, 0x7f9be8, 0xe0645c, 0x9cd88f, 0xb5dfe8,  // Li-Ne
+    0xa37fd6, 0x8fcf7a, 0xbfa9a9, 0xe0c4a0, 0xee9f4d, 0xeccb52, 0x74c96b, 0x92cfdd,  // Na-Ar
+    0x9370c4, 0x6cc068, 0xdedee2, 0xb9bec4, 0xa3a7b0, 0x8c9bc2, 0x9e7fc0, 0xd9824a, 0xdc8fa0,
+    0x6fbf82, 0xc98852, 0x8388b4, 0xc09494, 0x6e9595, 0xb884d8, 0xe3a350, 0xa8524a, 0x74b9cd,  // K-Kr
+    0x7d5cb0, 0x4fae5e, 0x9edddd, 0x9bd6d8, 0x82bcc6, 0x68b0b2, 0x559c9f, 0x44898f, 0x2f7c8c,
+    0x287b8a, 0xc8ccd0, 0xead29a, 0xa8837f, 0x74858a, 0xa06fb4, 0xcd8430, 0x9463ad, 0x5ba6b8,  // Rb-Xe
+    0x6c4a9b, 0x3f9c52,                                                                        // Cs Ba
+    0x82cde4, 0xe6e6c8, 0xcfe6c4, 0xc2e4c4, 0xadebc6, 0x99e2c2, 0x78dcc2, 0x5ed6c0, 0x4fccb8,
+    0x42c4b0, 0x38b8a4, 0x32b08e, 0x30ae7c, 0x30a45e,  // La-Yb
+    0x3a9a44, 0x74bce0, 0x76a6dc, 0x5592c4, 0x4a80a8, 0x4a769a, 0x3f6688, 0xc8c8d4, 0xe2bb50,
+    0xb0b2c4, 0xa4665a, 0x646872, 0x9a5fb0, 0xa9763a, 0x7e5a52, 0x4a8ea2,  // Lu-Rn
+    0x5c3c86, 0x3a8448,                                                    // Fr Ra
+    0x77a8de, 0x5cb4d8, 0x4ea4d4, 0x4a92d0, 0x4a82cc, 0x4c74c8, 0x5a6ac4, 0x7064c0, 0x8660bc,
+    0x9658b4, 0xa24eac, 0xa84aa2, 0xa84896, 0xae468a,  // Ac-No
+    0xb44864, 0xb84c60, 0xbc4e5c, 0xc0505a, 0xc45258, 0xc85456, 0xcc5654, 0xcf5852, 0xd25a50,
+    0xd55c4e, 0xb06a58, 0x7c7280, 0xa068b0, 0xa87848, 0x80605c, 0x5090a0,  // Lr-Og
+    0xe6e4f0};                                                             // deuterium
+
+// Neighbours in the list differ in hue and in lightness, for two and three chains are what people mostly have.
+constexpr std::array<std::uint32_t, 8> kChains = {0x77aadd, 0xee8866, 0x44bb99, 0xeedd88,
+                                                  0xffaabb, 0x99ddff, 0xbbcc33, 0xaaaa00};
+
+struct NamedColor {
+    std::string_view name;
+    std::uint32_t rgb;
+};
+
+// One hue a family, one shade a residue; protonation variants and selenomethionine share their parent's.
+constexpr NamedColor kResidues[] = {
+    {"ASP", 0xe0645c}, {"GLU", 0xd4584f}, {"ASH", 0xe0645c}, {"GLH", 0xd4584f},  {"LYS", 0x6f8fe0},  {"ARG", 0x5b79d2},
+    {"HIS", 0x94a8ea}, {"HID", 0x94a8ea}, {"HIE", 0x94a8ea}, {"HIP", 0x94a8ea},  {"HSD", 0x94a8ea},  {"HSE", 0x94a8ea},
+    {"HSP", 0x94a8ea}, {"SER", 0xf0b27a}, {"THR", 0xe6a066}, {"ASN", 0x6fcad0},  {"GLN", 0x5bb9c2},  {"PHE", 0xa884cc},
+    {"TYR", 0xbf94d6}, {"TRP", 0x8f6cb8}, {"ALA", 0xcbd3c0}, {"VAL", 0x8fbf86},  {"LEU", 0x7ab070},  {"ILE", 0x66a05e},
+    {"PRO", 0xd9a3a8}, {"GLY", 0xeceae4}, {"CYS", 0xeccb52}, {"CYX", 0xeccb52},  {"CYM", 0xeccb52},  {"MET", 0xd8b548},
+    {"MSE", 0xd8b548}, {"SEC", 0xe3a350}, {"PYL", 0x6f8fe0}, {"A", 0xe0756a},    {"DA", 0xe0756a},   {"C", 0xe8c25a},
+    {"DC", 0xe8c25a},  {"G", 0x7cbf7a},   {"DG", 0x7cbf7a},  {"T", 0x6f9fe0},    {"DT", 0x6f9fe0},   {"U", 0x8f88dc},
+    {"DU", 0x8f88dc},  {"I", 0x8fd0b4},   {"DI", 0x8fd0b4},  {"HOH", 0xb8d4ea},  {"WAT", 0xb8d4ea},  {"H2O", 0xb8d4ea},
+    {"DOD", 0xb8d4ea}, {"SOL", 0xb8d4ea}, {"TIP", 0xb8d4ea}, {"TIP3", 0xb8d4ea}, {"TIP4", 0xb8d4ea}, {"SPC", 0xb8d4ea}};
+constexpr std::uint32_t kOtherResidue = 0xc4beb4;
+
+}  // namespace
+
+std::uint32_t elementColor(Element element) { return packed(kElements[element < kElements.size() ? element : 0]); }
+
+std::uint32_t chainColor(std::size_t chain) {
+    std::uint32_t rgb = kChains[chain % kChains.size()];
+    if (chain / kChains.size() % 2 == 1) {
+        const auto darker = [&](int shift) { return ((rgb >> shift & 0xff) * 3 / 4) << shift; };
+        rgb = darker(16) | darker(8) | darker(0);
+    }
+    return packed(rgb);
+}
+
+std::uint32_t residueColor(std::string_view name) {
+    const auto* found = std::find_if(std::begin(kResidues), std::end(kResidues),
+                                     [&](const NamedColor& entry) { return entry.name == name; });
+    return packed(found == std::end(kResidues) ? kOtherResidue : found->rgb);
+}
+
+}  // namespace nacre

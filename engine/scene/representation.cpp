@@ -1,0 +1,181 @@
+#include "engine/scene/representation.h"
+
+#include <algorithm>
+#include <array>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "engine/error.h"
+#include "engine/molecule/element.h"
+#include "engine/scene/bond_cylinders.h"
+#include "engine/scene/colors.h"
+
+namespace nacre {
+namespace {
+
+constexpr float kBallShare = 0.25f;       // of the van der Waals radius, ball-and-stick
+constexpr float kLicoriceRadius = 0.25f;  // Å, atoms and bonds
+constexpr double kShortestBond = 1e-3;    // Å; below it the ends coincide and there is no direction to draw
+constexpr std::size_t kFewAtoms = 100;    // under this a molecule with bonds reads best as ball-and-stick
+constexpr std::uint32_t kNotDrawn = std::numeric_limits<std::uint32_t>::max();
+
+float atomRadius(Element element, Style style) {
+    switch (style) {
+        case Style::ballAndStick:
+            return kBallShare * vanDerWaalsRadius(element);
+        case Style::licorice:
+            return kLicoriceRadius;
+        case Style::spacefill:
+            break;
+    }
+    return vanDerWaalsRadius(element);
+}
+
+std::uint32_t atomColor(const Molecule& molecule, const Atom& atom, ColorScheme scheme) {
+    const Residue* residue = atom.residue < molecule.residues.size() ? &molecule.residues[atom.residue] : nullptr;
+    switch (scheme) {
+        case ColorScheme::chain:
+            return chainColor(residue ? residue->chain : 0);
+        case ColorScheme::residue:
+            return residueColor(residue ? residue->name.view() : std::string_view());
+        case ColorScheme::element:
+            break;
+    }
+    return elementColor(atom.element);
+}
+
+/// Position of each atom in the list of drawn ones, or kNotDrawn.
+std::vector<std::uint32_t> drawnSlots(const Molecule& molecule, std::span<const std::uint32_t> drawn) {
+    std::vector<std::uint32_t> slots(molecule.atoms.size(), kNotDrawn);
+    for (std::size_t i = 0; i < drawn.size(); ++i) slots[drawn[i]] = static_cast<std::uint32_t>(i);
+    return slots;
+}
+
+glm::dvec3 between(const Molecule& molecule, const Bond& bond) {
+    return glm::dvec3(molecule.atoms[bond.b].position) - glm::dvec3(molecule.atoms[bond.a].position);
+}
+
+/// What lies around each atom: its first four bonded neighbours (a flat atom has at most three), and the sum of the
+/// vectors to those by aromatic bonds, which points into the ring.
+struct Surroundings {
+    struct Neighbours {
+        std::array<std::uint32_t, 4> atoms;
+        std::uint32_t count = 0;
+    };
+    std::vector<Neighbours> neighbours;
+    std::vector<glm::dvec3> aromatic;
+
+    void add(std::uint32_t atom, std::uint32_t other) {
+        Neighbours& list = neighbours[atom];
+        if (list.count < list.atoms.size()) list.atoms[list.count++] = other;
+    }
+};
+
+Surroundings surroundingsOf(const Molecule& molecule, std::span<const Bond> bonds) {
+    Surroundings around{std::vector<Surroundings::Neighbours>(molecule.atoms.size()),
+                        std::vector<glm::dvec3>(molecule.atoms.size(), glm::dvec3(0))};
+    for (const Bond& bond : bonds) {
+        around.add(bond.a, bond.b);
+        around.add(bond.b, bond.a);
+        if (bond.order != 4) continue;
+        around.aromatic[bond.a] += between(molecule, bond);
+        around.aromatic[bond.b] -= between(molecule, bond);
+    }
+    return around;
+}
+
+/// Side of a bond that has more than one strand: into the ring if aromatic, else towards the neighbour that stands
+/// farthest off the axis. One neighbour decides, since those of a flat atom cancel in a sum.
+glm::dvec3 strandSide(const Molecule& molecule, const Bond& bond, const glm::dvec3& axis, const Surroundings& around) {
+    const auto across = [&](const glm::dvec3& way) { return way - axis * glm::dot(axis, way); };
+    if (bond.order == 4) {
+        const glm::dvec3 ring = across(around.aromatic[bond.a] + around.aromatic[bond.b]);
+        if (glm::length(ring) > 1e-2) return bondSide(axis, ring);
+    }
+    glm::dvec3 best(0);
+    for (const std::uint32_t end : {bond.a, bond.b}) {
+        const Surroundings::Neighbours& list = around.neighbours[end];
+        for (std::uint32_t i = 0; i < list.count; ++i) {
+            const glm::dvec3 way =
+                across(glm::dvec3(molecule.atoms[list.atoms[i]].position) - glm::dvec3(molecule.atoms[end].position));
+            if (glm::length(way) > glm::length(best)) best = way;
+        }
+    }
+    return bondSide(axis, best);
+}
+
+void appendAtoms(const Molecule& molecule, std::span<const std::uint32_t> drawn, const RepresentationOptions& options,
+                 Representation& result) {
+    result.spheres.reserve(drawn.size());
+    result.sphereLooks.reserve(drawn.size());
+    for (const std::uint32_t index : drawn) {
+        const Atom& atom = molecule.atoms[index];
+        const glm::dvec3 position = glm::dvec3(atom.position) - result.center;
+        const float radius = atomRadius(atom.element, options.style);
+        result.spheres.push_back({glm::vec3(position), radius});
+        result.sphereLooks.push_back({atomColor(molecule, atom, options.color), index + 1, 0});
+        result.radius = std::max(result.radius, glm::length(position) + static_cast<double>(radius));
+    }
+}
+
+void appendBonds(const Molecule& molecule, std::span<const Bond> bonds, std::span<const std::uint32_t> slots,
+                 Style style, Representation& result) {
+    const Surroundings around = style == Style::ballAndStick ? surroundingsOf(molecule, bonds) : Surroundings{};
+    for (const Bond& bond : bonds) {
+        const glm::dvec3 way = between(molecule, bond);
+        const double length = glm::length(way);
+        const glm::dvec3 axis = way / length;
+        BondStrands strands{{{{0.0f, kLicoriceRadius}}}, 1};
+        if (style == Style::ballAndStick) strands = bondStrands(bond.order);
+        const glm::dvec3 side = strands.count > 1 ? strandSide(molecule, bond, axis, around) : glm::dvec3(0);
+        const glm::dvec3 start = glm::dvec3(molecule.atoms[bond.a].position) - result.center;
+        const SphereLook& lookA = result.sphereLooks[slots[bond.a]];
+        const SphereLook& lookB = result.sphereLooks[slots[bond.b]];
+        for (int i = 0; i < strands.count; ++i) {
+            const auto& strand = strands.strands[static_cast<std::size_t>(i)];
+            const glm::dvec3 from = start + side * static_cast<double>(strand.offset);
+            result.cylinders.push_back({glm::vec3(from), strand.radius, glm::vec3(from + way), 0.0f});
+            result.cylinderLooks.push_back({lookA.color, lookB.color, lookA.atom, lookB.atom, 0});
+        }
+        ++result.drawnBonds;
+    }
+}
+
+/// Bonds whose two atoms are drawn and apart.
+std::vector<Bond> drawableBonds(const Molecule& molecule, std::span<const std::uint32_t> slots) {
+    std::vector<Bond> bonds;
+    for (const Bond& bond : molecule.bonds)
+        if (slots[bond.a] != kNotDrawn && slots[bond.b] != kNotDrawn &&
+            glm::length(between(molecule, bond)) > kShortestBond)
+            bonds.push_back(bond);
+    return bonds;
+}
+
+}  // namespace
+
+Representation represent(const Molecule& molecule, std::span<const std::uint32_t> drawn,
+                         const RepresentationOptions& options) {
+    if (drawn.empty()) throw Error("cannot draw molecule", "", "no atom is left to draw");
+    glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
+    for (const std::uint32_t index : drawn) {
+        low = glm::min(low, glm::dvec3(molecule.atoms[index].position));
+        high = glm::max(high, glm::dvec3(molecule.atoms[index].position));
+    }
+    Representation result;
+    result.center = (low + high) / 2.0;
+    result.drawnAtoms = drawn.size();
+    appendAtoms(molecule, drawn, options, result);
+    if (options.style != Style::spacefill) {
+        const std::vector<std::uint32_t> slots = drawnSlots(molecule, drawn);
+        appendBonds(molecule, drawableBonds(molecule, slots), slots, options.style, result);
+    }
+    return result;
+}
+
+Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn) {
+    if (drawn.size() >= kFewAtoms) return Style::spacefill;
+    return drawableBonds(molecule, drawnSlots(molecule, drawn)).empty() ? Style::spacefill : Style::ballAndStick;
+}
+
+}  // namespace nacre
