@@ -33,18 +33,13 @@ void Graph::check(std::uint32_t graph, std::uint32_t index, std::size_t count, c
 }
 
 Image Graph::image(std::string name, const ImageDesc& desc) {
-    images_.push_back({std::move(name), desc, std::nullopt, false});
+    images_.push_back({std::move(name), desc, std::nullopt, false, false});
     return {static_cast<std::uint32_t>(images_.size() - 1), id_};
 }
 
-Image Graph::importImage(std::string name, const ImageDesc& desc, const State& state) {
-    images_.push_back({std::move(name), desc, state, false});
+Image Graph::importImage(std::string name, const ImageDesc& desc, const State& state, bool undefined) {
+    images_.push_back({std::move(name), desc, state, undefined, false});
     return {static_cast<std::uint32_t>(images_.size() - 1), id_};
-}
-
-Buffer Graph::buffer(std::string name, VkDeviceSize size) {
-    buffers_.push_back({std::move(name), size, std::nullopt, false});
-    return {static_cast<std::uint32_t>(buffers_.size() - 1), id_};
 }
 
 Buffer Graph::importBuffer(std::string name, VkDeviceSize size, const State& state) {

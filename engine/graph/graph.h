@@ -97,14 +97,15 @@ struct PassDecl {
 struct ImageDecl {
     std::string name;
     ImageDesc desc;
-    std::optional<State> imported;  ///< contents from outside; the state they are in
+    std::optional<State> imported;  ///< from outside; the state it comes in and is left in
+    bool undefined = false;         ///< imported without contents
     bool output = false;            ///< read after the graph has run
 };
 
 struct BufferDecl {
     std::string name;
     VkDeviceSize size = 0;
-    std::optional<State> imported;
+    State imported;       ///< the state it is in, and goes back to
     bool output = false;  ///< read by the host after the graph has run
 };
 
@@ -143,9 +144,9 @@ public:
 
     /// An image that lives inside one execution; memory and usage follow from the plan.
     Image image(std::string name, const ImageDesc& desc);
-    /// An image from outside, whose contents are defined on entry. It is left in the same state.
-    Image importImage(std::string name, const ImageDesc& desc, const State& state);
-    Buffer buffer(std::string name, VkDeviceSize size);
+    /// An image from outside. It is left in `state`, and entered in it too: with its contents, unless `undefined`.
+    Image importImage(std::string name, const ImageDesc& desc, const State& state, bool undefined = false);
+    /// A buffer; buffers always come from outside.
     Buffer importBuffer(std::string name, VkDeviceSize size, const State& state = {});
 
     PassBuilder graphics(std::string name) { return pass(std::move(name), PassKind::graphics); }

@@ -11,11 +11,10 @@ std::string naming(const Graph& graph, const PassDecl& pass, const Use& use) {
 
 std::vector<bool> cullPasses(const Graph& graph) {
     const auto& passes = graph.passes();
-    std::vector<bool> imageWanted(graph.images().size()), bufferWanted(graph.buffers().size());
+    std::vector<bool> imageWanted(graph.images().size());
+    std::vector<bool> bufferWanted(graph.buffers().size(), true);  // they live on outside
     for (std::size_t i = 0; i < imageWanted.size(); ++i)
         imageWanted[i] = graph.images()[i].output || graph.images()[i].imported.has_value();
-    for (std::size_t i = 0; i < bufferWanted.size(); ++i)
-        bufferWanted[i] = graph.buffers()[i].output || graph.buffers()[i].imported.has_value();
 
     std::vector<bool> culled(passes.size(), true);
     for (std::size_t p = passes.size(); p-- > 0;) {

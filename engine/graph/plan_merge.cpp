@@ -102,8 +102,10 @@ private:
         for (const Use& use : pass.uses)
             if (use.verb == Verb::color) {
                 const std::int32_t at = find(use.resource);
-                ++colors;
+                // Its k-th colour must be the subpass's k-th: shaders name outputs by number.
+                const std::size_t ordinal = colors++;
                 if (at >= 0 && contains(last.colors, static_cast<std::uint32_t>(at))) ++common;
+                if (ordinal < last.colors.size() && static_cast<std::int32_t>(last.colors[ordinal]) != at) return false;
             }
         const bool sameColors = common == colors && common == last.colors.size();
         std::size_t colorCount = last.colors.size();

@@ -52,7 +52,7 @@ public:
         const ImageDecl& decl = graph_.images()[image];
         std::vector<ImageUse> uses;
         std::uint32_t steps = 0;
-        bool onlyAttachment = true, defined = decl.imported.has_value();
+        bool onlyAttachment = true, defined = decl.imported && !decl.undefined;
         for (const Step& step : plan_.steps) {
             uses.push_back(useOf(graph_, plan_, step, image));
             if (uses.back().used) ++steps;

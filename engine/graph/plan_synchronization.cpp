@@ -50,15 +50,13 @@ public:
         // Once to learn in what state everything ends, and once more from there: a graph may follow itself.
         reset();
         for (Step& step : plan_.steps) walk(step, false);
-        const std::vector<Track> images = images_, buffers = buffers_;
+        const std::vector<Track> images = images_;
         reset();
         for (std::size_t i = 0; i < images_.size(); ++i)
             if (!graph_.images()[i].imported) {
                 images_[i] = images[i];
                 images_[i].layout = VK_IMAGE_LAYOUT_UNDEFINED;
             }
-        for (std::size_t i = 0; i < buffers_.size(); ++i)
-            if (!graph_.buffers()[i].imported) buffers_[i] = buffers[i];
         for (Step& step : plan_.steps) walk(step, true);
         finish();
     }
@@ -68,9 +66,12 @@ private:
         images_.assign(graph_.images().size(), {});
         buffers_.assign(graph_.buffers().size(), {});
         for (std::size_t i = 0; i < images_.size(); ++i)
-            if (graph_.images()[i].imported) images_[i] = trackOf(*graph_.images()[i].imported);
+            if (const ImageDecl& decl = graph_.images()[i]; decl.imported) {
+                images_[i] = trackOf(*decl.imported);
+                if (decl.undefined) images_[i].layout = VK_IMAGE_LAYOUT_UNDEFINED;
+            }
         for (std::size_t i = 0; i < buffers_.size(); ++i)
-            if (graph_.buffers()[i].imported) buffers_[i] = trackOf(*graph_.buffers()[i].imported);
+            buffers_[i] = trackOf(graph_.buffers()[i].imported);
     }
 
     std::vector<StepUse> usesOf(Step& step) const {
@@ -227,8 +228,8 @@ private:
         }
         for (std::uint32_t i = 0; i < buffers_.size(); ++i) {
             const BufferDecl& decl = graph_.buffers()[i];
-            if (decl.imported && buffers_[i].writeAccess)
-                plan_.after.push_back({false, i, buffers_[i].before(), *decl.imported});
+            if (buffers_[i].writeAccess && !decl.output)
+                plan_.after.push_back({false, i, buffers_[i].before(), decl.imported});
             if (decl.output)
                 plan_.after.push_back({false, i, buffers_[i].before(),
                                        {VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT, {}}});

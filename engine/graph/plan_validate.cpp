@@ -15,28 +15,26 @@ bool fits(Verb verb, PassKind kind) {
 }
 
 void checkReads(const Graph& graph) {
-    std::vector<bool> imageWritten, bufferWritten;
-    for (const ImageDecl& image : graph.images()) imageWritten.push_back(image.imported.has_value());
-    for (const BufferDecl& buffer : graph.buffers()) bufferWritten.push_back(buffer.imported.has_value());
+    std::vector<bool> imageWritten;
+    for (const ImageDecl& image : graph.images()) imageWritten.push_back(image.imported && !image.undefined);
     auto writtenLater = [&](std::size_t from, const Use& read) {
         for (std::size_t p = from; p < graph.passes().size(); ++p)
             for (const Use& use : graph.passes()[p].uses)
-                if (use.isImage == read.isImage && use.resource == read.resource && isWrite(use.verb))
+                if (use.isImage && use.resource == read.resource && isWrite(use.verb))
                     return graph.passes()[p].name;
         return std::string();
     };
     for (std::size_t p = 0; p < graph.passes().size(); ++p) {
         const PassDecl& pass = graph.passes()[p];
         for (const Use& use : pass.uses) {
-            const bool written = use.isImage ? imageWritten[use.resource] : bufferWritten[use.resource];
-            if (isWrite(use.verb) || written) continue;
+            if (!use.isImage || isWrite(use.verb) || imageWritten[use.resource]) continue;
             const std::string writer = writtenLater(p, use);
             const std::string what = naming(graph, pass, use) + ": " + verbName(use.verb);
             throw GraphError(what + (writer.empty() ? " of contents that no pass writes"
                                                     : " before pass '" + writer + "', which writes it, is declared"));
         }
         for (const Use& use : pass.uses)
-            if (isWrite(use.verb)) (use.isImage ? imageWritten : bufferWritten)[use.resource] = true;
+            if (use.isImage && isWrite(use.verb)) imageWritten[use.resource] = true;
     }
 }
 

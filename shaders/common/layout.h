@@ -7,14 +7,11 @@
 #include <glm/vec4.hpp>
 namespace nacre::layout {
 using glm::vec4;
-#define NACRE_LAYOUT(name) struct name
-#else
-#define NACRE_LAYOUT(name) struct name
 #endif
 
 /// Push constants of every geometry pass. Lengths in Å, view space as in engine/scene/camera.h.
 /// Z is the distance that the layers report: origin - z (orthographic: origin = R, perspective: origin = eye).
-NACRE_LAYOUT(ViewConstants) {
+struct ViewConstants {
     vec4 row0;     // xyz: first row of the rotation, w: NDC x per Å on the plane z = 0
     vec4 row1;     // xyz: second row,               w: NDC y per Å (negative: Vulkan's y points down)
     vec4 row2;     // xyz: third row,                w: Z origin
@@ -25,17 +22,18 @@ NACRE_LAYOUT(ViewConstants) {
 };
 
 /// Push constants of the occlusion accumulation.
-NACRE_LAYOUT(OcclusionConstants) {
+struct OcclusionConstants {
     vec4 map;       // x: pixels across one depth map, y: maps per row of the grid, z: pixels per Å, w: depth tolerance
     vec4 depth;     // x: Z at encoded depth 0, y: 1 / (range of Z), z: R, w: 0
     vec4 patches;   // x: texels across a sphere's patch, y: around, z: along a cylinder's patch, w: 0
-    // First entry of the texel list, number of entries, first direction, number of directions of this batch.
+    // First entry of the texel list, number of entries (accumulate) or of words (finish), first direction, number of
+    // directions; spheres, texels across the atlas, rows of it that spheres take.
 #ifdef __cplusplus
     std::uint32_t firstTexel, texelCount, firstDirection, directionCount;
-    std::uint32_t sphereCount, atlasWidth, spherePatchesPerRow, sphereRows;
+    std::uint32_t sphereCount, atlasWidth, sphereRows, unused;
 #else
     uint firstTexel, texelCount, firstDirection, directionCount;
-    uint sphereCount, atlasWidth, spherePatchesPerRow, sphereRows;
+    uint sphereCount, atlasWidth, sphereRows, unused;
 #endif
 };
 

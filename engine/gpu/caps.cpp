@@ -1,0 +1,107 @@
+#include "engine/gpu/caps.h"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace nacre::gpu {
+namespace {
+
+std::string typeName(vk::PhysicalDeviceType type) {
+    switch (type) {
+        case vk::PhysicalDeviceType::eDiscreteGpu: return "discrete";
+        case vk::PhysicalDeviceType::eIntegratedGpu: return "integrated";
+        case vk::PhysicalDeviceType::eVirtualGpu: return "virtual";
+        case vk::PhysicalDeviceType::eCpu: return "software";
+        default: return "other";
+    }
+}
+
+bool blends(const vk::raii::PhysicalDevice& device, vk::Format format) {
+    return static_cast<bool>(device.getFormatProperties(format).optimalTilingFeatures &
+                             vk::FormatFeatureFlagBits::eColorAttachmentBlend);
+}
+
+bool hasLazyMemory(const vk::raii::PhysicalDevice& device) {
+    const auto memory = device.getMemoryProperties();
+    for (std::uint32_t i = 0; i < memory.memoryTypeCount; ++i)
+        if (memory.memoryTypes[i].propertyFlags & vk::MemoryPropertyFlagBits::eLazilyAllocated) return true;
+    return false;
+}
+
+/// R32F keeps depth exactly, but Mali and Adreno 5xx cannot blend it; RGBA16F blends everywhere. Its halves step by
+/// 2^-11 in the last octave of a channel; four channels divide that by four, and rounding costs half a step.
+EncodedFormat encodedFormatOf(const vk::raii::PhysicalDevice& device) {
+    if (blends(device, vk::Format::eR32Sfloat)) return {vk::Format::eR32Sfloat, 1, 0.0f};
+    return {vk::Format::eR16G16B16A16Sfloat, 4, 1.0f / 8192};
+}
+
+bool hasExtension(const vk::raii::PhysicalDevice& device, const char* name) {
+    for (const auto& e : device.enumerateDeviceExtensionProperties())
+        if (std::string_view(e.extensionName.data()) == name) return true;
+    return false;
+}
+
+bool set(const char* variable) {
+    const char* value = std::getenv(variable);
+    return value && *value && std::string_view(value) != "0";
+}
+
+}  // namespace
+
+const char* visibilityName(Visibility visibility) {
+    switch (visibility) {
+        case Visibility::automatic: return "auto";
+        case Visibility::encoded: return "encoded";
+        case Visibility::fragdepth: return "fragdepth";
+    }
+    return "";
+}
+
+Caps capsOf(const vk::raii::PhysicalDevice& device, Visibility visibility) {
+    const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance3Properties>();
+    const auto& properties = chain.get<vk::PhysicalDeviceProperties2>().properties;
+    Caps caps;
+    caps.deviceName = properties.deviceName.data();
+    caps.type = typeName(properties.deviceType);
+    caps.apiVersion = properties.apiVersion;
+    caps.driverVersion = properties.driverVersion;
+    if (hasExtension(device, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME)) {
+        const auto driver = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>()
+                                .get<vk::PhysicalDeviceDriverProperties>();
+        caps.driverName = std::string(driver.driverName.data()) + " " + driver.driverInfo.data();
+    }
+    caps.snapPixels = std::ldexp(1.0f, -static_cast<int>(properties.limits.subPixelPrecisionBits));
+    caps.maxImageSize = properties.limits.maxImageDimension2D;
+    caps.maxStorageBufferBytes = properties.limits.maxStorageBufferRange;
+    if (properties.limits.timestampComputeAndGraphics) caps.timestampNanoseconds = properties.limits.timestampPeriod;
+
+    const bool software = properties.deviceType == vk::PhysicalDeviceType::eCpu;
+    const bool molten = hasExtension(device, "VK_KHR_portability_subset");
+    const bool lazy = hasLazyMemory(device);
+    caps.plan.name = caps.deviceName;
+    caps.plan.transient = lazy;
+    caps.plan.storeNone = hasExtension(device, VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME);
+    // MoltenVK ends its Metal encoder at every subpass (its documentation, "Known limitations").
+    caps.plan.tileSubpasses = !molten;
+    if (set("NACRE_NO_MERGE")) caps.plan.merge = false;
+    caps.encoded = encodedFormatOf(device);
+    caps.impostorCorners = software ? 4 : 8;
+
+    if (visibility != Visibility::automatic) {
+        caps.visibility = visibility;
+        caps.visibilityReason = "asked for";
+    } else if (molten) {
+        caps.visibility = Visibility::fragdepth;
+        caps.visibilityReason = "MoltenVK leaves the tile between subpasses";
+    } else if (lazy) {
+        caps.visibility = Visibility::encoded;
+        caps.visibilityReason = "lazily allocated memory: a tile-based GPU, where depth must stay fixed-function";
+    } else {
+        caps.visibility = Visibility::fragdepth;
+        caps.visibilityReason = software ? "software rasteriser: one geometry pass is cheaper than two"
+                                         : "immediate-mode GPU: no tile memory to keep encoded depth in";
+    }
+    return caps;
+}
+
+}  // namespace nacre::gpu

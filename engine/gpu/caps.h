@@ -1,0 +1,41 @@
+#pragma once
+// What a device can do, and every vendor quirk: nothing outside caps.cpp asks for a vendor or driver.
+
+#include <string>
+
+#include <vulkan/vulkan_raii.hpp>
+
+#include "engine/device_options.h"
+#include "engine/graph/plan.h"
+
+namespace nacre::gpu {
+
+/// One rung of the ladder of encoded depth.
+struct EncodedFormat {
+    vk::Format format = vk::Format::eR32Sfloat;
+    int channels = 1;     ///< 1: depth itself; n: the staircase over n channels
+    float bias = 0.0f;    ///< smallest sufficient, in encoded depth
+};
+
+struct Caps {
+    std::string deviceName, driverName;
+    std::string type;  ///< "discrete", "integrated", "virtual", "software", "other"
+    std::uint32_t apiVersion = 0;
+    std::uint32_t driverVersion = 0;
+    float snapPixels = 1.0f / 16;  ///< how far the rasteriser may move a vertex
+    std::uint32_t maxImageSize = 4096;
+    std::uint64_t maxStorageBufferBytes = 1u << 27;
+    float timestampNanoseconds = 0;  ///< 0: no timestamps
+    graph::PlanCaps plan;
+    EncodedFormat encoded;
+    int impostorCorners = 8;  ///< octagons where fragments cost more than triangles, else quads
+    Visibility visibility = Visibility::encoded;
+    std::string visibilityReason;
+};
+
+/// @param visibility what the user asked for; automatic leaves the choice to the device
+Caps capsOf(const vk::raii::PhysicalDevice& device, Visibility visibility = Visibility::automatic);
+
+const char* visibilityName(Visibility visibility);
+
+}  // namespace nacre::gpu

@@ -1,0 +1,114 @@
+#include "engine/gpu/device.h"
+
+#include <algorithm>
+
+#include "engine/error.h"
+#include "engine/gpu/instance.h"
+
+namespace nacre::gpu {
+namespace {
+
+std::vector<const char*> deviceExtensions(const vk::raii::PhysicalDevice& physical) {
+    const auto available = physical.enumerateDeviceExtensionProperties();
+    auto has = [&](std::string_view name) {
+        return std::any_of(available.begin(), available.end(),
+                           [&](const auto& e) { return name == e.extensionName.data(); });
+    };
+    std::vector<const char*> wanted;
+    for (const char* name : {VK_KHR_CREATE_RENDERPASS_2_EXTENSION_NAME})
+        if (has(name))
+            wanted.push_back(name);
+        else
+            throw Error("unsuitable device", physical.getProperties().deviceName.data(),
+                        std::string(name) + " is missing");
+    for (const char* name : {"VK_KHR_portability_subset", VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME,
+                             VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME})
+        if (has(name)) wanted.push_back(name);
+    return wanted;
+}
+
+std::uint32_t graphicsAndCompute(const vk::raii::PhysicalDevice& physical) {
+    constexpr vk::QueueFlags kWanted = vk::QueueFlagBits::eGraphics | vk::QueueFlagBits::eCompute;
+    const auto families = physical.getQueueFamilyProperties();
+    for (std::uint32_t i = 0; i < families.size(); ++i)
+        if ((families[i].queueFlags & kWanted) == kWanted) return i;
+    throw Error("unsuitable device", physical.getProperties().deviceName.data(),
+                "no queue does both graphics and compute");
+}
+
+}  // namespace
+
+Device::Device(const DeviceOptions& options) {
+    createInstance(options);
+    physical_ = pickDevice(instance_, options.device);
+    createDevice();
+    caps_ = capsOf(physical_, options.visibility);
+}
+
+void Device::createInstance(const DeviceOptions& options) {
+    InstanceExtensions found;
+    instance_ = makeInstance(context_, options.validate, found);
+    debugUtils_ = found.debugUtils;
+    if (options.validate) messenger_ = makeMessenger(instance_, *messages_);
+}
+
+void Device::createDevice() {
+    if (physical_.getProperties().apiVersion < VK_API_VERSION_1_1)
+        throw Error("unsuitable device", physical_.getProperties().deviceName.data(), "Vulkan 1.1 is the floor");
+    queueFamily_ = graphicsAndCompute(physical_);
+    const float priority = 1.0f;
+    const vk::DeviceQueueCreateInfo queue({}, queueFamily_, 1, &priority);
+    const auto extensions = deviceExtensions(physical_);
+    device_ = vk::raii::Device(physical_, vk::DeviceCreateInfo({}, queue, {}, extensions));
+    queue_ = device_.getQueue(queueFamily_, 0);
+    pool_ = vk::raii::CommandPool(device_, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient,
+                                                                     queueFamily_));
+}
+
+vk::raii::DeviceMemory Device::allocate(const vk::MemoryRequirements& requirements, vk::MemoryPropertyFlags required,
+                                        vk::MemoryPropertyFlags wanted, const std::string& what) const {
+    const auto memory = physical_.getMemoryProperties();
+    for (const vk::MemoryPropertyFlags properties : {required | wanted, required}) {
+        for (std::uint32_t type = 0; type < memory.memoryTypeCount; ++type) {
+            if (!(requirements.memoryTypeBits & (1u << type))) continue;
+            if ((memory.memoryTypes[type].propertyFlags & properties) != properties) continue;
+            try {
+                vk::raii::DeviceMemory allocation(device_, vk::MemoryAllocateInfo(requirements.size, type));
+                *allocated_ += requirements.size;
+                *peakAllocated_ = std::max(*peakAllocated_, *allocated_);
+                return allocation;
+            } catch (const vk::SystemError&) {
+                continue;  // this heap is full; another type may have room
+            }
+        }
+    }
+    throw Error("out of device memory", what, std::to_string(requirements.size) + " bytes were asked for");
+}
+
+void Device::name(vk::ObjectType type, std::uint64_t handle, const std::string& name) const {
+    if (debugUtils_) device_.setDebugUtilsObjectNameEXT({type, handle, name.c_str()});
+}
+
+void Device::beginLabel(const vk::raii::CommandBuffer& commands, const std::string& name) const {
+    if (debugUtils_) commands.beginDebugUtilsLabelEXT(vk::DebugUtilsLabelEXT(name.c_str()));
+}
+
+void Device::endLabel(const vk::raii::CommandBuffer& commands) const {
+    if (debugUtils_) commands.endDebugUtilsLabelEXT();
+}
+
+vk::raii::CommandBuffer Device::begin() const {
+    vk::raii::CommandBuffers buffers(device_, {*pool_, vk::CommandBufferLevel::ePrimary, 1});
+    buffers[0].begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    return std::move(buffers[0]);
+}
+
+void Device::finish(const vk::raii::CommandBuffer& commands) const {
+    commands.end();
+    const vk::raii::Fence fence(device_, vk::FenceCreateInfo());
+    queue_.submit(vk::SubmitInfo({}, {}, *commands), *fence);
+    if (device_.waitForFences(*fence, true, UINT64_MAX) != vk::Result::eSuccess)
+        throw Error("the device stopped", caps_.deviceName, "waiting for a submission failed");
+}
+
+}  // namespace nacre::gpu

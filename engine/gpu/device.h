@@ -1,0 +1,77 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <vulkan/vulkan_raii.hpp>
+
+#include "engine/gpu/caps.h"
+
+namespace nacre::gpu {
+
+/// Instance, device and its one queue (graphics and compute).
+class Device {
+public:
+    /// @throws Error if there is no loader, driver or device that meets the floor, or validation is not installed
+    explicit Device(const DeviceOptions& options);
+    Device(const Device&) = delete;
+
+    const vk::raii::Device& operator*() const { return device_; }
+    const vk::raii::Device* operator->() const { return &device_; }
+    const vk::raii::PhysicalDevice& physical() const { return physical_; }
+    const vk::raii::Queue& queue() const { return queue_; }
+    std::uint32_t queueFamily() const { return queueFamily_; }
+    const Caps& caps() const { return caps_; }
+
+    /// Allocates memory for requirements, from the first type that has all wanted properties, else all required.
+    /// @throws Error if no type has the required properties or memory has run out
+    vk::raii::DeviceMemory allocate(const vk::MemoryRequirements& requirements, vk::MemoryPropertyFlags required,
+                                    vk::MemoryPropertyFlags wanted, const std::string& what) const;
+    /// Device memory allocated so far and still held, bytes.
+    std::uint64_t allocatedBytes() const { return *allocated_; }
+    std::uint64_t peakAllocatedBytes() const { return *peakAllocated_; }
+    void release(std::uint64_t bytes) const { *allocated_ -= bytes; }
+
+    /// Gives an object its name for capture tools and validation messages.
+    void name(vk::ObjectType type, std::uint64_t handle, const std::string& name) const;
+    template <typename Handle>
+    void name(const Handle& handle, const std::string& text) const {
+        name(Handle::objectType, reinterpret_cast<std::uint64_t>(static_cast<typename Handle::NativeType>(handle)), text);
+    }
+    void beginLabel(const vk::raii::CommandBuffer& commands, const std::string& name) const;
+    void endLabel(const vk::raii::CommandBuffer& commands) const;
+
+    /// Messages of the validation layer so far; empty is what every frame must leave behind.
+    const std::vector<std::string>& validationMessages() const { return *messages_; }
+
+    /// Records a command buffer by the given function, submits it and waits until it is done.
+    template <typename RecordCommands>
+    void submitAndWait(RecordCommands&& record) const {
+        const vk::raii::CommandBuffer commands = begin();
+        record(commands);
+        finish(commands);
+    }
+
+private:
+    vk::raii::CommandBuffer begin() const;
+    void finish(const vk::raii::CommandBuffer& commands) const;
+    void createInstance(const DeviceOptions& options);
+    void createDevice();
+
+    vk::raii::Context context_;
+    vk::raii::Instance instance_{nullptr};
+    std::unique_ptr<std::vector<std::string>> messages_ = std::make_unique<std::vector<std::string>>();
+    vk::raii::DebugUtilsMessengerEXT messenger_{nullptr};
+    vk::raii::PhysicalDevice physical_{nullptr};
+    vk::raii::Device device_{nullptr};
+    vk::raii::Queue queue_{nullptr};
+    vk::raii::CommandPool pool_{nullptr};
+    std::uint32_t queueFamily_ = 0;
+    bool debugUtils_ = false;
+    Caps caps_;
+    std::unique_ptr<std::uint64_t> allocated_ = std::make_unique<std::uint64_t>(0);
+    std::unique_ptr<std::uint64_t> peakAllocated_ = std::make_unique<std::uint64_t>(0);
+};
+
+}  // namespace nacre::gpu

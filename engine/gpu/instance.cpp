@@ -1,0 +1,103 @@
+#include "engine/gpu/instance.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "engine/error.h"
+
+namespace nacre::gpu {
+namespace {
+
+constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+
+bool hasExtension(const std::vector<vk::ExtensionProperties>& list, const char* name) {
+    return std::any_of(list.begin(), list.end(),
+                       [&](const auto& e) { return std::strcmp(e.extensionName.data(), name) == 0; });
+}
+
+VKAPI_ATTR VkBool32 VKAPI_CALL collect(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+                                       const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
+    auto& messages = *static_cast<std::vector<std::string>*>(user);
+    constexpr std::size_t kMost = 100;
+    if (messages.size() < kMost) messages.emplace_back(data->pMessage ? data->pMessage : "");
+    return VK_FALSE;
+}
+
+/// Preference among devices when none is named.
+int rank(vk::PhysicalDeviceType type) {
+    switch (type) {
+        case vk::PhysicalDeviceType::eDiscreteGpu: return 0;
+        case vk::PhysicalDeviceType::eIntegratedGpu: return 1;
+        case vk::PhysicalDeviceType::eVirtualGpu: return 2;
+        default: return 3;
+    }
+}
+
+std::string lower(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
+}  // namespace
+
+vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found) {
+    const auto available = context.enumerateInstanceExtensionProperties();
+    std::vector<const char*> extensions, layers;
+    found.debugUtils = hasExtension(available, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    found.portability = hasExtension(available, VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
+    if (found.debugUtils) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    if (found.portability) extensions.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
+    if (validate) {
+        const auto present = context.enumerateInstanceLayerProperties();
+        if (std::none_of(present.begin(), present.end(),
+                         [](const auto& l) { return std::strcmp(l.layerName.data(), kValidationLayer) == 0; }))
+            throw Error("cannot validate", kValidationLayer,
+                        "the layer is not installed (Debian: vulkan-validationlayers)");
+        layers.push_back(kValidationLayer);
+        extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
+    }
+    constexpr vk::ValidationFeatureEnableEXT kEnable[] = {
+        vk::ValidationFeatureEnableEXT::eSynchronizationValidation};
+    const vk::ValidationFeaturesEXT features(kEnable, {});
+    const vk::ApplicationInfo application("nacre", 1, "nacre", 1, VK_API_VERSION_1_1);
+    vk::InstanceCreateInfo info({}, &application, layers, extensions);
+    if (found.portability) info.flags = vk::InstanceCreateFlagBits::eEnumeratePortabilityKHR;
+    if (validate) info.pNext = &features;
+    try {
+        return vk::raii::Instance(context, info);
+    } catch (const vk::SystemError& e) {
+        throw Error("cannot start Vulkan", "", std::string(e.what()) +
+                    " (is a driver installed? Debian's software driver: mesa-vulkan-drivers)");
+    }
+}
+
+vk::raii::DebugUtilsMessengerEXT makeMessenger(const vk::raii::Instance& instance, std::vector<std::string>& messages) {
+    using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
+    using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
+    return {instance, vk::DebugUtilsMessengerCreateInfoEXT({}, Severity::eWarning | Severity::eError,
+                                                           Type::eValidation | Type::ePerformance, collect, &messages)};
+}
+
+vk::raii::PhysicalDevice pickDevice(const vk::raii::Instance& instance, const std::string& wanted) {
+    vk::raii::PhysicalDevices devices(instance);
+    std::string names;
+    int best = -1;
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        const auto properties = devices[i].getProperties();
+        const std::string name = properties.deviceName.data();
+        names += (names.empty() ? "" : ", ") + std::to_string(i) + " = " + name;
+        const bool matches = wanted.empty() || wanted == std::to_string(i) ||
+                             lower(name).find(lower(wanted)) != std::string::npos;
+        if (!matches) continue;
+        const auto at = static_cast<std::size_t>(best);
+        if (best < 0 || rank(properties.deviceType) < rank(devices[at].getProperties().deviceType))
+            best = static_cast<int>(i);
+    }
+    if (devices.empty())
+        throw Error("cannot start Vulkan", "", "no Vulkan device (Debian's software driver: mesa-vulkan-drivers)");
+    if (best < 0) throw Error("no such device", wanted, "there are " + names);
+    return std::move(devices[static_cast<std::size_t>(best)]);
+}
+
+}  // namespace nacre::gpu

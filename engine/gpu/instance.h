@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <vulkan/vulkan_raii.hpp>
+
+namespace nacre::gpu {
+
+struct InstanceExtensions {
+    bool debugUtils = false, portability = false;
+};
+
+/// @throws Error if there is no loader or driver, or validation is asked for and not installed
+vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found);
+
+/// Collects validation messages of warning severity and above.
+vk::raii::DebugUtilsMessengerEXT makeMessenger(const vk::raii::Instance& instance, std::vector<std::string>& messages);
+
+/// The device that a number or part of a name means; empty: discrete, integrated, virtual, then software.
+/// @throws Error that lists what there is
+vk::raii::PhysicalDevice pickDevice(const vk::raii::Instance& instance, const std::string& wanted);
+
+}  // namespace nacre::gpu

@@ -1,0 +1,63 @@
+#include "engine/gpu/resources.h"
+
+#include <algorithm>
+
+namespace nacre::gpu {
+
+using Property = vk::MemoryPropertyFlagBits;
+
+Buffer makeBuffer(const Device& device, vk::DeviceSize size, vk::BufferUsageFlags usage, Access access,
+                  const std::string& name) {
+    Buffer buffer;
+    buffer.size = std::max<vk::DeviceSize>(size, 16);
+    buffer.handle = vk::raii::Buffer(*device, vk::BufferCreateInfo({}, buffer.size, usage));
+    const auto requirements = buffer.handle.getMemoryRequirements();
+    const vk::MemoryPropertyFlags wanted =
+        access == Access::upload ? vk::MemoryPropertyFlags(Property::eDeviceLocal)
+                                 : vk::MemoryPropertyFlags(Property::eHostCached);
+    buffer.memory = Memory(
+        device, device.allocate(requirements, Property::eHostVisible | Property::eHostCoherent, wanted, name),
+        requirements.size);
+    buffer.handle.bindMemory(**buffer.memory, 0);
+    buffer.mapped = static_cast<std::byte*>((*buffer.memory).mapMemory(0, VK_WHOLE_SIZE));
+    device.name(*buffer.handle, name);
+    return buffer;
+}
+
+Image makeImage(const Device& device, const graph::ImageDesc& desc, vk::ImageUsageFlags usage, bool transient,
+                const std::string& name) {
+    Image image;
+    image.desc = desc;
+    const auto format = static_cast<vk::Format>(desc.format);
+    image.handle = vk::raii::Image(
+        *device, vk::ImageCreateInfo({}, vk::ImageType::e2D, format, {desc.extent.width, desc.extent.height, 1}, 1,
+                                     desc.layers, static_cast<vk::SampleCountFlagBits>(desc.samples),
+                                     vk::ImageTiling::eOptimal, usage));
+    const auto requirements = image.handle.getMemoryRequirements();
+    const vk::MemoryPropertyFlags lazy = transient ? Property::eLazilyAllocated : vk::MemoryPropertyFlagBits{};
+    image.memory = Memory(device, device.allocate(requirements, {}, Property::eDeviceLocal | lazy, name),
+                          requirements.size);
+    image.handle.bindMemory(**image.memory, 0);
+    const auto aspect =
+        graph::isDepthFormat(desc.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
+    constexpr vk::ImageUsageFlags kViewed =
+        vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eStorage | vk::ImageUsageFlagBits::eColorAttachment |
+        vk::ImageUsageFlagBits::eDepthStencilAttachment | vk::ImageUsageFlagBits::eInputAttachment;
+    if (usage & kViewed)
+        image.view = vk::raii::ImageView(
+            *device, vk::ImageViewCreateInfo({}, *image.handle,
+                                             desc.layers > 1 ? vk::ImageViewType::e2DArray : vk::ImageViewType::e2D,
+                                             format, {}, {aspect, 0, 1, 0, desc.layers}));
+    device.name(*image.handle, name);
+    return image;
+}
+
+vk::raii::Sampler makeSampler(const Device& device, vk::Filter filter, const std::string& name) {
+    constexpr auto kEdge = vk::SamplerAddressMode::eClampToEdge;
+    vk::raii::Sampler sampler(*device, vk::SamplerCreateInfo({}, filter, filter, vk::SamplerMipmapMode::eNearest,
+                                                             kEdge, kEdge, kEdge));
+    device.name(*sampler, name);
+    return sampler;
+}
+
+}  // namespace nacre::gpu

@@ -1,0 +1,74 @@
+#pragma once
+// Buffers and images with their memory. One allocation each: the renderer holds a few dozen.
+
+#include <cstddef>
+#include <cstring>
+#include <span>
+#include <string>
+
+#include "engine/gpu/device.h"
+#include "engine/graph/graph.h"
+
+namespace nacre::gpu {
+
+/// Counts device memory from allocation to the end of its life.
+class Memory {
+public:
+    Memory() = default;
+    Memory(const Device& device, vk::raii::DeviceMemory memory, std::uint64_t bytes)
+        : device_(&device), memory_(std::move(memory)), bytes_(bytes) {}
+    Memory(Memory&& other) noexcept { *this = std::move(other); }
+    Memory& operator=(Memory&& other) noexcept {
+        std::swap(device_, other.device_);
+        std::swap(memory_, other.memory_);
+        std::swap(bytes_, other.bytes_);
+        return *this;
+    }
+    ~Memory() {
+        if (device_) device_->release(bytes_);
+    }
+    const vk::raii::DeviceMemory& operator*() const { return memory_; }
+
+private:
+    const Device* device_ = nullptr;
+    vk::raii::DeviceMemory memory_{nullptr};
+    std::uint64_t bytes_ = 0;
+};
+
+/// A buffer that the host can write and read through `mapped` (coherent). Device-local too where memory is shared.
+struct Buffer {
+    Memory memory;
+    vk::raii::Buffer handle{nullptr};
+    std::byte* mapped = nullptr;
+    vk::DeviceSize size = 0;
+};
+
+enum class Access { upload, readback };
+
+/// @param size bytes; 0 makes a buffer of the smallest size, so that empty streams can be bound
+Buffer makeBuffer(const Device& device, vk::DeviceSize size, vk::BufferUsageFlags usage, Access access,
+                  const std::string& name);
+
+/// A buffer with contents.
+template <typename T>
+Buffer makeBuffer(const Device& device, std::span<const T> contents, vk::BufferUsageFlags usage,
+                  const std::string& name) {
+    Buffer buffer = makeBuffer(device, contents.size_bytes(), usage, Access::upload, name);
+    if (!contents.empty()) std::memcpy(buffer.mapped, contents.data(), contents.size_bytes());
+    return buffer;
+}
+
+struct Image {
+    Memory memory;
+    vk::raii::Image handle{nullptr};
+    vk::raii::ImageView view{nullptr};
+    graph::ImageDesc desc;
+};
+
+/// @param transient ask for lazily allocated memory
+Image makeImage(const Device& device, const graph::ImageDesc& desc, vk::ImageUsageFlags usage, bool transient,
+                const std::string& name);
+
+vk::raii::Sampler makeSampler(const Device& device, vk::Filter filter, const std::string& name);
+
+}  // namespace nacre::gpu

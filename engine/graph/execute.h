@@ -1,0 +1,82 @@
+#pragma once
+// Carries out a plan: makes the images, render passes and framebuffers it asks for, records barriers and passes.
+
+#include <list>
+#include <map>
+#include <memory>
+
+#include "engine/gpu/pipeline.h"
+#include "engine/gpu/resources.h"
+#include "engine/graph/plan.h"
+
+namespace nacre::graph {
+
+class Executor;
+
+/// Resources from outside, by the handles under which the graph imported them.
+struct Imports {
+    std::map<std::uint32_t, const gpu::Image*> images;
+    std::map<std::uint32_t, vk::Buffer> buffers;
+    void bind(Image handle, const gpu::Image& image) { images[handle.index] = &image; }
+    void bind(Buffer handle, const gpu::Buffer& buffer) { buffers[handle.index] = *buffer.handle; }
+};
+
+/// What a pass gets when it records.
+struct PassContext {
+    const vk::raii::CommandBuffer& commands;
+    const gpu::Device& device;
+    gpu::DescriptorPool& descriptors;
+    vk::RenderPass renderPass;      ///< graphics passes
+    std::uint32_t subpass = 0;
+    std::uint32_t colorCount = 0;   ///< colour attachments of the subpass
+    Extent extent;
+    bool inputIsSampled = false;    ///< input reads come as textures
+    std::vector<const gpu::Image*> images;  ///< by graph index
+    std::vector<vk::Buffer> buffers;
+
+    vk::ImageView view(Image image) const { return *images[image.index]->view; }
+    vk::Image image(Image image) const { return *images[image.index]->handle; }
+    vk::Buffer buffer(Buffer buffer) const { return buffers[buffer.index]; }
+};
+
+class Executor {
+public:
+    explicit Executor(const gpu::Device& device);
+
+    /// Records the plan of a graph. Images of the same graph and name are kept from one execution to the next.
+    void record(const vk::raii::CommandBuffer& commands, const Graph& graph, const Plan& plan,
+                const Imports& imports);
+    /// Call when nothing that was recorded is in flight: frees descriptor sets.
+    void reset() { descriptors_.reset(); }
+    /// Drops every image of this name's graph, so that its memory can be used for something else.
+    void forget(const std::string& graph);
+
+private:
+    struct OwnedImage {
+        VkImageUsageFlags usage;
+        bool transient;
+        gpu::Image image;
+    };
+    struct OwnedRenderPass {
+        RenderPassPlan plan;
+        vk::raii::RenderPass handle;
+        std::list<std::pair<std::vector<VkImageView>, vk::raii::Framebuffer>> framebuffers;
+    };
+
+    const gpu::Image& own(const std::string& key, const ImageDesc& desc, const PlannedImage& planned);
+    OwnedRenderPass& renderPass(const RenderPassPlan& plan, const std::string& name);
+    vk::Framebuffer framebuffer(OwnedRenderPass& pass, const PassContext& context);
+    void barriers(const vk::raii::CommandBuffer& commands, const std::vector<Barrier>& barriers, const Graph& graph,
+                  const PassContext& context) const;
+    void recordRenderPass(const Graph& graph, const Plan& plan, const RenderPassPlan& pass, PassContext& context);
+
+    const gpu::Device& device_;
+    gpu::DescriptorPool descriptors_;
+    std::map<std::string, OwnedImage> images_;
+    std::list<OwnedRenderPass> renderPasses_;
+};
+
+/// The VkRenderPass of a plan.
+vk::raii::RenderPass makeRenderPass(const gpu::Device& device, const RenderPassPlan& plan, const std::string& name);
+
+}  // namespace nacre::graph

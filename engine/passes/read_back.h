@@ -1,0 +1,18 @@
+#pragma once
+
+#include "engine/graph/execute.h"
+
+namespace nacre::passes {
+
+/// Declares the copy of a whole image into a buffer that the host reads.
+/// @param buffer imported into the graph, at least as large as the image
+void readBack(graph::Graph& g, graph::Image image, const graph::ImageDesc& desc, graph::Buffer buffer);
+
+/// A texture of one white texel, for passes that have no occlusion to read.
+gpu::Image makeWhiteTexture(const gpu::Device& device, graph::Executor& executor);
+
+/// State of a texture between graphs.
+constexpr graph::State kTextureState{VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT,
+                                     VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+
+}  // namespace nacre::passes

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "engine/gpu/resources.h"
+#include "engine/scene/representation.h"
+
+namespace nacre::passes {
+
+/// The streams of a representation on the device. Geometry passes fetch stream A alone, shading A and B.
+struct SceneBuffers {
+    gpu::Buffer shapes;  ///< stream A: spheres, then cylinders
+    gpu::Buffer sphereLooks, cylinderLooks;
+    std::uint32_t sphereCount = 0, cylinderCount = 0;
+    vk::DeviceSize cylinderOffset = 0;  ///< bytes into shapes
+};
+
+SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& representation);
+
+}  // namespace nacre::passes

@@ -1,0 +1,22 @@
+#pragma once
+// From what the device wrote to what a caller gets.
+
+#include "engine/renderer.h"
+
+namespace nacre {
+
+/// The value of an sRGB-coded channel in linear light; both 0..1. IEC 61966-2-1.
+float linearFromSrgb(float coded);
+
+/// Averages n x n samples in linear light and lays the result over a background.
+/// @param pixels  width x height, RGBA8 with sRGB-coded colour, alpha 0 or 255
+/// @param covered receives the number of samples that the molecule covers
+Picture resolvePicture(const std::uint32_t* pixels, std::uint32_t width, std::uint32_t height, std::uint32_t n,
+                       const std::array<float, 4>& background, std::uint64_t& covered);
+
+/// @param color    RGBA, linear, alpha 0 or 1; @param surface normal and Z; @param identity atom and occlusion's bits
+LayerPicture assembleLayers(std::uint32_t width, std::uint32_t height, const float* color, const float* surface,
+                            const std::uint32_t* identity, const std::array<float, 4>& background,
+                            std::uint64_t& covered);
+
+}  // namespace nacre

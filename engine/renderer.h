@@ -1,0 +1,94 @@
+#pragma once
+// A molecule's pictures. Read this and renderer.cpp first.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/device_options.h"
+#include "engine/scene/camera.h"
+#include "engine/scene/representation.h"
+
+namespace nacre {
+
+struct RenderSettings {
+    View view;
+    std::uint32_t supersample = 1;                  ///< N x N samples a pixel
+    std::array<float, 4> background{1, 1, 1, 1};    ///< sRGB-coded, straight alpha, 0..1
+    bool lighting = true;                           ///< off: base colour x occlusion
+    int occlusionDirections = 128;                  ///< 0: no occlusion
+    std::uint64_t occlusionBytes = 64ull << 20;     ///< memory budget of atlas and sums
+    bool prepass = true;
+    bool merge = true;                              ///< neighbouring passes share a render pass
+};
+
+/// Row 0 on top.
+struct Picture {
+    std::uint32_t width = 0, height = 0;
+    std::vector<float> rgba;  ///< linear light, premultiplied; 4 a pixel
+};
+
+struct LayerPicture {
+    std::uint32_t width = 0, height = 0;
+    std::vector<float> rgba;        ///< linear light, premultiplied; 4 a pixel
+    std::vector<float> z;           ///< Å; +infinity on the background
+    std::vector<float> normal;      ///< view space; 3 a pixel; 0 on the background
+    std::vector<float> occlusion;   ///< 0 closed .. 1 open; 1 on the background
+    std::vector<std::uint32_t> id;  ///< 1-based atom; 0 on the background
+};
+
+struct DeviceInfo {
+    std::string name, driver, type;  ///< type: "discrete", "integrated", "virtual", "software", "other"
+    std::string apiVersion;          ///< "1.3.230"
+    std::string visibility, why;     ///< the path that `automatic` takes here, and the reason
+    std::string encodedFormat;       ///< "R32F"
+    bool lazyMemory = false;
+};
+
+struct FrameStats {
+    DeviceInfo device;                  ///< with the path and reason in force
+    double bakeMilliseconds = 0;        ///< ambient occlusion, from streams to atlas
+    double frameMilliseconds = 0;       ///< one frame, submission to completion, without read-back conversion
+    std::uint64_t coveredPixels = 0;    ///< of the last picture
+    std::uint64_t spheres = 0, cylinders = 0;
+    int occlusionDirections = 0;
+    std::uint32_t patchTexels = 0;      ///< across a sphere's occlusion patch
+    std::uint64_t deviceBytes = 0;      ///< peak device memory
+    std::uint32_t tileBytesPerPixel = 0;
+    std::uint64_t loadedBytes = 0, storedBytes = 0;  ///< of attachments, a frame
+};
+
+class Renderer {
+public:
+    /// @throws Error if no suitable device is there
+    explicit Renderer(const DeviceOptions& options);
+    ~Renderer();
+    Renderer(Renderer&&) noexcept;
+
+    /// Uploads a scene. Occlusion is baked by the first picture that wants it. @throws Error
+    void setScene(Representation representation);
+
+    /// @throws Error if the picture is larger than the device draws, or memory runs out
+    Picture render(const RenderSettings& settings);
+    /// One sample a pixel, no antialiasing; supersample is ignored.
+    LayerPicture layers(const RenderSettings& settings);
+
+    const FrameStats& stats() const;
+    /// Plan of the last frame as text.
+    const std::string& planText() const;
+    /// What the validation layer said so far; empty is what is right.
+    const std::vector<std::string>& validationMessages() const;
+    /// Largest picture side of this device, in pixels.
+    std::uint32_t maxSize() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Every Vulkan device of this machine, in the order that DeviceOptions::device counts them. @throws Error
+std::vector<DeviceInfo> listDevices();
+
+}  // namespace nacre
