@@ -18,7 +18,21 @@ find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 
 if(NACRE_APPS)
-    find_package(OpenImageIO 2.4 REQUIRED)
+    if(VCPKG_TOOLCHAIN)
+        find_package(OpenImageIO 2.4 CONFIG REQUIRED)
+    else()
+        # Debian's CMake files for OpenImageIO refuse to load without every program of openimageio-tools and without
+        # OpenCV's headers. Nothing here uses either, so its libraries are found by name.
+        find_path(OPENIMAGEIO_INCLUDE_DIR OpenImageIO/imageio.h REQUIRED)
+        find_path(IMATH_INCLUDE_DIR ImathConfig.h PATH_SUFFIXES Imath REQUIRED)
+        find_library(OPENIMAGEIO_LIBRARY OpenImageIO REQUIRED)
+        find_library(OPENIMAGEIO_UTIL_LIBRARY OpenImageIO_Util REQUIRED)
+        add_library(OpenImageIO::OpenImageIO INTERFACE IMPORTED)
+        target_include_directories(OpenImageIO::OpenImageIO SYSTEM
+                                   INTERFACE ${OPENIMAGEIO_INCLUDE_DIR} ${IMATH_INCLUDE_DIR})
+        target_link_libraries(OpenImageIO::OpenImageIO
+                              INTERFACE ${OPENIMAGEIO_LIBRARY} ${OPENIMAGEIO_UTIL_LIBRARY} Threads::Threads)
+    endif()
     find_path(CLI11_INCLUDE_DIR CLI/CLI.hpp REQUIRED)
     find_path(NLOHMANN_JSON_INCLUDE_DIR nlohmann/json.hpp REQUIRED)
     add_library(cli11::headers INTERFACE IMPORTED)
