@@ -1,0 +1,191 @@
+#include "tests/reference/ambient_occlusion.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+namespace nacre::reference {
+namespace {
+
+/// How far above the surface rays start, in Å. Embree works in float, whose step at 100 Å from the origin is 8e-6 Å
+/// (3e-5 at 500): a start this high stays outside its own solid with a margin of 30 to 100 roundings. On the other
+/// side it is 1/150 of the thinnest bond's radius, so that what the patch sees does not change noticeably.
+constexpr double kLift = 1e-3;
+
+/// Same sequence on every standard library, unlike std::uniform_real_distribution.
+class Random {
+public:
+    explicit Random(std::uint64_t seed) : engine_(seed) {}
+    /// In [0, 1).
+    double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+    std::size_t below(std::size_t count) {
+        return std::min(static_cast<std::size_t>(unit() * static_cast<double>(count)), count - 1);
+    }
+
+private:
+    std::mt19937_64 engine_;
+};
+
+void boundRod(const RTCBoundsFunctionArguments* arguments) {
+    const Rod& rod = (*static_cast<const std::vector<Rod>*>(arguments->geometryUserPtr))[arguments->primID];
+    // Doubles that were floats convert back exactly; the slack covers the sum with the radius.
+    const glm::dvec3 low = glm::min(rod.a, rod.b) - rod.radius, high = glm::max(rod.a, rod.b) + rod.radius;
+    const auto down = [](double x) {
+        return std::nextafter(static_cast<float>(x), -std::numeric_limits<float>::max());
+    };
+    const auto up = [](double x) { return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::max()); };
+    *arguments->bounds_o =
+        RTCBounds{down(low.x), down(low.y), down(low.z), 0.0f, up(high.x), up(high.y), up(high.z), 0.0f};
+}
+
+/// Rods are user geometry rather than one of Embree's curves: so their ends are exactly the flat ones of solids.h.
+void occludeByRod(const RTCOccludedFunctionNArguments* arguments) {
+    const Rod& rod = (*static_cast<const std::vector<Rod>*>(arguments->geometryUserPtr))[arguments->primID];
+    const unsigned count = arguments->N;
+    for (unsigned i = 0; i < count; ++i) {
+        if (arguments->valid[i] == 0) continue;
+        RTCRayN* ray = arguments->ray;
+        const Line line{{RTCRayN_org_x(ray, count, i), RTCRayN_org_y(ray, count, i), RTCRayN_org_z(ray, count, i)},
+                        glm::normalize(glm::dvec3(RTCRayN_dir_x(ray, count, i), RTCRayN_dir_y(ray, count, i),
+                                                  RTCRayN_dir_z(ray, count, i)))};
+        const auto crossing = cross(line, rod);
+        if (crossing && crossing->leave > 0.0) RTCRayN_tfar(ray, count, i) = -std::numeric_limits<float>::infinity();
+    }
+}
+
+/// Any two unit vectors that stand square to `normal` and to each other.
+void frameAbout(const glm::dvec3& normal, glm::dvec3& across, glm::dvec3& upward) {
+    const glm::dvec3 size = glm::abs(normal);
+    glm::dvec3 helper(0.0);
+    helper[size.x <= size.y && size.x <= size.z ? 0 : (size.y <= size.z ? 1 : 2)] = 1.0;
+    across = glm::normalize(glm::cross(helper, normal));
+    upward = glm::cross(normal, across);
+}
+
+/// Even over all rotations: K. Shoemake, "Uniform random rotations", Graphics Gems III (1992), 124-132.
+glm::dmat3 randomRotation(Random& random) {
+    const double share = random.unit();
+    const double first = 2.0 * std::numbers::pi * random.unit(), second = 2.0 * std::numbers::pi * random.unit();
+    const double small = std::sqrt(1.0 - share), large = std::sqrt(share);
+    return glm::mat3_cast(glm::dquat(large * std::cos(second), small * std::sin(first), small * std::cos(first),
+                                     large * std::sin(second)));
+}
+
+}  // namespace
+
+void OcclusionScene::DeviceRelease::operator()(RTCDeviceTy* device) const { rtcReleaseDevice(device); }
+void OcclusionScene::SceneRelease::operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
+OcclusionScene::~OcclusionScene() = default;
+
+OcclusionScene::OcclusionScene(const Representation& scene) : device_(rtcNewDevice(nullptr)) {
+    throwOnError();
+    scene_.reset(rtcNewScene(device_.get()));
+    rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
+    if (!scene.spheres.empty()) addSpheres(scene.spheres);
+    if (!scene.cylinders.empty()) addRods(scene.cylinders);
+    rtcCommitScene(scene_.get());
+    throwOnError();
+}
+
+void OcclusionScene::throwOnError() const {
+    const RTCError error = rtcGetDeviceError(device_.get());
+    if (error != RTC_ERROR_NONE) throw std::runtime_error("Embree fails with error " + std::to_string(error));
+}
+
+void OcclusionScene::addSpheres(const std::vector<Sphere>& spheres) {
+    const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_SPHERE_POINT);
+    auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4,
+                                                               4 * sizeof(float), spheres.size()));
+    throwOnError();
+    for (const Sphere& sphere : spheres) {
+        *points++ = sphere.center.x;
+        *points++ = sphere.center.y;
+        *points++ = sphere.center.z;
+        *points++ = sphere.radius;
+    }
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_.get(), geometry);
+    rtcReleaseGeometry(geometry);
+}
+
+void OcclusionScene::addRods(const std::vector<Cylinder>& cylinders) {
+    for (const Cylinder& cylinder : cylinders) rods_.push_back({cylinder.a, cylinder.b, cylinder.radius});
+    const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(rods_.size()));
+    rtcSetGeometryUserData(geometry, &rods_);
+    rtcSetGeometryBoundsFunction(geometry, boundRod, nullptr);
+    rtcSetGeometryOccludedFunction(geometry, occludeByRod);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_.get(), geometry);
+    rtcReleaseGeometry(geometry);
+}
+
+double OcclusionScene::occlusionAt(const glm::dvec3& point, const glm::dvec3& normal, std::size_t rayCount,
+                                   std::uint64_t seed) const {
+    const auto side =
+        std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(rayCount)))));
+    const glm::dvec3 start = point + kLift * normal;
+    glm::dvec3 across, upward;
+    frameAbout(normal, across, upward);
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+
+    Random random(seed);
+    std::size_t open = 0;
+    for (std::size_t i = 0; i < side; ++i)
+        for (std::size_t j = 0; j < side; ++j) {
+            // Even over the unit disc, lifted to the hemisphere: density cos / pi (Nusselt's analogue).
+            const double square = (static_cast<double>(i) + random.unit()) / static_cast<double>(side);
+            const double turn =
+                2.0 * std::numbers::pi * (static_cast<double>(j) + random.unit()) / static_cast<double>(side);
+            const double reach = std::sqrt(square);
+            const glm::dvec3 direction =
+                reach * std::cos(turn) * across + reach * std::sin(turn) * upward + std::sqrt(1.0 - square) * normal;
+            RTCRay ray{};
+            ray.org_x = static_cast<float>(start.x);
+            ray.org_y = static_cast<float>(start.y);
+            ray.org_z = static_cast<float>(start.z);
+            ray.dir_x = static_cast<float>(direction.x);
+            ray.dir_y = static_cast<float>(direction.y);
+            ray.dir_z = static_cast<float>(direction.z);
+            ray.tfar = std::numeric_limits<float>::infinity();
+            ray.mask = ~0u;
+            rtcOccluded1(scene_.get(), &context, &ray);
+            if (ray.tfar > 0.0f) ++open;
+        }
+    return static_cast<double>(open) / static_cast<double>(side * side);
+}
+
+std::vector<SurfacePoint> randomVisiblePoints(const Representation& scene, std::size_t count, std::uint64_t seed) {
+    constexpr std::size_t kViews = 16;
+    constexpr std::uint32_t kSide = 256;
+    Random random(seed);
+    std::vector<SurfacePoint> points;
+    for (std::size_t v = 0; v < kViews; ++v) {
+        View view;
+        view.width = view.height = kSide;
+        view.rotation = randomRotation(random);
+        view.radius = scene.radius;
+        view.pixelsPerAngstrom = kSide / (2.0 * scene.radius);
+        const Layers layers = castRays(scene, view);
+        if (std::all_of(layers.id.begin(), layers.id.end(), [](std::uint32_t id) { return id == 0; }))
+            throw std::invalid_argument("randomVisiblePoints: the scene shows nothing");
+        const std::size_t wanted = count * (v + 1) / kViews;
+        while (points.size() < wanted) {
+            const auto column = static_cast<std::uint32_t>(random.below(kSide));
+            const auto row = static_cast<std::uint32_t>(random.below(kSide));
+            if (const auto point = surfacePoint(scene, view, layers, column, row)) points.push_back(*point);
+        }
+    }
+    return points;
+}
+
+}  // namespace nacre::reference
