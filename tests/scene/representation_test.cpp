@@ -93,7 +93,8 @@ TEST(Representation, AromaticBondsTurnTheThinStrandIntoTheRing) {
     for (int i = 0; i < 6; ++i) {
         Atom atom;
         atom.element = 6;
-        atom.position = {1.39f * std::cos(i * 1.0471976f), 1.39f * std::sin(i * 1.0471976f), 0.0f};
+        const float angle = static_cast<float>(i) * 1.0471976f;
+        atom.position = {1.39f * std::cos(angle), 1.39f * std::sin(angle), 0.0f};
         molecule.atoms.push_back(atom);
     }
     for (std::uint32_t i = 0; i < 5; ++i) molecule.bonds.push_back({i, i + 1, 4, BondSource::file});

@@ -1,0 +1,10 @@
+# Writes HEADER with the commit of SOURCE; leaves it alone where nothing changed.
+execute_process(COMMAND git -C ${SOURCE} describe --always --dirty --abbrev=12 --exclude=*
+                OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(NOT commit)
+    set(commit "unknown")
+endif()
+file(CONFIGURE OUTPUT ${HEADER} CONTENT "#pragma once
+#define NACRE_COMMIT \"@commit@\"
+#define NACRE_VERSION \"@VERSION@\"
+" @ONLY)

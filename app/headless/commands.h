@@ -1,0 +1,15 @@
+#pragma once
+// One function a command. Each throws nacre::Error where it fails.
+
+#include <iosfwd>
+
+#include "app/headless/options.h"
+
+namespace nacre::app {
+
+void renderCommand(const RenderOptions& options);
+void infoCommand(const InfoOptions& options, std::ostream& out);
+void devicesCommand(bool json, std::ostream& out);
+void versionCommand(std::ostream& out);
+
+}  // namespace nacre::app

@@ -1,0 +1,55 @@
+#include <vulkan/vulkan_core.h>
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <sstream>
+
+#include "app/headless/commands.h"
+#include "engine/error.h"
+#include "engine/renderer.h"
+#include "nacre_commit.h"
+
+namespace nacre::app {
+namespace {
+
+std::string versionText(std::uint32_t version) {
+    return std::to_string(VK_API_VERSION_MAJOR(version)) + "." + std::to_string(VK_API_VERSION_MINOR(version)) + "." +
+           std::to_string(VK_API_VERSION_PATCH(version));
+}
+
+std::string describe(const DeviceInfo& device) {
+    return device.name + " (" + device.type + ", Vulkan " + versionText(device.apiVersion) + ", " + device.driver + ")";
+}
+
+}  // namespace
+
+void devicesCommand(bool json, std::ostream& out) {
+    const std::vector<DeviceInfo> devices = listDevices();
+    if (!json) {
+        for (std::size_t i = 0; i < devices.size(); ++i) out << i << "  " << describe(devices[i]) << '\n';
+        if (devices.empty()) out << "no Vulkan device\n";
+        return;
+    }
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < devices.size(); ++i)
+        list.push_back({{"number", i},
+                        {"name", devices[i].name},
+                        {"type", devices[i].type},
+                        {"api_version", versionText(devices[i].apiVersion)},
+                        {"driver", devices[i].driver}});
+    out << list.dump(2) << '\n';
+}
+
+void versionCommand(std::ostream& out) {
+    out << "nacre " << NACRE_VERSION << " (" << NACRE_COMMIT << ")\n"
+        << "Vulkan headers " << versionText(VK_HEADER_VERSION_COMPLETE) << '\n';
+    try {
+        const std::vector<DeviceInfo> devices = listDevices();
+        out << "device " << (devices.empty() ? "none" : describe(devices.front())) << '\n';
+    } catch (const Error& error) {
+        // A machine without a driver still has a version.
+        out << "device none: " << error.what() << '\n';
+    }
+}
+
+}  // namespace nacre::app

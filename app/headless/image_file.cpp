@@ -1,0 +1,124 @@
+#include "app/headless/image_file.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "app/headless/srgb.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr int kJpegQuality = 95;
+constexpr std::uint32_t kRowsAtOnce = 64;  // what is converted at a time, so that memory stays small
+
+bool isExr(const std::string& path) { return extensionOf(path) == ".exr"; }
+bool isTiff(const std::string& path) { return extensionOf(path) == ".tif" || extensionOf(path) == ".tiff"; }
+bool isJpeg(const std::string& path) { return extensionOf(path) == ".jpg" || extensionOf(path) == ".jpeg"; }
+
+[[noreturn]] void fail(const OutputFile& file, const std::string& why) {
+    std::string line = why.empty() ? "OpenImageIO gives no reason" : why;
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    throw Error("cannot write file", file.path(), line);
+}
+
+OIIO::ImageSpec specOf(const std::string& path, std::uint32_t width, std::uint32_t height, int channels,
+                       OIIO::TypeDesc type) {
+    OIIO::ImageSpec spec(static_cast<int>(width), static_cast<int>(height), channels, type);
+    spec.attribute("Software", "nacre");
+    // OpenImageIO would put in the time of day; equal pictures shall be equal files.
+    if (isExr(path) || isTiff(path)) spec.attribute("DateTime", "1970:01:01 00:00:00");
+    return spec;
+}
+
+/// Writes rows as `convert(firstRow, rowCount)` gives them: a pointer to rowCount rows of interleaved channels.
+template <class Convert>
+void writeRows(OutputFile& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc from, Convert&& convert) {
+    const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(file.temporary());
+    if (!out) fail(file, OIIO::geterror());
+    if (!out->open(file.temporary(), spec)) fail(file, out->geterror());
+    for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(spec.height); row += kRowsAtOnce) {
+        const std::uint32_t end = std::min(row + kRowsAtOnce, static_cast<std::uint32_t>(spec.height));
+        if (!out->write_scanlines(static_cast<int>(row), static_cast<int>(end), 0, from, convert(row, end - row)))
+            fail(file, out->geterror());
+    }
+    if (!out->close()) fail(file, out->geterror());
+    file.commit();
+}
+
+/// One premultiplied linear pixel as sRGB bytes, straight alpha if kept, over white if not.
+void codePixel(const float* pixel, bool alpha, std::uint8_t* out) {
+    const float a = std::clamp(pixel[3], 0.0f, 1.0f);
+    for (int i = 0; i < 3; ++i) {
+        const float light = alpha ? (a > 0.0f ? pixel[i] / a : 0.0f) : pixel[i] + (1.0f - a);
+        out[i] = toByte(linearToSrgb(light));
+    }
+    if (alpha) out[3] = toByte(a);
+}
+
+}  // namespace
+
+bool isPictureName(const std::string& path) {
+    return isExr(path) || isTiff(path) || isJpeg(path) || extensionOf(path) == ".png";
+}
+
+void writePicture(OutputFile& file, const PictureView& picture, bool alpha) {
+    const std::string& path = file.path();
+    const std::size_t width = picture.width;
+    if (isExr(path)) {
+        OIIO::ImageSpec spec = specOf(path, picture.width, picture.height, 4, OIIO::TypeDesc::HALF);
+        spec.channelnames = {"R", "G", "B", "A"};
+        spec.alpha_channel = 3;
+        spec.attribute("compression", "zip");
+        spec.attribute("oiio:ColorSpace", "Linear");
+        writeRows(file, spec, OIIO::TypeDesc::FLOAT,
+                  [&](std::size_t row, std::size_t) { return picture.rgba.data() + row * width * 4; });
+        return;
+    }
+    const bool keepAlpha = alpha && !isJpeg(path);
+    const int channels = keepAlpha ? 4 : 3;
+    OIIO::ImageSpec spec = specOf(path, picture.width, picture.height, channels, OIIO::TypeDesc::UINT8);
+    spec.attribute("oiio:ColorSpace", "sRGB");
+    if (keepAlpha) spec.attribute("oiio:UnassociatedAlpha", 1);
+    if (isJpeg(path)) {
+        spec.attribute("Compression", "jpeg:" + std::to_string(kJpegQuality));
+        spec.attribute("jpeg:subsampling", "4:4:4");  // red atoms on white would bleed otherwise
+    }
+    if (isTiff(path)) spec.attribute("compression", "zip");
+    std::vector<std::uint8_t> bytes(width * kRowsAtOnce * static_cast<std::size_t>(channels));
+    writeRows(file, spec, OIIO::TypeDesc::UINT8, [&](std::size_t row, std::size_t count) {
+        for (std::size_t i = 0; i < count * width; ++i)
+            codePixel(picture.rgba.data() + (row * width + i) * 4, keepAlpha,
+                      bytes.data() + i * static_cast<std::size_t>(channels));
+        return bytes.data();
+    });
+}
+
+void writeLayers(OutputFile& file, const LayersView& layers) {
+    constexpr std::size_t kChannels = 10;
+    OIIO::ImageSpec spec = specOf(file.path(), layers.width, layers.height, kChannels, OIIO::TypeDesc::FLOAT);
+    spec.channelnames = {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z", "id", "occlusion"};
+    spec.alpha_channel = 3;
+    spec.z_channel = 4;
+    spec.attribute("compression", "zip");
+    spec.attribute("oiio:ColorSpace", "Linear");
+    const std::size_t width = layers.width;
+    std::vector<float> values(width * kRowsAtOnce * kChannels);
+    writeRows(file, spec, OIIO::TypeDesc::FLOAT, [&](std::size_t row, std::size_t count) {
+        for (std::size_t i = 0; i < count * width; ++i) {
+            const std::size_t pixel = row * width + i;
+            float* out = values.data() + i * kChannels;
+            std::copy_n(layers.rgba.data() + pixel * 4, 4, out);
+            out[4] = layers.z[pixel];
+            std::copy_n(layers.normal.data() + pixel * 3, 3, out + 5);
+            out[8] = static_cast<float>(layers.id[pixel]);  // exact up to 2^24 atoms
+            out[9] = layers.occlusion[pixel];
+        }
+        return values.data();
+    });
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "engine/molecule/molecule.h"
+
+namespace nacre::app {
+
+/// What `info --json` says of a molecule: what applies of format, title, atoms, models, records,
+/// total_atoms_all_models, total_atoms_all_records, total_bonds_all_records, bonds (as the file states them),
+/// conect_unique_pairs, chains, chains_auth, chains_label, hetatm, altloc_atoms, insertion_code_atoms,
+/// negative_resnum_atoms, biomt_operators, assemblies, oper_list, bbox [[min], [max]] in Å; and bonds_known (drawn
+/// by source and order) and warnings.
+nlohmann::ordered_json infoJson(const Molecule& molecule);
+
+/// The same for people.
+std::string infoText(const std::string& name, const nlohmann::ordered_json& json);
+
+}  // namespace nacre::app

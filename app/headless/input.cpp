@@ -1,0 +1,23 @@
+#include "app/headless/input.h"
+
+#include <string_view>
+
+#include "engine/error.h"
+
+namespace nacre::app {
+
+Molecule loadMolecule(const InputOptions& input) {
+    constexpr std::string_view kSample = "sample:";
+    const std::string_view path = input.path;
+    if (path.substr(0, kSample.size()) == kSample) {
+        if (input.format) throw Error("cannot read molecule", input.path, "a sample takes no --format");
+        if (input.model != 1) throw Error("cannot read molecule", input.path, "a sample has one model");
+        return sampleMolecule(path.substr(kSample.size()));
+    }
+    ReadOptions options;
+    options.format = input.format;
+    options.model = input.model;
+    return readMoleculeFile(input.path, options);
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,130 @@
+#include "app/headless/option_values.h"
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+namespace nacre::app {
+namespace {
+
+[[noreturn]] void refuse(std::string_view text, const std::string& wanted) {
+    throw std::invalid_argument("expected " + wanted + ", not '" + std::string(text) + "'");
+}
+
+template <class Number>
+bool parseWhole(std::string_view text, Number& value) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size();
+}
+
+/// A number as people read it: 0.0001, 16384.
+std::string plain(double value) {
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed).ptr;
+    return {digits.data(), end};
+}
+
+struct NamedColor {
+    std::string_view name;
+    std::uint32_t rgba;
+};
+
+// CSS Color Module Level 4, the sixteen basic names, and the two greys that people spell the other way.
+constexpr NamedColor kNamedColors[] = {{"transparent", 0x00000000}, {"black", 0x000000ff},  {"silver", 0xc0c0c0ff},
+                                       {"gray", 0x808080ff},        {"grey", 0x808080ff},   {"white", 0xffffffff},
+                                       {"maroon", 0x800000ff},      {"red", 0xff0000ff},    {"purple", 0x800080ff},
+                                       {"fuchsia", 0xff00ffff},     {"green", 0x008000ff},  {"lime", 0x00ff00ff},
+                                       {"olive", 0x808000ff},       {"yellow", 0xffff00ff}, {"navy", 0x000080ff},
+                                       {"blue", 0x0000ffff},        {"teal", 0x008080ff},   {"aqua", 0x00ffffff}};
+
+std::array<float, 4> unpack(std::uint32_t rgba) {
+    const auto channel = [&](int shift) { return static_cast<float>(rgba >> shift & 0xff) / 255.0f; };
+    return {channel(24), channel(16), channel(8), channel(0)};
+}
+
+}  // namespace
+
+Size parseSize(std::string_view text) {
+    const std::string wanted = "WIDTHxHEIGHT, each 1 to " + std::to_string(kLargestSide);
+    const std::size_t cross = text.find('x');
+    Size size;
+    if (cross == std::string_view::npos || !parseWhole(text.substr(0, cross), size.width) ||
+        !parseWhole(text.substr(cross + 1), size.height))
+        refuse(text, wanted);
+    for (const std::uint32_t side : {size.width, size.height})
+        if (side < 1 || side > kLargestSide) refuse(text, wanted);
+    return size;
+}
+
+glm::dvec3 parseRotation(std::string_view text) {
+    glm::dvec3 angles(0);
+    std::string_view rest = text;
+    for (int i = 0; i < 3; ++i) {
+        const std::size_t comma = i < 2 ? rest.find(',') : rest.size();
+        if (comma == std::string_view::npos || !parseWhole(rest.substr(0, comma), angles[i]) ||
+            !std::isfinite(angles[i]))
+            refuse(text, "three angles X,Y,Z in degrees");
+        rest.remove_prefix(i < 2 ? comma + 1 : comma);
+    }
+    return angles;
+}
+
+std::array<float, 4> parseColor(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    for (const NamedColor& entry : kNamedColors)
+        if (entry.name == lower) return unpack(entry.rgba);
+    const std::string digits = !lower.empty() && lower[0] == '#' ? lower.substr(1) : std::string();
+    std::uint32_t value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+    if (error == std::errc() && end == digits.data() + digits.size()) {
+        if (digits.size() == 3)
+            return unpack((value >> 8) * 0x11000000u | (value >> 4 & 15) * 0x110000u | (value & 15) * 0x1100u | 0xffu);
+        if (digits.size() == 6) return unpack(value << 8 | 0xffu);
+        if (digits.size() == 8) return unpack(value);
+    }
+    refuse(text, "'transparent', a basic colour name, #rgb, #rrggbb or #rrggbbaa");
+}
+
+double parseNumber(std::string_view text, double low, double high) {
+    double value = 0;
+    if (!parseWhole(text, value) || !(value >= low && value <= high))
+        refuse(text, "a number from " + plain(low) + " to " + plain(high));
+    return value;
+}
+
+std::int64_t parseInteger(std::string_view text, std::int64_t low, std::int64_t high) {
+    std::int64_t value = 0;
+    if (!parseWhole(text, value) || value < low || value > high)
+        refuse(text, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    return value;
+}
+
+int parseOcclusion(std::string_view text) {
+    if (text == "off") return 0;
+    std::int64_t value = 0;
+    if (!parseWhole(text, value) || value < 1 || value > kMostDirections)
+        refuse(text, "'off' or a number of directions from 1 to " + std::to_string(kMostDirections));
+    return static_cast<int>(value);
+}
+
+std::size_t parseChoice(std::string_view text, std::initializer_list<std::string_view> choices) {
+    std::string list;
+    std::size_t index = 0;
+    for (const std::string_view choice : choices) {
+        if (choice == text) return index;
+        list += std::string(index == 0 ? "" : index + 1 == choices.size() ? " or " : ", ") + std::string(choice);
+        ++index;
+    }
+    refuse(text, list);
+}
+
+void checkSamples(const Size& size, std::uint32_t supersample) {
+    const std::uint64_t samples = std::uint64_t{size.width} * size.height * supersample * supersample;
+    if (samples > kMostSamples)
+        throw std::invalid_argument("--size times --supersample squared is " + std::to_string(samples) +
+                                    " samples; at most " + std::to_string(kMostSamples) + " are drawn");
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,48 @@
+#pragma once
+// What the values of options mean. Every function throws std::invalid_argument with the reason, in words that
+// continue "--option: ".
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <string_view>
+
+namespace nacre::app {
+
+constexpr std::uint32_t kLargestSide = 16384;                   ///< pixels
+constexpr std::uint32_t kMostSupersample = 8;                   ///< samples a side of a pixel
+constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 27;  ///< width x height x supersample^2
+constexpr int kMostDirections = 4096;                           ///< occlusion
+constexpr double kSmallestZoom = 1e-4, kLargestZoom = 1e4;
+constexpr double kSmallestFov = 1, kLargestFov = 120;  ///< degrees
+
+struct Size {
+    std::uint32_t width = 1024, height = 1024;
+};
+
+/// "640x480"; each side 1 to kLargestSide.
+Size parseSize(std::string_view text);
+
+/// "X,Y,Z" in degrees, finite.
+glm::dvec3 parseRotation(std::string_view text);
+
+/// "transparent", a CSS basic colour name, #rgb, #rrggbb or #rrggbbaa; sRGB-coded 0..1, straight alpha.
+std::array<float, 4> parseColor(std::string_view text);
+
+/// A finite number of the whole text within [low, high].
+double parseNumber(std::string_view text, double low, double high);
+
+/// A whole number of the whole text within [low, high].
+std::int64_t parseInteger(std::string_view text, std::int64_t low, std::int64_t high);
+
+/// "off" is 0; otherwise 1 to kMostDirections.
+int parseOcclusion(std::string_view text);
+
+/// The position of text among choices; the reason lists them.
+std::size_t parseChoice(std::string_view text, std::initializer_list<std::string_view> choices);
+
+/// Refuses more than kMostSamples.
+void checkSamples(const Size& size, std::uint32_t supersample);
+
+}  // namespace nacre::app

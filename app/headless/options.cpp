@@ -1,0 +1,233 @@
+#include "app/headless/options.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <limits>
+
+#include "app/headless/image_file.h"
+
+namespace nacre::app {
+namespace {
+
+using Setter = std::function<void(const std::string&)>;
+
+/// An option with one value. Always a single string, since a CLI11 option of many values swallows the INPUT.
+CLI::Option* value(CLI::App& app, const std::string& name, const std::string& type, const std::string& fallback,
+                   const std::string& help, Setter set) {
+    const auto parse = [name, set = std::move(set)](const std::string& text) {
+        try {
+            set(text);
+        } catch (const std::invalid_argument& error) {
+            throw CLI::ValidationError(name.substr(name.find("--")), error.what());
+        }
+    };
+    return app.add_option_function<std::string>(name, parse, help)->type_name(type)->default_str(fallback);
+}
+
+void onOff(CLI::App& app, const std::string& name, bool& target, const std::string& help) {
+    value(app, name, "on|off", "on", help, [&](const std::string& text) {
+        target = parseChoice(text, {"on", "off"}) == 0;
+    });
+}
+
+void showHide(CLI::App& app, const std::string& name, bool& target, const std::string& help) {
+    value(app, name, "show|hide", target ? "show" : "hide", help, [&](const std::string& text) {
+        target = parseChoice(text, {"show", "hide"}) == 0;
+    });
+}
+
+std::string path(const std::string& text) {
+    if (text.empty()) throw std::invalid_argument("expected a file name");
+    return text;
+}
+
+void addInput(CLI::App& app, InputOptions& input) {
+    app.add_option("INPUT", input.path,
+                   "A structure file (PDB, mmCIF, mmJSON, SDF/MOL, XYZ; each also .gz), - for standard input, or\n"
+                   "sample:dna, sample:glucose, sample:buckyball")
+        ->required()
+        ->type_name("");
+    value(app, "--format", "NAME", "by content", "pdb, mmcif, mmjson, sdf or xyz", [&](const std::string& text) {
+        input.format = formatFromName(text);
+        if (!input.format) throw std::invalid_argument("expected pdb, mmcif, mmjson, sdf or xyz, not '" + text + "'");
+    });
+    value(app, "--model", "N", "1", "Model, frame or record, counted from 1", [&](const std::string& text) {
+        input.model = static_cast<int>(parseInteger(text, 1, std::numeric_limits<int>::max()));
+    });
+}
+
+void addContent(CLI::App& app, RenderOptions& options) {
+    addInput(app, options.input);
+    value(app, "--style", "NAME", "spacefill; ball-and-stick under 100 atoms with bonds",
+          "spacefill, ball-and-stick or licorice", [&](const std::string& text) {
+              constexpr Style kStyles[] = {Style::spacefill, Style::ballAndStick, Style::licorice};
+              options.style = kStyles[parseChoice(text, {"spacefill", "ball-and-stick", "licorice"})];
+          });
+    value(app, "--color", "SCHEME", "element", "element, chain or residue", [&](const std::string& text) {
+        constexpr ColorScheme kSchemes[] = {ColorScheme::element, ColorScheme::chain, ColorScheme::residue};
+        options.color = kSchemes[parseChoice(text, {"element", "chain", "residue"})];
+    });
+    showHide(app, "--water", options.drawn.water, "Water molecules");
+    showHide(app, "--hydrogens", options.drawn.hydrogens, "Hydrogen atoms");
+}
+
+void addView(CLI::App& app, RenderOptions& options) {
+    value(app, "--size", "WxH", "1024x1024", "Pixels, each side 1 to 16384",
+          [&](const std::string& text) { options.size = parseSize(text); });
+    value(app, "--rotate", "X,Y,Z", "0,0,0", "Degrees, right-handed, about the view axes, X first",
+          [&](const std::string& text) { options.camera.rotationDegrees = parseRotation(text); });
+    value(app, "--zoom", "F", "1", "Scales the picture, 0.0001 to 10000",
+          [&](const std::string& text) { options.camera.zoom = parseNumber(text, kSmallestZoom, kLargestZoom); });
+    value(app, "--projection", "NAME", "ortho", "ortho or perspective", [&](const std::string& text) {
+        options.camera.projection =
+            parseChoice(text, {"ortho", "perspective"}) == 0 ? Projection::orthographic : Projection::perspective;
+    });
+    value(app, "--fov", "DEGREES", "30", "Perspective: angle across the shorter side, 1 to 120",
+          [&](const std::string& text) { options.camera.fovDegrees = parseNumber(text, kSmallestFov, kLargestFov); });
+}
+
+void addLook(CLI::App& app, RenderOptions& options) {
+    value(app, "--occlusion", "K|off", "128", "Ambient occlusion from K directions, 1 to 4096",
+          [&](const std::string& text) { options.occlusionDirections = parseOcclusion(text); });
+    value(app, "--background", "COLOR", "white",
+          "transparent, a basic CSS name, #rgb, #rrggbb or #rrggbbaa (JPEG has no transparency: over white)",
+          [&](const std::string& text) { options.background = parseColor(text); });
+    onOff(app, "--lighting", options.lighting, "off: base colour times occlusion, nothing else");
+    value(app, "--supersample", "N", "1", "N x N samples a pixel, 1 to 8", [&](const std::string& text) {
+        options.supersample = static_cast<std::uint32_t>(parseInteger(text, 1, kMostSupersample));
+    });
+}
+
+void addFiles(CLI::App& app, RenderOptions& options) {
+    value(app, "-o,--output", "FILE", "", "The picture: .png, .tif, .tiff, .jpg, .jpeg or .exr",
+          [&](const std::string& text) {
+              if (!isPictureName(text))
+                  throw std::invalid_argument(
+                      "expected a name that ends in .png, .tif, .tiff, .jpg, .jpeg or .exr, not '" + text + "'");
+              options.output = text;
+          })
+        ->required();
+    value(app, "--layers", "FILE.exr", "none", "Colour, depth, normal, atom and occlusion of every pixel",
+          [&](const std::string& text) {
+              if (extensionOf(text) != ".exr")
+                  throw std::invalid_argument("expected a name that ends in .exr, not '" + text + "'");
+              options.layers = text;
+          });
+    value(app, "--stats", "FILE.json", "none", "View, counts, times and memory as JSON",
+          [&](const std::string& text) { options.stats = path(text); });
+}
+
+void addDevice(CLI::App& app, RenderOptions& options) {
+    value(app, "--device", "N|NAME", "the fastest", "Number or part of the name, as `nacre devices` lists them",
+          [&](const std::string& text) {
+              if (text.empty()) throw std::invalid_argument("expected a device's number or part of its name");
+              options.device.device = text;
+          });
+    value(app, "--visibility", "PATH", "auto", "auto, encoded or fragdepth", [&](const std::string& text) {
+        constexpr Visibility kPaths[] = {Visibility::automatic, Visibility::encoded, Visibility::fragdepth};
+        options.device.visibility = kPaths[parseChoice(text, {"auto", "encoded", "fragdepth"})];
+    });
+    onOff(app, "--prepass", options.prepass, "Opaque plates that reject hidden work; never changes the picture");
+    onOff(app, "--merge", options.merge, "Passes as subpasses of one render pass; never changes the picture");
+    app.add_flag("--validate", options.device.validate,
+                 "Run under the Vulkan validation layer; any message is an error");
+}
+
+bool sameFile(const std::string& a, const std::string& b) {
+    if (a.empty() || b.empty()) return false;
+    std::error_code error;
+    if (std::filesystem::equivalent(a, b, error)) return true;
+    const auto plain = [](const std::string& name) { return std::filesystem::absolute(name).lexically_normal(); };
+    return plain(a) == plain(b);
+}
+
+/// What no option alone can tell.
+void checkRender(const RenderOptions& options) {
+    try {
+        checkSamples(options.size, options.supersample);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
+    const std::pair<const char*, const std::string*> files[] = {{"INPUT", &options.input.path},
+                                                                {"--output", &options.output},
+                                                                {"--layers", &options.layers},
+                                                                {"--stats", &options.stats}};
+    for (std::size_t i = 0; i < std::size(files); ++i)
+        for (std::size_t j = i + 1; j < std::size(files); ++j)
+            if (sameFile(*files[i].second, *files[j].second))
+                throw UsageError(std::string(files[i].first) + " and " + files[j].first +
+                                 " are the same file: " + *files[j].second);
+}
+
+std::string oneLine(std::string text) {
+    for (char& c : text)
+        if (c == '\n') c = ' ';
+    return text;
+}
+
+constexpr const char* kExamples =
+    "Examples:\n"
+    "  nacre render sample:dna -o dna.png\n"
+    "  nacre info 4hhb.cif.gz --json\n"
+    "  nacre devices\n"
+    "`nacre render --help` lists what can be set.";
+constexpr const char* kRenderExamples =
+    "Examples:\n"
+    "  nacre render 1bna.pdb -o dna.png --size 1600x1200 --supersample 2\n"
+    "  nacre render sample:glucose -o glucose.png --style ball-and-stick --background transparent\n"
+    "  nacre render 4hhb.cif.gz -o blood.jpg --color chain --rotate -20,45,0 --projection perspective\n"
+    "  zcat 1crn.pdb.gz | nacre render - --format pdb -o crambin.exr --layers layers.exr --stats stats.json";
+
+}  // namespace
+
+CommandLine parseCommandLine(int argc, const char* const* argv) {
+    CommandLine line;
+    CLI::App app("Nacre draws molecules.", "nacre");
+    app.footer(kExamples);
+    bool version = false;
+    app.add_flag("--version", version, "Commit, Vulkan headers, device and driver");
+
+    CLI::App& render = *app.add_subcommand("render", "Draw a molecule into a picture file");
+    render.footer(kRenderExamples);
+    addContent(render, line.render);
+    addFiles(render, line.render);
+    addView(render, line.render);
+    addLook(render, line.render);
+    addDevice(render, line.render);
+
+    CLI::App& info = *app.add_subcommand("info", "Say what a structure file holds");
+    info.footer("Examples:\n  nacre info 1bna.pdb\n  nacre info ligands.sdf --model 3 --json");
+    addInput(info, line.info.input);
+    info.add_flag("--json", line.info.json, "As one JSON object");
+
+    CLI::App& devices = *app.add_subcommand("devices", "List the Vulkan devices");
+    devices.footer("Examples:\n  nacre devices\n  nacre devices --json");
+    devices.add_flag("--json", line.json, "As a JSON array");
+
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        line.help = app.help();
+        return line;
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(oneLine(error.what()));
+    }
+    const std::size_t commands = app.get_subcommands().size();
+    if (commands + (version ? 1 : 0) > 1) throw UsageError("more than one command");
+    if (version) {
+        line.command = Command::version;
+    } else if (render.parsed()) {
+        checkRender(line.render);
+        line.command = Command::render;
+    } else if (info.parsed()) {
+        line.command = Command::info;
+    } else if (devices.parsed()) {
+        line.command = Command::devices;
+    } else {
+        throw UsageError("a command is needed: render, info or devices");
+    }
+    return line;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,64 @@
+#pragma once
+// The command line as plain data.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "app/headless/option_values.h"
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/read.h"
+#include "engine/renderer.h"
+#include "engine/scene/camera.h"
+#include "engine/scene/representation.h"
+
+namespace nacre::app {
+
+struct InputOptions {
+    std::string path;  ///< a file, "-", or "sample:NAME"
+    std::optional<Format> format;
+    int model = 1;  ///< 1-based
+};
+
+struct RenderOptions {
+    InputOptions input;
+    DrawnAtomsOptions drawn;
+    std::optional<Style> style;  ///< empty: by the molecule's size
+    ColorScheme color = ColorScheme::element;
+    Camera camera;
+    Size size;
+    std::uint32_t supersample = 1;
+    std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha
+    bool lighting = true;
+    int occlusionDirections = 128;  ///< 0 = off
+    bool prepass = true, merge = true;
+    DeviceOptions device;
+    std::string output, layers, stats;  ///< paths; the last two may be empty
+};
+
+struct InfoOptions {
+    InputOptions input;
+    bool json = false;
+};
+
+enum class Command { help, version, render, info, devices };
+
+struct CommandLine {
+    Command command = Command::help;
+    std::string help;  ///< what to print for Command::help
+    RenderOptions render;
+    InfoOptions info;
+    bool json = false;  ///< devices
+};
+
+/// The command line was used wrongly; what() says how, in one line.
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// @throws UsageError
+CommandLine parseCommandLine(int argc, const char* const* argv);
+
+}  // namespace nacre::app

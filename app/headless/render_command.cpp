@@ -1,0 +1,86 @@
+#include <chrono>
+#include <optional>
+
+#include "app/headless/commands.h"
+#include "app/headless/image_file.h"
+#include "app/headless/input.h"
+#include "app/headless/stats.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// The files asked for, made at once so that a folder that cannot be written to is refused before any work.
+struct Outputs {
+    OutputFile picture;
+    std::optional<OutputFile> layers, stats;
+
+    explicit Outputs(const RenderOptions& options) : picture(options.output) {
+        if (!options.layers.empty()) layers.emplace(options.layers);
+        if (!options.stats.empty()) stats.emplace(options.stats);
+    }
+};
+
+Representation sceneOf(const Molecule& molecule, const RenderOptions& options) {
+    const std::vector<std::uint32_t> drawn = drawnAtoms(molecule, options.drawn);
+    if (drawn.empty())
+        throw Error(
+            "cannot draw molecule", options.input.path,
+            "none of its " + std::to_string(molecule.atoms.size()) + " atoms is drawn; see --water and --hydrogens");
+    return represent(molecule, drawn, {options.style.value_or(defaultStyle(molecule, drawn)), options.color});
+}
+
+RenderSettings settingsOf(const RenderOptions& options, const Representation& scene) {
+    RenderSettings settings;
+    settings.view = viewOf(options.camera, scene.radius, options.size.width, options.size.height);
+    settings.supersample = options.supersample;
+    settings.background = options.background;
+    settings.lighting = options.lighting;
+    settings.occlusionDirections = options.occlusionDirections;
+    settings.prepass = options.prepass;
+    settings.merge = options.merge;
+    return settings;
+}
+
+void drawLayers(Renderer& renderer, RenderSettings settings, OutputFile& file) {
+    settings.supersample = 1;  // a depth or an atom has no average
+    const LayerPicture layers = renderer.layers(settings);
+    writeLayers(file, {layers.width, layers.height, layers.rgba, layers.z, layers.normal, layers.id, layers.occlusion});
+}
+
+}  // namespace
+
+void renderCommand(const RenderOptions& options) {
+    const Clock::time_point start = Clock::now();
+    Outputs outputs(options);
+    RunStats run;
+
+    const Molecule molecule = loadMolecule(options.input);
+    run.atomsRead = molecule.atoms.size();
+    run.bondsKnown = molecule.bonds.size();
+    run.loadMs = millisecondsSince(start);
+
+    const Clock::time_point sceneStart = Clock::now();
+    const Representation scene = sceneOf(molecule, options);
+    run.sceneMs = millisecondsSince(sceneStart);
+
+    Renderer renderer(options.device);
+    renderer.setScene(scene);
+    const RenderSettings settings = settingsOf(options, scene);
+    const Picture picture = renderer.render(settings);
+    const FrameStats frame = renderer.stats();
+    if (outputs.layers) drawLayers(renderer, settings, *outputs.layers);
+    writePicture(outputs.picture, {picture.width, picture.height, picture.rgba}, options.background[3] < 1.0f);
+
+    if (!outputs.stats) return;
+    run.totalMs = millisecondsSince(start);
+    writeText(*outputs.stats, statsJson(run, scene, settings.view, frame));
+}
+
+}  // namespace nacre::app

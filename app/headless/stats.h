@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "app/headless/options.h"
+#include "engine/renderer.h"
+
+namespace nacre::app {
+
+/// What `render --stats` says beside what the renderer measured.
+struct RunStats {
+    std::size_t atomsRead = 0, bondsKnown = 0;
+    double loadMs = 0;   ///< reading, inflating, bonds
+    double sceneMs = 0;  ///< choosing atoms, building the streams
+    double totalMs = 0;  ///< from the command's start to the last file written
+};
+
+/// JSON text; the keys are stable: snake_case, times in milliseconds, bytes as whole numbers.
+std::string statsJson(const RunStats& run, const Representation& scene, const View& view, const FrameStats& frame);
+
+}  // namespace nacre::app
