@@ -2,7 +2,8 @@
 
 #include <nlohmann/json.hpp>
 #include <ostream>
-#include <sstream>
+#include <string>
+#include <vector>
 
 #include "app/headless/commands.h"
 #include "engine/error.h"
@@ -18,7 +19,7 @@ std::string versionText(std::uint32_t version) {
 }
 
 std::string describe(const DeviceInfo& device) {
-    return device.name + " (" + device.type + ", Vulkan " + versionText(device.apiVersion) + ", " + device.driver + ")";
+    return device.name + " (" + device.type + ", Vulkan " + device.apiVersion + ", " + device.driver + ")";
 }
 
 }  // namespace
@@ -26,7 +27,10 @@ std::string describe(const DeviceInfo& device) {
 void devicesCommand(bool json, std::ostream& out) {
     const std::vector<DeviceInfo> devices = listDevices();
     if (!json) {
-        for (std::size_t i = 0; i < devices.size(); ++i) out << i << "  " << describe(devices[i]) << '\n';
+        for (std::size_t i = 0; i < devices.size(); ++i)
+            out << i << "  " << describe(devices[i]) << '\n'
+                << "   visibility " << devices[i].visibility << ": " << devices[i].why << "; encoded depth "
+                << devices[i].encodedFormat << "; lazy memory " << (devices[i].lazyMemory ? "yes" : "no") << '\n';
         if (devices.empty()) out << "no Vulkan device\n";
         return;
     }
@@ -35,9 +39,13 @@ void devicesCommand(bool json, std::ostream& out) {
         list.push_back({{"number", i},
                         {"name", devices[i].name},
                         {"type", devices[i].type},
-                        {"api_version", versionText(devices[i].apiVersion)},
-                        {"driver", devices[i].driver}});
-    out << list.dump(2) << '\n';
+                        {"api_version", devices[i].apiVersion},
+                        {"driver", devices[i].driver},
+                        {"visibility", devices[i].visibility},
+                        {"why", devices[i].why},
+                        {"encoded_format", devices[i].encodedFormat},
+                        {"lazy_memory", devices[i].lazyMemory}});
+    out << list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
 }
 
 void versionCommand(std::ostream& out) {

@@ -119,7 +119,7 @@ void addFiles(CLI::App& app, RenderOptions& options) {
 }
 
 void addDevice(CLI::App& app, RenderOptions& options) {
-    value(app, "--device", "N|NAME", "the fastest", "Number or part of the name, as `nacre devices` lists them",
+    value(app, "--device", "N|NAME", "the best there is", "Number or part of the name, as `nacre devices` lists them",
           [&](const std::string& text) {
               if (text.empty()) throw std::invalid_argument("expected a device's number or part of its name");
               options.device.device = text;

@@ -1,5 +1,8 @@
 #include <chrono>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/headless/commands.h"
 #include "app/headless/image_file.h"
@@ -48,10 +51,16 @@ RenderSettings settingsOf(const RenderOptions& options, const Representation& sc
     return settings;
 }
 
-void drawLayers(Renderer& renderer, RenderSettings settings, OutputFile& file) {
-    settings.supersample = 1;  // a depth or an atom has no average
+void drawLayers(Renderer& renderer, const RenderSettings& settings, OutputFile& file) {
     const LayerPicture layers = renderer.layers(settings);
     writeLayers(file, {layers.width, layers.height, layers.rgba, layers.z, layers.normal, layers.id, layers.occlusion});
+}
+
+void checkValidation(const Renderer& renderer) {
+    const std::vector<std::string>& messages = renderer.validationMessages();
+    if (messages.empty()) return;
+    throw Error("Vulkan validation", renderer.stats().device.name,
+                std::to_string(messages.size()) + " messages, the first: " + messages.front());
 }
 
 }  // namespace
@@ -67,20 +76,25 @@ void renderCommand(const RenderOptions& options) {
     run.loadMs = millisecondsSince(start);
 
     const Clock::time_point sceneStart = Clock::now();
-    const Representation scene = sceneOf(molecule, options);
+    Representation scene = sceneOf(molecule, options);
+    const RenderSettings settings = settingsOf(options, scene);
+    run.center = scene.center;
+    run.atomsDrawn = scene.drawnAtoms;
+    run.bondsDrawn = scene.drawnBonds;
     run.sceneMs = millisecondsSince(sceneStart);
 
     Renderer renderer(options.device);
-    renderer.setScene(scene);
-    const RenderSettings settings = settingsOf(options, scene);
+    renderer.setScene(std::move(scene));
     const Picture picture = renderer.render(settings);
-    const FrameStats frame = renderer.stats();
-    if (outputs.layers) drawLayers(renderer, settings, *outputs.layers);
-    writePicture(outputs.picture, {picture.width, picture.height, picture.rgba}, options.background[3] < 1.0f);
+    run.firstPictureMs = millisecondsSince(start);
+    const FrameStats frame = renderer.stats();  // of this picture, before the layers add theirs
 
+    if (outputs.layers) drawLayers(renderer, settings, *outputs.layers);
+    checkValidation(renderer);
+    writePicture(outputs.picture, {picture.width, picture.height, picture.rgba}, options.background[3] < 1.0f);
     if (!outputs.stats) return;
     run.totalMs = millisecondsSince(start);
-    writeText(*outputs.stats, statsJson(run, scene, settings.view, frame));
+    writeText(*outputs.stats, statsJson(run, settings.view, frame));
 }
 
 }  // namespace nacre::app

@@ -19,18 +19,6 @@ std::int64_t peakResidentBytes() {
 #endif
 }
 
-const char* nameOf(Visibility visibility) {
-    switch (visibility) {
-        case Visibility::encoded:
-            return "encoded";
-        case Visibility::fragdepth:
-            return "fragdepth";
-        case Visibility::automatic:
-            break;
-    }
-    return "auto";
-}
-
 /// Row by row, as it is written on paper; GLM stores columns.
 Json rowsOf(const glm::dmat3& matrix) {
     Json rows = Json::array();
@@ -40,27 +28,37 @@ Json rowsOf(const glm::dmat3& matrix) {
 
 }  // namespace
 
-std::string statsJson(const RunStats& run, const Representation& scene, const View& view, const FrameStats& frame) {
+std::string statsJson(const RunStats& run, const View& view, const FrameStats& frame) {
     Json json;
     json["view"] = {{"width", view.width},
                     {"height", view.height},
                     {"projection", view.projection == Projection::orthographic ? "ortho" : "perspective"},
-                    {"center", {scene.center.x, scene.center.y, scene.center.z}},
+                    {"center", {run.center.x, run.center.y, run.center.z}},
                     {"radius", view.radius},
                     {"pixels_per_angstrom", view.pixelsPerAngstrom},
                     {"eye_distance", view.eyeDistance},
                     {"rotation", rowsOf(view.rotation)}};
-    json["atoms"] = {{"read", run.atomsRead}, {"drawn", scene.drawnAtoms}, {"submitted", scene.spheres.size()}};
-    json["bonds"] = {{"known", run.bondsKnown}, {"drawn", scene.drawnBonds}, {"cylinders", scene.cylinders.size()}};
-    json["times"] = {{"load", run.loadMs},     {"scene", run.sceneMs},
-                     {"bake", frame.bakeMs},   {"first_picture", frame.firstPictureMs},
-                     {"frame", frame.frameMs}, {"total", run.totalMs}};
+    json["atoms"] = {{"read", run.atomsRead}, {"drawn", run.atomsDrawn}, {"submitted", frame.spheres}};
+    json["bonds"] = {{"known", run.bondsKnown}, {"drawn", run.bondsDrawn}, {"cylinders", frame.cylinders}};
+    json["times"] = {{"load", run.loadMs},
+                     {"scene", run.sceneMs},
+                     {"bake", frame.bakeMilliseconds},
+                     {"first_picture", run.firstPictureMs},
+                     {"frame", frame.frameMilliseconds},
+                     {"total", run.totalMs}};
     json["covered_pixels"] = frame.coveredPixels;
-    json["memory"] = {{"resident_peak", peakResidentBytes()}, {"device", frame.deviceMemory}};
-    json["device"] = {{"name", frame.deviceName},
-                      {"driver", frame.driver},
-                      {"visibility", nameOf(frame.visibility)},
-                      {"why", frame.visibilityWhy}};
+    json["occlusion"] = {{"directions", frame.occlusionDirections}, {"patch_texels", frame.patchTexels}};
+    json["tile_bytes_per_pixel"] = frame.tileBytesPerPixel;
+    json["memory"] = {{"resident_peak", peakResidentBytes()},
+                      {"device", frame.deviceBytes},
+                      {"loaded", frame.loadedBytes},
+                      {"stored", frame.storedBytes}};
+    json["device"] = {{"name", frame.device.name},
+                      {"driver", frame.device.driver},
+                      {"api_version", frame.device.apiVersion},
+                      {"visibility", frame.device.visibility},
+                      {"why", frame.device.why},
+                      {"encoded_format", frame.device.encodedFormat}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

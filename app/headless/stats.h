@@ -11,12 +11,15 @@ namespace nacre::app {
 /// What `render --stats` says beside what the renderer measured.
 struct RunStats {
     std::size_t atomsRead = 0, bondsKnown = 0;
-    double loadMs = 0;   ///< reading, inflating, bonds
-    double sceneMs = 0;  ///< choosing atoms, building the streams
-    double totalMs = 0;  ///< from the command's start to the last file written
+    std::size_t atomsDrawn = 0, bondsDrawn = 0;
+    glm::dvec3 center{};        ///< of the view, Å
+    double loadMs = 0;          ///< reading, inflating, bonds
+    double sceneMs = 0;         ///< choosing atoms, building the streams
+    double firstPictureMs = 0;  ///< from the command's start to the first picture in memory
+    double totalMs = 0;         ///< from the command's start until only this file is left to write
 };
 
 /// JSON text; the keys are stable: snake_case, times in milliseconds, bytes as whole numbers.
-std::string statsJson(const RunStats& run, const Representation& scene, const View& view, const FrameStats& frame);
+std::string statsJson(const RunStats& run, const View& view, const FrameStats& frame);
 
 }  // namespace nacre::app

@@ -1,0 +1,200 @@
+// Runs the program itself: exit codes, messages, and what it leaves behind.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/app/temporary_folder.h"
+
+namespace nacre {
+namespace {
+
+using test::TemporaryFolder;
+
+struct Outcome {
+    int code = -1;  ///< exit code; -1 after a signal
+    std::string out, err;
+};
+
+/// Runs `nacre ARGUMENTS` by the shell, in the folder.
+Outcome nacreIn(const TemporaryFolder& folder, const std::string& arguments, const std::string& redirection = "") {
+    const TemporaryFolder logs;
+    const std::string command = "cd '" + folder.path() + "' && '" NACRE_PROGRAM "' " + arguments + " >'" +
+                                (logs / "out") + "' 2>'" + (logs / "err") + "' </dev/null " + redirection;
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, test::contentOf(logs / "out"), test::contentOf(logs / "err")};
+}
+
+/// One line, and it starts as every error does.
+void expectOneErrorLine(const Outcome& outcome) {
+    EXPECT_EQ(outcome.err.rfind("nacre: error: ", 0), 0u) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+}
+
+class WrongUsage : public testing::TestWithParam<const char*> {};
+
+TEST_P(WrongUsage, ExitsWithTwoAndOneLineAndNoFile) {
+    const TemporaryFolder folder;
+    const Outcome outcome = nacreIn(folder, GetParam());
+    EXPECT_EQ(outcome.code, 2);
+    expectOneErrorLine(outcome);
+    EXPECT_EQ(folder.count(), 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    CommandLine, WrongUsage,
+    testing::Values("", "frob", "--frob", "render", "render sample:dna", "render -o a.png", "render sample:dna -o",
+                    "render sample:dna -o a.bmp", "render sample:dna -o a", "render sample:dna -o a.png extra",
+                    "render sample:dna -o a.png --frob", "render sample:dna -o a.png --assembly 1",
+                    "render sample:dna -o a.png --show A=licorice", "render sample:dna -o a.png --encoded-format r32f",
+                    "render sample:dna -o a.png --model all", "render sample:dna -o a.png --model 0",
+                    "render sample:dna -o a.png --size 0x5", "render sample:dna -o a.png --size 16385x5",
+                    "render sample:dna -o a.png --size nanxnan", "render sample:dna -o a.png --size 16384x16384",
+                    "render sample:dna -o a.png --size 10x10 --size 20x20", "render sample:dna -o a.png --size",
+                    "render sample:dna -o a.png --style cartoon", "render sample:dna -o a.png --color rainbow",
+                    "render sample:dna -o a.png --rotate 1,2", "render sample:dna -o a.png --rotate nan,0,0",
+                    "render sample:dna -o a.png --zoom 0", "render sample:dna -o a.png --zoom nan",
+                    "render sample:dna -o a.png --zoom -1", "render sample:dna -o a.png --zoom inf",
+                    "render sample:dna -o a.png --projection fisheye", "render sample:dna -o a.png --fov 0.5",
+                    "render sample:dna -o a.png --fov 121", "render sample:dna -o a.png --fov nan",
+                    "render sample:dna -o a.png --occlusion 0", "render sample:dna -o a.png --occlusion 4097",
+                    "render sample:dna -o a.png --background blueish", "render sample:dna -o a.png --background '#12'",
+                    "render sample:dna -o a.png --lighting maybe", "render sample:dna -o a.png --supersample 0",
+                    "render sample:dna -o a.png --supersample 9", "render sample:dna -o a.png --supersample 1.5",
+                    "render sample:dna -o a.png --water yes", "render sample:dna -o a.png --hydrogens no",
+                    "render sample:dna -o a.png --format mmtf", "render sample:dna -o a.png --layers a.png",
+                    "render sample:dna -o a.exr --layers ./a.exr", "render sample:dna -o a.png --stats a.png",
+                    "render sample:dna -o a.png --stats ''", "render sample:dna -o a.png --device ''",
+                    "render sample:dna -o a.png --visibility deferred", "render sample:dna -o a.png --prepass 1",
+                    "render sample:dna -o a.png --merge no", "info", "info --frob sample:dna", "info sample:dna extra",
+                    "devices extra", "--version info sample:dna"));
+
+struct Failure {
+    const char* arguments;
+    const char* says;
+};
+class Failing : public testing::TestWithParam<Failure> {};
+
+TEST_P(Failing, ExitsWithOneAndOneLineAndNoFile) {
+    const TemporaryFolder folder;
+    const Outcome outcome = nacreIn(folder, GetParam().arguments);
+    EXPECT_EQ(outcome.code, 1);
+    expectOneErrorLine(outcome);
+    EXPECT_NE(outcome.err.find(GetParam().says), std::string::npos) << outcome.err;
+    EXPECT_EQ(folder.count(), 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    CommandLine, Failing,
+    testing::Values(Failure{"render none.pdb -o a.png", "none.pdb"},
+                    Failure{"render none.pdb -o a.png --layers l.exr --stats s.json", "none.pdb"},
+                    Failure{"render sample:unobtainium -o a.png", "unobtainium"},
+                    Failure{"render sample:dna -o missing/a.png", "missing/a.png"},
+                    Failure{"render sample:dna -o a.png --layers missing/l.exr", "missing/l.exr"},
+                    Failure{"render sample:dna -o a.png --stats missing/s.json", "missing/s.json"},
+                    Failure{"render sample:dna -o /proc/a.png", "/proc/a.png"},
+                    Failure{"render - --format pdb -o a.png", "-"}, Failure{"info none.pdb", "none.pdb"},
+                    Failure{"info . --json", "."}, Failure{"render sample:dna --format pdb -o a.png", "--format"},
+                    Failure{"render sample:dna --model 2 -o a.png", "one model"},
+                    Failure{"render sample:dna -o a.png --device no-such-device", "no-such-device"}));
+
+TEST(CommandLine, HelpShowsExamplesAndEveryOption) {
+    const TemporaryFolder folder;
+    EXPECT_NE(nacreIn(folder, "--help").out.find("nacre render sample:dna -o dna.png"), std::string::npos);
+    const Outcome help = nacreIn(folder, "render --help");
+    EXPECT_EQ(help.code, 0);
+    EXPECT_EQ(help.err, "");
+    for (const char* option :
+         {"--size",   "--style",      "--color",      "--rotate",   "--zoom",        "--projection",
+          "--fov",    "--occlusion",  "--background", "--lighting", "--supersample", "--model",
+          "--water",  "--hydrogens",  "--format",     "--layers",   "--stats",       "--validate",
+          "--device", "--visibility", "--prepass",    "--merge",    "Examples"})
+        EXPECT_NE(help.out.find(option), std::string::npos) << option;
+}
+
+TEST(CommandLine, VersionNamesCommitHeadersAndDevice) {
+    const TemporaryFolder folder;
+    const Outcome outcome = nacreIn(folder, "--version");
+    EXPECT_EQ(outcome.code, 0);
+    for (const char* word : {"nacre 0.", "Vulkan headers 1.", "device "})
+        EXPECT_NE(outcome.out.find(word), std::string::npos) << outcome.out;
+}
+
+TEST(CommandLine, DevicesAsJson) {
+    const TemporaryFolder folder;
+    const auto json = nlohmann::json::parse(nacreIn(folder, "devices --json").out);
+    ASSERT_GE(json.size(), 1u);
+    for (const char* key : {"number", "name", "type", "api_version", "driver", "visibility", "why", "encoded_format"})
+        EXPECT_TRUE(json[0].contains(key)) << key;
+}
+
+TEST(CommandLine, InfoAsJsonAndAsText) {
+    const TemporaryFolder folder;
+    const auto json = nlohmann::json::parse(nacreIn(folder, "info sample:glucose --json").out);
+    EXPECT_EQ(json["atoms"], 24);
+    EXPECT_NE(nacreIn(folder, "info sample:glucose").out.find("24"), std::string::npos);
+}
+
+TEST(CommandLine, OutputThatIsLostIsAnError) {
+    const TemporaryFolder folder;
+    const Outcome outcome = nacreIn(folder, "info sample:dna", ">/dev/full");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.err.find("standard output"), std::string::npos) << outcome.err;
+}
+
+TEST(CommandLine, RenderWritesWholeFilesAndTheStats) {
+    const TemporaryFolder folder;
+    const Outcome outcome = nacreIn(folder,
+                                    "render sample:glucose -o a.png --size 64x48 --occlusion 8 --rotate -90,0,0 "
+                                    "--layers l.exr --stats s.json");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out + outcome.err, "");
+    EXPECT_EQ(folder.count(), 3u);
+    EXPECT_EQ(test::contentOf(folder / "a.png").substr(1, 3), "PNG");
+    EXPECT_EQ(test::contentOf(folder / "l.exr").substr(0, 4), "\x76\x2f\x31\x01");
+    const auto stats = nlohmann::json::parse(test::contentOf(folder / "s.json"));
+    EXPECT_EQ(stats["view"]["width"], 64);
+    EXPECT_EQ(stats["view"]["rotation"].dump(), "[[1.0,0.0,0.0],[0.0,0.0,1.0],[0.0,-1.0,0.0]]");
+    EXPECT_NEAR(stats["view"]["pixels_per_angstrom"].get<double>(),
+                0.95 * 48 / (2 * stats["view"]["radius"].get<double>()), 1e-9);
+    EXPECT_EQ(stats["atoms"]["read"], 24);
+    EXPECT_EQ(stats["atoms"]["drawn"], 24);
+    EXPECT_GT(stats["covered_pixels"], 0);
+    for (const char* key : {"load", "bake", "first_picture", "frame"}) EXPECT_TRUE(stats["times"].contains(key)) << key;
+    EXPECT_GT(stats["memory"]["resident_peak"], 1000000);
+    EXPECT_NE(stats["device"]["name"], "");
+}
+
+TEST(CommandLine, TheSameCommandGivesTheSameBytes) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.png", "b.png", "a.exr", "b.exr"})
+        ASSERT_EQ(nacreIn(folder, std::string("render sample:buckyball --size 64x64 --occlusion 8 -o ") + name).code,
+                  0);
+    EXPECT_EQ(test::contentOf(folder / "a.png"), test::contentOf(folder / "b.png"));
+    EXPECT_EQ(test::contentOf(folder / "a.exr"), test::contentOf(folder / "b.exr"));
+}
+
+TEST(CommandLine, AFailedRunKeepsTheOldPicture) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "a.png") << "old";
+    EXPECT_EQ(nacreIn(folder, "render none.pdb -o a.png").code, 1);
+    EXPECT_EQ(test::contentOf(folder / "a.png"), "old");
+    EXPECT_EQ(folder.count(), 1u);
+}
+
+TEST(CommandLine, TheInputIsNeverOverwritten) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "in.json") << "{}";
+    EXPECT_EQ(nacreIn(folder, "render in.json -o a.png --stats ./in.json").code, 2);
+    EXPECT_EQ(test::contentOf(folder / "in.json"), "{}");
+}
+
+}  // namespace
+}  // namespace nacre

@@ -1,0 +1,195 @@
+#include "app/headless/image_file.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "app/headless/srgb.h"
+#include "engine/error.h"
+#include "tests/app/temporary_folder.h"
+
+namespace nacre::app {
+namespace {
+
+using test::TemporaryFolder;
+
+// Wide and high enough that rows are written in several goes.
+constexpr std::uint32_t kWidth = 37, kHeight = 150;
+
+/// A ramp of light, its left half at half coverage.
+std::vector<float> ramp() {
+    std::vector<float> rgba;
+    for (std::uint32_t y = 0; y < kHeight; ++y)
+        for (std::uint32_t x = 0; x < kWidth; ++x) {
+            const float alpha = x < kWidth / 2 ? 0.5f : 1.0f;
+            const float light = static_cast<float>(y) / static_cast<float>(kHeight);
+            rgba.insert(rgba.end(), {alpha * light, alpha * 0.25f, alpha * (1 - light), alpha});
+        }
+    return rgba;
+}
+
+struct ReadBack {
+    OIIO::ImageSpec spec;
+    std::vector<float> values;
+    float at(std::uint32_t x, std::uint32_t y, std::size_t channel) const {
+        return values[(std::size_t{y} * kWidth + x) * static_cast<std::size_t>(spec.nchannels) + channel];
+    }
+    /// Position of a channel by name, since EXR files keep an order of their own.
+    std::size_t channel(const std::string& name) const { return static_cast<std::size_t>(spec.channelindex(name)); }
+};
+
+ReadBack readBack(const std::string& path) {
+    OIIO::ImageSpec config;
+    config.attribute("oiio:UnassociatedAlpha", 1);
+    const auto input = OIIO::ImageInput::open(path, &config);
+    if (!input) throw std::runtime_error(OIIO::geterror());
+    ReadBack result{input->spec(), {}};
+    result.values.resize(result.spec.image_pixels() * static_cast<std::size_t>(result.spec.nchannels));
+    input->read_image(0, 0, 0, result.spec.nchannels, OIIO::TypeDesc::FLOAT, result.values.data());
+    return result;
+}
+
+void write(const std::string& path, const std::vector<float>& rgba, bool alpha) {
+    OutputFile file(path);
+    writePicture(file, {kWidth, kHeight, rgba}, alpha);
+}
+
+TEST(ImageFile, KnowsItsExtensionsInAnyCase) {
+    for (const char* name : {"a.png", "b.PNG", "c.tif", "d.Tiff", "e.jpg", "f.jpeg", "folder.x/g.exr"})
+        EXPECT_TRUE(isPictureName(name)) << name;
+    for (const char* name : {"", "png", "a", "a.bmp", "a.png.gz", "folder.png/a", "-"})
+        EXPECT_FALSE(isPictureName(name)) << name;
+}
+
+TEST(ImageFile, StraightAlphaInPngAndTiff) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.png", "a.tif"}) {
+        write(folder / name, ramp(), true);
+        const ReadBack back = readBack(folder / name);
+        ASSERT_EQ(back.spec.nchannels, 4) << name;
+        ASSERT_EQ(back.spec.format, OIIO::TypeDesc::UINT8) << name;
+        for (const std::uint32_t x : {0u, kWidth - 1}) {
+            EXPECT_NEAR(back.at(x, 100, 0), linearToSrgb(100.0f / kHeight), 0.003f) << name;
+            EXPECT_NEAR(back.at(x, 100, 1), linearToSrgb(0.25f), 0.003f) << name;
+        }
+        EXPECT_NEAR(back.at(0, 100, 3), 0.5f, 0.003f) << name;
+        EXPECT_EQ(back.at(kWidth - 1, 100, 3), 1.0f) << name;
+    }
+}
+
+TEST(ImageFile, WithoutAlphaWhatIsOpenIsOverWhite) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.png", "a.tiff", "a.jpg"}) {
+        write(folder / name, ramp(), std::string(name) == "a.jpg");
+        const ReadBack back = readBack(folder / name);
+        ASSERT_EQ(back.spec.nchannels, 3) << name;
+        EXPECT_NEAR(back.at(2, 75, 1), linearToSrgb(0.125f + 0.5f), 0.02f) << name;
+        EXPECT_NEAR(back.at(kWidth - 3, 75, 1), linearToSrgb(0.25f), 0.02f) << name;
+    }
+}
+
+TEST(ImageFile, ExrKeepsLinearPremultipliedLight) {
+    const TemporaryFolder folder;
+    write(folder / "a.exr", ramp(), false);
+    const ReadBack back = readBack(folder / "a.exr");
+    ASSERT_EQ(back.spec.nchannels, 4);
+    EXPECT_EQ(back.spec.format, OIIO::TypeDesc::HALF);
+    EXPECT_EQ(back.at(0, 75, 0), 0.25f);
+    EXPECT_EQ(back.at(0, 75, 1), 0.125f);
+    EXPECT_EQ(back.at(0, 75, 3), 0.5f);
+}
+
+TEST(ImageFile, EqualPicturesAreEqualFiles) {
+    const TemporaryFolder folder;
+    for (const char* extension : {".png", ".tif", ".jpg", ".exr"}) {
+        write(folder / "one" + extension, ramp(), true);
+        // OpenImageIO would write the time of day in seconds.
+        usleep(1100000);
+        write(folder / "two" + extension, ramp(), true);
+        EXPECT_EQ(test::contentOf(folder / "one" + extension), test::contentOf(folder / "two" + extension))
+            << extension;
+        EXPECT_GT(test::contentOf(folder / "one" + extension).size(), 100u);
+    }
+}
+
+TEST(ImageFile, LayersKeepEveryBit) {
+    const TemporaryFolder folder;
+    const std::size_t pixels = kWidth * kHeight;
+    std::vector<float> z(pixels, std::numeric_limits<float>::infinity()), normal(pixels * 3), occlusion(pixels);
+    std::vector<std::uint32_t> id(pixels, 0);
+    for (std::size_t i = 0; i < pixels / 2; ++i) {
+        z[i] = 1.0f / static_cast<float>(i + 3);
+        normal[3 * i + 2] = std::nextafter(1.0f, 0.0f);
+        occlusion[i] = static_cast<float>(i) / 7.0f;
+        id[i] = static_cast<std::uint32_t>(1032840 + i);
+    }
+    {
+        OutputFile file(folder / "l.exr");
+        writeLayers(file, {kWidth, kHeight, ramp(), z, normal, id, occlusion});
+    }
+    const ReadBack back = readBack(folder / "l.exr");
+    ASSERT_EQ(back.spec.nchannels, 10);
+    for (const char* name : {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z", "id", "occlusion"})
+        ASSERT_GE(back.spec.channelindex(name), 0) << name;
+    EXPECT_EQ(back.spec.format, OIIO::TypeDesc::FLOAT);
+    for (std::uint32_t y = 0; y < kHeight; ++y)
+        for (std::uint32_t x = 0; x < kWidth; ++x) {
+            const std::size_t i = std::size_t{y} * kWidth + x;
+            ASSERT_EQ(back.at(x, y, back.channel("Z")), z[i]);
+            ASSERT_EQ(back.at(x, y, back.channel("N.Z")), normal[3 * i + 2]);
+            ASSERT_EQ(back.at(x, y, back.channel("id")), static_cast<float>(id[i]));
+            ASSERT_EQ(back.at(x, y, back.channel("occlusion")), occlusion[i]);
+            ASSERT_EQ(back.at(x, y, back.channel("R")), ramp()[4 * i]);
+            if (x > 3) x += 7;  // ramp() is slow; a grid of pixels will do
+        }
+}
+
+TEST(OutputFile, LeavesNothingBehindUnlessCommitted) {
+    const TemporaryFolder folder;
+    {
+        OutputFile file(folder / "a.txt");
+        EXPECT_EQ(folder.count(), 1u);
+        EXPECT_FALSE(std::filesystem::exists(folder / "a.txt"));
+        EXPECT_EQ(extensionOf(file.temporary()), ".txt");
+    }
+    EXPECT_EQ(folder.count(), 0u);
+    OutputFile file(folder / "a.txt");
+    writeText(file, "whole");
+    EXPECT_EQ(folder.count(), 1u);
+    EXPECT_EQ(test::contentOf(folder / "a.txt"), "whole");
+}
+
+TEST(OutputFile, KeepsTheOldFileUntilTheNewOneIsWhole) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "a.txt") << "old";
+    { OutputFile abandoned(folder / "a.txt"); }
+    EXPECT_EQ(test::contentOf(folder / "a.txt"), "old");
+    OutputFile file(folder / "a.txt");
+    writeText(file, "new");
+    EXPECT_EQ(test::contentOf(folder / "a.txt"), "new");
+}
+
+TEST(OutputFile, ReplacesWhatALinkPointsTo) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "real.txt") << "old";
+    std::filesystem::create_symlink("real.txt", folder / "link.txt");
+    OutputFile file(folder / "link.txt");
+    writeText(file, "new");
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.txt"));
+    EXPECT_EQ(test::contentOf(folder / "real.txt"), "new");
+}
+
+TEST(OutputFile, RefusesFoldersAndMissingFolders) {
+    const TemporaryFolder folder;
+    EXPECT_THROW(OutputFile(folder.path()), Error);
+    EXPECT_THROW(OutputFile(folder / "none/a.txt"), Error);
+    EXPECT_THROW(OutputFile("/dev/null"), Error);
+    EXPECT_EQ(folder.count(), 0u);
+}
+
+}  // namespace
+}  // namespace nacre::app
