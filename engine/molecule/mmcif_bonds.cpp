@@ -95,7 +95,7 @@ void addStructConnBonds(MoleculeBuilder& builder, const MmcifTable& connections)
                 if (a != b && (p == q || p == '\0' || q == '\0')) builder.addBond(a, b, order, 0);
             }
     }
-    if (missing > 0) builder.warn(std::to_string(missing) + " connections of _struct_conn name atoms that are not there");
+    if (missing > 0) builder.warn("connections of _struct_conn to atoms that are not there: " + std::to_string(missing));
 }
 
 void addComponent(MoleculeBuilder& builder, const MmcifTable& atoms, const MmcifTable& bonds) {

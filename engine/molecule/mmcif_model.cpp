@@ -11,7 +11,8 @@ constexpr std::size_t kMaxKeptCells = std::size_t{1} << 22;
 
 bool isKept(const std::string& category) {
     return category == "struct" || category == "struct_conn" || category == "pdbx_struct_assembly" ||
-           category == "pdbx_struct_oper_list" || category == "chem_comp_atom" || category == "chem_comp_bond";
+           category == "pdbx_struct_oper_list" || category == "chem_comp" || category == "chem_comp_atom" ||
+           category == "chem_comp_bond";
 }
 
 }  // namespace
@@ -84,8 +85,8 @@ Molecule MmcifModel::finish(const std::string& format) {
     } else {
         throw Error("cannot read molecule", builder_.name(), "it has no _atom_site rows, so no atoms");
     }
-    if (const MmcifTable& title = tables_["struct"]; title.rows() > 0)
-        file.title = std::string(title.get(0, {"title"}).value_or(""));
+    const MmcifTable& title = tables_[atoms_ ? "struct" : "chem_comp"];
+    if (title.rows() > 0) file.title = std::string(title.get(0, {"title", "name"}).value_or(""));
     const auto rowsOf = [&](const char* category) -> std::optional<std::int64_t> {
         const auto found = tables_.find(category);
         if (found == tables_.end()) return std::nullopt;

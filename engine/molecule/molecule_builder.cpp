@@ -100,13 +100,13 @@ void MoleculeBuilder::warn(const std::string& sentence) {
 Molecule MoleculeBuilder::finish() {
     if (molecule_.atoms.empty()) throw Error("cannot read molecule", name_, "it has no atoms");
     if (unknownElements_ > 0)
-        warn(std::to_string(unknownElements_) + " atoms of unknown element, the first " + firstUnknown_);
+        warn("atoms of unknown element: " + std::to_string(unknownElements_) + ", the first " + firstUnknown_);
     auto& bonds = molecule_.bonds;
     const auto before = [](const Bond& x, const Bond& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); };
     const auto same = [](const Bond& x, const Bond& y) { return x.a == y.a && x.b == y.b; };
     std::stable_sort(bonds.begin(), bonds.end(), before);
     const auto end = std::unique(bonds.begin(), bonds.end(), same);
-    if (end != bonds.end()) warn(std::to_string(bonds.end() - end) + " bonds stated more than once");
+    if (end != bonds.end()) warn("bonds stated more than once: " + std::to_string(bonds.end() - end));
     bonds.erase(end, bonds.end());
     if (warningsLeftOut_ > 0) molecule_.warnings.push_back("and " + std::to_string(warningsLeftOut_) + " more");
     return std::move(molecule_);

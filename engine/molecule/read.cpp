@@ -33,20 +33,20 @@ void unifyLineEnds(std::string& text) {
     text.resize(to);
 }
 
+Error tooLarge(const std::string& name, std::size_t maxBytes) {
+    return Error("cannot read molecule", name, "it is larger than the limit of " + std::to_string(maxBytes) + " bytes");
+}
+
 Molecule dispatch(const std::string& name, std::string bytes, const ReadOptions& options) {
-    const auto tooLarge = [&] {
-        return Error("cannot read molecule", name,
-                     "it is larger than the limit of " + std::to_string(options.maxBytes) + " bytes");
-    };
     if (options.model < 1) throw Error("cannot read molecule", name, "models are numbered from 1");
-    if (bytes.size() > options.maxBytes) throw tooLarge();
     if (isGzip(bytes)) bytes = inflateGzip(name, bytes, options.maxBytes);
+    if (bytes.size() > options.maxBytes) throw tooLarge(name, options.maxBytes);
     if (startsWith(bytes, "\xEF\xBB\xBF")) bytes.erase(0, 3);
     if (bytes.empty()) throw Error("cannot read molecule", name, "it is empty");
-    // Where the format is given, bytes that are no text at all still get their own message from the reader.
+    // Its every second byte is zero, so that no reader would say anything helpful.
     const bool twoByteText = startsWith(bytes, "\xff\xfe") || startsWith(bytes, "\xfe\xff");
-    const Format format = options.format && !twoByteText ? *options.format : detectFormat(name, bytes);
     unifyLineEnds(bytes);
+    const Format format = options.format && !twoByteText ? *options.format : detectFormat(name, bytes);
     switch (format) {
         case Format::pdb: return readPdb(name, bytes, options);
         case Format::mmcif: return readMmcif(name, bytes, options);
@@ -68,9 +68,7 @@ std::string readAll(std::FILE* file, const std::string& name, std::size_t maxByt
     std::string bytes;
     for (;;) {
         const std::size_t size = bytes.size();
-        if (size > maxBytes)
-            throw Error("cannot read molecule", name,
-                        "it is larger than the limit of " + std::to_string(maxBytes) + " bytes");
+        if (size > maxBytes) throw tooLarge(name, maxBytes);
         bytes.resize(size + kChunk);
         const std::size_t got = std::fread(bytes.data() + size, 1, kChunk, file);
         bytes.resize(size + got);

@@ -152,8 +152,9 @@ Molecule readMmcif(const std::string& name, std::string_view text, const ReadOpt
     } catch (const pegtl::parse_error& fault) {
         if (walker.textBegin() > 0)
             throw Error("cannot read molecule", name, "this text field is never closed", walker.textBegin());
-        throw Error("cannot read molecule", name, "not valid CIF: " + printable(fault.message(), 200),
-                    fault.positions().front().line);
+        std::string why = "not valid CIF: " + printable(fault.message(), 200);
+        if (fault.message() == "parse error") why += "; perhaps a quote or a text field before it is not closed";
+        throw Error("cannot read molecule", name, why, fault.positions().front().line);
     }
     walker.flushItems();
     return model.finish("mmcif");
