@@ -7,6 +7,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "engine/molecule/bonds.h"
 #include "engine/molecule/samples.h"
 
 namespace nacre {
@@ -145,7 +146,9 @@ Molecule sampleDna() {
             addNucleotide(builder, baseOf(kSequence[static_cast<std::size_t>(i)]), number, frame, i > 0);
         }
     }
-    return builder.finish();
+    Molecule molecule = builder.finish();
+    perceiveBonds(molecule);
+    return molecule;
 }
 
 }  // namespace nacre
