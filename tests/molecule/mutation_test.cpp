@@ -75,8 +75,8 @@ INSTANTIATE_TEST_SUITE_P(Formats, Mutation,
                                          Case{"small/multi-frame.xyz", 1 << 20, 3000},
                                          Case{"small/hem-ccd.cif", 1 << 20, 2000}, Case{"1crn.cif", 30000, 1500},
                                          Case{"1crn.cif.gz", 1 << 20, 1000}, Case{"1en2.pdb", 40000, 1500}),
-                         [](const auto& info) {
-                             std::string name = info.param.file;
+                         [](const auto& test) {
+                             std::string name = test.param.file;
                              for (char& c : name)
                                  if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
                              return name;
