@@ -1,0 +1,41 @@
+#pragma once
+// Fields of a PDB line (wwPDB format 3.3, and what is found in the wild).
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "engine/molecule/molecule.h"
+
+namespace nacre::pdb {
+
+/// Columns as the format counts them, 1-based and inclusive, as far as the line goes.
+inline std::string_view columns(std::string_view line, std::size_t first, std::size_t last) {
+    if (line.size() < first) return {};
+    return line.substr(first - 1, last - first + 1);
+}
+
+inline char column(std::string_view line, std::size_t number) {
+    return line.size() >= number && line[number - 1] != '\0' ? line[number - 1] : ' ';
+}
+
+/// Without blanks and NUL at both ends.
+std::string_view trim(std::string_view field);
+
+/// A finite decimal number that fills the field but for blanks.
+std::optional<double> number(std::string_view field);
+
+/// An integer, or a hybrid-36 number of exactly `width` characters (R. W. Grosse-Kunstleve: digits first, then
+/// A000.. in base 36, then a000..). Empty for anything else.
+std::optional<std::int64_t> integer(std::string_view field, std::size_t width);
+
+/// Serial number of an atom line; also of the six and more digits that spill into the blanks beside the columns.
+std::optional<std::int64_t> serial(std::string_view line);
+
+/// Element by columns 77-78, or else by the atom's name in columns 13-16; 0 if neither tells.
+Element element(std::string_view line, const Name& residueName);
+
+/// Formal charge in columns 79-80 ("2+", "1-", "+2"); 0 if there is none.
+std::int8_t charge(std::string_view line);
+
+}  // namespace nacre::pdb
