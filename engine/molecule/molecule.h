@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,7 +20,7 @@ struct Name {
     std::array<char, 8> bytes{};
 
     Name() = default;
-    Name(std::string_view text) { std::memcpy(bytes.data(), text.data(), text.size() < 8 ? text.size() : 8); }
+    Name(std::string_view text) { text.copy(bytes.data(), bytes.size()); }
     std::string_view view() const {
         std::size_t length = 0;
         while (length < bytes.size() && bytes[length] != '\0') ++length;

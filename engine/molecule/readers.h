@@ -1,7 +1,8 @@
 #pragma once
-// One reader per format, behind readMolecule() of read.h. Each takes inflated text, leaves bonds at what the file
-// states, and throws Error (what, file name, line, why). Must also compile as C++17.
+// One function per format. Only read.cpp calls them; each returns at least one atom or throws Error.
+// Line ends are '\n' by then, and the bonds are those that the file states. Must also compile as C++17.
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -10,6 +11,13 @@
 
 namespace nacre {
 
-Molecule readPdb(const std::string& name, std::string_view text, const ReadOptions& options);
+Molecule readPdb(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readMmcif(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readMmjson(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readSdf(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readXyz(const std::string& name, std::string_view text, const ReadOptions&);
+
+/// Larger files are refused: an atom may take as few as six bytes of text, so text alone bounds memory too loosely.
+inline constexpr std::size_t kMaxAtoms = 50'000'000;
 
 }  // namespace nacre

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "engine/molecule/read.h"
+
+namespace nacre {
+
+/// The format of a file's text: by its content first, by its name second (an ending .gz is passed over).
+/// @throws Error if it is a format that is known but not supported, no molecule at all, or not to be told
+Format detectFormat(const std::string& name, std::string_view text);
+
+}  // namespace nacre

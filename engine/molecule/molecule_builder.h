@@ -1,0 +1,52 @@
+#pragma once
+// Puts a Molecule together while a reader walks through its file. Must also compile as C++17.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "engine/molecule/molecule.h"
+
+namespace nacre {
+
+class MoleculeBuilder {
+public:
+    /// @param name file name for messages
+    explicit MoleculeBuilder(std::string name) : name_(std::move(name)) {}
+
+    /// Adds an atom to the residue of the atom before it, or begins another if any of these differ.
+    /// @throws Error if there are more than kMaxAtoms
+    void addAtom(Atom atom, std::string_view chain, std::int32_t number, char insertionCode, std::string_view residue);
+
+    /// Adds a bond that the file states; a pair that is there already is passed over.
+    /// @throws Error, with the line, if an index is out of range or both are the same
+    /// @param a, b 0-based
+    /// @param line  0 if there is none
+    void addBond(std::int64_t a, std::int64_t b, int order, std::uint64_t line);
+
+    /// Element of a symbol as files write it: "C", "fe", "T", "Fe3+", "C12", "26". Unknown ones are counted for a warning.
+    /// @param line 0 if there is none
+    Element element(std::string_view symbol, std::uint64_t line);
+
+    void warn(const std::string& sentence);
+
+    Molecule& molecule() { return molecule_; }
+    const std::string& name() const { return name_; }
+
+    /// The molecule, bonds sorted. @throws Error if it has no atoms
+    Molecule finish();
+
+private:
+    std::uint32_t chainIndex(std::string_view chain);
+
+    std::string name_;
+    Molecule molecule_;
+    std::unordered_map<std::string, std::uint32_t> chains_;
+    std::size_t unknownElements_ = 0;
+    std::string firstUnknown_;
+    std::size_t warningsLeftOut_ = 0;
+};
+
+}  // namespace nacre

@@ -1,0 +1,118 @@
+#include "engine/molecule/read.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <new>
+
+#include "engine/error.h"
+#include "engine/molecule/bonds.h"
+#include "engine/molecule/detect.h"
+#include "engine/molecule/inflate.h"
+#include "engine/molecule/readers.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+
+namespace {
+
+constexpr std::size_t kMaxMessage = 600;
+constexpr std::size_t kMaxWarnings = 32;
+
+/// '\n' for every end of line, whatever the file came from; in place.
+void unifyLineEnds(std::string& text) {
+    std::size_t from = text.find('\r');
+    if (from == std::string::npos) return;
+    std::size_t to = from;
+    for (; from < text.size(); ++from) {
+        const bool pair = text[from] == '\r' && from + 1 < text.size() && text[from + 1] == '\n';
+        if (!pair) text[to++] = text[from] == '\r' ? '\n' : text[from];
+    }
+    text.resize(to);
+}
+
+Error tooLarge(const std::string& name, std::size_t maxBytes) {
+    return Error("cannot read molecule", name, "it is larger than the limit of " + std::to_string(maxBytes) + " bytes");
+}
+
+Molecule dispatch(const std::string& name, std::string bytes, const ReadOptions& options) {
+    if (options.model < 1) throw Error("cannot read molecule", name, "models are numbered from 1");
+    if (isGzip(bytes)) bytes = inflateGzip(name, bytes, options.maxBytes);
+    if (bytes.size() > options.maxBytes) throw tooLarge(name, options.maxBytes);
+    if (startsWith(bytes, "\xEF\xBB\xBF")) bytes.erase(0, 3);
+    if (bytes.empty()) throw Error("cannot read molecule", name, "it is empty");
+    // Its every second byte is zero, so that no reader would say anything helpful.
+    const bool twoByteText = startsWith(bytes, "\xff\xfe") || startsWith(bytes, "\xfe\xff");
+    unifyLineEnds(bytes);
+    const Format format = options.format && !twoByteText ? *options.format : detectFormat(name, bytes);
+    switch (format) {
+        case Format::pdb: return readPdb(name, bytes, options);
+        case Format::mmcif: return readMmcif(name, bytes, options);
+        case Format::mmjson: return readMmjson(name, bytes, options);
+        case Format::sdf: return readSdf(name, bytes, options);
+        case Format::xyz: return readXyz(name, bytes, options);
+    }
+    throw Error("cannot read molecule", name, "no reader for its format");
+}
+
+struct CloseFile {
+    void operator()(std::FILE* file) const {
+        if (file != stdin) std::fclose(file);
+    }
+};
+
+std::string readAll(std::FILE* file, const std::string& name, std::size_t maxBytes) {
+    constexpr std::size_t kChunk = std::size_t{1} << 20;
+    std::string bytes;
+    for (;;) {
+        const std::size_t size = bytes.size();
+        if (size > maxBytes) throw tooLarge(name, maxBytes);
+        bytes.resize(size + kChunk);
+        const std::size_t got = std::fread(bytes.data() + size, 1, kChunk, file);
+        bytes.resize(size + got);
+        if (got == 0) break;
+    }
+    if (std::ferror(file)) throw Error("cannot read molecule", name, std::strerror(errno));
+    return bytes;
+}
+
+}  // namespace
+
+std::optional<Format> formatFromName(std::string_view name) {
+    if (name == "pdb") return Format::pdb;
+    if (name == "mmcif") return Format::mmcif;
+    if (name == "mmjson") return Format::mmjson;
+    if (name == "sdf") return Format::sdf;
+    if (name == "xyz") return Format::xyz;
+    return std::nullopt;
+}
+
+Molecule readMolecule(const std::string& name, std::string bytes, const ReadOptions& options) {
+    try {
+        Molecule molecule = dispatch(name, std::move(bytes), options);
+        if (molecule.warnings.size() > kMaxWarnings) molecule.warnings.resize(kMaxWarnings);
+        for (std::string& warning : molecule.warnings) warning = printable(warning, kMaxMessage);
+        molecule.file.title = printable(molecule.file.title, kMaxMessage);
+        perceiveBonds(molecule);
+        return molecule;
+    } catch (const Error& error) {
+        // Readers quote files and names; one line of clean text leaves here whatever they held.
+        throw Error(printable(error.what(), kMaxMessage), "", "");
+    } catch (const std::bad_alloc&) {
+        throw Error("cannot read molecule", printable(name, kMaxMessage), "not enough memory");
+    }
+}
+
+Molecule readMoleculeFile(const std::string& path, const ReadOptions& options) {
+    if (path == "-") return readMolecule("standard input", readAll(stdin, "standard input", options.maxBytes), options);
+    const std::string shown = printable(path, kMaxMessage);
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) throw Error("cannot read molecule", shown, "it is a folder");
+    const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
+    if (!file) throw Error("cannot read molecule", shown, std::strerror(errno));
+    return readMolecule(path, readAll(file.get(), shown, options.maxBytes), options);
+}
+
+}  // namespace nacre

@@ -1,0 +1,140 @@
+// Every structure file of a supported format against the counts that independent tools took (expected.json).
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "engine/error.h"
+#include "engine/molecule/counts.h"
+#include "engine/molecule/read.h"
+#include "tests/support/test_data.h"
+
+namespace nacre {
+namespace {
+
+const nlohmann::json& expectedFiles() {
+    static const nlohmann::json files = [] {
+        std::ifstream file(*test::dataFolder() / "expected.json");
+        return nlohmann::json::parse(file).at("files");
+    }();
+    return files;
+}
+
+bool isSupported(const std::string& format) {
+    return format == "pdb" || format == "mmcif" || format == "mmcif-chem_comp" || format == "mmjson" ||
+           format == "sdf-v2000" || format == "sdf-v3000" || format == "xyz";
+}
+
+/// One key of expected.json against the value that we have; absent keys are not compared.
+template <typename Value>
+void expectKey(const nlohmann::json& expected, const char* key, const Value& value) {
+    if (!expected.contains(key)) return;
+    if constexpr (std::is_same_v<Value, std::optional<std::int64_t>>) {
+        ASSERT_TRUE(value.has_value()) << key;
+        EXPECT_EQ(*value, expected.at(key).get<std::int64_t>()) << key;
+    } else {
+        EXPECT_EQ(value, expected.at(key).get<Value>()) << key;
+    }
+}
+
+void expectSummary(const nlohmann::json& expected, const FileSummary& file) {
+    expectKey(expected, "format", file.format);
+    expectKey(expected, "models", file.models);
+    expectKey(expected, "records", file.records);
+    expectKey(expected, "total_atoms_all_models", file.totalAtomsAllModels);
+    expectKey(expected, "total_atoms_all_records", file.totalAtomsAllRecords);
+    expectKey(expected, "total_bonds_all_records", file.totalBondsAllRecords);
+    expectKey(expected, "bonds", file.bonds);
+    expectKey(expected, "conect_unique_pairs", file.conectUniquePairs);
+    expectKey(expected, "chains", file.chains);
+    expectKey(expected, "chains_auth", file.chainsAuth);
+    expectKey(expected, "chains_label", file.chainsLabel);
+    expectKey(expected, "biomt_operators", file.biomtOperators);
+    expectKey(expected, "assemblies", file.assemblies);
+    expectKey(expected, "oper_list", file.operators);
+}
+
+void expectCounts(const nlohmann::json& expected, const MoleculeCounts& counts) {
+    expectKey(expected, "atoms", counts.atoms);
+    expectKey(expected, "hetatm", counts.hetatm);
+    expectKey(expected, "altloc_atoms", counts.altlocAtoms);
+    expectKey(expected, "insertion_code_atoms", counts.insertionCodeAtoms);
+    expectKey(expected, "negative_resnum_atoms", counts.negativeResnumAtoms);
+    ASSERT_TRUE(counts.bbox.has_value());
+    if (!expected.contains("bbox")) return;
+    for (int end = 0; end < 2; ++end)
+        for (int axis = 0; axis < 3; ++axis)
+            EXPECT_NEAR((*counts.bbox)[end][axis], expected["bbox"][end][axis].get<double>(), 6e-4)
+                << "bbox " << end << ' ' << "xyz"[axis];
+}
+
+/// Bonds and residues refer to atoms that are there, in order.
+void expectConsistent(const Molecule& molecule) {
+    std::size_t next = 0;
+    for (const Residue& residue : molecule.residues) {
+        ASSERT_EQ(residue.firstAtom, next);
+        ASSERT_GT(residue.atomCount, 0u);
+        ASSERT_LT(residue.chain, molecule.chains.size());
+        next += residue.atomCount;
+    }
+    ASSERT_EQ(next, molecule.atoms.size());
+    for (const Atom& atom : molecule.atoms) ASSERT_LT(atom.residue, molecule.residues.size());
+    for (std::size_t i = 0; i < molecule.bonds.size(); ++i) {
+        ASSERT_LT(molecule.bonds[i].a, molecule.bonds[i].b);
+        ASSERT_LT(molecule.bonds[i].b, molecule.atoms.size());
+    }
+}
+
+TEST(ExpectedFiles, CountsAgreeWithIndependentTools) {
+    NACRE_NEEDS_DATA();
+    int read = 0;
+    for (const auto& [name, expected] : expectedFiles().items()) {
+        if (expected.value("bad", false) || !isSupported(expected.value("format", ""))) continue;
+        SCOPED_TRACE(name);
+        const Molecule molecule = readMoleculeFile(test::dataFile(name));
+        expectSummary(expected, molecule.file);
+        expectCounts(expected, countMolecule(molecule));
+        expectConsistent(molecule);
+        ++read;
+    }
+    EXPECT_GE(read, 60);
+}
+
+TEST(ExpectedFiles, SameWithoutAUsefulName) {
+    NACRE_NEEDS_DATA();
+    for (const auto& [name, expected] : expectedFiles().items()) {
+        if (expected.value("bad", false) || !isSupported(expected.value("format", "")) ||
+            expected.value("bytes", 0) > 1'000'000)
+            continue;
+        SCOPED_TRACE(name);
+        std::ifstream file(test::dataFile(name), std::ios::binary);
+        std::stringstream bytes;
+        bytes << file.rdbuf();
+        const Molecule molecule = readMolecule("structure", bytes.str());
+        EXPECT_EQ(molecule.file.format, expected["format"].get<std::string>());
+        EXPECT_EQ(molecule.atoms.size(), expected["atoms"].get<std::size_t>());
+    }
+}
+
+TEST(ExpectedFiles, OtherFormatsAreRefusedByName) {
+    NACRE_NEEDS_DATA();
+    int refused = 0;
+    for (const auto& [name, expected] : expectedFiles().items()) {
+        if (expected.value("bad", false) || isSupported(expected.value("format", ""))) continue;
+        SCOPED_TRACE(name);
+        try {
+            readMoleculeFile(test::dataFile(name));
+            ADD_FAILURE() << "it reads";
+        } catch (const Error& error) {
+            const std::string format = expected["format"];
+            const std::string word = format == "cif-core" ? "small-molecule CIF" : "format " + format + " is not supported";
+            EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
+            ++refused;
+        }
+    }
+    EXPECT_GE(refused, 15);
+}
+
+}  // namespace
+}  // namespace nacre

@@ -1,0 +1,140 @@
+// How a format is told, what is refused, and where bytes come from.
+#include "engine/molecule/read.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "engine/molecule/detect.h"
+#include "engine/molecule/text.h"
+#include "tests/molecule/expect_error.h"
+
+namespace nacre {
+namespace {
+
+const std::string kWater = "3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n";
+
+TEST(Read, NamesOfFormats) {
+    EXPECT_EQ(formatFromName("pdb"), Format::pdb);
+    EXPECT_EQ(formatFromName("mmcif"), Format::mmcif);
+    EXPECT_EQ(formatFromName("mmjson"), Format::mmjson);
+    EXPECT_EQ(formatFromName("sdf"), Format::sdf);
+    EXPECT_EQ(formatFromName("xyz"), Format::xyz);
+    EXPECT_FALSE(formatFromName("bcif"));
+    EXPECT_FALSE(formatFromName(""));
+}
+
+TEST(Read, TheContentWinsOverTheName) {
+    EXPECT_EQ(detectFormat("a.pdb", kWater), Format::xyz);
+    EXPECT_EQ(detectFormat("a.xyz", "data_x\nloop_\n"), Format::mmcif);
+    EXPECT_EQ(detectFormat("a", "#comment\n\nDATA_X\n"), Format::mmcif);
+    EXPECT_EQ(detectFormat("a.cif", "{\"data_1ABC\":{}}"), Format::mmjson);
+    EXPECT_EQ(detectFormat("a", "HEADER    PLANT PROTEIN\n"), Format::pdb);
+    EXPECT_EQ(detectFormat("a", "name\nprog\n\n  1  0  0  0  0  0  0  0  0  0999 V2000\n"), Format::sdf);
+}
+
+TEST(Read, TheNameTellsWhatTheContentDoesNot) {
+    for (const char* name : {"a.sdf", "A.MOL", "b.sd.gz", "/tmp.x/c.mdl"})
+        EXPECT_EQ(detectFormat(name, "nothing known"), Format::sdf) << name;
+    EXPECT_EQ(detectFormat("dir/a.ent.gz", "nothing known"), Format::pdb);
+    test::expectError("structure", "nothing known", {"cannot be told"});
+    test::expectError("dir.pdb/structure", "nothing known", {"cannot be told"});
+}
+
+TEST(Read, TheFormatThatIsStatedIsTaken) {
+    ReadOptions options;
+    options.format = Format::xyz;
+    EXPECT_EQ(readMolecule("a.pdb", kWater, options).file.format, "xyz");
+    options.format = Format::sdf;
+    test::expectError("a.xyz", kWater, {"(line 4)"}, options);
+}
+
+TEST(Read, KnownButUnsupported) {
+    test::expectError("a", "@<TRIPOS>MOLECULE\nx\n", {"format mol2 is not supported; supported: pdb, mmcif, mmjson, sdf, xyz"});
+    test::expectError("a.pqr", "ATOM      1  N   MET     1     -68.369 -25.337  40.428 -0.3200 2.0000\n", {"pqr"});
+    test::expectError("a.pdb", "ATOM      1  N   MET     1     -68.369 -25.337  40.428 -0.3200 2.0000\n", {"pqr"});
+    test::expectError("a", "<?xml version=\"1.0\"?>\n<cml><molecule/></cml>", {"format cml"});
+    test::expectError("a.cif", "<!DOCTYPE html><html></html>", {"web page"});
+    test::expectError("a", std::string("\x83\xa7" "encoder\xa1x\xaa" "dataBlocks\x90", 23), {"format bcif"});
+    test::expectError("a.xyz", "\xff\xfe" "3\0\n\0", {"UTF-16"});
+}
+
+TEST(Read, EveryLineEndAndAMark) {
+    for (const char* end : {"\n", "\r\n", "\r"}) {
+        std::string text = "\xEF\xBB\xBF";
+        for (const char c : kWater) text += c == '\n' ? std::string(end) : std::string(1, c);
+        EXPECT_EQ(readMolecule("a", text).atoms.size(), 3u);
+    }
+}
+
+TEST(Read, MessagesAreCleanWhateverNameAndContentHold) {
+    const std::string name = "a\n\x1b[31m\xff\xc3\xa9.xyz";
+    const std::string message = test::messageOf(name, "1\n\nC \x01\xfe\x80 0 0\n");
+    EXPECT_NE(message.find("a\\x0a\\x1b[31m\\xff\xc3\xa9.xyz (line 3)"), std::string::npos) << message;
+    EXPECT_NE(message.find("\\x01\\xfe\\x80"), std::string::npos) << message;
+    EXPECT_EQ(printable(std::string(1000, 'a'), 10), "aaaaaaaaaa...");
+    EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // a lone surrogate
+    EXPECT_EQ(printable("\xc2\x9b"), "\\xc2\\x9b");           // a control character of two bytes
+    EXPECT_EQ(printable("\xf0\x9f\xa7\xaa"), "\xf0\x9f\xa7\xaa");
+}
+
+TEST(Read, ModelsCountFromOne) {
+    ReadOptions options;
+    options.model = 0;
+    test::expectError("a.xyz", kWater, {"numbered from 1"}, options);
+    options.model = 2;
+    test::expectError("a.xyz", kWater, {"no frame 2; the file has 1"}, options);
+}
+
+TEST(Read, NumbersOfText) {
+    EXPECT_EQ(parseNumber(" +1.5D+02 "), 150.0);
+    EXPECT_EQ(parseNumber("-.5"), -0.5);
+    EXPECT_FALSE(parseNumber("1.5x"));
+    EXPECT_FALSE(parseNumber("+-1"));
+    EXPECT_FALSE(parseNumber(""));
+    EXPECT_EQ(parseInteger(" 12"), 12);
+    EXPECT_FALSE(parseInteger("99999999999999999999"));
+    EXPECT_FALSE(parseInteger("1 2"));
+}
+
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        char pattern[] = "/tmp/nacre-read-XXXXXX";
+        path_ = mkdtemp(pattern);
+    }
+    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+    std::filesystem::path path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+TEST(Read, FilesAndWhatIsNone) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "water.xyz") << kWater;
+    EXPECT_EQ(readMoleculeFile(folder.path() / "water.xyz").atoms.size(), 3u);
+    EXPECT_THROW(readMoleculeFile(folder.path() / "absent.xyz"), Error);
+    EXPECT_THROW(readMoleculeFile(folder.path()), Error);
+    ReadOptions options;
+    options.maxBytes = 1 << 20;
+    EXPECT_THROW(readMoleculeFile("/dev/zero", options), Error);
+}
+
+TEST(Read, StandardInput) {
+    const TemporaryFolder folder;
+    std::ofstream(folder.path() / "water.xyz") << kWater;
+    ASSERT_NE(std::freopen((folder.path() / "water.xyz").c_str(), "rb", stdin), nullptr);
+    EXPECT_EQ(readMoleculeFile("-").atoms.size(), 3u);
+    try {
+        readMoleculeFile("-");  // it is at its end now
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "cannot read molecule: standard input: it is empty");
+    }
+}
+
+}  // namespace
+}  // namespace nacre
