@@ -1,0 +1,102 @@
+// One picture, however it is made: prepass on and off, merged and unmerged, encoded and fragdepth, bit for bit.
+
+#include "tests/renderer/scenes.h"
+
+namespace nacre::test {
+namespace {
+
+void expectSameLayers(const LayerPicture& a, const LayerPicture& b, const std::string& what) {
+    std::size_t ids = 0, depths = 0, covered = 0;
+    for (std::size_t i = 0; i < a.id.size(); ++i) {
+        covered += a.id[i] != 0;
+        ids += a.id[i] != b.id[i];
+        depths += a.z[i] != b.z[i];
+    }
+    EXPECT_GT(covered, 1000u) << what;
+    EXPECT_EQ(ids, 0u) << what;
+    EXPECT_EQ(depths, 0u) << what;
+    EXPECT_EQ(a.normal, b.normal) << what;
+    EXPECT_EQ(a.rgba, b.rgba) << what;
+}
+
+struct Case {
+    const char* file;
+    Style style;
+    Projection projection;
+};
+
+class SamePicture : public testing::TestWithParam<Case> {};
+
+TEST_P(SamePicture, WhateverThePath) {
+    const Case& c = GetParam();
+    if (!std::string(c.file).starts_with("sample:")) NACRE_NEEDS_DATA();
+    const Representation r = scene(c.file, c.style);
+    RenderSettings s = settings(r, 256, c.projection, {75, -40, 120});
+    std::vector<LayerPicture> pictures;
+    for (const Visibility visibility : {Visibility::encoded, Visibility::fragdepth}) {
+        ValidatedRenderer renderer(visibility);
+        renderer->setScene(r);
+        for (const bool prepass : {true, false})
+            for (const bool merge : {true, false}) {
+                s.prepass = prepass;
+                s.merge = merge;
+                pictures.push_back(renderer->layers(s));
+                const std::string what = std::string(visibility == Visibility::encoded ? "encoded" : "fragdepth") +
+                                         (prepass ? "" : ", no prepass") + (merge ? "" : ", unmerged");
+                expectSameLayers(pictures.front(), pictures.back(), what);
+            }
+    }
+}
+
+TEST_P(SamePicture, OfColourToo) {
+    const Case& c = GetParam();
+    if (!std::string(c.file).starts_with("sample:")) NACRE_NEEDS_DATA();
+    const Representation r = scene(c.file, c.style);
+    RenderSettings s = settings(r, 200, c.projection);
+    std::vector<float> first;
+    for (const Visibility visibility : {Visibility::encoded, Visibility::fragdepth}) {
+        ValidatedRenderer renderer(visibility);
+        renderer->setScene(r);
+        for (const bool prepass : {true, false})
+            for (const bool merge : {true, false}) {
+                s.prepass = prepass;
+                s.merge = merge;
+                const Picture p = renderer->render(s);
+                if (first.empty()) first = p.rgba;
+                EXPECT_EQ(p.rgba, first) << "prepass " << prepass << ", merge " << merge;
+            }
+    }
+}
+
+TEST(Frame, OfEncodedIsOneRenderPassAndOfFragdepthOneSubpass) {
+    const Representation r = scene("sample:dna", Style::spacefill);
+    const RenderSettings s = settings(r, 64, Projection::orthographic);
+    {
+        ValidatedRenderer renderer(Visibility::encoded);
+        renderer->setScene(r);
+        renderer->render(s);
+        EXPECT_NE(renderer->planText().find("subpass 2 impostor colour: depth test, encoded depth input"),
+                  std::string::npos)
+            << renderer->planText();
+        EXPECT_EQ(renderer->stats().loadedBytes, 0u);
+        EXPECT_EQ(renderer->stats().storedBytes, 64u * 64u * 4u);
+    }
+    ValidatedRenderer renderer(Visibility::fragdepth);
+    renderer->setScene(r);
+    renderer->render(s);
+    EXPECT_NE(renderer->planText().find("subpass 0 opaque prepass + impostor colour"), std::string::npos)
+        << renderer->planText();
+    EXPECT_EQ(renderer->planText().find("subpass 1"), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SamePicture,
+                         testing::Values(Case{"sample:dna", Style::spacefill, Projection::orthographic},
+                                         Case{"sample:dna", Style::ballAndStick, Projection::perspective},
+                                         Case{"sample:glucose", Style::licorice, Projection::orthographic},
+                                         Case{"1bna.pdb", Style::spacefill, Projection::perspective},
+                                         Case{"4hhb.pdb", Style::spacefill, Projection::orthographic},
+                                         Case{"4hhb.pdb", Style::ballAndStick, Projection::orthographic},
+                                         Case{"neon-pump.pdb", Style::licorice, Projection::perspective}));
+
+}  // namespace
+}  // namespace nacre::test

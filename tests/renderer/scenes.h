@@ -1,0 +1,63 @@
+#pragma once
+// The scenes and the device that the tests of the renderer share.
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/read.h"
+#include "engine/renderer.h"
+#include "tests/reference/layers.h"
+#include "tests/support/test_data.h"
+
+namespace nacre::test {
+
+/// A molecule by name: "sample:dna", or a file of the test data (use NACRE_NEEDS_DATA() first).
+inline Molecule molecule(const std::string& name) {
+    if (name.starts_with("sample:")) return sampleMolecule(name.substr(7));
+    return readMoleculeFile(dataFile(name));
+}
+
+inline Representation scene(const std::string& name, Style style) {
+    const Molecule m = molecule(name);
+    return represent(m, drawnAtoms(m), {style, ColorScheme::element});
+}
+
+/// A renderer on the driver that the environment names, with validation. Any message fails the test.
+class ValidatedRenderer {
+public:
+    explicit ValidatedRenderer(Visibility visibility) : renderer_({true, "", visibility}) {}
+    ~ValidatedRenderer() {
+        for (const std::string& message : renderer_.validationMessages()) ADD_FAILURE() << message;
+    }
+    Renderer* operator->() { return &renderer_; }
+
+private:
+    Renderer renderer_;
+};
+
+inline RenderSettings settings(const Representation& r, std::uint32_t size, Projection projection,
+                               glm::dvec3 rotation = {20, 30, 10}) {
+    Camera camera;
+    camera.projection = projection;
+    camera.rotationDegrees = rotation;
+    RenderSettings s;
+    s.view = viewOf(camera, r.radius, size, size);
+    s.occlusionDirections = 0;
+    return s;
+}
+
+inline reference::Layers toReference(const LayerPicture& p) {
+    reference::Layers l = reference::emptyLayers(p.width, p.height);
+    l.id = p.id;
+    l.z = p.z;
+    for (std::size_t i = 0; i < p.id.size(); ++i) {
+        l.nx[i] = p.normal[3 * i];
+        l.ny[i] = p.normal[3 * i + 1];
+        l.nz[i] = p.normal[3 * i + 2];
+    }
+    return l;
+}
+
+}  // namespace nacre::test
