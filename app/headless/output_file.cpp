@@ -3,7 +3,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -16,6 +18,33 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void fail(const std::string& path, const std::string& why) { throw Error("cannot write file", path, why); }
+
+// Temporary names of files that are open, for the signal handler: plain memory, since it may call next to nothing.
+// More than fit are written just the same; only an interrupted run would leave them behind.
+constexpr std::size_t kMostRemembered = 8;
+std::array<std::array<char, 4096>, kMostRemembered> unfinished{};
+
+extern "C" void removeUnfinished(int signal) {
+    for (const auto& name : unfinished)
+        if (name[0] != '\0') unlink(name.data());
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+}
+
+void remember(const std::string& temporary) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (std::signal(signal, removeUnfinished) == SIG_IGN) std::signal(signal, SIG_IGN);  // as under nohup
+    for (auto& name : unfinished)
+        if (name[0] == '\0' && temporary.size() < name.size()) {
+            std::memcpy(name.data(), temporary.c_str(), temporary.size() + 1);
+            return;
+        }
+}
+
+void forget(const std::string& temporary) {
+    for (auto& name : unfinished)
+        if (temporary == name.data()) name[0] = '\0';
+}
 
 }  // namespace
 
@@ -36,6 +65,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path), target_(path) {
         const int file = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (file >= 0) {
             close(file);
+            remember(temporary_);
             return;
         }
         if (errno != EEXIST || attempt >= 1000) fail(path, std::strerror(errno));
@@ -44,6 +74,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path), target_(path) {
 
 OutputFile::~OutputFile() {
     if (!committed_) unlink(temporary_.c_str());
+    forget(temporary_);
 }
 
 void OutputFile::commit() {

@@ -6,6 +6,7 @@ namespace nacre::app {
 
 /// A file that appears whole or not at all: it is written under another name in the same folder and renamed.
 /// The other name is made at once, so that a folder that cannot be written to is refused before any work.
+/// An error, SIGINT, SIGTERM and SIGHUP remove it. For one thread at a time.
 class OutputFile {
 public:
     /// @throws Error if the folder is missing or not writable, or the path names a folder

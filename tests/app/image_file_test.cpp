@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <csignal>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -161,6 +162,18 @@ TEST(OutputFile, LeavesNothingBehindUnlessCommitted) {
     writeText(file, "whole");
     EXPECT_EQ(folder.count(), 1u);
     EXPECT_EQ(test::contentOf(folder / "a.txt"), "whole");
+}
+
+TEST(OutputFile, ASignalLeavesNothingBehind) {
+    const TemporaryFolder folder;
+    EXPECT_EXIT(
+        {
+            const OutputFile one(folder / "a.png");
+            const OutputFile two(folder / "b.json");
+            std::raise(folder.count() == 2 ? SIGTERM : SIGABRT);
+        },
+        testing::KilledBySignal(SIGTERM), "");
+    EXPECT_EQ(folder.count(), 0u);
 }
 
 TEST(OutputFile, KeepsTheOldFileUntilTheNewOneIsWhole) {
