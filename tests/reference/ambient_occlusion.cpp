@@ -177,7 +177,7 @@ std::vector<SurfacePoint> randomVisiblePoints(const Representation& scene, std::
         view.pixelsPerAngstrom = kSide / (2.0 * scene.radius);
         const Layers layers = castRays(scene, view);
         if (std::all_of(layers.id.begin(), layers.id.end(), [](std::uint32_t id) { return id == 0; }))
-            throw std::invalid_argument("randomVisiblePoints: the scene shows nothing");
+            throw std::invalid_argument("randomVisiblePoints: a view shows nothing");
         const std::size_t wanted = count * (v + 1) / kViews;
         while (points.size() < wanted) {
             const auto column = static_cast<std::uint32_t>(random.below(kSide));
