@@ -215,6 +215,20 @@ TEST(RayCaster, BoundingRectanglesCutNothingOff) {
         }
 }
 
+TEST(RayCaster, WideFieldsOfViewCutNothingOff) {
+    // Near the eye a sphere's image reaches far beyond its radius over its distance.
+    Representation scene;
+    addSphere(scene, {0.5f, 0.25f, 0.5f}, 2.0f, 1);
+    addRod(scene, {-1.0f, -1.5f, 1.5f}, {2.0f, -1.0f, 0.5f}, 0.8f, 2, 3);
+    Camera camera;
+    camera.projection = Projection::perspective;
+    camera.fovDegrees = 120.0;
+    const View view = viewOf(camera, scene.radius, 200, 160);
+    const Layers layers = castRays(scene, view);
+    EXPECT_EQ(layers.id, withoutBounds(scene, view).id);
+    for (const std::uint32_t atom : {1u, 2u, 3u}) EXPECT_GT(std::count(layers.id.begin(), layers.id.end(), atom), 100);
+}
+
 TEST(RayCaster, EdgesAreTheNeighboursOfAChange) {
     Representation scene;
     addSphere(scene, {0, 0, 0}, 2.0f, 7);
