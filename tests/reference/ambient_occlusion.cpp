@@ -64,9 +64,9 @@ void occludeByRod(const RTCOccludedFunctionNArguments* arguments) {
 /// Any two unit vectors that stand square to `normal` and to each other.
 void frameAbout(const glm::dvec3& normal, glm::dvec3& across, glm::dvec3& upward) {
     const glm::dvec3 size = glm::abs(normal);
-    glm::dvec3 helper(0.0);
-    helper[size.x <= size.y && size.x <= size.z ? 0 : (size.y <= size.z ? 1 : 2)] = 1.0;
-    across = glm::normalize(glm::cross(helper, normal));
+    glm::dvec3 least(0.0);
+    least[size.x <= size.y && size.x <= size.z ? 0 : (size.y <= size.z ? 1 : 2)] = 1.0;
+    across = glm::normalize(glm::cross(least, normal));
     upward = glm::cross(normal, across);
 }
 
@@ -177,7 +177,7 @@ std::vector<SurfacePoint> randomVisiblePoints(const Representation& scene, std::
         view.pixelsPerAngstrom = kSide / (2.0 * scene.radius);
         const Layers layers = castRays(scene, view);
         if (std::all_of(layers.id.begin(), layers.id.end(), [](std::uint32_t id) { return id == 0; }))
-            throw std::invalid_argument("randomVisiblePoints: the scene shows nothing");
+            throw std::invalid_argument("randomVisiblePoints: a view shows nothing");
         const std::size_t wanted = count * (v + 1) / kViews;
         while (points.size() < wanted) {
             const auto column = static_cast<std::uint32_t>(random.below(kSide));

@@ -53,7 +53,7 @@ private:
 /// of 256 x 256 pixels with orientations drawn evenly from all rotations. A patch is thus chosen in proportion to the
 /// area that it shows, averaged over all directions: open places more often than creases, as an onlooker sees them.
 /// @param seed  same seed, same points
-/// @throws std::invalid_argument if the scene shows nothing
+/// @throws std::invalid_argument if a view shows nothing: an empty scene, or one far thinner than its pixels
 std::vector<SurfacePoint> randomVisiblePoints(const Representation& scene, std::size_t count, std::uint64_t seed = 1);
 
 }  // namespace nacre::reference

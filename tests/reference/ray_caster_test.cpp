@@ -1,17 +1,17 @@
 #include "tests/reference/ray_caster.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
 #include <limits>
 #include <numbers>
 #include <optional>
 #include <random>
 #include <string>
-
-#include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
-#include <gtest/gtest.h>
 
 #include "tests/reference/scenes.h"
 
@@ -29,8 +29,7 @@ glm::dvec3 normalAt(const Layers& layers, std::size_t at) { return {layers.nx[at
 template <typename Visit>
 void forEachPixel(const Layers& layers, Visit visit) {
     for (std::uint32_t row = 0; row < layers.height; ++row)
-        for (std::uint32_t column = 0; column < layers.width; ++column)
-            visit(column, row, layers.index(column, row));
+        for (std::uint32_t column = 0; column < layers.width; ++column) visit(column, row, layers.index(column, row));
 }
 
 void expectBackground(const Layers& layers, std::size_t at) {
@@ -71,8 +70,7 @@ TEST(RayCaster, PerspectiveSphereLiesOnItsRayAndInItsTangentCone) {
     forEachPixel(layers, [&](std::uint32_t column, std::uint32_t row, std::size_t at) {
         const glm::dvec2 place = placeOf(view, column, row);
         const glm::dvec3 ray(place, -view.eyeDistance);
-        const double angle =
-            std::atan2(glm::length(glm::cross(ray, toCenter)), glm::dot(ray, toCenter));
+        const double angle = std::atan2(glm::length(glm::cross(ray, toCenter)), glm::dot(ray, toCenter));
         if (angle > cone) return expectBackground(layers, at);
         ++covered;
         // Z runs along -z, so the point on the ray scales with it.
@@ -113,10 +111,11 @@ TEST(RayCaster, TwoSpheresMeetInTheirRadicalPlane) {
         if (one < 0.0 && two < 0.0) return expectBackground(layers, at);
         EXPECT_EQ(layers.id[at], (one < 0.0 || (two >= 0.0 && place.x > plane)) ? 9u : 7u);
         ++(layers.id[at] == 9 ? second : first);
-        if (one >= 0.0 && two >= 0.0)
+        if (one >= 0.0 && two >= 0.0) {
             EXPECT_NEAR(layers.gap[at], std::abs(std::sqrt(one) - std::sqrt(two)), 1e-6);
-        else
+        } else {
             EXPECT_EQ(layers.gap[at], std::numeric_limits<float>::infinity());
+        }
     });
     EXPECT_GT(first, 1000);
     EXPECT_GT(second, 1000);
@@ -153,7 +152,8 @@ TEST(RayCaster, RodShowsItsTwoHalvesAndItsCaps) {
     forEachPixel(side, [&](std::uint32_t column, std::uint32_t row, std::size_t at) {
         const glm::dvec2 place = placeOf(flat, column, row);
         if (std::abs(place.x) > 3.0 || std::abs(place.y) > 0.5) return expectBackground(side, at);
-        if (std::abs(place.x) > 1e-9) EXPECT_EQ(side.id[at], place.x < 0.0 ? 11u : 12u);
+        const bool atMiddle = std::abs(place.x) < 1e-9;  // either half may own it
+        EXPECT_TRUE(atMiddle || side.id[at] == (place.x < 0.0 ? 11u : 12u));
         EXPECT_NEAR(side.z[at], scene.radius - std::sqrt(0.25 - place.y * place.y), 1e-6);
     });
     // Turned by 90 degrees about y, +x points away from the viewer: the cap of a stands in front.
@@ -163,7 +163,7 @@ TEST(RayCaster, RodShowsItsTwoHalvesAndItsCaps) {
     EXPECT_EQ(cap.id[middle], 11u);
     EXPECT_NEAR(cap.z[middle], scene.radius - 3.0, 1e-6);
     EXPECT_NEAR(cap.nz[middle], 1.0, 1e-12);
-    EXPECT_NEAR(cap.gap[middle], std::numeric_limits<float>::infinity(), 0.0);
+    EXPECT_EQ(cap.gap[middle], std::numeric_limits<float>::infinity());
 }
 
 /// Every primitive against every pixel: shows that no bounding rectangle cuts anything off.
@@ -213,6 +213,20 @@ TEST(RayCaster, BoundingRectanglesCutNothingOff) {
             EXPECT_EQ(layers.id, withoutBounds(scene, view).id);
             EXPECT_GT(std::count(layers.id.begin(), layers.id.end(), 0u), 100);
         }
+}
+
+TEST(RayCaster, WideFieldsOfViewCutNothingOff) {
+    // Near the eye a sphere's image reaches far beyond its radius over its distance.
+    Representation scene;
+    addSphere(scene, {0.5f, 0.25f, 0.5f}, 2.0f, 1);
+    addRod(scene, {-1.0f, -1.5f, 1.5f}, {2.0f, -1.0f, 0.5f}, 0.8f, 2, 3);
+    Camera camera;
+    camera.projection = Projection::perspective;
+    camera.fovDegrees = 120.0;
+    const View view = viewOf(camera, scene.radius, 200, 160);
+    const Layers layers = castRays(scene, view);
+    EXPECT_EQ(layers.id, withoutBounds(scene, view).id);
+    for (const std::uint32_t atom : {1u, 2u, 3u}) EXPECT_GT(std::count(layers.id.begin(), layers.id.end(), atom), 100);
 }
 
 TEST(RayCaster, EdgesAreTheNeighboursOfAChange) {

@@ -2,7 +2,6 @@
 // Scenes and views made by hand for the tests of the reference renderers.
 
 #include <cstdint>
-
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 

@@ -1,12 +1,13 @@
 #include "tests/reference/solids.h"
 
-#include <cmath>
-#include <random>
+#include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
-#include <gtest/gtest.h>
+#include <random>
 
 namespace nacre::reference {
 namespace {
@@ -35,6 +36,16 @@ glm::dvec3 gradient(const Solid& solid, const glm::dvec3& point) {
     return glm::normalize(slope);
 }
 
+bool isNearRim(const Ball&, const glm::dvec3&) { return false; }
+
+bool isNearRim(const Rod& rod, const glm::dvec3& point) {
+    const glm::dvec3 axis = glm::normalize(rod.b - rod.a);
+    const double height = glm::dot(point - rod.a, axis);
+    const bool onSide = std::abs(glm::length(point - rod.a - height * axis) - rod.radius) < 1e-5;
+    const bool onCap = std::min(std::abs(height), std::abs(height - glm::length(rod.b - rod.a))) < 1e-5;
+    return onSide && onCap;
+}
+
 enum class March { hit, miss, undecided };
 
 /// Walks from `from` along the line by the distance that is certainly free; no formula in common with cross().
@@ -52,7 +63,9 @@ March march(const Solid& solid, const Line& line, double from, double sign, doub
 
 class Lines {
 public:
-    glm::dvec3 point(double reach) { return {reach * spread_(engine_), reach * spread_(engine_), reach * spread_(engine_)}; }
+    glm::dvec3 point(double reach) {
+        return {reach * spread_(engine_), reach * spread_(engine_), reach * spread_(engine_)};
+    }
     double between(double low, double high) { return low + (high - low) * 0.5 * (spread_(engine_) + 1.0); }
     /// From a far point to somewhere near the origin.
     Line toward(double reach) {
@@ -64,6 +77,15 @@ private:
     std::mt19937_64 engine_{7};
     std::uniform_real_distribution<double> spread_{-1.0, 1.0};
 };
+
+/// The most negative distance on a stretch behind t: near 0 if the line only grazes the solid.
+template <typename Solid>
+double deepest(const Solid& solid, const Line& line, double t) {
+    double least = 0.0;
+    for (double step = 0.0; step < 10.0; step += 1e-3)
+        least = std::min(least, distanceTo(solid, line.origin + (t + step) * line.direction));
+    return least;
+}
 
 struct Tally {
     int hits = 0, misses = 0, caps = 0, sides = 0;
@@ -77,8 +99,10 @@ void holdAgainstMarching(const Solid& solid, const Line& line, Tally& tally) {
     const auto crossing = cross(line, solid);
     if (!crossing || forth == March::miss) {
         // Both must say so, but for a graze that stays within the marcher's own tolerance.
-        if (crossing) EXPECT_LT(crossing->leave - crossing->enter, 1e-3);
-        if (forth == March::hit) EXPECT_GT(distanceTo(solid, line.origin + enter * line.direction), 0.0);
+        EXPECT_FALSE(crossing && crossing->leave - crossing->enter > 1e-3);
+        if (forth == March::hit) {
+            EXPECT_GT(deepest(solid, line, enter), -1e-7);
+        }
         ++tally.misses;
         return;
     }
@@ -92,15 +116,16 @@ void holdAgainstMarching(const Solid& solid, const Line& line, Tally& tally) {
     const glm::dvec3 place = line.origin + crossing->enter * line.direction;
     EXPECT_NEAR(glm::length(crossing->normal), 1.0, 1e-12);
     EXPECT_LT(glm::dot(crossing->normal, line.direction), 0.0);
-    if (distanceTo(solid, place + 1e-5 * crossing->normal) > 0.9e-5)  // away from the rim, where it has no gradient
-        EXPECT_GT(glm::dot(crossing->normal, gradient(solid, place)), 0.999999);
+    // The rim has no gradient.
+    if (isNearRim(solid, place)) return;
+    EXPECT_GT(glm::dot(crossing->normal, gradient(solid, place)), 0.999999);
 }
 
 TEST(Solids, BallsAgreeWithMarchingTheDistance) {
     Lines lines;
     Tally tally;
     for (int i = 0; i < 3000; ++i)
-        holdAgainstMarching(Ball{lines.point(2.0), lines.between(0.1, 3.0)}, lines.toward(4.0), tally);
+        holdAgainstMarching(Ball{lines.point(2.0), lines.between(0.1, 3.0)}, lines.toward(2.5), tally);
     EXPECT_GT(tally.hits, 500);
     EXPECT_GT(tally.misses, 500);
 }

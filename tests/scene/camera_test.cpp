@@ -1,0 +1,116 @@
+#include "engine/scene/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+#include <utility>
+
+namespace nacre {
+namespace {
+
+double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+
+void expectSame(const glm::dmat3& a, const glm::dmat3& b, double tolerance) {
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row) EXPECT_NEAR(a[column][row], b[column][row], tolerance) << column << row;
+}
+
+TEST(Camera, QuarterTurnsAreRightHandedAndExact) {
+    const glm::dvec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+    EXPECT_EQ(rotationMatrix({90, 0, 0}) * y, z);
+    EXPECT_EQ(rotationMatrix({90, 0, 0}) * z, -y);
+    EXPECT_EQ(rotationMatrix({0, 90, 0}) * z, x);
+    EXPECT_EQ(rotationMatrix({0, 90, 0}) * x, -z);
+    EXPECT_EQ(rotationMatrix({0, 0, 90}) * x, y);
+    EXPECT_EQ(rotationMatrix({0, 0, 90}) * y, -x);
+    EXPECT_EQ(rotationMatrix({0, 0, -90}) * x, -y);
+    EXPECT_EQ(rotationMatrix({0, 0, 180}) * x, -x);
+    EXPECT_EQ(rotationMatrix({0, 0, -180}) * x, -x);
+    EXPECT_EQ(rotationMatrix({0, 0, 270}) * x, -y);
+    EXPECT_EQ(rotationMatrix({0, 0, 450}) * x, y);
+    EXPECT_EQ(rotationMatrix({360, -720, 1080}), glm::dmat3(1.0));
+}
+
+TEST(Camera, TurnsAboutXFirstThenYThenZ) {
+    const glm::dvec3 y(0, 1, 0);
+    EXPECT_EQ(rotationMatrix({90, 90, 0}) * y, glm::dvec3(1, 0, 0));   // y -> z -> x
+    EXPECT_EQ(rotationMatrix({90, 90, 90}) * y, glm::dvec3(0, 1, 0));  // y -> z -> x -> y
+    EXPECT_EQ(rotationMatrix({0, 90, 90}) * y, glm::dvec3(-1, 0, 0));  // y -> y -> -x
+}
+
+TEST(Camera, AnyTurnIsThatOfQuaternions) {
+    for (const glm::dvec3 degrees : {glm::dvec3(10, 20, 30), glm::dvec3(-75, 140, 333), glm::dvec3(0, 12.5, 0),
+                                     glm::dvec3(91, 90, 1e-3), glm::dvec3(725, -1000, 45)}) {
+        const auto about = [](double angle, const glm::dvec3& axis) { return glm::angleAxis(radians(angle), axis); };
+        const glm::dquat turn = about(degrees.z, {0, 0, 1}) * about(degrees.y, {0, 1, 0}) * about(degrees.x, {1, 0, 0});
+        const glm::dmat3 matrix = rotationMatrix(degrees);
+        expectSame(matrix, glm::mat3_cast(turn), 1e-13);
+        expectSame(matrix * glm::transpose(matrix), glm::dmat3(1.0), 1e-15);
+        EXPECT_NEAR(glm::determinant(matrix), 1.0, 1e-15);
+    }
+}
+
+TEST(Camera, OrthographicSphereFills95PercentOfTheShorterSide) {
+    for (const auto& [width, height] : {std::pair{640u, 480u}, std::pair{480u, 960u}, std::pair{100u, 100u}}) {
+        const View view = viewOf(Camera{}, 12.5, width, height);
+        EXPECT_NEAR(2.0 * 12.5 * view.pixelsPerAngstrom, 0.95 * std::min(width, height), 1e-10);
+        EXPECT_EQ(view.width, width);
+        EXPECT_EQ(view.height, height);
+        EXPECT_EQ(view.radius, 12.5);
+        EXPECT_EQ(view.eyeDistance, 0.0);
+        EXPECT_EQ(view.projection, Projection::orthographic);
+    }
+}
+
+TEST(Camera, ZoomScalesTheImagePlaneAlone) {
+    for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+        Camera camera;
+        camera.projection = projection;
+        const View plain = viewOf(camera, 7.0, 300, 200);
+        camera.zoom = 2.5;
+        const View zoomed = viewOf(camera, 7.0, 300, 200);
+        EXPECT_DOUBLE_EQ(zoomed.pixelsPerAngstrom, 2.5 * plain.pixelsPerAngstrom);
+        EXPECT_EQ(zoomed.eyeDistance, plain.eyeDistance);
+    }
+}
+
+TEST(Camera, PerspectiveSpansTheFieldOfViewAndHoldsTheSphere) {
+    for (const double fov : {5.0, 30.0, 60.0, 120.0})
+        for (const auto& [width, height] : {std::pair{640u, 480u}, std::pair{480u, 960u}}) {
+            Camera camera;
+            camera.projection = Projection::perspective;
+            camera.fovDegrees = fov;
+            const double radius = 9.0, half = radians(fov) / 2.0, side = std::min(width, height);
+            const View view = viewOf(camera, radius, width, height);
+            EXPECT_NEAR(view.eyeDistance * std::sin(half), radius / 0.95, 1e-12);
+            EXPECT_GT(view.eyeDistance, radius);  // the eye stands outside
+
+            // The edge of the shorter side, on the plane z = 0, is seen at half the field of view.
+            const double edge = side / 2.0 / view.pixelsPerAngstrom;
+            EXPECT_NEAR(std::atan2(edge, view.eyeDistance), half, 1e-12);
+
+            // The sphere's tangent cone: sin of its half angle is R / D = 0.95 sin(fov / 2).
+            const double cone = std::asin(radius / view.eyeDistance);
+            EXPECT_NEAR(std::sin(cone), 0.95 * std::sin(half), 1e-12);
+            const double diameter = 2.0 * view.eyeDistance * std::tan(cone) * view.pixelsPerAngstrom;
+            EXPECT_LT(diameter, side);
+            EXPECT_NEAR(diameter / side, std::tan(cone) / std::tan(half), 1e-12);
+            if (fov <= 30.0) {  // near the axis sine and tangent agree: about 95 % there too
+                EXPECT_NEAR(diameter / side, 0.95, 0.01);
+            }
+        }
+}
+
+TEST(Camera, ViewCarriesTheRotation) {
+    Camera camera;
+    camera.rotationDegrees = {10, 20, 30};
+    EXPECT_EQ(viewOf(camera, 1.0, 10, 10).rotation, rotationMatrix({10, 20, 30}));
+}
+
+}  // namespace
+}  // namespace nacre
