@@ -80,6 +80,7 @@ struct Failure {
     const char* arguments;
     const char* says;
 };
+void PrintTo(const Failure& failure, std::ostream* out) { *out << failure.arguments; }
 class Failing : public testing::TestWithParam<Failure> {};
 
 TEST_P(Failing, ExitsWithOneAndOneLineAndNoFile) {
@@ -100,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Failure{"render sample:dna -o a.png --layers missing/l.exr", "missing/l.exr"},
                     Failure{"render sample:dna -o a.png --stats missing/s.json", "missing/s.json"},
                     Failure{"render sample:dna -o /proc/a.png", "/proc/a.png"},
-                    Failure{"render - --format pdb -o a.png", "-"}, Failure{"info none.pdb", "none.pdb"},
+                    Failure{"render - --format pdb -o a.png", "standard input"}, Failure{"info none.pdb", "none.pdb"},
                     Failure{"info . --json", "."}, Failure{"render sample:dna --format pdb -o a.png", "--format"},
                     Failure{"render sample:dna --model 2 -o a.png", "one model"},
                     Failure{"render sample:dna -o a.png --device no-such-device", "no-such-device"}));

@@ -72,7 +72,9 @@ TEST(Occlusion, OfALoneSphereIsOneEverywhere) {
             float least = 2;
             for (const float value : renderer->layers(s).occlusion) least = std::min(least, value);
             // With one direction the hemisphere behind it gets no light at all.
-            if (directions > 1) EXPECT_GE(least, 1 - 1.0f / 255) << directions << " directions";
+            if (directions > 1) {
+                EXPECT_GE(least, 1 - 1.0f / 255) << directions << " directions";
+            }
         }
     }
 }

@@ -25,6 +25,8 @@ struct Case {
     Projection projection;
 };
 
+void PrintTo(const Case& c, std::ostream* out) { *out << c.file; }
+
 class SamePicture : public testing::TestWithParam<Case> {};
 
 TEST_P(SamePicture, WhateverThePath) {

@@ -38,8 +38,9 @@ private:
 };
 
 inline RenderSettings settings(const Representation& r, std::uint32_t size, Projection projection,
-                               glm::dvec3 rotation = {20, 30, 10}) {
+                               glm::dvec3 rotation = {20, 30, 10}, double zoom = 1) {
     Camera camera;
+    camera.zoom = zoom;
     camera.projection = projection;
     camera.rotationDegrees = rotation;
     RenderSettings s;
