@@ -52,11 +52,11 @@ bool isInteger(std::string_view text) {
 }
 
 /// The first lines, where several formats have their mark at a fixed place.
-Guess guessByFirstLines(std::string_view head) {
+Guess guessByFirstLines(std::string_view text) {
     std::array<std::string_view, 4> line{};
-    LineReader lines(head);
-    for (std::string_view& text : line)
-        if (lines.next()) text = lines.line();
+    LineReader lines(text);
+    for (std::string_view& next : line)
+        if (lines.next()) next = lines.line();
     const std::string_view mark = columns(line[3], 33, 12);
     if (contains(mark, "V2000") || contains(mark, "V3000")) return is(Format::sdf);
     const Words third = splitWords(line[2]);
@@ -126,7 +126,7 @@ Guess guessByContent(std::string_view text) {
         if (contains(lower, "<cml") || contains(lower, "<molecule")) return isNot("cml");
         if (contains(lower, "pdbx:datablock")) return isNot("pdbml");
     }
-    if (const Guess guess = guessByFirstLines(head)) return guess;
+    if (const Guess guess = guessByFirstLines(text)) return guess;
     return guessByLines(head);
 }
 

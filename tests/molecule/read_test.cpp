@@ -80,6 +80,15 @@ TEST(Read, MessagesAreCleanWhateverNameAndContentHold) {
     EXPECT_EQ(printable("\xf0\x9f\xa7\xaa"), "\xf0\x9f\xa7\xaa");
 }
 
+TEST(Read, AHugeLineIsJustALine) {
+    const std::string atom = "ATOM      1  N   THR A   1      17.047  14.099   3.625  1.00 13.79           N\n";
+    const std::string longRemark = "REMARK " + std::string(3'000'000, 'x') + "\n";
+    EXPECT_EQ(readMolecule("a", longRemark + atom).atoms.size(), 1u);
+    EXPECT_EQ(readMolecule("a", "data_x\n#" + longRemark + "_atom_site.Cartn_x 1\n_atom_site.Cartn_y 2\n"
+                                "_atom_site.Cartn_z 3\n").atoms.size(), 1u);
+    EXPECT_EQ(readMolecule("a.xyz", "1\n" + longRemark + "C 0 0 0\n").atoms.size(), 1u);
+}
+
 TEST(Read, ModelsCountFromOne) {
     ReadOptions options;
     options.model = 0;
