@@ -83,7 +83,7 @@ TEST(ReadMmcif, QuotesTextsCommentsAndFrames) {
     const std::string text = "data_a\n_struct.title\n;TWO\nLINES\n;\nsave_f\n_atom_site.Cartn_x 5\nsave_\n# note\n" +
                              atomSite("Cartn_x Cartn_y Cartn_z auth_asym_id", "1 2 3 'a b'\n4 5 6 \"?\"\n").substr(10);
     const Molecule molecule = readMolecule("a.cif", text);
-    EXPECT_EQ(molecule.file.title, "TWO\\x0aLINES");
+    EXPECT_EQ(molecule.file.title, "TWO LINES");
     ASSERT_EQ(molecule.chains.size(), 2u);
     EXPECT_EQ(molecule.chains[0].name, "a b");
     EXPECT_EQ(molecule.chains[1].name, "?");
