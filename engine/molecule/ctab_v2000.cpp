@@ -53,7 +53,8 @@ private:
             symbol = words[3];
             charge = words[5];
         }
-        if (!numeric() || !isSymbol(symbol)) fail(ordinal("atom", i, count) + " is no atom line: '" + printable(line) + "'");
+        if (!numeric() || !isSymbol(symbol))
+            fail(ordinal("atom", i, count) + " is no atom line: '" + printable(line) + "'");
         glm::vec3 position;
         for (int axis = 0; axis < 3; ++axis)
             position[axis] = parseCoordinate(axes[axis], "xyz"[axis], builder_.name(), lines_.number());

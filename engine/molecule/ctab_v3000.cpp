@@ -50,7 +50,8 @@ private:
         while (lines_.next()) {
             std::string_view text = lines_.line();
             if (startsWith(text, "M  END")) return false;
-            if (!startsWith(text, kPrefix)) fail("expected a line that begins with 'M  V30 ': '" + printable(text) + "'");
+            if (!startsWith(text, kPrefix))
+                fail("expected a line that begins with 'M  V30 ': '" + printable(text) + "'");
             text.remove_prefix(kPrefix.size());
             while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
             const bool continues = !text.empty() && text.back() == '-';
@@ -102,7 +103,8 @@ private:
         if (!type || !a || !b) fail("no bond line: '" + printable(line_) + "'");
         const auto first = positions_.find(*a), second = positions_.find(*b);
         if (first == positions_.end() || second == positions_.end())
-            fail("bond between atoms " + std::to_string(*a) + " and " + std::to_string(*b) + ", of which one is not there");
+            fail("bond between atoms " + std::to_string(*a) + " and " + std::to_string(*b) +
+                 ", of which one is not there");
         if (const int order = bondOrderOfCtab(*type))
             builder_.addBond(static_cast<std::int64_t>(first->second), static_cast<std::int64_t>(second->second), order,
                              lines_.number());

@@ -28,13 +28,22 @@ Guess guessBinary(std::string_view head) {
     struct Signature {
         std::string_view bytes, words;
     };
-    static constexpr Signature kSignatures[] = {
-        {"\x89PNG", "a PNG picture, not a molecule"},  {"\xff\xd8\xff", "a JPEG picture, not a molecule"},
-        {"GIF8", "a GIF picture, not a molecule"},     {"%PDF", "a PDF document, not a molecule"},
-        {"PK\x03\x04", "a ZIP archive; unpack it first"}, {"\xfd" "7zXZ", "xz-compressed; only gzip is supported"},
-        {"BZh", "bzip2-compressed; only gzip is supported"}, {"\x28\xb5\x2f\xfd", "zstd-compressed; only gzip is supported"},
-        {"\x1f\x8b", "gzip inside gzip; unpack it first"}, {"\x7f" "ELF", "a program, not a molecule"},
-        {"\xff\xfe", "UTF-16 text; save it as ASCII or UTF-8"}, {"\xfe\xff", "UTF-16 text; save it as ASCII or UTF-8"}};
+    static constexpr Signature kSignatures[] = {{"\x89PNG", "a PNG picture, not a molecule"},
+                                                {"\xff\xd8\xff", "a JPEG picture, not a molecule"},
+                                                {"GIF8", "a GIF picture, not a molecule"},
+                                                {"%PDF", "a PDF document, not a molecule"},
+                                                {"PK\x03\x04", "a ZIP archive; unpack it first"},
+                                                {"\xfd"
+                                                 "7zXZ",
+                                                 "xz-compressed; only gzip is supported"},
+                                                {"BZh", "bzip2-compressed; only gzip is supported"},
+                                                {"\x28\xb5\x2f\xfd", "zstd-compressed; only gzip is supported"},
+                                                {"\x1f\x8b", "gzip inside gzip; unpack it first"},
+                                                {"\x7f"
+                                                 "ELF",
+                                                 "a program, not a molecule"},
+                                                {"\xff\xfe", "UTF-16 text; save it as ASCII or UTF-8"},
+                                                {"\xfe\xff", "UTF-16 text; save it as ASCII or UTF-8"}};
     for (const Signature& signature : kSignatures)
         if (startsWith(head, signature.bytes)) return isNot(signature.words);
     const auto first = head.empty() ? 0u : static_cast<unsigned char>(head.front());
@@ -52,11 +61,11 @@ bool isInteger(std::string_view text) {
 }
 
 /// The first lines, where several formats have their mark at a fixed place.
-Guess guessByFirstLines(std::string_view head) {
+Guess guessByFirstLines(std::string_view text) {
     std::array<std::string_view, 4> line{};
-    LineReader lines(head);
-    for (std::string_view& text : line)
-        if (lines.next()) text = lines.line();
+    LineReader lines(text);
+    for (std::string_view& next : line)
+        if (lines.next()) next = lines.line();
     const std::string_view mark = columns(line[3], 33, 12);
     if (contains(mark, "V2000") || contains(mark, "V3000")) return is(Format::sdf);
     const Words third = splitWords(line[2]);
@@ -74,9 +83,9 @@ Guess guessByFirstLines(std::string_view head) {
 
 bool isPdbRecord(std::string_view line) {
     static constexpr std::string_view kRecords[] = {
-        "HEADER", "TITLE ", "COMPND", "SOURCE", "KEYWDS", "EXPDTA", "AUTHOR", "REVDAT", "REMARK", "SEQRES", "HETNAM",
-        "HELIX ", "SHEET ", "CRYST1", "ORIGX1", "SCALE1", "MODEL ", "ATOM  ", "HETATM", "CONECT", "ENDMDL", "OBSLTE",
-        "CAVEAT", "SPLIT ", "NUMMDL", "DBREF ", "SSBOND", "MASTER"};
+        "HEADER", "TITLE ", "COMPND", "SOURCE", "KEYWDS", "EXPDTA", "AUTHOR", "REVDAT", "REMARK", "SEQRES",
+        "HETNAM", "HELIX ", "SHEET ", "CRYST1", "ORIGX1", "SCALE1", "MODEL ", "ATOM  ", "HETATM", "CONECT",
+        "ENDMDL", "OBSLTE", "CAVEAT", "SPLIT ", "NUMMDL", "DBREF ", "SSBOND", "MASTER"};
     return std::any_of(std::begin(kRecords), std::end(kRecords), [&](auto record) { return startsWith(line, record); });
 }
 
@@ -91,11 +100,12 @@ Guess guessPdbFamily(std::string_view line) {
     const std::string_view charge = columns(line, 70, 6);
     if (charge.size() == 6 && charge[2] == '.' && parseNumber(charge) && !trim(columns(line, 77, 2)).empty())
         return isNot("pdbqt");
+    // PQR ends in x, y, z, charge and radius; PDB gives occupancy and B factor two decimals.
     const Words words = splitWords(line);
-    if (words.count >= 9 && decimals(words[words.count - 1]) >= 3 && decimals(words[words.count - 2]) >= 3 &&
-        decimals(words[words.count - 3]) > 0)
-        return isNot("pqr");
-    return is(Format::pdb);
+    bool pqr = words.count >= 9;
+    for (std::size_t back = 1; back <= 5 && pqr; ++back)
+        pqr = decimals(words[words.count - back]) >= (back <= 2 ? 3u : 1u);
+    return pqr ? isNot("pqr") : is(Format::pdb);
 }
 
 Guess guessByLines(std::string_view head) {
@@ -126,7 +136,7 @@ Guess guessByContent(std::string_view text) {
         if (contains(lower, "<cml") || contains(lower, "<molecule")) return isNot("cml");
         if (contains(lower, "pdbx:datablock")) return isNot("pdbml");
     }
-    if (const Guess guess = guessByFirstLines(head)) return guess;
+    if (const Guess guess = guessByFirstLines(text)) return guess;
     return guessByLines(head);
 }
 
@@ -140,14 +150,14 @@ Guess guessByName(const std::string& name) {
         std::string_view ending;
         Format format;
     };
-    static constexpr Ending kEndings[] = {{"pdb", Format::pdb},     {"ent", Format::pdb},     {"cif", Format::mmcif},
-                                          {"mmcif", Format::mmcif}, {"mcif", Format::mmcif},  {"json", Format::mmjson},
-                                          {"mmjson", Format::mmjson}, {"sdf", Format::sdf},   {"sd", Format::sdf},
-                                          {"mol", Format::sdf},     {"mdl", Format::sdf},     {"xyz", Format::xyz},
+    static constexpr Ending kEndings[] = {{"pdb", Format::pdb},       {"ent", Format::pdb},    {"cif", Format::mmcif},
+                                          {"mmcif", Format::mmcif},   {"mcif", Format::mmcif}, {"json", Format::mmjson},
+                                          {"mmjson", Format::mmjson}, {"sdf", Format::sdf},    {"sd", Format::sdf},
+                                          {"mol", Format::sdf},       {"mdl", Format::sdf},    {"xyz", Format::xyz},
                                           {"extxyz", Format::xyz}};
     for (const Ending& known : kEndings)
         if (ending == known.ending) return is(known.format);
-    static constexpr std::string_view kOthers[] = {"bcif", "mmtf", "mol2", "pqr",  "gro", "pdbqt", "cml", "pdbml",
+    static constexpr std::string_view kOthers[] = {"bcif", "mmtf", "mol2", "pqr",  "gro", "pdbqt",  "cml", "pdbml",
                                                    "dcd",  "xtc",  "trr",  "cube", "mae", "prmtop", "psf"};
     for (const std::string_view other : kOthers)
         if (ending == other) return isNot(other);

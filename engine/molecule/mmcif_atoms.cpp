@@ -9,6 +9,8 @@ namespace nacre {
 
 namespace {
 
+constexpr std::size_t kMaxModels = 1'000'000;
+
 MmcifCell either(MmcifCell first, MmcifCell second) { return first.data() ? first : second; }
 
 char firstCharacter(MmcifCell cell) { return cell.empty() || cell.front() == ' ' ? '\0' : cell.front(); }
@@ -34,11 +36,13 @@ std::string_view elementOfName(std::string_view name, std::string_view residue) 
 
 MmcifAtoms::MmcifAtoms(MoleculeBuilder& builder, const std::vector<std::string>& columns, int wantedModel)
     : builder_(builder), wantedModel_(wantedModel) {
-    static const char* const kNames[columnCount] = {
-        "cartn_x",       "cartn_y",      "cartn_z",       "group_pdb",    "type_symbol",  "auth_atom_id",
-        "label_atom_id", "auth_comp_id", "label_comp_id", "auth_asym_id", "label_asym_id", "auth_seq_id",
-        "label_seq_id",  "pdbx_pdb_ins_code", "label_alt_id", "occupancy", "b_iso_or_equiv", "pdbx_formal_charge",
-        "pdbx_pdb_model_num"};
+    static const char* const kNames[columnCount] = {"cartn_x",           "cartn_y",           "cartn_z",
+                                                    "group_pdb",         "type_symbol",       "auth_atom_id",
+                                                    "label_atom_id",     "auth_comp_id",      "label_comp_id",
+                                                    "auth_asym_id",      "label_asym_id",     "auth_seq_id",
+                                                    "label_seq_id",      "pdbx_pdb_ins_code", "label_alt_id",
+                                                    "occupancy",         "b_iso_or_equiv",    "pdbx_formal_charge",
+                                                    "pdbx_pdb_model_num"};
     for (int which = 0; which < columnCount; ++which) {
         column_[which] = -1;
         for (std::size_t i = columns.size(); i-- > 0;)
@@ -77,6 +81,7 @@ int MmcifAtoms::modelIndex(std::string_view number) {
     if (lastIndex_ > 0 && number == lastModel_) return lastIndex_;
     lastModel_ = std::string(number);
     lastIndex_ = models_.emplace(lastModel_, static_cast<int>(models_.size()) + 1).first->second;
+    if (models_.size() > kMaxModels) throw Error("cannot read molecule", builder_.name(), "it has too many models");
     return lastIndex_;
 }
 

@@ -44,27 +44,33 @@ constexpr Partner kPartners[2] = {
     {"ptnr2_auth_asym_id", "ptnr2_label_asym_id", "ptnr2_auth_seq_id", "ptnr2_label_seq_id", "pdbx_ptnr2_pdb_ins_code",
      "ptnr2_label_comp_id", "ptnr2_auth_comp_id", "ptnr2_label_atom_id", "pdbx_ptnr2_label_alt_id"}};
 
+// A hostile file may have one huge residue and many connections to it; real ones are far below these.
+constexpr std::size_t kMaxComparisons = 200'000'000;
+constexpr std::size_t kMaxAlternates = 16;
+
+/// @param comparisons counts the atoms that were looked at
 std::vector<std::uint32_t> findAtoms(const Molecule& molecule, const ResidueIndex& index, const MmcifTable& table,
-                                     std::size_t row, const Partner& partner) {
+                                     std::size_t row, const Partner& partner, std::size_t& comparisons) {
     std::vector<std::uint32_t> found;
     const auto text = [&](const char* first, const char* second) {
         return table.get(row, {first, second}).value_or("");
     };
-    const auto range = index.equal_range(residueKey(text(partner.authAsym, partner.labelAsym),
-                                                    text(partner.authSeq, partner.labelSeq),
-                                                    text(partner.insertion, partner.insertion)));
+    const auto range =
+        index.equal_range(residueKey(text(partner.authAsym, partner.labelAsym), text(partner.authSeq, partner.labelSeq),
+                                     text(partner.insertion, partner.insertion)));
     const Name comp(text(partner.authComp, partner.comp)), name(text(partner.atom, partner.atom));
     const auto alternate = table.get(row, {partner.alternate});
     for (auto i = range.first; i != range.second; ++i) {
         const Residue& residue = molecule.residues[i->second];
+        ++comparisons;
         if (residue.name != comp) continue;
+        comparisons += residue.atomCount;
         for (std::uint32_t a = residue.firstAtom; a < residue.firstAtom + residue.atomCount; ++a) {
             const Atom& atom = molecule.atoms[a];
-            if (atom.name == name && (!alternate || alternate->substr(0, 1) == std::string_view(&atom.alternate, 1)))
-                found.push_back(a);
+            const bool same = !alternate || alternate->substr(0, 1) == std::string_view(&atom.alternate, 1);
+            if (same && atom.name == name) found.push_back(a);
+            if (found.size() == kMaxAlternates) return found;
         }
-        // A hostile file may repeat one residue and one connection; real ones have a few alternates.
-        if (found.size() > 16) break;
     }
     return found;
 }
@@ -81,12 +87,16 @@ bool isCovalent(const MmcifTable& table, std::size_t row) {
 void addStructConnBonds(MoleculeBuilder& builder, const MmcifTable& connections) {
     const Molecule& molecule = builder.molecule();
     ResidueIndex index;
-    std::size_t missing = 0;
+    std::size_t missing = 0, comparisons = 0;
     for (std::size_t row = 0; row < connections.rows(); ++row) {
         if (!isCovalent(connections, row)) continue;
+        if (comparisons > kMaxComparisons) {
+            builder.warn("too many connections of _struct_conn to huge residues; the rest is passed over");
+            break;
+        }
         if (index.empty()) index = indexResidues(molecule);
-        const auto first = findAtoms(molecule, index, connections, row, kPartners[0]);
-        const auto second = findAtoms(molecule, index, connections, row, kPartners[1]);
+        const auto first = findAtoms(molecule, index, connections, row, kPartners[0], comparisons);
+        const auto second = findAtoms(molecule, index, connections, row, kPartners[1], comparisons);
         if (first.empty() || second.empty()) ++missing;
         const int order = bondOrder(connections.get(row, {"pdbx_value_order"}));
         for (const std::uint32_t a : first)
@@ -95,14 +105,16 @@ void addStructConnBonds(MoleculeBuilder& builder, const MmcifTable& connections)
                 if (a != b && (p == q || p == '\0' || q == '\0')) builder.addBond(a, b, order, 0);
             }
     }
-    if (missing > 0) builder.warn("connections of _struct_conn to atoms that are not there: " + std::to_string(missing));
+    if (missing > 0)
+        builder.warn("connections of _struct_conn to atoms that are not there: " + std::to_string(missing));
 }
 
 void addComponent(MoleculeBuilder& builder, const MmcifTable& atoms, const MmcifTable& bonds) {
     using Axes = std::array<const char*, 3>;
-    static constexpr Axes kSources[] = {{"pdbx_model_cartn_x_ideal", "pdbx_model_cartn_y_ideal", "pdbx_model_cartn_z_ideal"},
-                                        {"model_cartn_x", "model_cartn_y", "model_cartn_z"},
-                                        {"x", "y", "z"}};
+    static constexpr Axes kSources[] = {
+        {"pdbx_model_cartn_x_ideal", "pdbx_model_cartn_y_ideal", "pdbx_model_cartn_z_ideal"},
+        {"model_cartn_x", "model_cartn_y", "model_cartn_z"},
+        {"x", "y", "z"}};
     const auto complete = [&](const Axes& axes) {
         for (std::size_t row = 0; row < atoms.rows(); ++row)
             for (const char* axis : axes)

@@ -1,5 +1,7 @@
 #include "engine/molecule/mmcif_model.h"
 
+#include <algorithm>
+
 #include "engine/error.h"
 #include "engine/molecule/text.h"
 
@@ -87,6 +89,7 @@ Molecule MmcifModel::finish(const std::string& format) {
     }
     const MmcifTable& title = tables_[atoms_ ? "struct" : "chem_comp"];
     if (title.rows() > 0) file.title = std::string(title.get(0, {"title", "name"}).value_or(""));
+    std::replace(file.title.begin(), file.title.end(), '\n', ' ');  // a long title is a text of several lines
     const auto rowsOf = [&](const char* category) -> std::optional<std::int64_t> {
         const auto found = tables_.find(category);
         if (found == tables_.end()) return std::nullopt;

@@ -46,8 +46,28 @@ private:
     float property(MmcifCell cell, float otherwise);
     void countChains(MmcifCell auth, MmcifCell label);
 
-    enum Column { x, y, z, group, symbol, authAtom, labelAtom, authComp, labelComp, authAsym, labelAsym, authSeq,
-                  labelSeq, insertion, alternate, occupancy, temperature, charge, model, columnCount };
+    enum Column {
+        x,
+        y,
+        z,
+        group,
+        symbol,
+        authAtom,
+        labelAtom,
+        authComp,
+        labelComp,
+        authAsym,
+        labelAsym,
+        authSeq,
+        labelSeq,
+        insertion,
+        alternate,
+        occupancy,
+        temperature,
+        charge,
+        model,
+        columnCount
+    };
     int column_[columnCount];
     MmcifCell cell(const MmcifCell* cells, Column which) const {
         return column_[which] < 0 ? MmcifCell() : cells[column_[which]];

@@ -26,7 +26,8 @@ public:
     /// @param line  0 if there is none
     void addBond(std::int64_t a, std::int64_t b, int order, std::uint64_t line);
 
-    /// Element of a symbol as files write it: "C", "fe", "T", "Fe3+", "C12", "26". Unknown ones are counted for a warning.
+    /// Element of a symbol as files write it: "C", "fe", "T", "Fe3+", "C12", "26". Unknown ones are counted for a
+    /// warning.
     /// @param line 0 if there is none
     Element element(std::string_view symbol, std::uint64_t line);
 

@@ -48,11 +48,16 @@ Molecule dispatch(const std::string& name, std::string bytes, const ReadOptions&
     unifyLineEnds(bytes);
     const Format format = options.format && !twoByteText ? *options.format : detectFormat(name, bytes);
     switch (format) {
-        case Format::pdb: return readPdb(name, bytes, options);
-        case Format::mmcif: return readMmcif(name, bytes, options);
-        case Format::mmjson: return readMmjson(name, bytes, options);
-        case Format::sdf: return readSdf(name, bytes, options);
-        case Format::xyz: return readXyz(name, bytes, options);
+        case Format::pdb:
+            return readPdb(name, bytes, options);
+        case Format::mmcif:
+            return readMmcif(name, bytes, options);
+        case Format::mmjson:
+            return readMmjson(name, bytes, options);
+        case Format::sdf:
+            return readSdf(name, bytes, options);
+        case Format::xyz:
+            return readXyz(name, bytes, options);
     }
     throw Error("cannot read molecule", name, "no reader for its format");
 }

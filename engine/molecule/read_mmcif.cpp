@@ -79,8 +79,8 @@ public:
     }
     void endLoop() {
         if (filled_ != 0)
-            fail("the last row of _" + printable(category_) + " has " + std::to_string(filled_) + " values instead of " +
-                     std::to_string(columns_.size()),
+            fail("the last row of _" + printable(category_) + " has " + std::to_string(filled_) +
+                     " values instead of " + std::to_string(columns_.size()),
                  lastLine_);
     }
 
@@ -120,14 +120,14 @@ private:
 template <typename Rule>
 struct Action : pegtl::nothing<Rule> {};
 
-#define NACRE_CIF_ACTION(rule, call)                    \
-    template <>                                         \
-    struct Action<rules::rule> {                        \
-        template <typename Input>                       \
+#define NACRE_CIF_ACTION(rule, call)                     \
+    template <>                                          \
+    struct Action<rules::rule> {                         \
+        template <typename Input>                        \
         static void apply(const Input& in, Walker& to) { \
-            (void)in;                                   \
-            to.call;                                    \
-        }                                               \
+            (void)in;                                    \
+            to.call;                                     \
+        }                                                \
     };
 NACRE_CIF_ACTION(datablockheading, block())
 NACRE_CIF_ACTION(framename, frame(true))

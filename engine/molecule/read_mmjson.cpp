@@ -1,5 +1,4 @@
 #include <gemmi/json.hpp>
-
 #include <optional>
 
 #include "engine/error.h"
@@ -10,6 +9,9 @@
 namespace nacre {
 
 namespace {
+
+// The parser takes up to 32 bytes for each value, and a value may be two bytes of text.
+constexpr std::size_t kMaxText = std::size_t{256} << 20;
 
 class JsonWalker {
 public:
@@ -45,8 +47,7 @@ private:
         std::vector<std::string> texts(arrays.size());
         std::vector<MmcifCell> row(arrays.size());
         for (std::size_t i = 0; i < arrays.front().get_length(); ++i) {
-            for (std::size_t j = 0; j < arrays.size(); ++j)
-                row[j] = cell(arrays[j].get_array_element(i), texts[j]);
+            for (std::size_t j = 0; j < arrays.size(); ++j) row[j] = cell(arrays[j].get_array_element(i), texts[j]);
             model_.addRow(row, 0);
         }
     }
@@ -55,10 +56,14 @@ private:
     MmcifCell cell(const sajson::value& value, std::string& text) const {
         switch (value.get_type()) {
             case sajson::TYPE_NULL:
-            case sajson::TYPE_FALSE: return {};
+            case sajson::TYPE_FALSE:
+                return {};
             case sajson::TYPE_DOUBLE:
-            case sajson::TYPE_STRING: text = value.as_string(); return text;
-            default: fail("a value is neither text nor number");
+            case sajson::TYPE_STRING:
+                text = value.as_string();
+                return text;
+            default:
+                fail("a value is neither text nor number");
         }
     }
 
@@ -69,12 +74,15 @@ private:
 }  // namespace
 
 Molecule readMmjson(const std::string& name, std::string_view text, const ReadOptions& options) {
+    if (text.size() > kMaxText)
+        throw Error("cannot read molecule", name,
+                    "mmJSON of more than " + std::to_string(kMaxText) + " bytes; use mmCIF");
     std::string buffer(text);  // the parser writes into it
     const sajson::document json =
         sajson::parse(sajson::dynamic_allocation(), sajson::mutable_string_view(buffer.size(), buffer.data()));
     if (!json.is_valid())
-        throw Error("cannot read molecule", name, "not valid JSON: " + printable(json.get_error_message_as_string(), 200),
-                    json.get_error_line());
+        throw Error("cannot read molecule", name,
+                    "not valid JSON: " + printable(json.get_error_message_as_string(), 200), json.get_error_line());
     MmcifModel model(name, options);
     JsonWalker(name, model).document(json);
     return model.finish("mmjson");

@@ -94,9 +94,9 @@ Molecule readSdf(const std::string& name, std::string_view text, const ReadOptio
         line += countLines(before.substr(0, before.size() - rest.size()));
     }
     if (options.model > records)
-        throw Error("cannot read molecule", name,
-                    "there is no record " + std::to_string(options.model) + "; the file has " +
-                        std::to_string(records));
+        throw Error(
+            "cannot read molecule", name,
+            "there is no record " + std::to_string(options.model) + "; the file has " + std::to_string(records));
     FileSummary& file = builder.molecule().file;
     file.records = records;
     file.totalAtomsAllRecords = atoms;

@@ -81,8 +81,7 @@ private:
         const Layout layout = layoutOf(comment_);
         for (std::int64_t i = 0; i < count; ++i) {
             if (!lines_.next())
-                fail("it ends after " + std::to_string(i) + " of " + std::to_string(count) + " atoms",
-                     lines_.number());
+                fail("it ends after " + std::to_string(i) + " of " + std::to_string(count) + " atoms", lines_.number());
             readAtom(layout);
         }
     }

@@ -35,7 +35,8 @@ inline std::string messageOf(const std::string& name, const std::string& bytes, 
 inline void expectError(const std::string& name, const std::string& bytes, std::initializer_list<const char*> parts,
                         const ReadOptions& options = {}) {
     const std::string message = messageOf(name, bytes, options);
-    for (const char* part : parts) EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
+    for (const char* part : parts)
+        EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
 }
 
 }  // namespace nacre::test

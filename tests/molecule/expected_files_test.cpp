@@ -128,7 +128,8 @@ TEST(ExpectedFiles, OtherFormatsAreRefusedByName) {
             ADD_FAILURE() << "it reads";
         } catch (const Error& error) {
             const std::string format = expected["format"];
-            const std::string word = format == "cif-core" ? "small-molecule CIF" : "format " + format + " is not supported";
+            const std::string word =
+                format == "cif-core" ? "small-molecule CIF" : "format " + format + " is not supported";
             EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
             ++refused;
         }

@@ -1,6 +1,7 @@
+#include "engine/molecule/inflate.h"
+
 #include <gtest/gtest.h>
 
-#include "engine/molecule/inflate.h"
 #include "tests/molecule/expect_error.h"
 #include "tests/molecule/gzip_bytes.h"
 

@@ -25,10 +25,18 @@ std::string mutate(const std::string& original, std::mt19937& random) {
     for (std::size_t changes = 1 + below(12); changes > 0 && !text.empty(); --changes) {
         const std::size_t at = below(text.size());
         switch (below(5)) {
-            case 0: text[at] = static_cast<char>(below(256)); break;
-            case 1: text[at] = kLikely[below(sizeof kLikely)]; break;
-            case 2: text.erase(at, 1 + below(40)); break;
-            case 3: text.insert(at, text, below(text.size()), below(60)); break;
+            case 0:
+                text[at] = static_cast<char>(below(256));
+                break;
+            case 1:
+                text[at] = kLikely[below(sizeof kLikely)];
+                break;
+            case 2:
+                text.erase(at, 1 + below(40));
+                break;
+            case 3:
+                text.insert(at, text, below(text.size()), below(60));
+                break;
             default:
                 if (below(8) == 0) text.resize(at);
         }

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <gemmi/cif.hpp>
-
 #include <sstream>
 
 #include "engine/molecule/element.h"
@@ -68,21 +67,23 @@ TEST(ReadMmcif, FewestColumns) {
     const Molecule molecule = readMolecule("a.cif", atomSite("Cartn_z CARTN_X cartn_y", "3 1 2\n6 4 5\n"));
     ASSERT_EQ(molecule.atoms.size(), 2u);
     EXPECT_FLOAT_EQ(molecule.atoms[1].position.x, 4);
-    const Molecule named = readMolecule(
-        "a.cif", atomSite("label_atom_id label_comp_id Cartn_x Cartn_y Cartn_z",
-                          "CA ALA 0 0 0\nCA CA 9 0 0\n\"HO5'\" DA 18 0 0\n1HB ALA 27 0 0\n"));
+    const Molecule named =
+        readMolecule("a.cif", atomSite("label_atom_id label_comp_id Cartn_x Cartn_y Cartn_z",
+                                       "CA ALA 0 0 0\nCA CA 9 0 0\n\"HO5'\" DA 18 0 0\n1HB ALA 27 0 0\n"));
     const char* const expected[] = {"C", "Ca", "H", "H"};
     for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(elementSymbol(named.atoms[i].element), expected[i]);
     EXPECT_TRUE(named.atoms[2].name == Name("HO5'"));
     // One atom may stand in pairs of tag and value.
-    EXPECT_EQ(readMolecule("a.cif", "data_x\n_atom_site.Cartn_x 1\n_atom_site.Cartn_y 2\n_atom_site.Cartn_z 3\n").atoms.size(), 1u);
+    EXPECT_EQ(readMolecule("a.cif", "data_x\n_atom_site.Cartn_x 1\n_atom_site.Cartn_y 2\n_atom_site.Cartn_z 3\n")
+                  .atoms.size(),
+              1u);
 }
 
 TEST(ReadMmcif, QuotesTextsCommentsAndFrames) {
     const std::string text = "data_a\n_struct.title\n;TWO\nLINES\n;\nsave_f\n_atom_site.Cartn_x 5\nsave_\n# note\n" +
                              atomSite("Cartn_x Cartn_y Cartn_z auth_asym_id", "1 2 3 'a b'\n4 5 6 \"?\"\n").substr(10);
     const Molecule molecule = readMolecule("a.cif", text);
-    EXPECT_EQ(molecule.file.title, "TWO\\x0aLINES");
+    EXPECT_EQ(molecule.file.title, "TWO LINES");
     ASSERT_EQ(molecule.chains.size(), 2u);
     EXPECT_EQ(molecule.chains[0].name, "a b");
     EXPECT_EQ(molecule.chains[1].name, "?");
@@ -101,11 +102,10 @@ TEST(ReadMmcif, ConnectionsThatAreBonds) {
     std::string text = atomSite(kColumns, kRows) + "loop_\n";
     std::istringstream names(columns);
     for (std::string name; names >> name;) text += "_struct_conn." + name + "\n";
-    const std::string rows[] = {"covale X -11 B CYS SG A 1_555 X 10 ALA N 1_555 doub\n",
-                                "covale X -11 B CYS SG ? 1_555 X 10 ALA N 1_555 ?\n",
-                                "metalc X -11 B CYS SG ? 1_555 X 201 HEM FE 1_555 ?\n",
-                                "covale X -11 B CYS SG A 1_555 X 201 HEM FE 2_655 ?\n",
-                                "disulf X -11 B CYS SG A 1_555 X 999 CYS SG 1_555 ?\n"};
+    const std::string rows[] = {
+        "covale X -11 B CYS SG A 1_555 X 10 ALA N 1_555 doub\n", "covale X -11 B CYS SG ? 1_555 X 10 ALA N 1_555 ?\n",
+        "metalc X -11 B CYS SG ? 1_555 X 201 HEM FE 1_555 ?\n", "covale X -11 B CYS SG A 1_555 X 201 HEM FE 2_655 ?\n",
+        "disulf X -11 B CYS SG A 1_555 X 999 CYS SG 1_555 ?\n"};
     const std::size_t bonds[] = {1, 2, 0, 0, 0};
     for (std::size_t i = 0; i < std::size(rows); ++i) {
         std::size_t stated = 0;
@@ -116,12 +116,29 @@ TEST(ReadMmcif, ConnectionsThatAreBonds) {
     EXPECT_EQ(readMolecule("a.cif", text + rows[4]).warnings.size(), 1u);
 }
 
+TEST(ReadMmcif, ManyConnectionsToAHugeResidueEnd) {
+    std::string text =
+        "data_x\nloop_\n_atom_site.label_atom_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n";
+    for (int i = 0; i < 20000; ++i) text += "C" + std::to_string(i) + " " + std::to_string(3 * i) + " 0 0\n";
+    text +=
+        "loop_\n_struct_conn.conn_type_id\n_struct_conn.ptnr1_label_seq_id\n_struct_conn.ptnr1_label_atom_id\n"
+        "_struct_conn.ptnr2_label_seq_id\n_struct_conn.ptnr2_label_atom_id\n";
+    for (int i = 0; i < 50000; ++i) text += "covale 0 C19998 0 C19999\n";
+    const Molecule molecule = readMolecule("a.cif", text);
+    EXPECT_EQ(molecule.atoms.size(), 20000u);
+    EXPECT_EQ(molecule.bonds.size(), 1u);
+    ASSERT_GE(molecule.warnings.size(), 1u);
+    EXPECT_NE(molecule.warnings[0].find("too many connections"), std::string::npos);
+}
+
 TEST(ReadMmcif, ComponentsTakeIdealElseModelCoordinates) {
-    const std::string head = "data_C\nloop_\n_chem_comp_atom.atom_id\n_chem_comp_atom.type_symbol\n_chem_comp_atom.charge\n"
-                             "_chem_comp_atom.model_Cartn_x\n_chem_comp_atom.model_Cartn_y\n_chem_comp_atom.model_Cartn_z\n"
-                             "_chem_comp_atom.pdbx_model_Cartn_x_ideal\n_chem_comp_atom.pdbx_model_Cartn_y_ideal\n"
-                             "_chem_comp_atom.pdbx_model_Cartn_z_ideal\n";
-    const std::string bond = "_chem_comp_bond.atom_id_1 C1\n_chem_comp_bond.atom_id_2 O1\n_chem_comp_bond.value_order DOUB\n";
+    const std::string head =
+        "data_C\nloop_\n_chem_comp_atom.atom_id\n_chem_comp_atom.type_symbol\n_chem_comp_atom.charge\n"
+        "_chem_comp_atom.model_Cartn_x\n_chem_comp_atom.model_Cartn_y\n_chem_comp_atom.model_Cartn_z\n"
+        "_chem_comp_atom.pdbx_model_Cartn_x_ideal\n_chem_comp_atom.pdbx_model_Cartn_y_ideal\n"
+        "_chem_comp_atom.pdbx_model_Cartn_z_ideal\n";
+    const std::string bond =
+        "_chem_comp_bond.atom_id_1 C1\n_chem_comp_bond.atom_id_2 O1\n_chem_comp_bond.value_order DOUB\n";
     const std::string first = "C1 C 0 1 0 0 11 0 0\n";
     const Molecule ideal = readMolecule("a.cif", head + first + "O1 O -1 2.2 0 0 12.2 0 0\n" + bond);
     EXPECT_FLOAT_EQ(ideal.atoms.at(1).position.x, 12.2f);
@@ -145,7 +162,8 @@ TEST(ReadMmcif, WhatIsWrongIsSaidWithItsLine) {
     test::expectError("a.cif", "data_x\n_entry.id x\n", {"no atoms"});
     test::expectError("a.cif", "data_x\n_entry.title\n;text\n", {"(line 3)", "never closed"});
     test::expectError("a.cif", "data_x\n_entry.title 'text\n", {"(line 2)", "unterminated"});
-    test::expectError("a.cif", atomSite(xyz, "1 2 3\n") + "loop_\n_atom_site.Cartn_x\n1\n", {"_atom_site occurs twice"});
+    test::expectError("a.cif", atomSite(xyz, "1 2 3\n") + "loop_\n_atom_site.Cartn_x\n1\n",
+                      {"_atom_site occurs twice"});
     test::expectError("a.cif", "data_x\n_cell_length_a 5\nloop_\n_atom_site_label\n_atom_site_fract_x\nC 0\n",
                       {"small-molecule CIF"});
     std::string tags = "data_x\nloop_\n";

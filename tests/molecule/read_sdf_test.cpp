@@ -16,7 +16,8 @@ const std::string kBonds = "  1  2  2  0\n  1  3  1  0\n";
 const std::string kTable = kHeader + "  3  2  0  0  0  0  0  0  0  0999 V2000\n" + kAtoms + kBonds;
 const std::string kFormate = kTable + "M  END\n";
 
-const std::string kV3000 = kHeader + "  0  0  0     0  0            999 V3000\nM  V30 BEGIN CTAB\nM  V30 COUNTS 3 2 0 0 0\n";
+const std::string kV3000 =
+    kHeader + "  0  0  0     0  0            999 V3000\nM  V30 BEGIN CTAB\nM  V30 COUNTS 3 2 0 0 0\n";
 const std::string kV3000Atoms =
     "M  V30 BEGIN ATOM\nM  V30 7 C 0 0 0 0\nM  V30 9 O 1.2 0 -\nM  V30 0 0\nM  V30 11 O -0.6 1.0392 0 0 CHG=-1\n"
     "M  V30 END ATOM\n";
@@ -62,13 +63,15 @@ TEST(ReadSdf, ColumnsMayTouchOrBeWords) {
         readMolecule("a.mol", kHeader + "  1  0  0  0  0  0  0  0  0  0999 V2000\n" + touching + "M  END\n");
     EXPECT_FLOAT_EQ(molecule.atoms[0].position.y, -2345.6789f);
     EXPECT_EQ(elementSymbol(molecule.atoms[0].element), "Cl");
-    const Molecule words = readMolecule("a.mol", kHeader + "2 1 0 V2000\n0 0 1.5 C 0 0\n0 0 0 N 0 0\n1 2 3 0\nM  END\n");
+    const Molecule words =
+        readMolecule("a.mol", kHeader + "2 1 0 V2000\n0 0 1.5 C 0 0\n0 0 0 N 0 0\n1 2 3 0\nM  END\n");
     EXPECT_FLOAT_EQ(words.atoms[0].position.z, 1.5f);
     EXPECT_EQ(words.bonds.at(0).order, 3);
 }
 
 TEST(ReadSdf, RecordsByNumber) {
-    const std::string two = kFormate + "> <key>\nvalue\n\n$$$$\n" + "second\n\n\n  1  0  0  0  0  0  0  0  0  0999 V2000\n" +
+    const std::string two = kFormate + "> <key>\nvalue\n\n$$$$\n" +
+                            "second\n\n\n  1  0  0  0  0  0  0  0  0  0999 V2000\n" +
                             "    0.0000    0.0000    0.0000 U   0  0\nM  END\n$$$$\n\n";
     const Molecule first = readMolecule("a.sdf", two);
     expectFormate(first);
@@ -96,7 +99,8 @@ TEST(ReadSdf, WhatIsWrongIsSaidWithItsLine) {
     test::expectError("a.sdf", kHeader + "        V2000\n", {"(line 4)", "no counts"});
     test::expectError("a.sdf", kHeader + counts + kAtoms, {"ends before bond 1 of the 2"});
     test::expectError("a.sdf", kHeader + counts + kAtoms + "  1  1  1\n  1  2  1\n", {"(line 8)", "to itself"});
-    test::expectError("a.sdf", kHeader + counts + kAtoms + "  0  1  1\n  1  2  1\n", {"(line 8)", "atoms 0 and 1 of 3"});
+    test::expectError("a.sdf", kHeader + counts + kAtoms + "  0  1  1\n  1  2  1\n",
+                      {"(line 8)", "atoms 0 and 1 of 3"});
     test::expectError("a.sdf", kHeader + counts + "       nan    0.0000    0.0000 C   0  0\n", {"(line 5)", "nan"});
     test::expectError("a.sdf", kHeader + "999999  0  0  0  0  0  0  0  0999 V2000\n", {"before atom 1 of the 999"});
 }
@@ -106,11 +110,13 @@ TEST(ReadSdf, WhatIsWrongInV3000) {
     test::expectError("a.sdf", kV3000 + "M  V30 BEGIN ATOM\nM  V30 1 C 0 0 0 0\n", {"inside its ATOM block"});
     test::expectError("a.sdf", kV3000 + "M  V30 BEGIN ATOM\nM  V30 1 C 0 0\n", {"(line 8)", "no atom line"});
     test::expectError("a.sdf", kV3000 + "M  V30 BEGIN ATOM\nM  V30 1 C 0 0 inf 0\n", {"(line 8)", "inf"});
-    test::expectError("a.sdf", kV3000 + "M  V30 BEGIN ATOM\nM  V30 1 C 0 0 0 0\nM  V30 1 C 0 0 0 0\n", {"occurs twice"});
+    test::expectError("a.sdf", kV3000 + "M  V30 BEGIN ATOM\nM  V30 1 C 0 0 0 0\nM  V30 1 C 0 0 0 0\n",
+                      {"occurs twice"});
     test::expectError("a.sdf", kV3000 + kV3000Atoms + "M  V30 BEGIN BOND\nM  V30 1 1 7 8\n", {"7 and 8"});
     test::expectError("a.sdf", kV3000 + "something else\n", {"(line 7)", "M  V30"});
-    const std::string huge = kHeader + "  0  0  0     0  0            999 V3000\nM  V30 BEGIN CTAB\n"
-                                       "M  V30 COUNTS 4000000000 9000000000000 0 0 0\n";
+    const std::string huge = kHeader +
+                             "  0  0  0     0  0            999 V3000\nM  V30 BEGIN CTAB\n"
+                             "M  V30 COUNTS 4000000000 9000000000000 0 0 0\n";
     const Molecule molecule = readMolecule("a.sdf", huge + kV3000Atoms + kV3000Bonds + kV3000End);
     expectFormate(molecule);
     ASSERT_EQ(molecule.warnings.size(), 1u);
@@ -119,8 +125,10 @@ TEST(ReadSdf, WhatIsWrongInV3000) {
 
 TEST(ReadSdf, AtomListsAndHydrogenBondsOfV3000) {
     const Molecule molecule = readMolecule(
-        "a.sdf", kV3000 + "M  V30 BEGIN ATOM\nM  V30 1 NOT [N, O] 1 2 3 0\nM  V30 2 C 9 9 9 0\nM  V30 END ATOM\n"
-                          "M  V30 BEGIN BOND\nM  V30 1 10 1 2\nM  V30 END BOND\n" + kV3000End);
+        "a.sdf", kV3000 +
+                     "M  V30 BEGIN ATOM\nM  V30 1 NOT [N, O] 1 2 3 0\nM  V30 2 C 9 9 9 0\nM  V30 END ATOM\n"
+                     "M  V30 BEGIN BOND\nM  V30 1 10 1 2\nM  V30 END BOND\n" +
+                     kV3000End);
     EXPECT_EQ(molecule.atoms.at(0).element, 0);
     EXPECT_FLOAT_EQ(molecule.atoms[0].position.z, 3);
     EXPECT_TRUE(molecule.bonds.empty());

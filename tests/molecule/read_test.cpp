@@ -31,6 +31,7 @@ TEST(Read, TheContentWinsOverTheName) {
     EXPECT_EQ(detectFormat("a.xyz", "data_x\nloop_\n"), Format::mmcif);
     EXPECT_EQ(detectFormat("a", "#comment\n\nDATA_X\n"), Format::mmcif);
     EXPECT_EQ(detectFormat("a.cif", "{\"data_1ABC\":{}}"), Format::mmjson);
+    EXPECT_EQ(detectFormat("a", "ATOM      1  C   LIG A   1      -1.799   0.022   0.602\n"), Format::pdb);
     EXPECT_EQ(detectFormat("a", "HEADER    PLANT PROTEIN\n"), Format::pdb);
     EXPECT_EQ(detectFormat("a", "name\nprog\n\n  1  0  0  0  0  0  0  0  0  0999 V2000\n"), Format::sdf);
 }
@@ -52,13 +53,22 @@ TEST(Read, TheFormatThatIsStatedIsTaken) {
 }
 
 TEST(Read, KnownButUnsupported) {
-    test::expectError("a", "@<TRIPOS>MOLECULE\nx\n", {"format mol2 is not supported; supported: pdb, mmcif, mmjson, sdf, xyz"});
+    test::expectError("a", "@<TRIPOS>MOLECULE\nx\n",
+                      {"format mol2 is not supported; supported: pdb, mmcif, mmjson, sdf, xyz"});
     test::expectError("a.pqr", "ATOM      1  N   MET     1     -68.369 -25.337  40.428 -0.3200 2.0000\n", {"pqr"});
     test::expectError("a.pdb", "ATOM      1  N   MET     1     -68.369 -25.337  40.428 -0.3200 2.0000\n", {"pqr"});
     test::expectError("a", "<?xml version=\"1.0\"?>\n<cml><molecule/></cml>", {"format cml"});
     test::expectError("a.cif", "<!DOCTYPE html><html></html>", {"web page"});
-    test::expectError("a", std::string("\x83\xa7" "encoder\xa1x\xaa" "dataBlocks\x90", 23), {"format bcif"});
-    test::expectError("a.xyz", "\xff\xfe" "3\0\n\0", {"UTF-16"});
+    test::expectError("a",
+                      std::string("\x83\xa7"
+                                  "encoder\xa1x\xaa"
+                                  "dataBlocks\x90",
+                                  23),
+                      {"format bcif"});
+    test::expectError("a.xyz",
+                      "\xff\xfe"
+                      "3\0\n\0",
+                      {"UTF-16"});
 }
 
 TEST(Read, EveryLineEndAndAMark) {
@@ -78,6 +88,18 @@ TEST(Read, MessagesAreCleanWhateverNameAndContentHold) {
     EXPECT_EQ(printable("\xed\xa0\x80"), "\\xed\\xa0\\x80");  // a lone surrogate
     EXPECT_EQ(printable("\xc2\x9b"), "\\xc2\\x9b");           // a control character of two bytes
     EXPECT_EQ(printable("\xf0\x9f\xa7\xaa"), "\xf0\x9f\xa7\xaa");
+}
+
+TEST(Read, AHugeLineIsJustALine) {
+    const std::string atom = "ATOM      1  N   THR A   1      17.047  14.099   3.625  1.00 13.79           N\n";
+    const std::string longRemark = "REMARK " + std::string(3'000'000, 'x') + "\n";
+    EXPECT_EQ(readMolecule("a", longRemark + atom).atoms.size(), 1u);
+    EXPECT_EQ(readMolecule("a", "data_x\n#" + longRemark +
+                                    "_atom_site.Cartn_x 1\n_atom_site.Cartn_y 2\n"
+                                    "_atom_site.Cartn_z 3\n")
+                  .atoms.size(),
+              1u);
+    EXPECT_EQ(readMolecule("a.xyz", "1\n" + longRemark + "C 0 0 0\n").atoms.size(), 1u);
 }
 
 TEST(Read, ModelsCountFromOne) {

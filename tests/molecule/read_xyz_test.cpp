@@ -47,13 +47,14 @@ TEST(ReadXyz, AFrameCutShortIsAnErrorOnlyIfItIsAskedFor) {
 
 TEST(ReadXyz, ExtendedColumns) {
     const Molecule molecule = readMolecule(
-        "a.xyz", "1\nLattice=\"9 0 0 0 9 0 0 0 9\" Properties=\"id:I:1:pos:R:3:species:S:1\" pbc=\"T T T\"\n77 1 2 3 Mg\n");
+        "a.xyz",
+        "1\nLattice=\"9 0 0 0 9 0 0 0 9\" Properties=\"id:I:1:pos:R:3:species:S:1\" pbc=\"T T T\"\n77 1 2 3 Mg\n");
     EXPECT_EQ(elementSymbol(molecule.atoms.at(0).element), "Mg");
     EXPECT_FLOAT_EQ(molecule.atoms[0].position.z, 3);
     const Molecule numbers = readMolecule("a.xyz", "1\nProperties=Z:I:1:pos:R:3\n12 1 2 3\n");
     EXPECT_EQ(elementSymbol(numbers.atoms.at(0).element), "Mg");
-    for (const char* bad : {"Properties=", "Properties=species:S:1:pos:R:ff", "Properties=species:S:1:pos:R:3:x:R:99999",
-                            "Properties=species:S:1", "Properties=::::"}) {
+    for (const char* bad : {"Properties=", "Properties=species:S:1:pos:R:ff",
+                            "Properties=species:S:1:pos:R:3:x:R:99999", "Properties=species:S:1", "Properties=::::"}) {
         const Molecule usual = readMolecule("a.xyz", std::string("1\n") + bad + "\nC 1 2 3\n");
         EXPECT_FLOAT_EQ(usual.atoms.at(0).position.x, 1) << bad;
         EXPECT_EQ(usual.warnings.size(), 1u) << bad;
