@@ -64,7 +64,8 @@ TEST(DistanceBonds, HydrogenSharedByTwoConformersBondsInBoth) {
 
 TEST(DistanceBonds, AlternateLocationsExcludeEachOther) {
     MoleculeText text;
-    text.residue("LIG").atom("C1", "C", {0, 0, 0}).atom("C2", "C", {1.5f, 0, 0}, 'A').atom("C2", "C", {1.2f, 0.9f, 0}, 'B');
+    text.residue("LIG").atom("C1", "C", {0, 0, 0});
+    text.atom("C2", "C", {1.5f, 0, 0}, 'A').atom("C2", "C", {1.2f, 0.9f, 0}, 'B');
     EXPECT_EQ(bondsOf(text.molecule), "0-1 0-2");
 }
 

@@ -64,7 +64,8 @@ TEST(PdbLines, NumbersMayBeHybrid36) {
     EXPECT_EQ(pdb::integer("a0000", 5), 43770016);
     EXPECT_EQ(pdb::integer("A000", 4), 10000);
     EXPECT_EQ(pdb::integer("-999", 4), -999);
-    for (const char* bad : {"", "     ", "*****", "A00", "A00a0", "1A000", "+-1"}) EXPECT_FALSE(pdb::integer(bad, 5)) << bad;
+    for (const char* bad : {"", "     ", "*****", "A00", "A00a0", "1A000", "+-1"})
+        EXPECT_FALSE(pdb::integer(bad, 5)) << bad;
 }
 
 TEST(PdbLines, WideSerialsAreUnderstood) {
@@ -130,7 +131,8 @@ TEST(PdbLines, EveryLineEndWillDo) {
 }
 
 TEST(PdbLines, ModelsAreCountedAndChosen) {
-    const std::string two = "MODEL        1\n" + kCarbon + "ENDMDL\nMODEL        2\n" + kCarbon + kOxygen + "ENDMDL\nEND\n";
+    const std::string two =
+        "MODEL        1\n" + kCarbon + "ENDMDL\nMODEL        2\n" + kCarbon + kOxygen + "ENDMDL\nEND\n";
     EXPECT_EQ(readText(two).atoms.size(), 1u);
     EXPECT_EQ(readText(two, 2).atoms.size(), 2u);
     EXPECT_EQ(readText(two).file.models, 2);
