@@ -35,8 +35,9 @@ struct Cell {
     std::uint32_t end;
 };
 
-// Matter at its densest (diamond) puts 14 atoms into a cell of 4.3 Å; several conformers on top still fit.
-constexpr std::uint32_t kMostAtomsPerCell = 96;
+// Matter at its densest (diamond) has 0.18 atoms per Å^3; eight conformers on top of each other still pass.
+constexpr double kDensestMatter = 1.5;
+constexpr double kFewestTooMany = 24;
 constexpr std::uint8_t kMostBondsPerAtom = 16;
 
 // Cell coordinates take 21 bits each; the outermost values stay free, so that neighbours never wrap.
@@ -120,11 +121,20 @@ std::vector<Cell> sortIntoCells(std::vector<Site>& sites, double cellSize) {
 /// Collects the pairs that the rules admit.
 class PairCollector {
 public:
-    explicit PairCollector(const BondWork& work)
-        : existing_(work.molecule.bonds), bondCount_(work.molecule.atoms.size()) {
-        first_.resize(work.molecule.atoms.size() + 1);
-        for (const Bond& bond : existing_) ++first_[bond.a + 1];
-        for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+    explicit PairCollector(const BondWork& work) : bondCount_(work.molecule.atoms.size()) {
+        const std::vector<Bond>& bonds = work.molecule.bonds;
+        end_.resize(work.molecule.atoms.size() + 1);
+        neighbours_.resize(2 * bonds.size());
+        for (const Bond& bond : bonds) {
+            ++end_[bond.a + 1];
+            ++end_[bond.b + 1];
+        }
+        for (std::size_t i = 1; i < end_.size(); ++i) end_[i] += end_[i - 1];
+        // While it fills, an atom's entry is where its next neighbour goes; in the end it is where its list ends.
+        for (const Bond& bond : bonds) {
+            neighbours_[end_[bond.a]++] = bond.b;
+            neighbours_[end_[bond.b]++] = bond.a;
+        }
     }
 
     void consider(const Site& a, const Site& b) {
@@ -132,7 +142,8 @@ public:
         const float squared = glm::dot(line, line);
         const float longest = a.radius + b.radius + kBondTolerance;
         if (squared >= longest * longest || squared <= kShortestBond * kShortestBond) return;
-        if (!admitted(a, b) || exists(std::min(a.atom, b.atom), std::max(a.atom, b.atom))) return;
+        if (!admitted(a, b) || bonded(a.atom, b.atom)) return;
+        if (a.group != b.group && (a.flags & b.flags & kTemplated) && shareNeighbour(a.atom, b.atom)) return;
         if (bondCount_[a.atom] >= kMostBondsPerAtom || bondCount_[b.atom] >= kMostBondsPerAtom) {
             ++refused_;
             return;
@@ -183,14 +194,23 @@ private:
         return ((a.flags | b.flags) & (kWater | kMetal | kSettled)) == 0;
     }
 
-    bool exists(std::uint32_t low, std::uint32_t high) const {
-        for (std::size_t i = first_[low]; i < first_[low + 1]; ++i)
-            if (existing_[i].b == high) return true;
+    std::size_t begin(std::uint32_t atom) const { return atom == 0 ? 0 : end_[atom - 1]; }
+
+    bool bonded(std::uint32_t a, std::uint32_t b) const {
+        for (std::size_t i = begin(a); i < end_[a]; ++i)
+            if (neighbours_[i] == b) return true;
         return false;
     }
 
-    const std::vector<Bond>& existing_;
-    std::vector<std::size_t> first_;  // by atom: its first bond as the lower one
+    /// Across a peptide bond of poor geometry such atoms come near; a ring of three over two residues is none.
+    bool shareNeighbour(std::uint32_t a, std::uint32_t b) const {
+        for (std::size_t i = begin(a); i < end_[a]; ++i)
+            if (bonded(neighbours_[i], b)) return true;
+        return false;
+    }
+
+    std::vector<std::size_t> end_;  // by atom: where its neighbours end; the next atom's begin there
+    std::vector<std::uint32_t> neighbours_;
     std::vector<std::uint8_t> bondCount_;
     std::vector<Bond> bonds_;
     std::vector<HydrogenPair> hydrogens_;
@@ -199,10 +219,11 @@ private:
 
 /// Visits each pair of neighbouring cells once. The cells of a column of three are neighbours in the sorted list too,
 /// and where a column starts only moves forward, so that a cursor per column replaces any look-up.
-void sweep(const std::vector<Site>& sites, const std::vector<Cell>& cells, PairCollector& pairs) {
+void sweep(const std::vector<Site>& sites, const std::vector<Cell>& cells, std::uint32_t mostAtomsPerCell,
+           PairCollector& pairs) {
     constexpr std::array<std::array<int, 2>, 4> kColumns = {{{0, 1}, {1, -1}, {1, 0}, {1, 1}}};
     std::array<std::size_t, 4> cursors{};
-    const auto crowded = [](const Cell& cell) { return cell.end - cell.begin > kMostAtomsPerCell; };
+    const auto crowded = [=](const Cell& cell) { return cell.end - cell.begin > mostAtomsPerCell; };
     const auto between = [&](const Cell& one, const Cell& other) {
         if (crowded(other)) return;
         for (std::uint32_t i = one.begin; i < one.end; ++i)
@@ -232,17 +253,20 @@ void addDistanceBonds(BondWork& work) {
     if (sites.empty()) return;
     float largest = 0;
     for (const Site& site : sites) largest = std::max(largest, site.radius);
-    const std::vector<Cell> cells = sortIntoCells(sites, static_cast<double>(2 * largest + kBondTolerance));
+    const double cellSize = static_cast<double>(2 * largest + kBondTolerance);
+    const std::vector<Cell> cells = sortIntoCells(sites, cellSize);
+    const double most = std::max(kFewestTooMany, kDensestMatter * cellSize * cellSize * cellSize);
+    const auto mostAtomsPerCell = static_cast<std::uint32_t>(most);
 
     PairCollector pairs(work);
-    sweep(sites, cells, pairs);
+    sweep(sites, cells, mostAtomsPerCell, pairs);
     std::vector<Bond>& bonds = work.molecule.bonds;
     const std::vector<Bond> found = pairs.finish();
     bonds.insert(bonds.end(), found.begin(), found.end());
 
     std::size_t crowded = 0;
     for (const Cell& cell : cells)
-        if (cell.end - cell.begin > kMostAtomsPerCell) crowded += cell.end - cell.begin;
+        if (cell.end - cell.begin > mostAtomsPerCell) crowded += cell.end - cell.begin;
     if (crowded > 0)
         work.molecule.warnings.push_back(std::to_string(crowded) +
                                          " atoms stand closer than matter can; no bonds by distance were sought there");

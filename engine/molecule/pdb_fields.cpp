@@ -41,7 +41,7 @@ std::optional<double> shortDecimal(std::string_view text) {
 }
 
 std::optional<std::int64_t> decimal(std::string_view text) {
-    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+    if (text.size() > 1 && text[0] == '+' && isDigit(text[1])) text.remove_prefix(1);
     std::int64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;

@@ -182,7 +182,9 @@ private:
     [[noreturn]] void refuseEmpty() const {
         if (text_.empty()) throw Error(kCannotRead, name_, "the file is empty");
         const std::string_view head = text_.substr(0, 4096);
-        const auto control = [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t'; };
+        const auto control = [](char c) {
+            return static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t';
+        };
         if (std::count_if(head.begin(), head.end(), control) > 0)
             throw Error(kCannotRead, name_, "it is no text, hence no PDB file");
         throw Error(kCannotRead, name_, "it has no ATOM or HETATM records");
@@ -191,7 +193,8 @@ private:
     Molecule finish() {
         if (models_ == 0) refuseEmpty();
         if (wanted_ > models_) {
-            const std::string have = models_ == 1 ? "there is 1 model" : "there are " + std::to_string(models_) + " models";
+            const std::string have =
+                models_ == 1 ? "there is 1 model" : "there are " + std::to_string(models_) + " models";
             throw Error(kCannotRead, name_, "no model " + std::to_string(wanted_) + ": " + have);
         }
         FileSummary& file = molecule_.file;

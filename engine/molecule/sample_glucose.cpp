@@ -122,7 +122,8 @@ Molecule sampleGlucose() {
         const std::string number = std::to_string(i + 1);
         const auto oxygen = builder.atom("O" + number, "O", group.oxygen);
         const auto onOxygen = builder.atom("HO" + number, "H", group.hydrogen);
-        const auto onCarbon = builder.atom("H" + number, "H", ring[i] + kCarbonHydrogen * (i == C1 ? equatorial : axial));
+        const glm::dvec3 other = i == C1 ? equatorial : axial;
+        const auto onCarbon = builder.atom("H" + number, "H", ring[i] + kCarbonHydrogen * other);
         builder.bond(ringAtoms[i], oxygen, 1);
         builder.bond(oxygen, onOxygen, 1);
         builder.bond(ringAtoms[i], onCarbon, 1);
