@@ -11,10 +11,14 @@ enum class Visibility {
     fragdepth,  ///< gl_FragDepth, one subpass
 };
 
+/// The formats that can hold encoded depth, finest first (engine/gpu/encoded_format.h).
+enum class EncodedDepth { automatic, r32f, rgba16f, rg16f, a2b10g10r10, rgba8 };
+
 struct DeviceOptions {
     bool validate = false;  ///< Khronos validation layer, with synchronization validation
     std::string device;     ///< number as `nacre devices` lists it, or part of a name; empty: the best there is
     Visibility visibility = Visibility::automatic;
+    EncodedDepth encoded = EncodedDepth::automatic;
 };
 
 }  // namespace nacre

@@ -36,7 +36,7 @@ DeviceInfo infoOf(const gpu::Caps& caps) {
                       std::to_string(VK_API_VERSION_PATCH(caps.apiVersion));
     info.visibility = gpu::visibilityName(caps.visibility);
     info.why = caps.visibilityReason;
-    info.encodedFormat = graph::formatName(static_cast<VkFormat>(caps.encoded.format));
+    info.encodedFormat = graph::formatName(caps.encoded.format);
     info.lazyMemory = caps.plan.transient;
     return info;
 }
@@ -109,8 +109,9 @@ void Renderer::Impl::draw(const RenderSettings& settings, const View& view, std:
     auto prepass = g.graphics("opaque prepass").depth(depth, Clear{1.0f});
     if (settings.prepass) prepass.record(geometryPass(Writes::plates));
     if (nearest == Nearest::encoded) {
-        encoded = g.image("encoded depth", {static_cast<VkFormat>(device.caps().encoded.format), extent});
-        g.graphics("depth encoding").depthTest(depth).color(encoded, Clear{1.0f}).record(geometryPass(Writes::encoded));
+        encoded = g.image("encoded depth", {device.caps().encoded.format, extent});
+        const Clear farthest{device.caps().encoded.farthest};
+        g.graphics("depth encoding").depthTest(depth).color(encoded, farthest).record(geometryPass(Writes::encoded));
     }
     for (Target& target : targets) {
         const graph::ImageDesc desc{target.format, extent};

@@ -20,5 +20,5 @@ void main() {
 #else
     Hit hit = sphereHit(sphere, gl_FragCoord.xy);
 #endif
-    encoded = hit.inside ? encodeDepth(encodedDepth(hit.Z)) : vec4(1.0);
+    encoded = hit.inside ? encodeDepth(encodedDepth(hit.Z)) : farthestDepth();
 }

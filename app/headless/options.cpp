@@ -128,6 +128,13 @@ void addDevice(CLI::App& app, RenderOptions& options) {
         constexpr Visibility kPaths[] = {Visibility::automatic, Visibility::encoded, Visibility::fragdepth};
         options.device.visibility = kPaths[parseChoice(text, {"auto", "encoded", "fragdepth"})];
     });
+    value(app, "--encoded-format", "FORMAT", "auto", "Of encoded depth: auto, r32f, rgba16f, rg16f, a2b10g10r10 or rgba8",
+          [&](const std::string& text) {
+              constexpr EncodedDepth kRungs[] = {EncodedDepth::automatic, EncodedDepth::r32f, EncodedDepth::rgba16f,
+                                                 EncodedDepth::rg16f, EncodedDepth::a2b10g10r10, EncodedDepth::rgba8};
+              options.device.encoded =
+                  kRungs[parseChoice(text, {"auto", "r32f", "rgba16f", "rg16f", "a2b10g10r10", "rgba8"})];
+          });
     onOff(app, "--prepass", options.prepass, "Opaque plates that reject hidden work; never changes the picture");
     onOff(app, "--merge", options.merge, "Passes as subpasses of one render pass; never changes the picture");
     app.add_flag("--validate", options.device.validate,

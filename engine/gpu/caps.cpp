@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "engine/error.h"
+
 namespace nacre::gpu {
 namespace {
 
@@ -28,11 +30,16 @@ bool hasLazyMemory(const vk::raii::PhysicalDevice& device) {
     return false;
 }
 
-/// R32F keeps depth exactly, but Mali and Adreno 5xx cannot blend it; RGBA16F blends everywhere. Its halves step by
-/// 2^-11 in the last octave of a channel; four channels divide that by four, and rounding costs half a step.
-EncodedFormat encodedFormatOf(const vk::raii::PhysicalDevice& device) {
-    if (blends(device, vk::Format::eR32Sfloat)) return {vk::Format::eR32Sfloat, 1, 0.0f};
-    return {vk::Format::eR16G16B16A16Sfloat, 4, 1.0f / 8192};
+/// The finest rung that the device blends. R32F keeps depth exactly, but neither Mali nor Adreno 5xx blends it;
+/// RGBA16F blends everywhere (the Vulkan specification's table of mandatory format support).
+EncodedFormat encodedFormatOf(const vk::raii::PhysicalDevice& device, EncodedDepth wanted) {
+    for (const EncodedFormat& format : encodedFormats()) {
+        if (wanted != EncodedDepth::automatic && wanted != format.rung) continue;
+        if (blends(device, static_cast<vk::Format>(format.format))) return format;
+        if (wanted == format.rung)
+            throw Error("cannot encode depth", std::string(format.name), "this device does not blend that format");
+    }
+    throw Error("unsuitable device", device.getProperties().deviceName.data(), "it blends no format for encoded depth");
 }
 
 bool hasExtension(const vk::raii::PhysicalDevice& device, const char* name) {
@@ -57,7 +64,7 @@ const char* visibilityName(Visibility visibility) {
     return "";
 }
 
-Caps capsOf(const vk::raii::PhysicalDevice& device, Visibility visibility) {
+Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options) {
     const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance3Properties>();
     const auto& properties = chain.get<vk::PhysicalDeviceProperties2>().properties;
     Caps caps;
@@ -84,11 +91,11 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, Visibility visibility) {
     // MoltenVK ends its Metal encoder at every subpass (its documentation, "Known limitations").
     caps.plan.tileSubpasses = !molten;
     if (set("NACRE_NO_MERGE")) caps.plan.merge = false;
-    caps.encoded = encodedFormatOf(device);
+    caps.encoded = encodedFormatOf(device, options.encoded);
     caps.impostorCorners = software ? 4 : 8;
 
-    if (visibility != Visibility::automatic) {
-        caps.visibility = visibility;
+    if (options.visibility != Visibility::automatic) {
+        caps.visibility = options.visibility;
         caps.visibilityReason = "asked for";
     } else if (molten) {
         caps.visibility = Visibility::fragdepth;

@@ -6,16 +6,10 @@
 #include <vulkan/vulkan_raii.hpp>
 
 #include "engine/device_options.h"
+#include "engine/gpu/encoded_format.h"
 #include "engine/graph/plan.h"
 
 namespace nacre::gpu {
-
-/// One rung of the ladder of encoded depth.
-struct EncodedFormat {
-    vk::Format format = vk::Format::eR32Sfloat;
-    int channels = 1;     ///< 1: depth itself; n: the staircase over n channels
-    float bias = 0.0f;    ///< smallest sufficient, in encoded depth
-};
 
 struct Caps {
     std::string deviceName, driverName;
@@ -33,8 +27,9 @@ struct Caps {
     std::string visibilityReason;
 };
 
-/// @param visibility what the user asked for; automatic leaves the choice to the device
-Caps capsOf(const vk::raii::PhysicalDevice& device, Visibility visibility = Visibility::automatic);
+/// @param options what the user asked for; `automatic` leaves the choice to the device
+/// @throws Error if the device cannot do what was asked for
+Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options = {});
 
 const char* visibilityName(Visibility visibility);
 

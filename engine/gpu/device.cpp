@@ -42,7 +42,7 @@ Device::Device(const DeviceOptions& options) {
     createInstance(options);
     physical_ = pickDevice(instance_, options.device);
     createDevice();
-    caps_ = capsOf(physical_, options.visibility);
+    caps_ = capsOf(physical_, options);
 }
 
 void Device::createInstance(const DeviceOptions& options) {

@@ -114,7 +114,7 @@ vk::Pipeline Geometry::pipeline(graph::PassContext& context, Primitive primitive
     d.fragment = fragmentCode(primitive, writes, nearest, sampled);
     d.constants.set(0, perspective);
     d.constants.set(1, encoded_.channels);
-    d.constants.set(2, encoded_.bias);
+    d.constants.set(2, encoded_.steps);
     d.constants.set(3, writes == Writes::plates ? 8 : device_.caps().impostorCorners);
     describeStreams(d, primitive, shades(writes));
     d.layout = *layoutOf(writes, nearest, sampled).pipeline;

@@ -63,6 +63,7 @@ OcclusionBake::OcclusionBake(const gpu::Device& device, Geometry& geometry, Near
     gpu::Specialization constants;
     const gpu::EncodedFormat& encoded = device.caps().encoded;
     constants.set(1, nearest == Nearest::encoded ? encoded.channels : 1);
+    constants.set(2, nearest == Nearest::encoded ? encoded.steps : 0);
     accumulate_ = gpu::makeComputePipeline(device, shaders::occlusionAccumulate, constants,
                                            *accumulateLayout_.pipeline, "occlusion accumulation");
     finish_ = gpu::makeComputePipeline(device, shaders::occlusionFinish, constants, *finishLayout_.pipeline,
@@ -75,9 +76,8 @@ layout::OcclusionConstants OcclusionBake::constants(std::uint32_t first, std::ui
     view.radius = radius_;
     view.pixelsPerAngstrom = mapPixels_ / (2.0 * radius_);
     const layout::ViewConstants v = viewConstants(view, 0.0f, 0, 0);
-    const float bias = nearest_ == Nearest::encoded ? device_.caps().encoded.bias : 0.0f;
     layout::OcclusionConstants c{};
-    c.map = {mapPixels_, perRow_, view.pixelsPerAngstrom, kDepthTolerance * v.depth.y + bias};
+    c.map = {mapPixels_, perRow_, view.pixelsPerAngstrom, kDepthTolerance * v.depth.y};
     c.depth = {v.depth.x, v.depth.y, radius_, 0};
     c.patches = {layout_.sphereEdge, layout_.around, layout_.along, 0};
     c.texelCount = texels_;
@@ -151,8 +151,9 @@ bool OcclusionBake::step(graph::Executor& executor) {
     graph::Image maps = depth;
     g.graphics("opaque prepass").depth(depth, Clear{1.0f}).record([&](auto& c) { recordMaps(c, Writes::plates); });
     if (nearest_ == Nearest::encoded) {
-        maps = g.image("depth maps", {static_cast<VkFormat>(device_.caps().encoded.format), grid});
-        g.graphics("depth encoding").depthTest(depth).color(maps, Clear{1.0f}).record([&](auto& c) {
+        maps = g.image("depth maps", {device_.caps().encoded.format, grid});
+        const Clear farthest{device_.caps().encoded.farthest};
+        g.graphics("depth encoding").depthTest(depth).color(maps, farthest).record([&](auto& c) {
             recordMaps(c, Writes::encoded);
         });
     } else {

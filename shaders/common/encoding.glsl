@@ -1,18 +1,56 @@
-// The ladder of encoded depth. One float channel holds d itself; n channels hold the paper's staircase,
-// channel i = clamp(n d - i, 0, 1), which a per-channel MIN keeps exact.
+// The ladder of encoded depth: which numbers stand for a depth in a colour attachment whose blend keeps the minimum.
+// One float channel holds d itself. Otherwise depth is an integer code and n channels hold the paper's staircase of
+// it, channel i = clamp(code - i M, 0, M), which a per-channel minimum keeps exact:
+//   UNORM channels   M = 255 or 1023
+//   half floats      M = 61,439: the normal halves in their order, negative ones first, are the steps. Every step is a
+//                    value that the format holds exactly, so nothing is rounded and four channels tell 245,756 depths.
+
 layout(constant_id = 1) const int kDepthChannels = 1;
-layout(constant_id = 2) const float kDepthBias = 0.0;
+layout(constant_id = 2) const int kDepthSteps = 0;  // M; 0: one float channel
+
+const int kHalfSteps = 61439;
+
+float channelOf(int step) {
+    if (kDepthSteps != kHalfSteps) return float(step) / float(kDepthSteps);
+    int rank = step - 30720;
+    uint bits = rank >= 0 ? uint(0x0400 + rank) : uint(0x8000 + 0x0400 - 1 - rank);
+    return unpackHalf2x16(bits).x;
+}
+int stepOf(float channel) {
+    if (kDepthSteps != kHalfSteps) return int(channel * float(kDepthSteps) + 0.5);
+    int bits = int(packHalf2x16(vec2(channel, 0.0)) & 0xffffu);
+    return bits < 0x8000 ? bits - 0x0400 + 30720 : 30719 - (bits - 0x8000 - 0x0400);
+}
+
+int depthCode(float d) {
+    int last = kDepthChannels * kDepthSteps;
+    return clamp(int(d * float(last)), 0, last);
+}
+int decodeCode(vec4 e) {
+    int code = stepOf(e.x);
+    if (kDepthChannels > 1) code += stepOf(e.y);
+    if (kDepthChannels > 2) code += stepOf(e.z);
+    if (kDepthChannels > 3) code += stepOf(e.w);
+    return code;
+}
 
 vec4 encodeDepth(float d) {
-    if (kDepthChannels == 1) return vec4(d, 1.0, 1.0, 1.0);
-    return clamp(vec4(float(kDepthChannels) * d) - vec4(0.0, 1.0, 2.0, 3.0), 0.0, 1.0);
+    if (kDepthSteps == 0) return vec4(d, 1.0, 1.0, 1.0);
+    int code = depthCode(d);
+    vec4 e = vec4(1.0);
+    for (int i = 0; i < kDepthChannels; ++i) e[i] = channelOf(clamp(code - i * kDepthSteps, 0, kDepthSteps));
+    return e;
 }
+/// What a fragment writes that must not change the minimum; also what the attachment is cleared to.
+vec4 farthestDepth() { return vec4(kDepthSteps == kHalfSteps ? 65504.0 : 1.0); }
+
+/// The largest depth that has this encoding.
 float decodeDepth(vec4 e) {
-    if (kDepthChannels == 1) return e.x;
-    float sum = e.x + e.y;
-    if (kDepthChannels > 2) sum += e.z;
-    if (kDepthChannels > 3) sum += e.w;
-    return sum / float(kDepthChannels);
+    if (kDepthSteps == 0) return e.x;
+    return float(decodeCode(e) + 1) / float(kDepthChannels * kDepthSteps);
 }
-/// Whether a fragment at depth d is the front-most one of its pixel.
-bool isFrontmost(float d, vec4 encoded) { return d <= decodeDepth(encoded) + kDepthBias; }
+/// Whether a fragment at depth d is the front-most one of its pixel, up to the ladder's step.
+bool isFrontmost(float d, vec4 encoded) {
+    if (kDepthSteps == 0) return d <= encoded.x;
+    return depthCode(d) <= decodeCode(encoded);
+}
