@@ -9,7 +9,11 @@ enum class Visibility {
     automatic,  ///< the device's caps choose
     encoded,    ///< the paper's: encoded depth in colour, three subpasses
     fragdepth,  ///< gl_FragDepth, one subpass
+    deferred,   ///< the nearest primitive's number by gl_FragDepth, then every covered pixel shaded once
 };
+
+/// The opaque plates of the prepass, per sphere; domes are stacks of smaller octagons nearer to the viewer.
+enum class PlateShape { none, square, octagon, dome2, dome3 };
 
 /// The formats that can hold encoded depth, finest first (engine/gpu/encoded_format.h).
 enum class EncodedDepth { automatic, r32f, rgba16f, rg16f, a2b10g10r10, rgba8 };

@@ -3,10 +3,12 @@
 #include "engine/renderer.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 
 #include "engine/error.h"
 #include "engine/gpu/instance.h"
+#include "engine/passes/fragment_counter.h"
 #include "engine/passes/geometry.h"
 #include "engine/passes/occlusion.h"
 #include "engine/passes/read_back.h"
@@ -41,6 +43,14 @@ DeviceInfo infoOf(const gpu::Caps& caps) {
     return info;
 }
 
+Nearest nearestOf(Visibility visibility) {
+    switch (visibility) {
+        case Visibility::fragdepth: return Nearest::fragdepth;
+        case Visibility::deferred: return Nearest::deferred;
+        default: return Nearest::encoded;
+    }
+}
+
 }  // namespace
 
 struct Renderer::Impl {
@@ -59,9 +69,7 @@ struct Renderer::Impl {
     std::string planText;
 
     explicit Impl(const DeviceOptions& options)
-        : device(options),
-          nearest(device.caps().visibility == Visibility::fragdepth ? Nearest::fragdepth : Nearest::encoded),
-          geometry(device, device.caps().encoded), executor(device), white(passes::makeWhiteTexture(device, executor)) {
+        : device(options), nearest(nearestOf(device.caps().visibility)), geometry(device), executor(device), white(passes::makeWhiteTexture(device, executor)) {
         stats.device = infoOf(device.caps());
     }
 
@@ -84,47 +92,55 @@ layout::ViewConstants Renderer::Impl::constants(const RenderSettings& settings, 
         passes::viewConstants(view, device.caps().snapPixels, view.width / 2.0, view.height / 2.0);
     const bool occlusion = settings.occlusionDirections > 0;
     if (occlusion) c.atlas = glm::vec4(1.0 / layout.width, 1.0 / layout.height, layout.sphereEdge, layout.around);
-    c.shading = glm::vec4(settings.lighting ? 1 : 0, occlusion ? 1 : 0, layout.along, 0);
+    const auto spheres = static_cast<std::uint32_t>(representation.spheres.size());
+    c.shading = glm::vec4(settings.lighting ? 1 : 0, occlusion ? 1 : 0, layout.along, std::bit_cast<float>(spheres));
     return c;
 }
 
-/// The screen frame: opaque prepass, depth encoding (or none, with `fragdepth`), and one pass for every target.
+/// The screen frame: opaque prepass, the pass that finds what is nearest (none with `fragdepth`), and one pass for
+/// every target.
 void Renderer::Impl::draw(const RenderSettings& settings, const View& view, std::vector<Target>& targets) {
     const graph::Extent extent{view.width, view.height};
-    const bool perspective = view.projection == Projection::perspective;
-    const layout::ViewConstants push = constants(settings, view);
+    passes::FragmentCounter counter(device, settings.countFragments);
+    const auto drawn = [&](Writes writes) {
+        passes::Draw d{writes, nearest, view.projection == Projection::perspective, constants(settings, view)};
+        d.plates = settings.plates;
+        counter.attach(d);
+        return d;
+    };
     const auto geometryPass = [&](Writes writes) {
-        return [this, writes, perspective, &push](graph::PassContext& c) {
-            geometry.draw(c, scene, writes, nearest, perspective, push);
-        };
+        return [this, d = drawn(writes)](graph::PassContext& c) { geometry.draw(c, scene, d); };
     };
     Graph g("screen");
     graph::Imports imports;
     const auto depth = g.image("depth", {VK_FORMAT_D32_SFLOAT, extent});
-    graph::Image encoded = depth;
     const gpu::Image& atlasImage = settings.occlusionDirections > 0 ? bake->atlas() : white;
     const auto atlas = g.importImage("occlusion atlas", atlasImage.desc, passes::kTextureState);
     imports.bind(atlas, atlasImage);
 
-    auto prepass = g.graphics("opaque prepass").depth(depth, Clear{1.0f});
-    if (settings.prepass) prepass.record(geometryPass(Writes::plates));
+    g.graphics("opaque prepass").depth(depth, Clear{1.0f}).record(geometryPass(Writes::plates));
+    graph::Image found = depth;
     if (nearest == Nearest::encoded) {
-        encoded = g.image("encoded depth", {device.caps().encoded.format, extent});
+        found = g.image("encoded depth", {device.caps().encoded.format, extent});
         const Clear farthest{device.caps().encoded.farthest};
-        g.graphics("depth encoding").depthTest(depth).color(encoded, farthest).record(geometryPass(Writes::encoded));
+        g.graphics("depth encoding").depthTest(depth).color(found, farthest).record(geometryPass(Writes::encoded));
+    } else if (nearest == Nearest::deferred) {
+        found = g.image("primitive number", {VK_FORMAT_R32_UINT, extent});
+        g.graphics("nearest primitive").depth(depth).color(found, Clear{0.0f}).record(geometryPass(Writes::number));
     }
     for (Target& target : targets) {
         const graph::ImageDesc desc{target.format, extent};
         const auto image = g.image(target.image, desc);
         auto pass = g.graphics(target.pass);
-        if (nearest == Nearest::encoded)
-            pass.depthTest(depth).input(encoded);
-        else
+        if (nearest == Nearest::fragdepth || (nearest == Nearest::encoded && geometry.settles()))
             pass.depth(depth);
-        pass.samples(atlas).color(image, Clear{0.0f}).record([&, encoded, atlas](graph::PassContext& c) {
-            const vk::DescriptorSet textures = geometry.textureSet(c, c.view(atlas), nearest, c.view(encoded));
-            geometry.draw(c, scene, target.writes, nearest, perspective, push, textures);
-        });
+        else if (nearest == Nearest::encoded)
+            pass.depthTest(depth);
+        if (nearest != Nearest::fragdepth) pass.input(found);
+        pass.samples(atlas).color(image, Clear{0.0f}).record(
+            [this, found, atlas, d = drawn(target.writes)](graph::PassContext& c) {
+                geometry.draw(c, scene, d, {c.view(atlas), c.view(found)});
+            });
         const std::uint64_t bytes = std::uint64_t{extent.width} * extent.height * graph::bytesPerTexel(target.format);
         target.pixels = gpu::makeBuffer(device, bytes, vk::BufferUsageFlagBits::eTransferDst, gpu::Access::readback,
                                         std::string(target.image) + " pixels");
@@ -138,9 +154,13 @@ void Renderer::Impl::draw(const RenderSettings& settings, const View& view, std:
     const graph::Plan plan = graph::compile(g, caps);
     planText = graph::describe(g, plan);
     const auto start = Clock::now();
-    device.submitAndWait([&](const vk::raii::CommandBuffer& c) { executor.record(c, g, plan, imports); });
+    device.submitAndWait([&](const vk::raii::CommandBuffer& c) {
+        executor.record(c, g, plan, imports);
+        counter.finish(c);
+    });
     stats.frameMilliseconds = millisecondsSince(start);
     executor.reset();
+    if (settings.countFragments) stats.passes = counter.counts();
     stats.tileBytesPerPixel = 0;
     for (const graph::Step& step : plan.steps)
         stats.tileBytesPerPixel = std::max(stats.tileBytesPerPixel, step.renderPass.tileBytesPerPixel);
@@ -158,7 +178,8 @@ void Renderer::Impl::prepareOcclusion(const RenderSettings& settings) {
                              device.caps().maxImageSize);
     assignPatches(layout, representation);
     scene = passes::makeSceneBuffers(device, representation);
-    bake = std::make_unique<passes::OcclusionBake>(device, geometry, nearest, scene, representation, layout,
+    const Nearest maps = nearest == Nearest::encoded ? Nearest::encoded : Nearest::fragdepth;
+    bake = std::make_unique<passes::OcclusionBake>(device, geometry, maps, scene, representation, layout,
                                                    directions);
     while (bake->step(executor)) {
     }

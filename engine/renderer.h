@@ -20,7 +20,8 @@ struct RenderSettings {
     bool lighting = true;                           ///< off: base colour x occlusion
     int occlusionDirections = 128;                  ///< 0: no occlusion
     std::uint64_t occlusionBytes = 64ull << 20;     ///< memory budget of atlas and sums
-    bool prepass = true;
+    PlateShape plates = PlateShape::octagon;        ///< of the opaque prepass; never changes the picture
+    bool countFragments = false;                    ///< fill FrameStats::passes (slower)
     bool merge = true;                              ///< neighbouring passes share a render pass
 };
 
@@ -47,11 +48,17 @@ struct DeviceInfo {
     bool lazyMemory = false;
 };
 
+struct PassCount {
+    std::string name;
+    std::uint64_t shadedFragments = 0;
+};
+
 struct FrameStats {
     DeviceInfo device;                  ///< with the path and reason in force
     double bakeMilliseconds = 0;        ///< ambient occlusion, from streams to atlas
     double frameMilliseconds = 0;       ///< one frame, submission to completion, without read-back conversion
     std::uint64_t coveredPixels = 0;    ///< of the last picture
+    std::vector<PassCount> passes;      ///< of the last frame that counted
     std::uint64_t spheres = 0, cylinders = 0;
     int occlusionDirections = 0;
     std::uint32_t patchTexels = 0;      ///< across a sphere's occlusion patch

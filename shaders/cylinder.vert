@@ -14,6 +14,9 @@ layout(location = 3) flat out vec4 axisPatch;  // object-space axis, patch addre
 #endif
 layout(location = 0) flat out vec4 endA;  // view space, radius
 layout(location = 1) flat out vec4 endB;
+#ifdef NUMBER
+layout(location = 4) flat out uint primitive;
+#endif
 invariant gl_Position;
 
 /// Reach of an ellipse from the origin in a direction.
@@ -30,6 +33,9 @@ void main() {
 #ifdef LOOK
     look = inLook;
     axisPatch = vec4(normalize(inB.xyz - inA.xyz), uintBitsToFloat(inPatch));
+#endif
+#ifdef NUMBER
+    primitive = floatBitsToUint(view.shading.w) + uint(gl_InstanceIndex) + 1u;  // after the spheres
 #endif
     vec3 axis = normalize(b - a);
     // Both ends' silhouettes as spheres of the cylinder's radius: their hull holds the cylinder in any projection.

@@ -3,6 +3,7 @@
 // value instead of discarding, so that nothing stands in the way of early depth tests.
 #extension GL_GOOGLE_include_directive : require
 #include "common/hit.glsl"
+#include "common/count.glsl"
 #include "common/encoding.glsl"
 
 layout(early_fragment_tests) in;
@@ -15,6 +16,7 @@ layout(location = 0) flat in vec4 sphere;
 layout(location = 0) out vec4 encoded;
 
 void main() {
+    countFragment();
 #ifdef CYLINDER
     Hit hit = cylinderHit(endA.xyz, endB.xyz, endA.w, gl_FragCoord.xy);
 #else

@@ -1,2 +1,8 @@
 #version 450
-void main() {}
+// A plate has no colour: its depth is all there is.
+#extension GL_GOOGLE_include_directive : require
+#include "common/count.glsl"
+
+layout(early_fragment_tests) in;
+
+void main() { countFragment(); }

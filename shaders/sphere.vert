@@ -10,6 +10,9 @@ layout(location = 1) in uvec3 inLook;
 layout(location = 1) flat out uvec3 look;
 #endif
 layout(location = 0) flat out vec4 sphere;
+#ifdef NUMBER
+layout(location = 4) flat out uint primitive;
+#endif
 invariant gl_Position;
 
 void main() {
@@ -18,6 +21,9 @@ void main() {
     sphere = vec4(center, radius);
 #ifdef LOOK
     look = inLook;
+#endif
+#ifdef NUMBER
+    primitive = uint(gl_InstanceIndex) + 1u;
 #endif
     Outline outline = sphereOutline(center, radius);
     vec2 e = corner(gl_VertexIndex);

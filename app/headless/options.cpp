@@ -124,9 +124,10 @@ void addDevice(CLI::App& app, RenderOptions& options) {
               if (text.empty()) throw std::invalid_argument("expected a device's number or part of its name");
               options.device.device = text;
           });
-    value(app, "--visibility", "PATH", "auto", "auto, encoded or fragdepth", [&](const std::string& text) {
-        constexpr Visibility kPaths[] = {Visibility::automatic, Visibility::encoded, Visibility::fragdepth};
-        options.device.visibility = kPaths[parseChoice(text, {"auto", "encoded", "fragdepth"})];
+    value(app, "--visibility", "PATH", "auto", "auto, encoded, fragdepth or deferred", [&](const std::string& text) {
+        constexpr Visibility kPaths[] = {Visibility::automatic, Visibility::encoded, Visibility::fragdepth,
+                                         Visibility::deferred};
+        options.device.visibility = kPaths[parseChoice(text, {"auto", "encoded", "fragdepth", "deferred"})];
     });
     value(app, "--encoded-format", "FORMAT", "auto", "Of encoded depth: auto, r32f, rgba16f, rg16f, a2b10g10r10 or rgba8",
           [&](const std::string& text) {

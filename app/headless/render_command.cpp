@@ -46,7 +46,7 @@ RenderSettings settingsOf(const RenderOptions& options, const Representation& sc
     settings.background = options.background;
     settings.lighting = options.lighting;
     settings.occlusionDirections = options.occlusionDirections;
-    settings.prepass = options.prepass;
+    if (!options.prepass) settings.plates = PlateShape::none;
     settings.merge = options.merge;
     return settings;
 }

@@ -60,6 +60,7 @@ const char* visibilityName(Visibility visibility) {
         case Visibility::automatic: return "auto";
         case Visibility::encoded: return "encoded";
         case Visibility::fragdepth: return "fragdepth";
+        case Visibility::deferred: return "deferred";
     }
     return "";
 }

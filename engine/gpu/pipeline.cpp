@@ -78,7 +78,7 @@ vk::raii::Pipeline makeComputePipeline(const Device& device, std::span<const std
 }
 
 Layout makeLayout(const Device& device, std::span<const vk::DescriptorType> types, vk::ShaderStageFlags stages,
-                  std::uint32_t pushConstantBytes, const std::string& name) {
+                  std::uint32_t pushConstantBytes, const std::string& name, bool counter) {
     std::vector<vk::DescriptorSetLayoutBinding> bindings;
     for (std::uint32_t i = 0; i < types.size(); ++i) {
         // Input attachments exist in fragment stages only; streams are read by whatever stage asks.
@@ -87,7 +87,14 @@ Layout makeLayout(const Device& device, std::span<const vk::DescriptorType> type
     Layout layout;
     layout.set = vk::raii::DescriptorSetLayout(*device, vk::DescriptorSetLayoutCreateInfo({}, bindings));
     const vk::PushConstantRange range(stages, 0, pushConstantBytes);
-    layout.pipeline = vk::raii::PipelineLayout(*device, vk::PipelineLayoutCreateInfo({}, *layout.set, range));
+    std::vector<vk::DescriptorSetLayout> sets{*layout.set};
+    if (counter) {
+        const vk::DescriptorSetLayoutBinding binding(0, vk::DescriptorType::eStorageBuffer, 1,
+                                                     vk::ShaderStageFlagBits::eFragment);
+        layout.counterSet = vk::raii::DescriptorSetLayout(*device, vk::DescriptorSetLayoutCreateInfo({}, binding));
+        sets.push_back(*layout.counterSet);
+    }
+    layout.pipeline = vk::raii::PipelineLayout(*device, vk::PipelineLayoutCreateInfo({}, sets, range));
     device.name(*layout.pipeline, name);
     return layout;
 }

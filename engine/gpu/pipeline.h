@@ -52,10 +52,11 @@ vk::raii::Pipeline makeComputePipeline(const Device& device, std::span<const std
 /// A layout of one set (bindings numbered from 0) and one range of push constants.
 struct Layout {
     vk::raii::DescriptorSetLayout set{nullptr};
+    vk::raii::DescriptorSetLayout counterSet{nullptr};  ///< set 1, if asked for: one storage buffer
     vk::raii::PipelineLayout pipeline{nullptr};
 };
 Layout makeLayout(const Device& device, std::span<const vk::DescriptorType> bindings, vk::ShaderStageFlags stages,
-                  std::uint32_t pushConstantBytes, const std::string& name);
+                  std::uint32_t pushConstantBytes, const std::string& name, bool counter = false);
 
 /// Descriptor sets that live as long as one recorded frame.
 class DescriptorPool {

@@ -1,67 +1,15 @@
 #include "engine/passes/geometry.h"
 
-#include "shaders.h"
-
 namespace nacre::passes {
 namespace {
 
-using Words = std::span<const std::uint32_t>;
 constexpr vk::ShaderStageFlags kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
-
-bool shades(Writes writes) {
-    return writes == Writes::color || writes == Writes::surface || writes == Writes::identity;
-}
-
-Words vertexCode(Primitive primitive, Writes writes) {
-    if (writes == Writes::plates) return shaders::plateVertex;
-    if (primitive == Primitive::sphere)
-        return shades(writes) ? Words(shaders::lookSphereVertex) : Words(shaders::geometrySphereVertex);
-    return shades(writes) ? Words(shaders::lookCylinderVertex) : Words(shaders::geometryCylinderVertex);
-}
-
-/// Fragment stages by what they write: sphere and cylinder; for shading, by where the nearest depth is.
-Words fragmentCode(Primitive primitive, Writes writes, Nearest nearest, bool sampled) {
-    const bool sphere = primitive == Primitive::sphere;
-    const auto choose = [&](Words sphereInput, Words sphereSampled, Words sphereFragdepth, Words cylinderInput,
-                            Words cylinderSampled, Words cylinderFragdepth) {
-        if (nearest == Nearest::fragdepth) return sphere ? sphereFragdepth : cylinderFragdepth;
-        if (sampled) return sphere ? sphereSampled : cylinderSampled;
-        return sphere ? sphereInput : cylinderInput;
-    };
-    switch (writes) {
-        case Writes::plates: return shaders::plateFragment;
-        case Writes::encoded: return sphere ? Words(shaders::encodeSphere) : Words(shaders::encodeCylinder);
-        case Writes::depth: return sphere ? Words(shaders::nearestSphere) : Words(shaders::nearestCylinder);
-        case Writes::color:
-            return choose(shaders::colorSphereInput, shaders::colorSphereSampled, shaders::colorSphereFragdepth,
-                          shaders::colorCylinderInput, shaders::colorCylinderSampled, shaders::colorCylinderFragdepth);
-        case Writes::surface:
-            return choose(shaders::surfaceSphereInput, shaders::surfaceSphereSampled, shaders::surfaceSphereFragdepth,
-                          shaders::surfaceCylinderInput, shaders::surfaceCylinderSampled,
-                          shaders::surfaceCylinderFragdepth);
-        case Writes::identity:
-            return choose(shaders::identitySphereInput, shaders::identitySphereSampled,
-                          shaders::identitySphereFragdepth, shaders::identityCylinderInput,
-                          shaders::identityCylinderSampled, shaders::identityCylinderFragdepth);
-    }
-    return {};
-}
-
-const char* nameOf(Writes writes) {
-    switch (writes) {
-        case Writes::plates: return "opaque prepass";
-        case Writes::encoded: return "depth encoding";
-        case Writes::depth: return "nearest depth";
-        case Writes::color: return "impostor colour";
-        case Writes::surface: return "surface layer";
-        case Writes::identity: return "identity layer";
-    }
-    return "";
-}
+constexpr auto kRead = vk::ImageLayout::eShaderReadOnlyOptimal;
 
 void describeStreams(gpu::GraphicsPipeline& d, Primitive primitive, bool looks) {
     constexpr auto kInstance = vk::VertexInputRate::eInstance;
     constexpr auto kVec4 = vk::Format::eR32G32B32A32Sfloat;
+    if (primitive == Primitive::screen) return;
     if (primitive == Primitive::sphere) {
         d.bindings = {{0, sizeof(Sphere), kInstance}};
         d.attributes = {{0, 0, kVec4, 0}};
@@ -80,91 +28,122 @@ void describeStreams(gpu::GraphicsPipeline& d, Primitive primitive, bool looks) 
     }
 }
 
+bool writesDepth(const ShaderKey& key) {
+    if (shades(key.writes)) return key.nearest == Nearest::fragdepth || key.settle;
+    return key.writes != Writes::encoded;
+}
+
 }  // namespace
 
-Geometry::Geometry(const gpu::Device& device, const gpu::EncodedFormat& encoded)
-    : device_(device), encoded_(encoded), linear_(gpu::makeSampler(device, vk::Filter::eLinear, "linear")),
-      nearest_(gpu::makeSampler(device, vk::Filter::eNearest, "nearest")) {
+Geometry::Geometry(const gpu::Device& device)
+    : device_(device), linear_(gpu::makeSampler(device, vk::Filter::eLinear, "linear")),
+      nearest_(gpu::makeSampler(device, vk::Filter::eNearest, "nearest")) {}
+
+const gpu::Layout& Geometry::layoutOf(const ShaderKey& key) {
     using Type = vk::DescriptorType;
-    constexpr Type kAtlas[] = {Type::eCombinedImageSampler};
-    constexpr Type kInput[] = {Type::eCombinedImageSampler, Type::eInputAttachment};
-    constexpr Type kSampled[] = {Type::eCombinedImageSampler, Type::eCombinedImageSampler};
-    constexpr auto kPush = static_cast<std::uint32_t>(sizeof(layout::ViewConstants));
-    plain_ = gpu::makeLayout(device, {}, kStages, kPush, "geometry layout");
-    atlasOnly_ = gpu::makeLayout(device, kAtlas, kStages, kPush, "shading layout");
-    inputs_ = gpu::makeLayout(device, kInput, kStages, kPush, "shading layout, input attachment");
-    sampled_ = gpu::makeLayout(device, kSampled, kStages, kPush, "shading layout, sampled depth");
+    const LayoutKey at{shades(key.writes), key.nearest, key.sampled, key.counting};
+    if (const auto it = layouts_.find(at); it != layouts_.end()) return it->second;
+    std::vector<Type> bindings;
+    if (shades(key.writes)) {
+        bindings.push_back(Type::eCombinedImageSampler);
+        if (key.nearest != Nearest::fragdepth)
+            bindings.push_back(key.sampled ? Type::eCombinedImageSampler : Type::eInputAttachment);
+        if (key.nearest == Nearest::deferred) bindings.insert(bindings.end(), 3, Type::eStorageBuffer);
+    }
+    return layouts_
+        .emplace(at, gpu::makeLayout(device_, bindings, kStages, sizeof(layout::ViewConstants),
+                                     shades(key.writes) ? "shading layout" : "geometry layout", key.counting))
+        .first->second;
 }
 
-const gpu::Layout& Geometry::layoutOf(Writes writes, Nearest nearest, bool sampled) const {
-    if (!shades(writes)) return plain_;
-    if (nearest == Nearest::fragdepth) return atlasOnly_;
-    return sampled ? sampled_ : inputs_;
-}
-
-vk::Pipeline Geometry::pipeline(graph::PassContext& context, Primitive primitive, Writes writes, Nearest nearest,
-                                bool perspective) {
-    const bool sampled = context.inputIsSampled;
-    const Key key{primitive, writes, nearest, sampled, perspective, context.renderPass, context.subpass};
-    if (const auto it = pipelines_.find(key); it != pipelines_.end()) return *it->second;
-    const bool sphere = primitive == Primitive::sphere;
+vk::Pipeline Geometry::pipeline(graph::PassContext& context, const ShaderKey& key, bool perspective,
+                                const Plate& plate) {
+    const bool plates = key.writes == Writes::plates;
+    const auto shape = static_cast<std::uint32_t>(plates ? plate.rim * 1e6f : 0.0f) * 16 + (plates ? plate.corners : 0);
+    const PipelineKey at{key, perspective, shape, context.renderPass, context.subpass};
+    if (const auto it = pipelines_.find(at); it != pipelines_.end()) return *it->second;
     gpu::GraphicsPipeline d;
-    d.name = std::string(nameOf(writes)) + (sphere ? ", spheres" : ", cylinders");
-    d.vertex = vertexCode(primitive, writes);
-    d.fragment = fragmentCode(primitive, writes, nearest, sampled);
+    d.name = std::string(nameOf(key.writes)) + (key.primitive == Primitive::sphere     ? ", spheres"
+                                                : key.primitive == Primitive::cylinder ? ", cylinders"
+                                                                                       : ", screen");
+    d.vertex = vertexShader(key);
+    d.fragment = fragmentShader(key);
+    const gpu::EncodedFormat& encoded = device_.caps().encoded;
     d.constants.set(0, perspective);
-    d.constants.set(1, encoded_.channels);
-    d.constants.set(2, encoded_.steps);
-    d.constants.set(3, writes == Writes::plates ? 8 : device_.caps().impostorCorners);
-    describeStreams(d, primitive, shades(writes));
-    d.layout = *layoutOf(writes, nearest, sampled).pipeline;
+    d.constants.set(1, encoded.channels);
+    d.constants.set(2, encoded.steps);
+    d.constants.set(3, plates ? plate.corners : static_cast<std::uint32_t>(device_.caps().impostorCorners));
+    if (plates) d.constants.set(4, plate.rim);
+    describeStreams(d, key.primitive, shades(key.writes));
+    d.layout = *layoutOf(key).pipeline;
     d.renderPass = context.renderPass;
     d.subpass = context.subpass;
     d.colorCount = context.colorCount;
-    d.colorsWritten = writes == Writes::plates || writes == Writes::depth ? 0 : 1;
-    const bool writesDepth = writes == Writes::plates || writes == Writes::depth ||
-                             (shades(writes) && nearest == Nearest::fragdepth);
-    d.depth = writesDepth ? gpu::DepthUse::write : gpu::DepthUse::test;
-    d.blend = writes == Writes::encoded ? gpu::Blend::minimum : gpu::Blend::replace;
-    return *pipelines_.emplace(key, gpu::makePipeline(device_, d)).first->second;
+    d.colorsWritten = plates || key.writes == Writes::depth ? 0 : 1;
+    d.depth = key.primitive == Primitive::screen ? gpu::DepthUse::none
+              : writesDepth(key)                 ? gpu::DepthUse::write
+                                                 : gpu::DepthUse::test;
+    d.blend = key.writes == Writes::encoded ? gpu::Blend::minimum : gpu::Blend::replace;
+    return *pipelines_.emplace(at, gpu::makePipeline(device_, d)).first->second;
 }
 
-vk::DescriptorSet Geometry::textureSet(graph::PassContext& context, vk::ImageView atlas, Nearest nearest,
-                                       vk::ImageView encodedDepth) {
-    constexpr auto kRead = vk::ImageLayout::eShaderReadOnlyOptimal;
-    const vk::DescriptorSet set =
-        context.descriptors.allocate(layoutOf(Writes::color, nearest, context.inputIsSampled).set);
-    const vk::DescriptorImageInfo atlasInfo(*linear_, atlas, kRead);
-    const vk::DescriptorImageInfo depthInfo(context.inputIsSampled ? *nearest_ : vk::Sampler(), encodedDepth, kRead);
-    std::vector<vk::WriteDescriptorSet> writes;
-    writes.emplace_back(set, 0, 0, vk::DescriptorType::eCombinedImageSampler, atlasInfo);
-    if (nearest == Nearest::encoded)
-        writes.emplace_back(set, 1, 0,
-                            context.inputIsSampled ? vk::DescriptorType::eCombinedImageSampler
-                                                   : vk::DescriptorType::eInputAttachment,
-                            depthInfo);
-    device_->updateDescriptorSets(writes, {});
-    return set;
+void Geometry::bindSets(graph::PassContext& context, const SceneBuffers& scene, const ShaderKey& key, const Draw& draw,
+                        const ShadingInputs& inputs) {
+    const gpu::Layout& layout = layoutOf(key);
+    constexpr auto kGraphics = vk::PipelineBindPoint::eGraphics;
+    if (shades(key.writes)) {
+        const vk::DescriptorSet set = context.descriptors.allocate(layout.set);
+        const vk::DescriptorImageInfo atlas(*linear_, inputs.atlas, kRead);
+        const vk::DescriptorImageInfo nearest(key.sampled ? *nearest_ : vk::Sampler(), inputs.nearest, kRead);
+        const vk::DescriptorBufferInfo buffers[] = {{*scene.shapes.handle, 0, VK_WHOLE_SIZE},
+                                                    {*scene.sphereLooks.handle, 0, VK_WHOLE_SIZE},
+                                                    {*scene.cylinderLooks.handle, 0, VK_WHOLE_SIZE}};
+        std::vector<vk::WriteDescriptorSet> writes;
+        writes.emplace_back(set, 0, 0, vk::DescriptorType::eCombinedImageSampler, atlas);
+        if (key.nearest != Nearest::fragdepth)
+            writes.emplace_back(set, 1, 0,
+                                key.sampled ? vk::DescriptorType::eCombinedImageSampler
+                                            : vk::DescriptorType::eInputAttachment,
+                                nearest);
+        if (key.nearest == Nearest::deferred)
+            for (std::uint32_t i = 0; i < 3; ++i)
+                writes.emplace_back(set, 2 + i, 0, vk::DescriptorType::eStorageBuffer, vk::ArrayProxyNoTemporaries<const vk::DescriptorImageInfo>{}, buffers[i]);
+        device_->updateDescriptorSets(writes, {});
+        context.commands.bindDescriptorSets(kGraphics, *layout.pipeline, 0, set, {});
+    }
+    if (key.counting) {
+        const vk::DescriptorSet set = context.descriptors.allocate(layout.counterSet);
+        const vk::DescriptorBufferInfo counter(*draw.counter->handle, draw.counterOffset, sizeof(std::uint32_t));
+        device_->updateDescriptorSets(
+            vk::WriteDescriptorSet(set, 0, 0, vk::DescriptorType::eStorageBuffer, {}, counter), {});
+        context.commands.bindDescriptorSets(kGraphics, *layout.pipeline, 1, set, {});
+    }
 }
 
-void Geometry::draw(graph::PassContext& context, const SceneBuffers& scene, Writes writes, Nearest nearest,
-                    bool perspective, const layout::ViewConstants& view, vk::DescriptorSet textures) {
+void Geometry::draw(graph::PassContext& context, const SceneBuffers& scene, const Draw& draw,
+                    const ShadingInputs& inputs) {
     const vk::raii::CommandBuffer& commands = context.commands;
-    const vk::PipelineLayout layout = *layoutOf(writes, nearest, context.inputIsSampled).pipeline;
-    const auto one = [&](Primitive primitive, std::uint32_t count, std::uint32_t corners, vk::DeviceSize offset,
-                         const gpu::Buffer& looks) {
-        if (count == 0) return;
-        commands.bindPipeline(vk::PipelineBindPoint::eGraphics,
-                              pipeline(context, primitive, writes, nearest, perspective));
-        commands.pushConstants<layout::ViewConstants>(layout, kStages, 0, view);
-        if (textures) commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, layout, 0, textures, {});
-        commands.bindVertexBuffers(0, {*scene.shapes.handle, *looks.handle}, {offset, 0});
-        commands.draw(corners, count, 0, 0);
+    const auto one = [&](Primitive primitive, std::uint32_t instances, std::uint32_t corners, const Plate& plate = {}) {
+        if (instances == 0) return;
+        ShaderKey key{primitive, draw.writes, draw.nearest, shades(draw.writes) && context.inputIsSampled,
+                      shades(draw.writes) && draw.nearest == Nearest::encoded && settles(), draw.counter != nullptr};
+        commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, key, draw.perspective, plate));
+        commands.pushConstants<layout::ViewConstants>(*layoutOf(key).pipeline, kStages, 0, draw.view);
+        bindSets(context, scene, key, draw, inputs);
+        const bool sphere = primitive == Primitive::sphere;
+        if (primitive != Primitive::screen)
+            commands.bindVertexBuffers(
+                0, {*scene.shapes.handle, sphere ? *scene.sphereLooks.handle : *scene.cylinderLooks.handle},
+                {sphere ? 0 : scene.cylinderOffset, 0});
+        commands.draw(corners, instances, 0, 0);
     };
-    const bool plates = writes == Writes::plates;
-    const auto corners = static_cast<std::uint32_t>(plates ? 8 : device_.caps().impostorCorners);
-    one(Primitive::sphere, scene.sphereCount, corners, 0, scene.sphereLooks);
-    if (!plates) one(Primitive::cylinder, scene.cylinderCount, 4, scene.cylinderOffset, scene.cylinderLooks);
+    if (draw.writes == Writes::plates) {
+        for (const Plate& plate : platesOf(draw.plates)) one(Primitive::sphere, scene.sphereCount, plate.corners, plate);
+        return;
+    }
+    if (shades(draw.writes) && draw.nearest == Nearest::deferred) return one(Primitive::screen, 1, 3);
+    one(Primitive::sphere, scene.sphereCount, static_cast<std::uint32_t>(device_.caps().impostorCorners));
+    one(Primitive::cylinder, scene.cylinderCount, 4);
 }
 
 }  // namespace nacre::passes

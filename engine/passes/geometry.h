@@ -3,53 +3,57 @@
 
 #include <map>
 #include <tuple>
+#include <vector>
 
 #include "engine/graph/execute.h"
+#include "engine/passes/plates.h"
 #include "engine/passes/scene_buffers.h"
+#include "engine/passes/shader_table.h"
 #include "shaders/common/layout.h"
 
 namespace nacre::passes {
 
-enum class Primitive : std::uint8_t { sphere, cylinder };
-
-/// What a geometry pass writes.
-enum class Writes : std::uint8_t {
-    plates,    ///< depth of opaque plates
-    encoded,   ///< encoded depth, MIN blend
-    depth,     ///< nearest depth alone
-    color,
-    surface,   ///< normal and Z
-    identity,  ///< atom and occlusion
+/// Everything that one pass draws with.
+struct Draw {
+    Writes writes{};
+    Nearest nearest{};
+    bool perspective = false;
+    layout::ViewConstants view{};
+    PlateShape plates = PlateShape::octagon;  ///< of Writes::plates
+    const gpu::Buffer* counter = nullptr;     ///< counts shaded fragments at `counterOffset`, bytes
+    vk::DeviceSize counterOffset = 0;
 };
 
-/// How a shading pass learns whether a hit is the nearest.
-enum class Nearest : std::uint8_t { encoded, fragdepth };
+/// What a shading pass reads.
+struct ShadingInputs {
+    vk::ImageView atlas;
+    vk::ImageView nearest;  ///< encoded depth or primitive numbers; unused by `fragdepth`
+};
 
 class Geometry {
 public:
-    Geometry(const gpu::Device& device, const gpu::EncodedFormat& encoded);
+    explicit Geometry(const gpu::Device& device);
 
-    /// Draws the scene's spheres and cylinders (plates: spheres alone).
-    /// @param textures set made by textureSet(); null for passes that read none
-    void draw(graph::PassContext& context, const SceneBuffers& scene, Writes writes, Nearest nearest, bool perspective,
-              const layout::ViewConstants& view, vk::DescriptorSet textures = {});
+    /// Draws the scene's spheres and cylinders; plates for spheres alone; one triangle for `deferred` shading.
+    void draw(graph::PassContext& context, const SceneBuffers& scene, const Draw& draw,
+              const ShadingInputs& inputs = {});
 
-    /// The atlas and, for `encoded`, the nearest depth.
-    vk::DescriptorSet textureSet(graph::PassContext& context, vk::ImageView atlas, Nearest nearest,
-                                 vk::ImageView encodedDepth);
+    /// Whether the rung of encoded depth is so coarse that the depth buffer must settle what it leaves open.
+    bool settles() const { return device_.caps().encoded.levels() < 100000; }
 
 private:
-    using Key = std::tuple<Primitive, Writes, Nearest, bool, bool, VkRenderPass, std::uint32_t>;
+    using LayoutKey = std::tuple<bool, Nearest, bool, bool>;  // shades, nearest, sampled, counting
+    using PipelineKey = std::tuple<ShaderKey, bool, std::uint32_t, VkRenderPass, std::uint32_t>;
 
-    vk::Pipeline pipeline(graph::PassContext& context, Primitive primitive, Writes writes, Nearest nearest,
-                          bool perspective);
-    const gpu::Layout& layoutOf(Writes writes, Nearest nearest, bool sampled) const;
+    const gpu::Layout& layoutOf(const ShaderKey& key);
+    vk::Pipeline pipeline(graph::PassContext& context, const ShaderKey& key, bool perspective, const Plate& plate);
+    void bindSets(graph::PassContext& context, const SceneBuffers& scene, const ShaderKey& key, const Draw& draw,
+                  const ShadingInputs& inputs);
 
     const gpu::Device& device_;
-    gpu::EncodedFormat encoded_;
-    gpu::Layout plain_, atlasOnly_, inputs_, sampled_;
     vk::raii::Sampler linear_, nearest_;
-    std::map<Key, vk::raii::Pipeline> pipelines_;
+    std::map<LayoutKey, gpu::Layout> layouts_;
+    std::map<PipelineKey, vk::raii::Pipeline> pipelines_;
 };
 
 }  // namespace nacre::passes

@@ -102,8 +102,9 @@ void OcclusionBake::recordMaps(graph::PassContext& context, Writes writes) const
         context.commands.setViewport(0, vk::Viewport(static_cast<float>(x), static_cast<float>(y), side, side, 0, 1));
         context.commands.setScissor(
             0, vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {mapPixels_, mapPixels_}));
-        geometry_.draw(context, scene_, writes, nearest_, false,
-                       viewConstants(view, device_.caps().snapPixels, x + mapPixels_ / 2.0, y + mapPixels_ / 2.0));
+        Draw draw{writes, nearest_};
+        draw.view = viewConstants(view, device_.caps().snapPixels, x + mapPixels_ / 2.0, y + mapPixels_ / 2.0);
+        geometry_.draw(context, scene_, draw);
     }
 }
 

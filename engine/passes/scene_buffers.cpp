@@ -17,9 +17,9 @@ SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r
     if (sphereBytes) std::memcpy(scene.shapes.mapped, r.spheres.data(), sphereBytes);
     if (cylinderBytes) std::memcpy(scene.shapes.mapped + sphereBytes, r.cylinders.data(), cylinderBytes);
     scene.sphereLooks =
-        gpu::makeBuffer(device, std::span(r.sphereLooks), Usage::eVertexBuffer, "stream B: sphere looks");
+        gpu::makeBuffer(device, std::span(r.sphereLooks), Usage::eVertexBuffer | Usage::eStorageBuffer, "stream B: sphere looks");
     scene.cylinderLooks =
-        gpu::makeBuffer(device, std::span(r.cylinderLooks), Usage::eVertexBuffer, "stream B: cylinder looks");
+        gpu::makeBuffer(device, std::span(r.cylinderLooks), Usage::eVertexBuffer | Usage::eStorageBuffer, "stream B: cylinder looks");
     return scene;
 }
 

@@ -37,9 +37,7 @@ TEST_P(Ladder, DiffersOnlyWhereSurfacesAreCloserThanItsStep) {
                   << " pixels differ, step " << step << " A\n";
         EXPECT_EQ(tooFar, 0u) << format.name;
         EXPECT_GT(covered, 10000u);
-        if (format.rung <= EncodedDepth::rgba16f) {
-            EXPECT_LE(static_cast<double>(differ), 1e-4 * static_cast<double>(p.id.size())) << format.name;
-        }
+        EXPECT_LE(static_cast<double>(differ), 1e-4 * static_cast<double>(p.id.size())) << format.name;
     }
 }
 

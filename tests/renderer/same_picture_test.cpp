@@ -35,15 +35,15 @@ TEST_P(SamePicture, WhateverThePath) {
     const Representation r = scene(c.file, c.style);
     RenderSettings s = settings(r, 256, c.projection, {75, -40, 120});
     std::vector<LayerPicture> pictures;
-    for (const Visibility visibility : {Visibility::encoded, Visibility::fragdepth}) {
+    for (const Visibility visibility : {Visibility::encoded, Visibility::fragdepth, Visibility::deferred}) {
         ValidatedRenderer renderer(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false})
             for (const bool merge : {true, false}) {
-                s.prepass = prepass;
+                s.plates = prepass ? PlateShape::octagon : PlateShape::none;
                 s.merge = merge;
                 pictures.push_back(renderer->layers(s));
-                const std::string what = std::string(visibility == Visibility::encoded ? "encoded" : "fragdepth") +
+                const std::string what = "path " + std::to_string(static_cast<int>(visibility)) +
                                          (prepass ? "" : ", no prepass") + (merge ? "" : ", unmerged");
                 expectSameLayers(pictures.front(), pictures.back(), what);
             }
@@ -56,12 +56,12 @@ TEST_P(SamePicture, OfColourToo) {
     const Representation r = scene(c.file, c.style);
     RenderSettings s = settings(r, 200, c.projection);
     std::vector<float> first;
-    for (const Visibility visibility : {Visibility::encoded, Visibility::fragdepth}) {
+    for (const Visibility visibility : {Visibility::encoded, Visibility::fragdepth, Visibility::deferred}) {
         ValidatedRenderer renderer(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false})
             for (const bool merge : {true, false}) {
-                s.prepass = prepass;
+                s.plates = prepass ? PlateShape::octagon : PlateShape::none;
                 s.merge = merge;
                 const Picture p = renderer->render(s);
                 if (first.empty()) first = p.rgba;

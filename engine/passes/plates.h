@@ -1,0 +1,20 @@
+#pragma once
+// The opaque plates of the prepass: flat polygons that are certainly inside their sphere.
+
+#include <cstdint>
+#include <span>
+
+#include "engine/device_options.h"
+
+namespace nacre::passes {
+
+/// One polygon per sphere: corners at `rim` sphere radii from its axis, sqrt(1 - rim^2) radii in front of the centre.
+struct Plate {
+    std::uint32_t corners = 8;  ///< 8 or 4
+    float rim = 0.98516f;       ///< the original app's octagon: 0.91017 of the circumscribed one
+};
+
+/// The polygons of a shape. More of them make a dome: smaller plates that stand nearer to the viewer.
+std::span<const Plate> platesOf(PlateShape shape);
+
+}  // namespace nacre::passes

@@ -1,0 +1,44 @@
+#version 450
+// The `deferred` path's shading: each covered pixel once. The hit is rebuilt from the pixel and the record of the
+// primitive that owns it, by the same arithmetic that the geometry pass used.
+//   INPUT / SAMPLED      where the primitive's number is
+//   SURFACE / IDENTITY   layers instead of colour
+#extension GL_GOOGLE_include_directive : require
+#include "common/surface.glsl"
+#include "common/count.glsl"
+
+#ifdef INPUT
+layout(input_attachment_index = 0, set = 0, binding = 1) uniform usubpassInput primitives;
+uint primitiveHere() { return subpassLoad(primitives).x; }
+#else
+layout(set = 0, binding = 1) uniform usampler2D primitives;
+uint primitiveHere() { return texelFetch(primitives, ivec2(gl_FragCoord.xy), 0).x; }
+#endif
+layout(set = 0, binding = 2, std430) readonly buffer Shapes { vec4 shapes[]; };
+layout(set = 0, binding = 3, std430) readonly buffer SphereLooks { uint sphereLooks[]; };
+layout(set = 0, binding = 4, std430) readonly buffer CylinderLooks { uint cylinderLooks[]; };
+
+void main() {
+    uint number = primitiveHere();
+    if (number == 0u) discard;
+    countFragment();
+    uint index = number - 1u;
+    uint spheres = floatBitsToUint(view.shading.w);
+    if (index < spheres) {
+        vec4 shape = shapes[index];
+        precise vec3 center = toView(shape.xyz);
+        Hit hit = sphereHit(vec4(center, shape.w), gl_FragCoord.xy);
+        uint look = 3u * index;
+        writeSurface(hit, sphereLooks[look], sphereLooks[look + 1u], sphereOcclusion(hit, sphereLooks[look + 2u]));
+        return;
+    }
+    index -= spheres;
+    vec4 shapeA = shapes[spheres + 2u * index];
+    vec3 shapeB = shapes[spheres + 2u * index + 1u].xyz;
+    precise vec3 a = toView(shapeA.xyz);
+    precise vec3 b = toView(shapeB);
+    Hit hit = cylinderHit(a, b, shapeA.w, gl_FragCoord.xy);
+    uint look = 5u * index + (hit.along < 0.5 ? 0u : 1u);
+    float occlusion = cylinderOcclusion(hit, normalize(shapeB - shapeA.xyz), cylinderLooks[5u * index + 4u]);
+    writeSurface(hit, cylinderLooks[look], cylinderLooks[look + 2u], occlusion);
+}
