@@ -15,6 +15,14 @@ enum class Visibility {
 /// The opaque plates of the prepass, per sphere; domes are stacks of smaller octagons nearer to the viewer.
 enum class PlateShape { none, square, octagon, dome2, dome3 };
 
+/// The polygons that a sphere's picture is drawn in.
+enum class ImpostorShape {
+    automatic,  ///< square on software rasterisers, where triangles cost more than fragments; else octagon
+    square,
+    octagon,
+    pyramid,  ///< eight facets that lean against the sphere, so that early tests reject more (orthographic)
+};
+
 /// The formats that can hold encoded depth, finest first (engine/gpu/encoded_format.h).
 enum class EncodedDepth { automatic, r32f, rgba16f, rg16f, a2b10g10r10, rgba8 };
 

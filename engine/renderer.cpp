@@ -82,7 +82,7 @@ struct Renderer::Impl {
         gpu::Buffer pixels;
     };
 
-    void draw(const RenderSettings& settings, const View& view, std::vector<Target>& targets);
+    void draw(const RenderSettings& settings, const View& view, std::vector<Target>& targets, bool readBack = true);
     void prepareOcclusion(const RenderSettings& settings);
     layout::ViewConstants constants(const RenderSettings& settings, const View& view) const;
 };
@@ -99,12 +99,14 @@ layout::ViewConstants Renderer::Impl::constants(const RenderSettings& settings, 
 
 /// The screen frame: opaque prepass, the pass that finds what is nearest (none with `fragdepth`), and one pass for
 /// every target.
-void Renderer::Impl::draw(const RenderSettings& settings, const View& view, std::vector<Target>& targets) {
+void Renderer::Impl::draw(const RenderSettings& settings, const View& view, std::vector<Target>& targets,
+                          bool readBack) {
     const graph::Extent extent{view.width, view.height};
     passes::FragmentCounter counter(device, settings.countFragments);
     const auto drawn = [&](Writes writes) {
         passes::Draw d{writes, nearest, view.projection == Projection::perspective, constants(settings, view)};
         d.plates = settings.plates;
+        d.impostor = settings.impostor;
         counter.attach(d);
         return d;
     };
@@ -141,6 +143,10 @@ void Renderer::Impl::draw(const RenderSettings& settings, const View& view, std:
             [this, found, atlas, d = drawn(target.writes)](graph::PassContext& c) {
                 geometry.draw(c, scene, d, {c.view(atlas), c.view(found)});
             });
+        if (!readBack) {
+            g.output(image);
+            continue;
+        }
         const std::uint64_t bytes = std::uint64_t{extent.width} * extent.height * graph::bytesPerTexel(target.format);
         target.pixels = gpu::makeBuffer(device, bytes, vk::BufferUsageFlagBits::eTransferDst, gpu::Access::readback,
                                         std::string(target.image) + " pixels");
@@ -234,6 +240,15 @@ LayerPicture Renderer::layers(const RenderSettings& settings) {
                           reinterpret_cast<const float*>(targets[1].pixels.mapped),
                           reinterpret_cast<const std::uint32_t*>(targets[2].pixels.mapped), settings.background,
                           impl_->stats.coveredPixels);
+}
+
+double Renderer::drawFrame(const RenderSettings& settings) {
+    impl_->prepareOcclusion(settings);
+    const auto start = Clock::now();
+    std::vector<Impl::Target> targets;
+    targets.push_back({"impostor colour", "colour", VK_FORMAT_R8G8B8A8_SRGB, Writes::color, {}});
+    impl_->draw(settings, settings.view, targets, false);
+    return millisecondsSince(start);
 }
 
 const FrameStats& Renderer::stats() const { return impl_->stats; }

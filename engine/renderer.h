@@ -21,6 +21,7 @@ struct RenderSettings {
     int occlusionDirections = 128;                  ///< 0: no occlusion
     std::uint64_t occlusionBytes = 64ull << 20;     ///< memory budget of atlas and sums
     PlateShape plates = PlateShape::octagon;        ///< of the opaque prepass; never changes the picture
+    ImpostorShape impostor = ImpostorShape::automatic;
     bool countFragments = false;                    ///< fill FrameStats::passes (slower)
     bool merge = true;                              ///< neighbouring passes share a render pass
 };
@@ -81,6 +82,10 @@ public:
     Picture render(const RenderSettings& settings);
     /// One sample a pixel, no antialiasing; supersample is ignored.
     LayerPicture layers(const RenderSettings& settings);
+
+    /// One frame as an application would draw it: nothing is read back. Returns milliseconds, from declaring the frame
+    /// to the device being done.
+    double drawFrame(const RenderSettings& settings);
 
     const FrameStats& stats() const;
     /// Plan of the last frame as text.

@@ -16,8 +16,9 @@ void main() {
     float radius = inSphere.w * (1.0 - 1e-3);
     float Z = view.row2.w - center.z - radius * sqrt(1.0 - kRim * kRim);
     float magnify = kPerspective ? view.row2.w / Z : 1.0;
-    // cos 22.5 degrees takes the corners of the circumscribed octagon back to the rim. The rasteriser may move a
-    // corner by the snap margin: draw that much less, or nothing.
-    float reach = max(radius * kRim * 0.92387953 - view.screen.w / magnify * 1.0824, 0.0);
+    // The cosine of half a side's angle takes the corners of the circumscribed polygon back to the rim. The rasteriser
+    // may move a corner by the snap margin: draw that much less, or nothing.
+    float inset = kCorners == 4 ? 0.70710678 : 0.92387953;
+    float reach = max((radius * kRim - view.screen.w / magnify * 1.5) * inset, 0.0);
     gl_Position = clipPosition((center.xy + corner(gl_VertexIndex) * reach) * magnify, encodedDepth(Z));
 }

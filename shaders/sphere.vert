@@ -26,8 +26,11 @@ void main() {
     primitive = uint(gl_InstanceIndex) + 1u;
 #endif
     Outline outline = sphereOutline(center, radius);
-    vec2 e = corner(gl_VertexIndex);
+    bool apex;
+    vec2 e = kCorners == 24 ? pyramidCorner(gl_VertexIndex, apex) : corner(gl_VertexIndex);
     vec2 q = outline.center + outline.axisU * e.x + outline.axisV * e.y;
     // A little nearer than the nearest point, so that rounding never lets the fixed-function test cut into it.
-    gl_Position = clipPosition(q, encodedDepth(view.row2.w - center.z - radius * 1.001));
+    float front = radius * 1.001;
+    if (kCorners == 24) front = radius * (pyramidHeight(apex) + 2e-3) + 2.0 * view.screen.w;
+    gl_Position = clipPosition(q, encodedDepth(view.row2.w - center.z - front));
 }

@@ -20,4 +20,14 @@ Molecule loadMolecule(const InputOptions& input) {
     return readMoleculeFile(input.path, options);
 }
 
+Representation sceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawnOptions,
+                       const LookOptions& look) {
+    const std::vector<std::uint32_t> drawn = drawnAtoms(molecule, drawnOptions);
+    if (drawn.empty())
+        throw Error("cannot draw molecule", name,
+                    "none of its " + std::to_string(molecule.atoms.size()) +
+                        " atoms is drawn; see --water and --hydrogens");
+    return represent(molecule, drawn, {look.style.value_or(defaultStyle(molecule, drawn)), look.color});
+}
+
 }  // namespace nacre::app

@@ -33,6 +33,9 @@ void run(const CommandLine& line, std::ostream& out) {
         case Command::render:
             renderCommand(line.render);
             break;
+        case Command::bench:
+            benchCommand(line.bench, out);
+            break;
         case Command::info:
             infoCommand(line.info, out);
             break;

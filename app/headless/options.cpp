@@ -57,19 +57,40 @@ void addInput(CLI::App& app, InputOptions& input) {
     });
 }
 
-void addContent(CLI::App& app, RenderOptions& options) {
-    addInput(app, options.input);
+void addDeviceName(CLI::App& app, DeviceOptions& device) {
+    value(app, "--device", "N|NAME", "the best there is", "Number or part of the name, as `nacre devices` lists them",
+          [&](const std::string& text) {
+              if (text.empty()) throw std::invalid_argument("expected a device's number or part of its name");
+              device.device = text;
+          });
+}
+
+/// What is drawn and how it looks: the same for every command that draws.
+void addContent(CLI::App& app, InputOptions& input, DrawnAtomsOptions& drawn, LookOptions& look) {
+    addInput(app, input);
     value(app, "--style", "NAME", "spacefill; ball-and-stick under 100 atoms with bonds",
           "spacefill, ball-and-stick or licorice", [&](const std::string& text) {
               constexpr Style kStyles[] = {Style::spacefill, Style::ballAndStick, Style::licorice};
-              options.style = kStyles[parseChoice(text, {"spacefill", "ball-and-stick", "licorice"})];
+              look.style = kStyles[parseChoice(text, {"spacefill", "ball-and-stick", "licorice"})];
           });
     value(app, "--color", "SCHEME", "element", "element, chain or residue", [&](const std::string& text) {
         constexpr ColorScheme kSchemes[] = {ColorScheme::element, ColorScheme::chain, ColorScheme::residue};
-        options.color = kSchemes[parseChoice(text, {"element", "chain", "residue"})];
+        look.color = kSchemes[parseChoice(text, {"element", "chain", "residue"})];
     });
-    showHide(app, "--water", options.drawn.water, "Water molecules");
-    showHide(app, "--hydrogens", options.drawn.hydrogens, "Hydrogen atoms");
+    showHide(app, "--water", drawn.water, "Water molecules");
+    showHide(app, "--hydrogens", drawn.hydrogens, "Hydrogen atoms");
+}
+
+void addBench(CLI::App& app, BenchOptions& options) {
+    addContent(app, options.input, options.drawn, options.look);
+    value(app, "--size", "WxH", "640x960", "Pixels, each side 1 to 16384",
+          [&](const std::string& text) { options.size = parseSize(text); });
+    value(app, "--frames", "N", "20", "Timed frames a path, 1 to 10000",
+          [&](const std::string& text) { options.frames = static_cast<int>(parseInteger(text, 1, 10000)); });
+    value(app, "--occlusion", "K|off", "128", "Ambient occlusion from K directions, 1 to 4096",
+          [&](const std::string& text) { options.occlusionDirections = parseOcclusion(text); });
+    addDeviceName(app, options.device);
+    app.add_flag("--json", options.json, "As one JSON object");
 }
 
 void addView(CLI::App& app, RenderOptions& options) {
@@ -119,11 +140,7 @@ void addFiles(CLI::App& app, RenderOptions& options) {
 }
 
 void addDevice(CLI::App& app, RenderOptions& options) {
-    value(app, "--device", "N|NAME", "the best there is", "Number or part of the name, as `nacre devices` lists them",
-          [&](const std::string& text) {
-              if (text.empty()) throw std::invalid_argument("expected a device's number or part of its name");
-              options.device.device = text;
-          });
+    addDeviceName(app, options.device);
     value(app, "--visibility", "PATH", "auto", "auto, encoded, fragdepth or deferred", [&](const std::string& text) {
         constexpr Visibility kPaths[] = {Visibility::automatic, Visibility::encoded, Visibility::fragdepth,
                                          Visibility::deferred};
@@ -198,7 +215,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
 
     CLI::App& render = *app.add_subcommand("render", "Draw a molecule into a picture file");
     render.footer(kRenderExamples);
-    addContent(render, line.render);
+    addContent(render, line.render.input, line.render.drawn, line.render.look);
     addFiles(render, line.render);
     addView(render, line.render);
     addLook(render, line.render);
@@ -208,6 +225,10 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     info.footer("Examples:\n  nacre info 1bna.pdb\n  nacre info ligands.sdf --model 3 --json");
     addInput(info, line.info.input);
     info.add_flag("--json", line.info.json, "As one JSON object");
+
+    CLI::App& bench = *app.add_subcommand("bench", "Time frames and count shaded fragments");
+    bench.footer("Examples:\n  nacre bench 1bna.pdb\n  nacre bench 1aon.pdb.gz --frames 50 --json");
+    addBench(bench, line.bench);
 
     CLI::App& devices = *app.add_subcommand("devices", "List the Vulkan devices");
     devices.footer("Examples:\n  nacre devices\n  nacre devices --json");
@@ -230,10 +251,12 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
         line.command = Command::render;
     } else if (info.parsed()) {
         line.command = Command::info;
+    } else if (bench.parsed()) {
+        line.command = Command::bench;
     } else if (devices.parsed()) {
         line.command = Command::devices;
     } else {
-        throw UsageError("a command is needed: render, info or devices");
+        throw UsageError("a command is needed: render, info, bench or devices");
     }
     return line;
 }

@@ -22,11 +22,15 @@ struct InputOptions {
     int model = 1;  ///< 1-based
 };
 
+struct LookOptions {
+    std::optional<Style> style;  ///< empty: by the molecule's size
+    ColorScheme color = ColorScheme::element;
+};
+
 struct RenderOptions {
     InputOptions input;
     DrawnAtomsOptions drawn;
-    std::optional<Style> style;  ///< empty: by the molecule's size
-    ColorScheme color = ColorScheme::element;
+    LookOptions look;
     Camera camera;
     Size size;
     std::uint32_t supersample = 1;
@@ -43,13 +47,25 @@ struct InfoOptions {
     bool json = false;
 };
 
-enum class Command { help, version, render, info, devices };
+struct BenchOptions {
+    InputOptions input;
+    DrawnAtomsOptions drawn;
+    LookOptions look;
+    Size size{640, 960};
+    int frames = 20;
+    int occlusionDirections = 128;  ///< 0 = off
+    DeviceOptions device;
+    bool json = false;
+};
+
+enum class Command { help, version, render, info, devices, bench };
 
 struct CommandLine {
     Command command = Command::help;
     std::string help;  ///< what to print for Command::help
     RenderOptions render;
     InfoOptions info;
+    BenchOptions bench;
     bool json = false;  ///< devices
 };
 

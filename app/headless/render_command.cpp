@@ -30,15 +30,6 @@ struct Outputs {
     }
 };
 
-Representation sceneOf(const Molecule& molecule, const RenderOptions& options) {
-    const std::vector<std::uint32_t> drawn = drawnAtoms(molecule, options.drawn);
-    if (drawn.empty())
-        throw Error(
-            "cannot draw molecule", options.input.path,
-            "none of its " + std::to_string(molecule.atoms.size()) + " atoms is drawn; see --water and --hydrogens");
-    return represent(molecule, drawn, {options.style.value_or(defaultStyle(molecule, drawn)), options.color});
-}
-
 RenderSettings settingsOf(const RenderOptions& options, const Representation& scene) {
     RenderSettings settings;
     settings.view = viewOf(options.camera, scene.radius, options.size.width, options.size.height);
@@ -76,7 +67,7 @@ void renderCommand(const RenderOptions& options) {
     run.loadMs = millisecondsSince(start);
 
     const Clock::time_point sceneStart = Clock::now();
-    Representation scene = sceneOf(molecule, options);
+    Representation scene = sceneOf(molecule, options.input.path, options.drawn, options.look);
     const RenderSettings settings = settingsOf(options, scene);
     run.center = scene.center;
     run.atomsDrawn = scene.drawnAtoms;

@@ -45,7 +45,8 @@ vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d)
         vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eVertex, *vertex, "main", &constants),
         vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eFragment, *fragment, "main", &constants)};
     const vk::PipelineVertexInputStateCreateInfo input({}, d.bindings, d.attributes);
-    const vk::PipelineInputAssemblyStateCreateInfo assembly({}, vk::PrimitiveTopology::eTriangleStrip);
+    const vk::PipelineInputAssemblyStateCreateInfo assembly(
+        {}, d.strip ? vk::PrimitiveTopology::eTriangleStrip : vk::PrimitiveTopology::eTriangleList);
     const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
     vk::PipelineRasterizationStateCreateInfo raster;
     raster.cullMode = vk::CullModeFlagBits::eNone;

@@ -40,9 +40,10 @@ struct GraphicsPipeline {
     std::uint32_t colorsWritten = 0; ///< of the pass; the others are masked
     DepthUse depth = DepthUse::none;
     Blend blend = Blend::replace;
+    bool strip = true;  ///< triangle strip, else list
 };
 
-/// A triangle-strip pipeline; viewport and scissor are dynamic.
+/// A pipeline; viewport and scissor are dynamic.
 vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& description);
 
 vk::raii::Pipeline makeComputePipeline(const Device& device, std::span<const std::uint32_t> code,

@@ -4,6 +4,7 @@ namespace nacre::passes {
 namespace {
 
 constexpr vk::ShaderStageFlags kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
+constexpr std::uint32_t kPyramidCorners = 24;  // a triangle list
 constexpr auto kRead = vk::ImageLayout::eShaderReadOnlyOptimal;
 
 void describeStreams(gpu::GraphicsPipeline& d, Primitive primitive, bool looks) {
@@ -57,9 +58,9 @@ const gpu::Layout& Geometry::layoutOf(const ShaderKey& key) {
 }
 
 vk::Pipeline Geometry::pipeline(graph::PassContext& context, const ShaderKey& key, bool perspective,
-                                const Plate& plate) {
+                                std::uint32_t corners, float rim) {
     const bool plates = key.writes == Writes::plates;
-    const auto shape = static_cast<std::uint32_t>(plates ? plate.rim * 1e6f : 0.0f) * 16 + (plates ? plate.corners : 0);
+    const auto shape = static_cast<std::uint32_t>(plates ? rim * 1e6f : 0.0f) * 32 + corners;
     const PipelineKey at{key, perspective, shape, context.renderPass, context.subpass};
     if (const auto it = pipelines_.find(at); it != pipelines_.end()) return *it->second;
     gpu::GraphicsPipeline d;
@@ -72,8 +73,9 @@ vk::Pipeline Geometry::pipeline(graph::PassContext& context, const ShaderKey& ke
     d.constants.set(0, perspective);
     d.constants.set(1, encoded.channels);
     d.constants.set(2, encoded.steps);
-    d.constants.set(3, plates ? plate.corners : static_cast<std::uint32_t>(device_.caps().impostorCorners));
-    if (plates) d.constants.set(4, plate.rim);
+    d.constants.set(3, corners);
+    if (plates) d.constants.set(4, rim);
+    d.strip = corners != kPyramidCorners;
     describeStreams(d, key.primitive, shades(key.writes));
     d.layout = *layoutOf(key).pipeline;
     d.renderPass = context.renderPass;
@@ -120,14 +122,25 @@ void Geometry::bindSets(graph::PassContext& context, const SceneBuffers& scene, 
     }
 }
 
+std::uint32_t Geometry::cornersOf(const Draw& draw) const {
+    switch (draw.impostor) {
+        case ImpostorShape::square: return 4;
+        case ImpostorShape::octagon: return 8;
+        // Leaning facets are planes of depth only where parallel lines stay parallel.
+        case ImpostorShape::pyramid: return draw.perspective ? 8 : kPyramidCorners;
+        case ImpostorShape::automatic: break;
+    }
+    return static_cast<std::uint32_t>(device_.caps().impostorCorners);
+}
+
 void Geometry::draw(graph::PassContext& context, const SceneBuffers& scene, const Draw& draw,
                     const ShadingInputs& inputs) {
     const vk::raii::CommandBuffer& commands = context.commands;
-    const auto one = [&](Primitive primitive, std::uint32_t instances, std::uint32_t corners, const Plate& plate = {}) {
+    const auto one = [&](Primitive primitive, std::uint32_t instances, std::uint32_t corners, float rim = 0) {
         if (instances == 0) return;
         ShaderKey key{primitive, draw.writes, draw.nearest, shades(draw.writes) && context.inputIsSampled,
                       shades(draw.writes) && draw.nearest == Nearest::encoded && settles(), draw.counter != nullptr};
-        commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, key, draw.perspective, plate));
+        commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, key, draw.perspective, corners, rim));
         commands.pushConstants<layout::ViewConstants>(*layoutOf(key).pipeline, kStages, 0, draw.view);
         bindSets(context, scene, key, draw, inputs);
         const bool sphere = primitive == Primitive::sphere;
@@ -138,11 +151,11 @@ void Geometry::draw(graph::PassContext& context, const SceneBuffers& scene, cons
         commands.draw(corners, instances, 0, 0);
     };
     if (draw.writes == Writes::plates) {
-        for (const Plate& plate : platesOf(draw.plates)) one(Primitive::sphere, scene.sphereCount, plate.corners, plate);
+        for (const Plate& plate : platesOf(draw.plates)) one(Primitive::sphere, scene.sphereCount, plate.corners, plate.rim);
         return;
     }
     if (shades(draw.writes) && draw.nearest == Nearest::deferred) return one(Primitive::screen, 1, 3);
-    one(Primitive::sphere, scene.sphereCount, static_cast<std::uint32_t>(device_.caps().impostorCorners));
+    one(Primitive::sphere, scene.sphereCount, cornersOf(draw));
     one(Primitive::cylinder, scene.cylinderCount, 4);
 }
 

@@ -20,6 +20,7 @@ struct Draw {
     bool perspective = false;
     layout::ViewConstants view{};
     PlateShape plates = PlateShape::octagon;  ///< of Writes::plates
+    ImpostorShape impostor = ImpostorShape::automatic;
     const gpu::Buffer* counter = nullptr;     ///< counts shaded fragments at `counterOffset`, bytes
     vk::DeviceSize counterOffset = 0;
 };
@@ -46,7 +47,9 @@ private:
     using PipelineKey = std::tuple<ShaderKey, bool, std::uint32_t, VkRenderPass, std::uint32_t>;
 
     const gpu::Layout& layoutOf(const ShaderKey& key);
-    vk::Pipeline pipeline(graph::PassContext& context, const ShaderKey& key, bool perspective, const Plate& plate);
+    vk::Pipeline pipeline(graph::PassContext& context, const ShaderKey& key, bool perspective, std::uint32_t corners,
+                          float rim);
+    std::uint32_t cornersOf(const Draw& draw) const;
     void bindSets(graph::PassContext& context, const SceneBuffers& scene, const ShaderKey& key, const Draw& draw,
                   const ShadingInputs& inputs);
 

@@ -1,6 +1,6 @@
 // Flat outlines on the plane z = 0 that cover a primitive's picture.
 
-layout(constant_id = 3) const int kCorners = 8;  // 8: octagon, 4: square
+layout(constant_id = 3) const int kCorners = 8;  // 8: octagon, 4: square, 24: the pyramid's triangles
 
 /// Corner of a triangle strip over the polygon circumscribed about the unit circle, no buffers needed.
 vec2 corner(int index) {
@@ -12,6 +12,18 @@ vec2 corner(int index) {
     float y = pair == 0 || pair == 3 ? t : 1.0;
     return vec2(x, (index & 1) == 0 ? -y : y);
 }
+
+/// Corners of the pyramid's triangle list; the apex stands at the origin.
+vec2 pyramidCorner(int index, out bool apex) {
+    apex = index % 3 == 0;
+    if (apex) return vec2(0.0);
+    float angle = (float((index / 3 + index % 3 - 1) % 8) + 0.5) * 0.78539816;
+    return vec2(cos(angle), sin(angle)) * 1.0823922;  // 1 / cos 22.5 degrees
+}
+// The facets lean against the sphere where it is kLean radii from its axis: at radius rho of the sphere they stand
+// (1 - rho kLean) / sqrt(1 - kLean^2) radii in front of the centre, never behind the surface.
+const float kLean = 0.6;
+float pyramidHeight(bool apex) { return apex ? 1.25 : 0.8 - 0.75 * (1.0 - kLean); }
 
 struct Outline {
     vec2 center, axisU, axisV;  // an ellipse, Å on the plane z = 0, grown by the snap margin

@@ -50,6 +50,28 @@ TEST_P(SamePicture, WhateverThePath) {
     }
 }
 
+TEST_P(SamePicture, WhateverThePlatesAndImpostors) {
+    const Case& c = GetParam();
+    if (!std::string(c.file).starts_with("sample:")) NACRE_NEEDS_DATA();
+    const Representation r = scene(c.file, c.style);
+    RenderSettings s = settings(r, 256, c.projection, {33, 190, -70});
+    for (const Visibility visibility : {Visibility::encoded, Visibility::fragdepth}) {
+        ValidatedRenderer renderer(visibility);
+        renderer->setScene(r);
+        s.plates = PlateShape::none;
+        s.impostor = ImpostorShape::square;
+        const LayerPicture plain = renderer->layers(s);
+        for (const PlateShape plates : {PlateShape::square, PlateShape::octagon, PlateShape::dome2, PlateShape::dome3})
+            for (const ImpostorShape impostor : {ImpostorShape::octagon, ImpostorShape::pyramid}) {
+                s.plates = plates;
+                s.impostor = impostor;
+                expectSameLayers(plain, renderer->layers(s),
+                                 "plates " + std::to_string(static_cast<int>(plates)) + ", impostor " +
+                                     std::to_string(static_cast<int>(impostor)));
+            }
+    }
+}
+
 TEST_P(SamePicture, OfColourToo) {
     const Case& c = GetParam();
     if (!std::string(c.file).starts_with("sample:")) NACRE_NEEDS_DATA();
