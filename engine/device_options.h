@@ -13,11 +13,11 @@ enum class Visibility {
 };
 
 /// The opaque plates of the prepass, per sphere; domes are stacks of smaller octagons nearer to the viewer.
-enum class PlateShape { none, square, octagon, dome2, dome3 };
+enum class PlateShape { automatic, none, square, octagon, dome2, dome3 };
 
 /// The polygons that a sphere's picture is drawn in.
 enum class ImpostorShape {
-    automatic,  ///< square on software rasterisers, where triangles cost more than fragments; else octagon
+    automatic,
     square,
     octagon,
     pyramid,  ///< eight facets that lean against the sphere, so that early tests reject more (orthographic)

@@ -63,6 +63,7 @@ struct Renderer::Impl {
     OcclusionLayout layout;
     passes::SceneBuffers scene;
     std::unique_ptr<passes::OcclusionBake> bake;
+    double meanRadius = 0;  // of the spheres, Å
     int bakedDirections = 0;
     std::uint64_t bakeBudget = 0;
     FrameStats stats;
@@ -107,6 +108,7 @@ void Renderer::Impl::draw(const RenderSettings& settings, const View& view, std:
         passes::Draw d{writes, nearest, view.projection == Projection::perspective, constants(settings, view)};
         d.plates = settings.plates;
         d.impostor = settings.impostor;
+        d.radiusPixels = meanRadius * view.pixelsPerAngstrom;
         counter.attach(d);
         return d;
     };
@@ -206,6 +208,9 @@ void Renderer::setScene(Representation representation) {
     impl_->bake.reset();
     impl_->representation = std::move(representation);
     impl_->scene = passes::makeSceneBuffers(impl_->device, impl_->representation);
+    double sum = 0;
+    for (const Sphere& s : impl_->representation.spheres) sum += s.radius;
+    impl_->meanRadius = sum / static_cast<double>(std::max<std::size_t>(impl_->representation.spheres.size(), 1));
     impl_->stats.spheres = impl_->representation.spheres.size();
     impl_->stats.cylinders = impl_->representation.cylinders.size();
 }

@@ -20,7 +20,7 @@ struct RenderSettings {
     bool lighting = true;                           ///< off: base colour x occlusion
     int occlusionDirections = 128;                  ///< 0: no occlusion
     std::uint64_t occlusionBytes = 64ull << 20;     ///< memory budget of atlas and sums
-    PlateShape plates = PlateShape::octagon;        ///< of the opaque prepass; never changes the picture
+    PlateShape plates = PlateShape::automatic;      ///< of the opaque prepass; never changes the picture
     ImpostorShape impostor = ImpostorShape::automatic;
     bool countFragments = false;                    ///< fill FrameStats::passes (slower)
     bool merge = true;                              ///< neighbouring passes share a render pass

@@ -93,7 +93,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.plan.tileSubpasses = !molten;
     if (set("NACRE_NO_MERGE")) caps.plan.merge = false;
     caps.encoded = encodedFormatOf(device, options.encoded);
-    caps.impostorCorners = software ? 4 : 8;
+    caps.software = software;
 
     if (options.visibility != Visibility::automatic) {
         caps.visibility = options.visibility;
@@ -104,10 +104,12 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     } else if (lazy) {
         caps.visibility = Visibility::encoded;
         caps.visibilityReason = "lazily allocated memory: a tile-based GPU, where depth must stay fixed-function";
+    } else if (software) {
+        caps.visibility = Visibility::encoded;
+        caps.visibilityReason = "software rasteriser: early tests against plates save more than a second pass costs";
     } else {
         caps.visibility = Visibility::fragdepth;
-        caps.visibilityReason = software ? "software rasteriser: one geometry pass is cheaper than two"
-                                         : "immediate-mode GPU: no tile memory to keep encoded depth in";
+        caps.visibilityReason = "immediate-mode GPU: no tile memory to keep encoded depth in";
     }
     return caps;
 }

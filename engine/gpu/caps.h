@@ -22,7 +22,7 @@ struct Caps {
     float timestampNanoseconds = 0;  ///< 0: no timestamps
     graph::PlanCaps plan;
     EncodedFormat encoded;
-    int impostorCorners = 8;  ///< octagons where fragments cost more than triangles, else quads
+    bool software = false;  ///< a CPU draws: triangles cost more than fragments
     Visibility visibility = Visibility::encoded;
     std::string visibilityReason;
 };

@@ -122,20 +122,10 @@ void Geometry::bindSets(graph::PassContext& context, const SceneBuffers& scene, 
     }
 }
 
-std::uint32_t Geometry::cornersOf(const Draw& draw) const {
-    switch (draw.impostor) {
-        case ImpostorShape::square: return 4;
-        case ImpostorShape::octagon: return 8;
-        // Leaning facets are planes of depth only where parallel lines stay parallel.
-        case ImpostorShape::pyramid: return draw.perspective ? 8 : kPyramidCorners;
-        case ImpostorShape::automatic: break;
-    }
-    return static_cast<std::uint32_t>(device_.caps().impostorCorners);
-}
-
 void Geometry::draw(graph::PassContext& context, const SceneBuffers& scene, const Draw& draw,
                     const ShadingInputs& inputs) {
     const vk::raii::CommandBuffer& commands = context.commands;
+    const bool software = device_.caps().software;
     const auto one = [&](Primitive primitive, std::uint32_t instances, std::uint32_t corners, float rim = 0) {
         if (instances == 0) return;
         ShaderKey key{primitive, draw.writes, draw.nearest, shades(draw.writes) && context.inputIsSampled,
@@ -151,11 +141,16 @@ void Geometry::draw(graph::PassContext& context, const SceneBuffers& scene, cons
         commands.draw(corners, instances, 0, 0);
     };
     if (draw.writes == Writes::plates) {
-        for (const Plate& plate : platesOf(draw.plates)) one(Primitive::sphere, scene.sphereCount, plate.corners, plate.rim);
+        const PlateShape shape = choosePlates(draw.plates, software, draw.radiusPixels);
+        for (const Plate& plate : platesOf(shape)) one(Primitive::sphere, scene.sphereCount, plate.corners, plate.rim);
         return;
     }
     if (shades(draw.writes) && draw.nearest == Nearest::deferred) return one(Primitive::screen, 1, 3);
-    one(Primitive::sphere, scene.sphereCount, cornersOf(draw));
+    const ImpostorShape shape = chooseImpostor(draw.impostor, software, draw.radiusPixels, draw.perspective);
+    one(Primitive::sphere, scene.sphereCount,
+        shape == ImpostorShape::square    ? 4
+        : shape == ImpostorShape::octagon ? 8
+                                          : kPyramidCorners);
     one(Primitive::cylinder, scene.cylinderCount, 4);
 }
 

@@ -19,8 +19,9 @@ struct Draw {
     Nearest nearest{};
     bool perspective = false;
     layout::ViewConstants view{};
-    PlateShape plates = PlateShape::octagon;  ///< of Writes::plates
+    PlateShape plates = PlateShape::automatic;  ///< of Writes::plates
     ImpostorShape impostor = ImpostorShape::automatic;
+    double radiusPixels = 0;                  ///< mean radius of the spheres in the picture
     const gpu::Buffer* counter = nullptr;     ///< counts shaded fragments at `counterOffset`, bytes
     vk::DeviceSize counterOffset = 0;
 };
@@ -49,7 +50,6 @@ private:
     const gpu::Layout& layoutOf(const ShaderKey& key);
     vk::Pipeline pipeline(graph::PassContext& context, const ShaderKey& key, bool perspective, std::uint32_t corners,
                           float rim);
-    std::uint32_t cornersOf(const Draw& draw) const;
     void bindSets(graph::PassContext& context, const SceneBuffers& scene, const ShaderKey& key, const Draw& draw,
                   const ShadingInputs& inputs);
 

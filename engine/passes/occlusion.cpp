@@ -32,6 +32,9 @@ OcclusionBake::OcclusionBake(const gpu::Device& device, Geometry& geometry, Near
                              const Representation& representation, const OcclusionLayout& layout, int directions)
     : device_(device), geometry_(geometry), nearest_(nearest), scene_(scene), layout_(layout),
       directions_(occlusionDirections(directions)), radius_(representation.radius) {
+    double sum = 0;
+    for (const Sphere& s : representation.spheres) sum += s.radius;
+    meanRadius_ = sum / static_cast<double>(std::max<std::size_t>(representation.spheres.size(), 1));
     // The smallest power of two with the wanted resolution, so that the grid holds a square number of maps.
     const double wanted = 2.0 * radius_ * kPixelsPerAngstrom;
     mapPixels_ = 128;
@@ -103,6 +106,7 @@ void OcclusionBake::recordMaps(graph::PassContext& context, Writes writes) const
         context.commands.setScissor(
             0, vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {mapPixels_, mapPixels_}));
         Draw draw{writes, nearest_};
+        draw.radiusPixels = meanRadius_ * view.pixelsPerAngstrom;
         draw.view = viewConstants(view, device_.caps().snapPixels, x + mapPixels_ / 2.0, y + mapPixels_ / 2.0);
         geometry_.draw(context, scene_, draw);
     }

@@ -41,7 +41,7 @@ private:
     const SceneBuffers& scene_;
     OcclusionLayout layout_;
     std::vector<glm::dmat3> directions_;
-    double radius_;
+    double radius_, meanRadius_ = 0;
     std::uint32_t mapPixels_, perRow_, texels_ = 0;
     int done_ = 0, batch_ = 0;
     gpu::Buffer rows_, list_, sums_, words_;

@@ -4,12 +4,33 @@
 
 namespace nacre::passes {
 
+namespace {
+
+constexpr double kManyFragments = 6.0;  // pixels of radius: a hundred fragments against some seventy vertices
+
+}  // namespace
+
+PlateShape choosePlates(PlateShape wanted, bool software, double radiusPixels) {
+    if (wanted != PlateShape::automatic) return wanted;
+    if (software) return PlateShape::square;
+    return radiusPixels >= kManyFragments ? PlateShape::dome3 : PlateShape::octagon;
+}
+
+ImpostorShape chooseImpostor(ImpostorShape wanted, bool software, double radiusPixels, bool perspective) {
+    const bool large = radiusPixels >= kManyFragments;
+    if (wanted == ImpostorShape::automatic)
+        wanted = software ? ImpostorShape::square : large ? ImpostorShape::pyramid : ImpostorShape::octagon;
+    // Leaning facets are planes of depth only where parallel lines stay parallel.
+    return wanted == ImpostorShape::pyramid && perspective ? ImpostorShape::octagon : wanted;
+}
+
 std::span<const Plate> platesOf(PlateShape shape) {
     static constexpr std::array kSquare{Plate{4, 0.98516f}};
     static constexpr std::array kOctagon{Plate{8, 0.98516f}};
     static constexpr std::array kDome2{Plate{8, 0.98516f}, Plate{8, 0.75f}};
     static constexpr std::array kDome3{Plate{8, 0.98516f}, Plate{8, 0.86f}, Plate{8, 0.6f}};
     switch (shape) {
+        case PlateShape::automatic:
         case PlateShape::none: return {};
         case PlateShape::square: return kSquare;
         case PlateShape::octagon: return kOctagon;

@@ -14,6 +14,13 @@ struct Plate {
     float rim = 0.98516f;       ///< the original app's octagon: 0.91017 of the circumscribed one
 };
 
+/// What `automatic` stands for. On a software rasteriser a triangle costs as much as some hundred fragments: squares.
+/// On a GPU fragments are what counts, as long as a sphere covers enough of them: domes and pyramids; else octagons.
+/// @param software       whether the device is a software rasteriser
+/// @param radiusPixels   mean radius of a sphere in the picture
+PlateShape choosePlates(PlateShape wanted, bool software, double radiusPixels);
+ImpostorShape chooseImpostor(ImpostorShape wanted, bool software, double radiusPixels, bool perspective);
+
 /// The polygons of a shape. More of them make a dome: smaller plates that stand nearer to the viewer.
 std::span<const Plate> platesOf(PlateShape shape);
 
