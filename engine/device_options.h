@@ -9,6 +9,7 @@ enum class Visibility {
     automatic,  ///< the device's caps choose
     encoded,    ///< the paper's: encoded depth in colour, three subpasses
     fragdepth,  ///< gl_FragDepth, one subpass
+    rasterOrder,  ///< nearest depth read and written as an attachment in raster order, one pass over the impostors
     deferred,   ///< the nearest primitive's number by gl_FragDepth, then every covered pixel shaded once
 };
 

@@ -47,6 +47,7 @@ Nearest nearestOf(Visibility visibility) {
     switch (visibility) {
         case Visibility::fragdepth: return Nearest::fragdepth;
         case Visibility::deferred: return Nearest::deferred;
+        case Visibility::rasterOrder: return Nearest::rasterOrder;
         default: return Nearest::encoded;
     }
 }
@@ -132,18 +133,30 @@ void Renderer::Impl::draw(const RenderSettings& settings, const View& view, std:
         found = g.image("primitive number", {VK_FORMAT_R32_UINT, extent});
         g.graphics("nearest primitive").depth(depth).color(found, Clear{0.0f}).record(geometryPass(Writes::number));
     }
+    // One target keeps the nearest depth itself; several (the layers) share one that is found before them.
+    const bool ordered = nearest == Nearest::rasterOrder;
+    const bool shared = ordered && targets.size() > 1;
+    if (ordered) found = g.image("nearest depth", {VK_FORMAT_R32_SFLOAT, extent});
+    if (shared)
+        g.graphics("depth encoding").depthTest(depth).ordered(found, Clear{1.0f}).record(
+            [this, found, atlas, d = drawn(Writes::encoded)](graph::PassContext& c) {
+                geometry.draw(c, scene, d, {c.view(atlas), c.view(found)});
+            });
     for (Target& target : targets) {
         const graph::ImageDesc desc{target.format, extent};
         const auto image = g.image(target.image, desc);
         auto pass = g.graphics(target.pass);
         if (nearest == Nearest::fragdepth || (nearest == Nearest::encoded && geometry.settles()))
             pass.depth(depth);
-        else if (nearest == Nearest::encoded)
+        else if (nearest != Nearest::deferred)
             pass.depthTest(depth);
-        if (nearest != Nearest::fragdepth) pass.input(found);
-        pass.samples(atlas).color(image, Clear{0.0f}).record(
-            [this, found, atlas, d = drawn(target.writes)](graph::PassContext& c) {
-                geometry.draw(c, scene, d, {c.view(atlas), c.view(found)});
+        if (nearest == Nearest::encoded || nearest == Nearest::deferred) pass.input(found);
+        pass.samples(atlas).color(image, Clear{0.0f});
+        if (ordered && !shared) pass.ordered(found, Clear{1.0f});
+        if (shared) pass.samples(found);
+        pass.record(
+            [this, found, atlas, shared, d = drawn(target.writes)](graph::PassContext& c) {
+                geometry.draw(c, scene, d, {c.view(atlas), c.view(found), shared});
             });
         if (!readBack) {
             g.output(image);

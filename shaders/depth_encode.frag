@@ -14,6 +14,10 @@ layout(location = 1) flat in vec4 endB;
 layout(location = 0) flat in vec4 sphere;
 #endif
 layout(location = 0) out vec4 encoded;
+#ifdef ORDERED
+// No blending: the attachment's own value is read in raster order.
+layout(input_attachment_index = 0, set = 0, binding = 1) uniform subpassInput nearest;
+#endif
 
 void main() {
     countFragment();
@@ -22,5 +26,10 @@ void main() {
 #else
     Hit hit = sphereHit(sphere, gl_FragCoord.xy);
 #endif
+#ifdef ORDERED
+    float kept = subpassLoad(nearest).x;
+    encoded = vec4(hit.inside ? min(kept, encodedDepth(hit.Z)) : kept, 0.0, 0.0, 0.0);
+#else
     encoded = hit.inside ? encodeDepth(encodedDepth(hit.Z)) : farthestDepth();
+#endif
 }

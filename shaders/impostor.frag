@@ -2,6 +2,7 @@
 // Impostor colour and the layers: the same hit, tested against the nearest depth, then written out.
 //   CYLINDER      the primitive; otherwise a sphere
 //   INPUT / SAMPLED / FRAGDEPTH   where the nearest depth is: an input attachment, a texture, the depth buffer
+//   ORDERED       an attachment that this pass itself keeps, read in raster order
 //   SETTLE        with INPUT or SAMPLED: encoded depth is coarse, the depth buffer settles what it leaves open
 //   SURFACE / IDENTITY            layers instead of colour
 #extension GL_GOOGLE_include_directive : require
@@ -27,6 +28,10 @@ layout(early_fragment_tests) in;
 #if defined(INPUT)
 layout(input_attachment_index = 0, set = 0, binding = 1) uniform subpassInput nearest;
 vec4 nearestDepth() { return subpassLoad(nearest); }
+#elif defined(ORDERED)
+layout(input_attachment_index = 0, set = 0, binding = 1) uniform subpassInput nearest;
+layout(location = 1) out vec4 nearestOut;
+vec4 nearestDepth() { return subpassLoad(nearest); }
 #elif defined(SAMPLED)
 layout(set = 0, binding = 1) uniform sampler2D nearest;
 vec4 nearestDepth() { return texelFetch(nearest, ivec2(gl_FragCoord.xy), 0); }
@@ -46,6 +51,9 @@ void main() {
 #endif
 #ifndef FRAGDEPTH
     if (!isFrontmost(d, nearestDepth())) discard;
+#endif
+#ifdef ORDERED
+    nearestOut = vec4(d, 0.0, 0.0, 0.0);
 #endif
 #ifdef CYLINDER
     bool first = hit.along < 0.5;

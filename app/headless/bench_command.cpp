@@ -28,7 +28,8 @@ struct NamedPath {
 };
 constexpr NamedPath kPaths[] = {{"encoded", Visibility::encoded},
                                 {"fragdepth", Visibility::fragdepth},
-                                {"deferred", Visibility::deferred}};
+                                {"deferred", Visibility::deferred},
+                                {"raster-order", Visibility::rasterOrder}};
 struct Variant {
     const char* plates;
     PlateShape plateShape;
@@ -117,11 +118,11 @@ Json compareShapes(const BenchOptions& options, const Representation& scene, Ren
 void printTable(const Json& report, std::ostream& out) {
     out << report["input"].get<std::string>() << ": " << report["atoms"]["drawn"] << " atoms, " << report["size"][0]
         << "x" << report["size"][1] << ", " << report["device"]["name"].get<std::string>() << "\n\n"
-        << std::fixed << std::setprecision(2) << "path        frame ms min   median     bake ms  tile B/px\n";
+        << std::fixed << std::setprecision(2) << "path         frame ms min   median     bake ms  tile B/px\n";
     for (const Json& path : report["paths"])
-        out << std::left << std::setw(12) << path["visibility"].get<std::string>() << std::right << std::setw(12)
+        out << std::left << std::setw(13) << path["visibility"].get<std::string>() << std::right << std::setw(12)
             << path["frame"]["min"].get<double>() << std::setw(9) << path["frame"]["median"].get<double>()
-            << std::setw(12) << path["bake"].get<double>() << std::setw(11) << path["tile_bytes_per_pixel"] << "\n";
+            << std::setw(13) << path["bake"].get<double>() << std::setw(11) << path["tile_bytes_per_pixel"] << "\n";
     out << "\nshaded fragments per visible pixel, encoded path\nplates      impostor  prepass  encoding  colour  cut by  frame ms min\n";
     double off = 0;
     for (const Json& row : report["shapes"]) {

@@ -141,10 +141,10 @@ void addFiles(CLI::App& app, RenderOptions& options) {
 
 void addDevice(CLI::App& app, RenderOptions& options) {
     addDeviceName(app, options.device);
-    value(app, "--visibility", "PATH", "auto", "auto, encoded, fragdepth or deferred", [&](const std::string& text) {
+    value(app, "--visibility", "PATH", "auto", "auto, encoded, fragdepth, deferred or raster-order", [&](const std::string& text) {
         constexpr Visibility kPaths[] = {Visibility::automatic, Visibility::encoded, Visibility::fragdepth,
-                                         Visibility::deferred};
-        options.device.visibility = kPaths[parseChoice(text, {"auto", "encoded", "fragdepth", "deferred"})];
+                                         Visibility::deferred, Visibility::rasterOrder};
+        options.device.visibility = kPaths[parseChoice(text, {"auto", "encoded", "fragdepth", "deferred", "raster-order"})];
     });
     value(app, "--encoded-format", "FORMAT", "auto", "Of encoded depth: auto, r32f, rgba16f, rg16f, a2b10g10r10 or rgba8",
           [&](const std::string& text) {

@@ -61,8 +61,17 @@ const char* visibilityName(Visibility visibility) {
         case Visibility::encoded: return "encoded";
         case Visibility::fragdepth: return "fragdepth";
         case Visibility::deferred: return "deferred";
+        case Visibility::rasterOrder: return "raster-order";
     }
     return "";
+}
+
+bool readsInRasterOrder(const vk::raii::PhysicalDevice& device) {
+    if (!hasExtension(device, VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME)) return false;
+    using Features = vk::PhysicalDeviceRasterizationOrderAttachmentAccessFeaturesEXT;
+    return device.getFeatures2<vk::PhysicalDeviceFeatures2, Features>()
+        .get<Features>()
+        .rasterizationOrderColorAttachmentAccess;
 }
 
 Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options) {
@@ -87,6 +96,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     const bool molten = hasExtension(device, "VK_KHR_portability_subset");
     const bool lazy = hasLazyMemory(device);
     caps.plan.name = caps.deviceName;
+    caps.plan.rasterOrder = readsInRasterOrder(device);
     caps.plan.transient = lazy;
     caps.plan.storeNone = hasExtension(device, VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME);
     // MoltenVK ends its Metal encoder at every subpass (its documentation, "Known limitations").
@@ -97,6 +107,9 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
 
     if (options.visibility != Visibility::automatic) {
         caps.visibility = options.visibility;
+        if (options.visibility == Visibility::rasterOrder && !caps.plan.rasterOrder)
+            throw Error("cannot draw by raster-order", caps.deviceName,
+                        "VK_EXT_rasterization_order_attachment_access is missing");
         caps.visibilityReason = "asked for";
     } else if (molten) {
         caps.visibility = Visibility::fragdepth;

@@ -31,6 +31,9 @@ struct Caps {
 /// @throws Error if the device cannot do what was asked for
 Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options = {});
 
+/// Whether fragments may read their own attachment in raster order.
+bool readsInRasterOrder(const vk::raii::PhysicalDevice& device);
+
 const char* visibilityName(Visibility visibility);
 
 }  // namespace nacre::gpu

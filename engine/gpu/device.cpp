@@ -22,7 +22,8 @@ std::vector<const char*> deviceExtensions(const vk::raii::PhysicalDevice& physic
             throw Error("unsuitable device", physical.getProperties().deviceName.data(),
                         std::string(name) + " is missing");
     for (const char* name : {"VK_KHR_portability_subset", VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME,
-                             VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME})
+                             VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME,
+                             VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME})
         if (has(name)) wanted.push_back(name);
     return wanted;
 }
@@ -59,7 +60,13 @@ void Device::createDevice() {
     const float priority = 1.0f;
     const vk::DeviceQueueCreateInfo queue({}, queueFamily_, 1, &priority);
     const auto extensions = deviceExtensions(physical_);
-    device_ = vk::raii::Device(physical_, vk::DeviceCreateInfo({}, queue, {}, extensions));
+    vk::PhysicalDeviceFeatures features;
+    // Only the counting shaders write storage from fragments.
+    features.fragmentStoresAndAtomics = physical_.getFeatures().fragmentStoresAndAtomics;
+    vk::DeviceCreateInfo info({}, queue, {}, extensions, &features);
+    vk::PhysicalDeviceRasterizationOrderAttachmentAccessFeaturesEXT order(true);
+    if (readsInRasterOrder(physical_)) info.pNext = &order;
+    device_ = vk::raii::Device(physical_, info);
     queue_ = device_.getQueue(queueFamily_, 0);
     pool_ = vk::raii::CommandPool(device_, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient,
                                                                      queueFamily_));

@@ -56,7 +56,9 @@ vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d)
                                                         vk::CompareOp::eLessOrEqual);
     std::vector<vk::PipelineColorBlendAttachmentState> blends;
     for (std::uint32_t i = 0; i < d.colorCount; ++i) blends.push_back(blendState(d.blend, i < d.colorsWritten));
-    const vk::PipelineColorBlendStateCreateInfo blend({}, false, vk::LogicOp::eCopy, blends);
+    vk::PipelineColorBlendStateCreateFlags blendFlags;
+    if (d.ordered) blendFlags = vk::PipelineColorBlendStateCreateFlagBits::eRasterizationOrderAttachmentAccessEXT;
+    const vk::PipelineColorBlendStateCreateInfo blend(blendFlags, false, vk::LogicOp::eCopy, blends);
     constexpr vk::DynamicState kDynamic[] = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic({}, kDynamic);
     vk::raii::Pipeline pipeline(

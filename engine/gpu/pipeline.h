@@ -40,6 +40,7 @@ struct GraphicsPipeline {
     std::uint32_t colorsWritten = 0; ///< of the pass; the others are masked
     DepthUse depth = DepthUse::none;
     Blend blend = Blend::replace;
+    bool ordered = false;  ///< attachments are read in raster order
     bool strip = true;  ///< triangle strip, else list
 };
 

@@ -9,6 +9,7 @@ const char* verbName(Verb verb) {
         case Verb::depth: return "depth write";
         case Verb::depthTest: return "depth test";
         case Verb::color: return "write";
+        case Verb::ordered: return "ordered read and write";
         case Verb::input: return "input";
         case Verb::samples: return "sample";
         case Verb::reads: return "read";

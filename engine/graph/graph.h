@@ -57,6 +57,7 @@ enum class Verb : std::uint8_t {
     depth,       // attachment, tested and written
     depthTest,   // attachment, tested only
     color,       // attachment, written (and blended)
+    ordered,     // attachment, read and written at the pixel's own place, fragment after fragment in raster order
     input,       // read at the pixel's own place
     samples,     // texture
     reads,       // buffer: storage or uniform, read
@@ -66,7 +67,7 @@ enum class Verb : std::uint8_t {
     copiesTo,    // transfer target
 };
 constexpr bool isWrite(Verb verb) {
-    return verb == Verb::depth || verb == Verb::color || verb == Verb::writes || verb == Verb::copiesTo;
+    return verb == Verb::depth || verb == Verb::color || verb == Verb::ordered || verb == Verb::writes || verb == Verb::copiesTo;
 }
 constexpr bool isAttachment(Verb verb) { return verb <= Verb::input; }
 const char* verbName(Verb verb);
@@ -117,6 +118,7 @@ public:
     PassBuilder& depth(Image image, std::optional<Clear> clear = {}) { return use(Verb::depth, image, clear); }
     PassBuilder& depthTest(Image image) { return use(Verb::depthTest, image); }
     PassBuilder& color(Image image, std::optional<Clear> clear = {}) { return use(Verb::color, image, clear); }
+    PassBuilder& ordered(Image image, std::optional<Clear> clear = {}) { return use(Verb::ordered, image, clear); }
     PassBuilder& input(Image image) { return use(Verb::input, image); }
     PassBuilder& samples(Image image) { return use(Verb::samples, image); }
     PassBuilder& copiesFrom(Image image) { return use(Verb::copiesFrom, image); }

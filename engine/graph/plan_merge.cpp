@@ -111,7 +111,8 @@ private:
         std::size_t colorCount = last.colors.size();
         for (const Use& use : pass.uses) {
             if (!use.isImage || !isAttachment(use.verb)) continue;
-            if (use.verb == Verb::input) return false;
+            // Raster order is a property of the whole subpass: such a pass keeps one to itself.
+            if (use.verb == Verb::input || use.verb == Verb::ordered || last.ordered) return false;
             const std::int32_t at = find(use.resource);
             const auto index = static_cast<std::uint32_t>(at);
             if (at >= 0 && contains(last.inputs, index)) return false;
@@ -150,8 +151,10 @@ private:
             const Verb verb = effectiveVerb(plan_, p, use);
             if (!use.isImage || !isAttachment(verb)) continue;
             const std::uint32_t at = attach(use);
-            if (verb == Verb::color && !contains(subpass.colors, at)) subpass.colors.push_back(at);
-            if (verb == Verb::input) subpass.inputs.push_back(at);
+            const bool ordered = verb == Verb::ordered;
+            if ((verb == Verb::color || ordered) && !contains(subpass.colors, at)) subpass.colors.push_back(at);
+            if (verb == Verb::input || ordered) subpass.inputs.push_back(at);
+            subpass.ordered = subpass.ordered || ordered;
             if (verb == Verb::depth || verb == Verb::depthTest) {
                 subpass.depth = static_cast<std::int32_t>(at);
                 subpass.depthWrite = subpass.depthWrite || verb == Verb::depth;
@@ -167,7 +170,8 @@ private:
 }  // namespace
 
 bool attachmentVerb(const Subpass& subpass, std::uint32_t attachment, Verb& verb) {
-    if (contains(subpass.colors, attachment)) return verb = Verb::color, true;
+    if (contains(subpass.colors, attachment))
+        return verb = contains(subpass.inputs, attachment) ? Verb::ordered : Verb::color, true;
     if (contains(subpass.inputs, attachment)) return verb = Verb::input, true;
     if (subpass.depth == static_cast<std::int32_t>(attachment))
         return verb = subpass.depthWrite ? Verb::depth : Verb::depthTest, true;

@@ -31,6 +31,7 @@ VkImageUsageFlags usageFlag(Verb verb) {
         case Verb::depth:
         case Verb::depthTest: return VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
         case Verb::color: return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+        case Verb::ordered: return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT;
         case Verb::input: return VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT;
         case Verb::samples: return VK_IMAGE_USAGE_SAMPLED_BIT;
         case Verb::copiesFrom: return VK_IMAGE_USAGE_TRANSFER_SRC_BIT;

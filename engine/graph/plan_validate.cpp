@@ -52,11 +52,13 @@ void checkAttachments(const Graph& graph, const PassDecl& pass, const PlanCaps& 
         if (depthVerb != isDepthFormat(desc.format))
             throw GraphError(naming(graph, pass, use) + ": " + formatName(desc.format) + " cannot be a " +
                              verbName(use.verb) + " attachment");
-        if (use.verb == Verb::color) {
+        if (use.verb == Verb::ordered && !caps.rasterOrder)
+            throw GraphError(naming(graph, pass, use) + ": '" + caps.name + "' cannot read an attachment in raster order");
+        if (use.verb == Verb::color || use.verb == Verb::ordered) {
             ++colors;
             bytes += bytesPerTexel(desc.format);
         }
-        if (use.verb == Verb::input) ++inputs;
+        if (use.verb == Verb::input || use.verb == Verb::ordered) ++inputs;
     }
     if (pass.kind == PassKind::graphics && !first)
         throw GraphError("pass '" + pass.name + "': a graphics pass needs an attachment");

@@ -1,4 +1,5 @@
 #include "engine/graph/execute.h"
+#include "engine/graph/plan_internal.h"
 
 namespace nacre::graph {
 namespace {
@@ -46,14 +47,21 @@ vk::raii::RenderPass makeRenderPass(const gpu::Device& device, const RenderPassP
     for (std::size_t s = 0; s < plan.subpasses.size(); ++s) {
         const Subpass& subpass = plan.subpasses[s];
         References& r = references[s];
+        const auto verbOf = [&](std::uint32_t attachment) {
+            Verb verb{};
+            attachmentVerb(subpass, attachment, verb);
+            return verb;
+        };
         for (const std::uint32_t a : subpass.colors)
-            r.colors.push_back(reference(a, Verb::color, plan.attachments[a].format));
+            r.colors.push_back(reference(a, verbOf(a), plan.attachments[a].format));
         for (const std::uint32_t a : subpass.inputs)
-            r.inputs.push_back(reference(a, Verb::input, plan.attachments[a].format));
+            r.inputs.push_back(reference(a, verbOf(a), plan.attachments[a].format));
         if (subpass.depth >= 0)
             r.depth = reference(static_cast<std::uint32_t>(subpass.depth),
                                 subpass.depthWrite ? Verb::depth : Verb::depthTest, VK_FORMAT_D32_SFLOAT);
-        vk::SubpassDescription2 description({}, vk::PipelineBindPoint::eGraphics, 0, r.inputs, r.colors);
+        vk::SubpassDescriptionFlags flags;
+        if (subpass.ordered) flags = vk::SubpassDescriptionFlagBits::eRasterizationOrderAttachmentColorAccessEXT;
+        vk::SubpassDescription2 description(flags, vk::PipelineBindPoint::eGraphics, 0, r.inputs, r.colors);
         if (subpass.depth >= 0) description.pDepthStencilAttachment = &r.depth;
         description.preserveAttachmentCount = static_cast<std::uint32_t>(subpass.preserve.size());
         description.pPreserveAttachments = subpass.preserve.data();

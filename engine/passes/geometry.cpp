@@ -29,6 +29,9 @@ void describeStreams(gpu::GraphicsPipeline& d, Primitive primitive, bool looks) 
     }
 }
 
+/// Whether a pass has a set of textures and attachments.
+bool reads(const ShaderKey& key) { return shades(key.writes) || keepsDepth(key.writes, key.nearest); }
+
 bool writesDepth(const ShaderKey& key) {
     if (shades(key.writes)) return key.nearest == Nearest::fragdepth || key.settle;
     return key.writes != Writes::encoded;
@@ -42,10 +45,10 @@ Geometry::Geometry(const gpu::Device& device)
 
 const gpu::Layout& Geometry::layoutOf(const ShaderKey& key) {
     using Type = vk::DescriptorType;
-    const LayoutKey at{shades(key.writes), key.nearest, key.sampled, key.counting};
+    const LayoutKey at{reads(key), key.nearest, key.sampled, key.counting};
     if (const auto it = layouts_.find(at); it != layouts_.end()) return it->second;
     std::vector<Type> bindings;
-    if (shades(key.writes)) {
+    if (reads(key)) {
         bindings.push_back(Type::eCombinedImageSampler);
         if (key.nearest != Nearest::fragdepth)
             bindings.push_back(key.sampled ? Type::eCombinedImageSampler : Type::eInputAttachment);
@@ -53,7 +56,7 @@ const gpu::Layout& Geometry::layoutOf(const ShaderKey& key) {
     }
     return layouts_
         .emplace(at, gpu::makeLayout(device_, bindings, kStages, sizeof(layout::ViewConstants),
-                                     shades(key.writes) ? "shading layout" : "geometry layout", key.counting))
+                                     reads(key) ? "shading layout" : "geometry layout", key.counting))
         .first->second;
 }
 
@@ -71,8 +74,9 @@ vk::Pipeline Geometry::pipeline(graph::PassContext& context, const ShaderKey& ke
     d.fragment = fragmentShader(key);
     const gpu::EncodedFormat& encoded = device_.caps().encoded;
     d.constants.set(0, perspective);
-    d.constants.set(1, encoded.channels);
-    d.constants.set(2, encoded.steps);
+    const bool exact = key.nearest == Nearest::rasterOrder;  // needs no blending: R32F everywhere
+    d.constants.set(1, exact ? 1 : encoded.channels);
+    d.constants.set(2, exact ? 0 : encoded.steps);
     d.constants.set(3, corners);
     if (plates) d.constants.set(4, rim);
     d.strip = corners != kPyramidCorners;
@@ -81,11 +85,12 @@ vk::Pipeline Geometry::pipeline(graph::PassContext& context, const ShaderKey& ke
     d.renderPass = context.renderPass;
     d.subpass = context.subpass;
     d.colorCount = context.colorCount;
-    d.colorsWritten = plates || key.writes == Writes::depth ? 0 : 1;
+    d.ordered = keepsDepth(key.writes, key.nearest) && !key.sampled;
+    d.colorsWritten = plates || key.writes == Writes::depth ? 0 : d.ordered && shades(key.writes) ? 2 : 1;
     d.depth = key.primitive == Primitive::screen ? gpu::DepthUse::none
               : writesDepth(key)                 ? gpu::DepthUse::write
                                                  : gpu::DepthUse::test;
-    d.blend = key.writes == Writes::encoded ? gpu::Blend::minimum : gpu::Blend::replace;
+    d.blend = key.writes == Writes::encoded && !d.ordered ? gpu::Blend::minimum : gpu::Blend::replace;
     return *pipelines_.emplace(at, gpu::makePipeline(device_, d)).first->second;
 }
 
@@ -93,10 +98,12 @@ void Geometry::bindSets(graph::PassContext& context, const SceneBuffers& scene, 
                         const ShadingInputs& inputs) {
     const gpu::Layout& layout = layoutOf(key);
     constexpr auto kGraphics = vk::PipelineBindPoint::eGraphics;
-    if (shades(key.writes)) {
+    if (reads(key)) {
         const vk::DescriptorSet set = context.descriptors.allocate(layout.set);
         const vk::DescriptorImageInfo atlas(*linear_, inputs.atlas, kRead);
-        const vk::DescriptorImageInfo nearest(key.sampled ? *nearest_ : vk::Sampler(), inputs.nearest, kRead);
+        const bool ordered = keepsDepth(key.writes, key.nearest) && !key.sampled;
+        const auto layoutHere = ordered ? vk::ImageLayout::eGeneral : kRead;
+        const vk::DescriptorImageInfo nearest(key.sampled ? *nearest_ : vk::Sampler(), inputs.nearest, layoutHere);
         const vk::DescriptorBufferInfo buffers[] = {{*scene.shapes.handle, 0, VK_WHOLE_SIZE},
                                                     {*scene.sphereLooks.handle, 0, VK_WHOLE_SIZE},
                                                     {*scene.cylinderLooks.handle, 0, VK_WHOLE_SIZE}};
@@ -128,7 +135,7 @@ void Geometry::draw(graph::PassContext& context, const SceneBuffers& scene, cons
     const bool software = device_.caps().software;
     const auto one = [&](Primitive primitive, std::uint32_t instances, std::uint32_t corners, float rim = 0) {
         if (instances == 0) return;
-        ShaderKey key{primitive, draw.writes, draw.nearest, shades(draw.writes) && context.inputIsSampled,
+        ShaderKey key{primitive, draw.writes, draw.nearest, shades(draw.writes) && (context.inputIsSampled || inputs.asTexture),
                       shades(draw.writes) && draw.nearest == Nearest::encoded && settles(), draw.counter != nullptr};
         commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, key, draw.perspective, corners, rim));
         commands.pushConstants<layout::ViewConstants>(*layoutOf(key).pipeline, kStages, 0, draw.view);

@@ -29,7 +29,8 @@ struct Draw {
 /// What a shading pass reads.
 struct ShadingInputs {
     vk::ImageView atlas;
-    vk::ImageView nearest;  ///< encoded depth or primitive numbers; unused by `fragdepth`
+    vk::ImageView nearest;   ///< encoded depth or primitive numbers; unused by `fragdepth`
+    bool asTexture = false;  ///< `nearest` is complete and read as a texture
 };
 
 class Geometry {
@@ -44,7 +45,7 @@ public:
     bool settles() const { return device_.caps().encoded.levels() < 100000; }
 
 private:
-    using LayoutKey = std::tuple<bool, Nearest, bool, bool>;  // shades, nearest, sampled, counting
+    using LayoutKey = std::tuple<bool, Nearest, bool, bool>;  // reads, nearest, sampled, counting
     using PipelineKey = std::tuple<ShaderKey, bool, std::uint32_t, VkRenderPass, std::uint32_t>;
 
     const gpu::Layout& layoutOf(const ShaderKey& key);

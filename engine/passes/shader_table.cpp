@@ -15,6 +15,7 @@ using Words = std::span<const std::uint32_t>;
     if (key.primitive == Primitive::screen)                                                                    \
         return key.sampled ? NACRE_STAGE(output##DeferredSampled) : NACRE_STAGE(output##DeferredInput);        \
     if (key.nearest == Nearest::fragdepth) return NACRE_PRIMITIVE(output, Fragdepth);                          \
+    if (key.nearest == Nearest::rasterOrder && !key.sampled) return NACRE_PRIMITIVE(output, Ordered);                          \
     if (key.settle) return key.sampled ? NACRE_PRIMITIVE(output, SampledSettle) : NACRE_PRIMITIVE(output, InputSettle); \
     return key.sampled ? NACRE_PRIMITIVE(output, Sampled) : NACRE_PRIMITIVE(output, Input)
 
@@ -27,7 +28,8 @@ Words identityShader(const ShaderKey& key) { NACRE_SHADING(identity); }
 Words fragmentShader(const ShaderKey& key) {
     switch (key.writes) {
         case Writes::plates: return NACRE_STAGE(plateFragment);
-        case Writes::encoded: return NACRE_PRIMITIVE(encode, );
+        case Writes::encoded:
+            return key.nearest == Nearest::rasterOrder ? NACRE_PRIMITIVE(encode, Ordered) : NACRE_PRIMITIVE(encode, );
         case Writes::depth: return NACRE_PRIMITIVE(nearest, );
         case Writes::number: return NACRE_PRIMITIVE(identify, );
         case Writes::color: return colorShader(key);

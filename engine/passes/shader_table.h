@@ -18,10 +18,15 @@ enum class Writes : std::uint8_t {
     surface,   ///< normal and Z
     identity,  ///< atom and occlusion
 };
-constexpr bool shades(Writes writes) { return writes >= Writes::color; }
 
 /// How shading learns whether a hit is the nearest.
-enum class Nearest : std::uint8_t { encoded, fragdepth, deferred };
+enum class Nearest : std::uint8_t { encoded, fragdepth, deferred, rasterOrder };
+
+constexpr bool shades(Writes writes) { return writes >= Writes::color; }
+/// Whether a pass keeps the nearest depth itself, read and written in raster order.
+constexpr bool keepsDepth(Writes writes, Nearest nearest) {
+    return nearest == Nearest::rasterOrder && (shades(writes) || writes == Writes::encoded);
+}
 
 struct ShaderKey {
     Primitive primitive{};
