@@ -6,11 +6,11 @@ namespace nacre {
 
 /// How a pixel's nearest surface is found; every path draws the same picture.
 enum class Visibility {
-    automatic,  ///< the device's caps choose
-    encoded,    ///< the paper's: encoded depth in colour, three subpasses
-    fragdepth,  ///< gl_FragDepth, one subpass
+    automatic,    ///< the device's caps choose
+    encoded,      ///< the paper's: encoded depth in colour, three subpasses
+    fragdepth,    ///< gl_FragDepth, one subpass
     rasterOrder,  ///< nearest depth read and written as an attachment in raster order, one pass over the impostors
-    deferred,   ///< the nearest primitive's number by gl_FragDepth, then every covered pixel shaded once
+    deferred,     ///< the nearest primitive's number by gl_FragDepth, then every covered pixel shaded once
 };
 
 /// The opaque plates of the prepass, per sphere; domes are stacks of smaller octagons nearer to the viewer.

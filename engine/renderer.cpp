@@ -45,10 +45,14 @@ DeviceInfo infoOf(const gpu::Caps& caps) {
 
 Nearest nearestOf(Visibility visibility) {
     switch (visibility) {
-        case Visibility::fragdepth: return Nearest::fragdepth;
-        case Visibility::deferred: return Nearest::deferred;
-        case Visibility::rasterOrder: return Nearest::rasterOrder;
-        default: return Nearest::encoded;
+        case Visibility::fragdepth:
+            return Nearest::fragdepth;
+        case Visibility::deferred:
+            return Nearest::deferred;
+        case Visibility::rasterOrder:
+            return Nearest::rasterOrder;
+        default:
+            return Nearest::encoded;
     }
 }
 
@@ -71,7 +75,11 @@ struct Renderer::Impl {
     std::string planText;
 
     explicit Impl(const DeviceOptions& options)
-        : device(options), nearest(nearestOf(device.caps().visibility)), geometry(device), executor(device), white(passes::makeWhiteTexture(device, executor)) {
+        : device(options),
+          nearest(nearestOf(device.caps().visibility)),
+          geometry(device),
+          executor(device),
+          white(passes::makeWhiteTexture(device, executor)) {
         stats.device = infoOf(device.caps());
     }
 
@@ -138,8 +146,10 @@ void Renderer::Impl::draw(const RenderSettings& settings, const View& view, std:
     const bool shared = ordered && targets.size() > 1;
     if (ordered) found = g.image("nearest depth", {VK_FORMAT_R32_SFLOAT, extent});
     if (shared)
-        g.graphics("depth encoding").depthTest(depth).ordered(found, Clear{1.0f}).record(
-            [this, found, atlas, d = drawn(Writes::encoded)](graph::PassContext& c) {
+        g.graphics("depth encoding")
+            .depthTest(depth)
+            .ordered(found, Clear{1.0f})
+            .record([this, found, atlas, d = drawn(Writes::encoded)](graph::PassContext& c) {
                 geometry.draw(c, scene, d, {c.view(atlas), c.view(found)});
             });
     for (Target& target : targets) {
@@ -154,10 +164,9 @@ void Renderer::Impl::draw(const RenderSettings& settings, const View& view, std:
         pass.samples(atlas).color(image, Clear{0.0f});
         if (ordered && !shared) pass.ordered(found, Clear{1.0f});
         if (shared) pass.samples(found);
-        pass.record(
-            [this, found, atlas, shared, d = drawn(target.writes)](graph::PassContext& c) {
-                geometry.draw(c, scene, d, {c.view(atlas), c.view(found), shared});
-            });
+        pass.record([this, found, atlas, shared, d = drawn(target.writes)](graph::PassContext& c) {
+            geometry.draw(c, scene, d, {c.view(atlas), c.view(found), shared});
+        });
         if (!readBack) {
             g.output(image);
             continue;
@@ -200,8 +209,7 @@ void Renderer::Impl::prepareOcclusion(const RenderSettings& settings) {
     assignPatches(layout, representation);
     scene = passes::makeSceneBuffers(device, representation);
     const Nearest maps = nearest == Nearest::encoded ? Nearest::encoded : Nearest::fragdepth;
-    bake = std::make_unique<passes::OcclusionBake>(device, geometry, maps, scene, representation, layout,
-                                                   directions);
+    bake = std::make_unique<passes::OcclusionBake>(device, geometry, maps, scene, representation, layout, directions);
     while (bake->step(executor)) {
     }
     bake->finish(executor);

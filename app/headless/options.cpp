@@ -141,15 +141,18 @@ void addFiles(CLI::App& app, RenderOptions& options) {
 
 void addDevice(CLI::App& app, RenderOptions& options) {
     addDeviceName(app, options.device);
-    value(app, "--visibility", "PATH", "auto", "auto, encoded, fragdepth, deferred or raster-order", [&](const std::string& text) {
-        constexpr Visibility kPaths[] = {Visibility::automatic, Visibility::encoded, Visibility::fragdepth,
-                                         Visibility::deferred, Visibility::rasterOrder};
-        options.device.visibility = kPaths[parseChoice(text, {"auto", "encoded", "fragdepth", "deferred", "raster-order"})];
-    });
-    value(app, "--encoded-format", "FORMAT", "auto", "Of encoded depth: auto, r32f, rgba16f, rg16f, a2b10g10r10 or rgba8",
+    value(app, "--visibility", "PATH", "auto", "auto, encoded, fragdepth, deferred or raster-order",
           [&](const std::string& text) {
-              constexpr EncodedDepth kRungs[] = {EncodedDepth::automatic, EncodedDepth::r32f, EncodedDepth::rgba16f,
-                                                 EncodedDepth::rg16f, EncodedDepth::a2b10g10r10, EncodedDepth::rgba8};
+              constexpr Visibility kPaths[] = {Visibility::automatic, Visibility::encoded, Visibility::fragdepth,
+                                               Visibility::deferred, Visibility::rasterOrder};
+              options.device.visibility =
+                  kPaths[parseChoice(text, {"auto", "encoded", "fragdepth", "deferred", "raster-order"})];
+          });
+    value(app, "--encoded-format", "FORMAT", "auto",
+          "Of encoded depth: auto, r32f, rgba16f, rg16f, a2b10g10r10 or rgba8", [&](const std::string& text) {
+              constexpr EncodedDepth kRungs[] = {EncodedDepth::automatic,   EncodedDepth::r32f,
+                                                 EncodedDepth::rgba16f,     EncodedDepth::rg16f,
+                                                 EncodedDepth::a2b10g10r10, EncodedDepth::rgba8};
               options.device.encoded =
                   kRungs[parseChoice(text, {"auto", "r32f", "rgba16f", "rg16f", "a2b10g10r10", "rgba8"})];
           });

@@ -21,9 +21,9 @@ std::vector<const char*> deviceExtensions(const vk::raii::PhysicalDevice& physic
         else
             throw Error("unsuitable device", physical.getProperties().deviceName.data(),
                         std::string(name) + " is missing");
-    for (const char* name : {"VK_KHR_portability_subset", VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME,
-                             VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME,
-                             VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME})
+    for (const char* name :
+         {"VK_KHR_portability_subset", VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME,
+          VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME, VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME})
         if (has(name)) wanted.push_back(name);
     return wanted;
 }
@@ -68,8 +68,8 @@ void Device::createDevice() {
     if (readsInRasterOrder(physical_)) info.pNext = &order;
     device_ = vk::raii::Device(physical_, info);
     queue_ = device_.getQueue(queueFamily_, 0);
-    pool_ = vk::raii::CommandPool(device_, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient,
-                                                                     queueFamily_));
+    pool_ = vk::raii::CommandPool(device_,
+                                  vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient, queueFamily_));
 }
 
 vk::raii::DeviceMemory Device::allocate(const vk::MemoryRequirements& requirements, vk::MemoryPropertyFlags required,

@@ -36,12 +36,12 @@ struct GraphicsPipeline {
     vk::PipelineLayout layout;
     vk::RenderPass renderPass;
     std::uint32_t subpass = 0;
-    std::uint32_t colorCount = 0;    ///< of the subpass
-    std::uint32_t colorsWritten = 0; ///< of the pass; the others are masked
+    std::uint32_t colorCount = 0;     ///< of the subpass
+    std::uint32_t colorsWritten = 0;  ///< of the pass; the others are masked
     DepthUse depth = DepthUse::none;
     Blend blend = Blend::replace;
     bool ordered = false;  ///< attachments are read in raster order
-    bool strip = true;  ///< triangle strip, else list
+    bool strip = true;     ///< triangle strip, else list
 };
 
 /// A pipeline; viewport and scissor are dynamic.

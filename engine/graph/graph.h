@@ -8,6 +8,8 @@
 //   g.output(picture);
 //   Plan plan = compile(g, caps);   // plan.h
 
+#include <vulkan/vulkan_core.h>
+
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -15,8 +17,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include <vulkan/vulkan_core.h>
 
 namespace nacre::graph {
 
@@ -67,7 +67,8 @@ enum class Verb : std::uint8_t {
     copiesTo,    // transfer target
 };
 constexpr bool isWrite(Verb verb) {
-    return verb == Verb::depth || verb == Verb::color || verb == Verb::ordered || verb == Verb::writes || verb == Verb::copiesTo;
+    return verb == Verb::depth || verb == Verb::color || verb == Verb::ordered || verb == Verb::writes ||
+           verb == Verb::copiesTo;
 }
 constexpr bool isAttachment(Verb verb) { return verb <= Verb::input; }
 const char* verbName(Verb verb);

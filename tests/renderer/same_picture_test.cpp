@@ -35,7 +35,8 @@ TEST_P(SamePicture, WhateverThePath) {
     const Representation r = scene(c.file, c.style);
     RenderSettings s = settings(r, 256, c.projection, {75, -40, 120});
     std::vector<LayerPicture> pictures;
-    for (const Visibility visibility : {Visibility::encoded, Visibility::fragdepth, Visibility::deferred, Visibility::rasterOrder}) {
+    for (const Visibility visibility :
+         {Visibility::encoded, Visibility::fragdepth, Visibility::deferred, Visibility::rasterOrder}) {
         ValidatedRenderer renderer(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false})
@@ -78,7 +79,8 @@ TEST_P(SamePicture, OfColourToo) {
     const Representation r = scene(c.file, c.style);
     RenderSettings s = settings(r, 200, c.projection);
     std::vector<float> first;
-    for (const Visibility visibility : {Visibility::encoded, Visibility::fragdepth, Visibility::deferred, Visibility::rasterOrder}) {
+    for (const Visibility visibility :
+         {Visibility::encoded, Visibility::fragdepth, Visibility::deferred, Visibility::rasterOrder}) {
         ValidatedRenderer renderer(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false})
