@@ -45,9 +45,12 @@ DeviceInfo infoOf(const gpu::Caps& caps) {
 
 Nearest nearestOf(Visibility visibility) {
     switch (visibility) {
-        case Visibility::fragdepth: return Nearest::fragdepth;
-        case Visibility::deferred: return Nearest::deferred;
-        default: return Nearest::encoded;
+        case Visibility::fragdepth:
+            return Nearest::fragdepth;
+        case Visibility::deferred:
+            return Nearest::deferred;
+        default:
+            return Nearest::encoded;
     }
 }
 
@@ -70,7 +73,11 @@ struct Renderer::Impl {
     std::string planText;
 
     explicit Impl(const DeviceOptions& options)
-        : device(options), nearest(nearestOf(device.caps().visibility)), geometry(device), executor(device), white(passes::makeWhiteTexture(device, executor)) {
+        : device(options),
+          nearest(nearestOf(device.caps().visibility)),
+          geometry(device),
+          executor(device),
+          white(passes::makeWhiteTexture(device, executor)) {
         stats.device = infoOf(device.caps());
     }
 
@@ -141,8 +148,9 @@ void Renderer::Impl::draw(const RenderSettings& settings, const View& view, std:
         else if (nearest == Nearest::encoded)
             pass.depthTest(depth);
         if (nearest != Nearest::fragdepth) pass.input(found);
-        pass.samples(atlas).color(image, Clear{0.0f}).record(
-            [this, found, atlas, d = drawn(target.writes)](graph::PassContext& c) {
+        pass.samples(atlas)
+            .color(image, Clear{0.0f})
+            .record([this, found, atlas, d = drawn(target.writes)](graph::PassContext& c) {
                 geometry.draw(c, scene, d, {c.view(atlas), c.view(found)});
             });
         if (!readBack) {
@@ -187,8 +195,7 @@ void Renderer::Impl::prepareOcclusion(const RenderSettings& settings) {
     assignPatches(layout, representation);
     scene = passes::makeSceneBuffers(device, representation);
     const Nearest maps = nearest == Nearest::encoded ? Nearest::encoded : Nearest::fragdepth;
-    bake = std::make_unique<passes::OcclusionBake>(device, geometry, maps, scene, representation, layout,
-                                                   directions);
+    bake = std::make_unique<passes::OcclusionBake>(device, geometry, maps, scene, representation, layout, directions);
     while (bake->step(executor)) {
     }
     bake->finish(executor);

@@ -15,15 +15,15 @@ namespace nacre {
 
 struct RenderSettings {
     View view;
-    std::uint32_t supersample = 1;                  ///< N x N samples a pixel
-    std::array<float, 4> background{1, 1, 1, 1};    ///< sRGB-coded, straight alpha, 0..1
-    bool lighting = true;                           ///< off: base colour x occlusion
-    int occlusionDirections = 128;                  ///< 0: no occlusion
-    std::uint64_t occlusionBytes = 64ull << 20;     ///< memory budget of atlas and sums
-    PlateShape plates = PlateShape::automatic;      ///< of the opaque prepass; never changes the picture
+    std::uint32_t supersample = 1;                ///< N x N samples a pixel
+    std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha, 0..1
+    bool lighting = true;                         ///< off: base colour x occlusion
+    int occlusionDirections = 128;                ///< 0: no occlusion
+    std::uint64_t occlusionBytes = 64ull << 20;   ///< memory budget of atlas and sums
+    PlateShape plates = PlateShape::automatic;    ///< of the opaque prepass; never changes the picture
     ImpostorShape impostor = ImpostorShape::automatic;
-    bool countFragments = false;                    ///< fill FrameStats::passes (slower)
-    bool merge = true;                              ///< neighbouring passes share a render pass
+    bool countFragments = false;  ///< fill FrameStats::passes (slower)
+    bool merge = true;            ///< neighbouring passes share a render pass
 };
 
 /// Row 0 on top.
@@ -55,15 +55,15 @@ struct PassCount {
 };
 
 struct FrameStats {
-    DeviceInfo device;                  ///< with the path and reason in force
-    double bakeMilliseconds = 0;        ///< ambient occlusion, from streams to atlas
-    double frameMilliseconds = 0;       ///< one frame, submission to completion, without read-back conversion
-    std::uint64_t coveredPixels = 0;    ///< of the last picture
-    std::vector<PassCount> passes;      ///< of the last frame that counted
+    DeviceInfo device;                ///< with the path and reason in force
+    double bakeMilliseconds = 0;      ///< ambient occlusion, from streams to atlas
+    double frameMilliseconds = 0;     ///< one frame, submission to completion, without read-back conversion
+    std::uint64_t coveredPixels = 0;  ///< of the last picture
+    std::vector<PassCount> passes;    ///< of the last frame that counted
     std::uint64_t spheres = 0, cylinders = 0;
     int occlusionDirections = 0;
-    std::uint32_t patchTexels = 0;      ///< across a sphere's occlusion patch
-    std::uint64_t deviceBytes = 0;      ///< peak device memory
+    std::uint32_t patchTexels = 0;  ///< across a sphere's occlusion patch
+    std::uint64_t deviceBytes = 0;  ///< peak device memory
     std::uint32_t tileBytesPerPixel = 0;
     std::uint64_t loadedBytes = 0, storedBytes = 0;  ///< of attachments, a frame
 };

@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <iomanip>
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <vector>
-
-#include <nlohmann/json.hpp>
 
 #include "app/headless/commands.h"
 #include "app/headless/input.h"
@@ -26,9 +25,8 @@ struct NamedPath {
     const char* name;
     Visibility visibility;
 };
-constexpr NamedPath kPaths[] = {{"encoded", Visibility::encoded},
-                                {"fragdepth", Visibility::fragdepth},
-                                {"deferred", Visibility::deferred}};
+constexpr NamedPath kPaths[] = {
+    {"encoded", Visibility::encoded}, {"fragdepth", Visibility::fragdepth}, {"deferred", Visibility::deferred}};
 struct Variant {
     const char* plates;
     PlateShape plateShape;
@@ -122,7 +120,8 @@ void printTable(const Json& report, std::ostream& out) {
         out << std::left << std::setw(12) << path["visibility"].get<std::string>() << std::right << std::setw(12)
             << path["frame"]["min"].get<double>() << std::setw(9) << path["frame"]["median"].get<double>()
             << std::setw(12) << path["bake"].get<double>() << std::setw(11) << path["tile_bytes_per_pixel"] << "\n";
-    out << "\nshaded fragments per visible pixel, encoded path\nplates      impostor  prepass  encoding  colour  cut by  frame ms min\n";
+    out << "\nshaded fragments per visible pixel, encoded path\nplates      impostor  prepass  encoding  colour  cut "
+           "by  frame ms min\n";
     double off = 0;
     for (const Json& row : report["shapes"]) {
         const double visible = std::max(row["visible"].get<double>(), 1.0);
@@ -132,8 +131,8 @@ void printTable(const Json& report, std::ostream& out) {
         const double costly = shaded(1) + shaded(2);
         if (off == 0) off = costly;
         out << std::left << std::setw(12) << row["plates"].get<std::string>() << std::setw(8)
-            << row["impostor"].get<std::string>() << std::right << std::setw(7) << shaded(0)
-            << std::setw(10) << shaded(1) << std::setw(8) << shaded(2) << std::setw(8) << off / costly << std::setw(14)
+            << row["impostor"].get<std::string>() << std::right << std::setw(7) << shaded(0) << std::setw(10)
+            << shaded(1) << std::setw(8) << shaded(2) << std::setw(8) << off / costly << std::setw(14)
             << row["frame"]["min"].get<double>() << "\n";
     }
 }

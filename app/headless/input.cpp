@@ -24,9 +24,9 @@ Representation sceneOf(const Molecule& molecule, const std::string& name, const 
                        const LookOptions& look) {
     const std::vector<std::uint32_t> drawn = drawnAtoms(molecule, drawnOptions);
     if (drawn.empty())
-        throw Error("cannot draw molecule", name,
-                    "none of its " + std::to_string(molecule.atoms.size()) +
-                        " atoms is drawn; see --water and --hydrogens");
+        throw Error(
+            "cannot draw molecule", name,
+            "none of its " + std::to_string(molecule.atoms.size()) + " atoms is drawn; see --water and --hydrogens");
     return represent(molecule, drawn, {look.style.value_or(defaultStyle(molecule, drawn)), look.color});
 }
 

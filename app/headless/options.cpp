@@ -146,10 +146,11 @@ void addDevice(CLI::App& app, RenderOptions& options) {
                                          Visibility::deferred};
         options.device.visibility = kPaths[parseChoice(text, {"auto", "encoded", "fragdepth", "deferred"})];
     });
-    value(app, "--encoded-format", "FORMAT", "auto", "Of encoded depth: auto, r32f, rgba16f, rg16f, a2b10g10r10 or rgba8",
-          [&](const std::string& text) {
-              constexpr EncodedDepth kRungs[] = {EncodedDepth::automatic, EncodedDepth::r32f, EncodedDepth::rgba16f,
-                                                 EncodedDepth::rg16f, EncodedDepth::a2b10g10r10, EncodedDepth::rgba8};
+    value(app, "--encoded-format", "FORMAT", "auto",
+          "Of encoded depth: auto, r32f, rgba16f, rg16f, a2b10g10r10 or rgba8", [&](const std::string& text) {
+              constexpr EncodedDepth kRungs[] = {EncodedDepth::automatic,   EncodedDepth::r32f,
+                                                 EncodedDepth::rgba16f,     EncodedDepth::rg16f,
+                                                 EncodedDepth::a2b10g10r10, EncodedDepth::rgba8};
               options.device.encoded =
                   kRungs[parseChoice(text, {"auto", "r32f", "rgba16f", "rg16f", "a2b10g10r10", "rgba8"})];
           });

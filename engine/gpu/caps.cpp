@@ -10,11 +10,16 @@ namespace {
 
 std::string typeName(vk::PhysicalDeviceType type) {
     switch (type) {
-        case vk::PhysicalDeviceType::eDiscreteGpu: return "discrete";
-        case vk::PhysicalDeviceType::eIntegratedGpu: return "integrated";
-        case vk::PhysicalDeviceType::eVirtualGpu: return "virtual";
-        case vk::PhysicalDeviceType::eCpu: return "software";
-        default: return "other";
+        case vk::PhysicalDeviceType::eDiscreteGpu:
+            return "discrete";
+        case vk::PhysicalDeviceType::eIntegratedGpu:
+            return "integrated";
+        case vk::PhysicalDeviceType::eVirtualGpu:
+            return "virtual";
+        case vk::PhysicalDeviceType::eCpu:
+            return "software";
+        default:
+            return "other";
     }
 }
 
@@ -57,10 +62,14 @@ bool set(const char* variable) {
 
 const char* visibilityName(Visibility visibility) {
     switch (visibility) {
-        case Visibility::automatic: return "auto";
-        case Visibility::encoded: return "encoded";
-        case Visibility::fragdepth: return "fragdepth";
-        case Visibility::deferred: return "deferred";
+        case Visibility::automatic:
+            return "auto";
+        case Visibility::encoded:
+            return "encoded";
+        case Visibility::fragdepth:
+            return "fragdepth";
+        case Visibility::deferred:
+            return "deferred";
     }
     return "";
 }

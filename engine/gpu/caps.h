@@ -2,7 +2,6 @@
 // What a device can do, and every vendor quirk: nothing outside caps.cpp asks for a vendor or driver.
 
 #include <string>
-
 #include <vulkan/vulkan_raii.hpp>
 
 #include "engine/device_options.h"

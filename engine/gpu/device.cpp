@@ -61,8 +61,8 @@ void Device::createDevice() {
     const auto extensions = deviceExtensions(physical_);
     device_ = vk::raii::Device(physical_, vk::DeviceCreateInfo({}, queue, {}, extensions));
     queue_ = device_.getQueue(queueFamily_, 0);
-    pool_ = vk::raii::CommandPool(device_, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient,
-                                                                     queueFamily_));
+    pool_ = vk::raii::CommandPool(device_,
+                                  vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient, queueFamily_));
 }
 
 vk::raii::DeviceMemory Device::allocate(const vk::MemoryRequirements& requirements, vk::MemoryPropertyFlags required,

@@ -3,7 +3,6 @@
 #include <memory>
 #include <string>
 #include <vector>
-
 #include <vulkan/vulkan_raii.hpp>
 
 #include "engine/gpu/caps.h"
@@ -37,7 +36,8 @@ public:
     void name(vk::ObjectType type, std::uint64_t handle, const std::string& name) const;
     template <typename Handle>
     void name(const Handle& handle, const std::string& text) const {
-        name(Handle::objectType, reinterpret_cast<std::uint64_t>(static_cast<typename Handle::NativeType>(handle)), text);
+        name(Handle::objectType, reinterpret_cast<std::uint64_t>(static_cast<typename Handle::NativeType>(handle)),
+             text);
     }
     void beginLabel(const vk::raii::CommandBuffer& commands, const std::string& name) const;
     void endLabel(const vk::raii::CommandBuffer& commands) const;

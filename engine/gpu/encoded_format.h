@@ -2,10 +2,10 @@
 // The ladder of encoded depth: formats that a device may blend with MIN, and how depth is written into them
 // (shaders/common/encoding.glsl has the arithmetic).
 
+#include <vulkan/vulkan_core.h>
+
 #include <span>
 #include <string_view>
-
-#include <vulkan/vulkan_core.h>
 
 #include "engine/device_options.h"
 

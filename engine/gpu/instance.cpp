@@ -26,10 +26,14 @@ VKAPI_ATTR VkBool32 VKAPI_CALL collect(VkDebugUtilsMessageSeverityFlagBitsEXT, V
 /// Preference among devices when none is named.
 int rank(vk::PhysicalDeviceType type) {
     switch (type) {
-        case vk::PhysicalDeviceType::eDiscreteGpu: return 0;
-        case vk::PhysicalDeviceType::eIntegratedGpu: return 1;
-        case vk::PhysicalDeviceType::eVirtualGpu: return 2;
-        default: return 3;
+        case vk::PhysicalDeviceType::eDiscreteGpu:
+            return 0;
+        case vk::PhysicalDeviceType::eIntegratedGpu:
+            return 1;
+        case vk::PhysicalDeviceType::eVirtualGpu:
+            return 2;
+        default:
+            return 3;
     }
 }
 
@@ -57,8 +61,7 @@ vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate,
         layers.push_back(kValidationLayer);
         extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
     }
-    constexpr vk::ValidationFeatureEnableEXT kEnable[] = {
-        vk::ValidationFeatureEnableEXT::eSynchronizationValidation};
+    constexpr vk::ValidationFeatureEnableEXT kEnable[] = {vk::ValidationFeatureEnableEXT::eSynchronizationValidation};
     const vk::ValidationFeaturesEXT features(kEnable, {});
     const vk::ApplicationInfo application("nacre", 1, "nacre", 1, VK_API_VERSION_1_1);
     vk::InstanceCreateInfo info({}, &application, layers, extensions);
@@ -67,8 +70,8 @@ vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate,
     try {
         return vk::raii::Instance(context, info);
     } catch (const vk::SystemError& e) {
-        throw Error("cannot start Vulkan", "", std::string(e.what()) +
-                    " (is a driver installed? Debian's software driver: mesa-vulkan-drivers)");
+        throw Error("cannot start Vulkan", "",
+                    std::string(e.what()) + " (is a driver installed? Debian's software driver: mesa-vulkan-drivers)");
     }
 }
 
@@ -87,8 +90,8 @@ vk::raii::PhysicalDevice pickDevice(const vk::raii::Instance& instance, const st
         const auto properties = devices[i].getProperties();
         const std::string name = properties.deviceName.data();
         names += (names.empty() ? "" : ", ") + std::to_string(i) + " = " + name;
-        const bool matches = wanted.empty() || wanted == std::to_string(i) ||
-                             lower(name).find(lower(wanted)) != std::string::npos;
+        const bool matches =
+            wanted.empty() || wanted == std::to_string(i) || lower(name).find(lower(wanted)) != std::string::npos;
         if (!matches) continue;
         const auto at = static_cast<std::size_t>(best);
         if (best < 0 || rank(properties.deviceType) < rank(devices[at].getProperties().deviceType))

@@ -3,7 +3,6 @@
 #include <memory>
 #include <string>
 #include <vector>
-
 #include <vulkan/vulkan_raii.hpp>
 
 namespace nacre::gpu {

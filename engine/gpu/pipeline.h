@@ -36,8 +36,8 @@ struct GraphicsPipeline {
     vk::PipelineLayout layout;
     vk::RenderPass renderPass;
     std::uint32_t subpass = 0;
-    std::uint32_t colorCount = 0;    ///< of the subpass
-    std::uint32_t colorsWritten = 0; ///< of the pass; the others are masked
+    std::uint32_t colorCount = 0;     ///< of the subpass
+    std::uint32_t colorsWritten = 0;  ///< of the pass; the others are masked
     DepthUse depth = DepthUse::none;
     Blend blend = Blend::replace;
     bool strip = true;  ///< triangle strip, else list

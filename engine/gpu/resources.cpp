@@ -12,12 +12,11 @@ Buffer makeBuffer(const Device& device, vk::DeviceSize size, vk::BufferUsageFlag
     buffer.size = std::max<vk::DeviceSize>(size, 16);
     buffer.handle = vk::raii::Buffer(*device, vk::BufferCreateInfo({}, buffer.size, usage));
     const auto requirements = buffer.handle.getMemoryRequirements();
-    const vk::MemoryPropertyFlags wanted =
-        access == Access::upload ? vk::MemoryPropertyFlags(Property::eDeviceLocal)
-                                 : vk::MemoryPropertyFlags(Property::eHostCached);
-    buffer.memory = Memory(
-        device, device.allocate(requirements, Property::eHostVisible | Property::eHostCoherent, wanted, name),
-        requirements.size);
+    const vk::MemoryPropertyFlags wanted = access == Access::upload ? vk::MemoryPropertyFlags(Property::eDeviceLocal)
+                                                                    : vk::MemoryPropertyFlags(Property::eHostCached);
+    buffer.memory =
+        Memory(device, device.allocate(requirements, Property::eHostVisible | Property::eHostCoherent, wanted, name),
+               requirements.size);
     buffer.handle.bindMemory(**buffer.memory, 0);
     buffer.mapped = static_cast<std::byte*>((*buffer.memory).mapMemory(0, VK_WHOLE_SIZE));
     device.name(*buffer.handle, name);
@@ -30,13 +29,13 @@ Image makeImage(const Device& device, const graph::ImageDesc& desc, vk::ImageUsa
     image.desc = desc;
     const auto format = static_cast<vk::Format>(desc.format);
     image.handle = vk::raii::Image(
-        *device, vk::ImageCreateInfo({}, vk::ImageType::e2D, format, {desc.extent.width, desc.extent.height, 1}, 1,
-                                     desc.layers, static_cast<vk::SampleCountFlagBits>(desc.samples),
-                                     vk::ImageTiling::eOptimal, usage));
+        *device,
+        vk::ImageCreateInfo({}, vk::ImageType::e2D, format, {desc.extent.width, desc.extent.height, 1}, 1, desc.layers,
+                            static_cast<vk::SampleCountFlagBits>(desc.samples), vk::ImageTiling::eOptimal, usage));
     const auto requirements = image.handle.getMemoryRequirements();
     const vk::MemoryPropertyFlags lazy = transient ? Property::eLazilyAllocated : vk::MemoryPropertyFlagBits{};
-    image.memory = Memory(device, device.allocate(requirements, {}, Property::eDeviceLocal | lazy, name),
-                          requirements.size);
+    image.memory =
+        Memory(device, device.allocate(requirements, {}, Property::eDeviceLocal | lazy, name), requirements.size);
     image.handle.bindMemory(**image.memory, 0);
     const auto aspect =
         graph::isDepthFormat(desc.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
@@ -54,8 +53,8 @@ Image makeImage(const Device& device, const graph::ImageDesc& desc, vk::ImageUsa
 
 vk::raii::Sampler makeSampler(const Device& device, vk::Filter filter, const std::string& name) {
     constexpr auto kEdge = vk::SamplerAddressMode::eClampToEdge;
-    vk::raii::Sampler sampler(*device, vk::SamplerCreateInfo({}, filter, filter, vk::SamplerMipmapMode::eNearest,
-                                                             kEdge, kEdge, kEdge));
+    vk::raii::Sampler sampler(
+        *device, vk::SamplerCreateInfo({}, filter, filter, vk::SamplerMipmapMode::eNearest, kEdge, kEdge, kEdge));
     device.name(*sampler, name);
     return sampler;
 }

@@ -33,9 +33,9 @@ vk::Framebuffer Executor::framebuffer(OwnedRenderPass& pass, const PassContext& 
         if (key == views) return *handle;
     std::vector<vk::ImageView> handles(views.begin(), views.end());
     pass.framebuffers.emplace_back(
-        views, vk::raii::Framebuffer(*device_, vk::FramebufferCreateInfo({}, *pass.handle, handles,
-                                                                         pass.plan.extent.width,
-                                                                         pass.plan.extent.height, pass.plan.layers)));
+        views,
+        vk::raii::Framebuffer(*device_, vk::FramebufferCreateInfo({}, *pass.handle, handles, pass.plan.extent.width,
+                                                                  pass.plan.extent.height, pass.plan.layers)));
     return *pass.framebuffers.back().second;
 }
 
@@ -58,8 +58,8 @@ void Executor::barriers(const vk::raii::CommandBuffer& commands, const std::vect
         const auto aspect =
             isDepthFormat(desc.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
         images.emplace_back(fromAccess, toAccess, static_cast<vk::ImageLayout>(b.from.layout),
-                            static_cast<vk::ImageLayout>(b.to.layout), VK_QUEUE_FAMILY_IGNORED,
-                            VK_QUEUE_FAMILY_IGNORED, *context.images[b.resource]->handle,
+                            static_cast<vk::ImageLayout>(b.to.layout), VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
+                            *context.images[b.resource]->handle,
                             vk::ImageSubresourceRange(aspect, 0, 1, 0, desc.layers));
     }
     commands.pipelineBarrier(from, to, {}, {}, buffers, images);

@@ -26,11 +26,11 @@ struct PassContext {
     const vk::raii::CommandBuffer& commands;
     const gpu::Device& device;
     gpu::DescriptorPool& descriptors;
-    vk::RenderPass renderPass;      ///< graphics passes
+    vk::RenderPass renderPass;  ///< graphics passes
     std::uint32_t subpass = 0;
-    std::uint32_t colorCount = 0;   ///< colour attachments of the subpass
+    std::uint32_t colorCount = 0;  ///< colour attachments of the subpass
     Extent extent;
-    bool inputIsSampled = false;    ///< input reads come as textures
+    bool inputIsSampled = false;            ///< input reads come as textures
     std::vector<const gpu::Image*> images;  ///< by graph index
     std::vector<vk::Buffer> buffers;
 
@@ -44,8 +44,7 @@ public:
     explicit Executor(const gpu::Device& device);
 
     /// Records the plan of a graph. Images of the same graph and name are kept from one execution to the next.
-    void record(const vk::raii::CommandBuffer& commands, const Graph& graph, const Plan& plan,
-                const Imports& imports);
+    void record(const vk::raii::CommandBuffer& commands, const Graph& graph, const Plan& plan, const Imports& imports);
     /// Call when nothing that was recorded is in flight: frees descriptor sets.
     void reset() { descriptors_.reset(); }
     /// Drops every image of this name's graph, so that its memory can be used for something else.

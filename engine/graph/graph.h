@@ -8,6 +8,8 @@
 //   g.output(picture);
 //   Plan plan = compile(g, caps);   // plan.h
 
+#include <vulkan/vulkan_core.h>
+
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -15,8 +17,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include <vulkan/vulkan_core.h>
 
 namespace nacre::graph {
 

@@ -19,7 +19,9 @@ std::vector<bool> cullPasses(const Graph& graph) {
     std::vector<bool> culled(passes.size(), true);
     for (std::size_t p = passes.size(); p-- > 0;) {
         const PassDecl& pass = passes[p];
-        auto wanted = [&](const Use& use) { return use.isImage ? imageWanted[use.resource] : bufferWanted[use.resource]; };
+        auto wanted = [&](const Use& use) {
+            return use.isImage ? imageWanted[use.resource] : bufferWanted[use.resource];
+        };
         bool live = pass.sideEffect;
         for (const Use& use : pass.uses) live = live || (isWrite(use.verb) && wanted(use));
         if (!live) continue;

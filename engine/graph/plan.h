@@ -12,12 +12,12 @@ namespace nacre::graph {
 /// What the planner must know of a device. Named sets stand in capability_sets.h.
 struct PlanCaps {
     std::string name;
-    bool merge = true;                          ///< neighbouring passes may share a render pass
-    bool tileSubpasses = true;                  ///< input attachments between subpasses stay on the tile
-    bool transient = true;                      ///< attachments that never leave the tile need no memory
-    bool storeNone = false;                     ///< VK_EXT_load_store_op_none: a tested depth buffer is not stored again
-    std::uint32_t tileBytesPerPixel = 16;       ///< colour + input attachments of one render pass
-    std::uint32_t maxColorAttachments = 4;      ///< of one subpass
+    bool merge = true;                      ///< neighbouring passes may share a render pass
+    bool tileSubpasses = true;              ///< input attachments between subpasses stay on the tile
+    bool transient = true;                  ///< attachments that never leave the tile need no memory
+    bool storeNone = false;                 ///< VK_EXT_load_store_op_none: a tested depth buffer is not stored again
+    std::uint32_t tileBytesPerPixel = 16;   ///< colour + input attachments of one render pass
+    std::uint32_t maxColorAttachments = 4;  ///< of one subpass
     std::uint32_t maxInputAttachments = 4;
 };
 
@@ -75,8 +75,8 @@ struct Barrier {
 struct Step {
     PassKind kind{};
     std::vector<Barrier> before;
-    std::uint32_t pass = 0;    ///< compute and transfer: index into Graph::passes()
-    RenderPassPlan renderPass; ///< graphics
+    std::uint32_t pass = 0;     ///< compute and transfer: index into Graph::passes()
+    RenderPassPlan renderPass;  ///< graphics
     friend bool operator==(const Step&, const Step&) = default;
 };
 
@@ -95,11 +95,11 @@ struct Traffic {
 
 struct Plan {
     std::vector<Step> steps;
-    std::vector<Barrier> after;            ///< imported resources go back to their state, outputs to the host
-    std::vector<PlannedImage> images;      ///< by Graph::images()
-    std::vector<Traffic> traffic;          ///< by Graph::images()
-    std::vector<bool> culled;              ///< by Graph::passes()
-    std::vector<bool> inputIsSampled;      ///< by Graph::passes(): its input reads became texture reads
+    std::vector<Barrier> after;        ///< imported resources go back to their state, outputs to the host
+    std::vector<PlannedImage> images;  ///< by Graph::images()
+    std::vector<Traffic> traffic;      ///< by Graph::images()
+    std::vector<bool> culled;          ///< by Graph::passes()
+    std::vector<bool> inputIsSampled;  ///< by Graph::passes(): its input reads became texture reads
     Traffic total;
     friend bool operator==(const Plan&, const Plan&) = default;
 };

@@ -57,8 +57,7 @@ private:
             if (crossesPixels(use)) return false;
             if (!use.isImage || !isAttachment(use.verb)) continue;
             const ImageDesc& desc = graph_.images()[use.resource].desc;
-            if (desc.extent != current().extent || desc.samples != current().samples ||
-                desc.layers != current().layers)
+            if (desc.extent != current().extent || desc.samples != current().samples || desc.layers != current().layers)
                 return false;
             const std::int32_t at = find(use.resource);
             if (at >= 0) {

@@ -29,13 +29,20 @@ ImageUse useOf(const Graph& graph, const Plan& plan, const Step& step, std::uint
 VkImageUsageFlags usageFlag(Verb verb) {
     switch (verb) {
         case Verb::depth:
-        case Verb::depthTest: return VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
-        case Verb::color: return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-        case Verb::input: return VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT;
-        case Verb::samples: return VK_IMAGE_USAGE_SAMPLED_BIT;
-        case Verb::copiesFrom: return VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-        case Verb::copiesTo: return VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-        default: return 0;
+        case Verb::depthTest:
+            return VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+        case Verb::color:
+            return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+        case Verb::input:
+            return VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT;
+        case Verb::samples:
+            return VK_IMAGE_USAGE_SAMPLED_BIT;
+        case Verb::copiesFrom:
+            return VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+        case Verb::copiesTo:
+            return VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+        default:
+            return 0;
     }
 }
 

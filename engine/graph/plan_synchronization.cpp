@@ -70,8 +70,7 @@ private:
                 images_[i] = trackOf(*decl.imported);
                 if (decl.undefined) images_[i].layout = VK_IMAGE_LAYOUT_UNDEFINED;
             }
-        for (std::size_t i = 0; i < buffers_.size(); ++i)
-            buffers_[i] = trackOf(graph_.buffers()[i].imported);
+        for (std::size_t i = 0; i < buffers_.size(); ++i) buffers_[i] = trackOf(graph_.buffers()[i].imported);
     }
 
     std::vector<StepUse> usesOf(Step& step) const {
@@ -120,8 +119,8 @@ private:
         // Load and store operations write too: clears on entry, don't-care and store on exit.
         const bool depth = isDepthFormat(use.attachment->format);
         const State writing = stateOf(depth ? Verb::depth : Verb::color, PassKind::graphics);
-        if (use.attachment->load != Load::load) use.entry = {use.entry.stages | writing.stages,
-                                                             use.entry.access | writing.access, use.entry.layout};
+        if (use.attachment->load != Load::load)
+            use.entry = {use.entry.stages | writing.stages, use.entry.access | writing.access, use.entry.layout};
         if (use.attachment->store != Store::none) {
             use.whole.stages |= writing.stages;
             use.whole.access |= writing.access;
@@ -178,8 +177,8 @@ private:
                     Verb earlier{};
                     if (!attachmentVerb(pass.subpasses[from], a, earlier)) continue;
                     if (isWrite(earlier) || isWrite(later) || earlier != later)
-                        depend(pass, from, to, stateOf(earlier, PassKind::graphics),
-                               stateOf(later, PassKind::graphics), true);
+                        depend(pass, from, to, stateOf(earlier, PassKind::graphics), stateOf(later, PassKind::graphics),
+                               true);
                 }
             }
         for (std::uint32_t a = 0; a < pass.attachments.size(); ++a) preserve(pass, a);
@@ -231,8 +230,8 @@ private:
             if (buffers_[i].writeAccess && !decl.output)
                 plan_.after.push_back({false, i, buffers_[i].before(), decl.imported});
             if (decl.output)
-                plan_.after.push_back({false, i, buffers_[i].before(),
-                                       {VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT, {}}});
+                plan_.after.push_back(
+                    {false, i, buffers_[i].before(), {VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT, {}}});
         }
     }
 

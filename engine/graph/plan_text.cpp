@@ -5,12 +5,8 @@
 namespace nacre::graph {
 namespace {
 
-const char* loadName(Load load) {
-    return load == Load::clear ? "clear" : load == Load::load ? "load" : "-";
-}
-const char* storeName(Store store) {
-    return store == Store::store ? "store" : store == Store::none ? "none" : "-";
-}
+const char* loadName(Load load) { return load == Load::clear ? "clear" : load == Load::load ? "load" : "-"; }
+const char* storeName(Store store) { return store == Store::store ? "store" : store == Store::none ? "none" : "-"; }
 
 void attachmentLine(std::ostream& out, const Graph& graph, const Attachment& a) {
     out << "  " << graph.images()[a.image].name << "  " << formatName(a.format) << "  " << loadName(a.load) << "  "

@@ -7,9 +7,12 @@ namespace {
 
 bool fits(Verb verb, PassKind kind) {
     switch (kind) {
-        case PassKind::graphics: return verb != Verb::copiesFrom && verb != Verb::copiesTo;
-        case PassKind::compute: return verb == Verb::samples || verb == Verb::reads || verb == Verb::writes;
-        case PassKind::transfer: return verb == Verb::copiesFrom || verb == Verb::copiesTo;
+        case PassKind::graphics:
+            return verb != Verb::copiesFrom && verb != Verb::copiesTo;
+        case PassKind::compute:
+            return verb == Verb::samples || verb == Verb::reads || verb == Verb::writes;
+        case PassKind::transfer:
+            return verb == Verb::copiesFrom || verb == Verb::copiesTo;
     }
     return false;
 }
@@ -20,8 +23,7 @@ void checkReads(const Graph& graph) {
     auto writtenLater = [&](std::size_t from, const Use& read) {
         for (std::size_t p = from; p < graph.passes().size(); ++p)
             for (const Use& use : graph.passes()[p].uses)
-                if (use.isImage && use.resource == read.resource && isWrite(use.verb))
-                    return graph.passes()[p].name;
+                if (use.isImage && use.resource == read.resource && isWrite(use.verb)) return graph.passes()[p].name;
         return std::string();
     };
     for (std::size_t p = 0; p < graph.passes().size(); ++p) {
@@ -63,8 +65,8 @@ void checkAttachments(const Graph& graph, const PassDecl& pass, const PlanCaps& 
     if (colors > caps.maxColorAttachments || inputs > caps.maxInputAttachments)
         throw GraphError("pass '" + pass.name + "': " + std::to_string(colors) + " colour and " +
                          std::to_string(inputs) + " input attachments exceed '" + caps.name + "' (" +
-                         std::to_string(caps.maxColorAttachments) + " and " +
-                         std::to_string(caps.maxInputAttachments) + ")");
+                         std::to_string(caps.maxColorAttachments) + " and " + std::to_string(caps.maxInputAttachments) +
+                         ")");
     if (bytes > caps.tileBytesPerPixel)
         throw GraphError("pass '" + pass.name + "': " + std::to_string(bytes) +
                          " bytes of colour a pixel exceed the tile budget of '" + caps.name + "' (" +

@@ -5,18 +5,24 @@ namespace {
 
 vk::AttachmentLoadOp loadOp(Load load) {
     switch (load) {
-        case Load::clear: return vk::AttachmentLoadOp::eClear;
-        case Load::load: return vk::AttachmentLoadOp::eLoad;
-        case Load::dontCare: return vk::AttachmentLoadOp::eDontCare;
+        case Load::clear:
+            return vk::AttachmentLoadOp::eClear;
+        case Load::load:
+            return vk::AttachmentLoadOp::eLoad;
+        case Load::dontCare:
+            return vk::AttachmentLoadOp::eDontCare;
     }
     return {};
 }
 
 vk::AttachmentStoreOp storeOp(Store store) {
     switch (store) {
-        case Store::store: return vk::AttachmentStoreOp::eStore;
-        case Store::dontCare: return vk::AttachmentStoreOp::eDontCare;
-        case Store::none: return vk::AttachmentStoreOp::eNone;
+        case Store::store:
+            return vk::AttachmentStoreOp::eStore;
+        case Store::dontCare:
+            return vk::AttachmentStoreOp::eDontCare;
+        case Store::none:
+            return vk::AttachmentStoreOp::eNone;
     }
     return {};
 }
@@ -61,10 +67,10 @@ vk::raii::RenderPass makeRenderPass(const gpu::Device& device, const RenderPassP
     }
     std::vector<vk::SubpassDependency2> dependencies;
     for (const Dependency& d : plan.dependencies)
-        dependencies.emplace_back(d.from, d.to, vk::PipelineStageFlags(d.fromStages), vk::PipelineStageFlags(d.toStages),
-                                  vk::AccessFlags(d.fromAccess), vk::AccessFlags(d.toAccess),
-                                  d.byRegion ? vk::DependencyFlags(vk::DependencyFlagBits::eByRegion)
-                                             : vk::DependencyFlags());
+        dependencies.emplace_back(
+            d.from, d.to, vk::PipelineStageFlags(d.fromStages), vk::PipelineStageFlags(d.toStages),
+            vk::AccessFlags(d.fromAccess), vk::AccessFlags(d.toAccess),
+            d.byRegion ? vk::DependencyFlags(vk::DependencyFlagBits::eByRegion) : vk::DependencyFlags());
     const vk::RenderPassCreateInfo2 info({}, attachments, subpasses, dependencies);
     vk::raii::RenderPass pass = device->createRenderPass2KHR(info);
     device.name(*pass, name);

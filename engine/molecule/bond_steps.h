@@ -21,16 +21,16 @@ inline bool coexist(char alternateA, char alternateB) {
     return alternateA == '\0' || alternateB == '\0' || alternateA == alternateB;
 }
 
-constexpr float kShortestBond = 0.4f;      ///< Å; what is nearer is a copy, not a neighbour
-constexpr float kBondTolerance = 0.45f;    ///< Å beyond the sum of the covalent radii
+constexpr float kShortestBond = 0.4f;         ///< Å; what is nearer is a copy, not a neighbour
+constexpr float kBondTolerance = 0.45f;       ///< Å beyond the sum of the covalent radii
 constexpr float kLongestTemplateBond = 2.5f;  ///< Å; a template does not join what a gap tore apart
 
 struct BondWork {
     Molecule& molecule;
     std::vector<PositionGroup> groups;
-    std::vector<std::uint32_t> groupOf;    ///< by atom
-    std::vector<std::uint8_t> templated;   ///< by atom: its residue's template names it
-    std::vector<std::uint8_t> settled;     ///< by atom: the file states all of its residue's bonds, its own among them
+    std::vector<std::uint32_t> groupOf;   ///< by atom
+    std::vector<std::uint8_t> templated;  ///< by atom: its residue's template names it
+    std::vector<std::uint8_t> settled;    ///< by atom: the file states all of its residue's bonds, its own among them
 };
 
 /// Adds the bonds of residue templates and the links between neighbouring residues; marks `templated`.

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <string>
 #include <utility>
-
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include "engine/molecule/bond_steps.h"
 #include "engine/molecule/drawn_atoms.h"
@@ -103,9 +102,8 @@ std::vector<Cell> sortIntoCells(std::vector<Site>& sites, double cellSize) {
         const glm::vec3 p = sites[i].position;
         entries.push_back({keyOf(coordinate(p.x, low.x), coordinate(p.y, low.y), coordinate(p.z, low.z)), i});
     }
-    std::sort(entries.begin(), entries.end(), [](const Entry& l, const Entry& r) {
-        return l.key != r.key ? l.key < r.key : l.site < r.site;
-    });
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry& l, const Entry& r) { return l.key != r.key ? l.key < r.key : l.site < r.site; });
     std::vector<Site> sorted;
     sorted.reserve(sites.size());
     std::vector<Cell> cells;

@@ -3,12 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include <glm/vec3.hpp>
 
 namespace nacre {
 
@@ -37,18 +36,18 @@ struct Atom {
     float temperatureFactor = 0;  ///< B factor, Å^2
     Name name;                    ///< "CA"; the element's symbol where the format has no names
     Element element = 0;
-    char alternate = '\0';        ///< alternate location; '\0' = none
-    bool hetero = false;          ///< HETATM
-    std::int8_t charge = 0;       ///< formal charge, elementary charges
+    char alternate = '\0';   ///< alternate location; '\0' = none
+    bool hetero = false;     ///< HETATM
+    std::int8_t charge = 0;  ///< formal charge, elementary charges
 };
 
 /// A run of neighbouring atom records with the same chain, number, insertion code and name.
 struct Residue {
-    Name name;                     ///< "ALA"; empty where the format has no residues
-    std::int32_t number = 0;       ///< author's number
-    char insertionCode = '\0';     ///< '\0' = none
-    std::uint32_t chain = 0;       ///< index into Molecule::chains
-    std::uint32_t firstAtom = 0;   ///< index into Molecule::atoms
+    Name name;                    ///< "ALA"; empty where the format has no residues
+    std::int32_t number = 0;      ///< author's number
+    char insertionCode = '\0';    ///< '\0' = none
+    std::uint32_t chain = 0;      ///< index into Molecule::chains
+    std::uint32_t firstAtom = 0;  ///< index into Molecule::atoms
     std::uint32_t atomCount = 0;
 };
 
@@ -60,9 +59,9 @@ enum class BondSource : std::uint8_t { file, residueTemplate, distance };
 
 /// An unordered pair of different atoms, stored with a < b; no pair occurs twice.
 struct Bond {
-    std::uint32_t a = 0;      ///< index into Molecule::atoms
+    std::uint32_t a = 0;  ///< index into Molecule::atoms
     std::uint32_t b = 0;
-    std::uint8_t order = 1;   ///< 1, 2, 3; 4 = aromatic
+    std::uint8_t order = 1;  ///< 1, 2, 3; 4 = aromatic
     BondSource source = BondSource::file;
 };
 
@@ -70,19 +69,19 @@ struct Bond {
 struct FileSummary {
     std::string format;  ///< "pdb", "mmcif", "mmjson", "sdf-v2000", "sdf-v3000", "xyz", "sample"
     std::string title;
-    std::optional<std::int64_t> models;                ///< models or frames
-    std::optional<std::int64_t> records;               ///< molecules of a multi-record file
+    std::optional<std::int64_t> models;   ///< models or frames
+    std::optional<std::int64_t> records;  ///< molecules of a multi-record file
     std::optional<std::int64_t> totalAtomsAllModels;
     std::optional<std::int64_t> totalAtomsAllRecords;
     std::optional<std::int64_t> totalBondsAllRecords;
-    std::optional<std::int64_t> bonds;                 ///< stated by the file for this record
-    std::optional<std::int64_t> conectUniquePairs;     ///< unordered CONECT pairs whose atoms both exist
-    std::optional<std::int64_t> chains;                ///< distinct chain characters (PDB)
-    std::optional<std::int64_t> chainsAuth;            ///< distinct auth_asym_id (mmCIF)
-    std::optional<std::int64_t> chainsLabel;           ///< distinct label_asym_id (mmCIF)
+    std::optional<std::int64_t> bonds;              ///< stated by the file for this record
+    std::optional<std::int64_t> conectUniquePairs;  ///< unordered CONECT pairs whose atoms both exist
+    std::optional<std::int64_t> chains;             ///< distinct chain characters (PDB)
+    std::optional<std::int64_t> chainsAuth;         ///< distinct auth_asym_id (mmCIF)
+    std::optional<std::int64_t> chainsLabel;        ///< distinct label_asym_id (mmCIF)
     std::optional<std::int64_t> biomtOperators;
     std::optional<std::int64_t> assemblies;
-    std::optional<std::int64_t> operators;             ///< _pdbx_struct_oper_list rows
+    std::optional<std::int64_t> operators;  ///< _pdbx_struct_oper_list rows
 };
 
 /// One model of one file: every atom record in the file's order, so that an atom's 1-based position is its id.

@@ -105,8 +105,7 @@ void ConectTable::resolve(const std::vector<std::int64_t>& serials, Molecule& mo
     std::sort(bonds.begin(), bonds.end(), [&](const Bond& l, const Bond& r) {
         return key(l) != key(r) ? key(l) < key(r) : l.order > r.order;  // the higher order of the two directions stays
     });
-    bonds.erase(std::unique(bonds.begin(), bonds.end(),
-                            [&](const Bond& l, const Bond& r) { return key(l) == key(r); }),
+    bonds.erase(std::unique(bonds.begin(), bonds.end(), [&](const Bond& l, const Bond& r) { return key(l) == key(r); }),
                 bonds.end());
     molecule.file.conectUniquePairs = static_cast<std::int64_t>(bonds.size());
     molecule.bonds.insert(molecule.bonds.end(), bonds.begin(), bonds.end());

@@ -14,8 +14,8 @@ namespace nacre {
 enum class Format { pdb, mmcif, mmjson, sdf, xyz };
 
 struct ReadOptions {
-    std::optional<Format> format;             ///< empty: from the content first, the name second
-    int model = 1;                            ///< 1-based model, frame or record
+    std::optional<Format> format;                 ///< empty: from the content first, the name second
+    int model = 1;                                ///< 1-based model, frame or record
     std::size_t maxBytes = std::size_t{1} << 31;  ///< largest text accepted, after inflation
 };
 

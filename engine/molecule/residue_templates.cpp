@@ -53,8 +53,8 @@ struct BaseSource {
 };
 
 constexpr BaseSource kBases[] = {
-    {"A DA", true, "C6=N1 C6-N6"},   {"G DG", true, "C6=O6 C6-N1 C2-N2"}, {"I DI", true, "C6=O6 C6-N1"},
-    {"C DC", false, "N3=C4 C4-N4"},  {"U DU", false, "N3-C4 C4=O4"},      {"DT T", false, "N3-C4 C4=O4 C5-C7"},
+    {"A DA", true, "C6=N1 C6-N6"},  {"G DG", true, "C6=O6 C6-N1 C2-N2"}, {"I DI", true, "C6=O6 C6-N1"},
+    {"C DC", false, "N3=C4 C4-N4"}, {"U DU", false, "N3-C4 C4=O4"},      {"DT T", false, "N3-C4 C4=O4 C5-C7"},
 };
 
 template <typename Visit>

@@ -1,12 +1,11 @@
 // C60: the truncated icosahedron, with its two bond lengths.
 
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <numbers>
 #include <string>
 #include <vector>
-
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
 
 #include "engine/molecule/samples.h"
 

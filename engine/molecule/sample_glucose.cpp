@@ -2,11 +2,10 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
-#include <string>
-
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <numbers>
+#include <string>
 
 #include "engine/molecule/samples.h"
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-
 #include <glm/geometric.hpp>
 
 #include "engine/molecule/bond_steps.h"

@@ -13,8 +13,8 @@ constexpr vk::DeviceSize kStride = 256;  // the floor's storage buffer offset al
 
 FragmentCounter::FragmentCounter(const gpu::Device& device, bool enabled) : enabled_(enabled) {
     if (!enabled) return;
-    buffer_ = gpu::makeBuffer(device, kSlots * kStride, vk::BufferUsageFlagBits::eStorageBuffer,
-                              gpu::Access::readback, "fragment counters");
+    buffer_ = gpu::makeBuffer(device, kSlots * kStride, vk::BufferUsageFlagBits::eStorageBuffer, gpu::Access::readback,
+                              "fragment counters");
     std::memset(buffer_.mapped, 0, buffer_.size);
 }
 

@@ -37,7 +37,8 @@ bool writesDepth(const ShaderKey& key) {
 }  // namespace
 
 Geometry::Geometry(const gpu::Device& device)
-    : device_(device), linear_(gpu::makeSampler(device, vk::Filter::eLinear, "linear")),
+    : device_(device),
+      linear_(gpu::makeSampler(device, vk::Filter::eLinear, "linear")),
       nearest_(gpu::makeSampler(device, vk::Filter::eNearest, "nearest")) {}
 
 const gpu::Layout& Geometry::layoutOf(const ShaderKey& key) {
@@ -103,13 +104,14 @@ void Geometry::bindSets(graph::PassContext& context, const SceneBuffers& scene, 
         std::vector<vk::WriteDescriptorSet> writes;
         writes.emplace_back(set, 0, 0, vk::DescriptorType::eCombinedImageSampler, atlas);
         if (key.nearest != Nearest::fragdepth)
-            writes.emplace_back(set, 1, 0,
-                                key.sampled ? vk::DescriptorType::eCombinedImageSampler
-                                            : vk::DescriptorType::eInputAttachment,
-                                nearest);
+            writes.emplace_back(
+                set, 1, 0,
+                key.sampled ? vk::DescriptorType::eCombinedImageSampler : vk::DescriptorType::eInputAttachment,
+                nearest);
         if (key.nearest == Nearest::deferred)
             for (std::uint32_t i = 0; i < 3; ++i)
-                writes.emplace_back(set, 2 + i, 0, vk::DescriptorType::eStorageBuffer, vk::ArrayProxyNoTemporaries<const vk::DescriptorImageInfo>{}, buffers[i]);
+                writes.emplace_back(set, 2 + i, 0, vk::DescriptorType::eStorageBuffer,
+                                    vk::ArrayProxyNoTemporaries<const vk::DescriptorImageInfo>{}, buffers[i]);
         device_->updateDescriptorSets(writes, {});
         context.commands.bindDescriptorSets(kGraphics, *layout.pipeline, 0, set, {});
     }
@@ -128,8 +130,12 @@ void Geometry::draw(graph::PassContext& context, const SceneBuffers& scene, cons
     const bool software = device_.caps().software;
     const auto one = [&](Primitive primitive, std::uint32_t instances, std::uint32_t corners, float rim = 0) {
         if (instances == 0) return;
-        ShaderKey key{primitive, draw.writes, draw.nearest, shades(draw.writes) && context.inputIsSampled,
-                      shades(draw.writes) && draw.nearest == Nearest::encoded && settles(), draw.counter != nullptr};
+        ShaderKey key{primitive,
+                      draw.writes,
+                      draw.nearest,
+                      shades(draw.writes) && context.inputIsSampled,
+                      shades(draw.writes) && draw.nearest == Nearest::encoded && settles(),
+                      draw.counter != nullptr};
         commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, key, draw.perspective, corners, rim));
         commands.pushConstants<layout::ViewConstants>(*layoutOf(key).pipeline, kStages, 0, draw.view);
         bindSets(context, scene, key, draw, inputs);

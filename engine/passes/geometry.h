@@ -21,8 +21,8 @@ struct Draw {
     layout::ViewConstants view{};
     PlateShape plates = PlateShape::automatic;  ///< of Writes::plates
     ImpostorShape impostor = ImpostorShape::automatic;
-    double radiusPixels = 0;                  ///< mean radius of the spheres in the picture
-    const gpu::Buffer* counter = nullptr;     ///< counts shaded fragments at `counterOffset`, bytes
+    double radiusPixels = 0;               ///< mean radius of the spheres in the picture
+    const gpu::Buffer* counter = nullptr;  ///< counts shaded fragments at `counterOffset`, bytes
     vk::DeviceSize counterOffset = 0;
 };
 

@@ -17,8 +17,8 @@ constexpr std::uint32_t kGroup = 64;            // local_size_x
 constexpr std::uint32_t kGroupsPerRow = 32768;  // of a dispatch; the floor allows 65,535
 constexpr float kDepthTolerance = 0.02f;        // Å; a texel's arithmetic is not the rasteriser's to the last bit
 
-constexpr graph::State kComputeBuffer{VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
-                                      VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
+constexpr graph::State kComputeBuffer{
+    VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
 std::vector<glm::vec4> rowsOf(const std::vector<glm::dmat3>& frames) {
     std::vector<glm::vec4> rows;
     for (const glm::dmat3& f : frames)
@@ -30,8 +30,13 @@ std::vector<glm::vec4> rowsOf(const std::vector<glm::dmat3>& frames) {
 
 OcclusionBake::OcclusionBake(const gpu::Device& device, Geometry& geometry, Nearest nearest, const SceneBuffers& scene,
                              const Representation& representation, const OcclusionLayout& layout, int directions)
-    : device_(device), geometry_(geometry), nearest_(nearest), scene_(scene), layout_(layout),
-      directions_(occlusionDirections(directions)), radius_(representation.radius) {
+    : device_(device),
+      geometry_(geometry),
+      nearest_(nearest),
+      scene_(scene),
+      layout_(layout),
+      directions_(occlusionDirections(directions)),
+      radius_(representation.radius) {
     double sum = 0;
     for (const Sphere& s : representation.spheres) sum += s.radius;
     meanRadius_ = sum / static_cast<double>(std::max<std::size_t>(representation.spheres.size(), 1));
@@ -67,8 +72,8 @@ OcclusionBake::OcclusionBake(const gpu::Device& device, Geometry& geometry, Near
     const gpu::EncodedFormat& encoded = device.caps().encoded;
     constants.set(1, nearest == Nearest::encoded ? encoded.channels : 1);
     constants.set(2, nearest == Nearest::encoded ? encoded.steps : 0);
-    accumulate_ = gpu::makeComputePipeline(device, shaders::occlusionAccumulate, constants,
-                                           *accumulateLayout_.pipeline, "occlusion accumulation");
+    accumulate_ = gpu::makeComputePipeline(device, shaders::occlusionAccumulate, constants, *accumulateLayout_.pipeline,
+                                           "occlusion accumulation");
     finish_ = gpu::makeComputePipeline(device, shaders::occlusionFinish, constants, *finishLayout_.pipeline,
                                        "occlusion finish");
 }
@@ -103,8 +108,8 @@ void OcclusionBake::recordMaps(graph::PassContext& context, Writes writes) const
         const std::uint32_t y = static_cast<std::uint32_t>(i) / perRow_ * mapPixels_;
         const auto side = static_cast<float>(mapPixels_);
         context.commands.setViewport(0, vk::Viewport(static_cast<float>(x), static_cast<float>(y), side, side, 0, 1));
-        context.commands.setScissor(
-            0, vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {mapPixels_, mapPixels_}));
+        context.commands.setScissor(0,
+                                    vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {mapPixels_, mapPixels_}));
         Draw draw{writes, nearest_};
         draw.radiusPixels = meanRadius_ * view.pixelsPerAngstrom;
         draw.view = viewConstants(view, device_.caps().snapPixels, x + mapPixels_ / 2.0, y + mapPixels_ / 2.0);
@@ -134,8 +139,8 @@ void bindBuffers(const gpu::Device& device, vk::DescriptorSet set, std::initiali
 void OcclusionBake::recordAccumulation(graph::PassContext& context, graph::Image maps) const {
     const vk::DescriptorSet set = context.descriptors.allocate(accumulateLayout_.set);
     const vk::DescriptorImageInfo info(*sampler_, context.view(maps), vk::ImageLayout::eShaderReadOnlyOptimal);
-    device_->updateDescriptorSets(
-        vk::WriteDescriptorSet(set, 4, 0, vk::DescriptorType::eCombinedImageSampler, info), {});
+    device_->updateDescriptorSets(vk::WriteDescriptorSet(set, 4, 0, vk::DescriptorType::eCombinedImageSampler, info),
+                                  {});
     bindBuffers(device_, set, {*scene_.shapes.handle, *rows_.handle, *list_.handle, *sums_.handle});
     context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, *accumulate_);
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *accumulateLayout_.pipeline, 0, set, {});
@@ -188,8 +193,8 @@ void OcclusionBake::finish(graph::Executor& executor) {
         c.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *finishLayout_.pipeline, 0, set, {});
         layout::OcclusionConstants k = constants(0, static_cast<std::uint32_t>(done_));
         k.texelCount = static_cast<std::uint32_t>(layout_.texelCount() / 4);
-        c.commands.pushConstants<layout::OcclusionConstants>(*finishLayout_.pipeline,
-                                                             vk::ShaderStageFlagBits::eCompute, 0, k);
+        c.commands.pushConstants<layout::OcclusionConstants>(*finishLayout_.pipeline, vk::ShaderStageFlagBits::eCompute,
+                                                             0, k);
         dispatch(c.commands, k.texelCount);
     });
     g.transfer("occlusion upload").copiesFrom(words).copiesTo(atlas).record([&](graph::PassContext& c) {

@@ -31,11 +31,16 @@ std::span<const Plate> platesOf(PlateShape shape) {
     static constexpr std::array kDome3{Plate{8, 0.98516f}, Plate{8, 0.86f}, Plate{8, 0.6f}};
     switch (shape) {
         case PlateShape::automatic:
-        case PlateShape::none: return {};
-        case PlateShape::square: return kSquare;
-        case PlateShape::octagon: return kOctagon;
-        case PlateShape::dome2: return kDome2;
-        case PlateShape::dome3: return kDome3;
+        case PlateShape::none:
+            return {};
+        case PlateShape::square:
+            return kSquare;
+        case PlateShape::octagon:
+            return kOctagon;
+        case PlateShape::dome2:
+            return kDome2;
+        case PlateShape::dome3:
+            return kDome3;
     }
     return {};
 }

@@ -4,7 +4,8 @@ namespace nacre::passes {
 namespace {
 
 vk::BufferImageCopy whole(const graph::ImageDesc& desc) {
-    return {0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, desc.layers}, {}, {desc.extent.width, desc.extent.height, 1}};
+    return {
+        0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, desc.layers}, {}, {desc.extent.width, desc.extent.height, 1}};
 }
 
 }  // namespace
@@ -19,9 +20,8 @@ void readBack(graph::Graph& g, graph::Image image, const graph::ImageDesc& desc,
 
 gpu::Image makeWhiteTexture(const gpu::Device& device, graph::Executor& executor) {
     const graph::ImageDesc desc{VK_FORMAT_R8_UNORM, {1, 1}};
-    gpu::Image image = gpu::makeImage(device, desc,
-                                      vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, false,
-                                      "white");
+    gpu::Image image = gpu::makeImage(
+        device, desc, vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, false, "white");
     constexpr std::array<std::uint8_t, 4> kWhite{255, 255, 255, 255};
     const gpu::Buffer bytes = gpu::makeBuffer(device, std::span<const std::uint8_t>(kWhite),
                                               vk::BufferUsageFlagBits::eTransferSrc, "white byte");

@@ -16,10 +16,10 @@ SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r
                                    gpu::Access::upload, "stream A: shapes");
     if (sphereBytes) std::memcpy(scene.shapes.mapped, r.spheres.data(), sphereBytes);
     if (cylinderBytes) std::memcpy(scene.shapes.mapped + sphereBytes, r.cylinders.data(), cylinderBytes);
-    scene.sphereLooks =
-        gpu::makeBuffer(device, std::span(r.sphereLooks), Usage::eVertexBuffer | Usage::eStorageBuffer, "stream B: sphere looks");
-    scene.cylinderLooks =
-        gpu::makeBuffer(device, std::span(r.cylinderLooks), Usage::eVertexBuffer | Usage::eStorageBuffer, "stream B: cylinder looks");
+    scene.sphereLooks = gpu::makeBuffer(device, std::span(r.sphereLooks), Usage::eVertexBuffer | Usage::eStorageBuffer,
+                                        "stream B: sphere looks");
+    scene.cylinderLooks = gpu::makeBuffer(device, std::span(r.cylinderLooks),
+                                          Usage::eVertexBuffer | Usage::eStorageBuffer, "stream B: cylinder looks");
     return scene;
 }
 

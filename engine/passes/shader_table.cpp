@@ -11,11 +11,12 @@ using Words = std::span<const std::uint32_t>;
 #define NACRE_STAGE(name) (key.counting ? Words(shaders::name##Counting) : Words(shaders::name))
 #define NACRE_PRIMITIVE(before, after) \
     (key.primitive == Primitive::sphere ? NACRE_STAGE(before##Sphere##after) : NACRE_STAGE(before##Cylinder##after))
-#define NACRE_SHADING(output)                                                                                  \
-    if (key.primitive == Primitive::screen)                                                                    \
-        return key.sampled ? NACRE_STAGE(output##DeferredSampled) : NACRE_STAGE(output##DeferredInput);        \
-    if (key.nearest == Nearest::fragdepth) return NACRE_PRIMITIVE(output, Fragdepth);                          \
-    if (key.settle) return key.sampled ? NACRE_PRIMITIVE(output, SampledSettle) : NACRE_PRIMITIVE(output, InputSettle); \
+#define NACRE_SHADING(output)                                                                               \
+    if (key.primitive == Primitive::screen)                                                                 \
+        return key.sampled ? NACRE_STAGE(output##DeferredSampled) : NACRE_STAGE(output##DeferredInput);     \
+    if (key.nearest == Nearest::fragdepth) return NACRE_PRIMITIVE(output, Fragdepth);                       \
+    if (key.settle)                                                                                         \
+        return key.sampled ? NACRE_PRIMITIVE(output, SampledSettle) : NACRE_PRIMITIVE(output, InputSettle); \
     return key.sampled ? NACRE_PRIMITIVE(output, Sampled) : NACRE_PRIMITIVE(output, Input)
 
 Words colorShader(const ShaderKey& key) { NACRE_SHADING(color); }
@@ -26,13 +27,20 @@ Words identityShader(const ShaderKey& key) { NACRE_SHADING(identity); }
 
 Words fragmentShader(const ShaderKey& key) {
     switch (key.writes) {
-        case Writes::plates: return NACRE_STAGE(plateFragment);
-        case Writes::encoded: return NACRE_PRIMITIVE(encode, );
-        case Writes::depth: return NACRE_PRIMITIVE(nearest, );
-        case Writes::number: return NACRE_PRIMITIVE(identify, );
-        case Writes::color: return colorShader(key);
-        case Writes::surface: return surfaceShader(key);
-        case Writes::identity: return identityShader(key);
+        case Writes::plates:
+            return NACRE_STAGE(plateFragment);
+        case Writes::encoded:
+            return NACRE_PRIMITIVE(encode, );
+        case Writes::depth:
+            return NACRE_PRIMITIVE(nearest, );
+        case Writes::number:
+            return NACRE_PRIMITIVE(identify, );
+        case Writes::color:
+            return colorShader(key);
+        case Writes::surface:
+            return surfaceShader(key);
+        case Writes::identity:
+            return identityShader(key);
     }
     return {};
 }
@@ -49,13 +57,20 @@ Words vertexShader(const ShaderKey& key) {
 
 const char* nameOf(Writes writes) {
     switch (writes) {
-        case Writes::plates: return "opaque prepass";
-        case Writes::encoded: return "depth encoding";
-        case Writes::depth: return "nearest depth";
-        case Writes::number: return "nearest primitive";
-        case Writes::color: return "impostor colour";
-        case Writes::surface: return "surface layer";
-        case Writes::identity: return "identity layer";
+        case Writes::plates:
+            return "opaque prepass";
+        case Writes::encoded:
+            return "depth encoding";
+        case Writes::depth:
+            return "nearest depth";
+        case Writes::number:
+            return "nearest primitive";
+        case Writes::color:
+            return "impostor colour";
+        case Writes::surface:
+            return "surface layer";
+        case Writes::identity:
+            return "identity layer";
     }
     return "";
 }

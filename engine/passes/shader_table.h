@@ -10,10 +10,10 @@ enum class Primitive : std::uint8_t { sphere, cylinder, screen };
 
 /// What a pass writes.
 enum class Writes : std::uint8_t {
-    plates,    ///< depth of opaque plates
-    encoded,   ///< encoded depth, MIN blend
-    depth,     ///< nearest depth alone
-    number,    ///< nearest primitive's number, and its depth
+    plates,   ///< depth of opaque plates
+    encoded,  ///< encoded depth, MIN blend
+    depth,    ///< nearest depth alone
+    number,   ///< nearest primitive's number, and its depth
     color,
     surface,   ///< normal and Z
     identity,  ///< atom and occlusion
@@ -27,8 +27,8 @@ struct ShaderKey {
     Primitive primitive{};
     Writes writes{};
     Nearest nearest{};
-    bool sampled = false;   ///< the nearest depth or number comes as a texture, not as an input attachment
-    bool settle = false;    ///< encoded depth is coarse: the depth buffer settles the rest
+    bool sampled = false;  ///< the nearest depth or number comes as a texture, not as an input attachment
+    bool settle = false;   ///< encoded depth is coarse: the depth buffer settles the rest
     bool counting = false;
     friend auto operator<=>(const ShaderKey&, const ShaderKey&) = default;
 };

@@ -2,20 +2,19 @@
 // Where every primitive's patch lies in the occlusion atlas, how large the patches are, and which texels can be lit.
 
 #include <cstdint>
-#include <vector>
-
 #include <glm/mat3x3.hpp>
+#include <vector>
 
 #include "engine/scene/representation.h"
 
 namespace nacre {
 
 struct OcclusionLayout {
-    std::uint32_t sphereEdge = 0;      ///< texels across a sphere's octahedral patch; a multiple of 4
-    std::uint32_t around = 0;          ///< texels around a cylinder; a multiple of 4
-    std::uint32_t along = 0;           ///< texels along a cylinder
+    std::uint32_t sphereEdge = 0;         ///< texels across a sphere's octahedral patch; a multiple of 4
+    std::uint32_t around = 0;             ///< texels around a cylinder; a multiple of 4
+    std::uint32_t along = 0;              ///< texels along a cylinder
     std::uint32_t width = 0, height = 0;  ///< of the atlas, texels
-    std::uint32_t sphereRows = 0;      ///< rows of the atlas that sphere patches take
+    std::uint32_t sphereRows = 0;         ///< rows of the atlas that sphere patches take
     std::uint32_t sphereCount = 0, cylinderCount = 0;
 
     std::uint64_t texelCount() const {

@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "engine/scene/occlusion_layout.h"
 
@@ -26,8 +25,7 @@ public:
         const double volume = double(high.x - low.x) * (high.y - low.y) * (high.z - low.z);
         const double most = 4.0 * static_cast<double>(r.spheres.size() + r.cylinders.size()) + 64.0;
         cell_ = std::max(2.0f * reach, static_cast<float>(std::cbrt(volume / most)));
-        for (int i = 0; i < 3; ++i)
-            size_[i] = std::clamp(static_cast<int>((high[i] - low[i]) / cell_) + 1, 1, 1 << 10);
+        for (int i = 0; i < 3; ++i) size_[i] = std::clamp(static_cast<int>((high[i] - low[i]) / cell_) + 1, 1, 1 << 10);
         count(r);
     }
 
@@ -63,8 +61,7 @@ private:
             ++item;
         };
         for (const Sphere& s : r.spheres) box(s.center - s.radius, s.center + s.radius);
-        for (const Cylinder& c : r.cylinders)
-            box(glm::min(c.a, c.b) - c.radius, glm::max(c.a, c.b) + c.radius);
+        for (const Cylinder& c : r.cylinders) box(glm::min(c.a, c.b) - c.radius, glm::max(c.a, c.b) + c.radius);
     }
     void count(const Representation& r) {
         starts_.assign(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2] + 1, 0);

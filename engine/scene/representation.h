@@ -3,10 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <span>
 #include <vector>
-
-#include <glm/vec3.hpp>
 
 #include "engine/molecule/molecule.h"
 
@@ -29,8 +28,8 @@ struct SphereLook {
 
 /// A cylinder with flat caps from a to b. 32 bytes.
 struct Cylinder {
-    glm::vec3 a;  ///< Å, relative to Representation::center
-    float radius; ///< Å
+    glm::vec3 a;   ///< Å, relative to Representation::center
+    float radius;  ///< Å
     glm::vec3 b;
     float unused = 0;
 };
@@ -47,7 +46,7 @@ struct RepresentationOptions {
 
 struct Representation {
     std::vector<Sphere> spheres;
-    std::vector<SphereLook> sphereLooks;      ///< same length as spheres
+    std::vector<SphereLook> sphereLooks;  ///< same length as spheres
     std::vector<Cylinder> cylinders;
     std::vector<CylinderLook> cylinderLooks;  ///< same length as cylinders
     glm::dvec3 center{};  ///< middle of the axis-aligned box of the drawn atoms' centres, Å, in the file's frame

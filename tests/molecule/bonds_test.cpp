@@ -1,11 +1,11 @@
 #include "engine/molecule/bonds.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <string>
 #include <tuple>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "engine/molecule/readers.h"
 #include "tests/molecule/build_molecule.h"
@@ -93,7 +93,9 @@ TEST(StatedBonds, AreKeptWhateverTheirLength) {
     MoleculeText text;
     text.residue("ZN", 1).atom("ZN", "Zn", {0, 0, 0});
     text.residue("CYS", 2).atom("SG", "S", {2.3f, 0, 0});
-    text.molecule.bonds = {{1, 0, 1, BondSource::file}, {0, 1, 1, BondSource::file}, {0, 0, 1, BondSource::file},
+    text.molecule.bonds = {{1, 0, 1, BondSource::file},
+                           {0, 1, 1, BondSource::file},
+                           {0, 0, 1, BondSource::file},
                            {0, 9, 1, BondSource::file}};
     EXPECT_EQ(bondsOf(text.molecule), "0-1");  // sorted, once, without itself and without what is not there
 }

@@ -2,13 +2,12 @@
 // Measures on molecules that the geometry tests share.
 
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
 
 #include "engine/molecule/molecule.h"
 

@@ -1,12 +1,12 @@
 // The PDB files of the data folder against the counts that independent tools made of them.
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <string>
-
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"

@@ -1,6 +1,6 @@
-#include <string>
-
 #include <gtest/gtest.h>
+
+#include <string>
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"

@@ -1,11 +1,11 @@
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
 #include <string>
 #include <tuple>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "engine/molecule/element.h"
 #include "engine/molecule/read.h"
@@ -24,22 +24,60 @@ struct Length {
 
 // Means over crystal structures, Å. Sugar and phosphate: A. Gelbin et al., J. Am. Chem. Soc. 118 (1996) 519-529.
 const std::vector<Length> kBackbone = {
-    {"P", "OP1", 1.485},   {"P", "OP2", 1.485},   {"P", "O5'", 1.593},   {"O5'", "C5'", 1.440}, {"C5'", "C4'", 1.512},
-    {"C4'", "C3'", 1.528}, {"C3'", "C2'", 1.518}, {"C2'", "C1'", 1.521}, {"O4'", "C1'", 1.420}, {"O4'", "C4'", 1.449},
-    {"O3'", "C3'", 1.431},
+    {"P", "OP1", 1.485},   {"P", "OP2", 1.485},   {"P", "O5'", 1.593},   {"O5'", "C5'", 1.440},
+    {"C5'", "C4'", 1.512}, {"C4'", "C3'", 1.528}, {"C3'", "C2'", 1.518}, {"C2'", "C1'", 1.521},
+    {"O4'", "C1'", 1.420}, {"O4'", "C4'", 1.449}, {"O3'", "C3'", 1.431},
 };
 // Bases: L. Clowney et al., J. Am. Chem. Soc. 118 (1996) 509-518.
 const std::map<std::string, std::vector<Length>> kBases = {
-    {"DA", {{"N9", "C1'", 1.462}, {"N1", "C2", 1.339}, {"C2", "N3", 1.331}, {"N3", "C4", 1.344}, {"C4", "C5", 1.383},
-            {"C5", "C6", 1.406}, {"C6", "N1", 1.351}, {"C5", "N7", 1.388}, {"N7", "C8", 1.311}, {"C8", "N9", 1.373},
-            {"N9", "C4", 1.374}, {"C6", "N6", 1.335}}},
-    {"DG", {{"N9", "C1'", 1.459}, {"N1", "C2", 1.373}, {"C2", "N3", 1.323}, {"N3", "C4", 1.350}, {"C4", "C5", 1.379},
-            {"C5", "C6", 1.419}, {"C6", "N1", 1.391}, {"C5", "N7", 1.388}, {"N7", "C8", 1.305}, {"C8", "N9", 1.374},
-            {"N9", "C4", 1.375}, {"C2", "N2", 1.341}, {"C6", "O6", 1.237}}},
-    {"DC", {{"N1", "C1'", 1.470}, {"N1", "C2", 1.397}, {"C2", "N3", 1.353}, {"N3", "C4", 1.335}, {"C4", "C5", 1.425},
-            {"C5", "C6", 1.339}, {"N1", "C6", 1.367}, {"C2", "O2", 1.240}, {"C4", "N4", 1.335}}},
-    {"DT", {{"N1", "C1'", 1.473}, {"N1", "C2", 1.376}, {"C2", "N3", 1.373}, {"N3", "C4", 1.382}, {"C4", "C5", 1.445},
-            {"C5", "C6", 1.339}, {"C6", "N1", 1.378}, {"C2", "O2", 1.220}, {"C4", "O4", 1.228}, {"C5", "C7", 1.496}}},
+    {"DA",
+     {{"N9", "C1'", 1.462},
+      {"N1", "C2", 1.339},
+      {"C2", "N3", 1.331},
+      {"N3", "C4", 1.344},
+      {"C4", "C5", 1.383},
+      {"C5", "C6", 1.406},
+      {"C6", "N1", 1.351},
+      {"C5", "N7", 1.388},
+      {"N7", "C8", 1.311},
+      {"C8", "N9", 1.373},
+      {"N9", "C4", 1.374},
+      {"C6", "N6", 1.335}}},
+    {"DG",
+     {{"N9", "C1'", 1.459},
+      {"N1", "C2", 1.373},
+      {"C2", "N3", 1.323},
+      {"N3", "C4", 1.350},
+      {"C4", "C5", 1.379},
+      {"C5", "C6", 1.419},
+      {"C6", "N1", 1.391},
+      {"C5", "N7", 1.388},
+      {"N7", "C8", 1.305},
+      {"C8", "N9", 1.374},
+      {"N9", "C4", 1.375},
+      {"C2", "N2", 1.341},
+      {"C6", "O6", 1.237}}},
+    {"DC",
+     {{"N1", "C1'", 1.470},
+      {"N1", "C2", 1.397},
+      {"C2", "N3", 1.353},
+      {"N3", "C4", 1.335},
+      {"C4", "C5", 1.425},
+      {"C5", "C6", 1.339},
+      {"N1", "C6", 1.367},
+      {"C2", "O2", 1.240},
+      {"C4", "N4", 1.335}}},
+    {"DT",
+     {{"N1", "C1'", 1.473},
+      {"N1", "C2", 1.376},
+      {"C2", "N3", 1.373},
+      {"N3", "C4", 1.382},
+      {"C4", "C5", 1.445},
+      {"C5", "C6", 1.339},
+      {"C6", "N1", 1.378},
+      {"C2", "O2", 1.220},
+      {"C4", "O4", 1.228},
+      {"C5", "C7", 1.496}}},
 };
 
 struct Angle {
@@ -53,8 +91,8 @@ const std::map<std::string, std::vector<Angle>> kHangingAngles = {
     {"DA", {{"N1", "C6", "N6", 118.6}, {"C4", "N9", "C1'", 126.3}}},
     {"DG", {{"N1", "C6", "O6", 119.9}, {"N1", "C2", "N2", 116.2}, {"C4", "N9", "C1'", 126.5}}},
     {"DC", {{"N1", "C2", "O2", 118.9}, {"N3", "C4", "N4", 118.0}, {"C2", "N1", "C1'", 118.8}}},
-    {"DT", {{"N1", "C2", "O2", 123.1}, {"N3", "C4", "O4", 119.9}, {"C4", "C5", "C7", 119.0},
-            {"C2", "N1", "C1'", 118.2}}},
+    {"DT",
+     {{"N1", "C2", "O2", 123.1}, {"N3", "C4", "O4", 119.9}, {"C4", "C5", "C7", 119.0}, {"C2", "N1", "C1'", 118.2}}},
 };
 
 class SampleDna : public ::testing::Test {
@@ -114,8 +152,8 @@ TEST_F(SampleDna, CarriesExactlyThoseBonds) {
     for (const Bond& bond : molecule.bonds)
         EXPECT_LT(glm::distance(molecule.atoms[bond.a].position, molecule.atoms[bond.b].position), 1.7f);
     // Kekulé structures: A has 4 double bonds, G 4, C 3, T 3; each phosphate has one.
-    const auto doubles = std::count_if(molecule.bonds.begin(), molecule.bonds.end(),
-                                       [](const Bond& bond) { return bond.order == 2; });
+    const auto doubles =
+        std::count_if(molecule.bonds.begin(), molecule.bonds.end(), [](const Bond& bond) { return bond.order == 2; });
     EXPECT_EQ(doubles, 4 * 4 + 8 * 4 + 8 * 3 + 4 * 3 + 22);
 }
 
@@ -130,8 +168,8 @@ TEST_F(SampleDna, BackboneTorsionsAreThoseOfTheFibreModel) {
         const double delta = test::torsion(at(r, "C5'"), at(r, "C4'"), at(r, "C3'"), at(r, "O3'"));
         const double epsilon = test::torsion(at(r, "C4'"), at(r, "C3'"), at(r, "O3'"), at(r + 1, "P"));
         const double zeta = test::torsion(at(r, "C3'"), at(r, "O3'"), at(r + 1, "P"), at(r + 1, "O5'"));
-        const double chi = test::torsion(at(r, "O4'"), at(r, "C1'"), at(r, purine ? "N9" : "N1"),
-                                         at(r, purine ? "C4" : "C2"));
+        const double chi =
+            test::torsion(at(r, "O4'"), at(r, "C1'"), at(r, purine ? "N9" : "N1"), at(r, purine ? "C4" : "C2"));
         EXPECT_NEAR(alpha, -46.8, 0.7);
         EXPECT_NEAR(beta, -146.0, 0.7);
         EXPECT_NEAR(gamma, 36.4, 0.7);
@@ -173,8 +211,8 @@ TEST_F(SampleDna, BasesAreFlat) {
     for (std::uint32_t r = 0; r < 24; ++r) {
         const bool purine = residueName(r) == "DA" || residueName(r) == "DG";
         const glm::dvec3 origin = position(molecule, r, "C2");
-        const glm::dvec3 normal = glm::normalize(glm::cross(position(molecule, r, "C4") - origin,
-                                                            position(molecule, r, "C6") - origin));
+        const glm::dvec3 normal =
+            glm::normalize(glm::cross(position(molecule, r, "C4") - origin, position(molecule, r, "C6") - origin));
         const Residue& residue = molecule.residues[r];
         for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i) {
             const std::string name(molecule.atoms[i].name.view());

@@ -1,10 +1,10 @@
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
-
-#include <gtest/gtest.h>
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"
@@ -64,8 +64,8 @@ TEST(SampleGlucose, AnglesAreTetrahedralThroughout) {
         for (const auto a : neighbours[b]) {
             for (const auto c : neighbours[b]) {
                 if (a >= c) continue;
-                const double angle = test::angle(molecule.atoms[a].position, molecule.atoms[b].position,
-                                                 molecule.atoms[c].position);
+                const double angle =
+                    test::angle(molecule.atoms[a].position, molecule.atoms[b].position, molecule.atoms[c].position);
                 EXPECT_GT(angle, 104.0) << molecule.atoms[b].name.view();
                 EXPECT_LT(angle, 115.0) << molecule.atoms[b].name.view();
             }
@@ -89,8 +89,8 @@ TEST(SampleGlucose, IsThe4C1Chair) {
     const Molecule m = sampleMolecule("glucose");
     const std::vector<const char*> ring = {"C1", "C2", "C3", "C4", "C5", "O5"};
     for (std::size_t i = 0; i < 6; ++i) {
-        const double torsion = test::torsion(at(m, ring[i]), at(m, ring[(i + 1) % 6]), at(m, ring[(i + 2) % 6]),
-                                             at(m, ring[(i + 3) % 6]));
+        const double torsion =
+            test::torsion(at(m, ring[i]), at(m, ring[(i + 1) % 6]), at(m, ring[(i + 2) % 6]), at(m, ring[(i + 3) % 6]));
         EXPECT_NEAR(torsion, i % 2 == 0 ? -56 : 56, 6) << ring[i];  // C1-C2-C3-C4 is about -54 in 4C1
     }
     // Groups by the ring torsion from two atoms back: equatorial is trans, axial gauche.

@@ -1,10 +1,10 @@
 #pragma once
 // Reads a test file whole, inflating it if it is gzipped; independent of the engine's own inflation.
 
+#include <zlib.h>
+
 #include <stdexcept>
 #include <string>
-
-#include <zlib.h>
 
 namespace nacre::test {
 

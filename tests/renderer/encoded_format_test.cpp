@@ -1,6 +1,7 @@
 // Every rung of the ladder of encoded depth against the exact one, R32F.
 
 #include "engine/gpu/encoded_format.h"
+
 #include "tests/reference/ray_caster.h"
 #include "tests/renderer/scenes.h"
 
@@ -33,8 +34,8 @@ TEST_P(Ladder, DiffersOnlyWhereSurfacesAreCloserThanItsStep) {
             ++differ;
             if (!(std::abs(p.z[i] - exact.z[i]) <= 1.01 * step + 1e-4)) ++tooFar;
         }
-        std::cout << GetParam() << " " << format.name << ": " << differ << " of " << covered
-                  << " pixels differ, step " << step << " A\n";
+        std::cout << GetParam() << " " << format.name << ": " << differ << " of " << covered << " pixels differ, step "
+                  << step << " A\n";
         EXPECT_EQ(tooFar, 0u) << format.name;
         EXPECT_GT(covered, 10000u);
         EXPECT_LE(static_cast<double>(differ), 1e-4 * static_cast<double>(p.id.size())) << format.name;

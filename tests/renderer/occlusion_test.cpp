@@ -1,10 +1,9 @@
 // Baked occlusion against ray-traced, cosine-weighted occlusion.
 
 #include <cmath>
-#include <random>
-
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <random>
 
 #include "tests/reference/ambient_occlusion.h"
 #include "tests/renderer/scenes.h"

@@ -43,8 +43,8 @@ TEST_P(RayCaster, AgreesWithTheGpu) {
 
 std::vector<Case> cases() {
     std::vector<Case> all;
-    for (const char* file : {"sample:dna", "sample:glucose", "1bna.pdb", "4hhb.pdb", "neon-pump.pdb",
-                             "small/glucose-alpha-3d.sdf"})
+    for (const char* file :
+         {"sample:dna", "sample:glucose", "1bna.pdb", "4hhb.pdb", "neon-pump.pdb", "small/glucose-alpha-3d.sdf"})
         for (const Style style : {Style::spacefill, Style::ballAndStick, Style::licorice})
             for (const Projection projection : {Projection::orthographic, Projection::perspective})
                 for (const Visibility visibility : {Visibility::encoded, Visibility::fragdepth})

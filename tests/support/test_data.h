@@ -11,8 +11,8 @@ namespace nacre::test {
 /// The data folder, if there is one.
 inline std::optional<std::filesystem::path> dataFolder() {
     const char* named = std::getenv("NACRE_DATA");
-    const std::filesystem::path folder = named ? std::filesystem::path(named)
-                                               : std::filesystem::path(NACRE_SOURCE_DIR) / "../shared/data";
+    const std::filesystem::path folder =
+        named ? std::filesystem::path(named) : std::filesystem::path(NACRE_SOURCE_DIR) / "../shared/data";
     if (std::filesystem::exists(folder / "expected.json")) return folder;
     return std::nullopt;
 }
@@ -23,6 +23,6 @@ inline std::string dataFile(const std::string& name) { return (*dataFolder() / n
 }  // namespace nacre::test
 
 /// Skips the test, with the reason, where the data folder is absent.
-#define NACRE_NEEDS_DATA()                                                                                  \
-    if (!::nacre::test::dataFolder())                                                                       \
+#define NACRE_NEEDS_DATA()            \
+    if (!::nacre::test::dataFolder()) \
     GTEST_SKIP() << "no test data: neither NACRE_DATA nor ../shared/data beside the source tree holds it"
