@@ -129,7 +129,7 @@ void Geometry::draw(graph::PassContext& context, const SceneBuffers& scene, cons
     const auto one = [&](Primitive primitive, std::uint32_t instances, std::uint32_t corners, float rim = 0) {
         if (instances == 0) return;
         ShaderKey key{primitive, draw.writes, draw.nearest, shades(draw.writes) && context.inputIsSampled,
-                      shades(draw.writes) && draw.nearest == Nearest::encoded && settles(), draw.counter != nullptr};
+                      shades(draw.writes) && draw.nearest == Nearest::encoded && device_.caps().encoded.settles(), draw.counter != nullptr};
         commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, key, draw.perspective, corners, rim));
         commands.pushConstants<layout::ViewConstants>(*layoutOf(key).pipeline, kStages, 0, draw.view);
         bindSets(context, scene, key, draw, inputs);
