@@ -14,12 +14,11 @@
 #include "engine/passes/read_back.h"
 #include "engine/passes/view_constants.h"
 #include "engine/picture.h"
+#include "engine/screen_frame.h"
 
 namespace nacre {
 namespace {
 
-using graph::Clear;
-using graph::Graph;
 using passes::Nearest;
 using passes::Writes;
 using Clock = std::chrono::steady_clock;
@@ -43,18 +42,9 @@ DeviceInfo infoOf(const gpu::Caps& caps) {
     return info;
 }
 
-Nearest nearestOf(Visibility visibility) {
-    switch (visibility) {
-        case Visibility::fragdepth:
-            return Nearest::fragdepth;
-        case Visibility::deferred:
-            return Nearest::deferred;
-        case Visibility::rasterOrder:
-            return Nearest::rasterOrder;
-        default:
-            return Nearest::encoded;
-    }
-}
+constexpr ScreenTarget kLayerTargets[] = {{"colour", VK_FORMAT_R32G32B32A32_SFLOAT, Writes::color},
+                                          {"surface", VK_FORMAT_R32G32B32A32_SFLOAT, Writes::surface},
+                                          {"identity", VK_FORMAT_R32G32_UINT, Writes::identity}};
 
 }  // namespace
 
@@ -83,16 +73,9 @@ struct Renderer::Impl {
         stats.device = infoOf(device.caps());
     }
 
-    /// One target of the frame, how it is written, and where the host finds it afterwards.
-    struct Target {
-        const char* pass;
-        const char* image;
-        VkFormat format;
-        Writes writes;
-        gpu::Buffer pixels;
-    };
-
-    void draw(const RenderSettings& settings, const View& view, std::vector<Target>& targets, bool readBack = true);
+    /// Draws one frame. @returns the pixels of every target, for the host; none unless `readBack`
+    std::vector<gpu::Buffer> draw(const RenderSettings& settings, const View& view,
+                                  std::span<const ScreenTarget> targets, bool readBack = true);
     void prepareOcclusion(const RenderSettings& settings);
     layout::ViewConstants constants(const RenderSettings& settings, const View& view) const;
 };
@@ -107,76 +90,41 @@ layout::ViewConstants Renderer::Impl::constants(const RenderSettings& settings, 
     return c;
 }
 
-/// The screen frame: opaque prepass, the pass that finds what is nearest (none with `fragdepth`), and one pass for
-/// every target.
-void Renderer::Impl::draw(const RenderSettings& settings, const View& view, std::vector<Target>& targets,
-                          bool readBack) {
+/// The screen frame (screen_frame.cpp declares it), and the copies of its targets to the host.
+std::vector<gpu::Buffer> Renderer::Impl::draw(const RenderSettings& settings, const View& view,
+                                              std::span<const ScreenTarget> targets, bool readBack) {
     const graph::Extent extent{view.width, view.height};
+    const gpu::Image& atlas = settings.occlusionDirections > 0 ? bake->atlas() : white;
     passes::FragmentCounter counter(device, settings.countFragments);
-    const auto drawn = [&](Writes writes) {
+    const auto record = [&](Writes writes, const ScreenInputs& inputs) {
         passes::Draw d{writes, nearest, view.projection == Projection::perspective, constants(settings, view)};
         d.plates = settings.plates;
         d.impostor = settings.impostor;
         d.radiusPixels = meanRadius * view.pixelsPerAngstrom;
         counter.attach(d);
-        return d;
+        return [this, d, inputs](graph::PassContext& c) {
+            geometry.draw(c, scene, d, {c.view(inputs.atlas), c.view(inputs.nearest), inputs.nearestIsTexture});
+        };
     };
-    const auto geometryPass = [&](Writes writes) {
-        return [this, d = drawn(writes)](graph::PassContext& c) { geometry.draw(c, scene, d); };
-    };
-    Graph g("screen");
+    ScreenFrame frame = screenFrame({extent, nearest, device.caps().encoded, atlas.desc, targets}, record);
+    graph::Graph& g = frame.graph;
     graph::Imports imports;
-    const auto depth = g.image("depth", {VK_FORMAT_D32_SFLOAT, extent});
-    const gpu::Image& atlasImage = settings.occlusionDirections > 0 ? bake->atlas() : white;
-    const auto atlas = g.importImage("occlusion atlas", atlasImage.desc, passes::kTextureState);
-    imports.bind(atlas, atlasImage);
-
-    g.graphics("opaque prepass").depth(depth, Clear{1.0f}).record(geometryPass(Writes::plates));
-    graph::Image found = depth;
-    if (nearest == Nearest::encoded) {
-        found = g.image("encoded depth", {device.caps().encoded.format, extent});
-        const Clear farthest{device.caps().encoded.farthest};
-        g.graphics("depth encoding").depthTest(depth).color(found, farthest).record(geometryPass(Writes::encoded));
-    } else if (nearest == Nearest::deferred) {
-        found = g.image("primitive number", {VK_FORMAT_R32_UINT, extent});
-        g.graphics("nearest primitive").depth(depth).color(found, Clear{0.0f}).record(geometryPass(Writes::number));
-    }
-    // One target keeps the nearest depth itself; several (the layers) share one that is found before them.
-    const bool ordered = nearest == Nearest::rasterOrder;
-    const bool shared = ordered && targets.size() > 1;
-    if (ordered) found = g.image("nearest depth", {VK_FORMAT_R32_SFLOAT, extent});
-    if (shared)
-        g.graphics("depth encoding")
-            .depthTest(depth)
-            .ordered(found, Clear{1.0f})
-            .record([this, found, atlas, d = drawn(Writes::encoded)](graph::PassContext& c) {
-                geometry.draw(c, scene, d, {c.view(atlas), c.view(found)});
-            });
-    for (Target& target : targets) {
-        const graph::ImageDesc desc{target.format, extent};
-        const auto image = g.image(target.image, desc);
-        auto pass = g.graphics(target.pass);
-        if (nearest == Nearest::fragdepth || (nearest == Nearest::encoded && geometry.settles()))
-            pass.depth(depth);
-        else if (nearest != Nearest::deferred)
-            pass.depthTest(depth);
-        if (nearest == Nearest::encoded || nearest == Nearest::deferred) pass.input(found);
-        pass.samples(atlas).color(image, Clear{0.0f});
-        if (ordered && !shared) pass.ordered(found, Clear{1.0f});
-        if (shared) pass.samples(found);
-        pass.record([this, found, atlas, shared, d = drawn(target.writes)](graph::PassContext& c) {
-            geometry.draw(c, scene, d, {c.view(atlas), c.view(found), shared});
-        });
+    imports.bind(frame.atlas, atlas);
+    std::vector<gpu::Buffer> pixels;
+    pixels.reserve(targets.size());
+    for (std::size_t i = 0; i < targets.size(); ++i) {
         if (!readBack) {
-            g.output(image);
+            g.output(frame.targets[i]);
             continue;
         }
-        const std::uint64_t bytes = std::uint64_t{extent.width} * extent.height * graph::bytesPerTexel(target.format);
-        target.pixels = gpu::makeBuffer(device, bytes, vk::BufferUsageFlagBits::eTransferDst, gpu::Access::readback,
-                                        std::string(target.image) + " pixels");
-        const auto buffer = g.importBuffer(std::string(target.image) + " pixels", bytes);
-        imports.bind(buffer, target.pixels);
-        passes::readBack(g, image, desc, buffer);
+        const std::string name = std::string(targets[i].image) + " pixels";
+        const std::uint64_t bytes =
+            std::uint64_t{extent.width} * extent.height * graph::bytesPerTexel(targets[i].format);
+        pixels.push_back(
+            gpu::makeBuffer(device, bytes, vk::BufferUsageFlagBits::eTransferDst, gpu::Access::readback, name));
+        const auto buffer = g.importBuffer(name, bytes);
+        imports.bind(buffer, pixels.back());
+        passes::readBack(g, frame.targets[i], {targets[i].format, extent}, buffer);
     }
 
     graph::PlanCaps caps = device.caps().plan;
@@ -197,6 +145,7 @@ void Renderer::Impl::draw(const RenderSettings& settings, const View& view, std:
     stats.loadedBytes = plan.total.loaded;
     stats.storedBytes = plan.total.stored;
     stats.deviceBytes = device.peakAllocatedBytes();
+    return pixels;
 }
 
 void Renderer::Impl::prepareOcclusion(const RenderSettings& settings) {
@@ -246,34 +195,24 @@ Picture Renderer::render(const RenderSettings& settings) {
         throw Error("picture too large", std::to_string(view.width) + "x" + std::to_string(view.height),
                     "this device draws at most " + std::to_string(maxSize()) + " pixels a side, supersampling counted");
     impl_->prepareOcclusion(settings);
-    std::vector<Impl::Target> targets;
-    targets.push_back({"impostor colour", "colour", VK_FORMAT_R8G8B8A8_SRGB, Writes::color, {}});
-    impl_->draw(settings, view, targets);
-    Picture picture = resolvePicture(reinterpret_cast<const std::uint32_t*>(targets[0].pixels.mapped), view.width,
-                                     view.height, n, settings.background, impl_->stats.coveredPixels);
-    return picture;
+    const auto pixels = impl_->draw(settings, view, kScreenTargets);
+    return resolvePicture(reinterpret_cast<const std::uint32_t*>(pixels[0].mapped), view.width, view.height, n,
+                          settings.background, impl_->stats.coveredPixels);
 }
 
 LayerPicture Renderer::layers(const RenderSettings& settings) {
     impl_->prepareOcclusion(settings);
-    std::vector<Impl::Target> targets;
-    targets.push_back({"impostor colour", "colour", VK_FORMAT_R32G32B32A32_SFLOAT, Writes::color, {}});
-    targets.push_back({"surface layer", "surface", VK_FORMAT_R32G32B32A32_SFLOAT, Writes::surface, {}});
-    targets.push_back({"identity layer", "identity", VK_FORMAT_R32G32_UINT, Writes::identity, {}});
-    impl_->draw(settings, settings.view, targets);
-    return assembleLayers(settings.view.width, settings.view.height,
-                          reinterpret_cast<const float*>(targets[0].pixels.mapped),
-                          reinterpret_cast<const float*>(targets[1].pixels.mapped),
-                          reinterpret_cast<const std::uint32_t*>(targets[2].pixels.mapped), settings.background,
+    const auto pixels = impl_->draw(settings, settings.view, kLayerTargets);
+    return assembleLayers(settings.view.width, settings.view.height, reinterpret_cast<const float*>(pixels[0].mapped),
+                          reinterpret_cast<const float*>(pixels[1].mapped),
+                          reinterpret_cast<const std::uint32_t*>(pixels[2].mapped), settings.background,
                           impl_->stats.coveredPixels);
 }
 
 double Renderer::drawFrame(const RenderSettings& settings) {
     impl_->prepareOcclusion(settings);
     const auto start = Clock::now();
-    std::vector<Impl::Target> targets;
-    targets.push_back({"impostor colour", "colour", VK_FORMAT_R8G8B8A8_SRGB, Writes::color, {}});
-    impl_->draw(settings, settings.view, targets, false);
+    impl_->draw(settings, settings.view, kScreenTargets, false);
     return millisecondsSince(start);
 }
 

@@ -21,6 +21,8 @@ struct EncodedFormat {
 
     /// Depths that it tells apart; 2^24 for a float, whose steps are finer near 0.
     int levels() const { return steps == 0 ? 1 << 24 : channels * steps; }
+    /// Whether the rung is so coarse that the depth buffer must settle what it leaves open.
+    bool settles() const { return levels() < 100000; }
 };
 
 /// Every rung, finest first.

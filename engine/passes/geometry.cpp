@@ -141,7 +141,7 @@ void Geometry::draw(graph::PassContext& context, const SceneBuffers& scene, cons
                       draw.writes,
                       draw.nearest,
                       shades(draw.writes) && (context.inputIsSampled || inputs.asTexture),
-                      shades(draw.writes) && draw.nearest == Nearest::encoded && settles(),
+                      shades(draw.writes) && draw.nearest == Nearest::encoded && device_.caps().encoded.settles(),
                       draw.counter != nullptr};
         commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, key, draw.perspective, corners, rim));
         commands.pushConstants<layout::ViewConstants>(*layoutOf(key).pipeline, kStages, 0, draw.view);

@@ -41,9 +41,6 @@ public:
     void draw(graph::PassContext& context, const SceneBuffers& scene, const Draw& draw,
               const ShadingInputs& inputs = {});
 
-    /// Whether the rung of encoded depth is so coarse that the depth buffer must settle what it leaves open.
-    bool settles() const { return device_.caps().encoded.levels() < 100000; }
-
 private:
     using LayoutKey = std::tuple<bool, Nearest, bool, bool>;  // reads, nearest, sampled, counting
     using PipelineKey = std::tuple<ShaderKey, bool, std::uint32_t, VkRenderPass, std::uint32_t>;
