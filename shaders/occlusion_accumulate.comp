@@ -13,8 +13,8 @@ layout(set = 0, binding = 1, std430) readonly buffer Directions { vec4 rows[]; }
 layout(set = 0, binding = 2, std430) readonly buffer Texels { uint texels[]; };
 layout(set = 0, binding = 3, std430) buffer Sums { float sums[]; };
 
-/// Depth at which the texel's own surface meets a pixel centre: what its primitive wrote there, if it was in front.
-float ownZ(Texel texel, vec3 u, vec3 v, vec3 w, vec2 q, vec2 at, float Z) {
+/// Height at which the texel's own surface meets a pixel centre; Z where it does not.
+float ownZ(Texel texel, vec3 u, vec3 v, vec3 w, vec2 q, float Z) {
     if (texel.cylinder) {
         vec3 from = vec3(q - vec2(dot(u, texel.a), dot(v, texel.a)), 0.0);
         vec3 axis = vec3(dot(u, texel.axis), dot(v, texel.axis), dot(w, texel.axis));
@@ -45,25 +45,15 @@ void main() {
         if (cosine <= 0.0) continue;
         vec3 u = rows[row].xyz, v = rows[row + 1u].xyz;
         vec2 at = vec2(dot(u, texel.position), dot(v, texel.position));
-        // Continuous pixel coordinates whose integers are pixel centres; y points down.
-        vec2 pixel = vec2(at.x, -at.y) * scale + 0.5 * pixels - 0.5;
-        vec2 base = floor(pixel), part = pixel - base;
+        vec2 place = clamp(floor(vec2(at.x, -at.y) * scale + 0.5 * pixels), vec2(0.0), vec2(pixels - 1.0));
         vec2 tile = vec2(mod(float(i), perRow), floor(float(i) / perRow)) * pixels;
-        float Z = dot(w, texel.position);
-        float lit = 0.0;
-        // The four maps' pixels around the point, each compared with what this surface would have written there:
-        // no bias is needed against self-shadowing, and shadows' edges come out smooth.
-        for (int corner = 0; corner < 4; ++corner) {
-            vec2 offset = vec2(corner & 1, corner >> 1);
-            vec2 place = clamp(base + offset, vec2(0.0), vec2(pixels - 1.0));
-            float weight = (offset.x > 0.0 ? part.x : 1.0 - part.x) * (offset.y > 0.0 ? part.y : 1.0 - part.y);
-            vec2 q = (place + 0.5 - 0.5 * pixels) / scale;
-            float own = ownZ(texel, u, v, w, vec2(q.x, -q.y), at, Z);
-            float d = (bake.depth.z - own - bake.depth.x) * bake.depth.y;
-            float nearest = decodeDepth(texelFetch(depthMaps, ivec2(tile + place), 0));
-            lit += d <= nearest + bake.map.w ? weight : 0.0;
-        }
-        sum += cosine * lit;
+        // What this very surface would have written at the pixel's centre, so that it never shadows itself; or the
+        // texel's own depth, if that is nearer: beside a contact the surface at the centre may lie inside a neighbour
+        // that does not hide the texel. A pixel's width of slack allows for the neighbour's slope.
+        vec2 q = (place + 0.5 - 0.5 * pixels) / scale;
+        float front = max(ownZ(texel, u, v, w, vec2(q.x, -q.y), dot(w, texel.position)), dot(w, texel.position));
+        float d = (bake.depth.z - front - bake.map.w - bake.depth.x) * bake.depth.y;
+        if (d <= decodeDepth(texelFetch(depthMaps, ivec2(tile + place), 0))) sum += cosine;
     }
     sums[index] += sum;
 }

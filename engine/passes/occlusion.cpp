@@ -12,10 +12,10 @@ namespace {
 
 using Usage = vk::BufferUsageFlagBits;
 constexpr std::uint32_t kGridPixels = 2048;     // a batch of depth maps is one square grid of this size
-constexpr double kPixelsPerAngstrom = 4.0;      // wanted in a depth map
+constexpr double kPixelsPerAngstrom = 2.5;      // wanted in a depth map
 constexpr std::uint32_t kGroup = 64;            // local_size_x
 constexpr std::uint32_t kGroupsPerRow = 32768;  // of a dispatch; the floor allows 65,535
-constexpr float kDepthTolerance = 0.02f;        // Å; a texel's arithmetic is not the rasteriser's to the last bit
+constexpr std::uint32_t kSmallestMap = 128;
 
 constexpr graph::State kComputeBuffer{
     VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
@@ -40,10 +40,8 @@ OcclusionBake::OcclusionBake(const gpu::Device& device, Geometry& geometry, Near
     double sum = 0;
     for (const Sphere& s : representation.spheres) sum += s.radius;
     meanRadius_ = sum / static_cast<double>(std::max<std::size_t>(representation.spheres.size(), 1));
-    // The smallest power of two with the wanted resolution, so that the grid holds a square number of maps.
-    const double wanted = 2.0 * radius_ * kPixelsPerAngstrom;
-    mapPixels_ = 128;
-    while (mapPixels_ < wanted && mapPixels_ < kGridPixels) mapPixels_ *= 2;
+    const double wanted = std::ceil(2.0 * radius_ * kPixelsPerAngstrom / 8.0) * 8.0;
+    mapPixels_ = static_cast<std::uint32_t>(std::clamp<double>(wanted, kSmallestMap, kGridPixels));
     perRow_ = kGridPixels / mapPixels_;
 
     const std::vector<std::uint32_t> open = openTexels(layout_, representation);
@@ -85,7 +83,8 @@ layout::OcclusionConstants OcclusionBake::constants(std::uint32_t first, std::ui
     view.pixelsPerAngstrom = mapPixels_ / (2.0 * radius_);
     const layout::ViewConstants v = viewConstants(view, 0.0f, 0, 0);
     layout::OcclusionConstants c{};
-    c.map = {mapPixels_, perRow_, view.pixelsPerAngstrom, kDepthTolerance * v.depth.y};
+    const auto pixel = static_cast<float>(1.0 / view.pixelsPerAngstrom);
+    c.map = {mapPixels_, perRow_, view.pixelsPerAngstrom, pixel};
     c.depth = {v.depth.x, v.depth.y, radius_, 0};
     c.patches = {layout_.sphereEdge, layout_.around, layout_.along, 0};
     c.texelCount = texels_;

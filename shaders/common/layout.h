@@ -23,7 +23,7 @@ struct ViewConstants {
 
 /// Push constants of the occlusion accumulation.
 struct OcclusionConstants {
-    vec4 map;      // x: pixels across one depth map, y: maps per row of the grid, z: pixels per Å, w: depth tolerance
+    vec4 map;      // x: pixels across one depth map, y: maps per row of the grid, z: pixels per Å, w: slack in Å
     vec4 depth;    // x: Z at encoded depth 0, y: 1 / (range of Z), z: R, w: 0
     vec4 patches;  // x: texels across a sphere's patch, y: around, z: along a cylinder's patch, w: 0
     // First entry of the texel list, number of entries (accumulate) or of words (finish), first direction, number of
