@@ -21,13 +21,13 @@ Molecule loadMolecule(const InputOptions& input) {
 }
 
 Representation sceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawnOptions,
-                       const LookOptions& look) {
+                       const RepresentationOptions& look) {
     const std::vector<std::uint32_t> drawn = drawnAtoms(molecule, drawnOptions);
     if (drawn.empty())
         throw Error(
             "cannot draw molecule", name,
             "none of its " + std::to_string(molecule.atoms.size()) + " atoms is drawn; see --water and --hydrogens");
-    return represent(molecule, drawn, {look.style.value_or(defaultStyle(molecule, drawn)), look.color});
+    return represent(molecule, drawn, look);
 }
 
 }  // namespace nacre::app

@@ -7,7 +7,7 @@ namespace nacre::app {
 
 /// What is drawn of a molecule, in its style and colours. @throws Error if that is nothing
 Representation sceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawn,
-                       const LookOptions& look);
+                       const RepresentationOptions& look);
 
 /// Reads the molecule that INPUT names. @throws Error
 Molecule loadMolecule(const InputOptions& input);

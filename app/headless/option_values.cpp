@@ -4,6 +4,9 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "app/headless/srgb.h"
+#include "engine/scene/palettes.h"
+
 namespace nacre::app {
 namespace {
 
@@ -29,13 +32,21 @@ struct NamedColor {
     std::uint32_t rgba;
 };
 
-// CSS Color Module Level 4, the sixteen basic names, and the two greys that people spell the other way.
-constexpr NamedColor kNamedColors[] = {{"transparent", 0x00000000}, {"black", 0x000000ff},  {"silver", 0xc0c0c0ff},
-                                       {"gray", 0x808080ff},        {"grey", 0x808080ff},   {"white", 0xffffffff},
-                                       {"maroon", 0x800000ff},      {"red", 0xff0000ff},    {"purple", 0x800080ff},
-                                       {"fuchsia", 0xff00ffff},     {"green", 0x008000ff},  {"lime", 0x00ff00ff},
-                                       {"olive", 0x808000ff},       {"yellow", 0xffff00ff}, {"navy", 0x000080ff},
-                                       {"blue", 0x0000ffff},        {"teal", 0x008080ff},   {"aqua", 0x00ffffff}};
+// CSS Color Module Level 4: the sixteen basic names, gray spelt the other way, and those that pictures of molecules ask
+// for most.
+constexpr NamedColor kNamedColors[] = {
+    {"transparent", 0x00000000}, {"black", 0x000000ff},     {"silver", 0xc0c0c0ff},     {"gray", 0x808080ff},
+    {"grey", 0x808080ff},        {"white", 0xffffffff},     {"maroon", 0x800000ff},     {"red", 0xff0000ff},
+    {"purple", 0x800080ff},      {"fuchsia", 0xff00ffff},   {"green", 0x008000ff},      {"lime", 0x00ff00ff},
+    {"olive", 0x808000ff},       {"yellow", 0xffff00ff},    {"navy", 0x000080ff},       {"blue", 0x0000ffff},
+    {"teal", 0x008080ff},        {"aqua", 0x00ffffff},      {"orange", 0xffa500ff},     {"cyan", 0x00ffffff},
+    {"magenta", 0xff00ffff},     {"pink", 0xffc0cbff},      {"brown", 0xa52a2aff},      {"gold", 0xffd700ff},
+    {"violet", 0xee82eeff},      {"salmon", 0xfa8072ff},    {"coral", 0xff7f50ff},      {"tomato", 0xff6347ff},
+    {"orchid", 0xda70d6ff},      {"skyblue", 0x87ceebff},   {"steelblue", 0x4682b4ff},  {"indigo", 0x4b0082ff},
+    {"turquoise", 0x40e0d0ff},   {"khaki", 0xf0e68cff},     {"wheat", 0xf5deb3ff},      {"lightgray", 0xd3d3d3ff},
+    {"lightgrey", 0xd3d3d3ff},   {"darkgray", 0xa9a9a9ff},  {"darkgrey", 0xa9a9a9ff},   {"lightblue", 0xadd8e6ff},
+    {"lightgreen", 0x90ee90ff},  {"darkgreen", 0x006400ff}, {"darkred", 0x8b0000ff},    {"darkblue", 0x00008bff},
+    {"firebrick", 0xb22222ff},   {"crimson", 0xdc143cff},   {"forestgreen", 0x228b22ff}};
 
 std::array<float, 4> unpack(std::uint32_t rgba) {
     const auto channel = [&](int shift) { return static_cast<float>(rgba >> shift & 0xff) / 255.0f; };
@@ -85,6 +96,64 @@ std::array<float, 4> parseColor(std::string_view text) {
         if (digits.size() == 8) return unpack(value);
     }
     refuse(text, "'transparent', a basic colour name, #rgb, #rrggbb or #rrggbbaa");
+}
+
+Style parseStyle(std::string_view text) {
+    constexpr Style kStyles[] = {Style::spacefill, Style::ballAndStick, Style::licorice};
+    return kStyles[parseChoice(text, {"spacefill", "ball-and-stick", "licorice"})];
+}
+
+Coloring parseColoring(std::string_view text) {
+    if (const auto scheme = colorSchemeFromName(text)) return *scheme;
+    constexpr const char* kWanted =
+        "element, chain, residue, hydrophobicity, charge, secondary-structure, b-factor, plddt, rainbow, occupancy, "
+        "entity, a colour's name or #rrggbb";
+    std::array<float, 4> color{};
+    try {
+        color = parseColor(text);
+    } catch (const std::invalid_argument&) {
+        refuse(text, kWanted);
+    }
+    if (color[3] < 1.0f) throw std::invalid_argument("atoms cannot be transparent: '" + std::string(text) + "'");
+    std::uint32_t rgb = 0;
+    for (std::size_t i = 0; i < 3; ++i) rgb = rgb << 8 | toByte(color[i]);
+    return Coloring::uniform(packedColor(rgb));
+}
+
+namespace {
+
+/// A selection may hold no '=', so that the last one is what divides.
+std::pair<std::string_view, std::string_view> divide(std::string_view text, const char* wanted) {
+    const std::size_t sign = text.rfind('=');
+    if (sign == std::string_view::npos) refuse(text, wanted);
+    return {text.substr(0, sign), text.substr(sign + 1)};
+}
+
+}  // namespace
+
+Rule parseShow(std::string_view text) {
+    const auto [selection, style] = divide(text, "SELECTION=STYLE");
+    Rule rule;
+    rule.action = Rule::Action::show;
+    rule.selection = parseSelection(selection);
+    rule.style = parseStyle(style);
+    return rule;
+}
+
+Rule parseHide(std::string_view text) {
+    Rule rule;
+    rule.action = Rule::Action::hide;
+    rule.selection = parseSelection(text);
+    return rule;
+}
+
+Rule parseColorBy(std::string_view text) {
+    const auto [selection, coloring] = divide(text, "SELECTION=SCHEME or SELECTION=COLOR");
+    Rule rule;
+    rule.action = Rule::Action::color;
+    rule.selection = parseSelection(selection);
+    rule.coloring = parseColoring(coloring);
+    return rule;
 }
 
 double parseNumber(std::string_view text, double low, double high) {

@@ -1,12 +1,14 @@
 #pragma once
 // What the values of options mean. Every function throws std::invalid_argument with the reason, in words that
-// continue "--option: ".
+// continue "--option: "; those that take a selection also nacre::Error.
 
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
+
+#include "engine/scene/appearance.h"
 
 namespace nacre::app {
 
@@ -29,6 +31,17 @@ glm::dvec3 parseRotation(std::string_view text);
 
 /// "transparent", a CSS basic colour name, #rgb, #rrggbb or #rrggbbaa; sRGB-coded 0..1, straight alpha.
 std::array<float, 4> parseColor(std::string_view text);
+
+/// "spacefill", "ball-and-stick" or "licorice".
+Style parseStyle(std::string_view text);
+
+/// The name of a colour scheme, or an opaque colour as parseColor() takes it.
+Coloring parseColoring(std::string_view text);
+
+/// "SELECTION=STYLE", "SELECTION" and "SELECTION=SCHEME" or "SELECTION=COLOR", divided at the last '='.
+Rule parseShow(std::string_view text);
+Rule parseHide(std::string_view text);
+Rule parseColorBy(std::string_view text);
 
 /// A finite number of the whole text within [low, high].
 double parseNumber(std::string_view text, double low, double high);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "app/headless/image_file.h"
+#include "engine/error.h"
 
 namespace nacre::app {
 namespace {
@@ -19,6 +20,8 @@ CLI::Option* value(CLI::App& app, const std::string& name, const std::string& ty
         try {
             set(text);
         } catch (const std::invalid_argument& error) {
+            throw CLI::ValidationError(name.substr(name.find("--")), error.what());
+        } catch (const Error& error) {
             throw CLI::ValidationError(name.substr(name.find("--")), error.what());
         }
     };
@@ -36,6 +39,8 @@ void showHide(CLI::App& app, const std::string& name, bool& target, const std::s
         target = parseChoice(text, {"show", "hide"}) == 0;
     });
 }
+
+constexpr std::size_t kMostRules = 1000;
 
 std::string path(const std::string& text) {
     if (text.empty()) throw std::invalid_argument("expected a file name");
@@ -65,18 +70,37 @@ void addDeviceName(CLI::App& app, DeviceOptions& device) {
           });
 }
 
+/// An option that may be given many times. Each is taken as it is met, so that their common order is kept.
+void rule(CLI::App& app, const std::string& name, const std::string& type, const std::string& help,
+          std::vector<Rule>& rules, Rule (*parse)(std::string_view)) {
+    value(app, name, type, "", help,
+          [&rules, parse](const std::string& text) {
+              if (rules.size() == kMostRules)
+                  throw std::invalid_argument("more than " + std::to_string(kMostRules) + " rules");
+              rules.push_back(parse(text));
+          })
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+        ->trigger_on_parse();
+}
+
+void addRules(CLI::App& app, std::vector<Rule>& rules) {
+    rule(app, "--show", "SEL=STYLE", "Draw the atoms of a selection in a style; repeatable", rules, parseShow);
+    rule(app, "--hide", "SEL", "Leave out the atoms of a selection; repeatable", rules, parseHide);
+    rule(app, "--color-by", "SEL=SCHEME|COLOR",
+         "Colour the atoms of a selection; repeatable. These three apply in the order they stand in", rules,
+         parseColorBy);
+}
+
 /// What is drawn and how it looks: the same for every command that draws.
-void addContent(CLI::App& app, InputOptions& input, DrawnAtomsOptions& drawn, LookOptions& look) {
+void addContent(CLI::App& app, InputOptions& input, DrawnAtomsOptions& drawn, RepresentationOptions& look) {
     addInput(app, input);
     value(app, "--style", "NAME", "spacefill; ball-and-stick under 100 atoms with bonds",
-          "spacefill, ball-and-stick or licorice", [&](const std::string& text) {
-              constexpr Style kStyles[] = {Style::spacefill, Style::ballAndStick, Style::licorice};
-              look.style = kStyles[parseChoice(text, {"spacefill", "ball-and-stick", "licorice"})];
-          });
-    value(app, "--color", "SCHEME", "element", "element, chain or residue", [&](const std::string& text) {
-        constexpr ColorScheme kSchemes[] = {ColorScheme::element, ColorScheme::chain, ColorScheme::residue};
-        look.color = kSchemes[parseChoice(text, {"element", "chain", "residue"})];
-    });
+          "spacefill, ball-and-stick or licorice", [&](const std::string& text) { look.style = parseStyle(text); });
+    value(app, "--color", "SCHEME|COLOR", "element",
+          "element, chain, residue, hydrophobicity, charge, secondary-structure, b-factor,\n"
+          "plddt (AlphaFold's bands), rainbow (N to C), occupancy, entity; or a colour as for --background",
+          [&](const std::string& text) { look.color = parseColoring(text); });
+    addRules(app, look.rules);
     showHide(app, "--water", drawn.water, "Water molecules");
     showHide(app, "--hydrogens", drawn.hydrogens, "Hydrogen atoms");
 }
@@ -205,7 +229,14 @@ constexpr const char* kRenderExamples =
     "  nacre render 1bna.pdb -o dna.png --size 1600x1200 --supersample 2\n"
     "  nacre render sample:glucose -o glucose.png --style ball-and-stick --background transparent\n"
     "  nacre render 4hhb.cif.gz -o blood.jpg --color chain --rotate -20,45,0 --projection perspective\n"
-    "  zcat 1crn.pdb.gz | nacre render - --format pdb -o crambin.exr --layers layers.exr --stats stats.json";
+    "  nacre render 4hhb.pdb -o haem.png --color chain --show ligand=ball-and-stick --color-by ligand=element\n"
+    "  nacre render 1hpv.pdb -o pocket.png --style licorice --show ligand=ball-and-stick \\\n"
+    "    --hide 'not byres (within 5 of (ligand))'\n"
+    "  zcat 1crn.pdb.gz | nacre render - --format pdb -o crambin.exr --layers layers.exr --stats stats.json\n"
+    "Selections (SEL), as in PyMOL:\n"
+    "  chain A+B, resn HEM+ATP, resi 10-20+35, name CA+CB, elem FE, altloc A, model 1, protein, nucleic, polymer,\n"
+    "  ligand, water, ion, backbone, sidechain, hydrogens, hetatm, all, none; and, or, not, ( );\n"
+    "  within 5 of (SEL): at most 5 Å away, itself included; byres (SEL): its whole residues";
 
 }  // namespace
 

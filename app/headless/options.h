@@ -22,15 +22,10 @@ struct InputOptions {
     int model = 1;  ///< 1-based
 };
 
-struct LookOptions {
-    std::optional<Style> style;  ///< empty: by the molecule's size
-    ColorScheme color = ColorScheme::element;
-};
-
 struct RenderOptions {
     InputOptions input;
     DrawnAtomsOptions drawn;
-    LookOptions look;
+    RepresentationOptions look;
     Camera camera;
     Size size;
     std::uint32_t supersample = 1;
@@ -50,7 +45,7 @@ struct InfoOptions {
 struct BenchOptions {
     InputOptions input;
     DrawnAtomsOptions drawn;
-    LookOptions look;
+    RepresentationOptions look;
     Size size{640, 960};
     int frames = 20;
     int occlusionDirections = 128;  ///< 0 = off

@@ -1,4 +1,5 @@
 #include <chrono>
+#include <iostream>
 #include <optional>
 #include <string>
 #include <utility>
@@ -72,6 +73,10 @@ void renderCommand(const RenderOptions& options) {
     run.center = scene.center;
     run.atomsDrawn = scene.drawnAtoms;
     run.bondsDrawn = scene.drawnBonds;
+    run.legends = scene.legends;
+    run.warnings = molecule.warnings;
+    run.warnings.insert(run.warnings.end(), scene.warnings.begin(), scene.warnings.end());
+    for (const std::string& warning : scene.warnings) std::cerr << "nacre: warning: " << warning << std::endl;
     run.sceneMs = millisecondsSince(sceneStart);
 
     Renderer renderer(options.device);

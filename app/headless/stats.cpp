@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/scene/palettes.h"
+
 namespace nacre::app {
 namespace {
 
@@ -26,6 +28,17 @@ Json rowsOf(const glm::dmat3& matrix) {
     return rows;
 }
 
+Json legendJson(const std::vector<Legend>& legends) {
+    Json list = Json::array();
+    for (const Legend& legend : legends) {
+        Json entries = Json::array();
+        for (const LegendEntry& entry : legend.entries)
+            entries.push_back({{"label", entry.label}, {"color", colorText(entry.color)}});
+        list.push_back({{"selection", legend.selection}, {"scheme", legend.scheme}, {"entries", entries}});
+    }
+    return list;
+}
+
 }  // namespace
 
 std::string statsJson(const RunStats& run, const View& view, const FrameStats& frame) {
@@ -40,6 +53,8 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
                     {"rotation", rowsOf(view.rotation)}};
     json["atoms"] = {{"read", run.atomsRead}, {"drawn", run.atomsDrawn}, {"submitted", frame.spheres}};
     json["bonds"] = {{"known", run.bondsKnown}, {"drawn", run.bondsDrawn}, {"cylinders", frame.cylinders}};
+    json["legend"] = legendJson(run.legends);
+    json["warnings"] = run.warnings;
     json["times"] = {{"load", run.loadMs},
                      {"scene", run.sceneMs},
                      {"bake", frame.bakeMilliseconds},

@@ -36,13 +36,26 @@ std::string_view elementOfName(std::string_view name, std::string_view residue) 
 
 MmcifAtoms::MmcifAtoms(MoleculeBuilder& builder, const std::vector<std::string>& columns, int wantedModel)
     : builder_(builder), wantedModel_(wantedModel) {
-    static const char* const kNames[columnCount] = {"cartn_x",           "cartn_y",           "cartn_z",
-                                                    "group_pdb",         "type_symbol",       "auth_atom_id",
-                                                    "label_atom_id",     "auth_comp_id",      "label_comp_id",
-                                                    "auth_asym_id",      "label_asym_id",     "auth_seq_id",
-                                                    "label_seq_id",      "pdbx_pdb_ins_code", "label_alt_id",
-                                                    "occupancy",         "b_iso_or_equiv",    "pdbx_formal_charge",
-                                                    "pdbx_pdb_model_num"};
+    static const char* const kNames[columnCount] = {"cartn_x",
+                                                    "cartn_y",
+                                                    "cartn_z",
+                                                    "group_pdb",
+                                                    "type_symbol",
+                                                    "auth_atom_id",
+                                                    "label_atom_id",
+                                                    "auth_comp_id",
+                                                    "label_comp_id",
+                                                    "auth_asym_id",
+                                                    "label_asym_id",
+                                                    "auth_seq_id",
+                                                    "label_seq_id",
+                                                    "pdbx_pdb_ins_code",
+                                                    "label_alt_id",
+                                                    "occupancy",
+                                                    "b_iso_or_equiv",
+                                                    "pdbx_formal_charge",
+                                                    "pdbx_pdb_model_num",
+                                                    "label_entity_id"};
     for (int which = 0; which < columnCount; ++which) {
         column_[which] = -1;
         for (std::size_t i = columns.size(); i-- > 0;)
@@ -74,6 +87,10 @@ void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
     const MmcifCell auth = cell(cells, authAsym), label = cell(cells, labelAsym);
     builder_.addAtom(atom, either(auth, label), fits ? static_cast<std::int32_t>(*number) : 0,
                      firstCharacter(cell(cells, insertion)), residue);
+    if (column_[entity] >= 0) {
+        Residue& last = builder_.molecule().residues.back();
+        if (last.atomCount == 1) last.entity = entityIndex(cell(cells, entity));
+    }
     countChains(auth, label);
 }
 
@@ -111,6 +128,14 @@ void MmcifAtoms::countChains(MmcifCell auth, MmcifCell label) {
     };
     if (auth.data()) count(auth, lastAuth_, authChains_);
     if (label.data()) count(label, lastLabel_, labelChains_);
+}
+
+std::uint32_t MmcifAtoms::entityIndex(MmcifCell identifier) {
+    if (!identifier.data()) return 0;
+    if (const auto known = entities_.find(identifier); known != entities_.end()) return known->second;
+    std::vector<std::string>& names = builder_.molecule().entities;
+    names.emplace_back(identifier);
+    return entities_.emplace(identifier, static_cast<std::uint32_t>(names.size())).first->second;
 }
 
 void MmcifAtoms::summarise(FileSummary& file) const {

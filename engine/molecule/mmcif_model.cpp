@@ -14,7 +14,7 @@ constexpr std::size_t kMaxKeptCells = std::size_t{1} << 22;
 bool isKept(const std::string& category) {
     return category == "struct" || category == "struct_conn" || category == "pdbx_struct_assembly" ||
            category == "pdbx_struct_oper_list" || category == "chem_comp" || category == "chem_comp_atom" ||
-           category == "chem_comp_bond";
+           category == "chem_comp_bond" || category == "struct_conf" || category == "struct_sheet_range";
 }
 
 }  // namespace
@@ -75,6 +75,7 @@ Molecule MmcifModel::finish(const std::string& format) {
     if (atoms_) {
         atoms_->summarise(file);
         addStructConnBonds(builder_, tables_["struct_conn"]);
+        addSecondaryStructure(builder_, tables_["struct_conf"], tables_["struct_sheet_range"]);
     } else if (tables_["chem_comp_atom"].rows() > 0) {
         if (options_.model != 1)
             throw Error("cannot read molecule", builder_.name(), "a chemical component has only model 1");

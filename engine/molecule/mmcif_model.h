@@ -45,6 +45,7 @@ private:
     float coordinate(const MmcifCell* cells, int axis, std::uint64_t line) const;
     float property(MmcifCell cell, float otherwise);
     void countChains(MmcifCell auth, MmcifCell label);
+    std::uint32_t entityIndex(MmcifCell identifier);
 
     enum Column {
         x,
@@ -66,6 +67,7 @@ private:
         temperature,
         charge,
         model,
+        entity,
         columnCount
     };
     int column_[columnCount];
@@ -82,6 +84,7 @@ private:
     std::int64_t badProperties_ = 0;
     std::map<std::string, bool, std::less<>> authChains_, labelChains_;
     std::string lastAuth_, lastLabel_;
+    std::map<std::string, std::uint32_t, std::less<>> entities_;  ///< label_entity_id -> 1-based position
 };
 
 class MmcifModel {
@@ -113,6 +116,9 @@ private:
 /// Bonds of _struct_conn between atoms that are there: covalent ones and disulphides, not metal coordination or
 /// hydrogen bonds, and none to symmetry mates.
 void addStructConnBonds(MoleculeBuilder& builder, const MmcifTable& connections);
+
+/// Helices of _struct_conf and strands of _struct_sheet_range.
+void addSecondaryStructure(MoleculeBuilder& builder, const MmcifTable& conformations, const MmcifTable& strands);
 
 /// The molecule of a chemical component file: ideal coordinates if complete, else the model's.
 void addComponent(MoleculeBuilder& builder, const MmcifTable& atoms, const MmcifTable& bonds);

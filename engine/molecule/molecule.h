@@ -41,6 +41,9 @@ struct Atom {
     std::int8_t charge = 0;  ///< formal charge, elementary charges
 };
 
+/// What the file says of a residue's place in the fold; `none` also where it says nothing.
+enum class SecondaryStructure : std::uint8_t { none, helix, strand };
+
 /// A run of neighbouring atom records with the same chain, number, insertion code and name.
 struct Residue {
     Name name;                    ///< "ALA"; empty where the format has no residues
@@ -49,6 +52,8 @@ struct Residue {
     std::uint32_t chain = 0;      ///< index into Molecule::chains
     std::uint32_t firstAtom = 0;  ///< index into Molecule::atoms
     std::uint32_t atomCount = 0;
+    SecondaryStructure secondary = SecondaryStructure::none;
+    std::uint32_t entity = 0;  ///< 1-based index into Molecule::entities; 0 = the file states none
 };
 
 struct Chain {
@@ -90,7 +95,10 @@ struct Molecule {
     std::vector<Residue> residues;
     std::vector<Chain> chains;
     std::vector<Bond> bonds;
-    std::vector<std::string> warnings;  ///< what was read leniently, one sentence each, bounded in number
+    std::vector<std::string> entities;      ///< identifiers of the file's entities (mmCIF label_entity_id)
+    bool statesSecondaryStructure = false;  ///< the file has helices or strands of residues that are there
+    int model = 1;                          ///< 1-based model, frame or record that this is
+    std::vector<std::string> warnings;      ///< what was read leniently, one sentence each, bounded in number
     FileSummary file;
 };
 

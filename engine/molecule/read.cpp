@@ -100,6 +100,7 @@ Molecule readMolecule(const std::string& name, std::string bytes, const ReadOpti
         if (molecule.warnings.size() > kMaxWarnings) molecule.warnings.resize(kMaxWarnings);
         for (std::string& warning : molecule.warnings) warning = printable(warning, kMaxMessage);
         molecule.file.title = printable(molecule.file.title, kMaxMessage);
+        molecule.model = options.model;
         perceiveBonds(molecule);
         return molecule;
     } catch (const Error& error) {

@@ -10,6 +10,7 @@
 #include "engine/molecule/pdb_conect.h"
 #include "engine/molecule/pdb_fields.h"
 #include "engine/molecule/readers.h"
+#include "engine/molecule/secondary_structure.h"
 
 namespace nacre {
 namespace {
@@ -88,6 +89,8 @@ private:
             if (!sawModelRecord_) endModel();  // files of several structures in a row
         } else if (startsWith(line, "TITLE ")) {
             title(line);
+        } else if (const auto range = secondaryOfPdbLine(line)) {
+            secondary_.push_back(*range);
         } else if (startsWith(line, "REMARK 350   BIOMT1")) {
             ++biomtOperators_;
         }
@@ -207,6 +210,7 @@ private:
                                          " occupancies or temperature factors that are no numbers, the first on line " +
                                          std::to_string(firstUnreadableNumber_));
         conect_.resolve(serials_, molecule_);
+        applySecondaryStructure(molecule_, secondary_);
         return std::move(molecule_);
     }
 
@@ -217,6 +221,7 @@ private:
     Molecule molecule_;
     pdb::ConectTable conect_;
     std::vector<std::int64_t> serials_;
+    std::vector<SecondaryRange> secondary_;
     std::array<int, 256> chainIndex_{};
     std::string_view latestResidue_;
     bool sawModelRecord_ = false;

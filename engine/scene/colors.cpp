@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/scene/palettes.h"
+
 namespace nacre {
 namespace {
-
-/// 0xRRGGBB as it is read -> red in the lowest byte, opaque.
-constexpr std::uint32_t packed(std::uint32_t rgb) {
-    return (rgb >> 16 & 0xff) | (rgb & 0xff00) | (rgb & 0xff) << 16 | 0xff000000u;
-}
 
 // Index = atomic number; 0 = unknown, 119 = deuterium.
 constexpr std::array<std::uint32_t, 120> kElements = {
@@ -57,21 +54,17 @@ constexpr std::uint32_t kOtherResidue = 0xc4beb4;
 
 }  // namespace
 
-std::uint32_t elementColor(Element element) { return packed(kElements[element < kElements.size() ? element : 0]); }
+std::uint32_t elementColor(Element element) { return packedColor(kElements[element < kElements.size() ? element : 0]); }
 
 std::uint32_t chainColor(std::size_t chain) {
-    std::uint32_t rgb = kChains[chain % kChains.size()];
-    if (chain / kChains.size() % 2 == 1) {
-        const auto darker = [&](int shift) { return ((rgb >> shift & 0xff) * 3 / 4) << shift; };
-        rgb = darker(16) | darker(8) | darker(0);
-    }
-    return packed(rgb);
+    const std::uint32_t color = packedColor(kChains[chain % kChains.size()]);
+    return chain / kChains.size() % 2 == 1 ? darkerColor(color) : color;
 }
 
 std::uint32_t residueColor(std::string_view name) {
     const auto* found = std::find_if(std::begin(kResidues), std::end(kResidues),
                                      [&](const NamedColor& entry) { return entry.name == name; });
-    return packed(found == std::end(kResidues) ? kOtherResidue : found->rgb);
+    return packedColor(found == std::end(kResidues) ? kOtherResidue : found->rgb);
 }
 
 }  // namespace nacre

@@ -9,7 +9,6 @@
 #include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/scene/bond_cylinders.h"
-#include "engine/scene/colors.h"
 
 namespace nacre {
 namespace {
@@ -17,7 +16,6 @@ namespace {
 constexpr float kBallShare = 0.25f;       // of the van der Waals radius, ball-and-stick
 constexpr float kLicoriceRadius = 0.25f;  // Å, atoms and bonds
 constexpr double kShortestBond = 1e-3;    // Å; below it the ends coincide and there is no direction to draw
-constexpr std::size_t kFewAtoms = 100;    // under this a molecule with bonds reads best as ball-and-stick
 constexpr std::uint32_t kNotDrawn = std::numeric_limits<std::uint32_t>::max();
 
 float atomRadius(Element element, Style style) {
@@ -30,19 +28,6 @@ float atomRadius(Element element, Style style) {
             break;
     }
     return vanDerWaalsRadius(element);
-}
-
-std::uint32_t atomColor(const Molecule& molecule, const Atom& atom, ColorScheme scheme) {
-    const Residue* residue = atom.residue < molecule.residues.size() ? &molecule.residues[atom.residue] : nullptr;
-    switch (scheme) {
-        case ColorScheme::chain:
-            return chainColor(residue ? residue->chain : 0);
-        case ColorScheme::residue:
-            return residueColor(residue ? residue->name.view() : std::string_view());
-        case ColorScheme::element:
-            break;
-    }
-    return elementColor(atom.element);
 }
 
 /// Position of each atom in the list of drawn ones, or kNotDrawn.
@@ -105,24 +90,32 @@ glm::dvec3 strandSide(const Molecule& molecule, const Bond& bond, const glm::dve
     return bondSide(axis, best);
 }
 
-void appendAtoms(const Molecule& molecule, std::span<const std::uint32_t> drawn, const RepresentationOptions& options,
-                 Representation& result) {
-    result.spheres.reserve(drawn.size());
-    result.sphereLooks.reserve(drawn.size());
-    for (const std::uint32_t index : drawn) {
+void appendAtoms(const Molecule& molecule, const Appearance& appearance, Representation& result) {
+    result.spheres.reserve(appearance.atoms.size());
+    result.sphereLooks.reserve(appearance.atoms.size());
+    for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {
+        const std::uint32_t index = appearance.atoms[i];
         const Atom& atom = molecule.atoms[index];
         const glm::dvec3 position = glm::dvec3(atom.position) - result.center;
-        const float radius = atomRadius(atom.element, options.style);
+        const float radius = atomRadius(atom.element, appearance.styles[i]);
         result.spheres.push_back({glm::vec3(position), radius});
-        result.sphereLooks.push_back({atomColor(molecule, atom, options.color), index + 1, 0});
+        result.sphereLooks.push_back({appearance.colors[i], index + 1, 0});
         result.radius = std::max(result.radius, glm::length(position) + static_cast<double>(radius));
     }
 }
 
+Style stouter(Style a, Style b) {
+    if (a == Style::licorice || b == Style::licorice) return Style::licorice;
+    return a == Style::spacefill ? b : a;
+}
+
 void appendBonds(const Molecule& molecule, std::span<const Bond> bonds, std::span<const std::uint32_t> slots,
-                 Style style, Representation& result) {
-    const Surroundings around = style == Style::ballAndStick ? surroundingsOf(molecule, bonds) : Surroundings{};
+                 std::span<const Style> styles, Representation& result) {
+    const bool strandsMayBe = std::find(styles.begin(), styles.end(), Style::ballAndStick) != styles.end();
+    const Surroundings around = strandsMayBe ? surroundingsOf(molecule, bonds) : Surroundings{};
     for (const Bond& bond : bonds) {
+        const Style style = stouter(styles[slots[bond.a]], styles[slots[bond.b]]);
+        if (style == Style::spacefill) continue;
         const glm::dvec3 way = between(molecule, bond);
         const double length = glm::length(way);
         const glm::dvec3 axis = way / length;
@@ -156,26 +149,25 @@ std::vector<Bond> drawableBonds(const Molecule& molecule, std::span<const std::u
 
 Representation represent(const Molecule& molecule, std::span<const std::uint32_t> drawn,
                          const RepresentationOptions& options) {
-    if (drawn.empty()) throw Error("cannot draw molecule", "", "no atom is left to draw");
+    Appearance appearance = appearanceOf(molecule, drawn, options);
+    if (appearance.atoms.empty()) throw Error("cannot draw molecule", "", "no atom is left to draw");
     glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
-    for (const std::uint32_t index : drawn) {
+    for (const std::uint32_t index : appearance.atoms) {
         low = glm::min(low, glm::dvec3(molecule.atoms[index].position));
         high = glm::max(high, glm::dvec3(molecule.atoms[index].position));
     }
     Representation result;
     result.center = (low + high) / 2.0;
-    result.drawnAtoms = drawn.size();
-    appendAtoms(molecule, drawn, options, result);
-    if (options.style != Style::spacefill) {
-        const std::vector<std::uint32_t> slots = drawnSlots(molecule, drawn);
-        appendBonds(molecule, drawableBonds(molecule, slots), slots, options.style, result);
+    result.drawnAtoms = appearance.atoms.size();
+    appendAtoms(molecule, appearance, result);
+    const auto hasBonds = [](Style style) { return style != Style::spacefill; };
+    if (std::any_of(appearance.styles.begin(), appearance.styles.end(), hasBonds)) {
+        const std::vector<std::uint32_t> slots = drawnSlots(molecule, appearance.atoms);
+        appendBonds(molecule, drawableBonds(molecule, slots), slots, appearance.styles, result);
     }
+    result.legends = std::move(appearance.legends);
+    result.warnings = std::move(appearance.warnings);
     return result;
-}
-
-Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn) {
-    if (drawn.size() >= kFewAtoms) return Style::spacefill;
-    return drawableBonds(molecule, drawnSlots(molecule, drawn)).empty() ? Style::spacefill : Style::ballAndStick;
 }
 
 }  // namespace nacre

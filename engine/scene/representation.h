@@ -1,5 +1,5 @@
 #pragma once
-// Molecule + style + colours -> the primitive streams that the GPU draws. Knows no Vulkan.
+// Molecule + appearance -> the primitive streams that the GPU draws. Knows no Vulkan.
 
 #include <cstddef>
 #include <cstdint>
@@ -8,11 +8,9 @@
 #include <vector>
 
 #include "engine/molecule/molecule.h"
+#include "engine/scene/appearance.h"
 
 namespace nacre {
-
-enum class Style { spacefill, ballAndStick, licorice };
-enum class ColorScheme { element, chain, residue };
 
 /// Stream A: all that the geometry passes read. 16 bytes.
 struct Sphere {
@@ -39,11 +37,6 @@ struct CylinderLook {
     std::uint32_t patch;
 };
 
-struct RepresentationOptions {
-    Style style = Style::spacefill;
-    ColorScheme color = ColorScheme::element;
-};
-
 struct Representation {
     std::vector<Sphere> spheres;
     std::vector<SphereLook> sphereLooks;  ///< same length as spheres
@@ -53,13 +46,15 @@ struct Representation {
     double radius = 0;    ///< max(|p - center| + r) over drawn spheres, Å
     std::size_t drawnAtoms = 0;
     std::size_t drawnBonds = 0;
+    std::vector<Legend> legends;        ///< what the colours mean
+    std::vector<std::string> warnings;  ///< rules and schemes that had no effect, one sentence each
 };
 
-/// @param drawn  indices of drawn atoms (drawn_atoms.h), at least one
+/// A bond is drawn if both its atoms are and either has a style with bonds; it takes the stouter style of the two:
+/// licorice before ball-and-stick, so that no stick changes its width halfway. In a space-filling atom it just ends.
+/// @param drawn  indices of drawn atoms (drawn_atoms.h), ascending, of which the rules may hide some
+/// @throws Error if no atom is left
 Representation represent(const Molecule& molecule, std::span<const std::uint32_t> drawn,
                          const RepresentationOptions& options);
-
-/// The style that `render` takes when none is asked for: ball-and-stick under 100 drawn atoms with bonds.
-Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn);
 
 }  // namespace nacre

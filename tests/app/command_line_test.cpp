@@ -1,35 +1,21 @@
 // Runs the program itself: exit codes, messages, and what it leaves behind.
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "tests/app/run_program.h"
 #include "tests/app/temporary_folder.h"
 
 namespace nacre {
 namespace {
 
+using test::nacreIn;
+using test::Outcome;
 using test::TemporaryFolder;
-
-struct Outcome {
-    int code = -1;  ///< exit code; -1 after a signal
-    std::string out, err;
-};
-
-/// Runs `nacre ARGUMENTS` by the shell, in the folder.
-Outcome nacreIn(const TemporaryFolder& folder, const std::string& arguments, const std::string& redirection = "") {
-    const TemporaryFolder logs;
-    const std::string command = "cd '" + folder.path() + "' && '" NACRE_PROGRAM "' " + arguments + " >'" +
-                                (logs / "out") + "' 2>'" + (logs / "err") + "' </dev/null " + redirection;
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, test::contentOf(logs / "out"), test::contentOf(logs / "err")};
-}
 
 /// One line, and it starts as every error does.
 void expectOneErrorLine(const Outcome& outcome) {
@@ -53,12 +39,17 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values("", "frob", "--frob", "render", "render sample:dna", "render -o a.png", "render sample:dna -o",
                     "render sample:dna -o a.bmp", "render sample:dna -o a", "render sample:dna -o a.png extra",
                     "render sample:dna -o a.png --frob", "render sample:dna -o a.png --assembly 1",
-                    "render sample:dna -o a.png --show A=licorice", "render sample:dna -o a.png --encoded-format r32f",
-                    "render sample:dna -o a.png --model all", "render sample:dna -o a.png --model 0",
-                    "render sample:dna -o a.png --size 0x5", "render sample:dna -o a.png --size 16385x5",
-                    "render sample:dna -o a.png --size nanxnan", "render sample:dna -o a.png --size 16384x16384",
+                    "render sample:dna -o a.png --show A=licorice", "render sample:dna -o a.png --show all",
+                    "render sample:dna -o a.png --show all=cartoon", "render sample:dna -o a.png --hide 'chain A and'",
+                    "render sample:dna -o a.png --hide", "render sample:dna -o a.png --color-by chain",
+                    "render sample:dna -o a.png --color-by all=mauve-ish",
+                    "render sample:dna -o a.png --color transparent",
+                    "render sample:dna -o a.png --encoded-format r32f", "render sample:dna -o a.png --model all",
+                    "render sample:dna -o a.png --model 0", "render sample:dna -o a.png --size 0x5",
+                    "render sample:dna -o a.png --size 16385x5", "render sample:dna -o a.png --size nanxnan",
+                    "render sample:dna -o a.png --size 16384x16384",
                     "render sample:dna -o a.png --size 10x10 --size 20x20", "render sample:dna -o a.png --size",
-                    "render sample:dna -o a.png --style cartoon", "render sample:dna -o a.png --color rainbow",
+                    "render sample:dna -o a.png --style cartoon", "render sample:dna -o a.png --color mauve-ish",
                     "render sample:dna -o a.png --rotate 1,2", "render sample:dna -o a.png --rotate nan,0,0",
                     "render sample:dna -o a.png --zoom 0", "render sample:dna -o a.png --zoom nan",
                     "render sample:dna -o a.png --zoom -1", "render sample:dna -o a.png --zoom inf",
@@ -112,11 +103,16 @@ TEST(CommandLine, HelpShowsExamplesAndEveryOption) {
     const Outcome help = nacreIn(folder, "render --help");
     EXPECT_EQ(help.code, 0);
     EXPECT_EQ(help.err, "");
-    for (const char* option :
-         {"--size",   "--style",      "--color",      "--rotate",   "--zoom",        "--projection",
-          "--fov",    "--occlusion",  "--background", "--lighting", "--supersample", "--model",
-          "--water",  "--hydrogens",  "--format",     "--layers",   "--stats",       "--validate",
-          "--device", "--visibility", "--prepass",    "--merge",    "Examples"})
+    for (const char* option : {"--size",        "--style",      "--color ",
+                               "--rotate",      "--show",       "--hide",
+                               "--color-by",    "byres",        "secondary-structure",
+                               "--zoom",        "--projection", "--fov",
+                               "--occlusion",   "--background", "--lighting",
+                               "--supersample", "--model",      "--water",
+                               "--hydrogens",   "--format",     "--layers",
+                               "--stats",       "--validate",   "--device",
+                               "--visibility",  "--prepass",    "--merge",
+                               "Examples"})
         EXPECT_NE(help.out.find(option), std::string::npos) << option;
 }
 

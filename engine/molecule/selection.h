@@ -1,0 +1,85 @@
+#pragma once
+// Which atoms of a molecule are meant, in words that users of PyMOL know. The grammar:
+//
+//   selection  alternatives, perhaps followed by `within N of T`: those of all that are near T, as in PyMOL
+//   alternatives  several `or` several ...  (also |)
+//   several       term `and` term ...       (also &)
+//   term       not T (also !), byres T, within N of T, ( selection ), or a test
+//   test       chain A+B   resn HEM+ATP   resi 10-20+35   name CA+CB   elem FE   altloc A   model 1
+//              all none protein nucleic polymer ligand water ion backbone sidechain hydrogens hetatm
+//
+// `not`, `byres` and `within N of` apply to the one term that follows. Where that term stands without parentheses
+// and an operator follows, `byres` and `within` are refused as ambiguous, for PyMOL would read on.
+// Lists take + or commas; values may stand in quotes, '' is the empty one; * in a value stands for any characters.
+// Key words and values are the same in capitals and small letters, except for chain names: as in PyMOL.
+// A number of a residue may be negative (also written \-5), and may end in an insertion code (82A). Alone, it means
+// that code and no other; as the end of a range it means all codes: 80-82 holds 82A.
+// `within` means at most N Å, and includes what it is measured from. PyMOL's short forms (c. r. i. n. e. h. br. w. ...)
+// are known too.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/molecule/molecule.h"
+
+namespace nacre {
+
+/// A step of a selection: a test pushes a set of atoms, an operation takes one set or two and pushes its result.
+enum class SelectionTest : std::uint8_t {
+    all,
+    none,
+    protein,
+    nucleic,
+    polymer,
+    ligand,
+    water,
+    ion,
+    backbone,
+    sidechain,
+    hydrogen,
+    hetatm,
+    chain,
+    residueName,
+    residueNumber,
+    atomName,
+    element,
+    alternate,
+    model,
+    within,
+    byResidue,
+    negation,
+    conjunction,
+    disjunction
+};
+
+/// Numbers first..last; of the numbers at the ends only the insertion codes from firstCode and up to lastCode.
+struct NumberRange {
+    std::int32_t first = 0, last = 0;
+    char firstCode = '\0', lastCode = '\0';
+    friend bool operator==(const NumberRange&, const NumberRange&) = default;
+};
+
+struct SelectionStep {
+    SelectionTest test = SelectionTest::all;
+    std::vector<std::string> words;    ///< values of chain, residueName, atomName, element, alternate
+    std::vector<NumberRange> numbers;  ///< of residueNumber and model
+    double distance = 0;               ///< of within, Å
+    friend bool operator==(const SelectionStep&, const SelectionStep&) = default;
+};
+
+/// A plain value: steps in postfix order, in which the depth of the stack is bounded by the parser.
+struct Selection {
+    std::string text;  ///< as it was written, for messages and legends
+    std::vector<SelectionStep> steps;
+    friend bool operator==(const Selection&, const Selection&) = default;
+};
+
+/// @throws Error with the column (counted from 1), what was expected there, and what was found
+Selection parseSelection(std::string_view text);
+
+/// One value per atom. The selection must come from parseSelection().
+std::vector<bool> selectAtoms(const Molecule& molecule, const Selection& selection);
+
+}  // namespace nacre

@@ -1,0 +1,60 @@
+#pragma once
+// Which atoms are seen, in what style, and in what colour: a style and a colour for all, then rules in their order.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/molecule/molecule.h"
+#include "engine/molecule/selection.h"
+#include "engine/scene/color_schemes.h"
+
+namespace nacre {
+
+enum class Style { spacefill, ballAndStick, licorice };
+
+/// One of `--show`, `--hide`, `--color-by`. A later rule prevails over an earlier one.
+struct Rule {
+    enum class Action {
+        show,  ///< give a style, and bring back what an earlier rule hid
+        hide,
+        color
+    };
+    Action action = Action::show;
+    Selection selection;
+    Style style = Style::spacefill;  ///< of show
+    Coloring coloring;               ///< of color
+};
+
+struct RepresentationOptions {
+    std::optional<Style> style;  ///< empty: defaultStyle() of the atoms that the rules leave
+    Coloring color = ColorScheme::element;
+    std::vector<Rule> rules = {};
+};
+
+/// What the colours of some atoms mean.
+struct Legend {
+    std::string selection;  ///< "all", or the text of the rule's selection
+    std::string scheme;     ///< as `--color` takes it; "#rrggbb" for one colour
+    std::vector<LegendEntry> entries;
+};
+
+struct Appearance {
+    std::vector<std::uint32_t> atoms;  ///< those that are seen, ascending
+    std::vector<Style> styles;         ///< same length as atoms
+    std::vector<std::uint32_t> colors;
+    std::vector<Legend> legends;        ///< of every colouring that is seen somewhere
+    std::vector<std::string> warnings;  ///< rules that match nothing, schemes that the file has no data for
+};
+
+/// Rules choose among the drawn atoms only: waters that are not drawn, or other conformers, stay away.
+/// @param drawn  indices of drawn atoms (drawn_atoms.h), ascending
+Appearance appearanceOf(const Molecule& molecule, std::span<const std::uint32_t> drawn,
+                        const RepresentationOptions& options);
+
+/// The style where none is asked for: ball-and-stick under 100 drawn atoms with bonds, else spacefill.
+Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn);
+
+}  // namespace nacre

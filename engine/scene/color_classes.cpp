@@ -1,0 +1,225 @@
+#include "engine/scene/color_classes.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "engine/molecule/element.h"
+#include "engine/molecule/residue_kind.h"
+#include "engine/scene/chain_entities.h"
+#include "engine/scene/colors.h"
+#include "engine/scene/palettes.h"
+
+namespace nacre {
+namespace {
+
+constexpr std::uint32_t kOther = packedColor(0xd3ccc0);
+
+/// The kinds of a scheme and what atom is of which; the legend shows those that occur, in the order of `entries`.
+struct Classes {
+    std::vector<LegendEntry> entries;
+    std::vector<std::uint32_t> ofAtom;  ///< same length as the atoms
+    std::string warning;
+};
+
+template <typename ClassOf>
+void sortAtoms(Classes& classes, std::span<const std::uint32_t> atoms, const ClassOf& classOf) {
+    classes.ofAtom.reserve(atoms.size());
+    for (const std::uint32_t atom : atoms) classes.ofAtom.push_back(static_cast<std::uint32_t>(classOf(atom)));
+}
+
+Classes byElement(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+    Classes classes;
+    for (int i = 0; i < 120; ++i) {
+        const auto element = static_cast<Element>(i);
+        classes.entries.push_back({i == 0 ? "unknown" : std::string(elementSymbol(element)), elementColor(element)});
+    }
+    sortAtoms(classes, atoms, [&](std::uint32_t i) {
+        const Element element = molecule.atoms[i].element;
+        return element < 120 ? element : Element{0};
+    });
+    return classes;
+}
+
+Classes byChain(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+    Classes classes;
+    for (std::size_t i = 0; i < molecule.chains.size(); ++i) {
+        const std::string& name = molecule.chains[i].name;
+        classes.entries.push_back({name.empty() ? "(no name)" : name, chainColor(i)});
+    }
+    sortAtoms(classes, atoms, [&](std::uint32_t i) { return molecule.residues[molecule.atoms[i].residue].chain; });
+    return classes;
+}
+
+/// One kind per name of a residue, in the file's order; `entryOf` says how it looks.
+template <typename EntryOf>
+Classes byResidueName(const Molecule& molecule, std::span<const std::uint32_t> atoms, const EntryOf& entryOf) {
+    std::map<std::array<char, 8>, std::uint32_t> known;
+    Classes classes;
+    std::vector<std::uint32_t> ofResidue;
+    ofResidue.reserve(molecule.residues.size());
+    for (const Residue& residue : molecule.residues) {
+        const auto next = static_cast<std::uint32_t>(classes.entries.size());
+        const auto [found, added] = known.emplace(residue.name.bytes, next);
+        if (added) classes.entries.push_back(entryOf(residue.name));
+        ofResidue.push_back(found->second);
+    }
+    sortAtoms(classes, atoms, [&](std::uint32_t i) { return ofResidue[molecule.atoms[i].residue]; });
+    return classes;
+}
+
+struct Hydropathy {
+    char letter;
+    float value;
+};
+// Kyte and Doolittle 1982, table 2.
+constexpr Hydropathy kHydropathies[] = {{'I', 4.5f},  {'V', 4.2f},  {'L', 3.8f},  {'F', 2.8f},  {'C', 2.5f},
+                                        {'M', 1.9f},  {'A', 1.8f},  {'G', -0.4f}, {'T', -0.7f}, {'S', -0.8f},
+                                        {'W', -0.9f}, {'Y', -1.3f}, {'P', -1.6f}, {'H', -3.2f}, {'E', -3.5f},
+                                        {'Q', -3.5f}, {'D', -3.5f}, {'N', -3.5f}, {'K', -3.9f}, {'R', -4.5f}};
+
+Classes byHydrophobicity(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+    bool any = false;
+    Classes classes = byResidueName(molecule, atoms, [&](const Name& name) {
+        const char letter = aminoAcidLetter(name);
+        for (const Hydropathy& entry : kHydropathies) {
+            if (entry.letter != letter) continue;
+            any = true;
+            const int tenths = static_cast<int>(entry.value * 10 + (entry.value < 0 ? -0.5f : 0.5f));
+            std::string label = std::string(name.view()) + (tenths < 0 ? " -" : " ") +
+                                std::to_string(std::abs(tenths) / 10) + "." + std::to_string(std::abs(tenths) % 10);
+            const double place = (static_cast<double>(entry.value) + 4.5) / 9.0;
+            return LegendEntry{std::move(label), paletteColor(Palette::lipophilicity, place)};
+        }
+        return LegendEntry{"not an amino acid", kOther};
+    });
+    if (!any) classes.warning = "there is no amino acid whose hydrophobicity is known";
+    return classes;
+}
+
+enum Charge { kNegative, kNeutral, kPositive };
+
+/// @param kind  of the residue that the atom stands in
+Charge chargeOf(const Atom& atom, const Residue& residue, ResidueKind kind) {
+    if (kind == ResidueKind::nucleic) return kNegative;  // its phosphate
+    if (kind == ResidueKind::protein) {
+        const std::string_view name = residue.name.view();
+        for (const std::string_view neutral : {"ASH", "GLH", "LYN"})
+            if (name == neutral) return kNeutral;
+        if (name == "HIP" || name == "HSP") return kPositive;
+        if (name == "CYM") return kNegative;
+        const char letter = aminoAcidLetter(residue.name);
+        if (letter == 'D' || letter == 'E') return kNegative;
+        if (letter == 'K' || letter == 'R') return kPositive;
+        return kNeutral;
+    }
+    if (kind == ResidueKind::ion && atom.charge == 0)
+        return isMetal(atom.element) || residue.name == Name("NH4") ? kPositive : kNegative;
+    return atom.charge > 0 ? kPositive : atom.charge < 0 ? kNegative : kNeutral;
+}
+
+Classes byCharge(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+    const std::vector<ResidueKind> kinds = residueKinds(molecule);
+    Classes classes;
+    classes.entries = {
+        {"negative", packedColor(0xdd5548)}, {"neutral", packedColor(0xe9e6df)}, {"positive", packedColor(0x5279c7)}};
+    sortAtoms(classes, atoms, [&](std::uint32_t i) {
+        const std::uint32_t residue = molecule.atoms[i].residue;
+        return chargeOf(molecule.atoms[i], molecule.residues[residue], kinds[residue]);
+    });
+    return classes;
+}
+
+Classes bySecondaryStructure(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+    const std::vector<ResidueKind> kinds = residueKinds(molecule);
+    Classes classes;
+    // Hues of Paul Tol's "bright" scheme (SRON/EPS/TN/09-002, 2021).
+    classes.entries = {{"helix", packedColor(0xee6677)},
+                       {"strand", packedColor(0xddcc55)},
+                       {"other protein", packedColor(0xe4e2dd)},
+                       {"nucleic acid", packedColor(0x66ccee)},
+                       {"not in a chain", packedColor(0xa9a59d)}};
+    sortAtoms(classes, atoms, [&](std::uint32_t i) {
+        const std::uint32_t residue = molecule.atoms[i].residue;
+        const SecondaryStructure secondary = molecule.residues[residue].secondary;
+        if (kinds[residue] == ResidueKind::nucleic) return 3;
+        if (kinds[residue] != ResidueKind::protein) return 4;
+        return secondary == SecondaryStructure::helix ? 0 : secondary == SecondaryStructure::strand ? 1 : 2;
+    });
+    if (!molecule.statesSecondaryStructure) classes.warning = "the file states no helices or strands";
+    return classes;
+}
+
+Classes byConfidence(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+    Classes classes;
+    // The bands and colours of the AlphaFold Protein Structure Database, https://alphafold.ebi.ac.uk.
+    classes.entries = {{"very high (above 90)", packedColor(0x0053d6)},
+                       {"confident (70 to 90)", packedColor(0x65cbf3)},
+                       {"low (50 to 70)", packedColor(0xffdb13)},
+                       {"very low (below 50)", packedColor(0xff7d45)}};
+    float largest = 0;
+    sortAtoms(classes, atoms, [&](std::uint32_t i) {
+        const float value = molecule.atoms[i].temperatureFactor;
+        largest = std::max(largest, value);
+        return value > 90 ? 0 : value >= 70 ? 1 : value >= 50 ? 2 : 3;
+    });
+    if (largest > 100) classes.warning = "some B factors are above 100, so they are no pLDDT";
+    if (largest <= 1) classes.warning = "no B factor is above 1, so they are no pLDDT, which goes to 100";
+    return classes;
+}
+
+Classes byEntity(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+    const ResidueEntities entities = residueEntities(molecule);
+    Classes classes;
+    for (std::size_t i = 0; i < entities.labels.size(); ++i)
+        classes.entries.push_back({entities.labels[i], kindColor(i)});
+    sortAtoms(classes, atoms, [&](std::uint32_t i) { return entities.ofResidue[molecule.atoms[i].residue]; });
+    return classes;
+}
+
+Classes classesOf(const Molecule& molecule, std::span<const std::uint32_t> atoms, ColorScheme scheme) {
+    switch (scheme) {
+        case ColorScheme::chain:
+            return byChain(molecule, atoms);
+        case ColorScheme::residue:
+            return byResidueName(molecule, atoms, [](const Name& name) {
+                const std::string_view text = name.view();
+                return LegendEntry{text.empty() ? "(no name)" : std::string(text), residueColor(text)};
+            });
+        case ColorScheme::hydrophobicity:
+            return byHydrophobicity(molecule, atoms);
+        case ColorScheme::charge:
+            return byCharge(molecule, atoms);
+        case ColorScheme::secondaryStructure:
+            return bySecondaryStructure(molecule, atoms);
+        case ColorScheme::plddt:
+            return byConfidence(molecule, atoms);
+        case ColorScheme::entity:
+            return byEntity(molecule, atoms);
+        default:
+            return byElement(molecule, atoms);
+    }
+}
+
+}  // namespace
+
+ColoredAtoms colorByClass(const Molecule& molecule, std::span<const std::uint32_t> atoms, ColorScheme scheme) {
+    const Classes classes = classesOf(molecule, atoms, scheme);
+    ColoredAtoms result;
+    result.warning = classes.warning;
+    result.colors.reserve(atoms.size());
+    std::vector<bool> occurs(classes.entries.size());
+    std::set<std::string_view> labels;
+    for (const std::uint32_t which : classes.ofAtom) {
+        occurs[which] = true;
+        result.colors.push_back(classes.entries[which].color);
+    }
+    for (std::size_t i = 0; i < occurs.size(); ++i) {
+        const LegendEntry& entry = classes.entries[i];
+        if (occurs[i] && labels.insert(entry.label).second) result.legend.push_back(entry);
+    }
+    return result;
+}
+
+}  // namespace nacre

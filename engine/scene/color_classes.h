@@ -1,0 +1,11 @@
+#pragma once
+// The colour schemes that sort atoms into kinds. Internal to color_schemes.cpp.
+
+#include "engine/scene/color_schemes.h"
+
+namespace nacre {
+
+/// colorAtoms() for element, chain, residue, hydrophobicity, charge, secondaryStructure, plddt and entity.
+ColoredAtoms colorByClass(const Molecule& molecule, std::span<const std::uint32_t> atoms, ColorScheme scheme);
+
+}  // namespace nacre

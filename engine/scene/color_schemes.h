@@ -1,0 +1,64 @@
+#pragma once
+// What colours mean: schemes that give every atom a colour, and the legend that says which.
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/molecule/molecule.h"
+
+namespace nacre {
+
+enum class ColorScheme {
+    element,
+    chain,
+    residue,             ///< residueColor() of colors.h
+    hydrophobicity,      ///< of amino acids, J. Kyte and R. F. Doolittle, J. Mol. Biol. 157 (1982) 105
+    charge,              ///< of residues at pH 7, formal charges elsewhere
+    secondaryStructure,  ///< as the file states it
+    bFactor,             ///< from the 2nd to the 98th percentile of the coloured atoms
+    plddt,               ///< B factor as AlphaFold's confidence, in its four bands and colours
+    rainbow,             ///< along each chain, from N to C or 5' to 3'
+    occupancy,           ///< 0 to 1
+    entity,              ///< the file's entities; else chains of equal sequence, and residues of equal name
+    uniform,             ///< one colour
+};
+
+/// The name that `--color` takes ("b-factor"); empty for uniform.
+std::string_view colorSchemeName(ColorScheme scheme);
+/// The scheme of such a name; also knows "ss", "bfactor", "b", "residue-type" and "secondary-structure".
+std::optional<ColorScheme> colorSchemeFromName(std::string_view name);
+
+/// A scheme, or one colour.
+struct Coloring {
+    ColorScheme scheme = ColorScheme::element;
+    std::uint32_t color = 0;  ///< of uniform, packed as in colors.h
+
+    Coloring() = default;
+    Coloring(ColorScheme wanted) : scheme(wanted) {}
+    static Coloring uniform(std::uint32_t color) {
+        Coloring coloring(ColorScheme::uniform);
+        coloring.color = color;
+        return coloring;
+    }
+};
+
+struct LegendEntry {
+    std::string label;
+    std::uint32_t color = 0;
+};
+
+struct ColoredAtoms {
+    std::vector<std::uint32_t> colors;  ///< same length as the atoms
+    std::vector<LegendEntry> legend;    ///< of kinds, those that occur; of numbers, five along the palette
+    std::string warning;                ///< why the colours say little here; empty if they do
+};
+
+/// @param atoms  indices of the atoms to colour; of all others only what a scheme needs as context is looked at
+ColoredAtoms colorAtoms(const Molecule& molecule, std::span<const std::uint32_t> atoms, const Coloring& coloring);
+
+}  // namespace nacre

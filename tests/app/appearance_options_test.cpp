@@ -1,0 +1,157 @@
+// --show, --hide, --color-by and --color: as they are parsed, and in pictures that the program draws.
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <vector>
+
+#include "app/headless/options.h"
+#include "engine/error.h"
+#include "engine/molecule/read.h"
+#include "engine/scene/palettes.h"
+#include "tests/app/run_program.h"
+
+namespace nacre::app {
+namespace {
+
+using test::nacreIn;
+using test::Outcome;
+using test::TemporaryFolder;
+
+RenderOptions parsed(std::vector<const char*> arguments) {
+    arguments.insert(arguments.begin(), {"nacre", "render"});
+    return parseCommandLine(static_cast<int>(arguments.size()), arguments.data()).render;
+}
+
+TEST(AppearanceOptions, KeepTheOrderOfTheCommandLine) {
+    const RenderOptions options =
+        parsed({"--color-by", "all=chain", "--hide", "chain A", "in.pdb", "--show", "resn HEM=licorice", "--hide",
+                "water", "-o", "a.png", "--color-by", "chain A=#0f8", "--show", "ion=spacefill"});
+    EXPECT_EQ(options.input.path, "in.pdb");
+    const std::vector<Rule>& rules = options.look.rules;
+    ASSERT_EQ(rules.size(), 6u);
+    const std::vector<Rule::Action> actions = {Rule::Action::color, Rule::Action::hide,  Rule::Action::show,
+                                               Rule::Action::hide,  Rule::Action::color, Rule::Action::show};
+    for (std::size_t i = 0; i < actions.size(); ++i) EXPECT_EQ(rules[i].action, actions[i]) << i;
+    EXPECT_EQ(rules[0].coloring.scheme, ColorScheme::chain);
+    EXPECT_EQ(rules[1].selection, parseSelection("chain A"));
+    EXPECT_EQ(rules[2].style, Style::licorice);
+    EXPECT_EQ(rules[2].selection.text, "resn HEM");
+    EXPECT_EQ(rules[4].coloring.scheme, ColorScheme::uniform);
+    EXPECT_EQ(rules[4].coloring.color, packedColor(0x00ff88));
+    EXPECT_EQ(rules[5].selection, parseSelection("ion"));
+}
+
+TEST(AppearanceOptions, ColorTakesSchemesAndColours) {
+    EXPECT_EQ(parsed({"x", "-o", "a.png"}).look.color.scheme, ColorScheme::element);
+    EXPECT_EQ(parsed({"x", "-o", "a.png", "--color", "plddt"}).look.color.scheme, ColorScheme::plddt);
+    EXPECT_EQ(parsed({"x", "-o", "a.png", "--color", "ss"}).look.color.scheme, ColorScheme::secondaryStructure);
+    const Coloring orange = parsed({"x", "-o", "a.png", "--color", "Orange"}).look.color;
+    EXPECT_EQ(orange.scheme, ColorScheme::uniform);
+    EXPECT_EQ(orange.color, packedColor(0xffa500));
+    EXPECT_FALSE(parsed({"x", "-o", "a.png"}).look.style);
+}
+
+TEST(AppearanceOptions, FaultsSayWhere) {
+    const auto fault = [](const char* option, const char* text) {
+        try {
+            parsed({"x", "-o", "a.png", option, text});
+        } catch (const UsageError& error) {
+            return std::string(error.what());
+        }
+        return std::string("accepted");
+    };
+    EXPECT_NE(fault("--hide", "chain A and resi x").find("--hide"), std::string::npos);
+    EXPECT_NE(fault("--hide", "chain A and resi x").find("column 18: expected a residue number, found 'x'"),
+              std::string::npos);
+    EXPECT_NE(fault("--show", "chain A").find("SELECTION=STYLE"), std::string::npos);
+    EXPECT_NE(fault("--show", "chain A=ribbon").find("ribbon"), std::string::npos);
+    EXPECT_NE(fault("--color-by", "all=").find("rainbow"), std::string::npos);
+    EXPECT_NE(fault("--color-by", "all=#12345").find("#rrggbb"), std::string::npos);
+    EXPECT_NE(fault("--color", "#ff000080").find("transparent"), std::string::npos);
+}
+
+/// Pixels of each atom in a file of layers.
+std::map<std::uint32_t, int> pixelsOfAtoms(const std::string& path) {
+    const auto input = OIIO::ImageInput::open(path);
+    if (!input) throw std::runtime_error(OIIO::geterror());
+    const OIIO::ImageSpec& spec = input->spec();
+    const int channel = spec.channelindex("id");
+    std::vector<float> ids(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height));
+    if (channel < 0 || !input->read_image(0, 0, channel, channel + 1, OIIO::TypeDesc::FLOAT, ids.data()))
+        throw std::runtime_error("no channel id");
+    std::map<std::uint32_t, int> pixels;
+    for (const float id : ids) ++pixels[static_cast<std::uint32_t>(id)];
+    return pixels;
+}
+
+TEST(AppearanceOptions, HiddenAtomsAreNotInThePicture) {
+    const TemporaryFolder folder;
+    const Outcome outcome = nacreIn(folder,
+                                    "render sample:dna -o a.png --layers l.exr --size 128x128 --occlusion 4 "
+                                    "--hide 'chain A' --show 'chain A and elem P=spacefill'");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const Molecule dna = sampleMolecule("dna");
+    int hidden = 0, phosphorus = 0, others = 0;
+    for (const auto& [id, count] : pixelsOfAtoms(folder / "l.exr")) {
+        if (id == 0) continue;
+        const Atom& atom = dna.atoms.at(id - 1);
+        const bool inA = dna.chains[dna.residues[atom.residue].chain].name == "A";
+        (inA ? atom.element == 15 ? phosphorus : hidden : others) += count;
+    }
+    EXPECT_EQ(hidden, 0);
+    EXPECT_GT(phosphorus, 20);
+    EXPECT_GT(others, 500);
+}
+
+TEST(AppearanceOptions, ColoursAndLegendReachPictureAndStats) {
+    const TemporaryFolder folder;
+    const Outcome outcome = nacreIn(folder,
+                                    "render sample:glucose -o a.exr --stats s.json --size 96x96 --occlusion off "
+                                    "--lighting off --color '#ff0000' --color-by 'elem O=blue' --hide hydrogens "
+                                    "--show 'elem C=licorice' --color-by 'resn QQQ=chain'");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "nacre: warning: nothing to color by 'resn QQQ': the molecule has no such atoms\n");
+    const auto stats = nlohmann::json::parse(test::contentOf(folder / "s.json"));
+    EXPECT_EQ(stats["legend"].dump(),
+              R"([{"entries":[{"color":"#ff0000","label":"#ff0000"}],"scheme":"#ff0000","selection":"all"},)"
+              R"({"entries":[{"color":"#0000ff","label":"#0000ff"}],"scheme":"#0000ff","selection":"elem O"}])");
+    EXPECT_EQ(stats["warnings"].size(), 1u);
+    EXPECT_EQ(stats["atoms"]["drawn"], 12);
+    const auto input = OIIO::ImageInput::open(folder / "a.exr");
+    ASSERT_TRUE(input);
+    const OIIO::ImageSpec& spec = input->spec();
+    const auto channels = static_cast<std::size_t>(spec.nchannels);
+    std::vector<float> pixels(static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height) * channels);
+    ASSERT_TRUE(input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data()));
+    int red = 0, blue = 0, white = 0, other = 0;
+    for (std::size_t i = 0; i < pixels.size(); i += channels) {
+        const float r = pixels[i], g = pixels[i + 1], b = pixels[i + 2];
+        if (g > 0.99f)
+            ++white;
+        else
+            ++(g > 0.01f ? other : r > 0.99f && b < 0.01f ? red : b > 0.99f && r < 0.01f ? blue : other);
+    }
+    EXPECT_GT(red, 100);
+    EXPECT_GT(blue, 100);
+    EXPECT_EQ(other, 0);
+}
+
+TEST(AppearanceOptions, TheHelpExamplesOfRulesParse) {
+    EXPECT_EQ(parsed({"4hhb.pdb", "-o", "haem.png", "--color", "chain", "--show", "ligand=ball-and-stick", "--color-by",
+                      "ligand=element"})
+                  .look.rules.size(),
+              2u);
+    EXPECT_EQ(parsed({"1hpv.pdb", "-o", "pocket.png", "--style", "licorice", "--show", "ligand=ball-and-stick",
+                      "--hide", "not byres (within 5 of (ligand))"})
+                  .look.rules.size(),
+              2u);
+}
+
+}  // namespace
+}  // namespace nacre::app

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "tests/app/temporary_folder.h"
+
+namespace nacre::test {
+
+struct Outcome {
+    int code = -1;  ///< exit code; -1 after a signal
+    std::string out, err;
+};
+
+/// Runs `nacre ARGUMENTS` by the shell, in the folder.
+inline Outcome nacreIn(const TemporaryFolder& folder, const std::string& arguments,
+                       const std::string& redirection = "") {
+    const TemporaryFolder logs;
+    const std::string command = "cd '" + folder.path() + "' && '" NACRE_PROGRAM "' " + arguments + " >'" +
+                                (logs / "out") + "' 2>'" + (logs / "err") + "' </dev/null " + redirection;
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(logs / "out"), contentOf(logs / "err")};
+}
+
+}  // namespace nacre::test

@@ -1,0 +1,69 @@
+// The same selections in gemmi's syntax, evaluated by gemmi on its own reading of the file.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#define USE_STD_SNPRINTF  // Debian's gemmi comes without the stb that it prints numbers with otherwise
+
+#include <gemmi/gz.hpp>
+#include <gemmi/pdb.hpp>
+#include <gemmi/select.hpp>
+
+#include "engine/molecule/read.h"
+#include "engine/molecule/selection.h"
+#include "tests/support/test_data.h"
+
+namespace nacre {
+namespace {
+
+struct Pair {
+    const char* file;
+    const char* ours;
+    const char* gemmis;
+};
+void PrintTo(const Pair& pair, std::ostream* out) { *out << pair.file << ": " << pair.ours; }
+
+std::size_t countOfGemmi(const std::string& path, const std::string& text) {
+    gemmi::Structure structure = gemmi::read_pdb(gemmi::MaybeGzipped(path));
+    const gemmi::Selection selection(text);
+    std::size_t count = 0;
+    for (gemmi::Chain& chain : selection.chains(structure.models.at(0)))
+        for (gemmi::Residue& residue : selection.residues(chain))
+            for (gemmi::Atom& atom : selection.atoms(residue)) {
+                (void)atom;
+                ++count;
+            }
+    return count;
+}
+
+class SameAsGemmi : public testing::TestWithParam<Pair> {};
+
+TEST_P(SameAsGemmi, InCount) {
+    NACRE_NEEDS_DATA();
+    const std::string path = test::dataFile(GetParam().file);
+    const std::vector<bool> set = selectAtoms(readMoleculeFile(path), parseSelection(GetParam().ours));
+    const std::size_t expected = countOfGemmi(path, GetParam().gemmis);
+    EXPECT_GT(expected, 0u) << "the case shows nothing";
+    EXPECT_EQ(static_cast<std::size_t>(std::count(set.begin(), set.end(), true)), expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Selection, SameAsGemmi,
+    testing::Values(Pair{"4hhb.pdb", "chain A", "//A"}, Pair{"4hhb.pdb", "chain A+C", "//A,C"},
+                    Pair{"4hhb.pdb", "not chain A", "//!A"}, Pair{"4hhb.pdb", "resn HEM", "(HEM)"},
+                    Pair{"4hhb.pdb", "resn HEM+HIS and name N*", "(HEM,HIS)/N,NA,NB,NC,ND,NE2,ND1"},
+                    Pair{"4hhb.pdb", "name CA", "CA[C]"}, Pair{"4hhb.pdb", "elem FE", "[FE]"},
+                    Pair{"4hhb.pdb", "not elem C+N", "[!C,N]"}, Pair{"4hhb.pdb", "chain B and resi 10-20", "//B/10-20"},
+                    Pair{"4hhb.pdb", "chain B and resi 10 and name CA", "//B/10-10/CA"},
+                    Pair{"3pqr.pdb", "altloc A", "*:A"}, Pair{"3pqr.pdb", "altloc ''", "*:"},
+                    Pair{"1en2.pdb", "altloc A+B", "*:A,B"}, Pair{"1bcu-icode.pdb", "resi 60A", "60.A-60.A"},
+                    Pair{"1bcu-icode.pdb", "resi 60", "60-60"}, Pair{"1bcu-icode.pdb", "resi 60-61", "60.*-61.*"},
+                    Pair{"1bcu-icode.pdb", "chain H and resi 60B-61", "//H/60.B-61.*"},
+                    Pair{"1igy.pdb.gz", "chain B and resi 80-90", "//B/80.*-90.*"},
+                    Pair{"1aon-groel.pdb.gz", "chain A+N and name CA and resn GLY+ALA", "//A,N/(GLY,ALA)/CA"},
+                    Pair{"nucleosome-1kx5.pdb.gz", "elem P and resi 1-20", "1-20/[P]"}));
+
+}  // namespace
+}  // namespace nacre

@@ -1,0 +1,198 @@
+#include "engine/molecule/selection.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/molecule/read.h"
+#include "tests/molecule/build_molecule.h"
+#include "tests/molecule/expect_error.h"
+#include "tests/support/test_data.h"
+
+namespace nacre {
+namespace {
+
+std::size_t count(const Molecule& molecule, std::string_view text) {
+    const std::vector<bool> set = selectAtoms(molecule, parseSelection(text));
+    EXPECT_EQ(set.size(), molecule.atoms.size());
+    return static_cast<std::size_t>(std::count(set.begin(), set.end(), true));
+}
+
+/// Names of the selected atoms, each with its residue's number.
+std::string names(const Molecule& molecule, std::string_view text) {
+    const std::vector<bool> set = selectAtoms(molecule, parseSelection(text));
+    std::string list;
+    for (std::size_t i = 0; i < set.size(); ++i)
+        if (set[i])
+            list += std::string(molecule.atoms[i].name.view()) +
+                    std::to_string(molecule.residues[molecule.atoms[i].residue].number) + " ";
+    return list;
+}
+
+/// Two residues of chain A, one of chain a with insertion codes, haem iron, a sodium ion and a water.
+Molecule mixed() {
+    test::MoleculeText text;
+    text.residue("ALA", -2).atom("N", "N", {0, 0, 0}).atom("CA", "C", {1.5f, 0, 0}).atom("CB", "C", {1.5f, 1.5f, 0});
+    text.residue("GLY", 3)
+        .atom("N", "N", {3, 0, 0})
+        .atom("CA", "C", {4.5f, 0, 0}, 'A')
+        .atom("HA2", "H", {5, 1, 0}, 'B');
+    text.residue("SER", 82, 'A').atom("N", "N", {9, 0, 0}).atom("OG", "O", {10, 0, 0});
+    text.residue("HEM", 101).atom("FE", "FE", {20, 0, 0}).atom("NA", "N", {22, 0, 0}).atom("C1A", "C", {23, 0, 0});
+    text.residue("NA", 102).atom("NA", "NA", {30, 0, 0});
+    text.residue("HOH", 103).atom("O", "O", {40, 0, 0});
+    text.molecule.chains.push_back({"a"});
+    text.molecule.residues[2].chain = 1;
+    for (std::size_t i = 8; i < text.molecule.atoms.size(); ++i) text.molecule.atoms[i].hetero = true;
+    return text.molecule;
+}
+
+struct Case {
+    const char* selection;
+    const char* names;
+};
+void PrintTo(const Case& c, std::ostream* out) { *out << c.selection; }
+class Selects : public testing::TestWithParam<Case> {};
+
+TEST_P(Selects, TheseAtoms) { EXPECT_EQ(names(mixed(), GetParam().selection), GetParam().names); }
+
+INSTANTIATE_TEST_SUITE_P(
+    Selection, Selects,
+    testing::Values(Case{"chain a", "N82 OG82 "}, Case{"CHAIN a", "N82 OG82 "}, Case{"chain a+Q and name n", "N82 "},
+                    Case{"resn ala", "N-2 CA-2 CB-2 "}, Case{"resname HEM,hoh", "FE101 NA101 C1A101 O103 "},
+                    Case{"resn HEM, HOH and elem o", "O103 "}, Case{"resi -2", "N-2 CA-2 CB-2 "},
+                    Case{"resi \\-2", "N-2 CA-2 CB-2 "}, Case{"resi -5--1", "N-2 CA-2 CB-2 "},
+                    Case{"resi -5-3 and name N", "N-2 N3 "}, Case{"resi -5:3 and name N", "N-2 N3 "},
+                    Case{"resi 82", ""}, Case{"resi 82A", "N82 OG82 "}, Case{"resi 82a", "N82 OG82 "},
+                    Case{"resi 81-82", "N82 OG82 "}, Case{"resi 82B-90", ""}, Case{"resi 80-82A", "N82 OG82 "},
+                    Case{"resi 82-82B", "N82 OG82 "}, Case{"resi 3+102", "N3 CA3 HA23 NA102 "},
+                    Case{"name NA", "NA101 NA102 "}, Case{"name C* and hetatm", "C1A101 "},
+                    Case{"name 'NA' and not ion", "NA101 "}, Case{"elem FE", "FE101 "},
+                    Case{"symbol fe+na", "FE101 NA102 "}, Case{"e. h", "HA23 "},
+                    Case{"protein", "N-2 CA-2 CB-2 N3 CA3 HA23 N82 OG82 "}, Case{"polymer and chain a", "N82 OG82 "},
+                    Case{"nucleic", ""}, Case{"ligand", "FE101 NA101 C1A101 "}, Case{"water", "O103 "},
+                    Case{"solvent", "O103 "}, Case{"ion", "NA102 "}, Case{"backbone", "N-2 CA-2 N3 CA3 HA23 N82 "},
+                    Case{"sidechain", "CB-2 OG82 "}, Case{"hydrogen", "HA23 "}, Case{"hydrogens", "HA23 "},
+                    Case{"h.", "HA23 "}, Case{"altloc A", "CA3 "}, Case{"alt b", "HA23 "},
+                    Case{"altloc '' and resi 3", "N3 "}, Case{"none", ""},
+                    Case{"* & hetatm", "FE101 NA101 C1A101 NA102 O103 "}, Case{"model 1 and ion", "NA102 "},
+                    Case{"model 2", ""}, Case{"model 1-3 and ion", "NA102 "}, Case{"not (protein or hetatm)", ""},
+                    Case{"!protein&!ligand", "NA102 O103 "}, Case{"not not ion", "NA102 "},
+                    Case{"ion or water and none", "NA102 "}, Case{"(ion or water) and none", ""},
+                    Case{"ion|water", "NA102 O103 "}, Case{"within 3 of (elem FE)", "FE101 NA101 C1A101 "},
+                    Case{"within 2.5 of elem FE", "FE101 NA101 "}, Case{"within 0 of ion", "NA102 "},
+                    Case{"within 10000 of none", ""}, Case{"ligand within 2 of (name FE)", "FE101 NA101 "},
+                    Case{"elem C or ion within 3 of ligand", "C1A101 "}, Case{"byres (name OG)", "N82 OG82 "},
+                    Case{"not byres within 9.9 of (chain a)", "FE101 NA101 C1A101 NA102 O103 "}));
+
+TEST(Selection, ByResidueTakesAllOfWhatItTouches) {
+    EXPECT_EQ(names(mixed(), "byres (within 3 of (name CA and resi -2))"), "N-2 CA-2 CB-2 N3 CA3 HA23 ");
+    EXPECT_EQ(names(mixed(), "byres name OG"), "N82 OG82 ");
+}
+
+TEST(Selection, ByResidueJoinsResiduesThatTheFileInterleaves) {
+    test::MoleculeText text;
+    text.residue("SER", 1).atom("N", "N", {0, 0, 0}, 'A');
+    text.residue("THR", 1).atom("N", "N", {0, 0, 0}, 'B');
+    text.residue("SER", 1).atom("CA", "C", {1, 0, 0}, 'A');
+    EXPECT_EQ(count(text.molecule, "byres (name CA)"), 2u);
+}
+
+struct Fault {
+    const char* text;
+    const char* says;
+};
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.text; }
+class Refused : public testing::TestWithParam<Fault> {};
+
+TEST_P(Refused, WithTheColumn) {
+    try {
+        parseSelection(GetParam().text);
+        ADD_FAILURE() << "accepted";
+    } catch (const Error& error) {
+        test::expectCleanMessage(error.what());
+        EXPECT_NE(std::string(error.what()).find(GetParam().says), std::string::npos) << error.what();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Selection, Refused,
+    testing::Values(
+        Fault{"", "column 1: expected a selection"}, Fault{"   ", "column 4: expected a selection"},
+        Fault{"foo", "column 1: expected a selection such as 'chain A', 'resn HEM' or 'protein', found 'foo'"},
+        Fault{"chain A and resi x", "column 18: expected a residue number, found 'x'"},
+        Fault{"chain", "column 6: expected a chain name, found the end"},
+        Fault{"chain and protein", "column 7: expected a chain name, found 'and'"},
+        Fault{"resn HEM+", "column 10: expected a residue name, found the end"},
+        Fault{"name (CA)", "column 6: expected an atom name, found '('"},
+        Fault{"elem Qq", "column 6: expected an element symbol, found 'Qq'"},
+        Fault{"elem C1", "column 6: expected an element"}, Fault{"resi 1-", "column 8: expected a residue number"},
+        Fault{"resi 5-3", "column 8: the range ends before it begins"},
+        Fault{"resi 5AB", "column 8: expected '+', ',' or the end of the number"},
+        Fault{"resi 99999999999", "column 6: expected a residue number"}, Fault{"resi 1.5", "column 7"},
+        Fault{"model one", "column 7: expected a model number"}, Fault{"protein)", "column 8: expected 'and', 'or'"},
+        Fault{"(protein", "column 9: expected 'and', 'or' or ')', found the end"},
+        Fault{"protein ligand", "column 9: expected 'and', 'or' or the end, found 'ligand'"},
+        Fault{"protein and", "column 12: expected a selection"}, Fault{"or protein", "column 1: expected a selection"},
+        Fault{"not", "column 4: expected a selection"}, Fault{"within x of all", "column 8: expected a distance"},
+        Fault{"within -1 of all", "column 8: expected a distance"}, Fault{"within nan of all", "column 8: expected"},
+        Fault{"within inf of all", "column 8: expected"}, Fault{"within 5 protein", "column 10: expected 'of'"},
+        Fault{"within 5 of", "column 12: expected a selection"},
+        Fault{"byres ligand and chain A", "column 14: put parentheses around what 'byres' applies to"},
+        Fault{"within 5 of ligand or ion", "column 20: put parentheses"},
+        Fault{"protein within 5 of (ligand) and ion", "column 30: put parentheses"},
+        Fault{"chain 'A", "column 7: this quote is not closed"}, Fault{"chain Å and foo", "column 13: expected"},
+        Fault{"\x1b[31m", "column 1"}));
+
+TEST(Selection, NestingAndLengthAreBounded) {
+    const auto nested = [](int depth) { return std::string(depth, '(') + "all" + std::string(depth, ')'); };
+    EXPECT_EQ(count(mixed(), nested(60)), mixed().atoms.size());
+    EXPECT_THROW(parseSelection(nested(100000)), Error);
+    EXPECT_THROW(parseSelection(nested(70)), Error);
+    std::string nots;
+    for (int i = 0; i < 1000; ++i) nots += "not ";
+    EXPECT_THROW(parseSelection(nots + "all"), Error);
+    std::string chain = "all";
+    for (int i = 0; i < 1000; ++i) chain += " and all";
+    EXPECT_EQ(count(mixed(), chain), mixed().atoms.size());
+}
+
+TEST(Selection, IsAPlainValueThatKeepsItsText) {
+    const Selection selection = parseSelection(" chain A and  resi 3 ");
+    EXPECT_EQ(selection.text, "chain A and  resi 3");
+    EXPECT_EQ(selection, parseSelection("chain A and  resi 3"));
+    EXPECT_NE(selection, parseSelection("chain A and resi 4"));
+}
+
+TEST(Selection, KindsOfRealFiles) {
+    NACRE_NEEDS_DATA();
+    const Molecule haemoglobin = readMoleculeFile(test::dataFile("4hhb.pdb"));
+    EXPECT_EQ(count(haemoglobin, "protein") + count(haemoglobin, "ligand") + count(haemoglobin, "ion") +
+                  count(haemoglobin, "water"),
+              4779u);
+    EXPECT_EQ(count(haemoglobin, "ligand"), 4u * 43u);  // HEM
+    EXPECT_EQ(count(haemoglobin, "byres (elem FE)"), 4u * 43u);
+    EXPECT_EQ(count(haemoglobin, "resn PO4"), count(haemoglobin, "ion"));
+    EXPECT_EQ(count(haemoglobin, "sidechain or backbone"), count(haemoglobin, "protein"));
+    EXPECT_EQ(count(haemoglobin, "backbone and name CA"), 141u * 2 + 146u * 2);
+    const Molecule dna = readMoleculeFile(test::dataFile("1bna.pdb"));
+    EXPECT_EQ(count(dna, "nucleic"), 486u);
+    EXPECT_EQ(count(dna, "water"), 80u);
+    EXPECT_EQ(count(dna, "backbone and elem P"), 22u);
+    const Molecule old = readMoleculeFile(test::dataFile("1bna-old-remediation.pdb"));
+    EXPECT_EQ(count(old, "backbone"), count(dna, "backbone"));  // C5* is C5'
+    // The chromophore is a modified part of the chain.
+    const Molecule gfp = readMoleculeFile(test::dataFile("gfp-1ema.cif"));
+    EXPECT_EQ(count(gfp, "protein and resn CRO"), count(gfp, "resn CRO"));
+    EXPECT_GT(count(gfp, "resn CRO"), 10u);
+}
+
+TEST(Selection, TheModelIsTheOneThatWasRead) {
+    NACRE_NEEDS_DATA();
+    const Molecule third = readMoleculeFile(test::dataFile("1l2y.pdb"), {.format = {}, .model = 3});
+    EXPECT_EQ(count(third, "model 3"), 304u);
+    EXPECT_EQ(count(third, "model 1"), 0u);
+}
+
+}  // namespace
+}  // namespace nacre
