@@ -66,7 +66,8 @@ TEST(Info, AgreesWithIndependentCounts) {
         if (entry.value("bad", false) || entry["bytes"] > 2000000) continue;
         const std::string format = entry["format"];
         if (format != "pdb" && format != "mmcif" && format != "mmjson" && format != "xyz" && format != "sdf-v2000" &&
-            format != "sdf-v3000")
+            format != "sdf-v3000" && format != "mol2" && format != "pqr" && format != "gro" && format != "pdbqt" &&
+            format != "cml")
             continue;
         SCOPED_TRACE(name);
         const nlohmann::json json = infoJson(readMoleculeFile(test::dataFile(name)));
@@ -84,7 +85,7 @@ TEST(Info, AgreesWithIndependentCounts) {
         }
         ++compared;
     }
-    EXPECT_GT(compared, 40);
+    EXPECT_GT(compared, 50);
 }
 
 }  // namespace
