@@ -91,6 +91,10 @@ private:
             if (!sawModelRecord_) endModel();  // files of several structures in a row
         } else if (startsWith(line, "TITLE ")) {
             title(line);
+        } else if (startsWith(line, "REMARK   2 RESOLUTION.")) {
+            const std::string_view value = trim(columns(line, 23, 40));  // a number, or NOT APPLICABLE
+            if (const auto stated = pdb::number(value.substr(0, value.find(' '))); stated && *stated > 0)
+                molecule_.file.resolution = *stated;
         } else if (startsWith(line, "REMARK 350   BIOMT1")) {
             ++biomtOperators_;
         }
