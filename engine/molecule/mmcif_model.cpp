@@ -90,8 +90,8 @@ Molecule MmcifModel::finish(const std::string& format) {
     const MmcifTable& title = tables_[atoms_ ? "struct" : "chem_comp"];
     if (title.rows() > 0) file.title = std::string(title.get(0, {"title", "name"}).value_or(""));
     std::replace(file.title.begin(), file.title.end(), '\n', ' ');  // a long title is a text of several lines
-    for (const auto& [category, column] : {std::pair("refine", "ls_d_res_high"),
-                                           std::pair("em_3d_reconstruction", "resolution")}) {
+    for (const auto& [category, column] :
+         {std::pair("refine", "ls_d_res_high"), std::pair("em_3d_reconstruction", "resolution")}) {
         const MmcifTable& table = tables_[category];
         if (file.resolution || table.rows() == 0) continue;
         const auto value = parseNumber(table.get(0, {column}).value_or(""));
