@@ -1,6 +1,7 @@
 # How each dependency is found. Debian bookworm names stand in tools/packages.txt.
 find_package(Threads REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(EXPAT REQUIRED)
 find_package(Vulkan 1.3.239 REQUIRED)
 
 find_path(GLM_INCLUDE_DIR glm/glm.hpp REQUIRED)

@@ -1,19 +1,30 @@
 #include "app/headless/info_command.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <filesystem>
 #include <iomanip>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <ostream>
+#include <sstream>
 
 #include "app/headless/commands.h"
 #include "app/headless/input.h"
+#include "engine/molecule/chain_summary.h"
+#include "engine/molecule/counts.h"
+#include "engine/molecule/element.h"
 
 namespace nacre::app {
 
 using Json = nlohmann::ordered_json;
 
 namespace {
+
+constexpr Element kSulfur = 16;
+constexpr std::size_t kMostNames = 12;  // that a line of text lists
 
 /// The double that reads like the float: 7.075, not 7.074999809.
 double asWritten(float value) {
@@ -28,38 +39,29 @@ void put(Json& json, const char* key, const std::optional<std::int64_t>& value) 
     if (value) json[key] = *value;
 }
 
-void putAtomCounts(Json& json, const Molecule& molecule) {
-    std::int64_t hetero = 0, alternate = 0, inserted = 0, negative = 0;
-    for (const Atom& atom : molecule.atoms) {
-        const Residue& residue = molecule.residues[atom.residue];
-        hetero += atom.hetero;
-        alternate += atom.alternate != '\0';
-        inserted += residue.insertionCode != '\0';
-        negative += residue.number < 0;
-    }
-    json["hetatm"] = hetero;
-    json["altloc_atoms"] = alternate;
-    json["insertion_code_atoms"] = inserted;
-    json["negative_resnum_atoms"] = negative;
+void putAtomCounts(Json& json, const MoleculeCounts& counts) {
+    json["hetatm"] = counts.hetatm;
+    json["altloc_atoms"] = counts.altlocAtoms;
+    json["insertion_code_atoms"] = counts.insertionCodeAtoms;
+    json["negative_resnum_atoms"] = counts.negativeResnumAtoms;
 }
 
-Json boxOf(const Molecule& molecule) {
-    glm::vec3 low = molecule.atoms[0].position, high = low;
-    for (const Atom& atom : molecule.atoms)
-        for (int i = 0; i < 3; ++i) {
-            low[i] = std::min(low[i], atom.position[i]);
-            high[i] = std::max(high[i], atom.position[i]);
-        }
-    Json box = Json::array();
-    for (const glm::vec3& corner : {low, high})
-        box.push_back({asWritten(corner.x), asWritten(corner.y), asWritten(corner.z)});
-    return box;
+template <std::size_t Count>
+Json vectors(const std::array<glm::vec3, Count>& values) {
+    Json json = Json::array();
+    for (const glm::vec3& value : values) json.push_back({asWritten(value.x), asWritten(value.y), asWritten(value.z)});
+    return json;
 }
 
 Json bondsByKind(const Molecule& molecule) {
     std::array<std::int64_t, 3> sources{};
     std::array<std::int64_t, 5> orders{};
+    std::int64_t between = 0, disulfides = 0, metal = 0;
     for (const Bond& bond : molecule.bonds) {
+        const Atom &a = molecule.atoms[bond.a], &b = molecule.atoms[bond.b];
+        between += a.residue != b.residue;
+        disulfides += a.residue != b.residue && a.element == kSulfur && b.element == kSulfur;
+        metal += isMetal(a.element) || isMetal(b.element);
         ++sources[static_cast<std::size_t>(bond.source)];
         ++orders[bond.order <= 4 ? bond.order : 0];
     }
@@ -71,10 +73,52 @@ Json bondsByKind(const Molecule& molecule) {
             {"double", orders[2]},
             {"triple", orders[3]},
             {"aromatic", orders[4]},
-            {"other", orders[0]}};
+            {"other", orders[0]},
+            {"between_residues", between},
+            {"disulfides", disulfides},
+            {"to_metals", metal}};
 }
 
-bool hasResidues(const std::string& format) { return format == "pdb" || format == "mmcif" || format == "mmjson"; }
+bool hasResidues(const std::string& format) {
+    for (const char* without : {"sdf-v2000", "sdf-v3000", "xyz", "cml"})
+        if (format == without) return false;
+    return true;
+}
+
+Json chainList(const std::vector<ChainSummary>& chains) {
+    Json list = Json::array();
+    for (const ChainSummary& chain : chains) {
+        Json entry{{"name", chain.name}};
+        if (!chain.sequence.empty()) {
+            entry["polymer"] = chain.nucleotides > chain.aminoAcids ? "nucleic" : "protein";
+            entry["length"] = chain.sequence.size();
+            entry["sequence"] = chain.sequence;
+        }
+        if (!chain.ligands.empty()) entry["ligands"] = chain.ligands;
+        if (!chain.ions.empty()) entry["ions"] = chain.ions;
+        if (chain.waters > 0) entry["waters"] = chain.waters;
+        list.push_back(entry);
+    }
+    return list;
+}
+
+/// Residues by name over all chains.
+Json total(const std::vector<ChainSummary>& chains, std::map<std::string, std::size_t> ChainSummary::*names) {
+    std::map<std::string, std::size_t> sum;
+    for (const ChainSummary& chain : chains)
+        for (const auto& [name, count] : chain.*names) sum[name] += count;
+    return sum;
+}
+
+void putChains(Json& json, const Molecule& molecule) {
+    const std::vector<ChainSummary> chains = summariseChains(molecule);
+    std::size_t waters = 0;
+    for (const ChainSummary& chain : chains) waters += chain.waters;
+    json["chain_list"] = chainList(chains);
+    json["ligands"] = total(chains, &ChainSummary::ligands);
+    json["ions"] = total(chains, &ChainSummary::ions);
+    json["waters"] = waters;
+}
 
 /// A file's own words, made safe for a terminal.
 std::string printable(std::string text) {
@@ -96,6 +140,49 @@ std::string listed(const Json& json, std::initializer_list<std::pair<const char*
     return text;
 }
 
+/// "HEM 4, PO4 2" of an object of counts.
+std::string namesAndCounts(const Json& names) {
+    std::string text;
+    std::size_t shown = 0;
+    for (const auto& [name, count] : names.items()) {
+        if (++shown > kMostNames) return text + " and " + std::to_string(names.size() - kMostNames) + " more";
+        text += (text.empty() ? "" : ", ") + name + " " + std::to_string(count.get<std::int64_t>());
+    }
+    return text;
+}
+
+/// Chains of the same sequence share an entry.
+void sequences(std::ostream& out, const Json& chains) {
+    std::map<std::string, std::vector<std::string>> namesBySequence;
+    std::vector<const Json*> first;
+    for (const Json& chain : chains) {
+        if (!chain.contains("sequence")) continue;
+        auto& names = namesBySequence[chain["sequence"]];
+        if (names.empty()) first.push_back(&chain);
+        const std::string name = chain["name"];
+        names.push_back(name.empty() ? "(blank)" : name);
+    }
+    for (const Json* chain : first) {
+        const std::string sequence = (*chain)["sequence"];
+        const auto& names = namesBySequence[sequence];
+        std::string who = names.size() > 1 ? "chains" : "chain";
+        for (std::size_t i = 0; i < std::min(names.size(), kMostNames); ++i) who += (i ? ", " : " ") + names[i];
+        if (names.size() > kMostNames) who += " and " + std::to_string(names.size() - kMostNames) + " more";
+        line(
+            out, "sequence",
+            who + ": " + (*chain)["polymer"].get<std::string>() + ", " + std::to_string(sequence.size()) + " residues");
+        constexpr std::size_t kWidth = 60;
+        for (std::size_t at = 0; at < sequence.size(); at += kWidth) line(out, "", sequence.substr(at, kWidth));
+    }
+}
+
+/// A number as people write it, without the digits that binary fractions add.
+std::string plainNumber(double value) {
+    std::ostringstream out;
+    out << std::setprecision(6) << value;
+    return out.str();
+}
+
 }  // namespace
 
 Json infoJson(const Molecule& molecule) {
@@ -103,7 +190,9 @@ Json infoJson(const Molecule& molecule) {
     Json json;
     json["format"] = file.format;
     if (!file.title.empty()) json["title"] = file.title;
-    json["atoms"] = molecule.atoms.size();
+    if (file.resolution) json["resolution"] = *file.resolution;
+    const MoleculeCounts counts = countMolecule(molecule);
+    json["atoms"] = counts.atoms;
     put(json, "models", file.models);
     put(json, "records", file.records);
     put(json, "total_atoms_all_models", file.totalAtomsAllModels);
@@ -114,11 +203,17 @@ Json infoJson(const Molecule& molecule) {
     put(json, "chains", file.chains);
     put(json, "chains_auth", file.chainsAuth);
     put(json, "chains_label", file.chainsLabel);
-    if (hasResidues(file.format)) putAtomCounts(json, molecule);
+    if (hasResidues(file.format)) {
+        putAtomCounts(json, counts);
+        putChains(json, molecule);
+    }
     put(json, "biomt_operators", file.biomtOperators);
     put(json, "assemblies", file.assemblies);
     put(json, "oper_list", file.operators);
-    if (!molecule.atoms.empty()) json["bbox"] = boxOf(molecule);
+    if (counts.bbox) json["bbox"] = vectors(*counts.bbox);
+    if (file.box) json["box_vectors"] = vectors(*file.box);
+    if (!molecule.partialCharges.empty())
+        json["partial_charge"] = std::accumulate(molecule.partialCharges.begin(), molecule.partialCharges.end(), 0.0);
     json["bonds_known"] = bondsByKind(molecule);
     json["warnings"] = molecule.warnings;
     return json;
@@ -128,6 +223,7 @@ std::string infoText(const std::string& name, const Json& json) {
     std::ostringstream out;
     out << name << " (" << json["format"].get<std::string>() << ")\n";
     line(out, "title", json.value("title", ""));
+    if (json.contains("resolution")) line(out, "resolution", plainNumber(json["resolution"].get<double>()) + " Å");
     line(out, "atoms", std::to_string(json["atoms"].get<std::int64_t>()));
     line(out, "of these",
          listed(json, {{"hetatm", "hetero"},
@@ -142,6 +238,12 @@ std::string infoText(const std::string& name, const Json& json) {
                        {"bytes", "bytes"}}));
     line(out, "chains",
          listed(json, {{"chains", "identifiers"}, {"chains_auth", "by author"}, {"chains_label", "by label"}}));
+    if (json.contains("chain_list")) {
+        sequences(out, json["chain_list"]);
+        line(out, "ligands", namesAndCounts(json["ligands"]));
+        line(out, "ions", namesAndCounts(json["ions"]));
+        line(out, "water", listed(json, {{"waters", "molecules"}}));
+    }
     line(out, "assemblies",
          listed(json,
                 {{"assemblies", "assemblies"}, {"oper_list", "operators"}, {"biomt_operators", "BIOMT operators"}}));
@@ -156,7 +258,13 @@ std::string infoText(const std::string& name, const Json& json) {
                                       {"triple", "triple"},
                                       {"aromatic", "aromatic"},
                                       {"other", "other"}}));
+    line(out, "of these",
+         listed(json["bonds_known"],
+                {{"between_residues", "between residues"}, {"disulfides", "disulfides"}, {"to_metals", "to metals"}}));
     if (json.contains("bbox")) line(out, "box", json["bbox"][0].dump() + " to " + json["bbox"][1].dump() + " Å");
+    if (json.contains("box_vectors")) line(out, "cell", json["box_vectors"].dump() + " Å");
+    if (json.contains("partial_charge"))
+        line(out, "charge", plainNumber(json["partial_charge"].get<double>()) + " e, the sum of partial charges");
     for (const Json& warning : json["warnings"]) line(out, "warning", warning.get<std::string>());
     return out.str();
 }

@@ -49,13 +49,14 @@ std::string path(const std::string& text) {
 
 void addInput(CLI::App& app, InputOptions& input) {
     app.add_option("INPUT", input.path,
-                   "A structure file (PDB, mmCIF, mmJSON, SDF/MOL, XYZ; each also .gz), - for standard input, or\n"
+                   "A structure file (PDB, mmCIF, mmJSON, SDF/MOL, XYZ, MOL2, PQR, GRO, PDBQT, CML; each also\n"
+                   ".gz), - for standard input, or "
                    "sample:dna, sample:glucose, sample:buckyball")
         ->required()
         ->type_name("");
-    value(app, "--format", "NAME", "by content", "pdb, mmcif, mmjson, sdf or xyz", [&](const std::string& text) {
+    value(app, "--format", "NAME", "by content", "One of " + formatNames(), [&](const std::string& text) {
         input.format = formatFromName(text);
-        if (!input.format) throw std::invalid_argument("expected pdb, mmcif, mmjson, sdf or xyz, not '" + text + "'");
+        if (!input.format) throw std::invalid_argument("expected one of " + formatNames() + ", not '" + text + "'");
     });
     value(app, "--model", "N", "1", "Model, frame or record, counted from 1", [&](const std::string& text) {
         input.model = static_cast<int>(parseInteger(text, 1, std::numeric_limits<int>::max()));

@@ -76,7 +76,7 @@ Guess guessByFirstLines(std::string_view text) {
     };
     const bool groAtom = parseInteger(columns(line[2], 0, 5)) && parseInteger(columns(line[2], 15, 5)) &&
                          parseNumber(columns(line[2], 20, 8)) && parseNumber(columns(line[2], 28, 8));
-    if (isInteger(line[1]) && groAtom) return isNot("gro");
+    if (isInteger(line[1]) && groAtom) return is(Format::gro);
     if (isInteger(line[0]) && (numbers(1, 3) || contains(line[1], "Properties="))) return is(Format::xyz);
     return {};
 }
@@ -99,13 +99,13 @@ Guess guessPdbFamily(std::string_view line) {
     if (!startsWith(line, "ATOM  ") && !startsWith(line, "HETATM")) return is(Format::pdb);
     const std::string_view charge = columns(line, 70, 6);
     if (charge.size() == 6 && charge[2] == '.' && parseNumber(charge) && !trim(columns(line, 77, 2)).empty())
-        return isNot("pdbqt");
+        return is(Format::pdbqt);
     // PQR ends in x, y, z, charge and radius; PDB gives occupancy and B factor two decimals.
     const Words words = splitWords(line);
     bool pqr = words.count >= 9;
     for (std::size_t back = 1; back <= 5 && pqr; ++back)
         pqr = decimals(words[words.count - back]) >= (back <= 2 ? 3u : 1u);
-    return pqr ? isNot("pqr") : is(Format::pdb);
+    return is(pqr ? Format::pqr : Format::pdb);
 }
 
 Guess guessByLines(std::string_view head) {
@@ -113,8 +113,8 @@ Guess guessByLines(std::string_view head) {
     bool pdb = false;
     while (lines.next()) {
         const std::string_view line = trim(lines.line());
-        if (startsWith(line, "@<TRIPOS>")) return isNot("mol2");
-        if (pdb && (startsWith(line, "ROOT") || startsWith(line, "TORSDOF"))) return isNot("pdbqt");
+        if (startsWith(line, "@<TRIPOS>")) return is(Format::mol2);
+        if (pdb && (startsWith(line, "ROOT") || startsWith(line, "TORSDOF"))) return is(Format::pdbqt);
         const bool atom = startsWith(lines.line(), "ATOM  ") || startsWith(lines.line(), "HETATM");
         if (atom) return guessPdbFamily(lines.line());
         pdb = pdb || isPdbRecord(lines.line());
@@ -133,7 +133,8 @@ Guess guessByContent(std::string_view text) {
     if (startsWith(start, "<")) {
         const std::string lower = lowerCase(start);
         if (contains(lower, "<html") || startsWith(lower, "<!doctype html")) return isNot("a web page, not a molecule");
-        if (contains(lower, "<cml") || contains(lower, "<molecule")) return isNot("cml");
+        if (contains(lower, "<cml") || contains(lower, "<molecule") || contains(lower, "xml-cml.org"))
+            return is(Format::cml);
         if (contains(lower, "pdbx:datablock")) return isNot("pdbml");
     }
     if (const Guess guess = guessByFirstLines(text)) return guess;
@@ -150,15 +151,16 @@ Guess guessByName(const std::string& name) {
         std::string_view ending;
         Format format;
     };
-    static constexpr Ending kEndings[] = {{"pdb", Format::pdb},       {"ent", Format::pdb},    {"cif", Format::mmcif},
-                                          {"mmcif", Format::mmcif},   {"mcif", Format::mmcif}, {"json", Format::mmjson},
-                                          {"mmjson", Format::mmjson}, {"sdf", Format::sdf},    {"sd", Format::sdf},
-                                          {"mol", Format::sdf},       {"mdl", Format::sdf},    {"xyz", Format::xyz},
-                                          {"extxyz", Format::xyz}};
+    static constexpr Ending kEndings[] = {
+        {"pdb", Format::pdb},     {"ent", Format::pdb},     {"cif", Format::mmcif},     {"mmcif", Format::mmcif},
+        {"mcif", Format::mmcif},  {"json", Format::mmjson}, {"mmjson", Format::mmjson}, {"sdf", Format::sdf},
+        {"sd", Format::sdf},      {"mol", Format::sdf},     {"mdl", Format::sdf},       {"xyz", Format::xyz},
+        {"extxyz", Format::xyz},  {"mol2", Format::mol2},   {"pqr", Format::pqr},       {"gro", Format::gro},
+        {"pdbqt", Format::pdbqt}, {"cml", Format::cml}};
     for (const Ending& known : kEndings)
         if (ending == known.ending) return is(known.format);
-    static constexpr std::string_view kOthers[] = {"bcif", "mmtf", "mol2", "pqr",  "gro", "pdbqt",  "cml", "pdbml",
-                                                   "dcd",  "xtc",  "trr",  "cube", "mae", "prmtop", "psf"};
+    static constexpr std::string_view kOthers[] = {"bcif", "mmtf", "pdbml", "dcd",    "xtc",
+                                                   "trr",  "cube", "mae",   "prmtop", "psf"};
     for (const std::string_view other : kOthers)
         if (ending == other) return isNot(other);
     return {};
@@ -168,7 +170,7 @@ Guess guessByName(const std::string& name) {
     const bool isFormat = other.find(' ') == std::string_view::npos;
     if (!isFormat) throw Error("cannot read molecule", name, "it is " + std::string(other));
     throw Error("cannot read molecule", name,
-                "format " + std::string(other) + " is not supported; supported: pdb, mmcif, mmjson, sdf, xyz");
+                "format " + std::string(other) + " is not supported; supported: " + formatNames());
 }
 
 }  // namespace
@@ -176,11 +178,11 @@ Guess guessByName(const std::string& name) {
 Format detectFormat(const std::string& name, std::string_view text) {
     const Guess content = guessByContent(text), named = guessByName(name);
     // A name may narrow down what looks like PDB: PQR files are free in their columns.
-    if (content.format == Format::pdb && (named.other == "pqr" || named.other == "pdbqt")) refuse(name, named.other);
-    const Guess guess = content ? content : named;
+    const bool narrowed = named.format == Format::pqr || named.format == Format::pdbqt;
+    const Guess guess = content && !(content.format == Format::pdb && narrowed) ? content : named;
     if (!guess)
         throw Error("cannot read molecule", name,
-                    "its format cannot be told from its content or name; state it (pdb, mmcif, mmjson, sdf, xyz)");
+                    "its format cannot be told from its content or name; state it (" + formatNames() + ")");
     if (!guess.format) refuse(name, guess.other);
     return *guess.format;
 }

@@ -14,7 +14,8 @@ constexpr std::size_t kMaxKeptCells = std::size_t{1} << 22;
 bool isKept(const std::string& category) {
     return category == "struct" || category == "struct_conn" || category == "pdbx_struct_assembly" ||
            category == "pdbx_struct_oper_list" || category == "chem_comp" || category == "chem_comp_atom" ||
-           category == "chem_comp_bond" || category == "struct_conf" || category == "struct_sheet_range";
+           category == "chem_comp_bond" || category == "struct_conf" || category == "struct_sheet_range" ||
+           category == "refine" || category == "em_3d_reconstruction";
 }
 
 }  // namespace
@@ -91,6 +92,13 @@ Molecule MmcifModel::finish(const std::string& format) {
     const MmcifTable& title = tables_[atoms_ ? "struct" : "chem_comp"];
     if (title.rows() > 0) file.title = std::string(title.get(0, {"title", "name"}).value_or(""));
     std::replace(file.title.begin(), file.title.end(), '\n', ' ');  // a long title is a text of several lines
+    for (const auto& [category, column] :
+         {std::pair("refine", "ls_d_res_high"), std::pair("em_3d_reconstruction", "resolution")}) {
+        const MmcifTable& table = tables_[category];
+        if (file.resolution || table.rows() == 0) continue;
+        const auto value = parseNumber(table.get(0, {column}).value_or(""));
+        if (value && *value > 0 && *value < 1e6) file.resolution = *value;
+    }
     const auto rowsOf = [&](const char* category) -> std::optional<std::int64_t> {
         const auto found = tables_.find(category);
         if (found == tables_.end()) return std::nullopt;

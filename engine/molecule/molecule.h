@@ -72,7 +72,8 @@ struct Bond {
 
 /// What the file as a whole holds, as `nacre info` reports it. Keys that a format lacks are empty.
 struct FileSummary {
-    std::string format;  ///< "pdb", "mmcif", "mmjson", "sdf-v2000", "sdf-v3000", "xyz", "sample"
+    std::string format;  ///< "pdb", "mmcif", "mmjson", "sdf-v2000", "sdf-v3000", "xyz", "mol2", "pqr", "gro",
+                         ///< "pdbqt", "cml", "sample"
     std::string title;
     std::optional<std::int64_t> models;   ///< models or frames
     std::optional<std::int64_t> records;  ///< molecules of a multi-record file
@@ -86,7 +87,9 @@ struct FileSummary {
     std::optional<std::int64_t> chainsLabel;        ///< distinct label_asym_id (mmCIF)
     std::optional<std::int64_t> biomtOperators;
     std::optional<std::int64_t> assemblies;
-    std::optional<std::int64_t> operators;  ///< _pdbx_struct_oper_list rows
+    std::optional<std::int64_t> operators;        ///< _pdbx_struct_oper_list rows
+    std::optional<double> resolution;             ///< Å, as the file states it
+    std::optional<std::array<glm::vec3, 3>> box;  ///< vectors of the simulation box, Å (GRO)
 };
 
 /// One model of one file: every atom record in the file's order, so that an atom's 1-based position is its id.
@@ -98,7 +101,9 @@ struct Molecule {
     std::vector<std::string> entities;      ///< identifiers of the file's entities (mmCIF label_entity_id)
     bool statesSecondaryStructure = false;  ///< the file has helices or strands of residues that are there
     int model = 1;                          ///< 1-based model, frame or record that this is
-    std::vector<std::string> warnings;      ///< what was read leniently, one sentence each, bounded in number
+    std::vector<float> partialCharges;  ///< by atom, elementary charges; empty if the format has none
+    std::vector<float> radii;           ///< by atom, Å, as PQR states them; empty otherwise
+    std::vector<std::string> warnings;  ///< what was read leniently, one sentence each, bounded in number
     FileSummary file;
 };
 

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <string>
 
 #include "engine/molecule/element.h"
 #include "engine/molecule/residue_templates.h"
@@ -85,6 +86,18 @@ bool isPlainSymbol(std::string_view name) {
     return false;
 }
 
+/// Element of an atom that is a residue by itself; CHARMM has names of its own for ions.
+Element ionOf(std::string_view name) {
+    struct Ion {
+        std::string_view name, symbol;
+    };
+    static constexpr Ion kIons[] = {{"SOD", "NA"}, {"POT", "K"},  {"CLA", "CL"}, {"CAL", "CA"},
+                                    {"CES", "CS"}, {"LIT", "LI"}, {"RUB", "RB"}, {"BAR", "BA"}};
+    for (const Ion& ion : kIons)
+        if (name == ion.name) return elementFromSymbol(ion.symbol);
+    return elementFromSymbol(name);
+}
+
 /// Columns 13-14 hold the symbol, right-justified; names of four characters have no room for that, so that theirs may
 /// be one letter as well.
 Element byNameColumns(std::string_view field) {
@@ -138,9 +151,38 @@ Element element(std::string_view line, const Name& residueName) {
     const std::string_view symbol = trim(columns(line, 77, 78));
     if (!symbol.empty())
         if (const Element stated = elementFromSymbol(symbol)) return stated;
-    const std::string_view field = columns(line, 13, 16);
+    return elementByName(columns(line, 13, 16), residueName);
+}
+
+Element elementByName(std::string_view field, const Name& residueName) {
     if (residueTemplate(residueName)) return inStandardResidue(trim(field));
     return byNameColumns(field);
+}
+
+Element elementByLooseName(std::string_view name, const Name& residueName) {
+    if (residueTemplate(residueName)) return inStandardResidue(name);
+    const bool sign = !name.empty() && (name.back() == '+' || name.back() == '-');
+    const std::string_view letters = name.substr(0, name.find_last_not_of("0123456789+-") + 1);
+    const std::string_view residue = residueName.view();
+    if (sign || letters == residue.substr(0, residue.find_last_not_of("0123456789+-") + 1))
+        if (const Element ion = ionOf(letters)) return ion;
+    if (isPlainSymbol(letters)) return elementFromSymbol(letters);
+    return byNameColumns(name.size() < 4 ? " " + std::string(name) : std::string(name));
+}
+
+Element elementByAutoDockType(std::string_view type) {
+    struct Type {
+        std::string_view type, symbol;
+    };
+    // Types of AutoDock 4's parameters that are no symbols: aromatic carbon, polar hydrogen, acceptors, the carbons
+    // that rings are closed with, and the water of hydrated docking.
+    static constexpr Type kTypes[] = {{"A", "C"},  {"HD", "H"}, {"HS", "H"}, {"NA", "N"}, {"NS", "N"},
+                                      {"OA", "O"}, {"OS", "O"}, {"SA", "S"}, {"Z", "C"},  {"G", "C"},
+                                      {"GA", "C"}, {"J", "C"},  {"Q", "C"},  {"W", "O"}};
+    type = trim(type);
+    for (const Type& known : kTypes)
+        if (type == known.type) return elementFromSymbol(known.symbol);
+    return elementFromSymbol(type);
 }
 
 std::int8_t charge(std::string_view line) {

@@ -35,6 +35,15 @@ std::optional<std::int64_t> serial(std::string_view line);
 /// Element by columns 77-78, or else by the atom's name in columns 13-16; 0 if neither tells.
 Element element(std::string_view line, const Name& residueName);
 
+/// Element by the four columns of an atom's name (13-16) alone, symbol right-justified in the first two.
+Element elementByName(std::string_view field, const Name& residueName);
+
+/// Element by a name that stands in no columns (GRO, PQR), so that an "CA" is carbon unless its residue says calcium.
+Element elementByLooseName(std::string_view name, const Name& residueName);
+
+/// Element of an AutoDock 4 atom type ("A", "HD", "OA", "Cl"), or 0. "NA" accepts a hydrogen bond; sodium is "Na".
+Element elementByAutoDockType(std::string_view type);
+
 /// Formal charge in columns 79-80 ("2+", "1-", "+2"); 0 if there is none.
 std::int8_t charge(std::string_view line);
 

@@ -21,6 +21,16 @@ namespace {
 constexpr std::size_t kMaxMessage = 600;
 constexpr std::size_t kMaxWarnings = 32;
 
+struct NamedFormat {
+    std::string_view name;
+    Format format;
+};
+constexpr NamedFormat kFormats[] = {
+    {"pdb", Format::pdb},     {"mmcif", Format::mmcif}, {"mmjson", Format::mmjson}, {"sdf", Format::sdf},
+    {"xyz", Format::xyz},     {"mol2", Format::mol2},   {"pqr", Format::pqr},       {"gro", Format::gro},
+    {"pdbqt", Format::pdbqt}, {"cml", Format::cml},
+};
+
 /// '\n' for every end of line, whatever the file came from; in place.
 void unifyLineEnds(std::string& text) {
     std::size_t from = text.find('\r');
@@ -58,6 +68,16 @@ Molecule dispatch(const std::string& name, std::string bytes, const ReadOptions&
             return readSdf(name, bytes, options);
         case Format::xyz:
             return readXyz(name, bytes, options);
+        case Format::mol2:
+            return readMol2(name, bytes, options);
+        case Format::pqr:
+            return readPqr(name, bytes, options);
+        case Format::gro:
+            return readGro(name, bytes, options);
+        case Format::pdbqt:
+            return readPdbqt(name, bytes, options);
+        case Format::cml:
+            return readCml(name, bytes, options);
     }
     throw Error("cannot read molecule", name, "no reader for its format");
 }
@@ -86,12 +106,15 @@ std::string readAll(std::FILE* file, const std::string& name, std::size_t maxByt
 }  // namespace
 
 std::optional<Format> formatFromName(std::string_view name) {
-    if (name == "pdb") return Format::pdb;
-    if (name == "mmcif") return Format::mmcif;
-    if (name == "mmjson") return Format::mmjson;
-    if (name == "sdf") return Format::sdf;
-    if (name == "xyz") return Format::xyz;
+    for (const NamedFormat& known : kFormats)
+        if (name == known.name) return known.format;
     return std::nullopt;
+}
+
+std::string formatNames() {
+    std::string names;
+    for (const NamedFormat& known : kFormats) names += (names.empty() ? "" : ", ") + std::string(known.name);
+    return names;
 }
 
 Molecule readMolecule(const std::string& name, std::string bytes, const ReadOptions& options) {

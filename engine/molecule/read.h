@@ -11,7 +11,7 @@
 
 namespace nacre {
 
-enum class Format { pdb, mmcif, mmjson, sdf, xyz };
+enum class Format { pdb, mmcif, mmjson, sdf, xyz, mol2, pqr, gro, pdbqt, cml };
 
 struct ReadOptions {
     std::optional<Format> format;                 ///< empty: from the content first, the name second
@@ -19,8 +19,11 @@ struct ReadOptions {
     std::size_t maxBytes = std::size_t{1} << 31;  ///< largest text accepted, after inflation
 };
 
-/// Name of a format as `--format` takes it ("pdb", "mmcif", "mmjson", "sdf", "xyz"); empty if there is none such.
+/// Name of a format as `--format` takes it, one of formatNames(); empty if there is none such.
 std::optional<Format> formatFromName(std::string_view name);
+
+/// The names of all formats that are read, for messages: "pdb, mmcif, ...".
+std::string formatNames();
 
 /// Reads a molecule and completes its bonds (bonds.h). gz is recognised by content and inflated under maxBytes.
 /// @param name  file name for messages and as a hint to the format

@@ -1,4 +1,5 @@
-// PDB files, by columns (wwPDB format 3.3), lenient where old or hand-made files depart from them.
+// PDB files, by columns (wwPDB format 3.3), lenient where old or hand-made files depart from them; and AutoDock's
+// PDBQT, which keeps the columns up to 66, then gives a partial charge (71-76) and an atom type (78-80).
 
 #include <algorithm>
 #include <array>
@@ -55,16 +56,18 @@ private:
     std::uint64_t number_ = 0;
 };
 
+enum class Flavour { pdb, pdbqt };
+
 class PdbReader {
 public:
-    PdbReader(const std::string& name, std::string_view text, const ReadOptions& options)
-        : name_(name), text_(text), lines_(text), wanted_(options.model) {
+    PdbReader(const std::string& name, std::string_view text, const ReadOptions& options, Flavour flavour)
+        : name_(name), text_(text), lines_(text), wanted_(options.model), flavour_(flavour) {
         chainIndex_.fill(-1);
     }
 
     Molecule read() {
         if (wanted_ < 1) throw Error(kCannotRead, name_, "models count from 1");
-        molecule_.file.format = "pdb";
+        molecule_.file.format = flavour_ == Flavour::pdb ? "pdb" : "pdbqt";
         // A bound on what the text can hold, so no header can ask for more.
         molecule_.atoms.reserve(text_.size() / 81 + 1);
         std::string_view line;
@@ -91,6 +94,10 @@ private:
             title(line);
         } else if (const auto range = secondaryOfPdbLine(line)) {
             secondary_.push_back(*range);
+        } else if (startsWith(line, "REMARK   2 RESOLUTION.")) {
+            const std::string_view value = trim(columns(line, 23, 40));  // a number, or NOT APPLICABLE
+            if (const auto stated = pdb::number(value.substr(0, value.find(' '))); stated && *stated > 0)
+                molecule_.file.resolution = *stated;
         } else if (startsWith(line, "REMARK 350   BIOMT1")) {
             ++biomtOperators_;
         }
@@ -143,11 +150,22 @@ private:
         const char alternate = column(line, 17);
         atom.alternate = alternate == ' ' ? '\0' : alternate;
         atom.residue = residueOf(line);
-        atom.element = pdb::element(line, molecule_.residues.back().name);
-        atom.charge = pdb::charge(line);
+        elementAndCharge(line, atom);
         ++molecule_.residues.back().atomCount;
         molecule_.atoms.push_back(atom);
         serials_.push_back(pdb::serial(line).value_or(-1));
+    }
+
+    void elementAndCharge(std::string_view line, Atom& atom) {
+        const Name& residue = molecule_.residues.back().name;
+        if (flavour_ == Flavour::pdb) {
+            atom.element = pdb::element(line, residue);
+            atom.charge = pdb::charge(line);
+            return;
+        }
+        atom.element = pdb::elementByAutoDockType(columns(line, 78, 80));
+        if (atom.element == 0) atom.element = pdb::elementByName(columns(line, 13, 16), residue);
+        molecule_.partialCharges.push_back(optionalNumber(line, 71, 0));
     }
 
     /// Index of the residue that the line belongs to: the latest, or a new one.
@@ -207,7 +225,8 @@ private:
         if (biomtOperators_ > 0) file.biomtOperators = biomtOperators_;
         if (unreadableNumbers_ > 0)
             molecule_.warnings.push_back("ignored " + std::to_string(unreadableNumbers_) +
-                                         " occupancies or temperature factors that are no numbers, the first on line " +
+                                         " occupancies, temperature factors or charges that are no numbers, the first "
+                                         "on line " +
                                          std::to_string(firstUnreadableNumber_));
         conect_.resolve(serials_, molecule_);
         applySecondaryStructure(molecule_, secondary_);
@@ -218,6 +237,7 @@ private:
     std::string_view text_;
     Lines lines_;
     int wanted_;
+    Flavour flavour_;
     Molecule molecule_;
     pdb::ConectTable conect_;
     std::vector<std::int64_t> serials_;
@@ -236,7 +256,11 @@ private:
 }  // namespace
 
 Molecule readPdb(const std::string& name, std::string_view text, const ReadOptions& options) {
-    return PdbReader(name, text, options).read();
+    return PdbReader(name, text, options, Flavour::pdb).read();
+}
+
+Molecule readPdbqt(const std::string& name, std::string_view text, const ReadOptions& options) {
+    return PdbReader(name, text, options, Flavour::pdbqt).read();
 }
 
 }  // namespace nacre

@@ -16,6 +16,11 @@ Molecule readMmcif(const std::string& name, std::string_view text, const ReadOpt
 Molecule readMmjson(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readSdf(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readXyz(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readMol2(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readPqr(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readGro(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readPdbqt(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readCml(const std::string& name, std::string_view text, const ReadOptions&);
 
 /// Larger files are refused: an atom may take as few as six bytes of text, so text alone bounds memory too loosely.
 inline constexpr std::size_t kMaxAtoms = 50'000'000;

@@ -69,9 +69,9 @@ std::optional<double> parseNumber(std::string_view text) {
     return parseWhole<double>(fortran);
 }
 
-float parseCoordinate(std::string_view text, char axis, const std::string& name, std::uint64_t line) {
+float parseCoordinate(std::string_view text, char axis, const std::string& name, std::uint64_t line, double scale) {
     const auto value = parseNumber(text);
-    if (value && std::abs(*value) <= 1e9) return static_cast<float>(*value);  // false for nan
+    if (value && std::abs(*value) <= 1e9) return static_cast<float>(*value * scale);  // false for nan
     std::string why(1, axis);
     why += " is not a ";
     why += value ? "usable coordinate: '" : "number: '";

@@ -20,9 +20,10 @@ std::optional<std::int64_t> parseInteger(std::string_view text);
 std::optional<double> parseNumber(std::string_view text);
 
 /// A coordinate in Å. @throws Error with the line unless it is a finite number within ±1e9.
-/// @param axis 'x', 'y' or 'z', for the message
-/// @param line 0 if there is none
-float parseCoordinate(std::string_view text, char axis, const std::string& name, std::uint64_t line);
+/// @param axis  'x', 'y' or 'z', for the message
+/// @param line  0 if there is none
+/// @param scale Å in the file's unit
+float parseCoordinate(std::string_view text, char axis, const std::string& name, std::uint64_t line, double scale = 1);
 
 /// Text that is safe in a message: control characters and what is not UTF-8 as \xNN, cut to about `limit` bytes.
 std::string printable(std::string_view text, std::size_t limit = 48);

@@ -14,7 +14,10 @@ Molecule twoAtoms() {
     molecule.chains = {{"A"}};
     molecule.residues.resize(2);
     molecule.residues[0].number = -3;
+    molecule.residues[0].atomCount = 1;
     molecule.residues[1].insertionCode = 'B';
+    molecule.residues[1].firstAtom = 1;
+    molecule.residues[1].atomCount = 1;
     molecule.atoms.resize(2);
     molecule.atoms[0].position = {7.075f, -1, 2};
     molecule.atoms[1].position = {1, 4, 2.5f};
@@ -51,6 +54,39 @@ TEST(Info, TextIsSafeForATerminal) {
     EXPECT_NE(text.find("double 1"), std::string::npos);
 }
 
+TEST(Info, ChainsResolutionAndKindsOfBonds) {
+    NACRE_NEEDS_DATA();
+    // 4HHB by its paper and entry: two alpha chains of 141 residues, two beta chains of 146, four haems, 1.74 Å.
+    const auto json = infoJson(readMoleculeFile(test::dataFile("4hhb.pdb")));
+    EXPECT_EQ(json["resolution"], 1.74);
+    ASSERT_EQ(json["chain_list"].size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i) {
+        const auto& chain = json["chain_list"][i];
+        EXPECT_EQ(chain["name"], std::string(1, static_cast<char>('A' + i)));
+        EXPECT_EQ(chain["polymer"], "protein");
+        EXPECT_EQ(chain["length"], i % 2 == 0 ? 141 : 146);
+        EXPECT_EQ(chain["sequence"].get<std::string>().substr(0, 8), i % 2 == 0 ? "VLSPADKT" : "VHLTPEEK");
+        EXPECT_EQ(chain["ligands"]["HEM"], 1);
+    }
+    EXPECT_EQ(json["ligands"].dump(), "{\"HEM\":4}");
+    EXPECT_EQ(json["waters"], 221);
+    EXPECT_EQ(json["bonds_known"]["to_metals"], 20);  // iron to four nitrogens and a histidine, four times
+    const std::string text = infoText("4hhb.pdb", json);
+    EXPECT_NE(text.find("resolution  1.74 Å"), std::string::npos) << text;
+    EXPECT_NE(text.find("chains A, C: protein, 141 residues"), std::string::npos) << text;
+    EXPECT_EQ(infoJson(readMoleculeFile(test::dataFile("1en2.cif")))["bonds_known"]["disulfides"], 8);
+    EXPECT_EQ(infoJson(readMoleculeFile(test::dataFile("1bna.cif")))["chain_list"][1]["sequence"], "CGCGAATTCGCG");
+}
+
+TEST(Info, ChargesAndBox) {
+    NACRE_NEEDS_DATA();
+    const auto pqr = infoJson(readMoleculeFile(test::dataFile("3pqr.pqr")));
+    EXPECT_NEAR(pqr["partial_charge"].get<double>(), 1, 1e-3);  // a protein's charge is a whole number
+    const auto gro = infoJson(readMoleculeFile(test::dataFile("1crn.gro")));
+    EXPECT_EQ(gro["box_vectors"].dump(), "[[40.96,0.0,0.0],[0.0,18.65,0.0],[-0.3026,0.0,22.518]]");
+    EXPECT_FALSE(infoJson(readMoleculeFile(test::dataFile("small/caffeine.cml"))).contains("chain_list"));
+}
+
 TEST(Info, AMoleculeWithoutAtomsHasNoBox) {
     const auto json = infoJson(Molecule{});
     EXPECT_EQ(json["atoms"], 0);
@@ -66,7 +102,8 @@ TEST(Info, AgreesWithIndependentCounts) {
         if (entry.value("bad", false) || entry["bytes"] > 2000000) continue;
         const std::string format = entry["format"];
         if (format != "pdb" && format != "mmcif" && format != "mmjson" && format != "xyz" && format != "sdf-v2000" &&
-            format != "sdf-v3000")
+            format != "sdf-v3000" && format != "mol2" && format != "pqr" && format != "gro" && format != "pdbqt" &&
+            format != "cml")
             continue;
         SCOPED_TRACE(name);
         const nlohmann::json json = infoJson(readMoleculeFile(test::dataFile(name)));
@@ -84,7 +121,7 @@ TEST(Info, AgreesWithIndependentCounts) {
         }
         ++compared;
     }
-    EXPECT_GT(compared, 40);
+    EXPECT_GT(compared, 50);
 }
 
 }  // namespace

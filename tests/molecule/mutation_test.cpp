@@ -82,7 +82,11 @@ INSTANTIATE_TEST_SUITE_P(Formats, Mutation,
                                          Case{"small/v3000-ngl.sdf", 1 << 20, 3000},
                                          Case{"small/multi-frame.xyz", 1 << 20, 3000},
                                          Case{"small/hem-ccd.cif", 1 << 20, 2000}, Case{"1crn.cif", 30000, 1500},
-                                         Case{"1crn.cif.gz", 1 << 20, 1000}, Case{"1en2.pdb", 40000, 1500}),
+                                         Case{"1crn.cif.gz", 1 << 20, 1000}, Case{"1en2.pdb", 40000, 1500},
+                                         Case{"small/adrenalin.mol2", 1 << 20, 3000},
+                                         Case{"small/ligs3d-multi.mol2", 1 << 20, 500}, Case{"3pqr.pqr", 30000, 1000},
+                                         Case{"1crn.gro", 1 << 20, 1500}, Case{"small/dxc.pdbqt", 1 << 20, 1000},
+                                         Case{"small/ferrocene.cml", 1 << 20, 3000}),
                          [](const auto& test) {
                              std::string name = test.param.file;
                              for (char& c : name)

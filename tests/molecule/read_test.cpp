@@ -22,6 +22,11 @@ TEST(Read, NamesOfFormats) {
     EXPECT_EQ(formatFromName("mmjson"), Format::mmjson);
     EXPECT_EQ(formatFromName("sdf"), Format::sdf);
     EXPECT_EQ(formatFromName("xyz"), Format::xyz);
+    EXPECT_EQ(formatFromName("mol2"), Format::mol2);
+    EXPECT_EQ(formatFromName("pqr"), Format::pqr);
+    EXPECT_EQ(formatFromName("gro"), Format::gro);
+    EXPECT_EQ(formatFromName("pdbqt"), Format::pdbqt);
+    EXPECT_EQ(formatFromName("cml"), Format::cml);
     EXPECT_FALSE(formatFromName("bcif"));
     EXPECT_FALSE(formatFromName(""));
 }
@@ -34,6 +39,21 @@ TEST(Read, TheContentWinsOverTheName) {
     EXPECT_EQ(detectFormat("a", "ATOM      1  C   LIG A   1      -1.799   0.022   0.602\n"), Format::pdb);
     EXPECT_EQ(detectFormat("a", "HEADER    PLANT PROTEIN\n"), Format::pdb);
     EXPECT_EQ(detectFormat("a", "name\nprog\n\n  1  0  0  0  0  0  0  0  0  0999 V2000\n"), Format::sdf);
+}
+
+TEST(Read, TextFormatsByTheirContent) {
+    EXPECT_EQ(detectFormat("a", "# made by hand\n\n@<TRIPOS>MOLECULE\nx\n"), Format::mol2);
+    const std::string pqr = "ATOM      1  N   MET     1     -68.369 -25.337  40.428 -0.3200 2.0000\n";
+    EXPECT_EQ(detectFormat("a", pqr), Format::pqr);
+    EXPECT_EQ(detectFormat("a.pdb", pqr), Format::pqr);
+    const std::string docked = "ATOM      1  C1  DXC     1       2.952   1.919   1.076  1.00  0.00     0.118 C\n";
+    EXPECT_EQ(detectFormat("a", docked), Format::pdbqt);
+    EXPECT_EQ(detectFormat("a", "REMARK x\nROOT\n" + docked), Format::pdbqt);
+    EXPECT_EQ(detectFormat("a", "title\n1\n    1THR      N    1   1.705   1.410   0.363\n1 1 1\n"), Format::gro);
+    EXPECT_EQ(detectFormat("a", "<?xml version=\"1.0\"?>\n<cml><molecule/></cml>"), Format::cml);
+    EXPECT_EQ(detectFormat("a", "<m:molecule xmlns:m=\"http://www.xml-cml.org/schema\"/>"), Format::cml);
+    // PQR files are free in their columns, so that a name decides what might be either.
+    EXPECT_EQ(detectFormat("a.pqr", "ATOM 1 N MET 1 -68.36 -25.33 40.42 -0.32 2.00\n"), Format::pqr);
 }
 
 TEST(Read, TheNameTellsWhatTheContentDoesNot) {
@@ -53,11 +73,8 @@ TEST(Read, TheFormatThatIsStatedIsTaken) {
 }
 
 TEST(Read, KnownButUnsupported) {
-    test::expectError("a", "@<TRIPOS>MOLECULE\nx\n",
-                      {"format mol2 is not supported; supported: pdb, mmcif, mmjson, sdf, xyz"});
-    test::expectError("a.pqr", "ATOM      1  N   MET     1     -68.369 -25.337  40.428 -0.3200 2.0000\n", {"pqr"});
-    test::expectError("a.pdb", "ATOM      1  N   MET     1     -68.369 -25.337  40.428 -0.3200 2.0000\n", {"pqr"});
-    test::expectError("a", "<?xml version=\"1.0\"?>\n<cml><molecule/></cml>", {"format cml"});
+    test::expectError("a", "<?xml version=\"1.0\"?>\n<PDBx:datablock></PDBx:datablock>",
+                      {"format pdbml is not supported; supported: pdb, mmcif, mmjson, sdf, xyz, mol2"});
     test::expectError("a.cif", "<!DOCTYPE html><html></html>", {"web page"});
     test::expectError("a",
                       std::string("\x83\xa7"

@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include "tests/molecule/expect_error.h"
+
+namespace nacre {
+namespace {
+
+std::string cml(const std::string& inside) { return "<?xml version=\"1.0\"?>\n<cml>\n" + inside + "</cml>\n"; }
+
+const std::string kAtoms =
+    "<atomArray><atom id=\"a\" elementType=\"C\" x3=\"0\" y3=\"0\" z3=\"0\"/>"
+    "<atom id=\"b\" elementType=\"N\" x3=\"1\" y3=\"0.5\" z3=\"-1\" formalCharge=\"-1\"/>"
+    "<atom id=\"c\" elementType=\"O\" x3=\"2\" y3=\"0\" z3=\"0\"/></atomArray>";
+
+TEST(ReadCml, AtomsBondsAndTitle) {
+    const Molecule molecule =
+        readMolecule("a", cml("<molecule title=\"T &amp; U\"><bondArray><bond atomRefs2=\"a b\" order=\"A\"/>"
+                              "<bond atomRefs2=\"c b\" order=\"2\"/></bondArray>" +
+                              kAtoms + "</molecule>"));
+    EXPECT_EQ(molecule.file.format, "cml");
+    EXPECT_EQ(molecule.file.title, "T & U");
+    EXPECT_EQ(molecule.file.records, 1);
+    EXPECT_EQ(molecule.file.bonds, 2);
+    ASSERT_EQ(molecule.atoms.size(), 3u);
+    EXPECT_EQ(molecule.atoms[1].element, 7);
+    EXPECT_EQ(molecule.atoms[1].charge, -1);
+    EXPECT_EQ(molecule.atoms[1].position, glm::vec3(1, 0.5f, -1));
+    ASSERT_EQ(molecule.bonds.size(), 2u);
+    EXPECT_EQ(molecule.bonds[0].order, 4);
+    EXPECT_EQ(molecule.bonds[1].order, 2);
+    EXPECT_TRUE(molecule.warnings.empty());
+}
+
+TEST(ReadCml, Orders) {
+    const auto order = [](const std::string& attribute) {
+        const Molecule molecule = readMolecule("a", cml("<molecule>" + kAtoms + "<bondArray><bond atomRefs2=\"a b\" " +
+                                                        attribute + "/></bondArray></molecule>"));
+        return molecule.warnings.empty() ? int(molecule.bonds[0].order) : -1;
+    };
+    EXPECT_EQ(order(""), 1);
+    EXPECT_EQ(order("order=\"1\""), 1);
+    EXPECT_EQ(order("order=\"S\""), 1);
+    EXPECT_EQ(order("order=\"2\""), 2);
+    EXPECT_EQ(order("order=\"D\""), 2);
+    EXPECT_EQ(order("order=\"3\""), 3);
+    EXPECT_EQ(order("order=\"T\""), 3);
+    EXPECT_EQ(order("order=\"A\""), 4);
+    EXPECT_EQ(order("order=\"odd\""), -1);  // single, with a warning
+}
+
+TEST(ReadCml, SeveralMoleculesStandTogether) {
+    // Ids are each molecule's own; a molecule inside another is part of it.
+    const std::string bond = "<bondArray><bond atomRefs2=\"a c\" order=\"1\"/></bondArray>";
+    const std::string inner =
+        "<molecule><atomArray><atom id=\"d\" elementType=\"H\" x2=\"5\" y2=\"6\"/></atomArray></molecule>";
+    const Molecule molecule = readMolecule("a", cml("<molecule><name>first</name>" + kAtoms + bond +
+                                                    "</molecule><molecule>" + inner + kAtoms + bond + "</molecule>"));
+    EXPECT_EQ(molecule.file.records, 3);
+    EXPECT_EQ(molecule.file.title, "first");
+    EXPECT_EQ(molecule.atoms.size(), 7u);
+    ASSERT_EQ(molecule.residues.size(), 2u);
+    EXPECT_EQ(molecule.residues[1].atomCount, 4u);
+    ASSERT_EQ(molecule.bonds.size(), 2u);
+    EXPECT_EQ(molecule.bonds[1].a, 4u);
+    EXPECT_EQ(molecule.bonds[1].b, 6u);
+    ASSERT_EQ(molecule.warnings.size(), 1u);
+    EXPECT_NE(molecule.warnings[0].find("two dimensions only: 1"), std::string::npos) << molecule.warnings[0];
+}
+
+TEST(ReadCml, PrefixesAndArraysOfWords) {
+    const Molecule molecule = readMolecule(
+        "a",
+        "<c:molecule xmlns:c=\"http://www.xml-cml.org/schema\"><c:atomArray atomID=\"a b\" elementType=\"Fe  O\" "
+        "x3=\"1 2\" y3=\"3 4\" z3=\"5 6\" formalCharge=\"2 -2\"/><c:bondArray atomRef1=\"a\" atomRef2=\"b\" "
+        "order=\"2\"/></c:molecule>");
+    ASSERT_EQ(molecule.atoms.size(), 2u);
+    EXPECT_EQ(molecule.atoms[0].element, 26);
+    EXPECT_EQ(molecule.atoms[1].position, glm::vec3(2, 4, 6));
+    EXPECT_EQ(molecule.atoms[1].charge, -2);
+    ASSERT_EQ(molecule.bonds.size(), 1u);
+    EXPECT_EQ(molecule.bonds[0].order, 2);
+}
+
+TEST(ReadCml, Faults) {
+    const auto inMolecule = [](const std::string& inside) { return cml("<molecule>\n" + inside + "</molecule>\n"); };
+    const auto atom = [&](const std::string& attributes) {
+        return inMolecule("<atomArray>\n<atom id=\"a\" elementType=\"C\" " + attributes + "/></atomArray>");
+    };
+    test::expectError("a", atom("xFract=\"0.1\" yFract=\"0.2\" zFract=\"0.3\""),
+                      {"(line 5)", "fractional coordinates"});
+    test::expectError("a", atom(""), {"(line 5)", "atom 'a' has no coordinates"});
+    test::expectError("a", atom("x3=\"0\" y3=\"inf\" z3=\"0\""), {"(line 5)", "y is not a usable coordinate"});
+    test::expectError("a", atom("x3=\"0\" y3=\"0\" z3=\"0\" formalCharge=\"99\""), {"(line 5)", "formal charge"});
+    test::expectError("a", inMolecule(kAtoms + "\n<bondArray><bond atomRefs2=\"a z\"/></bondArray>"),
+                      {"(line 5)", "bond to atom 'z', which is not there"});
+    test::expectError("a", inMolecule(kAtoms + "<bondArray><bond atomRefs2=\"a\"/></bondArray>"), {"needs two atoms"});
+    test::expectError("a", inMolecule(kAtoms + kAtoms), {"two atoms are called 'a'"});
+    test::expectError("a", "<cml>\n<molecule>\n</cml>", {"(line 3)", "not valid XML: mismatched tag"});
+    test::expectError("a", inMolecule(""), {"it has no atoms"});
+    ReadOptions second;
+    second.model = 2;
+    test::expectError("a", inMolecule(kAtoms), {"read as one"}, second);
+}
+
+TEST(ReadCml, HostileXml) {
+    std::string deep = "<cml>";
+    for (int i = 0; i < 100000; ++i) deep += "<a>";
+    test::expectError("a", deep, {"nested more than 256 deep"});
+    test::expectError("a", "<!DOCTYPE cml [<!ENTITY a \"aaaaaaaaaa\"><!ENTITY b \"&a;&a;&a;&a;&a;\">]>\n<cml>&b;</cml>",
+                      {"declares XML entities"});
+    test::expectError("a", "<!DOCTYPE cml [<!ENTITY a SYSTEM \"file:///etc/passwd\">]>\n<cml>&a;</cml>",
+                      {"declares XML entities"});
+}
+
+}  // namespace
+}  // namespace nacre
