@@ -104,10 +104,14 @@ const CapabilitySet& capabilitySet(std::string_view name) {
 const CapabilitySet& capabilitySetOf(std::uint32_t vendor, bool portable) {
     if (portable) return capabilitySet("apple-moltenvk");
     switch (vendor) {
-        case 0x13B5: return capabilitySet("mali-old");  // Arm; the generation is not told
-        case 0x5143: return capabilitySet("adreno");    // Qualcomm
-        case 0x1010: return capabilitySet("powervr");   // Imagination
-        default: return capabilitySet("desktop");
+        case 0x13B5:
+            return capabilitySet("mali-old");  // Arm; the generation is not told
+        case 0x5143:
+            return capabilitySet("adreno");  // Qualcomm
+        case 0x1010:
+            return capabilitySet("powervr");  // Imagination
+        default:
+            return capabilitySet("desktop");
     }
 }
 

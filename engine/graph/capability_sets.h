@@ -17,9 +17,9 @@ struct Fact {
 
 struct CapabilitySet {
     PlanCaps plan;
-    Visibility visibility{};   ///< what `auto` takes
-    const char* why = "";      ///< of `visibility`
-    EncodedDepth encoded{};    ///< what `auto` takes
+    Visibility visibility{};  ///< what `auto` takes
+    const char* why = "";     ///< of `visibility`
+    EncodedDepth encoded{};   ///< what `auto` takes
     std::span<const Fact> facts;
 };
 

@@ -12,13 +12,13 @@ namespace nacre::graph {
 /// What the planner must know of a device. Named sets stand in capability_sets.h.
 struct PlanCaps {
     std::string name;
-    bool merge = true;                          ///< neighbouring passes may share a render pass
-    bool tileSubpasses = true;                  ///< input attachments between subpasses stay on the tile
-    bool transient = true;                      ///< attachments that never leave the tile need no memory
-    bool storeAll = false;                      ///< every attachment is stored, to look at it in a capture
-    bool storeNone = false;                     ///< VK_EXT_load_store_op_none: a tested depth buffer is not stored again
-    std::uint32_t tileBytesPerPixel = 16;       ///< colour + input attachments of one render pass
-    std::uint32_t maxColorAttachments = 4;      ///< of one subpass
+    bool merge = true;                      ///< neighbouring passes may share a render pass
+    bool tileSubpasses = true;              ///< input attachments between subpasses stay on the tile
+    bool transient = true;                  ///< attachments that never leave the tile need no memory
+    bool storeAll = false;                  ///< every attachment is stored, to look at it in a capture
+    bool storeNone = false;                 ///< VK_EXT_load_store_op_none: a tested depth buffer is not stored again
+    std::uint32_t tileBytesPerPixel = 16;   ///< colour + input attachments of one render pass
+    std::uint32_t maxColorAttachments = 4;  ///< of one subpass
     std::uint32_t maxInputAttachments = 4;
 };
 

@@ -33,8 +33,6 @@ VkImageUsageFlags usageFlag(Verb verb) {
             return VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
         case Verb::color:
             return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-        case Verb::ordered:
-            return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT;
         case Verb::input:
             return VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT;
         case Verb::samples:
@@ -79,8 +77,8 @@ public:
             }
             defined = defined || uses[s].written;
         }
-        planned.transient =
-            steps == 1 && onlyAttachment && !loaded && !decl.output && !decl.imported && caps_.transient && !caps_.storeAll;
+        planned.transient = steps == 1 && onlyAttachment && !loaded && !decl.output && !decl.imported &&
+                            caps_.transient && !caps_.storeAll;
         for (Step& step : plan_.steps)
             for (Attachment& a : step.renderPass.attachments)
                 if (a.image == image) a.transient = planned.transient;
