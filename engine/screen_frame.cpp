@@ -103,6 +103,18 @@ ScreenFrame screenFrame(const ScreenFrameOptions& options, const ScreenRecord& r
     return frame;
 }
 
+graph::Graph paperFrame(graph::Extent extent) {
+    graph::Graph g("paper");
+    const auto depth = g.image("depth", {VK_FORMAT_D16_UNORM, extent});
+    const auto texture = g.image("depth texture", {VK_FORMAT_R8G8B8A8_UNORM, extent});
+    const auto color = g.image("colour", {VK_FORMAT_R8G8B8A8_UNORM, extent});
+    g.graphics("opaque prepass").depth(depth, Clear{1.0f});
+    g.graphics("depth texture").depthTest(depth).color(texture, Clear{1.0f});
+    g.graphics("picture").depthTest(depth).samples(texture).color(color, Clear{1.0f});
+    g.output(color);
+    return g;
+}
+
 const char* depthTimingName(DepthTiming timing) {
     switch (timing) {
         case DepthTiming::none:

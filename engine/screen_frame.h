@@ -72,6 +72,11 @@ using ScreenRecord = std::function<graph::Record(passes::Writes, const ScreenInp
 /// every target. Targets are not marked as outputs: what becomes of them is the caller's to declare.
 ScreenFrame screenFrame(const ScreenFrameOptions& options, const ScreenRecord& record = {});
 
+/// The same frame as the paper arranged it on OpenGL ES 2: prepass and depth texture in one framebuffer, then the
+/// picture in another, which samples the full-screen depth texture. Three 8-bit channels encode depth, and 16 bits of
+/// hardware depth are what that interface promises.
+graph::Graph paperFrame(graph::Extent extent);
+
 /// "none", "early" or "conservative"
 const char* depthTimingName(DepthTiming timing);
 

@@ -9,6 +9,7 @@ namespace nacre::app {
 
 void renderCommand(const RenderOptions& options);
 void benchCommand(const BenchOptions& options, std::ostream& out);
+void planCommand(const PlanOptions& options, std::ostream& out);
 void infoCommand(const InfoOptions& options, std::ostream& out);
 void devicesCommand(bool json, std::ostream& out);
 void versionCommand(std::ostream& out);

@@ -36,6 +36,9 @@ void run(const CommandLine& line, std::ostream& out) {
         case Command::bench:
             benchCommand(line.bench, out);
             break;
+        case Command::plan:
+            planCommand(line.plan, out);
+            break;
         case Command::info:
             infoCommand(line.info, out);
             break;

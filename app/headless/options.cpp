@@ -7,6 +7,7 @@
 
 #include "app/headless/image_file.h"
 #include "engine/error.h"
+#include "engine/graph/capability_sets.h"
 
 namespace nacre::app {
 namespace {
@@ -42,6 +43,13 @@ void showHide(CLI::App& app, const std::string& name, bool& target, const std::s
 
 constexpr std::size_t kMostRules = 1000;
 
+std::string capabilitySetNames() {
+    std::string names;
+    for (const graph::CapabilitySet& set : graph::capabilitySets())
+        names += (names.empty() ? "" : ", ") + set.plan.name;
+    return names;
+}
+
 std::string path(const std::string& text) {
     if (text.empty()) throw std::invalid_argument("expected a file name");
     return text;
@@ -61,6 +69,11 @@ void addInput(CLI::App& app, InputOptions& input) {
     value(app, "--model", "N", "1", "Model, frame or record, counted from 1", [&](const std::string& text) {
         input.model = static_cast<int>(parseInteger(text, 1, std::numeric_limits<int>::max()));
     });
+}
+
+void addSize(CLI::App& app, const std::string& fallback, Size& size) {
+    value(app, "--size", "WxH", fallback, "Pixels, each side 1 to 16384",
+          [&](const std::string& text) { size = parseSize(text); });
 }
 
 void addDeviceName(CLI::App& app, DeviceOptions& device) {
@@ -108,8 +121,7 @@ void addContent(CLI::App& app, InputOptions& input, DrawnAtomsOptions& drawn, Re
 
 void addBench(CLI::App& app, BenchOptions& options) {
     addContent(app, options.input, options.drawn, options.look);
-    value(app, "--size", "WxH", "640x960", "Pixels, each side 1 to 16384",
-          [&](const std::string& text) { options.size = parseSize(text); });
+    addSize(app, "640x960", options.size);
     value(app, "--frames", "N", "20", "Timed frames a path, 1 to 10000",
           [&](const std::string& text) { options.frames = static_cast<int>(parseInteger(text, 1, 10000)); });
     value(app, "--occlusion", "K|off", "128", "Ambient occlusion from K directions, 1 to 4096",
@@ -119,8 +131,7 @@ void addBench(CLI::App& app, BenchOptions& options) {
 }
 
 void addView(CLI::App& app, RenderOptions& options) {
-    value(app, "--size", "WxH", "1024x1024", "Pixels, each side 1 to 16384",
-          [&](const std::string& text) { options.size = parseSize(text); });
+    addSize(app, "1024x1024", options.size);
     value(app, "--rotate", "X,Y,Z", "0,0,0", "Degrees, right-handed, about the view axes, X first",
           [&](const std::string& text) { options.camera.rotationDegrees = parseRotation(text); });
     value(app, "--zoom", "F", "1", "Scales the picture, 0.0001 to 10000",
@@ -164,27 +175,49 @@ void addFiles(CLI::App& app, RenderOptions& options) {
           [&](const std::string& text) { options.stats = path(text); });
 }
 
-void addDevice(CLI::App& app, RenderOptions& options) {
-    addDeviceName(app, options.device);
-    value(app, "--visibility", "PATH", "auto", "auto, encoded, fragdepth, deferred or raster-order",
-          [&](const std::string& text) {
-              constexpr Visibility kPaths[] = {Visibility::automatic, Visibility::encoded, Visibility::fragdepth,
-                                               Visibility::deferred, Visibility::rasterOrder};
-              options.device.visibility =
-                  kPaths[parseChoice(text, {"auto", "encoded", "fragdepth", "deferred", "raster-order"})];
-          });
+void addVisibility(CLI::App& app, DeviceOptions& device) {
+    value(app, "--visibility", "PATH", "auto", "auto, encoded, fragdepth or deferred", [&](const std::string& text) {
+        constexpr Visibility kPaths[] = {Visibility::automatic, Visibility::encoded, Visibility::fragdepth,
+                                         Visibility::deferred};
+        device.visibility = kPaths[parseChoice(text, {"auto", "encoded", "fragdepth", "deferred"})];
+    });
     value(app, "--encoded-format", "FORMAT", "auto",
           "Of encoded depth: auto, r32f, rgba16f, rg16f, a2b10g10r10 or rgba8", [&](const std::string& text) {
               constexpr EncodedDepth kRungs[] = {EncodedDepth::automatic,   EncodedDepth::r32f,
                                                  EncodedDepth::rgba16f,     EncodedDepth::rg16f,
                                                  EncodedDepth::a2b10g10r10, EncodedDepth::rgba8};
-              options.device.encoded =
-                  kRungs[parseChoice(text, {"auto", "r32f", "rgba16f", "rg16f", "a2b10g10r10", "rgba8"})];
+              device.encoded = kRungs[parseChoice(text, {"auto", "r32f", "rgba16f", "rg16f", "a2b10g10r10", "rgba8"})];
           });
+}
+
+void addDevice(CLI::App& app, RenderOptions& options) {
+    addDeviceName(app, options.device);
+    addVisibility(app, options.device);
     onOff(app, "--prepass", options.prepass, "Opaque plates that reject hidden work; never changes the picture");
     onOff(app, "--merge", options.merge, "Passes as subpasses of one render pass; never changes the picture");
     app.add_flag("--validate", options.device.validate,
                  "Run under the Vulkan validation layer; any message is an error");
+}
+
+void addPlan(CLI::App& app, PlanOptions& options) {
+    value(app, "--caps", "NAME", "none", "A capability set instead of a device: " + capabilitySetNames(),
+          [&](const std::string& text) {
+              try {
+                  options.caps = graph::capabilitySet(text).plan.name;
+              } catch (const Error& error) {
+                  throw std::invalid_argument(error.what());
+              }
+          });
+    addDeviceName(app, options.device);
+    addVisibility(app, options.device);
+    addSize(app, "1024x1024", options.size);
+    onOff(app, "--merge", options.merge, "Passes as subpasses of one render pass");
+    CLI::Option* json = app.add_flag_callback(
+        "--json", [&] { options.format = PlanFormat::json; }, "As one JSON object");
+    app.add_flag_callback(
+           "--dot", [&] { options.format = PlanFormat::dot; }, "As a Graphviz graph")
+        ->excludes(json);
+    app.get_option("--caps")->excludes(app.get_option("--device"));
 }
 
 bool sameFile(const std::string& a, const std::string& b) {
@@ -265,6 +298,15 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     bench.footer("Examples:\n  nacre bench 1bna.pdb\n  nacre bench 1aon.pdb.gz --frames 50 --json");
     addBench(bench, line.bench);
 
+    CLI::App& plan =
+        *app.add_subcommand("plan", "Show what a frame becomes on a GPU: render passes and memory traffic");
+    plan.footer(
+        "Examples:\n"
+        "  nacre plan --caps mali --size 1170x2532\n"
+        "  nacre plan --caps adreno --merge off --json\n"
+        "  nacre plan --device 0 --visibility deferred --dot | dot -Tsvg -o plan.svg");
+    addPlan(plan, line.plan);
+
     CLI::App& devices = *app.add_subcommand("devices", "List the Vulkan devices");
     devices.footer("Examples:\n  nacre devices\n  nacre devices --json");
     devices.add_flag("--json", line.json, "As a JSON array");
@@ -288,10 +330,12 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
         line.command = Command::info;
     } else if (bench.parsed()) {
         line.command = Command::bench;
+    } else if (plan.parsed()) {
+        line.command = Command::plan;
     } else if (devices.parsed()) {
         line.command = Command::devices;
     } else {
-        throw UsageError("a command is needed: render, info, bench or devices");
+        throw UsageError("a command is needed: render, info, bench, plan or devices");
     }
     return line;
 }

@@ -53,7 +53,17 @@ struct BenchOptions {
     bool json = false;
 };
 
-enum class Command { help, version, render, info, devices, bench };
+enum class PlanFormat { text, json, dot };
+
+struct PlanOptions {
+    std::string caps;  ///< name of a capability set; empty: the real device
+    DeviceOptions device;
+    Size size;
+    bool merge = true;
+    PlanFormat format = PlanFormat::text;
+};
+
+enum class Command { help, version, render, info, devices, bench, plan };
 
 struct CommandLine {
     Command command = Command::help;
@@ -61,6 +71,7 @@ struct CommandLine {
     RenderOptions render;
     InfoOptions info;
     BenchOptions bench;
+    PlanOptions plan;
     bool json = false;  ///< devices
 };
 

@@ -1,9 +1,11 @@
 #include "engine/gpu/caps.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
 #include "engine/error.h"
+#include "engine/graph/capability_sets.h"
 
 namespace nacre::gpu {
 namespace {
@@ -58,6 +60,17 @@ bool set(const char* variable) {
     return value && *value && std::string_view(value) != "0";
 }
 
+/// Switches for drivers in doubt and for captures; the picture stays the same.
+///   NACRE_NO_MERGE=1      every pass is a render pass of its own: no subpasses, no input attachments
+///   NACRE_NO_TRANSIENT=1  every attachment has memory and is stored, so that a capture shows it
+void applyEnvironment(graph::PlanCaps& plan) {
+    if (set("NACRE_NO_MERGE")) plan.merge = false;
+    if (set("NACRE_NO_TRANSIENT")) {
+        plan.transient = false;
+        plan.storeAll = true;
+    }
+}
+
 }  // namespace
 
 const char* visibilityName(Visibility visibility) {
@@ -70,8 +83,6 @@ const char* visibilityName(Visibility visibility) {
             return "fragdepth";
         case Visibility::deferred:
             return "deferred";
-        case Visibility::rasterOrder:
-            return "raster-order";
     }
     return "";
 }
@@ -105,13 +116,14 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     const bool software = properties.deviceType == vk::PhysicalDeviceType::eCpu;
     const bool molten = hasExtension(device, "VK_KHR_portability_subset");
     const bool lazy = hasLazyMemory(device);
+    caps.plan = graph::capabilitySetOf(properties.vendorID, molten).plan;
     caps.plan.name = caps.deviceName;
     caps.plan.rasterOrder = readsInRasterOrder(device);
     caps.plan.transient = lazy;
     caps.plan.storeNone = hasExtension(device, VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME);
-    // MoltenVK ends its Metal encoder at every subpass (its documentation, "Known limitations").
-    caps.plan.tileSubpasses = !molten;
-    if (set("NACRE_NO_MERGE")) caps.plan.merge = false;
+    caps.plan.maxColorAttachments = std::min(properties.limits.maxColorAttachments, 8u);
+    caps.plan.maxInputAttachments = std::min(properties.limits.maxPerStageDescriptorInputAttachments, 8u);
+    applyEnvironment(caps.plan);
     caps.encoded = encodedFormatOf(device, options.encoded);
     caps.software = software;
 

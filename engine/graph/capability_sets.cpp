@@ -5,44 +5,114 @@
 namespace nacre::graph {
 namespace {
 
-PlanCaps named(const char* name) {
+constexpr const char* kBlendTable =
+    "Vulkan specification, 'Required Format Support': COLOR_ATTACHMENT_BLEND is mandatory for R16G16B16A16_SFLOAT and "
+    "not for R32_SFLOAT";
+constexpr const char* kMesaTiles =
+    "Mesa, src/panfrost/lib/pan_props.c: tile buffer of 8 KiB up to T880 and G71, 16 KiB from G72 on; a tile has 16x16 "
+    "pixels, and half the buffer is left to the next tile";
+
+constexpr Fact kMali[] = {
+    {"256 bits a pixel on the tile, hardware depth beside them", kMesaTiles},
+    {"subpasses that read each other's pixel alone run on one tile",
+     "Arm, 'Vulkan best practice for mobile developers', render subpasses tutorial"},
+    {"R32F does not blend; encoded depth takes RGBA16F", kBlendTable},
+    {"a tested depth buffer need not be stored again", "VK_EXT_load_store_op_none, vulkan.gpuinfo.org, Arm drivers"},
+};
+constexpr Fact kMaliOld[] = {
+    {"128 bits a pixel on the tile, hardware depth beside them", kMesaTiles},
+    {"the same limit in the vendor's words: 128 bits of colour a pixel, D32F not counted",
+     "Arm, 'Vulkan best practice for mobile developers', render subpasses tutorial"},
+    {"R32F does not blend; encoded depth takes RGBA16F", kBlendTable},
+};
+constexpr Fact kAdreno[] = {
+    {"input attachments stay in GMEM between subpasses; bins shrink as pixels grow, and 16 B a pixel is our own budget",
+     "Samsung and Qualcomm, 'Introduction to Vulkan Render Passes', developer.samsung.com/game/qualcomm"},
+    {"Adreno 5xx does not blend R32F; encoded depth takes RGBA16F", kBlendTable},
+    {"a tested depth buffer need not be stored again",
+     "VK_QCOM_render_pass_store_ops, later VK_EXT_load_store_op_none"},
+};
+constexpr Fact kAdrenoNoSubpass[] = {
+    {"some drivers fail to compile shaders with input attachments, or crash in them",
+     "github.com/microsoft/DirectXShaderCompiler issue 2842; github.com/SaschaWillems/Vulkan pull request 697"},
+};
+constexpr Fact kPowerVr[] = {
+    {"input attachments stay on the tile; 16 B a pixel is our own budget",
+     "Imagination, 'PowerVR Performance Recommendations', Vulkan: subpasses map to pixel local storage"},
+    {"R32F need not blend; encoded depth takes RGBA16F", kBlendTable},
+};
+constexpr Fact kApple[] = {
+    {"every subpass is a Metal render pass of its own, so nothing survives on the tile from one to the next",
+     "github.com/KhronosGroup/MoltenVK issue 2454"},
+    {"memoryless attachments work within one Metal encoder alone", "github.com/KhronosGroup/MoltenVK issue 490"},
+    {"an input attachment becomes a plain texture read", "github.com/KhronosGroup/MoltenVK issue 2281"},
+    {"256 bits a pixel on the tile (512 from Apple4 on)", "Apple, 'Metal Feature Set Tables'"},
+};
+constexpr Fact kDesktop[] = {
+    {"no lazily allocated memory, no tile: transient attachments save nothing",
+     "VkPhysicalDeviceMemoryProperties of immediate-mode GPUs, vulkan.gpuinfo.org"},
+};
+
+PlanCaps plan(const char* name, std::uint32_t tileBytes, bool storeNone) {
     PlanCaps caps;
     caps.name = name;
+    caps.tileBytesPerPixel = tileBytes;
+    caps.storeNone = storeNone;
     return caps;
 }
 
-std::vector<PlanCaps> makeSets() {
-    std::vector<PlanCaps> sets;
-    PlanCaps mali = named("mali");
-    mali.storeNone = true;  // VK_EXT_load_store_op_none is offered by Arm's drivers since r38
-    sets.push_back(mali);
-    PlanCaps adreno = named("adreno");
-    adreno.storeNone = true;
-    sets.push_back(adreno);
-    sets.push_back(named("powervr"));
-    PlanCaps apple = named("apple-moltenvk");
-    apple.tileSubpasses = false;  // MoltenVK ends its Metal encoder at every subpass
-    sets.push_back(apple);
-    PlanCaps desktop = named("desktop");
-    desktop.transient = false;  // no lazily allocated memory on immediate-mode GPUs
-    sets.push_back(desktop);
-    return sets;
+std::vector<CapabilitySet> makeSets() {
+    constexpr const char* kTiler = "tile-based GPU: depth stays fixed-function, encoded depth on the tile";
+    constexpr auto kEncoded = Visibility::encoded;
+    constexpr auto kFragdepth = Visibility::fragdepth;
+    constexpr auto kHalf = EncodedDepth::rgba16f;
+    constexpr auto kFloat = EncodedDepth::r32f;
+    PlanCaps noSubpass = plan("adreno-no-subpass", 16, true);
+    noSubpass.tileSubpasses = false;
+    PlanCaps apple = plan("apple-moltenvk", 32, false);
+    apple.tileSubpasses = false;
+    PlanCaps desktop = plan("desktop", 16, false);
+    desktop.transient = false;
+    return {
+        {plan("mali", 32, true), kEncoded, kTiler, kHalf, kMali},
+        {plan("mali-old", 16, false), kEncoded, kTiler, kHalf, kMaliOld},
+        {plan("adreno", 16, true), kEncoded, kTiler, kHalf, kAdreno},
+        {noSubpass, kFragdepth, "no input attachments: one subpass, and no encoded depth in memory", kHalf,
+         kAdrenoNoSubpass},
+        {plan("powervr", 16, false), kEncoded, kTiler, kHalf, kPowerVr},
+        {apple, kFragdepth, "MoltenVK leaves the tile between subpasses", kFloat, kApple},
+        {desktop, kFragdepth, "immediate-mode GPU: no tile memory to keep encoded depth in", kFloat, kDesktop},
+    };
 }
 
 }  // namespace
 
-std::span<const PlanCaps> capabilitySets() {
-    static const std::vector<PlanCaps> sets = makeSets();
+std::span<const CapabilitySet> capabilitySets() {
+    static const std::vector<CapabilitySet> sets = makeSets();
     return sets;
 }
 
-const PlanCaps& capabilitySet(std::string_view name) {
+const CapabilitySet& capabilitySet(std::string_view name) {
     std::string names;
-    for (const PlanCaps& caps : capabilitySets()) {
-        if (caps.name == name) return caps;
-        names += (names.empty() ? "" : ", ") + caps.name;
+    for (const CapabilitySet& set : capabilitySets()) {
+        if (set.plan.name == name) return set;
+        names += (names.empty() ? "" : ", ") + set.plan.name;
     }
     throw Error("unknown capability set", std::string(name), "known are " + names);
+}
+
+const CapabilitySet& capabilitySetOf(std::uint32_t vendor, bool portable) {
+    if (portable) return capabilitySet("apple-moltenvk");
+    switch (vendor) {
+        case 0x13B5:
+            return capabilitySet("mali-old");  // Arm; the generation is not told
+        case 0x5143:
+            return capabilitySet("adreno");  // Qualcomm
+        case 0x1010:
+            return capabilitySet("powervr");  // Imagination
+        default:
+            return capabilitySet("desktop");
+    }
 }
 
 }  // namespace nacre::graph

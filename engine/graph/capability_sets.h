@@ -1,15 +1,35 @@
 #pragma once
+// What is known of well-known GPUs, as data, so that a frame can be judged without owning one. Every vendor quirk that
+// a plan honours stands in capability_sets.cpp, with its source; gpu/caps.cpp starts from these sets for real devices.
 
 #include <span>
 #include <string_view>
 
+#include "engine/device_options.h"
 #include "engine/graph/plan.h"
 
 namespace nacre::graph {
 
-/// What the planner knows of well-known GPUs, so that a frame can be judged without owning one.
-std::span<const PlanCaps> capabilitySets();
+struct Fact {
+    const char* what;
+    const char* source;
+};
+
+struct CapabilitySet {
+    PlanCaps plan;
+    Visibility visibility{};  ///< what `auto` takes
+    const char* why = "";     ///< of `visibility`
+    EncodedDepth encoded{};   ///< what `auto` takes
+    std::span<const Fact> facts;
+};
+
+std::span<const CapabilitySet> capabilitySets();
 /// @throws Error that lists the names
-const PlanCaps& capabilitySet(std::string_view name);
+const CapabilitySet& capabilitySet(std::string_view name);
+
+/// The set that a real device is nearest to.
+/// @param vendor     VkPhysicalDeviceProperties::vendorID
+/// @param portable   whether Vulkan is layered on another interface (VK_KHR_portability_subset)
+const CapabilitySet& capabilitySetOf(std::uint32_t vendor, bool portable);
 
 }  // namespace nacre::graph

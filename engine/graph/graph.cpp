@@ -12,8 +12,6 @@ const char* verbName(Verb verb) {
             return "depth test";
         case Verb::color:
             return "write";
-        case Verb::ordered:
-            return "ordered read and write";
         case Verb::input:
             return "input";
         case Verb::samples:

@@ -12,28 +12,20 @@ std::string naming(const Graph& graph, const PassDecl& pass, const Use& use) {
 std::vector<bool> cullPasses(const Graph& graph) {
     const auto& passes = graph.passes();
     std::vector<bool> imageWanted(graph.images().size());
-    std::vector<bool> bufferWanted(graph.buffers().size(), true);  // they live on outside
     for (std::size_t i = 0; i < imageWanted.size(); ++i)
         imageWanted[i] = graph.images()[i].output || graph.images()[i].imported.has_value();
 
     std::vector<bool> culled(passes.size(), true);
     for (std::size_t p = passes.size(); p-- > 0;) {
         const PassDecl& pass = passes[p];
-        auto wanted = [&](const Use& use) {
-            return use.isImage ? imageWanted[use.resource] : bufferWanted[use.resource];
-        };
         bool live = pass.sideEffect;
-        for (const Use& use : pass.uses) live = live || (isWrite(use.verb) && wanted(use));
+        for (const Use& use : pass.uses)  // buffers live on outside
+            live = live || (isWrite(use.verb) && (!use.isImage || imageWanted[use.resource]));
         if (!live) continue;
         culled[p] = false;
-        for (const Use& use : pass.uses) {
-            // What a clear overwrites is not wanted from earlier passes; everything else that is used is.
-            const bool wantedBefore = !use.clear;
-            if (use.isImage)
-                imageWanted[use.resource] = wantedBefore;
-            else
-                bufferWanted[use.resource] = wantedBefore;
-        }
+        // What a clear overwrites is not wanted from earlier passes; everything else that is used is.
+        for (const Use& use : pass.uses)
+            if (use.isImage) imageWanted[use.resource] = !use.clear;
     }
     return culled;
 }

@@ -51,7 +51,7 @@ private:
 
     bool joins(const PassDecl& pass) {
         if (!caps_.merge || plan_.steps.empty() || plan_.steps.back().kind != PassKind::graphics) return false;
-        bool shares = false;
+        bool shares = false, inputOnTile = false, inputInMemory = false;
         std::uint32_t bytes = current().tileBytesPerPixel;
         for (const Use& use : pass.uses) {
             if (crossesPixels(use)) return false;
@@ -63,15 +63,18 @@ private:
             if (at >= 0) {
                 shares = true;
                 if (use.clear) return false;  // an attachment is cleared only on entry
-                if (use.verb == Verb::input && !caps_.tileSubpasses) return false;
+                inputOnTile = inputOnTile || use.verb == Verb::input;
+            } else if (use.verb == Verb::input) {
+                inputInMemory = true;
             } else if (isDepthFormat(desc.format)) {
                 if (hasDepth()) return false;  // another depth image
             } else {
-                if (use.verb == Verb::input) return false;  // comes from memory: read it as a texture
                 bytes += bytesPerTexel(desc.format);
             }
         }
-        return shares && bytes <= caps_.tileBytesPerPixel;
+        // A pass reads all its inputs in one way.
+        if (!shares || bytes > caps_.tileBytesPerPixel || (inputOnTile && inputInMemory)) return false;
+        return caps_.tileSubpasses || sharesSubpass(pass);
     }
 
     bool hasDepth() {
@@ -80,20 +83,23 @@ private:
     }
 
     /// Whether a use conflicts with an earlier pass of the current render pass in a way that only the end of the
-    /// render pass orders: textures and buffers are visible to every pixel.
+    /// render pass orders: textures and buffers are visible to every pixel, and an attachment has another layout than a
+    /// texture.
     bool crossesPixels(const Use& use) {
+        const bool onTile = isAttachment(use.verb) && (use.verb != Verb::input || find(use.resource) >= 0);
         for (const Subpass& subpass : current().subpasses)
             for (const std::uint32_t earlier : subpass.passes)
                 for (const Use& other : graph_.passes()[earlier].uses) {
                     if (other.isImage != use.isImage || other.resource != use.resource) continue;
-                    const bool bothOnTile =
-                        isAttachment(use.verb) && isAttachment(effectiveVerb(plan_, earlier, other));
-                    if (!bothOnTile && (isWrite(use.verb) || isWrite(other.verb))) return true;
+                    const bool otherOnTile = isAttachment(effectiveVerb(plan_, earlier, other));
+                    if (onTile != otherOnTile) return true;
+                    if (!onTile && (isWrite(use.verb) || isWrite(other.verb))) return true;
                 }
         return false;
     }
 
-    /// Whether a pass can share the last subpass: no input read, and every attachment in common used the same way.
+    /// Whether a pass can share the last subpass: no input read on the tile, and every attachment in common used the
+    /// same way. Where a new subpass would leave the tile, a depth image may be written by one and tested by another.
     bool sharesSubpass(const PassDecl& pass) {
         if (current().subpasses.empty()) return false;
         const Subpass& last = current().subpasses.back();
@@ -110,13 +116,13 @@ private:
         std::size_t colorCount = last.colors.size();
         for (const Use& use : pass.uses) {
             if (!use.isImage || !isAttachment(use.verb)) continue;
-            // Raster order is a property of the whole subpass: such a pass keeps one to itself.
-            if (use.verb == Verb::input || use.verb == Verb::ordered || last.ordered) return false;
             const std::int32_t at = find(use.resource);
+            if (use.verb == Verb::input && at < 0) continue;  // a texture
+            if (use.verb == Verb::input) return false;
             const auto index = static_cast<std::uint32_t>(at);
             if (at >= 0 && contains(last.inputs, index)) return false;
             if (use.verb == Verb::color && !(at >= 0 && contains(last.colors, index))) ++colorCount;
-            if (at < 0 || last.depth != at) continue;
+            if (at < 0 || last.depth != at || !caps_.tileSubpasses) continue;
             if (use.verb == Verb::depth && !last.depthWrite) return false;
             if (use.verb == Verb::depthTest && last.depthWrite && !sameColors) return false;
         }
@@ -141,7 +147,12 @@ private:
     void place(std::uint32_t p) {
         const PassDecl& pass = graph_.passes()[p];
         for (const Use& use : pass.uses)
-            if (use.verb == Verb::input && find(use.resource) < 0) plan_.inputIsSampled[p] = true;
+            if (use.verb == Verb::input && find(use.resource) < 0) {
+                if (graph_.images()[use.resource].desc.samples > 1)
+                    throw GraphError(naming(graph_, pass, use) +
+                                     ": input of several samples a pixel, read outside the render pass that writes it");
+                plan_.inputIsSampled[p] = true;
+            }
         if (!sharesSubpass(pass)) current().subpasses.emplace_back();
         // attach() may grow the attachments, never the subpasses.
         Subpass& subpass = current().subpasses.back();

@@ -33,8 +33,6 @@ VkImageUsageFlags usageFlag(Verb verb) {
             return VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
         case Verb::color:
             return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-        case Verb::ordered:
-            return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT;
         case Verb::input:
             return VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT;
         case Verb::samples:
@@ -79,8 +77,8 @@ public:
             }
             defined = defined || uses[s].written;
         }
-        planned.transient =
-            steps == 1 && onlyAttachment && !loaded && !decl.output && !decl.imported && caps_.transient;
+        planned.transient = steps == 1 && onlyAttachment && !loaded && !decl.output && !decl.imported &&
+                            caps_.transient && !caps_.storeAll;
         for (Step& step : plan_.steps)
             for (Attachment& a : step.renderPass.attachments)
                 if (a.image == image) a.transient = planned.transient;
@@ -103,7 +101,7 @@ public:
                 if (a.load == Load::load) plan_.traffic[a.image].loaded += bytes;
                 if (a.store == Store::store) plan_.traffic[a.image].stored += bytes;
             }
-        // An image made by this graph and read as a texture by a later graphics pass comes back once.
+        // An image made by this graph and read as a texture by a later pass comes back once.
         for (std::uint32_t p = 0; p < graph_.passes().size(); ++p)
             for (const Use& use : graph_.passes()[p].uses) {
                 if (plan_.culled[p] || !use.isImage || effectiveVerb(plan_, p, use) != Verb::samples) continue;
@@ -118,13 +116,10 @@ public:
 
 private:
     Store storeOf(const ImageDecl& decl, const std::vector<ImageUse>& uses, std::size_t s) const {
-        bool wanted = decl.output || decl.imported.has_value();
-        for (std::size_t later = s + 1; later < uses.size(); ++later)
-            if (uses[later].used) {
-                wanted = !uses[later].clearedFirst || (wanted && !uses[later].written);
-                break;
-            }
-        if (!wanted) return Store::dontCare;
+        std::size_t next = s + 1;
+        while (next < uses.size() && !uses[next].used) ++next;
+        const bool wanted = next < uses.size() ? !uses[next].clearedFirst : decl.output || decl.imported.has_value();
+        if (!wanted && !caps_.storeAll) return Store::dontCare;
         return !uses[s].written && caps_.storeNone ? Store::none : Store::store;
     }
 

@@ -25,9 +25,12 @@ Track trackOf(const State& state) {
     if (state.access & kWriteAccess) {
         track.writeStages = state.stages;
         track.writeAccess = state.access & kWriteAccess;
-    } else {
-        track.readStages = track.visibleStages = state.stages;
+    } else if (state.access) {
+        // Whoever put it into this state made it visible to these stages alone; others wait for them.
+        track.writeStages = track.visibleStages = state.stages;
         track.visibleAccess = state.access;
+    } else {
+        track.readStages = state.stages;
     }
     return track;
 }
@@ -38,6 +41,7 @@ struct StepUse {
     std::uint32_t resource = 0;
     State entry, whole;  // whole.layout: the layout it is left in
     Attachment* attachment = nullptr;
+    std::uint32_t firstSubpass = 0;  // of an attachment
 };
 
 class Synchronizer {
@@ -105,16 +109,15 @@ private:
         StepUse use;
         use.resource = pass.attachments[a].image;
         use.attachment = &pass.attachments[a];
-        bool first = true;
-        for (const Subpass& subpass : pass.subpasses) {
+        use.whole.stages = 0;
+        for (std::uint32_t s = 0; s < pass.subpasses.size(); ++s) {
             Verb verb{};
-            if (!attachmentVerb(subpass, a, verb)) continue;
+            if (!attachmentVerb(pass.subpasses[s], a, verb)) continue;
             const State state = stateOf(verb, PassKind::graphics);
-            if (first) use.entry = state;
-            use.whole.stages = first ? state.stages : use.whole.stages | state.stages;
+            if (use.whole.stages == 0) use.entry = state, use.firstSubpass = s;
+            use.whole.stages |= state.stages;
             use.whole.access |= state.access;
             use.whole.layout = state.layout;
-            first = false;
         }
         // Load and store operations write too: clears on entry, don't-care and store on exit.
         const bool depth = isDepthFormat(use.attachment->format);
@@ -139,9 +142,9 @@ private:
             const State to{use.entry.stages, use.entry.access, wanted};
             if (use.attachment) {
                 use.attachment->initialLayout = discards ? VK_IMAGE_LAYOUT_UNDEFINED : wanted;
-                if (discards && emit) externalDependency(step.renderPass, from, to);
+                if (discards && emit) depend(step.renderPass, VK_SUBPASS_EXTERNAL, use.firstSubpass, from, to, false);
             }
-            const bool needed = needsBarrier(track, to, use.isImage);
+            const bool needed = needsBarrier(track, {to.stages, to.access | use.whole.access, to.layout}, use.isImage);
             if (emit && needed && !discards) step.before.push_back({use.isImage, use.resource, from, to});
             advance(track, use, needed || discards);
         }
@@ -195,10 +198,6 @@ private:
             if (!*it) pass.subpasses[static_cast<std::size_t>(it - used.begin())].preserve.push_back(a);
     }
 
-    static void externalDependency(RenderPassPlan& pass, const State& from, const State& to) {
-        depend(pass, VK_SUBPASS_EXTERNAL, 0, from, to, false);
-    }
-
     static void depend(RenderPassPlan& pass, std::uint32_t from, std::uint32_t to, const State& source,
                        const State& target, bool byRegion) {
         auto at = std::find_if(pass.dependencies.begin(), pass.dependencies.end(),
@@ -218,16 +217,22 @@ private:
         });
     }
 
+    /// Whether the next graph, which trusts the imported state, would miss something that this one did.
+    static bool leftOtherwise(const Track& track, const State& imported) {
+        if (track.writeAccess) return true;
+        return imported.access && ((track.writeStages | track.readStages) & ~imported.stages);
+    }
+
     void finish() {
         for (std::uint32_t i = 0; i < images_.size(); ++i) {
             const auto& imported = graph_.images()[i].imported;
             if (!imported || !plan_.images[i].used) continue;
-            if (needsBarrier(images_[i], *imported, true) || images_[i].writeAccess)
+            if (images_[i].layout != imported->layout || leftOtherwise(images_[i], *imported))
                 plan_.after.push_back({true, i, images_[i].before(), *imported});
         }
         for (std::uint32_t i = 0; i < buffers_.size(); ++i) {
             const BufferDecl& decl = graph_.buffers()[i];
-            if (buffers_[i].writeAccess && !decl.output)
+            if (!decl.output && leftOtherwise(buffers_[i], decl.imported))
                 plan_.after.push_back({false, i, buffers_[i].before(), decl.imported});
             if (decl.output)
                 plan_.after.push_back(

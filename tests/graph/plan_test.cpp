@@ -37,7 +37,7 @@ Graph fragdepthFrame() {
 
 TEST(ScreenPlan, MaliEncodedIsOneRenderPassOfThreeSubpasses) {
     const Graph g = encodedFrame();
-    EXPECT_EQ(describe(g, compile(g, capabilitySet("mali"))),
+    EXPECT_EQ(describe(g, compile(g, capabilitySet("mali").plan)),
               "render pass 100x50\n"
               "  depth  D32F  clear  -  transient\n"
               "  encoded depth  RGBA16F  clear  -  transient\n"
@@ -53,7 +53,7 @@ TEST(ScreenPlan, MaliEncodedIsOneRenderPassOfThreeSubpasses) {
 }
 
 TEST(ScreenPlan, MaliUnmergedIsThreeRenderPassesAndSixteenBytesEachWay) {
-    PlanCaps caps = capabilitySet("mali");
+    PlanCaps caps = capabilitySet("mali").plan;
     caps.merge = false;
     const Graph g = encodedFrame();
     EXPECT_EQ(describe(g, compile(g, caps)),
@@ -76,7 +76,7 @@ TEST(ScreenPlan, MaliUnmergedIsThreeRenderPassesAndSixteenBytesEachWay) {
 
 TEST(ScreenPlan, AppleFragdepthIsOneSubpassWithoutInputAttachment) {
     const Graph g = fragdepthFrame();
-    EXPECT_EQ(describe(g, compile(g, capabilitySet("apple-moltenvk"))),
+    EXPECT_EQ(describe(g, compile(g, capabilitySet("apple-moltenvk").plan)),
               "render pass 100x50\n"
               "  depth  D32F  clear  -  transient\n"
               "  colour  RGBA8 sRGB  clear  store\n"
