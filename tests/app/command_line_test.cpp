@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values("", "frob", "--frob", "render", "render sample:dna", "render -o a.png", "render sample:dna -o",
                     "render sample:dna -o a.bmp", "render sample:dna -o a", "render sample:dna -o a.png extra",
                     "render sample:dna -o a.png --frob", "render sample:dna -o a.png --assembly 1",
-                    "render sample:dna -o a.png --show A=licorice", "render sample:dna -o a.png --encoded-format r32f",
+                    "render sample:dna -o a.png --show A=licorice", "render sample:dna -o a.png --encoded-format r16f",
                     "render sample:dna -o a.png --model all", "render sample:dna -o a.png --model 0",
                     "render sample:dna -o a.png --size 0x5", "render sample:dna -o a.png --size 16385x5",
                     "render sample:dna -o a.png --size nanxnan", "render sample:dna -o a.png --size 16384x16384",
@@ -72,7 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "render sample:dna -o a.png --format mmtf", "render sample:dna -o a.png --layers a.png",
                     "render sample:dna -o a.exr --layers ./a.exr", "render sample:dna -o a.png --stats a.png",
                     "render sample:dna -o a.png --stats ''", "render sample:dna -o a.png --device ''",
-                    "render sample:dna -o a.png --visibility deferred", "render sample:dna -o a.png --prepass 1",
+                    "render sample:dna -o a.png --visibility best", "render sample:dna -o a.png --prepass 1",
                     "render sample:dna -o a.png --merge no", "info", "info --frob sample:dna", "info sample:dna extra",
                     "devices extra", "--version info sample:dna"));
 
