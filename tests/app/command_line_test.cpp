@@ -171,6 +171,11 @@ TEST(CommandLine, RenderWritesWholeFilesAndTheStats) {
     for (const char* key : {"load", "bake", "first_picture", "frame"}) EXPECT_TRUE(stats["times"].contains(key)) << key;
     EXPECT_GT(stats["memory"]["resident_peak"], 1000000);
     EXPECT_NE(stats["device"]["name"], "");
+    ASSERT_FALSE(stats["passes"].empty());
+    for (const auto& pass : stats["passes"]) {
+        EXPECT_NE(pass["name"], "");
+        EXPECT_GT(pass["shaded_fragments"], 0) << pass;
+    }
 }
 
 TEST(CommandLine, TheSameCommandGivesTheSameBytes) {
