@@ -159,8 +159,8 @@ void Renderer::Impl::prepareOcclusion(const RenderSettings& settings) {
     scene = passes::makeSceneBuffers(device, representation);
     const Nearest maps = nearest == Nearest::encoded ? Nearest::encoded : Nearest::fragdepth;
     bake = std::make_unique<passes::OcclusionBake>(device, geometry, maps, scene, representation, layout, directions);
-    while (bake->step(executor)) {
-    }
+    while (bake->step(executor))
+        if (settings.onBakeProgress) settings.onBakeProgress(static_cast<double>(bake->directionsDone()) / directions);
     bake->finish(executor);
     executor.forget("occlusion");
     bakedDirections = directions;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,6 +25,8 @@ struct RenderSettings {
     ImpostorShape impostor = ImpostorShape::automatic;
     bool countFragments = false;  ///< fill FrameStats::passes (slower)
     bool merge = true;            ///< neighbouring passes share a render pass
+    /// Called between batches of the occlusion bake with the share that is done, above 0 and at most 1.
+    std::function<void(double)> onBakeProgress;
 };
 
 /// Row 0 on top.

@@ -8,6 +8,7 @@
 #include "app/headless/commands.h"
 #include "app/headless/image_file.h"
 #include "app/headless/input.h"
+#include "app/headless/progress.h"
 #include "app/headless/stats.h"
 #include "engine/error.h"
 
@@ -48,6 +49,13 @@ void drawLayers(Renderer& renderer, const RenderSettings& settings, OutputFile& 
     writeLayers(file, {layers.width, layers.height, layers.rgba, layers.z, layers.normal, layers.id, layers.occlusion});
 }
 
+/// Draws the view once more, by shaders that count, one sample a pixel.
+std::vector<PassCount> countFragments(Renderer& renderer, RenderSettings settings) {
+    settings.countFragments = true;
+    renderer.drawFrame(settings);
+    return renderer.stats().passes;
+}
+
 void checkValidation(const Renderer& renderer) {
     const std::vector<std::string>& messages = renderer.validationMessages();
     if (messages.empty()) return;
@@ -61,15 +69,19 @@ void renderCommand(const RenderOptions& options) {
     const Clock::time_point start = Clock::now();
     Outputs outputs(options);
     RunStats run;
+    Progress progress;
 
+    progress.begin("reading");
     const Molecule molecule = loadMolecule(options.input);
     run.atomsRead = molecule.atoms.size();
     run.bondsKnown = molecule.bonds.size();
     run.loadMs = millisecondsSince(start);
 
+    progress.begin("building the scene");
     const Clock::time_point sceneStart = Clock::now();
     Representation scene = sceneOf(molecule, options.input.path, options.drawn, options.look);
-    const RenderSettings settings = settingsOf(options, scene);
+    RenderSettings settings = settingsOf(options, scene);
+    settings.onBakeProgress = [&](double share) { progress.advance(share); };
     run.center = scene.center;
     run.atomsDrawn = scene.drawnAtoms;
     run.bondsDrawn = scene.drawnBonds;
@@ -81,11 +93,14 @@ void renderCommand(const RenderOptions& options) {
 
     Renderer renderer(options.device);
     renderer.setScene(std::move(scene));
+    progress.begin(options.occlusionDirections ? "ambient occlusion" : "drawing");
     const Picture picture = renderer.render(settings);
     run.firstPictureMs = millisecondsSince(start);
-    const FrameStats frame = renderer.stats();  // of this picture, before the layers add theirs
+    FrameStats frame = renderer.stats();  // of this picture, before the frames that follow add theirs
 
+    progress.begin("writing");
     if (outputs.layers) drawLayers(renderer, settings, *outputs.layers);
+    if (outputs.stats) frame.passes = countFragments(renderer, settings);
     checkValidation(renderer);
     writePicture(outputs.picture, {picture.width, picture.height, picture.rgba}, options.background[3] < 1.0f);
     if (!outputs.stats) return;

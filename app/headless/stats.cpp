@@ -39,6 +39,13 @@ Json legendJson(const std::vector<Legend>& legends) {
     return list;
 }
 
+Json passesOf(const FrameStats& frame) {
+    Json passes = Json::array();
+    for (const PassCount& pass : frame.passes)
+        passes.push_back({{"name", pass.name}, {"shaded_fragments", pass.shadedFragments}});
+    return passes;
+}
+
 }  // namespace
 
 std::string statsJson(const RunStats& run, const View& view, const FrameStats& frame) {
@@ -62,6 +69,7 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
                      {"frame", frame.frameMilliseconds},
                      {"total", run.totalMs}};
     json["covered_pixels"] = frame.coveredPixels;
+    json["passes"] = passesOf(frame);
     json["occlusion"] = {{"directions", frame.occlusionDirections}, {"patch_texels", frame.patchTexels}};
     json["tile_bytes_per_pixel"] = frame.tileBytesPerPixel;
     json["memory"] = {{"resident_peak", peakResidentBytes()},

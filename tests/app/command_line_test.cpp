@@ -44,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "render sample:dna -o a.png --hide", "render sample:dna -o a.png --color-by chain",
                     "render sample:dna -o a.png --color-by all=mauve-ish",
                     "render sample:dna -o a.png --color transparent",
-                    "render sample:dna -o a.png --encoded-format r32f", "render sample:dna -o a.png --model all",
+                    "render sample:dna -o a.png --encoded-format r16f", "render sample:dna -o a.png --model all",
                     "render sample:dna -o a.png --model 0", "render sample:dna -o a.png --size 0x5",
                     "render sample:dna -o a.png --size 16385x5", "render sample:dna -o a.png --size nanxnan",
                     "render sample:dna -o a.png --size 16384x16384",
@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "render sample:dna -o a.png --format mmtf", "render sample:dna -o a.png --layers a.png",
                     "render sample:dna -o a.exr --layers ./a.exr", "render sample:dna -o a.png --stats a.png",
                     "render sample:dna -o a.png --stats ''", "render sample:dna -o a.png --device ''",
-                    "render sample:dna -o a.png --visibility deferred", "render sample:dna -o a.png --prepass 1",
+                    "render sample:dna -o a.png --visibility best", "render sample:dna -o a.png --prepass 1",
                     "render sample:dna -o a.png --merge no", "info", "info --frob sample:dna", "info sample:dna extra",
                     "devices extra", "--version info sample:dna"));
 
@@ -167,6 +167,11 @@ TEST(CommandLine, RenderWritesWholeFilesAndTheStats) {
     for (const char* key : {"load", "bake", "first_picture", "frame"}) EXPECT_TRUE(stats["times"].contains(key)) << key;
     EXPECT_GT(stats["memory"]["resident_peak"], 1000000);
     EXPECT_NE(stats["device"]["name"], "");
+    ASSERT_FALSE(stats["passes"].empty());
+    for (const auto& pass : stats["passes"]) {
+        EXPECT_NE(pass["name"], "");
+        EXPECT_GT(pass["shaded_fragments"], 0) << pass;
+    }
 }
 
 TEST(CommandLine, TheSameCommandGivesTheSameBytes) {

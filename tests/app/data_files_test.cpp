@@ -1,0 +1,109 @@
+// The built program on every file of the data folder: good ones become pictures, damaged ones a picture or one clear
+// line, in bounded time and memory.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "engine/molecule/read.h"
+#include "tests/app/measured_run.h"
+#include "tests/support/test_data.h"
+
+namespace nacre {
+namespace {
+
+using test::MeasuredRun;
+using test::TemporaryFolder;
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kMeasured = false;  // the bounds are those of the release build
+#else
+constexpr bool kMeasured = true;
+#endif
+constexpr double kMostSeconds = 5;
+constexpr std::int64_t kMostBytes = 500'000'000;
+/// More atoms than the default memory of occlusion has patches for.
+constexpr std::int64_t kManyAtoms = 400'000;
+
+nlohmann::json expectedFiles() {
+    std::ifstream stream(test::dataFile("expected.json"));
+    return nlohmann::json::parse(stream).at("files");
+}
+
+/// Exit 0, a picture, and nothing said; or exit 1, no picture, and one line that names the file.
+void expectPictureOrOneLine(const MeasuredRun& run, const std::string& file, const TemporaryFolder& folder) {
+    EXPECT_EQ(run.signal, 0);
+    EXPECT_EQ(run.out, "");
+    if (run.code == 0) {
+        EXPECT_EQ(run.err, "");
+        EXPECT_EQ(folder.count(), 1u);
+        EXPECT_EQ(test::contentOf(folder / "a.png").substr(0, 4), "\x89PNG");
+        return;
+    }
+    EXPECT_EQ(run.code, 1) << run.err;
+    EXPECT_EQ(run.err.rfind("nacre: error: ", 0), 0u) << run.err;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    EXPECT_NE(run.err.find(std::filesystem::path(file).filename()), std::string::npos) << run.err;
+    EXPECT_EQ(folder.count(), 0u);
+}
+
+TEST(DataFiles, DamagedOnesEndInAPictureOrOneLineWithinBounds) {
+    NACRE_NEEDS_DATA();
+    int files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(*test::dataFolder() / "bad")) {
+        SCOPED_TRACE(entry.path());
+        const TemporaryFolder folder;
+        const MeasuredRun run =
+            test::runMeasured({"render", entry.path(), "-o", folder / "a.png", "--size", "128x128"});
+        expectPictureOrOneLine(run, entry.path(), folder);
+        if (kMeasured) {
+            EXPECT_LT(run.wall, kMostSeconds);
+            EXPECT_LT(run.peakBytes, kMostBytes);
+        }
+        ++files;
+    }
+    EXPECT_GT(files, 50);
+}
+
+/// Renders every `step`-th good file from the `first`-th, so that two tests share the work.
+void renderGoodFiles(int first, int step) {
+    int index = 0, drawn = 0;
+    const nlohmann::json files = expectedFiles();
+    for (const auto& [file, expected] : files.items()) {
+        if (file.rfind("bad/", 0) == 0 || index++ % step != first) continue;
+        SCOPED_TRACE(file);
+        const TemporaryFolder folder;
+        const bool many = expected["atoms"].is_number() && expected["atoms"] > kManyAtoms;
+        const MeasuredRun run = test::runMeasured({"render", test::dataFile(file), "-o", folder / "a.png", "--size",
+                                                   "96x96", "--occlusion", many ? "off" : "16"});
+        expectPictureOrOneLine(run, file, folder);
+        if (run.code == 0) {
+            ++drawn;
+            continue;
+        }
+        // Refused only for a format that `--format` does not know either.
+        const std::size_t at = run.err.find("format ");
+        const std::size_t end = run.err.find(" is not supported");
+        ASSERT_NE(end, std::string::npos) << run.err;
+        if (at < end) {
+            EXPECT_FALSE(formatFromName(run.err.substr(at + 7, end - at - 7))) << run.err;
+        }
+    }
+    EXPECT_GT(drawn, 20);
+}
+
+TEST(DataFiles, GoodOnesBecomePictures) {
+    NACRE_NEEDS_DATA();
+    renderGoodFiles(0, 2);
+}
+
+TEST(DataFiles, TheOtherGoodOnesBecomePictures) {
+    NACRE_NEEDS_DATA();
+    renderGoodFiles(1, 2);
+}
+
+}  // namespace
+}  // namespace nacre

@@ -1,0 +1,99 @@
+#pragma once
+// Runs the built program as a process of its own and says what it took.
+
+#include <fcntl.h>
+#include <pty.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/app/temporary_folder.h"
+
+namespace nacre::test {
+
+struct MeasuredRun {
+    int code = -1;    ///< exit code; -1 after a signal
+    int signal = 0;   ///< what ended it, if a signal did
+    double wall = 0;  ///< seconds
+    std::int64_t peakBytes = 0;
+    std::string out, err;
+};
+
+struct RunOptions {
+    std::vector<std::pair<std::string, std::string>> environment;
+    bool terminal = false;      ///< standard error is a terminal
+    unsigned mostSeconds = 60;  ///< then SIGALRM ends it
+};
+
+namespace detail {
+
+/// In the child: never returns.
+[[noreturn]] inline void runProgram(const std::vector<std::string>& arguments, const RunOptions& options, int out,
+                                    int err) {
+    const int none = open("/dev/null", O_RDONLY);
+    dup2(none, STDIN_FILENO);
+    dup2(out, STDOUT_FILENO);
+    dup2(err, STDERR_FILENO);
+    for (const auto& [name, text] : options.environment) setenv(name.c_str(), text.c_str(), 1);
+    std::string program = NACRE_PROGRAM;
+    std::vector<std::string> copies = arguments;
+    std::vector<char*> pointers{program.data()};
+    for (std::string& argument : copies) pointers.push_back(argument.data());
+    pointers.push_back(nullptr);
+    alarm(options.mostSeconds);  // outlives the exec
+    execv(program.c_str(), pointers.data());
+    _exit(127);
+}
+
+/// Everything that is written to a terminal until its last writer has gone.
+inline std::string readTerminal(int terminal) {
+    std::string text;
+    char buffer[4096];
+    for (ssize_t n; (n = read(terminal, buffer, sizeof buffer)) > 0;) text.append(buffer, static_cast<std::size_t>(n));
+    return text;
+}
+
+}  // namespace detail
+
+/// Runs `nacre ARGUMENTS`.
+inline MeasuredRun runMeasured(const std::vector<std::string>& arguments, const RunOptions& options = {}) {
+    const TemporaryFolder logs;
+    const int out = open((logs / "out").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+    int terminal = -1, err = -1;
+    if (options.terminal) {
+        if (openpty(&terminal, &err, nullptr, nullptr, nullptr) != 0) throw std::runtime_error("no pseudo-terminal");
+    } else {
+        err = open((logs / "err").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const pid_t child = fork();
+    if (child < 0) throw std::runtime_error("cannot fork");
+    if (child == 0) detail::runProgram(arguments, options, out, err);
+    close(out);
+    close(err);
+    MeasuredRun run;
+    if (options.terminal) {
+        run.err = detail::readTerminal(terminal);
+        close(terminal);
+    }
+    int status = 0;
+    rusage usage{};
+    wait4(child, &status, 0, &usage);
+    run.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    run.peakBytes = std::int64_t{usage.ru_maxrss} * 1024;
+    if (WIFEXITED(status)) run.code = WEXITSTATUS(status);
+    if (WIFSIGNALED(status)) run.signal = WTERMSIG(status);
+    run.out = contentOf(logs / "out");
+    if (!options.terminal) run.err = contentOf(logs / "err");
+    return run;
+}
+
+}  // namespace nacre::test

@@ -1,0 +1,83 @@
+// What a person at a terminal sees while a command works, and that nobody else sees it.
+
+#include "app/headless/progress.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/app/measured_run.h"
+
+namespace nacre {
+namespace {
+
+using namespace std::chrono_literals;
+using app::progressText;
+using test::MeasuredRun;
+using test::TemporaryFolder;
+
+TEST(ProgressText, HasABarWhereTheShareIsKnown) {
+    EXPECT_EQ(progressText("reading", std::nullopt, 3s), "nacre: reading, 3 s");
+    EXPECT_EQ(progressText("baking", 0.0, 3s), "nacre: baking [                        ]   0 %");
+    EXPECT_EQ(progressText("baking", 0.5, 3s), "nacre: baking [############            ]  50 %");
+    EXPECT_EQ(progressText("baking", 1.0, 3s), "nacre: baking [########################] 100 %");
+    EXPECT_EQ(progressText("baking", 7.0, 3s), progressText("baking", 1.0, 3s));
+}
+
+TEST(ProgressText, FitsANarrowTerminal) {
+    EXPECT_LE(progressText("ambient occlusion", 1.0, 3s).size(), 60u);
+    EXPECT_LE(progressText("building the scene", std::nullopt, 1000000s).size(), 60u);
+}
+
+/// Some seconds of work on a software driver.
+MeasuredRun longRun(const TemporaryFolder& folder, bool terminal) {
+    test::RunOptions options;
+    options.terminal = terminal;
+    return test::runMeasured({"render", "sample:dna", "-o", folder / "a.png", "--size", "32x32", "--occlusion", "1024"},
+                             options);
+}
+
+TEST(Progress, IsSeenOnATerminalOnceWorkTakesASecond) {
+    const TemporaryFolder folder;
+    const MeasuredRun run = longRun(folder, true);
+    ASSERT_EQ(run.code, 0) << run.err;
+    ASSERT_GT(run.wall, 1.5) << "the work no longer takes long enough to tell";
+    EXPECT_NE(run.err.find("nacre: ambient occlusion ["), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find(" %"), std::string::npos) << run.err;
+    const std::string cleared = "\r\x1b[K";
+    ASSERT_GE(run.err.size(), cleared.size());
+    EXPECT_EQ(run.err.substr(run.err.size() - cleared.size()), cleared) << "the line is not empty at the end";
+    EXPECT_EQ(run.out, "");
+}
+
+TEST(Progress, IsNotSeenElsewhere) {
+    const TemporaryFolder folder;
+    const MeasuredRun run = longRun(folder, false);
+    EXPECT_EQ(run.code, 0);
+    EXPECT_EQ(run.out + run.err, "");
+}
+
+TEST(Progress, AnErrorOnATerminalIsOneLineByItself) {
+    const TemporaryFolder folder;
+    test::RunOptions options;
+    options.terminal = true;
+    const MeasuredRun run = test::runMeasured({"render", "none.pdb", "-o", folder / "a.png"}, options);
+    EXPECT_EQ(run.code, 1);
+    EXPECT_EQ(run.err.rfind("nacre: error: ", 0), 0u) << run.err;
+}
+
+TEST(Threads, HowManyThereAreChangesNoByte) {
+    const TemporaryFolder folder;
+    for (const char* threads : {"1", "2"}) {
+        test::RunOptions options;
+        options.environment = {{"LP_NUM_THREADS", threads}};
+        const MeasuredRun run =
+            test::runMeasured({"render", "sample:dna", "-o", folder / (std::string(threads) + ".png"), "--layers",
+                               folder / (std::string(threads) + ".exr"), "--size", "160x120", "--occlusion", "32"},
+                              options);
+        ASSERT_EQ(run.code, 0) << run.err;
+    }
+    EXPECT_EQ(test::contentOf(folder / "1.png"), test::contentOf(folder / "2.png"));
+    EXPECT_EQ(test::contentOf(folder / "1.exr"), test::contentOf(folder / "2.exr"));
+}
+
+}  // namespace
+}  // namespace nacre
