@@ -101,9 +101,9 @@ struct Molecule {
     std::vector<std::string> entities;      ///< identifiers of the file's entities (mmCIF label_entity_id)
     bool statesSecondaryStructure = false;  ///< the file has helices or strands of residues that are there
     int model = 1;                          ///< 1-based model, frame or record that this is
-    std::vector<float> partialCharges;  ///< by atom, elementary charges; empty if the format has none
-    std::vector<float> radii;           ///< by atom, Å, as PQR states them; empty otherwise
-    std::vector<std::string> warnings;  ///< what was read leniently, one sentence each, bounded in number
+    std::vector<float> partialCharges;      ///< by atom, elementary charges; empty if the format has none
+    std::vector<float> radii;               ///< by atom, Å, as PQR states them; empty otherwise
+    std::vector<std::string> warnings;      ///< what was read leniently, one sentence each, bounded in number
     FileSummary file;
 };
 

@@ -21,9 +21,9 @@ struct RandomUse {
 struct RandomPass {
     graph::PassKind kind{};
     std::vector<RandomUse> uses;
-    std::uint32_t seed = 0;        ///< of what it writes
-    bool half = false;             ///< writes the left half of the pixels alone
-    float z = 0.5f;                ///< of everything that it draws
+    std::uint32_t seed = 0;  ///< of what it writes
+    bool half = false;       ///< writes the left half of the pixels alone
+    float z = 0.5f;          ///< of everything that it draws
 
     const RandomUse* find(graph::Verb verb, std::size_t skip = 0) const {
         for (const RandomUse& use : uses)
@@ -37,19 +37,19 @@ struct RandomGraph {
     std::vector<bool> imported;  ///< by images
     std::uint32_t buffers = 2;   ///< of kBufferWords words
     std::vector<RandomPass> passes;
-    std::vector<bool> outputs;   ///< by images
+    std::vector<bool> outputs;  ///< by images
 };
 
 constexpr std::uint32_t kBufferWords = 16 * 16 * 2;
 constexpr graph::State kImportedState{VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT,
                                       VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-constexpr graph::State kBufferState{VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
-                                    VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
+constexpr graph::State kBufferState{
+    VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
 
 class RandomGraphMaker {
 public:
     RandomGraphMaker(std::uint32_t seed, bool imports) : random_(seed) {
-        constexpr VkFormat kFormats[] = {VK_FORMAT_D32_SFLOAT, VK_FORMAT_R32_UINT, VK_FORMAT_R32_UINT,
+        constexpr VkFormat kFormats[] = {VK_FORMAT_D32_SFLOAT,  VK_FORMAT_R32_UINT,    VK_FORMAT_R32_UINT,
                                          VK_FORMAT_R32G32_UINT, VK_FORMAT_R32G32_UINT, VK_FORMAT_D32_SFLOAT,
                                          VK_FORMAT_R32_UINT};
         const std::uint32_t count = 3 + below(5);
@@ -74,9 +74,8 @@ private:
     std::uint32_t pick(const RandomPass& pass, const std::function<bool(std::uint32_t)>& fits) {
         std::vector<std::uint32_t> list;
         for (std::uint32_t i = 0; i < graph_.images.size(); ++i) {
-            const bool used = std::any_of(pass.uses.begin(), pass.uses.end(), [&](const RandomUse& use) {
-                return use.isImage && use.resource == i;
-            });
+            const bool used = std::any_of(pass.uses.begin(), pass.uses.end(),
+                                          [&](const RandomUse& use) { return use.isImage && use.resource == i; });
             if (!used && fits(i)) list.push_back(i);
         }
         return list.empty() ? static_cast<std::uint32_t>(graph_.images.size())
@@ -201,15 +200,33 @@ inline DeclaredGraph declare(const RandomGraph& random,
         for (const RandomUse& use : pass.uses) {
             const std::optional<graph::Clear> clear = use.clear ? std::optional<graph::Clear>(1.0f) : std::nullopt;
             switch (use.verb) {
-                case graph::Verb::depth: builder.depth(d.images[use.resource], clear); break;
-                case graph::Verb::depthTest: builder.depthTest(d.images[use.resource]); break;
-                case graph::Verb::color: builder.color(d.images[use.resource], clear); break;
-                case graph::Verb::input: builder.input(d.images[use.resource]); break;
-                case graph::Verb::samples: builder.samples(d.images[use.resource]); break;
-                case graph::Verb::reads: builder.reads(d.buffers[use.resource]); break;
-                case graph::Verb::writes: builder.writes(d.buffers[use.resource]); break;
-                case graph::Verb::vertices: builder.vertices(d.buffers[use.resource]); break;
-                case graph::Verb::copiesFrom: builder.copiesFrom(d.images[use.resource]); break;
+                case graph::Verb::depth:
+                    builder.depth(d.images[use.resource], clear);
+                    break;
+                case graph::Verb::depthTest:
+                    builder.depthTest(d.images[use.resource]);
+                    break;
+                case graph::Verb::color:
+                    builder.color(d.images[use.resource], clear);
+                    break;
+                case graph::Verb::input:
+                    builder.input(d.images[use.resource]);
+                    break;
+                case graph::Verb::samples:
+                    builder.samples(d.images[use.resource]);
+                    break;
+                case graph::Verb::reads:
+                    builder.reads(d.buffers[use.resource]);
+                    break;
+                case graph::Verb::writes:
+                    builder.writes(d.buffers[use.resource]);
+                    break;
+                case graph::Verb::vertices:
+                    builder.vertices(d.buffers[use.resource]);
+                    break;
+                case graph::Verb::copiesFrom:
+                    builder.copiesFrom(d.images[use.resource]);
+                    break;
                 case graph::Verb::copiesTo:
                     use.isImage ? builder.copiesTo(d.images[use.resource]) : builder.copiesTo(d.buffers[use.resource]);
                     break;
