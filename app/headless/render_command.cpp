@@ -49,10 +49,10 @@ void drawLayers(Renderer& renderer, const RenderSettings& settings, OutputFile& 
     writeLayers(file, {layers.width, layers.height, layers.rgba, layers.z, layers.normal, layers.id, layers.occlusion});
 }
 
-/// Draws the view once more, by shaders that count, one sample a pixel.
+/// Draws the picture once more, by shaders that count.
 std::vector<PassCount> countFragments(Renderer& renderer, RenderSettings settings) {
     settings.countFragments = true;
-    renderer.drawFrame(settings);
+    renderer.render(settings);
     return renderer.stats().passes;
 }
 
