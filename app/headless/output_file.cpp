@@ -34,6 +34,7 @@ extern "C" void removeUnfinished(int signal) {
 void remember(const std::string& temporary) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
         if (std::signal(signal, removeUnfinished) == SIG_IGN) std::signal(signal, SIG_IGN);  // as under nohup
+    std::signal(SIGXFSZ, SIG_IGN);  // over a limit on file sizes, writing fails like on a full disk
     for (auto& name : unfinished)
         if (name[0] == '\0' && temporary.size() < name.size()) {
             std::memcpy(name.data(), temporary.c_str(), temporary.size() + 1);
