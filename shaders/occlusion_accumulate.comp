@@ -41,17 +41,19 @@ void main() {
     for (uint i = 0u; i < bake.directionCount; ++i) {
         uint row = 3u * (bake.firstDirection + i);
         vec3 w = rows[row + 2u].xyz;
-        float cosine = dot(texel.normal, w);
+        float cosine = texel.whole ? 1.0 : dot(texel.normal, w);
         if (cosine <= 0.0) continue;
+        vec3 position = texel.whole ? texel.a + texel.radius * w : texel.position;
         vec3 u = rows[row].xyz, v = rows[row + 1u].xyz;
-        vec2 at = vec2(dot(u, texel.position), dot(v, texel.position));
+        vec2 at = vec2(dot(u, position), dot(v, position));
         vec2 place = clamp(floor(vec2(at.x, -at.y) * scale + 0.5 * pixels), vec2(0.0), vec2(pixels - 1.0));
         vec2 tile = vec2(mod(float(i), perRow), floor(float(i) / perRow)) * pixels;
         // What this very surface would have written at the pixel's centre, so that it never shadows itself; or the
         // texel's own depth, if that is nearer: beside a contact the surface at the centre may lie inside a neighbour
         // that does not hide the texel. A pixel's width of slack allows for the neighbour's slope.
         vec2 q = (place + 0.5 - 0.5 * pixels) / scale;
-        float front = max(ownZ(texel, u, v, w, vec2(q.x, -q.y), dot(w, texel.position)), dot(w, texel.position));
+        float Z = dot(w, position);
+        float front = max(ownZ(texel, u, v, w, vec2(q.x, -q.y), Z), Z);
         float d = (bake.depth.z - front - bake.map.w - bake.depth.x) * bake.depth.y;
         if (d <= decodeDepth(texelFetch(depthMaps, ivec2(tile + place), 0))) sum += cosine;
     }

@@ -14,7 +14,10 @@ layout(set = 0, binding = 3, std430) readonly buffer Sums { float sums[]; };
 
 /// Share of the open hemisphere's light that a texel got: 1 if every direction above it is open.
 float occlusion(uint index) {
-    vec3 normal = texelAt(index).normal;
+    Texel texel = texelAt(index);
+    // A whole sphere that lies in a surface is seen from half of all directions: that half is what shows of it.
+    if (texel.whole) return clamp(2.0 * sums[index] / float(bake.directionCount), 0.0, 1.0);
+    vec3 normal = texel.normal;
     float all = 0.0;
     for (uint i = 0u; i < bake.directionCount; ++i) all += max(dot(normal, rows[3u * i + 2u].xyz), 0.0);
     return clamp(sums[index] / max(all, 1e-6), 0.0, 1.0);
@@ -44,7 +47,7 @@ void main() {
     if (word >= bake.texelCount) return;
     uint first = word * 4u;  // patch rows are multiples of four texels
     uint edge = uint(bake.patches.x);
-    uint sphereTexels = bake.sphereCount * edge * edge;
+    uint sphereTexels = (bake.sphereCount * edge * edge + 3u) & ~3u;
     bool cylinder = first >= sphereTexels;
     uvec2 size = cylinder ? uvec2(bake.patches.yz) : uvec2(edge);
     uint rest = cylinder ? first - sphereTexels : first;

@@ -16,7 +16,7 @@ struct PatchSize {
     std::uint32_t edge, around, along;
 };
 // From the finest to the coarsest. A bond is a fifth as wide as an atom: half the texels around it, few along it.
-constexpr PatchSize kSizes[] = {{16, 12, 8}, {12, 12, 6}, {8, 8, 4}, {4, 4, 2}};
+constexpr PatchSize kSizes[] = {{16, 12, 8}, {12, 12, 6}, {8, 8, 4}, {4, 4, 2}, {1, 4, 2}};
 
 std::uint32_t roundUp(std::uint64_t value, std::uint32_t step) {
     return static_cast<std::uint32_t>((value + step - 1) / step * step);
@@ -53,7 +53,7 @@ OcclusionLayout occlusionLayout(std::size_t spheres, std::size_t cylinders, std:
     }
     throw Error("not enough memory for ambient occlusion", "",
                 std::to_string(spheres + cylinders) + " primitives need " +
-                    std::to_string((spheres * 16 + cylinders * 8) * kBytesPerTexel >> 20) + " MB, the budget is " +
+                    std::to_string((spheres + cylinders * 8) * kBytesPerTexel >> 20) + " MB, the budget is " +
                     std::to_string(budgetBytes >> 20) + " MB (render with --occlusion off)");
 }
 

@@ -99,6 +99,7 @@ bool inside(const Cylinder& c, const glm::vec3& p) {
 /// The octahedral normals of a patch, as shaders/common/patch.glsl has them.
 std::vector<glm::vec3> octahedralNormals(std::uint32_t edge) {
     std::vector<glm::vec3> normals;
+    if (edge == 1) return normals;
     for (std::uint32_t y = 0; y < edge; ++y)
         for (std::uint32_t x = 0; x < edge; ++x) {
             const float px = static_cast<float>(x) / static_cast<float>(edge - 1) * 2.0f - 1.0f;
@@ -163,12 +164,17 @@ std::vector<std::uint32_t> openTexels(const OcclusionLayout& layout, const Repre
     std::uint32_t texel = 0;
     for (std::uint32_t i = 0; i < r.spheres.size(); ++i) {
         const Sphere& s = r.spheres[i];
+        if (layout.sphereEdge == 1) {  // one value for the whole sphere
+            open.push_back(texel++);
+            continue;
+        }
         burial.collect(i, s.center - s.radius, s.center + s.radius);
         for (const glm::vec3& n : normals) {
             if (!burial.buried(s.center + n * s.radius)) open.push_back(texel);
             ++texel;
         }
     }
+    texel = static_cast<std::uint32_t>(layout.sphereTexels());
     for (std::uint32_t i = 0; i < r.cylinders.size(); ++i) {
         const Cylinder& c = r.cylinders[i];
         burial.collect(static_cast<std::uint32_t>(r.spheres.size()) + i, glm::min(c.a, c.b) - c.radius,

@@ -9,18 +9,20 @@ struct Texel {
     vec3 axis;              // unit axis of a cylinder
     float radius;
     bool cylinder;
+    bool whole;             // one value for a whole sphere: its point that faces the direction asked about
 };
 layout(set = 0, binding = 0, std430) readonly buffer Shapes { vec4 shapes[]; };
 
 Texel texelAt(uint index) {
     Texel t;
     uint edge = uint(bake.patches.x), around = uint(bake.patches.y), along = uint(bake.patches.z);
-    uint sphereTexels = bake.sphereCount * edge * edge;
+    uint sphereTexels = (bake.sphereCount * edge * edge + 3u) & ~3u;
     t.cylinder = index >= sphereTexels;
+    t.whole = !t.cylinder && edge == 1u;
     if (!t.cylinder) {
         uint shape = index / (edge * edge), local = index % (edge * edge);
         vec4 sphere = shapes[shape];
-        t.normal = octahedralNormal(vec2(local % edge, local / edge) / float(edge - 1u));
+        t.normal = t.whole ? vec3(0.0) : octahedralNormal(vec2(local % edge, local / edge) / float(edge - 1u));
         t.a = sphere.xyz;
         t.axis = vec3(0.0);
         t.radius = sphere.w;

@@ -1,6 +1,7 @@
 // Baked occlusion against ray-traced, cosine-weighted occlusion.
 
 #include <cmath>
+#include <map>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <random>
@@ -100,6 +101,30 @@ INSTANTIATE_TEST_SUITE_P(Molecules, OcclusionOf,
                          testing::Values(std::pair{"sample:dna", Style::spacefill},
                                          std::pair{"1bna.pdb", Style::spacefill},
                                          std::pair{"sample:glucose", Style::ballAndStick}));
+
+TEST(Occlusion, OfMoreAtomsThanPatchesFitIsOneValueAnAtom) {
+    const Representation r = scene("sample:dna", Style::spacefill);
+    ValidatedRenderer renderer(Visibility::encoded);
+    renderer->setScene(r);
+    RenderSettings s = settings(r, 200, Projection::orthographic);
+    s.occlusionDirections = 64;
+    const LayerPicture fine = renderer->layers(s);
+    s.occlusionBytes = 486 * 16;  // room for one texel an atom, not for sixteen
+    const LayerPicture coarse = renderer->layers(s);
+    EXPECT_EQ(renderer->stats().patchTexels, 1u);
+    // Every pixel of an atom has its one value, and on the whole it is as light as with patches.
+    std::map<std::uint32_t, float> values;
+    double sumFine = 0, sumCoarse = 0;
+    for (std::size_t i = 0; i < fine.id.size(); ++i) {
+        if (fine.id[i] == 0) continue;
+        const float value = values.emplace(fine.id[i], coarse.occlusion[i]).first->second;
+        ASSERT_EQ(coarse.occlusion[i], value);
+        sumFine += fine.occlusion[i];
+        sumCoarse += coarse.occlusion[i];
+    }
+    EXPECT_GT(values.size(), 100u);
+    EXPECT_NEAR(sumCoarse / sumFine, 1.0, 0.25);
+}
 
 TEST(Occlusion, OnAndOffDrawTheSameSurface) {
     const Representation r = scene("sample:dna", Style::spacefill);
