@@ -176,10 +176,10 @@ void addFiles(CLI::App& app, RenderOptions& options) {
 }
 
 void addVisibility(CLI::App& app, DeviceOptions& device) {
-    value(app, "--visibility", "PATH", "auto", "auto, encoded, fragdepth or deferred", [&](const std::string& text) {
+    value(app, "--visibility", "PATH", "auto", "auto, encoded, fragdepth, deferred or raster-order", [&](const std::string& text) {
         constexpr Visibility kPaths[] = {Visibility::automatic, Visibility::encoded, Visibility::fragdepth,
-                                         Visibility::deferred};
-        device.visibility = kPaths[parseChoice(text, {"auto", "encoded", "fragdepth", "deferred"})];
+                                         Visibility::deferred, Visibility::rasterOrder};
+        device.visibility = kPaths[parseChoice(text, {"auto", "encoded", "fragdepth", "deferred", "raster-order"})];
     });
     value(app, "--encoded-format", "FORMAT", "auto",
           "Of encoded depth: auto, r32f, rgba16f, rg16f, a2b10g10r10 or rgba8", [&](const std::string& text) {

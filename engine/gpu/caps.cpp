@@ -83,6 +83,8 @@ const char* visibilityName(Visibility visibility) {
             return "fragdepth";
         case Visibility::deferred:
             return "deferred";
+        case Visibility::rasterOrder:
+            return "raster-order";
     }
     return "";
 }

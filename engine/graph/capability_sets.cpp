@@ -18,6 +18,8 @@ constexpr Fact kMali[] = {
      "Arm, 'Vulkan best practice for mobile developers', render subpasses tutorial"},
     {"R32F does not blend; encoded depth takes RGBA16F", kBlendTable},
     {"a tested depth buffer need not be stored again", "VK_EXT_load_store_op_none, vulkan.gpuinfo.org, Arm drivers"},
+    {"attachments can be read in raster order",
+     "VK_ARM_rasterization_order_attachment_access, contributed by Arm; promoted to EXT"},
 };
 constexpr Fact kMaliOld[] = {
     {"128 bits a pixel on the tile, hardware depth beside them", kMesaTiles},
@@ -67,6 +69,8 @@ std::vector<CapabilitySet> makeSets() {
     constexpr auto kFragdepth = Visibility::fragdepth;
     constexpr auto kHalf = EncodedDepth::rgba16f;
     constexpr auto kFloat = EncodedDepth::r32f;
+    PlanCaps mali = plan("mali", 32, true);
+    mali.rasterOrder = true;
     PlanCaps noSubpass = plan("adreno-no-subpass", 16, true);
     noSubpass.tileSubpasses = false;
     PlanCaps apple = plan("apple-moltenvk", 32, false);
@@ -74,7 +78,7 @@ std::vector<CapabilitySet> makeSets() {
     PlanCaps desktop = plan("desktop", 16, false);
     desktop.transient = false;
     return {
-        {plan("mali", 32, true), kEncoded, kTiler, kHalf, kMali},
+        {mali, kEncoded, kTiler, kHalf, kMali},
         {plan("mali-old", 16, false), kEncoded, kTiler, kHalf, kMaliOld},
         {plan("adreno", 16, true), kEncoded, kTiler, kHalf, kAdreno},
         {noSubpass, kFragdepth, "no input attachments: one subpass, and no encoded depth in memory", kHalf,

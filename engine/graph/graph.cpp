@@ -12,6 +12,8 @@ const char* verbName(Verb verb) {
             return "depth test";
         case Verb::color:
             return "write";
+        case Verb::ordered:
+            return "ordered read and write";
         case Verb::input:
             return "input";
         case Verb::samples:

@@ -15,6 +15,7 @@ struct PlanCaps {
     bool merge = true;                      ///< neighbouring passes may share a render pass
     bool tileSubpasses = true;              ///< input attachments between subpasses stay on the tile
     bool transient = true;                  ///< attachments that never leave the tile need no memory
+    bool rasterOrder = false;               ///< VK_EXT_rasterization_order_attachment_access
     bool storeAll = false;                  ///< every attachment is stored, to look at it in a capture
     bool storeNone = false;                 ///< VK_EXT_load_store_op_none: a tested depth buffer is not stored again
     std::uint32_t tileBytesPerPixel = 16;   ///< colour + input attachments of one render pass

@@ -103,30 +103,25 @@ private:
     bool sharesSubpass(const PassDecl& pass) {
         if (current().subpasses.empty()) return false;
         const Subpass& last = current().subpasses.back();
-        std::size_t common = 0, colors = 0;
+        std::vector<std::int32_t> colors;
         for (const Use& use : pass.uses)
-            if (use.verb == Verb::color) {
-                const std::int32_t at = find(use.resource);
-                // Its k-th colour must be the subpass's k-th: shaders name outputs by number.
-                const std::size_t ordinal = colors++;
-                if (at >= 0 && contains(last.colors, static_cast<std::uint32_t>(at))) ++common;
-                if (ordinal < last.colors.size() && static_cast<std::int32_t>(last.colors[ordinal]) != at) return false;
-            }
-        const bool sameColors = common == colors && common == last.colors.size();
-        std::size_t colorCount = last.colors.size();
+            if (use.verb == Verb::color) colors.push_back(find(use.resource));
+        // Shaders name outputs by number, and masks that differ between them are a feature: the same, or none.
+        const bool sameColors = std::equal(colors.begin(), colors.end(), last.colors.begin(), last.colors.end(),
+                                           [](auto x, auto y) { return x == static_cast<std::int32_t>(y); });
+        if (!sameColors && !colors.empty() && !last.colors.empty()) return false;
         for (const Use& use : pass.uses) {
             if (!use.isImage || !isAttachment(use.verb)) continue;
+            // Raster order is a property of the whole subpass: such a pass keeps one to itself.
+            if (use.verb == Verb::ordered || last.ordered) return false;
             const std::int32_t at = find(use.resource);
-            if (use.verb == Verb::input && at < 0) continue;  // a texture
-            if (use.verb == Verb::input) return false;
-            const auto index = static_cast<std::uint32_t>(at);
-            if (at >= 0 && contains(last.inputs, index)) return false;
-            if (use.verb == Verb::color && !(at >= 0 && contains(last.colors, index))) ++colorCount;
-            if (at < 0 || last.depth != at || !caps_.tileSubpasses) continue;
+            if (at < 0) continue;  // new here, or a texture
+            if (use.verb == Verb::input || contains(last.inputs, static_cast<std::uint32_t>(at))) return false;
+            if (last.depth != at || !caps_.tileSubpasses) continue;
             if (use.verb == Verb::depth && !last.depthWrite) return false;
             if (use.verb == Verb::depthTest && last.depthWrite && !sameColors) return false;
         }
-        return colorCount <= caps_.maxColorAttachments;
+        return true;
     }
 
     std::uint32_t attach(const Use& use) {

@@ -33,6 +33,8 @@ VkImageUsageFlags usageFlag(Verb verb) {
             return VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
         case Verb::color:
             return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+        case Verb::ordered:
+            return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT;
         case Verb::input:
             return VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT;
         case Verb::samples:
