@@ -21,9 +21,9 @@ struct RandomUse {
 struct RandomPass {
     graph::PassKind kind{};
     std::vector<RandomUse> uses;
-    std::uint32_t seed = 0;        ///< of what it writes
-    bool half = false;             ///< writes the left half of the pixels alone
-    float z = 0.5f;                ///< of everything that it draws
+    std::uint32_t seed = 0;  ///< of what it writes
+    bool half = false;       ///< writes the left half of the pixels alone
+    float z = 0.5f;          ///< of everything that it draws
 
     const RandomUse* find(graph::Verb verb, std::size_t skip = 0) const {
         for (const RandomUse& use : uses)
@@ -37,19 +37,19 @@ struct RandomGraph {
     std::vector<bool> imported;  ///< by images
     std::uint32_t buffers = 2;   ///< of kBufferWords words
     std::vector<RandomPass> passes;
-    std::vector<bool> outputs;   ///< by images
+    std::vector<bool> outputs;  ///< by images
 };
 
 constexpr std::uint32_t kBufferWords = 16 * 16 * 2;
 constexpr graph::State kImportedState{VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT,
                                       VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
-constexpr graph::State kBufferState{VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
-                                    VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
+constexpr graph::State kBufferState{
+    VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
 
 class RandomGraphMaker {
 public:
-    RandomGraphMaker(std::uint32_t seed, bool imports) : random_(seed) {
-        constexpr VkFormat kFormats[] = {VK_FORMAT_D32_SFLOAT, VK_FORMAT_R32_UINT, VK_FORMAT_R32_UINT,
+    RandomGraphMaker(std::uint32_t seed, bool imports, bool ordered) : random_(seed), ordered_(ordered) {
+        constexpr VkFormat kFormats[] = {VK_FORMAT_D32_SFLOAT,  VK_FORMAT_R32_UINT,    VK_FORMAT_R32_UINT,
                                          VK_FORMAT_R32G32_UINT, VK_FORMAT_R32G32_UINT, VK_FORMAT_D32_SFLOAT,
                                          VK_FORMAT_R32_UINT};
         const std::uint32_t count = 3 + below(5);
@@ -66,7 +66,7 @@ public:
     const RandomGraph& graph() const { return graph_; }
 
 private:
-    std::uint32_t below(std::uint32_t n) { return random_() % n; }
+    std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(random_() % n); }
     bool chance(std::uint32_t of, std::uint32_t in) { return below(in) < of; }
     bool isDepth(std::uint32_t image) const { return graph_.images[image].format == VK_FORMAT_D32_SFLOAT; }
 
@@ -74,9 +74,8 @@ private:
     std::uint32_t pick(const RandomPass& pass, const std::function<bool(std::uint32_t)>& fits) {
         std::vector<std::uint32_t> list;
         for (std::uint32_t i = 0; i < graph_.images.size(); ++i) {
-            const bool used = std::any_of(pass.uses.begin(), pass.uses.end(), [&](const RandomUse& use) {
-                return use.isImage && use.resource == i;
-            });
+            const bool used = std::any_of(pass.uses.begin(), pass.uses.end(),
+                                          [&](const RandomUse& use) { return use.isImage && use.resource == i; });
             if (!used && fits(i)) list.push_back(i);
         }
         return list.empty() ? static_cast<std::uint32_t>(graph_.images.size())
@@ -131,14 +130,17 @@ private:
             if (image >= graph_.images.size()) continue;
             const bool clear = chance(1, 2);
             if (!defined_[image] && !clear) pass.half = false;  // or pixels would have no value
-            use(pass, graph::Verb::color, image, clear);
+            use(pass, ordered_ && chance(1, 5) ? graph::Verb::ordered : graph::Verb::color, image, clear);
         }
-        const bool draws = pass.find(graph::Verb::color) || pass.find(graph::Verb::depth);
+        const bool draws =
+            pass.find(graph::Verb::color) || pass.find(graph::Verb::ordered) || pass.find(graph::Verb::depth);
         if (!draws) pass.uses.clear();
         // What a depth test rejects would have no value either.
         const bool tests = pass.find(graph::Verb::depth) || pass.find(graph::Verb::depthTest);
         for (RandomUse& u : pass.uses)
-            if (u.verb == graph::Verb::color && !defined_[u.resource] && (pass.half || tests)) u.clear = true;
+            if (!defined_[u.resource] &&
+                (u.verb == graph::Verb::ordered || (u.verb == graph::Verb::color && (pass.half || tests))))
+                u.clear = true;
     }
 
     void compute(RandomPass& pass) {
@@ -169,11 +171,16 @@ private:
     }
 
     std::mt19937 random_;
+    bool ordered_;
     RandomGraph graph_;
     std::vector<bool> defined_;
 };
 
-inline RandomGraph randomGraph(std::uint32_t seed, bool imports) { return RandomGraphMaker(seed, imports).graph(); }
+/// @param imports  some images come from outside
+/// @param ordered  some attachments are read in raster order
+inline RandomGraph randomGraph(std::uint32_t seed, bool imports, bool ordered = false) {
+    return RandomGraphMaker(seed, imports, ordered).graph();
+}
 
 /// The graph, declared, and its handles.
 struct DeclaredGraph {
@@ -201,15 +208,36 @@ inline DeclaredGraph declare(const RandomGraph& random,
         for (const RandomUse& use : pass.uses) {
             const std::optional<graph::Clear> clear = use.clear ? std::optional<graph::Clear>(1.0f) : std::nullopt;
             switch (use.verb) {
-                case graph::Verb::depth: builder.depth(d.images[use.resource], clear); break;
-                case graph::Verb::depthTest: builder.depthTest(d.images[use.resource]); break;
-                case graph::Verb::color: builder.color(d.images[use.resource], clear); break;
-                case graph::Verb::input: builder.input(d.images[use.resource]); break;
-                case graph::Verb::samples: builder.samples(d.images[use.resource]); break;
-                case graph::Verb::reads: builder.reads(d.buffers[use.resource]); break;
-                case graph::Verb::writes: builder.writes(d.buffers[use.resource]); break;
-                case graph::Verb::vertices: builder.vertices(d.buffers[use.resource]); break;
-                case graph::Verb::copiesFrom: builder.copiesFrom(d.images[use.resource]); break;
+                case graph::Verb::depth:
+                    builder.depth(d.images[use.resource], clear);
+                    break;
+                case graph::Verb::depthTest:
+                    builder.depthTest(d.images[use.resource]);
+                    break;
+                case graph::Verb::color:
+                    builder.color(d.images[use.resource], clear);
+                    break;
+                case graph::Verb::ordered:
+                    builder.ordered(d.images[use.resource], clear);
+                    break;
+                case graph::Verb::input:
+                    builder.input(d.images[use.resource]);
+                    break;
+                case graph::Verb::samples:
+                    builder.samples(d.images[use.resource]);
+                    break;
+                case graph::Verb::reads:
+                    builder.reads(d.buffers[use.resource]);
+                    break;
+                case graph::Verb::writes:
+                    builder.writes(d.buffers[use.resource]);
+                    break;
+                case graph::Verb::vertices:
+                    builder.vertices(d.buffers[use.resource]);
+                    break;
+                case graph::Verb::copiesFrom:
+                    builder.copiesFrom(d.images[use.resource]);
+                    break;
                 case graph::Verb::copiesTo:
                     use.isImage ? builder.copiesTo(d.images[use.resource]) : builder.copiesTo(d.buffers[use.resource]);
                     break;
