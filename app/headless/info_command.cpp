@@ -80,7 +80,7 @@ Json bondsByKind(const Molecule& molecule) {
 }
 
 bool hasResidues(const std::string& format) {
-    for (const char* without : {"sdf-v2000", "sdf-v3000", "xyz", "cml"})
+    for (const char* without : {"sdf-v2000", "sdf-v3000", "xyz", "cml", "cif-core"})
         if (format == without) return false;
     return true;
 }
@@ -199,6 +199,7 @@ Json infoJson(const Molecule& molecule) {
     put(json, "total_atoms_all_records", file.totalAtomsAllRecords);
     put(json, "total_bonds_all_records", file.totalBondsAllRecords);
     put(json, "bonds", file.bonds);
+    put(json, "bonds_all_models", file.bondsAllModels);
     put(json, "conect_unique_pairs", file.conectUniquePairs);
     put(json, "chains", file.chains);
     put(json, "chains_auth", file.chainsAuth);

@@ -57,9 +57,8 @@ std::string path(const std::string& text) {
 
 void addInput(CLI::App& app, InputOptions& input) {
     app.add_option("INPUT", input.path,
-                   "A structure file (PDB, mmCIF, mmJSON, SDF/MOL, XYZ, MOL2, PQR, GRO, PDBQT, CML; each also\n"
-                   ".gz), - for standard input, or "
-                   "sample:dna, sample:glucose, sample:buckyball")
+                   "A structure file (PDB, mmCIF, mmJSON, BinaryCIF, MMTF, SDF/MOL, XYZ, MOL2, PQR, GRO, PDBQT, CML;\n"
+                   "each also .gz), - for standard input, or sample:dna, sample:glucose, sample:buckyball")
         ->required()
         ->type_name("");
     value(app, "--format", "NAME", "by content", "One of " + formatNames(), [&](const std::string& text) {

@@ -46,12 +46,7 @@ Guess guessBinary(std::string_view head) {
                                                 {"\xfe\xff", "UTF-16 text; save it as ASCII or UTF-8"}};
     for (const Signature& signature : kSignatures)
         if (startsWith(head, signature.bytes)) return isNot(signature.words);
-    const auto first = head.empty() ? 0u : static_cast<unsigned char>(head.front());
-    if ((first & 0xF0u) == 0x80 || first == 0xDE || first == 0xDF) {  // a MessagePack map
-        if (contains(head.substr(0, 4096), "dataBlocks")) return isNot("bcif");
-        if (contains(head.substr(0, 4096), "mmtfVersion") || contains(head.substr(0, 4096), "CoordList"))
-            return isNot("mmtf");
-    }
+    if (const auto format = detectBinaryFormat(head)) return is(*format);
     return {};
 }
 
@@ -156,11 +151,10 @@ Guess guessByName(const std::string& name) {
         {"mcif", Format::mmcif},  {"json", Format::mmjson}, {"mmjson", Format::mmjson}, {"sdf", Format::sdf},
         {"sd", Format::sdf},      {"mol", Format::sdf},     {"mdl", Format::sdf},       {"xyz", Format::xyz},
         {"extxyz", Format::xyz},  {"mol2", Format::mol2},   {"pqr", Format::pqr},       {"gro", Format::gro},
-        {"pdbqt", Format::pdbqt}, {"cml", Format::cml}};
+        {"pdbqt", Format::pdbqt}, {"cml", Format::cml},     {"bcif", Format::bcif},     {"mmtf", Format::mmtf}};
     for (const Ending& known : kEndings)
         if (ending == known.ending) return is(known.format);
-    static constexpr std::string_view kOthers[] = {"bcif", "mmtf", "pdbml", "dcd",    "xtc",
-                                                   "trr",  "cube", "mae",   "prmtop", "psf"};
+    static constexpr std::string_view kOthers[] = {"pdbml", "dcd", "xtc", "trr", "cube", "mae", "prmtop", "psf"};
     for (const std::string_view other : kOthers)
         if (ending == other) return isNot(other);
     return {};
@@ -174,6 +168,15 @@ Guess guessByName(const std::string& name) {
 }
 
 }  // namespace
+
+std::optional<Format> detectBinaryFormat(std::string_view bytes) {
+    const auto first = bytes.empty() ? 0u : static_cast<unsigned char>(bytes.front());
+    if ((first & 0xF0u) != 0x80 && first != 0xDE && first != 0xDF) return std::nullopt;  // no MessagePack map
+    const std::string_view head = bytes.substr(0, 4096);
+    if (contains(head, "dataBlocks")) return Format::bcif;
+    if (contains(head, "mmtfVersion") || contains(head, "CoordList")) return Format::mmtf;
+    return std::nullopt;
+}
 
 Format detectFormat(const std::string& name, std::string_view text) {
     const Guess content = guessByContent(text), named = guessByName(name);

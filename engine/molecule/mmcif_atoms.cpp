@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "engine/error.h"
@@ -11,17 +12,10 @@ namespace {
 
 constexpr std::size_t kMaxModels = 1'000'000;
 
-MmcifCell either(MmcifCell first, MmcifCell second) { return first.data() ? first : second; }
+char firstCharacter(std::string_view text) { return text.empty() || text.front() == ' ' ? '\0' : text.front(); }
 
-char firstCharacter(MmcifCell cell) { return cell.empty() || cell.front() == ' ' ? '\0' : cell.front(); }
-
-/// A value may end in its standard uncertainty: "1.234(5)".
-MmcifCell withoutUncertainty(MmcifCell cell) {
-    return !cell.empty() && cell.back() == ')' ? cell.substr(0, cell.find('(')) : cell;
-}
-
-std::int8_t formalCharge(MmcifCell cell) {
-    const auto value = parseInteger(cell);
+std::int8_t formalCharge(const MmcifCell& cell) {
+    const auto value = cell.integer();
     return value && std::abs(*value) <= 20 ? static_cast<std::int8_t>(*value) : std::int8_t{0};
 }
 
@@ -34,32 +28,37 @@ std::string_view elementOfName(std::string_view name, std::string_view residue) 
 
 }  // namespace
 
+const std::array<const char*, MmcifAtoms::columnCount> MmcifAtoms::kNames = {"cartn_x",
+                                                                             "cartn_y",
+                                                                             "cartn_z",
+                                                                             "group_pdb",
+                                                                             "type_symbol",
+                                                                             "auth_atom_id",
+                                                                             "label_atom_id",
+                                                                             "auth_comp_id",
+                                                                             "label_comp_id",
+                                                                             "auth_asym_id",
+                                                                             "label_asym_id",
+                                                                             "auth_seq_id",
+                                                                             "label_seq_id",
+                                                                             "pdbx_pdb_ins_code",
+                                                                             "label_alt_id",
+                                                                             "occupancy",
+                                                                             "b_iso_or_equiv",
+                                                                             "pdbx_formal_charge",
+                                                                             "pdbx_pdb_model_num",
+                                                                             "label_entity_id"};
+
+bool MmcifAtoms::isKept(std::string_view column) {
+    return std::any_of(kNames.begin(), kNames.end(), [&](const char* name) { return column == name; });
+}
+
 MmcifAtoms::MmcifAtoms(MoleculeBuilder& builder, const std::vector<std::string>& columns, int wantedModel)
     : builder_(builder), wantedModel_(wantedModel) {
-    static const char* const kNames[columnCount] = {"cartn_x",
-                                                    "cartn_y",
-                                                    "cartn_z",
-                                                    "group_pdb",
-                                                    "type_symbol",
-                                                    "auth_atom_id",
-                                                    "label_atom_id",
-                                                    "auth_comp_id",
-                                                    "label_comp_id",
-                                                    "auth_asym_id",
-                                                    "label_asym_id",
-                                                    "auth_seq_id",
-                                                    "label_seq_id",
-                                                    "pdbx_pdb_ins_code",
-                                                    "label_alt_id",
-                                                    "occupancy",
-                                                    "b_iso_or_equiv",
-                                                    "pdbx_formal_charge",
-                                                    "pdbx_pdb_model_num",
-                                                    "label_entity_id"};
     for (int which = 0; which < columnCount; ++which) {
         column_[which] = -1;
         for (std::size_t i = columns.size(); i-- > 0;)
-            if (columns[i] == kNames[which]) column_[which] = static_cast<int>(i);
+            if (columns[i] == kNames[static_cast<std::size_t>(which)]) column_[which] = static_cast<int>(i);
     }
     for (int axis = 0; axis < 3; ++axis)
         if (column_[axis] < 0)
@@ -69,29 +68,27 @@ MmcifAtoms::MmcifAtoms(MoleculeBuilder& builder, const std::vector<std::string>&
 
 void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
     ++rows_;
-    if (modelIndex(cell(cells, model)) != wantedModel_) return;
+    if (modelIndex(text(cells, model)) != wantedModel_) return;
     Atom atom;
     atom.position = {coordinate(cells, 0, line), coordinate(cells, 1, line), coordinate(cells, 2, line)};
-    const MmcifCell name = either(cell(cells, authAtom), cell(cells, labelAtom));
-    const MmcifCell residue = either(cell(cells, authComp), cell(cells, labelComp));
-    const MmcifCell type = cell(cells, symbol);
+    const std::string_view name = text(cells, authAtom, labelAtom), residue = text(cells, authComp, labelComp);
+    const std::string_view type = text(cells, symbol);
     atom.name = Name(name);
-    atom.element = builder_.element(type.data() ? type : elementOfName(name, residue), line);
-    atom.alternate = firstCharacter(cell(cells, alternate));
-    atom.hetero = cell(cells, group) == "HETATM";
+    atom.element = builder_.element(cell(cells, symbol).missing() ? elementOfName(name, residue) : type, line);
+    atom.alternate = firstCharacter(text(cells, alternate));
+    atom.hetero = text(cells, group) == "HETATM";
     atom.charge = formalCharge(cell(cells, charge));
     atom.occupancy = property(cell(cells, occupancy), 1.0f);
     atom.temperatureFactor = property(cell(cells, temperature), 0.0f);
-    const auto number = parseInteger(either(cell(cells, authSeq), cell(cells, labelSeq)));
+    const auto number = cell(cells, cell(cells, authSeq).missing() ? labelSeq : authSeq).integer();
     const bool fits = number && *number >= INT32_MIN && *number <= INT32_MAX;
-    const MmcifCell auth = cell(cells, authAsym), label = cell(cells, labelAsym);
-    builder_.addAtom(atom, either(auth, label), fits ? static_cast<std::int32_t>(*number) : 0,
-                     firstCharacter(cell(cells, insertion)), residue);
+    builder_.addAtom(atom, text(cells, authAsym, labelAsym), fits ? static_cast<std::int32_t>(*number) : 0,
+                     firstCharacter(text(cells, insertion)), residue, text(cells, labelAsym, authAsym));
     if (column_[entity] >= 0) {
         Residue& last = builder_.molecule().residues.back();
         if (last.atomCount == 1) last.entity = entityIndex(cell(cells, entity));
     }
-    countChains(auth, label);
+    countChains(cells);
 }
 
 int MmcifAtoms::modelIndex(std::string_view number) {
@@ -103,35 +100,39 @@ int MmcifAtoms::modelIndex(std::string_view number) {
 }
 
 float MmcifAtoms::coordinate(const MmcifCell* cells, int axis, std::uint64_t line) const {
-    const MmcifCell text = cells[column_[axis]];
-    if (const auto value = parseNumber(withoutUncertainty(text)); value && std::abs(*value) <= 1e9)
-        return static_cast<float>(*value);
+    const MmcifCell& given = cells[column_[axis]];
+    if (const auto value = given.number(); value && std::abs(*value) <= 1e9) return static_cast<float>(*value);
+    std::array<char, 32> buffer{};
     const std::string why = std::string("Cartn_") + "xyz"[axis] + " of row " + std::to_string(rows_) +
-                            " of _atom_site is not a finite number: '" + (text.data() ? printable(text) : "?") + "'";
+                            " of _atom_site is not a finite number: '" +
+                            (given.missing() ? "?" : printable(given.text(buffer))) + "'";
     throw Error("cannot read molecule", builder_.name(), why,
                 line > 0 ? std::optional<std::uint64_t>(line) : std::nullopt);
 }
 
-float MmcifAtoms::property(MmcifCell text, float otherwise) {
-    if (!text.data()) return otherwise;
-    const auto value = parseNumber(withoutUncertainty(text));
+float MmcifAtoms::property(const MmcifCell& given, float otherwise) {
+    if (given.missing()) return otherwise;
+    const auto value = given.number();
     if (value && std::abs(*value) <= 1e9) return static_cast<float>(*value);
-    if (badProperties_++ == 0) builder_.warn("occupancy or B factor is not a number: '" + printable(text) + "'");
+    std::array<char, 32> buffer{};
+    if (badProperties_++ == 0)
+        builder_.warn("occupancy or B factor is not a number: '" + printable(given.text(buffer)) + "'");
     return otherwise;
 }
 
-void MmcifAtoms::countChains(MmcifCell auth, MmcifCell label) {
-    const auto count = [](MmcifCell chain, std::string& last, std::map<std::string, bool, std::less<>>& all) {
+void MmcifAtoms::countChains(const MmcifCell* cells) {
+    const auto count = [](std::string_view chain, std::string& last, std::map<std::string, bool, std::less<>>& all) {
         if (!all.empty() && last == chain) return;
         last = std::string(chain);
         all.emplace(last, true);
     };
-    if (auth.data()) count(auth, lastAuth_, authChains_);
-    if (label.data()) count(label, lastLabel_, labelChains_);
+    if (!cell(cells, authAsym).missing()) count(text(cells, authAsym), lastAuth_, authChains_);
+    if (!cell(cells, labelAsym).missing()) count(text(cells, labelAsym), lastLabel_, labelChains_);
 }
 
-std::uint32_t MmcifAtoms::entityIndex(MmcifCell identifier) {
-    if (!identifier.data()) return 0;
+std::uint32_t MmcifAtoms::entityIndex(const MmcifCell& given) {
+    if (given.missing()) return 0;
+    const std::string_view identifier = given.text(buffers_[entity]);
     if (const auto known = entities_.find(identifier); known != entities_.end()) return known->second;
     std::vector<std::string>& names = builder_.molecule().entities;
     names.emplace_back(identifier);

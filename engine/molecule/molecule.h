@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/mat4x3.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -50,6 +52,7 @@ struct Residue {
     std::int32_t number = 0;      ///< author's number
     char insertionCode = '\0';    ///< '\0' = none
     std::uint32_t chain = 0;      ///< index into Molecule::chains
+    std::uint32_t subchain = 0;   ///< index into Molecule::subchains
     std::uint32_t firstAtom = 0;  ///< index into Molecule::atoms
     std::uint32_t atomCount = 0;
     SecondaryStructure secondary = SecondaryStructure::none;
@@ -58,6 +61,19 @@ struct Residue {
 
 struct Chain {
     std::string name;  ///< author's identifier; may be empty
+};
+
+/// Copies of some subchains: a position p goes to transform * vec4(p, 1), for each of the transforms.
+struct AssemblyPart {
+    std::vector<glm::mat4x3> transforms;   ///< rotation in columns 0 to 2, shift in column 3 (Å)
+    std::vector<std::uint32_t> subchains;  ///< indices into Molecule::subchains, ascending, without repetition
+};
+
+/// A biological assembly, or the content of a unit cell, as the file states it.
+struct Assembly {
+    std::string id;       ///< "1", "PAU", "unit-cell"
+    std::string details;  ///< the file's words; may be empty
+    std::vector<AssemblyPart> parts;
 };
 
 enum class BondSource : std::uint8_t { file, residueTemplate, distance };
@@ -72,8 +88,8 @@ struct Bond {
 
 /// What the file as a whole holds, as `nacre info` reports it. Keys that a format lacks are empty.
 struct FileSummary {
-    std::string format;  ///< "pdb", "mmcif", "mmjson", "sdf-v2000", "sdf-v3000", "xyz", "mol2", "pqr", "gro",
-                         ///< "pdbqt", "cml", "sample"
+    std::string format;  ///< "pdb", "mmcif", "mmjson", "bcif", "cif-core", "mmtf", "sdf-v2000", "sdf-v3000", "xyz",
+                         ///< "mol2", "pqr", "gro", "pdbqt", "cml", "sample"
     std::string title;
     std::optional<std::int64_t> models;   ///< models or frames
     std::optional<std::int64_t> records;  ///< molecules of a multi-record file
@@ -81,11 +97,12 @@ struct FileSummary {
     std::optional<std::int64_t> totalAtomsAllRecords;
     std::optional<std::int64_t> totalBondsAllRecords;
     std::optional<std::int64_t> bonds;              ///< stated by the file for this record
+    std::optional<std::int64_t> bondsAllModels;     ///< stated by the file for all models (MMTF)
     std::optional<std::int64_t> conectUniquePairs;  ///< unordered CONECT pairs whose atoms both exist
     std::optional<std::int64_t> chains;             ///< distinct chain characters (PDB)
     std::optional<std::int64_t> chainsAuth;         ///< distinct auth_asym_id (mmCIF)
     std::optional<std::int64_t> chainsLabel;        ///< distinct label_asym_id (mmCIF)
-    std::optional<std::int64_t> biomtOperators;
+    std::optional<std::int64_t> biomtOperators;     ///< REMARK 350 BIOMT1 lines; MMTF: most transforms of an assembly
     std::optional<std::int64_t> assemblies;
     std::optional<std::int64_t> operators;        ///< _pdbx_struct_oper_list rows
     std::optional<double> resolution;             ///< Å, as the file states it
@@ -97,7 +114,11 @@ struct Molecule {
     std::vector<Atom> atoms;
     std::vector<Residue> residues;
     std::vector<Chain> chains;
+    /// What assemblies are made of: the names (label_asym_id) by which mmCIF tells the ligands and waters of a chain
+    /// from its polymer; where a format has none, the names of the chains.
+    std::vector<std::string> subchains;
     std::vector<Bond> bonds;
+    std::vector<Assembly> assemblies;
     std::vector<std::string> entities;      ///< identifiers of the file's entities (mmCIF label_entity_id)
     bool statesSecondaryStructure = false;  ///< the file has helices or strands of residues that are there
     int model = 1;                          ///< 1-based model, frame or record that this is

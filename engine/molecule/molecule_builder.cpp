@@ -21,13 +21,14 @@ bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }  // namespace
 
 void MoleculeBuilder::addAtom(Atom atom, std::string_view chain, std::int32_t number, char insertionCode,
-                              std::string_view residue) {
+                              std::string_view residue, std::string_view subchain) {
+    if (!subchain.data()) subchain = chain;
     if (molecule_.atoms.size() >= kMaxAtoms)
         throw Error("cannot read molecule", name_, "more than " + std::to_string(kMaxAtoms) + " atoms");
     const Name residueName(residue);
     const auto continues = [&](const Residue& last) {
         return last.number == number && last.insertionCode == insertionCode && last.name == residueName &&
-               molecule_.chains[last.chain].name == chain;
+               molecule_.chains[last.chain].name == chain && molecule_.subchains[last.subchain] == subchain;
     };
     if (molecule_.residues.empty() || !continues(molecule_.residues.back())) {
         Residue next;
@@ -35,6 +36,7 @@ void MoleculeBuilder::addAtom(Atom atom, std::string_view chain, std::int32_t nu
         next.number = number;
         next.insertionCode = insertionCode;
         next.chain = chainIndex(chain);
+        next.subchain = subchainIndex(subchain);
         next.firstAtom = static_cast<std::uint32_t>(molecule_.atoms.size());
         molecule_.residues.push_back(next);
     }
@@ -52,6 +54,18 @@ std::uint32_t MoleculeBuilder::chainIndex(std::string_view chain) {
         chains_.emplace(std::string(chain), static_cast<std::uint32_t>(molecule_.chains.size()));
     if (added) molecule_.chains.push_back({std::string(chain)});
     return found->second;
+}
+
+std::uint32_t MoleculeBuilder::subchainIndex(std::string_view subchain) {
+    const auto [found, added] =
+        subchains_.emplace(std::string(subchain), static_cast<std::uint32_t>(molecule_.subchains.size()));
+    if (added) molecule_.subchains.emplace_back(subchain);
+    return found->second;
+}
+
+std::optional<std::uint32_t> MoleculeBuilder::subchain(std::string_view name) const {
+    const auto found = subchains_.find(std::string(name));
+    return found == subchains_.end() ? std::nullopt : std::optional<std::uint32_t>(found->second);
 }
 
 void MoleculeBuilder::addBond(std::int64_t a, std::int64_t b, int order, std::uint64_t line) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -17,8 +18,13 @@ public:
     explicit MoleculeBuilder(std::string name) : name_(std::move(name)) {}
 
     /// Adds an atom to the residue of the atom before it, or begins another if any of these differ.
+    /// @param subchain null: the chain
     /// @throws Error if there are more than kMaxAtoms
-    void addAtom(Atom atom, std::string_view chain, std::int32_t number, char insertionCode, std::string_view residue);
+    void addAtom(Atom atom, std::string_view chain, std::int32_t number, char insertionCode, std::string_view residue,
+                 std::string_view subchain = {});
+
+    /// Index of a subchain by name, if atoms are in it.
+    std::optional<std::uint32_t> subchain(std::string_view name) const;
 
     /// Adds a bond that the file states; a pair that is there already is passed over.
     /// @throws Error, with the line, if an index is out of range or both are the same
@@ -40,11 +46,13 @@ public:
     Molecule finish();
 
 private:
+    using Indices = std::unordered_map<std::string, std::uint32_t>;
     std::uint32_t chainIndex(std::string_view chain);
+    std::uint32_t subchainIndex(std::string_view subchain);
 
     std::string name_;
     Molecule molecule_;
-    std::unordered_map<std::string, std::uint32_t> chains_;
+    Indices chains_, subchains_;
     std::size_t unknownElements_ = 0;
     std::string firstUnknown_;
     std::size_t warningsLeftOut_ = 0;

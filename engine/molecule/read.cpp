@@ -26,10 +26,12 @@ struct NamedFormat {
     Format format;
 };
 constexpr NamedFormat kFormats[] = {
-    {"pdb", Format::pdb},     {"mmcif", Format::mmcif}, {"mmjson", Format::mmjson}, {"sdf", Format::sdf},
-    {"xyz", Format::xyz},     {"mol2", Format::mol2},   {"pqr", Format::pqr},       {"gro", Format::gro},
-    {"pdbqt", Format::pdbqt}, {"cml", Format::cml},
+    {"pdb", Format::pdb},   {"mmcif", Format::mmcif}, {"mmjson", Format::mmjson}, {"bcif", Format::bcif},
+    {"mmtf", Format::mmtf}, {"sdf", Format::sdf},     {"xyz", Format::xyz},       {"mol2", Format::mol2},
+    {"pqr", Format::pqr},   {"gro", Format::gro},     {"pdbqt", Format::pdbqt},   {"cml", Format::cml},
 };
+
+bool isBinary(Format format) { return format == Format::bcif || format == Format::mmtf; }
 
 /// '\n' for every end of line, whatever the file came from; in place.
 void unifyLineEnds(std::string& text) {
@@ -55,8 +57,11 @@ Molecule dispatch(const std::string& name, std::string bytes, const ReadOptions&
     if (bytes.empty()) throw Error("cannot read molecule", name, "it is empty");
     // Its every second byte is zero, so that no reader would say anything helpful.
     const bool twoByteText = startsWith(bytes, "\xff\xfe") || startsWith(bytes, "\xfe\xff");
-    unifyLineEnds(bytes);
-    const Format format = options.format && !twoByteText ? *options.format : detectFormat(name, bytes);
+    std::optional<Format> known;
+    if (options.format && !twoByteText) known = options.format;
+    if (!known) known = detectBinaryFormat(bytes);
+    if (!known || !isBinary(*known)) unifyLineEnds(bytes);
+    const Format format = known ? *known : detectFormat(name, bytes);
     switch (format) {
         case Format::pdb:
             return readPdb(name, bytes, options);
@@ -64,6 +69,10 @@ Molecule dispatch(const std::string& name, std::string bytes, const ReadOptions&
             return readMmcif(name, bytes, options);
         case Format::mmjson:
             return readMmjson(name, bytes, options);
+        case Format::bcif:
+            return readBcif(name, bytes, options);
+        case Format::mmtf:
+            return readMmtf(name, bytes, options);
         case Format::sdf:
             return readSdf(name, bytes, options);
         case Format::xyz:

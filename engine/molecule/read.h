@@ -11,7 +11,7 @@
 
 namespace nacre {
 
-enum class Format { pdb, mmcif, mmjson, sdf, xyz, mol2, pqr, gro, pdbqt, cml };
+enum class Format { pdb, mmcif, mmjson, bcif, mmtf, sdf, xyz, mol2, pqr, gro, pdbqt, cml };
 
 struct ReadOptions {
     std::optional<Format> format;                 ///< empty: from the content first, the name second

@@ -102,8 +102,18 @@ private:
     static std::pair<std::string, std::string> split(std::string_view tag) {
         const std::string lower = lowerCase(tag.substr(1));
         const std::size_t dot = lower.find('.');
-        if (dot == std::string::npos) return {lower, ""};
+        if (dot == std::string::npos) return splitCore(lower);
         return {lower.substr(0, dot), lower.substr(dot + 1)};
+    }
+
+    /// Tags of small-molecule CIF have no dot: _atom_site_fract_x is what mmCIF would call _atom_site.fract_x.
+    static std::pair<std::string, std::string> splitCore(const std::string& tag) {
+        static constexpr std::string_view kCategories[] = {"atom_site_aniso", "atom_site",         "cell",
+                                                           "symmetry_equiv",  "space_group_symop", "chemical"};
+        for (const std::string_view category : kCategories)
+            if (startsWith(tag, category) && tag.size() > category.size() && tag[category.size()] == '_')
+                return {std::string(category), tag.substr(category.size() + 1)};
+        return {tag, ""};
     }
 
     const std::string& name_;

@@ -61,7 +61,7 @@ private:
             case sajson::TYPE_DOUBLE:
             case sajson::TYPE_STRING:
                 text = value.as_string();
-                return text;
+                return std::string_view(text);
             default:
                 fail("a value is neither text nor number");
         }

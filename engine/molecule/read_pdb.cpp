@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/error.h"
+#include "engine/molecule/pdb_assemblies.h"
 #include "engine/molecule/pdb_conect.h"
 #include "engine/molecule/pdb_fields.h"
 #include "engine/molecule/readers.h"
@@ -98,8 +99,8 @@ private:
             const std::string_view value = trim(columns(line, 23, 40));  // a number, or NOT APPLICABLE
             if (const auto stated = pdb::number(value.substr(0, value.find(' '))); stated && *stated > 0)
                 molecule_.file.resolution = *stated;
-        } else if (startsWith(line, "REMARK 350   BIOMT1")) {
-            ++biomtOperators_;
+        } else if (startsWith(line, "REMARK 350")) {
+            remark350_.add(line);
         }
     }
 
@@ -186,7 +187,7 @@ private:
         const auto number = pdb::integer(columns(line, 23, wide ? 27 : 26), 4);
         residue.number = static_cast<std::int32_t>(number.value_or(0));
         residue.insertionCode = wide || code == ' ' ? '\0' : code;
-        residue.chain = chainOf(column(line, 22));
+        residue.chain = residue.subchain = chainOf(column(line, 22));
         residue.firstAtom = static_cast<std::uint32_t>(molecule_.atoms.size());
         molecule_.residues.push_back(residue);
     }
@@ -196,6 +197,7 @@ private:
         if (index < 0) {
             index = static_cast<int>(molecule_.chains.size());
             molecule_.chains.push_back({letter == ' ' ? std::string() : printable({&letter, 1})});
+            molecule_.subchains.push_back(molecule_.chains.back().name);
         }
         return static_cast<std::uint32_t>(index);
     }
@@ -222,7 +224,7 @@ private:
         file.models = models_;
         file.totalAtomsAllModels = totalAtoms_;
         file.chains = static_cast<std::int64_t>(molecule_.chains.size());
-        if (biomtOperators_ > 0) file.biomtOperators = biomtOperators_;
+        if (remark350_.operators() > 0) file.biomtOperators = remark350_.operators();
         if (unreadableNumbers_ > 0)
             molecule_.warnings.push_back("ignored " + std::to_string(unreadableNumbers_) +
                                          " occupancies, temperature factors or charges that are no numbers, the first "
@@ -230,6 +232,7 @@ private:
                                          std::to_string(firstUnreadableNumber_));
         conect_.resolve(serials_, molecule_);
         applySecondaryStructure(molecule_, secondary_);
+        remark350_.resolve(molecule_);
         return std::move(molecule_);
     }
 
@@ -240,6 +243,7 @@ private:
     Flavour flavour_;
     Molecule molecule_;
     pdb::ConectTable conect_;
+    pdb::Remark350 remark350_;
     std::vector<std::int64_t> serials_;
     std::vector<SecondaryRange> secondary_;
     std::array<int, 256> chainIndex_{};
@@ -248,7 +252,6 @@ private:
     int models_ = 0;
     std::int64_t atomsInModel_ = 0;
     std::int64_t totalAtoms_ = 0;
-    std::int64_t biomtOperators_ = 0;
     std::size_t unreadableNumbers_ = 0;
     std::uint64_t firstUnreadableNumber_ = 0;
 };

@@ -1,6 +1,6 @@
 #pragma once
 // One function per format. Only read.cpp calls them; each returns at least one atom or throws Error.
-// Line ends are '\n' by then, and the bonds are those that the file states. Must also compile as C++17.
+// Line ends of text are '\n' by then, and the bonds are those that the file states. Must also compile as C++17.
 
 #include <cstddef>
 #include <string>
@@ -14,6 +14,8 @@ namespace nacre {
 Molecule readPdb(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readMmcif(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readMmjson(const std::string& name, std::string_view text, const ReadOptions&);
+Molecule readBcif(const std::string& name, std::string_view bytes, const ReadOptions&);
+Molecule readMmtf(const std::string& name, std::string_view bytes, const ReadOptions&);
 Molecule readSdf(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readXyz(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readMol2(const std::string& name, std::string_view text, const ReadOptions&);

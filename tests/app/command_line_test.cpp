@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "render sample:dna -o a.png --lighting maybe", "render sample:dna -o a.png --supersample 0",
                     "render sample:dna -o a.png --supersample 9", "render sample:dna -o a.png --supersample 1.5",
                     "render sample:dna -o a.png --water yes", "render sample:dna -o a.png --hydrogens no",
-                    "render sample:dna -o a.png --format mmtf", "render sample:dna -o a.png --layers a.png",
+                    "render sample:dna -o a.png --format dcd", "render sample:dna -o a.png --layers a.png",
                     "render sample:dna -o a.exr --layers ./a.exr", "render sample:dna -o a.png --stats a.png",
                     "render sample:dna -o a.png --stats ''", "render sample:dna -o a.png --device ''",
                     "render sample:dna -o a.png --visibility best", "render sample:dna -o a.png --prepass 1",

@@ -86,7 +86,10 @@ INSTANTIATE_TEST_SUITE_P(Formats, Mutation,
                                          Case{"small/adrenalin.mol2", 1 << 20, 3000},
                                          Case{"small/ligs3d-multi.mol2", 1 << 20, 500}, Case{"3pqr.pqr", 30000, 1000},
                                          Case{"1crn.gro", 1 << 20, 1500}, Case{"small/dxc.pdbqt", 1 << 20, 1000},
-                                         Case{"small/ferrocene.cml", 1 << 20, 3000}),
+                                         Case{"small/ferrocene.cml", 1 << 20, 3000}, Case{"1j59.bcif.gz", 1 << 20, 300},
+                                         Case{"1crn.mmtf", 1 << 20, 2000}, Case{"1bna.mmtf", 1 << 20, 2000},
+                                         Case{"1stp-v5.cif", 1 << 20, 200},
+                                         Case{"small/core-867861.cif", 1 << 20, 500}),
                          [](const auto& test) {
                              std::string name = test.param.file;
                              for (char& c : name)

@@ -165,7 +165,7 @@ TEST(ReadMmcif, WhatIsWrongIsSaidWithItsLine) {
     test::expectError("a.cif", atomSite(xyz, "1 2 3\n") + "loop_\n_atom_site.Cartn_x\n1\n",
                       {"_atom_site occurs twice"});
     test::expectError("a.cif", "data_x\n_cell_length_a 5\nloop_\n_atom_site_label\n_atom_site_fract_x\nC 0\n",
-                      {"small-molecule CIF"});
+                      {"_cell_length_b is missing"});
     std::string tags = "data_x\nloop_\n";
     for (int i = 0; i < 5000; ++i) tags += "_a.b" + std::to_string(i) + "\n";
     test::expectError("a.cif", tags, {"too many tags"});

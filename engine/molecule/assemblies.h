@@ -1,0 +1,56 @@
+#pragma once
+// What the readers of assemblies share: transforms, operator expressions, and bounds that hostile files meet.
+// Must also compile as C++17.
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/molecule/molecule.h"
+
+namespace nacre {
+
+/// Why an assembly is left out; becomes a warning.
+struct AssemblyFault : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Three rows of four numbers: rotation and shift (Å).
+using TransformRows = std::array<double, 12>;
+
+/// First `second`, then `first`.
+TransformRows multiply(const TransformRows& first, const TransformRows& second);
+/// @throws AssemblyFault if a number is not finite or beyond ±1e9
+glm::mat4x3 toMatrix(const TransformRows& rows);
+
+/// What all assemblies of a file may take together. The largest real ones have some thousand transforms.
+class AssemblyLimits {
+public:
+    static constexpr std::size_t kMaxAssemblies = 10'000;
+    static constexpr std::size_t kMaxTransforms = std::size_t{1} << 20;  ///< 50 MB of matrices
+    static constexpr std::size_t kMaxSubchains = std::size_t{1} << 22;   ///< mentions of subchains, 17 MB
+
+    /// @throws AssemblyFault if that is more than is left
+    void spend(std::size_t transforms, std::size_t subchains);
+
+private:
+    std::size_t transforms_ = kMaxTransforms, subchains_ = kMaxSubchains;
+};
+
+using TransformsById = std::map<std::string, TransformRows, std::less<>>;
+
+/// The transforms of an mmCIF operator expression: "1", "1,2,5-8", "P", "(1-60)(61-88)", "(X0)(1-60)". Of a product
+/// the last factor is applied first and varies fastest.
+/// @throws AssemblyFault if it is malformed, names an operator that is not there, or exceeds the limits
+std::vector<glm::mat4x3> expandOperators(std::string_view expression, const TransformsById& operators,
+                                         AssemblyLimits& limits);
+
+/// Adds transforms of some subchains (in any order, repeated or not) to an assembly; joins the part before if it has
+/// the same subchains. Without transforms or subchains nothing is added.
+void addPart(Assembly& assembly, const std::vector<glm::mat4x3>& transforms, std::vector<std::uint32_t> subchains);
+
+}  // namespace nacre

@@ -1,0 +1,45 @@
+#pragma once
+// REMARK 350 of PDB files: the transforms that build biological assemblies.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/molecule/assemblies.h"
+#include "engine/molecule/molecule.h"
+
+namespace nacre::pdb {
+
+class Remark350 {
+public:
+    /// @param line one that begins with "REMARK 350"
+    void add(std::string_view line);
+    /// BIOMT1 lines, as FileSummary has them; 0 if there are none.
+    std::int64_t operators() const { return operators_; }
+    /// Adds the assemblies to a molecule whose subchains are its chains. One that cannot be read is left out with a
+    /// warning.
+    void resolve(Molecule& molecule);
+
+private:
+    struct Part {
+        std::vector<std::string> chains;  ///< empty: all, as old files mean by "NULL"
+        std::vector<glm::mat4x3> transforms;
+    };
+    struct Biomolecule {
+        std::string id, details, fault;
+        std::vector<Part> parts;
+    };
+    void begin(std::string_view id);
+    void addChains(std::string_view list);
+    void addRow(std::string_view line);
+    Part& part();
+
+    AssemblyLimits limits_;
+    std::vector<Biomolecule> biomolecules_;
+    TransformRows rows_{};
+    int row_ = 0;  ///< rows of the present transform that are there
+    std::int64_t operators_ = 0;
+    std::size_t leftOut_ = 0;
+};
+
+}  // namespace nacre::pdb

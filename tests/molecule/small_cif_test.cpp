@@ -1,0 +1,115 @@
+// Small-molecule CIF.
+#include <gtest/gtest.h>
+
+#include <gemmi/cif.hpp>
+#include <gemmi/numb.hpp>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "tests/molecule/expect_error.h"
+#include "tests/support/test_data.h"
+
+namespace nacre {
+namespace {
+
+const std::string kCell =
+    "_cell_length_a 10.0(2)\n_cell_length_b 20\n_chemical_formula_sum 'C'\n_cell_length_c 30\n_cell_angle_alpha 90\n"
+    "_cell_angle_beta 90\n_cell_angle_gamma 90\n";
+const std::string kAtoms =
+    "loop_\n_atom_site_label\n_atom_site_fract_x\n_atom_site_fract_y\n_atom_site_fract_z\n"
+    "_atom_site_U_iso_or_equiv\n_atom_site_occupancy\n_atom_site_disorder_group\n"
+    "C1 0.1(3) 0.25 -0.5 0.0100(2) 1 .\nCl2 0.5 0.5 0.5 . 0.5 2\nH3 ? ? ? . . .\n";
+
+std::string file(const std::string& symmetry, const std::string& cell = kCell, const std::string& atoms = kAtoms) {
+    return "data_x\n_chemical_name_common 'some thing'\n" + cell + symmetry + atoms;
+}
+
+TEST(SmallCif, Fields) {
+    const Molecule m = readMolecule("a.cif", file(""));
+    ASSERT_EQ(m.atoms.size(), 2u);
+    EXPECT_EQ(m.file.format, "cif-core");
+    EXPECT_EQ(m.file.title, "some thing");
+    EXPECT_LT(glm::distance(m.atoms[0].position, glm::vec3(1, 5, -15)), 1e-5f);
+    EXPECT_EQ(m.atoms[0].element, 6);
+    EXPECT_EQ(m.atoms[1].element, 17);
+    EXPECT_NEAR(m.atoms[0].temperatureFactor, 0.789568f, 1e-5f);  // 8 pi^2 U
+    EXPECT_EQ(m.atoms[0].alternate, '\0');
+    EXPECT_EQ(m.atoms[1].alternate, 'B');
+    EXPECT_EQ(m.atoms[1].occupancy, 0.5f);
+    ASSERT_EQ(m.warnings.size(), 1u);
+    EXPECT_NE(m.warnings[0].find("without coordinates, left out: 1"), std::string::npos);
+    EXPECT_TRUE(m.assemblies.empty());
+}
+
+TEST(SmallCif, SymmetryMakesTheUnitCell) {
+    // The centre of the two atoms is (0.3, 0.375, 0).
+    const Molecule m = readMolecule("a.cif", file("loop_\n_symmetry_equiv_pos_as_xyz\n'x,y,z'\n'-x, -y+1/2, -z'\n"));
+    ASSERT_EQ(m.assemblies.size(), 1u);
+    EXPECT_EQ(m.assemblies[0].id, "unit-cell");
+    const auto& transforms = m.assemblies[0].parts.at(0).transforms;
+    ASSERT_EQ(transforms.size(), 2u);
+    EXPECT_LT(glm::distance(transforms[0] * glm::vec4(1, 5, -15, 1), glm::vec3(1, 5, -15)), 1e-4f);
+    // (0.1, 0.25, -0.5) goes to (-0.1, 0.25, 0.5); the centre to (-0.3, 0.125, 0), which is one cell too low in x.
+    EXPECT_LT(glm::distance(transforms[1] * glm::vec4(1, 5, -15, 1), glm::vec3(9, 5, 15)), 1e-4f);
+    const Molecule named = readMolecule("a.cif", file("_space_group_symop_operation_xyz 'x,y,z'\n"));
+    EXPECT_EQ(named.assemblies.at(0).parts.at(0).transforms.size(), 1u);
+    const Molecule odd = readMolecule("a.cif", file("_symmetry_equiv_pos_as_xyz 'x,y,q'\n"));
+    EXPECT_TRUE(odd.assemblies.empty());
+    EXPECT_NE(odd.warnings.back().find("'x,y,q' is no symmetry operation"), std::string::npos);
+}
+
+TEST(SmallCif, WhatIsWrong) {
+    test::expectError("a.cif", file("", ""), {"_cell_length_a is missing"});
+    const auto cell = [](const std::string& from, const std::string& to) {
+        std::string text = kCell;
+        return file("", text.replace(text.find(from), from.size(), to));
+    };
+    test::expectError("a.cif", cell("length_b 20", "length_b -20"), {"_cell_length_b is missing or impossible"});
+    test::expectError("a.cif", cell("length_b 20", "length_b nan"), {"_cell_length_b is missing or impossible"});
+    test::expectError("a.cif", cell("gamma 90", "gamma 180"), {"_cell_angle_gamma is missing or impossible"});
+    test::expectError("a.cif",
+                      cell("alpha 90\n_cell_angle_beta 90\n_cell_angle_gamma 90",
+                           "alpha 10\n_cell_angle_beta 90\n_cell_angle_gamma 150"),
+                      {"no volume"});
+    std::string atoms = kAtoms;
+    atoms.replace(atoms.find("0.25"), 4, "1e99");
+    test::expectError("a.cif", file("", kCell, atoms), {"fract_y of row 1 of _atom_site is not a finite number"});
+    ReadOptions options;
+    options.model = 2;
+    test::expectError("a.cif", file(""), {"only model 1"}, options);
+}
+
+TEST(SmallCif, TheUnitCellHoldsTheFormula) {
+    NACRE_NEEDS_DATA();
+    const Molecule m = readMoleculeFile(test::dataFile("small/core-867861.cif"));
+    ASSERT_EQ(m.assemblies.size(), 1u);
+    const auto copies = static_cast<float>(m.assemblies[0].parts.at(0).transforms.size());
+    std::map<int, float> contents;
+    for (const Atom& atom : m.atoms) contents[atom.element] += copies * atom.occupancy;
+    // _chemical_formula_sum: C92 H102 F12 N14 O22, and _cell_formula_units_Z: 1
+    const std::map<int, float> formula = {{6, 92}, {1, 102}, {9, 12}, {7, 14}, {8, 22}};
+    ASSERT_EQ(contents.size(), formula.size());
+    for (const auto& [element, count] : formula) EXPECT_NEAR(contents[element], count, 0.01f) << element;
+}
+
+TEST(SmallCif, DistancesAreThoseThatTheFileStates) {
+    NACRE_NEEDS_DATA();
+    const std::string path = test::dataFile("small/core-867861.cif");
+    const Molecule m = readMoleculeFile(path);
+    std::map<std::string, glm::vec3> at;
+    for (const Atom& atom : m.atoms) at[std::string(atom.name.view())] = atom.position;
+    gemmi::cif::Document document = gemmi::cif::read_file(path);
+    gemmi::cif::Table bonds = document.blocks.at(0).find(
+        "_geom_bond_", {"atom_site_label_1", "atom_site_label_2", "distance", "site_symmetry_2"});
+    int compared = 0;
+    for (const auto row : bonds) {
+        if (row[3] != ".") continue;
+        const float distance = glm::distance(at.at(row.str(0)), at.at(row.str(1)));
+        EXPECT_NEAR(distance, gemmi::cif::as_number(row[2]), 0.006) << row[0] << ' ' << row[1];
+        ++compared;
+    }
+    EXPECT_GT(compared, 100);
+}
+
+}  // namespace
+}  // namespace nacre
