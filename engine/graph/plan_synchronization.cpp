@@ -120,14 +120,13 @@ private:
             use.whole.layout = state.layout;
         }
         // Load and store operations write too: clears on entry, don't-care and store on exit.
-        const bool depth = isDepthFormat(use.attachment->format);
-        const State writing = stateOf(depth ? Verb::depth : Verb::color, PassKind::graphics);
-        if (use.attachment->load != Load::load)
-            use.entry = {use.entry.stages | writing.stages, use.entry.access | writing.access, use.entry.layout};
-        if (use.attachment->store != Store::none) {
-            use.whole.stages |= writing.stages;
-            use.whole.access |= writing.access;
-        }
+        const State writing = operationsOf(*use.attachment);
+        const bool storeWrites = use.attachment->store != Store::none;
+        for (State* state : {&use.entry, &use.whole})
+            if (storeWrites || (state == &use.entry && use.attachment->load != Load::load)) {
+                state->stages |= writing.stages;
+                state->access |= writing.access;
+            }
         use.attachment->finalLayout = use.whole.layout;
         return use;
     }
@@ -144,7 +143,7 @@ private:
                 use.attachment->initialLayout = discards ? VK_IMAGE_LAYOUT_UNDEFINED : wanted;
                 if (discards && emit) depend(step.renderPass, VK_SUBPASS_EXTERNAL, use.firstSubpass, from, to, false);
             }
-            const bool needed = needsBarrier(track, {to.stages, to.access | use.whole.access, to.layout}, use.isImage);
+            const bool needed = needsBarrier(track, to, use.isImage);
             if (emit && needed && !discards) step.before.push_back({use.isImage, use.resource, from, to});
             advance(track, use, needed || discards);
         }
@@ -171,17 +170,33 @@ private:
         track.layout = use.isImage ? use.whole.layout : VK_IMAGE_LAYOUT_UNDEFINED;
     }
 
+    /// Stage and access of an attachment's load and store operations.
+    static State operationsOf(const Attachment& attachment) {
+        return stateOf(isDepthFormat(attachment.format) ? Verb::depth : Verb::color, PassKind::graphics);
+    }
+
+    /// What a subpass does to an attachment. The last one that uses it also stores it, which is a write.
+    static State stateIn(const RenderPassPlan& pass, std::uint32_t subpass, std::uint32_t a, Verb verb) {
+        State state = stateOf(verb, PassKind::graphics);
+        Verb later{};
+        for (std::uint32_t s = subpass + 1; s < pass.subpasses.size(); ++s)
+            if (attachmentVerb(pass.subpasses[s], a, later)) return state;
+        if (pass.attachments[a].store == Store::none) return state;
+        const State storing = operationsOf(pass.attachments[a]);
+        return {state.stages | storing.stages, state.access | storing.access, state.layout};
+    }
+
     static void subpassDependencies(RenderPassPlan& pass) {
         for (std::uint32_t a = 0; a < pass.attachments.size(); ++a)
             for (std::uint32_t to = 1; to < pass.subpasses.size(); ++to) {
                 Verb later{};
                 if (!attachmentVerb(pass.subpasses[to], a, later)) continue;
+                const State target = stateIn(pass, to, a, later);
                 for (std::uint32_t from = 0; from < to; ++from) {
                     Verb earlier{};
                     if (!attachmentVerb(pass.subpasses[from], a, earlier)) continue;
-                    if (isWrite(earlier) || isWrite(later) || earlier != later)
-                        depend(pass, from, to, stateOf(earlier, PassKind::graphics), stateOf(later, PassKind::graphics),
-                               true);
+                    if (isWrite(earlier) || (target.access & kWriteAccess) || earlier != later)
+                        depend(pass, from, to, stateOf(earlier, PassKind::graphics), target, true);
                 }
             }
         for (std::uint32_t a = 0; a < pass.attachments.size(); ++a) preserve(pass, a);

@@ -48,7 +48,7 @@ constexpr graph::State kBufferState{
 
 class RandomGraphMaker {
 public:
-    RandomGraphMaker(std::uint32_t seed, bool imports) : random_(seed) {
+    RandomGraphMaker(std::uint32_t seed, bool imports, bool ordered) : random_(seed), ordered_(ordered) {
         constexpr VkFormat kFormats[] = {VK_FORMAT_D32_SFLOAT,  VK_FORMAT_R32_UINT,    VK_FORMAT_R32_UINT,
                                          VK_FORMAT_R32G32_UINT, VK_FORMAT_R32G32_UINT, VK_FORMAT_D32_SFLOAT,
                                          VK_FORMAT_R32_UINT};
@@ -66,7 +66,7 @@ public:
     const RandomGraph& graph() const { return graph_; }
 
 private:
-    std::uint32_t below(std::uint32_t n) { return random_() % n; }
+    std::uint32_t below(std::uint32_t n) { return static_cast<std::uint32_t>(random_() % n); }
     bool chance(std::uint32_t of, std::uint32_t in) { return below(in) < of; }
     bool isDepth(std::uint32_t image) const { return graph_.images[image].format == VK_FORMAT_D32_SFLOAT; }
 
@@ -130,14 +130,17 @@ private:
             if (image >= graph_.images.size()) continue;
             const bool clear = chance(1, 2);
             if (!defined_[image] && !clear) pass.half = false;  // or pixels would have no value
-            use(pass, graph::Verb::color, image, clear);
+            use(pass, ordered_ && chance(1, 5) ? graph::Verb::ordered : graph::Verb::color, image, clear);
         }
-        const bool draws = pass.find(graph::Verb::color) || pass.find(graph::Verb::depth);
+        const bool draws =
+            pass.find(graph::Verb::color) || pass.find(graph::Verb::ordered) || pass.find(graph::Verb::depth);
         if (!draws) pass.uses.clear();
         // What a depth test rejects would have no value either.
         const bool tests = pass.find(graph::Verb::depth) || pass.find(graph::Verb::depthTest);
         for (RandomUse& u : pass.uses)
-            if (u.verb == graph::Verb::color && !defined_[u.resource] && (pass.half || tests)) u.clear = true;
+            if (!defined_[u.resource] &&
+                (u.verb == graph::Verb::ordered || (u.verb == graph::Verb::color && (pass.half || tests))))
+                u.clear = true;
     }
 
     void compute(RandomPass& pass) {
@@ -168,11 +171,16 @@ private:
     }
 
     std::mt19937 random_;
+    bool ordered_;
     RandomGraph graph_;
     std::vector<bool> defined_;
 };
 
-inline RandomGraph randomGraph(std::uint32_t seed, bool imports) { return RandomGraphMaker(seed, imports).graph(); }
+/// @param imports  some images come from outside
+/// @param ordered  some attachments are read in raster order
+inline RandomGraph randomGraph(std::uint32_t seed, bool imports, bool ordered = false) {
+    return RandomGraphMaker(seed, imports, ordered).graph();
+}
 
 /// The graph, declared, and its handles.
 struct DeclaredGraph {
@@ -208,6 +216,9 @@ inline DeclaredGraph declare(const RandomGraph& random,
                     break;
                 case graph::Verb::color:
                     builder.color(d.images[use.resource], clear);
+                    break;
+                case graph::Verb::ordered:
+                    builder.ordered(d.images[use.resource], clear);
                     break;
                 case graph::Verb::input:
                     builder.input(d.images[use.resource]);
