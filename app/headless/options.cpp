@@ -258,7 +258,10 @@ constexpr const char* kExamples =
     "  nacre render sample:dna -o dna.png\n"
     "  nacre info 4hhb.cif.gz --json\n"
     "  nacre devices\n"
-    "`nacre render --help` lists what can be set.";
+    "`nacre render --help` lists what can be set.\n"
+    "Environment, for drivers in doubt and for captures; the picture stays the same:\n"
+    "  NACRE_NO_MERGE=1      every pass is a render pass of its own\n"
+    "  NACRE_NO_TRANSIENT=1  every attachment has memory and is stored";
 constexpr const char* kRenderExamples =
     "Examples:\n"
     "  nacre render 1bna.pdb -o dna.png --size 1600x1200 --supersample 2\n"

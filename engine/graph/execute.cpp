@@ -26,7 +26,7 @@ Executor::OwnedRenderPass& Executor::renderPass(const RenderPassPlan& plan, cons
     return renderPasses_.back();
 }
 
-vk::Framebuffer Executor::framebuffer(OwnedRenderPass& pass, const PassContext& context) {
+vk::Framebuffer Executor::framebuffer(OwnedRenderPass& pass, const PassContext& context, const std::string& name) {
     std::vector<VkImageView> views;
     for (const Attachment& a : pass.plan.attachments) views.push_back(*context.images[a.image]->view);
     for (const auto& [key, handle] : pass.framebuffers)
@@ -36,6 +36,7 @@ vk::Framebuffer Executor::framebuffer(OwnedRenderPass& pass, const PassContext& 
         views,
         vk::raii::Framebuffer(*device_, vk::FramebufferCreateInfo({}, *pass.handle, handles, pass.plan.extent.width,
                                                                   pass.plan.extent.height, pass.plan.layers)));
+    device_.name(*pass.framebuffers.back().second, name);
     return *pass.framebuffers.back().second;
 }
 
@@ -78,7 +79,7 @@ void Executor::recordRenderPass(const Graph& graph, const Plan& plan, const Rend
     const vk::Rect2D area({0, 0}, {pass.extent.width, pass.extent.height});
     const vk::SubpassBeginInfo inlineContents(vk::SubpassContents::eInline);
     context.commands.beginRenderPass2KHR(
-        vk::RenderPassBeginInfo(*owned.handle, framebuffer(owned, context), area, clears), inlineContents);
+        vk::RenderPassBeginInfo(*owned.handle, framebuffer(owned, context, name), area, clears), inlineContents);
     context.renderPass = *owned.handle;
     context.extent = pass.extent;
     for (std::uint32_t s = 0; s < pass.subpasses.size(); ++s) {

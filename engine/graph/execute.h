@@ -64,7 +64,7 @@ private:
 
     const gpu::Image& own(const std::string& key, const ImageDesc& desc, const PlannedImage& planned);
     OwnedRenderPass& renderPass(const RenderPassPlan& plan, const std::string& name);
-    vk::Framebuffer framebuffer(OwnedRenderPass& pass, const PassContext& context);
+    vk::Framebuffer framebuffer(OwnedRenderPass& pass, const PassContext& context, const std::string& name);
     void barriers(const vk::raii::CommandBuffer& commands, const std::vector<Barrier>& barriers, const Graph& graph,
                   const PassContext& context) const;
     void recordRenderPass(const Graph& graph, const Plan& plan, const RenderPassPlan& pass, PassContext& context);

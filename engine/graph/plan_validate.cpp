@@ -40,6 +40,28 @@ void checkReads(const Graph& graph) {
     }
 }
 
+/// "100x50" and what is more than one.
+std::string shapeText(const ImageDesc& desc) {
+    std::string text = std::to_string(desc.extent.width) + "x" + std::to_string(desc.extent.height);
+    if (desc.samples != 1) text += ", " + std::to_string(desc.samples) + " samples";
+    if (desc.layers != 1) text += ", " + std::to_string(desc.layers) + " layers";
+    return text;
+}
+
+/// Images are kept by their names from one execution to the next.
+void checkImages(const Graph& graph) {
+    for (std::size_t i = 0; i < graph.images().size(); ++i) {
+        const ImageDecl& image = graph.images()[i];
+        const std::string what = "graph '" + graph.name() + "', image '" + image.name + "': ";
+        if (image.desc.extent.width == 0 || image.desc.extent.height == 0 || image.desc.samples == 0 ||
+            image.desc.layers == 0)
+            throw GraphError(what + "no pixels (" + shapeText(image.desc) + ")");
+        bytesPerTexel(image.desc.format);
+        for (std::size_t j = 0; j < i; ++j)
+            if (graph.images()[j].name == image.name) throw GraphError(what + "two images of this name");
+    }
+}
+
 void checkAttachments(const Graph& graph, const PassDecl& pass, const PlanCaps& caps) {
     const ImageDesc* first = nullptr;
     std::uint32_t bytes = 0, colors = 0, inputs = 0;
@@ -48,8 +70,8 @@ void checkAttachments(const Graph& graph, const PassDecl& pass, const PlanCaps& 
         const ImageDesc& desc = graph.images()[use.resource].desc;
         if (!first) first = &desc;
         if (desc.extent != first->extent || desc.samples != first->samples || desc.layers != first->layers)
-            throw GraphError(naming(graph, pass, use) + ": " + verbName(use.verb) +
-                             " attachment of another extent, sample or layer count than the pass's first");
+            throw GraphError(naming(graph, pass, use) + ": " + verbName(use.verb) + " attachment of " +
+                             shapeText(desc) + " beside one of " + shapeText(*first));
         const bool depthVerb = use.verb == Verb::depth || use.verb == Verb::depthTest;
         if (depthVerb != isDepthFormat(desc.format))
             throw GraphError(naming(graph, pass, use) + ": " + formatName(desc.format) + " cannot be a " +
@@ -79,6 +101,7 @@ void checkAttachments(const Graph& graph, const PassDecl& pass, const PlanCaps& 
 }  // namespace
 
 void validate(const Graph& graph, const PlanCaps& caps) {
+    checkImages(graph);
     for (const PassDecl& pass : graph.passes()) {
         for (std::size_t i = 0; i < pass.uses.size(); ++i) {
             const Use& use = pass.uses[i];

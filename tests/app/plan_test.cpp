@@ -1,0 +1,130 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/headless/plan_command.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+using Json = nlohmann::json;
+
+PlanOptions phone(const std::string& caps) {
+    PlanOptions options;
+    options.caps = caps;
+    options.size = {1170, 2532};
+    return options;
+}
+Json jsonOf(const PlanOptions& options) { return Json::parse(planJson(planReport(options))); }
+
+constexpr std::uint64_t kPixels = 1170ull * 2532;
+
+TEST(Plan, OfMaliIsOneRenderPassWhoseTrafficIsTheColourAlone) {
+    const Json json = jsonOf(phone("mali"));
+    ASSERT_EQ(json["render_passes"].size(), 1u);
+    const Json& pass = json["render_passes"][0];
+    ASSERT_EQ(pass["subpasses"].size(), 3u);
+    EXPECT_EQ(pass["subpasses"][2]["name"], "impostor colour");
+    EXPECT_EQ(pass["subpasses"][2]["reads"], Json({"depth", "encoded depth", "occlusion atlas"}));
+    EXPECT_EQ(pass["subpasses"][2]["input_attachments"], Json({"encoded depth"}));
+    EXPECT_EQ(pass["subpasses"][2]["writes"], Json({"colour"}));
+    for (const Json& a : pass["attachments"]) {
+        EXPECT_EQ(a["transient"], a["name"] != "colour");
+        EXPECT_EQ(a["store"], a["name"] == "colour" ? "store" : "dont_care");
+        EXPECT_EQ(a["load"], "clear");
+    }
+    EXPECT_EQ(json["memory_bytes"]["loaded"], 0);
+    EXPECT_EQ(json["memory_bytes"]["stored"], kPixels * 4);
+    EXPECT_EQ(json["memory_bytes"]["unmerged"], kPixels * 32);  // 16 each way
+    EXPECT_EQ(json["memory_bytes"]["paper"], kPixels * 16);     // 6 loaded, 10 stored
+    EXPECT_EQ(json["tile_bytes_per_pixel"], 12);
+}
+
+TEST(Plan, OfAppleIsOneSubpassWithoutInputAttachment) {
+    const Json json = jsonOf(phone("apple-moltenvk"));
+    ASSERT_EQ(json["render_passes"].size(), 1u);
+    ASSERT_EQ(json["render_passes"][0]["subpasses"].size(), 1u);
+    EXPECT_EQ(json["render_passes"][0]["subpasses"][0]["input_attachments"], Json::array());
+    EXPECT_EQ(json["visibility"], "fragdepth");
+    for (const Json& a : json["render_passes"][0]["attachments"]) EXPECT_EQ(a["transient"], a["name"] == "depth");
+    EXPECT_EQ(json["memory_bytes"]["stored"], kPixels * 4);
+}
+
+TEST(Plan, EncodedOnAppleLeavesTheTileOnce) {
+    PlanOptions options = phone("apple-moltenvk");
+    options.device.visibility = Visibility::encoded;
+    const Json json = jsonOf(options);
+    ASSERT_EQ(json["render_passes"].size(), 2u);
+    for (const Json& pass : json["render_passes"]) {
+        EXPECT_EQ(pass["subpasses"].size(), 1u);
+        EXPECT_EQ(pass["subpasses"][0]["input_attachments"], Json::array());
+    }
+    EXPECT_EQ(json["memory_bytes"]["loaded"], kPixels * 8);  // depth, and R32F encoded depth as a texture
+}
+
+TEST(Plan, UnmergedPrintsThePlanThatMergedIsComparedWith) {
+    PlanOptions options = phone("mali");
+    options.merge = false;
+    const Json json = jsonOf(options);
+    EXPECT_EQ(json["render_passes"].size(), 3u);
+    EXPECT_EQ(json["memory_bytes"]["loaded"].get<std::uint64_t>() + json["memory_bytes"]["stored"].get<std::uint64_t>(),
+              jsonOf(phone("mali"))["memory_bytes"]["unmerged"]);
+}
+
+TEST(Plan, SaysOfEveryPassWhatProfilersAsk) {
+    for (const Visibility path : {Visibility::encoded, Visibility::fragdepth, Visibility::deferred}) {
+        PlanOptions options = phone("mali");
+        options.device.visibility = path;
+        const Json passes = jsonOf(options)["passes"];
+        ASSERT_GE(passes.size(), 2u);
+        for (const Json& pass : passes) {
+            EXPECT_FALSE(pass["depth_test_why"].get<std::string>().empty());
+            EXPECT_NE(pass["precision"].get<std::string>().find("fp32"), std::string::npos);
+        }
+        EXPECT_EQ(passes[0]["depth_test"], "early");
+        EXPECT_EQ(passes[0]["binning_bytes"]["sphere"], 16);
+        const Json& shading = passes.back();
+        EXPECT_EQ(shading["depth_test"], path == Visibility::encoded     ? "early"
+                                         : path == Visibility::fragdepth ? "conservative"
+                                                                         : "none");
+        EXPECT_EQ(shading["shading_bytes"]["sphere"], 28);
+        EXPECT_EQ(shading["shading_bytes"]["cylinder"], 52);
+        EXPECT_EQ(shading["binning_bytes"]["cylinder"], path == Visibility::deferred ? 0 : 32);
+    }
+}
+
+TEST(Plan, TextNamesEveryPassAndImage) {
+    for (const graph::CapabilitySet& set : graph::capabilitySets()) {
+        const std::string text = planText(planReport(phone(set.plan.name)));
+        for (const char* word : {"opaque prepass", "impostor colour", "colour", "depth", "in all", "paper"})
+            EXPECT_NE(text.find(word), std::string::npos) << set.plan.name << ": " << word;
+        EXPECT_EQ(text.find("  \n"), std::string::npos);
+    }
+}
+
+TEST(Plan, DotHasABoxForEveryRenderPassAndBalances) {
+    PlanOptions options = phone("mali");
+    options.merge = false;
+    const std::string dot = planDot(planReport(options));
+    EXPECT_EQ(dot.rfind("digraph plan {", 0), 0u);
+    for (const char* word : {"cluster0", "cluster1", "cluster2", "store 23.7 MB", "load 11.8 MB"})
+        EXPECT_NE(dot.find(word), std::string::npos) << word;
+    EXPECT_EQ(std::count(dot.begin(), dot.end(), '{'), std::count(dot.begin(), dot.end(), '}'));
+    EXPECT_EQ(std::count(dot.begin(), dot.end(), '"') % 2, 0);
+}
+
+TEST(Plan, RefusesWhatTheDeviceCannotDo) {
+    PlanOptions options = phone("mali");
+    options.device.encoded = EncodedDepth::r32f;
+    EXPECT_THROW(planReport(options), Error);
+    options.device.encoded = EncodedDepth::rgba8;
+    EXPECT_EQ(jsonOf(options)["tile_bytes_per_pixel"], 8);
+    options = phone("powervr");
+    options.device.visibility = Visibility::rasterOrder;
+    EXPECT_THROW(planReport(options), std::exception);
+}
+
+}  // namespace
+}  // namespace nacre::app
