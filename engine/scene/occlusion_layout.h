@@ -10,9 +10,9 @@
 namespace nacre {
 
 struct OcclusionLayout {
-    std::uint32_t sphereEdge = 0;         ///< texels across a sphere's octahedral patch: a multiple of 4, or 1 (one value)
-    std::uint32_t around = 0;             ///< texels around a cylinder; a multiple of 4
-    std::uint32_t along = 0;              ///< texels along a cylinder
+    std::uint32_t sphereEdge = 0;  ///< texels across a sphere's octahedral patch: a multiple of 4, or 1 (one value)
+    std::uint32_t around = 0;      ///< texels around a cylinder; a multiple of 4
+    std::uint32_t along = 0;       ///< texels along a cylinder
     std::uint32_t width = 0, height = 0;  ///< of the atlas, texels
     std::uint32_t sphereRows = 0;         ///< rows of the atlas that sphere patches take
     std::uint32_t sphereCount = 0, cylinderCount = 0;

@@ -1,9 +1,9 @@
 // Baked occlusion against ray-traced, cosine-weighted occlusion.
 
 #include <cmath>
-#include <map>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <map>
 #include <random>
 
 #include "tests/reference/ambient_occlusion.h"
