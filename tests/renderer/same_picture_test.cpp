@@ -1,5 +1,10 @@
 // One picture, however it is made: prepass on and off, merged and unmerged, encoded and fragdepth, bit for bit.
 
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+
+#include "engine/error.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {
@@ -92,6 +97,55 @@ TEST_P(SamePicture, OfColourToo) {
                 EXPECT_EQ(p.rgba, first) << "prepass " << prepass << ", merge " << merge;
             }
     }
+}
+
+TEST(SamePicture, OfEveryMoleculeThatThereIs) {
+    NACRE_NEEDS_DATA();
+    constexpr Visibility kPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::deferred,
+                                     Visibility::rasterOrder};
+    std::vector<std::unique_ptr<ValidatedRenderer>> renderers;
+    for (const Visibility path : kPaths) renderers.push_back(std::make_unique<ValidatedRenderer>(path));
+    std::size_t molecules = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(*dataFolder())) {
+        const std::string name = entry.path().string();
+        if (!entry.is_regular_file() || name.find("/bad/") != std::string::npos) continue;
+        Representation r;
+        try {
+            const Molecule m = readMoleculeFile(name);
+            // Larger ones add time, not cases: the paths differ in how they draw, not in what.
+            if (m.atoms.size() > 7000 || m.atoms.empty()) continue;
+            r = represent(m, drawnAtoms(m), {defaultStyle(m, drawnAtoms(m)), {}});
+        } catch (const Error&) {
+            continue;  // no structure file
+        }
+        ++molecules;
+        const RenderSettings s = settings(r, 96, Projection::orthographic);
+        LayerPicture first;
+        for (const auto& renderer : renderers) {
+            (*renderer)->setScene(r);
+            const LayerPicture p = (*renderer)->layers(s);
+            if (first.id.empty()) first = p;
+            EXPECT_EQ(p.id, first.id) << name;
+            EXPECT_EQ(p.z, first.z) << name;
+        }
+    }
+    EXPECT_GE(molecules, 65u);
+}
+
+TEST(SamePicture, TransientOrStored) {
+    const Representation r = scene("sample:dna", Style::spacefill);
+    const RenderSettings s = settings(r, 128, Projection::orthographic);
+    std::vector<std::vector<float>> pictures;
+    for (const char* stored : {"0", "1"}) {
+        setenv("NACRE_NO_TRANSIENT", stored, 1);
+        ValidatedRenderer renderer(Visibility::encoded);
+        renderer->setScene(r);
+        pictures.push_back(renderer->render(s).rgba);
+        // Stored attachments show in the frame's traffic: depth and encoded depth beside the colour.
+        EXPECT_EQ(renderer->stats().storedBytes, 128u * 128u * (stored[0] == '1' ? 12u : 4u));
+    }
+    unsetenv("NACRE_NO_TRANSIENT");
+    EXPECT_EQ(pictures[0], pictures[1]);
 }
 
 TEST(Frame, OfEncodedIsOneRenderPassAndOfFragdepthOneSubpass) {
