@@ -236,7 +236,8 @@ TEST_F(Rules, ADependencyFromOutsideGoesToTheFirstSubpassThatUsesAnAttachment) {
     g.graphics("colour").depthTest(d).color(a, Clear{0.0f});
     g.output(a);
     bool found = false;
-    for (const Dependency& x : plan().steps[0].renderPass.dependencies)
+    const Plan made = plan();
+    for (const Dependency& x : made.steps[0].renderPass.dependencies)
         found = found || (x.from == VK_SUBPASS_EXTERNAL && x.to == 1);
     EXPECT_TRUE(found);
 }
