@@ -148,6 +148,17 @@ TEST(SamePicture, TransientOrStored) {
     EXPECT_EQ(pictures[0], pictures[1]);
 }
 
+TEST(Frame, IsSplitByTheEnvironment) {
+    const Representation r = scene("sample:dna", Style::spacefill);
+    setenv("NACRE_NO_MERGE", "1", 1);
+    ValidatedRenderer renderer(Visibility::encoded);
+    unsetenv("NACRE_NO_MERGE");
+    renderer->setScene(r);
+    renderer->render(settings(r, 64, Projection::orthographic));
+    EXPECT_EQ(renderer->planText().find("subpass 1"), std::string::npos) << renderer->planText();
+    EXPECT_GT(renderer->stats().loadedBytes, 0u);
+}
+
 TEST(Frame, OfEncodedIsOneRenderPassAndOfFragdepthOneSubpass) {
     const Representation r = scene("sample:dna", Style::spacefill);
     const RenderSettings s = settings(r, 64, Projection::orthographic);
