@@ -120,6 +120,32 @@ void putChains(Json& json, const Molecule& molecule) {
     json["waters"] = waters;
 }
 
+/// Atoms of each subchain.
+std::vector<std::size_t> subchainSizes(const Molecule& molecule) {
+    std::vector<std::size_t> sizes(molecule.subchains.size());
+    for (const Residue& residue : molecule.residues) sizes[residue.subchain] += residue.atomCount;
+    return sizes;
+}
+
+/// Copies and atoms count what the assembly's parts mention.
+Json assemblyList(const Molecule& molecule) {
+    const std::vector<std::size_t> sizes = subchainSizes(molecule);
+    Json list = Json::array();
+    for (const Assembly& assembly : molecule.assemblies) {
+        std::size_t copies = 0, atoms = 0;
+        for (const AssemblyPart& part : assembly.parts) {
+            copies = std::max(copies, part.transforms.size());
+            for (const std::uint32_t subchain : part.subchains) atoms += sizes[subchain] * part.transforms.size();
+        }
+        Json entry{{"id", assembly.id}};
+        if (!assembly.details.empty()) entry["details"] = assembly.details;
+        entry["copies"] = copies;
+        entry["atoms"] = atoms;
+        list.push_back(entry);
+    }
+    return list;
+}
+
 /// A file's own words, made safe for a terminal.
 std::string printable(std::string text) {
     for (char& c : text)
@@ -176,6 +202,17 @@ void sequences(std::ostream& out, const Json& chains) {
     }
 }
 
+void assemblies(std::ostream& out, const Json& list) {
+    std::size_t shown = 0;
+    for (const Json& entry : list) {
+        if (++shown > kMostNames) return line(out, "", "and " + std::to_string(list.size() - kMostNames) + " more");
+        std::string text = "--assembly " + entry["id"].get<std::string>() + ": " + entry["copies"].dump() +
+                           (entry["copies"] == 1 ? " copy, " : " copies, ") + entry["atoms"].dump() + " atoms";
+        if (entry.contains("details")) text += ", " + entry["details"].get<std::string>();
+        line(out, "", text);
+    }
+}
+
 /// A number as people write it, without the digits that binary fractions add.
 std::string plainNumber(double value) {
     std::ostringstream out;
@@ -211,6 +248,7 @@ Json infoJson(const Molecule& molecule) {
     put(json, "biomt_operators", file.biomtOperators);
     put(json, "assemblies", file.assemblies);
     put(json, "oper_list", file.operators);
+    if (!molecule.assemblies.empty()) json["assembly_list"] = assemblyList(molecule);
     if (counts.bbox) json["bbox"] = vectors(*counts.bbox);
     if (file.box) json["box_vectors"] = vectors(*file.box);
     if (!molecule.partialCharges.empty())
@@ -248,6 +286,7 @@ std::string infoText(const std::string& name, const Json& json) {
     line(out, "assemblies",
          listed(json,
                 {{"assemblies", "assemblies"}, {"oper_list", "operators"}, {"biomt_operators", "BIOMT operators"}}));
+    if (json.contains("assembly_list")) assemblies(out, json["assembly_list"]);
     line(out, "bonds",
          listed(json["bonds_known"], {{"total", "total"},
                                       {"file", "from the file"},

@@ -34,6 +34,7 @@ OcclusionBake::OcclusionBake(const gpu::Device& device, Geometry& geometry, Near
       geometry_(geometry),
       nearest_(nearest),
       scene_(scene),
+      representation_(representation),
       layout_(layout),
       directions_(occlusionDirections(directions)),
       radius_(representation.radius) {
@@ -109,7 +110,9 @@ void OcclusionBake::recordMaps(graph::PassContext& context, Writes writes) const
         context.commands.setViewport(0, vk::Viewport(static_cast<float>(x), static_cast<float>(y), side, side, 0, 1));
         context.commands.setScissor(0,
                                     vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {mapPixels_, mapPixels_}));
+        const PlacedCopies copies = placeCopies(representation_, view);
         Draw draw{writes, nearest_};
+        draw.copies = &copies;
         draw.radiusPixels = meanRadius_ * view.pixelsPerAngstrom;
         draw.view = viewConstants(view, device_.caps().snapPixels, x + mapPixels_ / 2.0, y + mapPixels_ / 2.0);
         geometry_.draw(context, scene_, draw);

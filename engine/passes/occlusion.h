@@ -39,6 +39,7 @@ private:
     Geometry& geometry_;
     Nearest nearest_;
     const SceneBuffers& scene_;
+    const Representation& representation_;
     OcclusionLayout layout_;
     std::vector<glm::dmat3> directions_;
     double radius_, meanRadius_ = 0;
