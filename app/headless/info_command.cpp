@@ -85,10 +85,15 @@ bool hasResidues(const std::string& format) {
     return true;
 }
 
-Json chainList(const std::vector<ChainSummary>& chains) {
+/// @param chains  those of the molecule, in its order
+Json chainList(const Molecule& molecule, const std::vector<ChainSummary>& chains) {
+    const bool several = std::any_of(molecule.chains.begin(), molecule.chains.end(),
+                                     [&](const Chain& chain) { return chain.model != molecule.chains.front().model; });
     Json list = Json::array();
-    for (const ChainSummary& chain : chains) {
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+        const ChainSummary& chain = chains[i];
         Json entry{{"name", chain.name}};
+        if (several) entry["model"] = molecule.chains[i].model;
         if (!chain.sequence.empty()) {
             entry["polymer"] = chain.nucleotides > chain.aminoAcids ? "nucleic" : "protein";
             entry["length"] = chain.sequence.size();
@@ -114,7 +119,7 @@ void putChains(Json& json, const Molecule& molecule) {
     const std::vector<ChainSummary> chains = summariseChains(molecule);
     std::size_t waters = 0;
     for (const ChainSummary& chain : chains) waters += chain.waters;
-    json["chain_list"] = chainList(chains);
+    json["chain_list"] = chainList(molecule, chains);
     json["ligands"] = total(chains, &ChainSummary::ligands);
     json["ions"] = total(chains, &ChainSummary::ions);
     json["waters"] = waters;
@@ -185,8 +190,8 @@ void sequences(std::ostream& out, const Json& chains) {
         if (!chain.contains("sequence")) continue;
         auto& names = namesBySequence[chain["sequence"]];
         if (names.empty()) first.push_back(&chain);
-        const std::string name = chain["name"];
-        names.push_back(name.empty() ? "(blank)" : name);
+        const std::string name = chain["name"].get<std::string>().empty() ? "(blank)" : chain["name"];
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);  // once for all models
     }
     for (const Json* chain : first) {
         const std::string sequence = (*chain)["sequence"];

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
-#include <limits>
 
 #include "app/headless/image_file.h"
 #include "engine/error.h"
@@ -65,9 +64,8 @@ void addInput(CLI::App& app, InputOptions& input) {
         input.format = formatFromName(text);
         if (!input.format) throw std::invalid_argument("expected one of " + formatNames() + ", not '" + text + "'");
     });
-    value(app, "--model", "N", "1", "Model, frame or record, counted from 1", [&](const std::string& text) {
-        input.model = static_cast<int>(parseInteger(text, 1, std::numeric_limits<int>::max()));
-    });
+    value(app, "--model", "N|all", "1", "Model, frame or record, counted from 1; all: one over the other",
+          [&](const std::string& text) { input.model = parseModel(text); });
 }
 
 void addSize(CLI::App& app, const std::string& fallback, Size& size) {

@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "render sample:dna -o a.png --hide", "render sample:dna -o a.png --color-by chain",
                     "render sample:dna -o a.png --color-by all=mauve-ish",
                     "render sample:dna -o a.png --color transparent",
-                    "render sample:dna -o a.png --encoded-format r16f", "render sample:dna -o a.png --model all",
+                    "render sample:dna -o a.png --encoded-format r16f", "render sample:dna -o a.png --model every",
                     "render sample:dna -o a.png --model 0", "render sample:dna -o a.png --size 0x5",
                     "render sample:dna -o a.png --size 16385x5", "render sample:dna -o a.png --size nanxnan",
                     "render sample:dna -o a.png --size 16384x16384",
