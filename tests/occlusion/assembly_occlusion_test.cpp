@@ -88,7 +88,7 @@ TEST(AssemblyOcclusion, OfCopiesThatDifferIsTheirMean) {
         if (lone.id[i]) sumOfLone += lone.occlusion[i], ++countLone;
         if (copies.id[i]) sumOfCopies += copies.occlusion[i], ++countCopies;
     }
-    EXPECT_LT(sumOfCopies / countCopies, sumOfLone / countLone);
+    EXPECT_LT(sumOfCopies / static_cast<double>(countCopies), sumOfLone / static_cast<double>(countLone));
 }
 
 TEST(AssemblyOcclusion, OfTwoPartsWithTheirOwnCopies) {
