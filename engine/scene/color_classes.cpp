@@ -43,13 +43,15 @@ Classes byElement(const Molecule& molecule, std::span<const std::uint32_t> atoms
 }
 
 Classes byChain(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
-    // A chain looks the same in every model.
-    std::map<std::string_view, std::uint32_t> known;
+    // A chain looks the same in every model. Chains of one model that share a name are told apart by their order.
+    std::map<std::pair<int, std::string_view>, int> namesakes;
+    std::map<std::pair<std::string_view, int>, std::uint32_t> known;
     Classes classes;
     std::vector<std::uint32_t> ofChain;
     for (const Chain& chain : molecule.chains) {
         const auto next = static_cast<std::uint32_t>(classes.entries.size());
-        const auto [found, added] = known.emplace(chain.name, next);
+        const int namesake = namesakes[{chain.model, chain.name}]++;
+        const auto [found, added] = known.emplace(std::pair(std::string_view(chain.name), namesake), next);
         if (added) classes.entries.push_back({chain.name.empty() ? "(no name)" : chain.name, chainColor(next)});
         ofChain.push_back(found->second);
     }
