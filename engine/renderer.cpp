@@ -90,6 +90,8 @@ layout::ViewConstants Renderer::Impl::constants(const RenderSettings& settings, 
     const OcclusionLayout layout = occlusion ? bake->layout() : OcclusionLayout{};
     if (occlusion) c.atlas = glm::vec4(1.0 / layout.width, 1.0 / layout.height, layout.sphereEdge, layout.around);
     const auto spheres = static_cast<std::uint32_t>(representation.spheres.size());
+    const auto primitives = static_cast<std::uint32_t>(spheres + representation.cylinders.size());
+    c.depth.z = std::bit_cast<float>(primitives);
     c.shading = glm::vec4(settings.lighting ? 1 : 0, occlusion ? 1 : 0, layout.along, std::bit_cast<float>(spheres));
     return c;
 }
@@ -99,9 +101,15 @@ std::vector<gpu::Buffer> Renderer::Impl::draw(const RenderSettings& settings, co
                                               std::span<const ScreenTarget> targets, bool readBack) {
     const graph::Extent extent{view.width, view.height};
     const gpu::Image& atlas = settings.occlusionDirections > 0 ? bake->atlas() : white;
+    const passes::PlacedCopies copies = passes::placeCopies(representation, view);
+    gpu::Buffer copyRows;
+    if (nearest == Nearest::deferred)
+        copyRows = gpu::makeBuffer(device, std::span(copies.rows), vk::BufferUsageFlagBits::eStorageBuffer, "copies");
     passes::FragmentCounter counter(device, settings.countFragments);
     const auto record = [&](Writes writes, const ScreenInputs& inputs) {
         passes::Draw d{writes, nearest, view.projection == Projection::perspective, constants(settings, view)};
+        d.copies = &copies;
+        d.copyRows = &copyRows;
         d.plates = settings.plates;
         d.impostor = settings.impostor;
         d.radiusPixels = meanRadius * view.pixelsPerAngstrom;
@@ -149,6 +157,8 @@ std::vector<gpu::Buffer> Renderer::Impl::draw(const RenderSettings& settings, co
     stats.loadedBytes = plan.total.loaded;
     stats.storedBytes = plan.total.stored;
     stats.deviceBytes = device.peakAllocatedBytes();
+    stats.spheres = copies.sphereCount();
+    stats.cylinders = copies.cylinderCount();
     return pixels;
 }
 
@@ -246,8 +256,7 @@ void Renderer::setScene(Representation representation) {
     double sum = 0;
     for (const Sphere& s : impl_->representation.spheres) sum += s.radius;
     impl_->meanRadius = sum / static_cast<double>(std::max<std::size_t>(impl_->representation.spheres.size(), 1));
-    impl_->stats.spheres = impl_->representation.spheres.size();
-    impl_->stats.cylinders = impl_->representation.cylinders.size();
+    impl_->stats.copies = std::max<std::uint64_t>(impl_->representation.copies.transforms.size(), 1);
 }
 
 Picture Renderer::render(const RenderSettings& settings) {
