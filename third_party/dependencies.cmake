@@ -15,6 +15,13 @@ find_path(PEGTL_INCLUDE_DIR tao/pegtl.hpp REQUIRED)
 add_library(gemmi::headers INTERFACE IMPORTED)
 target_include_directories(gemmi::headers SYSTEM INTERFACE ${GEMMI_INCLUDE_DIR} ${PEGTL_INCLUDE_DIR})
 
+# Debian's libxxhash-dev brings no CMake files.
+find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
+find_library(XXHASH_LIBRARY xxhash REQUIRED)
+add_library(xxhash::xxhash INTERFACE IMPORTED)
+target_include_directories(xxhash::xxhash SYSTEM INTERFACE ${XXHASH_INCLUDE_DIR})
+target_link_libraries(xxhash::xxhash INTERFACE ${XXHASH_LIBRARY})
+
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 
@@ -24,6 +31,7 @@ if(NACRE_APPS OR NACRE_TESTS)
     target_include_directories(nlohmann::headers SYSTEM INTERFACE ${NLOHMANN_JSON_INCLUDE_DIR})
 endif()
 if(NACRE_APPS)
+    find_package(CURL 7.84 REQUIRED)
     if(VCPKG_TOOLCHAIN)
         find_package(OpenImageIO 2.4 CONFIG REQUIRED)
     else()

@@ -72,7 +72,7 @@ void renderCommand(const RenderOptions& options) {
     Progress progress;
 
     progress.begin("reading");
-    const Molecule molecule = loadMolecule(options.input);
+    const Molecule molecule = loadMolecule(options.input, downloadProgress(progress));
     run.atomsRead = molecule.atoms.size();
     run.bondsKnown = molecule.bonds.size();
     run.loadMs = millisecondsSince(start);
