@@ -27,6 +27,14 @@ enum class ImpostorShape {
 /// The formats that can hold encoded depth, finest first (engine/gpu/encoded_format.h).
 enum class EncodedDepth { automatic, r32f, rgba16f, rg16f, a2b10g10r10, rgba8 };
 
+/// How the depth maps of the occlusion bake are drawn; all give the same occlusion.
+enum class OcclusionMaps {
+    automatic,  ///< the device's caps choose
+    encoded,    ///< opaque prepass, then encoded depth by a MIN blend
+    fragdepth,  ///< opaque prepass, then gl_FragDepth
+    splat,      ///< compute: an atomic minimum for every pixel of every primitive
+};
+
 struct DeviceOptions {
     bool validate = false;  ///< Khronos validation layer, with synchronization validation
     std::string device;     ///< number as `nacre devices` lists it, or part of a name; empty: the best there is
