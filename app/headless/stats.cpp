@@ -72,6 +72,7 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
     json["passes"] = passesOf(frame);
     const OcclusionStats& occlusion = frame.occlusion;
     json["occlusion"] = {{"directions", occlusion.directions},
+                         {"cached", occlusion.cached},
                          {"patch_texels", occlusion.patchTexels},
                          {"texels", occlusion.texels},
                          {"maps", occlusion.maps},

@@ -60,9 +60,32 @@ OcclusionBake::OcclusionBake(const gpu::Device& device, Geometry& geometry, cons
                                         sizeof(layout::OcclusionConstants), "occlusion accumulation layout");
     finishLayout_ = gpu::makeLayout(device, kFinish, vk::ShaderStageFlagBits::eCompute, sizeof(std::uint32_t),
                                     "occlusion finish layout");
-    finish_ = gpu::makeComputePipeline(device, shaders::occlusionFinish, {}, *finishLayout_.pipeline,
-                                       "occlusion finish");
+    finish_ =
+        gpu::makeComputePipeline(device, shaders::occlusionFinish, {}, *finishLayout_.pipeline, "occlusion finish");
     sampler_ = gpu::makeSampler(device, vk::Filter::eNearest, "depth maps");
+}
+
+OcclusionBake::OcclusionBake(const gpu::Device& device, graph::Executor& executor, Geometry& geometry,
+                             const SceneBuffers& scene, Representation& representation, const OcclusionOptions& options,
+                             const FinishedOcclusion& finished)
+    : device_(device),
+      scene_(scene),
+      directions_(occlusionDirections(options.directions)),
+      maps_(device, geometry, scene, representation, options.path, 0),
+      layout_(finished.layout),
+      texelCount_(finished.openTexels),
+      seenSpheres_(finished.seenSpheres),
+      done_(options.directions) {
+    assignPatches(layout_, representation);
+    maps_.release();
+    atlas_ = makeTexture(device, executor, {VK_FORMAT_R8_UNORM, {layout_.width, layout_.height}}, finished.atlas,
+                         "occlusion atlas");
+    atlasDefined_ = true;
+}
+
+std::vector<std::uint8_t> OcclusionBake::atlasTexels() const {
+    const auto* texels = reinterpret_cast<const std::uint8_t*>(bytes_.mapped);
+    return {texels, texels + std::size_t{layout_.width} * layout_.height};
 }
 
 /// The finest patches of which everything fits.

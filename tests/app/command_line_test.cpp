@@ -114,7 +114,7 @@ TEST(CommandLine, HelpShowsExamplesAndEveryOption) {
                                "--hydrogens",   "--format",     "--layers",
                                "--stats",       "--validate",   "--device",
                                "--visibility",  "--prepass",    "--merge",
-                               "Examples"})
+                               "--cache",       "--offline",    "Examples"})
         EXPECT_NE(help.out.find(option), std::string::npos) << option;
 }
 
