@@ -16,6 +16,7 @@
 #include "engine/passes/view_constants.h"
 #include "engine/picture.h"
 #include "engine/screen_frame.h"
+#include "engine/storage/occlusion_cache.h"
 
 namespace nacre {
 namespace {
@@ -61,6 +62,9 @@ struct Renderer::Impl {
     double meanRadius = 0;                                  // of the spheres, Å
     std::tuple<int, std::uint64_t, OcclusionMaps> baked{};  // directions, budget, maps: of `bake`
     double directionMilliseconds = 0;                       // that one direction took, lately
+    DiskCache occlusionCache;                               // off: `bake` is not to be kept
+    std::string occlusionName;                              // of `bake` in it
+    double worthKeeping = 0;
     FrameStats stats;
     std::string planText;
 
@@ -77,6 +81,7 @@ struct Renderer::Impl {
     std::vector<gpu::Buffer> draw(const RenderSettings& settings, const View& view,
                                   std::span<const ScreenTarget> targets, bool readBack = true);
     void beginOcclusion(const RenderSettings& settings);
+    void keepOcclusion(std::vector<std::uint8_t> atlas);
     void advanceOcclusion(double milliseconds);
     void showOcclusion(Clock::time_point start);
     void finishOcclusion(const RenderSettings& settings);
@@ -179,7 +184,18 @@ const char* nameOf(OcclusionMaps maps) {
     }
 }
 
-/// Makes the bake that the settings ask for, unless it is there.
+std::uint64_t countUnseen(const std::vector<bool>& seen) {
+    return static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), false));
+}
+
+/// What decides a texel beside the scene's shapes.
+std::string howBaked(const gpu::Caps& caps, const passes::OcclusionOptions& options) {
+    return std::to_string(options.directions) + " directions, " + std::to_string(options.budgetBytes) + " bytes, " +
+           nameOf(options.path) + ", " + std::string(caps.encoded.name) + ", " + caps.deviceName + ", " +
+           caps.driverName + ", " + std::to_string(caps.driverVersion) + ", " + std::to_string(caps.maxImageSize);
+}
+
+/// Makes the bake that the settings ask for, unless it is there. One that was kept is done at once.
 void Renderer::Impl::beginOcclusion(const RenderSettings& settings) {
     const std::tuple wanted{settings.occlusionDirections, settings.occlusionBytes, settings.occlusionMaps};
     if (settings.occlusionDirections == 0 || (bake && baked == wanted)) return;
@@ -187,9 +203,17 @@ void Renderer::Impl::beginOcclusion(const RenderSettings& settings) {
     bake.reset();
     passes::OcclusionOptions options{settings.occlusionDirections, settings.occlusionBytes, settings.occlusionMaps};
     if (options.path == OcclusionMaps::automatic) options.path = automaticMaps(device.caps(), nearest);
-    bake = std::make_unique<passes::OcclusionBake>(device, geometry, scene, representation, options);
+    occlusionCache = {settings.occlusionCache, kOcclusionCacheBytes};
+    occlusionName = occlusionCache.on() ? occlusionCacheName(representation, howBaked(device.caps(), options)) : "";
+    worthKeeping = settings.occlusionWorthKeeping;
+    const auto kept = readOcclusion(occlusionCache, occlusionName, representation);
+    if (kept)
+        bake =
+            std::make_unique<passes::OcclusionBake>(device, executor, geometry, scene, representation, options, *kept);
+    else
+        bake = std::make_unique<passes::OcclusionBake>(device, geometry, scene, representation, options);
     scene = passes::makeSceneBuffers(device, representation);  // the looks hold patch addresses now
-    bake->finish(executor);
+    if (!kept) bake->finish(executor);
     baked = wanted;
     directionMilliseconds = 0;
     stats.bakeMilliseconds = millisecondsSince(start);
@@ -202,6 +226,19 @@ void Renderer::Impl::beginOcclusion(const RenderSettings& settings) {
                        bake->maps().perBatch(),
                        bake->bytes(),
                        0};
+    if (!kept) return;
+    stats.occlusion.cached = true;
+    stats.occlusion.done = bake->directions();
+    stats.occlusion.mapPixels = stats.occlusion.mapsPerBatch = 0;  // none were drawn
+    stats.occlusion.bytes = kept->atlas.size();
+    stats.occlusion.neverSeen = countUnseen(kept->seenSpheres);
+}
+
+/// Keeps the finished bake on disk, if it took long enough.
+void Renderer::Impl::keepOcclusion(std::vector<std::uint8_t> atlas) {
+    if (!occlusionCache.on() || stats.bakeMilliseconds < worthKeeping) return;
+    writeOcclusion(occlusionCache, occlusionName,
+                   {bake->layout(), std::move(atlas), bake->seenSpheres(), stats.occlusion.texels});
 }
 
 /// Shows what is done so far; when that is all, drops what only the bake needs.
@@ -210,9 +247,13 @@ void Renderer::Impl::showOcclusion(Clock::time_point start) {
     stats.occlusion.done = bake->directionsDone();
     if (bake->directionsDone() == bake->directions()) {
         executor.forget("occlusion");
+        std::vector<std::uint8_t> atlas;
+        if (occlusionCache.on()) atlas = bake->atlasTexels();
         bake->release();
-        const std::vector<bool>& seen = bake->seenSpheres();
-        stats.occlusion.neverSeen = static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), false));
+        stats.occlusion.neverSeen = countUnseen(bake->seenSpheres());
+        stats.bakeMilliseconds += millisecondsSince(start);
+        keepOcclusion(std::move(atlas));
+        return;
     }
     stats.bakeMilliseconds += millisecondsSince(start);
 }

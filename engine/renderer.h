@@ -22,6 +22,8 @@ struct RenderSettings {
     int occlusionDirections = 128;                ///< 0: no occlusion
     std::uint64_t occlusionBytes = 64ull << 20;   ///< device memory budget of the bake, atlas and depth maps included
     OcclusionMaps occlusionMaps = OcclusionMaps::automatic;
+    std::string occlusionCache;                 ///< folder that finished bakes are kept in; empty: none are
+    double occlusionWorthKeeping = 50;          ///< milliseconds: bakes that took less are not kept
     PlateShape plates = PlateShape::automatic;  ///< of the opaque prepass; never changes the picture
     ImpostorShape impostor = ImpostorShape::automatic;
     bool countFragments = false;  ///< fill FrameStats::passes (slower)
@@ -68,6 +70,7 @@ struct OcclusionStats {
     std::uint32_t mapsPerBatch = 0;
     std::uint64_t bytes = 0;      ///< device memory while it bakes
     std::uint64_t neverSeen = 0;  ///< spheres that no direction saw
+    bool cached = false;          ///< read from disk: nothing was baked
 };
 
 struct FrameStats {

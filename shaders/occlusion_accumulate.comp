@@ -60,7 +60,7 @@ void main() {
 #else
     Texel texel = sphereTexel(texels[entry]);
 #endif
-    vec2 sum = vec2(0.0);
+    precise vec2 sum = sums[entry];
     [[unroll]] for (int i = 0; i < kBatch; ++i) {
         Direction d = directions[i];
         vec3 center = placed(d, texel.a);
@@ -83,5 +83,5 @@ void main() {
         }
         sum += vec2(seen * counted, cosine);
     }
-    sums[entry] += sum;
+    sums[entry] = sum;
 }

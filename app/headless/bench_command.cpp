@@ -6,6 +6,7 @@
 
 #include "app/headless/commands.h"
 #include "app/headless/input.h"
+#include "app/headless/progress.h"
 
 namespace nacre::app {
 namespace {
@@ -142,7 +143,11 @@ void printTable(const Json& report, std::ostream& out) {
 }  // namespace
 
 void benchCommand(const BenchOptions& options, std::ostream& out) {
-    const Molecule molecule = loadMolecule(options.input);
+    const Molecule molecule = [&] {
+        Progress progress;
+        progress.begin("reading");
+        return loadMolecule(options.input, downloadProgress(progress));
+    }();
     const Representation scene = sceneOf(molecule, options.input.path, options.drawn, options.look);
     std::vector<Renderer> renderers;
     for (const NamedPath& path : kPaths) {

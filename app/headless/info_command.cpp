@@ -13,6 +13,7 @@
 
 #include "app/headless/commands.h"
 #include "app/headless/input.h"
+#include "app/headless/progress.h"
 #include "engine/molecule/chain_summary.h"
 #include "engine/molecule/counts.h"
 #include "engine/molecule/element.h"
@@ -315,7 +316,11 @@ std::string infoText(const std::string& name, const Json& json) {
 }
 
 void infoCommand(const InfoOptions& options, std::ostream& out) {
-    Json json = infoJson(loadMolecule(options.input));
+    Json json = [&] {
+        Progress progress;
+        progress.begin("reading");
+        return infoJson(loadMolecule(options.input, downloadProgress(progress)));
+    }();
     std::error_code error;
     const auto bytes = std::filesystem::file_size(options.input.path, error);
     if (!error) json["bytes"] = bytes;

@@ -2,11 +2,29 @@
 
 #include <string_view>
 
+#include "app/cache_folder.h"
+#include "app/download/download.h"
 #include "engine/error.h"
 
 namespace nacre::app {
 
-Molecule loadMolecule(const InputOptions& input) {
+namespace {
+
+Molecule loadDownload(const InputOptions& input, const DatabaseId& id, const ReadOptions& options,
+                      const std::function<void(double)>& onDownload) {
+    if (input.format) throw Error("cannot download", input.path, "a download takes no --format");
+    DownloadSettings settings;
+    const std::string folder = cacheFolder(input.cache);
+    if (!folder.empty()) settings.cacheFolder = folder + "/downloads";
+    settings.offline = input.offline;
+    settings.limits = httpLimits();
+    settings.onProgress = onDownload;
+    return downloadMolecule(id, options, settings);
+}
+
+}  // namespace
+
+Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload) {
     constexpr std::string_view kSample = "sample:";
     const std::string_view path = input.path;
     if (path.substr(0, kSample.size()) == kSample) {
@@ -18,6 +36,7 @@ Molecule loadMolecule(const InputOptions& input) {
     ReadOptions options;
     options.format = input.format;
     options.model = input.model;
+    if (const auto id = parseDatabaseId(input.path)) return loadDownload(input, *id, options, onDownload);
     return readMoleculeFile(input.path, options);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "app/headless/options.h"
 #include "engine/molecule/molecule.h"
 
@@ -9,7 +11,9 @@ namespace nacre::app {
 Representation sceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawn,
                        const RepresentationOptions& look);
 
-/// Reads the molecule that INPUT names. @throws Error
-Molecule loadMolecule(const InputOptions& input);
+/// Reads the molecule that INPUT names, downloading it if need be.
+/// @param onDownload  called as a download's bytes arrive, with the share that is there, 0..1
+/// @throws Error
+Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload = {});
 
 }  // namespace nacre::app

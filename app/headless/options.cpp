@@ -55,11 +55,16 @@ std::string path(const std::string& text) {
 }
 
 void addInput(CLI::App& app, InputOptions& input) {
-    app.add_option("INPUT", input.path,
-                   "A structure file (PDB, mmCIF, mmJSON, BinaryCIF, MMTF, SDF/MOL, XYZ, MOL2, PQR, GRO, PDBQT, CML;\n"
-                   "each also .gz), - for standard input, or sample:dna, sample:glucose, sample:buckyball")
+    app.add_option(
+           "INPUT", input.path,
+           "A structure file (PDB, mmCIF, mmJSON, BinaryCIF, MMTF, SDF/MOL, XYZ, MOL2, PQR, GRO, PDBQT, CML;\n"
+           "each also .gz), - for standard input, sample:dna, sample:glucose, sample:buckyball, or a download:\n"
+           "pdb:1BNA, pubchem:CID|NAME, afdb:UNIPROT")
         ->required()
         ->type_name("");
+    value(app, "--cache", "DIR|off", "NACRE_CACHE, else ~/.cache/nacre", "Where downloads and occlusion are kept",
+          [&](const std::string& text) { input.cache = path(text); });
+    app.add_flag("--offline", input.offline, "Take downloads from the cache alone");
     value(app, "--format", "NAME", "by content", "One of " + formatNames(), [&](const std::string& text) {
         input.format = formatFromName(text);
         if (!input.format) throw std::invalid_argument("expected one of " + formatNames() + ", not '" + text + "'");
@@ -259,12 +264,20 @@ std::string oneLine(std::string text) {
 constexpr const char* kExamples =
     "Examples:\n"
     "  nacre render sample:dna -o dna.png\n"
+    "  nacre render pdb:4hhb -o blood.png --color chain\n"
     "  nacre info 4hhb.cif.gz --json\n"
     "  nacre devices\n"
     "`nacre render --help` lists what can be set.\n"
     "Environment, for drivers in doubt and for captures; the picture stays the same:\n"
     "  NACRE_NO_MERGE=1      every pass is a render pass of its own\n"
-    "  NACRE_NO_TRANSIENT=1  every attachment has memory and is stored";
+    "  NACRE_NO_TRANSIENT=1  every attachment has memory and is stored\n"
+    "Environment, for downloads:\n"
+    "  NACRE_CACHE=DIR|off   stands for --cache\n"
+    "  NACRE_PDB_URL, NACRE_PUBCHEM_URL, NACRE_AFDB_URL  other servers: URL/1bna.bcif.gz, URL/1bna.cif.gz;\n"
+    "                        URL/compound/cid/2244/record/SDF?record_type=3d; URL/api/prediction/P69905\n"
+    "  NACRE_DOWNLOAD_TIMEOUT=SECONDS  to connect, and without data [30]\n"
+    "  NACRE_CA_FILE=FILE    trusted certificates (PEM) instead of the system's\n"
+    "  https_proxy, no_proxy  as curl takes them";
 constexpr const char* kRenderExamples =
     "Examples:\n"
     "  nacre render 1bna.pdb -o dna.png --size 1600x1200 --supersample 2\n"

@@ -17,9 +17,11 @@
 namespace nacre::app {
 
 struct InputOptions {
-    std::string path;  ///< a file, "-", or "sample:NAME"
+    std::string path;  ///< a file, "-", "sample:NAME", or "pdb:", "pubchem:", "afdb:" and an identifier
     std::optional<Format> format;
-    int model = 1;  ///< 1-based, or kAllModels
+    int model = 1;                     ///< 1-based, or kAllModels
+    std::optional<std::string> cache;  ///< folder, or "off"; empty: the usual one (app/cache_folder.h)
+    bool offline = false;              ///< downloads from the cache alone
 };
 
 struct RenderOptions {

@@ -50,6 +50,15 @@ void Progress::advance(double share) {
     share_ = share;
 }
 
+std::function<void(double)> downloadProgress(Progress& progress) {
+    return [&progress, began = false](double share) mutable {
+        if (!began) progress.begin("downloading");
+        began = true;
+        progress.advance(share);
+        if (share >= 1) progress.begin("reading");
+    };
+}
+
 void Progress::show() {
     const Clock::time_point start = Clock::now();
     std::unique_lock lock(mutex_);

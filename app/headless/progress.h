@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -37,5 +38,8 @@ private:
     std::optional<double> share_;
     std::thread thread_;
 };
+
+/// What a download calls as bytes arrive.
+std::function<void(double)> downloadProgress(Progress& progress);
 
 }  // namespace nacre::app

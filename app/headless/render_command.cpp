@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/cache_folder.h"
 #include "app/headless/commands.h"
 #include "app/headless/image_file.h"
 #include "app/headless/input.h"
@@ -41,6 +42,8 @@ RenderSettings settingsOf(const RenderOptions& options, const Representation& sc
     settings.occlusionDirections = options.occlusionDirections;
     if (!options.prepass) settings.plates = PlateShape::none;
     settings.merge = options.merge;
+    const std::string cache = cacheFolder(options.input.cache);
+    if (!cache.empty()) settings.occlusionCache = cache + "/occlusion";
     return settings;
 }
 
@@ -72,7 +75,7 @@ void renderCommand(const RenderOptions& options) {
     Progress progress;
 
     progress.begin("reading");
-    const Molecule molecule = loadMolecule(options.input);
+    const Molecule molecule = loadMolecule(options.input, downloadProgress(progress));
     run.atomsRead = molecule.atoms.size();
     run.bondsKnown = molecule.bonds.size();
     run.loadMs = millisecondsSince(start);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 #include <utility>
 
 #include "engine/molecule/pdb_fields.h"
@@ -10,19 +9,49 @@
 namespace nacre::pdb {
 namespace {
 
-/// Atoms by serial number, as a sorted list.
+/// Atoms by serial number: as a table, since files number their atoms one after the other; where one does not, and its
+/// table would be mostly holes, as a sorted list.
 class SerialIndex {
 public:
     enum class Found { none, one, several };
 
     explicit SerialIndex(const std::vector<std::int64_t>& serials) {
+        const auto last = std::max_element(serials.begin(), serials.end());
+        const std::int64_t longest = static_cast<std::int64_t>(serials.size()) * 4 + 100'000;
+        if (last != serials.end() && *last < longest)
+            fillTable(serials, static_cast<std::size_t>(std::max<std::int64_t>(*last, 0)) + 1);
+        else
+            sortEntries(serials);
+    }
+
+    Found find(std::int64_t serial, std::uint32_t& atom) const {
+        if (table_.empty()) return findSorted(serial, atom);
+        if (serial < 0 || serial >= static_cast<std::int64_t>(table_.size())) return Found::none;
+        atom = table_[static_cast<std::size_t>(serial)];
+        return atom == kNone ? Found::none : atom == kSeveral ? Found::several : Found::one;
+    }
+
+private:
+    using Entry = std::pair<std::int64_t, std::uint32_t>;
+    static constexpr std::uint32_t kNone = ~0u, kSeveral = kNone - 1;
+
+    void fillTable(const std::vector<std::int64_t>& serials, std::size_t size) {
+        table_.assign(size, kNone);
+        for (std::uint32_t i = 0; i < serials.size(); ++i) {
+            if (serials[i] < 0) continue;
+            std::uint32_t& slot = table_[static_cast<std::size_t>(serials[i])];
+            slot = slot == kNone ? i : kSeveral;
+        }
+    }
+
+    void sortEntries(const std::vector<std::int64_t>& serials) {
         entries_.reserve(serials.size());
         for (std::uint32_t i = 0; i < serials.size(); ++i)
             if (serials[i] >= 0) entries_.emplace_back(serials[i], i);
         if (!std::is_sorted(entries_.begin(), entries_.end())) std::sort(entries_.begin(), entries_.end());
     }
 
-    Found find(std::int64_t serial, std::uint32_t& atom) const {
+    Found findSorted(std::int64_t serial, std::uint32_t& atom) const {
         const auto [begin, end] = std::equal_range(entries_.begin(), entries_.end(), Entry(serial, 0),
                                                    [](const Entry& l, const Entry& r) { return l.first < r.first; });
         if (begin == end) return Found::none;
@@ -30,8 +59,7 @@ public:
         return end - begin == 1 ? Found::one : Found::several;
     }
 
-private:
-    using Entry = std::pair<std::int64_t, std::uint32_t>;
+    std::vector<std::uint32_t> table_;
     std::vector<Entry> entries_;
 };
 
@@ -49,6 +77,27 @@ struct Ignored {
                                     std::to_string(firstLine));
     }
 };
+
+/// By first atom, then second; of bonds of the same two atoms the one of the highest order. Dealt out to the first
+/// atoms, of which each has a handful: quicker than sorting all of them, where every atom has its record.
+std::vector<Bond> sortedUnique(const std::vector<Bond>& bonds, std::size_t atoms) {
+    std::vector<std::uint32_t> ends(atoms + 1, 0);
+    for (const Bond& bond : bonds) ++ends[bond.a + 1];
+    for (std::size_t i = 1; i <= atoms; ++i) ends[i] += ends[i - 1];
+    std::vector<Bond> sorted(bonds.size());
+    for (const Bond& bond : bonds) sorted[ends[bond.a]++] = bond;  // now where each atom's bonds end
+    std::size_t kept = 0, first = 0;
+    for (std::size_t i = 0; i < atoms; ++i) {
+        const auto begin = sorted.begin() + static_cast<std::ptrdiff_t>(first);
+        const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(ends[i]);
+        first = ends[i];
+        std::sort(begin, end, [](const Bond& l, const Bond& r) { return l.b != r.b ? l.b < r.b : l.order > r.order; });
+        const auto last = std::unique(begin, end, [](const Bond& l, const Bond& r) { return l.b == r.b; });
+        for (auto bond = begin; bond != last; ++bond) sorted[kept++] = *bond;
+    }
+    sorted.resize(kept);
+    return sorted;
+}
 
 }  // namespace
 
@@ -101,12 +150,7 @@ void ConectTable::resolve(const std::vector<std::int64_t>& serials, Molecule& mo
             bonds.push_back({std::min(a, b), std::max(a, b), pair.order, BondSource::file});
         }
     }
-    const auto key = [](const Bond& bond) { return std::tie(bond.a, bond.b); };
-    std::sort(bonds.begin(), bonds.end(), [&](const Bond& l, const Bond& r) {
-        return key(l) != key(r) ? key(l) < key(r) : l.order > r.order;  // the higher order of the two directions stays
-    });
-    bonds.erase(std::unique(bonds.begin(), bonds.end(), [&](const Bond& l, const Bond& r) { return key(l) == key(r); }),
-                bonds.end());
+    bonds = sortedUnique(bonds, serials.size());
     molecule.file.conectUniquePairs = static_cast<std::int64_t>(bonds.size());
     molecule.bonds.insert(molecule.bonds.end(), bonds.begin(), bonds.end());
     dangling.report(molecule, "bonds to atoms that are not there");

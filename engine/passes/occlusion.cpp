@@ -77,6 +77,29 @@ OcclusionBake::OcclusionBake(const gpu::Device& device, Geometry& geometry, cons
     sampler_ = gpu::makeSampler(device, vk::Filter::eNearest, "depth maps");
 }
 
+OcclusionBake::OcclusionBake(const gpu::Device& device, graph::Executor& executor, Geometry& geometry,
+                             const SceneBuffers& scene, Representation& representation, const OcclusionOptions& options,
+                             const FinishedOcclusion& finished)
+    : device_(device),
+      scene_(scene),
+      directions_(occlusionDirections(options.directions)),
+      maps_(device, geometry, scene, representation, options.path, 0),
+      layout_(finished.layout),
+      texelCount_(finished.openTexels),
+      seenSpheres_(finished.seenSpheres),
+      done_(options.directions) {
+    assignPatches(layout_, representation);
+    maps_.release();
+    atlas_ = makeTexture(device, executor, {VK_FORMAT_R8_UNORM, {layout_.width, layout_.height}}, finished.atlas,
+                         "occlusion atlas");
+    atlasDefined_ = true;
+}
+
+std::vector<std::uint8_t> OcclusionBake::atlasTexels() const {
+    const auto* texels = reinterpret_cast<const std::uint8_t*>(bytes_.mapped);
+    return {texels, texels + std::size_t{layout_.width} * layout_.height};
+}
+
 /// The finest patches of which everything fits.
 OcclusionLayout OcclusionBake::chooseLayout(Representation& representation, std::uint64_t budgetBytes,
                                             OpenTexels& open) {
@@ -217,8 +240,10 @@ void OcclusionBake::writeDirections(std::span<const glm::dmat3> frames) {
 
 void OcclusionBake::step(graph::Executor& executor, std::uint32_t most) {
     const std::uint32_t left = static_cast<std::uint32_t>(directions_.size()) - static_cast<std::uint32_t>(done_);
-    const std::uint32_t count = std::min({left, most, maps_.perBatch()});
+    std::uint32_t count = std::min({left, most, maps_.perBatch()});
     if (count == 0) return;
+    // However the directions are dealt out: deep texels are dropped after the same one, and the sums come out the same.
+    if (done_ < kTellsDeepTexels) count = std::min(count, static_cast<std::uint32_t>(kTellsDeepTexels - done_));
     const std::uint32_t batch = batchFor(count);
     const std::span frames(directions_.data() + done_, count);
     writeDirections(frames);
@@ -234,7 +259,7 @@ void OcclusionBake::step(graph::Executor& executor, std::uint32_t most) {
     device_.submitAndWait([&](const vk::raii::CommandBuffer& c) { executor.record(c, g, plan, imports); });
     executor.reset();
     done_ += static_cast<int>(count);
-    if (done_ >= kTellsDeepTexels && done_ - static_cast<int>(count) < kTellsDeepTexels) dropDeepTexels();
+    if (done_ == kTellsDeepTexels) dropDeepTexels();
 }
 
 /// Takes the texels off the list that no direction has lit so far, and moves the others up.

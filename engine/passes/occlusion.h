@@ -9,6 +9,7 @@
 #include "engine/gpu/resources.h"
 #include "engine/graph/execute.h"
 #include "engine/passes/depth_maps.h"
+#include "engine/scene/finished_occlusion.h"
 #include "engine/scene/occlusion_copies.h"
 #include "engine/scene/open_texels.h"
 
@@ -29,6 +30,10 @@ public:
     OcclusionBake(const gpu::Device& device, Geometry& geometry, const SceneBuffers& scene,
                   Representation& representation, const OcclusionOptions& options);
 
+    /// A bake that is done: what was left of one with the same options of the same representation.
+    OcclusionBake(const gpu::Device& device, graph::Executor& executor, Geometry& geometry, const SceneBuffers& scene,
+                  Representation& representation, const OcclusionOptions& options, const FinishedOcclusion& finished);
+
     /// Renders the depth maps of the next directions, at most one batch, and adds them up.
     /// @param most  directions at most
     void step(graph::Executor& executor, std::uint32_t most = DepthMaps::kMostPerBatch);
@@ -42,6 +47,8 @@ public:
     int directions() const { return static_cast<int>(directions_.size()); }
     std::uint64_t bytes() const;
     std::size_t texels() const { return texelCount_; }
+    /// The texels of the atlas as finish() wrote them; only before release().
+    std::vector<std::uint8_t> atlasTexels() const;
     /// Drops all but the atlas, when no more steps are wanted.
     void release();
     /// For each sphere whether any direction saw any of it; known after release().

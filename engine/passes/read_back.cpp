@@ -18,26 +18,30 @@ void readBack(graph::Graph& g, graph::Image image, const graph::ImageDesc& desc,
     g.output(buffer);
 }
 
-gpu::Image makeWhiteTexture(const gpu::Device& device, graph::Executor& executor) {
-    const graph::ImageDesc desc{VK_FORMAT_R8_UNORM, {1, 1}};
+gpu::Image makeTexture(const gpu::Device& device, graph::Executor& executor, const graph::ImageDesc& desc,
+                       std::span<const std::uint8_t> bytes, const std::string& name) {
     gpu::Image image = gpu::makeImage(
-        device, desc, vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, false, "white");
-    constexpr std::array<std::uint8_t, 4> kWhite{255, 255, 255, 255};
-    const gpu::Buffer bytes = gpu::makeBuffer(device, std::span<const std::uint8_t>(kWhite),
-                                              vk::BufferUsageFlagBits::eTransferSrc, "white byte");
-    graph::Graph g("white texture");
-    const auto target = g.importImage("white", desc, kTextureState, true);
-    const auto source = g.importBuffer("white byte", bytes.size);
+        device, desc, vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, false, name);
+    const gpu::Buffer staging = gpu::makeBuffer(device, bytes, vk::BufferUsageFlagBits::eTransferSrc, name + " bytes");
+    graph::Graph g(name);
+    const auto target = g.importImage(name, desc, kTextureState, true);
+    const auto source = g.importBuffer(name + " bytes", staging.size);
     g.transfer("upload").copiesFrom(source).copiesTo(target).record([=](graph::PassContext& c) {
         c.commands.copyBufferToImage(c.buffer(source), c.image(target), vk::ImageLayout::eTransferDstOptimal,
                                      whole(desc));
     });
     graph::Imports imports;
     imports.bind(target, image);
-    imports.bind(source, bytes);
+    imports.bind(source, staging);
     const graph::Plan plan = graph::compile(g, device.caps().plan);
     device.submitAndWait([&](const vk::raii::CommandBuffer& c) { executor.record(c, g, plan, imports); });
+    executor.reset();
     return image;
+}
+
+gpu::Image makeWhiteTexture(const gpu::Device& device, graph::Executor& executor) {
+    constexpr std::array<std::uint8_t, 4> kWhite{255, 255, 255, 255};
+    return makeTexture(device, executor, {VK_FORMAT_R8_UNORM, {1, 1}}, kWhite, "white");
 }
 
 }  // namespace nacre::passes

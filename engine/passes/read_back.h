@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <string>
+
 #include "engine/graph/execute.h"
 
 namespace nacre::passes {
@@ -7,6 +11,10 @@ namespace nacre::passes {
 /// Declares the copy of a whole image into a buffer that the host reads.
 /// @param buffer imported into the graph, at least as large as the image
 void readBack(graph::Graph& g, graph::Image image, const graph::ImageDesc& desc, graph::Buffer buffer);
+
+/// A texture with contents, in kTextureState. @param bytes  all of its texels, row by row
+gpu::Image makeTexture(const gpu::Device& device, graph::Executor& executor, const graph::ImageDesc& desc,
+                       std::span<const std::uint8_t> bytes, const std::string& name);
 
 /// A texture of one white texel, for passes that have no occlusion to read.
 gpu::Image makeWhiteTexture(const gpu::Device& device, graph::Executor& executor);

@@ -115,7 +115,8 @@ TEST(CommandLine, HelpShowsExamplesAndEveryOption) {
                                "--hydrogens",   "--format",     "--layers",
                                "--assembly",    "--stats",      "--validate",
                                "--device",      "--visibility", "--prepass",
-                               "--merge",       "Examples"})
+                               "--merge",       "--cache",      "--offline",
+                               "Examples"})
         EXPECT_NE(help.out.find(option), std::string::npos) << option;
 }
 

@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/app/no_cache.h"
 #include "tests/app/temporary_folder.h"
 
 namespace nacre::test {

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "tests/app/no_cache.h"
 #include "tests/app/temporary_folder.h"
 
 namespace nacre::test {

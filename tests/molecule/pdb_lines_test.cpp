@@ -160,6 +160,12 @@ TEST(PdbLines, ConectThatLeadsNowhereIsOneWarning) {
     ASSERT_EQ(m.warnings.size(), 2u);
     EXPECT_EQ(m.warnings[0], "ignored 1000 CONECT bonds to atoms that are not there, the first on line 3");
     EXPECT_EQ(readText(kCarbon + kCarbon + kOxygen + "CONECT    1    2\n").bonds.size(), 0u);  // which atom 1?
+    // Serial numbers far apart: hybrid-36, whose zzzzz is 87440031.
+    const auto numbered = [](std::string line, const std::string& serial) { return line.replace(6, 5, serial); };
+    const std::string far = numbered(kCarbon, "zzzzy") + numbered(kOxygen, "zzzzz") + kCarbon;
+    EXPECT_EQ(readText(far + "CONECTzzzzzzzzzy\nCONECT    1zzzzz\n").bonds.size(), 2u);
+    EXPECT_EQ(readText(far + "CONECTzzzzzzzzzx\n").bonds.size(), 0u);
+    EXPECT_EQ(readText(far + kOxygen + kCarbon + "CONECTzzzzz    1\n").bonds.size(), 0u);
 }
 
 }  // namespace

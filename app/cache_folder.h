@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace nacre::app {
+
+/// Where to keep what can be made again: downloads/ and occlusion/ in it. Empty: nowhere.
+/// @param asked  what the user named ("off": nowhere), or nothing: then NACRE_CACHE (a folder, or "off"), else
+///               $XDG_CACHE_HOME/nacre, else ~/.cache/nacre, and nowhere if that cannot be written to
+/// @throws Error if a folder that was named cannot be written to
+std::string cacheFolder(const std::optional<std::string>& asked);
+
+}  // namespace nacre::app

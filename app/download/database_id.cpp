@@ -1,0 +1,176 @@
+#include "app/download/database_id.h"
+
+#include <xxhash.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr std::size_t kLongestName = 300;
+constexpr std::size_t kMostCidDigits = 10;
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isUpper(char c) { return c >= 'A' && c <= 'Z'; }
+bool isLower(char c) { return c >= 'a' && c <= 'z'; }
+bool isUpperOrDigit(char c) { return isUpper(c) || isDigit(c); }
+bool isLowerOrDigit(char c) { return isLower(c) || isDigit(c); }
+
+std::string lower(std::string text) {
+    for (char& c : text)
+        if (isUpper(c)) c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+std::string upper(std::string text) {
+    for (char& c : text)
+        if (isLower(c)) c = static_cast<char>(c - 'a' + 'A');
+    return text;
+}
+
+[[noreturn]] void refuse(const std::string& input, const std::string& why) {
+    throw Error("cannot download", input, why);
+}
+
+/// "1bna", or "pdb_" and eight letters and digits; those of the long form that have a short one become it.
+std::string pdbId(const std::string& input, const std::string& text) {
+    const auto isShort = [](std::string_view id) {
+        return id.size() == 4 && isDigit(id[0]) && std::all_of(id.begin() + 1, id.end(), isLowerOrDigit);
+    };
+    constexpr std::string_view kLong = "pdb_", kShortAsLong = "pdb_0000";
+    const std::string id = lower(text);
+    if (isShort(id)) return id;
+    const bool isLong = id.size() == kLong.size() + 8 && id.rfind(kLong, 0) == 0 &&
+                        std::all_of(id.begin() + kLong.size(), id.end(), isLowerOrDigit);
+    if (!isLong)
+        refuse(input, "a PDB identifier is a digit and three letters or digits (1BNA), or pdb_ and eight of them");
+    const std::string tail = id.substr(kShortAsLong.size());
+    return id.rfind(kShortAsLong, 0) == 0 && isShort(tail) ? tail : id;
+}
+
+/// UniProt's pattern of accessions: https://www.uniprot.org/help/accession_numbers
+std::string uniprotAccession(const std::string& input, const std::string& text) {
+    const std::string id = upper(text);
+    const auto letterBlock = [&](std::size_t at) {
+        return isUpper(id[at]) && isUpperOrDigit(id[at + 1]) && isUpperOrDigit(id[at + 2]) && isDigit(id[at + 3]);
+    };
+    bool valid = (id.size() == 6 || id.size() == 10) && isUpper(id[0]) && isDigit(id[1]);
+    if (valid && (id[0] == 'O' || id[0] == 'P' || id[0] == 'Q'))
+        valid =
+            id.size() == 6 && isUpperOrDigit(id[2]) && isUpperOrDigit(id[3]) && isUpperOrDigit(id[4]) && isDigit(id[5]);
+    else if (valid)
+        valid = letterBlock(2) && (id.size() == 6 || letterBlock(6));
+    if (!valid) refuse(input, "a UniProt accession looks like P69905 or A0A024R1R8");
+    return id;
+}
+
+bool isNumber(const std::string& text) { return !text.empty() && std::all_of(text.begin(), text.end(), isDigit); }
+
+std::string pubchemId(const std::string& input, const std::string& text) {
+    if (isNumber(text)) {
+        if (text.size() > kMostCidDigits || text[0] == '0') refuse(input, "a PubChem CID is a number from 1");
+        return text;
+    }
+    if (text.empty() || text.size() > kLongestName)
+        refuse(input, "a compound's name has 1 to " + std::to_string(kLongestName) + " bytes");
+    const auto isControl = [](char c) { return (c >= 0 && c < ' ') || c == 127; };
+    if (std::any_of(text.begin(), text.end(), isControl) || text.find_first_not_of(". ") == std::string::npos)
+        refuse(input, "that is no name of a compound");
+    return text;
+}
+
+/// All but RFC 3986's unreserved characters as %XX.
+std::string percentEncoded(std::string_view text) {
+    std::string coded;
+    for (const char c : text) {
+        if (isUpperOrDigit(c) || isLower(c) || c == '-' || c == '_' || c == '.' || c == '~') {
+            coded += c;
+            continue;
+        }
+        char hex[4];
+        std::snprintf(hex, sizeof hex, "%%%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
+        coded += hex;
+    }
+    return coded;
+}
+
+/// The part of a file name that stands for a PubChem compound. Names of compounds may be longer than those of files,
+/// and hold anything, so a hash stands for them.
+std::string pubchemFileName(const std::string& id) {
+    if (isNumber(id)) return "pubchem-cid-" + id;
+    const std::string name = lower(id);
+    const XXH128_hash_t hash = XXH3_128bits(name.data(), name.size());
+    char hex[40];
+    std::snprintf(hex, sizeof hex, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
+                  static_cast<unsigned long long>(hash.low64));
+    return std::string("pubchem-name-") + hex;
+}
+
+/// The value of a variable that holds the beginning of an address, or what stands for it.
+std::string base(const Environment& environment, const char* variable, const char* fallback) {
+    std::string url = environment(variable);
+    if (url.empty()) return fallback;
+    if (url.rfind("http://", 0) != 0 && url.rfind("https://", 0) != 0)
+        throw Error("cannot download", variable, "'" + url + "' is no http or https address");
+    while (url.back() == '/') url.pop_back();
+    return url;
+}
+
+std::vector<Source> pdbSources(const std::string& id, const Environment& environment) {
+    const std::string bcif = base(environment, "NACRE_PDB_URL", "https://models.rcsb.org");
+    const std::string mmcif = base(environment, "NACRE_PDB_URL", "https://files.rcsb.org/download");
+    return {{"pdb-" + id + ".bcif.gz", Format::bcif, bcif + "/" + id + ".bcif.gz", "", ""},
+            {"pdb-" + id + ".cif.gz", Format::mmcif, mmcif + "/" + id + ".cif.gz", "", ""}};
+}
+
+std::vector<Source> pubchemSources(const std::string& id, const Environment& environment) {
+    const std::string compound = base(environment, "NACRE_PUBCHEM_URL", "https://pubchem.ncbi.nlm.nih.gov/rest/pug") +
+                                 "/compound/" + (isNumber(id) ? "cid/" + id : "name/" + percentEncoded(id)) +
+                                 "/record/SDF?record_type=";
+    const std::string file = pubchemFileName(id);
+    return {{file + "-3d.sdf", Format::sdf, compound + "3d", "", ""},
+            {file + "-2d.sdf", Format::sdf, compound + "2d", "",
+             "PubChem has no 3D structure of this compound: this is its flat drawing"}};
+}
+
+std::vector<Source> afdbSources(const std::string& id, const Environment& environment) {
+    const std::string list =
+        base(environment, "NACRE_AFDB_URL", "https://alphafold.ebi.ac.uk") + "/api/prediction/" + id;
+    return {{"afdb-" + lower(id) + ".bcif", Format::bcif, list, "bcifUrl", ""},
+            {"afdb-" + lower(id) + ".cif", Format::mmcif, list, "cifUrl", ""}};
+}
+
+}  // namespace
+
+std::string environmentVariable(const char* name) {
+    const char* value = std::getenv(name);
+    return value ? value : "";
+}
+
+std::optional<DatabaseId> parseDatabaseId(const std::string& input) {
+    const std::size_t colon = input.find(':');
+    if (colon == std::string::npos) return std::nullopt;
+    const std::string database = lower(input.substr(0, colon));
+    const std::string id = input.substr(colon + 1);
+    if (database == "pdb") return DatabaseId{Database::pdb, pdbId(input, id), input};
+    if (database == "pubchem") return DatabaseId{Database::pubchem, pubchemId(input, id), input};
+    if (database == "afdb") return DatabaseId{Database::afdb, uniprotAccession(input, id), input};
+    return std::nullopt;
+}
+
+std::vector<Source> sourcesOf(const DatabaseId& id, const Environment& environment) {
+    switch (id.database) {
+        case Database::pdb:
+            return pdbSources(id.id, environment);
+        case Database::pubchem:
+            return pubchemSources(id.id, environment);
+        case Database::afdb:
+            return afdbSources(id.id, environment);
+    }
+    return {};
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,161 @@
+#include "app/download/download.h"
+
+#include <charconv>
+#include <exception>
+#include <nlohmann/json.hpp>
+
+#include "app/download/partial_file.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr int kAttempts = 3;  // of a transfer whose connection is lost, each from where the last one ended
+constexpr std::uint64_t kLargestList = 4u << 20;
+constexpr long kLongestPatience = 3600;
+
+/// Bytes in memory; what breaks off is still gone on with by the next attempt.
+class MemoryBody : public HttpBody {
+public:
+    std::uint64_t size() const override { return bytes_.size(); }
+    std::string validator() const override { return validator_; }
+    void restart(const std::string& validator) override {
+        bytes_.clear();
+        validator_ = validator;
+    }
+    void append(std::string_view bytes) override { bytes_ += bytes; }
+    std::string& bytes() { return bytes_; }
+
+private:
+    std::string bytes_, validator_;
+};
+
+void get(const std::string& url, const HttpLimits& limits, HttpBody& body, const DownloadSettings& settings) {
+    const auto progress = [&](std::uint64_t done, std::uint64_t all) {
+        if (settings.onProgress && all > 0) settings.onProgress(static_cast<double>(done) / static_cast<double>(all));
+    };
+    for (int attempt = 1;; ++attempt) try {
+            httpGet(url, limits, body, progress);
+            return;
+        } catch (const HttpFailure& failure) {
+            if (!failure.brokeOff || attempt == kAttempts) throw HttpFailure(url + ": " + failure.what(), false);
+        }
+}
+
+/// The file's own address, from the list of predictions that AlphaFold DB answers with. Like a redirection, it may not
+/// lead from https to http.
+std::string addressOf(const Source& source, const std::string& accession, const DownloadSettings& settings) {
+    if (source.jsonKey.empty()) return source.url;
+    MemoryBody body;
+    HttpLimits limits = settings.limits;
+    limits.maxBytes = kLargestList;
+    get(source.url, limits, body, settings);
+    const auto list = nlohmann::json::parse(body.bytes(), nullptr, false);
+    const auto fail = [&](const char* why) { throw HttpFailure(source.url + ": " + why, false); };
+    if (!list.is_array()) fail("the answer is no list of predictions");
+    if (list.empty()) fail("there is no such entry");
+    const nlohmann::json* chosen = &list.front();
+    for (const auto& entry : list)  // isoforms and other proteins' complexes may stand beside it
+        if (entry.is_object() && entry.value("uniprotAccession", nlohmann::json()) == accession) {
+            chosen = &entry;
+            break;
+        }
+    const auto url = chosen->is_object() ? chosen->value(source.jsonKey, nlohmann::json()) : nlohmann::json();
+    const bool secure = source.url.rfind("https://", 0) == 0;
+    if (!url.is_string() || url.get<std::string>().rfind(secure ? "https://" : "http://", 0) != 0)
+        fail("the list of predictions names no usable address");
+    return url;
+}
+
+Molecule read(const Source& source, const std::string& name, std::string bytes, ReadOptions options) {
+    options.format = source.format;
+    Molecule molecule = readMolecule(name, std::move(bytes), options);
+    if (!source.note.empty()) molecule.warnings.push_back(source.note);
+    return molecule;
+}
+
+/// Whether the bytes are a structure at all, whichever of its models is wanted.
+bool readable(const Source& source, const std::string& bytes) try {
+    read(source, "", bytes, {});
+    return true;
+} catch (const Error&) {
+    return false;
+}
+
+/// It is a structure, but does not hold what was asked of it, such as a tenth model.
+struct NotInIt {
+    std::exception_ptr why;
+};
+
+/// Reads what has been kept. What no longer reads is removed, and counts as never kept.
+std::optional<Molecule> readKept(const DiskCache& cache, const Source& source, const ReadOptions& options) {
+    std::optional<std::string> bytes = cache.read(source.cacheName);
+    if (!bytes) return std::nullopt;
+    try {
+        return read(source, cache.pathOf(source.cacheName), *bytes, options);
+    } catch (const Error&) {
+        if (readable(source, *bytes)) throw;
+        cache.remove(source.cacheName);
+        return std::nullopt;
+    }
+}
+
+/// What came in answer to an address, as a molecule; kept if it is one. @throws HttpFailure, Error, NotInIt
+Molecule fetch(const DiskCache& cache, const Source& source, const std::string& url, const ReadOptions& options,
+               const DownloadSettings& settings) {
+    MemoryBody memory;
+    std::optional<PartialFile> file;
+    if (cache.on()) file.emplace(cache, source.cacheName, url);
+    get(url, settings.limits, file ? static_cast<HttpBody&>(*file) : memory, settings);
+    const std::string bytes = file ? file->content() : std::move(memory.bytes());
+    try {
+        Molecule molecule = read(source, url, bytes, options);
+        if (file) file->commit();
+        return molecule;
+    } catch (const Error&) {
+        const bool whole = readable(source, bytes);
+        if (file) whole ? file->commit() : file->discard();
+        if (whole) throw NotInIt{std::current_exception()};
+        throw;
+    }
+}
+
+}  // namespace
+
+HttpLimits httpLimits(const Environment& environment) {
+    HttpLimits limits;
+    limits.certificates = environment("NACRE_CA_FILE");
+    const std::string seconds = environment("NACRE_DOWNLOAD_TIMEOUT");
+    if (seconds.empty()) return limits;
+    long value = 0;
+    const char* const end = seconds.data() + seconds.size();
+    const auto parsed = std::from_chars(seconds.data(), end, value);
+    if (parsed.ec != std::errc() || parsed.ptr != end || value < 1 || value > kLongestPatience)
+        throw Error("cannot download", "NACRE_DOWNLOAD_TIMEOUT",
+                    "expected seconds from 1 to " + std::to_string(kLongestPatience) + ", not '" + seconds + "'");
+    limits.patience = std::chrono::seconds(value);
+    return limits;
+}
+
+Molecule downloadMolecule(const DatabaseId& id, const ReadOptions& options, const DownloadSettings& settings) {
+    const DiskCache cache(settings.cacheFolder, kDownloadCacheBytes);
+    const std::vector<Source> sources = sourcesOf(id, settings.environment);
+    for (const Source& source : sources)
+        if (auto molecule = readKept(cache, source, options)) return std::move(*molecule);
+    if (settings.offline)
+        throw Error("cannot download", id.input,
+                    cache.on() ? "--offline, and " + cache.folder() + " does not hold it" : "--offline, and no cache");
+    std::string causes;
+    for (const Source& source : sources) try {
+            return fetch(cache, source, addressOf(source, id.id, settings), options, settings);
+        } catch (const NotInIt& problem) {
+            std::rethrow_exception(problem.why);
+        } catch (const HttpFailure& failure) {
+            causes += (causes.empty() ? "" : "; ") + std::string(failure.what());
+        } catch (const Error& error) {
+            causes += (causes.empty() ? "" : "; ") + std::string(error.what());
+        }
+    throw Error("cannot download", id.input, causes);
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,31 @@
+#pragma once
+// Structures from public databases: from the cache if they are there, else over the network and into the cache.
+
+#include <functional>
+#include <string>
+
+#include "app/download/database_id.h"
+#include "app/download/http.h"
+
+namespace nacre::app {
+
+struct DownloadSettings {
+    std::string cacheFolder;  ///< empty: nothing is kept, and what breaks off starts anew
+    bool offline = false;     ///< the cache alone
+    HttpLimits limits;
+    Environment environment = environmentVariable;
+    /// Called as bytes arrive, with the share of the file that is there if its size is known, 0..1.
+    std::function<void(double)> onProgress;
+};
+
+/// Most bytes of structures that are kept.
+constexpr std::uint64_t kDownloadCacheBytes = 1000ull << 20;
+
+/// The limits that the environment sets: NACRE_DOWNLOAD_TIMEOUT (seconds), NACRE_CA_FILE (PEM). @throws Error
+HttpLimits httpLimits(const Environment& environment = environmentVariable);
+
+/// What can be read is kept; what cannot is an error, and nothing of it stays. Once kept it is never asked for again.
+/// @throws Error  with what each place said, in one line
+Molecule downloadMolecule(const DatabaseId& id, const ReadOptions& options, const DownloadSettings& settings);
+
+}  // namespace nacre::app

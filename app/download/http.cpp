@@ -1,0 +1,214 @@
+#include "app/download/http.h"
+
+#include <curl/curl.h>
+
+#include <charconv>
+#include <exception>
+#include <memory>
+#include <optional>
+
+namespace nacre::app {
+namespace {
+
+struct CloseHandle {
+    void operator()(CURL* handle) const { curl_easy_cleanup(handle); }
+};
+using Handle = std::unique_ptr<CURL, CloseHandle>;
+
+struct FreeList {
+    void operator()(curl_slist* list) const { curl_slist_free_all(list); }
+};
+using Headers = std::unique_ptr<curl_slist, FreeList>;
+
+using OnProgress = std::function<void(std::uint64_t, std::uint64_t)>;
+
+struct Transfer {
+    Transfer(CURL* curl, const HttpLimits& most, HttpBody& target, const OnProgress& progress)
+        : handle(curl), limits(most), body(target), onProgress(progress) {}
+
+    CURL* handle;
+    const HttpLimits& limits;
+    HttpBody& body;
+    const OnProgress& onProgress;
+    std::uint64_t asked = 0;  // first byte of the range asked for
+    std::uint64_t total = 0;  // bytes of the whole file; 0: not known
+    bool began = false;
+    std::string refusal;            // why we ended it
+    std::exception_ptr bodyFailed;  // what must not pass through C
+};
+
+std::string headerOf(CURL* handle, const char* name) {
+    curl_header* header = nullptr;
+    if (curl_easy_header(handle, name, 0, CURLH_HEADER, -1, &header) != CURLHE_OK) return {};
+    return header->value;
+}
+
+/// What a later request may name this version by (RFC 9110, 13.1.5: no weak ETag).
+std::string validatorOf(CURL* handle) {
+    const std::string tag = headerOf(handle, "ETag");
+    if (!tag.empty() && tag.rfind("W/", 0) != 0) return tag;
+    return headerOf(handle, "Last-Modified");
+}
+
+long statusOf(CURL* handle) {
+    long status = 0;
+    curl_easy_getinfo(handle, CURLINFO_RESPONSE_CODE, &status);
+    return status;
+}
+
+/// First byte and whole size of "bytes FIRST-LAST/SIZE" (SIZE may be '*': 0).
+std::optional<std::pair<std::uint64_t, std::uint64_t>> contentRange(const std::string& text) {
+    constexpr std::string_view kUnit = "bytes ";
+    if (text.rfind(kUnit, 0) != 0) return std::nullopt;
+    const char* const end = text.data() + text.size();
+    std::uint64_t first = 0, last = 0, size = 0;
+    auto parsed = std::from_chars(text.data() + kUnit.size(), end, first);
+    if (parsed.ec != std::errc() || parsed.ptr == end || *parsed.ptr != '-') return std::nullopt;
+    parsed = std::from_chars(parsed.ptr + 1, end, last);
+    if (parsed.ec != std::errc() || parsed.ptr == end || *parsed.ptr != '/') return std::nullopt;
+    if (*(parsed.ptr + 1) != '*' && std::from_chars(parsed.ptr + 1, end, size).ec != std::errc()) return std::nullopt;
+    return std::pair{first, size};
+}
+
+std::string tooLarge(const Transfer& transfer) {
+    return "the file is larger than the limit of " + std::to_string(transfer.limits.maxBytes) + " bytes";
+}
+
+/// The headers are there: decides whether the body goes on or starts anew. False if it is not wanted.
+bool begin(Transfer& transfer) {
+    transfer.began = true;
+    const long status = statusOf(transfer.handle);
+    if (status != 200 && status != 206) return true;  // an error's text: passed over
+    curl_off_t length = -1;
+    curl_easy_getinfo(transfer.handle, CURLINFO_CONTENT_LENGTH_DOWNLOAD_T, &length);
+    if (status == 206) {
+        const auto range = contentRange(headerOf(transfer.handle, "Content-Range"));
+        if (transfer.asked == 0 || !range || range->first != transfer.asked) {
+            transfer.refusal = "the server sent another part of the file than was asked for";
+            return false;
+        }
+    } else {
+        transfer.body.restart(validatorOf(transfer.handle));
+    }
+    if (length >= 0) transfer.total = transfer.body.size() + static_cast<std::uint64_t>(length);
+    if (transfer.total <= transfer.limits.maxBytes) return true;
+    transfer.refusal = tooLarge(transfer);
+    return false;
+}
+
+std::size_t receive(char* bytes, std::size_t, std::size_t count, void* pointer) {
+    Transfer& transfer = *static_cast<Transfer*>(pointer);
+    try {
+        if (!transfer.began && !begin(transfer)) return CURL_WRITEFUNC_ERROR;
+        const long status = statusOf(transfer.handle);
+        if (status != 200 && status != 206) {
+            transfer.refusal = "-";  // its status says it all
+            return CURL_WRITEFUNC_ERROR;
+        }
+        if (transfer.body.size() + count > transfer.limits.maxBytes) {
+            transfer.refusal = tooLarge(transfer);
+            return CURL_WRITEFUNC_ERROR;
+        }
+        transfer.body.append({bytes, count});
+        if (transfer.onProgress) transfer.onProgress(transfer.body.size(), transfer.total);
+        return count;
+    } catch (...) {
+        transfer.bodyFailed = std::current_exception();
+        return CURL_WRITEFUNC_ERROR;
+    }
+}
+
+void startLibrary() {
+    static const CURLcode started = curl_global_init(CURL_GLOBAL_DEFAULT);
+    if (started != CURLE_OK) throw HttpFailure(curl_easy_strerror(started), false);
+}
+
+/// Goes on from where the body ends, if the version is still the same: otherwise the server sends all of it.
+Headers rangeHeaders(Transfer& transfer) {
+    const std::string validator = transfer.body.validator();
+    if (transfer.body.size() == 0 || validator.empty()) return {};
+    transfer.asked = transfer.body.size();
+    Headers headers(curl_slist_append(nullptr, ("Range: bytes=" + std::to_string(transfer.asked) + "-").c_str()));
+    curl_slist_append(headers.get(), ("If-Range: " + validator).c_str());
+    return headers;
+}
+
+void setOptions(CURL* handle, const std::string& url, const HttpLimits& limits, Transfer& transfer, char* message) {
+    const char* scheme = url.rfind("https:", 0) == 0 ? "https" : "http";
+    const long seconds = static_cast<long>(limits.patience.count());
+    curl_easy_setopt(handle, CURLOPT_URL, url.c_str());
+    curl_easy_setopt(handle, CURLOPT_PROTOCOLS_STR, scheme);
+    curl_easy_setopt(handle, CURLOPT_REDIR_PROTOCOLS_STR, scheme);
+    curl_easy_setopt(handle, CURLOPT_FOLLOWLOCATION, 1L);
+    curl_easy_setopt(handle, CURLOPT_MAXREDIRS, limits.redirects);
+    curl_easy_setopt(handle, CURLOPT_CONNECTTIMEOUT, seconds);
+    curl_easy_setopt(handle, CURLOPT_LOW_SPEED_TIME, seconds);
+    curl_easy_setopt(handle, CURLOPT_LOW_SPEED_LIMIT, limits.slowestBytesPerSecond);
+    curl_easy_setopt(handle, CURLOPT_NOSIGNAL, 1L);
+    curl_easy_setopt(handle, CURLOPT_USERAGENT, "nacre/" NACRE_VERSION);
+    curl_easy_setopt(handle, CURLOPT_ERRORBUFFER, message);
+    curl_easy_setopt(handle, CURLOPT_WRITEFUNCTION, receive);
+    curl_easy_setopt(handle, CURLOPT_WRITEDATA, &transfer);
+    if (!limits.certificates.empty()) curl_easy_setopt(handle, CURLOPT_CAINFO, limits.certificates.c_str());
+}
+
+[[noreturn]] void failOfCurl(CURLcode code, const char* message, const Transfer& transfer) {
+    const HttpLimits& limits = transfer.limits;
+    switch (code) {
+        case CURLE_FILESIZE_EXCEEDED:
+            throw HttpFailure(tooLarge(transfer), false);
+        case CURLE_OPERATION_TIMEDOUT:
+            throw HttpFailure(
+                "no answer, or hardly any data, for " + std::to_string(limits.patience.count()) + " seconds", false);
+        case CURLE_TOO_MANY_REDIRECTS:
+            throw HttpFailure("more than " + std::to_string(limits.redirects) + " redirections", false);
+        case CURLE_UNSUPPORTED_PROTOCOL:
+            throw HttpFailure("redirected to another protocol, which is not followed", false);
+        case CURLE_PARTIAL_FILE:
+        case CURLE_RECV_ERROR:
+        case CURLE_HTTP2:
+        case CURLE_HTTP2_STREAM:
+            throw HttpFailure("the connection was lost before the end of the file", true);
+        default:
+            throw HttpFailure(*message ? message : curl_easy_strerror(code), false);
+    }
+}
+
+[[noreturn]] void failOfStatus(long status) {
+    std::string why = "the server answered with status " + std::to_string(status);
+    if (status == 404 || status == 410) why = "there is no such entry";
+    if (status == 429 || status == 503) why += " (it is busy: try again later)";
+    throw HttpFailure(why, false);
+}
+
+}  // namespace
+
+void httpGet(const std::string& url, const HttpLimits& limits, HttpBody& body,
+             const std::function<void(std::uint64_t, std::uint64_t)>& onProgress) {
+    startLibrary();
+    const Handle handle(curl_easy_init());
+    if (!handle) throw HttpFailure("libcurl could not be started", false);
+    Transfer transfer(handle.get(), limits, body, onProgress);
+    char message[CURL_ERROR_SIZE] = "";
+    setOptions(handle.get(), url, limits, transfer, message);
+    const Headers headers = rangeHeaders(transfer);
+    // What the server announces; what it sends without announcing is counted as it comes.
+    curl_easy_setopt(handle.get(), CURLOPT_MAXFILESIZE_LARGE, static_cast<curl_off_t>(limits.maxBytes));
+    if (headers) curl_easy_setopt(handle.get(), CURLOPT_HTTPHEADER, headers.get());
+
+    const CURLcode code = curl_easy_perform(handle.get());
+    if (transfer.bodyFailed) std::rethrow_exception(transfer.bodyFailed);
+    const long status = statusOf(handle.get());
+    if (status == 416 && transfer.asked > 0) {  // nothing lies behind what we have: it was another file's
+        body.restart("");
+        throw HttpFailure("the file has changed on the server", true);
+    }
+    if (!transfer.refusal.empty() && transfer.refusal != "-") throw HttpFailure(transfer.refusal, false);
+    if (code != CURLE_OK && transfer.refusal.empty()) failOfCurl(code, message, transfer);
+    if (status != 200 && status != 206) failOfStatus(status);
+    if (!transfer.began && !begin(transfer)) throw HttpFailure(transfer.refusal, false);  // an empty file
+    if (transfer.total > 0 && body.size() != transfer.total)
+        throw HttpFailure("the connection was lost before the end of the file", true);
+}
+
+}  // namespace nacre::app

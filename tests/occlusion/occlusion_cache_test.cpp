@@ -1,0 +1,107 @@
+// A kept bake draws the same picture as a fresh one, and whatever happens to the file is no error.
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include "tests/app/temporary_folder.h"
+#include "tests/renderer/scenes.h"
+
+namespace nacre::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OcclusionCache : public testing::TestWithParam<Style> {
+protected:
+    struct Run {
+        Picture picture;
+        LayerPicture layers;
+        OcclusionStats stats;
+        std::vector<bool> seen;
+    };
+
+    Run run(const std::function<void(RenderSettings&)>& change = {}) {
+        const Representation r = scene("sample:dna", GetParam());
+        ValidatedRenderer renderer(Visibility::automatic);
+        renderer->setScene(r);
+        RenderSettings s = settings(r, 128, Projection::orthographic);
+        s.occlusionDirections = 48;
+        s.occlusionCache = folder_ / "cache";
+        s.occlusionWorthKeeping = 0;
+        if (change) change(s);
+        Run run{renderer->render(s), {}, renderer->stats().occlusion, renderer->seenSpheres()};
+        run.layers = renderer->layers(s);
+        return run;
+    }
+    static void expectSame(const Run& a, const Run& b) {
+        EXPECT_EQ(a.picture.rgba, b.picture.rgba);
+        EXPECT_EQ(a.layers.occlusion, b.layers.occlusion);
+        EXPECT_EQ(a.seen, b.seen);
+        EXPECT_EQ(a.stats.neverSeen, b.stats.neverSeen);
+        EXPECT_EQ(a.stats.texels, b.stats.texels);
+        EXPECT_EQ(a.stats.patchTexels, b.stats.patchTexels);
+        EXPECT_EQ(a.stats.done, b.stats.done);
+    }
+    std::vector<fs::path> files() const {
+        std::vector<fs::path> list;
+        if (fs::exists(folder_ / "cache"))
+            for (const auto& entry : fs::directory_iterator(folder_ / "cache")) list.push_back(entry.path());
+        return list;
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_P(OcclusionCache, AHitIsTheSamePictureWithoutABake) {
+    const Run fresh = run();
+    EXPECT_FALSE(fresh.stats.cached);
+    ASSERT_EQ(files().size(), 1u);
+    const Run hit = run();
+    EXPECT_TRUE(hit.stats.cached);
+    expectSame(fresh, hit);
+    EXPECT_EQ(files().size(), 1u);
+}
+
+TEST_P(OcclusionCache, OtherSettingsAreOtherBakes) {
+    run();
+    EXPECT_FALSE(run([](RenderSettings& s) { s.occlusionDirections = 47; }).stats.cached);
+    EXPECT_FALSE(run([](RenderSettings& s) { s.occlusionBytes /= 2; }).stats.cached);
+    EXPECT_FALSE(run([](RenderSettings& s) { s.occlusionMaps = OcclusionMaps::fragdepth; }).stats.cached);
+    EXPECT_EQ(files().size(), 4u);
+    EXPECT_TRUE(run([](RenderSettings& s) { s.lighting = false; }).stats.cached);
+}
+
+TEST_P(OcclusionCache, ADamagedFileIsBakedAnewAndReplaced) {
+    const Run fresh = run();
+    const fs::path file = files().at(0);
+    const std::string whole = contentOf(file.string());
+    const auto put = [&](const std::string& content) { std::ofstream(file, std::ios::binary) << content; };
+    std::string flipped = whole;
+    flipped[whole.size() / 2] = static_cast<char>(flipped[whole.size() / 2] ^ 4);
+    for (const std::string& damaged : {whole.substr(0, whole.size() / 2), flipped, std::string()}) {
+        put(damaged);
+        const Run again = run();
+        EXPECT_FALSE(again.stats.cached);
+        expectSame(fresh, again);
+        EXPECT_EQ(contentOf(file.string()), whole);
+    }
+}
+
+TEST_P(OcclusionCache, AFolderThatCannotBeWrittenToIsNoError) {
+    std::ofstream(folder_ / "cache") << "a file in the way";
+    EXPECT_FALSE(run().stats.cached);
+    EXPECT_FALSE(run().stats.cached);
+}
+
+TEST_P(OcclusionCache, QuickBakesAndThoseWithoutAFolderAreNotKept) {
+    run([](RenderSettings& s) { s.occlusionWorthKeeping = 1e9; });
+    EXPECT_EQ(files().size(), 0u);
+    run([](RenderSettings& s) { s.occlusionCache.clear(); });
+    EXPECT_EQ(files().size(), 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Styles, OcclusionCache, testing::Values(Style::spacefill, Style::ballAndStick));
+
+}  // namespace
+}  // namespace nacre::test

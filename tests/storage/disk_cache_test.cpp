@@ -1,0 +1,119 @@
+#include "engine/storage/disk_cache.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "tests/app/temporary_folder.h"
+
+namespace nacre {
+namespace {
+
+namespace fs = std::filesystem;
+using test::TemporaryFolder;
+
+bool put(const DiskCache& cache, const std::string& name, const std::string& content) {
+    const std::string_view parts[] = {content};
+    return cache.write(name, parts);
+}
+
+/// As if the entry had last been used some hours ago.
+void age(const DiskCache& cache, const std::string& name, int hours) {
+    fs::last_write_time(cache.pathOf(name), fs::file_time_type::clock::now() - std::chrono::hours(hours));
+}
+
+TEST(DiskCache, GivesBackWhatItWasGiven) {
+    const TemporaryFolder folder;
+    const DiskCache cache(folder / "made/when/needed", 1000);
+    EXPECT_EQ(cache.read("a"), std::nullopt);
+    const std::string_view parts[] = {"one", std::string_view("\0two", 4)};
+    ASSERT_TRUE(cache.write("a", parts));
+    EXPECT_EQ(cache.read("a"), std::string("one\0two", 7));
+    ASSERT_TRUE(put(cache, "a", "new"));
+    EXPECT_EQ(cache.read("a"), "new");
+    cache.remove("a");
+    EXPECT_EQ(cache.read("a"), std::nullopt);
+}
+
+TEST(DiskCache, OffKeepsNothing) {
+    const DiskCache cache;
+    EXPECT_FALSE(put(cache, "a", "content"));
+    EXPECT_EQ(cache.read("a"), std::nullopt);
+}
+
+TEST(DiskCache, TheEntryUsedLongestAgoGoesFirst) {
+    const TemporaryFolder folder;
+    const DiskCache cache(folder.path(), 100);
+    for (const char* name : {"a", "b", "c"}) ASSERT_TRUE(put(cache, name, std::string(30, 'x')));
+    age(cache, "a", 3);
+    age(cache, "b", 2);
+    age(cache, "c", 1);
+    ASSERT_TRUE(cache.read("a"));  // now "b" is the oldest
+    ASSERT_TRUE(put(cache, "d", std::string(30, 'x')));
+    EXPECT_FALSE(cache.read("b"));
+    for (const char* name : {"a", "c", "d"}) EXPECT_TRUE(cache.read(name)) << name;
+}
+
+TEST(DiskCache, AnEntryAboveTheLimitIsNotKeptAndEvictsNothing) {
+    const TemporaryFolder folder;
+    const DiskCache cache(folder.path(), 100);
+    ASSERT_TRUE(put(cache, "a", std::string(90, 'x')));
+    EXPECT_FALSE(put(cache, "b", std::string(101, 'x')));
+    EXPECT_TRUE(cache.read("a"));
+    EXPECT_EQ(folder.count(), 1u);
+}
+
+TEST(DiskCache, WhatIsBeingWrittenStaysForADay) {
+    const TemporaryFolder folder;
+    const DiskCache cache(folder.path(), 10);
+    for (const char* name : {".new-1", "b.part", ".new-2", "c.part"})
+        std::ofstream(cache.pathOf(name)) << "some more than the limit";
+    age(cache, ".new-2", 25);
+    age(cache, "c.part", 25);
+    cache.trim();
+    EXPECT_TRUE(fs::exists(cache.pathOf(".new-1")));
+    EXPECT_TRUE(fs::exists(cache.pathOf("b.part")));
+    EXPECT_EQ(folder.count(), 2u);
+}
+
+TEST(DiskCache, AFolderThatCannotBeMadeHoldsNothing) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "file") << "in the way";
+    const DiskCache cache(folder / "file", 100);
+    EXPECT_FALSE(put(cache, "a", "content"));
+    EXPECT_EQ(cache.read("a"), std::nullopt);
+    EXPECT_EQ(test::contentOf(folder / "file"), "in the way");
+}
+
+TEST(DiskCache, ReadersNeverSeeHalfOfWhatOthersWrite) {
+    const TemporaryFolder folder;
+    const DiskCache cache(folder.path(), 1 << 22);
+    const std::string contents[] = {std::string(300000, 'a'), std::string(200000, 'b')};
+    ASSERT_TRUE(put(cache, "entry", contents[0]));
+    pid_t writers[2];
+    for (int i = 0; i < 2; ++i) {
+        writers[i] = fork();
+        if (writers[i] == 0) {
+            for (int round = 0; round < 100; ++round) put(cache, "entry", contents[i]);
+            _exit(0);
+        }
+    }
+    for (int left = 2; left > 0;) {
+        const auto seen = cache.read("entry");
+        ASSERT_TRUE(seen);
+        EXPECT_TRUE(*seen == contents[0] || *seen == contents[1]) << seen->size();
+        int status = 0;
+        if (waitpid(-1, &status, WNOHANG) > 0) {
+            EXPECT_EQ(status, 0);
+            --left;
+        }
+    }
+    EXPECT_EQ(folder.count(), 1u);
+}
+
+}  // namespace
+}  // namespace nacre
