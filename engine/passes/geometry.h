@@ -19,6 +19,7 @@ struct Draw {
     Nearest nearest{};
     bool perspective = false;
     layout::ViewConstants view{};
+    int quarterTurns = 0;  ///< as in View
     PlateShape plates = PlateShape::automatic;  ///< of Writes::plates
     ImpostorShape impostor = ImpostorShape::automatic;
     double radiusPixels = 0;               ///< mean radius of the spheres in the picture
@@ -43,10 +44,10 @@ public:
 
 private:
     using LayoutKey = std::tuple<bool, Nearest, bool, bool>;  // reads, nearest, sampled, counting
-    using PipelineKey = std::tuple<ShaderKey, bool, std::uint32_t, VkRenderPass, std::uint32_t>;
+    using PipelineKey = std::tuple<ShaderKey, bool, int, std::uint32_t, VkRenderPass, std::uint32_t>;
 
     const gpu::Layout& layoutOf(const ShaderKey& key);
-    vk::Pipeline pipeline(graph::PassContext& context, const ShaderKey& key, bool perspective, std::uint32_t corners,
+    vk::Pipeline pipeline(graph::PassContext& context, const ShaderKey& key, const Draw& draw, std::uint32_t corners,
                           float rim);
     void bindSets(graph::PassContext& context, const SceneBuffers& scene, const ShaderKey& key, const Draw& draw,
                   const ShadingInputs& inputs);

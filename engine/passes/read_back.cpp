@@ -18,16 +18,15 @@ void readBack(graph::Graph& g, graph::Image image, const graph::ImageDesc& desc,
     g.output(buffer);
 }
 
-gpu::Image makeWhiteTexture(const gpu::Device& device, graph::Executor& executor) {
-    const graph::ImageDesc desc{VK_FORMAT_R8_UNORM, {1, 1}};
+gpu::Image makeTexture(const gpu::Device& device, graph::Executor& executor, const graph::ImageDesc& desc,
+                       std::span<const std::byte> texels, const std::string& name) {
     gpu::Image image = gpu::makeImage(
-        device, desc, vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, false, "white");
-    constexpr std::array<std::uint8_t, 4> kWhite{255, 255, 255, 255};
-    const gpu::Buffer bytes = gpu::makeBuffer(device, std::span<const std::uint8_t>(kWhite),
-                                              vk::BufferUsageFlagBits::eTransferSrc, "white byte");
-    graph::Graph g("white texture");
-    const auto target = g.importImage("white", desc, kTextureState, true);
-    const auto source = g.importBuffer("white byte", bytes.size);
+        device, desc, vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, false, name);
+    const gpu::Buffer bytes =
+        gpu::makeBuffer(device, texels, vk::BufferUsageFlagBits::eTransferSrc, name + " texels");
+    graph::Graph g(name);
+    const auto target = g.importImage(name, desc, kTextureState, true);
+    const auto source = g.importBuffer(name + " texels", bytes.size);
     g.transfer("upload").copiesFrom(source).copiesTo(target).record([=](graph::PassContext& c) {
         c.commands.copyBufferToImage(c.buffer(source), c.image(target), vk::ImageLayout::eTransferDstOptimal,
                                      whole(desc));
@@ -38,6 +37,11 @@ gpu::Image makeWhiteTexture(const gpu::Device& device, graph::Executor& executor
     const graph::Plan plan = graph::compile(g, device.caps().plan);
     device.submitAndWait([&](const vk::raii::CommandBuffer& c) { executor.record(c, g, plan, imports); });
     return image;
+}
+
+gpu::Image makeWhiteTexture(const gpu::Device& device, graph::Executor& executor) {
+    constexpr std::array<std::byte, 1> kWhite{std::byte{255}};
+    return makeTexture(device, executor, {VK_FORMAT_R8_UNORM, {1, 1}}, kWhite, "white");
 }
 
 }  // namespace nacre::passes

@@ -8,6 +8,10 @@ namespace nacre::passes {
 /// @param buffer imported into the graph, at least as large as the image
 void readBack(graph::Graph& g, graph::Image image, const graph::ImageDesc& desc, graph::Buffer buffer);
 
+/// A texture with contents, row 0 on top. @param texels as many bytes as the image has
+gpu::Image makeTexture(const gpu::Device& device, graph::Executor& executor, const graph::ImageDesc& desc,
+                       std::span<const std::byte> texels, const std::string& name);
+
 /// A texture of one white texel, for passes that have no occlusion to read.
 gpu::Image makeWhiteTexture(const gpu::Device& device, graph::Executor& executor);
 

@@ -15,7 +15,7 @@ struct ViewConstants {
     vec4 row1;     // xyz: second row,               w: NDC y per Å (negative: Vulkan's y points down)
     vec4 row2;     // xyz: third row,                w: Z origin
     vec4 screen;   // xy: pixel of the view axis, z: Å per pixel at z = 0, w: rasteriser's snap margin in Å at z = 0
-    vec4 depth;    // x: Z at encoded depth 0, y: 1 / (range of Z), zw: 0
+    vec4 depth;    // x: Z at encoded depth 0, y: 1 / (range of Z), zw: NDC of the view axis in the upright picture
     vec4 atlas;    // xy: 1 / atlas size, z: texels across a sphere's patch, w: texels around a cylinder's patch
     vec4 shading;  // x: lighting 0 or 1, y: occlusion 0 or 1, z: texels along a cylinder's patch,
                    // w: number of spheres, as bits

@@ -4,6 +4,15 @@
 
 layout(push_constant) uniform Push { ViewConstants view; };
 layout(constant_id = 0) const bool kPerspective = false;
+// Quarter turns clockwise by which the image is the upright picture turned: a display's pre-rotation.
+layout(constant_id = 7) const int kQuarterTurns = 0;
+
+vec2 turned(vec2 p) {
+    return kQuarterTurns == 1 ? vec2(-p.y, p.x) : kQuarterTurns == 2 ? -p : kQuarterTurns == 3 ? vec2(p.y, -p.x) : p;
+}
+vec2 upright(vec2 p) {
+    return kQuarterTurns == 1 ? vec2(p.y, -p.x) : kQuarterTurns == 2 ? -p : kQuarterTurns == 3 ? vec2(-p.y, p.x) : p;
+}
 
 vec3 toView(vec3 p) {
     precise vec3 v = vec3(dot(view.row0.xyz, p), dot(view.row1.xyz, p), dot(view.row2.xyz, p));
@@ -13,7 +22,7 @@ vec3 toObject(vec3 v) { return view.row0.xyz * v.x + view.row1.xyz * v.y + view.
 
 /// The point of the plane z = 0 that this pixel looks through, Å.
 vec2 planePoint(vec2 fragment) {
-    precise vec2 q = (fragment - view.screen.xy) * view.screen.z;
+    precise vec2 q = upright(fragment - view.screen.xy) * view.screen.z;
     return vec2(q.x, -q.y);
 }
 /// Encoded depth, 0 near to 1 far, of a distance Z.
@@ -22,4 +31,6 @@ float encodedDepth(float Z) {
     return d;
 }
 /// Clip position of a point of the plane z = 0 at encoded depth d. w = 1: depth is constant over a polygon.
-vec4 clipPosition(vec2 q, float d) { return vec4(q.x * view.row0.w, q.y * view.row1.w, clamp(d, 0.0, 1.0), 1.0); }
+vec4 clipPosition(vec2 q, float d) {
+    return vec4(turned(q * vec2(view.row0.w, view.row1.w) + view.depth.zw), clamp(d, 0.0, 1.0), 1.0);
+}
