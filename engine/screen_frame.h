@@ -58,7 +58,7 @@ struct ScreenPass {
 };
 
 struct ScreenFrame {
-    graph::Graph graph;
+    graph::Graph graph{"screen"};
     graph::Image depth;
     graph::Image nearest;  ///< encoded depth or primitive numbers; `fragdepth`: depth itself
     graph::Image atlas;    ///< imported

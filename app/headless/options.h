@@ -35,6 +35,7 @@ struct RenderOptions {
     bool prepass = true, merge = true;
     DeviceOptions device;
     std::string output, layers, stats;  ///< paths; the last two may be empty
+    InputOptions savedInput;            ///< of the saved view; `input` once the command line is read, if that has none
 };
 
 struct InfoOptions {
@@ -53,6 +54,12 @@ struct BenchOptions {
     bool json = false;
 };
 
+/// A window: what it shows at first is said as for `render`; `size` is the window's.
+struct ViewOptions {
+    RenderOptions first;
+    bool restore = false;  ///< no INPUT and no saved view: go on where the last window was left
+};
+
 enum class PlanFormat { text, json, dot };
 
 struct PlanOptions {
@@ -63,12 +70,13 @@ struct PlanOptions {
     PlanFormat format = PlanFormat::text;
 };
 
-enum class Command { help, version, render, info, devices, bench, plan };
+enum class Command { help, version, render, view, info, devices, bench, plan };
 
 struct CommandLine {
     Command command = Command::help;
     std::string help;  ///< what to print for Command::help
     RenderOptions render;
+    ViewOptions view;
     InfoOptions info;
     BenchOptions bench;
     PlanOptions plan;

@@ -1,0 +1,14 @@
+#pragma once
+// Between the options of the command line and a saved view.
+
+#include "app/headless/options.h"
+#include "app/viewer/saved_view.h"
+
+namespace nacre::app {
+
+/// Sets what a saved view says. Rules go before those that are there already; its INPUT becomes `savedInput`.
+void applySavedView(const SavedView& view, RenderOptions& options);
+
+SavedView savedViewOf(const RenderOptions& options);
+
+}  // namespace nacre::app
