@@ -38,6 +38,14 @@ struct SurfaceSource {
     std::function<VkSurfaceKHR(VkInstance)> create;  ///< called again after the surface was lost. @throws Error
 };
 
+/// How the depth maps of the occlusion bake are drawn; all give the same occlusion.
+enum class OcclusionMaps {
+    automatic,  ///< the device's caps choose
+    encoded,    ///< opaque prepass, then encoded depth by a MIN blend
+    fragdepth,  ///< opaque prepass, then gl_FragDepth
+    splat,      ///< compute: an atomic minimum for every pixel of every primitive
+};
+
 struct DeviceOptions {
     bool validate = false;  ///< Khronos validation layer, with synchronization validation
     std::string device;     ///< number as `nacre devices` lists it, or part of a name; empty: the best there is

@@ -6,6 +6,7 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <tuple>
 
 #include "engine/error.h"
 #include "engine/gpu/instance.h"
@@ -64,12 +65,11 @@ struct Renderer::Impl {
     graph::Executor executor;
     gpu::Image white;
     Representation representation;
-    OcclusionLayout layout;
     passes::SceneBuffers scene;
     std::unique_ptr<passes::OcclusionBake> bake;
     double meanRadius = 0;  // of the spheres, Å
-    int bakedDirections = 0;
-    std::uint64_t bakeBudget = 0;
+    std::tuple<int, std::uint64_t, OcclusionMaps> baked{};  // directions, budget, maps: of `bake`
+    double directionMilliseconds = 0;                        // that one direction took, lately
     FrameStats stats;
     graph::PlanCache plans;
     graph::Graph lastGraph{"none"};  // of planText()
@@ -94,7 +94,10 @@ struct Renderer::Impl {
     std::vector<gpu::Buffer> draw(const RenderSettings& settings, const View& view,
                                   std::span<const ScreenTarget> targets, bool readBack = true,
                                   const char* name = "screen");
-    void prepareOcclusion(const RenderSettings& settings);
+    void beginOcclusion(const RenderSettings& settings);
+    void advanceOcclusion(double milliseconds);
+    void showOcclusion(Clock::time_point start);
+    void finishOcclusion(const RenderSettings& settings);
     layout::ViewConstants constants(const RenderSettings& settings, const View& view) const;
 };
 
@@ -103,6 +106,7 @@ layout::ViewConstants Renderer::Impl::constants(const RenderSettings& settings, 
     layout::ViewConstants c =
         passes::viewConstants(view, device.caps().snapPixels, image.width / 2.0, image.height / 2.0);
     const bool occlusion = settings.occlusionDirections > 0 && bake;
+    const OcclusionLayout layout = occlusion ? bake->layout() : OcclusionLayout{};
     if (occlusion) c.atlas = glm::vec4(1.0 / layout.width, 1.0 / layout.height, layout.sphereEdge, layout.around);
     const auto spheres = static_cast<std::uint32_t>(representation.spheres.size());
     c.shading = glm::vec4(settings.lighting ? 1 : 0, occlusion ? 1 : 0, layout.along, std::bit_cast<float>(spheres));
@@ -180,26 +184,81 @@ std::vector<gpu::Buffer> Renderer::Impl::draw(const RenderSettings& settings, co
     return pixels;
 }
 
-void Renderer::Impl::prepareOcclusion(const RenderSettings& settings) {
-    const int directions = settings.occlusionDirections;
-    if (directions == 0 || (bake && bakedDirections == directions && bakeBudget == settings.occlusionBytes)) return;
+/// The path of the depth maps, if the device is to choose.
+OcclusionMaps automaticMaps(const gpu::Caps& caps, Nearest nearest) {
+    if (caps.software) return OcclusionMaps::splat;
+    return nearest == Nearest::encoded ? OcclusionMaps::encoded : OcclusionMaps::fragdepth;
+}
+
+const char* nameOf(OcclusionMaps maps) {
+    switch (maps) {
+        case OcclusionMaps::encoded:
+            return "encoded";
+        case OcclusionMaps::fragdepth:
+            return "fragdepth";
+        default:
+            return "splat";
+    }
+}
+
+/// Makes the bake that the settings ask for, unless it is there.
+void Renderer::Impl::beginOcclusion(const RenderSettings& settings) {
+    const std::tuple wanted{settings.occlusionDirections, settings.occlusionBytes, settings.occlusionMaps};
+    if (settings.occlusionDirections == 0 || (bake && baked == wanted)) return;
     const auto start = Clock::now();
+    device->waitIdle();  // frames for the window may still read the streams and the atlas
     bake.reset();
-    layout = occlusionLayout(representation.spheres.size(), representation.cylinders.size(), settings.occlusionBytes,
-                             device.caps().maxImageSize);
-    assignPatches(layout, representation);
-    scene = passes::makeSceneBuffers(device, representation);
-    const Nearest maps = nearest == Nearest::encoded ? Nearest::encoded : Nearest::fragdepth;
-    bake = std::make_unique<passes::OcclusionBake>(device, geometry, maps, scene, representation, layout, directions);
-    while (bake->step(executor))
-        if (settings.onBakeProgress) settings.onBakeProgress(static_cast<double>(bake->directionsDone()) / directions);
+    passes::OcclusionOptions options{settings.occlusionDirections, settings.occlusionBytes, settings.occlusionMaps};
+    if (options.path == OcclusionMaps::automatic) options.path = automaticMaps(device.caps(), nearest);
+    bake = std::make_unique<passes::OcclusionBake>(device, geometry, scene, representation, options);
+    scene = passes::makeSceneBuffers(device, representation);  // the looks hold patch addresses now
     bake->finish(executor);
-    executor.forget("occlusion");
-    bakedDirections = directions;
-    bakeBudget = settings.occlusionBytes;
+    baked = wanted;
+    directionMilliseconds = 0;
     stats.bakeMilliseconds = millisecondsSince(start);
-    stats.occlusionDirections = directions;
-    stats.patchTexels = layout.sphereEdge;
+    stats.occlusion = {bake->directions(), 0, bake->layout().sphereEdge, bake->texels(), nameOf(options.path),
+                       bake->maps().pixels(), bake->maps().perBatch(), bake->bytes(), 0};
+}
+
+/// Shows what is done so far; when that is all, drops what only the bake needs.
+void Renderer::Impl::showOcclusion(Clock::time_point start) {
+    bake->finish(executor);
+    stats.occlusion.done = bake->directionsDone();
+    if (bake->directionsDone() == bake->directions()) {
+        executor.forget("occlusion");
+        bake->release();
+        const std::vector<bool>& seen = bake->seenSpheres();
+        stats.occlusion.neverSeen = static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), false));
+    }
+    stats.bakeMilliseconds += millisecondsSince(start);
+}
+
+void Renderer::Impl::advanceOcclusion(double milliseconds) {
+    const auto start = Clock::now();
+    const int before = bake->directionsDone();
+    while (bake->directionsDone() < bake->directions()) {
+        const double left = milliseconds - millisecondsSince(start);
+        const int done = bake->directionsDone();
+        if (done > before && left < directionMilliseconds) break;
+        // As many as fit the time that is left, by what the last ones took.
+        const double fit = directionMilliseconds > 0 ? left / directionMilliseconds : 1;
+        const auto stepStart = Clock::now();
+        bake->step(executor, static_cast<std::uint32_t>(std::clamp(fit, 1.0, 16.0)));
+        directionMilliseconds = millisecondsSince(stepStart) / (bake->directionsDone() - done);
+    }
+    if (bake->directionsDone() > before) showOcclusion(start);
+}
+
+void Renderer::Impl::finishOcclusion(const RenderSettings& settings) {
+    beginOcclusion(settings);
+    if (settings.occlusionDirections == 0 || bake->directionsDone() == bake->directions()) return;
+    const auto start = Clock::now();
+    while (bake->directionsDone() < bake->directions()) {
+        bake->step(executor);
+        if (settings.onBakeProgress)
+            settings.onBakeProgress(static_cast<double>(bake->directionsDone()) / bake->directions());
+    }
+    showOcclusion(start);
 }
 
 Renderer::Renderer(const DeviceOptions& options) : impl_(std::make_unique<Impl>(options)) {}
@@ -224,7 +283,7 @@ Picture Renderer::render(const RenderSettings& settings) {
     if (std::max(view.width, view.height) > maxSize())
         throw Error("picture too large", std::to_string(view.width) + "x" + std::to_string(view.height),
                     "this device draws at most " + std::to_string(maxSize()) + " pixels a side, supersampling counted");
-    impl_->prepareOcclusion(settings);
+    impl_->finishOcclusion(settings);
     const auto pixels = impl_->draw(settings, view, kScreenTargets);
     const graph::Extent image = imageExtent(view);
     return resolvePicture(reinterpret_cast<const std::uint32_t*>(pixels[0].mapped), image.width, image.height, n,
@@ -232,7 +291,7 @@ Picture Renderer::render(const RenderSettings& settings) {
 }
 
 LayerPicture Renderer::layers(const RenderSettings& settings) {
-    impl_->prepareOcclusion(settings);
+    impl_->finishOcclusion(settings);
     const auto pixels = impl_->draw(settings, settings.view, kLayerTargets);
     return assembleLayers(settings.view.width, settings.view.height, reinterpret_cast<const float*>(pixels[0].mapped),
                           reinterpret_cast<const float*>(pixels[1].mapped),
@@ -241,15 +300,21 @@ LayerPicture Renderer::layers(const RenderSettings& settings) {
 }
 
 double Renderer::drawFrame(const RenderSettings& settings) {
-    impl_->prepareOcclusion(settings);
+    impl_->beginOcclusion(settings);
     const auto start = Clock::now();
     impl_->draw(settings, settings.view, kScreenTargets, false);
     return millisecondsSince(start);
 }
 
-double Renderer::advanceOcclusion(const RenderSettings& settings, double) {
-    impl_->prepareOcclusion(settings);
-    return 1;
+double Renderer::advanceOcclusion(const RenderSettings& settings, double milliseconds) {
+    if (settings.occlusionDirections == 0) return 1;
+    impl_->beginOcclusion(settings);
+    impl_->advanceOcclusion(milliseconds);
+    return static_cast<double>(impl_->bake->directionsDone()) / impl_->bake->directions();
+}
+
+std::vector<bool> Renderer::seenSpheres() const {
+    return impl_->bake ? impl_->bake->seenSpheres() : std::vector<bool>{};
 }
 
 FrameOutcome Renderer::present(const RenderSettings& settings, const WindowFrame& frame) {

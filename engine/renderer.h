@@ -21,7 +21,8 @@ struct RenderSettings {
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha, 0..1
     bool lighting = true;                         ///< off: base colour x occlusion
     int occlusionDirections = 128;                ///< 0: no occlusion
-    std::uint64_t occlusionBytes = 64ull << 20;   ///< memory budget of atlas and sums
+    std::uint64_t occlusionBytes = 64ull << 20;   ///< device memory budget of the bake, atlas and depth maps included
+    OcclusionMaps occlusionMaps = OcclusionMaps::automatic;
     PlateShape plates = PlateShape::automatic;    ///< of the opaque prepass; never changes the picture
     ImpostorShape impostor = ImpostorShape::automatic;
     bool countFragments = false;  ///< fill FrameStats::passes (slower)
@@ -58,6 +59,18 @@ struct PassCount {
     std::uint64_t shadedFragments = 0;
 };
 
+/// What the occlusion bake chose, and how far it is.
+struct OcclusionStats {
+    int directions = 0, done = 0;
+    std::uint32_t patchTexels = 0;         ///< across a sphere's patch; 1: one value an atom
+    std::uint64_t texels = 0;              ///< that light can reach
+    const char* maps = "";                 ///< "encoded", "fragdepth", "splat"
+    std::uint32_t mapPixels = 0;           ///< across one depth map
+    std::uint32_t mapsPerBatch = 0;
+    std::uint64_t bytes = 0;               ///< device memory while it bakes
+    std::uint64_t neverSeen = 0;           ///< spheres that no direction saw
+};
+
 struct FrameStats {
     DeviceInfo device;                ///< with the path and reason in force
     double bakeMilliseconds = 0;      ///< ambient occlusion, from streams to atlas
@@ -65,8 +78,7 @@ struct FrameStats {
     std::uint64_t coveredPixels = 0;  ///< of the last picture
     std::vector<PassCount> passes;    ///< of the last frame that counted
     std::uint64_t spheres = 0, cylinders = 0;
-    int occlusionDirections = 0;
-    std::uint32_t patchTexels = 0;  ///< across a sphere's occlusion patch
+    OcclusionStats occlusion;
     std::uint64_t deviceBytes = 0;  ///< peak device memory
     std::uint64_t windowFrames = 0;  ///< submitted to the window so far
     std::uint32_t tileBytesPerPixel = 0;
@@ -104,20 +116,24 @@ public:
     ~Renderer();
     Renderer(Renderer&&) noexcept;
 
-    /// Uploads a scene. Occlusion is baked by the first picture that wants it. @throws Error
+    /// Uploads a scene. What was baked for the one before is dropped. @throws Error
     void setScene(Representation representation);
+
+    /// Works on the scene's occlusion for about `milliseconds`: at least one direction, if any is left. Frames show what
+    /// is done so far; pictures and layers finish it first.
+    /// @returns the share that is done, 0..1
+    double advanceOcclusion(const RenderSettings& settings, double milliseconds = 4.0);
+    /// For each sphere of the scene whether any direction of the bake saw any of it; empty before the bake is done.
+    std::vector<bool> seenSpheres() const;
 
     /// @throws Error if the picture is larger than the device draws, or memory runs out
     Picture render(const RenderSettings& settings);
     /// One sample a pixel, no antialiasing; supersample is ignored.
     LayerPicture layers(const RenderSettings& settings);
 
-    /// One frame as an application would draw it: nothing is read back. Returns milliseconds, from declaring the frame
-    /// to the device being done.
+    /// One frame as an application would draw it: nothing is read back, and occlusion is shown as far as it is baked (1
+    /// everywhere at first). Returns milliseconds, from declaring the frame to the device being done.
     double drawFrame(const RenderSettings& settings);
-
-    /// Works on the occlusion for about `milliseconds` (at least one small batch). @returns the share that is done, 0..1
-    double advanceOcclusion(const RenderSettings& settings, double milliseconds);
 
     /// Draws a frame into the window that DeviceOptions::surface makes, with the occlusion that is there so far, and
     /// queues it for the display. Does not wait for the device unless two frames are in flight already.

@@ -1,61 +1,72 @@
 #version 450
 // Ambient occlusion, one batch of directions: every texel of the list asks each depth map of the batch whether it is
 // the front-most at its place, and adds up the cosine of those that say yes. One read and one write of its sum.
+// CYLINDER: texels of cylinders. WHOLE: one value for a sphere, asked at its point that faces the light.
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 #include "common/layout.h"
-#include "common/patch.glsl"
 #include "common/texel.glsl"
+#include "common/encoding.glsl"
 
 layout(local_size_x = 64) in;
 
-layout(set = 0, binding = 4) uniform sampler2D depthMaps;  // a grid of maps
-layout(set = 0, binding = 1, std430) readonly buffer Directions { vec4 rows[]; };  // three rotation rows a direction
 layout(set = 0, binding = 2, std430) readonly buffer Texels { uint texels[]; };
-layout(set = 0, binding = 3, std430) buffer Sums { float sums[]; };
+layout(set = 0, binding = 3, std430) buffer Sums { vec2 sums[]; };  // light that came, light that could have come
+layout(set = 0, binding = 4) uniform sampler2D depthMaps;
 
-/// Height at which the texel's own surface meets a pixel centre; Z where it does not.
-float ownZ(Texel texel, vec3 u, vec3 v, vec3 w, vec2 q, float Z) {
-    if (texel.cylinder) {
-        vec3 from = vec3(q - vec2(dot(u, texel.a), dot(v, texel.a)), 0.0);
-        vec3 axis = vec3(dot(u, texel.axis), dot(v, texel.axis), dot(w, texel.axis));
-        // Squared distance of the ray's points (from, t) from the axis is a parabola in t.
-        float A = max(1.0 - axis.z * axis.z, 1e-6);
-        float along = dot(from.xy, axis.xy);
-        float t0 = axis.z * along / A;
-        vec3 foot = vec3(from.xy, t0) - axis * (along + axis.z * t0);
-        float h = texel.radius * texel.radius - dot(foot, foot);
-        return h > 0.0 ? dot(w, texel.a) + t0 + sqrt(h / A) : Z;
-    }
-    vec2 d = q - vec2(dot(u, texel.a), dot(v, texel.a));
-    float h = texel.radius * texel.radius - dot(d, d);
-    return h > 0.0 ? dot(w, texel.a) + sqrt(h) : Z;
+/// Height of the texel's own surface above the place q of a depth map, view space; z where it does not reach there.
+#ifdef CYLINDER
+float ownHeight(vec3 center, vec3 axis, float radius, vec2 q, float z) {
+    vec2 from = q - center.xy;
+    // Squared distance of the ray's points (from, t) from the axis is a parabola in t.
+    float A = max(1.0 - axis.z * axis.z, 1e-6);
+    float along = dot(from, axis.xy);
+    float t0 = axis.z * along / A;
+    vec3 foot = vec3(from, t0) - axis * (along + axis.z * t0);
+    float h = radius * radius - dot(foot, foot);
+    return h > 0.0 ? center.z + t0 + sqrt(h / A) : z;
 }
+#else
+float ownHeight(vec3 center, vec3 axis, float radius, vec2 q, float z) {
+    vec2 from = q - center.xy;
+    float h = radius * radius - dot(from, from);
+    return h > 0.0 ? center.z + sqrt(h) : z;
+}
+#endif
 
 void main() {
     uint entry = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
-    if (entry >= bake.texelCount) return;
-    uint index = texels[bake.firstTexel + entry];
-    Texel texel = texelAt(index);
-    float pixels = bake.map.x, perRow = bake.map.y, scale = bake.map.z;
-    float sum = 0.0;
-    for (uint i = 0u; i < bake.directionCount; ++i) {
-        uint row = 3u * (bake.firstDirection + i);
-        vec3 w = rows[row + 2u].xyz;
-        float cosine = texel.whole ? 1.0 : dot(texel.normal, w);
-        if (cosine <= 0.0) continue;
-        vec3 position = texel.whole ? texel.a + texel.radius * w : texel.position;
-        vec3 u = rows[row].xyz, v = rows[row + 1u].xyz;
-        vec2 at = vec2(dot(u, position), dot(v, position));
-        vec2 place = clamp(floor(vec2(at.x, -at.y) * scale + 0.5 * pixels), vec2(0.0), vec2(pixels - 1.0));
-        vec2 tile = vec2(mod(float(i), perRow), floor(float(i) / perRow)) * pixels;
+    if (entry >= bake.range.y) return;
+    entry += bake.range.x;
+#ifdef CYLINDER
+    Texel texel = cylinderTexel(texels[entry]);
+#else
+    Texel texel = sphereTexel(texels[entry]);
+#endif
+    float pixels = bake.map.x, scale = bake.map.y, middle = 0.5 * pixels;
+    vec2 sum = vec2(0.0);
+    [[unroll]] for (int i = 0; i < kBatch; ++i) {
+        Direction d = directions[i];
+        vec3 center = placed(d, texel.a);
+#ifdef WHOLE
+        // A sphere that lies in a surface is seen from half of all directions: that half is what shows of it.
+        float cosine = 0.5 * dot(d.w.xyz, d.w.xyz), counted = 2.0 * cosine;
+        vec3 at = vec3(center.xy, center.z + texel.radius);
+#else
+        vec3 normal = turned(d, texel.normal);
+        float cosine = max(normal.z, 0.0), counted = cosine;
+        vec3 at = center + texel.radius * normal;
+#endif
+        vec2 place = clamp(floor(vec2(at.x, -at.y) * scale + middle), vec2(0.0), vec2(pixels - 1.0));
         // What this very surface would have written at the pixel's centre, so that it never shadows itself; or the
-        // texel's own depth, if that is nearer: beside a contact the surface at the centre may lie inside a neighbour
+        // texel's own height, if that is nearer: beside a contact the surface at the centre may lie inside a neighbour
         // that does not hide the texel. A pixel's width of slack allows for the neighbour's slope.
-        vec2 q = (place + 0.5 - 0.5 * pixels) / scale;
-        float Z = dot(w, position);
-        float front = max(ownZ(texel, u, v, w, vec2(q.x, -q.y), Z), Z);
-        float d = (bake.depth.z - front - bake.map.w - bake.depth.x) * bake.depth.y;
-        if (d <= decodeDepth(texelFetch(depthMaps, ivec2(tile + place), 0))) sum += cosine;
+        vec2 q = (place + 0.5 - middle) / scale;
+        float front = max(ownHeight(center, turned(d, texel.axis), texel.radius, vec2(q.x, -q.y), at.z), at.z);
+        float own = (bake.depth.z - front - bake.map.z - bake.depth.x) * bake.depth.y;
+        ivec2 tile = ivec2(i % kMapsAcross, i / kMapsAcross) * int(pixels);
+        bool seen = own <= decodeDepth(texelFetch(depthMaps, tile + ivec2(place), 0));
+        sum += vec2(seen ? counted : 0.0, cosine);
     }
-    sums[index] += sum;
+    sums[entry] += sum;
 }

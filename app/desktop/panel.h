@@ -31,8 +31,8 @@ public:
     bool ownsPointer() const;
     bool ownsKeys() const;
 
-    void togglePanel() { open_ = !open_; }
-    void toggleHelp() { help_ = !help_; }
+    void togglePanel() { open_ = !open_, restless_ = 2; }  // Dear ImGui needs a frame to measure
+    void toggleHelp() { help_ = !help_, restless_ = 2; }
     bool helpOpen() const { return help_; }
     void closeHelp() { help_ = false; }
 

@@ -3,209 +3,233 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/error.h"
 #include "engine/passes/read_back.h"
 #include "engine/passes/view_constants.h"
+#include "engine/scene/occlusion_directions.h"
 #include "shaders.h"
 
 namespace nacre::passes {
 namespace {
 
 using Usage = vk::BufferUsageFlagBits;
-constexpr std::uint32_t kGridPixels = 2048;     // a batch of depth maps is one square grid of this size
-constexpr double kPixelsPerAngstrom = 2.5;      // wanted in a depth map
+using Type = vk::DescriptorType;
 constexpr std::uint32_t kGroup = 64;            // local_size_x
 constexpr std::uint32_t kGroupsPerRow = 32768;  // of a dispatch; the floor allows 65,535
-constexpr std::uint32_t kSmallestMap = 128;
+constexpr std::uint64_t kBytesPerTexel = 2;     // of the atlas: the texel, and the byte that is copied into it
+constexpr std::uint64_t kBytesPerOpen = 4 + 8;  // list entry, sums
 
 constexpr graph::State kComputeBuffer{
     VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
-std::vector<glm::vec4> rowsOf(const std::vector<glm::dmat3>& frames) {
-    std::vector<glm::vec4> rows;
-    for (const glm::dmat3& f : frames)
-        for (int i = 0; i < 3; ++i) rows.emplace_back(f[0][i], f[1][i], f[2][i], 0.0);
-    return rows;
+
+std::uint64_t bytesOf(const OcclusionLayout& layout, std::uint64_t openTexels, std::uint64_t words) {
+    return std::uint64_t{layout.width} * layout.height * kBytesPerTexel + openTexels * kBytesPerOpen +
+           words * sizeof(AtlasWord);
 }
 
-}  // namespace
-
-OcclusionBake::OcclusionBake(const gpu::Device& device, Geometry& geometry, Nearest nearest, const SceneBuffers& scene,
-                             const Representation& representation, const OcclusionLayout& layout, int directions)
-    : device_(device),
-      geometry_(geometry),
-      nearest_(nearest),
-      scene_(scene),
-      layout_(layout),
-      directions_(occlusionDirections(directions)),
-      radius_(representation.radius) {
-    double sum = 0;
-    for (const Sphere& s : representation.spheres) sum += s.radius;
-    meanRadius_ = sum / static_cast<double>(std::max<std::size_t>(representation.spheres.size(), 1));
-    const double wanted = std::ceil(2.0 * radius_ * kPixelsPerAngstrom / 8.0) * 8.0;
-    mapPixels_ = static_cast<std::uint32_t>(std::clamp<double>(wanted, kSmallestMap, kGridPixels));
-    perRow_ = kGridPixels / mapPixels_;
-
-    const std::vector<std::uint32_t> open = openTexels(layout_, representation);
-    texels_ = static_cast<std::uint32_t>(open.size());
-    const std::vector<glm::vec4> rows = rowsOf(directions_);
-    rows_ = gpu::makeBuffer(device, std::span(rows), Usage::eStorageBuffer, "occlusion directions");
-    list_ = gpu::makeBuffer(device, std::span(open), Usage::eStorageBuffer, "occlusion texels");
-    std::vector<float> sums(layout_.texelCount(), -1.0f);
-    for (const std::uint32_t texel : open) sums[texel] = 0.0f;
-    sums_ = gpu::makeBuffer(device, std::span<const float>(sums), Usage::eStorageBuffer, "occlusion sums");
-    words_ = gpu::makeBuffer(device, std::uint64_t{layout_.width} * layout_.height,
-                             Usage::eStorageBuffer | Usage::eTransferSrc, gpu::Access::upload, "occlusion bytes");
-    atlas_ = gpu::makeImage(device, {VK_FORMAT_R8_UNORM, {layout_.width, layout_.height}},
-                            vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, false,
-                            "occlusion atlas");
-    sampler_ = gpu::makeSampler(device, vk::Filter::eNearest, "depth maps");
-
-    using Type = vk::DescriptorType;
-    constexpr Type kBindings[] = {Type::eStorageBuffer, Type::eStorageBuffer, Type::eStorageBuffer,
-                                  Type::eStorageBuffer, Type::eCombinedImageSampler};
-    accumulateLayout_ = gpu::makeLayout(device, kBindings, vk::ShaderStageFlagBits::eCompute,
-                                        sizeof(layout::OcclusionConstants), "occlusion accumulation layout");
-    finishLayout_ = gpu::makeLayout(device, std::span(kBindings).first(4), vk::ShaderStageFlagBits::eCompute,
-                                    sizeof(layout::OcclusionConstants), "occlusion finish layout");
-    gpu::Specialization constants;
-    const gpu::EncodedFormat& encoded = device.caps().encoded;
-    constants.set(1, nearest == Nearest::encoded ? encoded.channels : 1);
-    constants.set(2, nearest == Nearest::encoded ? encoded.steps : 0);
-    accumulate_ = gpu::makeComputePipeline(device, shaders::occlusionAccumulate, constants, *accumulateLayout_.pipeline,
-                                           "occlusion accumulation");
-    finish_ = gpu::makeComputePipeline(device, shaders::occlusionFinish, constants, *finishLayout_.pipeline,
-                                       "occlusion finish");
+void bind(const gpu::Device& device, vk::DescriptorSet set, std::uint32_t binding, Type type, vk::Buffer buffer) {
+    const vk::DescriptorBufferInfo info(buffer, 0, VK_WHOLE_SIZE);
+    device->updateDescriptorSets(vk::WriteDescriptorSet(set, binding, 0, type, {}, info), {});
 }
 
-layout::OcclusionConstants OcclusionBake::constants(std::uint32_t first, std::uint32_t count) const {
-    View view;
-    view.width = view.height = mapPixels_;
-    view.radius = radius_;
-    view.pixelsPerAngstrom = mapPixels_ / (2.0 * radius_);
-    const layout::ViewConstants v = viewConstants(view, 0.0f, 0, 0);
-    layout::OcclusionConstants c{};
-    const auto pixel = static_cast<float>(1.0 / view.pixelsPerAngstrom);
-    c.map = {mapPixels_, perRow_, view.pixelsPerAngstrom, pixel};
-    c.depth = {v.depth.x, v.depth.y, radius_, 0};
-    c.patches = {layout_.sphereEdge, layout_.around, layout_.along, 0};
-    c.texelCount = texels_;
-    c.firstDirection = first;
-    c.directionCount = count;
-    c.sphereCount = layout_.sphereCount;
-    c.atlasWidth = layout_.width;
-    c.sphereRows = layout_.sphereRows;
-    return c;
-}
-
-void OcclusionBake::recordMaps(graph::PassContext& context, Writes writes) const {
-    for (int i = 0; i < batch_; ++i) {
-        View view;
-        view.width = view.height = mapPixels_;
-        view.rotation = directions_[static_cast<std::size_t>(done_ + i)];
-        view.radius = radius_;
-        view.pixelsPerAngstrom = mapPixels_ / (2.0 * radius_);
-        const std::uint32_t x = static_cast<std::uint32_t>(i) % perRow_ * mapPixels_;
-        const std::uint32_t y = static_cast<std::uint32_t>(i) / perRow_ * mapPixels_;
-        const auto side = static_cast<float>(mapPixels_);
-        context.commands.setViewport(0, vk::Viewport(static_cast<float>(x), static_cast<float>(y), side, side, 0, 1));
-        context.commands.setScissor(0,
-                                    vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {mapPixels_, mapPixels_}));
-        Draw draw{writes, nearest_};
-        draw.radiusPixels = meanRadius_ * view.pixelsPerAngstrom;
-        draw.view = viewConstants(view, device_.caps().snapPixels, x + mapPixels_ / 2.0, y + mapPixels_ / 2.0);
-        geometry_.draw(context, scene_, draw);
-    }
-}
-
-void OcclusionBake::dispatch(const vk::raii::CommandBuffer& commands, std::uint32_t invocations) const {
-    const std::uint32_t groups = (invocations + kGroup - 1) / kGroup;
+void dispatch(const vk::raii::CommandBuffer& commands, std::uint64_t invocations) {
+    const auto groups = static_cast<std::uint32_t>((invocations + kGroup - 1) / kGroup);
     const std::uint32_t wide = std::min(groups, kGroupsPerRow);
     if (groups) commands.dispatch(wide, (groups + wide - 1) / wide, 1);
 }
 
-namespace {
-
-void bindBuffers(const gpu::Device& device, vk::DescriptorSet set, std::initializer_list<vk::Buffer> buffers) {
-    std::uint32_t binding = 0;
-    for (const vk::Buffer buffer : buffers) {
-        const vk::DescriptorBufferInfo info(buffer, 0, VK_WHOLE_SIZE);
-        device->updateDescriptorSets(
-            vk::WriteDescriptorSet(set, binding++, 0, vk::DescriptorType::eStorageBuffer, {}, info), {});
-    }
-}
+std::uint32_t batchFor(std::uint32_t directions) { return directions > 4 ? 16 : directions > 1 ? 4 : 1; }
 
 }  // namespace
 
-void OcclusionBake::recordAccumulation(graph::PassContext& context, graph::Image maps) const {
-    const vk::DescriptorSet set = context.descriptors.allocate(accumulateLayout_.set);
-    const vk::DescriptorImageInfo info(*sampler_, context.view(maps), vk::ImageLayout::eShaderReadOnlyOptimal);
-    device_->updateDescriptorSets(vk::WriteDescriptorSet(set, 4, 0, vk::DescriptorType::eCombinedImageSampler, info),
-                                  {});
-    bindBuffers(device_, set, {*scene_.shapes.handle, *rows_.handle, *list_.handle, *sums_.handle});
-    context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, *accumulate_);
-    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *accumulateLayout_.pipeline, 0, set, {});
-    context.commands.pushConstants<layout::OcclusionConstants>(
-        *accumulateLayout_.pipeline, vk::ShaderStageFlagBits::eCompute, 0,
-        constants(static_cast<std::uint32_t>(done_), static_cast<std::uint32_t>(batch_)));
-    dispatch(context.commands, texels_);
+OcclusionBake::OcclusionBake(const gpu::Device& device, Geometry& geometry, const SceneBuffers& scene,
+                             Representation& representation, const OcclusionOptions& options)
+    : device_(device),
+      scene_(scene),
+      directions_(occlusionDirections(options.directions)),
+      maps_(device, geometry, scene, representation, options.path, options.budgetBytes / 2) {
+    OpenTexels open;
+    layout_ = chooseLayout(representation, options.budgetBytes - std::min(maps_.bytes(), options.budgetBytes), open);
+    assignPatches(layout_, representation);
+    makeBuffers(open);
+
+    constexpr Type kAccumulate[] = {Type::eStorageBuffer, Type::eUniformBuffer, Type::eStorageBuffer,
+                                    Type::eStorageBuffer, Type::eCombinedImageSampler};
+    constexpr Type kFinish[] = {Type::eStorageBuffer, Type::eStorageBuffer, Type::eStorageBuffer};
+    accumulateLayout_ = gpu::makeLayout(device, kAccumulate, vk::ShaderStageFlagBits::eCompute,
+                                        sizeof(layout::OcclusionConstants), "occlusion accumulation layout");
+    finishLayout_ = gpu::makeLayout(device, kFinish, vk::ShaderStageFlagBits::eCompute, sizeof(std::uint32_t),
+                                    "occlusion finish layout");
+    finish_ = gpu::makeComputePipeline(device, shaders::occlusionFinish, {}, *finishLayout_.pipeline,
+                                       "occlusion finish");
+    sampler_ = gpu::makeSampler(device, vk::Filter::eNearest, "depth maps");
 }
 
-bool OcclusionBake::step(graph::Executor& executor) {
-    batch_ = std::min(static_cast<int>(perRow_ * perRow_), static_cast<int>(directions_.size()) - done_);
-    if (batch_ <= 0) return false;
-    using graph::Clear;
-    graph::Graph g("occlusion");
-    const graph::Extent grid{kGridPixels, kGridPixels};
-    const auto depth = g.image("depth maps' hardware depth", {VK_FORMAT_D32_SFLOAT, grid});
-    const auto sums = g.importBuffer("occlusion sums", sums_.size, kComputeBuffer);
-    graph::Image maps = depth;
-    g.graphics("opaque prepass").depth(depth, Clear{1.0f}).record([&](auto& c) { recordMaps(c, Writes::plates); });
-    if (nearest_ == Nearest::encoded) {
-        maps = g.image("depth maps", {device_.caps().encoded.format, grid});
-        const Clear farthest{device_.caps().encoded.farthest};
-        g.graphics("depth encoding").depthTest(depth).color(maps, farthest).record([&](auto& c) {
-            recordMaps(c, Writes::encoded);
-        });
-    } else {
-        g.graphics("nearest depth").depth(depth).record([&](auto& c) { recordMaps(c, Writes::depth); });
+/// The finest patches of which everything fits.
+OcclusionLayout OcclusionBake::chooseLayout(Representation& representation, std::uint64_t budgetBytes,
+                                            OpenTexels& open) {
+    const std::size_t spheres = representation.spheres.size(), cylinders = representation.cylinders.size();
+    const PrimitiveGrid grid(representation);
+    std::uint64_t least = 0;
+    for (const OcclusionLayout& layout : occlusionLayouts(spheres, cylinders, device_.caps().maxImageSize)) {
+        // Guessed from a sample first: looking at every texel takes its time.
+        least = bytesOf(layout, 0, 0);
+        if (least > budgetBytes) continue;
+        const double share = openShare(layout, representation, grid);
+        const auto guess = static_cast<std::uint64_t>(share * static_cast<double>(layout.texelCount()));
+        least = bytesOf(layout, guess, guess / 4);
+        if (least > budgetBytes) continue;
+        open = openTexels(layout, representation, grid);
+        least = bytesOf(layout, open.texels.size(), open.words.size());
+        if (least <= budgetBytes) return layout;
     }
-    g.compute("occlusion accumulation").samples(maps).writes(sums).record([&](auto& c) {
-        recordAccumulation(c, maps);
-    });
+    throw Error("not enough memory for ambient occlusion", "",
+                std::to_string(spheres + cylinders) + " primitives need " + std::to_string((least >> 20) + 1) +
+                    " MB beside " + std::to_string(maps_.bytes() >> 20) + " MB of depth maps, and " +
+                    std::to_string(budgetBytes >> 20) + " MB are left of the budget (raise --occlusion-memory, or " +
+                    "render with --occlusion off)");
+}
+
+void OcclusionBake::makeBuffers(const OpenTexels& open) {
+    texelCount_ = open.texels.size();
+    sphereTexels_ = open.sphereTexels;
+    wordCount_ = open.words.size();
+    firstOfSphere_ = open.firstOfSphere;
+    batchDirections_ = gpu::makeBuffer(device_, sizeof(layout::Direction) * DepthMaps::kMostPerBatch,
+                                       Usage::eUniformBuffer, gpu::Access::upload, "occlusion directions");
+    list_ = gpu::makeBuffer(device_, std::span(open.texels), Usage::eStorageBuffer, "occlusion texels");
+    words_ = gpu::makeBuffer(device_, std::span(open.words), Usage::eStorageBuffer, "occlusion words");
+    sums_ = gpu::makeBuffer(device_, texelCount_ * 8, Usage::eStorageBuffer, gpu::Access::upload, "occlusion sums");
+    std::memset(sums_.mapped, 0, sums_.size);
+    bytes_ = gpu::makeBuffer(device_, std::uint64_t{layout_.width} * layout_.height,
+                             Usage::eStorageBuffer | Usage::eTransferSrc, gpu::Access::upload, "occlusion bytes");
+    std::memset(bytes_.mapped, 0, bytes_.size);
+    atlas_ = gpu::makeImage(device_, {VK_FORMAT_R8_UNORM, {layout_.width, layout_.height}},
+                            vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, false,
+                            "occlusion atlas");
+}
+
+std::uint64_t OcclusionBake::bytes() const { return bytesOf(layout_, texelCount_, wordCount_) + maps_.bytes(); }
+
+void OcclusionBake::release() {
+    const auto* sums = reinterpret_cast<const float*>(sums_.mapped);
+    seenSpheres_.assign(layout_.sphereCount, false);
+    for (std::size_t i = 0; i < seenSpheres_.size(); ++i)
+        for (std::size_t k = firstOfSphere_[i]; k < firstOfSphere_[i + 1] && !seenSpheres_[i]; ++k)
+            seenSpheres_[i] = sums[2 * k] > 0;
+    maps_.release();
+    batchDirections_ = {};
+    list_ = {};
+    words_ = {};
+    sums_ = {};
+    bytes_ = {};
+    firstOfSphere_.clear();
+}
+
+layout::OcclusionConstants OcclusionBake::constants() const {
+    const View view = maps_.view(glm::dmat3(1));
+    const layout::ViewConstants v = viewConstants(view, 0.0f, 0, 0);
+    layout::OcclusionConstants c{};
+    c.map = {maps_.pixels(), view.pixelsPerAngstrom, 1.0 / view.pixelsPerAngstrom, 0};
+    c.depth = {v.depth.x, v.depth.y, v.row2.w, 0};
+    c.patches = {layout_.sphereEdge, layout_.around, layout_.along, layout_.sphereCount};
+    return c;
+}
+
+OcclusionBake::Accumulation& OcclusionBake::accumulation(std::uint32_t batch) {
+    const auto [it, fresh] = accumulations_.try_emplace(batch);
+    if (!fresh) return it->second;
+    gpu::Specialization constants;
+    constants.set(0, batch);
+    maps_.decoding(constants);
+    constants.set(3, mapsAcross(batch));
+    const auto make = [&](std::span<const std::uint32_t> code, const char* name) {
+        return gpu::makeComputePipeline(device_, code, constants, *accumulateLayout_.pipeline, name);
+    };
+    if (layout_.sphereEdge == 1)
+        it->second.spheres = make(shaders::occlusionAccumulateWhole, "occlusion accumulation, whole spheres");
+    else
+        it->second.spheres = make(shaders::occlusionAccumulateSphere, "occlusion accumulation, spheres");
+    it->second.cylinders = make(shaders::occlusionAccumulateCylinder, "occlusion accumulation, cylinders");
+    return it->second;
+}
+
+void OcclusionBake::recordAccumulation(graph::PassContext& context, graph::Image maps, std::uint32_t batch) {
+    const vk::DescriptorSet set = context.descriptors.allocate(accumulateLayout_.set);
+    bind(device_, set, 0, Type::eStorageBuffer, *scene_.shapes.handle);
+    bind(device_, set, 1, Type::eUniformBuffer, *batchDirections_.handle);
+    bind(device_, set, 2, Type::eStorageBuffer, *list_.handle);
+    bind(device_, set, 3, Type::eStorageBuffer, *sums_.handle);
+    const vk::DescriptorImageInfo info(*sampler_, context.view(maps), vk::ImageLayout::eShaderReadOnlyOptimal);
+    device_->updateDescriptorSets(vk::WriteDescriptorSet(set, 4, 0, Type::eCombinedImageSampler, info), {});
+    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *accumulateLayout_.pipeline, 0, set, {});
+    const Accumulation& pipelines = accumulation(batch);
+    layout::OcclusionConstants c = constants();
+    const auto range = [&](const vk::raii::Pipeline& pipeline, std::size_t first, std::size_t count) {
+        if (count == 0) return;
+        c.range = {first, count, 0, 0};
+        context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
+        context.commands.pushConstants<layout::OcclusionConstants>(*accumulateLayout_.pipeline,
+                                                                   vk::ShaderStageFlagBits::eCompute, 0, c);
+        dispatch(context.commands, count);
+    };
+    range(pipelines.spheres, 0, sphereTexels_);
+    range(pipelines.cylinders, sphereTexels_, texelCount_ - sphereTexels_);
+}
+
+void OcclusionBake::step(graph::Executor& executor, std::uint32_t most) {
+    const std::uint32_t left = static_cast<std::uint32_t>(directions_.size()) - static_cast<std::uint32_t>(done_);
+    const std::uint32_t count = std::min({left, most, maps_.perBatch()});
+    if (count == 0) return;
+    const std::uint32_t batch = batchFor(count);
+    const std::span frames(directions_.data() + done_, count);
+    auto* directions = reinterpret_cast<layout::Direction*>(batchDirections_.mapped);
+    for (std::uint32_t i = 0; i < DepthMaps::kMostPerBatch; ++i) {
+        directions[i] = {};
+        if (i >= count) continue;
+        const glm::dmat3 rows = glm::transpose(frames[i]);
+        directions[i] = {glm::vec4(rows[0], 0), glm::vec4(rows[1], 0), glm::vec4(rows[2], 0)};
+    }
+    graph::Graph g("occlusion");
     graph::Imports imports;
+    const auto sums = g.importBuffer("occlusion sums", sums_.size, kComputeBuffer);
     imports.bind(sums, sums_);
+    const graph::Image maps = maps_.declare(g, imports, frames, batch, constants(), batchDirections_);
+    g.compute("occlusion accumulation").samples(maps).writes(sums).record([&](graph::PassContext& c) {
+        recordAccumulation(c, maps, batch);
+    });
     const graph::Plan plan = graph::compile(g, device_.caps().plan);
     device_.submitAndWait([&](const vk::raii::CommandBuffer& c) { executor.record(c, g, plan, imports); });
     executor.reset();
-    done_ += batch_;
-    return true;
+    done_ += static_cast<int>(count);
 }
 
 void OcclusionBake::finish(graph::Executor& executor) {
     graph::Graph g("occlusion finish");
     const auto sums = g.importBuffer("occlusion sums", sums_.size, kComputeBuffer);
-    const auto words = g.importBuffer("occlusion bytes", words_.size, kComputeBuffer);
+    const auto bytes = g.importBuffer("occlusion bytes", bytes_.size, kComputeBuffer);
     const auto atlas = g.importImage("occlusion atlas", atlas_.desc, kTextureState, !atlasDefined_);
-    g.compute("occlusion finish").reads(sums).writes(words).record([&](graph::PassContext& c) {
+    g.compute("occlusion finish").reads(sums).writes(bytes).record([&](graph::PassContext& c) {
         const vk::DescriptorSet set = c.descriptors.allocate(finishLayout_.set);
-        bindBuffers(device_, set, {*scene_.shapes.handle, *rows_.handle, *words_.handle, *sums_.handle});
+        bind(device_, set, 0, Type::eStorageBuffer, *sums_.handle);
+        bind(device_, set, 1, Type::eStorageBuffer, *words_.handle);
+        bind(device_, set, 2, Type::eStorageBuffer, *bytes_.handle);
         c.commands.bindPipeline(vk::PipelineBindPoint::eCompute, *finish_);
         c.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *finishLayout_.pipeline, 0, set, {});
-        layout::OcclusionConstants k = constants(0, static_cast<std::uint32_t>(done_));
-        k.texelCount = static_cast<std::uint32_t>(layout_.texelCount() / 4);
-        c.commands.pushConstants<layout::OcclusionConstants>(*finishLayout_.pipeline, vk::ShaderStageFlagBits::eCompute,
-                                                             0, k);
-        dispatch(c.commands, k.texelCount);
+        c.commands.pushConstants<std::uint32_t>(*finishLayout_.pipeline, vk::ShaderStageFlagBits::eCompute, 0,
+                                                static_cast<std::uint32_t>(wordCount_));
+        dispatch(c.commands, wordCount_);
     });
-    g.transfer("occlusion upload").copiesFrom(words).copiesTo(atlas).record([&](graph::PassContext& c) {
+    g.transfer("occlusion upload").copiesFrom(bytes).copiesTo(atlas).record([&](graph::PassContext& c) {
         const vk::BufferImageCopy all(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {},
                                       {layout_.width, layout_.height, 1});
-        c.commands.copyBufferToImage(c.buffer(words), c.image(atlas), vk::ImageLayout::eTransferDstOptimal, all);
+        c.commands.copyBufferToImage(c.buffer(bytes), c.image(atlas), vk::ImageLayout::eTransferDstOptimal, all);
     });
     graph::Imports imports;
     imports.bind(sums, sums_);
-    imports.bind(words, words_);
+    imports.bind(bytes, bytes_);
     imports.bind(atlas, atlas_);
-    graph::Plan plan = graph::compile(g, device_.caps().plan);
+    const graph::Plan plan = graph::compile(g, device_.caps().plan);
     device_.submitAndWait([&](const vk::raii::CommandBuffer& c) { executor.record(c, g, plan, imports); });
     executor.reset();
     atlasDefined_ = true;

@@ -1,54 +1,76 @@
 #pragma once
 // Bakes ambient occlusion (paper section 4): depth maps of the molecule from many directions, batch by batch, each
-// followed by one dispatch over the atlas texels.
+// followed by one dispatch over the atlas texels that light can reach.
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "engine/gpu/resources.h"
 #include "engine/graph/execute.h"
-#include "engine/passes/geometry.h"
-#include "engine/scene/camera.h"
-#include "engine/scene/occlusion_layout.h"
+#include "engine/passes/depth_maps.h"
+#include "engine/scene/open_texels.h"
 
 namespace nacre::passes {
 
+struct OcclusionOptions {
+    int directions = 128;
+    std::uint64_t budgetBytes = 64ull << 20;  ///< device memory of everything that the bake holds
+    OcclusionMaps path = OcclusionMaps::encoded;
+};
+
 class OcclusionBake {
 public:
-    /// Everything that a bake of `directions` directions needs; no work is done yet.
-    /// @param budgetBytes device memory for atlas, sums, texel list and depth maps
-    /// @throws Error if it does not fit
-    OcclusionBake(const gpu::Device& device, Geometry& geometry, Nearest nearest, const SceneBuffers& scene,
-                  const Representation& representation, const OcclusionLayout& layout, int directions);
+    /// Everything that a bake needs; no light is asked for yet, and the atlas says so: all is open.
+    /// Writes the patch addresses into the looks of the representation; both it and `scene` (whose looks are then to be
+    /// uploaded anew) outlive the bake.
+    /// @throws Error if even one value a sphere does not fit the budget
+    OcclusionBake(const gpu::Device& device, Geometry& geometry, const SceneBuffers& scene,
+                  Representation& representation, const OcclusionOptions& options);
 
-    /// Renders the depth maps of the next directions and adds them up. False when there was nothing left to do.
-    bool step(graph::Executor& executor);
-    /// Sums -> atlas, for the directions done so far (at least one).
+    /// Renders the depth maps of the next directions, at most one batch, and adds them up.
+    /// @param most  directions at most
+    void step(graph::Executor& executor, std::uint32_t most = DepthMaps::kMostPerBatch);
+    /// Sums -> atlas, for the directions done so far.
     void finish(graph::Executor& executor);
 
     const gpu::Image& atlas() const { return atlas_; }
+    const OcclusionLayout& layout() const { return layout_; }
+    const DepthMaps& maps() const { return maps_; }
     int directionsDone() const { return done_; }
+    int directions() const { return static_cast<int>(directions_.size()); }
+    std::uint64_t bytes() const;
+    std::size_t texels() const { return texelCount_; }
+    /// Drops all but the atlas, when no more steps are wanted.
+    void release();
+    /// For each sphere whether any direction saw any of it; known after release().
+    const std::vector<bool>& seenSpheres() const { return seenSpheres_; }
 
 private:
-    layout::OcclusionConstants constants(std::uint32_t first, std::uint32_t count) const;
-    void recordMaps(graph::PassContext& context, Writes writes) const;
-    void recordAccumulation(graph::PassContext& context, graph::Image maps) const;
-    void dispatch(const vk::raii::CommandBuffer& commands, std::uint32_t invocations) const;
+    struct Accumulation {
+        vk::raii::Pipeline spheres{nullptr}, cylinders{nullptr};
+    };
+    OcclusionLayout chooseLayout(Representation& representation, std::uint64_t budgetBytes, OpenTexels& open);
+    void makeBuffers(const OpenTexels& open);
+    layout::OcclusionConstants constants() const;
+    Accumulation& accumulation(std::uint32_t batch);
+    void recordAccumulation(graph::PassContext& context, graph::Image maps, std::uint32_t batch);
 
     const gpu::Device& device_;
-    Geometry& geometry_;
-    Nearest nearest_;
     const SceneBuffers& scene_;
-    OcclusionLayout layout_;
     std::vector<glm::dmat3> directions_;
-    double radius_, meanRadius_ = 0;
-    std::uint32_t mapPixels_, perRow_, texels_ = 0;
-    int done_ = 0, batch_ = 0;
-    gpu::Buffer rows_, list_, sums_, words_;
+    DepthMaps maps_;
+    OcclusionLayout layout_;
+    std::size_t texelCount_ = 0, sphereTexels_ = 0, wordCount_ = 0;
+    std::vector<std::uint32_t> firstOfSphere_;
+    std::vector<bool> seenSpheres_;
+    int done_ = 0;
+    gpu::Buffer batchDirections_, list_, sums_, words_, bytes_;
     gpu::Image atlas_;
     bool atlasDefined_ = false;
     gpu::Layout accumulateLayout_, finishLayout_;
-    vk::raii::Pipeline accumulate_{nullptr}, finish_{nullptr};
+    std::map<std::uint32_t, Accumulation> accumulations_;  // by directions a batch
+    vk::raii::Pipeline finish_{nullptr};
     vk::raii::Sampler sampler_{nullptr};
 };
 

@@ -2,15 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
-
-#include "engine/error.h"
 
 namespace nacre {
 namespace {
-
-constexpr std::uint64_t kBytesPerTexel = 1 + 4 + 4;  // atlas, sum, list entry
 
 struct PatchSize {
     std::uint32_t edge, around, along;
@@ -45,16 +39,13 @@ OcclusionLayout layoutFor(const PatchSize& size, std::size_t spheres, std::size_
 
 }  // namespace
 
-OcclusionLayout occlusionLayout(std::size_t spheres, std::size_t cylinders, std::uint64_t budgetBytes,
-                                std::uint32_t maxSize) {
+std::vector<OcclusionLayout> occlusionLayouts(std::size_t spheres, std::size_t cylinders, std::uint32_t maxSize) {
+    std::vector<OcclusionLayout> layouts;
     for (const PatchSize& size : kSizes) {
         const OcclusionLayout layout = layoutFor(size, spheres, cylinders, maxSize);
-        if (layout.height <= maxSize && layout.texelCount() * kBytesPerTexel <= budgetBytes) return layout;
+        if (layout.height <= maxSize) layouts.push_back(layout);
     }
-    throw Error("not enough memory for ambient occlusion", "",
-                std::to_string(spheres + cylinders) + " primitives need " +
-                    std::to_string((spheres + cylinders * 8) * kBytesPerTexel >> 20) + " MB, the budget is " +
-                    std::to_string(budgetBytes >> 20) + " MB (render with --occlusion off)");
+    return layouts;
 }
 
 void assignPatches(const OcclusionLayout& layout, Representation& r) {
@@ -68,23 +59,6 @@ void assignPatches(const OcclusionLayout& layout, Representation& r) {
         r.sphereLooks[i].patch = address(i, layout.sphereEdge, layout.sphereEdge, 0);
     for (std::size_t i = 0; i < r.cylinderLooks.size(); ++i)
         r.cylinderLooks[i].patch = address(i, layout.around, layout.along, layout.sphereRows);
-}
-
-std::vector<glm::dmat3> occlusionDirections(int count) {
-    constexpr double kGolden = std::numbers::phi;
-    std::vector<glm::dmat3> frames;
-    for (int i = 0; i < count; ++i) {
-        const double z = 1.0 - (2.0 * i + 1.0) / count;
-        const double angle = 2.0 * std::numbers::pi * std::fmod(i / kGolden, 1.0);
-        const double flat = std::sqrt(std::max(0.0, 1.0 - z * z));
-        const glm::dvec3 w(flat * std::cos(angle), flat * std::sin(angle), z);
-        const glm::dvec3 helper = std::abs(w.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
-        const glm::dvec3 x = glm::normalize(glm::cross(helper, w)), y = glm::cross(w, x);
-        const double roll = 2.0 * std::numbers::pi * std::fmod(i * kGolden * kGolden * kGolden, 1.0);
-        const glm::dvec3 u = x * std::cos(roll) + y * std::sin(roll);
-        frames.push_back(glm::transpose(glm::dmat3(u, glm::cross(w, u), w)));
-    }
-    return frames;
 }
 
 }  // namespace nacre

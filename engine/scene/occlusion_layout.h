@@ -1,8 +1,7 @@
 #pragma once
-// Where every primitive's patch lies in the occlusion atlas, how large the patches are, and which texels can be lit.
+// Where every primitive's patch lies in the occlusion atlas, and how large the patches are.
 
 #include <cstdint>
-#include <glm/mat3x3.hpp>
 #include <vector>
 
 #include "engine/scene/representation.h"
@@ -22,21 +21,11 @@ struct OcclusionLayout {
     std::uint64_t texelCount() const { return sphereTexels() + std::uint64_t{cylinderCount} * around * along; }
 };
 
-/// The largest patches whose atlas, sums and texel list (9 bytes a texel) fit a budget.
-/// @param budgetBytes  device memory for them; @param maxSize  largest image side
-/// @throws Error if one value a sphere does not fit
-OcclusionLayout occlusionLayout(std::size_t spheres, std::size_t cylinders, std::uint64_t budgetBytes,
-                                std::uint32_t maxSize);
+/// Patch sizes from the finest to the coarsest, each laid out for a number of primitives.
+/// @param maxSize  largest image side; what does not fit it is left out
+std::vector<OcclusionLayout> occlusionLayouts(std::size_t spheres, std::size_t cylinders, std::uint32_t maxSize);
 
 /// Writes the patch addresses into the looks.
 void assignPatches(const OcclusionLayout& layout, Representation& representation);
-
-/// Texels outside every other primitive, in linear order (all sphere patches, then all cylinder patches): the only
-/// ones that any direction can light.
-std::vector<std::uint32_t> openTexels(const OcclusionLayout& layout, const Representation& representation);
-
-/// Unit directions of equal area (spherical Fibonacci, González 2010, Math. Geosci. 42), each with a right-handed
-/// frame as rows u, v, w (w: the direction itself), rolled so that no two depth maps share a pixel raster.
-std::vector<glm::dmat3> occlusionDirections(int count);
 
 }  // namespace nacre

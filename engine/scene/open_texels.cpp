@@ -1,85 +1,21 @@
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
+#include "engine/scene/open_texels.h"
 
-#include "engine/scene/occlusion_layout.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <numbers>
+#include <span>
+#include <thread>
 
 namespace nacre {
 namespace {
 
-/// A uniform grid over primitives: which of them come near a box.
-class Grid {
-public:
-    Grid(const Representation& r) {
-        glm::vec3 low(1e30f), high(-1e30f);
-        float reach = 0.5f;
-        const auto grow = [&](const glm::vec3& p, float radius) {
-            low = glm::min(low, p - radius);
-            high = glm::max(high, p + radius);
-        };
-        for (const Sphere& s : r.spheres) grow(s.center, s.radius), reach = std::max(reach, s.radius);
-        for (const Cylinder& c : r.cylinders) grow(c.a, c.radius), grow(c.b, c.radius);
-        low_ = low;
-        // Cells of a diameter, but never more of them than a few per primitive.
-        const double volume = double(high.x - low.x) * (high.y - low.y) * (high.z - low.z);
-        const double most = 4.0 * static_cast<double>(r.spheres.size() + r.cylinders.size()) + 64.0;
-        cell_ = std::max(2.0f * reach, static_cast<float>(std::cbrt(volume / most)));
-        for (int i = 0; i < 3; ++i) size_[i] = std::clamp(static_cast<int>((high[i] - low[i]) / cell_) + 1, 1, 1 << 10);
-        count(r);
-    }
-
-    /// Calls visit(primitive) for spheres (index) and cylinders (spheres + index) that may come within the box.
-    template <typename Visit>
-    void near(const glm::vec3& low, const glm::vec3& high, Visit&& visit) const {
-        const glm::ivec3 a = at(low), b = at(high);
-        for (int z = a.z; z <= b.z; ++z)
-            for (int y = a.y; y <= b.y; ++y)
-                for (int x = a.x; x <= b.x; ++x) {
-                    const std::size_t c = index(x, y, z);
-                    for (std::uint32_t i = starts_[c]; i < starts_[c + 1]; ++i) visit(items_[i]);
-                }
-    }
-
-private:
-    glm::ivec3 at(const glm::vec3& p) const {
-        glm::ivec3 c;
-        for (int i = 0; i < 3; ++i) c[i] = std::clamp(static_cast<int>((p[i] - low_[i]) / cell_), 0, size_[i] - 1);
-        return c;
-    }
-    std::size_t index(int x, int y, int z) const {
-        return (static_cast<std::size_t>(z) * size_[1] + y) * static_cast<std::size_t>(size_[0]) + x;
-    }
-    template <typename Put>
-    void cells(const Representation& r, Put&& put) const {
-        std::uint32_t item = 0;
-        const auto box = [&](const glm::vec3& low, const glm::vec3& high) {
-            const glm::ivec3 a = at(low), b = at(high);
-            for (int z = a.z; z <= b.z; ++z)
-                for (int y = a.y; y <= b.y; ++y)
-                    for (int x = a.x; x <= b.x; ++x) put(index(x, y, z), item);
-            ++item;
-        };
-        for (const Sphere& s : r.spheres) box(s.center - s.radius, s.center + s.radius);
-        for (const Cylinder& c : r.cylinders) box(glm::min(c.a, c.b) - c.radius, glm::max(c.a, c.b) + c.radius);
-    }
-    void count(const Representation& r) {
-        starts_.assign(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2] + 1, 0);
-        cells(r, [&](std::size_t c, std::uint32_t) { ++starts_[c + 1]; });
-        for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
-        items_.resize(starts_.back());
-        std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-        cells(r, [&](std::size_t c, std::uint32_t item) { items_[next[c]++] = item; });
-    }
-
-    glm::vec3 low_{};
-    float cell_ = 1;
-    glm::ivec3 size_{1};
-    std::vector<std::uint32_t> starts_, items_;
-};
-
 /// Inside by more than rounding, so that surfaces that coincide stay open.
 constexpr float kDeep = 1e-3f;
+constexpr std::uint32_t kBuried = AtlasWord::kNone;
 
 bool inside(const Sphere& s, const glm::vec3& p) {
     const glm::vec3 d = p - s.center;
@@ -99,7 +35,6 @@ bool inside(const Cylinder& c, const glm::vec3& p) {
 /// The octahedral normals of a patch, as shaders/common/patch.glsl has them.
 std::vector<glm::vec3> octahedralNormals(std::uint32_t edge) {
     std::vector<glm::vec3> normals;
-    if (edge == 1) return normals;
     for (std::uint32_t y = 0; y < edge; ++y)
         for (std::uint32_t x = 0; x < edge; ++x) {
             const float px = static_cast<float>(x) / static_cast<float>(edge - 1) * 2.0f - 1.0f;
@@ -114,38 +49,6 @@ std::vector<glm::vec3> octahedralNormals(std::uint32_t edge) {
     return normals;
 }
 
-class Burial {
-public:
-    explicit Burial(const Representation& r) : r_(r), grid_(r) {}
-
-    void collect(std::uint32_t self, const glm::vec3& low, const glm::vec3& high) {
-        around_.clear();
-        grid_.near(low, high, [&](std::uint32_t item) {
-            if (item != self) around_.push_back(item);
-        });
-        std::sort(around_.begin(), around_.end());
-        around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
-        last_ = 0;
-    }
-    bool buried(const glm::vec3& p) {
-        // Neighbouring texels are mostly buried by the same neighbour: ask that one first.
-        if (last_ < around_.size() && holds(around_[last_], p)) return true;
-        for (std::size_t i = 0; i < around_.size(); ++i)
-            if (holds(around_[i], p)) return last_ = i, true;
-        return false;
-    }
-
-private:
-    bool holds(std::uint32_t item, const glm::vec3& p) const {
-        return item < r_.spheres.size() ? inside(r_.spheres[item], p)
-                                        : inside(r_.cylinders[item - r_.spheres.size()], p);
-    }
-    const Representation& r_;
-    Grid grid_;
-    std::vector<std::uint32_t> around_;
-    std::size_t last_ = 0;
-};
-
 /// Two unit vectors that make a frame with w; the same as frameAbout() in shaders/common/patch.glsl.
 void frameAbout(const glm::vec3& w, glm::vec3& u, glm::vec3& v) {
     const float s = w.z >= 0.0f ? 1.0f : -1.0f;
@@ -154,44 +57,205 @@ void frameAbout(const glm::vec3& w, glm::vec3& u, glm::vec3& v) {
     v = {b, s + w.y * w.y * a, -w.y};
 }
 
-}  // namespace
-
-std::vector<std::uint32_t> openTexels(const OcclusionLayout& layout, const Representation& r) {
-    std::vector<std::uint32_t> open;
-    if (layout.texelCount() == 0) return open;
-    Burial burial(r);
-    const std::vector<glm::vec3> normals = octahedralNormals(layout.sphereEdge);
-    std::uint32_t texel = 0;
-    for (std::uint32_t i = 0; i < r.spheres.size(); ++i) {
-        const Sphere& s = r.spheres[i];
-        if (layout.sphereEdge == 1) {  // one value for the whole sphere
-            open.push_back(texel++);
-            continue;
-        }
-        burial.collect(i, s.center - s.radius, s.center + s.radius);
-        for (const glm::vec3& n : normals) {
-            if (!burial.buried(s.center + n * s.radius)) open.push_back(texel);
-            ++texel;
-        }
+/// Position of a texel, one or two steps beyond an edge of its patch, inside the patch: the texels of an edge are those
+/// of its mirrored half (sphere) or of the opposite edge (cylinder).
+glm::ivec2 folded(glm::ivec2 p, const glm::ivec2& size, bool sphere) {
+    if (!sphere) {
+        if (p.x < 0) p.x += size.x - 1;
+        if (p.x >= size.x) p.x -= size.x - 1;
+        return p;
     }
-    texel = static_cast<std::uint32_t>(layout.sphereTexels());
-    for (std::uint32_t i = 0; i < r.cylinders.size(); ++i) {
-        const Cylinder& c = r.cylinders[i];
-        burial.collect(static_cast<std::uint32_t>(r.spheres.size()) + i, glm::min(c.a, c.b) - c.radius,
-                       glm::max(c.a, c.b) + c.radius);
+    for (int i = 0; i < 2; ++i) {
+        if (p[i] >= 0 && p[i] < size[i]) continue;
+        p[i] = p[i] < 0 ? -p[i] : 2 * (size[i] - 1) - p[i];
+        p[1 - i] = size[1 - i] - 1 - p[1 - i];
+    }
+    return p;
+}
+
+/// Steps to the 24 nearest texels, the nearest first.
+std::span<const glm::ivec2> nearSteps() {
+    static const std::vector<glm::ivec2> steps = [] {
+        std::vector<glm::ivec2> list;
+        for (int y = -2; y <= 2; ++y)
+            for (int x = -2; x <= 2; ++x)
+                if (x || y) list.emplace_back(x, y);
+        std::stable_sort(list.begin(), list.end(), [](const glm::ivec2& a, const glm::ivec2& b) {
+            return a.x * a.x + a.y * a.y < b.x * b.x + b.y * b.y;
+        });
+        return list;
+    }();
+    return steps;
+}
+
+/// Finds the open texels of one primitive after the other, and appends them and their words to a list of its own.
+class Finder {
+public:
+    Finder(const OcclusionLayout& layout, const Representation& r, const PrimitiveGrid& grid)
+        : layout_(layout), r_(r), grid_(grid), normals_(octahedralNormals(layout.sphereEdge)) {}
+
+    void sphere(std::uint32_t i) {
+        const Sphere& s = r_.spheres[i];
+        const std::uint32_t edge = layout_.sphereEdge;
+        found.firstOfSphere.push_back(static_cast<std::uint32_t>(found.texels.size()));
+        collect(i);
+        begin(edge * edge);
+        for (std::uint32_t k = 0; k < edge * edge; ++k)
+            if (!buried(s.center + normals_[k] * s.radius)) open(k, i * edge * edge + k);
+        words({edge, edge}, true, i, 0);
+        found.sphereTexels = found.texels.size();
+    }
+
+    void cylinder(std::uint32_t i) {
+        const Cylinder& c = r_.cylinders[i];
+        const std::uint32_t around = layout_.around, along = layout_.along;
+        collect(static_cast<std::uint32_t>(r_.spheres.size()) + i);
+        begin(around * along);
         glm::vec3 u, v;
         frameAbout(glm::normalize(c.b - c.a), u, v);
-        for (std::uint32_t y = 0; y < layout.along; ++y)
-            for (std::uint32_t x = 0; x < layout.around; ++x) {
-                const float angle = (static_cast<float>(x) / static_cast<float>(layout.around - 1) - 0.5f) * 2.0f *
+        const auto base = static_cast<std::uint32_t>(layout_.sphereTexels()) + i * around * along;
+        for (std::uint32_t y = 0; y < along; ++y)
+            for (std::uint32_t x = 0; x < around; ++x) {
+                const float angle = (static_cast<float>(x) / static_cast<float>(around - 1) - 0.5f) * 2.0f *
                                     std::numbers::pi_v<float>;
-                const glm::vec3 p = glm::mix(c.a, c.b, static_cast<float>(y) / static_cast<float>(layout.along - 1)) +
+                const glm::vec3 p = glm::mix(c.a, c.b, static_cast<float>(y) / static_cast<float>(along - 1)) +
                                     c.radius * (u * std::cos(angle) + v * std::sin(angle));
-                if (!burial.buried(p)) open.push_back(texel);
-                ++texel;
+                if (!buried(p)) open(y * around + x, base + y * around + x);
+            }
+        words({around, along}, false, i, layout_.sphereRows);
+    }
+
+    OpenTexels found;
+
+private:
+    void collect(std::uint32_t self) {
+        around_.clear();
+        grid_.near(self, [&](std::uint32_t item) { around_.push_back(item); });
+        last_ = 0;
+    }
+    bool holds(std::uint32_t item, const glm::vec3& p) const {
+        return item < r_.spheres.size() ? inside(r_.spheres[item], p)
+                                        : inside(r_.cylinders[item - r_.spheres.size()], p);
+    }
+    bool buried(const glm::vec3& p) {
+        // Neighbouring texels are mostly buried by the same neighbour: ask that one first.
+        if (last_ < around_.size() && holds(around_[last_], p)) return true;
+        for (std::size_t i = 0; i < around_.size(); ++i)
+            if (holds(around_[i], p)) return last_ = i, true;
+        return false;
+    }
+    void begin(std::size_t texels) { entries_.assign(texels, kBuried); }
+    void open(std::uint32_t local, std::uint32_t texel) {
+        entries_[local] = static_cast<std::uint32_t>(found.texels.size());
+        found.texels.push_back(texel);
+    }
+    std::uint32_t nearestOpen(const glm::ivec2& at, const glm::ivec2& size, bool sphere) const {
+        for (const glm::ivec2& step : nearSteps()) {
+            const glm::ivec2 p = folded(at + step, size, sphere);
+            if (p.x < 0 || p.y < 0 || p.x >= size.x || p.y >= size.y) continue;
+            const std::uint32_t entry = entries_[static_cast<std::size_t>(p.y * size.x + p.x)];
+            if (entry != kBuried) return entry;
+        }
+        return kBuried;
+    }
+    /// The words of the patch of a shape, whose patches start at a row of the atlas.
+    void words(const glm::ivec2& size, bool sphere, std::uint32_t shape, std::uint32_t top) {
+        if (std::all_of(entries_.begin(), entries_.end(), [](std::uint32_t e) { return e == kBuried; })) return;
+        const auto width = static_cast<std::uint32_t>(size.x), height = static_cast<std::uint32_t>(size.y);
+        const std::uint32_t perRow = layout_.width / width;
+        const std::uint32_t left = shape % perRow * width, row = top + shape / perRow * height;
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; x += 4) {
+                AtlasWord word{((row + static_cast<std::uint32_t>(y)) * layout_.width + left +
+                                static_cast<std::uint32_t>(x)) / 4,
+                               {}};
+                bool any = false;
+                for (int k = 0; k < 4; ++k) {
+                    const std::uint32_t own = entries_[static_cast<std::size_t>(y * size.x + x + k)];
+                    word.entries[k] = own != kBuried ? own : nearestOpen({x + k, y}, size, sphere);
+                    any = any || word.entries[k] != kBuried;
+                }
+                if (any) found.words.push_back(word);
             }
     }
-    return open;
+
+    const OcclusionLayout& layout_;
+    const Representation& r_;
+    const PrimitiveGrid& grid_;
+    std::vector<glm::vec3> normals_;
+    std::vector<std::uint32_t> around_, entries_;
+    std::size_t last_ = 0;
+};
+
+/// One value a sphere: all of them are open.
+void openSpheres(OpenTexels& all, std::uint32_t count) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+        all.firstOfSphere.push_back(i);
+        all.texels.push_back(i);
+        if (i % 4 == 0) all.words.push_back({i / 4, {kBuried, kBuried, kBuried, kBuried}});
+        all.words.back().entries[i % 4] = i;
+    }
+    all.sphereTexels = count;
+}
+
+void append(OpenTexels& all, const OpenTexels& part) {
+    const auto base = static_cast<std::uint32_t>(all.texels.size());
+    all.texels.insert(all.texels.end(), part.texels.begin(), part.texels.end());
+    all.sphereTexels += part.sphereTexels;
+    for (const std::uint32_t first : part.firstOfSphere) all.firstOfSphere.push_back(base + first);
+    for (AtlasWord word : part.words) {
+        for (std::uint32_t& entry : word.entries)
+            if (entry != kBuried) entry += base;
+        all.words.push_back(word);
+    }
+}
+
+}  // namespace
+
+OpenTexels openTexels(const OcclusionLayout& layout, const Representation& r, const PrimitiveGrid& grid) {
+    OpenTexels all;
+    const auto spheres = static_cast<std::uint32_t>(r.spheres.size());
+    const auto count = spheres + static_cast<std::uint32_t>(r.cylinders.size());
+    const bool whole = layout.sphereEdge == 1;
+    if (whole) openSpheres(all, spheres);
+    const std::uint32_t first = whole ? spheres : 0;
+
+    const std::uint32_t parts = std::clamp(std::thread::hardware_concurrency(), 1u, 16u);
+    std::vector<Finder> finders(parts, Finder(layout, r, grid));
+    {
+        std::vector<std::jthread> threads;
+        for (std::uint32_t part = 0; part < parts; ++part)
+            threads.emplace_back([&, part] {
+                const auto bound = [&](std::uint32_t n) {
+                    return first + static_cast<std::uint32_t>(std::uint64_t{count - first} * n / parts);
+                };
+                for (std::uint32_t i = bound(part); i < bound(part + 1); ++i)
+                    if (i < spheres)
+                        finders[part].sphere(i);
+                    else
+                        finders[part].cylinder(i - spheres);
+            });
+    }
+    for (const Finder& finder : finders) append(all, finder.found);
+    all.firstOfSphere.push_back(static_cast<std::uint32_t>(all.sphereTexels));
+    return all;
+}
+
+double openShare(const OcclusionLayout& layout, const Representation& r, const PrimitiveGrid& grid) {
+    if (layout.texelCount() == 0 || layout.sphereEdge == 1) return 1.0;
+    constexpr std::uint32_t kSample = 500;
+    Finder finder(layout, r, grid);
+    std::uint64_t texels = 0;
+    const auto each = [](std::size_t count) { return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(count / kSample)); };
+    for (std::uint32_t i = 0; i < r.spheres.size(); i += each(r.spheres.size())) {
+        finder.sphere(i);
+        texels += layout.sphereEdge * layout.sphereEdge;
+    }
+    for (std::uint32_t i = 0; i < r.cylinders.size(); i += each(r.cylinders.size())) {
+        finder.cylinder(i);
+        texels += layout.around * layout.along;
+    }
+    return static_cast<double>(finder.found.texels.size()) / static_cast<double>(texels);
 }
 
 }  // namespace nacre

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/vec4.hpp>
 namespace nacre::layout {
+using glm::uvec4;
 using glm::vec4;
 #endif
 
@@ -21,25 +22,22 @@ struct ViewConstants {
                    // w: number of spheres, as bits
 };
 
-/// Push constants of the occlusion accumulation.
+/// Push constants of the occlusion passes. A batch of depth maps lies side by side in one image, kMapsAcross in a row.
 struct OcclusionConstants {
-    vec4 map;      // x: pixels across one depth map, y: maps per row of the grid, z: pixels per Å, w: slack in Å
-    vec4 depth;    // x: Z at encoded depth 0, y: 1 / (range of Z), z: R, w: 0
-    vec4 patches;  // x: texels across a sphere's patch, y: around, z: along a cylinder's patch, w: 0
-    // First entry of the texel list, number of entries (accumulate) or of words (finish), first direction, number of
-    // directions; spheres, texels across the atlas, rows of it that spheres take.
-#ifdef __cplusplus
-    std::uint32_t firstTexel, texelCount, firstDirection, directionCount;
-    std::uint32_t sphereCount, atlasWidth, sphereRows, unused;
-#else
-    uint firstTexel, texelCount, firstDirection, directionCount;
-    uint sphereCount, atlasWidth, sphereRows, unused;
-#endif
+    vec4 map;      // x: pixels across one depth map, y: pixels per Å, z: slack in Å, w: 0
+    vec4 depth;    // x: Z at encoded depth 0, y: 1 / (range of Z), z: Z origin, w: 0
+    uvec4 patches; // x: texels across a sphere's patch, y: around, z: along a cylinder's patch, w: number of spheres
+    uvec4 range;   // x: first entry, y: number of entries, z: pixels across the image of the batch, w: 0
+};
+/// One direction of a batch: a position p of the streams lies at (dot(u, p), dot(v, p), dot(w, p)) with p.w = 1; w
+/// points to the light.
+struct Direction {
+    vec4 u, v, w;
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(ViewConstants) == 112, "push constants: 128 bytes at most");
-static_assert(sizeof(OcclusionConstants) == 80);
-static_assert(offsetof(OcclusionConstants, firstTexel) == 48);
+static_assert(sizeof(OcclusionConstants) == 64);
+static_assert(sizeof(Direction) == 48);
 }  // namespace nacre::layout
 #endif

@@ -1,42 +1,47 @@
 // Texels of the occlusion atlas in linear order: all sphere patches, then all cylinder patches, row by row.
-#include "encoding.glsl"
+#include "patch.glsl"
 
 layout(push_constant) uniform Push { OcclusionConstants bake; };
-
-struct Texel {
-    vec3 position, normal;  // object space, Å
-    vec3 a;                 // sphere's centre or cylinder's first end
-    vec3 axis;              // unit axis of a cylinder
-    float radius;
-    bool cylinder;
-    bool whole;             // one value for a whole sphere: its point that faces the direction asked about
-};
 layout(set = 0, binding = 0, std430) readonly buffer Shapes { vec4 shapes[]; };
 
-Texel texelAt(uint index) {
+/// The directions of a batch; those that it lacks are zero and gain nothing. Constant addresses (the loops over it are
+/// unrolled) are what lets a driver load them once for all invocations.
+layout(constant_id = 0) const int kBatch = 16;
+layout(constant_id = 3) const int kMapsAcross = 4;
+layout(set = 0, binding = 1, std140) uniform Directions { Direction directions[16]; };
+
+vec3 turned(Direction d, vec3 p) { return vec3(dot(d.u.xyz, p), dot(d.v.xyz, p), dot(d.w.xyz, p)); }
+vec3 placed(Direction d, vec3 p) { return turned(d, p) + vec3(d.u.w, d.v.w, d.w.w); }
+
+struct Texel {
+    vec3 a;       // object space, Å: sphere's centre, or foot of the texel on the cylinder's axis
+    float radius;
+    vec3 normal;  // object space, unit; zero: one value for a whole sphere
+    vec3 axis;    // unit axis of a cylinder
+};
+
+Texel sphereTexel(uint index) {
+    uint edge = bake.patches.x;
+    uint local = index % (edge * edge);
+    vec4 sphere = shapes[index / (edge * edge)];
     Texel t;
-    uint edge = uint(bake.patches.x), around = uint(bake.patches.y), along = uint(bake.patches.z);
-    uint sphereTexels = (bake.sphereCount * edge * edge + 3u) & ~3u;
-    t.cylinder = index >= sphereTexels;
-    t.whole = !t.cylinder && edge == 1u;
-    if (!t.cylinder) {
-        uint shape = index / (edge * edge), local = index % (edge * edge);
-        vec4 sphere = shapes[shape];
-        t.normal = t.whole ? vec3(0.0) : octahedralNormal(vec2(local % edge, local / edge) / float(edge - 1u));
-        t.a = sphere.xyz;
-        t.axis = vec3(0.0);
-        t.radius = sphere.w;
-        t.position = sphere.xyz + sphere.w * t.normal;
-        return t;
-    }
-    uint rest = index - sphereTexels;
+    t.a = sphere.xyz;
+    t.radius = sphere.w;
+    t.axis = vec3(0.0);
+    t.normal = edge == 1u ? vec3(0.0) : octahedralNormal(vec2(local % edge, local / edge) / float(edge - 1u));
+    return t;
+}
+
+Texel cylinderTexel(uint index) {
+    uint edge = bake.patches.x, around = bake.patches.y, along = bake.patches.z, spheres = bake.patches.w;
+    uint rest = index - ((spheres * edge * edge + 3u) & ~3u);
     uint shape = rest / (around * along), local = rest % (around * along);
-    vec4 a = shapes[bake.sphereCount + 2u * shape];
-    vec3 b = shapes[bake.sphereCount + 2u * shape + 1u].xyz;
-    t.a = a.xyz;
-    t.axis = normalize(b - a.xyz);
+    vec4 a = shapes[spheres + 2u * shape];
+    vec3 b = shapes[spheres + 2u * shape + 1u].xyz;
+    Texel t;
+    t.a = mix(a.xyz, b, float(local / around) / float(along - 1u));
     t.radius = a.w;
+    t.axis = normalize(b - a.xyz);
     t.normal = directionAbout(t.axis, float(local % around) / float(around - 1u));
-    t.position = mix(a.xyz, b, float(local / around) / float(along - 1u)) + t.radius * t.normal;
     return t;
 }

@@ -128,15 +128,29 @@ void OcclusionScene::addRods(const std::vector<Cylinder>& cylinders) {
     rtcReleaseGeometry(geometry);
 }
 
+bool OcclusionScene::openTowards(const glm::dvec3& point, const glm::dvec3& normal, const glm::dvec3& direction) const {
+    const glm::dvec3 start = point + kLift * normal;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRay ray{};
+    ray.org_x = static_cast<float>(start.x);
+    ray.org_y = static_cast<float>(start.y);
+    ray.org_z = static_cast<float>(start.z);
+    ray.dir_x = static_cast<float>(direction.x);
+    ray.dir_y = static_cast<float>(direction.y);
+    ray.dir_z = static_cast<float>(direction.z);
+    ray.tfar = std::numeric_limits<float>::infinity();
+    ray.mask = ~0u;
+    rtcOccluded1(scene_.get(), &context, &ray);
+    return ray.tfar > 0.0f;
+}
+
 double OcclusionScene::occlusionAt(const glm::dvec3& point, const glm::dvec3& normal, std::size_t rayCount,
                                    std::uint64_t seed) const {
     const auto side =
         std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(rayCount)))));
-    const glm::dvec3 start = point + kLift * normal;
     glm::dvec3 across, upward;
     frameAbout(normal, across, upward);
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
 
     Random random(seed);
     std::size_t open = 0;
@@ -149,17 +163,7 @@ double OcclusionScene::occlusionAt(const glm::dvec3& point, const glm::dvec3& no
             const double reach = std::sqrt(square);
             const glm::dvec3 direction =
                 reach * std::cos(turn) * across + reach * std::sin(turn) * upward + std::sqrt(1.0 - square) * normal;
-            RTCRay ray{};
-            ray.org_x = static_cast<float>(start.x);
-            ray.org_y = static_cast<float>(start.y);
-            ray.org_z = static_cast<float>(start.z);
-            ray.dir_x = static_cast<float>(direction.x);
-            ray.dir_y = static_cast<float>(direction.y);
-            ray.dir_z = static_cast<float>(direction.z);
-            ray.tfar = std::numeric_limits<float>::infinity();
-            ray.mask = ~0u;
-            rtcOccluded1(scene_.get(), &context, &ray);
-            if (ray.tfar > 0.0f) ++open;
+            if (openTowards(point, normal, direction)) ++open;
         }
     return static_cast<double>(open) / static_cast<double>(side * side);
 }

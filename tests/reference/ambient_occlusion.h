@@ -33,6 +33,9 @@ public:
     double occlusionAt(const glm::dvec3& point, const glm::dvec3& normal, std::size_t rayCount = 4096,
                        std::uint64_t seed = 1) const;
 
+    /// Whether nothing lies between a point of the outer surface and infinity in a direction above the surface.
+    bool openTowards(const glm::dvec3& point, const glm::dvec3& normal, const glm::dvec3& direction) const;
+
 private:
     struct DeviceRelease {
         void operator()(RTCDeviceTy* device) const;

@@ -6,51 +6,11 @@
 #include <map>
 #include <random>
 
-#include "tests/reference/ambient_occlusion.h"
-#include "tests/renderer/scenes.h"
+#include "tests/occlusion/scenes.h"
+#include "tests/occlusion/traced_points.h"
 
 namespace nacre::test {
 namespace {
-
-struct Difference {
-    double rootMeanSquare = 0, mean = 0, worst = 0;
-    std::size_t points = 0;
-};
-
-/// Compares at random covered pixels of random orthographic views.
-Difference compareOcclusion(Renderer& renderer, const Representation& r, RenderSettings s, std::size_t points,
-                            std::size_t rays) {
-    const reference::OcclusionScene truth(r);
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> degrees(0, 360);
-    constexpr std::size_t kViews = 10;
-    Difference d;
-    double squares = 0, sum = 0;
-    for (std::size_t v = 0; v < kViews; ++v) {
-        s.view.rotation = rotationMatrix({degrees(random), degrees(random), degrees(random)});
-        const LayerPicture p = renderer.layers(s);
-        std::uniform_int_distribution<std::size_t> pixel(0, p.id.size() - 1);
-        for (std::size_t n = 0; n < points / kViews;) {
-            const std::size_t i = pixel(random);
-            if (p.id[i] == 0) continue;
-            ++n;
-            const glm::dvec3 seen((static_cast<double>(i % p.width) + 0.5 - p.width / 2.0) / s.view.pixelsPerAngstrom,
-                                  (p.height / 2.0 - static_cast<double>(i / p.width) - 0.5) / s.view.pixelsPerAngstrom,
-                                  s.view.radius - p.z[i]);
-            const glm::dvec3 normal(p.normal[3 * i], p.normal[3 * i + 1], p.normal[3 * i + 2]);
-            const glm::dmat3 back = glm::transpose(s.view.rotation);
-            const double traced = truth.occlusionAt(back * seen, glm::normalize(back * normal), rays);
-            const double difference = p.occlusion[i] - traced;
-            squares += difference * difference;
-            sum += difference;
-            d.worst = std::max(d.worst, std::abs(difference));
-            ++d.points;
-        }
-    }
-    d.rootMeanSquare = std::sqrt(squares / static_cast<double>(d.points));
-    d.mean = sum / static_cast<double>(d.points);
-    return d;
-}
 
 Representation loneSphere() {
     Representation r;
@@ -79,28 +39,23 @@ TEST(Occlusion, OfALoneSphereIsOneEverywhere) {
     }
 }
 
-class OcclusionOf : public testing::TestWithParam<std::pair<const char*, Style>> {};
+class OcclusionOf : public testing::TestWithParam<OcclusionScene> {};
 
 TEST_P(OcclusionOf, MoleculeIsNearTheRayTraced) {
-    const auto [file, style] = GetParam();
-    if (!std::string(file).starts_with("sample:")) NACRE_NEEDS_DATA();
-    const Representation r = scene(file, style);
+    if (!isSample(GetParam())) NACRE_NEEDS_DATA();
+    const Representation r = sceneOf(GetParam());
     ValidatedRenderer renderer(Visibility::automatic);
     renderer->setScene(r);
-    RenderSettings s = settings(r, 384, Projection::orthographic);
+    const auto points = tracePoints(*renderer.operator->(), r, 2000, 1024);
+    RenderSettings s;
     s.occlusionDirections = 128;
-    const Difference d = compareOcclusion(*renderer.operator->(), r, s, 2000, 4096);
-    std::cout << file << ": RMS " << d.rootMeanSquare << ", mean " << d.mean << ", worst " << d.worst << " over "
-              << d.points << " points\n";
-    EXPECT_EQ(d.points, 2000u);
-    EXPECT_LE(d.rootMeanSquare, 0.05);
+    const Difference d = bakedDifference(*renderer.operator->(), r, s, points);
+    std::cout << "RMS " << d.rootMeanSquare << ", mean " << d.mean << ", worst " << d.worst << "\n";
+    EXPECT_LE(d.rootMeanSquare, 0.035);
     EXPECT_LE(std::abs(d.mean), 0.02);
 }
 
-INSTANTIATE_TEST_SUITE_P(Molecules, OcclusionOf,
-                         testing::Values(std::pair{"sample:dna", Style::spacefill},
-                                         std::pair{"1bna.pdb", Style::spacefill},
-                                         std::pair{"sample:glucose", Style::ballAndStick}));
+INSTANTIATE_TEST_SUITE_P(Molecules, OcclusionOf, testing::ValuesIn(kOcclusionScenes));
 
 TEST(Occlusion, OfMoreAtomsThanPatchesFitIsOneValueAnAtom) {
     const Representation r = scene("sample:dna", Style::spacefill);
@@ -111,7 +66,7 @@ TEST(Occlusion, OfMoreAtomsThanPatchesFitIsOneValueAnAtom) {
     const LayerPicture fine = renderer->layers(s);
     s.occlusionBytes = 486 * 16;  // room for one texel an atom, not for sixteen
     const LayerPicture coarse = renderer->layers(s);
-    EXPECT_EQ(renderer->stats().patchTexels, 1u);
+    EXPECT_EQ(renderer->stats().occlusion.patchTexels, 1u);
     // Every pixel of an atom has its one value, and on the whole it is as light as with patches.
     std::map<std::uint32_t, float> values;
     double sumFine = 0, sumCoarse = 0;

@@ -1,0 +1,176 @@
+#include "engine/passes/depth_maps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/passes/view_constants.h"
+#include "shaders.h"
+
+namespace nacre::passes {
+namespace {
+
+constexpr double kPixelsPerAngstrom = 2.5;  // wanted
+constexpr double kSmallest = 128, kLargest = 2048;
+constexpr std::uint32_t kGroup = 64;  // local_size_x
+constexpr graph::State kSplatState{
+    VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
+
+std::uint32_t bytesPerPixel(OcclusionMaps path, const gpu::EncodedFormat& encoded) {
+    switch (path) {
+        case OcclusionMaps::encoded:
+            return 4 + graph::bytesPerTexel(encoded.format);
+        case OcclusionMaps::fragdepth:
+            return 4;
+        default:
+            return 8;  // the splats, and the texture that they are copied to
+    }
+}
+
+Nearest nearestOf(OcclusionMaps path) { return path == OcclusionMaps::encoded ? Nearest::encoded : Nearest::fragdepth; }
+
+}  // namespace
+
+DepthMaps::DepthMaps(const gpu::Device& device, Geometry& geometry, const SceneBuffers& scene,
+                     const Representation& representation, OcclusionMaps path, std::uint64_t budgetBytes)
+    : device_(device), geometry_(geometry), scene_(scene), path_(path), radius_(representation.radius) {
+    double sum = 0;
+    for (const Sphere& s : representation.spheres) sum += s.radius;
+    meanRadius_ = sum / static_cast<double>(std::max<std::size_t>(representation.spheres.size(), 1));
+    const double wanted = std::ceil(2.0 * radius_ * kPixelsPerAngstrom / 8.0) * 8.0;
+    const std::uint32_t bytes = bytesPerPixel(path, device.caps().encoded);
+    const double fits = std::floor(std::sqrt(static_cast<double>(budgetBytes) / bytes) / 8.0) * 8.0;
+    pixels_ = static_cast<std::uint32_t>(std::max(std::min(std::clamp(wanted, kSmallest, kLargest), fits), 8.0));
+    for (const std::uint32_t batch : {4u, kMostPerBatch})
+        if (std::uint64_t{bytes} * pixels_ * pixels_ * batch <= budgetBytes &&
+            pixels_ * mapsAcross(batch) <= device.caps().maxImageSize)
+            perBatch_ = batch;
+    if (path != OcclusionMaps::splat) return;
+    using Usage = vk::BufferUsageFlagBits;
+    splats_ = gpu::makeBuffer(device, std::uint64_t{4} * pixels_ * pixels_ * perBatch_,
+                              Usage::eStorageBuffer | Usage::eTransferDst | Usage::eTransferSrc, gpu::Access::upload,
+                              "depth maps' splats");
+    using Type = vk::DescriptorType;
+    constexpr Type kBindings[] = {Type::eStorageBuffer, Type::eUniformBuffer, Type::eStorageBuffer};
+    splatLayout_ = gpu::makeLayout(device, kBindings, vk::ShaderStageFlagBits::eCompute,
+                                   sizeof(layout::OcclusionConstants), "depth splatting layout");
+}
+
+std::uint64_t DepthMaps::bytes() const {
+    return std::uint64_t{bytesPerPixel(path_, device_.caps().encoded)} * pixels_ * pixels_ * perBatch_;
+}
+
+void DepthMaps::decoding(gpu::Specialization& constants) const {
+    const gpu::EncodedFormat& encoded = device_.caps().encoded;
+    constants.set(1, path_ == OcclusionMaps::encoded ? encoded.channels : 1);
+    constants.set(2, path_ == OcclusionMaps::encoded ? encoded.steps : 0);
+}
+
+View DepthMaps::view(const glm::dmat3& frame) const {
+    View view;
+    view.width = view.height = pixels_;
+    view.rotation = frame;
+    view.radius = radius_;
+    view.pixelsPerAngstrom = pixels_ / (2.0 * radius_);
+    return view;
+}
+
+void DepthMaps::recordRaster(graph::PassContext& context, std::span<const glm::dmat3> frames, std::uint32_t across,
+                             Writes writes) const {
+    const auto side = static_cast<float>(pixels_);
+    for (std::uint32_t i = 0; i < frames.size(); ++i) {
+        const std::uint32_t x = i % across * pixels_, y = i / across * pixels_;
+        context.commands.setViewport(0, vk::Viewport(static_cast<float>(x), static_cast<float>(y), side, side, 0, 1));
+        context.commands.setScissor(0, vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {pixels_, pixels_}));
+        const View v = view(frames[i]);
+        Draw draw{writes, nearestOf(path_)};
+        draw.radiusPixels = meanRadius_ * v.pixelsPerAngstrom;
+        draw.view = viewConstants(v, device_.caps().snapPixels, x + pixels_ / 2.0, y + pixels_ / 2.0);
+        geometry_.draw(context, scene_, draw);
+    }
+}
+
+vk::Pipeline DepthMaps::splatPipeline(std::uint32_t across, bool cylinders) {
+    const std::pair key{across, cylinders};
+    if (const auto it = splatPipelines_.find(key); it != splatPipelines_.end()) return *it->second;
+    gpu::Specialization constants;
+    constants.set(3, across);
+    return *splatPipelines_
+                .emplace(key, gpu::makeComputePipeline(
+                                  device_, cylinders ? std::span<const std::uint32_t>(shaders::occlusionSplatCylinder)
+                                                     : std::span<const std::uint32_t>(shaders::occlusionSplatSphere),
+                                  constants, *splatLayout_.pipeline,
+                                  cylinders ? "depth splatting, cylinders" : "depth splatting, spheres"))
+                .first->second;
+}
+
+void DepthMaps::recordSplat(graph::PassContext& context, graph::Buffer maps, std::size_t count, std::uint32_t across,
+                            layout::OcclusionConstants constants, const gpu::Buffer& directions) {
+    const vk::DescriptorSet set = context.descriptors.allocate(splatLayout_.set);
+    const vk::DescriptorBufferInfo infos[] = {{*scene_.shapes.handle, 0, VK_WHOLE_SIZE},
+                                              {*directions.handle, 0, VK_WHOLE_SIZE},
+                                              {context.buffer(maps), 0, VK_WHOLE_SIZE}};
+    using Type = vk::DescriptorType;
+    device_->updateDescriptorSets({{set, 0, 0, Type::eStorageBuffer, {}, infos[0]},
+                                   {set, 1, 0, Type::eUniformBuffer, {}, infos[1]},
+                                   {set, 2, 0, Type::eStorageBuffer, {}, infos[2]}},
+                                  {});
+    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *splatLayout_.pipeline, 0, set, {});
+    for (const bool cylinders : {false, true}) {
+        const std::uint32_t primitives = cylinders ? scene_.cylinderCount : scene_.sphereCount;
+        if (primitives == 0) continue;
+        context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, splatPipeline(across, cylinders));
+        // The floor allows 65,535 workgroups a dispatch.
+        constexpr std::uint32_t kMost = 65535 * kGroup;
+        for (std::uint32_t first = 0; first < primitives; first += kMost) {
+            const std::uint32_t here = std::min(primitives - first, kMost);
+            constants.range = {first, first + here, pixels_ * across, 0};
+            context.commands.pushConstants<layout::OcclusionConstants>(
+                *splatLayout_.pipeline, vk::ShaderStageFlagBits::eCompute, 0, constants);
+            context.commands.dispatch((here + kGroup - 1) / kGroup, static_cast<std::uint32_t>(count), 1);
+        }
+    }
+}
+
+graph::Image DepthMaps::declare(graph::Graph& g, graph::Imports& imports, std::span<const glm::dmat3> frames,
+                                std::uint32_t batch, const layout::OcclusionConstants& constants,
+                                const gpu::Buffer& directions) {
+    using graph::Clear;
+    const std::uint32_t across = mapsAcross(batch);
+    const graph::Extent extent{pixels_ * across, pixels_ * across};
+    if (path_ == OcclusionMaps::splat) {
+        const auto splats = g.importBuffer("depth maps' splats", splats_.size, kSplatState);
+        imports.bind(splats, splats_);
+        const auto maps = g.image("depth maps", {VK_FORMAT_R32_SFLOAT, extent});
+        const vk::DeviceSize used = std::uint64_t{4} * extent.width * extent.height;
+        g.transfer("clear depth maps").copiesTo(splats).record([=](graph::PassContext& c) {
+            c.commands.fillBuffer(c.buffer(splats), 0, used, 0x3f800000);  // 1.0f
+        });
+        g.compute("depth splatting").writes(splats).record([=, this, &directions](graph::PassContext& c) {
+            recordSplat(c, splats, frames.size(), across, constants, directions);
+        });
+        g.transfer("depth maps to texture").copiesFrom(splats).copiesTo(maps).record([=](graph::PassContext& c) {
+            const vk::BufferImageCopy all(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {},
+                                          {extent.width, extent.height, 1});
+            c.commands.copyBufferToImage(c.buffer(splats), c.image(maps), vk::ImageLayout::eTransferDstOptimal, all);
+        });
+        return maps;
+    }
+    const auto depth = g.image("depth maps' hardware depth", {VK_FORMAT_D32_SFLOAT, extent});
+    g.graphics("opaque prepass").depth(depth, Clear{1.0f}).record([=, this](graph::PassContext& c) {
+        recordRaster(c, frames, across, Writes::plates);
+    });
+    if (path_ == OcclusionMaps::fragdepth) {
+        g.graphics("nearest depth").depth(depth).record([=, this](graph::PassContext& c) {
+            recordRaster(c, frames, across, Writes::depth);
+        });
+        return depth;
+    }
+    const auto maps = g.image("depth maps", {device_.caps().encoded.format, extent});
+    g.graphics("depth encoding")
+        .depthTest(depth)
+        .color(maps, Clear{device_.caps().encoded.farthest})
+        .record([=, this](graph::PassContext& c) { recordRaster(c, frames, across, Writes::encoded); });
+    return maps;
+}
+
+}  // namespace nacre::passes

@@ -1,0 +1,65 @@
+#pragma once
+// Depth maps of the molecule from a batch of directions, side by side in one image, by the path that suits the device.
+
+#include <glm/mat3x3.hpp>
+#include <span>
+#include <vector>
+
+#include "engine/device_options.h"
+#include "engine/gpu/resources.h"
+#include "engine/graph/execute.h"
+#include "engine/passes/geometry.h"
+#include "engine/scene/camera.h"
+
+namespace nacre::passes {
+
+class DepthMaps {
+public:
+    static constexpr std::uint32_t kMostPerBatch = 16;
+
+    /// @param path  not `automatic`
+    /// @param budgetBytes  device memory for the maps of one batch; they get smaller until at least one fits
+    DepthMaps(const gpu::Device& device, Geometry& geometry, const SceneBuffers& scene,
+              const Representation& representation, OcclusionMaps path, std::uint64_t budgetBytes);
+
+    /// Sizes of a batch that fit the budget: 1, 4 or 16 maps.
+    std::uint32_t perBatch() const { return perBatch_; }
+    std::uint32_t pixels() const { return pixels_; }
+    std::uint64_t bytes() const;
+
+    /// Declares the passes that draw a batch, all rotations of `frames`, at most `batch` (1, 4 or 16).
+    /// @param constants   of the occlusion passes, complete but for `range`
+    /// @param directions  uniform buffer with the directions of the batch; kept until the graph has run
+    /// @param frames      kept until the graph has run
+    graph::Image declare(graph::Graph& g, graph::Imports& imports, std::span<const glm::dmat3> frames,
+                         std::uint32_t batch, const layout::OcclusionConstants& constants,
+                         const gpu::Buffer& directions);
+    /// Of the textures: how a depth is to be decoded.
+    void decoding(gpu::Specialization& constants) const;
+    /// Drops the memory of the maps.
+    void release() { splats_ = {}; }
+    /// The view of one map, and the constants that go with it.
+    View view(const glm::dmat3& frame) const;
+
+private:
+    void recordRaster(graph::PassContext& context, std::span<const glm::dmat3> frames, std::uint32_t across,
+                      Writes writes) const;
+    void recordSplat(graph::PassContext& context, graph::Buffer maps, std::size_t count, std::uint32_t across,
+                     layout::OcclusionConstants constants, const gpu::Buffer& directions);
+    vk::Pipeline splatPipeline(std::uint32_t across, bool cylinders);
+
+    const gpu::Device& device_;
+    Geometry& geometry_;
+    const SceneBuffers& scene_;
+    OcclusionMaps path_;
+    double radius_, meanRadius_ = 0;
+    std::uint32_t pixels_ = 0, perBatch_ = 1;
+    gpu::Buffer splats_;
+    gpu::Layout splatLayout_;
+    std::map<std::pair<std::uint32_t, bool>, vk::raii::Pipeline> splatPipelines_;
+};
+
+/// Maps in a row of the image of a batch.
+constexpr std::uint32_t mapsAcross(std::uint32_t batch) { return batch > 4 ? 4 : batch > 1 ? 2 : 1; }
+
+}  // namespace nacre::passes

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <vector>
+
+namespace nacre {
+
+/// Unit directions of equal area (spherical Fibonacci, González 2010, Math. Geosci. 42), each with a right-handed frame
+/// as rows u, v, w (w: the direction itself), rolled so that no two depth maps share a pixel raster. In an order of
+/// which every prefix is well spread: each one is as far as can be from those before it (Gonzalez 1985, Theor. Comput.
+/// Sci. 38).
+std::vector<glm::dmat3> occlusionDirections(int count);
+
+}  // namespace nacre

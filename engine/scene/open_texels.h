@@ -1,0 +1,37 @@
+#pragma once
+// Which texels of the occlusion atlas light can reach, and what the others take.
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/scene/occlusion_layout.h"
+#include "engine/scene/primitive_grid.h"
+
+namespace nacre {
+
+/// Four texels of the atlas that lie side by side.
+struct AtlasWord {
+    std::uint32_t address = 0;  ///< texel of the atlas, in rows, / 4
+    /// Entry of OpenTexels::texels whose value each texel takes: its own; for a texel inside a neighbour, that of the
+    /// nearest open one in its patch, at most two texels away; kNone if there is none.
+    std::uint32_t entries[4] = {};
+    static constexpr std::uint32_t kNone = ~0u;
+};
+
+struct OpenTexels {
+    /// Texels outside every other primitive, in linear order (all sphere patches, then all cylinder patches): the only
+    /// ones that any direction can light.
+    std::vector<std::uint32_t> texels;
+    std::size_t sphereTexels = 0;  ///< how many of them belong to spheres
+    std::vector<AtlasWord> words;  ///< those with at least one entry
+    /// First entry of each sphere, and the end of the last.
+    std::vector<std::uint32_t> firstOfSphere;
+};
+
+/// Linear in the number of primitives; uses every core.
+OpenTexels openTexels(const OcclusionLayout& layout, const Representation& representation, const PrimitiveGrid& grid);
+
+/// Share of the texels that are open, from a sample of the primitives.
+double openShare(const OcclusionLayout& layout, const Representation& representation, const PrimitiveGrid& grid);
+
+}  // namespace nacre

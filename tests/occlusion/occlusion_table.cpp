@@ -1,0 +1,41 @@
+// Prints how far the baked occlusion is from the ray-traced one, by the number of directions, as a table for the README:
+// occlusion_table [POINTS [RAYS]]
+
+#include <cstdlib>
+#include <iomanip>
+#include <iostream>
+#include <string>
+
+#include "tests/occlusion/scenes.h"
+#include "tests/occlusion/traced_points.h"
+
+int main(int argc, char** argv) {
+    using namespace nacre;
+    const std::size_t count = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 5000;
+    const std::size_t rays = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 4096;
+    constexpr int kDirections[] = {16, 44, 128, 512};
+    std::cout << "| molecule |";
+    for (const int k : kDirections) std::cout << " " << k << " |";
+    std::cout << " 44, the original's |\n|---|";
+    for (std::size_t i = 0; i <= std::size(kDirections); ++i) std::cout << "---|";
+    std::cout << std::fixed << std::setprecision(3) << "\n";
+    Renderer renderer(DeviceOptions{});
+    for (const test::OcclusionScene& s : test::kOcclusionScenes) {
+        if (!test::isSample(s) && !test::dataFolder()) {
+            std::cerr << s.name << ": no test data (set NACRE_DATA)\n";
+            continue;
+        }
+        const Representation scene = test::sceneOf(s);
+        renderer.setScene(scene);
+        const auto points = test::tracePoints(renderer, scene, count, rays);
+        std::cout << "| " << s.name << " |";
+        for (const int k : kDirections) {
+            RenderSettings settings;
+            settings.occlusionDirections = k;
+            std::cout << " " << test::bakedDifference(renderer, scene, settings, points).rootMeanSquare << " |"
+                      << std::flush;
+        }
+        std::cout << " " << test::directionsDifference(scene, test::originalDirections(), points).rootMeanSquare
+                  << " |" << std::endl;
+    }
+}

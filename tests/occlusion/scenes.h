@@ -1,0 +1,26 @@
+#pragma once
+// The molecules that occlusion is judged on.
+
+#include "tests/renderer/scenes.h"
+
+namespace nacre::test {
+
+struct OcclusionScene {
+    const char* name;  ///< as the README has it
+    const char* file;
+    Style style;
+};
+inline constexpr OcclusionScene kOcclusionScenes[] = {
+    {"sample:dna", "sample:dna", Style::spacefill},
+    {"1BNA", "1bna.pdb", Style::spacefill},
+    {"4HHB", "4hhb.pdb", Style::spacefill},
+    {"neon pump", "neon-pump.pdb", Style::spacefill},
+    {"4TRA", "trna-4tra.pdb", Style::spacefill},
+    {"1CRN, ball and stick", "1crn.pdb", Style::ballAndStick},
+    {"caffeine, ball and stick", "small/caffeine.cml", Style::ballAndStick},
+};
+inline bool isSample(const OcclusionScene& s) { return std::string_view(s.file).starts_with("sample:"); }
+
+inline Representation sceneOf(const OcclusionScene& s) { return scene(s.file, s.style); }
+
+}  // namespace nacre::test
