@@ -312,7 +312,7 @@ void Panel::drawHelp() {
 }
 
 void Panel::drawAnnotations(const Annotations& a) {
-    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();  // beneath panel and help
     const auto scale = static_cast<float>(pixelsPerPoint_);
     const auto place = [&](const glm::dvec2& p) {
         return ImVec2(static_cast<float>(p.x) * scale, static_cast<float>(p.y) * scale);

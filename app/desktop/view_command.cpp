@@ -52,6 +52,10 @@ public:
         while (!window_.closing()) {
             const double wake = viewer_.update(now(), [this] { return panel_.draw(viewer_, window_.size(), now()); });
             if (viewer_.deviceLost()) renew();
+            if (renderer_->stats().windowFrames != shown_) {
+                shown_ = renderer_->stats().windowFrames;
+                lastShown_ = now();
+            }
             saveWarmCaches();
             window_.setTitle(viewer_.title());
             if (panel_.restless()) viewer_.overlayChanged();
@@ -208,7 +212,10 @@ private:
     void writeStats() {
         nlohmann::ordered_json json;
         json["window_frames"] = renderer_->stats().windowFrames;
+        json["seconds_since_last_frame"] = now() - lastShown_;
         json["occlusion"] = viewer_.occlusion();
+        json["picked"] = nlohmann::ordered_json::array();
+        for (const std::uint32_t pick : viewer_.picks()) json["picked"].push_back(pick + 1);
         json["device"] = renderer_->stats().device.name;
         OutputFile file(options_.first.stats);
         writeText(file, json.dump(2) + "\n");
@@ -221,7 +228,8 @@ private:
     Viewer viewer_;
     Panel panel_;
     glm::dvec2 pointer_{};
-    double scale_ = 1, lastFrame_ = 0;
+    double scale_ = 1, lastFrame_ = 0, lastShown_ = 0;
+    std::uint64_t shown_ = 0;  // frames, when lastShown_ was
     bool panelDrag_ = false, cacheSaved_ = false;
     int lost_ = 0;
 };

@@ -38,6 +38,7 @@ std::pair<std::string, std::string> ruleText(const Rule& rule) {
 }
 
 std::string backgroundText(const std::array<float, 4>& background) {
+    if (background == std::array<float, 4>{1, 1, 1, 1}) return "white";
     char text[16];
     std::snprintf(text, sizeof text, "#%02x%02x%02x%02x", toByte(background[0]), toByte(background[1]),
                   toByte(background[2]), toByte(background[3]));

@@ -84,7 +84,7 @@ void Viewer::apply(const std::vector<Gesture>& gestures, double now) {
                 break;
             case Gesture::Kind::tap:
             case Gesture::Kind::longPress:
-                pick(g.at, now);
+                pick(g.at);
                 break;
             case Gesture::Kind::doubleTap:
                 picks_ = picksBefore_;  // its first tap was no pick
@@ -98,7 +98,7 @@ void Viewer::apply(const std::vector<Gesture>& gestures, double now) {
     }
 }
 
-void Viewer::pick(glm::dvec2 at, double now) {
+void Viewer::pick(glm::dvec2 at) {
     picksBefore_ = picks_;
     if (!document()) return;
     const std::uint32_t atom = screen_.atomAt(settings(), at.x * scale_, at.y * scale_, kFingerPoints * scale_);
@@ -111,7 +111,6 @@ void Viewer::pick(glm::dvec2 at, double now) {
     if (!picks_.empty() && picks_.back() == atom - 1) return;
     if (picks_.size() == 4) picks_.clear();
     picks_.push_back(atom - 1);
-    (void)now;
 }
 
 void Viewer::open(const std::string& path, double now) {
@@ -142,6 +141,7 @@ void Viewer::lowMemory() { options_.refinedPixels = 0; }
 
 void Viewer::screenLost(double now) {
     deviceLost_ = false;
+    occlusion_ = view_.occlusionDirections ? 0 : 1;
     if (document()) screen_.setScene(document_.scene);
     schedule_.windowChanged(now);
 }

@@ -64,6 +64,8 @@ public:
     void waitForLoading() const { loader_.wait(); }
     const Document* document() const { return document_.molecule ? &document_ : nullptr; }
     double occlusion() const { return occlusion_; }
+    /// Picked atoms, from 0, in their order.
+    const std::vector<std::uint32_t>& picks() const { return picks_; }
     bool autoRotating() const { return motion_.autoRotation(); }
     void say(const std::string& message, double now);
     /// The picture as it is seen, for a file. Only if document().
@@ -78,7 +80,7 @@ public:
 
 private:
     void apply(const std::vector<Gesture>& gestures, double now);
-    void pick(glm::dvec2 at, double now);
+    void pick(glm::dvec2 at);
     void tookDocument(double now);
     double advance(double now);
     void draw(const FrameSchedule::Next& next, double now, bool moving,
