@@ -67,9 +67,9 @@ struct Renderer::Impl {
     Representation representation;
     passes::SceneBuffers scene;
     std::unique_ptr<passes::OcclusionBake> bake;
-    double meanRadius = 0;  // of the spheres, Å
+    double meanRadius = 0;                                  // of the spheres, Å
     std::tuple<int, std::uint64_t, OcclusionMaps> baked{};  // directions, budget, maps: of `bake`
-    double directionMilliseconds = 0;                        // that one direction took, lately
+    double directionMilliseconds = 0;                       // that one direction took, lately
     FrameStats stats;
     graph::PlanCache plans;
     graph::Graph lastGraph{"none"};  // of planText()
@@ -216,8 +216,15 @@ void Renderer::Impl::beginOcclusion(const RenderSettings& settings) {
     baked = wanted;
     directionMilliseconds = 0;
     stats.bakeMilliseconds = millisecondsSince(start);
-    stats.occlusion = {bake->directions(), 0, bake->layout().sphereEdge, bake->texels(), nameOf(options.path),
-                       bake->maps().pixels(), bake->maps().perBatch(), bake->bytes(), 0};
+    stats.occlusion = {bake->directions(),
+                       0,
+                       bake->layout().sphereEdge,
+                       bake->texels(),
+                       nameOf(options.path),
+                       bake->maps().pixels(),
+                       bake->maps().perBatch(),
+                       bake->bytes(),
+                       0};
 }
 
 /// Shows what is done so far; when that is all, drops what only the bake needs.

@@ -23,7 +23,7 @@ struct RenderSettings {
     int occlusionDirections = 128;                ///< 0: no occlusion
     std::uint64_t occlusionBytes = 64ull << 20;   ///< device memory budget of the bake, atlas and depth maps included
     OcclusionMaps occlusionMaps = OcclusionMaps::automatic;
-    PlateShape plates = PlateShape::automatic;    ///< of the opaque prepass; never changes the picture
+    PlateShape plates = PlateShape::automatic;  ///< of the opaque prepass; never changes the picture
     ImpostorShape impostor = ImpostorShape::automatic;
     bool countFragments = false;  ///< fill FrameStats::passes (slower)
     bool merge = true;            ///< neighbouring passes share a render pass
@@ -62,13 +62,13 @@ struct PassCount {
 /// What the occlusion bake chose, and how far it is.
 struct OcclusionStats {
     int directions = 0, done = 0;
-    std::uint32_t patchTexels = 0;         ///< across a sphere's patch; 1: one value an atom
-    std::uint64_t texels = 0;              ///< that light can reach
-    const char* maps = "";                 ///< "encoded", "fragdepth", "splat"
-    std::uint32_t mapPixels = 0;           ///< across one depth map
+    std::uint32_t patchTexels = 0;  ///< across a sphere's patch; 1: one value an atom
+    std::uint64_t texels = 0;       ///< that light can reach
+    const char* maps = "";          ///< "encoded", "fragdepth", "splat"
+    std::uint32_t mapPixels = 0;    ///< across one depth map
     std::uint32_t mapsPerBatch = 0;
-    std::uint64_t bytes = 0;               ///< device memory while it bakes
-    std::uint64_t neverSeen = 0;           ///< spheres that no direction saw
+    std::uint64_t bytes = 0;      ///< device memory while it bakes
+    std::uint64_t neverSeen = 0;  ///< spheres that no direction saw
 };
 
 struct FrameStats {
@@ -79,7 +79,7 @@ struct FrameStats {
     std::vector<PassCount> passes;    ///< of the last frame that counted
     std::uint64_t spheres = 0, cylinders = 0;
     OcclusionStats occlusion;
-    std::uint64_t deviceBytes = 0;  ///< peak device memory
+    std::uint64_t deviceBytes = 0;   ///< peak device memory
     std::uint64_t windowFrames = 0;  ///< submitted to the window so far
     std::uint32_t tileBytesPerPixel = 0;
     std::uint64_t loadedBytes = 0, storedBytes = 0;  ///< of attachments, a frame
@@ -119,8 +119,8 @@ public:
     /// Uploads a scene. What was baked for the one before is dropped. @throws Error
     void setScene(Representation representation);
 
-    /// Works on the scene's occlusion for about `milliseconds`: at least one direction, if any is left. Frames show what
-    /// is done so far; pictures and layers finish it first.
+    /// Works on the scene's occlusion for about `milliseconds`: at least one direction, if any is left. Frames show
+    /// what is done so far; pictures and layers finish it first.
     /// @returns the share that is done, 0..1
     double advanceOcclusion(const RenderSettings& settings, double milliseconds = 4.0);
     /// For each sphere of the scene whether any direction of the bake saw any of it; empty before the bake is done.

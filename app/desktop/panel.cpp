@@ -80,9 +80,9 @@ Panel::Panel(double pixelsPerPoint, std::function<void(ViewerCommand)> run)
     if (io.Fonts->Fonts.empty()) io.Fonts->AddFontDefault();
     setStyle(scale);
     constexpr std::pair<ImGuiKey, SpecialKey> kKeys[] = {
-        {ImGuiKey_LeftArrow, SpecialKey::left}, {ImGuiKey_RightArrow, SpecialKey::right},
-        {ImGuiKey_UpArrow, SpecialKey::up},     {ImGuiKey_DownArrow, SpecialKey::down},
-        {ImGuiKey_Home, SpecialKey::home},      {ImGuiKey_Escape, SpecialKey::escape},
+        {ImGuiKey_LeftArrow, SpecialKey::left},     {ImGuiKey_RightArrow, SpecialKey::right},
+        {ImGuiKey_UpArrow, SpecialKey::up},         {ImGuiKey_DownArrow, SpecialKey::down},
+        {ImGuiKey_Home, SpecialKey::home},          {ImGuiKey_Escape, SpecialKey::escape},
         {ImGuiKey_Backspace, SpecialKey::backspace}};
     for (const auto& [theirs, ours] : kKeys) io.KeyMap[theirs] = static_cast<int>(keyOf(ours) - 0x110000);
 }
@@ -93,7 +93,8 @@ OverlayGlyphs Panel::glyphs() const {
     unsigned char* coverage = nullptr;
     int width = 0, height = 0;
     ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&coverage, &width, &height);
-    return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
+    return {static_cast<std::uint32_t>(width),
+            static_cast<std::uint32_t>(height),
             {coverage, coverage + std::ptrdiff_t{width} * height}};
 }
 
@@ -207,8 +208,10 @@ void Panel::drawPanel(Viewer& viewer, double now) {
 
 void Panel::drawLook(SavedView& look) {
     heading("Style");
-    constexpr std::pair<const char*, const char*> kStyles[] = {
-        {"By size", ""}, {"Space-filling", "spacefill"}, {"Ball and stick", "ball-and-stick"}, {"Licorice", "licorice"}};
+    constexpr std::pair<const char*, const char*> kStyles[] = {{"By size", ""},
+                                                               {"Space-filling", "spacefill"},
+                                                               {"Ball and stick", "ball-and-stick"},
+                                                               {"Licorice", "licorice"}};
     for (const auto& [label, style] : kStyles) {
         if (ImGui::RadioButton(label, look.style == style)) look.style = style;
         if (label != kStyles[1].first && label != kStyles[3].first)
@@ -327,8 +330,8 @@ void Panel::drawAnnotations(const Annotations& a) {
     }
     float bottom = ImGui::GetIO().DisplaySize.y - 14 * scale;
     const float line = ImGui::GetTextLineHeight() + 20 * scale;
-    for (const auto& [text, strong] : {std::pair(a.message, false), std::pair(a.measurement, true),
-                                       std::pair(a.atom, false)}) {
+    for (const auto& [text, strong] :
+         {std::pair(a.message, false), std::pair(a.measurement, true), std::pair(a.atom, false)}) {
         if (text.empty()) continue;
         drawStatus(text, bottom, strong);
         bottom -= line;
@@ -363,8 +366,8 @@ void Panel::collect() {
         for (const ImDrawCmd& command : list.CmdBuffer) {
             if (command.ElemCount == 0) continue;
             const ImVec4& clip = command.ClipRect;
-            overlay_.batches.push_back(
-                {clip.x, clip.y, clip.z, clip.w, static_cast<std::uint32_t>(overlay_.indices.size()), command.ElemCount});
+            overlay_.batches.push_back({clip.x, clip.y, clip.z, clip.w,
+                                        static_cast<std::uint32_t>(overlay_.indices.size()), command.ElemCount});
             for (unsigned i = 0; i < command.ElemCount; ++i)
                 overlay_.indices.push_back(firstVertex + command.VtxOffset +
                                            list.IdxBuffer[static_cast<int>(command.IdxOffset + i)]);

@@ -85,7 +85,8 @@ void savePipelineCache(const std::vector<std::byte>& data) {
 }
 
 std::string freeName(const std::string& input, const std::string& extension) {
-    std::string stem = fs::path(input.substr(input.find(':') == std::string::npos ? 0 : input.find(':') + 1)).filename().string();
+    std::string stem =
+        fs::path(input.substr(input.find(':') == std::string::npos ? 0 : input.find(':') + 1)).filename().string();
     if (const std::size_t dot = stem.find('.', 1); dot != std::string::npos) stem.resize(dot);
     if (stem.empty() || stem == "-") stem = "nacre";
     for (int n = 1;; ++n) {

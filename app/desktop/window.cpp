@@ -91,8 +91,7 @@ void Window::connect() {
         const MouseButton which = button == GLFW_MOUSE_BUTTON_LEFT    ? MouseButton::left
                                   : button == GLFW_MOUSE_BUTTON_RIGHT ? MouseButton::right
                                                                       : MouseButton::middle;
-        eventsOf(w).button(which, action == GLFW_PRESS,
-                           {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0});
+        eventsOf(w).button(which, action == GLFW_PRESS, {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0});
     });
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) { eventsOf(w).wheel(y); });
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {

@@ -57,9 +57,10 @@ std::string path(const std::string& text) {
 }
 
 CLI::Option* addInput(CLI::App& app, InputOptions& input) {
-    CLI::Option* option = app.add_option("INPUT", input.path,
-                   "A structure file (PDB, mmCIF, mmJSON, BinaryCIF, MMTF, SDF/MOL, XYZ, MOL2, PQR, GRO, PDBQT, CML;\n"
-                   "each also .gz), - for standard input, or sample:dna, sample:glucose, sample:buckyball");
+    CLI::Option* option = app.add_option(
+        "INPUT", input.path,
+        "A structure file (PDB, mmCIF, mmJSON, BinaryCIF, MMTF, SDF/MOL, XYZ, MOL2, PQR, GRO, PDBQT, CML;\n"
+        "each also .gz), - for standard input, or sample:dna, sample:glucose, sample:buckyball");
     option->required()->type_name("");
     value(app, "--format", "NAME", "by content", "One of " + formatNames(), [&](const std::string& text) {
         input.format = formatFromName(text);
@@ -224,8 +225,7 @@ void addWindow(CLI::App& app, ViewOptions& options) {
           [&](const std::string& text) { first.stats = path(text); });
     addDeviceName(app, first.device);
     addVisibility(app, first.device);
-    app.add_flag("--validate", first.device.validate,
-                 "Run under the Vulkan validation layer; any message is an error");
+    app.add_flag("--validate", first.device.validate, "Run under the Vulkan validation layer; any message is an error");
 }
 #endif
 

@@ -72,14 +72,10 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
     json["covered_pixels"] = frame.coveredPixels;
     json["passes"] = passesOf(frame);
     const OcclusionStats& occlusion = frame.occlusion;
-    json["occlusion"] = {{"directions", occlusion.directions},
-                         {"patch_texels", occlusion.patchTexels},
-                         {"texels", occlusion.texels},
-                         {"maps", occlusion.maps},
-                         {"map_pixels", occlusion.mapPixels},
-                         {"maps_per_batch", occlusion.mapsPerBatch},
-                         {"bytes", occlusion.bytes},
-                         {"never_seen", occlusion.neverSeen}};
+    json["occlusion"] = {{"directions", occlusion.directions}, {"patch_texels", occlusion.patchTexels},
+                         {"texels", occlusion.texels},         {"maps", occlusion.maps},
+                         {"map_pixels", occlusion.mapPixels},  {"maps_per_batch", occlusion.mapsPerBatch},
+                         {"bytes", occlusion.bytes},           {"never_seen", occlusion.neverSeen}};
     json["tile_bytes_per_pixel"] = frame.tileBytesPerPixel;
     json["memory"] = {{"resident_peak", peakResidentBytes()},
                       {"device", frame.deviceBytes},

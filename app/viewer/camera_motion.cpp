@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-
 namespace nacre::app {
 namespace {
 
@@ -29,8 +28,7 @@ double eased(double t) { return t * t * (3 - 2 * t); }
 void CameraMotion::set(const Camera& camera) {
     camera_ = camera;
     // One rotation, so that it can be turned further.
-    camera_.orientation =
-        glm::normalize(glm::quat_cast(rotationMatrix(camera.rotationDegrees)) * camera.orientation);
+    camera_.orientation = glm::normalize(glm::quat_cast(rotationMatrix(camera.rotationDegrees)) * camera.orientation);
     camera_.rotationDegrees = glm::dvec3(0);
     touch();
 }

@@ -70,8 +70,8 @@ void TouchGestures::lift(const TouchEvent& event, double now, std::vector<Gestur
     if (!fingers_.empty()) return;
     if (dragging_) out.push_back({Kind::released, event.at});
     if (wandered_ || pressed_ || now - finger.since > kTapSeconds) return;
-    const bool twice = last_ && now - last_->when <= kDoubleTapSeconds &&
-                       glm::distance(last_->at, finger.start) <= kDoubleTapReach;
+    const bool twice =
+        last_ && now - last_->when <= kDoubleTapSeconds && glm::distance(last_->at, finger.start) <= kDoubleTapReach;
     out.push_back({twice ? Kind::doubleTap : Kind::tap, finger.start});
     last_.reset();
     if (!twice) last_ = Tap{finger.start, now};

@@ -29,8 +29,8 @@ struct Gesture {
 
 class TouchGestures {
 public:
-    static constexpr double kSlop = 8;               ///< points that a tap may wander
-    static constexpr double kTapSeconds = 0.3;       ///< the longest tap
+    static constexpr double kSlop = 8;          ///< points that a tap may wander
+    static constexpr double kTapSeconds = 0.3;  ///< the longest tap
     static constexpr double kLongPressSeconds = 0.5;
     static constexpr double kDoubleTapSeconds = 0.35;  ///< from one tap to the next
     static constexpr double kDoubleTapReach = 40;      ///< points between the two
@@ -56,9 +56,9 @@ private:
     void lift(const TouchEvent& event, double now, std::vector<Gesture>& out);
 
     std::map<std::int64_t, Finger> fingers_;
-    bool wandered_ = false;   // no tap any more: a finger moved, or there were two
-    bool dragging_ = false;   // something has been rotated or transformed
-    bool pressed_ = false;    // the long press has been told
+    bool wandered_ = false;  // no tap any more: a finger moved, or there were two
+    bool dragging_ = false;  // something has been rotated or transformed
+    bool pressed_ = false;   // the long press has been told
     std::optional<Tap> last_;
 };
 

@@ -9,8 +9,8 @@
 
 namespace nacre::app {
 
-double distanceOf(const glm::dvec3& a, const glm::dvec3& b);                          ///< Å
-double angleOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);        ///< at b, degrees, 0..180
+double distanceOf(const glm::dvec3& a, const glm::dvec3& b);                    ///< Å
+double angleOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);  ///< at b, degrees, 0..180
 /// Of the bond b-c, degrees, -180..180: positive if d is clockwise from a, looking from b to c. W. Klyne and V. Prelog,
 /// Experientia 16 (1960) 521.
 double torsionOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);

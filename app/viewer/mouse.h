@@ -9,9 +9,9 @@ namespace nacre::app {
 
 class MouseGestures {
 public:
-    static constexpr double kSlop = 3;                    ///< points that a click may wander
+    static constexpr double kSlop = 3;  ///< points that a click may wander
     static constexpr double kDoubleClickSeconds = 0.35;
-    static constexpr double kZoomPerStep = 1.15;          ///< of the wheel
+    static constexpr double kZoomPerStep = 1.15;  ///< of the wheel
 
     std::vector<Gesture> button(MouseButton button, bool down, glm::dvec2 at, Modifiers with, double now);
     /// @param middle of the window, about which Ctrl drag rolls

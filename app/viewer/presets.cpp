@@ -31,9 +31,9 @@ void applyPreset(const Preset& preset, SavedView& view) {
 }
 
 std::span<const char* const> colorChoices() {
-    static constexpr const char* kChoices[] = {"element",   "chain",   "residue",    "entity",   "rainbow",
-                                               "charge",    "b-factor", "secondary-structure",   "plddt",
-                                               "occupancy", "hydrophobicity"};
+    static constexpr const char* kChoices[] = {"element", "chain",     "residue",       "entity",
+                                               "rainbow", "charge",    "b-factor",      "secondary-structure",
+                                               "plddt",   "occupancy", "hydrophobicity"};
     return kChoices;
 }
 

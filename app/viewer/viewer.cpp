@@ -13,8 +13,8 @@
 namespace nacre::app {
 namespace {
 
-constexpr double kHandSeconds = 0.1;     // a hand that rests this long no longer moves the picture
-constexpr double kFingerPoints = 12;     // what a pick may miss by
+constexpr double kHandSeconds = 0.1;  // a hand that rests this long no longer moves the picture
+constexpr double kFingerPoints = 12;  // what a pick may miss by
 constexpr double kMessageSeconds = 4;
 constexpr double kKeyDegrees = 5, kKeyPoints = 20, kKeyZoom = 1.15;
 constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -242,8 +242,8 @@ void Viewer::run(ViewerCommand command, double now) {
             say(look.drawn.hydrogens ? "hydrogens shown" : "hydrogens hidden", now);
             break;
         case C::perspective:
-            look.camera.projection = look.camera.projection == Projection::orthographic ? Projection::perspective
-                                                                                         : Projection::orthographic;
+            look.camera.projection =
+                look.camera.projection == Projection::orthographic ? Projection::perspective : Projection::orthographic;
             break;
         case C::lighting:
             look.lighting = !look.lighting;
@@ -366,7 +366,8 @@ double Viewer::update(double now, const std::function<const Overlay*()>& overlay
     const FrameSchedule::Next next = schedule_.next(now, moving, occlusion_);
     if (next.draw != Draw::nothing) draw(next, now, moving, overlay);
     const FrameSchedule::Next after = schedule_.next(now, moving, occlusion_);
-    const double wake = after.draw != Draw::nothing ? now : std::min(after.wake, hand ? handMoved_ + kHandSeconds : kNever);
+    const double wake =
+        after.draw != Draw::nothing ? now : std::min(after.wake, hand ? handMoved_ + kHandSeconds : kNever);
     return std::min(due, wake);
 }
 

@@ -83,8 +83,7 @@ private:
     void pick(glm::dvec2 at);
     void tookDocument(double now);
     double advance(double now);
-    void draw(const FrameSchedule::Next& next, double now, bool moving,
-              const std::function<const Overlay*()>& overlay);
+    void draw(const FrameSchedule::Next& next, double now, bool moving, const std::function<const Overlay*()>& overlay);
     std::uint32_t refinedSamples() const;
     Viewport viewport() const { return {size_.width / scale_, size_.height / scale_}; }
     double radius() const { return document_.molecule ? document_.scene.radius : 1.0; }

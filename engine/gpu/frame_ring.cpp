@@ -6,9 +6,9 @@ namespace nacre::gpu {
 
 FrameRing::FrameRing(const Device& device)
     : device_(device),
-      pool_(*device, vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer |
-                                                   vk::CommandPoolCreateFlagBits::eTransient,
-                                               device.queueFamily())),
+      pool_(*device, vk::CommandPoolCreateInfo(
+                         vk::CommandPoolCreateFlagBits::eResetCommandBuffer | vk::CommandPoolCreateFlagBits::eTransient,
+                         device.queueFamily())),
       slots_{FrameSlot(device), FrameSlot(device)} {
     vk::raii::CommandBuffers buffers(*device, {*pool_, vk::CommandBufferLevel::ePrimary, kInFlight});
     for (std::size_t i = 0; i < kInFlight; ++i) {

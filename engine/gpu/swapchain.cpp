@@ -68,9 +68,9 @@ void Swapchain::recreate(graph::Extent wanted) {
             vk::SurfaceCapabilitiesKHR caps = device_.physical().getSurfaceCapabilitiesKHR(*surface_);
             constexpr std::uint32_t kUpToUs = 0xffffffffu;
             if (caps.currentExtent.width == kUpToUs)
-                caps.currentExtent = vk::Extent2D(
-                    std::clamp(wanted.width, caps.minImageExtent.width, caps.maxImageExtent.width),
-                    std::clamp(wanted.height, caps.minImageExtent.height, caps.maxImageExtent.height));
+                caps.currentExtent =
+                    vk::Extent2D(std::clamp(wanted.width, caps.minImageExtent.width, caps.maxImageExtent.width),
+                                 std::clamp(wanted.height, caps.minImageExtent.height, caps.maxImageExtent.height));
             upright_ = {caps.currentExtent.width, caps.currentExtent.height};
             if (upright_.width == 0 || upright_.height == 0) {
                 swapchain_ = nullptr;
@@ -103,9 +103,8 @@ void Swapchain::build(const vk::SurfaceCapabilitiesKHR& caps) {
         vk::PresentModeKHR::eFifo, true, *old);
     swapchain_ = vk::raii::SwapchainKHR(*device_, info);
     for (const VkImage image : swapchain_.getImages()) {
-        vk::raii::ImageView view(*device_,
-                                 vk::ImageViewCreateInfo({}, image, vk::ImageViewType::e2D, format_.format, {},
-                                                         {vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1}));
+        vk::raii::ImageView view(*device_, vk::ImageViewCreateInfo({}, image, vk::ImageViewType::e2D, format_.format,
+                                                                   {}, {vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1}));
         vk::raii::Semaphore drawn(*device_, vk::SemaphoreCreateInfo());
         device_.name(vk::Image(image), "window " + std::to_string(images_.size()));
         images_.push_back({image, std::move(view), std::move(drawn)});

@@ -74,8 +74,7 @@ void Executor::barriers(const vk::raii::CommandBuffer& commands, const std::vect
             isDepthFormat(desc.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
         images.emplace_back(fromAccess, toAccess, static_cast<vk::ImageLayout>(b.from.layout),
                             static_cast<vk::ImageLayout>(b.to.layout), VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
-                            context.images[b.resource].handle,
-                            vk::ImageSubresourceRange(aspect, 0, 1, 0, desc.layers));
+                            context.images[b.resource].handle, vk::ImageSubresourceRange(aspect, 0, 1, 0, desc.layers));
     }
     commands.pipelineBarrier(from, to, {}, {}, buffers, images);
 }

@@ -241,7 +241,8 @@ private:
     /// A window's image that the last step draws: its render pass hands it to the display as it ends, which spares
     /// tilers a pass over memory. The semaphore that the display waits for orders the rest.
     bool endsOnDisplay(std::uint32_t image) {
-        if (graph_.images()[image].imported->layout != VK_IMAGE_LAYOUT_PRESENT_SRC_KHR || plan_.steps.empty()) return false;
+        if (graph_.images()[image].imported->layout != VK_IMAGE_LAYOUT_PRESENT_SRC_KHR || plan_.steps.empty())
+            return false;
         for (Attachment& a : plan_.steps.back().renderPass.attachments)
             if (a.image == image) return a.finalLayout = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, true;
         return false;

@@ -19,7 +19,7 @@ struct Draw {
     Nearest nearest{};
     bool perspective = false;
     layout::ViewConstants view{};
-    int quarterTurns = 0;  ///< as in View
+    int quarterTurns = 0;                       ///< as in View
     PlateShape plates = PlateShape::automatic;  ///< of Writes::plates
     ImpostorShape impostor = ImpostorShape::automatic;
     double radiusPixels = 0;               ///< mean radius of the spheres in the picture

@@ -68,8 +68,8 @@ void OverlayPass::upload(gpu::FrameSlot& slot, const Overlay& overlay) const {
 }
 
 vk::Pipeline OverlayPass::pipeline(const graph::PassContext& context, int quarterTurns, bool coded) {
-    const auto key = std::make_tuple(static_cast<VkRenderPass>(context.renderPass), context.subpass, quarterTurns,
-                                     coded);
+    const auto key =
+        std::make_tuple(static_cast<VkRenderPass>(context.renderPass), context.subpass, quarterTurns, coded);
     if (const auto it = pipelines_.find(key); it != pipelines_.end()) return *it->second;
     gpu::GraphicsPipeline d;
     d.name = "overlay";
@@ -97,8 +97,8 @@ void OverlayPass::draw(graph::PassContext& context, const gpu::FrameSlot& slot, 
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, quarterTurns, coded));
     const vk::DescriptorSet set = context.descriptors.allocate(layout_.set);
     const vk::DescriptorImageInfo glyphs(*sampler_, *glyphs_.view, vk::ImageLayout::eShaderReadOnlyOptimal);
-    device_->updateDescriptorSets(
-        vk::WriteDescriptorSet(set, 0, 0, vk::DescriptorType::eCombinedImageSampler, glyphs), {});
+    device_->updateDescriptorSets(vk::WriteDescriptorSet(set, 0, 0, vk::DescriptorType::eCombinedImageSampler, glyphs),
+                                  {});
     commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_.pipeline, 0, set, {});
     const std::array<float, 4> scale{2.0f / static_cast<float>(upright.width),
                                      2.0f / static_cast<float>(upright.height), 0, 0};

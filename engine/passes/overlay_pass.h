@@ -13,7 +13,8 @@ class OverlayPass {
 public:
     OverlayPass(const gpu::Device& device, graph::Executor& executor);
 
-    /// Replaces the glyph texture; nothing may be in flight. @throws Error if the texture is larger than the device takes
+    /// Replaces the glyph texture; nothing may be in flight. @throws Error if the texture is larger than the device
+    /// takes
     void setGlyphs(graph::Executor& executor, const OverlayGlyphs& glyphs);
     /// Puts the triangles where the device reads them.
     void upload(gpu::FrameSlot& slot, const Overlay& overlay) const;

@@ -22,8 +22,7 @@ gpu::Image makeTexture(const gpu::Device& device, graph::Executor& executor, con
                        std::span<const std::byte> texels, const std::string& name) {
     gpu::Image image = gpu::makeImage(
         device, desc, vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, false, name);
-    const gpu::Buffer bytes =
-        gpu::makeBuffer(device, texels, vk::BufferUsageFlagBits::eTransferSrc, name + " texels");
+    const gpu::Buffer bytes = gpu::makeBuffer(device, texels, vk::BufferUsageFlagBits::eTransferSrc, name + " texels");
     graph::Graph g(name);
     const auto target = g.importImage(name, desc, kTextureState, true);
     const auto source = g.importBuffer(name + " texels", bytes.size);

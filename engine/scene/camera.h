@@ -13,7 +13,7 @@ enum class Projection { orthographic, perspective };
 /// What the user sets.
 struct Camera {
     Projection projection = Projection::orthographic;
-    glm::dvec3 rotationDegrees{0.0};  ///< right-handed, about the view axes, x first: v = Rz Ry Rx Q (p - C)
+    glm::dvec3 rotationDegrees{0.0};     ///< right-handed, about the view axes, x first: v = Rz Ry Rx Q (p - C)
     glm::dquat orientation{1, 0, 0, 0};  ///< Q, unit: any rotation, where three angles are not at hand
     glm::dvec2 pan{0.0};                 ///< where C stands on the image plane, Å from the picture's middle
     double zoom = 1.0;                   ///< scales the image plane

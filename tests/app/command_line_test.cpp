@@ -105,16 +105,12 @@ TEST(CommandLine, HelpShowsExamplesAndEveryOption) {
     const Outcome help = nacreIn(folder, "render --help");
     EXPECT_EQ(help.code, 0);
     EXPECT_EQ(help.err, "");
-    for (const char* option : {"--size",        "--style",      "--color ",
-                               "--rotate",      "--show",       "--hide",
-                               "--color-by",    "byres",        "secondary-structure",
-                               "--zoom",        "--projection", "--fov",
-                               "--occlusion",   "--background", "--lighting",
-                               "--supersample", "--model",      "--water",
-                               "--hydrogens",   "--format",     "--layers",
-                               "--stats",       "--validate",   "--device",
-                               "--visibility",  "--prepass",    "--merge",
-                               "Examples"})
+    for (const char* option : {"--view",       "--size",        "--style",    "--color ",    "--rotate",
+                               "--show",       "--hide",        "--color-by", "byres",       "secondary-structure",
+                               "--zoom",       "--projection",  "--fov",      "--occlusion", "--background",
+                               "--lighting",   "--supersample", "--model",    "--water",     "--hydrogens",
+                               "--format",     "--layers",      "--stats",    "--validate",  "--device",
+                               "--visibility", "--prepass",     "--merge",    "Examples"})
         EXPECT_NE(help.out.find(option), std::string::npos) << option;
 }
 

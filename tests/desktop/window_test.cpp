@@ -56,8 +56,8 @@ std::string sizeOf(const WindowPicture& p) { return std::to_string(p.width) + "x
 void expectAsRendered(XSession& session, const std::string& view) {
     const WindowPicture shown = session.picture();
     ASSERT_GT(shown.width, 0);
-    const Outcome outcome = nacreIn(session.folder(), "render --view '" + view + "' -o render.png --supersample 2 --size " +
-                                                          sizeOf(shown));
+    const Outcome outcome =
+        nacreIn(session.folder(), "render --view '" + view + "' -o render.png --supersample 2 --size " + sizeOf(shown));
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const Image image = readImage(session.folder() / "render.png");
     ASSERT_EQ(image.width, shown.width);
@@ -115,9 +115,9 @@ TEST(Window, ClickPicksTheAtomThatIsSeen) {
         XSession session(std::string("sample:dna --size 500x600 --rotate 20,30,0 --style ") + style);
         session.type("m");
         const std::string view = saveView(session);
-        const Outcome outcome = nacreIn(session.folder(), "render --view '" + view +
-                                                              "' -o r.png --layers l.exr --occlusion 1 --size " +
-                                                              sizeOf(session.picture()));
+        const Outcome outcome =
+            nacreIn(session.folder(), "render --view '" + view + "' -o r.png --layers l.exr --occlusion 1 --size " +
+                                          sizeOf(session.picture()));
         ASSERT_EQ(outcome.code, 0) << outcome.err;
         const Image layers = readImage(session.folder() / "l.exr");
         std::vector<int> expected;

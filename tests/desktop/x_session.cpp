@@ -17,9 +17,7 @@
 namespace nacre::test {
 namespace {
 
-double now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Starts a program by the shell, in a process group of its own.
 int start(const std::string& command) {
@@ -114,10 +112,10 @@ void XSession::startDisplay() {
 }
 
 void XSession::startNacre(const std::string& arguments) {
-    nacre_ = start("cd '" + folder_.path() + "' && exec env -u WAYLAND_DISPLAY DISPLAY=" + display_ +
-                   " HOME='" + folder_.path() + "' XDG_STATE_HOME='" + (folder_ / "state") + "' XDG_CACHE_HOME='" +
-                   (folder_ / "cache") + "' '" NACRE_PROGRAM "' view " + arguments +
-                   " --validate --stats stats.json >log 2>&1");
+    nacre_ =
+        start("cd '" + folder_.path() + "' && exec env -u WAYLAND_DISPLAY DISPLAY=" + display_ + " HOME='" +
+              folder_.path() + "' XDG_STATE_HOME='" + (folder_ / "state") + "' XDG_CACHE_HOME='" + (folder_ / "cache") +
+              "' '" NACRE_PROGRAM "' view " + arguments + " --validate --stats stats.json >log 2>&1");
 }
 
 void XSession::findWindow() {

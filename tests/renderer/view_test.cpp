@@ -65,8 +65,10 @@ TEST(View, ATurnedImageIsThePictureTurnedBitForBit) {
                         const int tx = turns == 1 ? h - 1 - y : turns == 2 ? w - 1 - x : y;
                         const int ty = turns == 1 ? x : turns == 2 ? h - 1 - y : w - 1 - x;
                         for (int c = 0; c < 4; ++c)
-                            differing += upright.rgba[static_cast<std::size_t>((y * w + x) * 4 + c)] !=
-                                         turned.rgba[static_cast<std::size_t>((ty * static_cast<int>(turned.width) + tx) * 4 + c)];
+                            differing +=
+                                upright.rgba[static_cast<std::size_t>((y * w + x) * 4 + c)] !=
+                                turned
+                                    .rgba[static_cast<std::size_t>((ty * static_cast<int>(turned.width) + tx) * 4 + c)];
                     }
                 EXPECT_EQ(differing, 0u) << turns;
             }
@@ -83,7 +85,8 @@ TEST(View, TheAtomUnderAPixelIsThatOfTheLayers) {
             const LayerPicture layers = renderer->layers(s);
             for (int y = 3; y < 110; y += 17)
                 for (int x = 2; x < 150; x += 13)
-                    EXPECT_EQ(renderer->atomAt(s, x + 0.5, y + 0.5, 0), layers.id[static_cast<std::size_t>(y * 150 + x)])
+                    EXPECT_EQ(renderer->atomAt(s, x + 0.5, y + 0.5, 0),
+                              layers.id[static_cast<std::size_t>(y * 150 + x)])
                         << x << " " << y;
         }
 }
@@ -100,7 +103,8 @@ TEST(View, AFingerFindsTheNearestAtomWithinItsReach) {
             double nearest = 1e9;
             for (int j = 0; j < 110; ++j)
                 for (int i = 0; i < 150; ++i)
-                    if (layers.id[static_cast<std::size_t>(j * 150 + i)]) nearest = std::min(nearest, std::hypot(i - x, j - y));
+                    if (layers.id[static_cast<std::size_t>(j * 150 + i)])
+                        nearest = std::min(nearest, std::hypot(i - x, j - y));
             const std::uint32_t atom = renderer->atomAt(s, x + 0.5, y + 0.5, 9);
             if (nearest <= 8.9 || nearest > 9.2) {
                 EXPECT_EQ(atom != 0, nearest <= 8.9) << x << " " << y;

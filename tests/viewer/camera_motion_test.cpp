@@ -131,7 +131,8 @@ TEST(CameraMotion, WhatWasSetInAnglesIsSeenTheSame) {
     camera.orientation = glm::angleAxis(0.7, glm::normalize(glm::dvec3(1, 2, 3)));
     CameraMotion motion;
     motion.set(camera);
-    const glm::dmat3 a = viewOf(camera, kRadius, 10, 10).rotation, b = viewOf(motion.camera(), kRadius, 10, 10).rotation;
+    const glm::dmat3 a = viewOf(camera, kRadius, 10, 10).rotation,
+                     b = viewOf(motion.camera(), kRadius, 10, 10).rotation;
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(glm::distance(a[i], b[i]), 0, 1e-12);
 }
 

@@ -127,10 +127,10 @@ TEST(MouseGestures, ButtonsAndModifiersChooseTheDrag) {
         Kind kind;
         bool turns;
     };
-    for (const Case& c : {Case{MouseButton::left, {}, Kind::rotate, false},
-                          Case{MouseButton::right, {}, Kind::transform, false},
-                          Case{MouseButton::left, {true, false}, Kind::transform, false},
-                          Case{MouseButton::left, {false, true}, Kind::transform, true}}) {
+    for (const Case& c :
+         {Case{MouseButton::left, {}, Kind::rotate, false}, Case{MouseButton::right, {}, Kind::transform, false},
+          Case{MouseButton::left, {true, false}, Kind::transform, false},
+          Case{MouseButton::left, {false, true}, Kind::transform, true}}) {
         MouseGestures mouse;
         mouse.button(c.button, true, {300, 200}, c.with, 0);
         EXPECT_TRUE(mouse.move({302, 200}, {200, 200}).empty());  // within the slop

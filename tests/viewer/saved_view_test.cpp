@@ -39,21 +39,21 @@ TEST(SavedView, AnEmptyObjectIsTheDefault) {
 }
 
 TEST(SavedView, BadFilesAreRefusedByTheirKey) {
-    for (const auto& [json, word] : std::vector<std::pair<const char*, const char*>>{
-             {"", "no JSON"},
-             {"[]", "no JSON"},
-             {"{\"zoom\": 0}", "zoom"},
-             {"{\"zoom\": \"wide\"}", "zoom"},
-             {"{\"style\": \"cartoon\"}", "style"},
-             {"{\"model\": 1.5}", "model"},
-             {"{\"orientation\": [0, 0, 0, 0]}", "orientation"},
-             {"{\"orientation\": [1, 0, 0]}", "orientation"},
-             {"{\"pan\": [1, null]}", "pan"},
-             {"{\"rules\": [{\"paint\": \"all\"}]}", "rules"},
-             {"{\"rules\": [{\"hide\": \"chain (\"}]}", "rules"},
-             {"{\"background\": 5}", "background"},
-             {"{\"water\": true}", "water"},
-             {"{\"colour\": \"element\"}", "colour"}}) {
+    for (const auto& [json, word] :
+         std::vector<std::pair<const char*, const char*>>{{"", "no JSON"},
+                                                          {"[]", "no JSON"},
+                                                          {"{\"zoom\": 0}", "zoom"},
+                                                          {"{\"zoom\": \"wide\"}", "zoom"},
+                                                          {"{\"style\": \"cartoon\"}", "style"},
+                                                          {"{\"model\": 1.5}", "model"},
+                                                          {"{\"orientation\": [0, 0, 0, 0]}", "orientation"},
+                                                          {"{\"orientation\": [1, 0, 0]}", "orientation"},
+                                                          {"{\"pan\": [1, null]}", "pan"},
+                                                          {"{\"rules\": [{\"paint\": \"all\"}]}", "rules"},
+                                                          {"{\"rules\": [{\"hide\": \"chain (\"}]}", "rules"},
+                                                          {"{\"background\": 5}", "background"},
+                                                          {"{\"water\": true}", "water"},
+                                                          {"{\"colour\": \"element\"}", "colour"}}) {
         try {
             parseSavedView(json, "v.json");
             ADD_FAILURE() << json;

@@ -28,7 +28,9 @@ public:
         ++scenes;
         occlusion = 0;
     }
-    double advanceOcclusion(const RenderSettings&, double) override { return occlusion = std::min(occlusion + 0.125, 1.0); }
+    double advanceOcclusion(const RenderSettings&, double) override {
+        return occlusion = std::min(occlusion + 0.125, 1.0);
+    }
     FrameOutcome present(const RenderSettings& s, const WindowFrame& frame) override {
         if (outcome == FrameOutcome::shown) frames.push_back(frame), settings.push_back(s);
         return outcome;
@@ -36,8 +38,8 @@ public:
     PixelSize windowSize() const override { return {640, 480}; }
     std::uint32_t atomAt(const RenderSettings&, double, double, double) override { return atom; }
     int count(WindowFrame::Quality quality) const {
-        return static_cast<int>(std::count_if(frames.begin(), frames.end(),
-                                              [&](const WindowFrame& f) { return f.quality == quality; }));
+        return static_cast<int>(
+            std::count_if(frames.begin(), frames.end(), [&](const WindowFrame& f) { return f.quality == quality; }));
     }
 };
 
@@ -46,9 +48,7 @@ Sources sources() {
                 if (v.input == "bad") throw Error("cannot read molecule", "bad", "it is bad");
                 return sampleMolecule(v.input.substr(7));
             },
-            [](const Molecule& m, const SavedView& v) {
-                return represent(m, drawnAtoms(m, v.drawn), lookOf(v));
-            }};
+            [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m, v.drawn), lookOf(v)); }};
 }
 
 struct Bench {
