@@ -315,8 +315,12 @@ double Renderer::drawFrame(const RenderSettings& settings) {
 
 double Renderer::advanceOcclusion(const RenderSettings& settings, double milliseconds) {
     if (settings.occlusionDirections == 0) return 1;
-    impl_->beginOcclusion(settings);
-    impl_->advanceOcclusion(milliseconds);
+    try {
+        impl_->beginOcclusion(settings);
+        impl_->advanceOcclusion(milliseconds);
+    } catch (const vk::DeviceLostError&) {
+        return 0;  // present() tells
+    }
     return static_cast<double>(impl_->bake->directionsDone()) / impl_->bake->directions();
 }
 

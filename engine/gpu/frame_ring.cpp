@@ -18,7 +18,13 @@ FrameRing::FrameRing(const Device& device)
     }
 }
 
-FrameRing::~FrameRing() { device_->waitIdle(); }
+FrameRing::~FrameRing() {
+    try {
+        device_->waitIdle();
+    } catch (const vk::SystemError&) {
+        // A device that is lost has nothing in flight any more.
+    }
+}
 
 FrameSlot& FrameRing::next() {
     FrameSlot& slot = slots_[at_];
