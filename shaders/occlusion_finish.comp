@@ -1,13 +1,14 @@
 #version 450
-// Sums of light -> bytes of the atlas, four texels a word. A texel that lies inside a neighbour takes the value of the
-// nearest one of its patch that does not, so that interpolation pulls no darkness out of the contact.
+// Sums of light -> bytes of the atlas, four texels a word. A texel that lies inside a neighbour goes on in the line of
+// the two open ones next to it, so that interpolation reaches the crease with the right slope.
 #extension GL_GOOGLE_include_directive : require
 
 layout(local_size_x = 64) in;
 
 struct Word {
-    uint address;  // in the atlas, words
+    uint address;     // in the atlas, words
     uint entries[4];  // whose value each texel takes; ~0: none
+    uint beyond[4];   // the one behind, from which the line comes; the same: no line
 };
 layout(push_constant) uniform Push { uint count; };
 layout(set = 0, binding = 0, std430) readonly buffer Sums { vec2 sums[]; };
@@ -25,6 +26,10 @@ void main() {
     uint word = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
     if (word >= count) return;
     vec4 values;
-    for (int i = 0; i < 4; ++i) values[i] = occlusion(words[word].entries[i]);
+    for (int i = 0; i < 4; ++i) {
+        uint entry = words[word].entries[i], beyond = words[word].beyond[i];
+        values[i] = occlusion(entry);
+        if (beyond != entry) values[i] = clamp(2.0 * values[i] - occlusion(beyond), 0.0, 1.0);
+    }
     atlas[words[word].address] = packUnorm4x8(values);
 }

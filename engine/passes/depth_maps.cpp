@@ -9,7 +9,8 @@
 namespace nacre::passes {
 namespace {
 
-constexpr double kPixelsPerAngstrom = 2.5;  // wanted
+// Pixels across the radius of a sphere, of a cylinder: what more than that brings is lost in the patches' own error.
+constexpr double kPixelsPerSphere = 2.7, kPixelsPerCylinder = 1.5;
 constexpr double kSmallest = 128, kLargest = 2048;
 constexpr std::uint32_t kGroup = 64;  // local_size_x
 constexpr graph::State kSplatState{
@@ -26,6 +27,14 @@ std::uint32_t bytesPerPixel(OcclusionMaps path, const gpu::EncodedFormat& encode
     }
 }
 
+/// Pixels per Å that the primitives want on the average.
+double wantedResolution(const Representation& r) {
+    double sum = 0;
+    for (const Sphere& s : r.spheres) sum += kPixelsPerSphere / s.radius;
+    for (const Cylinder& c : r.cylinders) sum += kPixelsPerCylinder / c.radius;
+    return sum / static_cast<double>(std::max<std::size_t>(r.spheres.size() + r.cylinders.size(), 1));
+}
+
 Nearest nearestOf(OcclusionMaps path) { return path == OcclusionMaps::encoded ? Nearest::encoded : Nearest::fragdepth; }
 
 }  // namespace
@@ -36,7 +45,7 @@ DepthMaps::DepthMaps(const gpu::Device& device, Geometry& geometry, const SceneB
     double sum = 0;
     for (const Sphere& s : representation.spheres) sum += s.radius;
     meanRadius_ = sum / static_cast<double>(std::max<std::size_t>(representation.spheres.size(), 1));
-    const double wanted = std::ceil(2.0 * radius_ * kPixelsPerAngstrom / 8.0) * 8.0;
+    const double wanted = std::ceil(2.0 * radius_ * wantedResolution(representation) / 8.0) * 8.0;
     const std::uint32_t bytes = bytesPerPixel(path, device.caps().encoded);
     const double fits = std::floor(std::sqrt(static_cast<double>(budgetBytes) / bytes) / 8.0) * 8.0;
     pixels_ = static_cast<std::uint32_t>(std::max(std::min(std::clamp(wanted, kSmallest, kLargest), fits), 8.0));
@@ -51,8 +60,14 @@ DepthMaps::DepthMaps(const gpu::Device& device, Geometry& geometry, const SceneB
                               "depth maps' splats");
     using Type = vk::DescriptorType;
     constexpr Type kBindings[] = {Type::eStorageBuffer, Type::eUniformBuffer, Type::eStorageBuffer};
-    splatLayout_ = gpu::makeLayout(device, kBindings, vk::ShaderStageFlagBits::eCompute,
-                                   sizeof(layout::OcclusionConstants), "depth splatting layout");
+    splatLayout_ = gpu::makeLayout(device, kBindings, vk::ShaderStageFlagBits::eCompute, sizeof(layout::SplatConstants),
+                                   "depth splatting layout");
+    views_ = gpu::makeBuffer(device, sizeof(layout::ViewConstants) * kMostPerBatch, Usage::eUniformBuffer,
+                             gpu::Access::upload, "depth maps' views");
+    sphereSplats_ = gpu::makeComputePipeline(device, shaders::occlusionSplatSphere, {}, *splatLayout_.pipeline,
+                                             "depth splatting, spheres");
+    cylinderSplats_ = gpu::makeComputePipeline(device, shaders::occlusionSplatCylinder, {}, *splatLayout_.pipeline,
+                                               "depth splatting, cylinders");
 }
 
 std::uint64_t DepthMaps::bytes() const {
@@ -74,6 +89,12 @@ View DepthMaps::view(const glm::dmat3& frame) const {
     return view;
 }
 
+/// Map i of a batch.
+layout::ViewConstants DepthMaps::constants(const glm::dmat3& frame, std::uint32_t i, std::uint32_t across) const {
+    return viewConstants(view(frame), device_.caps().snapPixels, i % across * pixels_ + pixels_ / 2.0,
+                         i / across * pixels_ + pixels_ / 2.0);
+}
+
 void DepthMaps::recordRaster(graph::PassContext& context, std::span<const glm::dmat3> frames, std::uint32_t across,
                              Writes writes) const {
     const auto side = static_cast<float>(pixels_);
@@ -81,33 +102,20 @@ void DepthMaps::recordRaster(graph::PassContext& context, std::span<const glm::d
         const std::uint32_t x = i % across * pixels_, y = i / across * pixels_;
         context.commands.setViewport(0, vk::Viewport(static_cast<float>(x), static_cast<float>(y), side, side, 0, 1));
         context.commands.setScissor(0, vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {pixels_, pixels_}));
-        const View v = view(frames[i]);
         Draw draw{writes, nearestOf(path_)};
-        draw.radiusPixels = meanRadius_ * v.pixelsPerAngstrom;
-        draw.view = viewConstants(v, device_.caps().snapPixels, x + pixels_ / 2.0, y + pixels_ / 2.0);
+        draw.radiusPixels = meanRadius_ * pixels_ / (2.0 * radius_);
+        draw.view = constants(frames[i], i, across);
         geometry_.draw(context, scene_, draw);
     }
 }
 
-vk::Pipeline DepthMaps::splatPipeline(std::uint32_t across, bool cylinders) {
-    const std::pair key{across, cylinders};
-    if (const auto it = splatPipelines_.find(key); it != splatPipelines_.end()) return *it->second;
-    gpu::Specialization constants;
-    constants.set(3, across);
-    return *splatPipelines_
-                .emplace(key, gpu::makeComputePipeline(
-                                  device_, cylinders ? std::span<const std::uint32_t>(shaders::occlusionSplatCylinder)
-                                                     : std::span<const std::uint32_t>(shaders::occlusionSplatSphere),
-                                  constants, *splatLayout_.pipeline,
-                                  cylinders ? "depth splatting, cylinders" : "depth splatting, spheres"))
-                .first->second;
-}
-
-void DepthMaps::recordSplat(graph::PassContext& context, graph::Buffer maps, std::size_t count, std::uint32_t across,
-                            layout::OcclusionConstants constants, const gpu::Buffer& directions) {
+void DepthMaps::recordSplat(graph::PassContext& context, graph::Buffer maps, std::span<const glm::dmat3> frames,
+                            std::uint32_t across) const {
+    auto* views = reinterpret_cast<layout::ViewConstants*>(views_.mapped);
+    for (std::uint32_t i = 0; i < frames.size(); ++i) views[i] = constants(frames[i], i, across);
     const vk::DescriptorSet set = context.descriptors.allocate(splatLayout_.set);
     const vk::DescriptorBufferInfo infos[] = {{*scene_.shapes.handle, 0, VK_WHOLE_SIZE},
-                                              {*directions.handle, 0, VK_WHOLE_SIZE},
+                                              {*views_.handle, 0, VK_WHOLE_SIZE},
                                               {context.buffer(maps), 0, VK_WHOLE_SIZE}};
     using Type = vk::DescriptorType;
     device_->updateDescriptorSets({{set, 0, 0, Type::eStorageBuffer, {}, infos[0]},
@@ -115,25 +123,24 @@ void DepthMaps::recordSplat(graph::PassContext& context, graph::Buffer maps, std
                                    {set, 2, 0, Type::eStorageBuffer, {}, infos[2]}},
                                   {});
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *splatLayout_.pipeline, 0, set, {});
+    constexpr std::uint32_t kMost = 65535 * kGroup;  // the floor allows 65,535 workgroups a dispatch
     for (const bool cylinders : {false, true}) {
         const std::uint32_t primitives = cylinders ? scene_.cylinderCount : scene_.sphereCount;
-        if (primitives == 0) continue;
-        context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, splatPipeline(across, cylinders));
-        // The floor allows 65,535 workgroups a dispatch.
-        constexpr std::uint32_t kMost = 65535 * kGroup;
         for (std::uint32_t first = 0; first < primitives; first += kMost) {
-            const std::uint32_t here = std::min(primitives - first, kMost);
-            constants.range = {first, first + here, pixels_ * across, 0};
-            context.commands.pushConstants<layout::OcclusionConstants>(
-                *splatLayout_.pipeline, vk::ShaderStageFlagBits::eCompute, 0, constants);
-            context.commands.dispatch((here + kGroup - 1) / kGroup, static_cast<std::uint32_t>(count), 1);
+            const layout::SplatConstants c{first, std::min(primitives, first + kMost), scene_.sphereCount, pixels_,
+                                           pixels_ * across};
+            context.commands.bindPipeline(vk::PipelineBindPoint::eCompute,
+                                          cylinders ? *cylinderSplats_ : *sphereSplats_);
+            context.commands.pushConstants<layout::SplatConstants>(*splatLayout_.pipeline,
+                                                                   vk::ShaderStageFlagBits::eCompute, 0, c);
+            context.commands.dispatch((c.end - c.first + kGroup - 1) / kGroup,
+                                      static_cast<std::uint32_t>(frames.size()), 1);
         }
     }
 }
 
 graph::Image DepthMaps::declare(graph::Graph& g, graph::Imports& imports, std::span<const glm::dmat3> frames,
-                                std::uint32_t batch, const layout::OcclusionConstants& constants,
-                                const gpu::Buffer& directions) {
+                                std::uint32_t batch) {
     using graph::Clear;
     const std::uint32_t across = mapsAcross(batch);
     const graph::Extent extent{pixels_ * across, pixels_ * across};
@@ -145,8 +152,8 @@ graph::Image DepthMaps::declare(graph::Graph& g, graph::Imports& imports, std::s
         g.transfer("clear depth maps").copiesTo(splats).record([=](graph::PassContext& c) {
             c.commands.fillBuffer(c.buffer(splats), 0, used, 0x3f800000);  // 1.0f
         });
-        g.compute("depth splatting").writes(splats).record([=, this, &directions](graph::PassContext& c) {
-            recordSplat(c, splats, frames.size(), across, constants, directions);
+        g.compute("depth splatting").writes(splats).record([=, this](graph::PassContext& c) {
+            recordSplat(c, splats, frames, across);
         });
         g.transfer("depth maps to texture").copiesFrom(splats).copiesTo(maps).record([=](graph::PassContext& c) {
             const vk::BufferImageCopy all(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {},

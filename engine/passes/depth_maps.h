@@ -28,25 +28,22 @@ public:
     std::uint64_t bytes() const;
 
     /// Declares the passes that draw a batch, all rotations of `frames`, at most `batch` (1, 4 or 16).
-    /// @param constants   of the occlusion passes, complete but for `range`
-    /// @param directions  uniform buffer with the directions of the batch; kept until the graph has run
-    /// @param frames      kept until the graph has run
+    /// @param frames  kept until the graph has run
     graph::Image declare(graph::Graph& g, graph::Imports& imports, std::span<const glm::dmat3> frames,
-                         std::uint32_t batch, const layout::OcclusionConstants& constants,
-                         const gpu::Buffer& directions);
+                         std::uint32_t batch);
     /// Of the textures: how a depth is to be decoded.
     void decoding(gpu::Specialization& constants) const;
     /// Drops the memory of the maps.
     void release() { splats_ = {}; }
-    /// The view of one map, and the constants that go with it.
+    /// The view of one map.
     View view(const glm::dmat3& frame) const;
 
 private:
+    layout::ViewConstants constants(const glm::dmat3& frame, std::uint32_t i, std::uint32_t across) const;
     void recordRaster(graph::PassContext& context, std::span<const glm::dmat3> frames, std::uint32_t across,
                       Writes writes) const;
-    void recordSplat(graph::PassContext& context, graph::Buffer maps, std::size_t count, std::uint32_t across,
-                     layout::OcclusionConstants constants, const gpu::Buffer& directions);
-    vk::Pipeline splatPipeline(std::uint32_t across, bool cylinders);
+    void recordSplat(graph::PassContext& context, graph::Buffer maps, std::span<const glm::dmat3> frames,
+                     std::uint32_t across) const;
 
     const gpu::Device& device_;
     Geometry& geometry_;
@@ -54,9 +51,9 @@ private:
     OcclusionMaps path_;
     double radius_, meanRadius_ = 0;
     std::uint32_t pixels_ = 0, perBatch_ = 1;
-    gpu::Buffer splats_;
+    gpu::Buffer splats_, views_;
     gpu::Layout splatLayout_;
-    std::map<std::pair<std::uint32_t, bool>, vk::raii::Pipeline> splatPipelines_;
+    vk::raii::Pipeline sphereSplats_{nullptr}, cylinderSplats_{nullptr};
 };
 
 /// Maps in a row of the image of a batch.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec2.hpp>
 
 #include "engine/error.h"
 #include "engine/passes/read_back.h"
@@ -18,6 +19,11 @@ constexpr std::uint32_t kGroup = 64;            // local_size_x
 constexpr std::uint32_t kGroupsPerRow = 32768;  // of a dispatch; the floor allows 65,535
 constexpr std::uint64_t kBytesPerTexel = 2;     // of the atlas: the texel, and the byte that is copied into it
 constexpr std::uint64_t kBytesPerOpen = 4 + 8;  // list entry, sums
+// So many directions tell which texels lie so deep that no light will come to matter: they stay dark, unasked.
+constexpr int kTellsDeepTexels = 32;
+
+/// Texels that a bake takes on, whatever the memory: its time goes with them.
+std::uint64_t mostTexels(std::uint64_t primitives) { return 1'200'000 + 40 * primitives; }
 
 constexpr graph::State kComputeBuffer{
     VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
@@ -60,8 +66,8 @@ OcclusionBake::OcclusionBake(const gpu::Device& device, Geometry& geometry, cons
                                         sizeof(layout::OcclusionConstants), "occlusion accumulation layout");
     finishLayout_ = gpu::makeLayout(device, kFinish, vk::ShaderStageFlagBits::eCompute, sizeof(std::uint32_t),
                                     "occlusion finish layout");
-    finish_ = gpu::makeComputePipeline(device, shaders::occlusionFinish, {}, *finishLayout_.pipeline,
-                                       "occlusion finish");
+    finish_ =
+        gpu::makeComputePipeline(device, shaders::occlusionFinish, {}, *finishLayout_.pipeline, "occlusion finish");
     sampler_ = gpu::makeSampler(device, vk::Filter::eNearest, "depth maps");
 }
 
@@ -78,7 +84,7 @@ OcclusionLayout OcclusionBake::chooseLayout(Representation& representation, std:
         const double share = openShare(layout, representation, grid);
         const auto guess = static_cast<std::uint64_t>(share * static_cast<double>(layout.texelCount()));
         least = bytesOf(layout, guess, guess / 4);
-        if (least > budgetBytes) continue;
+        if (least > budgetBytes || (layout.sphereEdge > 1 && guess > mostTexels(spheres + cylinders))) continue;
         open = openTexels(layout, representation, grid);
         least = bytesOf(layout, open.texels.size(), open.words.size());
         if (least <= budgetBytes) return layout;
@@ -143,6 +149,12 @@ OcclusionBake::Accumulation& OcclusionBake::accumulation(std::uint32_t batch) {
     constants.set(0, batch);
     maps_.decoding(constants);
     constants.set(3, mapsAcross(batch));
+    if (layout_.cylinderCount > 0) {
+        // Sticks throw thin shadows: four taps stand for the directions between two of the set, which are the farther
+        // apart the fewer they are.
+        constants.set(4, 4u);
+        constants.set(5, static_cast<float>(std::min(2.0 * std::sqrt(128.0 / directions()), 2.5)));
+    }
     const auto make = [&](std::span<const std::uint32_t> code, const char* name) {
         return gpu::makeComputePipeline(device_, code, constants, *accumulateLayout_.pipeline, name);
     };
@@ -194,7 +206,7 @@ void OcclusionBake::step(graph::Executor& executor, std::uint32_t most) {
     graph::Imports imports;
     const auto sums = g.importBuffer("occlusion sums", sums_.size, kComputeBuffer);
     imports.bind(sums, sums_);
-    const graph::Image maps = maps_.declare(g, imports, frames, batch, constants(), batchDirections_);
+    const graph::Image maps = maps_.declare(g, imports, frames, batch);
     g.compute("occlusion accumulation").samples(maps).writes(sums).record([&](graph::PassContext& c) {
         recordAccumulation(c, maps, batch);
     });
@@ -202,6 +214,34 @@ void OcclusionBake::step(graph::Executor& executor, std::uint32_t most) {
     device_.submitAndWait([&](const vk::raii::CommandBuffer& c) { executor.record(c, g, plan, imports); });
     executor.reset();
     done_ += static_cast<int>(count);
+    if (done_ >= kTellsDeepTexels && done_ - static_cast<int>(count) < kTellsDeepTexels) dropDeepTexels();
+}
+
+/// Takes the texels off the list that no direction has lit so far, and moves the others up.
+void OcclusionBake::dropDeepTexels() {
+    auto* list = reinterpret_cast<std::uint32_t*>(list_.mapped);
+    auto* sums = reinterpret_cast<glm::vec2*>(sums_.mapped);
+    std::vector<std::uint32_t> moved(texelCount_ + 1, AtlasWord::kNone), keptBefore(texelCount_ + 1);
+    std::uint32_t kept = 0;
+    for (std::size_t i = 0; i < texelCount_; ++i) {
+        keptBefore[i] = kept;
+        if (sums[i].x == 0) continue;
+        list[kept] = list[i];
+        sums[kept] = sums[i];
+        moved[i] = kept++;
+    }
+    keptBefore[texelCount_] = kept;
+    auto* words = reinterpret_cast<AtlasWord*>(words_.mapped);
+    const auto follow = [&](std::uint32_t& entry) {
+        if (entry != AtlasWord::kNone) entry = moved[entry];
+    };
+    for (std::size_t i = 0; i < wordCount_; ++i) {
+        for (std::uint32_t& entry : words[i].entries) follow(entry);
+        for (std::uint32_t& entry : words[i].beyond) follow(entry);
+    }
+    for (std::uint32_t& first : firstOfSphere_) first = keptBefore[first];
+    sphereTexels_ = keptBefore[sphereTexels_];
+    texelCount_ = kept;
 }
 
 void OcclusionBake::finish(graph::Executor& executor) {

@@ -54,6 +54,7 @@ private:
     void makeBuffers(const OpenTexels& open);
     layout::OcclusionConstants constants() const;
     Accumulation& accumulation(std::uint32_t batch);
+    void dropDeepTexels();
     void recordAccumulation(graph::PassContext& context, graph::Image maps, std::uint32_t batch);
 
     const gpu::Device& device_;
@@ -61,7 +62,7 @@ private:
     std::vector<glm::dmat3> directions_;
     DepthMaps maps_;
     OcclusionLayout layout_;
-    std::size_t texelCount_ = 0, sphereTexels_ = 0, wordCount_ = 0;
+    std::size_t texelCount_ = 0, sphereTexels_ = 0, wordCount_ = 0;  // of the list, of it spheres'; words
     std::vector<std::uint32_t> firstOfSphere_;
     std::vector<bool> seenSpheres_;
     int done_ = 0;

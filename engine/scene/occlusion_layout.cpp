@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace nacre {
 namespace {
@@ -10,7 +11,8 @@ struct PatchSize {
     std::uint32_t edge, around, along;
 };
 // From the finest to the coarsest. A bond is a fifth as wide as an atom: half the texels around it, few along it.
-constexpr PatchSize kSizes[] = {{16, 12, 8}, {12, 12, 6}, {8, 8, 4}, {4, 4, 2}, {1, 4, 2}};
+constexpr PatchSize kSizes[] = {{32, 24, 24}, {24, 20, 16}, {20, 16, 12}, {16, 12, 8},
+                                {12, 12, 6},  {8, 8, 4},    {4, 4, 2},    {1, 4, 2}};
 
 std::uint32_t roundUp(std::uint64_t value, std::uint32_t step) {
     return static_cast<std::uint32_t>((value + step - 1) / step * step);
@@ -23,9 +25,10 @@ OcclusionLayout layoutFor(const PatchSize& size, std::size_t spheres, std::size_
     layout.along = size.along;
     layout.sphereCount = static_cast<std::uint32_t>(spheres);
     layout.cylinderCount = static_cast<std::uint32_t>(cylinders);
-    // Nearly square, and a multiple of both patch widths (48 is one of 4, 8, 12 and 16).
+    // Nearly square, and a multiple of both patch widths.
+    const std::uint32_t step = std::lcm(size.edge, size.around);
     const double side = std::sqrt(static_cast<double>(std::max<std::uint64_t>(layout.texelCount(), 1)));
-    layout.width = std::min(roundUp(static_cast<std::uint64_t>(side), 48), maxSize / 48 * 48);
+    layout.width = std::min(roundUp(static_cast<std::uint64_t>(side), step), maxSize / step * step);
     const auto rows = [&](std::uint64_t count, std::uint32_t w, std::uint32_t h) {
         const std::uint64_t perRow = layout.width / w;
         return (count + perRow - 1) / perRow * h;

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <span>
 #include <thread>
+#include <tuple>
 
 namespace nacre {
 namespace {
@@ -116,8 +117,8 @@ public:
         const auto base = static_cast<std::uint32_t>(layout_.sphereTexels()) + i * around * along;
         for (std::uint32_t y = 0; y < along; ++y)
             for (std::uint32_t x = 0; x < around; ++x) {
-                const float angle = (static_cast<float>(x) / static_cast<float>(around - 1) - 0.5f) * 2.0f *
-                                    std::numbers::pi_v<float>;
+                const float angle =
+                    (static_cast<float>(x) / static_cast<float>(around - 1) - 0.5f) * 2.0f * std::numbers::pi_v<float>;
                 const glm::vec3 p = glm::mix(c.a, c.b, static_cast<float>(y) / static_cast<float>(along - 1)) +
                                     c.radius * (u * std::cos(angle) + v * std::sin(angle));
                 if (!buried(p)) open(y * around + x, base + y * around + x);
@@ -149,14 +150,23 @@ private:
         entries_[local] = static_cast<std::uint32_t>(found.texels.size());
         found.texels.push_back(texel);
     }
-    std::uint32_t nearestOpen(const glm::ivec2& at, const glm::ivec2& size, bool sphere) const {
+    std::uint32_t entryAt(const glm::ivec2& at, const glm::ivec2& size, bool sphere) const {
+        const glm::ivec2 p = folded(at, size, sphere);
+        if (p.x < 0 || p.y < 0 || p.x >= size.x || p.y >= size.y) return kBuried;
+        return entries_[static_cast<std::size_t>(p.y * size.x + p.x)];
+    }
+    /// The nearest open texel, if possible one with another open one behind it, and that one (else the same again).
+    std::pair<std::uint32_t, std::uint32_t> nearestOpen(const glm::ivec2& at, const glm::ivec2& size,
+                                                        bool sphere) const {
+        std::pair<std::uint32_t, std::uint32_t> best{kBuried, kBuried};
         for (const glm::ivec2& step : nearSteps()) {
-            const glm::ivec2 p = folded(at + step, size, sphere);
-            if (p.x < 0 || p.y < 0 || p.x >= size.x || p.y >= size.y) continue;
-            const std::uint32_t entry = entries_[static_cast<std::size_t>(p.y * size.x + p.x)];
-            if (entry != kBuried) return entry;
+            const std::uint32_t entry = entryAt(at + step, size, sphere);
+            if (entry == kBuried) continue;
+            const std::uint32_t beyond = entryAt(at + 2 * step, size, sphere);
+            if (beyond != kBuried) return {entry, beyond};
+            if (best.first == kBuried) best = {entry, entry};
         }
-        return kBuried;
+        return best;
     }
     /// The words of the patch of a shape, whose patches start at a row of the atlas.
     void words(const glm::ivec2& size, bool sphere, std::uint32_t shape, std::uint32_t top) {
@@ -166,13 +176,16 @@ private:
         const std::uint32_t left = shape % perRow * width, row = top + shape / perRow * height;
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; x += 4) {
-                AtlasWord word{((row + static_cast<std::uint32_t>(y)) * layout_.width + left +
-                                static_cast<std::uint32_t>(x)) / 4,
-                               {}};
+                AtlasWord word{
+                    ((row + static_cast<std::uint32_t>(y)) * layout_.width + left + static_cast<std::uint32_t>(x)) / 4,
+                    {},
+                    {}};
                 bool any = false;
                 for (int k = 0; k < 4; ++k) {
                     const std::uint32_t own = entries_[static_cast<std::size_t>(y * size.x + x + k)];
-                    word.entries[k] = own != kBuried ? own : nearestOpen({x + k, y}, size, sphere);
+                    word.entries[k] = word.beyond[k] = own;
+                    if (own == kBuried)
+                        std::tie(word.entries[k], word.beyond[k]) = nearestOpen({x + k, y}, size, sphere);
                     any = any || word.entries[k] != kBuried;
                 }
                 if (any) found.words.push_back(word);
@@ -192,8 +205,9 @@ void openSpheres(OpenTexels& all, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
         all.firstOfSphere.push_back(i);
         all.texels.push_back(i);
-        if (i % 4 == 0) all.words.push_back({i / 4, {kBuried, kBuried, kBuried, kBuried}});
-        all.words.back().entries[i % 4] = i;
+        if (i % 4 == 0)
+            all.words.push_back({i / 4, {kBuried, kBuried, kBuried, kBuried}, {kBuried, kBuried, kBuried, kBuried}});
+        all.words.back().entries[i % 4] = all.words.back().beyond[i % 4] = i;
     }
     all.sphereTexels = count;
 }
@@ -204,8 +218,9 @@ void append(OpenTexels& all, const OpenTexels& part) {
     all.sphereTexels += part.sphereTexels;
     for (const std::uint32_t first : part.firstOfSphere) all.firstOfSphere.push_back(base + first);
     for (AtlasWord word : part.words) {
-        for (std::uint32_t& entry : word.entries)
-            if (entry != kBuried) entry += base;
+        for (auto* list : {&word.entries, &word.beyond})
+            for (std::uint32_t& entry : *list)
+                if (entry != kBuried) entry += base;
         all.words.push_back(word);
     }
 }
@@ -246,7 +261,9 @@ double openShare(const OcclusionLayout& layout, const Representation& r, const P
     constexpr std::uint32_t kSample = 500;
     Finder finder(layout, r, grid);
     std::uint64_t texels = 0;
-    const auto each = [](std::size_t count) { return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(count / kSample)); };
+    const auto each = [](std::size_t count) {
+        return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(count / kSample));
+    };
     for (std::uint32_t i = 0; i < r.spheres.size(); i += each(r.spheres.size())) {
         finder.sphere(i);
         texels += layout.sphereEdge * layout.sphereEdge;

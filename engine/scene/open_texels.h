@@ -15,6 +15,8 @@ struct AtlasWord {
     /// Entry of OpenTexels::texels whose value each texel takes: its own; for a texel inside a neighbour, that of the
     /// nearest open one in its patch, at most two texels away; kNone if there is none.
     std::uint32_t entries[4] = {};
+    /// For a texel inside a neighbour, the open one behind that, as far again; else the same as in `entries`.
+    std::uint32_t beyond[4] = {};
     static constexpr std::uint32_t kNone = ~0u;
 };
 

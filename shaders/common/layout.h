@@ -27,7 +27,17 @@ struct OcclusionConstants {
     vec4 map;       // x: pixels across one depth map, y: pixels per Å, z: slack in Å, w: 0
     vec4 depth;     // x: Z at encoded depth 0, y: 1 / (range of Z), z: Z origin, w: 0
     uvec4 patches;  // x: texels across a sphere's patch, y: around, z: along a cylinder's patch, w: number of spheres
-    uvec4 range;    // x: first entry, y: number of entries, z: pixels across the image of the batch, w: 0
+    uvec4 range;    // x: first entry of the list, y: number of entries, zw: 0
+};
+/// Push constants of depth splatting.
+struct SplatConstants {
+#ifdef __cplusplus
+    using uint = std::uint32_t;
+#endif
+    uint first, end;  // primitives
+    uint spheres;     // in the shapes, before the cylinders
+    uint pixels;      // across a map
+    uint pitch;       // pixels across the image of the batch
 };
 /// One direction of a batch: a position p of the streams lies at (dot(u, p), dot(v, p), dot(w, p)) with p.w = 1; w
 /// points to the light.

@@ -2,7 +2,13 @@
 #extension GL_GOOGLE_include_directive : require
 #include "layout.h"
 
+#ifdef VIEWS
+// Several views at once; VIEWS says which one an invocation draws.
+layout(set = 0, binding = 1, std140) uniform Views { ViewConstants views[16]; };
+#define view views[VIEWS]
+#else
 layout(push_constant) uniform Push { ViewConstants view; };
+#endif
 layout(constant_id = 0) const bool kPerspective = false;
 // Quarter turns clockwise by which the image is the upright picture turned: a display's pre-rotation.
 layout(constant_id = 7) const int kQuarterTurns = 0;

@@ -1,5 +1,5 @@
-// Prints how far the baked occlusion is from the ray-traced one, by the number of directions, as a table for the README:
-// occlusion_table [POINTS [RAYS]]
+// Prints how far the baked occlusion is from the ray-traced one, by the number of directions, as a table for the
+// README: occlusion_table [POINTS [RAYS]]
 
 #include <cstdlib>
 #include <iomanip>
@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
             std::cout << " " << test::bakedDifference(renderer, scene, settings, points).rootMeanSquare << " |"
                       << std::flush;
         }
-        std::cout << " " << test::directionsDifference(scene, test::originalDirections(), points).rootMeanSquare
-                  << " |" << std::endl;
+        std::cout << " " << test::directionsDifference(scene, test::originalDirections(), points).rootMeanSquare << " |"
+                  << std::endl;
     }
 }

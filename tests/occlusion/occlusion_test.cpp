@@ -64,7 +64,7 @@ TEST(Occlusion, OfMoreAtomsThanPatchesFitIsOneValueAnAtom) {
     RenderSettings s = settings(r, 200, Projection::orthographic);
     s.occlusionDirections = 64;
     const LayerPicture fine = renderer->layers(s);
-    s.occlusionBytes = 486 * 16;  // room for one texel an atom, not for sixteen
+    s.occlusionBytes = 60'000;  // half for depth maps; the rest holds one texel an atom, not sixteen
     const LayerPicture coarse = renderer->layers(s);
     EXPECT_EQ(renderer->stats().occlusion.patchTexels, 1u);
     // Every pixel of an atom has its one value, and on the whole it is as light as with patches.

@@ -113,8 +113,8 @@ std::vector<WeightedDirection> originalDirections() {
             const double more = advanced ? std::numbers::pi / 8 : 0;
             const double x = pair[0] * std::numbers::pi / 4 + more, y = pair[1] * std::numbers::pi / 4 + more;
             // What the matrix Rx Ry turns towards the viewer, +z: its third row.
-            directions.push_back({{-std::cos(x) * std::sin(y), std::sin(x), std::cos(x) * std::cos(y)},
-                                  (advanced ? 1.5 : 0.5) / 22});
+            directions.push_back(
+                {{-std::cos(x) * std::sin(y), std::sin(x), std::cos(x) * std::cos(y)}, (advanced ? 1.5 : 0.5) / 22});
         }
     return directions;
 }
