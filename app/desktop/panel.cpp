@@ -41,7 +41,8 @@ void setStyle(float scale) {
     colors[ImGuiCol_FrameBgHovered] = colors[ImGuiCol_ButtonHovered] = ImVec4(0.27f, 0.31f, 0.37f, 1);
     colors[ImGuiCol_FrameBgActive] = colors[ImGuiCol_ButtonActive] = colors[ImGuiCol_Header] = kAccent;
     colors[ImGuiCol_HeaderHovered] = colors[ImGuiCol_HeaderActive] = kAccent;
-    colors[ImGuiCol_CheckMark] = colors[ImGuiCol_PlotHistogram] = ImVec4(0.45f, 0.75f, 1.0f, 1);
+    colors[ImGuiCol_CheckMark] = ImVec4(0.45f, 0.75f, 1.0f, 1);
+    colors[ImGuiCol_PlotHistogram] = kAccent;
     colors[ImGuiCol_Separator] = ImVec4(0.30f, 0.33f, 0.38f, 1);
 }
 

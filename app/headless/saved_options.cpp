@@ -38,10 +38,11 @@ std::pair<std::string, std::string> ruleText(const Rule& rule) {
 }
 
 std::string backgroundText(const std::array<float, 4>& background) {
-    if (background == std::array<float, 4>{1, 1, 1, 1}) return "white";
+    for (const char* name : {"white", "black", "gray", "lightgray"})
+        if (background == parseColor(name)) return name;
     char text[16];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x%02x", toByte(background[0]), toByte(background[1]),
-                  toByte(background[2]), toByte(background[3]));
+    std::snprintf(text, sizeof text, background[3] < 1 ? "#%02x%02x%02x%02x" : "#%02x%02x%02x", toByte(background[0]),
+                  toByte(background[1]), toByte(background[2]), toByte(background[3]));
     return text;
 }
 

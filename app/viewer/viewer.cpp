@@ -354,15 +354,22 @@ std::uint32_t Viewer::refinedSamples() const {
     return n;
 }
 
+/// While nothing moves, as long as all the rest of a frame takes: drawing unfinished pictures never costs more than
+/// finishing them.
+double Viewer::occlusionBudget(double now, bool moving) {
+    const double rest = (now - lastOcclusion_) * 1000 - lastBudget_;
+    lastOcclusion_ = now;
+    lastBudget_ = moving ? options_.movingMilliseconds : std::clamp(rest, options_.restingMilliseconds, 250.0);
+    return lastBudget_;
+}
+
 double Viewer::update(double now, const std::function<const Overlay*()>& overlay) {
     tookDocument(now);
     const double due = advance(now);
     const bool hand = now - handMoved_ < kHandSeconds;
     const bool moving = motion_.moving() || hand;
     if (!schedule_.visible()) return kNever;
-    if (document() && occlusion_ < 1)
-        occlusion_ =
-            screen_.advanceOcclusion(settings(), moving ? options_.movingMilliseconds : options_.restingMilliseconds);
+    if (document() && occlusion_ < 1) occlusion_ = screen_.advanceOcclusion(settings(), occlusionBudget(now, moving));
     const FrameSchedule::Next next = schedule_.next(now, moving, occlusion_);
     if (next.draw != Draw::nothing) draw(next, now, moving, overlay);
     const FrameSchedule::Next after = schedule_.next(now, moving, occlusion_);

@@ -29,7 +29,7 @@ struct Annotations {
 struct ViewerOptions {
     std::uint32_t mostSamples = 4;             ///< a side of a pixel, of the refinement
     double movingMilliseconds = 4;             ///< of occlusion a frame while something moves
-    double restingMilliseconds = 50;           ///< while nothing does
+    double restingMilliseconds = 50;           ///< at least, while nothing does
     std::uint64_t refinedPixels = 1ull << 24;  ///< samples of a refinement at most
 };
 
@@ -84,6 +84,7 @@ private:
     void tookDocument(double now);
     double advance(double now);
     void draw(const FrameSchedule::Next& next, double now, bool moving, const std::function<const Overlay*()>& overlay);
+    double occlusionBudget(double now, bool moving);
     std::uint32_t refinedSamples() const;
     Viewport viewport() const { return {size_.width / scale_, size_.height / scale_}; }
     double radius() const { return document_.molecule ? document_.scene.radius : 1.0; }
@@ -100,7 +101,7 @@ private:
     FrameSchedule schedule_;
     PixelSize size_{1, 1};
     double scale_ = 1;  // pixels a point
-    double occlusion_ = 1;
+    double occlusion_ = 1, lastOcclusion_ = 0, lastBudget_ = 0;
     double handMoved_ = -1e9;
     std::vector<std::uint32_t> picks_, picksBefore_;  // atoms, from 0
     std::string message_;

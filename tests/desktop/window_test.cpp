@@ -52,26 +52,38 @@ std::string saveView(XSession& session) {
 
 std::string sizeOf(const WindowPicture& p) { return std::to_string(p.width) + "x" + std::to_string(p.height); }
 
+struct Difference {
+    int differing = 0, largest = 0, coloured = 0;
+};
+
+Difference differenceOf(const WindowPicture& shown, const Image& image) {
+    Difference d;
+    if (image.width != shown.width || image.height != shown.height) return {1 << 30, 255, 0};
+    for (std::size_t i = 0; i < shown.rgb.size(); ++i) {
+        const int step = std::abs(static_cast<int>(std::lround(image.values[i] * 255)) - shown.rgb[i]);
+        d.differing += step > 1;
+        d.largest = std::max(d.largest, step);
+        d.coloured += shown.rgb[i] < 250;
+    }
+    return d;
+}
+
 /// Renders what the window shows, without the window, and compares. The window's refinement takes 2 x 2 samples.
 void expectAsRendered(XSession& session, const std::string& view) {
-    const WindowPicture shown = session.picture();
-    ASSERT_GT(shown.width, 0);
+    const std::string size = sizeOf(session.picture());
     const Outcome outcome =
-        nacreIn(session.folder(), "render --view '" + view + "' -o render.png --supersample 2 --size " + sizeOf(shown));
+        nacreIn(session.folder(), "render --view '" + view + "' -o render.png --supersample 2 --size " + size);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const Image image = readImage(session.folder() / "render.png");
-    ASSERT_EQ(image.width, shown.width);
-    ASSERT_EQ(image.height, shown.height);
-    int differing = 0, largest = 0, coloured = 0;
-    for (std::size_t i = 0; i < shown.rgb.size(); ++i) {
-        const int expected = static_cast<int>(std::lround(image.values[i] * 255));
-        const int step = std::abs(expected - shown.rgb[i]);
-        differing += step > 1;
-        largest = std::max(largest, step);
-        coloured += shown.rgb[i] < 250;
+    Difference d;
+    // On a busy machine the refinement may be late; what counts is the picture that stays.
+    for (int i = 0; i < 20; ++i) {
+        d = differenceOf(session.picture(), image);
+        if (d.differing == 0) break;
+        session.sleep(0.5);
     }
-    EXPECT_GT(coloured, 10000);
-    EXPECT_EQ(differing, 0) << "of " << shown.rgb.size() << ", at most by " << largest;
+    EXPECT_GT(d.coloured, 10000);
+    EXPECT_EQ(d.differing, 0) << "at most by " << d.largest;
 }
 
 nlohmann::json readJson(const std::string& path) { return nlohmann::json::parse(contentOf(path)); }
