@@ -191,8 +191,10 @@ void OcclusionBake::recordAccumulation(graph::PassContext& context, graph::Image
 
 void OcclusionBake::step(graph::Executor& executor, std::uint32_t most) {
     const std::uint32_t left = static_cast<std::uint32_t>(directions_.size()) - static_cast<std::uint32_t>(done_);
-    const std::uint32_t count = std::min({left, most, maps_.perBatch()});
+    std::uint32_t count = std::min({left, most, maps_.perBatch()});
     if (count == 0) return;
+    // Which texels are deep is told after the same directions whatever the steps: one result, however it came about.
+    if (done_ < kTellsDeepTexels) count = std::min(count, static_cast<std::uint32_t>(kTellsDeepTexels - done_));
     const std::uint32_t batch = batchFor(count);
     const std::span frames(directions_.data() + done_, count);
     auto* directions = reinterpret_cast<layout::Direction*>(batchDirections_.mapped);
