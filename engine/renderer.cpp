@@ -109,6 +109,9 @@ layout::ViewConstants Renderer::Impl::constants(const RenderSettings& settings, 
     const OcclusionLayout layout = occlusion ? bake->layout() : OcclusionLayout{};
     if (occlusion) c.atlas = glm::vec4(1.0 / layout.width, 1.0 / layout.height, layout.sphereEdge, layout.around);
     const auto spheres = static_cast<std::uint32_t>(representation.spheres.size());
+    const auto primitives = static_cast<std::uint32_t>(spheres + representation.cylinders.size());
+    c.depth.z = std::bit_cast<float>(primitives);
+    c.depth.w = 1;
     c.shading = glm::vec4(settings.lighting ? 1 : 0, occlusion ? 1 : 0, layout.along, std::bit_cast<float>(spheres));
     return c;
 }
@@ -117,14 +120,23 @@ ScreenFrame Renderer::Impl::declare(const RenderSettings& settings, const View& 
                                     std::span<const ScreenTarget> targets, const char* name, graph::Imports& imports,
                                     passes::FragmentCounter* counter) {
     const gpu::Image& atlas = settings.occlusionDirections > 0 && bake ? bake->atlas() : white;
+    // Held by the recorders, as long as the graph is there.
+    const auto copies = std::make_shared<const passes::PlacedCopies>(passes::placeCopies(representation, view));
+    const auto copyRows = std::make_shared<gpu::Buffer>();
+    stats.spheres = copies->sphereCount();
+    stats.cylinders = copies->cylinderCount();
+    if (nearest == Nearest::deferred)
+        *copyRows = gpu::makeBuffer(device, std::span(copies->rows), vk::BufferUsageFlagBits::eStorageBuffer, "copies");
     const auto record = [&](Writes writes, const ScreenInputs& inputs) {
         passes::Draw d{writes, nearest, view.projection == Projection::perspective, constants(settings, view)};
         d.quarterTurns = view.quarterTurns;
+        d.copies = copies.get();
+        d.copyRows = copyRows.get();
         d.plates = settings.plates;
         d.impostor = settings.impostor;
         d.radiusPixels = meanRadius * view.pixelsPerAngstrom;
         if (counter) counter->attach(d);
-        return [this, d, inputs](graph::PassContext& c) {
+        return [this, d, inputs, copies, copyRows](graph::PassContext& c) {
             geometry.draw(c, scene, d, {c.view(inputs.atlas), c.view(inputs.nearest), inputs.nearestIsTexture});
         };
     };
@@ -280,8 +292,7 @@ void Renderer::setScene(Representation representation) {
     double sum = 0;
     for (const Sphere& s : impl_->representation.spheres) sum += s.radius;
     impl_->meanRadius = sum / static_cast<double>(std::max<std::size_t>(impl_->representation.spheres.size(), 1));
-    impl_->stats.spheres = impl_->representation.spheres.size();
-    impl_->stats.cylinders = impl_->representation.cylinders.size();
+    impl_->stats.copies = std::max<std::uint64_t>(impl_->representation.copies.transforms.size(), 1);
 }
 
 Picture Renderer::render(const RenderSettings& settings) {

@@ -72,12 +72,13 @@ struct OcclusionStats {
 };
 
 struct FrameStats {
-    DeviceInfo device;                ///< with the path and reason in force
-    double bakeMilliseconds = 0;      ///< ambient occlusion, from streams to atlas
-    double frameMilliseconds = 0;     ///< one frame, submission to completion, without read-back conversion
-    std::uint64_t coveredPixels = 0;  ///< of the last picture
-    std::vector<PassCount> passes;    ///< of the last frame that counted
-    std::uint64_t spheres = 0, cylinders = 0;
+    DeviceInfo device;                         ///< with the path and reason in force
+    double bakeMilliseconds = 0;               ///< ambient occlusion, from streams to atlas
+    double frameMilliseconds = 0;              ///< one frame, submission to completion, without read-back conversion
+    std::uint64_t coveredPixels = 0;           ///< of the last picture
+    std::vector<PassCount> passes;             ///< of the last frame that counted
+    std::uint64_t spheres = 0, cylinders = 0;  ///< submitted for the last picture, in all copies
+    std::uint64_t copies = 1;                  ///< of an assembly
     OcclusionStats occlusion;
     std::uint64_t deviceBytes = 0;   ///< peak device memory
     std::uint64_t windowFrames = 0;  ///< submitted to the window so far

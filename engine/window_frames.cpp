@@ -130,6 +130,7 @@ FrameOutcome WindowFrames::present(const View& view, const std::array<float, 4>&
         executor_.record(slot.commands, f.graph, plan, imports, slot.descriptors);
         slot.commands.end();
         ring_.submit(slot, swapchain_.drawn(*index));
+        slot.held = std::make_shared<const ScreenFrame>(std::move(f));
         swapchain_.present(*index);
         if (frame.quality == Quality::refined) executor_.forget("refinement");
         return FrameOutcome::shown;

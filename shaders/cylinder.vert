@@ -35,7 +35,8 @@ void main() {
     axisPatch = vec4(normalize(inB.xyz - inA.xyz), uintBitsToFloat(inPatch));
 #endif
 #ifdef NUMBER
-    primitive = floatBitsToUint(view.shading.w) + uint(gl_InstanceIndex) + 1u;  // after the spheres
+    // After the copy's spheres.
+    primitive = floatBitsToUint(view.projection.w) + floatBitsToUint(view.shading.w) + uint(gl_InstanceIndex) + 1u;
 #endif
     vec3 axis = normalize(b - a);
     // Both ends' silhouettes as spheres of the cylinder's radius: their hull holds the cylinder in any projection.
@@ -61,5 +62,5 @@ void main() {
     bool second = (gl_VertexIndex & 2) == 0;
     vec2 q = u * (first ? low : high) + v * (second ? left : right);
     float front = max(a.z, b.z) + radius * sqrt(max(1.0 - axis.z * axis.z, 0.0));
-    gl_Position = clipPosition(q, encodedDepth(view.row2.w - front - radius * 1e-3));
+    gl_Position = clipPosition(q, encodedDepth(view.projection.z - front - radius * 1e-3));
 }

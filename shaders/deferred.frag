@@ -4,6 +4,7 @@
 //   INPUT / SAMPLED      where the primitive's number is
 //   SURFACE / IDENTITY   layers instead of colour
 #extension GL_GOOGLE_include_directive : require
+#define COPY_OF_PIXEL
 #include "common/surface.glsl"
 #include "common/count.glsl"
 
@@ -15,21 +16,26 @@ layout(set = 0, binding = 1) uniform usampler2D primitives;
 uint primitiveHere() { return texelFetch(primitives, ivec2(gl_FragCoord.xy), 0).x; }
 #endif
 layout(set = 0, binding = 2, std430) readonly buffer Shapes { vec4 shapes[]; };
-layout(set = 0, binding = 3, std430) readonly buffer SphereLooks { uint sphereLooks[]; };
-layout(set = 0, binding = 4, std430) readonly buffer CylinderLooks { uint cylinderLooks[]; };
+layout(set = 0, binding = 3, std430) readonly buffer Looks { uint looks[]; };  // three a sphere, five a cylinder
+layout(set = 0, binding = 4, std430) readonly buffer CopyRows { vec4 copyRows[]; };  // three a copy
 
 void main() {
     uint number = primitiveHere();
     if (number == 0u) discard;
     countFragment();
-    uint index = number - 1u;
+    uint primitives = floatBitsToUint(view.depth.z);
+    uint copy = (number - 1u) / primitives;
+    uint index = (number - 1u) % primitives;
+    copyRow0 = copyRows[3u * copy];
+    copyRow1 = copyRows[3u * copy + 1u];
+    copyRow2 = copyRows[3u * copy + 2u];
     uint spheres = floatBitsToUint(view.shading.w);
     if (index < spheres) {
         vec4 shape = shapes[index];
         precise vec3 center = toView(shape.xyz);
         Hit hit = sphereHit(vec4(center, shape.w), gl_FragCoord.xy);
         uint look = 3u * index;
-        writeSurface(hit, sphereLooks[look], sphereLooks[look + 1u], sphereOcclusion(hit, sphereLooks[look + 2u]));
+        writeSurface(hit, looks[look], looks[look + 1u], sphereOcclusion(hit, looks[look + 2u]));
         return;
     }
     index -= spheres;
@@ -38,7 +44,8 @@ void main() {
     precise vec3 a = toView(shapeA.xyz);
     precise vec3 b = toView(shapeB);
     Hit hit = cylinderHit(a, b, shapeA.w, gl_FragCoord.xy);
-    uint look = 5u * index + (hit.along < 0.5 ? 0u : 1u);
-    float occlusion = cylinderOcclusion(hit, normalize(shapeB - shapeA.xyz), cylinderLooks[5u * index + 4u]);
-    writeSurface(hit, cylinderLooks[look], cylinderLooks[look + 2u], occlusion);
+    uint first = 3u * spheres + 5u * index;
+    uint look = first + (hit.along < 0.5 ? 0u : 1u);
+    float occlusion = cylinderOcclusion(hit, normalize(shapeB - shapeA.xyz), looks[first + 4u]);
+    writeSurface(hit, looks[look], looks[look + 2u], occlusion);
 }

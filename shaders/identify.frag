@@ -11,7 +11,7 @@ layout(location = 1) flat in vec4 endB;
 #else
 layout(location = 0) flat in vec4 sphere;
 #endif
-layout(location = 4) flat in uint primitive;  // 1-based: spheres, then cylinders
+layout(location = 4) flat in uint primitive;  // 1-based: of each copy spheres, then cylinders
 layout(location = 0) out uint nearestPrimitive;
 
 void main() {

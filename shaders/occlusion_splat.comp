@@ -2,12 +2,11 @@
 // Depth maps without a rasteriser: every primitive puts its depth into each pixel that it covers, by an atomic minimum.
 // For devices where a small triangle costs more than the pixels in it. One row of workgroups a map.
 #extension GL_GOOGLE_include_directive : require
-#define VIEWS gl_WorkGroupID.y
+#define SPLAT
 #include "common/hit.glsl"
 
 layout(local_size_x = 64) in;
 
-layout(push_constant) uniform Splat { SplatConstants splat; };
 layout(set = 0, binding = 0, std430) readonly buffer Shapes { vec4 shapes[]; };
 layout(set = 0, binding = 2, std430) buffer Maps { uint maps[]; };  // depth 0..1 as bits, which keep its order
 

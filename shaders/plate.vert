@@ -14,8 +14,8 @@ invariant gl_Position;
 void main() {
     precise vec3 center = toView(inSphere.xyz);
     float radius = inSphere.w * (1.0 - 1e-3);
-    float Z = view.row2.w - center.z - radius * sqrt(1.0 - kRim * kRim);
-    float magnify = kPerspective ? view.row2.w / Z : 1.0;
+    float Z = view.projection.z - center.z - radius * sqrt(1.0 - kRim * kRim);
+    float magnify = kPerspective ? view.projection.z / Z : 1.0;
     // The cosine of half a side's angle takes the corners of the circumscribed polygon back to the rim. The rasteriser
     // may move a corner by the snap margin: draw that much less, or nothing.
     float inset = kCorners == 4 ? 0.70710678 : 0.92387953;

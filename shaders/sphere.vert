@@ -23,7 +23,7 @@ void main() {
     look = inLook;
 #endif
 #ifdef NUMBER
-    primitive = uint(gl_InstanceIndex) + 1u;
+    primitive = floatBitsToUint(view.projection.w) + uint(gl_InstanceIndex) + 1u;
 #endif
     Outline outline = sphereOutline(center, radius);
     bool apex;
@@ -32,5 +32,5 @@ void main() {
     // A little nearer than the nearest point, so that rounding never lets the fixed-function test cut into it.
     float front = radius * 1.001;
     if (kCorners == 24) front = radius * (pyramidHeight(apex) + 2e-3) + 2.0 * view.screen.w;
-    gl_Position = clipPosition(q, encodedDepth(view.row2.w - center.z - front));
+    gl_Position = clipPosition(q, encodedDepth(view.projection.z - center.z - front));
 }

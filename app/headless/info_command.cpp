@@ -85,10 +85,15 @@ bool hasResidues(const std::string& format) {
     return true;
 }
 
-Json chainList(const std::vector<ChainSummary>& chains) {
+/// @param chains  those of the molecule, in its order
+Json chainList(const Molecule& molecule, const std::vector<ChainSummary>& chains) {
+    const bool several = std::any_of(molecule.chains.begin(), molecule.chains.end(),
+                                     [&](const Chain& chain) { return chain.model != molecule.chains.front().model; });
     Json list = Json::array();
-    for (const ChainSummary& chain : chains) {
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+        const ChainSummary& chain = chains[i];
         Json entry{{"name", chain.name}};
+        if (several) entry["model"] = molecule.chains[i].model;
         if (!chain.sequence.empty()) {
             entry["polymer"] = chain.nucleotides > chain.aminoAcids ? "nucleic" : "protein";
             entry["length"] = chain.sequence.size();
@@ -114,10 +119,36 @@ void putChains(Json& json, const Molecule& molecule) {
     const std::vector<ChainSummary> chains = summariseChains(molecule);
     std::size_t waters = 0;
     for (const ChainSummary& chain : chains) waters += chain.waters;
-    json["chain_list"] = chainList(chains);
+    json["chain_list"] = chainList(molecule, chains);
     json["ligands"] = total(chains, &ChainSummary::ligands);
     json["ions"] = total(chains, &ChainSummary::ions);
     json["waters"] = waters;
+}
+
+/// Atoms of each subchain.
+std::vector<std::size_t> subchainSizes(const Molecule& molecule) {
+    std::vector<std::size_t> sizes(molecule.subchains.size());
+    for (const Residue& residue : molecule.residues) sizes[residue.subchain] += residue.atomCount;
+    return sizes;
+}
+
+/// Copies and atoms count what the assembly's parts mention.
+Json assemblyList(const Molecule& molecule) {
+    const std::vector<std::size_t> sizes = subchainSizes(molecule);
+    Json list = Json::array();
+    for (const Assembly& assembly : molecule.assemblies) {
+        std::size_t copies = 0, atoms = 0;
+        for (const AssemblyPart& part : assembly.parts) {
+            copies = std::max(copies, part.transforms.size());
+            for (const std::uint32_t subchain : part.subchains) atoms += sizes[subchain] * part.transforms.size();
+        }
+        Json entry{{"id", assembly.id}};
+        if (!assembly.details.empty()) entry["details"] = assembly.details;
+        entry["copies"] = copies;
+        entry["atoms"] = atoms;
+        list.push_back(entry);
+    }
+    return list;
 }
 
 /// A file's own words, made safe for a terminal.
@@ -159,8 +190,8 @@ void sequences(std::ostream& out, const Json& chains) {
         if (!chain.contains("sequence")) continue;
         auto& names = namesBySequence[chain["sequence"]];
         if (names.empty()) first.push_back(&chain);
-        const std::string name = chain["name"];
-        names.push_back(name.empty() ? "(blank)" : name);
+        const std::string name = chain["name"].get<std::string>().empty() ? "(blank)" : chain["name"];
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);  // once for all models
     }
     for (const Json* chain : first) {
         const std::string sequence = (*chain)["sequence"];
@@ -173,6 +204,17 @@ void sequences(std::ostream& out, const Json& chains) {
             who + ": " + (*chain)["polymer"].get<std::string>() + ", " + std::to_string(sequence.size()) + " residues");
         constexpr std::size_t kWidth = 60;
         for (std::size_t at = 0; at < sequence.size(); at += kWidth) line(out, "", sequence.substr(at, kWidth));
+    }
+}
+
+void assemblies(std::ostream& out, const Json& list) {
+    std::size_t shown = 0;
+    for (const Json& entry : list) {
+        if (++shown > kMostNames) return line(out, "", "and " + std::to_string(list.size() - kMostNames) + " more");
+        std::string text = "--assembly " + entry["id"].get<std::string>() + ": " + entry["copies"].dump() +
+                           (entry["copies"] == 1 ? " copy, " : " copies, ") + entry["atoms"].dump() + " atoms";
+        if (entry.contains("details")) text += ", " + entry["details"].get<std::string>();
+        line(out, "", text);
     }
 }
 
@@ -211,6 +253,7 @@ Json infoJson(const Molecule& molecule) {
     put(json, "biomt_operators", file.biomtOperators);
     put(json, "assemblies", file.assemblies);
     put(json, "oper_list", file.operators);
+    if (!molecule.assemblies.empty()) json["assembly_list"] = assemblyList(molecule);
     if (counts.bbox) json["bbox"] = vectors(*counts.bbox);
     if (file.box) json["box_vectors"] = vectors(*file.box);
     if (!molecule.partialCharges.empty())
@@ -248,6 +291,7 @@ std::string infoText(const std::string& name, const Json& json) {
     line(out, "assemblies",
          listed(json,
                 {{"assemblies", "assemblies"}, {"oper_list", "operators"}, {"biomt_operators", "BIOMT operators"}}));
+    if (json.contains("assembly_list")) assemblies(out, json["assembly_list"]);
     line(out, "bonds",
          listed(json["bonds_known"], {{"total", "total"},
                                       {"file", "from the file"},

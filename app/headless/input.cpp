@@ -11,7 +11,8 @@ Molecule loadMolecule(const InputOptions& input) {
     const std::string_view path = input.path;
     if (path.substr(0, kSample.size()) == kSample) {
         if (input.format) throw Error("cannot read molecule", input.path, "a sample takes no --format");
-        if (input.model != 1) throw Error("cannot read molecule", input.path, "a sample has one model");
+        if (input.model != 1 && input.model != kAllModels)
+            throw Error("cannot read molecule", input.path, "a sample has one model");
         return sampleMolecule(path.substr(kSample.size()));
     }
     ReadOptions options;

@@ -170,6 +170,13 @@ std::int64_t parseInteger(std::string_view text, std::int64_t low, std::int64_t 
     return value;
 }
 
+int parseModel(std::string_view text) {
+    if (text == "all") return kAllModels;
+    int value = 0;
+    if (!parseWhole(text, value) || value < 1) refuse(text, "'all' or a model's number from 1");
+    return value;
+}
+
 int parseOcclusion(std::string_view text) {
     if (text == "off") return 0;
     std::int64_t value = 0;

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/molecule/read.h"
 #include "engine/scene/appearance.h"
 
 namespace nacre::app {
@@ -48,6 +49,9 @@ double parseNumber(std::string_view text, double low, double high);
 
 /// A whole number of the whole text within [low, high].
 std::int64_t parseInteger(std::string_view text, std::int64_t low, std::int64_t high);
+
+/// "all" is kAllModels; otherwise a number from 1.
+int parseModel(std::string_view text);
 
 /// "off" is 0; otherwise 1 to kMostDirections.
 int parseOcclusion(std::string_view text);

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
-#include <limits>
 
 #include "app/headless/image_file.h"
 #include "app/headless/saved_options.h"
@@ -66,9 +65,8 @@ CLI::Option* addInput(CLI::App& app, InputOptions& input) {
         input.format = formatFromName(text);
         if (!input.format) throw std::invalid_argument("expected one of " + formatNames() + ", not '" + text + "'");
     });
-    value(app, "--model", "N", "1", "Model, frame or record, counted from 1", [&](const std::string& text) {
-        input.model = static_cast<int>(parseInteger(text, 1, std::numeric_limits<int>::max()));
-    });
+    value(app, "--model", "N|all", "1", "Model, frame or record, counted from 1; all: one over the other",
+          [&](const std::string& text) { input.model = parseModel(text); });
     return option;
 }
 
@@ -115,6 +113,11 @@ CLI::Option* addContent(CLI::App& app, InputOptions& input, DrawnAtomsOptions& d
           "element, chain, residue, hydrophobicity, charge, secondary-structure, b-factor,\n"
           "plddt (AlphaFold's bands), rainbow (N to C), occupancy, entity; or a colour as for --background",
           [&](const std::string& text) { look.color = parseColoring(text); });
+    value(app, "--assembly", "ID", "none: the file's atoms as they are",
+          "Biological assembly or unit cell, of those that `nacre info` lists", [&](const std::string& text) {
+              if (text.empty()) throw std::invalid_argument("expected an assembly's identifier");
+              look.assembly = text;
+          });
     addRules(app, look.rules);
     showHide(app, "--water", drawn.water, "Water molecules");
     showHide(app, "--hydrogens", drawn.hydrogens, "Hydrogen atoms");
@@ -305,6 +308,7 @@ constexpr const char* kRenderExamples =
     "  nacre render sample:glucose -o glucose.png --style ball-and-stick --background transparent\n"
     "  nacre render 4hhb.cif.gz -o blood.jpg --color chain --rotate -20,45,0 --projection perspective\n"
     "  nacre render 4hhb.pdb -o haem.png --color chain --show ligand=ball-and-stick --color-by ligand=element\n"
+    "  nacre render 3j6r.pdb.gz -o capsid.png --assembly 1 --color chain --occlusion 32\n"
     "  nacre render 1hpv.pdb -o pocket.png --style licorice --show ligand=ball-and-stick \\\n"
     "    --hide 'not byres (within 5 of (ligand))'\n"
     "  zcat 1crn.pdb.gz | nacre render - --format pdb -o crambin.exr --layers layers.exr --stats stats.json\n"

@@ -19,7 +19,7 @@ namespace nacre::app {
 struct InputOptions {
     std::string path;  ///< a file, "-", or "sample:NAME"
     std::optional<Format> format;
-    int model = 1;  ///< 1-based
+    int model = 1;  ///< 1-based, or kAllModels
 };
 
 struct RenderOptions {

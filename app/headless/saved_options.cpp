@@ -51,6 +51,7 @@ std::string backgroundText(const std::array<float, 4>& background) {
 void applySavedView(const SavedView& view, RenderOptions& options) {
     options.savedInput = {view.input, formatFromName(view.format), view.model};
     RepresentationOptions look = lookOf(view);
+    options.look.assembly = look.assembly;
     options.look.style = look.style;
     options.look.color = look.color;
     options.look.rules.insert(options.look.rules.begin(), look.rules.begin(), look.rules.end());
@@ -66,6 +67,7 @@ SavedView savedViewOf(const RenderOptions& options) {
     view.input = options.input.path;
     if (options.input.format) view.format = formatName(*options.input.format);
     view.model = options.input.model;
+    view.assembly = options.look.assembly;
     if (options.look.style) view.style = styleName(*options.look.style);
     view.color = coloringText(options.look.color);
     for (const Rule& rule : options.look.rules) view.rules.push_back(ruleText(rule));

@@ -59,7 +59,8 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
                     {"eye_distance", view.eyeDistance},
                     {"rotation", rowsOf(view.rotation)},
                     {"pan", {view.pan.x, view.pan.y}}};
-    json["atoms"] = {{"read", run.atomsRead}, {"drawn", run.atomsDrawn}, {"submitted", frame.spheres}};
+    json["atoms"] = {
+        {"read", run.atomsRead}, {"drawn", run.atomsDrawn}, {"submitted", frame.spheres}, {"copies", frame.copies}};
     json["bonds"] = {{"known", run.bondsKnown}, {"drawn", run.bondsDrawn}, {"cylinders", frame.cylinders}};
     json["legend"] = legendJson(run.legends);
     json["warnings"] = run.warnings;

@@ -4,7 +4,6 @@
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <iterator>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/headless/option_values.h"
@@ -87,7 +86,9 @@ void readKey(const std::string& key, const Json& value, SavedView& view) {
     } else if (key == "format") {
         view.format = checkedFormat(textOf(value));
     } else if (key == "model") {
-        view.model = static_cast<int>(parseInteger(textOf(value), 1, std::numeric_limits<int>::max()));
+        view.model = parseModel(textOf(value));
+    } else if (key == "assembly") {
+        view.assembly = textOf(value);
     } else if (key == "style") {
         view.style = parsed(parseStyle);
     } else if (key == "color") {
@@ -150,7 +151,8 @@ std::string savedViewJson(const SavedView& view) {
     Json json = Json::object();
     if (!view.input.empty()) json["input"] = view.input;
     if (!view.format.empty()) json["format"] = view.format;
-    json["model"] = view.model;
+    json["model"] = view.model == kAllModels ? Json("all") : Json(view.model);
+    if (!view.assembly.empty()) json["assembly"] = view.assembly;
     if (!view.style.empty()) json["style"] = view.style;
     json["color"] = view.color;
     json["rules"] = Json::array();
@@ -171,6 +173,7 @@ std::string savedViewJson(const SavedView& view) {
 
 RepresentationOptions lookOf(const SavedView& view) {
     RepresentationOptions look;
+    look.assembly = view.assembly;
     if (!view.style.empty()) look.style = parseStyle(view.style);
     look.color = parseColoring(view.color);
     for (const auto& [option, value] : view.rules) look.rules.push_back(parseRule(option, value));

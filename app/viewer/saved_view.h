@@ -1,7 +1,7 @@
 #pragma once
 // All that a picture depends on besides its size, as a small JSON that viewer and `nacre render --view` share. Its keys
 // are the names of the options of `nacre render`, its values what those take, and two more for what a hand can turn:
-//   {"input": "1bna.pdb", "format": "pdb", "model": 1, "style": "licorice", "color": "chain",
+//   {"input": "1bna.pdb", "format": "pdb", "model": 1, "assembly": "1", "style": "licorice", "color": "chain",
 //    "rules": [{"show": "ligand=ball-and-stick"}, {"hide": "chain B"}, {"color-by": "chain A=#ff8000"}],
 //    "water": "hide", "hydrogens": "show", "projection": "ortho", "fov": 30, "zoom": 1.5,
 //    "orientation": [w, x, y, z], "pan": [x, y], "background": "white", "lighting": "on", "occlusion": 128}
@@ -20,6 +20,7 @@ namespace nacre::app {
 struct SavedView {
     std::string input, format;  ///< empty: none, by content
     int model = 1;
+    std::string assembly;                                    ///< empty: the file's atoms as they are
     std::string style, color = "element";                    ///< style: empty means by size
     std::vector<std::pair<std::string, std::string>> rules;  ///< option without dashes, value
     DrawnAtomsOptions drawn;

@@ -118,6 +118,7 @@ void Viewer::open(const std::string& path, double now) {
     fresh.input = path;
     fresh.format.clear();
     fresh.model = 1;
+    fresh.assembly.clear();
     fresh.rules.clear();
     fresh.camera = {};
     fresh.camera.projection = view_.camera.projection;
@@ -322,6 +323,7 @@ void Viewer::tookDocument(double now) {
         view_.input = document_.view.input;
         view_.format = document_.view.format;
         view_.model = document_.view.model;
+        view_.assembly = document_.view.assembly;
         if (!firstDocument_) {
             view_.rules = document_.view.rules;
             motion_.set(document_.view.camera);

@@ -2,6 +2,7 @@
 // Frames that the host records while the device still draws the one before: at most two in flight.
 
 #include <array>
+#include <memory>
 
 #include "engine/gpu/pipeline.h"
 #include "engine/gpu/resources.h"
@@ -13,7 +14,8 @@ struct FrameSlot {
     vk::raii::Fence done{nullptr};
     vk::raii::Semaphore acquired{nullptr};  ///< the window's image may be drawn into
     DescriptorPool descriptors;
-    Buffer vertices, indices;  ///< of what is drawn over the picture
+    Buffer vertices, indices;          ///< of what is drawn over the picture
+    std::shared_ptr<const void> held;  ///< what the commands use, until they are done
     explicit FrameSlot(const Device& device) : descriptors(device) {}
 };
 

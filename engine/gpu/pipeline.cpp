@@ -112,6 +112,7 @@ DescriptorPool::DescriptorPool(const Device& device) : device_(device) {
     constexpr std::uint32_t kSets = 256;
     const std::array sizes{vk::DescriptorPoolSize(vk::DescriptorType::eCombinedImageSampler, 2 * kSets),
                            vk::DescriptorPoolSize(vk::DescriptorType::eInputAttachment, kSets),
+                           vk::DescriptorPoolSize(vk::DescriptorType::eUniformBuffer, kSets),
                            vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, 8 * kSets)};
     pool_ = vk::raii::DescriptorPool(*device, vk::DescriptorPoolCreateInfo({}, kSets, sizes));
 }

@@ -61,6 +61,7 @@ struct Residue {
 
 struct Chain {
     std::string name;  ///< author's identifier; may be empty
+    int model = 1;     ///< 1-based model, frame or record that it belongs to
 };
 
 /// Copies of some subchains: a position p goes to transform * vec4(p, 1), for each of the transforms.
@@ -109,7 +110,8 @@ struct FileSummary {
     std::optional<std::array<glm::vec3, 3>> box;  ///< vectors of the simulation box, Å (GRO)
 };
 
-/// One model of one file: every atom record in the file's order, so that an atom's 1-based position is its id.
+/// One model of one file, or all of them: every atom record in the file's order, so that an atom's 1-based position is
+/// its id.
 struct Molecule {
     std::vector<Atom> atoms;
     std::vector<Residue> residues;
@@ -121,7 +123,6 @@ struct Molecule {
     std::vector<Assembly> assemblies;
     std::vector<std::string> entities;      ///< identifiers of the file's entities (mmCIF label_entity_id)
     bool statesSecondaryStructure = false;  ///< the file has helices or strands of residues that are there
-    int model = 1;                          ///< 1-based model, frame or record that this is
     std::vector<float> partialCharges;      ///< by atom, elementary charges; empty if the format has none
     std::vector<float> radii;               ///< by atom, Å, as PQR states them; empty otherwise
     std::vector<std::string> warnings;      ///< what was read leniently, one sentence each, bounded in number

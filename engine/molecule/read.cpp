@@ -1,5 +1,6 @@
 #include "engine/molecule/read.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -11,6 +12,7 @@
 #include "engine/molecule/bonds.h"
 #include "engine/molecule/detect.h"
 #include "engine/molecule/inflate.h"
+#include "engine/molecule/overlay_models.h"
 #include "engine/molecule/readers.h"
 #include "engine/molecule/text.h"
 
@@ -20,6 +22,7 @@ namespace {
 
 constexpr std::size_t kMaxMessage = 600;
 constexpr std::size_t kMaxWarnings = 32;
+constexpr std::uint64_t kMostBytesOfPasses = std::uint64_t{1} << 32;  // that --model all reads
 
 struct NamedFormat {
     std::string_view name;
@@ -49,8 +52,13 @@ Error tooLarge(const std::string& name, std::size_t maxBytes) {
     return Error("cannot read molecule", name, "it is larger than the limit of " + std::to_string(maxBytes) + " bytes");
 }
 
-Molecule dispatch(const std::string& name, std::string bytes, const ReadOptions& options) {
-    if (options.model < 1) throw Error("cannot read molecule", name, "models are numbered from 1");
+/// A file's content as readers want it.
+struct Content {
+    std::string bytes;
+    Format format;
+};
+
+Content contentOf(const std::string& name, std::string bytes, const ReadOptions& options) {
     if (isGzip(bytes)) bytes = inflateGzip(name, bytes, options.maxBytes);
     if (bytes.size() > options.maxBytes) throw tooLarge(name, options.maxBytes);
     if (startsWith(bytes, "\xEF\xBB\xBF")) bytes.erase(0, 3);
@@ -62,7 +70,12 @@ Molecule dispatch(const std::string& name, std::string bytes, const ReadOptions&
     if (!known) known = detectBinaryFormat(bytes);
     if (!known || !isBinary(*known)) unifyLineEnds(bytes);
     const Format format = known ? *known : detectFormat(name, bytes);
-    switch (format) {
+    return {std::move(bytes), format};
+}
+
+Molecule dispatch(const std::string& name, const Content& content, const ReadOptions& options) {
+    const std::string_view bytes = content.bytes;
+    switch (content.format) {
         case Format::pdb:
             return readPdb(name, bytes, options);
         case Format::mmcif:
@@ -89,6 +102,34 @@ Molecule dispatch(const std::string& name, std::string bytes, const ReadOptions&
             return readCml(name, bytes, options);
     }
     throw Error("cannot read molecule", name, "no reader for its format");
+}
+
+/// One model with all its bonds.
+Molecule readModel(const std::string& name, const Content& content, const ReadOptions& options) {
+    Molecule molecule = dispatch(name, content, options);
+    if (molecule.warnings.size() > kMaxWarnings) molecule.warnings.resize(kMaxWarnings);
+    for (std::string& warning : molecule.warnings) warning = printable(warning, kMaxMessage);
+    molecule.file.title = printable(molecule.file.title, kMaxMessage);
+    for (Chain& chain : molecule.chains) chain.model = options.model;
+    perceiveBonds(molecule);
+    return molecule;
+}
+
+/// Each reader reads one model and steps over the others, so that all of them take as many passes.
+Molecule readAllModels(const std::string& name, const Content& content, ReadOptions options) {
+    options.model = 1;
+    std::vector<Molecule> models;
+    models.push_back(readModel(name, content, options));
+    const FileSummary& file = models.front().file;
+    const std::int64_t count = std::max(file.models.value_or(1), file.records.value_or(1));
+    if (static_cast<std::uint64_t>(count) > kMostBytesOfPasses / content.bytes.size())
+        throw Error("cannot read molecule", name,
+                    "it has too many models for --model all: " + std::to_string(count) + " times " +
+                        std::to_string(content.bytes.size()) + " bytes are more than " +
+                        std::to_string(kMostBytesOfPasses));
+    for (options.model = 2; options.model <= count; ++options.model)
+        models.push_back(readModel(name, content, options));
+    return overlayModels(name, std::move(models));
 }
 
 struct CloseFile {
@@ -134,13 +175,9 @@ std::string formatNames() {
 
 Molecule readMolecule(const std::string& name, std::string bytes, const ReadOptions& options) {
     try {
-        Molecule molecule = dispatch(name, std::move(bytes), options);
-        if (molecule.warnings.size() > kMaxWarnings) molecule.warnings.resize(kMaxWarnings);
-        for (std::string& warning : molecule.warnings) warning = printable(warning, kMaxMessage);
-        molecule.file.title = printable(molecule.file.title, kMaxMessage);
-        molecule.model = options.model;
-        perceiveBonds(molecule);
-        return molecule;
+        if (options.model < 0) throw Error("cannot read molecule", name, "models are numbered from 1");
+        const Content content = contentOf(name, std::move(bytes), options);
+        return options.model == kAllModels ? readAllModels(name, content, options) : readModel(name, content, options);
     } catch (const Error& error) {
         // Readers quote files and names; one line of clean text leaves here whatever they held.
         throw Error(printable(error.what(), kMaxMessage), "", "");

@@ -13,9 +13,12 @@ namespace nacre {
 
 enum class Format { pdb, mmcif, mmjson, bcif, mmtf, sdf, xyz, mol2, pqr, gro, pdbqt, cml };
 
+/// Of ReadOptions: every model, one over the other.
+constexpr int kAllModels = 0;
+
 struct ReadOptions {
     std::optional<Format> format;                 ///< empty: from the content first, the name second
-    int model = 1;                                ///< 1-based model, frame or record
+    int model = 1;                                ///< 1-based model, frame or record, or kAllModels
     std::size_t maxBytes = std::size_t{1} << 31;  ///< largest text accepted, after inflation
 };
 

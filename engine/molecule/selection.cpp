@@ -86,10 +86,10 @@ private:
         switch (step.test) {
             case SelectionTest::none:
                 return Set(molecule_.atoms.size(), false);
-            case SelectionTest::model: {
-                const bool here = anyHolds(step.numbers, molecule_.model, '\0');
-                return Set(molecule_.atoms.size(), here);
-            }
+            case SelectionTest::model:
+                return whereResidue([&](std::size_t i) {
+                    return anyHolds(step.numbers, molecule_.chains[molecule_.residues[i].chain].model, '\0');
+                });
             case SelectionTest::protein:
                 return ofKind({ResidueKind::protein});
             case SelectionTest::nucleic:

@@ -41,7 +41,12 @@ Nearest nearestOf(OcclusionMaps path) { return path == OcclusionMaps::encoded ? 
 
 DepthMaps::DepthMaps(const gpu::Device& device, Geometry& geometry, const SceneBuffers& scene,
                      const Representation& representation, OcclusionMaps path, std::uint64_t budgetBytes)
-    : device_(device), geometry_(geometry), scene_(scene), path_(path), radius_(representation.radius) {
+    : device_(device),
+      geometry_(geometry),
+      scene_(scene),
+      representation_(representation),
+      path_(path),
+      radius_(representation.radius) {
     double sum = 0;
     for (const Sphere& s : representation.spheres) sum += s.radius;
     meanRadius_ = sum / static_cast<double>(std::max<std::size_t>(representation.spheres.size(), 1));
@@ -59,10 +64,11 @@ DepthMaps::DepthMaps(const gpu::Device& device, Geometry& geometry, const SceneB
                               Usage::eStorageBuffer | Usage::eTransferDst | Usage::eTransferSrc, gpu::Access::upload,
                               "depth maps' splats");
     using Type = vk::DescriptorType;
-    constexpr Type kBindings[] = {Type::eStorageBuffer, Type::eUniformBuffer, Type::eStorageBuffer};
+    constexpr Type kBindings[] = {Type::eStorageBuffer, Type::eStorageBuffer, Type::eStorageBuffer};
     splatLayout_ = gpu::makeLayout(device, kBindings, vk::ShaderStageFlagBits::eCompute, sizeof(layout::SplatConstants),
                                    "depth splatting layout");
-    views_ = gpu::makeBuffer(device, sizeof(layout::ViewConstants) * kMostPerBatch, Usage::eUniformBuffer,
+    const std::size_t copies = std::max<std::size_t>(representation.copies.transforms.size(), 1);
+    views_ = gpu::makeBuffer(device, sizeof(layout::ViewConstants) * perBatch_ * copies, Usage::eStorageBuffer,
                              gpu::Access::upload, "depth maps' views");
     sphereSplats_ = gpu::makeComputePipeline(device, shaders::occlusionSplatSphere, {}, *splatLayout_.pipeline,
                                              "depth splatting, spheres");
@@ -102,41 +108,60 @@ void DepthMaps::recordRaster(graph::PassContext& context, std::span<const glm::d
         const std::uint32_t x = i % across * pixels_, y = i / across * pixels_;
         context.commands.setViewport(0, vk::Viewport(static_cast<float>(x), static_cast<float>(y), side, side, 0, 1));
         context.commands.setScissor(0, vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {pixels_, pixels_}));
+        const PlacedCopies copies = placeCopies(representation_, view(frames[i]));
         Draw draw{writes, nearestOf(path_)};
+        draw.copies = &copies;
         draw.radiusPixels = meanRadius_ * pixels_ / (2.0 * radius_);
         draw.view = constants(frames[i], i, across);
         geometry_.draw(context, scene_, draw);
     }
 }
 
+/// The views of a batch: all maps of the first copy, then all of the next one.
+/// @returns the calls, the same for every map since each shows the whole molecule
+PlacedCopies DepthMaps::writeViews(std::span<const glm::dmat3> frames, std::uint32_t across) const {
+    auto* views = reinterpret_cast<layout::ViewConstants*>(views_.mapped);
+    PlacedCopies placed;
+    for (std::uint32_t i = 0; i < frames.size(); ++i) {
+        placed = placeCopies(representation_, view(frames[i]));
+        layout::ViewConstants c = constants(frames[i], i, across);
+        for (std::size_t copy = 0; 3 * copy < placed.rows.size(); ++copy) {
+            c.row0 = placed.rows[3 * copy];
+            c.row1 = placed.rows[3 * copy + 1];
+            c.row2 = placed.rows[3 * copy + 2];
+            views[copy * frames.size() + i] = c;
+        }
+    }
+    return placed;
+}
+
 void DepthMaps::recordSplat(graph::PassContext& context, graph::Buffer maps, std::span<const glm::dmat3> frames,
                             std::uint32_t across) const {
-    auto* views = reinterpret_cast<layout::ViewConstants*>(views_.mapped);
-    for (std::uint32_t i = 0; i < frames.size(); ++i) views[i] = constants(frames[i], i, across);
     const vk::DescriptorSet set = context.descriptors.allocate(splatLayout_.set);
     const vk::DescriptorBufferInfo infos[] = {{*scene_.shapes.handle, 0, VK_WHOLE_SIZE},
                                               {*views_.handle, 0, VK_WHOLE_SIZE},
                                               {context.buffer(maps), 0, VK_WHOLE_SIZE}};
-    using Type = vk::DescriptorType;
-    device_->updateDescriptorSets({{set, 0, 0, Type::eStorageBuffer, {}, infos[0]},
-                                   {set, 1, 0, Type::eUniformBuffer, {}, infos[1]},
-                                   {set, 2, 0, Type::eStorageBuffer, {}, infos[2]}},
-                                  {});
+    for (std::uint32_t i = 0; i < 3; ++i)
+        device_->updateDescriptorSets(
+            vk::WriteDescriptorSet(set, i, 0, vk::DescriptorType::eStorageBuffer, {}, infos[i]), {});
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *splatLayout_.pipeline, 0, set, {});
+    const PlacedCopies placed = writeViews(frames, across);
+    const auto mapCount = static_cast<std::uint32_t>(frames.size());
     constexpr std::uint32_t kMost = 65535 * kGroup;  // the floor allows 65,535 workgroups a dispatch
-    for (const bool cylinders : {false, true}) {
-        const std::uint32_t primitives = cylinders ? scene_.cylinderCount : scene_.sphereCount;
-        for (std::uint32_t first = 0; first < primitives; first += kMost) {
-            const layout::SplatConstants c{first, std::min(primitives, first + kMost), scene_.sphereCount, pixels_,
-                                           pixels_ * across};
-            context.commands.bindPipeline(vk::PipelineBindPoint::eCompute,
-                                          cylinders ? *cylinderSplats_ : *sphereSplats_);
-            context.commands.pushConstants<layout::SplatConstants>(*splatLayout_.pipeline,
-                                                                   vk::ShaderStageFlagBits::eCompute, 0, c);
-            context.commands.dispatch((c.end - c.first + kGroup - 1) / kGroup,
-                                      static_cast<std::uint32_t>(frames.size()), 1);
-        }
-    }
+    const auto splat = [&](const std::vector<PlacedCopies::Call>& calls, const vk::raii::Pipeline& pipeline) {
+        if (calls.empty()) return;
+        context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
+        for (const PlacedCopies::Call& call : calls)
+            for (std::uint32_t first = call.first, end = first + call.count; first < end; first += kMost) {
+                const layout::SplatConstants c{call.copy * mapCount, first,   std::min(end, first + kMost),
+                                               scene_.sphereCount,   pixels_, pixels_ * across};
+                context.commands.pushConstants<layout::SplatConstants>(*splatLayout_.pipeline,
+                                                                       vk::ShaderStageFlagBits::eCompute, 0, c);
+                context.commands.dispatch((c.end - c.first + kGroup - 1) / kGroup, mapCount, 1);
+            }
+    };
+    splat(placed.spheres, sphereSplats_);
+    splat(placed.cylinders, cylinderSplats_);
 }
 
 graph::Image DepthMaps::declare(graph::Graph& g, graph::Imports& imports, std::span<const glm::dmat3> frames,

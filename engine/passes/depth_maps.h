@@ -18,6 +18,7 @@ public:
     static constexpr std::uint32_t kMostPerBatch = 16;
 
     /// @param path  not `automatic`
+    /// @param representation  outlives this
     /// @param budgetBytes  device memory for the maps of one batch; they get smaller until at least one fits
     DepthMaps(const gpu::Device& device, Geometry& geometry, const SceneBuffers& scene,
               const Representation& representation, OcclusionMaps path, std::uint64_t budgetBytes);
@@ -42,12 +43,14 @@ private:
     layout::ViewConstants constants(const glm::dmat3& frame, std::uint32_t i, std::uint32_t across) const;
     void recordRaster(graph::PassContext& context, std::span<const glm::dmat3> frames, std::uint32_t across,
                       Writes writes) const;
+    PlacedCopies writeViews(std::span<const glm::dmat3> frames, std::uint32_t across) const;
     void recordSplat(graph::PassContext& context, graph::Buffer maps, std::span<const glm::dmat3> frames,
                      std::uint32_t across) const;
 
     const gpu::Device& device_;
     Geometry& geometry_;
     const SceneBuffers& scene_;
+    const Representation& representation_;
     OcclusionMaps path_;
     double radius_, meanRadius_ = 0;
     std::uint32_t pixels_ = 0, perBatch_ = 1;

@@ -1,5 +1,7 @@
 #include "engine/passes/geometry.h"
 
+#include <bit>
+
 namespace nacre::passes {
 namespace {
 
@@ -106,9 +108,10 @@ void Geometry::bindSets(graph::PassContext& context, const SceneBuffers& scene, 
         const bool ordered = keepsDepth(key.writes, key.nearest) && !key.sampled;
         const auto layoutHere = ordered ? vk::ImageLayout::eGeneral : kRead;
         const vk::DescriptorImageInfo nearest(key.sampled ? *nearest_ : vk::Sampler(), inputs.nearest, layoutHere);
-        const vk::DescriptorBufferInfo buffers[] = {{*scene.shapes.handle, 0, VK_WHOLE_SIZE},
-                                                    {*scene.sphereLooks.handle, 0, VK_WHOLE_SIZE},
-                                                    {*scene.cylinderLooks.handle, 0, VK_WHOLE_SIZE}};
+        const vk::DescriptorBufferInfo buffers[] = {
+            {*scene.shapes.handle, 0, VK_WHOLE_SIZE},
+            {*scene.looks.handle, 0, VK_WHOLE_SIZE},
+            {draw.copyRows ? *draw.copyRows->handle : vk::Buffer(), 0, VK_WHOLE_SIZE}};
         std::vector<vk::WriteDescriptorSet> writes;
         writes.emplace_back(set, 0, 0, vk::DescriptorType::eCombinedImageSampler, atlas);
         if (key.nearest != Nearest::fragdepth)
@@ -132,40 +135,66 @@ void Geometry::bindSets(graph::PassContext& context, const SceneBuffers& scene, 
     }
 }
 
-void Geometry::draw(graph::PassContext& context, const SceneBuffers& scene, const Draw& draw,
-                    const ShadingInputs& inputs) {
+namespace {
+
+/// One call for every copy, which differ by their push constants alone.
+void drawCopies(const vk::raii::CommandBuffer& commands, vk::PipelineLayout layout, const Draw& draw,
+                const std::vector<PlacedCopies::Call>& calls, std::uint32_t corners) {
+    layout::ViewConstants view = draw.view;
+    const auto primitives = std::bit_cast<std::uint32_t>(view.depth.z);
+    for (const PlacedCopies::Call& call : calls) {
+        const glm::vec4* rows = &draw.copies->rows[3 * std::size_t{call.copy}];
+        view.row0 = rows[0], view.row1 = rows[1], view.row2 = rows[2];
+        view.projection.w = std::bit_cast<float>(call.copy * primitives);
+        commands.pushConstants<layout::ViewConstants>(layout, kStages, 0, view);
+        commands.draw(corners, call.count, 0, call.first);
+    }
+}
+
+}  // namespace
+
+void Geometry::drawPrimitives(graph::PassContext& context, const SceneBuffers& scene, const Draw& draw,
+                              const ShadingInputs& inputs, Primitive primitive, std::uint32_t corners, float rim) {
+    const bool sphere = primitive == Primitive::sphere, screen = primitive == Primitive::screen;
+    const std::vector<PlacedCopies::Call>& calls = sphere ? draw.copies->spheres : draw.copies->cylinders;
+    if (!screen && calls.empty()) return;
+    const ShaderKey key{primitive,
+                        draw.writes,
+                        draw.nearest,
+                        shades(draw.writes) && (context.inputIsSampled || inputs.asTexture),
+                        shades(draw.writes) && draw.nearest == Nearest::encoded && device_.caps().encoded.settles(),
+                        draw.counter != nullptr};
     const vk::raii::CommandBuffer& commands = context.commands;
-    const bool software = device_.caps().software;
-    const auto one = [&](Primitive primitive, std::uint32_t instances, std::uint32_t corners, float rim = 0) {
-        if (instances == 0) return;
-        ShaderKey key{primitive,
-                      draw.writes,
-                      draw.nearest,
-                      shades(draw.writes) && (context.inputIsSampled || inputs.asTexture),
-                      shades(draw.writes) && draw.nearest == Nearest::encoded && device_.caps().encoded.settles(),
-                      draw.counter != nullptr};
-        commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, key, draw, corners, rim));
-        commands.pushConstants<layout::ViewConstants>(*layoutOf(key).pipeline, kStages, 0, draw.view);
-        bindSets(context, scene, key, draw, inputs);
-        const bool sphere = primitive == Primitive::sphere;
-        if (primitive != Primitive::screen)
-            commands.bindVertexBuffers(
-                0, {*scene.shapes.handle, sphere ? *scene.sphereLooks.handle : *scene.cylinderLooks.handle},
-                {sphere ? 0 : scene.cylinderOffset, 0});
-        commands.draw(corners, instances, 0, 0);
-    };
-    if (draw.writes == Writes::plates) {
-        const PlateShape shape = choosePlates(draw.plates, software, draw.radiusPixels);
-        for (const Plate& plate : platesOf(shape)) one(Primitive::sphere, scene.sphereCount, plate.corners, plate.rim);
+    const vk::PipelineLayout layout = *layoutOf(key).pipeline;
+    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, key, draw, corners, rim));
+    bindSets(context, scene, key, draw, inputs);
+    if (screen) {
+        commands.pushConstants<layout::ViewConstants>(layout, kStages, 0, draw.view);
+        commands.draw(corners, 1, 0, 0);
         return;
     }
-    if (shades(draw.writes) && draw.nearest == Nearest::deferred) return one(Primitive::screen, 1, 3);
+    commands.bindVertexBuffers(0, {*scene.shapes.handle, *scene.looks.handle},
+                               {sphere ? 0 : scene.cylinderOffset, sphere ? 0 : scene.cylinderLookOffset});
+    drawCopies(commands, layout, draw, calls, corners);
+}
+
+void Geometry::draw(graph::PassContext& context, const SceneBuffers& scene, const Draw& draw,
+                    const ShadingInputs& inputs) {
+    const bool software = device_.caps().software;
+    if (draw.writes == Writes::plates) {
+        const PlateShape shape = choosePlates(draw.plates, software, draw.radiusPixels);
+        for (const Plate& plate : platesOf(shape))
+            drawPrimitives(context, scene, draw, inputs, Primitive::sphere, plate.corners, plate.rim);
+        return;
+    }
+    if (shades(draw.writes) && draw.nearest == Nearest::deferred)
+        return drawPrimitives(context, scene, draw, inputs, Primitive::screen, 3);
     const ImpostorShape shape = chooseImpostor(draw.impostor, software, draw.radiusPixels, draw.perspective);
-    one(Primitive::sphere, scene.sphereCount,
-        shape == ImpostorShape::square    ? 4
-        : shape == ImpostorShape::octagon ? 8
-                                          : kPyramidCorners);
-    one(Primitive::cylinder, scene.cylinderCount, 4);
+    drawPrimitives(context, scene, draw, inputs, Primitive::sphere,
+                   shape == ImpostorShape::square    ? 4
+                   : shape == ImpostorShape::octagon ? 8
+                                                     : kPyramidCorners);
+    drawPrimitives(context, scene, draw, inputs, Primitive::cylinder, 4);
 }
 
 }  // namespace nacre::passes

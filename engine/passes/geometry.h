@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/graph/execute.h"
+#include "engine/passes/placed_copies.h"
 #include "engine/passes/plates.h"
 #include "engine/passes/scene_buffers.h"
 #include "engine/passes/shader_table.h"
@@ -20,6 +21,8 @@ struct Draw {
     bool perspective = false;
     layout::ViewConstants view{};
     int quarterTurns = 0;                       ///< as in View
+    const PlacedCopies* copies = nullptr;
+    const gpu::Buffer* copyRows = nullptr;      ///< PlacedCopies::rows on the device, for `deferred` shading
     PlateShape plates = PlateShape::automatic;  ///< of Writes::plates
     ImpostorShape impostor = ImpostorShape::automatic;
     double radiusPixels = 0;               ///< mean radius of the spheres in the picture
@@ -49,6 +52,8 @@ private:
     const gpu::Layout& layoutOf(const ShaderKey& key);
     vk::Pipeline pipeline(graph::PassContext& context, const ShaderKey& key, const Draw& draw, std::uint32_t corners,
                           float rim);
+    void drawPrimitives(graph::PassContext& context, const SceneBuffers& scene, const Draw& draw,
+                        const ShadingInputs& inputs, Primitive primitive, std::uint32_t corners, float rim = 0);
     void bindSets(graph::PassContext& context, const SceneBuffers& scene, const ShaderKey& key, const Draw& draw,
                   const ShadingInputs& inputs);
 

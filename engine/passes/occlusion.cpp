@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 
 #include "engine/error.h"
@@ -33,8 +34,12 @@ std::uint64_t bytesOf(const OcclusionLayout& layout, std::uint64_t openTexels, s
            words * sizeof(AtlasWord);
 }
 
-void bind(const gpu::Device& device, vk::DescriptorSet set, std::uint32_t binding, Type type, vk::Buffer buffer) {
-    const vk::DescriptorBufferInfo info(buffer, 0, VK_WHOLE_SIZE);
+/// Directions of one group of copies; a multiple of the floor's uniform buffer offset alignment, 256.
+constexpr vk::DeviceSize kGroupBytes = sizeof(layout::Direction) * DepthMaps::kMostPerBatch;
+
+void bind(const gpu::Device& device, vk::DescriptorSet set, std::uint32_t binding, Type type, vk::Buffer buffer,
+          vk::DeviceSize offset = 0, vk::DeviceSize size = VK_WHOLE_SIZE) {
+    const vk::DescriptorBufferInfo info(buffer, offset, size);
     device->updateDescriptorSets(vk::WriteDescriptorSet(set, binding, 0, type, {}, info), {});
 }
 
@@ -57,6 +62,7 @@ OcclusionBake::OcclusionBake(const gpu::Device& device, Geometry& geometry, cons
     OpenTexels open;
     layout_ = chooseLayout(representation, options.budgetBytes - std::min(maps_.bytes(), options.budgetBytes), open);
     assignPatches(layout_, representation);
+    copies_ = occlusionCopies(representation, layout_, open.texels, open.sphereTexels);
     makeBuffers(open);
 
     constexpr Type kAccumulate[] = {Type::eStorageBuffer, Type::eUniformBuffer, Type::eStorageBuffer,
@@ -98,11 +104,10 @@ OcclusionLayout OcclusionBake::chooseLayout(Representation& representation, std:
 
 void OcclusionBake::makeBuffers(const OpenTexels& open) {
     texelCount_ = open.texels.size();
-    sphereTexels_ = open.sphereTexels;
     wordCount_ = open.words.size();
     firstOfSphere_ = open.firstOfSphere;
-    batchDirections_ = gpu::makeBuffer(device_, sizeof(layout::Direction) * DepthMaps::kMostPerBatch,
-                                       Usage::eUniformBuffer, gpu::Access::upload, "occlusion directions");
+    batchDirections_ = gpu::makeBuffer(device_, kGroupBytes * copies_.groups.size(), Usage::eUniformBuffer,
+                                       gpu::Access::upload, "occlusion directions");
     list_ = gpu::makeBuffer(device_, std::span(open.texels), Usage::eStorageBuffer, "occlusion texels");
     words_ = gpu::makeBuffer(device_, std::span(open.words), Usage::eStorageBuffer, "occlusion words");
     sums_ = gpu::makeBuffer(device_, texelCount_ * 8, Usage::eStorageBuffer, gpu::Access::upload, "occlusion sums");
@@ -137,7 +142,7 @@ layout::OcclusionConstants OcclusionBake::constants() const {
     const layout::ViewConstants v = viewConstants(view, 0.0f, 0, 0);
     layout::OcclusionConstants c{};
     c.map = {maps_.pixels(), view.pixelsPerAngstrom, 1.0 / view.pixelsPerAngstrom, 0};
-    c.depth = {v.depth.x, v.depth.y, v.row2.w, 0};
+    c.depth = {v.depth.x, v.depth.y, v.projection.z, 0};
     c.patches = {layout_.sphereEdge, layout_.around, layout_.along, layout_.sphereCount};
     return c;
 }
@@ -166,27 +171,48 @@ OcclusionBake::Accumulation& OcclusionBake::accumulation(std::uint32_t batch) {
     return it->second;
 }
 
-void OcclusionBake::recordAccumulation(graph::PassContext& context, graph::Image maps, std::uint32_t batch) {
+vk::DescriptorSet OcclusionBake::accumulationSet(graph::PassContext& context, graph::Image maps, std::uint32_t group) {
     const vk::DescriptorSet set = context.descriptors.allocate(accumulateLayout_.set);
     bind(device_, set, 0, Type::eStorageBuffer, *scene_.shapes.handle);
-    bind(device_, set, 1, Type::eUniformBuffer, *batchDirections_.handle);
+    bind(device_, set, 1, Type::eUniformBuffer, *batchDirections_.handle, group * kGroupBytes, kGroupBytes);
     bind(device_, set, 2, Type::eStorageBuffer, *list_.handle);
     bind(device_, set, 3, Type::eStorageBuffer, *sums_.handle);
     const vk::DescriptorImageInfo info(*sampler_, context.view(maps), vk::ImageLayout::eShaderReadOnlyOptimal);
     device_->updateDescriptorSets(vk::WriteDescriptorSet(set, 4, 0, Type::eCombinedImageSampler, info), {});
-    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *accumulateLayout_.pipeline, 0, set, {});
+    return set;
+}
+
+void OcclusionBake::recordAccumulation(graph::PassContext& context, graph::Image maps, std::uint32_t batch) {
+    constexpr auto kCompute = vk::PipelineBindPoint::eCompute;
+    const vk::PipelineLayout pipelineLayout = *accumulateLayout_.pipeline;
     const Accumulation& pipelines = accumulation(batch);
     layout::OcclusionConstants c = constants();
-    const auto range = [&](const vk::raii::Pipeline& pipeline, std::size_t first, std::size_t count) {
-        if (count == 0) return;
-        c.range = {first, count, 0, 0};
-        context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
-        context.commands.pushConstants<layout::OcclusionConstants>(*accumulateLayout_.pipeline,
-                                                                   vk::ShaderStageFlagBits::eCompute, 0, c);
-        dispatch(context.commands, count);
-    };
-    range(pipelines.spheres, 0, sphereTexels_);
-    range(pipelines.cylinders, sphereTexels_, texelCount_ - sphereTexels_);
+    std::vector<vk::DescriptorSet> sets(copies_.groups.size());
+    for (const OcclusionCopies::Run& run : copies_.runs) {
+        if (run.count == 0) continue;
+        if (!sets[run.group]) sets[run.group] = accumulationSet(context, maps, run.group);
+        c.range = {run.first, run.count, 0, 0};
+        context.commands.bindPipeline(kCompute, run.cylinders ? *pipelines.cylinders : *pipelines.spheres);
+        context.commands.bindDescriptorSets(kCompute, pipelineLayout, 0, sets[run.group], {});
+        context.commands.pushConstants<layout::OcclusionConstants>(pipelineLayout, vk::ShaderStageFlagBits::eCompute, 0,
+                                                                   c);
+        dispatch(context.commands, run.count);
+    }
+}
+
+/// The directions of a batch as each group of copies meets them: the copy that a direction asks about is moved to its
+/// place first. Of those that a batch lacks all is zero.
+void OcclusionBake::writeDirections(std::span<const glm::dmat3> frames) {
+    auto* direction = reinterpret_cast<layout::Direction*>(batchDirections_.mapped);
+    for (const std::vector<glm::dmat4x3>& places : copies_.groups)
+        for (std::size_t i = 0; i < DepthMaps::kMostPerBatch; ++i, ++direction) {
+            *direction = {};
+            if (i >= frames.size()) continue;
+            const glm::dmat4x3& place = places[(static_cast<std::size_t>(done_) + i) % places.size()];
+            const glm::dmat3 rows = glm::transpose(frames[i] * glm::dmat3(place[0], place[1], place[2]));
+            const glm::dvec3 shift = frames[i] * place[3];
+            *direction = {glm::vec4(rows[0], shift.x), glm::vec4(rows[1], shift.y), glm::vec4(rows[2], shift.z)};
+        }
 }
 
 void OcclusionBake::step(graph::Executor& executor, std::uint32_t most) {
@@ -197,13 +223,7 @@ void OcclusionBake::step(graph::Executor& executor, std::uint32_t most) {
     if (done_ < kTellsDeepTexels) count = std::min(count, static_cast<std::uint32_t>(kTellsDeepTexels - done_));
     const std::uint32_t batch = batchFor(count);
     const std::span frames(directions_.data() + done_, count);
-    auto* directions = reinterpret_cast<layout::Direction*>(batchDirections_.mapped);
-    for (std::uint32_t i = 0; i < DepthMaps::kMostPerBatch; ++i) {
-        directions[i] = {};
-        if (i >= count) continue;
-        const glm::dmat3 rows = glm::transpose(frames[i]);
-        directions[i] = {glm::vec4(rows[0], 0), glm::vec4(rows[1], 0), glm::vec4(rows[2], 0)};
-    }
+    writeDirections(frames);
     graph::Graph g("occlusion");
     graph::Imports imports;
     const auto sums = g.importBuffer("occlusion sums", sums_.size, kComputeBuffer);
@@ -242,7 +262,11 @@ void OcclusionBake::dropDeepTexels() {
         for (std::uint32_t& entry : words[i].beyond) follow(entry);
     }
     for (std::uint32_t& first : firstOfSphere_) first = keptBefore[first];
-    sphereTexels_ = keptBefore[sphereTexels_];
+    for (OcclusionCopies::Run& run : copies_.runs) {
+        const std::uint32_t end = keptBefore[run.first + run.count];
+        run.first = keptBefore[run.first];
+        run.count = end - run.first;
+    }
     texelCount_ = kept;
 }
 

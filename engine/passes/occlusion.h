@@ -9,6 +9,7 @@
 #include "engine/gpu/resources.h"
 #include "engine/graph/execute.h"
 #include "engine/passes/depth_maps.h"
+#include "engine/scene/occlusion_copies.h"
 #include "engine/scene/open_texels.h"
 
 namespace nacre::passes {
@@ -56,13 +57,16 @@ private:
     Accumulation& accumulation(std::uint32_t batch);
     void dropDeepTexels();
     void recordAccumulation(graph::PassContext& context, graph::Image maps, std::uint32_t batch);
+    vk::DescriptorSet accumulationSet(graph::PassContext& context, graph::Image maps, std::uint32_t group);
+    void writeDirections(std::span<const glm::dmat3> frames);
 
     const gpu::Device& device_;
     const SceneBuffers& scene_;
     std::vector<glm::dmat3> directions_;
     DepthMaps maps_;
     OcclusionLayout layout_;
-    std::size_t texelCount_ = 0, sphereTexels_ = 0, wordCount_ = 0;  // of the list, of it spheres'; words
+    OcclusionCopies copies_;
+    std::size_t texelCount_ = 0, wordCount_ = 0;  // of the list, of the atlas
     std::vector<std::uint32_t> firstOfSphere_;
     std::vector<bool> seenSpheres_;
     int done_ = 0;

@@ -4,22 +4,31 @@
 
 namespace nacre::passes {
 
+namespace {
+
+constexpr auto kUsage = vk::BufferUsageFlagBits::eVertexBuffer | vk::BufferUsageFlagBits::eStorageBuffer;
+
+/// A buffer of two streams, the second behind the first.
+template <typename A, typename B>
+gpu::Buffer joined(const gpu::Device& device, const std::vector<A>& first, const std::vector<B>& second,
+                   const std::string& name) {
+    const std::size_t bytes = first.size() * sizeof(A), more = second.size() * sizeof(B);
+    gpu::Buffer buffer = gpu::makeBuffer(device, bytes + more, kUsage, gpu::Access::upload, name);
+    if (bytes) std::memcpy(buffer.mapped, first.data(), bytes);
+    if (more) std::memcpy(buffer.mapped + bytes, second.data(), more);
+    return buffer;
+}
+
+}  // namespace
+
 SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r) {
-    using Usage = vk::BufferUsageFlagBits;
     SceneBuffers scene;
     scene.sphereCount = static_cast<std::uint32_t>(r.spheres.size());
     scene.cylinderCount = static_cast<std::uint32_t>(r.cylinders.size());
-    const std::size_t sphereBytes = r.spheres.size() * sizeof(Sphere);
-    const std::size_t cylinderBytes = r.cylinders.size() * sizeof(Cylinder);
-    scene.cylinderOffset = sphereBytes;
-    scene.shapes = gpu::makeBuffer(device, sphereBytes + cylinderBytes, Usage::eVertexBuffer | Usage::eStorageBuffer,
-                                   gpu::Access::upload, "stream A: shapes");
-    if (sphereBytes) std::memcpy(scene.shapes.mapped, r.spheres.data(), sphereBytes);
-    if (cylinderBytes) std::memcpy(scene.shapes.mapped + sphereBytes, r.cylinders.data(), cylinderBytes);
-    scene.sphereLooks = gpu::makeBuffer(device, std::span(r.sphereLooks), Usage::eVertexBuffer | Usage::eStorageBuffer,
-                                        "stream B: sphere looks");
-    scene.cylinderLooks = gpu::makeBuffer(device, std::span(r.cylinderLooks),
-                                          Usage::eVertexBuffer | Usage::eStorageBuffer, "stream B: cylinder looks");
+    scene.cylinderOffset = r.spheres.size() * sizeof(Sphere);
+    scene.cylinderLookOffset = r.spheres.size() * sizeof(SphereLook);
+    scene.shapes = joined(device, r.spheres, r.cylinders, "stream A: shapes");
+    scene.looks = joined(device, r.sphereLooks, r.cylinderLooks, "stream B: looks");
     return scene;
 }
 

@@ -8,9 +8,9 @@ namespace nacre::passes {
 /// The streams of a representation on the device. Geometry passes fetch stream A alone, shading A and B.
 struct SceneBuffers {
     gpu::Buffer shapes;  ///< stream A: spheres, then cylinders
-    gpu::Buffer sphereLooks, cylinderLooks;
+    gpu::Buffer looks;   ///< stream B, likewise
     std::uint32_t sphereCount = 0, cylinderCount = 0;
-    vk::DeviceSize cylinderOffset = 0;  ///< bytes into shapes
+    vk::DeviceSize cylinderOffset = 0, cylinderLookOffset = 0;  ///< bytes into shapes and looks
 };
 
 SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& representation);

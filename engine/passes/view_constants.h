@@ -5,7 +5,7 @@
 
 namespace nacre::passes {
 
-/// The push constants of a view: rotation, projection, depth range. Atlas and shading fields are left 0.
+/// The push constants of a view: projection and depth range. Copy, atlas and shading are left 0.
 /// @param snapPixels how far the rasteriser may move a vertex
 /// @param centerX, centerY pixel of the picture's middle in the framebuffer
 inline layout::ViewConstants viewConstants(const View& view, float snapPixels, double centerX, double centerY) {
@@ -15,18 +15,14 @@ inline layout::ViewConstants viewConstants(const View& view, float snapPixels, d
     constexpr double kRoom = 1.0;
     const double range = 2.0 * (view.radius + kRoom);
     layout::ViewConstants c{};
-    const auto row = [&](int i, double w) {
-        return glm::vec4(view.rotation[0][i], view.rotation[1][i], view.rotation[2][i], w);
-    };
-    c.row0 = row(0, 2.0 * view.pixelsPerAngstrom / view.width);
-    c.row1 = row(1, -2.0 * view.pixelsPerAngstrom / view.height);
-    c.row2 = row(2, origin);
+    c.projection =
+        glm::vec4(2.0 * view.pixelsPerAngstrom / view.width, -2.0 * view.pixelsPerAngstrom / view.height, origin, 0.0);
     const double right = view.pan.x * view.pixelsPerAngstrom, down = -view.pan.y * view.pixelsPerAngstrom;
     constexpr double kTurned[4][4] = {{1, 0, 0, 1}, {0, -1, 1, 0}, {-1, 0, 0, -1}, {0, 1, -1, 0}};
     const double* turn = kTurned[view.quarterTurns & 3];
     c.screen = glm::vec4(centerX + turn[0] * right + turn[1] * down, centerY + turn[2] * right + turn[3] * down,
                          1.0 / view.pixelsPerAngstrom, snapPixels / view.pixelsPerAngstrom);
-    c.depth = glm::vec4(origin - view.radius - kRoom, 1.0 / range, 2.0 * right / view.width, 2.0 * down / view.height);
+    c.depth = glm::vec4(origin - view.radius - kRoom, 1.0 / range, 0.0, 0.0);
     return c;
 }
 

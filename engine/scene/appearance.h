@@ -32,6 +32,7 @@ struct RepresentationOptions {
     std::optional<Style> style;  ///< empty: defaultStyle() of the atoms that the rules leave
     Coloring color = ColorScheme::element;
     std::vector<Rule> rules = {};
+    std::string assembly = {};  ///< identifier of one that the file states; empty: its atoms as they are
 };
 
 /// What the colours of some atoms mean.

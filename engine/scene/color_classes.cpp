@@ -43,12 +43,20 @@ Classes byElement(const Molecule& molecule, std::span<const std::uint32_t> atoms
 }
 
 Classes byChain(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+    // A chain looks the same in every model. Chains of one model that share a name are told apart by their order.
+    std::map<std::pair<int, std::string_view>, int> namesakes;
+    std::map<std::pair<std::string_view, int>, std::uint32_t> known;
     Classes classes;
-    for (std::size_t i = 0; i < molecule.chains.size(); ++i) {
-        const std::string& name = molecule.chains[i].name;
-        classes.entries.push_back({name.empty() ? "(no name)" : name, chainColor(i)});
+    std::vector<std::uint32_t> ofChain;
+    for (const Chain& chain : molecule.chains) {
+        const auto next = static_cast<std::uint32_t>(classes.entries.size());
+        const int namesake = namesakes[{chain.model, chain.name}]++;
+        const auto [found, added] = known.emplace(std::pair(std::string_view(chain.name), namesake), next);
+        if (added) classes.entries.push_back({chain.name.empty() ? "(no name)" : chain.name, chainColor(next)});
+        ofChain.push_back(found->second);
     }
-    sortAtoms(classes, atoms, [&](std::uint32_t i) { return molecule.residues[molecule.atoms[i].residue].chain; });
+    sortAtoms(classes, atoms,
+              [&](std::uint32_t i) { return ofChain[molecule.residues[molecule.atoms[i].residue].chain]; });
     return classes;
 }
 

@@ -93,7 +93,12 @@ std::span<const glm::ivec2> nearSteps() {
 class Finder {
 public:
     Finder(const OcclusionLayout& layout, const Representation& r, const PrimitiveGrid& grid)
-        : layout_(layout), r_(r), grid_(grid), normals_(octahedralNormals(layout.sphereEdge)) {}
+        : layout_(layout), r_(r), grid_(grid), normals_(octahedralNormals(layout.sphereEdge)) {
+        // What has other copies is somewhere else in the assembly.
+        if (r.copies.spheres.size() + r.copies.cylinders.size() <= 1) return;
+        for (const auto* runs : {&r.copies.spheres, &r.copies.cylinders})
+            for (const PrimitiveRun& run : *runs) lists_.insert(lists_.end(), run.count, run.list);
+    }
 
     void sphere(std::uint32_t i) {
         const Sphere& s = r_.spheres[i];
@@ -131,7 +136,9 @@ public:
 private:
     void collect(std::uint32_t self) {
         around_.clear();
-        grid_.near(self, [&](std::uint32_t item) { around_.push_back(item); });
+        grid_.near(self, [&](std::uint32_t item) {
+            if (lists_.empty() || lists_[item] == lists_[self]) around_.push_back(item);
+        });
         last_ = 0;
     }
     bool holds(std::uint32_t item, const glm::vec3& p) const {
@@ -197,6 +204,7 @@ private:
     const PrimitiveGrid& grid_;
     std::vector<glm::vec3> normals_;
     std::vector<std::uint32_t> around_, entries_;
+    std::vector<std::uint32_t> lists_;  ///< of copies, by primitive; empty if all have the same
     std::size_t last_ = 0;
 };
 

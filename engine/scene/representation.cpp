@@ -5,10 +5,13 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <optional>
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"
+#include "engine/scene/assembly_scene.h"
 #include "engine/scene/bond_cylinders.h"
+#include "engine/scene/bounds.h"
 
 namespace nacre {
 namespace {
@@ -100,7 +103,6 @@ void appendAtoms(const Molecule& molecule, const Appearance& appearance, Represe
         const float radius = atomRadius(atom.element, appearance.styles[i]);
         result.spheres.push_back({glm::vec3(position), radius});
         result.sphereLooks.push_back({appearance.colors[i], index + 1, 0});
-        result.radius = std::max(result.radius, glm::length(position) + static_cast<double>(radius));
     }
 }
 
@@ -109,13 +111,10 @@ Style stouter(Style a, Style b) {
     return a == Style::spacefill ? b : a;
 }
 
-void appendBonds(const Molecule& molecule, std::span<const Bond> bonds, std::span<const std::uint32_t> slots,
-                 std::span<const Style> styles, Representation& result) {
-    const bool strandsMayBe = std::find(styles.begin(), styles.end(), Style::ballAndStick) != styles.end();
-    const Surroundings around = strandsMayBe ? surroundingsOf(molecule, bonds) : Surroundings{};
+void appendBonds(const Molecule& molecule, std::span<const Bond> bonds, const Surroundings& around,
+                 std::span<const std::uint32_t> slots, std::span<const Style> styles, Representation& result) {
     for (const Bond& bond : bonds) {
         const Style style = stouter(styles[slots[bond.a]], styles[slots[bond.b]]);
-        if (style == Style::spacefill) continue;
         const glm::dvec3 way = between(molecule, bond);
         const double length = glm::length(way);
         const glm::dvec3 axis = way / length;
@@ -145,26 +144,46 @@ std::vector<Bond> drawableBonds(const Molecule& molecule, std::span<const std::u
     return bonds;
 }
 
+void addBonds(const Molecule& molecule, const Appearance& appearance, AssemblyScene* assembly, Representation& result) {
+    const std::vector<Style>& styles = appearance.styles;
+    const auto has = [&](Style style) { return std::find(styles.begin(), styles.end(), style) != styles.end(); };
+    if (!has(Style::ballAndStick) && !has(Style::licorice)) return;
+    const std::vector<std::uint32_t> slots = drawnSlots(molecule, appearance.atoms);
+    std::vector<Bond> bonds = drawableBonds(molecule, slots);
+    const Surroundings around = has(Style::ballAndStick) ? surroundingsOf(molecule, bonds) : Surroundings{};
+    std::erase_if(bonds, [&](const Bond& bond) {
+        return stouter(styles[slots[bond.a]], styles[slots[bond.b]]) == Style::spacefill;
+    });
+    if (assembly) assembly->sortByCopies(bonds);
+    appendBonds(molecule, bonds, around, slots, styles, result);
+}
+
 }  // namespace
 
 Representation represent(const Molecule& molecule, std::span<const std::uint32_t> drawn,
                          const RepresentationOptions& options) {
+    std::optional<AssemblyScene> assembly;
+    if (!options.assembly.empty()) {
+        assembly.emplace(molecule, options.assembly);
+        drawn = assembly->place(drawn);
+    }
     Appearance appearance = appearanceOf(molecule, drawn, options);
     if (appearance.atoms.empty()) throw Error("cannot draw molecule", "", "no atom is left to draw");
-    glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
-    for (const std::uint32_t index : appearance.atoms) {
-        low = glm::min(low, glm::dvec3(molecule.atoms[index].position));
-        high = glm::max(high, glm::dvec3(molecule.atoms[index].position));
+    if (assembly) assembly->sortByCopies(appearance);
+    std::vector<glm::dvec4> balls;
+    balls.reserve(appearance.atoms.size());
+    for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {
+        const Atom& atom = molecule.atoms[appearance.atoms[i]];
+        balls.emplace_back(atom.position, atomRadius(atom.element, appearance.styles[i]));
     }
     Representation result;
-    result.center = (low + high) / 2.0;
-    result.drawnAtoms = appearance.atoms.size();
+    const Bounds bounds = assembly ? assembly->bounds(appearance, balls) : boundsOf(balls);
+    result.center = bounds.center;
+    result.radius = bounds.radius;
     appendAtoms(molecule, appearance, result);
-    const auto hasBonds = [](Style style) { return style != Style::spacefill; };
-    if (std::any_of(appearance.styles.begin(), appearance.styles.end(), hasBonds)) {
-        const std::vector<std::uint32_t> slots = drawnSlots(molecule, appearance.atoms);
-        appendBonds(molecule, drawableBonds(molecule, slots), slots, appearance.styles, result);
-    }
+    result.drawnAtoms = assembly ? assembly->countCopies(appearance.atoms) : appearance.atoms.size();
+    addBonds(molecule, appearance, assembly ? &*assembly : nullptr, result);
+    if (assembly) assembly->finish(result);
     result.legends = std::move(appearance.legends);
     result.warnings = std::move(appearance.warnings);
     return result;

@@ -9,6 +9,7 @@
 
 #include "engine/molecule/molecule.h"
 #include "engine/scene/appearance.h"
+#include "engine/scene/copies.h"
 
 namespace nacre {
 
@@ -42,9 +43,10 @@ struct Representation {
     std::vector<SphereLook> sphereLooks;  ///< same length as spheres
     std::vector<Cylinder> cylinders;
     std::vector<CylinderLook> cylinderLooks;  ///< same length as cylinders
+    Copies copies;                            ///< of an assembly; relative to center, too
     glm::dvec3 center{};  ///< middle of the axis-aligned box of the drawn atoms' centres, Å, in the file's frame
     double radius = 0;    ///< max(|p - center| + r) over drawn spheres, Å
-    std::size_t drawnAtoms = 0;
+    std::size_t drawnAtoms = 0;  ///< of all copies
     std::size_t drawnBonds = 0;
     std::vector<Legend> legends;        ///< what the colours mean
     std::vector<std::string> warnings;  ///< rules and schemes that had no effect, one sentence each
@@ -53,7 +55,9 @@ struct Representation {
 /// A bond is drawn if both its atoms are and either has a style with bonds; it takes the stouter style of the two:
 /// licorice before ball-and-stick, so that no stick changes its width halfway. In a space-filling atom it just ends.
 /// @param drawn  indices of drawn atoms (drawn_atoms.h), ascending, of which the rules may hide some
-/// @throws Error if no atom is left
+/// Of an assembly, atoms and bonds are stored once, sorted by their copies; a bond is drawn where both its atoms are,
+/// and none joins two copies.
+/// @throws Error if no atom is left, there is no such assembly, or it has 2^32 primitives or more
 Representation represent(const Molecule& molecule, std::span<const std::uint32_t> drawn,
                          const RepresentationOptions& options);
 

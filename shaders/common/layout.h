@@ -12,11 +12,14 @@ using glm::vec4;
 /// Push constants of every geometry pass. Lengths in Å, view space as in engine/scene/camera.h.
 /// Z is the distance that the layers report: origin - z (orthographic: origin = R, perspective: origin = eye).
 struct ViewConstants {
-    vec4 row0;     // xyz: first row of the rotation, w: NDC x per Å on the plane z = 0
-    vec4 row1;     // xyz: second row,               w: NDC y per Å (negative: Vulkan's y points down)
-    vec4 row2;     // xyz: third row,                w: Z origin
+    vec4 row0;  // the copy that is drawn, xyz: a row of its rotation into view space, w: of its shift, Å
+    vec4 row1;
+    vec4 row2;
+    vec4 projection;  // x: NDC x per Å on the plane z = 0, y: NDC y per Å (negative: Vulkan's y points down),
+                      // z: Z origin, w: number before that of the copy's first primitive, as bits
     vec4 screen;   // xy: pixel of the view axis, z: Å per pixel at z = 0, w: rasteriser's snap margin in Å at z = 0
-    vec4 depth;    // x: Z at encoded depth 0, y: 1 / (range of Z), zw: NDC of the view axis in the upright picture
+    vec4 depth;    // x: Z at encoded depth 0, y: 1 / (range of Z), z: primitives in a copy, as bits,
+                   // w: 1 if the viewport is the whole image, 0 if it has the view axis in its middle
     vec4 atlas;    // xy: 1 / atlas size, z: texels across a sphere's patch, w: texels around a cylinder's patch
     vec4 shading;  // x: lighting 0 or 1, y: occlusion 0 or 1, z: texels along a cylinder's patch,
                    // w: number of spheres, as bits
@@ -34,6 +37,7 @@ struct SplatConstants {
 #ifdef __cplusplus
     using uint = std::uint32_t;
 #endif
+    uint view;        // of the first map
     uint first, end;  // primitives
     uint spheres;     // in the shapes, before the cylinders
     uint pixels;      // across a map
@@ -46,7 +50,7 @@ struct Direction {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(ViewConstants) == 112, "push constants: 128 bytes at most");
+static_assert(sizeof(ViewConstants) == 128, "push constants: 128 bytes at most");
 static_assert(sizeof(OcclusionConstants) == 64);
 static_assert(sizeof(Direction) == 48);
 }  // namespace nacre::layout

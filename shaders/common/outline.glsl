@@ -41,7 +41,7 @@ Outline sphereOutline(vec3 center, float radius) {
         o.axisV = vec2(0.0, radius + margin);
         return o;
     }
-    float E = view.row2.w;
+    float E = view.projection.z;
     float D = E - center.z;
     float rho = length(center.xy);
     float under = D * D - radius * radius;

@@ -2,10 +2,11 @@
 #extension GL_GOOGLE_include_directive : require
 #include "layout.h"
 
-#ifdef VIEWS
-// Several views at once; VIEWS says which one an invocation draws.
-layout(set = 0, binding = 1, std140) uniform Views { ViewConstants views[16]; };
-#define view views[VIEWS]
+#ifdef SPLAT
+// A row of workgroups a map: each has a view of its own.
+layout(push_constant) uniform Push { SplatConstants splat; };
+layout(set = 0, binding = 1, std430) readonly buffer Views { ViewConstants views[]; };
+#define view views[splat.view + gl_WorkGroupID.y]
 #else
 layout(push_constant) uniform Push { ViewConstants view; };
 #endif
@@ -20,11 +21,21 @@ vec2 upright(vec2 p) {
     return kQuarterTurns == 1 ? vec2(p.y, -p.x) : kQuarterTurns == 2 ? -p : kQuarterTurns == 3 ? vec2(-p.y, p.x) : p;
 }
 
+// The copy that is drawn: that of the draw call, or, with COPY_OF_PIXEL, one that the shader looks up.
+#ifdef COPY_OF_PIXEL
+vec4 copyRow0, copyRow1, copyRow2;
+#else
+#define copyRow0 view.row0
+#define copyRow1 view.row1
+#define copyRow2 view.row2
+#endif
+
 vec3 toView(vec3 p) {
-    precise vec3 v = vec3(dot(view.row0.xyz, p), dot(view.row1.xyz, p), dot(view.row2.xyz, p));
-    return v;
+    precise vec3 v = vec3(dot(copyRow0.xyz, p), dot(copyRow1.xyz, p), dot(copyRow2.xyz, p));
+    precise vec3 shifted = v + vec3(copyRow0.w, copyRow1.w, copyRow2.w);
+    return shifted;
 }
-vec3 toObject(vec3 v) { return view.row0.xyz * v.x + view.row1.xyz * v.y + view.row2.xyz * v.z; }
+vec3 toObject(vec3 v) { return copyRow0.xyz * v.x + copyRow1.xyz * v.y + copyRow2.xyz * v.z; }
 
 /// The point of the plane z = 0 that this pixel looks through, Å.
 vec2 planePoint(vec2 fragment) {
@@ -38,5 +49,7 @@ float encodedDepth(float Z) {
 }
 /// Clip position of a point of the plane z = 0 at encoded depth d. w = 1: depth is constant over a polygon.
 vec4 clipPosition(vec2 q, float d) {
-    return vec4(turned(q * vec2(view.row0.w, view.row1.w) + view.depth.zw), clamp(d, 0.0, 1.0), 1.0);
+    vec2 perPixel = vec2(view.projection.x, -view.projection.y) * view.screen.z;  // NDC
+    vec2 axis = view.screen.xy * ((kQuarterTurns & 1) == 1 ? perPixel.yx : perPixel) - 1.0;
+    return vec4(turned(q * view.projection.xy) + axis * view.depth.w, clamp(d, 0.0, 1.0), 1.0);
 }

@@ -40,13 +40,13 @@ INSTANTIATE_TEST_SUITE_P(
                     "plan --caps mali --size 0x1", "frob", "--frob", "render", "render sample:dna", "render -o a.png",
                     "render sample:dna -o", "render sample:dna -o a.bmp", "render sample:dna -o a",
                     "render sample:dna -o a.png extra", "render sample:dna -o a.png --frob",
-                    "render sample:dna -o a.png --assembly 1", "render sample:dna -o a.png --show A=licorice",
-                    "render sample:dna -o a.png --show all", "render sample:dna -o a.png --show all=cartoon",
-                    "render sample:dna -o a.png --hide 'chain A and'", "render sample:dna -o a.png --hide",
-                    "render sample:dna -o a.png --color-by chain",
+                    "render sample:dna -o a.png --assembly", "render sample:dna -o a.png --assembly ''",
+                    "render sample:dna -o a.png --show A=licorice", "render sample:dna -o a.png --show all",
+                    "render sample:dna -o a.png --show all=cartoon", "render sample:dna -o a.png --hide 'chain A and'",
+                    "render sample:dna -o a.png --hide", "render sample:dna -o a.png --color-by chain",
                     "render sample:dna -o a.png --color-by all=mauve-ish",
                     "render sample:dna -o a.png --color transparent",
-                    "render sample:dna -o a.png --encoded-format r16f", "render sample:dna -o a.png --model all",
+                    "render sample:dna -o a.png --encoded-format r16f", "render sample:dna -o a.png --model every",
                     "render sample:dna -o a.png --model 0", "render sample:dna -o a.png --size 0x5",
                     "render sample:dna -o a.png --size 16385x5", "render sample:dna -o a.png --size nanxnan",
                     "render sample:dna -o a.png --size 16384x16384",
@@ -97,6 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Failure{"render - --format pdb -o a.png", "standard input"}, Failure{"info none.pdb", "none.pdb"},
                     Failure{"info . --json", "."}, Failure{"render sample:dna --format pdb -o a.png", "--format"},
                     Failure{"render sample:dna --model 2 -o a.png", "one model"},
+                    Failure{"render sample:dna --assembly 1 -o a.png", "states no assemblies"},
                     Failure{"render sample:dna -o a.png --device no-such-device", "no-such-device"}));
 
 TEST(CommandLine, HelpShowsExamplesAndEveryOption) {
@@ -105,12 +106,12 @@ TEST(CommandLine, HelpShowsExamplesAndEveryOption) {
     const Outcome help = nacreIn(folder, "render --help");
     EXPECT_EQ(help.code, 0);
     EXPECT_EQ(help.err, "");
-    for (const char* option : {"--view",       "--size",        "--style",    "--color ",    "--rotate",
-                               "--show",       "--hide",        "--color-by", "byres",       "secondary-structure",
-                               "--zoom",       "--projection",  "--fov",      "--occlusion", "--background",
-                               "--lighting",   "--supersample", "--model",    "--water",     "--hydrogens",
-                               "--format",     "--layers",      "--stats",    "--validate",  "--device",
-                               "--visibility", "--prepass",     "--merge",    "Examples"})
+    for (const char* option : {"--view",     "--size",        "--style",    "--color ",    "--rotate",
+                               "--show",     "--hide",        "--color-by", "byres",       "secondary-structure",
+                               "--zoom",     "--projection",  "--fov",      "--occlusion", "--background",
+                               "--lighting", "--supersample", "--model",    "--water",     "--hydrogens",
+                               "--format",   "--layers",      "--assembly", "--stats",     "--validate",
+                               "--device",   "--visibility",  "--prepass",  "--merge",     "Examples"})
         EXPECT_NE(help.out.find(option), std::string::npos) << option;
 }
 

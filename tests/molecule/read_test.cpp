@@ -117,7 +117,7 @@ TEST(Read, AHugeLineIsJustALine) {
 
 TEST(Read, ModelsCountFromOne) {
     ReadOptions options;
-    options.model = 0;
+    options.model = -1;
     test::expectError("a.xyz", kWater, {"numbered from 1"}, options);
     options.model = 2;
     test::expectError("a.xyz", kWater, {"no frame 2; the file has 1"}, options);

@@ -14,6 +14,7 @@ TEST(SavedView, ComesBackToTheLastDigit) {
     view.input = "/tmp/a \"b\".pdb";
     view.format = "pdb";
     view.model = 3;
+    view.assembly = "PAU";
     view.style = "licorice";
     view.color = "chain";
     view.rules = {{"show", "ligand=ball-and-stick"}, {"hide", "chain B"}, {"color-by", "chain A=#ff8000"}};

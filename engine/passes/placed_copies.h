@@ -1,0 +1,31 @@
+#pragma once
+// The copies of a scene as one view sees them: what the geometry passes draw, one call a copy.
+
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "engine/scene/camera.h"
+#include "engine/scene/representation.h"
+
+namespace nacre::passes {
+
+struct PlacedCopies {
+    /// Instances of a stream, drawn at one copy's place.
+    struct Call {
+        std::uint32_t copy = 0;  ///< index of three rows
+        std::uint32_t first = 0, count = 0;
+    };
+    std::vector<glm::vec4> rows;  ///< three a transform: into view space, as ViewConstants has them
+    std::vector<Call> spheres, cylinders;
+
+    /// Of all calls together.
+    std::uint64_t sphereCount() const;
+    std::uint64_t cylinderCount() const;
+};
+
+/// Rotations and shifts are composed in double precision. Runs whose bounding sphere lies outside the picture are left
+/// out.
+PlacedCopies placeCopies(const Representation& representation, const View& view);
+
+}  // namespace nacre::passes

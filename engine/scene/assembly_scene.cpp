@@ -1,0 +1,172 @@
+#include "engine/scene/assembly_scene.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "engine/error.h"
+
+namespace nacre {
+namespace {
+
+/// Calls visit(list, first, count) for runs of equal lists.
+template <typename ListOf, typename Visit>
+void eachRun(std::size_t size, const ListOf& listOf, const Visit& visit) {
+    for (std::size_t first = 0; first < size;) {
+        const std::uint32_t list = listOf(first);
+        std::size_t end = first + 1;
+        while (end < size && listOf(end) == list) ++end;
+        visit(list, first, end - first);
+        first = end;
+    }
+}
+
+/// A sphere about some primitives. `ballsOf(i, add)` calls add(centre, radius).
+template <typename BallsOf>
+void bound(PrimitiveRun& run, const BallsOf& ballsOf) {
+    Box box;
+    for (std::uint32_t i = 0; i < run.count; ++i)
+        ballsOf(run.first + i, [&](const glm::vec3& center, float) { box.add(center); });
+    run.center = box.center();
+    for (std::uint32_t i = 0; i < run.count; ++i)
+        ballsOf(run.first + i, [&](const glm::vec3& center, float radius) {
+            run.radius = std::max(run.radius, glm::length(glm::dvec3(center) - run.center) + radius);
+        });
+}
+
+template <typename T>
+std::vector<T> inOrder(const std::vector<T>& values, const std::vector<std::uint32_t>& order) {
+    std::vector<T> sorted;
+    sorted.reserve(values.size());
+    for (const std::uint32_t i : order) sorted.push_back(values[i]);
+    return sorted;
+}
+
+/// The order that sorts by list and keeps what stood before before.
+template <typename ListOf>
+std::vector<std::uint32_t> orderBy(std::size_t size, const ListOf& listOf) {
+    std::vector<std::uint32_t> order(size);
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return listOf(a) < listOf(b); });
+    return order;
+}
+
+/// A transform of the file's frame, of points relative to a centre.
+glm::dmat4x3 about(const glm::dmat4x3& transform, const glm::dvec3& center) {
+    glm::dmat4x3 moved = transform;
+    moved[3] = transform * glm::dvec4(center, 1.0) - center;
+    return moved;
+}
+
+}  // namespace
+
+AssemblyScene::AssemblyScene(const Molecule& molecule, const std::string& id)
+    : molecule_(molecule), id_(id), placement_(placeAssembly(molecule, id)) {}
+
+std::uint32_t AssemblyScene::listOf(std::uint32_t atom) const {
+    return placement_.listOfSubchain[molecule_.residues[molecule_.atoms[atom].residue].subchain];
+}
+
+std::uint32_t AssemblyScene::commonListOf(std::uint32_t atomA, std::uint32_t atomB) {
+    const std::uint32_t a = listOf(atomA), b = listOf(atomB);
+    if (a == b) return a;
+    const auto [known, added] = common_.emplace(std::minmax(a, b), 0);
+    if (added) known->second = commonList(placement_.lists, a, b);
+    return known->second;
+}
+
+std::span<const std::uint32_t> AssemblyScene::place(std::span<const std::uint32_t> atoms) {
+    atoms_.clear();
+    for (const std::uint32_t atom : atoms)
+        if (listOf(atom) != Placement::kNowhere) atoms_.push_back(atom);
+    if (atoms_.empty()) throw Error("cannot draw assembly", id_, "none of its atoms is drawn");
+    return atoms_;
+}
+
+void AssemblyScene::sortByCopies(Appearance& appearance) const {
+    const auto order = orderBy(appearance.atoms.size(), [&](std::size_t i) { return listOf(appearance.atoms[i]); });
+    appearance.atoms = inOrder(appearance.atoms, order);
+    appearance.styles = inOrder(appearance.styles, order);
+    appearance.colors = inOrder(appearance.colors, order);
+}
+
+void AssemblyScene::sortByCopies(std::vector<Bond>& bonds) {
+    std::vector<std::uint32_t> lists;
+    std::size_t kept = 0;
+    for (const Bond& bond : bonds) {
+        const std::uint32_t list = commonListOf(bond.a, bond.b);
+        if (list == Placement::kNowhere) continue;
+        lists.push_back(list);
+        bondsOfCopies_ += placement_.lists[list].size();
+        bonds[kept++] = bond;
+    }
+    bonds.resize(kept);
+    const auto order = orderBy(kept, [&](std::size_t i) { return lists[i]; });
+    bonds = inOrder(bonds, order);
+}
+
+std::size_t AssemblyScene::countCopies(std::span<const std::uint32_t> atoms) const {
+    std::size_t count = 0;
+    for (const std::uint32_t atom : atoms) count += placement_.lists[listOf(atom)].size();
+    return count;
+}
+
+Bounds AssemblyScene::bounds(const Appearance& appearance, std::span<const glm::dvec4> balls) const {
+    checkNumber(balls.size());
+    const auto each = [&](const auto& visit) {
+        eachRun(
+            balls.size(), [&](std::size_t i) { return listOf(appearance.atoms[i]); },
+            [&](std::uint32_t list, std::size_t first, std::size_t count) {
+                for (const std::uint32_t copy : placement_.lists[list]) {
+                    const glm::dmat4x3& transform = placement_.transforms[copy];
+                    for (const glm::dvec4& ball : balls.subspan(first, count))
+                        visit(transform * glm::dvec4(glm::dvec3(ball), 1.0), ball.w);
+                }
+            });
+    };
+    Box box;
+    each([&](const glm::dvec3& center, double) { box.add(center); });
+    Bounds bounds{box.center(), 0};
+    each([&](const glm::dvec3& center, double radius) {
+        bounds.radius = std::max(bounds.radius, glm::length(center - bounds.center) + radius);
+    });
+    return bounds;
+}
+
+void AssemblyScene::checkNumber(std::size_t primitives) const {
+    // Every primitive of every copy has a number of its own (shaders/identify.frag); 0 is none.
+    if (std::uint64_t{primitives} * placement_.transforms.size() < UINT32_MAX) return;
+    throw Error("cannot draw assembly", id_,
+                std::to_string(placement_.transforms.size()) + " copies of " + std::to_string(primitives) +
+                    " spheres and sticks are more than " + std::to_string(UINT32_MAX - 1));
+}
+
+void AssemblyScene::finish(Representation& r) {
+    checkNumber(r.spheres.size() + r.cylinders.size());
+    Copies& copies = r.copies;
+    for (const glm::dmat4x3& transform : placement_.transforms) copies.transforms.push_back(about(transform, r.center));
+    const auto run = [](std::uint32_t list, std::size_t first, std::size_t count) {
+        return PrimitiveRun{static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count), list, {}, 0};
+    };
+    eachRun(
+        r.spheres.size(), [&](std::size_t i) { return listOf(r.sphereLooks[i].atom - 1); },
+        [&](std::uint32_t list, std::size_t first, std::size_t count) {
+            copies.spheres.push_back(run(list, first, count));
+            bound(copies.spheres.back(),
+                  [&](std::size_t i, const auto& add) { add(r.spheres[i].center, r.spheres[i].radius); });
+        });
+    eachRun(
+        r.cylinders.size(),
+        [&](std::size_t i) { return commonListOf(r.cylinderLooks[i].atomA - 1, r.cylinderLooks[i].atomB - 1); },
+        [&](std::uint32_t list, std::size_t first, std::size_t count) {
+            copies.cylinders.push_back(run(list, first, count));
+            bound(copies.cylinders.back(), [&](std::size_t i, const auto& add) {
+                add(r.cylinders[i].a, r.cylinders[i].radius);
+                add(r.cylinders[i].b, r.cylinders[i].radius);
+            });
+        });
+    copies.lists = placement_.lists;
+    r.drawnBonds = bondsOfCopies_;
+}
+
+}  // namespace nacre

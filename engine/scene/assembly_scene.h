@@ -1,0 +1,49 @@
+#pragma once
+// What an assembly changes in making a representation. Used by representation.cpp.
+
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/scene/bounds.h"
+#include "engine/scene/representation.h"
+
+namespace nacre {
+
+class AssemblyScene {
+public:
+    /// @throws Error if the molecule has no such assembly
+    AssemblyScene(const Molecule& molecule, const std::string& id);
+
+    /// Those of some atoms that the assembly has. The span lives as long as this.
+    /// @throws Error if that is none
+    std::span<const std::uint32_t> place(std::span<const std::uint32_t> atoms);
+    /// Atoms of the same copies come to stand together; otherwise they keep their order.
+    void sortByCopies(Appearance& appearance) const;
+    /// The same for bonds, less those whose atoms are never drawn together.
+    void sortByCopies(std::vector<Bond>& bonds);
+    /// Of the balls (centre and radius in the file's frame) in the order of sorted atoms, in all their copies.
+    /// @throws Error if they are too many
+    Bounds bounds(const Appearance& appearance, std::span<const glm::dvec4> balls) const;
+    /// Atoms in all their copies.
+    std::size_t countCopies(std::span<const std::uint32_t> atoms) const;
+    /// Sets the copies of a representation that has its primitives. @throws Error if they are too many
+    void finish(Representation& representation);
+
+private:
+    std::uint32_t listOf(std::uint32_t atom) const;
+    std::uint32_t commonListOf(std::uint32_t atomA, std::uint32_t atomB);
+    void checkNumber(std::size_t primitives) const;
+
+    const Molecule& molecule_;
+    std::string id_;
+    Placement placement_;
+    std::vector<std::uint32_t> atoms_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> common_;  ///< lists that were asked for
+    std::size_t bondsOfCopies_ = 0;
+};
+
+}  // namespace nacre

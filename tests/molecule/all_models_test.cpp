@@ -1,0 +1,114 @@
+// --model all: every model of a file, one over the other.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/read.h"
+#include "engine/molecule/selection.h"
+#include "tests/molecule/expect_error.h"
+#include "tests/support/test_data.h"
+
+namespace nacre {
+namespace {
+
+ReadOptions model(int number) {
+    ReadOptions options;
+    options.model = number;
+    return options;
+}
+
+std::ptrdiff_t count(const Molecule& molecule, const char* selection) {
+    const std::vector<bool> selected = selectAtoms(molecule, parseSelection(selection));
+    return std::count(selected.begin(), selected.end(), true);
+}
+
+struct Case {
+    const char* file;
+    int models;
+};
+void PrintTo(const Case& c, std::ostream* out) { *out << c.file; }
+class AllModels : public testing::TestWithParam<Case> {};
+
+TEST_P(AllModels, AreTheModelsOneAfterTheOther) {
+    NACRE_NEEDS_DATA();
+    const std::string path = test::dataFile(GetParam().file);
+    const Molecule all = readMoleculeFile(path, model(kAllModels));
+    std::size_t atom = 0, bond = 0, residue = 0;
+    for (int i = 1; i <= GetParam().models; ++i) {
+        const Molecule one = readMoleculeFile(path, model(i));
+        ASSERT_LE(atom + one.atoms.size(), all.atoms.size());
+        EXPECT_EQ(count(all, ("model " + std::to_string(i)).c_str()), std::ptrdiff_t(one.atoms.size()));
+        for (std::size_t k = 0; k < one.atoms.size(); ++k) {
+            const Atom &a = all.atoms[atom + k], &b = one.atoms[k];
+            ASSERT_EQ(a.position, b.position);
+            ASSERT_EQ(a.element, b.element);
+            ASSERT_EQ(a.residue, b.residue + residue);
+            const Residue &r = all.residues[a.residue], &s = one.residues[b.residue];
+            ASSERT_EQ(r.firstAtom, s.firstAtom + atom);
+            ASSERT_EQ(all.chains[r.chain].name, one.chains[s.chain].name);
+            ASSERT_EQ(all.chains[r.chain].model, i);
+            if (!one.subchains.empty()) {
+                ASSERT_EQ(all.subchains[r.subchain], one.subchains[s.subchain]);
+            }
+            ASSERT_EQ(r.entity ? all.entities[r.entity - 1] : "", s.entity ? one.entities[s.entity - 1] : "");
+        }
+        for (const Bond& b : one.bonds) {
+            ASSERT_LT(bond, all.bonds.size());
+            ASSERT_EQ(all.bonds[bond].a, b.a + atom);
+            ASSERT_EQ(all.bonds[bond].b, b.b + atom);
+            ASSERT_EQ(all.bonds[bond].order, b.order);
+            ++bond;
+        }
+        if (!one.partialCharges.empty()) {
+            ASSERT_EQ(all.partialCharges.at(atom), one.partialCharges[0]);
+        }
+        // Conformers are chosen within each model.
+        const std::vector<std::uint32_t> drawn = drawnAtoms(one), drawnOfAll = drawnAtoms(all);
+        for (const std::uint32_t d : drawn)
+            ASSERT_TRUE(std::binary_search(drawnOfAll.begin(), drawnOfAll.end(), d + atom));
+        atom += one.atoms.size();
+        residue += one.residues.size();
+    }
+    EXPECT_EQ(atom, all.atoms.size());
+    EXPECT_EQ(bond, all.bonds.size());
+    const auto total = all.file.totalAtomsAllModels ? all.file.totalAtomsAllModels : all.file.totalAtomsAllRecords;
+    EXPECT_EQ(total, std::int64_t(all.atoms.size()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, AllModels,
+                         testing::Values(Case{"1l2y.pdb", 38}, Case{"1l2y.cif.gz", 38}, Case{"1l2y.bcif", 38},
+                                         Case{"1msh-nmr30.mmtf", 30}, Case{"2koc-rna-nmr.cif.gz", 20},
+                                         Case{"md-lysozyme-solvated.gro", 3}, Case{"small/dxc.pdbqt", 9},
+                                         Case{"small/ligs3d-multi.mol2", 10}, Case{"1crn.pdb", 1},
+                                         Case{"1en2.cif", 1}));
+
+TEST(AllModels, OfTwoFramesThatLieOnEachOtherAreNotBonded) {
+    const std::string frame = "2\nframe\nC 0 0 0\nO 1.2 0 0\n";
+    const Molecule all = readMolecule("two.xyz", frame + frame, model(kAllModels));
+    ASSERT_EQ(all.atoms.size(), 4u);
+    ASSERT_EQ(all.bonds.size(), 2u);
+    EXPECT_EQ(all.bonds[1].a, 2u);
+    EXPECT_EQ(all.bonds[1].b, 3u);
+}
+
+TEST(AllModels, ChooseConformersWithinEachModel) {
+    const auto atom = [](char location, const char* occupancy) {
+        return std::string("ATOM      1  CA ") + location + "GLY A   1       0.000   0.000   0.000  " + occupancy +
+               "  0.00           C\n";
+    };
+    const std::string text = "MODEL        1\n" + atom('A', "0.70") + atom('B', "0.30") + "ENDMDL\nMODEL        2\n" +
+                             atom('A', "0.20") + atom('B', "0.80") + "ENDMDL\n";
+    const Molecule all = readMolecule("two.pdb", text, model(kAllModels));
+    EXPECT_EQ(drawnAtoms(all), (std::vector<std::uint32_t>{0, 3}));
+}
+
+TEST(AllModels, ThatWouldTakeForeverAreRefused) {
+    std::string frames;
+    for (int i = 0; i < 100'000; ++i) frames += "1\n\nHe 0 0 0\n";
+    test::expectError("many.xyz", frames, {"too many models for --model all"}, model(kAllModels));
+}
+
+}  // namespace
+}  // namespace nacre

@@ -1,0 +1,149 @@
+// Assemblies drawn by instancing: the same picture by every path, and the one that their atoms written out give.
+
+#include <cmath>
+
+#include "tests/renderer/scenes.h"
+#include "tests/support/written_out.h"
+
+namespace nacre::test {
+namespace {
+
+struct Case {
+    const char* file;
+    const char* assembly;
+    Style style;
+    Projection projection;
+    double zoom = 1;
+};
+
+void PrintTo(const Case& c, std::ostream* out) { *out << c.file << " " << c.assembly; }
+
+/// A buckyball and a glucose about it: two parts, three and two copies, one of them mirrored.
+Molecule twoParts() {
+    Molecule m = sampleMolecule("buckyball");
+    const Molecule glucose = sampleMolecule("glucose");
+    m.chains = {{"A"}, {"B"}};
+    m.subchains = {"A", "B"};
+    const auto atoms = static_cast<std::uint32_t>(m.atoms.size());
+    const auto residues = static_cast<std::uint32_t>(m.residues.size());
+    for (Atom atom : glucose.atoms) {
+        atom.residue += residues;
+        atom.position += glm::vec3(7, 2, 1);
+        m.atoms.push_back(atom);
+    }
+    for (Residue residue : glucose.residues) {
+        residue.firstAtom += atoms;
+        residue.chain = residue.subchain = 1;
+        m.residues.push_back(residue);
+    }
+    for (Bond bond : glucose.bonds) {
+        bond.a += atoms, bond.b += atoms;
+        m.bonds.push_back(bond);
+    }
+    const auto place = [](const glm::dvec3& degrees, const glm::vec3& shift, float side = 1) {
+        const glm::mat3 turn(rotationMatrix(degrees));
+        return glm::mat4x3(turn[0] * side, turn[1], turn[2], shift);
+    };
+    const glm::mat4x3 here = place({}, {});
+    m.assemblies = {{"1",
+                     "",
+                     {{{here, place({40, 10, 0}, {4, 5, -3}), place({0, 0, 90}, {-6, 1, 2}, -1)}, {0}},
+                      {{place({15, 0, 70}, {-5, 3, 2}), place({40, 10, 0}, {4, 5, -3})}, {1}}}}};
+    return m;
+}
+
+Molecule moleculeOf(const Case& c) { return std::string(c.file) == "two parts" ? twoParts() : molecule(c.file); }
+
+Representation sceneOf(const Molecule& m, const Case& c, bool instanced) {
+    RepresentationOptions options;
+    options.style = c.style;
+    if (instanced) options.assembly = c.assembly;
+    return represent(m, drawnAtoms(m), options);
+}
+
+class AssemblyPicture : public testing::TestWithParam<Case> {};
+
+TEST_P(AssemblyPicture, IsTheSameByEveryPath) {
+    const Case& c = GetParam();
+    if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA();
+    const Representation r = sceneOf(moleculeOf(c), c, true);
+    RenderSettings s = settings(r, 256, c.projection, {75, -40, 120}, c.zoom);
+    std::vector<LayerPicture> pictures;
+    std::vector<Picture> colors;
+    for (const Visibility visibility :
+         {Visibility::encoded, Visibility::fragdepth, Visibility::deferred, Visibility::rasterOrder}) {
+        ValidatedRenderer renderer(visibility);
+        renderer->setScene(r);
+        for (const bool prepass : {true, false}) {
+            s.plates = prepass ? PlateShape::octagon : PlateShape::none;
+            pictures.push_back(renderer->layers(s));
+            colors.push_back(renderer->render(s));
+            const std::string what =
+                "path " + std::to_string(static_cast<int>(visibility)) + " " + std::to_string(prepass);
+            EXPECT_EQ(pictures.front().id, pictures.back().id) << what;
+            EXPECT_EQ(pictures.front().z, pictures.back().z) << what;
+            EXPECT_EQ(pictures.front().normal, pictures.back().normal) << what;
+            EXPECT_EQ(colors.front().rgba, colors.back().rgba) << what;
+        }
+    }
+    EXPECT_GT(std::count_if(pictures[0].id.begin(), pictures[0].id.end(), [](std::uint32_t id) { return id > 0; }),
+              5000);
+}
+
+TEST_P(AssemblyPicture, IsThatOfItsAtomsWrittenOut) {
+    const Case& c = GetParam();
+    if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA();
+    const Molecule m = moleculeOf(c);
+    const auto assembly =
+        std::find_if(m.assemblies.begin(), m.assemblies.end(), [&](const Assembly& a) { return a.id == c.assembly; });
+    ASSERT_NE(assembly, m.assemblies.end());
+    const Representation whole = sceneOf(writtenOut(m, *assembly), c, false);
+    const Representation r = sceneOf(m, c, true);
+    EXPECT_LT(r.spheres.size(), whole.spheres.size());
+    // The same view for both: centres differ by rounding.
+    RenderSettings s = settings(r, 256, c.projection, {75, -40, 120}, c.zoom);
+    ValidatedRenderer renderer(Visibility::automatic);
+    renderer->setScene(whole);
+    const LayerPicture expected = renderer->layers(s);
+    renderer->setScene(r);
+    const LayerPicture p = renderer->layers(s);
+    // Atoms round to other bits where they are written out, so that edges may fall on the other side of a pixel's
+    // centre: 1 pixel in 500 may, and all others agree to 1e-3 Å.
+    std::size_t covered = 0, differ = 0;
+    for (std::size_t i = 0; i < p.id.size(); ++i) {
+        covered += expected.id[i] != 0;
+        const bool both = p.id[i] != 0 && expected.id[i] != 0;
+        const bool near = both && std::abs(p.z[i] - expected.z[i]) <= 1e-3f &&
+                          std::abs(p.rgba[4 * i] - expected.rgba[4 * i]) <= 0.01f;
+        const bool neither = p.id[i] == 0 && expected.id[i] == 0;
+        differ += !near && !neither;
+    }
+    std::cout << c.file << ": " << differ << " of " << covered << " pixels differ\n";
+    EXPECT_GT(covered, 5000u);
+    EXPECT_LE(differ * 500, covered);
+}
+
+TEST_P(AssemblyPicture, NamesAtomsByTheirPlaceInTheFile) {
+    const Case& c = GetParam();
+    if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA();
+    const Molecule m = moleculeOf(c);
+    const Representation r = sceneOf(m, c, true);
+    ValidatedRenderer renderer(Visibility::automatic);
+    renderer->setScene(r);
+    const LayerPicture p = renderer->layers(settings(r, 128, c.projection, {10, 20, 30}, c.zoom));
+    for (const std::uint32_t id : p.id) ASSERT_LE(id, m.atoms.size());
+    if (c.zoom == 1) {
+        EXPECT_EQ(renderer->stats().spheres, r.drawnAtoms);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Assemblies, AssemblyPicture,
+                         testing::Values(Case{"two parts", "1", Style::spacefill, Projection::orthographic},
+                                         Case{"two parts", "1", Style::licorice, Projection::perspective},
+                                         Case{"1stp-v5.cif", "1", Style::spacefill, Projection::perspective},
+                                         Case{"1stp-v5.cif", "1", Style::licorice, Projection::orthographic},
+                                         Case{"1f2n-virus.cif.gz", "3", Style::spacefill, Projection::orthographic, 6},
+                                         Case{"1f2n-virus.cif.gz", "3", Style::spacefill, Projection::perspective, 6}));
+
+}  // namespace
+}  // namespace nacre::test
