@@ -1,6 +1,11 @@
 #pragma once
 
+#include <vulkan/vulkan_core.h>
+
+#include <cstddef>
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace nacre {
 
@@ -27,6 +32,12 @@ enum class ImpostorShape {
 /// The formats that can hold encoded depth, finest first (engine/gpu/encoded_format.h).
 enum class EncodedDepth { automatic, r32f, rgba16f, rg16f, a2b10g10r10, rgba8 };
 
+/// A window to draw into. The engine knows no window system: whoever has the window makes its surface.
+struct SurfaceSource {
+    std::vector<std::string> instanceExtensions;     ///< what `create` needs, VK_KHR_surface among them
+    std::function<VkSurfaceKHR(VkInstance)> create;  ///< called again after the surface was lost. @throws Error
+};
+
 /// How the depth maps of the occlusion bake are drawn; all give the same occlusion.
 enum class OcclusionMaps {
     automatic,  ///< the device's caps choose
@@ -40,6 +51,8 @@ struct DeviceOptions {
     std::string device;     ///< number as `nacre devices` lists it, or part of a name; empty: the best there is
     Visibility visibility = Visibility::automatic;
     EncodedDepth encoded = EncodedDepth::automatic;
+    SurfaceSource surface = {};                 ///< without `create`: no window
+    std::vector<std::byte> pipelineCache = {};  ///< of Renderer::pipelineCache(); one of another device is dropped
 };
 
 }  // namespace nacre

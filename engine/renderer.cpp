@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
+#include <cmath>
 #include <tuple>
 
 #include "engine/error.h"
@@ -17,6 +18,7 @@
 #include "engine/picture.h"
 #include "engine/screen_frame.h"
 #include "engine/storage/occlusion_cache.h"
+#include "engine/window_frames.h"
 
 namespace nacre {
 namespace {
@@ -48,6 +50,13 @@ constexpr ScreenTarget kLayerTargets[] = {{"colour", VK_FORMAT_R32G32B32A32_SFLO
                                           {"surface", VK_FORMAT_R32G32B32A32_SFLOAT, Writes::surface},
                                           {"identity", VK_FORMAT_R32G32_UINT, Writes::identity}};
 
+constexpr ScreenTarget kPickTargets[] = {{"identity", VK_FORMAT_R32G32_UINT, Writes::identity}};
+
+/// Of the image that holds a view: the view's own, or turned.
+graph::Extent imageExtent(const View& view) {
+    return view.quarterTurns % 2 ? graph::Extent{view.height, view.width} : graph::Extent{view.width, view.height};
+}
+
 }  // namespace
 
 struct Renderer::Impl {
@@ -66,7 +75,11 @@ struct Renderer::Impl {
     std::string occlusionName;                              // of `bake` in it
     double worthKeeping = 0;
     FrameStats stats;
+    graph::PlanCache plans;
+    graph::Graph lastGraph{"none"};  // of planText()
+    graph::Plan lastPlan;
     std::string planText;
+    std::unique_ptr<WindowFrames> window;
 
     explicit Impl(const DeviceOptions& options)
         : device(options),
@@ -75,11 +88,16 @@ struct Renderer::Impl {
           executor(device),
           white(passes::makeWhiteTexture(device, executor)) {
         stats.device = infoOf(device.caps());
+        if (options.surface.create) window = std::make_unique<WindowFrames>(device, executor, options.surface);
     }
 
+    /// Declares the screen frame (screen_frame.cpp) with its recorders.
+    ScreenFrame declare(const RenderSettings& settings, const View& view, std::span<const ScreenTarget> targets,
+                        const char* name, graph::Imports& imports, passes::FragmentCounter* counter = nullptr);
     /// Draws one frame. @returns the pixels of every target, for the host; none unless `readBack`
     std::vector<gpu::Buffer> draw(const RenderSettings& settings, const View& view,
-                                  std::span<const ScreenTarget> targets, bool readBack = true);
+                                  std::span<const ScreenTarget> targets, bool readBack = true,
+                                  const char* name = "screen");
     void beginOcclusion(const RenderSettings& settings);
     void keepOcclusion(std::vector<std::uint8_t> atlas);
     void advanceOcclusion(double milliseconds);
@@ -89,44 +107,58 @@ struct Renderer::Impl {
 };
 
 layout::ViewConstants Renderer::Impl::constants(const RenderSettings& settings, const View& view) const {
+    const graph::Extent image = imageExtent(view);
     layout::ViewConstants c =
-        passes::viewConstants(view, device.caps().snapPixels, view.width / 2.0, view.height / 2.0);
-    const bool occlusion = settings.occlusionDirections > 0;
+        passes::viewConstants(view, device.caps().snapPixels, image.width / 2.0, image.height / 2.0);
+    const bool occlusion = settings.occlusionDirections > 0 && bake;
     const OcclusionLayout layout = occlusion ? bake->layout() : OcclusionLayout{};
     if (occlusion) c.atlas = glm::vec4(1.0 / layout.width, 1.0 / layout.height, layout.sphereEdge, layout.around);
     const auto spheres = static_cast<std::uint32_t>(representation.spheres.size());
     const auto primitives = static_cast<std::uint32_t>(spheres + representation.cylinders.size());
     c.depth.z = std::bit_cast<float>(primitives);
+    c.depth.w = 1;
     c.shading = glm::vec4(settings.lighting ? 1 : 0, occlusion ? 1 : 0, layout.along, std::bit_cast<float>(spheres));
     return c;
 }
 
-/// The screen frame (screen_frame.cpp declares it), and the copies of its targets to the host.
-std::vector<gpu::Buffer> Renderer::Impl::draw(const RenderSettings& settings, const View& view,
-                                              std::span<const ScreenTarget> targets, bool readBack) {
-    const graph::Extent extent{view.width, view.height};
-    const gpu::Image& atlas = settings.occlusionDirections > 0 ? bake->atlas() : white;
-    const passes::PlacedCopies copies = passes::placeCopies(representation, view);
-    gpu::Buffer copyRows;
+ScreenFrame Renderer::Impl::declare(const RenderSettings& settings, const View& view,
+                                    std::span<const ScreenTarget> targets, const char* name, graph::Imports& imports,
+                                    passes::FragmentCounter* counter) {
+    const gpu::Image& atlas = settings.occlusionDirections > 0 && bake ? bake->atlas() : white;
+    // Held by the recorders, as long as the graph is there.
+    const auto copies = std::make_shared<const passes::PlacedCopies>(passes::placeCopies(representation, view));
+    const auto copyRows = std::make_shared<gpu::Buffer>();
+    stats.spheres = copies->sphereCount();
+    stats.cylinders = copies->cylinderCount();
     if (nearest == Nearest::deferred)
-        copyRows = gpu::makeBuffer(device, std::span(copies.rows), vk::BufferUsageFlagBits::eStorageBuffer, "copies");
-    passes::FragmentCounter counter(device, settings.countFragments);
+        *copyRows = gpu::makeBuffer(device, std::span(copies->rows), vk::BufferUsageFlagBits::eStorageBuffer, "copies");
     const auto record = [&](Writes writes, const ScreenInputs& inputs) {
         passes::Draw d{writes, nearest, view.projection == Projection::perspective, constants(settings, view)};
-        d.copies = &copies;
-        d.copyRows = &copyRows;
+        d.quarterTurns = view.quarterTurns;
+        d.copies = copies.get();
+        d.copyRows = copyRows.get();
         d.plates = settings.plates;
         d.impostor = settings.impostor;
         d.radiusPixels = meanRadius * view.pixelsPerAngstrom;
-        counter.attach(d);
-        return [this, d, inputs](graph::PassContext& c) {
+        if (counter) counter->attach(d);
+        return [this, d, inputs, copies, copyRows](graph::PassContext& c) {
             geometry.draw(c, scene, d, {c.view(inputs.atlas), c.view(inputs.nearest), inputs.nearestIsTexture});
         };
     };
-    ScreenFrame frame = screenFrame({extent, nearest, device.caps().encoded, atlas.desc, targets}, record);
-    graph::Graph& g = frame.graph;
-    graph::Imports imports;
+    ScreenFrame frame =
+        screenFrame({imageExtent(view), nearest, device.caps().encoded, atlas.desc, targets, name}, record);
     imports.bind(frame.atlas, atlas);
+    return frame;
+}
+
+/// The screen frame, and the copies of its targets to the host.
+std::vector<gpu::Buffer> Renderer::Impl::draw(const RenderSettings& settings, const View& view,
+                                              std::span<const ScreenTarget> targets, bool readBack, const char* name) {
+    const graph::Extent extent = imageExtent(view);
+    passes::FragmentCounter counter(device, settings.countFragments);
+    graph::Imports imports;
+    ScreenFrame frame = declare(settings, view, targets, name, imports, &counter);
+    graph::Graph& g = frame.graph;
     std::vector<gpu::Buffer> pixels;
     pixels.reserve(targets.size());
     for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -134,20 +166,24 @@ std::vector<gpu::Buffer> Renderer::Impl::draw(const RenderSettings& settings, co
             g.output(frame.targets[i]);
             continue;
         }
-        const std::string name = std::string(targets[i].image) + " pixels";
+        const std::string what = std::string(targets[i].image) + " pixels";
         const std::uint64_t bytes =
             std::uint64_t{extent.width} * extent.height * graph::bytesPerTexel(targets[i].format);
         pixels.push_back(
-            gpu::makeBuffer(device, bytes, vk::BufferUsageFlagBits::eTransferDst, gpu::Access::readback, name));
-        const auto buffer = g.importBuffer(name, bytes);
+            gpu::makeBuffer(device, bytes, vk::BufferUsageFlagBits::eTransferDst, gpu::Access::readback, what));
+        const auto buffer = g.importBuffer(what, bytes);
         imports.bind(buffer, pixels.back());
         passes::readBack(g, frame.targets[i], {targets[i].format, extent}, buffer);
     }
 
     graph::PlanCaps caps = device.caps().plan;
     caps.merge = caps.merge && settings.merge;
-    const graph::Plan plan = graph::compile(g, caps);
-    planText = graph::describe(g, plan);
+    const graph::Plan& plan = plans.planOf(g, caps);
+    if (lastPlan != plan) {
+        lastGraph = g.declarations();
+        lastPlan = plan;
+        planText.clear();
+    }
     const auto start = Clock::now();
     device.submitAndWait([&](const vk::raii::CommandBuffer& c) {
         executor.record(c, g, plan, imports);
@@ -162,8 +198,6 @@ std::vector<gpu::Buffer> Renderer::Impl::draw(const RenderSettings& settings, co
     stats.loadedBytes = plan.total.loaded;
     stats.storedBytes = plan.total.stored;
     stats.deviceBytes = device.peakAllocatedBytes();
-    stats.spheres = copies.sphereCount();
-    stats.cylinders = copies.cylinderCount();
     return pixels;
 }
 
@@ -200,6 +234,7 @@ void Renderer::Impl::beginOcclusion(const RenderSettings& settings) {
     const std::tuple wanted{settings.occlusionDirections, settings.occlusionBytes, settings.occlusionMaps};
     if (settings.occlusionDirections == 0 || (bake && baked == wanted)) return;
     const auto start = Clock::now();
+    device->waitIdle();  // frames for the window may still read the streams and the atlas
     bake.reset();
     passes::OcclusionOptions options{settings.occlusionDirections, settings.occlusionBytes, settings.occlusionMaps};
     if (options.path == OcclusionMaps::automatic) options.path = automaticMaps(device.caps(), nearest);
@@ -291,6 +326,7 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 
 void Renderer::setScene(Representation representation) {
+    impl_->device->waitIdle();  // frames for the window may still read the streams
     impl_->bake.reset();
     impl_->representation = std::move(representation);
     impl_->scene = passes::makeSceneBuffers(impl_->device, impl_->representation);
@@ -302,16 +338,14 @@ void Renderer::setScene(Representation representation) {
 
 Picture Renderer::render(const RenderSettings& settings) {
     const std::uint32_t n = std::max(settings.supersample, 1u);
-    View view = settings.view;
-    view.width *= n;
-    view.height *= n;
-    view.pixelsPerAngstrom *= n;
+    const View view = scaled(settings.view, n);
     if (std::max(view.width, view.height) > maxSize())
         throw Error("picture too large", std::to_string(view.width) + "x" + std::to_string(view.height),
                     "this device draws at most " + std::to_string(maxSize()) + " pixels a side, supersampling counted");
     impl_->finishOcclusion(settings);
     const auto pixels = impl_->draw(settings, view, kScreenTargets);
-    return resolvePicture(reinterpret_cast<const std::uint32_t*>(pixels[0].mapped), view.width, view.height, n,
+    const graph::Extent image = imageExtent(view);
+    return resolvePicture(reinterpret_cast<const std::uint32_t*>(pixels[0].mapped), image.width, image.height, n,
                           settings.background, impl_->stats.coveredPixels);
 }
 
@@ -333,8 +367,12 @@ double Renderer::drawFrame(const RenderSettings& settings) {
 
 double Renderer::advanceOcclusion(const RenderSettings& settings, double milliseconds) {
     if (settings.occlusionDirections == 0) return 1;
-    impl_->beginOcclusion(settings);
-    impl_->advanceOcclusion(milliseconds);
+    try {
+        impl_->beginOcclusion(settings);
+        impl_->advanceOcclusion(milliseconds);
+    } catch (const vk::DeviceLostError&) {
+        return 0;  // present() tells
+    }
     return static_cast<double>(impl_->bake->directionsDone()) / impl_->bake->directions();
 }
 
@@ -342,8 +380,58 @@ std::vector<bool> Renderer::seenSpheres() const {
     return impl_->bake ? impl_->bake->seenSpheres() : std::vector<bool>{};
 }
 
+FrameOutcome Renderer::present(const RenderSettings& settings, const WindowFrame& frame) {
+    Impl& impl = *impl_;
+    const auto declare = [&](const View& view, std::span<const ScreenTarget> targets, const char* name,
+                             graph::Imports& imports) { return impl.declare(settings, view, targets, name, imports); };
+    try {
+        const FrameOutcome outcome = impl.window->present(settings.view, settings.background, frame, declare);
+        if (outcome == FrameOutcome::shown) ++impl.stats.windowFrames;
+        return outcome;
+    } catch (const vk::DeviceLostError&) {
+        return FrameOutcome::lost;
+    }
+}
+
+PixelSize Renderer::windowSize() const { return {impl_->window->size().width, impl_->window->size().height}; }
+void Renderer::releaseWindow() { impl_->window->release(); }
+void Renderer::setOverlayGlyphs(const OverlayGlyphs& glyphs) { impl_->window->setGlyphs(glyphs); }
+
+std::uint32_t Renderer::atomAt(const RenderSettings& settings, double x, double y, double reach) {
+    // A picture of its own, as large as the reach, about the place. The middle pixel is the one that holds (x, y).
+    const auto side = static_cast<std::uint32_t>(2 * std::ceil(std::clamp(reach, 0.0, 100.0)) + 1);
+    RenderSettings small = settings;
+    small.occlusionDirections = 0;
+    small.countFragments = false;
+    small.view.pan = -planePointAt(settings.view, std::floor(x) + 0.5, std::floor(y) + 0.5);
+    small.view.width = small.view.height = side;
+    const auto pixels = impl_->draw(small, small.view, kPickTargets, true, "pick");
+    const auto* identity = reinterpret_cast<const std::uint32_t*>(pixels[0].mapped);
+    std::uint32_t atom = 0;
+    double nearest = reach * reach + 0.5;
+    for (std::uint32_t j = 0; j < side; ++j)
+        for (std::uint32_t i = 0; i < side; ++i) {
+            const double right = i - (side - 1) / 2.0, down = j - (side - 1) / 2.0;
+            const double distance = right * right + down * down;
+            const std::uint32_t here = identity[2 * (std::size_t{j} * side + i)];
+            if (here == 0 || distance >= nearest) continue;
+            nearest = distance;
+            atom = here;
+        }
+    return atom;
+}
+
+std::vector<std::byte> Renderer::pipelineCache() const {
+    const std::vector<std::uint8_t> data = impl_->device.pipelineCache().getData();
+    const auto bytes = std::as_bytes(std::span(data));
+    return {bytes.begin(), bytes.end()};
+}
+
 const FrameStats& Renderer::stats() const { return impl_->stats; }
-const std::string& Renderer::planText() const { return impl_->planText; }
+const std::string& Renderer::planText() const {
+    if (impl_->planText.empty()) impl_->planText = graph::describe(impl_->lastGraph, impl_->lastPlan);
+    return impl_->planText;
+}
 const std::vector<std::string>& Renderer::validationMessages() const { return impl_->device.validationMessages(); }
 std::uint32_t Renderer::maxSize() const { return impl_->device.caps().maxImageSize; }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/device_options.h"
+#include "engine/overlay.h"
 #include "engine/scene/camera.h"
 #include "engine/scene/representation.h"
 
@@ -82,9 +83,34 @@ struct FrameStats {
     std::uint64_t spheres = 0, cylinders = 0;  ///< submitted for the last picture, in all copies
     std::uint64_t copies = 1;                  ///< of an assembly
     OcclusionStats occlusion;
-    std::uint64_t deviceBytes = 0;  ///< peak device memory
+    std::uint64_t deviceBytes = 0;   ///< peak device memory
+    std::uint64_t windowFrames = 0;  ///< submitted to the window so far
     std::uint32_t tileBytesPerPixel = 0;
     std::uint64_t loadedBytes = 0, storedBytes = 0;  ///< of attachments, a frame
+};
+
+/// How a frame for the window is drawn.
+struct WindowFrame {
+    enum class Quality {
+        live,     ///< at `scale` times the window's resolution
+        refined,  ///< from samples x samples a pixel, and kept
+        kept,     ///< the refined picture once more, under another overlay
+    };
+    Quality quality = Quality::live;
+    double scale = 1;
+    std::uint32_t samples = 2;
+    const Overlay* overlay = nullptr;  ///< good until the call returns
+};
+
+enum class FrameOutcome {
+    shown,
+    resized,  ///< nothing drawn: the window is now windowSize(), or there is no refined picture of that size
+    hidden,   ///< nothing drawn: the window has no area
+    lost,     ///< nothing drawn: the device is gone; only a new Renderer helps
+};
+
+struct PixelSize {
+    std::uint32_t width = 0, height = 0;
 };
 
 class Renderer {
@@ -112,6 +138,22 @@ public:
     /// One frame as an application would draw it: nothing is read back, and occlusion is shown as far as it is baked (1
     /// everywhere at first). Returns milliseconds, from declaring the frame to the device being done.
     double drawFrame(const RenderSettings& settings);
+
+    /// Draws a frame into the window that DeviceOptions::surface makes, with the occlusion that is there so far, and
+    /// queues it for the display. Does not wait for the device unless two frames are in flight already.
+    /// @param settings its view has the window's size; `supersample` and `countFragments` are not looked at
+    FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame);
+    PixelSize windowSize() const;
+    /// Lets go of the window's surface, which is about to go; the next frame makes another.
+    void releaseWindow();
+    /// Glyphs of the overlays that follow. @throws Error if the texture is too large
+    void setOverlayGlyphs(const OverlayGlyphs& glyphs);
+    /// The atom that is seen at a place of the view or, if none is, nearest to it. @returns its 1-based position in the
+    /// file; 0: none within reach. @param x, y, reach pixels, from the top left
+    std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach);
+
+    /// What the driver compiled so far, for DeviceOptions::pipelineCache of a later run.
+    std::vector<std::byte> pipelineCache() const;
 
     const FrameStats& stats() const;
     /// Plan of the last frame as text.

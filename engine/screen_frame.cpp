@@ -57,7 +57,7 @@ ScreenPass notesOf(Writes writes, Nearest nearest, bool settles) {
 }  // namespace
 
 ScreenFrame screenFrame(const ScreenFrameOptions& options, const ScreenRecord& record) {
-    ScreenFrame frame;
+    ScreenFrame frame{graph::Graph(options.name), {}, {}, {}, {}, {}};
     graph::Graph& g = frame.graph;
     const Nearest nearest = options.nearest;
     const bool settles = nearest == Nearest::encoded && options.encoded.settles();
@@ -87,14 +87,16 @@ ScreenFrame screenFrame(const ScreenFrameOptions& options, const ScreenRecord& r
     if (ordered) frame.nearest = g.image("nearest depth", {VK_FORMAT_R32_SFLOAT, options.extent});
     if (shared) pass(Writes::encoded).depthTest(frame.depth).ordered(frame.nearest, Clear{1.0f});
     for (const ScreenTarget& target : options.targets) {
-        frame.targets.push_back(g.image(target.image, {target.format, options.extent}));
+        const graph::ImageDesc desc{target.format, options.extent};
+        frame.targets.push_back(target.window ? g.importImage(target.image, desc, kWindowState, true)
+                                              : g.image(target.image, desc));
         graph::PassBuilder shading = pass(target.writes);
         if (nearest == Nearest::fragdepth || settles)
             shading.depth(frame.depth);
         else if (nearest != Nearest::deferred)
             shading.depthTest(frame.depth);
         if (nearest == Nearest::encoded || nearest == Nearest::deferred) shading.input(frame.nearest);
-        shading.samples(frame.atlas).color(frame.targets.back(), Clear{0.0f});
+        shading.samples(frame.atlas).color(frame.targets.back(), target.clear);
         if (shared)
             shading.samples(frame.nearest);
         else if (ordered)

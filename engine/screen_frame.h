@@ -19,7 +19,12 @@ struct ScreenTarget {
     const char* image;
     VkFormat format;
     passes::Writes writes;  ///< color, surface or identity
+    graph::Clear clear{0.0f};
+    bool window = false;  ///< it is the window's image, and left to the display
 };
+
+/// State in which a window's image comes and goes.
+constexpr graph::State kWindowState{VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT, 0, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
 
 /// What an application shows.
 constexpr ScreenTarget kScreenTargets[] = {{"colour", VK_FORMAT_R8G8B8A8_SRGB, passes::Writes::color}};
@@ -30,6 +35,7 @@ struct ScreenFrameOptions {
     gpu::EncodedFormat encoded;  ///< of `encoded`
     graph::ImageDesc atlas{VK_FORMAT_R8_UNORM, {1, 1}};
     std::span<const ScreenTarget> targets;
+    const char* name = "screen";  ///< images are kept by it: frames of several sizes want several names
 };
 
 /// Bytes that a pass fetches for each primitive, or, if `perPixel`, for each pixel that one covers.

@@ -8,6 +8,9 @@
 
 #include "app/headless/commands.h"
 #include "app/headless/options.h"
+#ifdef NACRE_DESKTOP
+#include "app/desktop/view_command.h"
+#endif
 #include "engine/error.h"
 
 namespace {
@@ -32,6 +35,11 @@ void run(const CommandLine& line, std::ostream& out) {
             break;
         case Command::render:
             renderCommand(line.render);
+            break;
+        case Command::view:
+#ifdef NACRE_DESKTOP
+            viewCommand(line.view);
+#endif
             break;
         case Command::bench:
             benchCommand(line.bench, out);

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "app/headless/image_file.h"
+#include "app/headless/saved_options.h"
 #include "engine/error.h"
 #include "engine/graph/capability_sets.h"
 
@@ -55,14 +56,13 @@ std::string path(const std::string& text) {
     return text;
 }
 
-void addInput(CLI::App& app, InputOptions& input) {
-    app.add_option(
-           "INPUT", input.path,
-           "A structure file (PDB, mmCIF, mmJSON, BinaryCIF, MMTF, SDF/MOL, XYZ, MOL2, PQR, GRO, PDBQT, CML;\n"
-           "each also .gz), - for standard input, sample:dna, sample:glucose, sample:buckyball, or a download:\n"
-           "pdb:1BNA, pubchem:CID|NAME, afdb:UNIPROT")
-        ->required()
-        ->type_name("");
+CLI::Option* addInput(CLI::App& app, InputOptions& input) {
+    CLI::Option* option = app.add_option(
+        "INPUT", input.path,
+        "A structure file (PDB, mmCIF, mmJSON, BinaryCIF, MMTF, SDF/MOL, XYZ, MOL2, PQR, GRO, PDBQT, CML;\n"
+        "each also .gz), - for standard input, sample:dna, sample:glucose, sample:buckyball, or a download:\n"
+        "pdb:1BNA, pubchem:CID|NAME, afdb:UNIPROT");
+    option->required()->type_name("");
     value(app, "--cache", "DIR|off", "NACRE_CACHE, else ~/.cache/nacre", "Where downloads and occlusion are kept",
           [&](const std::string& text) { input.cache = path(text); });
     app.add_flag("--offline", input.offline, "Take downloads from the cache alone");
@@ -72,6 +72,7 @@ void addInput(CLI::App& app, InputOptions& input) {
     });
     value(app, "--model", "N|all", "1", "Model, frame or record, counted from 1; all: one over the other",
           [&](const std::string& text) { input.model = parseModel(text); });
+    return option;
 }
 
 void addSize(CLI::App& app, const std::string& fallback, Size& size) {
@@ -109,8 +110,8 @@ void addRules(CLI::App& app, std::vector<Rule>& rules) {
 }
 
 /// What is drawn and how it looks: the same for every command that draws.
-void addContent(CLI::App& app, InputOptions& input, DrawnAtomsOptions& drawn, RepresentationOptions& look) {
-    addInput(app, input);
+CLI::Option* addContent(CLI::App& app, InputOptions& input, DrawnAtomsOptions& drawn, RepresentationOptions& look) {
+    CLI::Option* option = addInput(app, input);
     value(app, "--style", "NAME", "spacefill; ball-and-stick under 100 atoms with bonds",
           "spacefill, ball-and-stick or licorice", [&](const std::string& text) { look.style = parseStyle(text); });
     value(app, "--color", "SCHEME|COLOR", "element",
@@ -125,6 +126,7 @@ void addContent(CLI::App& app, InputOptions& input, DrawnAtomsOptions& drawn, Re
     addRules(app, look.rules);
     showHide(app, "--water", drawn.water, "Water molecules");
     showHide(app, "--hydrogens", drawn.hydrogens, "Hydrogen atoms");
+    return option;
 }
 
 void addOcclusion(CLI::App& app, OcclusionSettings& occlusion) {
@@ -145,8 +147,7 @@ void addBench(CLI::App& app, BenchOptions& options) {
     app.add_flag("--json", options.json, "As one JSON object");
 }
 
-void addView(CLI::App& app, RenderOptions& options) {
-    addSize(app, "1024x1024", options.size);
+void addCamera(CLI::App& app, RenderOptions& options) {
     value(app, "--rotate", "X,Y,Z", "0,0,0", "Degrees, right-handed, about the view axes, X first",
           [&](const std::string& text) { options.camera.rotationDegrees = parseRotation(text); });
     value(app, "--zoom", "F", "1", "Scales the picture, 0.0001 to 10000",
@@ -159,15 +160,25 @@ void addView(CLI::App& app, RenderOptions& options) {
           [&](const std::string& text) { options.camera.fovDegrees = parseNumber(text, kSmallestFov, kLargestFov); });
 }
 
-void addLook(CLI::App& app, RenderOptions& options) {
+void addShading(CLI::App& app, RenderOptions& options) {
     addOcclusion(app, options.occlusion);
     value(app, "--background", "COLOR", "white",
           "transparent, a basic CSS name, #rgb, #rrggbb or #rrggbbaa (JPEG has no transparency: over white)",
           [&](const std::string& text) { options.background = parseColor(text); });
     onOff(app, "--lighting", options.lighting, "off: base colour times occlusion, nothing else");
+}
+
+void addPixels(CLI::App& app, RenderOptions& options) {
+    addSize(app, "1024x1024", options.size);
     value(app, "--supersample", "N", "1", "N x N samples a pixel, 1 to 8", [&](const std::string& text) {
         options.supersample = static_cast<std::uint32_t>(parseInteger(text, 1, kMostSupersample));
     });
+}
+
+/// Goes before the options that it stands for, so that those prevail.
+void addSavedView(CLI::App& app, RenderOptions& options) {
+    value(app, "--view", "FILE", "none", "A view that `nacre view` saved: what is seen, and how; options prevail",
+          [&](const std::string& text) { applySavedView(readSavedView(path(text)), options); });
 }
 
 void addFiles(CLI::App& app, RenderOptions& options) {
@@ -215,6 +226,23 @@ void addDevice(CLI::App& app, RenderOptions& options) {
                  "Run under the Vulkan validation layer; any message is an error");
 }
 
+#ifdef NACRE_DESKTOP
+void addWindow(CLI::App& app, ViewOptions& options) {
+    RenderOptions& first = options.first;
+    first.size = {1280, 800};
+    addSavedView(app, first);
+    addContent(app, first.input, first.drawn, first.look)->required(false);
+    addCamera(app, first);
+    addSize(app, "1280x800", first.size);
+    addShading(app, first);
+    value(app, "--stats", "FILE", "none", "What the window drew, as JSON, when it is closed",
+          [&](const std::string& text) { first.stats = path(text); });
+    addDeviceName(app, first.device);
+    addVisibility(app, first.device);
+    app.add_flag("--validate", first.device.validate, "Run under the Vulkan validation layer; any message is an error");
+}
+#endif
+
 void addPlan(CLI::App& app, PlanOptions& options) {
     value(app, "--caps", "NAME", "none", "A capability set instead of a device: " + capabilitySetNames(),
           [&](const std::string& text) {
@@ -244,8 +272,18 @@ bool sameFile(const std::string& a, const std::string& b) {
     return plain(a) == plain(b);
 }
 
+/// INPUT, or the one of the saved view.
+bool takeInput(RenderOptions& options) {
+    if (!options.input.path.empty()) return true;
+    options.input.path = options.savedInput.path;
+    options.input.format = options.savedInput.format;
+    options.input.model = options.savedInput.model;
+    return !options.input.path.empty();
+}
+
 /// What no option alone can tell.
-void checkRender(const RenderOptions& options) {
+void checkRender(RenderOptions& options) {
+    if (!takeInput(options)) throw UsageError("INPUT is required");
     try {
         checkSamples(options.size, options.supersample);
     } catch (const std::invalid_argument& error) {
@@ -300,6 +338,13 @@ constexpr const char* kRenderExamples =
     "  ligand, water, ion, backbone, sidechain, hydrogens, hetatm, all, none; and, or, not, ( );\n"
     "  within 5 of (SEL): at most 5 Å away, itself included; byres (SEL): its whole residues";
 
+constexpr const char* kViewExamples =
+    "Examples:\n"
+    "  nacre view 1bna.pdb\n"
+    "  nacre view 4hhb.cif.gz --style spacefill --color chain --visibility encoded\n"
+    "  nacre view --view pocket.view.json\n"
+    "Without INPUT the window goes on where the last one was left. `?` in the window lists keys and gestures.";
+
 }  // namespace
 
 CommandLine parseCommandLine(int argc, const char* const* argv) {
@@ -311,11 +356,19 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
 
     CLI::App& render = *app.add_subcommand("render", "Draw a molecule into a picture file");
     render.footer(kRenderExamples);
-    addContent(render, line.render.input, line.render.drawn, line.render.look);
+    addSavedView(render, line.render);
+    addContent(render, line.render.input, line.render.drawn, line.render.look)->required(false);
     addFiles(render, line.render);
-    addView(render, line.render);
-    addLook(render, line.render);
+    addCamera(render, line.render);
+    addShading(render, line.render);
+    addPixels(render, line.render);
     addDevice(render, line.render);
+
+#ifdef NACRE_DESKTOP
+    CLI::App& view = *app.add_subcommand("view", "Show a molecule in a window");
+    view.footer(kViewExamples);
+    addWindow(view, line.view);
+#endif
 
     CLI::App& info = *app.add_subcommand("info", "Say what a structure file holds");
     info.footer("Examples:\n  nacre info 1bna.pdb\n  nacre info ligands.sdf --model 3 --json");
@@ -354,6 +407,11 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     } else if (render.parsed()) {
         checkRender(line.render);
         line.command = Command::render;
+#ifdef NACRE_DESKTOP
+    } else if (view.parsed()) {
+        line.view.restore = !takeInput(line.view.first);
+        line.command = Command::view;
+#endif
     } else if (info.parsed()) {
         line.command = Command::info;
     } else if (bench.parsed()) {
@@ -363,7 +421,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     } else if (devices.parsed()) {
         line.command = Command::devices;
     } else {
-        throw UsageError("a command is needed: render, info, bench, plan or devices");
+        throw UsageError("a command is needed: render, view, info, bench, plan or devices");
     }
     return line;
 }

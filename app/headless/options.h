@@ -42,6 +42,7 @@ struct RenderOptions {
     bool prepass = true, merge = true;
     DeviceOptions device;
     std::string output, layers, stats;  ///< paths; the last two may be empty
+    InputOptions savedInput;            ///< of the saved view; `input` once the command line is read, if that has none
 };
 
 struct InfoOptions {
@@ -60,6 +61,12 @@ struct BenchOptions {
     bool json = false;
 };
 
+/// A window: what it shows at first is said as for `render`; `size` is the window's.
+struct ViewOptions {
+    RenderOptions first;
+    bool restore = false;  ///< no INPUT and no saved view: go on where the last window was left
+};
+
 enum class PlanFormat { text, json, dot };
 
 struct PlanOptions {
@@ -70,12 +77,13 @@ struct PlanOptions {
     PlanFormat format = PlanFormat::text;
 };
 
-enum class Command { help, version, render, info, devices, bench, plan };
+enum class Command { help, version, render, view, info, devices, bench, plan };
 
 struct CommandLine {
     Command command = Command::help;
     std::string help;  ///< what to print for Command::help
     RenderOptions render;
+    ViewOptions view;
     InfoOptions info;
     BenchOptions bench;
     PlanOptions plan;

@@ -57,7 +57,8 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
                     {"radius", view.radius},
                     {"pixels_per_angstrom", view.pixelsPerAngstrom},
                     {"eye_distance", view.eyeDistance},
-                    {"rotation", rowsOf(view.rotation)}};
+                    {"rotation", rowsOf(view.rotation)},
+                    {"pan", {view.pan.x, view.pan.y}}};
     json["atoms"] = {
         {"read", run.atomsRead}, {"drawn", run.atomsDrawn}, {"submitted", frame.spheres}, {"copies", frame.copies}};
     json["bonds"] = {{"known", run.bondsKnown}, {"drawn", run.bondsDrawn}, {"cylinders", frame.cylinders}};

@@ -4,18 +4,21 @@
 
 #include "engine/error.h"
 #include "engine/gpu/instance.h"
+#include "engine/gpu/pipeline_cache.h"
 
 namespace nacre::gpu {
 namespace {
 
-std::vector<const char*> deviceExtensions(const vk::raii::PhysicalDevice& physical) {
+std::vector<const char*> deviceExtensions(const vk::raii::PhysicalDevice& physical, bool window) {
     const auto available = physical.enumerateDeviceExtensionProperties();
     auto has = [&](std::string_view name) {
         return std::any_of(available.begin(), available.end(),
                            [&](const auto& e) { return name == e.extensionName.data(); });
     };
     std::vector<const char*> wanted;
-    for (const char* name : {VK_KHR_CREATE_RENDERPASS_2_EXTENSION_NAME})
+    std::vector<const char*> required{VK_KHR_CREATE_RENDERPASS_2_EXTENSION_NAME};
+    if (window) required.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+    for (const char* name : required)
         if (has(name))
             wanted.push_back(name);
         else
@@ -42,24 +45,25 @@ std::uint32_t graphicsAndCompute(const vk::raii::PhysicalDevice& physical) {
 Device::Device(const DeviceOptions& options) {
     createInstance(options);
     physical_ = pickDevice(instance_, options.device);
-    createDevice();
+    createDevice(options);
+    pipelineCache_ = makePipelineCache(device_, physical_, options.pipelineCache);
     caps_ = capsOf(physical_, options);
 }
 
 void Device::createInstance(const DeviceOptions& options) {
     InstanceExtensions found;
-    instance_ = makeInstance(context_, options.validate, found);
+    instance_ = makeInstance(context_, options.validate, found, options.surface.instanceExtensions);
     debugUtils_ = found.debugUtils;
     if (options.validate) messenger_ = makeMessenger(instance_, *messages_);
 }
 
-void Device::createDevice() {
+void Device::createDevice(const DeviceOptions& options) {
     if (physical_.getProperties().apiVersion < VK_API_VERSION_1_1)
         throw Error("unsuitable device", physical_.getProperties().deviceName.data(), "Vulkan 1.1 is the floor");
     queueFamily_ = graphicsAndCompute(physical_);
     const float priority = 1.0f;
     const vk::DeviceQueueCreateInfo queue({}, queueFamily_, 1, &priority);
-    const auto extensions = deviceExtensions(physical_);
+    const auto extensions = deviceExtensions(physical_, static_cast<bool>(options.surface.create));
     vk::PhysicalDeviceFeatures features;
     // Only the counting shaders write storage from fragments.
     features.fragmentStoresAndAtomics = physical_.getFeatures().fragmentStoresAndAtomics;

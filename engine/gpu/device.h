@@ -5,6 +5,7 @@
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
+#include "engine/device_options.h"
 #include "engine/gpu/caps.h"
 
 namespace nacre::gpu {
@@ -18,7 +19,9 @@ public:
 
     const vk::raii::Device& operator*() const { return device_; }
     const vk::raii::Device* operator->() const { return &device_; }
+    const vk::raii::Instance& instance() const { return instance_; }
     const vk::raii::PhysicalDevice& physical() const { return physical_; }
+    const vk::raii::PipelineCache& pipelineCache() const { return pipelineCache_; }
     const vk::raii::Queue& queue() const { return queue_; }
     std::uint32_t queueFamily() const { return queueFamily_; }
     const Caps& caps() const { return caps_; }
@@ -57,7 +60,7 @@ private:
     vk::raii::CommandBuffer begin() const;
     void finish(const vk::raii::CommandBuffer& commands) const;
     void createInstance(const DeviceOptions& options);
-    void createDevice();
+    void createDevice(const DeviceOptions& options);
 
     vk::raii::Context context_;
     vk::raii::Instance instance_{nullptr};
@@ -67,6 +70,7 @@ private:
     vk::raii::Device device_{nullptr};
     vk::raii::Queue queue_{nullptr};
     vk::raii::CommandPool pool_{nullptr};
+    vk::raii::PipelineCache pipelineCache_{nullptr};
     std::uint32_t queueFamily_ = 0;
     bool debugUtils_ = false;
     Caps caps_;

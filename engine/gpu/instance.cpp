@@ -45,13 +45,19 @@ std::string lower(std::string text) {
 
 }  // namespace
 
-vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found) {
+vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
+                                const std::vector<std::string>& wanted) {
     const auto available = context.enumerateInstanceExtensionProperties();
     std::vector<const char*> extensions, layers;
     found.debugUtils = hasExtension(available, VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     found.portability = hasExtension(available, VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
     if (found.debugUtils) extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
     if (found.portability) extensions.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
+    for (const std::string& name : wanted) {
+        if (!hasExtension(available, name.c_str()))
+            throw Error("cannot open a window", name, "this Vulkan installation lacks the extension");
+        extensions.push_back(name.c_str());
+    }
     if (validate) {
         const auto present = context.enumerateInstanceLayerProperties();
         if (std::none_of(present.begin(), present.end(),

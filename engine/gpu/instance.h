@@ -11,8 +11,10 @@ struct InstanceExtensions {
     bool debugUtils = false, portability = false;
 };
 
-/// @throws Error if there is no loader or driver, or validation is asked for and not installed
-vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found);
+/// @param wanted extensions besides those that the engine itself takes
+/// @throws Error if there is no loader or driver, an extension is missing, or validation is asked for and not installed
+vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
+                                const std::vector<std::string>& wanted = {});
 
 /// Collects validation messages of warning severity and above.
 vk::raii::DebugUtilsMessengerEXT makeMessenger(const vk::raii::Instance& instance, std::vector<std::string>& messages);

@@ -29,6 +29,12 @@ vk::PipelineColorBlendAttachmentState blendState(Blend blend, bool written) {
         state.srcAlphaBlendFactor = state.dstAlphaBlendFactor = vk::BlendFactor::eOne;
         state.colorBlendOp = state.alphaBlendOp = vk::BlendOp::eMin;
     }
+    if (blend == Blend::over) {
+        state.blendEnable = true;
+        state.srcColorBlendFactor = vk::BlendFactor::eSrcAlpha;
+        state.srcAlphaBlendFactor = vk::BlendFactor::eOne;
+        state.dstColorBlendFactor = state.dstAlphaBlendFactor = vk::BlendFactor::eOneMinusSrcAlpha;
+    }
     return state;
 }
 
@@ -62,7 +68,7 @@ vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d)
     constexpr vk::DynamicState kDynamic[] = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic({}, kDynamic);
     vk::raii::Pipeline pipeline(
-        *device, nullptr,
+        *device, device.pipelineCache(),
         vk::GraphicsPipelineCreateInfo({}, stages, &input, &assembly, nullptr, &viewport, &raster, &samples, &depth,
                                        &blend, &dynamic, d.layout, d.renderPass, d.subpass));
     device.name(*pipeline, d.name);
@@ -75,7 +81,7 @@ vk::raii::Pipeline makeComputePipeline(const Device& device, std::span<const std
     const vk::raii::ShaderModule module = makeModule(device, code);
     const vk::SpecializationInfo info = constants.info();
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main", &info);
-    vk::raii::Pipeline pipeline(*device, nullptr, vk::ComputePipelineCreateInfo({}, stage, layout));
+    vk::raii::Pipeline pipeline(*device, device.pipelineCache(), vk::ComputePipelineCreateInfo({}, stage, layout));
     device.name(*pipeline, name);
     return pipeline;
 }

@@ -25,7 +25,11 @@ private:
 };
 
 enum class DepthUse { none, test, write };
-enum class Blend { replace, minimum };
+enum class Blend {
+    replace,
+    minimum,
+    over,  ///< straight alpha, over an opaque picture
+};
 
 struct GraphicsPipeline {
     std::string name;

@@ -65,6 +65,15 @@ struct Image {
     graph::ImageDesc desc;
 };
 
+/// An image that someone else owns.
+struct ImageRef {
+    vk::Image handle;
+    vk::ImageView view;  ///< null if the image is only copied
+    ImageRef() = default;
+    ImageRef(vk::Image image, vk::ImageView imageView) : handle(image), view(imageView) {}
+    ImageRef(const Image& image) : handle(*image.handle), view(*image.view) {}
+};
+
 /// @param transient ask for lazily allocated memory
 Image makeImage(const Device& device, const graph::ImageDesc& desc, vk::ImageUsageFlags usage, bool transient,
                 const std::string& name);

@@ -3,6 +3,20 @@
 #include <algorithm>
 
 namespace nacre::graph {
+namespace {
+
+/// What a VkRenderPass depends on: neither sizes nor clear values nor the numbers of images and passes.
+RenderPassPlan essence(RenderPassPlan plan) {
+    plan.extent = {};
+    for (Attachment& a : plan.attachments) {
+        a.image = 0;
+        a.clear = Clear{0.0f};
+    }
+    for (Subpass& s : plan.subpasses) s.passes.clear();
+    return plan;
+}
+
+}  // namespace
 
 Executor::Executor(const gpu::Device& device) : device_(device), descriptors_(device) {}
 
@@ -11,8 +25,7 @@ const gpu::Image& Executor::own(const std::string& key, const ImageDesc& desc, c
     if (it != images_.end() && it->second.image.desc == desc && it->second.usage == planned.usage)
         return it->second.image;
     if (it != images_.end()) {
-        device_->waitIdle();
-        for (OwnedRenderPass& pass : renderPasses_) pass.framebuffers.clear();
+        forgetFramebuffers();
         images_.erase(it);
     }
     gpu::Image image = gpu::makeImage(device_, desc, vk::ImageUsageFlags(planned.usage), planned.transient, key);
@@ -20,24 +33,25 @@ const gpu::Image& Executor::own(const std::string& key, const ImageDesc& desc, c
 }
 
 Executor::OwnedRenderPass& Executor::renderPass(const RenderPassPlan& plan, const std::string& name) {
+    const RenderPassPlan key = essence(plan);
     for (OwnedRenderPass& pass : renderPasses_)
-        if (pass.plan == plan) return pass;
-    renderPasses_.push_back({plan, makeRenderPass(device_, plan, name), {}});
+        if (pass.plan == key) return pass;
+    renderPasses_.push_back({key, makeRenderPass(device_, plan, name), {}});
     return renderPasses_.back();
 }
 
-vk::Framebuffer Executor::framebuffer(OwnedRenderPass& pass, const PassContext& context, const std::string& name) {
+vk::Framebuffer Executor::framebuffer(OwnedRenderPass& pass, const RenderPassPlan& plan, const PassContext& context,
+                                      const std::string& name) {
     std::vector<VkImageView> views;
-    for (const Attachment& a : pass.plan.attachments) views.push_back(*context.images[a.image]->view);
-    for (const auto& [key, handle] : pass.framebuffers)
-        if (key == views) return *handle;
+    for (const Attachment& a : plan.attachments) views.push_back(context.images[a.image].view);
+    for (const Framebuffer& f : pass.framebuffers)
+        if (f.views == views && f.extent == plan.extent) return *f.handle;
     std::vector<vk::ImageView> handles(views.begin(), views.end());
-    pass.framebuffers.emplace_back(
-        views,
-        vk::raii::Framebuffer(*device_, vk::FramebufferCreateInfo({}, *pass.handle, handles, pass.plan.extent.width,
-                                                                  pass.plan.extent.height, pass.plan.layers)));
-    device_.name(*pass.framebuffers.back().second, name);
-    return *pass.framebuffers.back().second;
+    vk::raii::Framebuffer handle(*device_, vk::FramebufferCreateInfo({}, *pass.handle, handles, plan.extent.width,
+                                                                     plan.extent.height, plan.layers));
+    device_.name(*handle, name);
+    pass.framebuffers.push_back({std::move(views), plan.extent, std::move(handle)});
+    return *pass.framebuffers.back().handle;
 }
 
 void Executor::barriers(const vk::raii::CommandBuffer& commands, const std::vector<Barrier>& list, const Graph& graph,
@@ -60,8 +74,7 @@ void Executor::barriers(const vk::raii::CommandBuffer& commands, const std::vect
             isDepthFormat(desc.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
         images.emplace_back(fromAccess, toAccess, static_cast<vk::ImageLayout>(b.from.layout),
                             static_cast<vk::ImageLayout>(b.to.layout), VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
-                            *context.images[b.resource]->handle,
-                            vk::ImageSubresourceRange(aspect, 0, 1, 0, desc.layers));
+                            context.images[b.resource].handle, vk::ImageSubresourceRange(aspect, 0, 1, 0, desc.layers));
     }
     commands.pipelineBarrier(from, to, {}, {}, buffers, images);
 }
@@ -79,7 +92,7 @@ void Executor::recordRenderPass(const Graph& graph, const Plan& plan, const Rend
     const vk::Rect2D area({0, 0}, {pass.extent.width, pass.extent.height});
     const vk::SubpassBeginInfo inlineContents(vk::SubpassContents::eInline);
     context.commands.beginRenderPass2KHR(
-        vk::RenderPassBeginInfo(*owned.handle, framebuffer(owned, context, name), area, clears), inlineContents);
+        vk::RenderPassBeginInfo(*owned.handle, framebuffer(owned, pass, context, name), area, clears), inlineContents);
     context.renderPass = *owned.handle;
     context.extent = pass.extent;
     for (std::uint32_t s = 0; s < pass.subpasses.size(); ++s) {
@@ -100,18 +113,18 @@ void Executor::recordRenderPass(const Graph& graph, const Plan& plan, const Rend
 }
 
 void Executor::record(const vk::raii::CommandBuffer& commands, const Graph& graph, const Plan& plan,
-                      const Imports& imports) {
-    PassContext context{commands, device_, descriptors_, {}, 0, 0, {}, false, {}, {}};
+                      const Imports& imports, gpu::DescriptorPool& descriptors) {
+    PassContext context{commands, device_, descriptors, {}, 0, 0, {}, false, {}, {}};
     for (std::uint32_t i = 0; i < graph.images().size(); ++i) {
         const ImageDecl& decl = graph.images()[i];
-        const gpu::Image* image = nullptr;
+        gpu::ImageRef image;
         if (decl.imported) {
             const auto it = imports.images.find(i);
             if (it != imports.images.end()) image = it->second;
-            if (!image && plan.images[i].used)
+            if (!image.handle && plan.images[i].used)
                 throw GraphError("graph '" + graph.name() + "', image '" + decl.name + "': imported, but not bound");
         } else if (plan.images[i].used) {
-            image = &own(graph.name() + ": " + decl.name, decl.desc, plan.images[i]);
+            image = own(graph.name() + ": " + decl.name, decl.desc, plan.images[i]);
         }
         context.images.push_back(image);
     }
@@ -137,9 +150,13 @@ void Executor::record(const vk::raii::CommandBuffer& commands, const Graph& grap
     device_.endLabel(commands);
 }
 
-void Executor::forget(const std::string& graph) {
+void Executor::forgetFramebuffers() {
     device_->waitIdle();
     for (OwnedRenderPass& pass : renderPasses_) pass.framebuffers.clear();
+}
+
+void Executor::forget(const std::string& graph) {
+    forgetFramebuffers();
     std::erase_if(images_, [&](const auto& entry) { return entry.first.starts_with(graph + ": "); });
 }
 

@@ -47,8 +47,8 @@ struct Buffer {
 /// Value that an attachment is cleared to. One number clears depth or all channels.
 struct Clear {
     std::array<float, 4> value{};
-    Clear(float all) : value{all, all, all, all} {}
-    Clear(float r, float g, float b, float a) : value{r, g, b, a} {}
+    constexpr Clear(float all) : value{all, all, all, all} {}
+    constexpr Clear(float r, float g, float b, float a) : value{r, g, b, a} {}
     friend bool operator==(const Clear&, const Clear&) = default;
 };
 
@@ -86,6 +86,7 @@ struct Use {
     bool isImage = true;
     std::uint32_t resource = 0;
     std::optional<Clear> clear;
+    friend bool operator==(const Use&, const Use&) = default;
 };
 
 struct PassDecl {
@@ -102,6 +103,7 @@ struct ImageDecl {
     std::optional<State> imported;  ///< from outside; the state it comes in and is left in
     bool undefined = false;         ///< imported without contents
     bool output = false;            ///< read after the graph has run
+    friend bool operator==(const ImageDecl&, const ImageDecl&) = default;
 };
 
 struct BufferDecl {
@@ -109,6 +111,7 @@ struct BufferDecl {
     VkDeviceSize size = 0;
     State imported;       ///< the state it is in, and goes back to
     bool output = false;  ///< read by the host after the graph has run
+    friend bool operator==(const BufferDecl&, const BufferDecl&) = default;
 };
 
 class Graph;
@@ -159,6 +162,9 @@ public:
     /// Contents that someone reads after the graph has run.
     void output(Image image);
     void output(Buffer buffer);
+
+    /// A copy that records nothing, and so holds on to nothing.
+    Graph declarations() const;
 
     const std::string& name() const { return name_; }
     const std::vector<PassDecl>& passes() const { return passes_; }

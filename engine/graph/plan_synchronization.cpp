@@ -238,10 +238,20 @@ private:
         return imported.access && ((track.writeStages | track.readStages) & ~imported.stages);
     }
 
+    /// A window's image that the last step draws: its render pass hands it to the display as it ends, which spares
+    /// tilers a pass over memory. The semaphore that the display waits for orders the rest.
+    bool endsOnDisplay(std::uint32_t image) {
+        if (graph_.images()[image].imported->layout != VK_IMAGE_LAYOUT_PRESENT_SRC_KHR || plan_.steps.empty())
+            return false;
+        for (Attachment& a : plan_.steps.back().renderPass.attachments)
+            if (a.image == image) return a.finalLayout = VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, true;
+        return false;
+    }
+
     void finish() {
         for (std::uint32_t i = 0; i < images_.size(); ++i) {
             const auto& imported = graph_.images()[i].imported;
-            if (!imported || !plan_.images[i].used) continue;
+            if (!imported || !plan_.images[i].used || endsOnDisplay(i)) continue;
             if (images_[i].layout != imported->layout || leftOtherwise(images_[i], *imported))
                 plan_.after.push_back({true, i, images_[i].before(), *imported});
         }

@@ -161,6 +161,12 @@ std::optional<Format> formatFromName(std::string_view name) {
     return std::nullopt;
 }
 
+std::string_view formatName(Format format) {
+    for (const NamedFormat& known : kFormats)
+        if (format == known.format) return known.name;
+    return {};
+}
+
 std::string formatNames() {
     std::string names;
     for (const NamedFormat& known : kFormats) names += (names.empty() ? "" : ", ") + std::string(known.name);

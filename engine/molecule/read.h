@@ -25,6 +25,8 @@ struct ReadOptions {
 /// Name of a format as `--format` takes it, one of formatNames(); empty if there is none such.
 std::optional<Format> formatFromName(std::string_view name);
 
+std::string_view formatName(Format format);
+
 /// The names of all formats that are read, for messages: "pdb, mmcif, ...".
 std::string formatNames();
 

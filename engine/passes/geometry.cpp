@@ -63,11 +63,11 @@ const gpu::Layout& Geometry::layoutOf(const ShaderKey& key) {
         .first->second;
 }
 
-vk::Pipeline Geometry::pipeline(graph::PassContext& context, const ShaderKey& key, bool perspective,
+vk::Pipeline Geometry::pipeline(graph::PassContext& context, const ShaderKey& key, const Draw& draw,
                                 std::uint32_t corners, float rim) {
     const bool plates = key.writes == Writes::plates;
     const auto shape = static_cast<std::uint32_t>(plates ? rim * 1e6f : 0.0f) * 32 + corners;
-    const PipelineKey at{key, perspective, shape, context.renderPass, context.subpass};
+    const PipelineKey at{key, draw.perspective, draw.quarterTurns, shape, context.renderPass, context.subpass};
     if (const auto it = pipelines_.find(at); it != pipelines_.end()) return *it->second;
     gpu::GraphicsPipeline d;
     d.name = std::string(nameOf(key.writes)) + (key.primitive == Primitive::sphere     ? ", spheres"
@@ -76,7 +76,8 @@ vk::Pipeline Geometry::pipeline(graph::PassContext& context, const ShaderKey& ke
     d.vertex = vertexShader(key);
     d.fragment = fragmentShader(key);
     const gpu::EncodedFormat& encoded = device_.caps().encoded;
-    d.constants.set(0, perspective);
+    d.constants.set(0, draw.perspective);
+    d.constants.set(7, draw.quarterTurns);
     const bool exact = key.nearest == Nearest::rasterOrder;  // needs no blending: R32F everywhere
     d.constants.set(1, exact ? 1 : encoded.channels);
     d.constants.set(2, exact ? 0 : encoded.steps);
@@ -165,7 +166,7 @@ void Geometry::drawPrimitives(graph::PassContext& context, const SceneBuffers& s
                         draw.counter != nullptr};
     const vk::raii::CommandBuffer& commands = context.commands;
     const vk::PipelineLayout layout = *layoutOf(key).pipeline;
-    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, key, draw.perspective, corners, rim));
+    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, key, draw, corners, rim));
     bindSets(context, scene, key, draw, inputs);
     if (screen) {
         commands.pushConstants<layout::ViewConstants>(layout, kStages, 0, draw.view);

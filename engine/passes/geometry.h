@@ -20,6 +20,7 @@ struct Draw {
     Nearest nearest{};
     bool perspective = false;
     layout::ViewConstants view{};
+    int quarterTurns = 0;  ///< as in View
     const PlacedCopies* copies = nullptr;
     const gpu::Buffer* copyRows = nullptr;      ///< PlacedCopies::rows on the device, for `deferred` shading
     PlateShape plates = PlateShape::automatic;  ///< of Writes::plates
@@ -46,10 +47,10 @@ public:
 
 private:
     using LayoutKey = std::tuple<bool, Nearest, bool, bool>;  // reads, nearest, sampled, counting
-    using PipelineKey = std::tuple<ShaderKey, bool, std::uint32_t, VkRenderPass, std::uint32_t>;
+    using PipelineKey = std::tuple<ShaderKey, bool, int, std::uint32_t, VkRenderPass, std::uint32_t>;
 
     const gpu::Layout& layoutOf(const ShaderKey& key);
-    vk::Pipeline pipeline(graph::PassContext& context, const ShaderKey& key, bool perspective, std::uint32_t corners,
+    vk::Pipeline pipeline(graph::PassContext& context, const ShaderKey& key, const Draw& draw, std::uint32_t corners,
                           float rim);
     void drawPrimitives(graph::PassContext& context, const SceneBuffers& scene, const Draw& draw,
                         const ShadingInputs& inputs, Primitive primitive, std::uint32_t corners, float rim = 0);

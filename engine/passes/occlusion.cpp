@@ -23,8 +23,12 @@ constexpr std::uint64_t kBytesPerOpen = 4 + 8;  // list entry, sums
 // So many directions tell which texels lie so deep that no light will come to matter: they stay dark, unasked.
 constexpr int kTellsDeepTexels = 32;
 
-/// Texels that a bake takes on, whatever the memory: its time goes with them.
-std::uint64_t mostTexels(std::uint64_t primitives) { return 1'200'000 + 40 * primitives; }
+/// Texels that a bake takes on, whatever the memory: its time goes with them. With few directions their noise outweighs
+/// what finer patches bring.
+std::uint64_t mostTexels(std::uint64_t primitives, int directions) {
+    const double share = std::clamp(directions / 128.0, 0.5, 4.0);
+    return static_cast<std::uint64_t>(share * (700'000.0 + 40.0 * static_cast<double>(primitives)));
+}
 
 constexpr graph::State kComputeBuffer{
     VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
@@ -113,7 +117,8 @@ OcclusionLayout OcclusionBake::chooseLayout(Representation& representation, std:
         const double share = openShare(layout, representation, grid);
         const auto guess = static_cast<std::uint64_t>(share * static_cast<double>(layout.texelCount()));
         least = bytesOf(layout, guess, guess / 4);
-        if (least > budgetBytes || (layout.sphereEdge > 1 && guess > mostTexels(spheres + cylinders))) continue;
+        if (least > budgetBytes || (layout.sphereEdge > 1 && guess > mostTexels(spheres + cylinders, directions())))
+            continue;
         open = openTexels(layout, representation, grid);
         least = bytesOf(layout, open.texels.size(), open.words.size());
         if (least <= budgetBytes) return layout;

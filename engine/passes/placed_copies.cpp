@@ -11,12 +11,16 @@ namespace {
 bool mayShow(const View& view, const glm::dvec3& center, double radius) {
     const double room = 2.0 / view.pixelsPerAngstrom;  // impostors reach a little beyond their spheres
     const double slope = view.eyeDistance > 0 ? 1.0 / view.eyeDistance : 0.0;
-    const auto beyond = [&](double across, std::uint32_t pixels) {
-        const double half = pixels / (2.0 * view.pixelsPerAngstrom) + room;
-        const double out = std::abs(across) - half * (1.0 - center.z * slope);
-        return out / std::sqrt(1.0 + half * slope * half * slope);
+    // Beyond the edge that stands at `edge` on the plane z = 0.
+    const auto beyond = [&](double across, double edge) {
+        const double out = across - edge * (1.0 - center.z * slope);
+        return out / std::sqrt(1.0 + edge * slope * edge * slope);
     };
-    return beyond(center.x, view.width) <= radius && beyond(center.y, view.height) <= radius;
+    const auto shows = [&](double across, std::uint32_t pixels, double pan) {
+        const double half = pixels / (2.0 * view.pixelsPerAngstrom) + room;
+        return beyond(across, half - pan) <= radius && beyond(-across, half + pan) <= radius;
+    };
+    return shows(center.x, view.width, view.pan.x) && shows(center.y, view.height, view.pan.y);
 }
 
 std::uint64_t total(const std::vector<PlacedCopies::Call>& calls) {

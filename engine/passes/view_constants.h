@@ -7,7 +7,7 @@ namespace nacre::passes {
 
 /// The push constants of a view: projection and depth range. Copy, atlas and shading are left 0.
 /// @param snapPixels how far the rasteriser may move a vertex
-/// @param centerX, centerY pixel of the view axis in the framebuffer
+/// @param centerX, centerY pixel of the picture's middle in the framebuffer
 inline layout::ViewConstants viewConstants(const View& view, float snapPixels, double centerX, double centerY) {
     const bool perspective = view.projection == Projection::perspective;
     const double origin = perspective ? view.eyeDistance : view.radius;
@@ -17,7 +17,11 @@ inline layout::ViewConstants viewConstants(const View& view, float snapPixels, d
     layout::ViewConstants c{};
     c.projection =
         glm::vec4(2.0 * view.pixelsPerAngstrom / view.width, -2.0 * view.pixelsPerAngstrom / view.height, origin, 0.0);
-    c.screen = glm::vec4(centerX, centerY, 1.0 / view.pixelsPerAngstrom, snapPixels / view.pixelsPerAngstrom);
+    const double right = view.pan.x * view.pixelsPerAngstrom, down = -view.pan.y * view.pixelsPerAngstrom;
+    constexpr double kTurned[4][4] = {{1, 0, 0, 1}, {0, -1, 1, 0}, {-1, 0, 0, -1}, {0, 1, -1, 0}};
+    const double* turn = kTurned[view.quarterTurns & 3];
+    c.screen = glm::vec4(centerX + turn[0] * right + turn[1] * down, centerY + turn[2] * right + turn[3] * down,
+                         1.0 / view.pixelsPerAngstrom, snapPixels / view.pixelsPerAngstrom);
     c.depth = glm::vec4(origin - view.radius - kRoom, 1.0 / range, 0.0, 0.0);
     return c;
 }

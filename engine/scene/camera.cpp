@@ -44,7 +44,8 @@ View viewOf(const Camera& camera, double radius, std::uint32_t width, std::uint3
     view.width = width;
     view.height = height;
     view.projection = camera.projection;
-    view.rotation = rotationMatrix(camera.rotationDegrees);
+    view.rotation = rotationMatrix(camera.rotationDegrees) * glm::mat3_cast(camera.orientation);
+    view.pan = camera.pan;
     view.radius = radius;
     const double shorter = std::min(width, height);
     if (camera.projection == Projection::orthographic) {
@@ -55,6 +56,20 @@ View viewOf(const Camera& camera, double radius, std::uint32_t width, std::uint3
         view.pixelsPerAngstrom = shorter / (2.0 * view.eyeDistance * std::tan(half)) * camera.zoom;
     }
     return view;
+}
+
+View scaled(View view, double factor) {
+    const auto side = [&](std::uint32_t pixels) {
+        return static_cast<std::uint32_t>(std::max(std::lround(pixels * factor), 1l));
+    };
+    view.width = side(view.width);
+    view.height = side(view.height);
+    view.pixelsPerAngstrom *= factor;
+    return view;
+}
+
+glm::dvec2 planePointAt(const View& view, double x, double y) {
+    return glm::dvec2(x - view.width / 2.0, view.height / 2.0 - y) / view.pixelsPerAngstrom - view.pan;
 }
 
 }  // namespace nacre

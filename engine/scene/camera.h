@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace nacre {
@@ -11,21 +13,26 @@ enum class Projection { orthographic, perspective };
 /// What the user sets.
 struct Camera {
     Projection projection = Projection::orthographic;
-    glm::dvec3 rotationDegrees{0.0};  ///< right-handed, about the view axes, x first: v = Rz Ry Rx (p - C)
-    double zoom = 1.0;                ///< scales the image plane
-    double fovDegrees = 30.0;         ///< perspective: across the shorter side
+    glm::dvec3 rotationDegrees{0.0};     ///< right-handed, about the view axes, x first: v = Rz Ry Rx Q (p - C)
+    glm::dquat orientation{1, 0, 0, 0};  ///< Q, unit: any rotation, where three angles are not at hand
+    glm::dvec2 pan{0.0};                 ///< where C stands on the image plane, Å from the picture's middle
+    double zoom = 1.0;                   ///< scales the image plane
+    double fovDegrees = 30.0;            ///< perspective: across the shorter side
 };
 
 /// What follows for one picture. View space: origin at the molecule's centre, +x right, +y up, +z to the viewer, Å.
-/// Pixel (i, j), row 0 on top, looks through x = (i + 0.5 - width / 2) / pixelsPerAngstrom,
-/// y = (height / 2 - j - 0.5) / pixelsPerAngstrom on the plane z = 0; in perspective from the eye (0, 0, eyeDistance).
+/// Pixel (i, j), row 0 on top, looks through x = (i + 0.5 - width / 2) / pixelsPerAngstrom - pan.x,
+/// y = (height / 2 - j - 0.5) / pixelsPerAngstrom - pan.y on the plane z = 0; in perspective from the eye
+/// (0, 0, eyeDistance), so that panning shifts the picture as a shift lens does.
 struct View {
-    std::uint32_t width = 0, height = 0;
+    std::uint32_t width = 0, height = 0;  ///< of the upright picture
     Projection projection = Projection::orthographic;
     glm::dmat3 rotation{1.0};        ///< column-major as in GLM: v = rotation * (p - C)
     double radius = 1.0;             ///< R: bounding sphere about the origin, Å
     double eyeDistance = 0.0;        ///< Å; 0 if orthographic
     double pixelsPerAngstrom = 1.0;  ///< at z = 0
+    glm::dvec2 pan{0.0};             ///< Å
+    int quarterTurns = 0;            ///< 0..3: how often the image is the picture turned clockwise (pre-rotation)
 };
 
 glm::dmat3 rotationMatrix(const glm::dvec3& degrees);
@@ -33,5 +40,11 @@ glm::dmat3 rotationMatrix(const glm::dvec3& degrees);
 /// Orthographic: the sphere (C, R) fills 95 % of the shorter side at zoom 1. Perspective: the eye stands at
 /// R / (0.95 sin(fov / 2)) and zoom scales the image plane.
 View viewOf(const Camera& camera, double radius, std::uint32_t width, std::uint32_t height);
+
+/// The same picture with `factor` times the pixels a side, at least one.
+View scaled(View view, double factor);
+
+/// The plane point (Å, before pan) that a place of the picture looks through. @param x, y pixels from the top left
+glm::dvec2 planePointAt(const View& view, double x, double y);
 
 }  // namespace nacre

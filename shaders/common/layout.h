@@ -18,7 +18,8 @@ struct ViewConstants {
     vec4 projection;  // x: NDC x per Å on the plane z = 0, y: NDC y per Å (negative: Vulkan's y points down),
                       // z: Z origin, w: number before that of the copy's first primitive, as bits
     vec4 screen;   // xy: pixel of the view axis, z: Å per pixel at z = 0, w: rasteriser's snap margin in Å at z = 0
-    vec4 depth;    // x: Z at encoded depth 0, y: 1 / (range of Z), z: primitives in a copy, as bits, w: 0
+    vec4 depth;    // x: Z at encoded depth 0, y: 1 / (range of Z), z: primitives in a copy, as bits,
+                   // w: 1 if the viewport is the whole image, 0 if it has the view axis in its middle
     vec4 atlas;    // xy: 1 / atlas size, z: texels across a sphere's patch, w: texels around a cylinder's patch
     vec4 shading;  // x: lighting 0 or 1, y: occlusion 0 or 1, z: texels along a cylinder's patch,
                    // w: number of spheres, as bits

@@ -1,0 +1,239 @@
+// The desktop shell: window, panel and renderer about the viewer.
+
+#include "app/desktop/view_command.h"
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/desktop/panel.h"
+#include "app/desktop/state_files.h"
+#include "app/desktop/window.h"
+#include "app/headless/image_file.h"
+#include "app/headless/input.h"
+#include "app/headless/saved_options.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+Sources sources(const InputOptions& input) {
+    return {[input](const SavedView& view) { return loadMolecule(inputOf(view, input)); },
+            [](const Molecule& molecule, const SavedView& view) {
+                return sceneOf(molecule, view.input, view.drawn, lookOf(view));
+            }};
+}
+
+/// A path that means the same from any folder.
+std::string lasting(const std::string& input) {
+    if (input.empty() || input.find(':') != std::string::npos || input == "-") return input;
+    return std::filesystem::absolute(input).lexically_normal().string();
+}
+
+class Session {
+public:
+    explicit Session(const ViewOptions& options)
+        : options_(options),
+          window_({options.first.size.width, options.first.size.height}, events()),
+          renderer_(makeRenderer()),
+          screen_(*renderer_),
+          viewer_(screen_, sources(options.first.input), firstView(), viewerOptions(), Window::wake),
+          panel_(window_.pixelsPerPoint(), [this](ViewerCommand command) { run(command); }) {
+        renderer_->setScene({});
+        renderer_->setOverlayGlyphs(panel_.glyphs());
+        resized();
+    }
+
+    void loop() {
+        while (!window_.closing()) {
+            const double wake = viewer_.update(now(), [this] { return panel_.draw(viewer_, window_.size(), now()); });
+            if (viewer_.deviceLost()) renew();
+            if (renderer_->stats().windowFrames != shown_) {
+                shown_ = renderer_->stats().windowFrames;
+                lastShown_ = now();
+            }
+            saveWarmCaches();
+            window_.setTitle(viewer_.title());
+            if (panel_.restless()) viewer_.overlayChanged();
+            const double next = std::max(panel_.restless() ? now() : wake, lastFrame_ + 0.95 / window_.refreshRate());
+            window_.handleEvents(std::isinf(wake) && !panel_.restless() ? wake : next - now());
+            lastFrame_ = now();
+        }
+        saveState(viewer_.view());
+        if (!options_.first.stats.empty()) writeStats();
+        if (!renderer_->validationMessages().empty())
+            throw Error("Vulkan validation", renderer_->stats().device.name,
+                        std::to_string(renderer_->validationMessages().size()) +
+                            " messages, the first: " + renderer_->validationMessages().front());
+    }
+
+private:
+    static double now() {
+        using Clock = std::chrono::steady_clock;
+        return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+    }
+
+    std::unique_ptr<Renderer> makeRenderer() const {
+        DeviceOptions device = options_.first.device;
+        device.surface = window_.surface();
+        device.pipelineCache = loadPipelineCache();
+        return std::make_unique<Renderer>(device);
+    }
+
+    SavedView firstView() const {
+        SavedView view = savedViewOf(options_.first);
+        if (options_.restore)
+            if (const auto saved = loadState()) view = *saved;
+        if (view.input.empty()) view.input = "sample:dna";
+        view.input = lasting(view.input);
+        return view;
+    }
+
+    ViewerOptions viewerOptions() const {
+        ViewerOptions options;
+        if (renderer_->stats().device.type == "software") options.mostSamples = 2;
+        return options;
+    }
+
+    WindowEvents events() {
+        WindowEvents e;
+        e.resized = [this] { resized(); };
+        e.iconified = [this](bool iconified) {
+            if (!iconified) return viewer_.resume(now());
+            viewer_.pause();
+            saveState(viewer_.view());
+        };
+        e.damaged = [this] { viewer_.overlayChanged(); };
+        e.pointer = [this](glm::dvec2 at) {
+            pointer_ = at;
+            panel_.pointer(at);
+            if (!panelDrag_) viewer_.mouseMove(at / scale_, now());
+        };
+        e.button = [this](MouseButton button, bool down, Modifiers with) {
+            // Who got the press gets the release.
+            if (down) panelDrag_ = panel_.ownsPointer();
+            if (panelDrag_)
+                panel_.button(button, down);
+            else
+                viewer_.mouseButton(button, down, pointer_ / scale_, with, now());
+            if (!down) panelDrag_ = false;
+        };
+        e.wheel = [this](double steps) {
+            if (panel_.ownsPointer())
+                panel_.wheel(steps);
+            else
+                viewer_.wheel(steps, pointer_ / scale_, now());
+        };
+        e.special = [this](SpecialKey key, bool down) {
+            if (panel_.ownsKeys() || !down) panel_.key(key, down);
+        };
+        e.character = [this](char32_t c) {
+            if (panel_.ownsKeys()) panel_.character(c);
+        };
+        e.key = [this](KeyEvent key) {
+            if (panel_.ownsKeys()) return;
+            if (const auto command = commandOf(key)) run(*command);
+        };
+        e.dropped = [this](const std::string& path) { viewer_.open(lasting(path), now()); };
+        return e;
+    }
+
+    void resized() {
+        const PixelSize size = window_.size();
+        if (size.width == 0 || size.height == 0) return viewer_.pause();
+        scale_ = window_.pixelsPerPoint();
+        viewer_.resize(size, scale_, now());
+        viewer_.resume(now());
+    }
+
+    void run(ViewerCommand command) {
+        switch (command) {
+            case ViewerCommand::panel:
+                panel_.togglePanel();
+                return viewer_.overlayChanged();
+            case ViewerCommand::help:
+                panel_.toggleHelp();
+                return viewer_.overlayChanged();
+            case ViewerCommand::clearPicks:
+                panel_.closeHelp();
+                break;
+            case ViewerCommand::quit:
+                return window_.close();
+            case ViewerCommand::savePicture:
+            case ViewerCommand::saveView:
+                return save(command == ViewerCommand::savePicture);
+            default:
+                break;
+        }
+        viewer_.run(command, now());
+    }
+
+    /// The picture as PNG, or the view as JSON, in the current folder under a name that is free.
+    void save(bool picture) {
+        if (!viewer_.document()) return;
+        try {
+            const std::string path = freeName(viewer_.document()->view.input, picture ? ".png" : ".view.json");
+            OutputFile file(path);
+            if (picture) {
+                RenderSettings settings = viewer_.settings();
+                settings.supersample = viewerOptions().mostSamples;
+                const Picture p = renderer_->render(settings);
+                writePicture(file, {p.width, p.height, p.rgba}, false);
+            } else {
+                writeText(file, savedViewJson(viewer_.view()));
+            }
+            viewer_.say("saved " + path, now());
+        } catch (const Error& error) {
+            viewer_.say(error.what(), now());
+        }
+    }
+
+    /// What the driver compiled for the first refined picture is all that later ones need.
+    void saveWarmCaches() {
+        if (cacheSaved_ || renderer_->stats().windowFrames < 3) return;
+        cacheSaved_ = true;
+        savePipelineCache(renderer_->pipelineCache());
+    }
+
+    void renew() {
+        if (++lost_ > 3) throw Error("the device stopped", renderer_->stats().device.name, "again and again");
+        renderer_.reset();
+        renderer_ = makeRenderer();
+        screen_.setRenderer(*renderer_);
+        renderer_->setScene({});
+        renderer_->setOverlayGlyphs(panel_.glyphs());
+        viewer_.screenLost(now());
+    }
+
+    void writeStats() {
+        nlohmann::ordered_json json;
+        json["window_frames"] = renderer_->stats().windowFrames;
+        json["seconds_since_last_frame"] = now() - lastShown_;
+        json["occlusion"] = viewer_.occlusion();
+        json["picked"] = nlohmann::ordered_json::array();
+        for (const std::uint32_t pick : viewer_.picks()) json["picked"].push_back(pick + 1);
+        json["device"] = renderer_->stats().device.name;
+        OutputFile file(options_.first.stats);
+        writeText(file, json.dump(2) + "\n");
+    }
+
+    ViewOptions options_;
+    Window window_;
+    std::unique_ptr<Renderer> renderer_;
+    RendererScreen screen_;
+    Viewer viewer_;
+    Panel panel_;
+    glm::dvec2 pointer_{};
+    double scale_ = 1, lastFrame_ = 0, lastShown_ = 0;
+    std::uint64_t shown_ = 0;  // frames, when lastShown_ was
+    bool panelDrag_ = false, cacheSaved_ = false;
+    int lost_ = 0;
+};
+
+}  // namespace
+
+void viewCommand(const ViewOptions& options) { Session(options).loop(); }
+
+}  // namespace nacre::app

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/headless/options.h"
+
+namespace nacre::app {
+
+/// Opens a window and stays until it is closed. @throws Error
+void viewCommand(const ViewOptions& options);
+
+}  // namespace nacre::app

@@ -1,0 +1,168 @@
+#include "app/desktop/window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <vulkan/vulkan_core.h>
+// Behind Vulkan's header, so that GLFW declares what makes surfaces.
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+std::string lastError() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text ? text : "GLFW gives no reason";
+}
+
+WindowEvents& eventsOf(GLFWwindow* window) { return *static_cast<WindowEvents*>(glfwGetWindowUserPointer(window)); }
+
+glm::dvec2 inPixels(GLFWwindow* window, double x, double y) {
+    int width = 1, height = 1, pixelWidth = 1, pixelHeight = 1;
+    glfwGetWindowSize(window, &width, &height);
+    glfwGetFramebufferSize(window, &pixelWidth, &pixelHeight);
+    return {x * pixelWidth / std::max(width, 1), y * pixelHeight / std::max(height, 1)};
+}
+
+std::optional<SpecialKey> specialKey(int key) {
+    switch (key) {
+        case GLFW_KEY_LEFT:
+            return SpecialKey::left;
+        case GLFW_KEY_RIGHT:
+            return SpecialKey::right;
+        case GLFW_KEY_UP:
+            return SpecialKey::up;
+        case GLFW_KEY_DOWN:
+            return SpecialKey::down;
+        case GLFW_KEY_HOME:
+            return SpecialKey::home;
+        case GLFW_KEY_ESCAPE:
+            return SpecialKey::escape;
+        case GLFW_KEY_BACKSPACE:
+            return SpecialKey::backspace;
+        default:
+            return std::nullopt;
+    }
+}
+
+}  // namespace
+
+Window::Window(PixelSize size, WindowEvents events) : events_(std::move(events)) {
+    if (!glfwInit()) throw Error("cannot open a window", "", lastError());
+    if (!glfwVulkanSupported()) {
+        glfwTerminate();
+        throw Error("cannot open a window", "", "there is no Vulkan for this window system");
+    }
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "nacre");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "nacre");
+    window_ = glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height), "Nacre", nullptr, nullptr);
+    if (!window_) {
+        const std::string why = lastError();
+        glfwTerminate();
+        throw Error("cannot open a window", "", why);
+    }
+    connect();
+}
+
+Window::~Window() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+void Window::connect() {
+    glfwSetWindowUserPointer(window_, &events_);
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { eventsOf(w).resized(); });
+    glfwSetWindowIconifyCallback(window_, [](GLFWwindow* w, int iconified) { eventsOf(w).iconified(iconified != 0); });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { eventsOf(w).damaged(); });
+    glfwSetCursorPosCallback(window_,
+                             [](GLFWwindow* w, double x, double y) { eventsOf(w).pointer(inPixels(w, x, y)); });
+    glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int mods) {
+        if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+        double x = 0, y = 0;
+        glfwGetCursorPos(w, &x, &y);
+        eventsOf(w).pointer(inPixels(w, x, y));
+        const MouseButton which = button == GLFW_MOUSE_BUTTON_LEFT    ? MouseButton::left
+                                  : button == GLFW_MOUSE_BUTTON_RIGHT ? MouseButton::right
+                                                                      : MouseButton::middle;
+        eventsOf(w).button(which, action == GLFW_PRESS, {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0});
+    });
+    glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) { eventsOf(w).wheel(y); });
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
+        const std::optional<SpecialKey> special = specialKey(key);
+        if (!special) return;
+        eventsOf(w).special(*special, action != GLFW_RELEASE);
+        if (action == GLFW_RELEASE) return;
+        eventsOf(w).key({keyOf(*special), {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0}});
+    });
+    // Characters as the layout types them: '+' and '?' stand elsewhere on every keyboard.
+    glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned int c) {
+        eventsOf(w).character(c);
+        const bool capital = c >= 'A' && c <= 'Z';
+        eventsOf(w).key({capital ? c - 'A' + 'a' : c, {capital, false}});
+    });
+    glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
+        if (count > 0) eventsOf(w).dropped(paths[0]);
+    });
+}
+
+SurfaceSource Window::surface() const {
+    SurfaceSource source;
+    std::uint32_t count = 0;
+    const char** names = glfwGetRequiredInstanceExtensions(&count);
+    source.instanceExtensions.assign(names, names + count);
+    source.create = [window = window_](VkInstance instance) {
+        VkSurfaceKHR surface = VK_NULL_HANDLE;
+        if (glfwCreateWindowSurface(instance, window, nullptr, &surface) != VK_SUCCESS)
+            throw Error("cannot draw into the window", "", lastError());
+        return surface;
+    };
+    return source;
+}
+
+PixelSize Window::size() const {
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window_, &width, &height);
+    return {static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+}
+
+double Window::pixelsPerPoint() const {
+    float x = 1, y = 1;
+    glfwGetWindowContentScale(window_, &x, &y);
+    return std::clamp(static_cast<double>(x), 0.5, 8.0);
+}
+
+double Window::refreshRate() const {
+    GLFWmonitor* monitor = glfwGetWindowMonitor(window_);
+    if (!monitor) monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    return mode && mode->refreshRate > 0 ? mode->refreshRate : 60.0;
+}
+
+void Window::setTitle(const std::string& title) {
+    if (title == title_) return;
+    title_ = title;
+    glfwSetWindowTitle(window_, title.c_str());
+}
+
+bool Window::closing() const { return glfwWindowShouldClose(window_) != 0; }
+void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
+
+void Window::handleEvents(double seconds) {
+    if (seconds <= 0)
+        glfwPollEvents();
+    else if (std::isinf(seconds))
+        glfwWaitEvents();
+    else
+        glfwWaitEventsTimeout(seconds);
+}
+
+void Window::wake() { glfwPostEmptyEvent(); }
+
+}  // namespace nacre::app

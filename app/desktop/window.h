@@ -1,0 +1,60 @@
+#pragma once
+// A window of the desktop's window system, by GLFW.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/viewer/events.h"
+#include "engine/device_options.h"
+#include "engine/renderer.h"
+
+struct GLFWwindow;
+
+namespace nacre::app {
+
+/// Who hears of what happens in the window. Places are in pixels from the top left.
+struct WindowEvents {
+    std::function<void()> resized;
+    std::function<void(bool)> iconified;
+    std::function<void()> damaged;  ///< the window's picture has to be shown again
+    std::function<void(glm::dvec2)> pointer;
+    std::function<void(MouseButton, bool, Modifiers)> button;
+    std::function<void(double)> wheel;
+    std::function<void(KeyEvent)> key;  ///< pressed or repeated
+    std::function<void(SpecialKey, bool)> special;
+    std::function<void(char32_t)> character;
+    std::function<void(std::string)> dropped;
+};
+
+class Window {
+public:
+    /// @throws Error if there is no display
+    Window(PixelSize size, WindowEvents events);
+    ~Window();
+    Window(const Window&) = delete;
+
+    SurfaceSource surface() const;
+    PixelSize size() const;         ///< pixels
+    double pixelsPerPoint() const;  ///< of the display that it is on
+    double refreshRate() const;     ///< of that display, a second
+    void setTitle(const std::string& title);
+    bool closing() const;
+    void close();
+
+    /// Hands out events: at once those that are there, or waits for some.
+    /// @param seconds to wait at most; infinity: for ever
+    void handleEvents(double seconds);
+    /// Ends a wait; from any thread.
+    static void wake();
+
+private:
+    void connect();
+
+    GLFWwindow* window_ = nullptr;
+    WindowEvents events_;
+    std::string title_;
+};
+
+}  // namespace nacre::app

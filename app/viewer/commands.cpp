@@ -1,0 +1,74 @@
+#include "app/viewer/commands.h"
+
+namespace nacre::app {
+namespace {
+
+using C = ViewerCommand;
+
+constexpr KeyEvent key(char32_t k) { return {k, {}}; }
+constexpr KeyEvent key(SpecialKey k) { return {keyOf(k), {}}; }
+constexpr KeyEvent shift(SpecialKey k) { return {keyOf(k), {true, false}}; }
+
+constexpr Binding kBindings[] = {
+    {C::rotateLeft, key(SpecialKey::left), "Left", "Rotate left"},
+    {C::rotateRight, key(SpecialKey::right), "Right", "Rotate right"},
+    {C::rotateUp, key(SpecialKey::up), "Up", "Rotate up"},
+    {C::rotateDown, key(SpecialKey::down), "Down", "Rotate down"},
+    {C::panLeft, shift(SpecialKey::left), "Shift Left", "Move left"},
+    {C::panRight, shift(SpecialKey::right), "Shift Right", "Move right"},
+    {C::panUp, shift(SpecialKey::up), "Shift Up", "Move up"},
+    {C::panDown, shift(SpecialKey::down), "Shift Down", "Move down"},
+    {C::zoomIn, key(U'+'), "+", "Zoom in"},
+    {C::zoomIn, key(U'='), "=", "Zoom in"},
+    {C::zoomOut, key(U'-'), "-", "Zoom out"},
+    {C::rollLeft, key(U','), ",", "Roll to the left"},
+    {C::rollRight, key(U'.'), ".", "Roll to the right"},
+    {C::fit, key(U'f'), "F", "Show the whole molecule"},
+    {C::reset, key(SpecialKey::home), "Home", "Go back to the first view"},
+    {C::autoRotate, key(U' '), "Space", "Turn by itself, or stop"},
+    {C::spacefill, key(U'1'), "1", "Space-filling"},
+    {C::ballAndStick, key(U'2'), "2", "Ball and stick"},
+    {C::licorice, key(U'3'), "3", "Licorice"},
+    {C::nextColor, key(U'c'), "C", "Next colouring"},
+    {C::nextPreset, key(U'n'), "N", "Next preset"},
+    {C::nextBackground, key(U'b'), "B", "Next background"},
+    {C::water, key(U'w'), "W", "Show or hide water"},
+    {C::hydrogens, key(U'h'), "H", "Show or hide hydrogens"},
+    {C::perspective, key(U'v'), "V", "Perspective or parallel"},
+    {C::lighting, key(U'l'), "L", "Light on or off"},
+    {C::occlusion, key(U'o'), "O", "Ambient occlusion on or off"},
+    {C::clearPicks, key(SpecialKey::escape), "Esc", "Forget the picked atoms"},
+    {C::savePicture, key(U's'), "S", "Save the picture as PNG"},
+    {C::saveView, {U's', {true, false}}, "Shift S", "Save the view, for nacre render --view"},
+    {C::panel, key(U'm'), "M", "Show or hide the panel"},
+    {C::help, key(U'?'), "?", "This help"},
+    {C::quit, key(U'q'), "Q", "Leave"},
+};
+
+constexpr PointerBinding kPointer[] = {
+    {"drag", "one finger", "Rotate, a degree a point"},
+    {"right drag, Shift drag", "two fingers", "Move"},
+    {"wheel, scroll", "pinch", "Zoom about the pointer"},
+    {"Ctrl drag", "twist", "Roll"},
+    {"click", "tap, long press", "Name an atom; two measure a distance, three an angle, four a torsion"},
+    {"double click", "double tap", "Show the whole molecule"},
+};
+
+}  // namespace
+
+std::span<const Binding> keyBindings() { return kBindings; }
+std::span<const PointerBinding> pointerBindings() { return kPointer; }
+
+std::optional<ViewerCommand> commandOf(const KeyEvent& event) {
+    const bool letter = event.key >= U'a' && event.key <= U'z';
+    for (const Binding& b : kBindings) {
+        // Signs such as '?' need Shift on some layouts and not on others.
+        const bool shiftCounts = letter || event.key >= keyOf(SpecialKey::left);
+        if (b.key.key == event.key && b.key.with.control == event.with.control &&
+            (!shiftCounts || b.key.with.shift == event.with.shift))
+            return b.command;
+    }
+    return std::nullopt;
+}
+
+}  // namespace nacre::app

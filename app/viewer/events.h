@@ -1,0 +1,34 @@
+#pragma once
+// What shells tell the viewer. Places are in points, the size-independent unit of touch screens (1/160 inch or so) and
+// of desktops, from the window's top left corner. Times are seconds of any steady clock.
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+
+namespace nacre::app {
+
+enum class TouchPhase { began, moved, ended, cancelled };
+
+struct TouchEvent {
+    std::int64_t finger = 0;
+    TouchPhase phase = TouchPhase::began;
+    glm::dvec2 at{};
+};
+
+enum class MouseButton { left, middle, right };
+
+struct Modifiers {
+    bool shift = false, control = false;
+};
+
+/// Keys that are no characters.
+enum class SpecialKey : char32_t { left = 0x110000, right, up, down, home, escape, pageUp, pageDown, backspace };
+
+/// A key as the layout has it: the character it types without modifiers, or a SpecialKey.
+struct KeyEvent {
+    char32_t key = 0;
+    Modifiers with;
+};
+constexpr char32_t keyOf(SpecialKey key) { return static_cast<char32_t>(key); }
+
+}  // namespace nacre::app

@@ -1,0 +1,61 @@
+#pragma once
+// When to draw, and what: the whole of the viewer's thrift. A picture that moves is drawn as often as the display asks
+// for it, at a resolution that keeps up; one that came to rest is refined once; then nothing is drawn at all.
+
+#include <cstdint>
+#include <limits>
+
+namespace nacre::app {
+
+/// Share of the window's resolution at which a moving picture keeps up.
+class ResolutionControl {
+public:
+    static constexpr double kBudgetSeconds = 0.025;  ///< of a frame: 40 a second
+    static constexpr int kPatience = 4;              ///< slow frames in a row before the resolution drops
+
+    double scale() const;
+    /// The time from one frame of a motion to the next.
+    void frameTook(double seconds);
+    /// The picture stands still.
+    void rest();
+
+private:
+    int level_ = 0, slow_ = 0;
+};
+
+enum class Draw {
+    nothing,
+    live,
+    refine,  ///< supersampled, and kept
+    keep,    ///< the refined picture once more, under another overlay
+};
+
+class FrameSchedule {
+public:
+    static constexpr double kSettleSeconds = 0.15;  ///< from the last change to the refinement
+
+    void pictureChanged(double now);
+    void overlayChanged() { overlayChanged_ = true; }
+    /// The window lost what was in it, or has another size.
+    void windowChanged(double now);
+    void setVisible(bool visible) { visible_ = visible; }
+    bool visible() const { return visible_; }
+
+    struct Next {
+        Draw draw = Draw::nothing;
+        double scale = 1;
+        double wake = std::numeric_limits<double>::infinity();  ///< when to ask again, if nothing happens before
+    };
+    /// @param moving    the camera moves by itself, or under a hand
+    /// @param occlusion share of the ambient occlusion that is done
+    Next next(double now, bool moving, double occlusion) const;
+    /// Tells what was drawn.
+    void shown(const Next& frame, double now, bool moving, double occlusion);
+
+private:
+    ResolutionControl resolution_;
+    bool visible_ = true, pictureChanged_ = true, overlayChanged_ = false, refined_ = false, wasMoving_ = false;
+    double lastChange_ = 0, lastFrame_ = 0, shownOcclusion_ = -1;
+};
+
+}  // namespace nacre::app

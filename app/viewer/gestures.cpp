@@ -1,0 +1,97 @@
+#include "app/viewer/gestures.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <iterator>
+
+namespace nacre::app {
+
+using Kind = Gesture::Kind;
+
+std::vector<Gesture> TouchGestures::handle(const TouchEvent& event, double now) {
+    std::vector<Gesture> out = tick(now);
+    switch (event.phase) {
+        case TouchPhase::began:
+            if (fingers_.empty()) wandered_ = dragging_ = pressed_ = false;
+            fingers_[event.finger] = {event.at, event.at, now};
+            if (fingers_.size() > 1) wandered_ = true;
+            out.push_back({Kind::touched, event.at});
+            break;
+        case TouchPhase::moved:
+            move(event, out);
+            break;
+        case TouchPhase::ended:
+            lift(event, now, out);
+            break;
+        case TouchPhase::cancelled:
+            clear();
+            break;
+    }
+    return out;
+}
+
+void TouchGestures::move(const TouchEvent& event, std::vector<Gesture>& out) {
+    const auto it = fingers_.find(event.finger);
+    if (it == fingers_.end()) return;
+    Finger& finger = it->second;
+    const glm::dvec2 before = finger.at;
+    if (fingers_.size() == 1) {
+        if (!wandered_ && glm::distance(event.at, finger.start) <= kSlop) return;
+        finger.at = event.at;
+        // What the finger went before it was known to drag is not made up for: the picture must not jump.
+        if (wandered_) {
+            out.push_back({Kind::rotate, event.at, event.at - before});
+            dragging_ = true;
+        }
+        wandered_ = true;
+        return;
+    }
+    // The two fingers that came first in order of their numbers lead; further ones rest.
+    const auto second = std::next(fingers_.begin());
+    finger.at = event.at;
+    if (it != fingers_.begin() && it != second) return;
+    const glm::dvec2 other = it == second ? fingers_.begin()->second.at : second->second.at;
+    const glm::dvec2 from = before - other, to = event.at - other;
+    const double lengthFrom = glm::length(from), lengthTo = glm::length(to);
+    Gesture gesture{Kind::transform, (event.at + other) / 2.0, (event.at - before) / 2.0};
+    if (lengthFrom > 1 && lengthTo > 1) {
+        gesture.scale = lengthTo / lengthFrom;
+        gesture.turn = std::atan2(from.x * to.y - from.y * to.x, glm::dot(from, to));
+    }
+    out.push_back(gesture);
+    dragging_ = true;
+}
+
+void TouchGestures::lift(const TouchEvent& event, double now, std::vector<Gesture>& out) {
+    const auto it = fingers_.find(event.finger);
+    if (it == fingers_.end()) return;
+    const Finger finger = it->second;
+    fingers_.erase(it);
+    if (!fingers_.empty()) return;
+    if (dragging_) out.push_back({Kind::released, event.at});
+    if (wandered_ || pressed_ || now - finger.since > kTapSeconds) return;
+    const bool twice =
+        last_ && now - last_->when <= kDoubleTapSeconds && glm::distance(last_->at, finger.start) <= kDoubleTapReach;
+    out.push_back({twice ? Kind::doubleTap : Kind::tap, finger.start});
+    last_.reset();
+    if (!twice) last_ = Tap{finger.start, now};
+}
+
+std::vector<Gesture> TouchGestures::tick(double now) {
+    const std::optional<double> due = wake();
+    if (!due || now < *due) return {};
+    pressed_ = true;
+    return {{Kind::longPress, fingers_.begin()->second.start}};
+}
+
+std::optional<double> TouchGestures::wake() const {
+    if (fingers_.size() != 1 || wandered_ || pressed_) return std::nullopt;
+    return fingers_.begin()->second.since + kLongPressSeconds;
+}
+
+void TouchGestures::clear() {
+    fingers_.clear();
+    wandered_ = dragging_ = pressed_ = false;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,56 @@
+#pragma once
+// Reads molecules and builds scenes on a thread of its own, so that the window stays alive meanwhile.
+
+#include <functional>
+#include <future>
+#include <memory>
+#include <optional>
+
+#include "app/viewer/saved_view.h"
+#include "engine/molecule/molecule.h"
+
+namespace nacre::app {
+
+/// How a shell gets at molecules. Called on the loader's thread. @throws Error
+struct Sources {
+    std::function<Molecule(const SavedView&)> read;
+    std::function<Representation(const Molecule&, const SavedView&)> build;
+};
+
+/// What is shown. The molecule is shared with a build that is under way.
+struct Document {
+    SavedView view;  ///< as it was asked for
+    std::shared_ptr<const Molecule> molecule;
+    Representation scene;
+};
+
+class Loader {
+public:
+    /// @param wake called on the loader's thread when something is ready
+    Loader(Sources sources, std::function<void()> wake) : sources_(std::move(sources)), wake_(std::move(wake)) {}
+
+    /// Starts with a file. What was under way is finished and thrown away.
+    void read(const SavedView& view) { start(view, nullptr); }
+    /// Starts with a molecule that is there, seen in another way.
+    void build(const SavedView& view, std::shared_ptr<const Molecule> molecule) { start(view, std::move(molecule)); }
+    bool busy() const { return running_.valid(); }
+    /// The document when it is ready. @throws what reading or building threw
+    std::optional<Document> take();
+    /// Waits until take() has something, if anything is under way.
+    void wait() const;
+
+private:
+    struct Job {
+        SavedView view;
+        std::shared_ptr<const Molecule> molecule;
+    };
+    void start(const SavedView& view, std::shared_ptr<const Molecule> molecule);
+    void launch(Job job);
+
+    Sources sources_;
+    std::function<void()> wake_;
+    std::optional<Job> next_;
+    std::future<Document> running_;
+};
+
+}  // namespace nacre::app

@@ -1,0 +1,25 @@
+#pragma once
+// What picked atoms measure.
+
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+
+#include "engine/molecule/molecule.h"
+
+namespace nacre::app {
+
+double distanceOf(const glm::dvec3& a, const glm::dvec3& b);                    ///< Å
+double angleOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);  ///< at b, degrees, 0..180
+/// Of the bond b-c, degrees, -180..180: positive if d is clockwise from a, looking from b to c. W. Klyne and V. Prelog,
+/// Experientia 16 (1960) 521.
+double torsionOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d);
+
+/// "distance 3.21 Å", "angle 109.5°" or "torsion -60.0°" of two to four atoms; empty for fewer.
+std::string measurementText(std::span<const glm::dvec3> places);
+
+/// Element, name, residue, chain and number: "Oxygen O6, residue DG 4, chain A, atom 78".
+/// @param atom index into Molecule::atoms
+std::string atomText(const Molecule& molecule, std::uint32_t atom);
+
+}  // namespace nacre::app

@@ -1,0 +1,408 @@
+#include "app/viewer/viewer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <glm/trigonometric.hpp>
+#include <limits>
+
+#include "app/headless/option_values.h"
+#include "app/viewer/measurement.h"
+#include "app/viewer/presets.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr double kHandSeconds = 0.1;  // a hand that rests this long no longer moves the picture
+constexpr double kFingerPoints = 12;  // what a pick may miss by
+constexpr double kMessageSeconds = 4;
+constexpr double kKeyDegrees = 5, kKeyPoints = 20, kKeyZoom = 1.15;
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+std::string nameOf(const std::string& input) {
+    return input.starts_with("sample:") ? input : std::filesystem::path(input).filename().string();
+}
+
+/// The choice after `current`, the first if that is none of them.
+std::string nextOf(std::span<const char* const> choices, const std::string& current) {
+    const auto at = std::find(choices.begin(), choices.end(), current);
+    return at == choices.end() || at + 1 == choices.end() ? choices[0] : at[1];
+}
+
+}  // namespace
+
+Viewer::Viewer(Screen& screen, Sources sources, const SavedView& view, const ViewerOptions& options,
+               std::function<void()> wake)
+    : screen_(screen), options_(options), loader_(std::move(sources), std::move(wake)), view_(view) {
+    motion_.set(view.camera);
+    if (!view.input.empty()) loader_.read(view_);
+}
+
+const SavedView& Viewer::view() const {
+    view_.camera = motion_.camera();
+    return view_;
+}
+
+// --- events
+
+void Viewer::resize(PixelSize pixels, double pixelsPerPoint, double now) {
+    size_ = {std::max(pixels.width, 1u), std::max(pixels.height, 1u)};
+    scale_ = pixelsPerPoint;
+    schedule_.windowChanged(now);
+}
+
+void Viewer::touch(const TouchEvent& event, double now) { apply(touches_.handle(event, now), now); }
+
+void Viewer::mouseMove(glm::dvec2 at, double now) {
+    const Viewport v = viewport();
+    apply(mouse_.move(at, {v.width / 2, v.height / 2}), now);
+}
+
+void Viewer::mouseButton(MouseButton button, bool down, glm::dvec2 at, Modifiers with, double now) {
+    apply(mouse_.button(button, down, at, with, now), now);
+}
+
+void Viewer::wheel(double steps, glm::dvec2 at, double now) { apply(mouse_.wheel(steps, at), now); }
+
+void Viewer::apply(const std::vector<Gesture>& gestures, double now) {
+    for (const Gesture& g : gestures) {
+        switch (g.kind) {
+            case Gesture::Kind::touched:
+                motion_.touch();
+                break;
+            case Gesture::Kind::rotate:
+                motion_.rotate(g.by, now);
+                handMoved_ = now;
+                changed(now);
+                break;
+            case Gesture::Kind::transform:
+                motion_.pan(g.by, radius(), viewport());
+                motion_.zoom(g.scale, g.at, radius(), viewport());
+                motion_.roll(g.turn);
+                handMoved_ = now;
+                changed(now);
+                break;
+            case Gesture::Kind::tap:
+            case Gesture::Kind::longPress:
+                pick(g.at);
+                break;
+            case Gesture::Kind::doubleTap:
+                picks_ = picksBefore_;  // its first tap was no pick
+                motion_.fit(now);
+                schedule_.overlayChanged();
+                break;
+            case Gesture::Kind::released:
+                motion_.release(now);
+                break;
+        }
+    }
+}
+
+void Viewer::pick(glm::dvec2 at) {
+    picksBefore_ = picks_;
+    if (!document()) return;
+    const std::uint32_t atom = screen_.atomAt(settings(), at.x * scale_, at.y * scale_, kFingerPoints * scale_);
+    schedule_.overlayChanged();
+    message_.clear();
+    if (atom == 0) {
+        picks_.clear();
+        return;
+    }
+    if (!picks_.empty() && picks_.back() == atom - 1) return;
+    if (picks_.size() == 4) picks_.clear();
+    picks_.push_back(atom - 1);
+}
+
+void Viewer::open(const std::string& path, double now) {
+    SavedView fresh = view();
+    fresh.input = path;
+    fresh.format.clear();
+    fresh.model = 1;
+    fresh.assembly.clear();
+    fresh.rules.clear();
+    fresh.camera = {};
+    fresh.camera.projection = view_.camera.projection;
+    loader_.read(fresh);
+    say("reading " + nameOf(path), now);
+}
+
+void Viewer::pause() {
+    schedule_.setVisible(false);
+    touches_.clear();
+    mouse_.clear();
+    motion_.touch();
+}
+
+void Viewer::resume(double now) {
+    schedule_.setVisible(true);
+    schedule_.windowChanged(now);
+}
+
+void Viewer::lowMemory() { options_.refinedPixels = 0; }
+
+void Viewer::screenLost(double now) {
+    deviceLost_ = false;
+    occlusion_ = view_.occlusionDirections ? 0 : 1;
+    if (document()) screen_.setScene(document_.scene);
+    schedule_.windowChanged(now);
+}
+
+void Viewer::say(const std::string& message, double now) {
+    message_ = message;
+    messageUntil_ = now + kMessageSeconds;
+    schedule_.overlayChanged();
+}
+
+void Viewer::setLook(const SavedView& look, double now) {
+    const SavedView before = view();
+    view_ = look;
+    view_.camera = before.camera;
+    motion_.setProjection(look.camera.projection);
+    changed(now);
+    const bool scene = look.style != before.style || look.color != before.color || look.rules != before.rules ||
+                       look.drawn.water != before.drawn.water || look.drawn.hydrogens != before.drawn.hydrogens;
+    if (scene && document_.molecule) loader_.build(view(), document_.molecule);
+    if (look.occlusionDirections != before.occlusionDirections) occlusion_ = look.occlusionDirections ? 0 : 1;
+}
+
+void Viewer::run(ViewerCommand command, double now) {
+    using C = ViewerCommand;
+    const Viewport v = viewport();
+    const glm::dvec2 middle(v.width / 2, v.height / 2);
+    SavedView look = view();
+    const auto rotate = [&](double x, double y) {
+        motion_.touch();
+        motion_.rotate({x * kKeyDegrees, y * kKeyDegrees}, now);
+        changed(now);
+    };
+    const auto pan = [&](double x, double y) {
+        motion_.pan({x * kKeyPoints, y * kKeyPoints}, radius(), v);
+        changed(now);
+    };
+    switch (command) {
+        case C::rotateLeft:
+            return rotate(-1, 0);
+        case C::rotateRight:
+            return rotate(1, 0);
+        case C::rotateUp:
+            return rotate(0, -1);
+        case C::rotateDown:
+            return rotate(0, 1);
+        case C::panLeft:
+            return pan(-1, 0);
+        case C::panRight:
+            return pan(1, 0);
+        case C::panUp:
+            return pan(0, -1);
+        case C::panDown:
+            return pan(0, 1);
+        case C::zoomIn:
+        case C::zoomOut:
+            motion_.zoom(command == C::zoomIn ? kKeyZoom : 1 / kKeyZoom, middle, radius(), v);
+            return changed(now);
+        case C::rollLeft:
+        case C::rollRight:
+            motion_.roll(glm::radians(command == C::rollRight ? kKeyDegrees : -kKeyDegrees));
+            return changed(now);
+        case C::fit:
+            return motion_.fit(now);
+        case C::reset:
+            return motion_.reset(now);
+        case C::autoRotate: {
+            const bool on = !motion_.autoRotation();
+            motion_.touch();
+            return motion_.setAutoRotation(on);
+        }
+        case C::spacefill:
+            look.style = "spacefill";
+            break;
+        case C::ballAndStick:
+            look.style = "ball-and-stick";
+            break;
+        case C::licorice:
+            look.style = "licorice";
+            break;
+        case C::nextColor:
+            look.color = nextOf(colorChoices(), look.color);
+            say("colours: " + look.color, now);
+            break;
+        case C::nextPreset:
+            preset_ = (preset_ + 1) % presets().size();
+            applyPreset(presets()[preset_], look);
+            say(presets()[preset_].name, now);
+            break;
+        case C::nextBackground:
+            look.background = nextOf(backgroundChoices(), look.background);
+            break;
+        case C::water:
+            look.drawn.water = !look.drawn.water;
+            say(look.drawn.water ? "water shown" : "water hidden", now);
+            break;
+        case C::hydrogens:
+            look.drawn.hydrogens = !look.drawn.hydrogens;
+            say(look.drawn.hydrogens ? "hydrogens shown" : "hydrogens hidden", now);
+            break;
+        case C::perspective:
+            look.camera.projection =
+                look.camera.projection == Projection::orthographic ? Projection::perspective : Projection::orthographic;
+            break;
+        case C::lighting:
+            look.lighting = !look.lighting;
+            break;
+        case C::occlusion:
+            look.occlusionDirections = look.occlusionDirections ? 0 : SavedView{}.occlusionDirections;
+            break;
+        case C::clearPicks:
+            picks_.clear();
+            message_.clear();
+            return schedule_.overlayChanged();
+        case C::savePicture:
+        case C::saveView:
+        case C::panel:
+        case C::help:
+        case C::quit:
+            return;  // the shell's
+    }
+    setLook(look, now);
+}
+
+// --- state
+
+std::string Viewer::title() const {
+    std::string title = document() ? nameOf(document_.view.input) : "";
+    if (loader_.busy()) title += title.empty() ? "reading" : ", building";
+    if (document() && occlusion_ < 1)
+        title += ", occlusion " + std::to_string(static_cast<int>(100 * occlusion_)) + " %";
+    return title.empty() ? "Nacre" : title + " - Nacre";
+}
+
+RenderSettings Viewer::settings() const {
+    RenderSettings s;
+    s.view = viewOf(motion_.camera(), radius(), size_.width, size_.height);
+    s.background = parseColor(view_.background);
+    s.lighting = view_.lighting;
+    s.occlusionDirections = view_.occlusionDirections;
+    return s;
+}
+
+Annotations Viewer::annotations() const {
+    Annotations a;
+    a.message = message_;
+    if (!document() || picks_.empty()) return a;
+    const View view = settings().view;
+    std::vector<glm::dvec3> places;
+    for (const std::uint32_t pick : picks_) {
+        const glm::dvec3 place = document_.molecule->atoms[pick].position;
+        places.push_back(place);
+        const glm::dvec3 v = view.rotation * (place - document_.scene.center);
+        const double magnify =
+            view.projection == Projection::perspective ? view.eyeDistance / (view.eyeDistance - v.z) : 1.0;
+        const glm::dvec2 q = (glm::dvec2(v) * magnify + view.pan) * view.pixelsPerAngstrom;
+        a.atoms.emplace_back((view.width / 2.0 + q.x) / scale_, (view.height / 2.0 - q.y) / scale_);
+    }
+    a.atom = atomText(*document_.molecule, picks_.back());
+    a.measurement = measurementText(places);
+    return a;
+}
+
+// --- the loop
+
+void Viewer::tookDocument(double now) {
+    std::optional<Document> document;
+    try {
+        document = loader_.take();
+    } catch (const std::exception& error) {
+        say(error.what(), now);
+        return;
+    }
+    if (!document) return;
+    const bool another = document->molecule != document_.molecule;
+    document_ = std::move(*document);
+    if (another) {
+        picks_.clear();
+        view_.input = document_.view.input;
+        view_.format = document_.view.format;
+        view_.model = document_.view.model;
+        view_.assembly = document_.view.assembly;
+        if (!firstDocument_) {
+            view_.rules = document_.view.rules;
+            motion_.set(document_.view.camera);
+        }
+        firstDocument_ = false;
+        message_.clear();
+    }
+    screen_.setScene(document_.scene);
+    occlusion_ = view_.occlusionDirections ? 0 : 1;
+    if (!document_.scene.warnings.empty()) say(document_.scene.warnings.front(), now);
+    changed(now);
+}
+
+/// Moves what moves by itself. @returns when something is due
+double Viewer::advance(double now) {
+    apply(touches_.tick(now), now);
+    if (motion_.advance(now)) changed(now);
+    if (!message_.empty() && now >= messageUntil_) {
+        message_.clear();
+        schedule_.overlayChanged();
+    }
+    double due = message_.empty() ? kNever : messageUntil_;
+    if (const auto wake = touches_.wake()) due = std::min(due, *wake);
+    return due;
+}
+
+std::uint32_t Viewer::refinedSamples() const {
+    std::uint32_t n = options_.mostSamples;
+    while (n > 1 && std::uint64_t{size_.width} * size_.height * n * n > options_.refinedPixels) --n;
+    return n;
+}
+
+/// While nothing moves, as long as all the rest of a frame takes: drawing unfinished pictures never costs more than
+/// finishing them.
+double Viewer::occlusionBudget(double now, bool moving) {
+    const double rest = (now - lastOcclusion_) * 1000 - lastBudget_;
+    lastOcclusion_ = now;
+    lastBudget_ = moving ? options_.movingMilliseconds : std::clamp(rest, options_.restingMilliseconds, 250.0);
+    return lastBudget_;
+}
+
+double Viewer::update(double now, const std::function<const Overlay*()>& overlay) {
+    tookDocument(now);
+    const double due = advance(now);
+    const bool hand = now - handMoved_ < kHandSeconds;
+    const bool moving = motion_.moving() || hand;
+    if (!schedule_.visible()) return kNever;
+    if (document() && occlusion_ < 1) occlusion_ = screen_.advanceOcclusion(settings(), occlusionBudget(now, moving));
+    const FrameSchedule::Next next = schedule_.next(now, moving, occlusion_);
+    if (next.draw != Draw::nothing) draw(next, now, moving, overlay);
+    const FrameSchedule::Next after = schedule_.next(now, moving, occlusion_);
+    const double wake =
+        after.draw != Draw::nothing ? now : std::min(after.wake, hand ? handMoved_ + kHandSeconds : kNever);
+    return std::min(due, wake);
+}
+
+void Viewer::draw(const FrameSchedule::Next& next, double now, bool moving,
+                  const std::function<const Overlay*()>& overlay) {
+    WindowFrame frame;
+    frame.quality = next.draw == Draw::live     ? WindowFrame::Quality::live
+                    : next.draw == Draw::refine ? WindowFrame::Quality::refined
+                                                : WindowFrame::Quality::kept;
+    frame.scale = next.scale;
+    frame.samples = refinedSamples();
+    if (overlay) frame.overlay = overlay();
+    switch (screen_.present(settings(), frame)) {
+        case FrameOutcome::shown:
+            schedule_.shown(next, now, moving, occlusion_);
+            break;
+        case FrameOutcome::resized:
+            resize(screen_.windowSize(), scale_, now);
+            break;
+        case FrameOutcome::hidden:
+            schedule_.setVisible(false);  // until resume()
+            break;
+        case FrameOutcome::lost:
+            deviceLost_ = true;
+            break;
+    }
+}
+
+}  // namespace nacre::app

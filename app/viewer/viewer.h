@@ -1,0 +1,113 @@
+#pragma once
+// The viewer, free of platforms: molecule, look, camera, hands, picks, and when to draw. A shell feeds it events, asks
+// it after each when it wants to be called again, and shows what annotations() and title() say. It has no clock: every
+// call says what time it is, in seconds. For one thread.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/viewer/camera_motion.h"
+#include "app/viewer/commands.h"
+#include "app/viewer/events.h"
+#include "app/viewer/frame_schedule.h"
+#include "app/viewer/gestures.h"
+#include "app/viewer/loader.h"
+#include "app/viewer/mouse.h"
+#include "app/viewer/screen.h"
+
+namespace nacre::app {
+
+/// What a shell draws over the picture, in points from the window's top left.
+struct Annotations {
+    std::vector<glm::dvec2> atoms;  ///< picked, in their order; a line joins each to the next
+    std::string atom;               ///< what the last one is
+    std::string measurement;        ///< what they measure
+    std::string message;            ///< of the last command, or of what went wrong
+};
+
+struct ViewerOptions {
+    std::uint32_t mostSamples = 4;             ///< a side of a pixel, of the refinement
+    double movingMilliseconds = 4;             ///< of occlusion a frame while something moves
+    double restingMilliseconds = 50;           ///< at least, while nothing does
+    std::uint64_t refinedPixels = 1ull << 24;  ///< samples of a refinement at most
+};
+
+class Viewer {
+public:
+    Viewer(Screen& screen, Sources sources, const SavedView& view, const ViewerOptions& options,
+           std::function<void()> wake = {});
+
+    // Events
+    void resize(PixelSize pixels, double pixelsPerPoint, double now);
+    void touch(const TouchEvent& event, double now);
+    void mouseMove(glm::dvec2 at, double now);
+    void mouseButton(MouseButton button, bool down, glm::dvec2 at, Modifiers with, double now);
+    void wheel(double steps, glm::dvec2 at, double now);
+    void run(ViewerCommand command, double now);
+    void open(const std::string& path, double now);
+    void pause();
+    void resume(double now);
+    /// Gives up what can be made again: the refined picture's samples from now on, picks stay.
+    void lowMemory();
+    /// The window's picture or the device is lost, or `screen` draws on another one.
+    void screenLost(double now);
+
+    // State
+    const SavedView& view() const;
+    /// Another look or projection; the camera of `look` is not looked at.
+    void setLook(const SavedView& look, double now);
+    void overlayChanged() { schedule_.overlayChanged(); }
+    std::string title() const;
+    Annotations annotations() const;
+    bool loading() const { return loader_.busy(); }
+    void waitForLoading() const { loader_.wait(); }
+    const Document* document() const { return document_.molecule ? &document_ : nullptr; }
+    double occlusion() const { return occlusion_; }
+    /// Picked atoms, from 0, in their order.
+    const std::vector<std::uint32_t>& picks() const { return picks_; }
+    bool autoRotating() const { return motion_.autoRotation(); }
+    void say(const std::string& message, double now);
+    /// The picture as it is seen, for a file. Only if document().
+    RenderSettings settings() const;
+
+    /// Brings everything to a time and draws, if there is something to draw.
+    /// @param overlay called before a frame is drawn; may be empty
+    /// @returns when to call again, if nothing happens before; never: infinity
+    double update(double now, const std::function<const Overlay*()>& overlay = {});
+    /// The device was lost while drawing: make another screen, then screenLost().
+    bool deviceLost() const { return deviceLost_; }
+
+private:
+    void apply(const std::vector<Gesture>& gestures, double now);
+    void pick(glm::dvec2 at);
+    void tookDocument(double now);
+    double advance(double now);
+    void draw(const FrameSchedule::Next& next, double now, bool moving, const std::function<const Overlay*()>& overlay);
+    double occlusionBudget(double now, bool moving);
+    std::uint32_t refinedSamples() const;
+    Viewport viewport() const { return {size_.width / scale_, size_.height / scale_}; }
+    double radius() const { return document_.molecule ? document_.scene.radius : 1.0; }
+    void changed(double now) { schedule_.pictureChanged(now); }
+
+    Screen& screen_;
+    ViewerOptions options_;
+    Loader loader_;
+    mutable SavedView view_;  // its camera is that of motion_
+    Document document_;
+    CameraMotion motion_;
+    TouchGestures touches_;
+    MouseGestures mouse_;
+    FrameSchedule schedule_;
+    PixelSize size_{1, 1};
+    double scale_ = 1;  // pixels a point
+    double occlusion_ = 1, lastOcclusion_ = 0, lastBudget_ = 0;
+    double handMoved_ = -1e9;
+    std::vector<std::uint32_t> picks_, picksBefore_;  // atoms, from 0
+    std::string message_;
+    double messageUntil_ = 0;
+    std::size_t preset_ = 0;
+    bool deviceLost_ = false, firstDocument_ = true;
+};
+
+}  // namespace nacre::app

@@ -1,0 +1,41 @@
+#pragma once
+// Frames that the host records while the device still draws the one before: at most two in flight.
+
+#include <array>
+#include <memory>
+
+#include "engine/gpu/pipeline.h"
+#include "engine/gpu/resources.h"
+
+namespace nacre::gpu {
+
+struct FrameSlot {
+    vk::raii::CommandBuffer commands{nullptr};
+    vk::raii::Fence done{nullptr};
+    vk::raii::Semaphore acquired{nullptr};  ///< the window's image may be drawn into
+    DescriptorPool descriptors;
+    Buffer vertices, indices;          ///< of what is drawn over the picture
+    std::shared_ptr<const void> held;  ///< what the commands use, until they are done
+    explicit FrameSlot(const Device& device) : descriptors(device) {}
+};
+
+class FrameRing {
+public:
+    static constexpr std::size_t kInFlight = 2;
+
+    explicit FrameRing(const Device& device);
+    ~FrameRing();
+
+    /// The slot of the next frame, free of what the frame before last left in it. Waits until that one is done.
+    FrameSlot& next();
+    /// Submits the slot's commands: they wait for `acquired` where colour is written, and signal `drawn`.
+    void submit(FrameSlot& slot, vk::Semaphore drawn);
+
+private:
+    const Device& device_;
+    vk::raii::CommandPool pool_;
+    std::array<FrameSlot, kInFlight> slots_;
+    std::size_t at_ = 0;
+};
+
+}  // namespace nacre::gpu

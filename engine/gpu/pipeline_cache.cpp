@@ -1,0 +1,22 @@
+#include "engine/gpu/pipeline_cache.h"
+
+#include <cstring>
+
+namespace nacre::gpu {
+
+bool isPipelineCacheOf(const vk::PhysicalDeviceProperties& properties, std::span<const std::byte> data) {
+    VkPipelineCacheHeaderVersionOne header{};
+    if (data.size() < sizeof(header)) return false;
+    std::memcpy(&header, data.data(), sizeof(header));
+    return header.headerSize == sizeof(header) && header.headerVersion == VK_PIPELINE_CACHE_HEADER_VERSION_ONE &&
+           header.vendorID == properties.vendorID && header.deviceID == properties.deviceID &&
+           std::memcmp(header.pipelineCacheUUID, properties.pipelineCacheUUID.data(), VK_UUID_SIZE) == 0;
+}
+
+vk::raii::PipelineCache makePipelineCache(const vk::raii::Device& device, const vk::raii::PhysicalDevice& physical,
+                                          std::span<const std::byte> data) {
+    if (!isPipelineCacheOf(physical.getProperties(), data)) data = {};
+    return {device, vk::PipelineCacheCreateInfo({}, data.size(), data.data())};
+}
+
+}  // namespace nacre::gpu

@@ -1,0 +1,65 @@
+#pragma once
+// The images of a window, in the order in which the display takes them (FIFO).
+
+#include <functional>
+#include <optional>
+
+#include "engine/gpu/resources.h"
+
+namespace nacre::gpu {
+
+/// Quarter turns clockwise that a surface's transform asks of the picture; mirrored ones count as upright.
+int quarterTurnsOf(vk::SurfaceTransformFlagBitsKHR transform);
+
+class Swapchain {
+public:
+    /// @param create makes the window's surface. @throws Error if this device cannot show pictures there
+    Swapchain(const Device& device, std::function<VkSurfaceKHR(VkInstance)> create);
+    ~Swapchain();
+    Swapchain(const Swapchain&) = delete;
+
+    /// Makes the images anew for the window as it is; none while it has no area. Nothing may be in flight.
+    /// @param wanted pixels of the upright picture, for surfaces that leave their size to the swapchain
+    void recreate(graph::Extent wanted);
+    /// Lets go of the surface, as an app must when its window goes; recreate() asks for another.
+    void release();
+
+    bool ready() const { return static_cast<bool>(*swapchain_); }
+    /// The next image is to be preceded by recreate().
+    bool stale() const { return stale_; }
+    void markStale() { stale_ = true; }
+
+    graph::Extent extent() const { return extent_; }    ///< of the images
+    graph::Extent upright() const { return upright_; }  ///< of the picture as it is seen
+    int quarterTurns() const { return quarterTurns_; }
+    VkFormat format() const { return static_cast<VkFormat>(format_.format); }
+
+    /// Index of the next image, or nothing if the swapchain has become stale.
+    std::optional<std::uint32_t> acquire(vk::Semaphore signal);
+    ImageRef image(std::uint32_t index) const;
+    /// Signalled by the submission that draws an image, awaited by present().
+    vk::Semaphore drawn(std::uint32_t index) const { return *images_[index].drawn; }
+    void present(std::uint32_t index);
+
+private:
+    struct WindowImage {
+        vk::Image handle;
+        vk::raii::ImageView view;
+        vk::raii::Semaphore drawn;
+    };
+    void makeSurface();
+    void chooseFormat();
+    void build(const vk::SurfaceCapabilitiesKHR& caps);
+
+    const Device& device_;
+    std::function<VkSurfaceKHR(VkInstance)> create_;
+    vk::raii::SurfaceKHR surface_{nullptr};
+    vk::SurfaceFormatKHR format_;
+    vk::raii::SwapchainKHR swapchain_{nullptr};
+    std::vector<WindowImage> images_;
+    graph::Extent extent_, upright_;
+    int quarterTurns_ = 0;
+    bool stale_ = true;
+};
+
+}  // namespace nacre::gpu

@@ -1,0 +1,116 @@
+#include "engine/passes/overlay_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/error.h"
+#include "engine/passes/read_back.h"
+#include "shaders.h"
+
+namespace nacre::passes {
+namespace {
+
+constexpr vk::DescriptorType kBindings[] = {vk::DescriptorType::eCombinedImageSampler};
+constexpr vk::ShaderStageFlags kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
+
+/// Makes room and copies; buffers grow by half, so that they seldom do.
+template <typename T>
+void put(const gpu::Device& device, gpu::Buffer& buffer, const std::vector<T>& contents, vk::BufferUsageFlags usage,
+         const char* name) {
+    const std::size_t bytes = contents.size() * sizeof(T);
+    if (!buffer.mapped || buffer.size < bytes)
+        buffer = gpu::makeBuffer(device, bytes + bytes / 2, usage, gpu::Access::upload, name);
+    std::copy_n(contents.data(), contents.size(), reinterpret_cast<T*>(buffer.mapped));
+}
+
+/// A batch's rectangle in the image, which may be the picture turned; empty if it lies outside.
+vk::Rect2D scissorOf(const OverlayBatch& b, graph::Extent upright, int quarterTurns) {
+    const auto pixel = [](float value, std::uint32_t most) {
+        return static_cast<std::int32_t>(std::clamp(value, 0.0f, static_cast<float>(most)));
+    };
+    const auto w = static_cast<std::int32_t>(upright.width), h = static_cast<std::int32_t>(upright.height);
+    const std::int32_t left = pixel(b.left, upright.width), right = pixel(std::ceil(b.right), upright.width);
+    const std::int32_t top = pixel(b.top, upright.height), bottom = pixel(std::ceil(b.bottom), upright.height);
+    if (right <= left || bottom <= top) return {};
+    const auto size = [](std::int32_t x, std::int32_t y) {
+        return vk::Extent2D(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+    };
+    switch (quarterTurns) {
+        case 1:
+            return {{h - bottom, left}, size(bottom - top, right - left)};
+        case 2:
+            return {{w - right, h - bottom}, size(right - left, bottom - top)};
+        case 3:
+            return {{top, w - right}, size(bottom - top, right - left)};
+        default:
+            return {{left, top}, size(right - left, bottom - top)};
+    }
+}
+
+}  // namespace
+
+OverlayPass::OverlayPass(const gpu::Device& device, graph::Executor& executor)
+    : device_(device),
+      sampler_(gpu::makeSampler(device, vk::Filter::eLinear, "glyphs")),
+      layout_(gpu::makeLayout(device, kBindings, kStages, 16, "overlay layout")),
+      glyphs_(makeWhiteTexture(device, executor)) {}
+
+void OverlayPass::setGlyphs(graph::Executor& executor, const OverlayGlyphs& glyphs) {
+    if (std::max(glyphs.width, glyphs.height) > device_.caps().maxImageSize)
+        throw Error("cannot show text", device_.caps().deviceName, "its textures are too small for the glyphs");
+    glyphs_ =
+        makeTexture(device_, executor, {VK_FORMAT_R8_UNORM, {glyphs.width, glyphs.height}}, glyphs.coverage, "glyphs");
+}
+
+void OverlayPass::upload(gpu::FrameSlot& slot, const Overlay& overlay) const {
+    put(device_, slot.vertices, overlay.vertices, vk::BufferUsageFlagBits::eVertexBuffer, "overlay vertices");
+    put(device_, slot.indices, overlay.indices, vk::BufferUsageFlagBits::eIndexBuffer, "overlay indices");
+}
+
+vk::Pipeline OverlayPass::pipeline(const graph::PassContext& context, int quarterTurns, bool coded) {
+    const auto key =
+        std::make_tuple(static_cast<VkRenderPass>(context.renderPass), context.subpass, quarterTurns, coded);
+    if (const auto it = pipelines_.find(key); it != pipelines_.end()) return *it->second;
+    gpu::GraphicsPipeline d;
+    d.name = "overlay";
+    d.vertex = shaders::overlayVertex;
+    d.fragment = shaders::overlayFragment;
+    d.constants.set(0, quarterTurns);
+    d.constants.set(1, coded);
+    d.bindings = {{0, sizeof(OverlayVertex), vk::VertexInputRate::eVertex}};
+    d.attributes = {{0, 0, vk::Format::eR32G32Sfloat, 0},
+                    {1, 0, vk::Format::eR32G32Sfloat, 8},
+                    {2, 0, vk::Format::eR8G8B8A8Unorm, 16}};
+    d.layout = *layout_.pipeline;
+    d.renderPass = context.renderPass;
+    d.subpass = context.subpass;
+    d.colorCount = context.colorCount;
+    d.colorsWritten = 1;
+    d.blend = gpu::Blend::over;
+    d.strip = false;
+    return *pipelines_.emplace(key, gpu::makePipeline(device_, d)).first->second;
+}
+
+void OverlayPass::draw(graph::PassContext& context, const gpu::FrameSlot& slot, const Overlay& overlay,
+                       graph::Extent upright, int quarterTurns, bool coded) {
+    const vk::raii::CommandBuffer& commands = context.commands;
+    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, quarterTurns, coded));
+    const vk::DescriptorSet set = context.descriptors.allocate(layout_.set);
+    const vk::DescriptorImageInfo glyphs(*sampler_, *glyphs_.view, vk::ImageLayout::eShaderReadOnlyOptimal);
+    device_->updateDescriptorSets(vk::WriteDescriptorSet(set, 0, 0, vk::DescriptorType::eCombinedImageSampler, glyphs),
+                                  {});
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_.pipeline, 0, set, {});
+    const std::array<float, 4> scale{2.0f / static_cast<float>(upright.width),
+                                     2.0f / static_cast<float>(upright.height), 0, 0};
+    commands.pushConstants<float>(*layout_.pipeline, kStages, 0, scale);
+    commands.bindVertexBuffers(0, *slot.vertices.handle, {0});
+    commands.bindIndexBuffer(*slot.indices.handle, 0, vk::IndexType::eUint32);
+    for (const OverlayBatch& batch : overlay.batches) {
+        const vk::Rect2D scissor = scissorOf(batch, upright, quarterTurns);
+        if (scissor.extent.width == 0) continue;
+        commands.setScissor(0, scissor);
+        commands.drawIndexed(batch.indexCount, 1, batch.firstIndex, 0, 0);
+    }
+}
+
+}  // namespace nacre::passes

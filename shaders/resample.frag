@@ -1,0 +1,26 @@
+#version 450
+// A picture at another resolution: the mean of n x n texels in linear light, or, if the picture is not a whole
+// multiple of the target, bilinear.
+layout(set = 0, binding = 0) uniform sampler2D picture;
+layout(location = 0) out vec4 color;
+layout(constant_id = 0) const int kSamples = 0;     // n; 0: bilinear
+layout(constant_id = 1) const bool kCoded = false;  // the target takes sRGB-coded colour as it is
+
+layout(push_constant) uniform Push { vec4 scale; };  // xy: 1 / pixels of the target
+
+vec3 coded(vec3 c) {
+    return mix(c * 12.92, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+}
+
+void main() {
+    vec3 sum = vec3(0.0);
+    if (kSamples > 0) {
+        ivec2 first = ivec2(gl_FragCoord.xy) * kSamples;
+        for (int j = 0; j < kSamples; ++j)
+            for (int i = 0; i < kSamples; ++i) sum += texelFetch(picture, first + ivec2(i, j), 0).rgb;
+        sum /= float(kSamples * kSamples);
+    } else {
+        sum = textureLod(picture, gl_FragCoord.xy * scale.xy, 0.0).rgb;
+    }
+    color = vec4(kCoded ? coded(sum) : sum, 1.0);
+}

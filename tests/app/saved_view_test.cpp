@@ -1,0 +1,89 @@
+// `nacre render --view`: a saved view is the options that it stands for.
+
+#include <gtest/gtest.h>
+
+#include "app/headless/saved_options.h"
+#include "tests/app/run_program.h"
+
+namespace nacre {
+namespace {
+
+using test::contentOf;
+using test::nacreIn;
+using test::TemporaryFolder;
+
+constexpr const char* kView = R"({"input": "sample:glucose", "style": "licorice", "color": "chain",
+    "rules": [{"show": "elem O=spacefill"}, {"color-by": "elem O=#ff8000"}], "hydrogens": "hide",
+    "projection": "perspective", "fov": 40, "zoom": 1.25, "background": "#203040", "lighting": "off",
+    "occlusion": "off", "orientation": [0.7071067811865476, 0, 0.7071067811865476, 0]})";
+constexpr const char* kOptions =
+    "--style licorice --color chain --show 'elem O=spacefill' --color-by 'elem O=#ff8000' --hydrogens hide "
+    "--projection perspective --fov 40 --zoom 1.25 --background '#203040' --lighting off --occlusion off "
+    "--rotate 0,90,0";
+
+std::string rendered(const TemporaryFolder& folder, const std::string& arguments) {
+    const test::Outcome outcome = nacreIn(folder, "render " + arguments + " -o a.png --size 160x120");
+    EXPECT_EQ(outcome.code, 0) << arguments << ": " << outcome.err;
+    return contentOf(folder / "a.png");
+}
+
+TEST(SavedView, IsTheOptionsThatItStandsFor) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "v.json") << kView;
+    const std::string picture = rendered(folder, std::string("sample:glucose ") + kOptions);
+    EXPECT_EQ(rendered(folder, "--view v.json"), picture);
+    EXPECT_EQ(rendered(folder, "sample:glucose --view v.json"), picture);
+    EXPECT_NE(rendered(folder, "sample:dna --view v.json"), picture);
+}
+
+TEST(SavedView, OptionsPrevailWhereverTheyStand) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "v.json") << kView;
+    const std::string options = std::string("sample:glucose ") + kOptions;
+    for (const char* order : {"--zoom 2 --background white --view v.json", "--view v.json --background white --zoom 2"})
+        EXPECT_EQ(rendered(folder, order),
+                  rendered(folder,
+                           "sample:glucose --style licorice --color chain --show 'elem O=spacefill' --color-by "
+                           "'elem O=#ff8000' --hydrogens hide --projection perspective --fov 40 --zoom 2 "
+                           "--background white --lighting off --occlusion off --rotate 0,90,0"))
+            << order;
+    // Rules of the command line come after those of the view.
+    EXPECT_EQ(rendered(folder, "--color-by 'elem O=#0000ff' --view v.json"),
+              rendered(folder, options + " --color-by 'elem O=#0000ff'"));
+}
+
+TEST(SavedView, WithoutAnInputOrAReadableFileNothingIsDrawn) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "v.json") << R"({"zoom": 2})";
+    std::ofstream(folder / "bad.json") << R"({"zoom": -2})";
+    EXPECT_EQ(nacreIn(folder, "render --view v.json -o a.png").code, 2);
+    const test::Outcome bad = nacreIn(folder, "render sample:dna --view bad.json -o a.png");
+    EXPECT_EQ(bad.code, 2);
+    EXPECT_NE(bad.err.find("zoom"), std::string::npos) << bad.err;
+    EXPECT_EQ(nacreIn(folder, "render sample:dna --view none.json -o a.png").code, 2);
+    EXPECT_EQ(folder.count(), 2u);
+}
+
+TEST(SavedView, OptionsBecomeAViewThatMeansThem) {
+    app::RenderOptions options;
+    options.input.path = "x.pdb";
+    options.input.format = Format::pdb;
+    options.look.style = Style::licorice;
+    options.look.rules = {app::parseShow("chain A=spacefill"), app::parseHide("water"),
+                          app::parseColorBy("chain A=b-factor")};
+    options.background = {1, 0, 0, 0.5f};
+    options.camera.zoom = 3;
+    const app::SavedView view = app::savedViewOf(options);
+    app::RenderOptions back;
+    app::applySavedView(view, back);
+    EXPECT_EQ(app::savedViewJson(app::savedViewOf(back)).size() +
+                  std::string("\"input\": \"x.pdb\",\n  \"format\": \"pdb\",\n  ").size(),
+              app::savedViewJson(view).size());
+    EXPECT_EQ(back.savedInput.path, "x.pdb");
+    EXPECT_EQ(back.look.rules.size(), 3u);
+    EXPECT_EQ(back.look.rules[2].coloring.scheme, ColorScheme::bFactor);
+    EXPECT_EQ(back.camera.zoom, 3);
+}
+
+}  // namespace
+}  // namespace nacre

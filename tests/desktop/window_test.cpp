@@ -1,0 +1,209 @@
+// `nacre view` as a user has it: a real window, a real window manager, a real mouse; lavapipe draws.
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <glm/gtc/quaternion.hpp>
+#include <random>
+
+#include "tests/app/run_program.h"
+#include "tests/desktop/x_session.h"
+#include "tests/support/test_data.h"
+
+namespace nacre::test {
+namespace {
+
+struct Image {
+    int width = 0, height = 0, channels = 0;
+    std::vector<float> values;
+    std::vector<std::string> names;
+    float at(int x, int y, const std::string& channel) const {
+        const auto c = std::find(names.begin(), names.end(), channel) - names.begin();
+        return values[static_cast<std::size_t>((y * width + x) * channels + c)];
+    }
+};
+
+Image readImage(const std::string& path) {
+    Image image;
+    const auto in = OIIO::ImageInput::open(path);
+    if (!in) throw std::runtime_error("no image " + path);
+    image.width = in->spec().width;
+    image.height = in->spec().height;
+    image.channels = in->spec().nchannels;
+    image.names = in->spec().channelnames;
+    image.values.resize(static_cast<std::size_t>(image.width) * image.height * image.channels);
+    in->read_image(0, 0, 0, image.channels, OIIO::TypeDesc::FLOAT, image.values.data());
+    return image;
+}
+
+/// Hides the panel and saves the view. @returns the JSON's path
+std::string saveView(XSession& session) {
+    session.type("s", true);
+    session.sleep(0.5);
+    session.type("Escape");  // takes the message away
+    session.settle();
+    for (const auto& entry : std::filesystem::directory_iterator(session.folder().path()))
+        if (entry.path().string().ends_with(".view.json")) return entry.path().string();
+    ADD_FAILURE() << "no view was saved: " << session.errors();
+    return "";
+}
+
+std::string sizeOf(const WindowPicture& p) { return std::to_string(p.width) + "x" + std::to_string(p.height); }
+
+struct Difference {
+    int differing = 0, largest = 0, coloured = 0;
+};
+
+Difference differenceOf(const WindowPicture& shown, const Image& image) {
+    Difference d;
+    if (image.width != shown.width || image.height != shown.height) return {1 << 30, 255, 0};
+    for (std::size_t i = 0; i < shown.rgb.size(); ++i) {
+        const int step = std::abs(static_cast<int>(std::lround(image.values[i] * 255)) - shown.rgb[i]);
+        d.differing += step > 1;
+        d.largest = std::max(d.largest, step);
+        d.coloured += shown.rgb[i] < 250;
+    }
+    return d;
+}
+
+/// Renders what the window shows, without the window, and compares. The window's refinement takes 2 x 2 samples.
+void expectAsRendered(XSession& session, const std::string& view) {
+    const std::string size = sizeOf(session.picture());
+    const Outcome outcome =
+        nacreIn(session.folder(), "render --view '" + view + "' -o render.png --supersample 2 --size " + size);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Image image = readImage(session.folder() / "render.png");
+    Difference d;
+    // On a busy machine the refinement may be late; what counts is the picture that stays.
+    for (int i = 0; i < 20; ++i) {
+        d = differenceOf(session.picture(), image);
+        if (d.differing == 0) break;
+        session.sleep(0.5);
+    }
+    EXPECT_GT(d.coloured, 10000);
+    EXPECT_EQ(d.differing, 0) << "at most by " << d.largest;
+}
+
+nlohmann::json readJson(const std::string& path) { return nlohmann::json::parse(contentOf(path)); }
+
+TEST(Window, ShowsWhatRenderDrawsAndThenRests) {
+    XSession session("sample:dna --size 500x600");
+    EXPECT_EQ(session.title(), "sample:dna - Nacre");
+    session.type("m");
+    const std::string view = saveView(session);
+    expectAsRendered(session, view);
+    session.sleep(5.5);
+    EXPECT_EQ(session.quit(), 0) << session.errors();
+    EXPECT_GE(session.stats()["seconds_since_last_frame"].get<double>(), 5.0);
+    EXPECT_EQ(session.stats()["occlusion"], 1.0);
+}
+
+TEST(Window, DragRotatesWheelZooms) {
+    XSession session("sample:dna --size 500x600");
+    session.type("m");
+    session.drag(200, 300, 250, 300);
+    session.settle();
+    session.wheel(350, 200, 3);
+    session.settle();
+    const std::string path = saveView(session);
+    const nlohmann::json view = readJson(path);
+    const auto q = view["orientation"];
+    const double half = 25 * M_PI / 180;  // 50 points are 50 degrees about +y
+    EXPECT_NEAR(q[0].get<double>(), std::cos(half), 1e-6);
+    EXPECT_NEAR(q[1].get<double>(), 0, 1e-9);
+    EXPECT_NEAR(q[2].get<double>(), std::sin(half), 1e-6);
+    EXPECT_NEAR(q[3].get<double>(), 0, 1e-9);
+    EXPECT_NEAR(view["zoom"].get<double>(), std::pow(1.15, 3), 1e-9);
+    EXPECT_LT(view["pan"][0].get<double>(), 0);  // what was under the pointer stayed there
+    EXPECT_LT(view["pan"][1].get<double>(), 0);
+    expectAsRendered(session, path);
+    EXPECT_EQ(session.quit(), 0) << session.errors();
+}
+
+TEST(Window, ClickPicksTheAtomThatIsSeen) {
+    for (const char* style : {"spacefill", "ball-and-stick --projection perspective"}) {
+        XSession session(std::string("sample:dna --size 500x600 --rotate 20,30,0 --style ") + style);
+        session.type("m");
+        const std::string view = saveView(session);
+        const Outcome outcome =
+            nacreIn(session.folder(), "render --view '" + view + "' -o r.png --layers l.exr --occlusion 1 --size " +
+                                          sizeOf(session.picture()));
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        const Image layers = readImage(session.folder() / "l.exr");
+        std::vector<int> expected;
+        std::mt19937 random(7);
+        while (expected.size() < 4) {
+            const int x = static_cast<int>(random() % 500), y = static_cast<int>(random() % 600);
+            const int id = static_cast<int>(layers.at(x, y, "id"));
+            if (id == 0 || std::find(expected.begin(), expected.end(), id) != expected.end()) continue;
+            session.click(x, y);
+            expected.push_back(id);
+        }
+        EXPECT_EQ(session.quit(), 0) << session.errors();
+        EXPECT_EQ(session.stats()["picked"].get<std::vector<int>>(), expected) << style;
+    }
+}
+
+TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {
+    XSession session("sample:glucose --size 500x600");
+    {
+        std::ofstream out(session.folder() / "two words.xyz");
+        out << "3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n";
+        std::ofstream bad(session.folder() / "bad.pdb");
+        bad << "HEADER nothing\n";
+    }
+    ASSERT_TRUE(session.drop(session.folder() / "two%20words.xyz"));
+    EXPECT_TRUE(session.waitForTitle("two words.xyz")) << session.title();
+    session.settle();
+    const WindowPicture before = session.picture();
+    ASSERT_TRUE(session.drop(session.folder() / "bad.pdb"));
+    session.sleep(1);
+    EXPECT_TRUE(session.waitForTitle("two words.xyz"));
+    EXPECT_NE(session.picture(), before);  // the message stands over the picture
+    session.sleep(4);
+    session.settle();
+    EXPECT_EQ(session.picture(), before);
+    EXPECT_EQ(session.quit(), 0) << session.errors();
+    // The next window without INPUT goes on there.
+    EXPECT_NE(contentOf(session.folder() / "state/nacre/view.json").find("two words.xyz"), std::string::npos);
+}
+
+TEST(Window, SurvivesResizesAndMinimising) {
+    XSession session("sample:glucose --size 500x400");
+    session.type("m");
+    std::mt19937 random(1);
+    for (int i = 0; i < 500; ++i) {
+        session.resize(120 + static_cast<int>(random() % 700), 120 + static_cast<int>(random() % 600));
+        session.sleep(random() % 4 == 0 ? 0.03 : 0.002);
+        if (i % 100 == 50) session.type("space");
+    }
+    session.type("Escape");
+    session.click(3, 3);  // stops whatever turns
+    session.iconify();
+    session.sleep(1);
+    EXPECT_EQ(session.picture().width, 0);
+    session.restore();
+    session.sleep(1);
+    session.resize(520, 430);
+    session.settle();
+    EXPECT_EQ(session.picture().width, 520);
+    const std::string view = saveView(session);
+    expectAsRendered(session, view);
+    EXPECT_EQ(session.quit(), 0) << session.errors();
+}
+
+TEST(Window, SavesAPictureAndKeepsTheCompiledPipelines) {
+    XSession session("sample:glucose --size 400x300");
+    session.type("s");
+    session.sleep(1);
+    EXPECT_EQ(session.quit(), 0) << session.errors();
+    const Image image = readImage(session.folder() / "glucose.png");
+    EXPECT_EQ(image.width, 400);
+    EXPECT_EQ(image.height, 300);
+    EXPECT_GT(contentOf(session.folder() / "cache/nacre/pipelines.bin").size(), 40u);
+}
+
+}  // namespace
+}  // namespace nacre::test

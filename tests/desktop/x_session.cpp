@@ -1,0 +1,339 @@
+#include "tests/desktop/x_session.h"
+
+#include <X11/Xatom.h>
+#include <X11/Xlib.h>
+#include <X11/Xutil.h>
+#include <X11/extensions/XTest.h>
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <stdexcept>
+#include <thread>
+
+namespace nacre::test {
+namespace {
+
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+/// Starts a program by the shell, in a process group of its own.
+int start(const std::string& command) {
+    const int pid = fork();
+    if (pid != 0) return pid;
+    setpgid(0, 0);
+    execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
+    _exit(127);
+}
+
+void stop(int& pid) {
+    if (pid <= 0) return;
+    kill(-pid, SIGTERM);
+    kill(pid, SIGTERM);
+    waitpid(pid, nullptr, 0);
+    pid = -1;
+}
+
+}  // namespace
+
+struct XSession::X {
+    Display* display = nullptr;
+    Window window = 0;
+
+    Atom atom(const char* name) const { return XInternAtom(display, name, False); }
+
+    std::vector<Window> windowsOf(const char* property) const {
+        Atom type = 0;
+        int format = 0;
+        unsigned long count = 0, left = 0;
+        unsigned char* data = nullptr;
+        std::vector<Window> windows;
+        if (XGetWindowProperty(display, DefaultRootWindow(display), atom(property), 0, 100, False, XA_WINDOW, &type,
+                               &format, &count, &left, &data) == Success &&
+            data) {
+            windows.assign(reinterpret_cast<Window*>(data), reinterpret_cast<Window*>(data) + count);
+            XFree(data);
+        }
+        return windows;
+    }
+
+    void send(Window to, const char* type, std::array<long, 5> data, long mask = 0) const {
+        XEvent event{};
+        event.xclient.type = ClientMessage;
+        event.xclient.display = display;
+        event.xclient.window = window;
+        event.xclient.message_type = atom(type);
+        event.xclient.format = 32;
+        for (int i = 0; i < 5; ++i) event.xclient.data.l[i] = data[static_cast<std::size_t>(i)];
+        XSendEvent(display, to, False, mask, &event);
+        XFlush(display);
+    }
+
+    /// The window's corner on the display.
+    void origin(int& x, int& y) const {
+        Window child = 0;
+        XTranslateCoordinates(display, window, DefaultRootWindow(display), 0, 0, &x, &y, &child);
+    }
+};
+
+XSession::XSession(const std::string& arguments) : x_(std::make_unique<X>()) {
+    startDisplay();
+    manager_ = start("exec env DISPLAY=" + display_ + " openbox >/dev/null 2>&1");
+    const double end = now() + 20;
+    while (x_->windowsOf("_NET_SUPPORTING_WM_CHECK").empty() && now() < end) sleep(0.05);
+    startNacre(arguments);
+    findWindow();
+    settle();
+}
+
+XSession::~XSession() {
+    stop(nacre_);
+    if (x_->display) XCloseDisplay(x_->display);
+    stop(manager_);
+    stop(xvfb_);
+}
+
+void XSession::startDisplay() {
+    int ends[2];
+    if (pipe(ends) != 0) throw std::runtime_error("no pipe");
+    xvfb_ = start("exec Xvfb -displayfd " + std::to_string(ends[1]) + " -screen 0 1280x1000x24 >/dev/null 2>&1");
+    close(ends[1]);
+    char number[16] = {};
+    const ssize_t length = read(ends[0], number, sizeof number - 1);
+    close(ends[0]);
+    if (length <= 0) throw std::runtime_error("Xvfb did not start");
+    display_ = ":" + std::to_string(std::atoi(number));
+    x_->display = XOpenDisplay(display_.c_str());
+    if (!x_->display) throw std::runtime_error("no display " + display_);
+    // A window that went is no reason to end the test's program.
+    XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
+}
+
+void XSession::startNacre(const std::string& arguments) {
+    nacre_ =
+        start("cd '" + folder_.path() + "' && exec env -u WAYLAND_DISPLAY DISPLAY=" + display_ + " HOME='" +
+              folder_.path() + "' XDG_STATE_HOME='" + (folder_ / "state") + "' XDG_CACHE_HOME='" + (folder_ / "cache") +
+              "' '" NACRE_PROGRAM "' view " + arguments + " --validate --stats stats.json >log 2>&1");
+}
+
+void XSession::findWindow() {
+    const double end = now() + 30;
+    while (now() < end) {
+        for (const Window window : x_->windowsOf("_NET_CLIENT_LIST")) {
+            XClassHint hint{};
+            if (!XGetClassHint(x_->display, window, &hint)) continue;
+            const bool ours = std::string(hint.res_name) == "nacre";
+            XFree(hint.res_name);
+            XFree(hint.res_class);
+            if (ours) {
+                x_->window = window;
+                return;
+            }
+        }
+        if (waitpid(nacre_, nullptr, WNOHANG) == nacre_) {
+            nacre_ = -1;
+            throw std::runtime_error("nacre ended: " + errors());
+        }
+        sleep(0.05);
+    }
+    throw std::runtime_error("no window came: " + errors());
+}
+
+void XSession::sleep(double seconds) const { std::this_thread::sleep_for(std::chrono::duration<double>(seconds)); }
+
+void XSession::moveTo(int x, int y) {
+    int left = 0, top = 0;
+    x_->origin(left, top);
+    XTestFakeMotionEvent(x_->display, -1, left + x, top + y, CurrentTime);
+    XFlush(x_->display);
+}
+
+void XSession::button(int number, bool down) {
+    XTestFakeButtonEvent(x_->display, static_cast<unsigned>(number), down, CurrentTime);
+    XFlush(x_->display);
+}
+
+void XSession::click(int x, int y) {
+    moveTo(x, y);
+    sleep(0.1);
+    button(1, true);
+    sleep(0.05);
+    button(1, false);
+    sleep(0.5);  // the next one is no double click
+}
+
+void XSession::drag(int fromX, int fromY, int toX, int toY) {
+    moveTo(fromX, fromY);
+    sleep(0.1);
+    button(1, true);
+    for (int i = 1; i <= 10; ++i) {
+        sleep(0.03);
+        moveTo(fromX + (toX - fromX) * i / 10, fromY + (toY - fromY) * i / 10);
+    }
+    sleep(0.5);
+    button(1, false);
+}
+
+void XSession::wheel(int x, int y, int steps) {
+    moveTo(x, y);
+    sleep(0.1);
+    for (int i = 0; i < std::abs(steps); ++i) {
+        button(steps > 0 ? 4 : 5, true);
+        button(steps > 0 ? 4 : 5, false);
+        sleep(0.03);
+    }
+}
+
+void XSession::type(const std::string& keysym, bool shift) {
+    const KeyCode code = XKeysymToKeycode(x_->display, XStringToKeysym(keysym.c_str()));
+    const KeyCode shiftCode = XKeysymToKeycode(x_->display, XStringToKeysym("Shift_L"));
+    if (shift) XTestFakeKeyEvent(x_->display, shiftCode, True, CurrentTime);
+    XTestFakeKeyEvent(x_->display, code, True, CurrentTime);
+    XTestFakeKeyEvent(x_->display, code, False, CurrentTime);
+    if (shift) XTestFakeKeyEvent(x_->display, shiftCode, False, CurrentTime);
+    XFlush(x_->display);
+    sleep(0.1);
+}
+
+void XSession::resize(int width, int height) {
+    XResizeWindow(x_->display, x_->window, static_cast<unsigned>(width), static_cast<unsigned>(height));
+    XFlush(x_->display);
+}
+
+void XSession::iconify() {
+    XIconifyWindow(x_->display, x_->window, DefaultScreen(x_->display));
+    XFlush(x_->display);
+}
+
+void XSession::restore() {
+    x_->send(DefaultRootWindow(x_->display), "_NET_ACTIVE_WINDOW", {2, 0, 0, 0, 0},
+             SubstructureRedirectMask | SubstructureNotifyMask);
+    XMapWindow(x_->display, x_->window);
+    XFlush(x_->display);
+}
+
+bool XSession::drop(const std::string& path) {
+    Display* d = x_->display;
+    const Window source = XCreateSimpleWindow(d, DefaultRootWindow(d), 0, 0, 1, 1, 0, 0, 0);
+    const Atom selection = x_->atom("XdndSelection"), list = x_->atom("text/uri-list");
+    XSetSelectionOwner(d, selection, source, CurrentTime);
+    int left = 0, top = 0;
+    x_->origin(left, top);
+    const auto from = static_cast<long>(source);
+    x_->send(x_->window, "XdndEnter", {from, 5l << 24, static_cast<long>(list), 0, 0});
+    x_->send(x_->window, "XdndPosition",
+             {from, 0, static_cast<long>(left + 200) << 16 | (top + 200), CurrentTime,
+              static_cast<long>(x_->atom("XdndActionCopy"))});
+    bool finished = false, accepted = false;
+    const double end = now() + 10;
+    while (!finished && now() < end) {
+        if (!XPending(d)) {
+            sleep(0.01);
+            continue;
+        }
+        XEvent event;
+        XNextEvent(d, &event);
+        if (event.type == ClientMessage && event.xclient.message_type == x_->atom("XdndStatus") && !accepted) {
+            accepted = event.xclient.data.l[1] & 1;
+            if (!accepted) break;
+            x_->send(x_->window, "XdndDrop", {from, 0, CurrentTime, 0, 0});
+        } else if (event.type == ClientMessage && event.xclient.message_type == x_->atom("XdndFinished")) {
+            finished = true;
+        } else if (event.type == SelectionRequest) {
+            const XSelectionRequestEvent& request = event.xselectionrequest;
+            const std::string uri = "file://" + path + "\r\n";
+            XChangeProperty(d, request.requestor, request.property, request.target, 8, PropModeReplace,
+                            reinterpret_cast<const unsigned char*>(uri.data()), static_cast<int>(uri.size()));
+            XEvent answer{};
+            answer.xselection.type = SelectionNotify;
+            answer.xselection.requestor = request.requestor;
+            answer.xselection.selection = request.selection;
+            answer.xselection.target = request.target;
+            answer.xselection.property = request.property;
+            answer.xselection.time = request.time;
+            XSendEvent(d, request.requestor, False, 0, &answer);
+            XFlush(d);
+        }
+    }
+    XDestroyWindow(d, source);
+    return finished;
+}
+
+std::string XSession::title() const {
+    Atom type = 0;
+    int format = 0;
+    unsigned long count = 0, left = 0;
+    unsigned char* data = nullptr;
+    std::string text;
+    if (XGetWindowProperty(x_->display, x_->window, x_->atom("_NET_WM_NAME"), 0, 1000, False, x_->atom("UTF8_STRING"),
+                           &type, &format, &count, &left, &data) == Success &&
+        data) {
+        text.assign(reinterpret_cast<char*>(data), count);
+        XFree(data);
+    }
+    return text;
+}
+
+WindowPicture XSession::picture() const {
+    XWindowAttributes attributes{};
+    WindowPicture picture;
+    if (!XGetWindowAttributes(x_->display, x_->window, &attributes) || attributes.map_state != IsViewable)
+        return picture;
+    XImage* image = XGetImage(x_->display, x_->window, 0, 0, static_cast<unsigned>(attributes.width),
+                              static_cast<unsigned>(attributes.height), AllPlanes, ZPixmap);
+    if (!image) return picture;
+    picture.width = attributes.width;
+    picture.height = attributes.height;
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            const unsigned long p = XGetPixel(image, x, y);
+            for (const int shift : {16, 8, 0}) picture.rgb.push_back(static_cast<std::uint8_t>(p >> shift));
+        }
+    XDestroyImage(image);
+    return picture;
+}
+
+void XSession::settle() {
+    WindowPicture last;
+    std::string lastTitle;
+    int same = 0;
+    const double end = now() + 60;
+    while (same < 4 && now() < end) {
+        sleep(0.25);
+        WindowPicture next = picture();
+        const std::string nextTitle = title();
+        same = next == last && nextTitle == lastTitle && nextTitle.find("occlusion") == std::string::npos &&
+                       nextTitle.find("reading") == std::string::npos && nextTitle != "Nacre"
+                   ? same + 1
+                   : 0;
+        last = std::move(next);
+        lastTitle = nextTitle;
+    }
+}
+
+bool XSession::waitForTitle(const std::string& text, double seconds) {
+    const double end = now() + seconds;
+    while (now() < end) {
+        if (title().find(text) != std::string::npos) return true;
+        sleep(0.05);
+    }
+    return false;
+}
+
+int XSession::quit() {
+    type("q");
+    const double end = now() + 20;
+    int status = 0;
+    while (now() < end) {
+        if (waitpid(nacre_, &status, WNOHANG) == nacre_) {
+            nacre_ = -1;
+            return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        }
+        sleep(0.05);
+    }
+    return -1;
+}
+
+}  // namespace nacre::test

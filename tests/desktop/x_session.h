@@ -1,0 +1,68 @@
+#pragma once
+// A display of its own (Xvfb) with a window manager (openbox) and `nacre view` in it, and a hand on mouse and keys.
+
+#include <cstdint>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/app/temporary_folder.h"
+
+namespace nacre::test {
+
+/// What is in the window: row 0 on top, 3 bytes a pixel, red first.
+struct WindowPicture {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgb;
+    friend bool operator==(const WindowPicture&, const WindowPicture&) = default;
+};
+
+class XSession {
+public:
+    /// Starts everything and waits until the window has its final picture.
+    /// @param arguments of `nacre view`, for the shell
+    explicit XSession(const std::string& arguments);
+    ~XSession();
+    XSession(const XSession&) = delete;
+
+    /// In which nacre runs, and where its state and cache lie.
+    const TemporaryFolder& folder() const { return folder_; }
+
+    void moveTo(int x, int y);  ///< pixels of the window
+    void button(int number, bool down);
+    void click(int x, int y);
+    void drag(int fromX, int fromY, int toX, int toY);  ///< rests before it lets go
+    void wheel(int x, int y, int steps);
+    void type(const std::string& keysym, bool shift = false);
+    void resize(int width, int height);
+    void iconify();
+    void restore();
+    /// Offers a file to the window as a file manager does (XDND version 5). @returns whether it was taken
+    bool drop(const std::string& path);
+
+    std::string title() const;
+    WindowPicture picture() const;
+    /// Waits until picture and title no longer change.
+    void settle();
+    /// Waits until the title holds a text. @returns whether it came
+    bool waitForTitle(const std::string& text, double seconds = 30);
+    void sleep(double seconds) const;
+    /// Types Q and waits. @returns the exit status of nacre; its standard error is errors()
+    int quit();
+    std::string errors() const { return contentOf(folder_ / "log"); }
+    nlohmann::json stats() const { return nlohmann::json::parse(contentOf(folder_ / "stats.json")); }
+
+private:
+    struct X;
+    void startDisplay();
+    void startNacre(const std::string& arguments);
+    void findWindow();
+
+    TemporaryFolder folder_;
+    std::string display_;
+    int xvfb_ = -1, manager_ = -1, nacre_ = -1;
+    std::unique_ptr<X> x_;
+};
+
+}  // namespace nacre::test

@@ -1,0 +1,102 @@
+// Frames for a window that nobody sees (VK_EXT_headless_surface, which SwiftShader has and lavapipe 22.3 has not;
+// tests/desktop draws into real windows there).
+
+#include <algorithm>
+
+#include "engine/error.h"
+#include "tests/renderer/scenes.h"
+
+namespace nacre::test {
+namespace {
+
+using Quality = WindowFrame::Quality;
+
+int surfaces = 0;
+
+DeviceOptions windowOptions(Visibility visibility) {
+    DeviceOptions options;
+    options.validate = true;
+    options.visibility = visibility;
+    options.surface.instanceExtensions = {VK_KHR_SURFACE_EXTENSION_NAME, VK_EXT_HEADLESS_SURFACE_EXTENSION_NAME};
+    options.surface.create = [](VkInstance instance) {
+        ++surfaces;
+        const auto make = reinterpret_cast<PFN_vkCreateHeadlessSurfaceEXT>(
+            vkGetInstanceProcAddr(instance, "vkCreateHeadlessSurfaceEXT"));
+        const VkHeadlessSurfaceCreateInfoEXT info{VK_STRUCTURE_TYPE_HEADLESS_SURFACE_CREATE_INFO_EXT, nullptr, 0};
+        VkSurfaceKHR surface = VK_NULL_HANDLE;
+        EXPECT_EQ(make(instance, &info, nullptr, &surface), VK_SUCCESS);
+        return surface;
+    };
+    return options;
+}
+
+bool hasHeadlessSurfaces() {
+    std::uint32_t count = 0;
+    vkEnumerateInstanceExtensionProperties(nullptr, &count, nullptr);
+    std::vector<VkExtensionProperties> list(count);
+    vkEnumerateInstanceExtensionProperties(nullptr, &count, list.data());
+    return std::any_of(list.begin(), list.end(), [](const VkExtensionProperties& e) {
+        return std::string_view(e.extensionName) == VK_EXT_HEADLESS_SURFACE_EXTENSION_NAME;
+    });
+}
+
+Overlay triangle() {
+    Overlay overlay;
+    overlay.vertices = {{5, 5, 0, 0, 0xff0000ff}, {60, 5, 0, 0, 0xff00ff00}, {5, 60, 0, 0, 0xffff0000}};
+    overlay.indices = {0, 1, 2};
+    overlay.batches = {{0, 0, 1000, 1000, 0, 3}, {-5, 10, 20, 20, 0, 3}, {50, 50, 40, 40, 0, 3}};
+    return overlay;
+}
+
+TEST(WindowFrames, EveryKindOfFrameByEveryPathIsValid) {
+    if (!hasHeadlessSurfaces()) GTEST_SKIP() << "no VK_EXT_headless_surface";
+    const Representation r = scene("sample:glucose", Style::ballAndStick);
+    for (const Visibility path :
+         {Visibility::encoded, Visibility::fragdepth, Visibility::deferred, Visibility::rasterOrder}) {
+        Renderer renderer(windowOptions(path));
+        const Overlay overlay = triangle();
+        renderer.setOverlayGlyphs({2, 2, {255, 0, 255, 255}});
+        RenderSettings s = settings(r, 96, Projection::orthographic);
+        renderer.setScene({});  // nothing there yet
+        // The surface has a size of its own: what was made for another is not drawn.
+        EXPECT_EQ(renderer.present(s, {}), FrameOutcome::resized);
+        const PixelSize size = renderer.windowSize();
+        ASSERT_GT(size.width, 96u);
+        Camera camera;
+        s.view = viewOf(camera, r.radius, size.width, size.height);
+        EXPECT_EQ(renderer.present(s, {}), FrameOutcome::shown);
+        renderer.setScene(r);
+        s.occlusionDirections = 4;
+        std::uint64_t shown = 1;
+        for (int i = 0; i < 2; ++i) {
+            renderer.advanceOcclusion(s, 0.1);
+            for (const WindowFrame& frame :
+                 {WindowFrame{}, WindowFrame{Quality::live, 0.5, 1, &overlay},
+                  WindowFrame{Quality::refined, 1, 2, nullptr}, WindowFrame{Quality::kept, 1, 1, &overlay},
+                  WindowFrame{Quality::live, 1, 1, &overlay}}) {
+                ASSERT_EQ(renderer.present(s, frame), FrameOutcome::shown);
+                ++shown;
+            }
+        }
+        EXPECT_EQ(renderer.stats().windowFrames, shown);
+        // The window goes and comes back, as on a phone.
+        const int before = surfaces;
+        renderer.releaseWindow();
+        EXPECT_EQ(renderer.present(s, {}), FrameOutcome::shown);
+        EXPECT_EQ(surfaces, before + 1);
+        // Pictures for files in between.
+        EXPECT_EQ(renderer.render(s).width, size.width);
+        EXPECT_EQ(renderer.present(s, {}), FrameOutcome::shown);
+        for (const std::string& message : renderer.validationMessages()) ADD_FAILURE() << message;
+    }
+}
+
+TEST(WindowFrames, AMissingExtensionIsAnError) {
+    DeviceOptions options;
+    options.surface.instanceExtensions = {"VK_KHR_no_such_surface"};
+    options.surface.create = [](VkInstance) { return VkSurfaceKHR{}; };
+    EXPECT_THROW(Renderer{options}, Error);
+}
+
+}  // namespace
+}  // namespace nacre::test

@@ -1,0 +1,322 @@
+// The viewer on a screen that only counts: when it draws, what, and that it stops.
+
+#include "app/viewer/viewer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "engine/error.h"
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/read.h"
+
+namespace nacre::app {
+namespace {
+
+class CountingScreen : public Screen {
+public:
+    std::vector<WindowFrame> frames;
+    std::vector<RenderSettings> settings;
+    int scenes = 0;
+    double occlusion = 0;
+    std::uint32_t atom = 0;
+    FrameOutcome outcome = FrameOutcome::shown;
+
+    void setScene(const Representation&) override {
+        ++scenes;
+        occlusion = 0;
+    }
+    double advanceOcclusion(const RenderSettings&, double) override {
+        return occlusion = std::min(occlusion + 0.125, 1.0);
+    }
+    FrameOutcome present(const RenderSettings& s, const WindowFrame& frame) override {
+        if (outcome == FrameOutcome::shown) frames.push_back(frame), settings.push_back(s);
+        return outcome;
+    }
+    PixelSize windowSize() const override { return {640, 480}; }
+    std::uint32_t atomAt(const RenderSettings&, double, double, double) override { return atom; }
+    int count(WindowFrame::Quality quality) const {
+        return static_cast<int>(
+            std::count_if(frames.begin(), frames.end(), [&](const WindowFrame& f) { return f.quality == quality; }));
+    }
+};
+
+Sources sources() {
+    return {[](const SavedView& v) {
+                if (v.input == "bad") throw Error("cannot read molecule", "bad", "it is bad");
+                return sampleMolecule(v.input.substr(7));
+            },
+            [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m, v.drawn), lookOf(v)); }};
+}
+
+struct Bench {
+    CountingScreen screen;
+    Viewer viewer;
+    double now = 100;
+
+    explicit Bench(const char* input = "sample:glucose") : viewer(screen, sources(), viewOf(input), {}) {
+        viewer.resize({640, 480}, 1, now);
+        load();
+    }
+    static SavedView viewOf(const char* input) {
+        SavedView v;
+        v.input = input;
+        return v;
+    }
+    void load() {
+        viewer.waitForLoading();
+        step();
+    }
+    double step(double frame = 1.0 / 60) {
+        now += frame;
+        return viewer.update(now);
+    }
+    /// As a shell does: draws as often as it is asked to, waits where it may.
+    void run(double seconds, double frame = 1.0 / 60) {
+        const double end = now + seconds;
+        while (now < end) {
+            const double wake = viewer.update(now);
+            now = std::min(std::max(now + frame, std::isinf(wake) ? end : wake), end);
+        }
+    }
+};
+
+using Quality = WindowFrame::Quality;
+
+TEST(Viewer, ConvergesRefinesOnceAndThenDrawsNothing) {
+    Bench b;
+    b.run(2);
+    EXPECT_EQ(b.screen.occlusion, 1);
+    EXPECT_GE(b.screen.count(Quality::live), 8);  // one for each step of the occlusion
+    EXPECT_EQ(b.screen.count(Quality::refined), 1);
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
+    const std::size_t drawn = b.screen.frames.size();
+    b.run(5);
+    EXPECT_EQ(b.screen.frames.size(), drawn);
+    // However often it is asked.
+    for (int i = 0; i < 300; ++i) b.step();
+    EXPECT_EQ(b.screen.frames.size(), drawn);
+    EXPECT_TRUE(std::isinf(b.step()));
+}
+
+TEST(Viewer, EveryChangeIsDrawnAndRefinedOnce) {
+    Bench b;
+    b.run(2);
+    for (const ViewerCommand command : {ViewerCommand::rotateLeft, ViewerCommand::zoomIn, ViewerCommand::lighting,
+                                        ViewerCommand::nextBackground, ViewerCommand::perspective}) {
+        const std::size_t before = b.screen.frames.size();
+        const int refined = b.screen.count(Quality::refined);
+        b.viewer.run(command, b.now);
+        b.run(2);
+        EXPECT_EQ(b.screen.count(Quality::refined), refined + 1);
+        EXPECT_GE(b.screen.frames.size(), before + 2);
+        const std::size_t after = b.screen.frames.size();
+        b.run(5);
+        EXPECT_EQ(b.screen.frames.size(), after);
+    }
+}
+
+TEST(Viewer, AnOverlayThatChangesCostsOneFrameOfTheKeptPicture) {
+    Bench b;
+    b.run(2);
+    const std::size_t before = b.screen.frames.size();
+    b.viewer.overlayChanged();
+    b.run(5);
+    ASSERT_EQ(b.screen.frames.size(), before + 1);
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::kept);
+}
+
+TEST(Viewer, TurnsByItselfUntilTouched) {
+    Bench b;
+    b.run(2);
+    b.viewer.run(ViewerCommand::autoRotate, b.now);
+    const std::size_t before = b.screen.frames.size();
+    b.run(2);
+    EXPECT_NEAR(static_cast<double>(b.screen.frames.size() - before), 120, 3);
+    b.viewer.touch({1, TouchPhase::began, {300, 200}}, b.now);
+    b.viewer.touch({1, TouchPhase::ended, {300, 200}}, b.now + 0.05);
+    b.run(6);  // the pick's words go as well
+    const std::size_t after = b.screen.frames.size();
+    b.run(5);
+    EXPECT_EQ(b.screen.frames.size(), after);
+    EXPECT_FALSE(b.viewer.autoRotating());
+}
+
+TEST(Viewer, ResolutionDropsWhileFramesAreLateAndReturnsAtRest) {
+    Bench b;
+    b.run(2);
+    b.viewer.run(ViewerCommand::autoRotate, b.now);
+    b.run(3, 0.05);  // 20 frames a second
+    EXPECT_LT(b.screen.frames.back().scale, 0.5);
+    b.viewer.run(ViewerCommand::autoRotate, b.now);
+    b.run(2);
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
+    b.viewer.run(ViewerCommand::rotateLeft, b.now);
+    b.step();
+    EXPECT_EQ(b.screen.frames.back().scale, 1);
+}
+
+TEST(Viewer, ResolutionStaysWhileFramesAreInTime) {
+    Bench b;
+    b.run(2);
+    b.viewer.run(ViewerCommand::autoRotate, b.now);
+    b.run(3);
+    for (const WindowFrame& frame : b.screen.frames) EXPECT_EQ(frame.scale, 1);
+}
+
+TEST(Viewer, NothingIsDrawnWhilePausedOrHidden) {
+    Bench b;
+    b.run(2);
+    b.viewer.pause();
+    const std::size_t before = b.screen.frames.size();
+    b.viewer.run(ViewerCommand::autoRotate, b.now);
+    b.run(5);
+    EXPECT_EQ(b.screen.frames.size(), before);
+    b.viewer.run(ViewerCommand::autoRotate, b.now);
+    b.viewer.resume(b.now);
+    b.run(2);
+    EXPECT_GT(b.screen.frames.size(), before);
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
+    b.screen.outcome = FrameOutcome::hidden;
+    b.viewer.run(ViewerCommand::rotateLeft, b.now);
+    EXPECT_TRUE(std::isinf(b.step()));
+}
+
+TEST(Viewer, AWindowThatChangedMeanwhileIsDrawnInItsNewSize) {
+    Bench b;
+    b.run(2);
+    b.viewer.resize({800, 600}, 1, b.now);
+    b.screen.outcome = FrameOutcome::resized;  // it is 640 x 480 again
+    b.step();
+    b.screen.outcome = FrameOutcome::shown;
+    b.run(2);
+    EXPECT_EQ(b.screen.settings.back().view.width, 640u);
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
+}
+
+TEST(Viewer, PicksNameAndMeasure) {
+    Bench b;
+    b.run(2);
+    const auto tap = [&](std::uint32_t atom) {
+        b.screen.atom = atom;
+        b.viewer.touch({1, TouchPhase::began, {300, 200}}, b.now);
+        b.viewer.touch({1, TouchPhase::ended, {300, 200}}, b.now + 0.05);
+        b.run(1);
+        return b.viewer.annotations();
+    };
+    EXPECT_EQ(tap(1).measurement, "");
+    EXPECT_NE(tap(1).atom.find("atom 1"), std::string::npos);  // the same again is no second one
+    EXPECT_EQ(b.viewer.picks().size(), 1u);
+    EXPECT_EQ(tap(2).measurement.substr(0, 8), "distance");
+    EXPECT_EQ(tap(3).measurement.substr(0, 5), "angle");
+    EXPECT_EQ(tap(4).measurement.substr(0, 7), "torsion");
+    EXPECT_EQ(tap(5).atoms.size(), 1u);
+    EXPECT_EQ(tap(0).atoms.size(), 0u);
+    // Where the marks are is where the atoms are seen: atom 1 through the camera's own formula.
+    tap(1);
+    const View view = b.viewer.settings().view;
+    const Document& d = *b.viewer.document();
+    const glm::dvec3 v = view.rotation * (glm::dvec3(d.molecule->atoms[0].position) - d.scene.center);
+    EXPECT_NEAR(b.viewer.annotations().atoms[0].x, 320 + v.x * view.pixelsPerAngstrom, 1e-9);
+    EXPECT_NEAR(b.viewer.annotations().atoms[0].y, 240 - v.y * view.pixelsPerAngstrom, 1e-9);
+}
+
+TEST(Viewer, ADoubleTapFitsAndPicksNothing) {
+    Bench b;
+    b.run(2);
+    b.viewer.wheel(5, {100, 100}, b.now);
+    b.run(1);
+    b.screen.atom = 3;
+    for (const double t : {0.0, 0.2}) {
+        b.viewer.touch({1, TouchPhase::began, {300, 200}}, b.now + t);
+        b.viewer.touch({1, TouchPhase::ended, {300, 200}}, b.now + t + 0.05);
+    }
+    b.run(2);
+    EXPECT_TRUE(b.viewer.picks().empty());
+    EXPECT_EQ(b.viewer.view().camera.zoom, 1);
+    EXPECT_EQ(b.viewer.view().camera.pan, glm::dvec2(0));
+}
+
+TEST(Viewer, OpensFilesAndSaysWhatIsWrongWithThem) {
+    Bench b;
+    b.run(2);
+    b.viewer.open("bad", b.now);
+    b.load();
+    EXPECT_NE(b.viewer.annotations().message.find("it is bad"), std::string::npos);
+    EXPECT_EQ(b.viewer.title(), "sample:glucose - Nacre");
+    b.viewer.wheel(5, {100, 100}, b.now);
+    b.viewer.open("sample:dna", b.now);
+    EXPECT_TRUE(b.viewer.loading());
+    b.load();
+    EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), sampleMolecule("dna").atoms.size());
+    EXPECT_EQ(b.viewer.view().camera.zoom, 1);
+    EXPECT_EQ(b.viewer.view().input, "sample:dna");
+    EXPECT_NE(b.viewer.title().find("occlusion"), std::string::npos);
+    b.run(2);
+    EXPECT_EQ(b.viewer.title(), "sample:dna - Nacre");
+}
+
+TEST(Viewer, AnotherStyleIsBuiltWithoutReadingAndRestartsOcclusion) {
+    Bench b;
+    b.run(2);
+    const Molecule* before = b.viewer.document()->molecule.get();
+    const int scenes = b.screen.scenes;
+    b.viewer.run(ViewerCommand::licorice, b.now);
+    b.load();
+    EXPECT_EQ(b.viewer.document()->molecule.get(), before);
+    EXPECT_EQ(b.screen.scenes, scenes + 1);
+    EXPECT_LT(b.viewer.occlusion(), 1);
+    b.run(2);
+    EXPECT_EQ(b.viewer.occlusion(), 1);
+}
+
+TEST(Viewer, WhatItSavesIsWhereItGoesOn) {
+    Bench a;
+    a.run(1);
+    a.viewer.touch({1, TouchPhase::began, {300, 200}}, a.now);
+    for (int i = 1; i < 30; ++i) a.viewer.touch({1, TouchPhase::moved, {300.0 + 3 * i, 200.0 + i}}, a.now + i * 0.01);
+    a.viewer.touch({1, TouchPhase::ended, {390, 230}}, a.now + 2);
+    a.viewer.wheel(3, {10, 400}, a.now);
+    a.viewer.run(ViewerCommand::licorice, a.now);
+    a.run(3);
+    const std::string saved = savedViewJson(a.viewer.view());
+    CountingScreen screen;
+    Viewer back(screen, sources(), parseSavedView(saved, "saved"), {});
+    back.resize({640, 480}, 1, 0);
+    back.waitForLoading();
+    back.update(1);
+    EXPECT_EQ(savedViewJson(back.view()), saved);
+    const View x = a.viewer.settings().view, y = back.settings().view;
+    EXPECT_EQ(x.pan, y.pan);
+    EXPECT_EQ(x.pixelsPerAngstrom, y.pixelsPerAngstrom);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(glm::distance(x.rotation[i], y.rotation[i]), 0, 1e-12);
+}
+
+TEST(Viewer, ADeviceThatIsLostIsToldAndItsSceneSetAgain) {
+    Bench b;
+    b.run(2);
+    b.screen.outcome = FrameOutcome::lost;
+    b.viewer.run(ViewerCommand::rotateLeft, b.now);
+    b.step();
+    EXPECT_TRUE(b.viewer.deviceLost());
+    const int scenes = b.screen.scenes;
+    b.screen.outcome = FrameOutcome::shown;
+    b.viewer.screenLost(b.now);
+    b.run(2);
+    EXPECT_EQ(b.screen.scenes, scenes + 1);
+    EXPECT_EQ(b.screen.occlusion, 1);
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
+}
+
+TEST(Viewer, LowMemoryEndsSupersampling) {
+    Bench b;
+    b.viewer.lowMemory();
+    b.run(2);
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
+    EXPECT_EQ(b.screen.frames.back().samples, 1u);
+}
+
+}  // namespace
+}  // namespace nacre::app
