@@ -280,6 +280,7 @@ void Renderer::Impl::keepOcclusion(std::vector<std::uint8_t> atlas) {
 void Renderer::Impl::showOcclusion(Clock::time_point start) {
     bake->finish(executor);
     stats.occlusion.done = bake->directionsDone();
+    stats.occlusion.asked = bake->asked();
     if (bake->directionsDone() == bake->directions()) {
         executor.forget("occlusion");
         std::vector<std::uint8_t> atlas;

@@ -1,26 +1,15 @@
 #include <algorithm>
 #include <iomanip>
-#include <nlohmann/json.hpp>
 #include <ostream>
 #include <vector>
 
+#include "app/headless/bench_occlusion.h"
 #include "app/headless/commands.h"
 #include "app/headless/input.h"
 #include "app/headless/progress.h"
 
 namespace nacre::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-struct Times {
-    double min = 0, median = 0;
-};
-
-Times timesOf(std::vector<double> samples) {
-    std::sort(samples.begin(), samples.end());
-    return {samples.front(), samples[samples.size() / 2]};
-}
 
 struct NamedPath {
     const char* name;
@@ -63,6 +52,7 @@ RenderSettings frameSettings(const BenchOptions& options, double radius, int fra
 /// Times whole frames, from declaring the graph to the device being done; every path in turn within a round, so that
 /// the machine's moods meet all of them.
 Json timeFrames(const BenchOptions& options, const Representation& scene, std::vector<Renderer>& renderers) {
+    for (Renderer& renderer : renderers) renderer.render(frameSettings(options, scene.radius, 0));  // bakes
     std::vector<std::vector<double>> samples(renderers.size());
     for (int frame = -3; frame < options.frames; ++frame)
         for (std::size_t i = 0; i < renderers.size(); ++i) {
@@ -71,10 +61,9 @@ Json timeFrames(const BenchOptions& options, const Representation& scene, std::v
         }
     Json paths = Json::array();
     for (std::size_t i = 0; i < renderers.size(); ++i) {
-        const Times times = timesOf(samples[i]);
         const FrameStats& stats = renderers[i].stats();
         paths.push_back({{"visibility", kPaths[i].name},
-                         {"frame", {{"min", times.min}, {"median", times.median}}},
+                         {"frame", timesJson(samples[i])},
                          {"bake", stats.bakeMilliseconds},
                          {"tile_bytes_per_pixel", stats.tileBytesPerPixel},
                          {"memory_bytes", {{"loaded", stats.loadedBytes}, {"stored", stats.storedBytes}}}});
@@ -110,10 +99,7 @@ Json compareShapes(const BenchOptions& options, const Representation& scene, Ren
             const double ms = encoded.drawFrame(settings);
             if (frame >= 0) samples[i].push_back(ms);
         }
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const Times times = timesOf(samples[i]);
-        rows[i]["frame"] = {{"min", times.min}, {"median", times.median}};
-    }
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i]["frame"] = timesJson(samples[i]);
     return rows;
 }
 
@@ -124,7 +110,8 @@ void printTable(const Json& report, std::ostream& out) {
     for (const Json& path : report["paths"])
         out << std::left << std::setw(13) << path["visibility"].get<std::string>() << std::right << std::setw(12)
             << path["frame"]["min"].get<double>() << std::setw(9) << path["frame"]["median"].get<double>()
-            << std::setw(13) << path["bake"].get<double>() << std::setw(11) << path["tile_bytes_per_pixel"] << "\n";
+            << std::setw(13) << path["bake"].get<double>() << std::setw(11)
+            << path["tile_bytes_per_pixel"].get<std::uint32_t>() << "\n";
     out << "\nshaded fragments per visible pixel, encoded path\nplates      impostor  prepass  encoding  colour  cut "
            "by  frame ms min\n";
     double off = 0;
@@ -140,6 +127,7 @@ void printTable(const Json& report, std::ostream& out) {
             << shaded(1) << std::setw(8) << shaded(2) << std::setw(8) << off / costly << std::setw(14)
             << row["frame"]["min"].get<double>() << "\n";
     }
+    printOcclusion(report["occlusion"], out);
 }
 
 }  // namespace
@@ -166,6 +154,7 @@ void benchCommand(const BenchOptions& options, std::ostream& out) {
                 {"device", {{"name", device.name}, {"driver", device.driver}}}};
     report["paths"] = timeFrames(options, scene, renderers);
     report["shapes"] = compareShapes(options, scene, renderers.front());
+    report["occlusion"] = compareMaps(frameSettings(options, scene.radius, 0), renderers.front());
     if (options.json)
         out << report.dump(2) << "\n";
     else

@@ -264,6 +264,7 @@ void OcclusionBake::step(graph::Executor& executor, std::uint32_t most) {
     device_.submitAndWait([&](const vk::raii::CommandBuffer& c) { executor.record(c, g, plan, imports); });
     executor.reset();
     done_ += static_cast<int>(count);
+    asked_ += std::uint64_t{count} * texelCount_;
     if (done_ == kTellsDeepTexels) dropDeepTexels();
 }
 

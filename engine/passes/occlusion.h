@@ -47,6 +47,8 @@ public:
     int directions() const { return static_cast<int>(directions_.size()); }
     std::uint64_t bytes() const;
     std::size_t texels() const { return texelCount_; }
+    /// Texels times directions that were asked so far: the bake's work.
+    std::uint64_t asked() const { return asked_; }
     /// The texels of the atlas as finish() wrote them; only before release().
     std::vector<std::uint8_t> atlasTexels() const;
     /// Drops all but the atlas, when no more steps are wanted.
@@ -77,6 +79,7 @@ private:
     std::vector<std::uint32_t> firstOfSphere_;
     std::vector<bool> seenSpheres_;
     int done_ = 0;
+    std::uint64_t asked_ = 0;
     gpu::Buffer batchDirections_, list_, sums_, words_, bytes_;
     gpu::Image atlas_;
     bool atlasDefined_ = false;
