@@ -104,16 +104,17 @@ TEST(ReadMmcif, ConnectionsThatAreBonds) {
     for (std::string name; names >> name;) text += "_struct_conn." + name + "\n";
     const std::string rows[] = {
         "covale X -11 B CYS SG A 1_555 X 10 ALA N 1_555 doub\n", "covale X -11 B CYS SG ? 1_555 X 10 ALA N 1_555 ?\n",
-        "metalc X -11 B CYS SG ? 1_555 X 201 HEM FE 1_555 ?\n", "covale X -11 B CYS SG A 1_555 X 201 HEM FE 2_655 ?\n",
+        "metalc X -11 B CYS SG ? 1_555 X 201 HEM FE 1_555 ?\n",  "covale X -11 B CYS SG A 1_555 X 201 HEM FE 2_655 ?\n",
+        "hydrog X -11 B CYS SG ? 1_555 X 201 HEM FE 1_555 ?\n",  "metalc X -11 B CYS SG A 1_555 X 201 HEM FE 2_655 ?\n",
         "disulf X -11 B CYS SG A 1_555 X 999 CYS SG 1_555 ?\n"};
-    const std::size_t bonds[] = {1, 2, 0, 0, 0};
+    const std::size_t bonds[] = {1, 2, 2, 0, 0, 0, 0};
     for (std::size_t i = 0; i < std::size(rows); ++i) {
         std::size_t stated = 0;
         for (const Bond& bond : readMolecule("a.cif", text + rows[i]).bonds) stated += bond.source == BondSource::file;
         EXPECT_EQ(stated, bonds[i]) << rows[i];
     }
     EXPECT_EQ(readMolecule("a.cif", text + rows[0]).bonds.at(0).order, 2);
-    EXPECT_EQ(readMolecule("a.cif", text + rows[4]).warnings.size(), 1u);
+    EXPECT_EQ(readMolecule("a.cif", text + rows[6]).warnings.size(), 1u);
 }
 
 TEST(ReadMmcif, ManyConnectionsToAHugeResidueEnd) {
