@@ -54,7 +54,6 @@ struct Representation {
 
 /// A bond is drawn if both its atoms are and either has a style with bonds; it takes the stouter style of the two:
 /// licorice before ball-and-stick, so that no stick changes its width halfway. In a space-filling atom it just ends.
-/// What binds a metal to anything but metals is coordination: dashes, whatever order the file gives it.
 /// @param drawn  indices of drawn atoms (drawn_atoms.h), ascending, of which the rules may hide some
 /// Of an assembly, atoms and bonds are stored once, sorted by their copies; a bond is drawn where both its atoms are,
 /// and none joins two copies.

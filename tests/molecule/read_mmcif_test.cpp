@@ -117,6 +117,20 @@ TEST(ReadMmcif, ConnectionsThatAreBonds) {
     EXPECT_EQ(readMolecule("a.cif", text + rows[6]).warnings.size(), 1u);
 }
 
+TEST(ReadMmcif, LettersOfOtherEncodingsAndZeros) {
+    const std::string atoms = atomSite(kColumns, kRows);
+    const std::size_t count = readMolecule("a.cif", atoms).atoms.size();
+    const Molecule quoted = readMolecule("a.cif", atoms + "_struct.title '\xce\xb1 helix'\n");
+    EXPECT_EQ(quoted.file.title, "\xce\xb1 helix");
+    EXPECT_TRUE(quoted.warnings.empty());
+    const Molecule bare = readMolecule("a.cif", atoms + "_struct.title M\xfcller" + '\0' + "\n");
+    EXPECT_EQ(bare.atoms.size(), count);
+    EXPECT_EQ(bare.file.title, "M?ller?");
+    ASSERT_EQ(bare.warnings.size(), 1u);
+    EXPECT_EQ(bare.warnings[0], "bytes that CIF does not allow, read as '?': 2");
+    test::expectError("a.cif", atoms + "_struct.title M\xfcller\n_x.y 'never closed\n", {"not valid CIF", "line"});
+}
+
 TEST(ReadMmcif, ManyConnectionsToAHugeResidueEnd) {
     std::string text =
         "data_x\nloop_\n_atom_site.label_atom_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n";
