@@ -62,8 +62,8 @@ struct Content {
 Content contentOf(const std::string& name, std::string bytes, const ReadOptions& options) {
     if (isGzip(bytes)) bytes = inflateGzip(name, bytes, options.maxBytes);
     if (startsWith(bytes, "\xEF\xBB\xBF")) bytes.erase(0, 3);
-    if (auto utf8 = utf8FromUtf16(bytes)) bytes = std::move(*utf8);
     if (bytes.size() > options.maxBytes) throw tooLarge(name, options.maxBytes);
+    if (auto utf8 = utf8FromUtf16(bytes)) bytes = std::move(*utf8);
     if (bytes.empty()) throw Error("cannot read molecule", name, "it is empty");
     std::optional<Format> known = options.format;
     if (!known) known = detectBinaryFormat(bytes);
