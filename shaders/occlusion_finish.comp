@@ -6,9 +6,11 @@
 layout(local_size_x = 64) in;
 
 struct Word {
-    uint address;     // in the atlas, words
-    uint entries[4];  // whose value each texel takes; ~0: none
-    uint beyond[4];   // the one behind, from which the line comes; the same: no line
+    uint address;  // in the atlas, words
+    uint base;
+    // Whose value each texel takes, less base, in the lower half (0xffff: none); in the upper the one behind, from which
+    // the line comes (the same: no line).
+    uint sources[4];
 };
 layout(push_constant) uniform Push { uint count; };
 layout(set = 0, binding = 0, std430) readonly buffer Sums { vec2 sums[]; };
@@ -16,20 +18,21 @@ layout(set = 0, binding = 1, std430) readonly buffer Words { Word words[]; };
 layout(set = 0, binding = 2, std430) writeonly buffer Atlas { uint atlas[]; };
 
 /// Before any light was asked for, everything is open.
-float occlusion(uint entry) {
-    if (entry == ~0u) return 0.0;
-    vec2 sum = sums[entry];
+float occlusion(uint base, uint entry) {
+    if (entry == 0xffffu) return 0.0;
+    vec2 sum = sums[base + entry];
     return sum.y > 0.0 ? min(sum.x / sum.y, 1.0) : 1.0;
 }
 
 void main() {
     uint word = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
     if (word >= count) return;
+    uint base = words[word].base;
     vec4 values;
     for (int i = 0; i < 4; ++i) {
-        uint entry = words[word].entries[i], beyond = words[word].beyond[i];
-        values[i] = occlusion(entry);
-        if (beyond != entry) values[i] = clamp(2.0 * values[i] - occlusion(beyond), 0.0, 1.0);
+        uint source = words[word].sources[i], entry = source & 0xffffu, beyond = source >> 16;
+        values[i] = occlusion(base, entry);
+        if (beyond != entry) values[i] = clamp(2.0 * values[i] - occlusion(base, beyond), 0.0, 1.0);
     }
     atlas[words[word].address] = packUnorm4x8(values);
 }

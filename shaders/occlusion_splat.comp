@@ -19,6 +19,7 @@ void put(ivec2 pixel, float Z) {
 void main() {
     uint entry = splat.first + gl_GlobalInvocationID.x;
     if (entry >= splat.end) return;
+    view = views[splat.view + gl_WorkGroupID.y];
 #ifdef CYLINDER
     vec4 first = shapes[splat.spheres + 2u * entry];
     float radius = first.w;

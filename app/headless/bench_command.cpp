@@ -54,7 +54,9 @@ RenderSettings frameSettings(const BenchOptions& options, double radius, int fra
     camera.rotationDegrees = {0, 5.0 * frame, 0};
     RenderSettings settings;
     settings.view = viewOf(camera, radius, options.size.width, options.size.height);
-    settings.occlusionDirections = options.occlusionDirections;
+    settings.occlusionDirections = options.occlusion.directions;
+    if (options.occlusion.megabytes)
+        settings.occlusionBytes = static_cast<std::uint64_t>(*options.occlusion.megabytes) << 20;
     return settings;
 }
 

@@ -41,6 +41,7 @@ void showHide(CLI::App& app, const std::string& name, bool& target, const std::s
 }
 
 constexpr std::size_t kMostRules = 1000;
+constexpr std::int64_t kMostOcclusionMegabytes = 65536;
 
 std::string capabilitySetNames() {
     std::string names;
@@ -126,13 +127,20 @@ void addContent(CLI::App& app, InputOptions& input, DrawnAtomsOptions& drawn, Re
     showHide(app, "--hydrogens", drawn.hydrogens, "Hydrogen atoms");
 }
 
+void addOcclusion(CLI::App& app, OcclusionSettings& occlusion) {
+    value(app, "--occlusion", "K|off", "128", "Ambient occlusion from K directions, 1 to 4096",
+          [&](const std::string& text) { occlusion.directions = parseOcclusion(text); });
+    value(app, "--occlusion-memory", "MB", "64",
+          "Device memory for it, 1 to 65536; the more, the finer (says on standard error what was chosen)",
+          [&](const std::string& text) { occlusion.megabytes = parseInteger(text, 1, kMostOcclusionMegabytes); });
+}
+
 void addBench(CLI::App& app, BenchOptions& options) {
     addContent(app, options.input, options.drawn, options.look);
     addSize(app, "640x960", options.size);
     value(app, "--frames", "N", "20", "Timed frames a path, 1 to 10000",
           [&](const std::string& text) { options.frames = static_cast<int>(parseInteger(text, 1, 10000)); });
-    value(app, "--occlusion", "K|off", "128", "Ambient occlusion from K directions, 1 to 4096",
-          [&](const std::string& text) { options.occlusionDirections = parseOcclusion(text); });
+    addOcclusion(app, options.occlusion);
     addDeviceName(app, options.device);
     app.add_flag("--json", options.json, "As one JSON object");
 }
@@ -152,8 +160,7 @@ void addView(CLI::App& app, RenderOptions& options) {
 }
 
 void addLook(CLI::App& app, RenderOptions& options) {
-    value(app, "--occlusion", "K|off", "128", "Ambient occlusion from K directions, 1 to 4096",
-          [&](const std::string& text) { options.occlusionDirections = parseOcclusion(text); });
+    addOcclusion(app, options.occlusion);
     value(app, "--background", "COLOR", "white",
           "transparent, a basic CSS name, #rgb, #rrggbb or #rrggbbaa (JPEG has no transparency: over white)",
           [&](const std::string& text) { options.background = parseColor(text); });

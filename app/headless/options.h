@@ -24,6 +24,11 @@ struct InputOptions {
     bool offline = false;              ///< downloads from the cache alone
 };
 
+struct OcclusionSettings {
+    int directions = 128;                   ///< 0 = off
+    std::optional<std::int64_t> megabytes;  ///< of 2^20 bytes; RenderSettings has the default
+};
+
 struct RenderOptions {
     InputOptions input;
     DrawnAtomsOptions drawn;
@@ -33,7 +38,7 @@ struct RenderOptions {
     std::uint32_t supersample = 1;
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha
     bool lighting = true;
-    int occlusionDirections = 128;  ///< 0 = off
+    OcclusionSettings occlusion;
     bool prepass = true, merge = true;
     DeviceOptions device;
     std::string output, layers, stats;  ///< paths; the last two may be empty
@@ -50,7 +55,7 @@ struct BenchOptions {
     RepresentationOptions look;
     Size size{640, 960};
     int frames = 20;
-    int occlusionDirections = 128;  ///< 0 = off
+    OcclusionSettings occlusion;
     DeviceOptions device;
     bool json = false;
 };

@@ -39,7 +39,9 @@ RenderSettings settingsOf(const RenderOptions& options, const Representation& sc
     settings.supersample = options.supersample;
     settings.background = options.background;
     settings.lighting = options.lighting;
-    settings.occlusionDirections = options.occlusionDirections;
+    settings.occlusionDirections = options.occlusion.directions;
+    if (options.occlusion.megabytes)
+        settings.occlusionBytes = static_cast<std::uint64_t>(*options.occlusion.megabytes) << 20;
     if (!options.prepass) settings.plates = PlateShape::none;
     settings.merge = options.merge;
     const std::string cache = cacheFolder(options.input.cache);
@@ -50,6 +52,18 @@ RenderSettings settingsOf(const RenderOptions& options, const Representation& sc
 void drawLayers(Renderer& renderer, const RenderSettings& settings, OutputFile& file) {
     const LayerPicture layers = renderer.layers(settings);
     writeLayers(file, {layers.width, layers.height, layers.rgba, layers.z, layers.normal, layers.id, layers.occlusion});
+}
+
+/// Patches so small that an atom shows hardly more than one shade.
+bool isCoarse(const OcclusionStats& occlusion) { return occlusion.directions > 0 && occlusion.patchTexels < 8; }
+
+/// What the memory budget led to.
+void sayOcclusion(const OcclusionStats& occlusion, const RenderSettings& settings) {
+    const std::string patch = std::to_string(occlusion.patchTexels);
+    std::cerr << "nacre: ambient occlusion: "
+              << (occlusion.patchTexels == 1 ? "one value an atom" : patch + " x " + patch + " texels an atom");
+    if (!occlusion.cached) std::cerr << ", depth maps of " << occlusion.mapPixels << " pixels";
+    std::cerr << ", " << (occlusion.bytes >> 20) << " of " << (settings.occlusionBytes >> 20) << " MB" << std::endl;
 }
 
 /// Draws the picture once more, by shaders that count.
@@ -96,10 +110,12 @@ void renderCommand(const RenderOptions& options) {
 
     Renderer renderer(options.device);
     renderer.setScene(std::move(scene));
-    progress.begin(options.occlusionDirections ? "ambient occlusion" : "drawing");
+    progress.begin(options.occlusion.directions ? "ambient occlusion" : "drawing");
     const Picture picture = renderer.render(settings);
     run.firstPictureMs = millisecondsSince(start);
     FrameStats frame = renderer.stats();  // of this picture, before the frames that follow add theirs
+
+    if (options.occlusion.megabytes || isCoarse(frame.occlusion)) sayOcclusion(frame.occlusion, settings);
 
     progress.begin("writing");
     if (outputs.layers) drawLayers(renderer, settings, *outputs.layers);

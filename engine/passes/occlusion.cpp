@@ -266,23 +266,29 @@ void OcclusionBake::step(graph::Executor& executor, std::uint32_t most) {
 void OcclusionBake::dropDeepTexels() {
     auto* list = reinterpret_cast<std::uint32_t*>(list_.mapped);
     auto* sums = reinterpret_cast<glm::vec2*>(sums_.mapped);
-    std::vector<std::uint32_t> moved(texelCount_ + 1, AtlasWord::kNone), keptBefore(texelCount_ + 1);
+    std::vector<std::uint32_t> keptBefore(texelCount_ + 1);
     std::uint32_t kept = 0;
     for (std::size_t i = 0; i < texelCount_; ++i) {
         keptBefore[i] = kept;
         if (sums[i].x == 0) continue;
         list[kept] = list[i];
-        sums[kept] = sums[i];
-        moved[i] = kept++;
+        sums[kept++] = sums[i];
     }
     keptBefore[texelCount_] = kept;
     auto* words = reinterpret_cast<AtlasWord*>(words_.mapped);
-    const auto follow = [&](std::uint32_t& entry) {
-        if (entry != AtlasWord::kNone) entry = moved[entry];
-    };
     for (std::size_t i = 0; i < wordCount_; ++i) {
-        for (std::uint32_t& entry : words[i].entries) follow(entry);
-        for (std::uint32_t& entry : words[i].beyond) follow(entry);
+        const std::uint32_t base = words[i].base;
+        words[i].base = keptBefore[base];
+        const auto follow = [&](std::uint16_t& entry) {
+            if (entry == AtlasWord::kNone) return;
+            const std::uint32_t before = keptBefore[base + entry];
+            entry = keptBefore[base + entry + 1] == before ? AtlasWord::kNone  // dropped
+                                                           : static_cast<std::uint16_t>(before - words[i].base);
+        };
+        for (AtlasWord::Source& source : words[i].sources) {
+            follow(source.entry);
+            follow(source.beyond);
+        }
     }
     for (std::uint32_t& first : firstOfSphere_) first = keptBefore[first];
     for (OcclusionCopies::Run& run : copies_.runs) {

@@ -9,14 +9,13 @@
 #include <numbers>
 #include <span>
 #include <thread>
-#include <tuple>
 
 namespace nacre {
 namespace {
 
 /// Inside by more than rounding, so that surfaces that coincide stay open.
 constexpr float kDeep = 1e-3f;
-constexpr std::uint32_t kBuried = AtlasWord::kNone;
+constexpr std::uint16_t kBuried = AtlasWord::kNone;
 
 bool inside(const Sphere& s, const glm::vec3& p) {
     const glm::vec3 d = p - s.center;
@@ -152,48 +151,49 @@ private:
             if (holds(around_[i], p)) return last_ = i, true;
         return false;
     }
-    void begin(std::size_t texels) { entries_.assign(texels, kBuried); }
+    void begin(std::size_t texels) {
+        entries_.assign(texels, kBuried);
+        base_ = static_cast<std::uint32_t>(found.texels.size());
+    }
     void open(std::uint32_t local, std::uint32_t texel) {
-        entries_[local] = static_cast<std::uint32_t>(found.texels.size());
+        entries_[local] = static_cast<std::uint16_t>(found.texels.size() - base_);
         found.texels.push_back(texel);
     }
-    std::uint32_t entryAt(const glm::ivec2& at, const glm::ivec2& size, bool sphere) const {
+    std::uint16_t entryAt(const glm::ivec2& at, const glm::ivec2& size, bool sphere) const {
         const glm::ivec2 p = folded(at, size, sphere);
         if (p.x < 0 || p.y < 0 || p.x >= size.x || p.y >= size.y) return kBuried;
         return entries_[static_cast<std::size_t>(p.y * size.x + p.x)];
     }
     /// The nearest open texel, if possible one with another open one behind it, and that one (else the same again).
-    std::pair<std::uint32_t, std::uint32_t> nearestOpen(const glm::ivec2& at, const glm::ivec2& size,
-                                                        bool sphere) const {
-        std::pair<std::uint32_t, std::uint32_t> best{kBuried, kBuried};
+    AtlasWord::Source nearestOpen(const glm::ivec2& at, const glm::ivec2& size, bool sphere) const {
+        AtlasWord::Source best;
         for (const glm::ivec2& step : nearSteps()) {
-            const std::uint32_t entry = entryAt(at + step, size, sphere);
+            const std::uint16_t entry = entryAt(at + step, size, sphere);
             if (entry == kBuried) continue;
-            const std::uint32_t beyond = entryAt(at + 2 * step, size, sphere);
+            const std::uint16_t beyond = entryAt(at + 2 * step, size, sphere);
             if (beyond != kBuried) return {entry, beyond};
-            if (best.first == kBuried) best = {entry, entry};
+            if (best.entry == kBuried) best = {entry, entry};
         }
         return best;
     }
     /// The words of the patch of a shape, whose patches start at a row of the atlas.
     void words(const glm::ivec2& size, bool sphere, std::uint32_t shape, std::uint32_t top) {
-        if (std::all_of(entries_.begin(), entries_.end(), [](std::uint32_t e) { return e == kBuried; })) return;
+        if (std::all_of(entries_.begin(), entries_.end(), [](std::uint16_t e) { return e == kBuried; })) return;
         const auto width = static_cast<std::uint32_t>(size.x), height = static_cast<std::uint32_t>(size.y);
         const std::uint32_t perRow = layout_.width / width;
         const std::uint32_t left = shape % perRow * width, row = top + shape / perRow * height;
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; x += 4) {
-                AtlasWord word{
-                    ((row + static_cast<std::uint32_t>(y)) * layout_.width + left + static_cast<std::uint32_t>(x)) / 4,
-                    {},
-                    {}};
+                AtlasWord word;
+                word.address =
+                    ((row + static_cast<std::uint32_t>(y)) * layout_.width + left + static_cast<std::uint32_t>(x)) / 4;
+                word.base = base_;
                 bool any = false;
                 for (int k = 0; k < 4; ++k) {
-                    const std::uint32_t own = entries_[static_cast<std::size_t>(y * size.x + x + k)];
-                    word.entries[k] = word.beyond[k] = own;
-                    if (own == kBuried)
-                        std::tie(word.entries[k], word.beyond[k]) = nearestOpen({x + k, y}, size, sphere);
-                    any = any || word.entries[k] != kBuried;
+                    const std::uint16_t own = entries_[static_cast<std::size_t>(y * size.x + x + k)];
+                    word.sources[k] =
+                        own != kBuried ? AtlasWord::Source{own, own} : nearestOpen({x + k, y}, size, sphere);
+                    any = any || word.sources[k].entry != kBuried;
                 }
                 if (any) found.words.push_back(word);
             }
@@ -203,7 +203,9 @@ private:
     const Representation& r_;
     const PrimitiveGrid& grid_;
     std::vector<glm::vec3> normals_;
-    std::vector<std::uint32_t> around_, entries_;
+    std::vector<std::uint32_t> around_;
+    std::vector<std::uint16_t> entries_;  // of the patch: less base_, or kBuried
+    std::uint32_t base_ = 0;
     std::vector<std::uint32_t> lists_;  ///< of copies, by primitive; empty if all have the same
     std::size_t last_ = 0;
 };
@@ -213,9 +215,8 @@ void openSpheres(OpenTexels& all, std::uint32_t count) {
     for (std::uint32_t i = 0; i < count; ++i) {
         all.firstOfSphere.push_back(i);
         all.texels.push_back(i);
-        if (i % 4 == 0)
-            all.words.push_back({i / 4, {kBuried, kBuried, kBuried, kBuried}, {kBuried, kBuried, kBuried, kBuried}});
-        all.words.back().entries[i % 4] = all.words.back().beyond[i % 4] = i;
+        if (i % 4 == 0) all.words.push_back({i / 4, i, {}});
+        all.words.back().sources[i % 4] = {static_cast<std::uint16_t>(i % 4), static_cast<std::uint16_t>(i % 4)};
     }
     all.sphereTexels = count;
 }
@@ -226,9 +227,7 @@ void append(OpenTexels& all, const OpenTexels& part) {
     all.sphereTexels += part.sphereTexels;
     for (const std::uint32_t first : part.firstOfSphere) all.firstOfSphere.push_back(base + first);
     for (AtlasWord word : part.words) {
-        for (auto* list : {&word.entries, &word.beyond})
-            for (std::uint32_t& entry : *list)
-                if (entry != kBuried) entry += base;
+        word.base += base;
         all.words.push_back(word);
     }
 }

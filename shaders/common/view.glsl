@@ -6,7 +6,7 @@
 // A row of workgroups a map: each has a view of its own.
 layout(push_constant) uniform Push { SplatConstants splat; };
 layout(set = 0, binding = 1, std430) readonly buffer Views { ViewConstants views[]; };
-#define view views[splat.view + gl_WorkGroupID.y]
+ViewConstants view;  // main() fetches it once: in a loop every use of the buffer is a load
 #else
 layout(push_constant) uniform Push { ViewConstants view; };
 #endif

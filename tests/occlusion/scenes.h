@@ -1,6 +1,7 @@
 #pragma once
 // The molecules that occlusion is judged on.
 
+#include "engine/error.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {

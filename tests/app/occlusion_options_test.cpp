@@ -1,0 +1,46 @@
+// --occlusion-memory, as a user meets it.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/run_program.h"
+
+namespace nacre::app {
+namespace {
+
+using test::contentOf;
+using test::nacreIn;
+using test::Outcome;
+using test::TemporaryFolder;
+
+TEST(OcclusionMemory, IsKeptToAndSaid) {
+    const TemporaryFolder folder;
+    for (const int megabytes : {1, 64}) {
+        const Outcome outcome = nacreIn(
+            folder, "render sample:dna -o a.png --size 64x64 --occlusion 16 --stats s.json --occlusion-memory " +
+                        std::to_string(megabytes));
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        const auto occlusion = nlohmann::json::parse(contentOf(folder / "s.json"))["occlusion"];
+        EXPECT_LE(occlusion["bytes"].get<std::uint64_t>(), std::uint64_t(megabytes) << 20);
+        const std::string patch = std::to_string(occlusion["patch_texels"].get<int>());
+        EXPECT_NE(outcome.err.find(patch + " x " + patch + " texels an atom"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find(" of " + std::to_string(megabytes) + " MB"), std::string::npos) << outcome.err;
+    }
+}
+
+TEST(OcclusionMemory, SaysNothingUnasked) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(nacreIn(folder, "render sample:glucose -o a.png --size 32x32 --occlusion 8").err, "");
+}
+
+TEST(OcclusionMemory, RefusesWhatIsNoSize) {
+    const TemporaryFolder folder;
+    for (const char* size : {"0", "-1", "65537", "many", "1.5", ""})
+        EXPECT_EQ(nacreIn(folder, std::string("render sample:glucose -o a.png --occlusion-memory '") + size + "'").code,
+                  2)
+            << size;
+}
+
+}  // namespace
+}  // namespace nacre::app
