@@ -41,9 +41,7 @@ Guess guessBinary(std::string_view head) {
                                                 {"\x1f\x8b", "gzip inside gzip; unpack it first"},
                                                 {"\x7f"
                                                  "ELF",
-                                                 "a program, not a molecule"},
-                                                {"\xff\xfe", "UTF-16 text; save it as ASCII or UTF-8"},
-                                                {"\xfe\xff", "UTF-16 text; save it as ASCII or UTF-8"}};
+                                                 "a program, not a molecule"}};
     for (const Signature& signature : kSignatures)
         if (startsWith(head, signature.bytes)) return isNot(signature.words);
     if (const auto format = detectBinaryFormat(head)) return is(*format);

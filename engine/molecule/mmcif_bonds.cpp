@@ -75,11 +75,12 @@ std::vector<std::uint32_t> findAtoms(const Molecule& molecule, const ResidueInde
     return found;
 }
 
-bool isCovalent(const MmcifTable& table, std::size_t row) {
+/// Bonds between atoms of the model itself: covalent ones and a metal's coordination, but no hydrogen bonds.
+bool isBond(const MmcifTable& table, std::size_t row) {
     const std::string type = lowerCase(table.get(row, {"conn_type_id"}).value_or(""));
     const auto first = table.get(row, {"ptnr1_symmetry"}), second = table.get(row, {"ptnr2_symmetry"});
     const bool mate = first && second && *first != *second;
-    return !mate && (startsWith(type, "covale") || type == "disulf");
+    return !mate && (startsWith(type, "covale") || type == "disulf" || type == "metalc");
 }
 
 }  // namespace
@@ -89,7 +90,7 @@ void addStructConnBonds(MoleculeBuilder& builder, const MmcifTable& connections)
     ResidueIndex index;
     std::size_t missing = 0, comparisons = 0;
     for (std::size_t row = 0; row < connections.rows(); ++row) {
-        if (!isCovalent(connections, row)) continue;
+        if (!isBond(connections, row)) continue;
         if (comparisons > kMaxComparisons) {
             builder.warn("too many connections of _struct_conn to huge residues; the rest is passed over");
             break;

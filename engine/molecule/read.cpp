@@ -15,6 +15,7 @@
 #include "engine/molecule/overlay_models.h"
 #include "engine/molecule/readers.h"
 #include "engine/molecule/text.h"
+#include "engine/molecule/text_encoding.h"
 
 namespace nacre {
 
@@ -60,13 +61,11 @@ struct Content {
 
 Content contentOf(const std::string& name, std::string bytes, const ReadOptions& options) {
     if (isGzip(bytes)) bytes = inflateGzip(name, bytes, options.maxBytes);
-    if (bytes.size() > options.maxBytes) throw tooLarge(name, options.maxBytes);
     if (startsWith(bytes, "\xEF\xBB\xBF")) bytes.erase(0, 3);
+    if (bytes.size() > options.maxBytes) throw tooLarge(name, options.maxBytes);
+    if (auto utf8 = utf8FromUtf16(bytes)) bytes = std::move(*utf8);
     if (bytes.empty()) throw Error("cannot read molecule", name, "it is empty");
-    // Its every second byte is zero, so that no reader would say anything helpful.
-    const bool twoByteText = startsWith(bytes, "\xff\xfe") || startsWith(bytes, "\xfe\xff");
-    std::optional<Format> known;
-    if (options.format && !twoByteText) known = options.format;
+    std::optional<Format> known = options.format;
     if (!known) known = detectBinaryFormat(bytes);
     if (!known || !isBinary(*known)) unifyLineEnds(bytes);
     const Format format = known ? *known : detectFormat(name, bytes);

@@ -67,7 +67,7 @@ private:
             return std::nullopt;
         }
         if (!digits) fail("expected a number of atoms, not '" + printable(announced) + "'", lines_.number());
-        fail("it announces " + printable(announced) + " atoms, more than there are", lines_.number());
+        fail("it announces " + printable(announced) + " atoms, but does not have as many", lines_.number());
     }
 
     void readAtoms(std::int64_t count) {

@@ -151,23 +151,46 @@ NACRE_CIF_ACTION(loop, endLoop())
 NACRE_CIF_ACTION(field_sep, textDelimiter(in.iterator().line))
 #undef NACRE_CIF_ACTION
 
-}  // namespace
-
-Molecule readMmcif(const std::string& name, std::string_view text, const ReadOptions& options) {
+/// @throws pegtl::parse_error where the text is no CIF
+Molecule parseCif(const std::string& name, std::string_view text, const ReadOptions& options) {
     MmcifModel model(name, options);
     Walker walker(name, model);
     pegtl::memory_input<> input(text.data(), text.size(), "");
     try {
         pegtl::parse<rules::file, Action, gemmi::cif::Errors>(input, walker);
+    } catch (const pegtl::parse_error&) {
+        if (walker.textBegin() == 0) throw;
+        throw Error("cannot read molecule", name, "this text field is never closed", walker.textBegin());
+    }
+    walker.flushItems();
+    return model.finish("mmcif");
+}
+
+}  // namespace
+
+Molecule readMmcif(const std::string& name, std::string_view text, const ReadOptions& options) {
+    try {
+        return parseCif(name, text, options);
+    } catch (const pegtl::parse_error&) {
+    }
+    // Words of old files may hold letters in some author's encoding, or zeros; the grammar takes them in quotes only.
+    std::string replaced(text);
+    std::size_t foreign = 0;
+    for (char& c : replaced) {
+        const auto byte = static_cast<unsigned char>(c);
+        if ((byte >= ' ' && byte < 0x7f) || c == '\n' || c == '\t') continue;
+        c = '?';
+        ++foreign;
+    }
+    try {
+        Molecule molecule = parseCif(name, replaced, options);
+        molecule.warnings.push_back("bytes that CIF does not allow, read as '?': " + std::to_string(foreign));
+        return molecule;
     } catch (const pegtl::parse_error& fault) {
-        if (walker.textBegin() > 0)
-            throw Error("cannot read molecule", name, "this text field is never closed", walker.textBegin());
         std::string why = "not valid CIF: " + printable(fault.message(), 200);
         if (fault.message() == "parse error") why += "; perhaps a quote or a text field before it is not closed";
         throw Error("cannot read molecule", name, why, fault.positions().front().line);
     }
-    walker.flushItems();
-    return model.finish("mmcif");
 }
 
 }  // namespace nacre

@@ -69,7 +69,7 @@ private:
             if (frame == model_) comment_ = comment ? lines_.line() : std::string_view();
             if (count && *count <= static_cast<std::int64_t>(lines_.rest().size() / kShortestAtomLine + 1))
                 return count;
-            if (frame <= model_) fail("it announces " + printable(text) + " atoms, more than there are", line);
+            if (frame <= model_) fail("it announces " + printable(text) + " atoms, but does not have as many", line);
             builder_.warn("frame " + std::to_string(frame) + " is incomplete");
             return std::nullopt;
         }

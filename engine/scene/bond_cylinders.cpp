@@ -1,5 +1,6 @@
 #include "engine/scene/bond_cylinders.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -16,6 +17,16 @@ BondStrands bondStrands(std::uint8_t order) {
         default:
             return {{{{0.0f, kBondRadius}}}, 1};
     }
+}
+
+Dashes bondDashes(double length, double radiusA, double radiusB) {
+    constexpr double kDash = 0.16;  // Å, about; a coordination of 2 Å gets three
+    constexpr double kMost = 16;    // a file may state bonds of any length
+    const double free = length - radiusA - radiusB;
+    if (!(free > 0)) return {};
+    const double count = std::clamp(std::round((free / kDash - 1) / 2), 1.0, kMost);
+    const double dash = free / (2 * count + 1);
+    return {radiusA + dash, dash, static_cast<int>(count)};
 }
 
 glm::dvec3 bondSide(const glm::dvec3& axis, const glm::dvec3& toward) {

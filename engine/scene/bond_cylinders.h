@@ -24,6 +24,21 @@ struct BondStrands {
 /// farther than 0.21 Å from the axis, which is inside the smallest ball, so every end is covered.
 BondStrands bondStrands(std::uint8_t order);
 
+constexpr float kDashRadius = 0.09f;  ///< Å, of the dashes of a metal's coordination
+
+/// Where dashes lie along a bond, as distances from its first atom, Å: `count` of them, each followed by a gap as
+/// long as itself, and one gap before the first.
+struct Dashes {
+    double first = 0;   ///< start of the first
+    double length = 0;  ///< of each
+    int count = 0;
+};
+
+/// Dashes over the part of a bond that its two balls leave free; none if they leave nothing.
+/// @param length of the bond, Å
+/// @param radiusA, radiusB of the balls, Å
+Dashes bondDashes(double length, double radiusA, double radiusB);
+
 /// Unit vector across the bond, in the plane of the bond and `toward` (a sum of vectors to neighbours, any length).
 /// Where that leaves no direction, a fixed one that depends on the axis alone.
 /// @param axis unit vector along the bond

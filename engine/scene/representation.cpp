@@ -111,10 +111,38 @@ Style stouter(Style a, Style b) {
     return a == Style::spacefill ? b : a;
 }
 
+/// Coordination is what binds a metal to anything but metals, whatever order a file gives it.
+bool isCoordination(const Molecule& molecule, const Bond& bond) {
+    return isMetal(molecule.atoms[bond.a].element) != isMetal(molecule.atoms[bond.b].element);
+}
+
+/// A bond's dashes, each in the colour of the atom that it is nearer to.
+void appendDashes(const Sphere& a, const Sphere& b, const SphereLook& lookA, const SphereLook& lookB,
+                  Representation& result) {
+    const glm::dvec3 way = glm::dvec3(b.center) - glm::dvec3(a.center);
+    const double length = glm::length(way);
+    const Dashes dashes = bondDashes(length, static_cast<double>(a.radius), static_cast<double>(b.radius));
+    for (int i = 0; i < dashes.count; ++i) {
+        const double from = dashes.first + 2 * i * dashes.length;
+        const auto at = [&](double distance) { return glm::vec3(glm::dvec3(a.center) + way * (distance / length)); };
+        result.cylinders.push_back({at(from), kDashRadius, at(from + dashes.length), 0.0f});
+        const SphereLook& first = 2 * i + 1 <= dashes.count ? lookA : lookB;
+        const SphereLook& second = 2 * i + 1 < dashes.count ? lookA : lookB;
+        result.cylinderLooks.push_back({first.color, second.color, first.atom, second.atom, 0});
+    }
+}
+
 void appendBonds(const Molecule& molecule, std::span<const Bond> bonds, const Surroundings& around,
                  std::span<const std::uint32_t> slots, std::span<const Style> styles, Representation& result) {
     for (const Bond& bond : bonds) {
-        const Style style = stouter(styles[slots[bond.a]], styles[slots[bond.b]]);
+        const std::uint32_t slotA = slots[bond.a], slotB = slots[bond.b];
+        ++result.drawnBonds;
+        if (isCoordination(molecule, bond)) {
+            appendDashes(result.spheres[slotA], result.spheres[slotB], result.sphereLooks[slotA],
+                         result.sphereLooks[slotB], result);
+            continue;
+        }
+        const Style style = stouter(styles[slotA], styles[slotB]);
         const glm::dvec3 way = between(molecule, bond);
         const double length = glm::length(way);
         const glm::dvec3 axis = way / length;
@@ -122,15 +150,14 @@ void appendBonds(const Molecule& molecule, std::span<const Bond> bonds, const Su
         if (style == Style::ballAndStick) strands = bondStrands(bond.order);
         const glm::dvec3 side = strands.count > 1 ? strandSide(molecule, bond, axis, around) : glm::dvec3(0);
         const glm::dvec3 start = glm::dvec3(molecule.atoms[bond.a].position) - result.center;
-        const SphereLook& lookA = result.sphereLooks[slots[bond.a]];
-        const SphereLook& lookB = result.sphereLooks[slots[bond.b]];
+        const SphereLook& lookA = result.sphereLooks[slotA];
+        const SphereLook& lookB = result.sphereLooks[slotB];
         for (int i = 0; i < strands.count; ++i) {
             const auto& strand = strands.strands[static_cast<std::size_t>(i)];
             const glm::dvec3 from = start + side * static_cast<double>(strand.offset);
             result.cylinders.push_back({glm::vec3(from), strand.radius, glm::vec3(from + way), 0.0f});
             result.cylinderLooks.push_back({lookA.color, lookB.color, lookA.atom, lookB.atom, 0});
         }
-        ++result.drawnBonds;
     }
 }
 

@@ -62,7 +62,7 @@ constexpr Expectation kFiles[] = {
     {"truncated-gzip.pdb.gz", 0, "truncated"},
     {"truncated-in-loop.cif", 0, "(line 624): the last row of _atom_site has 14 values instead of 26"},
     {"truncated-mid-line.pdb", 0, "no ATOM or HETATM"},
-    {"truncated.gro", 0, "(line 2): it announces 1405 atoms, more than there are"},
+    {"truncated.gro", 0, "(line 2): it announces 1405 atoms, but does not have as many"},
     {"unterminated-text.cif", 0, "(line 1004): not valid CIF"},
     {"xyz-count-2billion.xyz", 0, "(line 1): it announces 2147483647 atoms"},
     {"xyz-count-huge.xyz", 0, "(line 1): it announces 99999999999999999999 atoms"},

@@ -104,16 +104,31 @@ TEST(ReadMmcif, ConnectionsThatAreBonds) {
     for (std::string name; names >> name;) text += "_struct_conn." + name + "\n";
     const std::string rows[] = {
         "covale X -11 B CYS SG A 1_555 X 10 ALA N 1_555 doub\n", "covale X -11 B CYS SG ? 1_555 X 10 ALA N 1_555 ?\n",
-        "metalc X -11 B CYS SG ? 1_555 X 201 HEM FE 1_555 ?\n", "covale X -11 B CYS SG A 1_555 X 201 HEM FE 2_655 ?\n",
+        "metalc X -11 B CYS SG ? 1_555 X 201 HEM FE 1_555 ?\n",  "covale X -11 B CYS SG A 1_555 X 201 HEM FE 2_655 ?\n",
+        "hydrog X -11 B CYS SG ? 1_555 X 201 HEM FE 1_555 ?\n",  "metalc X -11 B CYS SG A 1_555 X 201 HEM FE 2_655 ?\n",
         "disulf X -11 B CYS SG A 1_555 X 999 CYS SG 1_555 ?\n"};
-    const std::size_t bonds[] = {1, 2, 0, 0, 0};
+    const std::size_t bonds[] = {1, 2, 2, 0, 0, 0, 0};
     for (std::size_t i = 0; i < std::size(rows); ++i) {
         std::size_t stated = 0;
         for (const Bond& bond : readMolecule("a.cif", text + rows[i]).bonds) stated += bond.source == BondSource::file;
         EXPECT_EQ(stated, bonds[i]) << rows[i];
     }
     EXPECT_EQ(readMolecule("a.cif", text + rows[0]).bonds.at(0).order, 2);
-    EXPECT_EQ(readMolecule("a.cif", text + rows[4]).warnings.size(), 1u);
+    EXPECT_EQ(readMolecule("a.cif", text + rows[6]).warnings.size(), 1u);
+}
+
+TEST(ReadMmcif, LettersOfOtherEncodingsAndZeros) {
+    const std::string atoms = atomSite(kColumns, kRows);
+    const std::size_t count = readMolecule("a.cif", atoms).atoms.size();
+    const Molecule quoted = readMolecule("a.cif", atoms + "_struct.title '\xce\xb1 helix'\n");
+    EXPECT_EQ(quoted.file.title, "\xce\xb1 helix");
+    EXPECT_TRUE(quoted.warnings.empty());
+    const Molecule bare = readMolecule("a.cif", atoms + "_struct.title M\xfcller" + '\0' + "\n");
+    EXPECT_EQ(bare.atoms.size(), count);
+    EXPECT_EQ(bare.file.title, "M?ller?");
+    ASSERT_EQ(bare.warnings.size(), 1u);
+    EXPECT_EQ(bare.warnings[0], "bytes that CIF does not allow, read as '?': 2");
+    test::expectError("a.cif", atoms + "_struct.title M\xfcller\n_x.y 'never closed\n", {"not valid CIF", "line"});
 }
 
 TEST(ReadMmcif, ManyConnectionsToAHugeResidueEnd) {

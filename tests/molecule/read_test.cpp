@@ -9,6 +9,7 @@
 
 #include "engine/molecule/detect.h"
 #include "engine/molecule/text.h"
+#include "engine/molecule/text_encoding.h"
 #include "tests/molecule/expect_error.h"
 
 namespace nacre {
@@ -78,10 +79,6 @@ TEST(Read, KnownButUnsupported) {
     test::expectError("a", "<?xml version=\"1.0\"?>\n<PDBx:datablock></PDBx:datablock>",
                       {"format pdbml is not supported; supported: pdb, mmcif, mmjson, bcif, mmtf, sdf, xyz, mol2"});
     test::expectError("a.cif", "<!DOCTYPE html><html></html>", {"web page"});
-    test::expectError("a.xyz",
-                      "\xff\xfe"
-                      "3\0\n\0",
-                      {"UTF-16"});
 }
 
 TEST(Read, EveryLineEndAndAMark) {
@@ -90,6 +87,24 @@ TEST(Read, EveryLineEndAndAMark) {
         for (const char c : kWater) text += c == '\n' ? std::string(end) : std::string(1, c);
         EXPECT_EQ(readMolecule("a", text).atoms.size(), 3u);
     }
+}
+
+TEST(Read, TextOfTwoBytesALetter) {
+    for (const bool little : {true, false}) {
+        std::string text = little ? "\xff\xfe" : "\xfe\xff";
+        for (const char c : kWater) text += little ? std::string{c, '\0'} : std::string{'\0', c};
+        EXPECT_EQ(readMolecule("a", text).atoms.size(), 3u);
+        ReadOptions options;
+        options.format = Format::xyz;
+        EXPECT_EQ(readMolecule("a", text, options).atoms.size(), 3u);
+        options.maxBytes = text.size() - 1;
+        test::expectError("a", text, {"larger than the limit"}, options);
+    }
+    const auto utf8 = [](std::string_view units) { return utf8FromUtf16(units).value_or("none"); };
+    EXPECT_EQ(utf8("3"), "none");
+    EXPECT_EQ(utf8("\xff\xfe"), "");
+    EXPECT_EQ(utf8(std::string_view("\xfe\xff\0A\0\xe9\x20\xac\xd8\x3e\xdd\xea", 12)), "A\u00e9\u20ac\U0001f9ea");
+    EXPECT_EQ(utf8(std::string_view("\xfe\xff\xd8\x3e\0A\xdd\xea\0", 9)), "\ufffdA\ufffd\ufffd");
 }
 
 TEST(Read, MessagesAreCleanWhateverNameAndContentHold) {

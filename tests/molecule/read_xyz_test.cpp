@@ -70,8 +70,8 @@ TEST(ReadXyz, WhatIsWrongIsSaidWithItsLine) {
     test::expectError("a.xyz", "0\nnothing\n", {"no atoms"});
     test::expectError("a.xyz", "\n \n", {"no frames"});
     test::expectError("a.xyz", "-3\n\nC 0 0 0\n", {"(line 1)", "expected a number of atoms"});
-    test::expectError("a.xyz", "2147483648\n\nC 0 0 0\n", {"(line 1)", "more than there are"});
-    test::expectError("a.xyz", "100000000000000000000\n\nC 0 0 0\n", {"(line 1)", "more than there are"});
+    test::expectError("a.xyz", "2147483648\n\nC 0 0 0\n", {"(line 1)", "but does not have as many"});
+    test::expectError("a.xyz", "100000000000000000000\n\nC 0 0 0\n", {"(line 1)", "but does not have as many"});
     EXPECT_EQ(readMolecule("a.xyz", std::string("1\n\nC\0 0 0 0\n", 12)).atoms.at(0).element, 0);
     test::expectError("a.xyz", std::string("1\n\nC 0\0 0 0\n", 12), {"(line 3)", "0\\x00"});
 }

@@ -127,6 +127,41 @@ TEST(Representation, LicoriceIsAQuarterAngstromThroughout) {
     for (const Cylinder& cylinder : scene.cylinders) EXPECT_FLOAT_EQ(cylinder.radius, 0.25f);
 }
 
+TEST(Representation, CoordinationOfAMetalIsDashedInEveryStyleWithBonds) {
+    const Molecule molecule = moleculeOf({{26, {0, 0, 0}}, {7, {2, 0, 0}}}, {{0, 1, 2}});
+    for (const Style style : {Style::ballAndStick, Style::licorice}) {
+        RepresentationOptions options;
+        options.style = style;
+        const Representation scene = represent(molecule, everyAtom(molecule), options);
+        EXPECT_EQ(scene.drawnBonds, 1u);
+        ASSERT_GE(scene.cylinders.size(), 3u);
+        float from = scene.spheres[0].center.x + scene.spheres[0].radius;
+        const float to = scene.spheres[1].center.x - scene.spheres[1].radius;
+        const float gap = (to - from) / static_cast<float>(2 * scene.cylinders.size() + 1);
+        for (const Cylinder& dash : scene.cylinders) {
+            EXPECT_FLOAT_EQ(dash.radius, kDashRadius);
+            EXPECT_NEAR(dash.a.x, from + gap, 1e-5f);
+            EXPECT_NEAR(dash.b.x, from + 2 * gap, 1e-5f);
+            from = dash.b.x;
+        }
+        EXPECT_EQ(scene.cylinderLooks.front().atomA, 1u);
+        EXPECT_EQ(scene.cylinderLooks.front().atomB, 1u);
+        EXPECT_EQ(scene.cylinderLooks.back().atomA, 2u);
+        EXPECT_EQ(scene.cylinderLooks.back().atomB, 2u);
+    }
+}
+
+TEST(Representation, BondsAmongMetalsAreSolidAndTouchingBallsNeedNoDash) {
+    RepresentationOptions options;
+    options.style = Style::licorice;
+    const Molecule gold = moleculeOf({{79, {0, 0, 0}}, {79, {2.9f, 0, 0}}}, {{0, 1, 1}});
+    EXPECT_EQ(represent(gold, everyAtom(gold), options).cylinders.size(), 1u);
+    const Molecule near = moleculeOf({{26, {0, 0, 0}}, {7, {0.4f, 0, 0}}}, {{0, 1, 1}});
+    EXPECT_TRUE(represent(near, everyAtom(near), options).cylinders.empty());
+    const Molecule far = moleculeOf({{26, {0, 0, 0}}, {7, {4000, 0, 0}}}, {{0, 1, 1}});
+    EXPECT_EQ(represent(far, everyAtom(far), options).cylinders.size(), 16u);
+}
+
 TEST(Representation, BondsWithoutLengthAreLeftOut) {
     const Molecule molecule = moleculeOf({{6, {1, 1, 1}}, {6, {1, 1, 1}}}, {{0, 1, 2}});
     const Representation scene = represent(molecule, everyAtom(molecule), {Style::ballAndStick, ColorScheme::element});
