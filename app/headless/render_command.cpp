@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <chrono>
 #include <iostream>
 #include <optional>
@@ -115,7 +117,8 @@ void renderCommand(const RenderOptions& options) {
     run.firstPictureMs = millisecondsSince(start);
     FrameStats frame = renderer.stats();  // of this picture, before the frames that follow add theirs
 
-    if (options.occlusion.megabytes || isCoarse(frame.occlusion)) sayOcclusion(frame.occlusion, settings);
+    if (options.occlusion.megabytes || (isatty(STDERR_FILENO) && isCoarse(frame.occlusion)))
+        sayOcclusion(frame.occlusion, settings);
 
     progress.begin("writing");
     if (outputs.layers) drawLayers(renderer, settings, *outputs.layers);

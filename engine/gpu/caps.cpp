@@ -109,6 +109,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
         const auto driver = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>()
                                 .get<vk::PhysicalDeviceDriverProperties>();
         caps.driverName = std::string(driver.driverName.data()) + " " + driver.driverInfo.data();
+        caps.cacheMixesRenderPasses = driver.driverID == vk::DriverId::eGoogleSwiftshader;
     }
     caps.snapPixels = std::ldexp(1.0f, -static_cast<int>(properties.limits.subPixelPrecisionBits));
     caps.maxImageSize = properties.limits.maxImageDimension2D;

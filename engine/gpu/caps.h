@@ -21,6 +21,9 @@ struct Caps {
     float timestampNanoseconds = 0;  ///< 0: no timestamps
     graph::PlanCaps plan;
     EncodedFormat encoded;
+    /// Quirk: a pipeline cache is not to be used. SwiftShader looks shaders up in it by the address of the render pass,
+    /// and takes those of one that is gone for those of another that was made in its place.
+    bool cacheMixesRenderPasses = false;
     bool software = false;  ///< a CPU draws: triangles cost more than fragments
     Visibility visibility = Visibility::encoded;
     std::string visibilityReason;

@@ -67,8 +67,9 @@ vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d)
     const vk::PipelineColorBlendStateCreateInfo blend(blendFlags, false, vk::LogicOp::eCopy, blends);
     constexpr vk::DynamicState kDynamic[] = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic({}, kDynamic);
+    const vk::raii::PipelineCache* cache = device.caps().cacheMixesRenderPasses ? nullptr : &device.pipelineCache();
     vk::raii::Pipeline pipeline(
-        *device, device.pipelineCache(),
+        *device, vk::Optional<const vk::raii::PipelineCache>(cache),
         vk::GraphicsPipelineCreateInfo({}, stages, &input, &assembly, nullptr, &viewport, &raster, &samples, &depth,
                                        &blend, &dynamic, d.layout, d.renderPass, d.subpass));
     device.name(*pipeline, d.name);

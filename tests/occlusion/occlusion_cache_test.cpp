@@ -26,7 +26,7 @@ protected:
         ValidatedRenderer renderer(Visibility::automatic);
         renderer->setScene(r);
         RenderSettings s = settings(r, 128, Projection::orthographic);
-        s.occlusionDirections = 48;
+        s.occlusionDirections = 16;
         s.occlusionCache = folder_ / "cache";
         s.occlusionWorthKeeping = 0;
         if (change) change(s);
@@ -65,7 +65,7 @@ TEST_P(OcclusionCache, AHitIsTheSamePictureWithoutABake) {
 
 TEST_P(OcclusionCache, OtherSettingsAreOtherBakes) {
     run();
-    EXPECT_FALSE(run([](RenderSettings& s) { s.occlusionDirections = 47; }).stats.cached);
+    EXPECT_FALSE(run([](RenderSettings& s) { s.occlusionDirections = 15; }).stats.cached);
     EXPECT_FALSE(run([](RenderSettings& s) { s.occlusionBytes /= 2; }).stats.cached);
     EXPECT_FALSE(run([](RenderSettings& s) { s.occlusionMaps = OcclusionMaps::fragdepth; }).stats.cached);
     EXPECT_EQ(files().size(), 4u);

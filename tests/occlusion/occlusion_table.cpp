@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <iostream>
 #include <string>
+#include <vector>
 
 #include "tests/occlusion/scenes.h"
 #include "tests/occlusion/traced_points.h"
@@ -20,7 +21,10 @@ int main(int argc, char** argv) {
     for (std::size_t i = 0; i <= std::size(kDirections); ++i) std::cout << "---|";
     std::cout << std::fixed << std::setprecision(3) << "\n";
     Renderer renderer(DeviceOptions{});
-    for (const test::OcclusionScene& s : test::kOcclusionScenes) {
+    std::vector<test::OcclusionScene> scenes(std::begin(test::kLargeOcclusionScenes),
+                                             std::end(test::kLargeOcclusionScenes));
+    scenes.insert(scenes.end(), std::begin(test::kSmallOcclusionScenes), std::end(test::kSmallOcclusionScenes));
+    for (const test::OcclusionScene& s : scenes) {
         if (!test::isSample(s) && !test::dataFolder()) {
             std::cerr << s.name << ": no test data (set NACRE_DATA)\n";
             continue;

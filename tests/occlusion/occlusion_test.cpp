@@ -55,7 +55,8 @@ TEST_P(OcclusionOf, MoleculeIsNearTheRayTraced) {
     EXPECT_LE(std::abs(d.mean), 0.02);
 }
 
-INSTANTIATE_TEST_SUITE_P(Molecules, OcclusionOf, testing::ValuesIn(kOcclusionScenes));
+INSTANTIATE_TEST_SUITE_P(Molecules, OcclusionOf, testing::ValuesIn(kSmallOcclusionScenes));
+INSTANTIATE_TEST_SUITE_P(Large, OcclusionOf, testing::ValuesIn(kLargeOcclusionScenes));  // on one driver
 
 TEST(Occlusion, OfMoreAtomsThanPatchesFitIsOneValueAnAtom) {
     const Representation r = scene("sample:dna", Style::spacefill);

@@ -1,6 +1,8 @@
 #pragma once
 // The molecules that occlusion is judged on.
 
+#include <ostream>
+
 #include "engine/error.h"
 #include "tests/renderer/scenes.h"
 
@@ -11,15 +13,18 @@ struct OcclusionScene {
     const char* file;
     Style style;
 };
-inline constexpr OcclusionScene kOcclusionScenes[] = {
+inline constexpr OcclusionScene kSmallOcclusionScenes[] = {
     {"sample:dna", "sample:dna", Style::spacefill},
+    {"1CRN, ball and stick", "1crn.pdb", Style::ballAndStick},
+    {"caffeine, ball and stick", "small/caffeine.cml", Style::ballAndStick},
+};
+inline constexpr OcclusionScene kLargeOcclusionScenes[] = {
     {"1BNA", "1bna.pdb", Style::spacefill},
     {"4HHB", "4hhb.pdb", Style::spacefill},
     {"neon pump", "neon-pump.pdb", Style::spacefill},
     {"4TRA", "trna-4tra.pdb", Style::spacefill},
-    {"1CRN, ball and stick", "1crn.pdb", Style::ballAndStick},
-    {"caffeine, ball and stick", "small/caffeine.cml", Style::ballAndStick},
 };
+inline void PrintTo(const OcclusionScene& s, std::ostream* out) { *out << s.name; }
 inline bool isSample(const OcclusionScene& s) { return std::string_view(s.file).starts_with("sample:"); }
 
 inline Representation sceneOf(const OcclusionScene& s) { return scene(s.file, s.style); }
