@@ -72,8 +72,9 @@ DepthMaps::DepthMaps(const gpu::Device& device, Geometry& geometry, const SceneB
                              gpu::Access::upload, "depth maps' views");
     sphereSplats_ = gpu::makeComputePipeline(device, shaders::occlusionSplatSphere, {}, *splatLayout_.pipeline,
                                              "depth splatting, spheres");
-    cylinderSplats_ = gpu::makeComputePipeline(device, shaders::occlusionSplatCylinder, {}, *splatLayout_.pipeline,
-                                               "depth splatting, cylinders");
+    if (scene.cylinderCount > 0)
+        cylinderSplats_ = gpu::makeComputePipeline(device, shaders::occlusionSplatCylinder, {}, *splatLayout_.pipeline,
+                                                   "depth splatting, cylinders");
 }
 
 std::uint64_t DepthMaps::bytes() const {

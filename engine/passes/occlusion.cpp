@@ -182,9 +182,9 @@ OcclusionBake::Accumulation& OcclusionBake::accumulation(std::uint32_t batch) {
     constants.set(0, batch);
     maps_.decoding(constants);
     constants.set(3, mapsAcross(batch));
-    if (layout_.cylinderCount > 0) {
+    if (2 * std::uint64_t{layout_.cylinderCount} > layout_.sphereCount) {
         // Sticks throw thin shadows: four taps stand for the directions between two of the set, which are the farther
-        // apart the fewer they are.
+        // apart the fewer they are. A few sticks among full atoms must not cost these four times the time.
         constants.set(4, 4u);
         constants.set(5, static_cast<float>(std::min(2.0 * std::sqrt(128.0 / directions()), 2.5)));
     }
@@ -195,7 +195,8 @@ OcclusionBake::Accumulation& OcclusionBake::accumulation(std::uint32_t batch) {
         it->second.spheres = make(shaders::occlusionAccumulateWhole, "occlusion accumulation, whole spheres");
     else
         it->second.spheres = make(shaders::occlusionAccumulateSphere, "occlusion accumulation, spheres");
-    it->second.cylinders = make(shaders::occlusionAccumulateCylinder, "occlusion accumulation, cylinders");
+    if (layout_.cylinderCount > 0)
+        it->second.cylinders = make(shaders::occlusionAccumulateCylinder, "occlusion accumulation, cylinders");
     return it->second;
 }
 

@@ -12,7 +12,7 @@ namespace nacre {
 namespace {
 
 // To be raised by whoever changes what a bake gives: patch sizes, directions, open texels, shaders.
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 
 /// The file: this, the atlas, a bit for each sphere, and the hash of the file's name and all that.
 struct Header {
