@@ -6,18 +6,16 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
-#include <tuple>
 
 #include "engine/error.h"
 #include "engine/gpu/instance.h"
 #include "engine/passes/fragment_counter.h"
 #include "engine/passes/geometry.h"
-#include "engine/passes/occlusion.h"
 #include "engine/passes/read_back.h"
 #include "engine/passes/view_constants.h"
 #include "engine/picture.h"
+#include "engine/scene_occlusion.h"
 #include "engine/screen_frame.h"
-#include "engine/storage/occlusion_cache.h"
 #include "engine/window_frames.h"
 
 namespace nacre {
@@ -67,14 +65,9 @@ struct Renderer::Impl {
     gpu::Image white;
     Representation representation;
     passes::SceneBuffers scene;
-    std::unique_ptr<passes::OcclusionBake> bake;
-    double meanRadius = 0;                                  // of the spheres, Å
-    std::tuple<int, std::uint64_t, OcclusionMaps> baked{};  // directions, budget, maps: of `bake`
-    double directionMilliseconds = 0;                       // that one direction took, lately
-    DiskCache occlusionCache;                               // off: `bake` is not to be kept
-    std::string occlusionName;                              // of `bake` in it
-    double worthKeeping = 0;
+    double meanRadius = 0;  // of the spheres, Å
     FrameStats stats;
+    SceneOcclusion occlusion{device, executor, geometry, nearest, representation, scene, stats};
     graph::PlanCache plans;
     graph::Graph lastGraph{"none"};  // of planText()
     graph::Plan lastPlan;
@@ -98,11 +91,6 @@ struct Renderer::Impl {
     std::vector<gpu::Buffer> draw(const RenderSettings& settings, const View& view,
                                   std::span<const ScreenTarget> targets, bool readBack = true,
                                   const char* name = "screen");
-    void beginOcclusion(const RenderSettings& settings);
-    void keepOcclusion(std::vector<std::uint8_t> atlas);
-    void advanceOcclusion(double milliseconds);
-    void showOcclusion(Clock::time_point start);
-    void finishOcclusion(const RenderSettings& settings);
     layout::ViewConstants constants(const RenderSettings& settings, const View& view) const;
 };
 
@@ -110,21 +98,21 @@ layout::ViewConstants Renderer::Impl::constants(const RenderSettings& settings, 
     const graph::Extent image = imageExtent(view);
     layout::ViewConstants c =
         passes::viewConstants(view, device.caps().snapPixels, image.width / 2.0, image.height / 2.0);
-    const bool occlusion = settings.occlusionDirections > 0 && bake;
-    const OcclusionLayout layout = occlusion ? bake->layout() : OcclusionLayout{};
-    if (occlusion) c.atlas = glm::vec4(1.0 / layout.width, 1.0 / layout.height, layout.sphereEdge, layout.around);
+    const bool occluded = settings.occlusionDirections > 0 && occlusion.bake();
+    const OcclusionLayout layout = occluded ? occlusion.bake()->layout() : OcclusionLayout{};
+    if (occluded) c.atlas = glm::vec4(1.0 / layout.width, 1.0 / layout.height, layout.sphereEdge, layout.around);
     const auto spheres = static_cast<std::uint32_t>(representation.spheres.size());
     const auto primitives = static_cast<std::uint32_t>(spheres + representation.cylinders.size());
     c.depth.z = std::bit_cast<float>(primitives);
     c.depth.w = 1;
-    c.shading = glm::vec4(settings.lighting ? 1 : 0, occlusion ? 1 : 0, layout.along, std::bit_cast<float>(spheres));
+    c.shading = glm::vec4(settings.lighting ? 1 : 0, occluded ? 1 : 0, layout.along, std::bit_cast<float>(spheres));
     return c;
 }
 
 ScreenFrame Renderer::Impl::declare(const RenderSettings& settings, const View& view,
                                     std::span<const ScreenTarget> targets, const char* name, graph::Imports& imports,
                                     passes::FragmentCounter* counter) {
-    const gpu::Image& atlas = settings.occlusionDirections > 0 && bake ? bake->atlas() : white;
+    const gpu::Image& atlas = settings.occlusionDirections > 0 && occlusion.bake() ? occlusion.bake()->atlas() : white;
     // Held by the recorders, as long as the graph is there.
     const auto copies = std::make_shared<const passes::PlacedCopies>(passes::placeCopies(representation, view));
     const auto copyRows = std::make_shared<gpu::Buffer>();
@@ -201,134 +189,13 @@ std::vector<gpu::Buffer> Renderer::Impl::draw(const RenderSettings& settings, co
     return pixels;
 }
 
-/// The path of the depth maps, if the device is to choose.
-OcclusionMaps automaticMaps(const gpu::Caps& caps, Nearest nearest) {
-    if (caps.software) return OcclusionMaps::splat;
-    return nearest == Nearest::encoded ? OcclusionMaps::encoded : OcclusionMaps::fragdepth;
-}
-
-const char* nameOf(OcclusionMaps maps) {
-    switch (maps) {
-        case OcclusionMaps::encoded:
-            return "encoded";
-        case OcclusionMaps::fragdepth:
-            return "fragdepth";
-        default:
-            return "splat";
-    }
-}
-
-std::uint64_t countUnseen(const std::vector<bool>& seen) {
-    return static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), false));
-}
-
-/// What decides a texel beside the scene's shapes.
-std::string howBaked(const gpu::Caps& caps, const passes::OcclusionOptions& options) {
-    return std::to_string(options.directions) + " directions, " + std::to_string(options.budgetBytes) + " bytes, " +
-           nameOf(options.path) + ", " + std::string(caps.encoded.name) + ", " + caps.deviceName + ", " +
-           caps.driverName + ", " + std::to_string(caps.driverVersion) + ", " + std::to_string(caps.maxImageSize);
-}
-
-/// Makes the bake that the settings ask for, unless it is there. One that was kept is done at once.
-void Renderer::Impl::beginOcclusion(const RenderSettings& settings) {
-    const std::tuple wanted{settings.occlusionDirections, settings.occlusionBytes, settings.occlusionMaps};
-    if (settings.occlusionDirections == 0 || (bake && baked == wanted)) return;
-    const auto start = Clock::now();
-    device->waitIdle();  // frames for the window may still read the streams and the atlas
-    bake.reset();
-    passes::OcclusionOptions options{settings.occlusionDirections, settings.occlusionBytes, settings.occlusionMaps};
-    if (options.path == OcclusionMaps::automatic) options.path = automaticMaps(device.caps(), nearest);
-    occlusionCache = {settings.occlusionCache, kOcclusionCacheBytes};
-    occlusionName = occlusionCache.on() ? occlusionCacheName(representation, howBaked(device.caps(), options)) : "";
-    worthKeeping = settings.occlusionWorthKeeping;
-    const auto kept = readOcclusion(occlusionCache, occlusionName, representation);
-    if (kept)
-        bake =
-            std::make_unique<passes::OcclusionBake>(device, executor, geometry, scene, representation, options, *kept);
-    else
-        bake = std::make_unique<passes::OcclusionBake>(device, geometry, scene, representation, options);
-    scene = passes::makeSceneBuffers(device, representation);  // the looks hold patch addresses now
-    if (!kept) bake->finish(executor);
-    baked = wanted;
-    directionMilliseconds = 0;
-    stats.bakeMilliseconds = millisecondsSince(start);
-    stats.occlusion = {bake->directions(),
-                       0,
-                       bake->layout().sphereEdge,
-                       bake->texels(),
-                       nameOf(options.path),
-                       bake->maps().pixels(),
-                       bake->maps().perBatch(),
-                       bake->bytes(),
-                       0};
-    if (!kept) return;
-    stats.occlusion.cached = true;
-    stats.occlusion.done = bake->directions();
-    stats.occlusion.mapPixels = stats.occlusion.mapsPerBatch = 0;  // none were drawn
-    stats.occlusion.bytes = kept->atlas.size();
-    stats.occlusion.neverSeen = countUnseen(kept->seenSpheres);
-}
-
-/// Keeps the finished bake on disk, if it took long enough.
-void Renderer::Impl::keepOcclusion(std::vector<std::uint8_t> atlas) {
-    if (!occlusionCache.on() || stats.bakeMilliseconds < worthKeeping) return;
-    writeOcclusion(occlusionCache, occlusionName,
-                   {bake->layout(), std::move(atlas), bake->seenSpheres(), stats.occlusion.texels});
-}
-
-/// Shows what is done so far; when that is all, drops what only the bake needs.
-void Renderer::Impl::showOcclusion(Clock::time_point start) {
-    bake->finish(executor);
-    stats.occlusion.done = bake->directionsDone();
-    stats.occlusion.asked = bake->asked();
-    if (bake->directionsDone() == bake->directions()) {
-        executor.forget("occlusion");
-        std::vector<std::uint8_t> atlas;
-        if (occlusionCache.on()) atlas = bake->atlasTexels();
-        bake->release();
-        stats.occlusion.neverSeen = countUnseen(bake->seenSpheres());
-        stats.bakeMilliseconds += millisecondsSince(start);
-        keepOcclusion(std::move(atlas));
-        return;
-    }
-    stats.bakeMilliseconds += millisecondsSince(start);
-}
-
-void Renderer::Impl::advanceOcclusion(double milliseconds) {
-    const auto start = Clock::now();
-    const int before = bake->directionsDone();
-    while (bake->directionsDone() < bake->directions()) {
-        const double left = milliseconds - millisecondsSince(start);
-        const int done = bake->directionsDone();
-        if (done > before && left < directionMilliseconds) break;
-        // As many as fit the time that is left, by what the last ones took.
-        const double fit = directionMilliseconds > 0 ? left / directionMilliseconds : 1;
-        const auto stepStart = Clock::now();
-        bake->step(executor, static_cast<std::uint32_t>(std::clamp(fit, 1.0, 16.0)));
-        directionMilliseconds = millisecondsSince(stepStart) / (bake->directionsDone() - done);
-    }
-    if (bake->directionsDone() > before) showOcclusion(start);
-}
-
-void Renderer::Impl::finishOcclusion(const RenderSettings& settings) {
-    beginOcclusion(settings);
-    if (settings.occlusionDirections == 0 || bake->directionsDone() == bake->directions()) return;
-    const auto start = Clock::now();
-    while (bake->directionsDone() < bake->directions()) {
-        bake->step(executor);
-        if (settings.onBakeProgress)
-            settings.onBakeProgress(static_cast<double>(bake->directionsDone()) / bake->directions());
-    }
-    showOcclusion(start);
-}
-
 Renderer::Renderer(const DeviceOptions& options) : impl_(std::make_unique<Impl>(options)) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 
 void Renderer::setScene(Representation representation) {
     impl_->device->waitIdle();  // frames for the window may still read the streams
-    impl_->bake.reset();
+    impl_->occlusion.drop();
     impl_->representation = std::move(representation);
     impl_->scene = passes::makeSceneBuffers(impl_->device, impl_->representation);
     double sum = 0;
@@ -343,7 +210,7 @@ Picture Renderer::render(const RenderSettings& settings) {
     if (std::max(view.width, view.height) > maxSize())
         throw Error("picture too large", std::to_string(view.width) + "x" + std::to_string(view.height),
                     "this device draws at most " + std::to_string(maxSize()) + " pixels a side, supersampling counted");
-    impl_->finishOcclusion(settings);
+    impl_->occlusion.finish(settings);
     const auto pixels = impl_->draw(settings, view, kScreenTargets);
     const graph::Extent image = imageExtent(view);
     return resolvePicture(reinterpret_cast<const std::uint32_t*>(pixels[0].mapped), image.width, image.height, n,
@@ -351,7 +218,7 @@ Picture Renderer::render(const RenderSettings& settings) {
 }
 
 LayerPicture Renderer::layers(const RenderSettings& settings) {
-    impl_->finishOcclusion(settings);
+    impl_->occlusion.finish(settings);
     const auto pixels = impl_->draw(settings, settings.view, kLayerTargets);
     return assembleLayers(settings.view.width, settings.view.height, reinterpret_cast<const float*>(pixels[0].mapped),
                           reinterpret_cast<const float*>(pixels[1].mapped),
@@ -360,7 +227,7 @@ LayerPicture Renderer::layers(const RenderSettings& settings) {
 }
 
 double Renderer::drawFrame(const RenderSettings& settings) {
-    impl_->beginOcclusion(settings);
+    impl_->occlusion.begin(settings);
     const auto start = Clock::now();
     impl_->draw(settings, settings.view, kScreenTargets, false);
     return millisecondsSince(start);
@@ -369,16 +236,16 @@ double Renderer::drawFrame(const RenderSettings& settings) {
 double Renderer::advanceOcclusion(const RenderSettings& settings, double milliseconds) {
     if (settings.occlusionDirections == 0) return 1;
     try {
-        impl_->beginOcclusion(settings);
-        impl_->advanceOcclusion(milliseconds);
+        impl_->occlusion.begin(settings);
+        impl_->occlusion.advance(milliseconds);
     } catch (const vk::DeviceLostError&) {
         return 0;  // present() tells
     }
-    return static_cast<double>(impl_->bake->directionsDone()) / impl_->bake->directions();
+    return static_cast<double>(impl_->occlusion.bake()->directionsDone()) / impl_->occlusion.bake()->directions();
 }
 
 std::vector<bool> Renderer::seenSpheres() const {
-    return impl_->bake ? impl_->bake->seenSpheres() : std::vector<bool>{};
+    return impl_->occlusion.bake() ? impl_->occlusion.bake()->seenSpheres() : std::vector<bool>{};
 }
 
 FrameOutcome Renderer::present(const RenderSettings& settings, const WindowFrame& frame) {

@@ -1,0 +1,60 @@
+#pragma once
+// The occlusion of the renderer's scene: which bake the settings ask for, how far it is, what is kept of it on disk.
+
+#include <chrono>
+#include <memory>
+#include <tuple>
+
+#include "engine/passes/occlusion.h"
+#include "engine/renderer.h"
+#include "engine/storage/disk_cache.h"
+
+namespace nacre {
+
+class SceneOcclusion {
+public:
+    /// All of them outlive this. A bake writes patch addresses into the looks of `representation` and uploads `scene`
+    /// anew; `stats` is told what was chosen and done.
+    SceneOcclusion(const gpu::Device& device, graph::Executor& executor, passes::Geometry& geometry,
+                   passes::Nearest nearest, Representation& representation, passes::SceneBuffers& scene,
+                   FrameStats& stats)
+        : device_(device),
+          executor_(executor),
+          geometry_(geometry),
+          nearest_(nearest),
+          representation_(representation),
+          scene_(scene),
+          stats_(stats) {}
+
+    /// Makes the bake that the settings ask for, unless it is there. One that was kept is done at once.
+    void begin(const RenderSettings& settings);
+    /// Works for about `milliseconds`, at least one direction, on the bake that begin() made.
+    void advance(double milliseconds);
+    /// All of it.
+    void finish(const RenderSettings& settings);
+    /// The scene is about to change.
+    void drop() { bake_.reset(); }
+    /// Null: nothing was asked for yet.
+    const passes::OcclusionBake* bake() const { return bake_.get(); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    void keep(std::vector<std::uint8_t> atlas);
+    void show(Clock::time_point start);
+
+    const gpu::Device& device_;
+    graph::Executor& executor_;
+    passes::Geometry& geometry_;
+    passes::Nearest nearest_;
+    Representation& representation_;
+    passes::SceneBuffers& scene_;
+    FrameStats& stats_;
+    std::unique_ptr<passes::OcclusionBake> bake_;
+    std::tuple<int, std::uint64_t, OcclusionMaps> baked_{};  // directions, budget, maps: of bake_
+    double directionMilliseconds_ = 0;                       // that one direction took, lately
+    DiskCache cache_;                                        // off: the bake is not to be kept
+    std::string cacheName_;                                  // of the bake in it
+    double worthKeeping_ = 0;
+};
+
+}  // namespace nacre
