@@ -1,0 +1,45 @@
+#pragma once
+// What --help says below the options.
+
+namespace nacre::app {
+
+inline constexpr const char* kExamples =
+    "Examples:\n"
+    "  nacre render sample:dna -o dna.png\n"
+    "  nacre render pdb:4hhb -o blood.png --color chain\n"
+    "  nacre info 4hhb.cif.gz --json\n"
+    "  nacre devices\n"
+    "`nacre render --help` lists what can be set.\n"
+    "Environment, for drivers in doubt and for captures; the picture stays the same:\n"
+    "  NACRE_NO_MERGE=1      every pass is a render pass of its own\n"
+    "  NACRE_NO_TRANSIENT=1  every attachment has memory and is stored\n"
+    "Environment, for downloads:\n"
+    "  NACRE_CACHE=DIR|off   stands for --cache\n"
+    "  NACRE_PDB_URL, NACRE_PUBCHEM_URL, NACRE_AFDB_URL  other servers: URL/1bna.bcif.gz, URL/1bna.cif.gz;\n"
+    "                        URL/compound/cid/2244/record/SDF?record_type=3d; URL/api/prediction/P69905\n"
+    "  NACRE_DOWNLOAD_TIMEOUT=SECONDS  to connect, and without data [30]\n"
+    "  NACRE_CA_FILE=FILE    trusted certificates (PEM) instead of the system's\n"
+    "  https_proxy, no_proxy  as curl takes them";
+inline constexpr const char* kRenderExamples =
+    "Examples:\n"
+    "  nacre render 1bna.pdb -o dna.png --size 1600x1200 --supersample 2\n"
+    "  nacre render sample:glucose -o glucose.png --style ball-and-stick --background transparent\n"
+    "  nacre render 4hhb.cif.gz -o blood.jpg --color chain --rotate -20,45,0 --projection perspective\n"
+    "  nacre render 4hhb.pdb -o haem.png --color chain --show ligand=ball-and-stick --color-by ligand=element\n"
+    "  nacre render 3j6r.pdb.gz -o capsid.png --assembly 1 --color chain --occlusion 32\n"
+    "  nacre render 1hpv.pdb -o pocket.png --style licorice --show ligand=ball-and-stick \\\n"
+    "    --hide 'not byres (within 5 of (ligand))'\n"
+    "  zcat 1crn.pdb.gz | nacre render - --format pdb -o crambin.exr --layers layers.exr --stats stats.json\n"
+    "Selections (SEL), as in PyMOL:\n"
+    "  chain A+B, resn HEM+ATP, resi 10-20+35, name CA+CB, elem FE, altloc A, model 1, protein, nucleic, polymer,\n"
+    "  ligand, water, ion, backbone, sidechain, hydrogens, hetatm, all, none; and, or, not, ( );\n"
+    "  within 5 of (SEL): at most 5 Å away, itself included; byres (SEL): its whole residues";
+
+inline constexpr const char* kViewExamples =
+    "Examples:\n"
+    "  nacre view 1bna.pdb\n"
+    "  nacre view 4hhb.cif.gz --style spacefill --color chain --visibility encoded\n"
+    "  nacre view --view pocket.view.json\n"
+    "Without INPUT the window goes on where the last one was left. `?` in the window lists keys and gestures.";
+
+}  // namespace nacre::app
