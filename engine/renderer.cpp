@@ -7,8 +7,10 @@
 #include <chrono>
 #include <cmath>
 
+#include "engine/debug_frame.h"
 #include "engine/error.h"
 #include "engine/gpu/instance.h"
+#include "engine/passes/debug_pass.h"
 #include "engine/passes/fragment_counter.h"
 #include "engine/passes/geometry.h"
 #include "engine/passes/read_back.h"
@@ -61,6 +63,7 @@ struct Renderer::Impl {
     gpu::Device device;
     Nearest nearest;
     passes::Geometry geometry;
+    passes::DebugPass debugPass;
     graph::Executor executor;
     gpu::Image white;
     Representation representation;
@@ -78,6 +81,7 @@ struct Renderer::Impl {
         : device(options),
           nearest(nearestOf(device.caps().visibility)),
           geometry(device),
+          debugPass(device),
           executor(device),
           white(passes::makeWhiteTexture(device, executor)) {
         stats.device = infoOf(device.caps());
@@ -87,6 +91,8 @@ struct Renderer::Impl {
     /// Declares the screen frame (screen_frame.cpp) with its recorders.
     ScreenFrame declare(const RenderSettings& settings, const View& view, std::span<const ScreenTarget> targets,
                         const char* name, graph::Imports& imports, passes::FragmentCounter* counter = nullptr);
+    /// Gives the recorders of the passes that only a debug view has.
+    DebugRecord recordDebug(const RenderSettings& settings, const View& view);
     /// Draws one frame. @returns the pixels of every target, for the host; none unless `readBack`
     std::vector<gpu::Buffer> draw(const RenderSettings& settings, const View& view,
                                   std::span<const ScreenTarget> targets, bool readBack = true,
@@ -118,10 +124,13 @@ ScreenFrame Renderer::Impl::declare(const RenderSettings& settings, const View& 
     const auto copyRows = std::make_shared<gpu::Buffer>();
     stats.spheres = copies->sphereCount();
     stats.cylinders = copies->cylinderCount();
-    if (nearest == Nearest::deferred)
+    // Layers and picks take several targets or another one.
+    const bool debug = settings.debug != DebugView::none && targets.size() == 1 && targets[0].writes == Writes::color;
+    const Nearest path = debug ? debugNearest(settings.debug, nearest) : nearest;
+    if (path == Nearest::deferred)
         *copyRows = gpu::makeBuffer(device, std::span(copies->rows), vk::BufferUsageFlagBits::eStorageBuffer, "copies");
     const auto record = [&](Writes writes, const ScreenInputs& inputs) {
-        passes::Draw d{writes, nearest, view.projection == Projection::perspective, constants(settings, view)};
+        passes::Draw d{writes, path, view.projection == Projection::perspective, constants(settings, view)};
         d.quarterTurns = view.quarterTurns;
         d.copies = copies.get();
         d.copyRows = copyRows.get();
@@ -133,10 +142,22 @@ ScreenFrame Renderer::Impl::declare(const RenderSettings& settings, const View& 
             geometry.draw(c, scene, d, {c.view(inputs.atlas), c.view(inputs.nearest), inputs.nearestIsTexture});
         };
     };
+    const ScreenFrameOptions options{imageExtent(view), path, device.caps().encoded, atlas.desc, targets, name};
     ScreenFrame frame =
-        screenFrame({imageExtent(view), nearest, device.caps().encoded, atlas.desc, targets, name}, record);
+        debug ? debugFrame(settings.debug, options, record, recordDebug(settings, view)) : screenFrame(options, record);
     imports.bind(frame.atlas, atlas);
     return frame;
+}
+
+DebugRecord Renderer::Impl::recordDebug(const RenderSettings& settings, const View& view) {
+    return [&](const DebugInputs& inputs) {
+        const passes::DebugPass::Draw d{settings.debug,    inputs.tileMean,
+                                        kDebugTile,        view.projection == Projection::perspective,
+                                        view.quarterTurns, constants(settings, view)};
+        return [this, d, inputs](graph::PassContext& c) {
+            debugPass.draw(c, d, c.view(inputs.source), inputs.hasUnder ? c.view(inputs.under) : vk::ImageView());
+        };
+    };
 }
 
 /// The screen frame, and the copies of its targets to the host.

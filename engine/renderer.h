@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/debug_view.h"
 #include "engine/device_options.h"
 #include "engine/overlay.h"
 #include "engine/scene/camera.h"
@@ -27,8 +28,9 @@ struct RenderSettings {
     double occlusionWorthKeeping = 50;          ///< milliseconds: bakes that took less are not kept
     PlateShape plates = PlateShape::automatic;  ///< of the opaque prepass; never changes the picture
     ImpostorShape impostor = ImpostorShape::automatic;
-    bool countFragments = false;  ///< fill FrameStats::passes (slower)
-    bool merge = true;            ///< neighbouring passes share a render pass
+    bool countFragments = false;        ///< fill FrameStats::passes (slower)
+    bool merge = true;                  ///< neighbouring passes share a render pass
+    DebugView debug = DebugView::none;  ///< of pictures and window frames; layers and picks are not concerned
     /// Called between batches of the occlusion bake with the share that is done, above 0 and at most 1.
     std::function<void(double)> onBakeProgress;
 };

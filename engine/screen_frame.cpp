@@ -40,6 +40,7 @@ ScreenPass notesOf(Writes writes, Nearest nearest, bool settles) {
         case Writes::depth:
         case Writes::number:
             return {writes, DepthTiming::conservative, kConservative, kPositions, kPositions, kPrecisionHit};
+        case Writes::overdraw:  // of debug views alone
         case Writes::color:
         case Writes::surface:
         case Writes::identity:

@@ -43,6 +43,7 @@ public:
           panel_(window_.pixelsPerPoint(), [this](ViewerCommand command) { run(command); }) {
         renderer_->setScene({});
         renderer_->setOverlayGlyphs(panel_.glyphs());
+        viewer_.setDebugView(options.first.debug, now());
         resized();
     }
 
@@ -94,6 +95,8 @@ private:
     ViewerOptions viewerOptions() const {
         ViewerOptions options;
         if (renderer_->stats().device.type == "software") options.mostSamples = 2;
+        options.occlusionBytes = options_.first.occlusion.bytes();
+        options.occlusionCache = occlusionCacheFolder(options_.first.input);
         return options;
     }
 
@@ -212,6 +215,8 @@ private:
         json["window_frames"] = renderer_->stats().windowFrames;
         json["seconds_since_last_frame"] = now() - lastShown_;
         json["occlusion"] = viewer_.occlusion();
+        json["occlusion_cached"] = renderer_->stats().occlusion.cached;
+        json["occlusion_bytes"] = renderer_->stats().occlusion.bytes;
         json["picked"] = nlohmann::ordered_json::array();
         for (const std::uint32_t pick : viewer_.picks()) json["picked"].push_back(pick + 1);
         json["device"] = renderer_->stats().device.name;

@@ -44,8 +44,7 @@ RenderSettings frameSettings(const BenchOptions& options, double radius, int fra
     RenderSettings settings;
     settings.view = viewOf(camera, radius, options.size.width, options.size.height);
     settings.occlusionDirections = options.occlusion.directions;
-    if (options.occlusion.megabytes)
-        settings.occlusionBytes = static_cast<std::uint64_t>(*options.occlusion.megabytes) << 20;
+    settings.occlusionBytes = options.occlusion.bytes();
     return settings;
 }
 

@@ -50,4 +50,9 @@ Representation sceneOf(const Molecule& molecule, const std::string& name, const 
     return represent(molecule, drawn, look);
 }
 
+std::string occlusionCacheFolder(const InputOptions& input) {
+    const std::string folder = cacheFolder(input.cache);
+    return folder.empty() ? folder : folder + "/occlusion";
+}
+
 }  // namespace nacre::app

@@ -16,4 +16,7 @@ Representation sceneOf(const Molecule& molecule, const std::string& name, const 
 /// @throws Error
 Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload = {});
 
+/// Folder that finished bakes are kept in; empty: none are.
+std::string occlusionCacheFolder(const InputOptions& input);
+
 }  // namespace nacre::app

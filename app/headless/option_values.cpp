@@ -185,7 +185,11 @@ int parseOcclusion(std::string_view text) {
     return static_cast<int>(value);
 }
 
-std::size_t parseChoice(std::string_view text, std::initializer_list<std::string_view> choices) {
+std::size_t parseChoice(std::string_view text, std::initializer_list<const char*> choices) {
+    return parseChoice(text, std::span(choices.begin(), choices.size()));
+}
+
+std::size_t parseChoice(std::string_view text, std::span<const char* const> choices) {
     std::string list;
     std::size_t index = 0;
     for (const std::string_view choice : choices) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -57,7 +58,8 @@ int parseModel(std::string_view text);
 int parseOcclusion(std::string_view text);
 
 /// The position of text among choices; the reason lists them.
-std::size_t parseChoice(std::string_view text, std::initializer_list<std::string_view> choices);
+std::size_t parseChoice(std::string_view text, std::span<const char* const> choices);
+std::size_t parseChoice(std::string_view text, std::initializer_list<const char*> choices);
 
 /// Refuses more than kMostSamples.
 void checkSamples(const Size& size, std::uint32_t supersample);

@@ -218,6 +218,14 @@ void addVisibility(CLI::App& app, DeviceOptions& device) {
           });
 }
 
+void addDebug(CLI::App& app, RenderOptions& options) {
+    std::string names;
+    for (const char* name : debugViewNames()) names += names.empty() ? name : std::string(", ") + name;
+    value(
+        app, "--debug", "VIEW", "none", "What the frame works with, as the picture: " + names,
+        [&](const std::string& text) { options.debug = static_cast<DebugView>(parseChoice(text, debugViewNames())); });
+}
+
 void addDevice(CLI::App& app, RenderOptions& options) {
     addDeviceName(app, options.device);
     addVisibility(app, options.device);
@@ -236,6 +244,7 @@ void addWindow(CLI::App& app, ViewOptions& options) {
     addCamera(app, first);
     addSize(app, "1280x800", first.size);
     addShading(app, first);
+    addDebug(app, first);
     value(app, "--stats", "FILE", "none", "What the window drew, as JSON, when it is closed",
           [&](const std::string& text) { first.stats = path(text); });
     addDeviceName(app, first.device);
@@ -282,9 +291,18 @@ bool takeInput(RenderOptions& options) {
     return !options.input.path.empty();
 }
 
+void checkDebug(const RenderOptions& options) {
+    const std::string view = debugViewNames()[static_cast<std::size_t>(options.debug)];
+    if (needsOcclusion(options.debug) && options.occlusion.directions == 0)
+        throw UsageError("--debug " + view + " shows nothing with --occlusion off");
+    if (options.debug != DebugView::none && options.supersample > 1)
+        throw UsageError("--debug " + view + " takes one sample a pixel: leave out --supersample");
+}
+
 /// What no option alone can tell.
 void checkRender(RenderOptions& options) {
     if (!takeInput(options)) throw UsageError("INPUT is required");
+    checkDebug(options);
     try {
         checkSamples(options.size, options.supersample);
     } catch (const std::invalid_argument& error) {
@@ -324,6 +342,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     addCamera(render, line.render);
     addShading(render, line.render);
     addPixels(render, line.render);
+    addDebug(render, line.render);
     addDevice(render, line.render);
 
 #ifdef NACRE_DESKTOP
@@ -371,6 +390,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
         line.command = Command::render;
 #ifdef NACRE_DESKTOP
     } else if (view.parsed()) {
+        checkDebug(line.view.first);
         line.view.restore = !takeInput(line.view.first);
         line.command = Command::view;
 #endif

@@ -27,6 +27,10 @@ struct InputOptions {
 struct OcclusionSettings {
     int directions = 128;                   ///< 0 = off
     std::optional<std::int64_t> megabytes;  ///< of 2^20 bytes; RenderSettings has the default
+
+    std::uint64_t bytes() const {
+        return megabytes ? static_cast<std::uint64_t>(*megabytes) << 20 : RenderSettings{}.occlusionBytes;
+    }
 };
 
 struct RenderOptions {
@@ -40,6 +44,7 @@ struct RenderOptions {
     bool lighting = true;
     OcclusionSettings occlusion;
     bool prepass = true, merge = true;
+    DebugView debug = DebugView::none;
     DeviceOptions device;
     std::string output, layers, stats;  ///< paths; the last two may be empty
     InputOptions savedInput;            ///< of the saved view; `input` once the command line is read, if that has none

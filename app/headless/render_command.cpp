@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/cache_folder.h"
 #include "app/headless/commands.h"
 #include "app/headless/image_file.h"
 #include "app/headless/input.h"
@@ -42,12 +41,11 @@ RenderSettings settingsOf(const RenderOptions& options, const Representation& sc
     settings.background = options.background;
     settings.lighting = options.lighting;
     settings.occlusionDirections = options.occlusion.directions;
-    if (options.occlusion.megabytes)
-        settings.occlusionBytes = static_cast<std::uint64_t>(*options.occlusion.megabytes) << 20;
+    settings.occlusionBytes = options.occlusion.bytes();
     if (!options.prepass) settings.plates = PlateShape::none;
     settings.merge = options.merge;
-    const std::string cache = cacheFolder(options.input.cache);
-    if (!cache.empty()) settings.occlusionCache = cache + "/occlusion";
+    settings.debug = options.debug;
+    settings.occlusionCache = occlusionCacheFolder(options.input);
     return settings;
 }
 
@@ -71,6 +69,7 @@ void sayOcclusion(const OcclusionStats& occlusion, const RenderSettings& setting
 /// Draws the picture once more, by shaders that count.
 std::vector<PassCount> countFragments(Renderer& renderer, RenderSettings settings) {
     settings.countFragments = true;
+    settings.debug = DebugView::none;
     renderer.render(settings);
     return renderer.stats().passes;
 }

@@ -37,6 +37,7 @@ constexpr Binding kBindings[] = {
     {C::perspective, key(U'v'), "V", "Perspective or parallel"},
     {C::lighting, key(U'l'), "L", "Light on or off"},
     {C::occlusion, key(U'o'), "O", "Ambient occlusion on or off"},
+    {C::nextDebugView, key(U'd'), "D", "What the frame works with: next debug view"},
     {C::clearPicks, key(SpecialKey::escape), "Esc", "Forget the picked atoms"},
     {C::savePicture, key(U's'), "S", "Save the picture as PNG"},
     {C::saveView, {U's', {true, false}}, "Shift S", "Save the view, for nacre render --view"},

@@ -36,6 +36,7 @@ enum class ViewerCommand {
     perspective,
     lighting,
     occlusion,
+    nextDebugView,
     clearPicks,
     savePicture,
     saveView,

@@ -25,9 +25,7 @@ std::string textOf(const Json& value) {
     throw std::invalid_argument("expected a text or a number");
 }
 
-bool isOn(const Json& value, std::string_view on, std::string_view off) {
-    return parseChoice(textOf(value), {on, off}) == 0;
-}
+bool isOn(const Json& value, const char* on, const char* off) { return parseChoice(textOf(value), {on, off}) == 0; }
 
 template <std::size_t count>
 std::array<double, count> numbersOf(const Json& value) {

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <glm/trigonometric.hpp>
 #include <limits>
 
 #include "app/headless/option_values.h"
 #include "app/viewer/measurement.h"
-#include "app/viewer/presets.h"
 
 namespace nacre::app {
 namespace {
@@ -16,17 +14,10 @@ namespace {
 constexpr double kHandSeconds = 0.1;  // a hand that rests this long no longer moves the picture
 constexpr double kFingerPoints = 12;  // what a pick may miss by
 constexpr double kMessageSeconds = 4;
-constexpr double kKeyDegrees = 5, kKeyPoints = 20, kKeyZoom = 1.15;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 std::string nameOf(const std::string& input) {
     return input.starts_with("sample:") ? input : std::filesystem::path(input).filename().string();
-}
-
-/// The choice after `current`, the first if that is none of them.
-std::string nextOf(std::span<const char* const> choices, const std::string& current) {
-    const auto at = std::find(choices.begin(), choices.end(), current);
-    return at == choices.end() || at + 1 == choices.end() ? choices[0] : at[1];
 }
 
 }  // namespace
@@ -153,6 +144,11 @@ void Viewer::say(const std::string& message, double now) {
     schedule_.overlayChanged();
 }
 
+void Viewer::setDebugView(DebugView view, double now) {
+    debug_ = view;
+    changed(now);
+}
+
 void Viewer::setLook(const SavedView& look, double now) {
     const SavedView before = view();
     view_ = look;
@@ -163,107 +159,6 @@ void Viewer::setLook(const SavedView& look, double now) {
                        look.drawn.water != before.drawn.water || look.drawn.hydrogens != before.drawn.hydrogens;
     if (scene && document_.molecule) loader_.build(view(), document_.molecule);
     if (look.occlusionDirections != before.occlusionDirections) occlusion_ = look.occlusionDirections ? 0 : 1;
-}
-
-void Viewer::run(ViewerCommand command, double now) {
-    using C = ViewerCommand;
-    const Viewport v = viewport();
-    const glm::dvec2 middle(v.width / 2, v.height / 2);
-    SavedView look = view();
-    const auto rotate = [&](double x, double y) {
-        motion_.touch();
-        motion_.rotate({x * kKeyDegrees, y * kKeyDegrees}, now);
-        changed(now);
-    };
-    const auto pan = [&](double x, double y) {
-        motion_.pan({x * kKeyPoints, y * kKeyPoints}, radius(), v);
-        changed(now);
-    };
-    switch (command) {
-        case C::rotateLeft:
-            return rotate(-1, 0);
-        case C::rotateRight:
-            return rotate(1, 0);
-        case C::rotateUp:
-            return rotate(0, -1);
-        case C::rotateDown:
-            return rotate(0, 1);
-        case C::panLeft:
-            return pan(-1, 0);
-        case C::panRight:
-            return pan(1, 0);
-        case C::panUp:
-            return pan(0, -1);
-        case C::panDown:
-            return pan(0, 1);
-        case C::zoomIn:
-        case C::zoomOut:
-            motion_.zoom(command == C::zoomIn ? kKeyZoom : 1 / kKeyZoom, middle, radius(), v);
-            return changed(now);
-        case C::rollLeft:
-        case C::rollRight:
-            motion_.roll(glm::radians(command == C::rollRight ? kKeyDegrees : -kKeyDegrees));
-            return changed(now);
-        case C::fit:
-            return motion_.fit(now);
-        case C::reset:
-            return motion_.reset(now);
-        case C::autoRotate: {
-            const bool on = !motion_.autoRotation();
-            motion_.touch();
-            return motion_.setAutoRotation(on);
-        }
-        case C::spacefill:
-            look.style = "spacefill";
-            break;
-        case C::ballAndStick:
-            look.style = "ball-and-stick";
-            break;
-        case C::licorice:
-            look.style = "licorice";
-            break;
-        case C::nextColor:
-            look.color = nextOf(colorChoices(), look.color);
-            say("colours: " + look.color, now);
-            break;
-        case C::nextPreset:
-            preset_ = (preset_ + 1) % presets().size();
-            applyPreset(presets()[preset_], look);
-            say(presets()[preset_].name, now);
-            break;
-        case C::nextBackground:
-            look.background = nextOf(backgroundChoices(), look.background);
-            break;
-        case C::water:
-            look.drawn.water = !look.drawn.water;
-            say(look.drawn.water ? "water shown" : "water hidden", now);
-            break;
-        case C::hydrogens:
-            look.drawn.hydrogens = !look.drawn.hydrogens;
-            say(look.drawn.hydrogens ? "hydrogens shown" : "hydrogens hidden", now);
-            break;
-        case C::perspective:
-            look.camera.projection =
-                look.camera.projection == Projection::orthographic ? Projection::perspective : Projection::orthographic;
-            break;
-        case C::lighting:
-            look.lighting = !look.lighting;
-            break;
-        case C::occlusion:
-            look.occlusionDirections = look.occlusionDirections ? 0 : SavedView{}.occlusionDirections;
-            break;
-        case C::clearPicks:
-            picks_.clear();
-            message_.clear();
-            return schedule_.overlayChanged();
-        case C::savePicture:
-        case C::saveView:
-        case C::panel:
-        case C::help:
-        case C::quit:
-            return;  // the shell's
-    }
-    setLook(look, now);
 }
 
 // --- state
@@ -282,6 +177,9 @@ RenderSettings Viewer::settings() const {
     s.background = parseColor(view_.background);
     s.lighting = view_.lighting;
     s.occlusionDirections = view_.occlusionDirections;
+    s.occlusionBytes = options_.occlusionBytes;
+    s.occlusionCache = options_.occlusionCache;
+    s.debug = debug_;
     return s;
 }
 
@@ -351,7 +249,7 @@ double Viewer::advance(double now) {
 }
 
 std::uint32_t Viewer::refinedSamples() const {
-    std::uint32_t n = options_.mostSamples;
+    std::uint32_t n = debug_ == DebugView::none ? options_.mostSamples : 1;  // numbers have no mean
     while (n > 1 && std::uint64_t{size_.width} * size_.height * n * n > options_.refinedPixels) --n;
     return n;
 }

@@ -31,6 +31,8 @@ struct ViewerOptions {
     double movingMilliseconds = 4;             ///< of occlusion a frame while something moves
     double restingMilliseconds = 50;           ///< at least, while nothing does
     std::uint64_t refinedPixels = 1ull << 24;  ///< samples of a refinement at most
+    std::uint64_t occlusionBytes = RenderSettings{}.occlusionBytes;
+    std::string occlusionCache;  ///< folder of finished bakes; empty: none are kept
 };
 
 class Viewer {
@@ -67,6 +69,8 @@ public:
     /// Picked atoms, from 0, in their order.
     const std::vector<std::uint32_t>& picks() const { return picks_; }
     bool autoRotating() const { return motion_.autoRotation(); }
+    DebugView debugView() const { return debug_; }
+    void setDebugView(DebugView view, double now);
     void say(const std::string& message, double now);
     /// The picture as it is seen, for a file. Only if document().
     RenderSettings settings() const;
@@ -104,6 +108,7 @@ private:
     double occlusion_ = 1, lastOcclusion_ = 0, lastBudget_ = 0;
     double handMoved_ = -1e9;
     std::vector<std::uint32_t> picks_, picksBefore_;  // atoms, from 0
+    DebugView debug_ = DebugView::none;
     std::string message_;
     double messageUntil_ = 0;
     std::size_t preset_ = 0;

@@ -28,6 +28,7 @@ enum class DepthUse { none, test, write };
 enum class Blend {
     replace,
     minimum,
+    add,
     over,  ///< straight alpha, over an opaque picture
 };
 

@@ -36,7 +36,7 @@ bool reads(const ShaderKey& key) { return shades(key.writes) || keepsDepth(key.w
 
 bool writesDepth(const ShaderKey& key) {
     if (shades(key.writes)) return key.nearest == Nearest::fragdepth || key.settle;
-    return key.writes != Writes::encoded;
+    return key.writes != Writes::encoded && key.writes != Writes::overdraw;
 }
 
 }  // namespace
@@ -94,7 +94,9 @@ vk::Pipeline Geometry::pipeline(graph::PassContext& context, const ShaderKey& ke
     d.depth = key.primitive == Primitive::screen ? gpu::DepthUse::none
               : writesDepth(key)                 ? gpu::DepthUse::write
                                                  : gpu::DepthUse::test;
-    d.blend = key.writes == Writes::encoded && !d.ordered ? gpu::Blend::minimum : gpu::Blend::replace;
+    d.blend = key.writes == Writes::overdraw                ? gpu::Blend::add
+              : key.writes == Writes::encoded && !d.ordered ? gpu::Blend::minimum
+                                                            : gpu::Blend::replace;
     return *pipelines_.emplace(at, gpu::makePipeline(device_, d)).first->second;
 }
 

@@ -36,6 +36,8 @@ Words fragmentShader(const ShaderKey& key) {
             return NACRE_PRIMITIVE(nearest, );
         case Writes::number:
             return NACRE_PRIMITIVE(identify, );
+        case Writes::overdraw:
+            return NACRE_PRIMITIVE(overdraw, );
         case Writes::color:
             return colorShader(key);
         case Writes::surface:
@@ -66,6 +68,8 @@ const char* nameOf(Writes writes) {
             return "nearest depth";
         case Writes::number:
             return "nearest primitive";
+        case Writes::overdraw:
+            return "overdraw";
         case Writes::color:
             return "impostor colour";
         case Writes::surface:

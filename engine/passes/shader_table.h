@@ -10,10 +10,11 @@ enum class Primitive : std::uint8_t { sphere, cylinder, screen };
 
 /// What a pass writes.
 enum class Writes : std::uint8_t {
-    plates,   ///< depth of opaque plates
-    encoded,  ///< encoded depth, MIN blend
-    depth,    ///< nearest depth alone
-    number,   ///< nearest primitive's number, and its depth
+    plates,    ///< depth of opaque plates
+    encoded,   ///< encoded depth, MIN blend
+    depth,     ///< nearest depth alone
+    number,    ///< nearest primitive's number, and its depth
+    overdraw,  ///< how many fragments pass the depth test, 1/255 each, added up
     color,
     surface,   ///< normal and Z
     identity,  ///< atom and occlusion

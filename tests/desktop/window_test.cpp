@@ -100,6 +100,22 @@ TEST(Window, ShowsWhatRenderDrawsAndThenRests) {
     EXPECT_EQ(session.stats()["occlusion"], 1.0);
 }
 
+TEST(Window, KeepsOcclusionForTheNextTime) {
+    const std::string molecule = "sample:dna --size 300x300 --occlusion 256 --occlusion-memory 2";
+    TemporaryFolder cache;
+    std::vector<nlohmann::json> stats;
+    for (int i = 0; i < 2; ++i) {
+        XSession session(molecule + " --cache '" + (cache / "kept") + "'");
+        session.settle();
+        EXPECT_EQ(session.quit(), 0) << session.errors();
+        EXPECT_EQ(session.stats()["occlusion"], 1.0);
+        EXPECT_LE(session.stats()["occlusion_bytes"].get<int>(), 2 << 20);
+        stats.push_back(session.stats());
+    }
+    EXPECT_FALSE(stats[0]["occlusion_cached"].get<bool>());
+    EXPECT_TRUE(stats[1]["occlusion_cached"].get<bool>());
+}
+
 TEST(Window, DragRotatesWheelZooms) {
     XSession session("sample:dna --size 500x600");
     session.type("m");

@@ -78,6 +78,12 @@ TEST(WindowFrames, EveryKindOfFrameByEveryPathIsValid) {
                 ++shown;
             }
         }
+        for (std::size_t view = 1; path == Visibility::encoded && view < debugViewNames().size(); ++view) {
+            s.debug = static_cast<DebugView>(view);
+            ASSERT_EQ(renderer.present(s, {Quality::live, 0.5, 1, &overlay}), FrameOutcome::shown);
+            ++shown;
+        }
+        s.debug = DebugView::none;
         EXPECT_EQ(renderer.stats().windowFrames, shown);
         // The window goes and comes back, as on a phone.
         const int before = surfaces;

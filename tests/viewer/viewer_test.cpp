@@ -310,6 +310,28 @@ TEST(Viewer, ADeviceThatIsLostIsToldAndItsSceneSetAgain) {
     EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
 }
 
+TEST(Viewer, BakesWithinTheMemoryAndIntoTheCacheThatItWasGiven) {
+    CountingScreen screen;
+    ViewerOptions options;
+    options.occlusionBytes = 3 << 20;
+    options.occlusionCache = "kept here";
+    const Viewer viewer(screen, sources(), Bench::viewOf("sample:glucose"), options);
+    EXPECT_EQ(viewer.settings().occlusionBytes, 3u << 20);
+    EXPECT_EQ(viewer.settings().occlusionCache, "kept here");
+}
+
+TEST(Viewer, DebugViewsComeOneAfterTheOtherAndAreNotAveraged) {
+    Bench b;
+    b.run(2);
+    for (std::size_t i = 1; i <= debugViewNames().size(); ++i) {
+        b.viewer.run(ViewerCommand::nextDebugView, b.now);
+        const auto wanted = static_cast<DebugView>(i % debugViewNames().size());
+        b.run(2);
+        EXPECT_EQ(b.screen.settings.back().debug, wanted);
+        EXPECT_EQ(b.screen.frames.back().samples == 1, wanted != DebugView::none);
+    }
+}
+
 TEST(Viewer, LowMemoryEndsSupersampling) {
     Bench b;
     b.viewer.lowMemory();

@@ -1,0 +1,129 @@
+// What the viewer does at a command.
+
+#include <algorithm>
+#include <glm/trigonometric.hpp>
+
+#include "app/headless/option_values.h"
+#include "app/viewer/presets.h"
+#include "app/viewer/viewer.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr double kKeyDegrees = 5, kKeyPoints = 20, kKeyZoom = 1.15;
+
+/// The choice after `current`, the first if that is none of them.
+std::string nextOf(std::span<const char* const> choices, const std::string& current) {
+    const auto at = std::find(choices.begin(), choices.end(), current);
+    return at == choices.end() || at + 1 == choices.end() ? choices[0] : at[1];
+}
+
+}  // namespace
+
+void Viewer::run(ViewerCommand command, double now) {
+    using C = ViewerCommand;
+    const Viewport v = viewport();
+    const glm::dvec2 middle(v.width / 2, v.height / 2);
+    SavedView look = view();
+    const auto rotate = [&](double x, double y) {
+        motion_.touch();
+        motion_.rotate({x * kKeyDegrees, y * kKeyDegrees}, now);
+        changed(now);
+    };
+    const auto pan = [&](double x, double y) {
+        motion_.pan({x * kKeyPoints, y * kKeyPoints}, radius(), v);
+        changed(now);
+    };
+    switch (command) {
+        case C::rotateLeft:
+            return rotate(-1, 0);
+        case C::rotateRight:
+            return rotate(1, 0);
+        case C::rotateUp:
+            return rotate(0, -1);
+        case C::rotateDown:
+            return rotate(0, 1);
+        case C::panLeft:
+            return pan(-1, 0);
+        case C::panRight:
+            return pan(1, 0);
+        case C::panUp:
+            return pan(0, -1);
+        case C::panDown:
+            return pan(0, 1);
+        case C::zoomIn:
+        case C::zoomOut:
+            motion_.zoom(command == C::zoomIn ? kKeyZoom : 1 / kKeyZoom, middle, radius(), v);
+            return changed(now);
+        case C::rollLeft:
+        case C::rollRight:
+            motion_.roll(glm::radians(command == C::rollRight ? kKeyDegrees : -kKeyDegrees));
+            return changed(now);
+        case C::fit:
+            return motion_.fit(now);
+        case C::reset:
+            return motion_.reset(now);
+        case C::autoRotate: {
+            const bool on = !motion_.autoRotation();
+            motion_.touch();
+            return motion_.setAutoRotation(on);
+        }
+        case C::spacefill:
+            look.style = "spacefill";
+            break;
+        case C::ballAndStick:
+            look.style = "ball-and-stick";
+            break;
+        case C::licorice:
+            look.style = "licorice";
+            break;
+        case C::nextColor:
+            look.color = nextOf(colorChoices(), look.color);
+            say("colours: " + look.color, now);
+            break;
+        case C::nextPreset:
+            preset_ = (preset_ + 1) % presets().size();
+            applyPreset(presets()[preset_], look);
+            say(presets()[preset_].name, now);
+            break;
+        case C::nextBackground:
+            look.background = nextOf(backgroundChoices(), look.background);
+            break;
+        case C::water:
+            look.drawn.water = !look.drawn.water;
+            say(look.drawn.water ? "water shown" : "water hidden", now);
+            break;
+        case C::hydrogens:
+            look.drawn.hydrogens = !look.drawn.hydrogens;
+            say(look.drawn.hydrogens ? "hydrogens shown" : "hydrogens hidden", now);
+            break;
+        case C::perspective:
+            look.camera.projection =
+                look.camera.projection == Projection::orthographic ? Projection::perspective : Projection::orthographic;
+            break;
+        case C::lighting:
+            look.lighting = !look.lighting;
+            break;
+        case C::occlusion:
+            look.occlusionDirections = look.occlusionDirections ? 0 : SavedView{}.occlusionDirections;
+            break;
+        case C::nextDebugView: {
+            const auto next = (static_cast<std::size_t>(debug_) + 1) % debugViewNames().size();
+            setDebugView(static_cast<DebugView>(next), now);
+            return say(std::string("debug view: ") + debugViewNames()[next], now);
+        }
+        case C::clearPicks:
+            picks_.clear();
+            message_.clear();
+            return schedule_.overlayChanged();
+        case C::savePicture:
+        case C::saveView:
+        case C::panel:
+        case C::help:
+        case C::quit:
+            return;  // the shell's
+    }
+    setLook(look, now);
+}
+
+}  // namespace nacre::app

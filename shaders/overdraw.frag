@@ -1,0 +1,21 @@
+#version 450
+// One more fragment in a pixel that blending adds up: those that pass the early depth test, inside the outline or not.
+#extension GL_GOOGLE_include_directive : require
+#include "common/count.glsl"
+
+layout(early_fragment_tests) in;
+#ifdef CYLINDER
+layout(location = 0) flat in vec4 endA;
+layout(location = 1) flat in vec4 endB;
+float radius() { return max(endA.w, endB.w); }
+#else
+layout(location = 0) flat in vec4 sphere;
+float radius() { return sphere.w; }
+#endif
+layout(location = 0) out vec4 count;
+
+void main() {
+    countFragment();
+    // The record is looked at since the vertex stage hands it over; no primitive is without a radius.
+    count = vec4(radius() > 0.0 ? 1.0 / 255.0 : 0.0);
+}
