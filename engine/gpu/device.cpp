@@ -5,6 +5,7 @@
 #include "engine/error.h"
 #include "engine/gpu/instance.h"
 #include "engine/gpu/pipeline_cache.h"
+#include "engine/gpu/requirements.h"
 
 namespace nacre::gpu {
 namespace {
@@ -15,15 +16,8 @@ std::vector<const char*> deviceExtensions(const vk::raii::PhysicalDevice& physic
         return std::any_of(available.begin(), available.end(),
                            [&](const auto& e) { return name == e.extensionName.data(); });
     };
-    std::vector<const char*> wanted;
-    std::vector<const char*> required{VK_KHR_CREATE_RENDERPASS_2_EXTENSION_NAME};
-    if (window) required.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
-    for (const char* name : required)
-        if (has(name))
-            wanted.push_back(name);
-        else
-            throw Error("unsuitable device", physical.getProperties().deviceName.data(),
-                        std::string(name) + " is missing");
+    std::vector<const char*> wanted(requiredExtensions().begin(), requiredExtensions().end());
+    if (window) wanted.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     for (const char* name :
          {"VK_KHR_portability_subset", VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME,
           VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME, VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME})
@@ -58,8 +52,7 @@ void Device::createInstance(const DeviceOptions& options) {
 }
 
 void Device::createDevice(const DeviceOptions& options) {
-    if (physical_.getProperties().apiVersion < VK_API_VERSION_1_1)
-        throw Error("unsuitable device", physical_.getProperties().deviceName.data(), "Vulkan 1.1 is the floor");
+    checkRequirements(physical_, static_cast<bool>(options.surface.create));
     queueFamily_ = graphicsAndCompute(physical_);
     const float priority = 1.0f;
     const vk::DeviceQueueCreateInfo queue({}, queueFamily_, 1, &priority);

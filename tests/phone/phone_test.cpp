@@ -1,0 +1,129 @@
+// Everything that the renderer does, on the least phone and on the least iPhone (tests/phone_layer), under validation:
+// a message is a limit, a format or a feature that they lack.
+
+#include <cstdlib>
+
+#include "engine/error.h"
+#include "engine/gpu/pipeline.h"
+#include "tests/renderer/scenes.h"
+
+namespace nacre::test {
+namespace {
+
+bool onMoltenVk() { return std::string_view(std::getenv("NACRE_PHONE")) == "moltenvk"; }
+
+constexpr Visibility kPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::deferred};
+
+TEST(Phone, IsTakenForWhatItSaysItIs) {
+    ValidatedRenderer renderer(Visibility::automatic);
+    const DeviceInfo& device = renderer->stats().device;
+    EXPECT_EQ(device.name, onMoltenVk() ? "the least iPhone" : "the least phone");
+    EXPECT_EQ(device.type, "integrated");
+    EXPECT_EQ(device.apiVersion, "1.1.106");
+    EXPECT_EQ(device.visibility, onMoltenVk() ? "fragdepth" : "encoded");
+    EXPECT_EQ(device.encodedFormat, onMoltenVk() ? "R32F" : "RGBA16F");
+    EXPECT_TRUE(device.lazyMemory);
+    EXPECT_EQ(renderer->maxSize(), 4096u);
+}
+
+TEST(Phone, WhatIsTooMuchForItIsTold) {
+    // Without this, silence in the other tests would prove nothing.
+    DeviceOptions options;
+    options.validate = true;
+    Renderer renderer(options);
+    const Representation r = scene("sample:glucose", Style::spacefill);
+    renderer.setScene(r);
+    EXPECT_THROW(renderer.render(settings(r, 4097, Projection::orthographic)), Error);
+    EXPECT_THROW(Renderer(DeviceOptions{true, "", Visibility::rasterOrder}), Error);
+    if (!onMoltenVk()) {
+        EXPECT_THROW(Renderer(DeviceOptions{true, "", Visibility::encoded, EncodedDepth::r32f}), Error);
+    }
+    EXPECT_TRUE(renderer.validationMessages().empty());
+}
+
+TEST(Phone, TheValidationLayerKnowsItsLimits) {
+    // And without this.
+    DeviceOptions options;
+    options.validate = true;
+    const gpu::Device device(options);
+    gpu::makeLayout(device, {}, vk::ShaderStageFlagBits::eVertex, 132, "more than 128 bytes");
+    ASSERT_EQ(device.validationMessages().size(), 1u);
+    EXPECT_NE(device.validationMessages()[0].find("VUID-VkPushConstantRange-size-00298"), std::string::npos);
+}
+
+TEST(Phone, DrawsEveryPathAndStyleAlike) {
+    for (const Style style : {Style::spacefill, Style::ballAndStick})
+        for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+            const Representation r = scene("sample:glucose", style);
+            std::vector<std::uint32_t> ids;
+            for (const Visibility path : kPaths) {
+                ValidatedRenderer renderer(path);
+                renderer->setScene(r);
+                RenderSettings s = settings(r, 96, projection);
+                s.occlusionDirections = 4;
+                s.supersample = 2;
+                renderer->render(s);
+                const LayerPicture layers = renderer->layers(s);
+                if (ids.empty()) ids = layers.id;
+                EXPECT_EQ(layers.id, ids);
+                EXPECT_EQ(renderer->atomAt(s, 48.5, 48.5, 0), ids[48 * 96 + 48]);
+                // Nothing leaves the tile and comes back, on the path that the phone takes.
+                if (!onMoltenVk() || path == Visibility::fragdepth) {
+                    EXPECT_EQ(renderer->stats().loadedBytes, 0u);
+                }
+                s.merge = false;
+                renderer->render(s);
+            }
+        }
+}
+
+TEST(Phone, BakesByEveryKindOfDepthMap) {
+    const Representation r = scene("sample:glucose", Style::ballAndStick);
+    for (const OcclusionMaps maps :
+         {OcclusionMaps::automatic, OcclusionMaps::encoded, OcclusionMaps::fragdepth, OcclusionMaps::splat})
+        for (const int directions : {1, 20}) {
+            ValidatedRenderer renderer(Visibility::automatic);
+            renderer->setScene(r);
+            RenderSettings s = settings(r, 64, Projection::orthographic);
+            s.occlusionDirections = directions;
+            s.occlusionMaps = maps;
+            renderer->render(s);
+            EXPECT_EQ(renderer->stats().occlusion.done, directions);
+        }
+}
+
+TEST(Phone, ShowsEveryDebugViewAndRungOfEncodedDepth) {
+    const Representation r = scene("sample:glucose", Style::spacefill);
+    for (const EncodedDepth rung :
+         {EncodedDepth::rgba16f, EncodedDepth::rg16f, EncodedDepth::a2b10g10r10, EncodedDepth::rgba8}) {
+        Renderer renderer(DeviceOptions{true, "", Visibility::encoded, rung});
+        renderer.setScene(r);
+        RenderSettings s = settings(r, 64, Projection::orthographic);
+        s.occlusionDirections = 2;
+        const std::size_t views = rung == EncodedDepth::rgba16f ? debugViewNames().size() : 1;
+        for (std::size_t view = 0; view < views; ++view) {
+            s.debug = static_cast<DebugView>(view);
+            renderer.render(s);
+        }
+        for (const std::string& message : renderer.validationMessages()) ADD_FAILURE() << message;
+    }
+}
+
+TEST(Phone, DrawsEveryKindOfPlateAndOutline) {
+    Representation r = scene("sample:glucose", Style::ballAndStick);
+    for (const Visibility path : kPaths) {
+        ValidatedRenderer renderer(path);
+        renderer->setScene(r);
+        RenderSettings s = settings(r, 64, Projection::orthographic);
+        for (const PlateShape plates : {PlateShape::none, PlateShape::octagon, PlateShape::dome3})
+            for (const ImpostorShape impostor :
+                 {ImpostorShape::square, ImpostorShape::octagon, ImpostorShape::pyramid}) {
+                s.plates = plates;
+                s.impostor = impostor;
+                EXPECT_GT(renderer->render(s).rgba.size(), 0u);
+            }
+    }
+}
+
+}  // namespace
+}  // namespace nacre::test

@@ -1,0 +1,42 @@
+// The table of what the renderer requires, held against the least phone. No device is asked.
+
+#include "engine/gpu/requirements.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/gpu/encoded_format.h"
+#include "tests/phone_layer/floor.h"
+
+namespace nacre::test {
+namespace {
+
+TEST(Requirements, NoLimitIsAboveThePhones) {
+    for (const gpu::RequiredLimit& required : gpu::requiredLimits()) {
+        const auto floor = std::find_if(std::begin(phone::kLimits), std::end(phone::kLimits),
+                                        [&](const auto& l) { return l.limit == required.limit; });
+        ASSERT_NE(floor, std::end(phone::kLimits)) << required.name;
+        EXPECT_LE(required.least, floor->value) << required.name << ": " << required.why;
+    }
+}
+
+TEST(Requirements, NoFormatDoesMoreThanThePhones) {
+    for (const gpu::RequiredFormat& required : gpu::requiredFormats())
+        EXPECT_EQ(phone::floorFormat(required.format) & required.features, required.features) << required.why;
+}
+
+TEST(Requirements, EveryExtensionIsThere) {
+    EXPECT_LE(gpu::kRequiredVulkan, VK_MAKE_API_VERSION(0, 1, 1, 106));
+    for (const char* name : gpu::requiredExtensions()) EXPECT_TRUE(phone::isFloorExtension(name)) << name;
+    EXPECT_TRUE(phone::isFloorExtension(VK_KHR_SWAPCHAIN_EXTENSION_NAME));
+}
+
+TEST(Requirements, SomeRungOfEncodedDepthBlendsOnEveryPhone) {
+    EXPECT_TRUE(std::any_of(gpu::encodedFormats().begin(), gpu::encodedFormats().end(), [](const auto& rung) {
+        return phone::floorFormat(rung.format) & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
+    }));
+}
+
+}  // namespace
+}  // namespace nacre::test

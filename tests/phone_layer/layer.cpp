@@ -1,0 +1,272 @@
+// A Vulkan layer that makes a software driver report what the least phone does: limits, features, formats, extensions,
+// and a lazily allocated memory type, as tile-based GPUs have. Under the validation layer a program that asks for more
+// is told. The environment variable NACRE_PHONE names the phone: "android" (of Arm's make) or "moltenvk".
+
+#define VK_ENABLE_BETA_EXTENSIONS
+#include <vulkan/vk_layer.h>
+#include <vulkan/vulkan.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+#include "tests/phone_layer/floor.h"
+
+namespace nacre::phone {
+namespace {
+
+constexpr const char* kPortability = VK_KHR_PORTABILITY_SUBSET_EXTENSION_NAME;
+
+VkInstance instance = VK_NULL_HANDLE;
+VkDevice device = VK_NULL_HANDLE;
+PFN_vkGetInstanceProcAddr nextInstanceCall = nullptr;
+PFN_vkGetDeviceProcAddr nextDeviceCall = nullptr;
+std::uint32_t lazyType = 0;  // index of the memory type that is added; 0: none is
+
+bool molten() {
+    const char* phone = std::getenv("NACRE_PHONE");
+    return phone && std::string_view(phone) == "moltenvk";
+}
+
+// What lies below. Looked up in time: later the loader would give this layer's own.
+#define NACRE_BELOW(X)                    \
+    X(DestroyInstance)                    \
+    X(EnumerateDeviceExtensionProperties) \
+    X(GetPhysicalDeviceProperties)        \
+    X(GetPhysicalDeviceProperties2)       \
+    X(GetPhysicalDeviceFeatures)          \
+    X(GetPhysicalDeviceFeatures2)         \
+    X(GetPhysicalDeviceFormatProperties)  \
+    X(GetPhysicalDeviceFormatProperties2) \
+    X(GetPhysicalDeviceMemoryProperties)  \
+    X(GetPhysicalDeviceMemoryProperties2)
+#define NACRE_DEVICE_BELOW(X)     \
+    X(AllocateMemory)             \
+    X(GetImageMemoryRequirements) \
+    X(GetImageMemoryRequirements2)
+#define NACRE_DECLARE(name) PFN_vk##name next##name = nullptr;
+NACRE_BELOW(NACRE_DECLARE)
+NACRE_DEVICE_BELOW(NACRE_DECLARE)
+
+/// The loader's link in a chain of creation structures.
+template <typename Link>
+Link* linkIn(const void* chain, VkStructureType type) {
+    auto* info = static_cast<Link*>(const_cast<void*>(chain));
+    while (info && !(info->sType == type && info->function == VK_LAYER_LINK_INFO))
+        info = static_cast<Link*>(const_cast<void*>(info->pNext));
+    return info;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL CreateInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
+                                              VkInstance* made) {
+    auto* link = linkIn<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
+    nextInstanceCall = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
+    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    const auto create = reinterpret_cast<PFN_vkCreateInstance>(nextInstanceCall(nullptr, "vkCreateInstance"));
+    const VkResult result = create(info, allocator, made);
+    if (result != VK_SUCCESS) return result;
+    instance = *made;
+#define NACRE_FIND(name) next##name = reinterpret_cast<PFN_vk##name>(nextInstanceCall(instance, "vk" #name));
+    NACRE_BELOW(NACRE_FIND)
+    return result;
+}
+
+VKAPI_ATTR void VKAPI_CALL DestroyInstance(VkInstance of, const VkAllocationCallbacks* allocator) {
+    nextDestroyInstance(of, allocator);
+    instance = VK_NULL_HANDLE;
+}
+
+// --- what the device says of itself
+
+VkPhysicalDeviceProperties seen(VkPhysicalDeviceProperties p) {
+    p.apiVersion = VK_MAKE_API_VERSION(0, 1, 1, 106);
+    p.deviceType = VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU;
+    p.vendorID = molten() ? 0x106b : 0x13b5;
+    std::strncpy(p.deviceName, molten() ? "the least iPhone" : "the least phone", sizeof(p.deviceName) - 1);
+    applyFloor(p.limits);
+    return p;
+}
+
+VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceProperties(VkPhysicalDevice of, VkPhysicalDeviceProperties* p) {
+    nextGetPhysicalDeviceProperties(of, p);
+    *p = seen(*p);
+}
+
+VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceProperties2(VkPhysicalDevice of, VkPhysicalDeviceProperties2* p) {
+    nextGetPhysicalDeviceProperties2(of, p);
+    p->properties = seen(p->properties);
+    for (auto* s = static_cast<VkBaseOutStructure*>(p->pNext); s; s = s->pNext)
+        if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PORTABILITY_SUBSET_PROPERTIES_KHR)
+            reinterpret_cast<VkPhysicalDevicePortabilitySubsetPropertiesKHR*>(s)->minVertexInputBindingStrideAlignment =
+                4;
+}
+
+VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceFeatures(VkPhysicalDevice of, VkPhysicalDeviceFeatures* f) {
+    nextGetPhysicalDeviceFeatures(of, f);
+    *f = floorFeatures(*f);
+}
+
+void portability(VkPhysicalDevicePortabilitySubsetFeaturesKHR& f) {
+    void* next = f.pNext;
+    f = VkPhysicalDevicePortabilitySubsetFeaturesKHR{};
+    f.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PORTABILITY_SUBSET_FEATURES_KHR;
+    f.pNext = next;
+    f.constantAlphaColorBlendFactors = f.events = f.imageViewFormatReinterpretation = true;
+    f.mutableComparisonSamplers = f.separateStencilMaskRef = f.vertexAttributeAccessBeyondStride = true;
+}
+
+VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceFeatures2(VkPhysicalDevice of, VkPhysicalDeviceFeatures2* f) {
+    nextGetPhysicalDeviceFeatures2(of, f);
+    f->features = floorFeatures(f->features);
+    for (auto* s = static_cast<VkBaseOutStructure*>(f->pNext); s; s = s->pNext)
+        if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PORTABILITY_SUBSET_FEATURES_KHR)
+            portability(*reinterpret_cast<VkPhysicalDevicePortabilitySubsetFeaturesKHR*>(s));
+}
+
+VkFormatProperties seen(VkFormat format, VkFormatProperties p) {
+    p.optimalTilingFeatures &= floorFormat(format);
+    if (molten() && format == VK_FORMAT_R32_SFLOAT)  // Metal blends it
+        p.optimalTilingFeatures |= VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
+    p.linearTilingFeatures &= VK_FORMAT_FEATURE_TRANSFER_SRC_BIT | VK_FORMAT_FEATURE_TRANSFER_DST_BIT;
+    return p;
+}
+
+VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceFormatProperties(VkPhysicalDevice of, VkFormat format,
+                                                             VkFormatProperties* p) {
+    nextGetPhysicalDeviceFormatProperties(of, format, p);
+    *p = seen(format, *p);
+}
+
+VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceFormatProperties2(VkPhysicalDevice of, VkFormat format,
+                                                              VkFormatProperties2* p) {
+    nextGetPhysicalDeviceFormatProperties2(of, format, p);
+    p->formatProperties = seen(format, p->formatProperties);
+    for (auto* s = static_cast<VkBaseOutStructure*>(p->pNext); s; s = s->pNext)
+        if (s->sType == VK_STRUCTURE_TYPE_FORMAT_PROPERTIES_3) {
+            auto& three = *reinterpret_cast<VkFormatProperties3*>(s);
+            three.optimalTilingFeatures = p->formatProperties.optimalTilingFeatures;
+            three.linearTilingFeatures = p->formatProperties.linearTilingFeatures;
+        }
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL EnumerateDeviceExtensionProperties(VkPhysicalDevice of, const char* layer,
+                                                                  std::uint32_t* count, VkExtensionProperties* list) {
+    if (layer) return nextEnumerateDeviceExtensionProperties(of, layer, count, list);
+    std::uint32_t all = 0;
+    nextEnumerateDeviceExtensionProperties(of, nullptr, &all, nullptr);
+    std::vector<VkExtensionProperties> kept(all);
+    nextEnumerateDeviceExtensionProperties(of, nullptr, &all, kept.data());
+    std::erase_if(kept, [](const VkExtensionProperties& e) { return !isFloorExtension(e.extensionName); });
+    if (molten()) {
+        VkExtensionProperties subset{};
+        std::strcpy(subset.extensionName, kPortability);
+        subset.specVersion = 1;
+        kept.push_back(subset);
+    }
+    const auto room = list ? *count : 0;
+    *count = static_cast<std::uint32_t>(kept.size());
+    if (!list) return VK_SUCCESS;
+    *count = std::min(room, *count);
+    std::copy_n(kept.begin(), *count, list);
+    return room < kept.size() ? VK_INCOMPLETE : VK_SUCCESS;
+}
+
+// --- lazily allocated memory
+
+void addLazyType(VkPhysicalDeviceMemoryProperties& p) {
+    lazyType = p.memoryTypeCount++;
+    p.memoryTypes[lazyType] = {VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT, 0};
+}
+
+VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceMemoryProperties(VkPhysicalDevice of, VkPhysicalDeviceMemoryProperties* p) {
+    nextGetPhysicalDeviceMemoryProperties(of, p);
+    addLazyType(*p);
+}
+
+VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceMemoryProperties2(VkPhysicalDevice of,
+                                                              VkPhysicalDeviceMemoryProperties2* p) {
+    nextGetPhysicalDeviceMemoryProperties2(of, p);
+    addLazyType(p->memoryProperties);
+}
+
+VKAPI_ATTR void VKAPI_CALL GetImageMemoryRequirements(VkDevice of, VkImage image, VkMemoryRequirements* r) {
+    nextGetImageMemoryRequirements(of, image, r);
+    r->memoryTypeBits |= 1u << lazyType;
+}
+
+VKAPI_ATTR void VKAPI_CALL GetImageMemoryRequirements2(VkDevice of, const VkImageMemoryRequirementsInfo2* info,
+                                                       VkMemoryRequirements2* r) {
+    nextGetImageMemoryRequirements2(of, info, r);
+    r->memoryRequirements.memoryTypeBits |= 1u << lazyType;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL AllocateMemory(VkDevice of, const VkMemoryAllocateInfo* info,
+                                              const VkAllocationCallbacks* allocator, VkDeviceMemory* memory) {
+    VkMemoryAllocateInfo real = *info;
+    if (real.memoryTypeIndex == lazyType) real.memoryTypeIndex = 0;
+    return nextAllocateMemory(of, &real, allocator, memory);
+}
+
+// --- device and loader
+
+VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice of, const VkDeviceCreateInfo* info,
+                                            const VkAllocationCallbacks* allocator, VkDevice* made) {
+    auto* link = linkIn<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
+    const auto instanceCall = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
+    nextDeviceCall = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
+    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    // The driver knows nothing of the portability subset.
+    std::vector<const char*> extensions(info->ppEnabledExtensionNames,
+                                        info->ppEnabledExtensionNames + info->enabledExtensionCount);
+    std::erase_if(extensions, [](const char* name) { return std::string_view(name) == kPortability; });
+    VkDeviceCreateInfo real = *info;
+    real.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+    real.ppEnabledExtensionNames = extensions.data();
+    const auto create = reinterpret_cast<PFN_vkCreateDevice>(instanceCall(instance, "vkCreateDevice"));
+    const VkResult result = create(of, &real, allocator, made);
+    if (result != VK_SUCCESS) return result;
+    device = *made;
+#define NACRE_FIND_DEVICE(name) next##name = reinterpret_cast<PFN_vk##name>(nextDeviceCall(device, "vk" #name));
+    NACRE_DEVICE_BELOW(NACRE_FIND_DEVICE)
+    return result;
+}
+
+PFN_vkVoidFunction deviceCall(std::string_view name) {
+#define NACRE_GIVE(call) \
+    if (name == "vk" #call) return reinterpret_cast<PFN_vkVoidFunction>(call);
+    NACRE_DEVICE_BELOW(NACRE_GIVE)
+    return nullptr;
+}
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL GetDeviceProcAddr(VkDevice of, const char* name) {
+    if (const auto own = deviceCall(name)) return own;
+    if (std::string_view(name) == "vkGetDeviceProcAddr") return reinterpret_cast<PFN_vkVoidFunction>(GetDeviceProcAddr);
+    return nextDeviceCall(of, name);
+}
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL GetInstanceProcAddr(VkInstance of, const char* name) {
+    const std::string_view n(name);
+    if (n == "vkGetInstanceProcAddr") return reinterpret_cast<PFN_vkVoidFunction>(GetInstanceProcAddr);
+    if (n == "vkGetDeviceProcAddr") return reinterpret_cast<PFN_vkVoidFunction>(GetDeviceProcAddr);
+    if (n == "vkCreateInstance") return reinterpret_cast<PFN_vkVoidFunction>(CreateInstance);
+    if (n == "vkCreateDevice") return reinterpret_cast<PFN_vkVoidFunction>(CreateDevice);
+#define NACRE_GIVE_TWICE(call) \
+    if (n == "vk" #call || n == "vk" #call "KHR") return reinterpret_cast<PFN_vkVoidFunction>(call);
+    NACRE_BELOW(NACRE_GIVE_TWICE)
+    if (const auto own = deviceCall(n)) return own;
+    return of ? nextInstanceCall(of, name) : nullptr;
+}
+
+}  // namespace
+}  // namespace nacre::phone
+
+extern "C" __attribute__((visibility("default"))) VKAPI_ATTR VkResult VKAPI_CALL
+vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* version) {
+    version->loaderLayerInterfaceVersion = 2;
+    version->pfnGetInstanceProcAddr = nacre::phone::GetInstanceProcAddr;
+    version->pfnGetDeviceProcAddr = nacre::phone::GetDeviceProcAddr;
+    version->pfnGetPhysicalDeviceProcAddr = nullptr;
+    return VK_SUCCESS;
+}
