@@ -201,12 +201,28 @@ TEST(CommandLine, RenderWritesWholeFilesAndTheStats) {
 }
 
 TEST(CommandLine, TheSameCommandGivesTheSameBytes) {
+    // Again, and with one thread or two, of the driver's and of ours.
     const TemporaryFolder folder;
-    for (const char* name : {"a.png", "b.png", "a.exr", "b.exr"})
-        ASSERT_EQ(nacreIn(folder, std::string("render sample:buckyball --size 64x64 --occlusion 8 -o ") + name).code,
-                  0);
-    EXPECT_EQ(test::contentOf(folder / "a.png"), test::contentOf(folder / "b.png"));
-    EXPECT_EQ(test::contentOf(folder / "a.exr"), test::contentOf(folder / "b.exr"));
+    for (const std::string path : {"encoded", "deferred", "raster-order"})
+        for (const std::string type : {"png", "exr", "tif"}) {
+            if (type != "png" && path != "encoded") continue;
+            std::vector<std::string> pictures, layers;
+            for (const std::string threads : {"", "LP_NUM_THREADS=1 taskset -c 0 ", "LP_NUM_THREADS=2 "}) {
+                const std::string name = "a." + type;
+                const std::string command = "cd '" + folder.path() + "' && " + threads +
+                                            "'" NACRE_PROGRAM
+                                            "' render sample:dna --size 96x64 --occlusion 8 --cache off -o " +
+                                            name + " --layers l.exr --visibility " + path;
+                ASSERT_EQ(std::system(command.c_str()), 0);
+                pictures.push_back(test::contentOf(folder / name));
+                layers.push_back(test::contentOf(folder / "l.exr"));
+            }
+            EXPECT_GT(pictures[0].size(), 1000u);
+            for (int i : {1, 2}) {
+                EXPECT_EQ(pictures[i], pictures[0]) << path << " " << type;
+                EXPECT_EQ(layers[i], layers[0]) << path;
+            }
+        }
 }
 
 TEST(CommandLine, AFailedRunKeepsTheOldPicture) {

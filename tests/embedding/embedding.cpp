@@ -1,0 +1,32 @@
+// Draws a structure file into a picture in memory, and writes that as a PPM: embedding INPUT OUTPUT.ppm
+#include <cmath>
+#include <fstream>
+#include <iostream>
+
+#include "engine/error.h"
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/read.h"
+#include "engine/renderer.h"
+
+int main(int count, char** arguments) try {
+    if (count != 3) throw nacre::Error("wrong usage", arguments[0], "wanted: INPUT OUTPUT.ppm");
+    const nacre::Molecule molecule = nacre::readMoleculeFile(arguments[1]);
+    nacre::Representation scene = nacre::represent(molecule, nacre::drawnAtoms(molecule), {});
+
+    nacre::RenderSettings settings;
+    settings.view = nacre::viewOf(nacre::Camera{}, scene.radius, 400, 300);
+    settings.supersample = 2;
+    settings.background = {0, 0, 0, 1};
+    nacre::Renderer renderer{nacre::DeviceOptions{}};
+    renderer.setScene(std::move(scene));
+    const nacre::Picture picture = renderer.render(settings);
+
+    std::ofstream out(arguments[2], std::ios::binary);
+    out << "P6 " << picture.width << " " << picture.height << " 255\n";
+    for (std::size_t i = 0; i < picture.rgba.size(); ++i)
+        if (i % 4 != 3) out.put(static_cast<char>(255 * std::pow(picture.rgba[i], 1 / 2.2f) + 0.5f));
+    return out.flush() ? 0 : 1;
+} catch (const nacre::Error& error) {
+    std::cerr << error.what() << "\n";
+    return 1;
+}

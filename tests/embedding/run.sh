@@ -1,0 +1,35 @@
+#!/bin/bash
+# Installs a build, builds the example against what was installed and nothing else, and runs it.
+# run.sh BUILD_FOLDER CXX: prints the picture's size and how much of it is covered; fails if any step does.
+set -euo pipefail
+build=$1 compiler=$2
+here=$(dirname -- "$(readlink -f -- "$0")")
+folder=$(mktemp -d)
+trap 'rm -rf -- "$folder"' EXIT
+
+cmake --install "$build" --prefix "$folder/prefix" >"$folder/log"
+cp -- "$here"/CMakeLists.txt "$here"/embedding.cpp "$folder"
+cmake -S "$folder" -B "$folder/build" -G Ninja -D CMAKE_PREFIX_PATH="$folder/prefix" -D CMAKE_CXX_COMPILER="$compiler" \
+    -D CMAKE_BUILD_TYPE=Release >>"$folder/log" || { cat "$folder/log"; exit 1; }
+cmake --build "$folder/build" >>"$folder/log" || { cat "$folder/log"; exit 1; }
+! grep -rqF "$(dirname -- "$(dirname -- "$here")")/engine" "$folder/prefix/lib" --include='*.cmake' ||
+    { echo "the installed CMake files name the source folder"; exit 1; }
+
+printf '3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n' >"$folder/water.xyz"
+"$folder/build/embedding" "$folder/water.xyz" "$folder/water.ppm"
+# The installed program draws the same: as many pixels are not black, but for the edges, which two by two samples widen.
+"$folder/prefix/bin/nacre" render "$folder/water.xyz" -o "$folder/water.png" --size 400x300 --cache off \
+    --stats "$folder/water.json"
+pixels=$(python3 - "$folder/water.ppm" "$folder/water.json" <<'END'
+import json, sys
+data = open(sys.argv[1], "rb").read()[15:]
+assert len(data) == 3 * 400 * 300, len(data)
+pixels = sum(data[i:i + 3] != bytes(3) for i in range(0, len(data), 3))
+covered = json.load(open(sys.argv[2]))["covered_pixels"]
+assert covered > 10000 and covered <= pixels < 1.06 * covered, (pixels, covered)
+print(pixels)
+END
+)
+if "$folder/build/embedding" none.pdb "$folder/none.ppm" 2>"$folder/error"; then exit 1; fi
+grep -q none.pdb "$folder/error"
+echo "400 x 300, $pixels pixels covered"
