@@ -8,6 +8,7 @@
 
 #include "app/headless/commands.h"
 #include "app/headless/options.h"
+#include "app/notices.h"
 #ifdef NACRE_DESKTOP
 #include "app/desktop/view_command.h"
 #endif
@@ -32,6 +33,9 @@ void run(const CommandLine& line, std::ostream& out) {
             break;
         case Command::version:
             versionCommand(out);
+            break;
+        case Command::notices:
+            out << notices();
             break;
         case Command::render:
             renderCommand(line.render);

@@ -333,6 +333,8 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     app.footer(kExamples);
     bool version = false;
     app.add_flag("--version", version, "Commit, Vulkan headers, device and driver");
+    bool notices = false;
+    app.add_flag("--notices", notices, "Licences of Nacre and of the parts that it is made of");
 
     CLI::App& render = *app.add_subcommand("render", "Draw a molecule into a picture file");
     render.footer(kRenderExamples);
@@ -382,9 +384,11 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
         throw UsageError(oneLine(error.what()));
     }
     const std::size_t commands = app.get_subcommands().size();
-    if (commands + (version ? 1 : 0) > 1) throw UsageError("more than one command");
+    if (commands + (version ? 1 : 0) + (notices ? 1 : 0) > 1) throw UsageError("more than one command");
     if (version) {
         line.command = Command::version;
+    } else if (notices) {
+        line.command = Command::notices;
     } else if (render.parsed()) {
         checkRender(line.render);
         line.command = Command::render;

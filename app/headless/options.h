@@ -82,7 +82,7 @@ struct PlanOptions {
     PlanFormat format = PlanFormat::text;
 };
 
-enum class Command { help, version, render, view, info, devices, bench, plan };
+enum class Command { help, version, notices, render, view, info, devices, bench, plan };
 
 struct CommandLine {
     Command command = Command::help;

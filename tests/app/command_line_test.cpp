@@ -150,6 +150,18 @@ TEST(CommandLine, VersionNamesCommitHeadersAndDevice) {
         EXPECT_NE(outcome.out.find(word), std::string::npos) << outcome.out;
 }
 
+TEST(CommandLine, NoticesNameEveryPartAndHoldItsLicence) {
+    const TemporaryFolder folder;
+    const Outcome outcome = nacreIn(folder, "--notices");
+    EXPECT_EQ(outcome.code, 0);
+    // Words of the licences of Nacre, GLM, gemmi, OpenImageIO, curl, GLFW, Dear ImGui and DejaVu.
+    for (const char* words :
+         {"Redistribution and use in source and binary forms", "Christophe Riccio", "Mozilla Public", "OpenImageIO",
+          "Daniel Stenberg", "Camilla", "Omar Cornut", "Bitstream"})
+        EXPECT_NE(outcome.out.find(words), std::string::npos) << words;
+    EXPECT_GT(outcome.out.size(), 50000u);
+}
+
 TEST(CommandLine, DevicesAsJson) {
     const TemporaryFolder folder;
     const auto json = nlohmann::json::parse(nacreIn(folder, "devices --json").out);

@@ -1,0 +1,55 @@
+# The licences of what Nacre's programs are made of, as one text for them to show: nacre_notices(FILE.cpp) writes it as
+# `const char* nacre::app::kNotices`. The texts come from where the packages were installed: Debian's
+# /usr/share/doc/PACKAGE/copyright, vcpkg's share/PORT/copyright.
+
+# name | licence | Debian package | vcpkg port | where its source is
+set(NACRE_PARTS
+    "Vulkan headers and Vulkan-Hpp|Apache-2.0 or MIT|libvulkan-dev|vulkan-headers|https://github.com/KhronosGroup/Vulkan-Headers"
+    "GLM|MIT|libglm-dev|glm|https://github.com/g-truc/glm"
+    "gemmi|MPL-2.0|gemmi-dev|gemmi|https://github.com/project-gemmi/gemmi"
+    "PEGTL|MIT|tao-pegtl-dev|pegtl|https://github.com/taocpp/PEGTL"
+    "zlib|zlib|zlib1g-dev|zlib|https://zlib.net"
+    "Expat|MIT|libexpat1-dev|expat|https://github.com/libexpat/libexpat"
+    "xxHash|BSD-2-Clause|libxxhash-dev|xxhash|https://github.com/Cyan4973/xxHash"
+    "JSON for Modern C++|MIT|nlohmann-json3-dev|nlohmann-json|https://github.com/nlohmann/json"
+    "OpenImageIO|BSD-3-Clause|libopenimageio-dev|openimageio|https://github.com/AcademySoftwareFoundation/OpenImageIO"
+    "libcurl|curl|libcurl4-openssl-dev|curl|https://curl.se"
+    "CLI11|BSD-3-Clause|libcli11-dev|cli11|https://github.com/CLIUtils/CLI11")
+if(NACRE_DESKTOP)
+    list(APPEND NACRE_PARTS
+        "GLFW|zlib|libglfw3-dev|glfw3|https://www.glfw.org"
+        "Dear ImGui|MIT|libimgui-dev|imgui|https://github.com/ocornut/imgui"
+        "stb|MIT or public domain|libstb-dev|stb|https://github.com/nothings/stb"
+        "DejaVu fonts|Bitstream Vera|fonts-dejavu-core||https://dejavu-fonts.github.io")
+endif()
+
+function(nacre_notices target)
+    file(READ ${CMAKE_SOURCE_DIR}/LICENSE own)
+    set(text "Nacre\n\n${own}\n\nNacre is made of these parts as well:\n")
+    set(bodies "")
+    foreach(part ${NACRE_PARTS})
+        string(REPLACE "|" ";" part "${part}")
+        list(GET part 0 name)
+        list(GET part 1 licence)
+        list(GET part 2 package)
+        list(GET part 3 port)
+        list(GET part 4 source)
+        string(APPEND text "  ${name}: ${licence} (${source})\n")
+        foreach(file /usr/share/doc/${package}/copyright
+                     ${VCPKG_INSTALLED_DIR}/${VCPKG_TARGET_TRIPLET}/share/${port}/copyright)
+            if(EXISTS ${file} AND NOT IS_DIRECTORY ${file})
+                file(READ ${file} body)
+                string(APPEND bodies "\n---- ${name}\n\n${body}")
+                break()
+            endif()
+        endforeach()
+    endforeach()
+    set(plain ${CMAKE_BINARY_DIR}/generated/notices.txt)
+    file(WRITE ${plain} "${text}${bodies}")
+    file(READ ${plain} bytes HEX)
+    string(REGEX REPLACE "(..)" "0x\\1," bytes "${bytes}")
+    set(source ${CMAKE_BINARY_DIR}/generated/notices.cpp)
+    file(CONFIGURE OUTPUT ${source} @ONLY CONTENT
+         "namespace nacre::app {\nextern const unsigned char kNoticesBytes[];\nconst unsigned char kNoticesBytes[] = {@bytes@0};\n}\n")
+    target_sources(${target} PRIVATE ${source})
+endfunction()
