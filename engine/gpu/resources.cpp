@@ -53,8 +53,9 @@ Image makeImage(const Device& device, const graph::ImageDesc& desc, vk::ImageUsa
 
 vk::raii::Sampler makeSampler(const Device& device, vk::Filter filter, const std::string& name) {
     constexpr auto kEdge = vk::SamplerAddressMode::eClampToEdge;
-    vk::raii::Sampler sampler(
-        *device, vk::SamplerCreateInfo({}, filter, filter, vk::SamplerMipmapMode::eNearest, kEdge, kEdge, kEdge));
+    vk::SamplerCreateInfo info({}, filter, filter, vk::SamplerMipmapMode::eNearest, kEdge, kEdge, kEdge);
+    info.maxLod = VK_LOD_CLAMP_NONE;  // one mip level is all there is, and Mali's samplers cost more with a clamp
+    vk::raii::Sampler sampler(*device, info);
     device.name(*sampler, name);
     return sampler;
 }
