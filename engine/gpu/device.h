@@ -61,6 +61,7 @@ private:
     void finish(const vk::raii::CommandBuffer& commands) const;
     void createInstance(const DeviceOptions& options);
     void createDevice(const DeviceOptions& options);
+    void nameOwn() const;
 
     vk::raii::Context context_;
     vk::raii::Instance instance_{nullptr};
