@@ -48,6 +48,7 @@ enum class OcclusionMaps {
 
 struct DeviceOptions {
     bool validate = false;  ///< Khronos validation layer, with synchronization validation
+    bool capture = false;   ///< RenderDoc, for Renderer::beginCapture()
     std::string device;     ///< number as `nacre devices` lists it, or part of a name; empty: the best there is
     Visibility visibility = Visibility::automatic;
     EncodedDepth encoded = EncodedDepth::automatic;

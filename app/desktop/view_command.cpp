@@ -11,6 +11,7 @@
 #include "app/desktop/panel.h"
 #include "app/desktop/state_files.h"
 #include "app/desktop/window.h"
+#include "app/headless/capture_file.h"
 #include "app/headless/image_file.h"
 #include "app/headless/input.h"
 #include "app/headless/saved_options.h"
@@ -164,6 +165,8 @@ private:
             case ViewerCommand::savePicture:
             case ViewerCommand::saveView:
                 return save(command == ViewerCommand::savePicture);
+            case ViewerCommand::captureFrame:
+                return captureFrame();
             default:
                 break;
         }
@@ -185,6 +188,30 @@ private:
                 writeText(file, savedViewJson(viewer_.view()));
             }
             viewer_.say("saved " + path, now());
+        } catch (const Error& error) {
+            viewer_.say(error.what(), now());
+        }
+    }
+
+    /// The next frame, drawn at once, in the current folder under a name that is free; in RenderDoc's own if that
+    /// started us.
+    void captureFrame() {
+        if (!renderer_->captures())
+            return viewer_.say(capturesBuilt() ? "F12 needs RenderDoc from the start: nacre view --capture"
+                                               : "this program was built without RenderDoc's header",
+                               now());
+        if (!viewer_.document()) return;
+        try {
+            std::optional<OutputFile> file;
+            if (!renderer_->startedByRenderDoc()) file.emplace(freeName(viewer_.document()->view.input, ".rdc"));
+            renderer_->beginCapture(file ? captureStem(*file) : "");
+            WindowFrame frame;
+            frame.overlay = panel_.draw(viewer_, window_.size(), now());
+            const bool shown = renderer_->present(viewer_.settings(), frame) == FrameOutcome::shown;
+            const std::string written = renderer_->endCapture();
+            if (!shown) throw Error("cannot capture", "", "the window is changing");
+            if (file) keepCapture(written, *file);
+            viewer_.say("captured to " + (file ? file->path() : written), now());
         } catch (const Error& error) {
             viewer_.say(error.what(), now());
         }

@@ -41,8 +41,8 @@ struct RenderOptions {
     OcclusionSettings occlusion;
     bool prepass = true, merge = true;
     DeviceOptions device;
-    std::string output, layers, stats;  ///< paths; the last two may be empty
-    InputOptions savedInput;            ///< of the saved view; `input` once the command line is read, if that has none
+    std::string output, layers, stats, capture;  ///< paths; all but the first may be empty
+    InputOptions savedInput;  ///< of the saved view; `input` once the command line is read, if that has none
 };
 
 struct InfoOptions {

@@ -39,6 +39,7 @@ enum class ViewerCommand {
     clearPicks,
     savePicture,
     saveView,
+    captureFrame,
     panel,
     help,
     quit,

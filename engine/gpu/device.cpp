@@ -48,11 +48,14 @@ Device::Device(const DeviceOptions& options) {
     createDevice(options);
     pipelineCache_ = makePipelineCache(device_, physical_, options.pipelineCache);
     nameOwn();
-    caps_ = capsOf(physical_, options);
+    DeviceOptions wanted = options;
+    wanted.capture = capture_.loaded();
+    caps_ = capsOf(physical_, wanted);
 }
 
 void Device::nameOwn() const {
-    // Neither the instance nor the physical device: RenderDoc 1.24 ends the program at either.
+    // Neither the instance nor the physical device: RenderDoc 1.24 ends the program at either. And no surface, by which
+    // lavapipe 22.3 does.
     name(*device_, "device");
     name(*queue_, "queue");
     name(*pool_, "single commands");
@@ -61,6 +64,8 @@ void Device::nameOwn() const {
 
 void Device::createInstance(const DeviceOptions& options) {
     InstanceExtensions found;
+    capture_.load(options.capture);
+    if (options.capture) CaptureHook::checkLayer(context_);
     instance_ = makeInstance(context_, options.validate, found, options.surface.instanceExtensions);
     debugUtils_ = found.debugUtils;
     if (options.validate) messenger_ = makeMessenger(instance_, *messages_);
