@@ -39,7 +39,7 @@ void CaptureHook::load(bool wanted) {
         library = dlopen(kLibrary, RTLD_NOW);
         loadedHere = true;
     }
-    if (!library) throw Error("cannot capture", kLibrary, "RenderDoc is not installed (Debian: librenderdoc)");
+    if (!library) throw Error("cannot capture", "RenderDoc", std::string(dlerror()) + " (Debian: librenderdoc)");
     const auto getApi = reinterpret_cast<pRENDERDOC_GetAPI>(dlsym(library, "RENDERDOC_GetAPI"));
     void* api = nullptr;
     if (!getApi || getApi(eRENDERDOC_API_Version_1_4_0, &api) != 1) {
