@@ -48,12 +48,12 @@ enum class OcclusionMaps {
 
 struct DeviceOptions {
     bool validate = false;  ///< Khronos validation layer, with synchronization validation
-    bool capture = false;   ///< RenderDoc, for Renderer::beginCapture()
     std::string device;     ///< number as `nacre devices` lists it, or part of a name; empty: the best there is
     Visibility visibility = Visibility::automatic;
     EncodedDepth encoded = EncodedDepth::automatic;
     SurfaceSource surface = {};                 ///< without `create`: no window
     std::vector<std::byte> pipelineCache = {};  ///< of Renderer::pipelineCache(); one of another device is dropped
+    bool capture = false;                       ///< RenderDoc is loaded, for Renderer::beginCapture()
 };
 
 }  // namespace nacre

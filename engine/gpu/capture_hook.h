@@ -34,7 +34,7 @@ public:
 
 private:
     void* api_ = nullptr;
-    void* instance_ = nullptr;  ///< as RenderDoc knows it, while a capture goes on
+    [[maybe_unused]] void* instance_ = nullptr;  ///< as RenderDoc knows it, while a capture goes on
     bool launched_ = false;
 };
 
