@@ -46,8 +46,10 @@ bool isWholeCapture(const std::string& path) {
 }
 
 std::string captureStem(OutputFile& file) {
-    file.alongside("_capture.rdc");  // what RenderDoc appends to a stem
-    return file.temporary();
+    std::string stem = file.temporary();
+    stem.resize(stem.size() - extensionOf(stem).size());
+    file.alsoRemove(stem + "_capture.rdc");  // what RenderDoc makes of a stem
+    return stem;
 }
 
 void keepCapture(const std::string& written, OutputFile& file) {

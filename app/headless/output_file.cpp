@@ -76,15 +76,14 @@ OutputFile::OutputFile(const std::string& path) : path_(path), target_(path) {
 OutputFile::~OutputFile() {
     if (!committed_) unlink(temporary_.c_str());
     forget(temporary_);
-    if (alongside_.empty()) return;
-    unlink(alongside_.c_str());
-    forget(alongside_);
+    if (also_.empty()) return;
+    unlink(also_.c_str());
+    forget(also_);
 }
 
-std::string OutputFile::alongside(const std::string& suffix) {
-    alongside_ = temporary_ + suffix;
-    remember(alongside_);
-    return alongside_;
+void OutputFile::alsoRemove(const std::string& name) {
+    also_ = name;
+    remember(also_);
 }
 
 void OutputFile::commit() {
