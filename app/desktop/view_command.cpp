@@ -221,6 +221,8 @@ private:
     void saveWarmCaches() {
         if (cacheSaved_ || renderer_->stats().windowFrames < 3) return;
         cacheSaved_ = true;
+        if (renderer_->captures())
+            return;  // RenderDoc keeps the driver's data from us, and the file has what is better
         savePipelineCache(renderer_->pipelineCache());
     }
 
