@@ -53,6 +53,7 @@ struct DeviceOptions {
     EncodedDepth encoded = EncodedDepth::automatic;
     SurfaceSource surface = {};                 ///< without `create`: no window
     std::vector<std::byte> pipelineCache = {};  ///< of Renderer::pipelineCache(); one of another device is dropped
+    bool capture = false;                       ///< RenderDoc is loaded, for Renderer::beginCapture()
 };
 
 }  // namespace nacre

@@ -310,6 +310,11 @@ std::uint32_t Renderer::atomAt(const RenderSettings& settings, double x, double 
     return atom;
 }
 
+bool Renderer::captures() const { return impl_->device.capture().loaded(); }
+bool Renderer::startedByRenderDoc() const { return impl_->device.capture().launched(); }
+void Renderer::beginCapture(const std::string& stem) { impl_->device.capture().begin(*impl_->device.instance(), stem); }
+std::string Renderer::endCapture() { return impl_->device.capture().end(); }
+
 std::vector<std::byte> Renderer::pipelineCache() const {
     const std::vector<std::uint8_t> data = impl_->device.pipelineCache().getData();
     const auto bytes = std::as_bytes(std::span(data));
@@ -323,6 +328,8 @@ const std::string& Renderer::planText() const {
 }
 const std::vector<std::string>& Renderer::validationMessages() const { return impl_->device.validationMessages(); }
 std::uint32_t Renderer::maxSize() const { return impl_->device.caps().maxImageSize; }
+
+bool capturesBuilt() { return gpu::CaptureHook::built(); }
 
 std::vector<DeviceInfo> listDevices() {
     const vk::raii::Context context;

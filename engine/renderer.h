@@ -155,6 +155,16 @@ public:
     /// file; 0: none within reach. @param x, y, reach pixels, from the top left
     std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach);
 
+    /// Whether frames can be captured: DeviceOptions::capture, or RenderDoc started this program.
+    bool captures() const;
+    /// RenderDoc started this program: its captures are for RenderDoc to keep.
+    bool startedByRenderDoc() const;
+    /// All that is drawn and baked from here on becomes one capture. @param stem of the file's name, to which RenderDoc
+    /// adds; empty: as RenderDoc likes. @throws Error
+    void beginCapture(const std::string& stem);
+    /// @returns the file that RenderDoc wrote. @throws Error if there is none
+    std::string endCapture();
+
     /// What the driver compiled so far, for DeviceOptions::pipelineCache of a later run.
     std::vector<std::byte> pipelineCache() const;
 
@@ -170,6 +180,9 @@ private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
+
+/// Whether this program was built to capture frames.
+bool capturesBuilt();
 
 /// Every Vulkan device of this machine, in the order that DeviceOptions::device counts them. @throws Error
 std::vector<DeviceInfo> listDevices();

@@ -22,6 +22,11 @@ add_library(xxhash::xxhash INTERFACE IMPORTED)
 target_include_directories(xxhash::xxhash SYSTEM INTERFACE ${XXHASH_INCLUDE_DIR})
 target_link_libraries(xxhash::xxhash INTERFACE ${XXHASH_LIBRARY})
 
+# RenderDoc is loaded only when a capture is asked for; without its header there are none.
+if(NOT CMAKE_CROSSCOMPILING)
+    find_path(RENDERDOC_INCLUDE_DIR renderdoc_app.h)
+endif()
+
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 find_program(SPIRV_VAL spirv-val REQUIRED)
 

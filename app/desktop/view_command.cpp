@@ -11,6 +11,7 @@
 #include "app/desktop/panel.h"
 #include "app/desktop/state_files.h"
 #include "app/desktop/window.h"
+#include "app/headless/capture_file.h"
 #include "app/headless/image_file.h"
 #include "app/headless/input.h"
 #include "app/headless/saved_options.h"
@@ -167,6 +168,8 @@ private:
             case ViewerCommand::savePicture:
             case ViewerCommand::saveView:
                 return save(command == ViewerCommand::savePicture);
+            case ViewerCommand::captureFrame:
+                return captureFrame();
             default:
                 break;
         }
@@ -193,10 +196,36 @@ private:
         }
     }
 
+    /// The next frame, drawn at once, in the current folder under a name that is free; in RenderDoc's own if that
+    /// started us.
+    void captureFrame() {
+        if (!renderer_->captures())
+            return viewer_.say(capturesBuilt() ? "F12 needs RenderDoc from the start: nacre view --capture"
+                                               : "this program was built without RenderDoc's header",
+                               now());
+        if (!viewer_.document()) return;
+        try {
+            std::optional<OutputFile> file;
+            if (!renderer_->startedByRenderDoc()) file.emplace(freeName(viewer_.document()->view.input, ".rdc"));
+            renderer_->beginCapture(file ? captureStem(*file) : "");
+            WindowFrame frame;
+            frame.overlay = panel_.draw(viewer_, window_.size(), now());
+            const bool shown = renderer_->present(viewer_.settings(), frame) == FrameOutcome::shown;
+            const std::string written = renderer_->endCapture();
+            if (!shown) throw Error("cannot capture", "", "the window is changing");
+            if (file) keepCapture(written, *file);
+            viewer_.say("captured to " + (file ? file->path() : written), now());
+        } catch (const Error& error) {
+            viewer_.say(error.what(), now());
+        }
+    }
+
     /// What the driver compiled for the first refined picture is all that later ones need.
     void saveWarmCaches() {
         if (cacheSaved_ || renderer_->stats().windowFrames < 3) return;
         cacheSaved_ = true;
+        if (renderer_->captures())
+            return;  // RenderDoc keeps the driver's data from us, and the file has what is better
         savePipelineCache(renderer_->pipelineCache());
     }
 

@@ -45,6 +45,8 @@ std::optional<SpecialKey> specialKey(int key) {
             return SpecialKey::escape;
         case GLFW_KEY_BACKSPACE:
             return SpecialKey::backspace;
+        case GLFW_KEY_F12:
+            return SpecialKey::f12;
         default:
             return std::nullopt;
     }

@@ -50,7 +50,9 @@ void devicesCommand(bool json, std::ostream& out) {
 
 void versionCommand(std::ostream& out) {
     out << "nacre " << NACRE_VERSION << " (" << NACRE_COMMIT << ")\n"
-        << "Vulkan headers " << versionText(VK_HEADER_VERSION_COMPLETE) << '\n';
+        << "Vulkan headers " << versionText(VK_HEADER_VERSION_COMPLETE) << '\n'
+        << "captures "
+        << (capturesBuilt() ? "by RenderDoc, where it is installed" : "none: built without renderdoc_app.h") << '\n';
     try {
         const std::vector<DeviceInfo> devices = listDevices();
         out << "device " << (devices.empty() ? "none" : describe(devices.front())) << '\n';

@@ -29,6 +29,7 @@ inline constexpr const char* kRenderExamples =
     "  nacre render 3j6r.pdb.gz -o capsid.png --assembly 1 --color chain --occlusion 32\n"
     "  nacre render 1hpv.pdb -o pocket.png --style licorice --show ligand=ball-and-stick \\\n"
     "    --hide 'not byres (within 5 of (ligand))'\n"
+    "  nacre render 1crn.pdb -o crambin.png --capture crambin.rdc\n"
     "  zcat 1crn.pdb.gz | nacre render - --format pdb -o crambin.exr --layers layers.exr --stats stats.json\n"
     "Selections (SEL), as in PyMOL:\n"
     "  chain A+B, resn HEM+ATP, resi 10-20+35, name CA+CB, elem FE, altloc A, model 1, protein, nucleic, polymer,\n"
@@ -40,6 +41,7 @@ inline constexpr const char* kViewExamples =
     "  nacre view 1bna.pdb\n"
     "  nacre view 4hhb.cif.gz --style spacefill --color chain --visibility encoded\n"
     "  nacre view --view pocket.view.json\n"
+    "  nacre view 1bna.pdb --capture\n"
     "Without INPUT the window goes on where the last one was left. `?` in the window lists keys and gestures.";
 
 }  // namespace nacre::app

@@ -199,6 +199,13 @@ void addFiles(CLI::App& app, RenderOptions& options) {
           });
     value(app, "--stats", "FILE.json", "none", "View, counts, times and memory as JSON",
           [&](const std::string& text) { options.stats = path(text); });
+    value(app, "--capture", "FILE.rdc", "none",
+          "The frame and its occlusion bake, for RenderDoc, which has to be installed", [&](const std::string& text) {
+              if (extensionOf(text) != ".rdc")
+                  throw std::invalid_argument("expected a name that ends in .rdc, not '" + text + "'");
+              options.capture = text;
+              options.device.capture = true;
+          });
 }
 
 void addVisibility(CLI::App& app, DeviceOptions& device) {
@@ -250,6 +257,7 @@ void addWindow(CLI::App& app, ViewOptions& options) {
     addDeviceName(app, first.device);
     addVisibility(app, first.device);
     app.add_flag("--validate", first.device.validate, "Run under the Vulkan validation layer; any message is an error");
+    app.add_flag("--capture", first.device.capture, "Load RenderDoc, so that F12 captures a frame");
 }
 #endif
 
@@ -311,7 +319,8 @@ void checkRender(RenderOptions& options) {
     const std::pair<const char*, const std::string*> files[] = {{"INPUT", &options.input.path},
                                                                 {"--output", &options.output},
                                                                 {"--layers", &options.layers},
-                                                                {"--stats", &options.stats}};
+                                                                {"--stats", &options.stats},
+                                                                {"--capture", &options.capture}};
     for (std::size_t i = 0; i < std::size(files); ++i)
         for (std::size_t j = i + 1; j < std::size(files); ++j)
             if (sameFile(*files[i].second, *files[j].second))

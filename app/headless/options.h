@@ -46,8 +46,8 @@ struct RenderOptions {
     bool prepass = true, merge = true;
     DebugView debug = DebugView::none;
     DeviceOptions device;
-    std::string output, layers, stats;  ///< paths; the last two may be empty
-    InputOptions savedInput;            ///< of the saved view; `input` once the command line is read, if that has none
+    std::string output, layers, stats, capture;  ///< paths; all but the first may be empty
+    InputOptions savedInput;  ///< of the saved view; `input` once the command line is read, if that has none
 };
 
 struct InfoOptions {

@@ -76,6 +76,14 @@ OutputFile::OutputFile(const std::string& path) : path_(path), target_(path) {
 OutputFile::~OutputFile() {
     if (!committed_) unlink(temporary_.c_str());
     forget(temporary_);
+    if (also_.empty()) return;
+    unlink(also_.c_str());
+    forget(also_);
+}
+
+void OutputFile::alsoRemove(const std::string& name) {
+    also_ = name;
+    remember(also_);
 }
 
 void OutputFile::commit() {

@@ -18,11 +18,13 @@ public:
     /// Where to write: same folder and extension as the file asked for.
     const std::string& temporary() const { return temporary_; }
     const std::string& path() const { return path_; }
+    /// Another file that is made on the way, by a library with a mind of its own: removed in the same cases.
+    void alsoRemove(const std::string& name);
     /// Puts the file in its place. @throws Error
     void commit();
 
 private:
-    std::string path_, target_, temporary_;
+    std::string path_, target_, temporary_, also_;
     bool committed_ = false;
 };
 

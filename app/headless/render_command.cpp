@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/headless/capture_file.h"
 #include "app/headless/commands.h"
 #include "app/headless/image_file.h"
 #include "app/headless/input.h"
@@ -26,11 +27,12 @@ double millisecondsSince(Clock::time_point start) {
 /// The files asked for, made at once so that a folder that cannot be written to is refused before any work.
 struct Outputs {
     OutputFile picture;
-    std::optional<OutputFile> layers, stats;
+    std::optional<OutputFile> layers, stats, capture;
 
     explicit Outputs(const RenderOptions& options) : picture(options.output) {
         if (!options.layers.empty()) layers.emplace(options.layers);
         if (!options.stats.empty()) stats.emplace(options.stats);
+        if (!options.capture.empty()) capture.emplace(options.capture);
     }
 };
 
@@ -45,7 +47,8 @@ RenderSettings settingsOf(const RenderOptions& options, const Representation& sc
     if (!options.prepass) settings.plates = PlateShape::none;
     settings.merge = options.merge;
     settings.debug = options.debug;
-    settings.occlusionCache = occlusionCacheFolder(options.input);
+    // What is captured is to be seen: the bake, too, is done then.
+    if (options.capture.empty()) settings.occlusionCache = occlusionCacheFolder(options.input);
     return settings;
 }
 
@@ -72,6 +75,19 @@ std::vector<PassCount> countFragments(Renderer& renderer, RenderSettings setting
     settings.debug = DebugView::none;
     renderer.render(settings);
     return renderer.stats().passes;
+}
+
+/// The picture, captured with its bake if a file is given or RenderDoc started this program.
+Picture drawPicture(Renderer& renderer, const RenderSettings& settings, OutputFile* capture) {
+    if (!capture && !renderer.startedByRenderDoc()) return renderer.render(settings);
+    renderer.beginCapture(capture ? captureStem(*capture) : "");
+    Picture picture = renderer.render(settings);
+    const std::string written = renderer.endCapture();
+    if (capture)
+        keepCapture(written, *capture);
+    else
+        std::cerr << "nacre: captured to " << written << std::endl;
+    return picture;
 }
 
 void checkValidation(const Renderer& renderer) {
@@ -112,7 +128,7 @@ void renderCommand(const RenderOptions& options) {
     Renderer renderer(options.device);
     renderer.setScene(std::move(scene));
     progress.begin(options.occlusion.directions ? "ambient occlusion" : "drawing");
-    const Picture picture = renderer.render(settings);
+    const Picture picture = drawPicture(renderer, settings, outputs.capture ? &*outputs.capture : nullptr);
     run.firstPictureMs = millisecondsSince(start);
     FrameStats frame = renderer.stats();  // of this picture, before the frames that follow add theirs
 

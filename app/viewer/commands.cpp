@@ -41,6 +41,7 @@ constexpr Binding kBindings[] = {
     {C::clearPicks, key(SpecialKey::escape), "Esc", "Forget the picked atoms"},
     {C::savePicture, key(U's'), "S", "Save the picture as PNG"},
     {C::saveView, {U's', {true, false}}, "Shift S", "Save the view, for nacre render --view"},
+    {C::captureFrame, key(SpecialKey::f12), "F12", "Capture a frame for RenderDoc"},
     {C::panel, key(U'm'), "M", "Show or hide the panel"},
     {C::help, key(U'?'), "?", "This help"},
     {C::quit, key(U'q'), "Q", "Leave"},

@@ -40,6 +40,7 @@ enum class ViewerCommand {
     clearPicks,
     savePicture,
     saveView,
+    captureFrame,
     panel,
     help,
     quit,

@@ -22,7 +22,7 @@ struct Modifiers {
 };
 
 /// Keys that are no characters.
-enum class SpecialKey : char32_t { left = 0x110000, right, up, down, home, escape, pageUp, pageDown, backspace };
+enum class SpecialKey : char32_t { left = 0x110000, right, up, down, home, escape, pageUp, pageDown, backspace, f12 };
 
 /// A key as the layout has it: the character it types without modifiers, or a SpecialKey.
 struct KeyEvent {

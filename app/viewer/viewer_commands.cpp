@@ -118,6 +118,7 @@ void Viewer::run(ViewerCommand command, double now) {
             return schedule_.overlayChanged();
         case C::savePicture:
         case C::saveView:
+        case C::captureFrame:
         case C::panel:
         case C::help:
         case C::quit:

@@ -134,7 +134,9 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
         caps.visibility = options.visibility;
         if (options.visibility == Visibility::rasterOrder && !caps.plan.rasterOrder)
             throw Error("cannot draw by raster-order", caps.deviceName,
-                        "VK_EXT_rasterization_order_attachment_access is missing");
+                        options.capture
+                            ? "RenderDoc hides VK_EXT_rasterization_order_attachment_access: capture another path"
+                            : "VK_EXT_rasterization_order_attachment_access is missing");
         caps.visibilityReason = "asked for";
     } else if (molten) {
         caps.visibility = Visibility::fragdepth;

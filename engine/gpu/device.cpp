@@ -41,11 +41,25 @@ Device::Device(const DeviceOptions& options) {
     physical_ = pickDevice(instance_, options.device);
     createDevice(options);
     pipelineCache_ = makePipelineCache(device_, physical_, options.pipelineCache);
-    caps_ = capsOf(physical_, options);
+    nameOwn();
+    DeviceOptions wanted = options;
+    wanted.capture = capture_.loaded();
+    caps_ = capsOf(physical_, wanted);
+}
+
+void Device::nameOwn() const {
+    // Neither the instance nor the physical device: RenderDoc 1.24 ends the program at either. And no surface, by which
+    // lavapipe 22.3 does.
+    name(*device_, "device");
+    name(*queue_, "queue");
+    name(*pool_, "single commands");
+    name(*pipelineCache_, "pipelines");
 }
 
 void Device::createInstance(const DeviceOptions& options) {
     InstanceExtensions found;
+    capture_.load(options.capture);
+    if (options.capture) CaptureHook::checkLayer(context_);
     instance_ = makeInstance(context_, options.validate, found, options.surface.instanceExtensions);
     debugUtils_ = found.debugUtils;
     if (options.validate) messenger_ = makeMessenger(instance_, *messages_);
@@ -78,6 +92,7 @@ vk::raii::DeviceMemory Device::allocate(const vk::MemoryRequirements& requiremen
             if ((memory.memoryTypes[type].propertyFlags & properties) != properties) continue;
             try {
                 vk::raii::DeviceMemory allocation(device_, vk::MemoryAllocateInfo(requirements.size, type));
+                name(*allocation, "memory of " + what);
                 *allocated_ += requirements.size;
                 *peakAllocated_ = std::max(*peakAllocated_, *allocated_);
                 return allocation;
@@ -110,6 +125,7 @@ vk::raii::CommandBuffer Device::begin() const {
 void Device::finish(const vk::raii::CommandBuffer& commands) const {
     commands.end();
     const vk::raii::Fence fence(device_, vk::FenceCreateInfo());
+    name(*fence, "single commands are done");
     queue_.submit(vk::SubmitInfo({}, {}, *commands), *fence);
     if (device_.waitForFences(*fence, true, UINT64_MAX) != vk::Result::eSuccess)
         throw Error("the device stopped", caps_.deviceName, "waiting for a submission failed");

@@ -7,6 +7,7 @@
 
 #include "engine/device_options.h"
 #include "engine/gpu/caps.h"
+#include "engine/gpu/capture_hook.h"
 
 namespace nacre::gpu {
 
@@ -25,6 +26,7 @@ public:
     const vk::raii::Queue& queue() const { return queue_; }
     std::uint32_t queueFamily() const { return queueFamily_; }
     const Caps& caps() const { return caps_; }
+    CaptureHook& capture() { return capture_; }
 
     /// Allocates memory for requirements, from the first type that has all wanted properties, else all required.
     /// @throws Error if no type has the required properties or memory has run out
@@ -61,6 +63,7 @@ private:
     void finish(const vk::raii::CommandBuffer& commands) const;
     void createInstance(const DeviceOptions& options);
     void createDevice(const DeviceOptions& options);
+    void nameOwn() const;
 
     vk::raii::Context context_;
     vk::raii::Instance instance_{nullptr};
@@ -74,6 +77,7 @@ private:
     std::uint32_t queueFamily_ = 0;
     bool debugUtils_ = false;
     Caps caps_;
+    CaptureHook capture_;
     std::unique_ptr<std::uint64_t> allocated_ = std::make_unique<std::uint64_t>(0);
     std::unique_ptr<std::uint64_t> peakAllocated_ = std::make_unique<std::uint64_t>(0);
 };

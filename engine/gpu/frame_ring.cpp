@@ -10,11 +10,15 @@ FrameRing::FrameRing(const Device& device)
                          vk::CommandPoolCreateFlagBits::eResetCommandBuffer | vk::CommandPoolCreateFlagBits::eTransient,
                          device.queueFamily())),
       slots_{FrameSlot(device), FrameSlot(device)} {
+    device.name(*pool_, "frames");
     vk::raii::CommandBuffers buffers(*device, {*pool_, vk::CommandBufferLevel::ePrimary, kInFlight});
     for (std::size_t i = 0; i < kInFlight; ++i) {
         slots_[i].commands = std::move(buffers[i]);
         slots_[i].done = vk::raii::Fence(*device, vk::FenceCreateInfo(vk::FenceCreateFlagBits::eSignaled));
         slots_[i].acquired = vk::raii::Semaphore(*device, vk::SemaphoreCreateInfo());
+        const std::string frame = "frame " + std::to_string(i);
+        device.name(*slots_[i].done, frame + " is done");
+        device.name(*slots_[i].acquired, frame + " has a window image");
     }
 }
 

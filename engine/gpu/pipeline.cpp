@@ -38,14 +38,17 @@ vk::PipelineColorBlendAttachmentState blendState(Blend blend, bool written) {
     return state;
 }
 
-vk::raii::ShaderModule makeModule(const Device& device, std::span<const std::uint32_t> code) {
-    return {*device, vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data())};
+vk::raii::ShaderModule makeModule(const Device& device, std::span<const std::uint32_t> code, const std::string& name) {
+    vk::raii::ShaderModule module(*device, vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data()));
+    device.name(*module, name);
+    return module;
 }
 
 }  // namespace
 
 vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d) {
-    const vk::raii::ShaderModule vertex = makeModule(device, d.vertex), fragment = makeModule(device, d.fragment);
+    const vk::raii::ShaderModule vertex = makeModule(device, d.vertex, d.name + ", vertex shader");
+    const vk::raii::ShaderModule fragment = makeModule(device, d.fragment, d.name + ", fragment shader");
     const vk::SpecializationInfo constants = d.constants.info();
     const std::array stages{
         vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eVertex, *vertex, "main", &constants),
@@ -79,7 +82,7 @@ vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d)
 vk::raii::Pipeline makeComputePipeline(const Device& device, std::span<const std::uint32_t> code,
                                        const Specialization& constants, vk::PipelineLayout layout,
                                        const std::string& name) {
-    const vk::raii::ShaderModule module = makeModule(device, code);
+    const vk::raii::ShaderModule module = makeModule(device, code, name + ", shader");
     const vk::SpecializationInfo info = constants.info();
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main", &info);
     vk::raii::Pipeline pipeline(*device, device.pipelineCache(), vk::ComputePipelineCreateInfo({}, stage, layout));
@@ -96,12 +99,14 @@ Layout makeLayout(const Device& device, std::span<const vk::DescriptorType> type
     }
     Layout layout;
     layout.set = vk::raii::DescriptorSetLayout(*device, vk::DescriptorSetLayoutCreateInfo({}, bindings));
+    device.name(*layout.set, name + ", set 0");
     const vk::PushConstantRange range(stages, 0, pushConstantBytes);
     std::vector<vk::DescriptorSetLayout> sets{*layout.set};
     if (counter) {
         const vk::DescriptorSetLayoutBinding binding(0, vk::DescriptorType::eStorageBuffer, 1,
                                                      vk::ShaderStageFlagBits::eFragment);
         layout.counterSet = vk::raii::DescriptorSetLayout(*device, vk::DescriptorSetLayoutCreateInfo({}, binding));
+        device.name(*layout.counterSet, name + ", set 1");
         sets.push_back(*layout.counterSet);
     }
     layout.pipeline = vk::raii::PipelineLayout(*device, vk::PipelineLayoutCreateInfo({}, sets, range));
@@ -116,11 +121,14 @@ DescriptorPool::DescriptorPool(const Device& device) : device_(device) {
                            vk::DescriptorPoolSize(vk::DescriptorType::eUniformBuffer, kSets),
                            vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, 8 * kSets)};
     pool_ = vk::raii::DescriptorPool(*device, vk::DescriptorPoolCreateInfo({}, kSets, sizes));
+    device.name(*pool_, "descriptors");
 }
 
-vk::DescriptorSet DescriptorPool::allocate(const vk::raii::DescriptorSetLayout& layout) {
+vk::DescriptorSet DescriptorPool::allocate(const vk::raii::DescriptorSetLayout& layout, const std::string& name) {
     const vk::DescriptorSetAllocateInfo info(*pool_, *layout);
-    return (**device_).allocateDescriptorSets(info).front();
+    const vk::DescriptorSet set = (**device_).allocateDescriptorSets(info).front();
+    device_.name(set, name);
+    return set;
 }
 
 void DescriptorPool::reset() { pool_.reset(); }

@@ -69,7 +69,7 @@ Layout makeLayout(const Device& device, std::span<const vk::DescriptorType> bind
 class DescriptorPool {
 public:
     explicit DescriptorPool(const Device& device);
-    vk::DescriptorSet allocate(const vk::raii::DescriptorSetLayout& layout);
+    vk::DescriptorSet allocate(const vk::raii::DescriptorSetLayout& layout, const std::string& name = "descriptors");
     void reset();
 
 private:

@@ -48,6 +48,7 @@ Image makeImage(const Device& device, const graph::ImageDesc& desc, vk::ImageUsa
                                              desc.layers > 1 ? vk::ImageViewType::e2DArray : vk::ImageViewType::e2D,
                                              format, {}, {aspect, 0, 1, 0, desc.layers}));
     device.name(*image.handle, name);
+    if (*image.view) device.name(*image.view, "view of " + name);
     return image;
 }
 

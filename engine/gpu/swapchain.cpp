@@ -102,11 +102,15 @@ void Swapchain::build(const vk::SurfaceCapabilitiesKHR& caps) {
         quarterTurns_ ? caps.currentTransform : vk::SurfaceTransformFlagBitsKHR::eIdentity, alpha,
         vk::PresentModeKHR::eFifo, true, *old);
     swapchain_ = vk::raii::SwapchainKHR(*device_, info);
+    device_.name(*swapchain_, "window images");
     for (const VkImage image : swapchain_.getImages()) {
         vk::raii::ImageView view(*device_, vk::ImageViewCreateInfo({}, image, vk::ImageViewType::e2D, format_.format,
                                                                    {}, {vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1}));
         vk::raii::Semaphore drawn(*device_, vk::SemaphoreCreateInfo());
-        device_.name(vk::Image(image), "window " + std::to_string(images_.size()));
+        const std::string name = "window " + std::to_string(images_.size());
+        device_.name(vk::Image(image), name);
+        device_.name(*view, "view of " + name);
+        device_.name(*drawn, name + " is drawn");
         images_.push_back({image, std::move(view), std::move(drawn)});
     }
 }

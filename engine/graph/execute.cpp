@@ -134,6 +134,7 @@ void Executor::record(const vk::raii::CommandBuffer& commands, const Graph& grap
             throw GraphError("graph '" + graph.name() + "', buffer '" + graph.buffers()[i].name + "': not bound");
         context.buffers.push_back(it->second);
     }
+    device_.name(*commands, graph.name());  // here, since RenderDoc keeps names given while a buffer is recorded
     device_.beginLabel(commands, graph.name());
     for (const Step& step : plan.steps) {
         barriers(commands, step.before, graph, context);

@@ -66,7 +66,7 @@ vk::Pipeline DebugPass::pipeline(const graph::PassContext& context, const Draw& 
 void DebugPass::draw(graph::PassContext& context, const Draw& draw, vk::ImageView source, vk::ImageView under) {
     const vk::raii::CommandBuffer& commands = context.commands;
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, draw));
-    const vk::DescriptorSet set = context.descriptors.allocate(layout_.set);
+    const vk::DescriptorSet set = context.descriptors.allocate(layout_.set, "debug view");
     constexpr auto kRead = vk::ImageLayout::eShaderReadOnlyOptimal;
     // Never left unwritten, even where the shader reads one image: lavapipe looks at both.
     const vk::DescriptorImageInfo images[] = {{*sampler_, source, kRead}, {*sampler_, under ? under : source, kRead}};

@@ -138,7 +138,7 @@ PlacedCopies DepthMaps::writeViews(std::span<const glm::dmat3> frames, std::uint
 
 void DepthMaps::recordSplat(graph::PassContext& context, graph::Buffer maps, std::span<const glm::dmat3> frames,
                             std::uint32_t across) const {
-    const vk::DescriptorSet set = context.descriptors.allocate(splatLayout_.set);
+    const vk::DescriptorSet set = context.descriptors.allocate(splatLayout_.set, "depth map splats");
     const vk::DescriptorBufferInfo infos[] = {{*scene_.shapes.handle, 0, VK_WHOLE_SIZE},
                                               {*views_.handle, 0, VK_WHOLE_SIZE},
                                               {context.buffer(maps), 0, VK_WHOLE_SIZE}};

@@ -105,7 +105,7 @@ void Geometry::bindSets(graph::PassContext& context, const SceneBuffers& scene, 
     const gpu::Layout& layout = layoutOf(key);
     constexpr auto kGraphics = vk::PipelineBindPoint::eGraphics;
     if (reads(key)) {
-        const vk::DescriptorSet set = context.descriptors.allocate(layout.set);
+        const vk::DescriptorSet set = context.descriptors.allocate(layout.set, nameOf(key.writes));
         const vk::DescriptorImageInfo atlas(*linear_, inputs.atlas, kRead);
         const bool ordered = keepsDepth(key.writes, key.nearest) && !key.sampled;
         const auto layoutHere = ordered ? vk::ImageLayout::eGeneral : kRead;
@@ -129,7 +129,8 @@ void Geometry::bindSets(graph::PassContext& context, const SceneBuffers& scene, 
         context.commands.bindDescriptorSets(kGraphics, *layout.pipeline, 0, set, {});
     }
     if (key.counting) {
-        const vk::DescriptorSet set = context.descriptors.allocate(layout.counterSet);
+        const vk::DescriptorSet set =
+            context.descriptors.allocate(layout.counterSet, std::string(nameOf(key.writes)) + ", counter");
         const vk::DescriptorBufferInfo counter(*draw.counter->handle, draw.counterOffset, sizeof(std::uint32_t));
         device_->updateDescriptorSets(
             vk::WriteDescriptorSet(set, 0, 0, vk::DescriptorType::eStorageBuffer, {}, counter), {});

@@ -201,7 +201,7 @@ OcclusionBake::Accumulation& OcclusionBake::accumulation(std::uint32_t batch) {
 }
 
 vk::DescriptorSet OcclusionBake::accumulationSet(graph::PassContext& context, graph::Image maps, std::uint32_t group) {
-    const vk::DescriptorSet set = context.descriptors.allocate(accumulateLayout_.set);
+    const vk::DescriptorSet set = context.descriptors.allocate(accumulateLayout_.set, "occlusion accumulation");
     bind(device_, set, 0, Type::eStorageBuffer, *scene_.shapes.handle);
     bind(device_, set, 1, Type::eUniformBuffer, *batchDirections_.handle, group * kGroupBytes, kGroupBytes);
     bind(device_, set, 2, Type::eStorageBuffer, *list_.handle);
@@ -312,7 +312,7 @@ void OcclusionBake::finish(graph::Executor& executor) {
     const auto bytes = g.importBuffer("occlusion bytes", bytes_.size, kComputeBuffer);
     const auto atlas = g.importImage("occlusion atlas", atlas_.desc, kTextureState, !atlasDefined_);
     g.compute("occlusion finish").reads(sums).writes(bytes).record([&](graph::PassContext& c) {
-        const vk::DescriptorSet set = c.descriptors.allocate(finishLayout_.set);
+        const vk::DescriptorSet set = c.descriptors.allocate(finishLayout_.set, "occlusion finish");
         bind(device_, set, 0, Type::eStorageBuffer, *sums_.handle);
         bind(device_, set, 1, Type::eStorageBuffer, *words_.handle);
         bind(device_, set, 2, Type::eStorageBuffer, *bytes_.handle);

@@ -95,7 +95,7 @@ void OverlayPass::draw(graph::PassContext& context, const gpu::FrameSlot& slot, 
                        graph::Extent upright, int quarterTurns, bool coded) {
     const vk::raii::CommandBuffer& commands = context.commands;
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, quarterTurns, coded));
-    const vk::DescriptorSet set = context.descriptors.allocate(layout_.set);
+    const vk::DescriptorSet set = context.descriptors.allocate(layout_.set, "overlay");
     const vk::DescriptorImageInfo glyphs(*sampler_, *glyphs_.view, vk::ImageLayout::eShaderReadOnlyOptimal);
     device_->updateDescriptorSets(vk::WriteDescriptorSet(set, 0, 0, vk::DescriptorType::eCombinedImageSampler, glyphs),
                                   {});

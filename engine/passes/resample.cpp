@@ -34,7 +34,7 @@ vk::Pipeline Resample::pipeline(const graph::PassContext& context, std::uint32_t
 void Resample::draw(graph::PassContext& context, vk::ImageView picture, std::uint32_t samples, bool coded) {
     const vk::raii::CommandBuffer& commands = context.commands;
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, samples, coded));
-    const vk::DescriptorSet set = context.descriptors.allocate(layout_.set);
+    const vk::DescriptorSet set = context.descriptors.allocate(layout_.set, "resample");
     const vk::DescriptorImageInfo image(*sampler_, picture, vk::ImageLayout::eShaderReadOnlyOptimal);
     device_->updateDescriptorSets(vk::WriteDescriptorSet(set, 0, 0, vk::DescriptorType::eCombinedImageSampler, image),
                                   {});

@@ -66,8 +66,9 @@ INSTANTIATE_TEST_SUITE_P(
                     "render sample:dna -o a.exr --layers ./a.exr", "render sample:dna -o a.png --stats a.png",
                     "render sample:dna -o a.png --stats ''", "render sample:dna -o a.png --device ''",
                     "render sample:dna -o a.png --visibility best", "render sample:dna -o a.png --prepass 1",
-                    "render sample:dna -o a.png --merge no", "info", "info --frob sample:dna", "info sample:dna extra",
-                    "devices extra", "--version info sample:dna"));
+                    "render sample:dna -o a.png --merge no", "render sample:dna -o a.png --capture a.png",
+                    "render sample:dna -o a.png --capture a", "render a.rdc -o a.png --capture ./a.rdc", "info",
+                    "info --frob sample:dna", "info sample:dna extra", "devices extra", "--version info sample:dna"));
 
 struct Failure {
     const char* arguments;
@@ -131,6 +132,7 @@ TEST(CommandLine, HelpShowsExamplesAndEveryOption) {
                                "--layers",
                                "--assembly",
                                "--stats",
+                               "--capture",
                                "--validate",
                                "--device",
                                "--visibility",
@@ -146,7 +148,7 @@ TEST(CommandLine, VersionNamesCommitHeadersAndDevice) {
     const TemporaryFolder folder;
     const Outcome outcome = nacreIn(folder, "--version");
     EXPECT_EQ(outcome.code, 0);
-    for (const char* word : {"nacre 0.", "Vulkan headers 1.", "device "})
+    for (const char* word : {"nacre 0.", "Vulkan headers 1.", "captures by RenderDoc", "device "})
         EXPECT_NE(outcome.out.find(word), std::string::npos) << outcome.out;
 }
 
