@@ -242,11 +242,11 @@ constexpr Way kWays[] = {{"merged", true, true, true, false},
                          {"one subpass each", true, false, true, false},
                          {"unmerged", false, true, true, false}};
 
-TEST(RandomGraphs, GiveTheSameBitsHoweverTheyAreCarriedOut) {
+void expectTheSameBits(std::uint32_t firstSeed, std::uint32_t endSeed) {
     Runner runner;
     std::size_t subpasses = 0, inputs = 0, transients = 0, different = 0;
     std::vector<std::uint32_t> before;
-    for (std::uint32_t seed = 0; seed < 150; ++seed) {
+    for (std::uint32_t seed = firstSeed; seed < endSeed; ++seed) {
         const RandomGraph random = randomGraph(seed, false);
         graph::PlanCaps caps = runner.device.caps().plan;
         caps.merge = false;
@@ -270,11 +270,14 @@ TEST(RandomGraphs, GiveTheSameBitsHoweverTheyAreCarriedOut) {
         }
         ASSERT_EQ(runner.device.validationMessages(), std::vector<std::string>{}) << "seed " << seed;
     }
-    EXPECT_GT(different, 120u);  // the graphs do draw something
-    EXPECT_GT(subpasses, 20u);
-    EXPECT_GT(inputs, 10u);
-    EXPECT_GT(transients, 20u);
+    EXPECT_GT(different, (endSeed - firstSeed) * 4 / 5);  // the graphs do draw something
+    EXPECT_GT(subpasses, 5u);
+    EXPECT_GT(inputs, 2u);
+    EXPECT_GT(transients, 5u);
 }
+
+TEST(RandomGraphs, GiveTheSameBitsHoweverTheyAreCarriedOut) { expectTheSameBits(0, 50); }
+TEST(RandomGraphs, GiveTheSameBitsLong) { expectTheSameBits(50, 150); }
 
 }  // namespace
 }  // namespace nacre::test
