@@ -1,10 +1,13 @@
 #include "app/headless/input.h"
 
+#include <unistd.h>
+
 #include <string_view>
 
 #include "app/cache_folder.h"
 #include "app/download/download.h"
 #include "engine/error.h"
+#include "engine/molecule/memory_bound.h"
 
 namespace nacre::app {
 
@@ -22,6 +25,14 @@ Molecule loadDownload(const InputOptions& input, const DatabaseId& id, const Rea
     return downloadMolecule(id, options, settings);
 }
 
+/// Bytes that the molecule may take.
+std::uint64_t memoryOf(const InputOptions& input) {
+    if (input.memoryMegabytes) return static_cast<std::uint64_t>(*input.memoryMegabytes) << 20;
+    const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGE_SIZE);
+    return pages > 0 && size > 0 ? static_cast<std::uint64_t>(pages) / 2 * static_cast<std::uint64_t>(size)
+                                 : std::uint64_t{2} << 30;
+}
+
 }  // namespace
 
 Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload) {
@@ -33,7 +44,7 @@ Molecule loadMolecule(const InputOptions& input, const std::function<void(double
             throw Error("cannot read molecule", input.path, "a sample has one model");
         return sampleMolecule(path.substr(kSample.size()));
     }
-    ReadOptions options;
+    ReadOptions options = readWithin(memoryOf(input));
     options.format = input.format;
     options.model = input.model;
     if (const auto id = parseDatabaseId(input.path)) return loadDownload(input, *id, options, onDownload);

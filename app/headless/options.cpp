@@ -67,6 +67,9 @@ CLI::Option* addInput(CLI::App& app, InputOptions& input) {
     value(app, "--cache", "DIR|off", "NACRE_CACHE, else ~/.cache/nacre", "Where downloads and occlusion are kept",
           [&](const std::string& text) { input.cache = path(text); });
     app.add_flag("--offline", input.offline, "Take downloads from the cache alone");
+    value(app, "--memory", "MB", "half of the machine's",
+          "For the molecule, 1 to 1048576; one that takes more (700 bytes an atom, two a byte of text) is refused",
+          [&](const std::string& text) { input.memoryMegabytes = parseInteger(text, 1, 1 << 20); });
     value(app, "--format", "NAME", "by content", "One of " + formatNames(), [&](const std::string& text) {
         input.format = formatFromName(text);
         if (!input.format) throw std::invalid_argument("expected one of " + formatNames() + ", not '" + text + "'");

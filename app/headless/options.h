@@ -22,6 +22,7 @@ struct InputOptions {
     int model = 1;                     ///< 1-based, or kAllModels
     std::optional<std::string> cache;  ///< folder, or "off"; empty: the usual one (app/cache_folder.h)
     bool offline = false;              ///< downloads from the cache alone
+    std::optional<std::int64_t> memoryMegabytes;  ///< for the molecule, of 2^20 bytes; empty: half of the machine's
 };
 
 struct OcclusionSettings {

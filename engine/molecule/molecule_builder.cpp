@@ -23,8 +23,7 @@ bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 void MoleculeBuilder::addAtom(Atom atom, std::string_view chain, std::int32_t number, char insertionCode,
                               std::string_view residue, std::string_view subchain) {
     if (!subchain.data()) subchain = chain;
-    if (molecule_.atoms.size() >= kMaxAtoms)
-        throw Error("cannot read molecule", name_, "more than " + std::to_string(kMaxAtoms) + " atoms");
+    if (molecule_.atoms.size() >= maxAtoms_) throw tooManyAtoms(name_, maxAtoms_);
     const Name residueName(residue);
     const auto continues = [&](const Residue& last) {
         return last.number == number && last.insertionCode == insertionCode && last.name == residueName &&

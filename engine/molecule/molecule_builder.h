@@ -15,11 +15,11 @@ namespace nacre {
 class MoleculeBuilder {
 public:
     /// @param name file name for messages
-    explicit MoleculeBuilder(std::string name) : name_(std::move(name)) {}
+    MoleculeBuilder(std::string name, std::size_t maxAtoms) : name_(std::move(name)), maxAtoms_(maxAtoms) {}
 
     /// Adds an atom to the residue of the atom before it, or begins another if any of these differ.
     /// @param subchain null: the chain
-    /// @throws Error if there are more than kMaxAtoms
+    /// @throws Error if there are more than maxAtoms
     void addAtom(Atom atom, std::string_view chain, std::int32_t number, char insertionCode, std::string_view residue,
                  std::string_view subchain = {});
 
@@ -51,6 +51,7 @@ private:
     std::uint32_t subchainIndex(std::string_view subchain);
 
     std::string name_;
+    std::size_t maxAtoms_;
     Molecule molecule_;
     Indices chains_, subchains_;
     std::size_t unknownElements_ = 0;

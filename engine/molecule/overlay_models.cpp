@@ -87,11 +87,10 @@ private:
 
 }  // namespace
 
-Molecule overlayModels(const std::string& name, std::vector<Molecule> models) {
+Molecule overlayModels(const std::string& name, std::vector<Molecule> models, std::size_t maxAtoms) {
     std::size_t atoms = 0;
     for (const Molecule& model : models) atoms += model.atoms.size();
-    if (atoms > kMaxAtoms)
-        throw Error("cannot read molecule", name, "all models have more than " + std::to_string(kMaxAtoms) + " atoms");
+    if (atoms > maxAtoms) throw tooManyAtoms(name + ", all models", maxAtoms);
     Overlay overlay(std::move(models.front()));
     for (std::size_t i = 1; i < models.size(); ++i) {
         overlay.add(models[i]);

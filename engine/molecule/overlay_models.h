@@ -13,7 +13,7 @@ namespace nacre {
 /// of the first model.
 /// @param name    file name for messages
 /// @param models  at least one; their bonds are complete
-/// @throws Error if they have more atoms than a molecule may have
-Molecule overlayModels(const std::string& name, std::vector<Molecule> models);
+/// @throws Error if they have more than maxAtoms together
+Molecule overlayModels(const std::string& name, std::vector<Molecule> models, std::size_t maxAtoms);
 
 }  // namespace nacre

@@ -126,9 +126,13 @@ Molecule readAllModels(const std::string& name, const Content& content, ReadOpti
                     "it has too many models for --model all: " + std::to_string(count) + " times " +
                         std::to_string(content.bytes.size()) + " bytes are more than " +
                         std::to_string(kMostBytesOfPasses));
-    for (options.model = 2; options.model <= count; ++options.model)
+    const std::size_t maxAtoms = options.maxAtoms;
+    for (options.model = 2; options.model <= count; ++options.model) {
+        if (models.back().atoms.size() > options.maxAtoms) throw tooManyAtoms(name + ", all models", maxAtoms);
+        options.maxAtoms -= models.back().atoms.size();
         models.push_back(readModel(name, content, options));
-    return overlayModels(name, std::move(models));
+    }
+    return overlayModels(name, std::move(models), maxAtoms);
 }
 
 struct CloseFile {
@@ -153,6 +157,11 @@ std::string readAll(std::FILE* file, const std::string& name, std::size_t maxByt
 }
 
 }  // namespace
+
+Error tooManyAtoms(const std::string& name, std::size_t maxAtoms) {
+    const char* why = maxAtoms < kMaxAtoms ? ", all that there is memory for" : "";
+    return {"cannot read molecule", name, "more than " + std::to_string(maxAtoms) + " atoms" + why};
+}
 
 std::optional<Format> formatFromName(std::string_view name) {
     for (const NamedFormat& known : kFormats)

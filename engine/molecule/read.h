@@ -13,6 +13,9 @@ namespace nacre {
 
 enum class Format { pdb, mmcif, mmjson, bcif, mmtf, sdf, xyz, mol2, pqr, gro, pdbqt, cml };
 
+/// Larger molecules are always refused: an atom may take as few as six bytes of text.
+constexpr std::size_t kMaxAtoms = 50'000'000;
+
 /// Of ReadOptions: every model, one over the other.
 constexpr int kAllModels = 0;
 
@@ -20,6 +23,7 @@ struct ReadOptions {
     std::optional<Format> format;                 ///< empty: from the content first, the name second
     int model = 1;                                ///< 1-based model, frame or record, or kAllModels
     std::size_t maxBytes = std::size_t{1} << 31;  ///< largest text accepted, after inflation
+    std::size_t maxAtoms = kMaxAtoms;             ///< of the model that is read; reading ends at one more
 };
 
 /// Name of a format as `--format` takes it, one of formatNames(); empty if there is none such.

@@ -57,8 +57,8 @@ struct CmlBond {
 
 class CmlReader {
 public:
-    explicit CmlReader(const std::string& name)
-        : name_(name), builder_(name), parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
+    CmlReader(const std::string& name, std::size_t maxAtoms)
+        : name_(name), builder_(name, maxAtoms), parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
         if (!parser_) throw std::bad_alloc();
         XML_SetUserData(parser_.get(), this);
         XML_SetElementHandler(parser_.get(), onStart, onEnd);
@@ -269,7 +269,7 @@ Molecule readCml(const std::string& name, std::string_view text, const ReadOptio
         throw Error(
             "cannot read molecule", name,
             "there is no model " + std::to_string(options.model) + "; the molecules of a CML file are read as one");
-    return CmlReader(name).run(text);
+    return CmlReader(name, options.maxAtoms).run(text);
 }
 
 }  // namespace nacre

@@ -16,8 +16,8 @@ constexpr std::int32_t kNumbersWrapAt = 100000;
 
 class GroReader {
 public:
-    GroReader(const std::string& name, std::string_view text, int model)
-        : name_(name), lines_(text), model_(model), builder_(name) {}
+    GroReader(const std::string& name, std::string_view text, const ReadOptions& options)
+        : name_(name), lines_(text), model_(options.model), builder_(name, options.maxAtoms) {}
 
     Molecule run() {
         std::int64_t frames = 0, atoms = 0;
@@ -148,7 +148,7 @@ private:
 }  // namespace
 
 Molecule readGro(const std::string& name, std::string_view text, const ReadOptions& options) {
-    return GroReader(name, text, options.model).run();
+    return GroReader(name, text, options).run();
 }
 
 }  // namespace nacre

@@ -17,7 +17,7 @@ using Kind = MsgpackValue::Kind;
 class MmtfReader {
 public:
     MmtfReader(const std::string& name, std::string_view bytes, const ReadOptions& options)
-        : fields_(name, bytes), builder_(name), wanted_(static_cast<std::size_t>(options.model)) {}
+        : fields_(name, bytes), builder_(name, options.maxAtoms), wanted_(static_cast<std::size_t>(options.model)) {}
 
     Molecule read() {
         checkVersion();

@@ -93,7 +93,7 @@ int orderOf(std::string_view type) {
 
 class Mol2Reader {
 public:
-    explicit Mol2Reader(const std::string& name) : name_(name), builder_(name) {}
+    Mol2Reader(const std::string& name, std::size_t maxAtoms) : name_(name), builder_(name, maxAtoms) {}
 
     Molecule run(std::string_view text, int model) {
         std::int64_t records = 0, atoms = 0, bonds = 0;
@@ -260,7 +260,7 @@ private:
 }  // namespace
 
 Molecule readMol2(const std::string& name, std::string_view text, const ReadOptions& options) {
-    return Mol2Reader(name).run(text, options.model);
+    return Mol2Reader(name, options.maxAtoms).run(text, options.model);
 }
 
 }  // namespace nacre

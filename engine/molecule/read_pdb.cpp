@@ -62,7 +62,7 @@ enum class Flavour { pdb, pdbqt };
 class PdbReader {
 public:
     PdbReader(const std::string& name, std::string_view text, const ReadOptions& options, Flavour flavour)
-        : name_(name), text_(text), lines_(text), wanted_(options.model), flavour_(flavour) {
+        : name_(name), text_(text), lines_(text), wanted_(options.model), maxAtoms_(options.maxAtoms), flavour_(flavour) {
         chainIndex_.fill(-1);
     }
 
@@ -70,7 +70,7 @@ public:
         if (wanted_ < 1) throw Error(kCannotRead, name_, "models count from 1");
         molecule_.file.format = flavour_ == Flavour::pdb ? "pdb" : "pdbqt";
         // A bound on what the text can hold, so no header can ask for more.
-        molecule_.atoms.reserve(text_.size() / 81 + 1);
+        molecule_.atoms.reserve(std::min(text_.size() / 81 + 1, maxAtoms_));
         std::string_view line;
         while (lines_.next(line)) record(line);
         endModel();
@@ -153,6 +153,7 @@ private:
         atom.residue = residueOf(line);
         elementAndCharge(line, atom);
         ++molecule_.residues.back().atomCount;
+        if (molecule_.atoms.size() >= maxAtoms_) throw tooManyAtoms(name_, maxAtoms_);
         molecule_.atoms.push_back(atom);
         serials_.push_back(pdb::serial(line).value_or(-1));
     }
@@ -240,6 +241,7 @@ private:
     std::string_view text_;
     Lines lines_;
     int wanted_;
+    std::size_t maxAtoms_;
     Flavour flavour_;
     Molecule molecule_;
     pdb::ConectTable conect_;

@@ -23,8 +23,8 @@ struct PqrFields {
 
 class PqrReader {
 public:
-    PqrReader(const std::string& name, std::string_view text, int model)
-        : name_(name), lines_(text), model_(model), builder_(name) {}
+    PqrReader(const std::string& name, std::string_view text, const ReadOptions& options)
+        : name_(name), lines_(text), model_(options.model), builder_(name, options.maxAtoms) {}
 
     Molecule run() {
         while (lines_.next()) record(lines_.line());
@@ -151,7 +151,7 @@ private:
 }  // namespace
 
 Molecule readPqr(const std::string& name, std::string_view text, const ReadOptions& options) {
-    return PqrReader(name, text, options.model).run();
+    return PqrReader(name, text, options).run();
 }
 
 }  // namespace nacre

@@ -79,7 +79,7 @@ CtabCounts readRecord(MoleculeBuilder& builder, std::string_view record, std::ui
 }  // namespace
 
 Molecule readSdf(const std::string& name, std::string_view text, const ReadOptions& options) {
-    MoleculeBuilder builder(name);
+    MoleculeBuilder builder(name, options.maxAtoms);
     std::int64_t records = 0, atoms = 0, bonds = 0;
     std::uint64_t line = 1;
     // A record that holds only blanks is what follows the last "$$$$".

@@ -21,8 +21,8 @@ struct Layout {
 
 class XyzReader {
 public:
-    XyzReader(const std::string& name, std::string_view text, int model)
-        : name_(name), lines_(text), model_(model), builder_(name) {}
+    XyzReader(const std::string& name, std::string_view text, const ReadOptions& options)
+        : name_(name), lines_(text), model_(options.model), builder_(name, options.maxAtoms) {}
 
     Molecule run() {
         std::int64_t frames = 0, atoms = 0;
@@ -152,7 +152,7 @@ private:
 }  // namespace
 
 Molecule readXyz(const std::string& name, std::string_view text, const ReadOptions& options) {
-    return XyzReader(name, text, options.model).run();
+    return XyzReader(name, text, options).run();
 }
 
 }  // namespace nacre

@@ -6,10 +6,14 @@
 #include <string>
 #include <string_view>
 
+#include "engine/error.h"
 #include "engine/molecule/molecule.h"
 #include "engine/molecule/read.h"
 
 namespace nacre {
+
+/// What a reader throws at the atom after the last that there is room for.
+Error tooManyAtoms(const std::string& name, std::size_t maxAtoms);
 
 Molecule readPdb(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readMmcif(const std::string& name, std::string_view text, const ReadOptions&);
@@ -23,8 +27,5 @@ Molecule readPqr(const std::string& name, std::string_view text, const ReadOptio
 Molecule readGro(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readPdbqt(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readCml(const std::string& name, std::string_view text, const ReadOptions&);
-
-/// Larger files are refused: an atom may take as few as six bytes of text, so text alone bounds memory too loosely.
-inline constexpr std::size_t kMaxAtoms = 50'000'000;
 
 }  // namespace nacre
