@@ -76,16 +76,36 @@ struct Renderer::Impl {
     graph::Plan lastPlan;
     std::string planText;
     std::unique_ptr<WindowFrames> window;
+    std::string loss;  // of the device; empty: it is there
+
+    ~Impl() { device.settle(); }
+
+    /// What went wrong, in words. A loss is remembered.
+    Error told(const vk::SystemError& failure) {
+        Error error = device.errorOf(failure);
+        if (failure.code() == vk::make_error_code(vk::Result::eErrorDeviceLost)) loss = error.what();
+        return error;
+    }
+    template <typename Call>
+    auto guarded(Call&& call) {
+        try {
+            return call();
+        } catch (const vk::SystemError& failure) {
+            throw told(failure);
+        }
+    }
 
     explicit Impl(const DeviceOptions& options)
         : device(options),
           nearest(nearestOf(device.caps().visibility)),
           geometry(device),
           debugPass(device),
-          executor(device),
-          white(passes::makeWhiteTexture(device, executor)) {
+          executor(device) {
         stats.device = infoOf(device.caps());
-        if (options.surface.create) window = std::make_unique<WindowFrames>(device, executor, options.surface);
+        guarded([&] {
+            white = passes::makeWhiteTexture(device, executor);
+            if (options.surface.create) window = std::make_unique<WindowFrames>(device, executor, options.surface);
+        });
     }
 
     /// Declares the screen frame (screen_frame.cpp) with its recorders.
@@ -210,19 +230,29 @@ std::vector<gpu::Buffer> Renderer::Impl::draw(const RenderSettings& settings, co
     return pixels;
 }
 
-Renderer::Renderer(const DeviceOptions& options) : impl_(std::make_unique<Impl>(options)) {}
+Renderer::Renderer(const DeviceOptions& options) {
+    try {
+        impl_ = std::make_unique<Impl>(options);
+    } catch (const vk::SystemError& failure) {  // before there was a device that could tell more
+        throw Error("cannot start Vulkan", "", gpu::inOneLine(failure.what()));
+    }
+}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 
 void Renderer::setScene(Representation representation) {
-    impl_->device->waitIdle();  // frames for the window may still read the streams
-    impl_->occlusion.drop();
-    impl_->representation = std::move(representation);
-    impl_->scene = passes::makeSceneBuffers(impl_->device, impl_->representation);
+    Impl& impl = *impl_;
+    impl.guarded([&] {
+        impl.device->waitIdle();  // frames for the window may still read the streams
+        passes::SceneBuffers scene = passes::makeSceneBuffers(impl.device, representation);
+        impl.occlusion.drop();
+        impl.scene = std::move(scene);
+    });
+    impl.representation = std::move(representation);
     double sum = 0;
-    for (const Sphere& s : impl_->representation.spheres) sum += s.radius;
-    impl_->meanRadius = sum / static_cast<double>(std::max<std::size_t>(impl_->representation.spheres.size(), 1));
-    impl_->stats.copies = std::max<std::uint64_t>(impl_->representation.copies.transforms.size(), 1);
+    for (const Sphere& s : impl.representation.spheres) sum += s.radius;
+    impl.meanRadius = sum / static_cast<double>(std::max<std::size_t>(impl.representation.spheres.size(), 1));
+    impl.stats.copies = std::max<std::uint64_t>(impl.representation.copies.transforms.size(), 1);
 }
 
 Picture Renderer::render(const RenderSettings& settings) {
@@ -231,16 +261,20 @@ Picture Renderer::render(const RenderSettings& settings) {
     if (std::max(view.width, view.height) > maxSize())
         throw Error("picture too large", std::to_string(view.width) + "x" + std::to_string(view.height),
                     "this device draws at most " + std::to_string(maxSize()) + " pixels a side, supersampling counted");
-    impl_->occlusion.finish(settings);
-    const auto pixels = impl_->draw(settings, view, kScreenTargets);
+    const auto pixels = impl_->guarded([&] {
+        impl_->occlusion.finish(settings);
+        return impl_->draw(settings, view, kScreenTargets);
+    });
     const graph::Extent image = imageExtent(view);
     return resolvePicture(reinterpret_cast<const std::uint32_t*>(pixels[0].mapped), image.width, image.height, n,
                           settings.background, impl_->stats.coveredPixels);
 }
 
 LayerPicture Renderer::layers(const RenderSettings& settings) {
-    impl_->occlusion.finish(settings);
-    const auto pixels = impl_->draw(settings, settings.view, kLayerTargets);
+    const auto pixels = impl_->guarded([&] {
+        impl_->occlusion.finish(settings);
+        return impl_->draw(settings, settings.view, kLayerTargets);
+    });
     return assembleLayers(settings.view.width, settings.view.height, reinterpret_cast<const float*>(pixels[0].mapped),
                           reinterpret_cast<const float*>(pixels[1].mapped),
                           reinterpret_cast<const std::uint32_t*>(pixels[2].mapped), settings.background,
@@ -248,18 +282,23 @@ LayerPicture Renderer::layers(const RenderSettings& settings) {
 }
 
 double Renderer::drawFrame(const RenderSettings& settings) {
-    impl_->occlusion.begin(settings);
-    const auto start = Clock::now();
-    impl_->draw(settings, settings.view, kScreenTargets, false);
-    return millisecondsSince(start);
+    return impl_->guarded([&] {
+        impl_->occlusion.begin(settings);
+        const auto start = Clock::now();
+        impl_->draw(settings, settings.view, kScreenTargets, false);
+        return millisecondsSince(start);
+    });
 }
 
 double Renderer::advanceOcclusion(const RenderSettings& settings, double milliseconds) {
     if (settings.occlusionDirections == 0) return 1;
     try {
-        impl_->occlusion.begin(settings);
-        impl_->occlusion.advance(milliseconds);
-    } catch (const vk::DeviceLostError&) {
+        impl_->guarded([&] {
+            impl_->occlusion.begin(settings);
+            impl_->occlusion.advance(milliseconds);
+        });
+    } catch (const Error&) {
+        if (impl_->loss.empty()) throw;
         return 0;  // present() tells
     }
     return static_cast<double>(impl_->occlusion.bake()->directionsDone()) / impl_->occlusion.bake()->directions();
@@ -273,18 +312,26 @@ FrameOutcome Renderer::present(const RenderSettings& settings, const WindowFrame
     Impl& impl = *impl_;
     const auto declare = [&](const View& view, std::span<const ScreenTarget> targets, const char* name,
                              graph::Imports& imports) { return impl.declare(settings, view, targets, name, imports); };
+    if (!impl.loss.empty()) return FrameOutcome::lost;
     try {
-        const FrameOutcome outcome = impl.window->present(settings.view, settings.background, frame, declare);
-        if (outcome == FrameOutcome::shown) ++impl.stats.windowFrames;
-        return outcome;
-    } catch (const vk::DeviceLostError&) {
+        return impl.guarded([&] {
+            const FrameOutcome outcome = impl.window->present(settings.view, settings.background, frame, declare);
+            if (outcome == FrameOutcome::shown) ++impl.stats.windowFrames;
+            return outcome;
+        });
+    } catch (const Error&) {
+        if (impl.loss.empty()) throw;
         return FrameOutcome::lost;
     }
 }
 
 PixelSize Renderer::windowSize() const { return {impl_->window->size().width, impl_->window->size().height}; }
-void Renderer::releaseWindow() { impl_->window->release(); }
-void Renderer::setOverlayGlyphs(const OverlayGlyphs& glyphs) { impl_->window->setGlyphs(glyphs); }
+void Renderer::releaseWindow() {
+    impl_->guarded([&] { impl_->window->release(); });
+}
+void Renderer::setOverlayGlyphs(const OverlayGlyphs& glyphs) {
+    impl_->guarded([&] { impl_->window->setGlyphs(glyphs); });
+}
 
 std::uint32_t Renderer::atomAt(const RenderSettings& settings, double x, double y, double reach) {
     // A picture of its own, as large as the reach, about the place. The middle pixel is the one that holds (x, y).
@@ -294,7 +341,7 @@ std::uint32_t Renderer::atomAt(const RenderSettings& settings, double x, double 
     small.countFragments = false;
     small.view.pan = -planePointAt(settings.view, std::floor(x) + 0.5, std::floor(y) + 0.5);
     small.view.width = small.view.height = side;
-    const auto pixels = impl_->draw(small, small.view, kPickTargets, true, "pick");
+    const auto pixels = impl_->guarded([&] { return impl_->draw(small, small.view, kPickTargets, true, "pick"); });
     const auto* identity = reinterpret_cast<const std::uint32_t*>(pixels[0].mapped);
     std::uint32_t atom = 0;
     double nearest = reach * reach + 0.5;
@@ -316,11 +363,12 @@ void Renderer::beginCapture(const std::string& stem) { impl_->device.capture().b
 std::string Renderer::endCapture() { return impl_->device.capture().end(); }
 
 std::vector<std::byte> Renderer::pipelineCache() const {
-    const std::vector<std::uint8_t> data = impl_->device.pipelineCache().getData();
+    const auto data = impl_->guarded([&] { return impl_->device.pipelineCache().getData(); });
     const auto bytes = std::as_bytes(std::span(data));
     return {bytes.begin(), bytes.end()};
 }
 
+const std::string& Renderer::deviceLoss() const { return impl_->loss; }
 const FrameStats& Renderer::stats() const { return impl_->stats; }
 const std::string& Renderer::planText() const {
     if (impl_->planText.empty()) impl_->planText = graph::describe(impl_->lastGraph, impl_->lastPlan);
@@ -332,12 +380,17 @@ std::uint32_t Renderer::maxSize() const { return impl_->device.caps().maxImageSi
 bool capturesBuilt() { return gpu::CaptureHook::built(); }
 
 std::vector<DeviceInfo> listDevices() {
-    const vk::raii::Context context;
-    gpu::InstanceExtensions found;
-    const vk::raii::Instance instance = gpu::makeInstance(context, false, found);
-    std::vector<DeviceInfo> devices;
-    for (const auto& physical : vk::raii::PhysicalDevices(instance)) devices.push_back(infoOf(gpu::capsOf(physical)));
-    return devices;
+    try {
+        const vk::raii::Context context;
+        gpu::InstanceExtensions found;
+        const vk::raii::Instance instance = gpu::makeInstance(context, false, found);
+        std::vector<DeviceInfo> devices;
+        for (const auto& physical : vk::raii::PhysicalDevices(instance))
+            devices.push_back(infoOf(gpu::capsOf(physical)));
+        return devices;
+    } catch (const vk::SystemError& failure) {
+        throw Error("cannot list devices", "", gpu::inOneLine(failure.what()));
+    }
 }
 
 }  // namespace nacre

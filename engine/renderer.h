@@ -109,13 +109,15 @@ enum class FrameOutcome {
     shown,
     resized,  ///< nothing drawn: the window is now windowSize(), or there is no refined picture of that size
     hidden,   ///< nothing drawn: the window has no area
-    lost,     ///< nothing drawn: the device is gone; only a new Renderer helps
+    lost,     ///< nothing drawn: the device is gone, deviceLoss() tells; only a new Renderer helps
 };
 
 struct PixelSize {
     std::uint32_t width = 0, height = 0;
 };
 
+/// After an Error the renderer is as good as before: the same call, or one that asks for less, may succeed. Only a
+/// device that was lost stays so.
 class Renderer {
 public:
     /// @throws Error if no suitable device is there
@@ -123,7 +125,7 @@ public:
     ~Renderer();
     Renderer(Renderer&&) noexcept;
 
-    /// Uploads a scene. What was baked for the one before is dropped. @throws Error
+    /// Uploads a scene. What was baked for the one before is dropped. @throws Error, and the scene before stays
     void setScene(Representation representation);
 
     /// Works on the scene's occlusion for about `milliseconds`: at least one direction, if any is left. Frames show
@@ -167,6 +169,9 @@ public:
 
     /// What the driver compiled so far, for DeviceOptions::pipelineCache of a later run.
     std::vector<std::byte> pipelineCache() const;
+
+    /// What is known of the device's loss, in one line; empty: it is there.
+    const std::string& deviceLoss() const;
 
     const FrameStats& stats() const;
     /// Plan of the last frame as text.

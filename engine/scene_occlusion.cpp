@@ -43,7 +43,27 @@ std::string howBaked(const gpu::Caps& caps, const passes::OcclusionOptions& opti
 
 }  // namespace
 
+template <typename Work>
+void SceneOcclusion::orDrop(Work&& work) {
+    try {
+        work();
+    } catch (...) {
+        device_.settle();
+        bake_.reset();
+        try {
+            executor_.forget("occlusion");
+        } catch (const vk::SystemError&) {
+            // The depth maps stay until the next bake.
+        }
+        throw;
+    }
+}
+
 void SceneOcclusion::begin(const RenderSettings& settings) {
+    orDrop([&] { make(settings); });
+}
+
+void SceneOcclusion::make(const RenderSettings& settings) {
     const std::tuple wanted{settings.occlusionDirections, settings.occlusionBytes, settings.occlusionMaps};
     if (settings.occlusionDirections == 0 || (bake_ && baked_ == wanted)) return;
     const auto start = Clock::now();
@@ -108,31 +128,35 @@ void SceneOcclusion::show(Clock::time_point start) {
 }
 
 void SceneOcclusion::advance(double milliseconds) {
-    const auto start = Clock::now();
-    const int before = bake_->directionsDone();
-    while (bake_->directionsDone() < bake_->directions()) {
-        const double left = milliseconds - millisecondsSince(start);
-        const int done = bake_->directionsDone();
-        if (done > before && left < directionMilliseconds_) break;
-        // As many as fit the time that is left, by what the last ones took.
-        const double fit = directionMilliseconds_ > 0 ? left / directionMilliseconds_ : 1;
-        const auto stepStart = Clock::now();
-        bake_->step(executor_, static_cast<std::uint32_t>(std::clamp(fit, 1.0, 16.0)));
-        directionMilliseconds_ = millisecondsSince(stepStart) / (bake_->directionsDone() - done);
-    }
-    if (bake_->directionsDone() > before) show(start);
+    orDrop([&] {
+        const auto start = Clock::now();
+        const int before = bake_->directionsDone();
+        while (bake_->directionsDone() < bake_->directions()) {
+            const double left = milliseconds - millisecondsSince(start);
+            const int done = bake_->directionsDone();
+            if (done > before && left < directionMilliseconds_) break;
+            // As many as fit the time that is left, by what the last ones took.
+            const double fit = directionMilliseconds_ > 0 ? left / directionMilliseconds_ : 1;
+            const auto stepStart = Clock::now();
+            bake_->step(executor_, static_cast<std::uint32_t>(std::clamp(fit, 1.0, 16.0)));
+            directionMilliseconds_ = millisecondsSince(stepStart) / (bake_->directionsDone() - done);
+        }
+        if (bake_->directionsDone() > before) show(start);
+    });
 }
 
 void SceneOcclusion::finish(const RenderSettings& settings) {
     begin(settings);
     if (settings.occlusionDirections == 0 || bake_->directionsDone() == bake_->directions()) return;
-    const auto start = Clock::now();
-    while (bake_->directionsDone() < bake_->directions()) {
-        bake_->step(executor_);
-        if (settings.onBakeProgress)
-            settings.onBakeProgress(static_cast<double>(bake_->directionsDone()) / bake_->directions());
-    }
-    show(start);
+    orDrop([&] {
+        const auto start = Clock::now();
+        while (bake_->directionsDone() < bake_->directions()) {
+            bake_->step(executor_);
+            if (settings.onBakeProgress)
+                settings.onBakeProgress(static_cast<double>(bake_->directionsDone()) / bake_->directions());
+        }
+        show(start);
+    });
 }
 
 }  // namespace nacre

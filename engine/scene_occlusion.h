@@ -39,6 +39,11 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
+    /// Does some work on the bake. One that failed half way may have counted directions that it does not know of, and
+    /// is dropped: the next begins anew.
+    template <typename Work>
+    void orDrop(Work&& work);
+    void make(const RenderSettings& settings);
     void keep(std::vector<std::uint8_t> atlas);
     void show(Clock::time_point start);
 

@@ -34,6 +34,7 @@ void WindowFrames::setGlyphs(const OverlayGlyphs& glyphs) {
 }
 
 void WindowFrames::release() {
+    ring_.dropImage();
     executor_.forgetFramebuffers();
     swapchain_.release();
 }
@@ -45,6 +46,7 @@ bool WindowFrames::coded() const {
 /// Brings swapchain and kept picture to the window's size. @returns whether there is anything to draw into
 bool WindowFrames::prepare(graph::Extent wanted) {
     if (!swapchain_.stale() && swapchain_.ready() && swapchain_.upright() == wanted) return true;
+    ring_.dropImage();
     executor_.forgetFramebuffers();
     swapchain_.recreate(wanted);
     return swapchain_.ready();
@@ -108,34 +110,46 @@ ScreenFrame WindowFrames::declareFrame(const View& upright, const graph::Clear& 
     return f;
 }
 
+/// Draws the frame into the image that the slot has.
+void WindowFrames::submit(gpu::FrameSlot& slot, const View& view, const graph::Clear& clear, const WindowFrame& frame,
+                          const Declare& declare) {
+    graph::Imports imports;
+    const auto f = std::make_shared<ScreenFrame>(declareFrame(view, clear, frame, declare, imports));
+    slot.held = f;
+    const graph::Image window = f->targets.back();
+    imports.bind(window, swapchain_.image(*slot.image));
+    addOverlay(*f, window, frame.overlay, slot);
+    graph::PlanCaps caps = device_.caps().plan;
+    const graph::Plan& plan = plans_.planOf(f->graph, caps);
+    device_.log().begin();
+    slot.commands.reset();
+    slot.commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    executor_.record(slot.commands, f->graph, plan, imports, slot.descriptors);
+    slot.commands.end();
+    ring_.submit(slot, swapchain_.drawn(*slot.image));
+}
+
 FrameOutcome WindowFrames::present(const View& view, const std::array<float, 4>& background, const WindowFrame& frame,
                                    const Declare& declare) {
     const graph::Extent wanted{view.width, view.height};
     for (int attempt = 0; attempt < 3; ++attempt) {
         if (!prepare(wanted)) return FrameOutcome::hidden;
         if (swapchain_.upright() != wanted) return FrameOutcome::resized;
-        if (frame.quality == Quality::kept && kept_.desc.extent != swapchain_.extent()) return FrameOutcome::resized;
+        if (frame.quality == Quality::kept && !(keptDrawn_ && kept_.desc.extent == swapchain_.extent()))
+            return FrameOutcome::resized;
         gpu::FrameSlot& slot = ring_.next();
-        const std::optional<std::uint32_t> index = swapchain_.acquire(*slot.acquired);
-        if (!index) continue;
-        graph::Imports imports;
-        ScreenFrame f = declareFrame(view, clearOf(background), frame, declare, imports);
-        const graph::Image window = f.targets.back();
-        imports.bind(window, swapchain_.image(*index));
-        addOverlay(f, window, frame.overlay, slot);
-        graph::PlanCaps caps = device_.caps().plan;
-        const graph::Plan& plan = plans_.planOf(f.graph, caps);
-        slot.commands.reset();
-        slot.commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-        executor_.record(slot.commands, f.graph, plan, imports, slot.descriptors);
-        slot.commands.end();
-        ring_.submit(slot, swapchain_.drawn(*index));
-        slot.held = std::make_shared<const ScreenFrame>(std::move(f));
-        swapchain_.present(*index);
+        // An attempt that failed may have left the slot with an image.
+        if (!slot.image) slot.image = swapchain_.acquire(*slot.acquired);
+        if (!slot.image) continue;
+        const std::uint32_t index = *slot.image;
+        if (frame.quality == Quality::refined) keptDrawn_ = false;
+        submit(slot, view, clearOf(background), frame, declare);
+        if (frame.quality == Quality::refined) keptDrawn_ = true;
+        swapchain_.present(index);
         if (frame.quality == Quality::refined) executor_.forget("refinement");
         return FrameOutcome::shown;
     }
-    return FrameOutcome::hidden;
+    return FrameOutcome::resized;  // faster than it can be followed: again at the next frame
 }
 
 }  // namespace nacre

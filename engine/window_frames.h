@@ -21,6 +21,7 @@ public:
         std::function<ScreenFrame(const View&, std::span<const ScreenTarget>, const char* name, graph::Imports&)>;
 
     WindowFrames(const gpu::Device& device, graph::Executor& executor, const SurfaceSource& source);
+    ~WindowFrames() { device_.settle(); }
 
     /// @param view of the upright window; one of another size is not drawn, and told by FrameOutcome::resized
     FrameOutcome present(const View& view, const std::array<float, 4>& background, const WindowFrame& frame,
@@ -31,6 +32,8 @@ public:
 
 private:
     bool prepare(graph::Extent wanted);
+    void submit(gpu::FrameSlot& slot, const View& view, const graph::Clear& clear, const WindowFrame& frame,
+                const Declare& declare);
     ScreenFrame declareFrame(const View& view, const graph::Clear& clear, const WindowFrame& frame,
                              const Declare& declare, graph::Imports& imports);
     graph::Image addPicture(ScreenFrame& frame, graph::Image picture, std::uint32_t samples);
@@ -44,7 +47,8 @@ private:
     graph::PlanCache plans_;
     passes::OverlayPass overlay_;
     passes::Resample resample_;
-    gpu::Image kept_;  ///< the refined picture
+    gpu::Image kept_;         ///< the refined picture
+    bool keptDrawn_ = false;  ///< it has been drawn, or will be by what was submitted
 };
 
 }  // namespace nacre

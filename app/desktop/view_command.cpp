@@ -230,7 +230,11 @@ private:
     }
 
     void renew() {
-        if (++lost_ > 3) throw Error("the device stopped", renderer_->stats().device.name, "again and again");
+        const std::string loss = renderer_->deviceLoss();
+        if (now() - lostAt_ > 60) lost_ = 0;
+        lostAt_ = now();
+        if (++lost_ > 3) throw Error("drawing was given up", "4 times within minutes", loss);
+        std::cerr << "nacre: warning: " << loss << std::endl;
         renderer_.reset();
         renderer_ = makeRenderer();
         screen_.setRenderer(*renderer_);
@@ -263,7 +267,8 @@ private:
     double scale_ = 1, lastFrame_ = 0, lastShown_ = 0;
     std::uint64_t shown_ = 0;  // frames, when lastShown_ was
     bool panelDrag_ = false, cacheSaved_ = false;
-    int lost_ = 0;
+    int lost_ = 0;          // devices, of late
+    double lostAt_ = -1e9;  // the last of them
 };
 
 }  // namespace

@@ -1,8 +1,13 @@
 #include "app/headless/image_file.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <memory>
 #include <vector>
 
@@ -34,18 +39,83 @@ OIIO::ImageSpec specOf(const std::string& path, std::uint32_t width, std::uint32
     return spec;
 }
 
+/// A file that remembers the first failure. OpenImageIO's writers of PNG and JPEG do not look whether what they wrote
+/// last has come to the disk, and are content with half a picture on a full one.
+class CheckedFile : public OIIO::Filesystem::IOProxy {
+public:
+    explicit CheckedFile(const std::string& path)
+        : IOProxy(path, Write), file_(::open(path.c_str(), O_RDWR | O_TRUNC | O_CLOEXEC)) {
+        if (file_ < 0) failure_ = errno;
+    }
+    ~CheckedFile() override { finish(); }
+
+    /// Closes the file. @returns errno of the first failure, 0 if there was none
+    int finish() {
+        if (file_ >= 0 && ::close(file_) != 0 && failure_ == 0) failure_ = errno;
+        file_ = -1;
+        return failure_;
+    }
+
+    const char* proxytype() const override { return "checked"; }  // "file" promises a FILE
+    std::size_t write(const void* bytes, std::size_t size) override {
+        const std::size_t written = pwrite(bytes, size, m_pos);
+        m_pos += static_cast<std::int64_t>(written);
+        return written;
+    }
+    std::size_t pwrite(const void* bytes, std::size_t size, std::int64_t offset) override {
+        std::size_t done = 0;
+        while (done < size && failure_ == 0) {
+            const auto at = offset + static_cast<std::int64_t>(done);
+            const ssize_t n = ::pwrite(file_, static_cast<const char*>(bytes) + done, size - done, at);
+            if (n > 0) done += static_cast<std::size_t>(n);
+            if (n == 0) failure_ = ENOSPC;
+            if (n < 0 && errno != EINTR) failure_ = errno;
+        }
+        return done;
+    }
+    std::size_t size() const override {
+        const off_t end = ::lseek(file_, 0, SEEK_END);
+        return end > 0 ? static_cast<std::size_t>(end) : 0;
+    }
+
+private:
+    int file_ = -1;
+    int failure_ = 0;
+};
+
+/// Whether a picture is all there. For TIFF, whose writer does not look either, and needs a file of its own.
+bool readsBack(const std::string& path, const OIIO::ImageSpec& spec) {
+    const std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path);
+    if (!in || in->spec().width != spec.width || in->spec().height != spec.height) return false;
+    for (const char* text : {"Software", "DateTime"})
+        if (in->spec().get_string_attribute(text) != spec.get_string_attribute(text)) return false;
+    std::vector<std::uint8_t> row(spec.scanline_bytes());
+    for (int y = 0; y < spec.height; ++y)
+        if (!in->read_scanlines(0, 0, y, y + 1, 0, 0, spec.nchannels, spec.format, row.data())) return false;
+    return true;
+}
+
 /// Writes rows as `convert(firstRow, rowCount)` gives them: a pointer to rowCount rows of interleaved channels.
 template <class Convert>
 void writeRows(OutputFile& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc from, Convert&& convert) {
+    CheckedFile target(file.temporary());  // outlives the writer
     const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(file.temporary());
     if (!out) fail(file, OIIO::geterror());
-    if (!out->open(file.temporary(), spec)) fail(file, out->geterror());
+    const auto stop = [&] {
+        const std::string why = out->geterror();
+        const int failure = target.finish();
+        fail(file, failure ? std::strerror(failure) : why);
+    };
+    if (!isTiff(file.path()) && !out->set_ioproxy(&target)) stop();
+    if (!out->open(file.temporary(), spec)) stop();
     for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(spec.height); row += kRowsAtOnce) {
         const std::uint32_t end = std::min(row + kRowsAtOnce, static_cast<std::uint32_t>(spec.height));
         if (!out->write_scanlines(static_cast<int>(row), static_cast<int>(end), 0, from, convert(row, end - row)))
-            fail(file, out->geterror());
+            stop();
     }
-    if (!out->close()) fail(file, out->geterror());
+    if (!out->close() || target.finish() != 0) stop();
+    if (isTiff(file.path()) && !readsBack(file.temporary(), spec))
+        fail(file, "the data could not be written (is the disk full?)");
     file.commit();
 }
 

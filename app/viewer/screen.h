@@ -13,6 +13,8 @@ public:
     virtual FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame) = 0;
     virtual PixelSize windowSize() const = 0;
     virtual std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach) = 0;
+    /// What is known of the device's loss; empty: it is there.
+    virtual std::string deviceLoss() const { return {}; }
 };
 
 /// Draws by a renderer that lives longer.
@@ -31,6 +33,7 @@ public:
     std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach) override {
         return renderer_->atomAt(settings, x, y, reach);
     }
+    std::string deviceLoss() const override { return renderer_->deviceLoss(); }
 
 private:
     Renderer* renderer_;

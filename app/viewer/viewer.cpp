@@ -7,6 +7,7 @@
 
 #include "app/headless/option_values.h"
 #include "app/viewer/measurement.h"
+#include "engine/error.h"
 
 namespace nacre::app {
 namespace {
@@ -75,7 +76,7 @@ void Viewer::apply(const std::vector<Gesture>& gestures, double now) {
                 break;
             case Gesture::Kind::tap:
             case Gesture::Kind::longPress:
-                pick(g.at);
+                pick(g.at, now);
                 break;
             case Gesture::Kind::doubleTap:
                 picks_ = picksBefore_;  // its first tap was no pick
@@ -89,10 +90,16 @@ void Viewer::apply(const std::vector<Gesture>& gestures, double now) {
     }
 }
 
-void Viewer::pick(glm::dvec2 at) {
+void Viewer::pick(glm::dvec2 at, double now) {
     picksBefore_ = picks_;
-    if (!document()) return;
-    const std::uint32_t atom = screen_.atomAt(settings(), at.x * scale_, at.y * scale_, kFingerPoints * scale_);
+    if (!document() || !sceneThere_) return;
+    std::uint32_t atom = 0;
+    try {
+        atom = screen_.atomAt(settings(), at.x * scale_, at.y * scale_, kFingerPoints * scale_);
+    } catch (const Error& error) {
+        if (!noticeLoss()) say(error.what(), now);
+        return;
+    }
     schedule_.overlayChanged();
     message_.clear();
     if (atom == 0) {
@@ -133,9 +140,38 @@ void Viewer::lowMemory() { options_.refinedPixels = 0; }
 
 void Viewer::screenLost(double now) {
     deviceLost_ = false;
-    occlusion_ = view_.occlusionDirections ? 0 : 1;
-    if (document()) screen_.setScene(document_.scene);
+    if (!loss_.empty()) say(loss_, now);
+    loss_.clear();
+    sceneThere_ = !document();
+    sceneRetry_ = occlusionRetry_ = frameRetry_ = {};
+    putScene(now);
     schedule_.windowChanged(now);
+}
+
+/// Puts the document's scene on the screen, where it is not.
+void Viewer::putScene(double now) {
+    occlusion_ = view_.occlusionDirections ? 0 : 1;
+    if (sceneThere_) return;
+    try {
+        screen_.setScene(document_.scene);
+        sceneThere_ = true;
+        sceneRetry_.succeeded();
+    } catch (const Error& error) {
+        failed(error, sceneRetry_, now);
+    }
+}
+
+void Viewer::failed(const std::exception& error, Retry& retry, double now) {
+    retry.failed(now);
+    if (!noticeLoss()) say(error.what(), now);
+}
+
+bool Viewer::noticeLoss() {
+    const std::string loss = screen_.deviceLoss();
+    if (loss.empty()) return false;
+    loss_ = loss;
+    deviceLost_ = true;
+    return true;
 }
 
 void Viewer::say(const std::string& message, double now) {
@@ -214,6 +250,13 @@ void Viewer::tookDocument(double now) {
         return;
     }
     if (!document) return;
+    try {
+        screen_.setScene(document->scene);
+        sceneThere_ = true;
+    } catch (const Error& error) {
+        if (!noticeLoss()) return say(error.what(), now);  // the document before stays
+        sceneThere_ = false;                               // on the next device
+    }
     const bool another = document->molecule != document_.molecule;
     document_ = std::move(*document);
     if (another) {
@@ -229,8 +272,8 @@ void Viewer::tookDocument(double now) {
         firstDocument_ = false;
         message_.clear();
     }
-    screen_.setScene(document_.scene);
     occlusion_ = view_.occlusionDirections ? 0 : 1;
+    occlusionRetry_ = {};
     if (!document_.scene.warnings.empty()) say(document_.scene.warnings.front(), now);
     changed(now);
 }
@@ -269,13 +312,30 @@ double Viewer::update(double now, const std::function<const Overlay*()>& overlay
     const bool hand = now - handMoved_ < kHandSeconds;
     const bool moving = motion_.moving() || hand;
     if (!schedule_.visible()) return kNever;
-    if (document() && occlusion_ < 1) occlusion_ = screen_.advanceOcclusion(settings(), occlusionBudget(now, moving));
+    if (!sceneThere_ && sceneRetry_.due(now)) putScene(now);
+    if (document() && sceneThere_ && occlusion_ < 1 && occlusionRetry_.due(now)) advanceOcclusion(now, moving);
+    if (deviceLost_) return now;
+    if (!frameRetry_.due(now)) return std::min(due, frameRetry_.at());
     const FrameSchedule::Next next = schedule_.next(now, moving, occlusion_);
     if (next.draw != Draw::nothing) draw(next, now, moving, overlay);
     const FrameSchedule::Next after = schedule_.next(now, moving, occlusion_);
-    const double wake =
-        after.draw != Draw::nothing ? now : std::min(after.wake, hand ? handMoved_ + kHandSeconds : kNever);
+    double wake = after.draw != Draw::nothing ? now : after.wake;
+    if (after.draw == Draw::nothing && !occlusionRetry_.due(now)) wake = occlusionRetry_.at();
+    wake = std::min(wake, hand ? handMoved_ + kHandSeconds : kNever);
+    if (!sceneThere_) wake = std::min(wake, sceneRetry_.at());
+    if (!frameRetry_.due(now)) wake = frameRetry_.at();
     return std::min(due, wake);
+}
+
+void Viewer::advanceOcclusion(double now, bool moving) {
+    try {
+        occlusion_ = screen_.advanceOcclusion(settings(), occlusionBudget(now, moving));
+        occlusionRetry_.succeeded();
+        noticeLoss();
+    } catch (const Error& error) {
+        occlusion_ = 0;  // what there was is gone
+        failed(error, occlusionRetry_, now);
+    }
 }
 
 void Viewer::draw(const FrameSchedule::Next& next, double now, bool moving,
@@ -287,7 +347,14 @@ void Viewer::draw(const FrameSchedule::Next& next, double now, bool moving,
     frame.scale = next.scale;
     frame.samples = refinedSamples();
     if (overlay) frame.overlay = overlay();
-    switch (screen_.present(settings(), frame)) {
+    FrameOutcome outcome = FrameOutcome::lost;
+    try {
+        outcome = screen_.present(settings(), frame);
+        frameRetry_.succeeded();
+    } catch (const Error& error) {
+        return failed(error, frameRetry_, now);
+    }
+    switch (outcome) {
         case FrameOutcome::shown:
             schedule_.shown(next, now, moving, occlusion_);
             break;
@@ -298,6 +365,7 @@ void Viewer::draw(const FrameSchedule::Next& next, double now, bool moving,
             schedule_.setVisible(false);  // until resume()
             break;
         case FrameOutcome::lost:
+            noticeLoss();
             deviceLost_ = true;
             break;
     }

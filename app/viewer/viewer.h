@@ -2,6 +2,9 @@
 // The viewer, free of platforms: molecule, look, camera, hands, picks, and when to draw. A shell feeds it events, asks
 // it after each when it wants to be called again, and shows what annotations() and title() say. It has no clock: every
 // call says what time it is, in seconds. For one thread.
+//
+// What the screen cannot do for lack of memory is said and tried again a little later; a picture too large to be loaded
+// leaves the one before. A device that is lost is the shell's to replace.
 
 #include <functional>
 #include <string>
@@ -14,6 +17,7 @@
 #include "app/viewer/gestures.h"
 #include "app/viewer/loader.h"
 #include "app/viewer/mouse.h"
+#include "app/viewer/retry.h"
 #include "app/viewer/screen.h"
 
 namespace nacre::app {
@@ -52,7 +56,7 @@ public:
     void resume(double now);
     /// Gives up what can be made again: the refined picture's samples from now on, picks stay.
     void lowMemory();
-    /// The window's picture or the device is lost, or `screen` draws on another one.
+    /// The window's picture or the device is lost, or `screen` draws on another one. Says what is known of the loss.
     void screenLost(double now);
 
     // State
@@ -84,7 +88,11 @@ public:
 
 private:
     void apply(const std::vector<Gesture>& gestures, double now);
-    void pick(glm::dvec2 at);
+    void pick(glm::dvec2 at, double now);
+    void putScene(double now);
+    void advanceOcclusion(double now, bool moving);
+    void failed(const std::exception& error, Retry& retry, double now);
+    bool noticeLoss();
     void tookDocument(double now);
     double advance(double now);
     void draw(const FrameSchedule::Next& next, double now, bool moving, const std::function<const Overlay*()>& overlay);
@@ -113,6 +121,9 @@ private:
     double messageUntil_ = 0;
     std::size_t preset_ = 0;
     bool deviceLost_ = false, firstDocument_ = true;
+    bool sceneThere_ = true;  // the document's scene is on the screen
+    Retry sceneRetry_, occlusionRetry_, frameRetry_;
+    std::string loss_;  // of the device, until another is there
 };
 
 }  // namespace nacre::app

@@ -70,13 +70,21 @@ void Device::createDevice(const DeviceOptions& options) {
     queueFamily_ = graphicsAndCompute(physical_);
     const float priority = 1.0f;
     const vk::DeviceQueueCreateInfo queue({}, queueFamily_, 1, &priority);
-    const auto extensions = deviceExtensions(physical_, static_cast<bool>(options.surface.create));
+    auto extensions = deviceExtensions(physical_, static_cast<bool>(options.surface.create));
     vk::PhysicalDeviceFeatures features;
     // Only the counting shaders write storage from fragments.
     features.fragmentStoresAndAtomics = physical_.getFeatures().fragmentStoresAndAtomics;
     vk::DeviceCreateInfo info({}, queue, {}, extensions, &features);
     vk::PhysicalDeviceRasterizationOrderAttachmentAccessFeaturesEXT order(true);
     if (readsInRasterOrder(physical_)) info.pNext = &order;
+    vk::PhysicalDeviceFaultFeaturesEXT fault(true);
+    tellsOfFaults_ = tellsOfFaults(physical_);
+    if (tellsOfFaults_) {
+        extensions.push_back(VK_EXT_DEVICE_FAULT_EXTENSION_NAME);
+        info.setPEnabledExtensionNames(extensions);
+        fault.pNext = const_cast<void*>(info.pNext);
+        info.pNext = &fault;
+    }
     device_ = vk::raii::Device(physical_, info);
     queue_ = device_.getQueue(queueFamily_, 0);
     pool_ = vk::raii::CommandPool(device_,
@@ -105,7 +113,12 @@ vk::raii::DeviceMemory Device::allocate(const vk::MemoryRequirements& requiremen
 }
 
 void Device::name(vk::ObjectType type, std::uint64_t handle, const std::string& name) const {
-    if (debugUtils_) device_.setDebugUtilsObjectNameEXT({type, handle, name.c_str()});
+    if (!debugUtils_) return;
+    try {
+        device_.setDebugUtilsObjectNameEXT({type, handle, name.c_str()});
+    } catch (const vk::SystemError&) {
+        // The object is as good without its name.
+    }
 }
 
 void Device::beginLabel(const vk::raii::CommandBuffer& commands, const std::string& name) const {
@@ -119,6 +132,7 @@ void Device::endLabel(const vk::raii::CommandBuffer& commands) const {
 vk::raii::CommandBuffer Device::begin() const {
     vk::raii::CommandBuffers buffers(device_, {*pool_, vk::CommandBufferLevel::ePrimary, 1});
     buffers[0].begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    log_->begin();
     return std::move(buffers[0]);
 }
 
@@ -126,9 +140,41 @@ void Device::finish(const vk::raii::CommandBuffer& commands) const {
     commands.end();
     const vk::raii::Fence fence(device_, vk::FenceCreateInfo());
     name(*fence, "single commands are done");
-    queue_.submit(vk::SubmitInfo({}, {}, *commands), *fence);
-    if (device_.waitForFences(*fence, true, UINT64_MAX) != vk::Result::eSuccess)
-        throw Error("the device stopped", caps_.deviceName, "waiting for a submission failed");
+    log_->submitted();
+    try {
+        queue_.submit(vk::SubmitInfo({}, {}, *commands), *fence);
+        if (device_.waitForFences(*fence, true, UINT64_MAX) != vk::Result::eSuccess)
+            throw Error("the device stopped", caps_.deviceName, "waiting for a submission failed");
+    } catch (...) {
+        settle();
+        throw;
+    }
+}
+
+void Device::settle() const noexcept {
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        try {
+            device_.waitIdle();
+            return;
+        } catch (const vk::DeviceLostError&) {
+            return;
+        } catch (const std::exception&) {
+            // Memory may have run out for a moment.
+        }
+    }
+}
+
+Error Device::errorOf(const vk::SystemError& failure) const {
+    const std::string call = "in " + inOneLine(failure.what());
+    const auto is = [&](vk::Result result) { return failure.code() == vk::make_error_code(result); };
+    if (is(vk::Result::eErrorOutOfHostMemory)) return {"out of memory", caps_.deviceName, call};
+    if (is(vk::Result::eErrorOutOfDeviceMemory)) return {"out of device memory", caps_.deviceName, call};
+    if (!is(vk::Result::eErrorDeviceLost)) return {"the device failed", caps_.deviceName, call};
+    std::string why = call;
+    if (const std::string work = log_->text(); !work.empty()) why += "; last submitted: " + work;
+    const std::string fault = tellsOfFaults_ ? faultText(device_) : "";
+    why += fault.empty() ? "; the driver tells no more" : "; the driver tells: " + fault;
+    return {"the device was lost", caps_.deviceName, why};
 }
 
 }  // namespace nacre::gpu

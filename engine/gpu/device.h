@@ -6,8 +6,10 @@
 #include <vulkan/vulkan_raii.hpp>
 
 #include "engine/device_options.h"
+#include "engine/error.h"
 #include "engine/gpu/caps.h"
 #include "engine/gpu/capture_hook.h"
+#include "engine/gpu/device_loss.h"
 
 namespace nacre::gpu {
 
@@ -50,7 +52,15 @@ public:
     /// Messages of the validation layer so far; empty is what every frame must leave behind.
     const std::vector<std::string>& validationMessages() const { return *messages_; }
 
+    /// What is submitted, for the account of a loss. Whoever records tells it.
+    SubmissionLog& log() const { return *log_; }
+    /// A failure of Vulkan in words: what ran out, or what is known of a loss. Its line ends with the call.
+    Error errorOf(const vk::SystemError& failure) const;
+    /// Waits until nothing is in flight, or the device is lost, which comes to the same.
+    void settle() const noexcept;
+
     /// Records a command buffer by the given function, submits it and waits until it is done.
+    /// If any of that fails, nothing of it is in flight any more.
     template <typename RecordCommands>
     void submitAndWait(RecordCommands&& record) const {
         const vk::raii::CommandBuffer commands = begin();
@@ -75,11 +85,12 @@ private:
     vk::raii::CommandPool pool_{nullptr};
     vk::raii::PipelineCache pipelineCache_{nullptr};
     std::uint32_t queueFamily_ = 0;
-    bool debugUtils_ = false;
+    bool debugUtils_ = false, tellsOfFaults_ = false;
     Caps caps_;
     CaptureHook capture_;
     std::unique_ptr<std::uint64_t> allocated_ = std::make_unique<std::uint64_t>(0);
     std::unique_ptr<std::uint64_t> peakAllocated_ = std::make_unique<std::uint64_t>(0);
+    std::unique_ptr<SubmissionLog> log_ = std::make_unique<SubmissionLog>();
 };
 
 }  // namespace nacre::gpu

@@ -14,37 +14,45 @@ FrameRing::FrameRing(const Device& device)
     vk::raii::CommandBuffers buffers(*device, {*pool_, vk::CommandBufferLevel::ePrimary, kInFlight});
     for (std::size_t i = 0; i < kInFlight; ++i) {
         slots_[i].commands = std::move(buffers[i]);
-        slots_[i].done = vk::raii::Fence(*device, vk::FenceCreateInfo(vk::FenceCreateFlagBits::eSignaled));
-        slots_[i].acquired = vk::raii::Semaphore(*device, vk::SemaphoreCreateInfo());
-        const std::string frame = "frame " + std::to_string(i);
-        device.name(*slots_[i].done, frame + " is done");
-        device.name(*slots_[i].acquired, frame + " has a window image");
+        slots_[i].done = vk::raii::Fence(*device, vk::FenceCreateInfo());
+        device.name(*slots_[i].done, "frame " + std::to_string(i) + " is done");
     }
 }
 
-FrameRing::~FrameRing() {
-    try {
-        device_->waitIdle();
-    } catch (const vk::SystemError&) {
-        // A device that is lost has nothing in flight any more.
-    }
-}
+FrameRing::~FrameRing() { device_.settle(); }
 
 FrameSlot& FrameRing::next() {
     FrameSlot& slot = slots_[at_];
-    if (device_->waitForFences(*slot.done, true, UINT64_MAX) != vk::Result::eSuccess)
+    if (slot.submitted && device_->waitForFences(*slot.done, true, UINT64_MAX) != vk::Result::eSuccess)
         throw Error("the device stopped", device_.caps().deviceName, "waiting for a frame failed");
     slot.descriptors.reset();
+    if (!*slot.acquired) {
+        slot.acquired = vk::raii::Semaphore(*device_, vk::SemaphoreCreateInfo());
+        device_.name(*slot.acquired, "frame " + std::to_string(at_) + " has a window image");
+    }
     return slot;
 }
 
 void FrameRing::submit(FrameSlot& slot, vk::Semaphore drawn) {
+    // A fence that was reset and not submitted would never be signalled: nobody is to wait for it.
+    slot.submitted = false;
     device_->resetFences(*slot.done);
     const vk::Semaphore acquired = *slot.acquired;
     const vk::CommandBuffer commands = *slot.commands;
     const vk::PipelineStageFlags stage = vk::PipelineStageFlagBits::eColorAttachmentOutput;
+    device_.log().submitted();
     device_.queue().submit(vk::SubmitInfo(acquired, stage, commands, drawn), *slot.done);
+    slot.submitted = true;
+    slot.image.reset();
     at_ = (at_ + 1) % kInFlight;
+}
+
+void FrameRing::dropImage() noexcept {
+    FrameSlot& slot = slots_[at_];
+    device_.settle();
+    if (!slot.image) return;
+    slot.acquired = nullptr;  // signalled, and nothing will wait for it
+    slot.image.reset();
 }
 
 }  // namespace nacre::gpu

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "engine/gpu/pipeline.h"
 #include "engine/gpu/resources.h"
@@ -12,10 +13,12 @@ namespace nacre::gpu {
 struct FrameSlot {
     vk::raii::CommandBuffer commands{nullptr};
     vk::raii::Fence done{nullptr};
+    bool submitted = false;                 ///< and `done` tells when it is done
     vk::raii::Semaphore acquired{nullptr};  ///< the window's image may be drawn into
     DescriptorPool descriptors;
-    Buffer vertices, indices;          ///< of what is drawn over the picture
-    std::shared_ptr<const void> held;  ///< what the commands use, until they are done
+    Buffer vertices, indices;            ///< of what is drawn over the picture
+    std::shared_ptr<const void> held;    ///< what the commands use, until they are done
+    std::optional<std::uint32_t> image;  ///< of the window, acquired for commands that were not submitted since
     explicit FrameSlot(const Device& device) : descriptors(device) {}
 };
 
@@ -28,8 +31,12 @@ public:
 
     /// The slot of the next frame, free of what the frame before last left in it. Waits until that one is done.
     FrameSlot& next();
-    /// Submits the slot's commands: they wait for `acquired` where colour is written, and signal `drawn`.
+    /// Submits the slot's commands: they wait for `acquired` where colour is written, and signal `drawn`. If that
+    /// fails, the slot is what next() gives again, and may try again with the image that it has.
     void submit(FrameSlot& slot, vk::Semaphore drawn);
+    /// The window's images are about to go: waits for everything, and forgets the one that was acquired and not drawn
+    /// into.
+    void dropImage() noexcept;
 
 private:
     const Device& device_;

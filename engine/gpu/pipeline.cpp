@@ -44,6 +44,18 @@ vk::raii::ShaderModule makeModule(const Device& device, std::span<const std::uin
     return module;
 }
 
+/// A pipeline with its name; a driver that cannot make it says no more than that.
+template <typename Make>
+vk::raii::Pipeline named(const Device& device, const std::string& name, Make&& make) {
+    try {
+        vk::raii::Pipeline pipeline = make();
+        device.name(*pipeline, name);
+        return pipeline;
+    } catch (const vk::SystemError& failure) {
+        throw Error("cannot make pipeline", name, inOneLine(failure.what()));
+    }
+}
+
 }  // namespace
 
 vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d) {
@@ -71,12 +83,12 @@ vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d)
     constexpr vk::DynamicState kDynamic[] = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic({}, kDynamic);
     const vk::raii::PipelineCache* cache = device.caps().cacheMixesRenderPasses ? nullptr : &device.pipelineCache();
-    vk::raii::Pipeline pipeline(
-        *device, vk::Optional<const vk::raii::PipelineCache>(cache),
-        vk::GraphicsPipelineCreateInfo({}, stages, &input, &assembly, nullptr, &viewport, &raster, &samples, &depth,
-                                       &blend, &dynamic, d.layout, d.renderPass, d.subpass));
-    device.name(*pipeline, d.name);
-    return pipeline;
+    return named(device, d.name, [&] {
+        return vk::raii::Pipeline(
+            *device, vk::Optional<const vk::raii::PipelineCache>(cache),
+            vk::GraphicsPipelineCreateInfo({}, stages, &input, &assembly, nullptr, &viewport, &raster, &samples, &depth,
+                                           &blend, &dynamic, d.layout, d.renderPass, d.subpass));
+    });
 }
 
 vk::raii::Pipeline makeComputePipeline(const Device& device, std::span<const std::uint32_t> code,
@@ -85,9 +97,9 @@ vk::raii::Pipeline makeComputePipeline(const Device& device, std::span<const std
     const vk::raii::ShaderModule module = makeModule(device, code, name + ", shader");
     const vk::SpecializationInfo info = constants.info();
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main", &info);
-    vk::raii::Pipeline pipeline(*device, device.pipelineCache(), vk::ComputePipelineCreateInfo({}, stage, layout));
-    device.name(*pipeline, name);
-    return pipeline;
+    return named(device, name, [&] {
+        return vk::raii::Pipeline(*device, device.pipelineCache(), vk::ComputePipelineCreateInfo({}, stage, layout));
+    });
 }
 
 Layout makeLayout(const Device& device, std::span<const vk::DescriptorType> types, vk::ShaderStageFlags stages,

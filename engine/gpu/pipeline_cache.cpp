@@ -16,7 +16,12 @@ bool isPipelineCacheOf(const vk::PhysicalDeviceProperties& properties, std::span
 vk::raii::PipelineCache makePipelineCache(const vk::raii::Device& device, const vk::raii::PhysicalDevice& physical,
                                           std::span<const std::byte> data) {
     if (!isPipelineCacheOf(physical.getProperties(), data)) data = {};
-    return {device, vk::PipelineCacheCreateInfo({}, data.size(), data.data())};
+    try {
+        return {device, vk::PipelineCacheCreateInfo({}, data.size(), data.data())};
+    } catch (const vk::SystemError&) {
+        if (data.empty()) throw;
+        return {device, vk::PipelineCacheCreateInfo()};  // the header may be right and the rest not
+    }
 }
 
 }  // namespace nacre::gpu

@@ -36,14 +36,15 @@ Swapchain::Swapchain(const Device& device, std::function<VkSurfaceKHR(VkInstance
 Swapchain::~Swapchain() = default;
 
 void Swapchain::makeSurface() {
-    surface_ = vk::raii::SurfaceKHR(device_.instance(), create_(*device_.instance()));
-    if (!device_.physical().getSurfaceSupportKHR(device_.queueFamily(), *surface_))
+    vk::raii::SurfaceKHR surface(device_.instance(), create_(*device_.instance()));
+    if (!device_.physical().getSurfaceSupportKHR(device_.queueFamily(), *surface))
         throw Error("cannot open a window", device_.caps().deviceName, "this device does not draw into windows here");
-    chooseFormat();
+    chooseFormat(*surface);
+    surface_ = std::move(surface);
 }
 
-void Swapchain::chooseFormat() {
-    const auto formats = device_.physical().getSurfaceFormatsKHR(*surface_);
+void Swapchain::chooseFormat(vk::SurfaceKHR surface) {
+    const auto formats = device_.physical().getSurfaceFormatsKHR(surface);
     for (const vk::Format wanted : kFormats)
         for (const vk::SurfaceFormatKHR& f : formats)
             if (f.format == wanted && f.colorSpace == vk::ColorSpaceKHR::eSrgbNonlinear) {
@@ -62,6 +63,7 @@ void Swapchain::release() {
 
 void Swapchain::recreate(graph::Extent wanted) {
     images_.clear();
+    stale_ = true;  // until all of it is there
     for (int attempt = 0;; ++attempt) {
         if (!*surface_) makeSurface();
         try {
@@ -125,7 +127,7 @@ std::optional<std::uint32_t> Swapchain::acquire(vk::Semaphore signal) {
     } catch (const vk::OutOfDateKHRError&) {
         stale_ = true;
     } catch (const vk::SurfaceLostKHRError&) {
-        device_->waitIdle();
+        device_.settle();
         release();
     }
     return std::nullopt;
@@ -140,8 +142,11 @@ void Swapchain::present(std::uint32_t index) {
     } catch (const vk::OutOfDateKHRError&) {
         stale_ = true;
     } catch (const vk::SurfaceLostKHRError&) {
-        device_->waitIdle();
+        device_.settle();
         release();
+    } catch (...) {
+        stale_ = true;  // the image stays acquired, and `drawn` signalled: neither can be used again
+        throw;
     }
 }
 

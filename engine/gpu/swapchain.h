@@ -48,7 +48,7 @@ private:
         vk::raii::Semaphore drawn;
     };
     void makeSurface();
-    void chooseFormat();
+    void chooseFormat(vk::SurfaceKHR surface);
     void build(const vk::SurfaceCapabilitiesKHR& caps);
 
     const Device& device_;

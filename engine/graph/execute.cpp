@@ -16,6 +16,18 @@ RenderPassPlan essence(RenderPassPlan plan) {
     return plan;
 }
 
+/// What a plan carries out, in words: "screen: opaque prepass, impostor colour".
+std::string workOf(const Graph& graph, const Plan& plan) {
+    std::string text;
+    const auto add = [&](std::uint32_t pass) { text += (text.empty() ? ": " : ", ") + graph.passes()[pass].name; };
+    for (const Step& step : plan.steps) {
+        if (step.kind != PassKind::graphics) add(step.pass);
+        for (const Subpass& subpass : step.renderPass.subpasses)
+            for (const std::uint32_t pass : subpass.passes) add(pass);
+    }
+    return graph.name() + text;
+}
+
 }  // namespace
 
 Executor::Executor(const gpu::Device& device) : device_(device), descriptors_(device) {}
@@ -135,6 +147,7 @@ void Executor::record(const vk::raii::CommandBuffer& commands, const Graph& grap
         context.buffers.push_back(it->second);
     }
     device_.name(*commands, graph.name());  // here, since RenderDoc keeps names given while a buffer is recorded
+    device_.log().record(workOf(graph, plan));
     device_.beginLabel(commands, graph.name());
     for (const Step& step : plan.steps) {
         barriers(commands, step.before, graph, context);

@@ -44,7 +44,9 @@ public:
     explicit Executor(const gpu::Device& device);
 
     /// Records the plan of a graph. Images of the same graph and name are kept from one execution to the next.
+    /// For commands that are waited for before the next ones are recorded: their descriptor sets last until then.
     void record(const vk::raii::CommandBuffer& commands, const Graph& graph, const Plan& plan, const Imports& imports) {
+        reset();  // what failed half way may have left some
         record(commands, graph, plan, imports, descriptors_);
     }
     /// The same, with descriptor sets from a pool of the caller's, for frames that overlap.

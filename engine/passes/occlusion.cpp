@@ -176,8 +176,8 @@ layout::OcclusionConstants OcclusionBake::constants() const {
 }
 
 OcclusionBake::Accumulation& OcclusionBake::accumulation(std::uint32_t batch) {
-    const auto [it, fresh] = accumulations_.try_emplace(batch);
-    if (!fresh) return it->second;
+    if (const auto it = accumulations_.find(batch); it != accumulations_.end()) return it->second;
+    Accumulation fresh;
     gpu::Specialization constants;
     constants.set(0, batch);
     maps_.decoding(constants);
@@ -192,12 +192,12 @@ OcclusionBake::Accumulation& OcclusionBake::accumulation(std::uint32_t batch) {
         return gpu::makeComputePipeline(device_, code, constants, *accumulateLayout_.pipeline, name);
     };
     if (layout_.sphereEdge == 1)
-        it->second.spheres = make(shaders::occlusionAccumulateWhole, "occlusion accumulation, whole spheres");
+        fresh.spheres = make(shaders::occlusionAccumulateWhole, "occlusion accumulation, whole spheres");
     else
-        it->second.spheres = make(shaders::occlusionAccumulateSphere, "occlusion accumulation, spheres");
+        fresh.spheres = make(shaders::occlusionAccumulateSphere, "occlusion accumulation, spheres");
     if (layout_.cylinderCount > 0)
-        it->second.cylinders = make(shaders::occlusionAccumulateCylinder, "occlusion accumulation, cylinders");
-    return it->second;
+        fresh.cylinders = make(shaders::occlusionAccumulateCylinder, "occlusion accumulation, cylinders");
+    return accumulations_.emplace(batch, std::move(fresh)).first->second;
 }
 
 vk::DescriptorSet OcclusionBake::accumulationSet(graph::PassContext& context, graph::Image maps, std::uint32_t group) {

@@ -1,5 +1,7 @@
 #include "engine/storage/disk_cache.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -21,12 +23,14 @@ bool unfinished(const std::string& name) {
     return name.front() == '.' || (name.size() > 5 && name.compare(name.size() - 5, 5, ".part") == 0);
 }
 
-/// A name that no other process or thread takes.
+/// A name that no other process or thread takes: the random number is a forked process's, too, and the process's number
+/// may be another's on a folder that machines share.
 std::string temporaryName() {
     static const std::uint64_t process = (std::uint64_t{std::random_device{}()} << 32) | std::random_device{}();
     static std::atomic<unsigned> count{0};
     char name[64];
-    std::snprintf(name, sizeof name, ".new-%016llx-%u", static_cast<unsigned long long>(process), count++);
+    std::snprintf(name, sizeof name, ".new-%016llx-%ld-%u", static_cast<unsigned long long>(process),
+                  static_cast<long>(getpid()), count++);
     return name;
 }
 

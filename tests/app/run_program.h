@@ -15,12 +15,12 @@ struct Outcome {
     std::string out, err;
 };
 
-/// Runs `nacre ARGUMENTS` by the shell, in the folder.
-inline Outcome nacreIn(const TemporaryFolder& folder, const std::string& arguments,
-                       const std::string& redirection = "") {
+/// Runs `nacre ARGUMENTS` by the shell, in the folder. @param before what the shell does first
+inline Outcome nacreIn(const TemporaryFolder& folder, const std::string& arguments, const std::string& redirection = "",
+                       const std::string& before = "true") {
     const TemporaryFolder logs;
-    const std::string command = "cd '" + folder.path() + "' && '" NACRE_PROGRAM "' " + arguments + " >'" +
-                                (logs / "out") + "' 2>'" + (logs / "err") + "' </dev/null " + redirection;
+    const std::string command = "cd '" + folder.path() + "' && " + before + " && '" NACRE_PROGRAM "' " + arguments +
+                                " >'" + (logs / "out") + "' 2>'" + (logs / "err") + "' </dev/null " + redirection;
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, contentOf(logs / "out"), contentOf(logs / "err")};
 }

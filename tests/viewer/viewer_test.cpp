@@ -24,19 +24,35 @@ public:
     std::uint32_t atom = 0;
     FrameOutcome outcome = FrameOutcome::shown;
 
+    int failures = 0;  ///< of the calls that follow
+    std::string loss;
+
+    void mayFail() {
+        if (!loss.empty()) throw Error("the device was lost", "", "");
+        if (failures == 0) return;
+        --failures;
+        throw Error("out of memory", "the screen", "it was too much");
+    }
     void setScene(const Representation&) override {
+        mayFail();
         ++scenes;
         occlusion = 0;
     }
     double advanceOcclusion(const RenderSettings&, double) override {
+        mayFail();
         return occlusion = std::min(occlusion + 0.125, 1.0);
     }
+    std::string deviceLoss() const override { return loss; }
     FrameOutcome present(const RenderSettings& s, const WindowFrame& frame) override {
+        mayFail();
         if (outcome == FrameOutcome::shown) frames.push_back(frame), settings.push_back(s);
         return outcome;
     }
     PixelSize windowSize() const override { return {640, 480}; }
-    std::uint32_t atomAt(const RenderSettings&, double, double, double) override { return atom; }
+    std::uint32_t atomAt(const RenderSettings&, double, double, double) override {
+        mayFail();
+        return atom;
+    }
     int count(WindowFrame::Quality quality) const {
         return static_cast<int>(
             std::count_if(frames.begin(), frames.end(), [&](const WindowFrame& f) { return f.quality == quality; }));
@@ -338,6 +354,74 @@ TEST(Viewer, LowMemoryEndsSupersampling) {
     b.run(2);
     EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
     EXPECT_EQ(b.screen.frames.back().samples, 1u);
+}
+
+TEST(Viewer, WhatFailsIsSaidAndTriedAgainLaterAndLater) {
+    Bench b;
+    b.screen.failures = 3;  // occlusion and frame; then one of them again
+    b.step();
+    EXPECT_EQ(b.viewer.annotations().message, "out of memory: the screen: it was too much");
+    EXPECT_EQ(b.screen.failures, 1);
+    for (int i = 0; i < 20; ++i) b.step();
+    EXPECT_EQ(b.screen.failures, 1);  // not within a third of a second
+    EXPECT_LT(b.viewer.update(b.now), b.now + 1);
+    b.run(12);
+    EXPECT_EQ(b.screen.failures, 0);
+    EXPECT_EQ(b.screen.occlusion, 1);
+    EXPECT_EQ(b.screen.count(Quality::refined), 1);
+    EXPECT_EQ(b.viewer.annotations().message, "");
+}
+
+TEST(Viewer, APersistentFailureCostsLittle) {
+    Bench b;
+    b.run(2);
+    b.screen.failures = 1000000;
+    b.viewer.run(ViewerCommand::rotateLeft, b.now);
+    b.run(60);
+    EXPECT_GT(b.screen.failures, 1000000 - 15);
+    b.screen.failures = 0;
+    b.run(10);
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
+}
+
+TEST(Viewer, ASceneThatFindsNoRoomLeavesTheOneBefore) {
+    Bench b;
+    b.run(2);
+    const Document* before = b.viewer.document();
+    const std::size_t atoms = before->molecule->atoms.size();
+    b.screen.failures = 1;
+    b.viewer.open("sample:dna", b.now);
+    b.load();
+    EXPECT_EQ(b.viewer.annotations().message, "out of memory: the screen: it was too much");
+    EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), atoms);
+    b.viewer.open("sample:dna", b.now);
+    b.load();
+    EXPECT_NE(b.viewer.document()->molecule->atoms.size(), atoms);
+}
+
+TEST(Viewer, ALossIsNoticedWhereverItComesAndSaidAfterwards) {
+    for (int when = 0; when < 3; ++when) {
+        Bench b;
+        b.run(2);
+        b.screen.loss = "the device was lost: so and so";
+        if (when == 0) b.viewer.run(ViewerCommand::rotateLeft, b.now);
+        if (when == 1) b.viewer.run(ViewerCommand::occlusion, b.now), b.viewer.run(ViewerCommand::occlusion, b.now);
+        if (when == 2) {
+            b.viewer.touch({1, TouchPhase::began, {300, 200}}, b.now);
+            b.viewer.touch({1, TouchPhase::ended, {300, 200}}, b.now + 0.05);
+            b.now += 0.05;
+        }
+        b.run(1);
+        ASSERT_TRUE(b.viewer.deviceLost()) << when;
+        b.screen.loss.clear();
+        const int scenes = b.screen.scenes, refined = b.screen.count(Quality::refined);
+        b.viewer.screenLost(b.now);
+        EXPECT_FALSE(b.viewer.deviceLost());
+        EXPECT_EQ(b.screen.scenes, scenes + 1);
+        EXPECT_EQ(b.viewer.annotations().message, "the device was lost: so and so");
+        b.run(6);
+        EXPECT_EQ(b.screen.count(Quality::refined), refined + 1);
+    }
 }
 
 }  // namespace

@@ -1,0 +1,79 @@
+#include "engine/gpu/device_loss.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+namespace nacre::gpu {
+namespace {
+
+std::string hex(std::uint64_t value) {
+    char text[24];
+    std::snprintf(text, sizeof text, "0x%llx", static_cast<unsigned long long>(value));
+    return text;
+}
+
+/// The address's lower bits below the precision, a power of two, mean nothing.
+std::string addressText(const VkDeviceFaultAddressInfoEXT& a) {
+    std::string kind = vk::to_string(static_cast<vk::DeviceFaultAddressTypeEXT>(a.addressType));
+    const VkDeviceAddress size = std::max<VkDeviceAddress>(a.addressPrecision, 1);
+    return kind + " at " + hex(a.reportedAddress & ~(size - 1)) + " to " + hex(a.reportedAddress | (size - 1));
+}
+
+template <std::size_t size>
+std::string wordsOf(const char (&text)[size]) {
+    return {text, std::find(text, text + size, '\0')};
+}
+
+}  // namespace
+
+void SubmissionLog::submitted() {
+    submitted_.push_front(recording_.empty() ? "unnamed work" : std::move(recording_));
+    if (submitted_.size() > kKept) submitted_.pop_back();
+    recording_.clear();
+}
+
+std::string SubmissionLog::text() const {
+    std::string text;
+    for (const std::string& work : submitted_) text += (text.empty() ? "" : ", before it ") + ("[" + work + "]");
+    return text;
+}
+
+bool tellsOfFaults(const vk::raii::PhysicalDevice& device) {
+    for (const auto& e : device.enumerateDeviceExtensionProperties())
+        if (std::string_view(e.extensionName.data()) == VK_EXT_DEVICE_FAULT_EXTENSION_NAME)
+            return device.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceFaultFeaturesEXT>()
+                .get<vk::PhysicalDeviceFaultFeaturesEXT>()
+                .deviceFault;
+    return false;
+}
+
+std::string faultText(const vk::raii::Device& device) {
+    const auto ask = device.getDispatcher()->vkGetDeviceFaultInfoEXT;
+    VkDeviceFaultCountsEXT counts{VK_STRUCTURE_TYPE_DEVICE_FAULT_COUNTS_EXT, nullptr, 0, 0, 0};
+    if (!ask || ask(*device, &counts, nullptr) != VK_SUCCESS) return "";
+    std::vector<VkDeviceFaultAddressInfoEXT> addresses(counts.addressInfoCount);
+    std::vector<VkDeviceFaultVendorInfoEXT> vendor(counts.vendorInfoCount);
+    counts.vendorBinarySize = 0;  // for the vendor's own tools
+    VkDeviceFaultInfoEXT info{};
+    info.sType = VK_STRUCTURE_TYPE_DEVICE_FAULT_INFO_EXT;
+    info.pAddressInfos = addresses.data();
+    info.pVendorInfos = vendor.data();
+    if (ask(*device, &counts, &info) < 0) return "";
+    addresses.resize(std::min<std::size_t>(addresses.size(), counts.addressInfoCount));
+    vendor.resize(std::min<std::size_t>(vendor.size(), counts.vendorInfoCount));
+    std::string text = wordsOf(info.description);
+    for (const auto& a : addresses) text += (text.empty() ? "" : ", ") + addressText(a);
+    for (const auto& v : vendor)
+        text += (text.empty() ? "" : ", ") + wordsOf(v.description) + " (code " + hex(v.vendorFaultCode) + ", data " +
+                hex(v.vendorFaultData) + ")";
+    return inOneLine(text);
+}
+
+std::string inOneLine(std::string text) {
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+    return text;
+}
+
+}  // namespace nacre::gpu

@@ -1,0 +1,155 @@
+#include "tests/fault_layer/faults.h"
+
+#include <execinfo.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <set>
+#include <stdexcept>
+
+#include "tests/fault_layer/state.h"
+
+namespace nacre::faults {
+namespace {
+
+struct Rule {
+    std::string function;
+    std::uint64_t first = 0, last = 0;  // 0 and 0: once at every site
+    VkResult result = VK_SUCCESS;
+    std::set<std::pair<std::string, std::uint64_t>> sites = {};  // that had it
+
+    bool concerns(const char* called, bool runsOut) const { return function == called || (function == "*" && runsOut); }
+    bool strikes(std::uint64_t number, const char* called, std::uint64_t site) {
+        return last == 0 ? sites.emplace(called, site).second : number >= first && number <= last;
+    }
+};
+
+struct State {
+    std::vector<Rule> rules;
+    std::uint64_t struck = 0;
+    bool lost = false, faultData = false, fromEnvironment = false;
+    std::vector<Call> calls;
+    std::map<std::string, std::uint64_t> counts;
+    std::map<std::string, std::int64_t> alive;
+    std::vector<std::string> messages;
+};
+
+State& state() {
+    static State state;
+    return state;
+}
+
+/// FNV-1a over the return addresses. Of one process: addresses change from one to the next.
+std::uint64_t callSite() {
+    std::array<void*, 24> frames{};
+    const int count = backtrace(frames.data(), static_cast<int>(frames.size()));
+    std::uint64_t hash = 0xcbf29ce484222325ull;
+    for (int i = 0; i < count; ++i)
+        hash = (hash ^ reinterpret_cast<std::uint64_t>(frames[static_cast<std::size_t>(i)])) * 0x100000001b3ull;
+    return hash;
+}
+
+VkResult resultNamed(const std::string& name) {
+    const std::pair<const char*, VkResult> results[] = {{"OUT_OF_HOST_MEMORY", VK_ERROR_OUT_OF_HOST_MEMORY},
+                                                        {"OUT_OF_DEVICE_MEMORY", VK_ERROR_OUT_OF_DEVICE_MEMORY},
+                                                        {"INITIALIZATION_FAILED", VK_ERROR_INITIALIZATION_FAILED},
+                                                        {"DEVICE_LOST", VK_ERROR_DEVICE_LOST},
+                                                        {"SURFACE_LOST_KHR", VK_ERROR_SURFACE_LOST_KHR},
+                                                        {"OUT_OF_DATE_KHR", VK_ERROR_OUT_OF_DATE_KHR}};
+    for (const auto& [known, result] : results)
+        if (name == known) return result;
+    std::fprintf(stderr, "fault layer: no result '%s'\n", name.c_str());
+    std::abort();
+}
+
+}  // namespace
+
+void readEnvironment() {
+    State& s = state();
+    const char* data = std::getenv("NACRE_FAULT_DATA");
+    if (data && *data == '1') s.faultData = true;
+    const char* fault = std::getenv("NACRE_FAULT");
+    if (!fault || s.fromEnvironment) return;
+    const std::string text = fault;
+    const std::size_t first = text.find(':'), last = text.rfind(':');
+    s.fromEnvironment = true;
+    if (first == last) return;  // watches alone
+    const std::uint64_t number = std::stoull(text.substr(first + 1, last - first - 1));
+    s.rules.push_back({text.substr(0, first), number, number, resultNamed(text.substr(last + 1))});
+}
+
+std::optional<VkResult> verdict(const char* function, bool runsOut, bool canBeLost) {
+    State& s = state();
+    if (s.lost && canBeLost) return VK_ERROR_DEVICE_LOST;
+    ++s.counts[function];
+    const std::uint64_t site = callSite();
+    if (runsOut) {
+        ++s.counts["*"];
+        s.calls.push_back({function, site});
+    }
+    for (Rule& rule : s.rules) {
+        if (!rule.concerns(function, runsOut) || !rule.strikes(s.counts[rule.function], function, site)) continue;
+        ++s.struck;
+        if (rule.result == VK_ERROR_DEVICE_LOST) {
+            letFinish();
+            s.lost = true;
+        }
+        return rule.result;
+    }
+    return std::nullopt;
+}
+
+void made(const std::string& kind, std::int64_t count) { state().alive[kind] += count; }
+
+void newDevice() { state().lost = false; }
+
+bool offersFaultData() { return state().faultData; }
+
+void heard(const char* message) {
+    state().messages.emplace_back(message ? message : "");
+    if (state().fromEnvironment) std::fprintf(stderr, "fault layer: validation: %s\n", message ? message : "");
+}
+
+void instanceGone() {
+    if (!state().fromEnvironment) return;
+    if (!state().rules.empty() && state().struck == 0) std::fprintf(stderr, "fault layer: there was no such call\n");
+    for (const auto& [kind, count] : state().alive)
+        if (count != 0)
+            std::fprintf(stderr, "fault layer: %lld x %s left\n", static_cast<long long>(count), kind.c_str());
+}
+
+void reset() {
+    State& s = state();
+    s.rules.clear();
+    s.struck = 0;
+    s.calls.clear();
+    s.counts.clear();
+    s.messages.clear();
+}
+
+void fail(const std::string& function, std::uint64_t number, VkResult result) {
+    const std::uint64_t at = state().counts[function] + number;
+    state().rules.push_back({function, at, at, result});
+}
+
+void failFrom(const std::string& function, std::uint64_t number, VkResult result) {
+    state().rules.push_back({function, state().counts[function] + number, ~std::uint64_t{0}, result});
+}
+
+void failEverySite(const std::string& function, VkResult result) { state().rules.push_back({function, 0, 0, result}); }
+
+std::uint64_t struck() { return state().struck; }
+void offerFaultData(bool offered) { state().faultData = offered; }
+const std::vector<Call>& calls() { return state().calls; }
+std::uint64_t count(const std::string& function) { return state().counts[function]; }
+const std::vector<std::string>& messages() { return state().messages; }
+
+std::map<std::string, std::int64_t> alive() {
+    std::map<std::string, std::int64_t> alive = state().alive;
+    std::erase_if(alive, [](const auto& entry) { return entry.second == 0; });
+    return alive;
+}
+
+}  // namespace nacre::faults

@@ -1,0 +1,54 @@
+#pragma once
+// A Vulkan layer that makes calls fail, for tests. It stands above the validation layer, so that a call that it fails
+// never happened for whoever is below: what validation says then, the engine did.
+//
+// In the test's own process these functions steer it; in another one the environment does, read when the instance is
+// made: NACRE_FAULT=FUNCTION:NUMBER:RESULT (`*` for any call that may run out of memory; `DEVICE_LOST`, ... without
+// VK_ERROR_), and NACRE_FAULT_DATA=1 for a device that offers VK_EXT_device_fault. Such a process is told on standard
+// error when the instance goes while something made from it is left, or the fault never came.
+//
+// For one instance with one device at a time, and one thread.
+
+#include <vulkan/vulkan_core.h>
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace nacre::faults {
+
+/// A call that the layer saw and that may run out of memory.
+struct Call {
+    std::string function;  ///< "vkCreateBuffer"
+    std::uint64_t site;    ///< of the program: a hash of the addresses that it was called from
+};
+
+/// Forgets calls, faults and messages, and counts from 1 again.
+void reset();
+
+/// Lets the number-th call from now on of a function fail; "*": of all that may run out of memory.
+/// After VK_ERROR_DEVICE_LOST everything that can tells the same until another device is made. Acquiring and presenting
+/// with VK_SUBOPTIMAL_KHR is done, and says so.
+void fail(const std::string& function, std::uint64_t number, VkResult result);
+/// The number-th call and all that follow fail, until reset().
+void failFrom(const std::string& function, std::uint64_t number, VkResult result);
+/// Each place of the program that makes such calls finds that its first one fails, until reset().
+void failEverySite(const std::string& function, VkResult result);
+/// Faults that came to pass since reset().
+std::uint64_t struck();
+
+/// A device that offers VK_EXT_device_fault, and made-up data when it is lost. Takes hold of the next instance.
+void offerFaultData(bool offered);
+
+/// Calls that may run out of memory since reset(), in their order.
+const std::vector<Call>& calls();
+/// How often a function was called since reset(): those that may fail in whatever way.
+std::uint64_t count(const std::string& function);
+
+/// Objects that were made and not destroyed so far, by kind: "Buffer". Instances included.
+std::map<std::string, std::int64_t> alive();
+/// What the validation layer said since reset(), until the instance's very end.
+const std::vector<std::string>& messages();
+
+}  // namespace nacre::faults

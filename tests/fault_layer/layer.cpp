@@ -1,0 +1,259 @@
+// The layer's side towards the Vulkan loader (its interface, version 2).
+
+#define VK_USE_PLATFORM_XCB_KHR
+#define VK_USE_PLATFORM_XLIB_KHR
+#include <vulkan/vk_layer.h>
+#include <vulkan/vulkan.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+#include "tests/fault_layer/hooks.h"
+
+namespace nacre::faults {
+namespace {
+
+#define NACRE_TAG(call, how, of)                                         \
+    struct call##Tag {                                                   \
+        [[maybe_unused]] static constexpr const char* name = "vk" #call; \
+        [[maybe_unused]] static constexpr Fails fails = Fails::how;      \
+        static constexpr const char* kind = of;                          \
+    };                                                                   \
+    using call##Hook = Hook<call##Tag, PFN_vk##call>;
+NACRE_DEVICE_CALLS(NACRE_TAG)
+NACRE_INSTANCE_CALLS(NACRE_TAG)
+
+VkInstance instance = VK_NULL_HANDLE;
+VkDevice device = VK_NULL_HANDLE;
+VkDebugUtilsMessengerEXT messenger = VK_NULL_HANDLE;
+PFN_vkGetInstanceProcAddr nextInstanceCall = nullptr;
+PFN_vkGetDeviceProcAddr nextDeviceCall = nullptr;
+
+// Looked up while the instance is made: later the loader would give this layer's own.
+PFN_vkDestroyInstance nextDestroyInstance = nullptr;
+PFN_vkEnumerateDeviceExtensionProperties nextDeviceExtensions = nullptr;
+PFN_vkGetPhysicalDeviceFeatures2 nextFeatures2 = nullptr;
+
+template <typename Function>
+void findBelow(Function& function, const char* name) {
+    function = reinterpret_cast<Function>(nextInstanceCall(instance, name));
+}
+
+/// The loader's link in a chain of creation structures.
+template <typename Link>
+Link* linkIn(const void* chain, VkStructureType type) {
+    auto* info = static_cast<Link*>(const_cast<void*>(chain));
+    while (info && !(info->sType == type && info->function == VK_LAYER_LINK_INFO))
+        info = static_cast<Link*>(const_cast<void*>(info->pNext));
+    return info;
+}
+
+VKAPI_ATTR VkBool32 VKAPI_CALL listen(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
+                                      const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
+    heard(data->pMessage);
+    return VK_FALSE;
+}
+
+/// Of its own, since the program's ends before the instance does.
+void startListening() {
+    if (!CreateDebugUtilsMessengerEXTHook::next) return;
+    VkDebugUtilsMessengerCreateInfoEXT info{};
+    info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
+    info.messageSeverity =
+        VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+    info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
+    info.pfnUserCallback = listen;
+    CreateDebugUtilsMessengerEXTHook::next(instance, &info, nullptr, &messenger);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
+                                              VkInstance* made_) {
+    readEnvironment();
+    auto* link = linkIn<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
+    nextInstanceCall = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
+    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    if (const auto told = verdict("vkCreateInstance", true, false)) return *told;
+    const auto create = reinterpret_cast<PFN_vkCreateInstance>(nextInstanceCall(nullptr, "vkCreateInstance"));
+    const VkResult result = create(info, allocator, made_);
+    if (result != VK_SUCCESS) return result;
+    instance = *made_;
+    made("Instance", 1);
+#define NACRE_NEXT_INSTANCE(call, how, of) findBelow(call##Hook::next, "vk" #call);
+    NACRE_INSTANCE_CALLS(NACRE_NEXT_INSTANCE)
+    findBelow(nextDestroyInstance, "vkDestroyInstance");
+    findBelow(nextDeviceExtensions, "vkEnumerateDeviceExtensionProperties");
+    findBelow(nextFeatures2, "vkGetPhysicalDeviceFeatures2");
+    startListening();
+    return VK_SUCCESS;
+}
+
+VKAPI_ATTR void VKAPI_CALL destroyInstance(VkInstance gone, const VkAllocationCallbacks* allocator) {
+    if (!gone) return;
+    if (messenger) DestroyDebugUtilsMessengerEXTHook::next(gone, messenger, nullptr);
+    messenger = VK_NULL_HANDLE;
+    nextDestroyInstance(gone, allocator);
+    instance = VK_NULL_HANDLE;
+    made("Instance", -1);
+    instanceGone();
+}
+
+/// A copy of a device's wishes without the extension that only this layer has.
+struct Wishes {
+    VkDeviceCreateInfo info;
+    std::vector<const char*> extensions;
+    std::vector<VkBaseOutStructure*> before;  // links that were bent around the feature
+    VkBaseOutStructure* removed = nullptr;
+
+    explicit Wishes(const VkDeviceCreateInfo& asked) : info(asked) {
+        for (std::uint32_t i = 0; i < asked.enabledExtensionCount; ++i)
+            if (std::string_view(asked.ppEnabledExtensionNames[i]) != VK_EXT_DEVICE_FAULT_EXTENSION_NAME)
+                extensions.push_back(asked.ppEnabledExtensionNames[i]);
+        info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+        info.ppEnabledExtensionNames = extensions.data();
+        for (auto* at = reinterpret_cast<VkBaseOutStructure*>(&info); at->pNext; at = at->pNext)
+            if (at->pNext->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FAULT_FEATURES_EXT) {
+                removed = at->pNext;
+                before.push_back(at);
+                at->pNext = removed->pNext;
+                if (!at->pNext) break;
+            }
+    }
+    ~Wishes() {
+        for (VkBaseOutStructure* at : before) at->pNext = removed;
+    }
+    Wishes(const Wishes&) = delete;
+};
+
+VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
+                                            const VkAllocationCallbacks* allocator, VkDevice* made_) {
+    auto* link = linkIn<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
+    const PFN_vkGetInstanceProcAddr next = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
+    nextDeviceCall = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
+    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    newDevice();
+    if (const auto told = verdict("vkCreateDevice", true, true)) return *told;
+    const auto create = reinterpret_cast<PFN_vkCreateDevice>(next(instance, "vkCreateDevice"));
+    const Wishes wishes(*info);
+    const VkResult result = create(physical, &wishes.info, allocator, made_);
+    if (result != VK_SUCCESS) return result;
+    device = *made_;
+    made("Device", 1);
+#define NACRE_NEXT_DEVICE(call, how, of) \
+    call##Hook::next = reinterpret_cast<PFN_vk##call>(nextDeviceCall(device, "vk" #call));
+    NACRE_DEVICE_CALLS(NACRE_NEXT_DEVICE)
+    return VK_SUCCESS;
+}
+
+VKAPI_ATTR void VKAPI_CALL destroyDevice(VkDevice gone, const VkAllocationCallbacks* allocator) {
+    if (!gone) return;
+    reinterpret_cast<PFN_vkDestroyDevice>(nextDeviceCall(gone, "vkDestroyDevice"))(gone, allocator);
+    device = VK_NULL_HANDLE;
+    made("Device", -1);
+}
+
+// --- VK_EXT_device_fault, made up
+
+VKAPI_ATTR VkResult VKAPI_CALL deviceExtensions(VkPhysicalDevice physical, const char* layer, std::uint32_t* count,
+                                                VkExtensionProperties* list) {
+    if (!offersFaultData() || layer) return nextDeviceExtensions(physical, layer, count, list);
+    std::uint32_t there = 0;
+    nextDeviceExtensions(physical, layer, &there, nullptr);
+    std::vector<VkExtensionProperties> all(there);
+    nextDeviceExtensions(physical, layer, &there, all.data());
+    VkExtensionProperties fault{};
+    std::strcpy(fault.extensionName, VK_EXT_DEVICE_FAULT_EXTENSION_NAME);
+    all.push_back(fault);
+    const auto wanted = static_cast<std::uint32_t>(all.size());
+    if (list) std::copy_n(all.data(), std::min(*count, wanted), list);
+    const bool whole = !list || *count >= wanted;
+    *count = list ? std::min(*count, wanted) : wanted;
+    return whole ? VK_SUCCESS : VK_INCOMPLETE;
+}
+
+VKAPI_ATTR void VKAPI_CALL features2(VkPhysicalDevice physical, VkPhysicalDeviceFeatures2* features) {
+    VkBaseOutStructure *before = nullptr, *fault = nullptr;
+    for (auto* at = reinterpret_cast<VkBaseOutStructure*>(features); at->pNext; at = at->pNext)
+        if (at->pNext->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FAULT_FEATURES_EXT) {
+            before = at;
+            fault = at->pNext;
+        }
+    if (before && offersFaultData()) before->pNext = fault->pNext;
+    nextFeatures2(physical, features);
+    if (!before || !offersFaultData()) return;
+    before->pNext = fault;
+    reinterpret_cast<VkPhysicalDeviceFaultFeaturesEXT*>(fault)->deviceFault = VK_TRUE;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL faultInfo(VkDevice, VkDeviceFaultCountsEXT* counts, VkDeviceFaultInfoEXT* info) {
+    if (!info) {
+        counts->addressInfoCount = 1;
+        counts->vendorInfoCount = 1;
+        counts->vendorBinarySize = 0;
+        return VK_SUCCESS;
+    }
+    std::strcpy(info->description, "page fault\nof the fault layer");
+    if (counts->addressInfoCount) {
+        VkDeviceFaultAddressInfoEXT& address = info->pAddressInfos[0];
+        address.addressType = VK_DEVICE_FAULT_ADDRESS_TYPE_WRITE_INVALID_EXT;
+        address.reportedAddress = 0xdead0000;
+        address.addressPrecision = 4096;
+    }
+    if (counts->vendorInfoCount) {
+        VkDeviceFaultVendorInfoEXT& vendor = info->pVendorInfos[0];
+        std::strcpy(vendor.description, "shader core");
+        vendor.vendorFaultCode = 7;
+        vendor.vendorFaultData = 9;
+    }
+    return VK_SUCCESS;
+}
+
+// --- what the loader asks for
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceCall(VkDevice asked, const char* name) {
+    const std::string_view wanted = name;
+    if (wanted == "vkGetDeviceProcAddr") return reinterpret_cast<PFN_vkVoidFunction>(&deviceCall);
+    if (wanted == "vkDestroyDevice") return reinterpret_cast<PFN_vkVoidFunction>(&destroyDevice);
+    if (wanted == "vkGetDeviceFaultInfoEXT" && offersFaultData())
+        return reinterpret_cast<PFN_vkVoidFunction>(&faultInfo);
+#define NACRE_FIND(call, how, of) \
+    if (wanted == "vk" #call && call##Hook::next) return reinterpret_cast<PFN_vkVoidFunction>(&call##Hook::run);
+    NACRE_DEVICE_CALLS(NACRE_FIND)
+    return nextDeviceCall ? nextDeviceCall(asked, name) : nullptr;
+}
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL instanceCall(VkInstance asked, const char* name) {
+    const std::string_view wanted = name;
+    const std::pair<std::string_view, PFN_vkVoidFunction> own[] = {
+        {"vkGetInstanceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(&instanceCall)},
+        {"vkGetDeviceProcAddr", reinterpret_cast<PFN_vkVoidFunction>(&deviceCall)},
+        {"vkCreateInstance", reinterpret_cast<PFN_vkVoidFunction>(&createInstance)},
+        {"vkDestroyInstance", reinterpret_cast<PFN_vkVoidFunction>(&destroyInstance)},
+        {"vkCreateDevice", reinterpret_cast<PFN_vkVoidFunction>(&createDevice)},
+        {"vkDestroyDevice", reinterpret_cast<PFN_vkVoidFunction>(&destroyDevice)},
+        {"vkEnumerateDeviceExtensionProperties", reinterpret_cast<PFN_vkVoidFunction>(&deviceExtensions)},
+        {"vkGetPhysicalDeviceFeatures2", reinterpret_cast<PFN_vkVoidFunction>(&features2)}};
+    for (const auto& [known, function] : own)
+        if (wanted == known) return function;
+    NACRE_INSTANCE_CALLS(NACRE_FIND)
+    NACRE_DEVICE_CALLS(NACRE_FIND)
+    return nextInstanceCall ? nextInstanceCall(asked, name) : nullptr;
+}
+
+}  // namespace
+
+void letFinish() {
+    if (device && DeviceWaitIdleHook::next) DeviceWaitIdleHook::next(device);
+}
+
+}  // namespace nacre::faults
+
+extern "C" VK_LAYER_EXPORT VKAPI_ATTR VkResult VKAPI_CALL
+vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* layer) {
+    layer->loaderLayerInterfaceVersion = std::min(layer->loaderLayerInterfaceVersion, 2u);
+    layer->pfnGetInstanceProcAddr = nacre::faults::instanceCall;
+    layer->pfnGetDeviceProcAddr = nacre::faults::deviceCall;
+    layer->pfnGetPhysicalDeviceProcAddr = nullptr;
+    return VK_SUCCESS;
+}
