@@ -8,7 +8,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/desktop/panel.h"
+#include "app/panel/panel.h"
 #include "app/desktop/state_files.h"
 #include "app/desktop/window.h"
 #include "app/headless/image_file.h"
