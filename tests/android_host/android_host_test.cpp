@@ -15,8 +15,9 @@
 namespace nacre::test {
 namespace {
 
-/// What SwiftShader bakes in no time.
-constexpr const char* kQuick = R"({"input": "sample:glucose", "occlusion": 8})";
+/// What SwiftShader draws in no time.
+constexpr const char* kBaked = R"({"input": "sample:glucose", "occlusion": 8})";
+constexpr const char* kQuick = R"({"input": "sample:glucose", "occlusion": "off"})";
 
 constexpr Covered kMenu{100, 75};  // where the button stands, in a window of one pixel a point
 
@@ -34,10 +35,11 @@ protected:
     }
 
     /// Waits until the window shows the view that the activity would save, to the last pixel.
-    static void expectAsRendered(Host& host, Covered covered = kMenu, const char* what = "") {
+    static void expectAsRendered(Host& host, Covered covered = kMenu, const char* what = "",
+                                 std::uint32_t samples = app::ViewerOptions{}.mostSamples) {
         const app::SavedView view = host.view();
         const WindowPicture first = host.picture();
-        const WindowPicture expected = expectedPicture(view, first.width, first.height);
+        const WindowPicture expected = expectedPicture(view, first.width, first.height, samples);
         Difference d;
         for (int i = 0; i < 100; ++i) {
             d = differenceOf(host.picture(), expected, covered);
@@ -45,7 +47,7 @@ protected:
             sleep(0.2);
         }
         EXPECT_EQ(d.pixels, 0) << what << " differs by up to " << d.largest;
-        EXPECT_GT(d.coloured, static_cast<int>(first.width * first.height / 20)) << what;
+        EXPECT_GT(d.coloured, static_cast<int>(first.width * first.height / 60)) << what;
         if (d.pixels == 0) return;
         writePpm(host.picture(), "/tmp/nacre-android-shown.ppm");
         writePpm(expected, "/tmp/nacre-android-expected.ppm");
@@ -65,8 +67,8 @@ protected:
 };
 
 TEST_F(AndroidHost, ShowsTheSampleAndThenRests) {
-    Host host(folder_, std::nullopt, kQuick);
-    host.open(200, 300);
+    Host host(folder_, std::nullopt, kBaked);
+    host.open(120, 160);
     expectAsRendered(host);
     sleep(0.5);
     const std::uint64_t before = host.frames();
@@ -77,15 +79,16 @@ TEST_F(AndroidHost, ShowsTheSampleAndThenRests) {
 }
 
 TEST_F(AndroidHost, TurnsPicturesForTheDisplay) {
-    Host host(folder_, std::nullopt, kQuick);
-    host.open(160, 240, 1);
-    expectAsRendered(host, kMenu, "a quarter turn");
-    host.resizeWindow(240, 160, 2);
-    expectAsRendered(host, kMenu, "half a turn");
-    host.resizeWindow(160, 240, 3);
-    expectAsRendered(host, kMenu, "three quarters");
-    host.resizeWindow(240, 160, 0);
-    expectAsRendered(host, kMenu, "upright");
+    constexpr Covered kSmallMenu{50, 38};
+    Host host(folder_, std::nullopt, kQuick, 80);
+    host.open(80, 100, 1);
+    expectAsRendered(host, kSmallMenu, "a quarter turn");
+    host.resizeWindow(100, 80, 2);
+    expectAsRendered(host, kSmallMenu, "half a turn");
+    host.resizeWindow(80, 100, 3);
+    expectAsRendered(host, kSmallMenu, "three quarters");
+    host.resizeWindow(100, 80, 0);
+    expectAsRendered(host, kSmallMenu, "upright");
 }
 
 TEST_F(AndroidHost, FingersRotateZoomAndFit) {
@@ -136,13 +139,13 @@ bool saysSomething(const WindowPicture& p) {
 
 TEST_F(AndroidHost, ATapNamesAnAtom) {
     Host host(folder_, std::nullopt, kQuick);
-    host.open(320, 320);
+    host.open(300, 200);
     expectAsRendered(host);
     EXPECT_FALSE(saysSomething(host.picture()));
-    host.tap(160, 160);
+    host.tap(150, 100);
     EXPECT_TRUE(eventually([&] { return saysSomething(host.picture()); }));
     sleep(0.5);
-    host.tap(4, 316);  // beside it
+    host.tap(4, 190);  // beside it
     expectAsRendered(host);
 }
 
@@ -167,22 +170,22 @@ TEST_F(AndroidHost, ThePanelIsReachedByFingers) {
 
 TEST_F(AndroidHost, AWindowMayGoAndComeAgain) {
     Host host(folder_, std::nullopt, kQuick);
-    host.open(160, 240);
+    host.open(120, 160);
     expectAsRendered(host);
     host.pause();
     host.stop();
     host.destroyWindow();
     const std::uint64_t before = host.frames();
-    host.lowMemory();  // gives the device back
+    host.lowMemory();  // gives the device back, and refines no more
     sleep(0.3);
     EXPECT_EQ(host.frames(), before);
     host.start();
     host.resume();
-    host.createWindow(240, 160, 1);
-    expectAsRendered(host);
+    host.createWindow(160, 120, 1);
+    expectAsRendered(host, kMenu, "", 1);
     refuseFrames(2);
     host.redraw();
-    expectAsRendered(host);
+    expectAsRendered(host, kMenu, "", 1);
     host.destroyWindow();  // and without a pause
     host.createWindow(160, 160);
     host.lowMemory();
@@ -244,28 +247,39 @@ std::string pdbOf(const char* element, double x) {
 }
 
 TEST_F(AndroidHost, OpensWhatOtherAppsHandOver) {
-    for (const bool descriptor : {true, false}) {
-        Document document;
-        document.name = descriptor ? "../../two atoms.pdb" : "";
-        document.bytes = pdbOf("FE", 1) + std::string(20000, '\n');
-        document.hasDescriptor = descriptor;
-        std::string state;
-        {
-            Host host(folder_, document);
-            host.open(160, 160);
-            ASSERT_TRUE(eventually([&] { return !host.view().input.empty(); }));
-            expectAsRendered(host);
-            const std::filesystem::path copy = host.view().input;
-            EXPECT_EQ(copy.filename(), descriptor ? "two atoms.pdb" : "7");
-            EXPECT_EQ(copy.parent_path().parent_path(), folder_ / "opened");
-            state = host.saveState();
-        }
-        document.refuses = true;  // leave to read has gone with the activity
-        Host host(folder_, document, state);
-        host.open(160, 160);
+    Document document;
+    document.name = "../../two atoms.pdb";
+    document.bytes = pdbOf("FE", 1) + std::string(100000, '\n');
+    std::string state;
+    {
+        Host host(folder_, document);
+        host.open(120, 120);
+        host.key(AKEYCODE_O, AKEY_EVENT_ACTION_DOWN);  // occlusion off
+        ASSERT_TRUE(eventually([&] { return !host.view().input.empty(); }));
         expectAsRendered(host);
-        EXPECT_EQ(host.saveState(), state);
+        const std::filesystem::path copy = host.view().input;
+        EXPECT_EQ(copy.filename(), "two atoms.pdb");
+        EXPECT_EQ(copy.parent_path().parent_path(), folder_ / "opened");
+        state = host.saveState();
     }
+    document.refuses = true;  // leave to read has gone with the activity
+    Host host(folder_, document, state);
+    host.open(120, 120);
+    expectAsRendered(host);
+    EXPECT_EQ(host.saveState(), state);
+}
+
+TEST_F(AndroidHost, OpensWhatProvidersStream) {
+    Document document;
+    document.bytes = pdbOf("C", 1) + std::string(1500000, '\n');
+    document.hasDescriptor = false;
+    Host host(folder_, document);
+    host.start();
+    ASSERT_TRUE(eventually([&] { return !host.view().input.empty(); }));
+    const std::filesystem::path copy = host.view().input;
+    EXPECT_EQ(copy.filename(), "7");  // the provider keeps no names
+    std::ifstream file(copy, std::ios::binary);
+    EXPECT_TRUE(std::string(std::istreambuf_iterator<char>(file), {}) == document.bytes);
 }
 
 TEST_F(AndroidHost, SaysWhyADocumentCannotBeOpened) {
@@ -364,17 +378,20 @@ void act(Host& host, std::mt19937& random, bool& started) {
 }
 
 TEST_F(AndroidHost, SurvivesAnyOrder) {
-    for (const unsigned seed : {1u, 2u, 3u}) {
+    // More of them by hand: NACRE_ANDROID_SEEDS=50
+    const char* asked = std::getenv("NACRE_ANDROID_SEEDS");
+    const int seeds = asked ? std::atoi(asked) : 1;
+    for (int seed = 1; seed <= seeds; ++seed) {
         SCOPED_TRACE(seed);
-        std::mt19937 random(seed);
+        std::mt19937 random(static_cast<unsigned>(seed));
         // Two activities of one process, as when a second document is opened.
-        Host first(folder_), second(folder_);
+        Host first(folder_, std::nullopt, kQuick), second(folder_, std::nullopt, kQuick);
         bool firstStarted = false, secondStarted = false;
-        for (int i = 0; i < 120; ++i) {
+        for (int i = 0; i < 60; ++i) {
             act(first, random, firstStarted);
             act(second, random, secondStarted);
         }
-        if (seed != 3) continue;
+        if (seed != seeds) continue;
         second.destroy();
         refuseFrames(0);
         if (first.windowIsThere()) first.destroyWindow();

@@ -8,12 +8,12 @@
 #include "app/android/molecules.h"
 #include "app/headless/option_values.h"
 #include "app/headless/srgb.h"
-#include "app/viewer/viewer.h"
 #include "engine/renderer.h"
 
 namespace nacre::test {
 
-WindowPicture expectedPicture(const app::SavedView& view, std::uint32_t width, std::uint32_t height) {
+WindowPicture expectedPicture(const app::SavedView& view, std::uint32_t width, std::uint32_t height,
+                              std::uint32_t samples) {
     const app::Sources sources = app::moleculeSources();
     const Molecule molecule = sources.read(view);
     const Representation scene = sources.build(molecule, view);
@@ -22,8 +22,8 @@ WindowPicture expectedPicture(const app::SavedView& view, std::uint32_t width, s
     settings.background = app::parseColor(view.background);
     settings.lighting = view.lighting;
     settings.occlusionDirections = view.occlusionDirections;
-    settings.supersample = app::ViewerOptions{}.mostSamples;
-    Renderer renderer{DeviceOptions{}};
+    settings.supersample = samples;
+    static Renderer renderer{DeviceOptions{}};
     renderer.setScene(scene);
     const Picture picture = renderer.render(settings);
     WindowPicture result{width, height, {}};

@@ -1,13 +1,15 @@
 #pragma once
 // What a window has to show: the same view, drawn without a window.
 
-#include "app/viewer/saved_view.h"
+#include "app/viewer/viewer.h"
 #include "tests/android_host/window.h"
 
 namespace nacre::test {
 
-/// The view as the viewer refines it, without overlay.
-WindowPicture expectedPicture(const app::SavedView& view, std::uint32_t width, std::uint32_t height);
+/// The view without overlay.
+/// @param samples a side of a pixel
+WindowPicture expectedPicture(const app::SavedView& view, std::uint32_t width, std::uint32_t height,
+                              std::uint32_t samples);
 
 /// Part of a picture that the overlay may cover: not compared.
 struct Covered {
