@@ -3,6 +3,7 @@
 #include "app/panel/panel.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <mutex>
@@ -154,6 +155,7 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
         pressed_[i] = false;
     }
     if (restless_ > 0) --restless_;
+    if (forFingers() && restless_ == 0) io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);  // the finger is gone
     ImGui::NewFrame();
     occupied_.clear();
     // A phone has no room for panel and help at once.

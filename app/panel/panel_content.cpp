@@ -12,6 +12,7 @@ namespace nacre::app {
 namespace {
 
 constexpr float kPanelPoints = 268, kFingerPanelPoints = 320, kColumnPoints = 132, kFingerColumnPoints = 152;
+constexpr float kFingerHelpPoints = 112;
 constexpr int kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
 
@@ -140,8 +141,10 @@ bool Panel::choose(const char* label, std::span<const char* const> choices, std:
     const bool open = unfolded_ == label;
     if (ImGui::Button((current + label).c_str(), ImVec2(-1, 0))) unfolded_ = open ? "" : label;
     if (!open) return false;
-    ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, ImVec2(0.1f, 0.5f));
+    ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, ImVec2(0, 0.5f));
+    ImGui::Indent();
     for (const char* choice : choices) offer(choice, ImVec2(0, kFingerPoints * scale()));
+    ImGui::Unindent();
     ImGui::PopStyleVar();
     return taken;
 }
@@ -250,8 +253,12 @@ void Panel::drawHelp() {
     const float width = forFingers() ? std::min(room.x, 420 * scale()) : 0;
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(forFingers() ? width : room.x, room.y));
     beginWindow("Help", 0);
-    const int columns = forFingers() ? ImGuiTableFlags_SizingStretchProp : ImGuiTableFlags_SizingFixedFit;
-    if (ImGui::BeginTable("pointer", 2, columns)) {
+    if (ImGui::BeginTable("pointer", 2, ImGuiTableFlags_SizingFixedFit)) {
+        if (forFingers()) {
+            ImGui::TableSetupColumn("fingers", ImGuiTableColumnFlags_WidthFixed, kFingerHelpPoints * scale());
+            ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed,
+                                    ImGui::GetContentRegionAvail().x - (kFingerHelpPoints + 16) * scale());
+        }
         for (const PointerBinding& b : pointerBindings()) row(forFingers() ? b.touch : b.mouse, b.what);
         ImGui::EndTable();
     }

@@ -35,7 +35,8 @@ void Panel::drawStatus(const std::string& text, float bottom, bool strong) {
     const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, widest);
     const float left = insets_.left + (room - size.x) / 2;
     const ImVec2 pad(12 * scale(), 7 * scale());
-    ImDrawList& list = *ImGui::GetForegroundDrawList();
+    // A panel for fingers leaves no room beside it: it covers the text.
+    ImDrawList& list = forFingers() ? *ImGui::GetBackgroundDrawList() : *ImGui::GetForegroundDrawList();
     list.AddRectFilled(ImVec2(left - pad.x, bottom - size.y - 2 * pad.y), ImVec2(left + size.x + pad.x, bottom),
                        ImGui::GetColorU32(kGround), 7 * scale());
     list.AddText(nullptr, 0, ImVec2(left, bottom - size.y - pad.y), ImGui::GetColorU32(strong ? kWarning : kText),

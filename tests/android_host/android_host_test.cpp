@@ -387,7 +387,7 @@ TEST_F(AndroidHost, SurvivesAnyOrder) {
         // Two activities of one process, as when a second document is opened.
         Host first(folder_, std::nullopt, kQuick), second(folder_, std::nullopt, kQuick);
         bool firstStarted = false, secondStarted = false;
-        for (int i = 0; i < 60; ++i) {
+        for (int i = 0; i < 40; ++i) {
             act(first, random, firstStarted);
             act(second, random, secondStarted);
         }
