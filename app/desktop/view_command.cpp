@@ -8,12 +8,12 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/panel/panel.h"
 #include "app/desktop/state_files.h"
 #include "app/desktop/window.h"
 #include "app/headless/image_file.h"
 #include "app/headless/input.h"
 #include "app/headless/saved_options.h"
+#include "app/panel/panel.h"
 #include "engine/error.h"
 
 namespace nacre::app {

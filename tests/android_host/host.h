@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <random>
 
 #include "app/viewer/saved_view.h"
 #include "tests/android_host/java_machine.h"
