@@ -1,6 +1,5 @@
 #pragma once
-// What the desktop keeps from one run to the next: the last view and what the driver compiled. A file that cannot be
-// read, or is not whole, counts as absent; one that cannot be written is not missed.
+// Where the desktop keeps the last view and what the driver compiled, and names for what it saves.
 
 #include <cstddef>
 #include <optional>

@@ -10,20 +10,30 @@ void Loader::start(const SavedView& view, std::shared_ptr<const Molecule> molecu
         launch(std::move(job));
 }
 
+Loader::~Loader() {
+    if (thread_.joinable()) thread_.join();
+}
+
+/// The document is there before anyone is woken: whoever looks for it then finds it.
 void Loader::launch(Job job) {
-    running_ = std::async(std::launch::async, [this, job = std::move(job)] {
-        // Told whether it went well or not; take() never waits for more than this thread's last step.
-        struct Waker {
-            const std::function<void()>& wake;
-            ~Waker() {
-                if (wake) wake();
-            }
-        } waker{wake_};
-        Document document{job.view, job.molecule, {}};
-        if (!document.molecule) document.molecule = std::make_shared<const Molecule>(sources_.read(job.view));
-        document.scene = sources_.build(*document.molecule, job.view);
-        return document;
+    if (thread_.joinable()) thread_.join();
+    std::promise<Document> promise;
+    running_ = promise.get_future();
+    thread_ = std::thread([this, job = std::move(job), promise = std::move(promise)]() mutable {
+        try {
+            promise.set_value(load(job));
+        } catch (...) {
+            promise.set_exception(std::current_exception());
+        }
+        if (wake_) wake_();
     });
+}
+
+Document Loader::load(const Job& job) const {
+    Document document{job.view, job.molecule, {}};
+    if (!document.molecule) document.molecule = std::make_shared<const Molecule>(sources_.read(job.view));
+    document.scene = sources_.build(*document.molecule, job.view);
+    return document;
 }
 
 void Loader::wait() const {
@@ -32,8 +42,7 @@ void Loader::wait() const {
 
 std::optional<Document> Loader::take() {
     if (!running_.valid()) return std::nullopt;
-    // The waker runs before the future is ready: a short wait bridges the gap.
-    if (running_.wait_for(std::chrono::milliseconds(2)) != std::future_status::ready) return std::nullopt;
+    if (running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
     std::future<Document> done = std::move(running_);
     if (next_) {
         launch(std::move(*next_));

@@ -5,6 +5,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <thread>
 
 #include "app/viewer/saved_view.h"
 #include "engine/molecule/molecule.h"
@@ -28,6 +29,9 @@ class Loader {
 public:
     /// @param wake called on the loader's thread when something is ready
     Loader(Sources sources, std::function<void()> wake) : sources_(std::move(sources)), wake_(std::move(wake)) {}
+    /// Waits for what is under way.
+    ~Loader();
+    Loader(const Loader&) = delete;
 
     /// Starts with a file. What was under way is finished and thrown away.
     void read(const SavedView& view) { start(view, nullptr); }
@@ -46,11 +50,13 @@ private:
     };
     void start(const SavedView& view, std::shared_ptr<const Molecule> molecule);
     void launch(Job job);
+    Document load(const Job& job) const;
 
     Sources sources_;
     std::function<void()> wake_;
     std::optional<Job> next_;
     std::future<Document> running_;
+    std::thread thread_;
 };
 
 }  // namespace nacre::app

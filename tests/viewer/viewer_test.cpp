@@ -296,6 +296,7 @@ TEST(Viewer, WhatItSavesIsWhereItGoesOn) {
     a.viewer.touch({1, TouchPhase::ended, {390, 230}}, a.now + 2);
     a.viewer.wheel(3, {10, 400}, a.now);
     a.viewer.run(ViewerCommand::licorice, a.now);
+    a.viewer.waitForLoading();
     a.run(3);
     const std::string saved = savedViewJson(a.viewer.view());
     CountingScreen screen;

@@ -1,0 +1,240 @@
+// The activity's callbacks, which Android calls on the main thread. Each says what happened to the render thread; those
+// after which something is no longer to be touched, or has to be there, wait for it.
+
+#include <android/configuration.h>
+#include <android/keycodes.h>
+#include <android/looper.h>
+#include <android/native_activity.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "app/android/input.h"
+#include "app/android/intent.h"
+#include "app/android/log.h"
+#include "app/android/render_thread.h"
+#include "app/android/session.h"
+#include "app/viewer/kept_files.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr double kForever = 1e6;  // seconds: what Android says must have happened
+constexpr double kPatience = 4;   // what would only be nicer: Android calls an app dead after 5
+constexpr double kPointsPerInch = 160;
+
+/// Pixels a point of the display that the activity is on.
+double densityOf(const ANativeActivity* activity) {
+    AConfiguration* configuration = AConfiguration_new();
+    AConfiguration_fromAssetManager(configuration, activity->assetManager);
+    const std::int32_t density = AConfiguration_getDensity(configuration);
+    AConfiguration_delete(configuration);
+    const bool known = density > ACONFIGURATION_DENSITY_DEFAULT && density < ACONFIGURATION_DENSITY_ANY;
+    return known ? density / kPointsPerInch : 1;
+}
+
+/// What was saved, if what it shows is still there.
+std::optional<SavedView> stillThere(std::optional<SavedView> view) {
+    std::error_code ignored;
+    if (view && !view->input.starts_with("sample:") && !std::filesystem::exists(view->input, ignored))
+        return std::nullopt;
+    return view;
+}
+
+std::optional<SavedView> viewOf(const void* state, std::size_t size) {
+    if (!state || size == 0) return std::nullopt;
+    try {
+        return parseSavedView(std::string(static_cast<const char*>(state), size), "saved state");
+    } catch (const std::exception& error) {
+        logError(error.what());
+        return std::nullopt;
+    }
+}
+
+class App {
+public:
+    App(ANativeActivity* activity, const void* state, std::size_t size)
+        : activity_(activity),
+          folder_(activity->internalDataPath),
+          restored_(stillThere(viewOf(state, size))),
+          density_(densityOf(activity)),
+          // A view that is restored shows the copy of what the intent named.
+          document_(restored_ ? nullptr : openIntent()),
+          thread_([this] { return session_ ? session_->step() : std::numeric_limits<double>::infinity(); },
+                  [this](const char* why) { fail(why); }) {
+        thread_.post([this, view = firstView(), density = density_] {
+            const SessionFiles files{folder_ + "/view.json", folder_ + "/pipelines.bin", folder_ + "/occlusion"};
+            session_ = std::make_unique<Session>(files, view, density, shared_, [this] { thread_.post([] {}); });
+        });
+        if (document_) document_->open();
+    }
+
+    /// What the session still loads calls the thread when it is done: the thread goes last.
+    ~App() {
+        detach();
+        document_.reset();
+        thread_.call([this] { session_.reset(); }, kForever);
+    }
+    App(const App&) = delete;
+
+    /// Tells the session something, on its thread.
+    using Tell = std::function<void(Session&)>;
+    void post(Tell tell) {
+        thread_.post([this, tell = std::move(tell)] { tell(*session_); });
+    }
+    /// The same, and waits. @returns whether it happened
+    bool call(double seconds, Tell tell) {
+        return thread_.call([this, tell = std::move(tell)] { tell(*session_); }, seconds);
+    }
+
+    /// JSON; empty before the first step.
+    std::string lastView() {
+        const std::lock_guard lock(shared_.mutex);
+        return shared_.view ? savedViewJson(*shared_.view) : std::string();
+    }
+
+    void readDensity() {
+        density_ = densityOf(activity_);
+        post([density = density_](Session& s) { s.densityChanged(density); });
+    }
+
+    void attach(AInputQueue* queue) {
+        queue_ = queue;
+        AInputQueue_attachLooper(queue, ALooper_forThread(), ALOOPER_POLL_CALLBACK, &App::takeInput, this);
+    }
+    void detach() {
+        if (queue_) AInputQueue_detachLooper(queue_);
+        queue_ = nullptr;
+    }
+
+private:
+    SavedView firstView() const {
+        SavedView view;
+        if (restored_) return *restored_;
+        if (document_->present()) return view;
+        if (const auto last = stillThere(loadView(folder_ + "/view.json"))) return *last;
+        view.input = "sample:dna";
+        return view;
+    }
+
+    std::unique_ptr<IntentDocument> openIntent() {
+        return std::make_unique<IntentDocument>(
+            activity_, OpenedFiles(folder_ + "/opened"),
+            [this](const std::string& path) { post([path](Session& s) { s.open(path); }); },
+            [this](const std::string& why) { post([why](Session& s) { s.say(why); }); });
+    }
+
+    /// Without a device there is nothing to show. On the render thread.
+    void fail(const char* why) {
+        logError(why);
+        if (session_) session_->giveUp();
+        ANativeActivity_finish(activity_);
+    }
+
+    static int takeInput(int, int, void* app) {
+        static_cast<App*>(app)->takeInput();
+        return 1;
+    }
+
+    void takeInput() {
+        AInputEvent* event = nullptr;
+        while (queue_ && AInputQueue_getEvent(queue_, &event) >= 0) {
+            if (AInputQueue_preDispatchEvent(queue_, event)) continue;
+            AInputQueue_finishEvent(queue_, event, handle(event) ? 1 : 0);
+        }
+    }
+
+    /// @returns whether the event was ours
+    bool handle(const AInputEvent* event) {
+        if (AInputEvent_getType(event) == AINPUT_EVENT_TYPE_KEY && AKeyEvent_getKeyCode(event) == AKEYCODE_BACK) {
+            // Down and up go the same way, or Android takes half a key for a whole one.
+            const bool down = AKeyEvent_getAction(event) == AKEY_EVENT_ACTION_DOWN;
+            if (down) ownsBack_ = shared_.wantsBack;
+            if (ownsBack_ && !down) post([](Session& s) { s.back(); });
+            return ownsBack_;
+        }
+        if (const auto key = keyOf(event)) {
+            post([key = *key](Session& s) { s.key(key); });
+            return true;
+        }
+        if (const auto wheel = wheelOf(event, density_)) {
+            post([wheel = *wheel](Session& s) { s.wheel(wheel.steps, wheel.at); });
+            return true;
+        }
+        auto touches = touchesOf(event, density_);
+        if (touches.empty()) return false;
+        post([touches = std::move(touches), when = secondsOf(event)](Session& s) {
+            for (const TouchEvent& touch : touches) s.touch(touch, when);
+        });
+        return true;
+    }
+
+    ANativeActivity* activity_;
+    std::string folder_;
+    std::optional<SavedView> restored_;
+    double density_;
+    AInputQueue* queue_ = nullptr;
+    bool ownsBack_ = false;
+    std::unique_ptr<IntentDocument> document_;
+    SharedState shared_;
+    RenderThread thread_;
+    std::unique_ptr<Session> session_;  // the thread's
+};
+
+App& appOf(ANativeActivity* activity) { return *static_cast<App*>(activity->instance); }
+
+void* saveState(ANativeActivity* activity, std::size_t* size) {
+    *size = 0;
+    // Should the thread be busy for long, the view of its last step is what there is.
+    appOf(activity).call(kPatience, [](Session&) {});
+    const std::string text = appOf(activity).lastView();
+    void* state = text.empty() ? nullptr : std::malloc(text.size());
+    if (!state) return nullptr;
+    std::memcpy(state, text.data(), text.size());
+    *size = text.size();
+    return state;
+}
+
+void setCallbacks(ANativeActivityCallbacks& on) {
+    on.onStart = [](ANativeActivity* a) { appOf(a).post([](Session& s) { s.started(); }); };
+    on.onPause = [](ANativeActivity* a) { appOf(a).call(kPatience, [](Session& s) { s.paused(); }); };
+    on.onStop = [](ANativeActivity* a) { appOf(a).post([](Session& s) { s.stopped(); }); };
+    on.onSaveInstanceState = saveState;
+    on.onLowMemory = [](ANativeActivity* a) { appOf(a).post([](Session& s) { s.lowMemory(); }); };
+    on.onConfigurationChanged = [](ANativeActivity* a) { appOf(a).readDensity(); };
+    on.onNativeWindowCreated = [](ANativeActivity* a, ANativeWindow* window) {
+        appOf(a).post([window](Session& s) { s.windowCreated(window); });
+    };
+    on.onNativeWindowResized = [](ANativeActivity* a, ANativeWindow*) {
+        appOf(a).post([](Session& s) { s.windowChanged(); });
+    };
+    on.onNativeWindowRedrawNeeded = [](ANativeActivity* a, ANativeWindow*) {
+        appOf(a).call(kPatience, [](Session& s) { s.windowChanged(); });
+    };
+    on.onNativeWindowDestroyed = [](ANativeActivity* a, ANativeWindow*) {
+        appOf(a).call(kForever, [](Session& s) { s.windowDestroyed(); });
+    };
+    on.onContentRectChanged = [](ANativeActivity* a, const ARect* content) {
+        appOf(a).post([content = *content](Session& s) { s.contentChanged(content); });
+    };
+    on.onInputQueueCreated = [](ANativeActivity* a, AInputQueue* queue) { appOf(a).attach(queue); };
+    on.onInputQueueDestroyed = [](ANativeActivity* a, AInputQueue*) { appOf(a).detach(); };
+    on.onDestroy = [](ANativeActivity* a) {
+        delete &appOf(a);
+        a->instance = nullptr;
+    };
+}
+
+}  // namespace
+}  // namespace nacre::app
+
+extern "C" __attribute__((visibility("default"))) void ANativeActivity_onCreate(ANativeActivity* activity, void* state,
+                                                                                std::size_t size) {
+    nacre::app::setCallbacks(*activity->callbacks);
+    activity->instance = new nacre::app::App(activity, state, size);
+}

@@ -1,0 +1,51 @@
+// The Android app: `gradle assembleRelease` in this folder, with VCPKG_ROOT set (see third_party/README.md).
+plugins {
+    id("com.android.application") version "8.10.1"
+}
+
+val vcpkg = System.getenv("VCPKG_ROOT") ?: throw GradleException("VCPKG_ROOT names no vcpkg: see third_party/README.md")
+
+android {
+    namespace = "org.nacre.viewer"
+    compileSdk = 36
+    ndkVersion = "29.0.14206865"  // r29, the first whose libc++ reads floating-point numbers by std::from_chars
+
+    defaultConfig {
+        applicationId = "org.nacre.viewer"
+        minSdk = 26
+        targetSdk = 36
+        versionCode = 1
+        versionName = "0.1.0"
+        ndk {
+            abiFilters += listOf("arm64-v8a", "x86_64")
+        }
+        externalNativeBuild {
+            cmake {
+                targets += "nacre_android"
+                arguments += listOf(
+                    "-DANDROID_STL=c++_static",
+                    "-DCMAKE_TOOLCHAIN_FILE=${projectDir}/toolchain.cmake",
+                    "-DNACRE_VCPKG_ROOT=${vcpkg}",
+                    "-DVCPKG_MANIFEST_DIR=${projectDir}/../../third_party",
+                    "-DNACRE_TESTS=OFF",
+                )
+            }
+        }
+    }
+    externalNativeBuild {
+        cmake {
+            path = file("../../CMakeLists.txt")
+            version = "3.25.0+"
+        }
+    }
+    packaging {
+        jniLibs {
+            useLegacyPackaging = false  // stored and aligned: mapped from the APK as they are
+        }
+    }
+    buildTypes {
+        release {
+            isMinifyEnabled = false  // there is no code but native code
+        }
+    }
+}

@@ -1,0 +1,96 @@
+#include "app/android/input.h"
+
+namespace nacre::app {
+namespace {
+
+TouchEvent touchOf(const AInputEvent* event, std::size_t pointer, TouchPhase phase, double pixelsPerPoint) {
+    return {AMotionEvent_getPointerId(event, pointer), phase,
+            glm::dvec2(AMotionEvent_getX(event, pointer), AMotionEvent_getY(event, pointer)) / pixelsPerPoint};
+}
+
+struct KeyMeaning {
+    std::int32_t code;
+    char32_t plain, shifted;  ///< shifted: 0 if Shift makes no other character
+};
+
+constexpr KeyMeaning kKeys[] = {
+    {AKEYCODE_DPAD_LEFT, keyOf(SpecialKey::left), 0},
+    {AKEYCODE_DPAD_RIGHT, keyOf(SpecialKey::right), 0},
+    {AKEYCODE_DPAD_UP, keyOf(SpecialKey::up), 0},
+    {AKEYCODE_DPAD_DOWN, keyOf(SpecialKey::down), 0},
+    {AKEYCODE_MOVE_HOME, keyOf(SpecialKey::home), 0},
+    {AKEYCODE_ESCAPE, keyOf(SpecialKey::escape), 0},
+    {AKEYCODE_SPACE, U' ', 0},
+    {AKEYCODE_PLUS, U'+', 0},
+    {AKEYCODE_NUMPAD_ADD, U'+', 0},
+    {AKEYCODE_EQUALS, U'=', U'+'},
+    {AKEYCODE_MINUS, U'-', 0},
+    {AKEYCODE_NUMPAD_SUBTRACT, U'-', 0},
+    {AKEYCODE_COMMA, U',', 0},
+    {AKEYCODE_PERIOD, U'.', 0},
+    {AKEYCODE_SLASH, U'/', U'?'},
+};
+
+char32_t characterOf(std::int32_t code, bool shift) {
+    if (code >= AKEYCODE_A && code <= AKEYCODE_Z) return U'a' + static_cast<char32_t>(code - AKEYCODE_A);
+    if (code >= AKEYCODE_0 && code <= AKEYCODE_9) return shift ? 0 : U'0' + static_cast<char32_t>(code - AKEYCODE_0);
+    for (const KeyMeaning& key : kKeys)
+        if (key.code == code) return shift && key.shifted ? key.shifted : key.plain;
+    return 0;
+}
+
+}  // namespace
+
+std::vector<TouchEvent> touchesOf(const AInputEvent* event, double pixelsPerPoint) {
+    if (AInputEvent_getType(event) != AINPUT_EVENT_TYPE_MOTION) return {};
+    if ((AInputEvent_getSource(event) & AINPUT_SOURCE_CLASS_MASK) != AINPUT_SOURCE_CLASS_POINTER) return {};
+    const std::int32_t action = AMotionEvent_getAction(event);
+    const std::size_t pointers = AMotionEvent_getPointerCount(event);
+    const auto which = static_cast<std::size_t>((action & AMOTION_EVENT_ACTION_POINTER_INDEX_MASK) >>
+                                                AMOTION_EVENT_ACTION_POINTER_INDEX_SHIFT);
+    std::vector<TouchEvent> touches;
+    const auto all = [&](TouchPhase phase) {
+        for (std::size_t i = 0; i < pointers; ++i) touches.push_back(touchOf(event, i, phase, pixelsPerPoint));
+    };
+    switch (action & AMOTION_EVENT_ACTION_MASK) {
+        case AMOTION_EVENT_ACTION_DOWN:
+        case AMOTION_EVENT_ACTION_POINTER_DOWN:
+            touches.push_back(touchOf(event, which, TouchPhase::began, pixelsPerPoint));
+            break;
+        case AMOTION_EVENT_ACTION_MOVE:
+            all(TouchPhase::moved);
+            break;
+        case AMOTION_EVENT_ACTION_UP:
+        case AMOTION_EVENT_ACTION_POINTER_UP:
+            touches.push_back(touchOf(event, which, TouchPhase::ended, pixelsPerPoint));
+            break;
+        case AMOTION_EVENT_ACTION_CANCEL:
+            all(TouchPhase::cancelled);
+            break;
+        default:
+            break;  // hovering, buttons
+    }
+    return touches;
+}
+
+std::optional<WheelEvent> wheelOf(const AInputEvent* event, double pixelsPerPoint) {
+    if (AInputEvent_getType(event) != AINPUT_EVENT_TYPE_MOTION ||
+        (AMotionEvent_getAction(event) & AMOTION_EVENT_ACTION_MASK) != AMOTION_EVENT_ACTION_SCROLL)
+        return std::nullopt;
+    return WheelEvent{AMotionEvent_getAxisValue(event, AMOTION_EVENT_AXIS_VSCROLL, 0),
+                      glm::dvec2(AMotionEvent_getX(event, 0), AMotionEvent_getY(event, 0)) / pixelsPerPoint};
+}
+
+std::optional<KeyEvent> keyOf(const AInputEvent* event) {
+    if (AInputEvent_getType(event) != AINPUT_EVENT_TYPE_KEY || AKeyEvent_getAction(event) != AKEY_EVENT_ACTION_DOWN)
+        return std::nullopt;
+    const std::int32_t meta = AKeyEvent_getMetaState(event);
+    const bool shift = (meta & AMETA_SHIFT_ON) != 0;
+    const char32_t character = characterOf(AKeyEvent_getKeyCode(event), shift);
+    if (character == 0) return std::nullopt;
+    return KeyEvent{character, {shift, (meta & AMETA_CTRL_ON) != 0}};
+}
+
+double secondsOf(const AInputEvent* motion) { return 1e-9 * static_cast<double>(AMotionEvent_getEventTime(motion)); }
+
+}  // namespace nacre::app

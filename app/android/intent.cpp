@@ -1,0 +1,132 @@
+#include "app/android/intent.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "app/android/java.h"
+#include "app/android/log.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr jint kPiece = 1 << 16;
+
+/// android.provider.OpenableColumns.DISPLAY_NAME of a document, or else the end of its URI.
+std::string nameOf(const Java& java, jobject resolver, jobject uri) {
+    try {
+        const jobject columns =
+            java.env()->NewObjectArray(1, java.env()->FindClass("java/lang/String"), java.string("_display_name"));
+        java.check();
+        const jobject cursor = java.object(resolver, "query",
+                                           "(Landroid/net/Uri;[Ljava/lang/String;Ljava/lang/String;[Ljava/lang/"
+                                           "String;Ljava/lang/String;)Landroid/database/Cursor;",
+                                           uri, columns, nullptr, nullptr, nullptr);
+        std::string name;
+        if (cursor) {
+            if (java.boolean(cursor, "moveToFirst", "()Z"))
+                name = java.text(java.object(cursor, "getString", "(I)Ljava/lang/String;", jint{0}));
+            java.nothing(cursor, "close", "()V");
+        }
+        if (!name.empty()) return name;
+    } catch (const JavaError&) {
+        // Not every provider keeps names.
+    }
+    return java.text(java.object(uri, "getLastPathSegment", "()Ljava/lang/String;"));
+}
+
+class Descriptor {
+public:
+    explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
+    ~Descriptor() { close(descriptor_); }
+    Descriptor(const Descriptor&) = delete;
+
+    std::size_t read(char* to, std::size_t most) const {
+        for (;;) {
+            const ssize_t count = ::read(descriptor_, to, most);
+            if (count >= 0) return static_cast<std::size_t>(count);
+            if (errno != EINTR) throw Error("cannot open file", "", std::strerror(errno));
+        }
+    }
+
+private:
+    int descriptor_;
+};
+
+/// The document's bytes by java.io.InputStream: for providers that have no file to give.
+ReadBytes streamOf(const Java& java, jobject resolver, jobject uri) {
+    const jobject stream = java.object(resolver, "openInputStream", "(Landroid/net/Uri;)Ljava/io/InputStream;", uri);
+    if (!stream) throw JavaError("the provider gives nothing");
+    const jbyteArray piece = java.env()->NewByteArray(kPiece);
+    java.check();
+    return [&java, stream, piece](char* to, std::size_t most) -> std::size_t {
+        jint count = 0;
+        while (count == 0) count = java.integer(stream, "read", "([B)I", piece);
+        if (count < 0) {
+            java.nothing(stream, "close", "()V");
+            return 0;
+        }
+        if (static_cast<std::size_t>(count) > most) throw JavaError("a stream that gives more than was asked for");
+        java.env()->GetByteArrayRegion(piece, 0, count, reinterpret_cast<jbyte*>(to));
+        java.check();
+        return static_cast<std::size_t>(count);
+    };
+}
+
+/// A descriptor that is ours; -1 if the provider has none to give.
+int descriptorOf(const Java& java, jobject resolver, jobject uri) {
+    try {
+        const jobject file = java.object(resolver, "openFileDescriptor",
+                                         "(Landroid/net/Uri;Ljava/lang/String;)Landroid/os/ParcelFileDescriptor;", uri,
+                                         java.string("r"));
+        return file ? java.integer(file, "detachFd", "()I") : -1;
+    } catch (const JavaError&) {
+        return -1;
+    }
+}
+
+}  // namespace
+
+IntentDocument::IntentDocument(ANativeActivity* activity, OpenedFiles files, Done done, Failed failed)
+    : activity_(activity), files_(std::move(files)), done_(std::move(done)), failed_(std::move(failed)) {
+    try {
+        const Java java(activity->env);
+        const jobject intent = java.object(activity->clazz, "getIntent", "()Landroid/content/Intent;");
+        if (!intent) return;
+        const jobject uri = java.object(intent, "getData", "()Landroid/net/Uri;");
+        if (uri) uri_ = java.env()->NewGlobalRef(uri);
+    } catch (const JavaError& error) {
+        logError(error.what());
+    }
+}
+
+IntentDocument::~IntentDocument() {
+    if (thread_.joinable()) thread_.join();
+    if (uri_) activity_->env->DeleteGlobalRef(uri_);
+}
+
+void IntentDocument::open() {
+    if (uri_) thread_ = std::thread([this] { copy(); });
+}
+
+void IntentDocument::copy() const {
+    try {
+        const AttachedThread thread(activity_->vm);
+        const Java java(thread.env());
+        const jobject resolver =
+            java.object(activity_->clazz, "getContentResolver", "()Landroid/content/ContentResolver;");
+        const std::string name = nameOf(java, resolver, uri_);
+        const int number = descriptorOf(java, resolver, uri_);
+        if (number < 0) return done_(files_.keep(name, streamOf(java, resolver, uri_)));
+        const Descriptor descriptor(number);
+        done_(files_.keep(name, [&](char* to, std::size_t most) { return descriptor.read(to, most); }));
+    } catch (const JavaError& error) {
+        failed_(std::string("cannot open file: ") + error.what());
+    } catch (const std::exception& error) {
+        failed_(error.what());
+    }
+}
+
+}  // namespace nacre::app

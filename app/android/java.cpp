@@ -1,0 +1,68 @@
+#include "app/android/java.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr jint kMostReferences = 32;
+
+}  // namespace
+
+Java::Java(JNIEnv* env) : env_(env) {
+    if (env_->PushLocalFrame(kMostReferences) != JNI_OK) {
+        env_->ExceptionClear();
+        throw JavaError("out of memory");
+    }
+}
+
+Java::~Java() { env_->PopLocalFrame(nullptr); }
+
+jmethodID Java::methodOf(jobject of, const char* method, const char* signature) const {
+    if (!of) throw JavaError(std::string("nothing to call ") + method + " of");
+    // Streams are read in many calls: their class is not kept until the end.
+    const jclass type = env_->GetObjectClass(of);
+    const jmethodID id = env_->GetMethodID(type, method, signature);
+    env_->DeleteLocalRef(type);
+    check();
+    return id;
+}
+
+void Java::check() const {
+    const jthrowable thrown = env_->ExceptionOccurred();
+    if (!thrown) return;
+    env_->ExceptionClear();
+    // Not by object(), which would come here again if toString() threw in its turn.
+    const jmethodID id = env_->GetMethodID(env_->GetObjectClass(thrown), "toString", "()Ljava/lang/String;");
+    const jobject words = id ? env_->CallObjectMethod(thrown, id) : nullptr;
+    if (env_->ExceptionCheck()) {
+        env_->ExceptionClear();
+        throw JavaError("an exception without words");
+    }
+    throw JavaError(text(words));
+}
+
+jstring Java::string(const char* text) const {
+    const jstring made = env_->NewStringUTF(text);
+    check();
+    return made;
+}
+
+std::string Java::text(jobject string) const {
+    if (!string) return {};
+    const auto it = static_cast<jstring>(string);
+    const char* letters = env_->GetStringUTFChars(it, nullptr);
+    if (!letters) {
+        env_->ExceptionClear();
+        return {};
+    }
+    std::string text = letters;
+    env_->ReleaseStringUTFChars(it, letters);
+    return text;
+}
+
+AttachedThread::AttachedThread(JavaVM* machine) : machine_(machine) {
+    if (machine_->AttachCurrentThread(&env_, nullptr) != JNI_OK) throw JavaError("no thread");
+}
+
+AttachedThread::~AttachedThread() { machine_->DetachCurrentThread(); }
+
+}  // namespace nacre::app

@@ -1,0 +1,75 @@
+#pragma once
+// The little Java that the shell speaks, by JNI.
+
+#include <jni.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace nacre::app {
+
+/// What a Java method threw, in its own words.
+class JavaError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Calls of one thread. Every local reference made meanwhile goes with this object.
+class Java {
+public:
+    explicit Java(JNIEnv* env);
+    ~Java();
+    Java(const Java&) = delete;
+
+    JNIEnv* env() const { return env_; }
+    /// @throws JavaError
+    template <typename... Arguments>
+    jobject object(jobject of, const char* method, const char* signature, Arguments... arguments) const {
+        jobject result = env_->CallObjectMethod(of, methodOf(of, method, signature), arguments...);
+        check();
+        return result;
+    }
+    template <typename... Arguments>
+    jint integer(jobject of, const char* method, const char* signature, Arguments... arguments) const {
+        const jint result = env_->CallIntMethod(of, methodOf(of, method, signature), arguments...);
+        check();
+        return result;
+    }
+    template <typename... Arguments>
+    bool boolean(jobject of, const char* method, const char* signature, Arguments... arguments) const {
+        const jboolean result = env_->CallBooleanMethod(of, methodOf(of, method, signature), arguments...);
+        check();
+        return result == JNI_TRUE;
+    }
+    template <typename... Arguments>
+    void nothing(jobject of, const char* method, const char* signature, Arguments... arguments) const {
+        env_->CallVoidMethod(of, methodOf(of, method, signature), arguments...);
+        check();
+    }
+
+    jstring string(const char* text) const;
+    /// Empty for null.
+    std::string text(jobject string) const;
+    /// Throws what is pending as JavaError.
+    void check() const;
+
+private:
+    jmethodID methodOf(jobject of, const char* method, const char* signature) const;
+
+    JNIEnv* env_;
+};
+
+/// This thread as one of the Java machine's, for as long as the object lives.
+class AttachedThread {
+public:
+    explicit AttachedThread(JavaVM* machine);
+    ~AttachedThread();
+    AttachedThread(const AttachedThread&) = delete;
+    JNIEnv* env() const { return env_; }
+
+private:
+    JavaVM* machine_;
+    JNIEnv* env_ = nullptr;
+};
+
+}  // namespace nacre::app

@@ -1,0 +1,107 @@
+#pragma once
+// Viewer, panel and renderer of one activity. Everything here belongs to the render thread.
+
+#include <android/native_window.h>
+#include <android/rect.h>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "app/panel/panel.h"
+#include "app/viewer/viewer.h"
+
+namespace nacre::app {
+
+/// Where an activity keeps things; all in its internal data folder.
+struct SessionFiles {
+    std::string view;       ///< the last view, JSON
+    std::string pipelines;  ///< what the driver compiled
+    std::string occlusion;  ///< folder of finished bakes
+};
+
+/// What the main thread may ask at any time.
+struct SharedState {
+    std::atomic<bool> wantsBack{false};  ///< the back key is ours, to close the panel or the help
+    std::mutex mutex;
+    std::optional<SavedView> view;  ///< under the mutex: as it was after the last step
+};
+
+/// The engine's renderer, as long as there is one: it comes with the first window, and may go while there is none.
+class WindowScreen : public Screen {
+public:
+    explicit WindowScreen(std::string occlusionFolder) : occlusionFolder_(std::move(occlusionFolder)) {}
+    void setRenderer(Renderer* renderer) { renderer_ = renderer; }
+    void setScene(const Representation& scene) override;
+    double advanceOcclusion(const RenderSettings& settings, double milliseconds) override;
+    FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame) override;
+    PixelSize windowSize() const override;
+    std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach) override;
+
+private:
+    std::string occlusionFolder_;
+    Renderer* renderer_ = nullptr;
+    int failures_ = 0;  // to present, one after the other
+};
+
+class Session {
+public:
+    /// @param first what to show; without input: nothing yet
+    /// @param wake  makes the thread call step(); from any thread
+    Session(SessionFiles files, const SavedView& first, double pixelsPerPoint, SharedState& shared,
+            std::function<void()> wake);
+
+    // The window
+    void windowCreated(ANativeWindow* window);
+    /// It has another size, or lost what was in it.
+    void windowChanged();
+    void windowDestroyed();
+    void contentChanged(const ARect& content);
+    void densityChanged(double pixelsPerPoint);
+
+    // The activity
+    void started();
+    void paused();
+    void stopped();
+    void lowMemory();
+
+    // What the user does
+    void touch(const TouchEvent& event, double when);
+    void wheel(double steps, glm::dvec2 at);
+    void key(const KeyEvent& event);
+    void back();
+    void open(const std::string& path);
+    void say(const std::string& text);
+
+    /// Draws, if there is something to draw. @returns when to call again, if nothing happens before. @throws Error
+    double step();
+
+    /// Lets go of window and device for good.
+    void giveUp();
+
+private:
+    void makeRenderer();
+    void dropRenderer();
+    void makePanel(double pixelsPerPoint);
+    void settle();
+    void run(ViewerCommand command);
+    void saveWarmCaches();
+    PixelSize size() const;
+
+    SessionFiles files_;
+    SharedState& shared_;
+    ANativeWindow* window_ = nullptr;
+    std::unique_ptr<Renderer> renderer_;
+    WindowScreen screen_;
+    Viewer viewer_;
+    std::unique_ptr<Panel> panel_;
+    ARect content_{};
+    double scale_ = 1;
+    bool started_ = false, cachesSaved_ = false;
+    int lost_ = 0;
+};
+
+}  // namespace nacre::app

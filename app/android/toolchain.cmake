@@ -1,0 +1,17 @@
+# The NDK's compiler with vcpkg's libraries. Gradle names the NDK and the ABI; NACRE_VCPKG_ROOT names vcpkg.
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES ANDROID_NDK CMAKE_ANDROID_NDK ANDROID_ABI NACRE_VCPKG_ROOT)
+if(NOT ANDROID_NDK)
+    set(ANDROID_NDK ${CMAKE_ANDROID_NDK})
+endif()
+if(ANDROID_ABI STREQUAL "arm64-v8a")
+    set(VCPKG_TARGET_TRIPLET arm64-android)
+elseif(ANDROID_ABI STREQUAL "x86_64")
+    set(VCPKG_TARGET_TRIPLET x64-android)
+else()
+    message(FATAL_ERROR "Nacre is built for arm64-v8a and x86_64, not for '${ANDROID_ABI}'")
+endif()
+# vcpkg builds with the same NDK, for the same oldest system.
+set(ENV{ANDROID_NDK_HOME} ${ANDROID_NDK})
+set(VCPKG_OVERLAY_TRIPLETS ${CMAKE_CURRENT_LIST_DIR}/triplets)
+set(VCPKG_CHAINLOAD_TOOLCHAIN_FILE ${ANDROID_NDK}/build/cmake/android.toolchain.cmake)
+include(${NACRE_VCPKG_ROOT}/scripts/buildsystems/vcpkg.cmake)

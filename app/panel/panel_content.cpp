@@ -1,0 +1,276 @@
+// What stands in the panel and in the help.
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "app/notices.h"
+#include "app/panel/panel.h"
+#include "app/panel/panel_style.h"
+#include "app/viewer/presets.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr float kPanelPoints = 268, kFingerPanelPoints = 320, kColumnPoints = 132, kFingerColumnPoints = 152;
+constexpr float kFingerHelpPoints = 112;
+constexpr int kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                       ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
+
+/// Selections that a finger chooses from; the molecule's chains come besides.
+constexpr const char* kSelections[] = {"ligand", "protein", "nucleic", "ion", "backbone", "sidechain", "hetatm"};
+constexpr std::size_t kMostChains = 40;
+
+void heading(const char* text) {
+    ImGui::Spacing();
+    ImGui::TextDisabled("%s", text);
+}
+
+void row(const char* left, const char* right) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(left);
+    ImGui::TableNextColumn();
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextDisabled("%s", right);
+    ImGui::PopTextWrapPos();
+}
+
+void drawKeys() {
+    const std::span<const Binding> bindings = keyBindings();
+    if (!ImGui::BeginTable("keys", 4, ImGuiTableFlags_SizingFixedFit)) return;
+    const std::size_t half = (bindings.size() + 1) / 2;
+    const auto cells = [](const Binding& b) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(b.keys);
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("%s", b.what);
+    };
+    for (std::size_t i = 0; i < half; ++i) {
+        ImGui::TableNextRow();
+        cells(bindings[i]);
+        if (i + half < bindings.size()) cells(bindings[i + half]);
+    }
+    ImGui::EndTable();
+}
+
+}  // namespace
+
+/// A window that keeps its size to its content and to what the insets leave.
+void Panel::beginWindow(const char* name, int moreFlags) {
+    ImGui::Begin(name, nullptr, kFlags | moreFlags);
+    remember();
+    if (forFingers()) followFinger();
+}
+
+void Panel::drawMenuButton() {
+    ImGui::SetNextWindowPos(ImVec2(insets_.left + 12 * scale(), insets_.top + 12 * scale()));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+    beginWindow("Menu", ImGuiWindowFlags_NoScrollbar);
+    if (ImGui::Button("Menu")) togglePanel();
+    ImGui::End();
+    ImGui::PopStyleVar();
+}
+
+void Panel::drawPanel(Viewer& viewer, double now) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float margin = 12 * scale();
+    const float width = std::min((forFingers() ? kFingerPanelPoints : kPanelPoints) * scale(),
+                                 std::max(display.x - insets_.left - insets_.right - 2 * margin, 1.0f));
+    const float height = std::max(display.y - insets_.top - insets_.bottom - 2 * margin, 1.0f);
+    ImGui::SetNextWindowPos(ImVec2(insets_.left + margin, insets_.top + margin));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(width, height));
+    beginWindow("Nacre", 0);
+    if (forFingers()) {
+        if (ImGui::Button("Close")) togglePanel();
+        ImGui::SameLine();
+        if (ImGui::Button("Help")) toggleHelp();
+        ImGui::SameLine();
+        if (ImGui::Button("Whole")) run_(ViewerCommand::fit);
+    }
+    if (const Document* document = viewer.document()) {
+        const std::string& input = document->view.input;
+        ImGui::TextWrapped("%s", input.starts_with("sample:")
+                                     ? input.c_str()
+                                     : std::filesystem::path(input).filename().string().c_str());
+        ImGui::TextDisabled("%zu atoms, %zu bonds drawn", document->scene.drawnAtoms, document->scene.drawnBonds);
+    } else {
+        ImGui::TextWrapped("%s", viewer.loading() ? "Reading ..."
+                                 : forFingers()   ? "Open a structure from the file manager"
+                                                  : "Drop a structure file here");
+    }
+    SavedView look = viewer.view();
+    const std::string before = savedViewJson(look);
+    drawLook(look);
+    drawShown(look);
+    drawRules(look, viewer.document() ? viewer.document()->molecule.get() : nullptr);
+    bool turning = viewer.autoRotating();
+    if (ImGui::Checkbox("Turn by itself", &turning)) run_(ViewerCommand::autoRotate);
+    if (!forFingers()) {
+        ImGui::Spacing();
+        if (ImGui::Button("Whole")) run_(ViewerCommand::fit);
+        ImGui::SameLine();
+        if (ImGui::Button("Save PNG")) run_(ViewerCommand::savePicture);
+        ImGui::SameLine();
+        if (ImGui::Button("Help ?")) help_ = !help_;
+    }
+    if (viewer.document() && viewer.occlusion() < 1) {
+        char text[64];
+        std::snprintf(text, sizeof text, "occlusion %.0f %%", 100 * viewer.occlusion());
+        ImGui::ProgressBar(static_cast<float>(viewer.occlusion()), ImVec2(-1, 0), text);
+    }
+    ImGui::End();
+    if (savedViewJson(look) != before) viewer.setLook(look, now);
+}
+
+/// One of the choices: a drop-down list for a mouse, one that unfolds in place for fingers.
+/// @returns whether another one was taken
+bool Panel::choose(const char* label, std::span<const char* const> choices, std::string& current) {
+    bool taken = false;
+    const auto offer = [&](const char* choice, const ImVec2& size) {
+        if (!ImGui::Selectable(choice, current == choice, 0, size)) return;
+        taken = current != choice;
+        current = choice;
+        unfolded_.clear();
+    };
+    if (!forFingers()) {
+        if (!ImGui::BeginCombo(label, current.c_str())) return false;
+        for (const char* choice : choices) offer(choice, ImVec2(0, 0));
+        ImGui::EndCombo();
+        return taken;
+    }
+    const bool open = unfolded_ == label;
+    if (ImGui::Button((current + label).c_str(), ImVec2(-1, 0))) unfolded_ = open ? "" : label;
+    if (!open) return false;
+    ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, ImVec2(0, 0.5f));
+    ImGui::Indent();
+    for (const char* choice : choices) offer(choice, ImVec2(0, kFingerPoints * scale()));
+    ImGui::Unindent();
+    ImGui::PopStyleVar();
+    return taken;
+}
+
+void Panel::drawLook(SavedView& look) {
+    const float column = (forFingers() ? kFingerColumnPoints : kColumnPoints) * scale();
+    heading("Style");
+    constexpr std::pair<const char*, const char*> kStyles[] = {{"By size", ""},
+                                                               {"Space-filling", "spacefill"},
+                                                               {"Ball and stick", "ball-and-stick"},
+                                                               {"Licorice", "licorice"}};
+    for (const auto& [label, style] : kStyles) {
+        if (ImGui::RadioButton(label, look.style == style)) look.style = style;
+        if (!forFingers() && label != kStyles[1].first && label != kStyles[3].first) ImGui::SameLine(column);
+    }
+    heading("Colours, background, preset");
+    ImGui::PushItemWidth(-1);
+    choose("##colours", colorChoices(), look.color);
+    choose("##background", backgroundChoices(), look.background);
+    drawPresets(look);
+    ImGui::PopItemWidth();
+}
+
+void Panel::drawPresets(SavedView& look) {
+    std::vector<const char*> names;
+    for (const Preset& preset : presets()) names.push_back(preset.name);
+    std::string chosen = "Presets";
+    if (!choose("##preset", names, chosen)) return;
+    for (const Preset& preset : presets())
+        if (chosen == preset.name) applyPreset(preset, look);
+}
+
+void Panel::drawShown(SavedView& look) {
+    const float column = (forFingers() ? kFingerColumnPoints : kColumnPoints) * scale();
+    heading("Show");
+    ImGui::Checkbox("Water", &look.drawn.water);
+    ImGui::SameLine(column);
+    ImGui::Checkbox("Hydrogens", &look.drawn.hydrogens);
+    ImGui::Checkbox("Light", &look.lighting);
+    ImGui::SameLine(column);
+    bool occlusion = look.occlusionDirections > 0;
+    if (ImGui::Checkbox("Occlusion", &occlusion))
+        look.occlusionDirections = occlusion ? SavedView{}.occlusionDirections : 0;
+    bool perspective = look.camera.projection == Projection::perspective;
+    if (ImGui::Checkbox("Perspective", &perspective))
+        look.camera.projection = perspective ? Projection::perspective : Projection::orthographic;
+}
+
+/// A mouse comes with a keyboard: the selection is typed. Fingers choose one.
+void Panel::drawRules(SavedView& look, const Molecule* molecule) {
+    heading(forFingers() ? "Selection" : "Selection, as \"chain A\" or \"ligand\"");
+    if (forFingers()) {
+        std::vector<std::string> chains;
+        if (molecule)
+            for (const Chain& chain : molecule->chains)
+                if (chain.model == molecule->chains.front().model && !chain.name.empty() && chains.size() < kMostChains)
+                    chains.push_back("chain '" + chain.name + "'");
+        std::vector<const char*> choices(std::begin(kSelections), std::end(kSelections));
+        for (const std::string& chain : chains) choices.push_back(chain.c_str());
+        choose("##selection", choices, picked_);
+        drawRuleButtons(look, picked_);
+    } else {
+        ImGui::PushItemWidth(-1);
+        ImGui::InputText("##selection", selection_, sizeof selection_);
+        ImGui::PopItemWidth();
+        drawRuleButtons(look, selection_);
+    }
+    if (!ruleError_.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, kWarning);
+        ImGui::TextWrapped("%s", ruleError_.c_str());
+        ImGui::PopStyleColor();
+    }
+    if (look.rules.empty()) return;
+    for (const auto& [option, value] : look.rules) ImGui::TextWrapped("%s %s", option.c_str(), value.c_str());
+    if (ImGui::Button("Undo rule")) look.rules.pop_back();
+}
+
+void Panel::drawRuleButtons(SavedView& look, const std::string& selection) {
+    const auto add = [&](const char* option, const std::string& value) {
+        try {
+            SavedView trial = look;
+            trial.rules.emplace_back(option, value);
+            lookOf(trial);
+            look.rules = trial.rules;
+            ruleError_.clear();
+        } catch (const std::exception& error) {
+            ruleError_ = error.what();
+        }
+    };
+    if (ImGui::Button("Hide")) add("hide", selection);
+    ImGui::SameLine();
+    if (ImGui::Button("Balls")) add("show", selection + "=ball-and-stick");
+    ImGui::SameLine();
+    if (ImGui::Button("Sticks")) add("show", selection + "=licorice");
+    ImGui::SameLine();
+    if (ImGui::Button("Red")) add("color-by", selection + "=#e04030");
+}
+
+void Panel::drawHelp() {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const ImVec2 left(insets_.left, insets_.top);
+    const ImVec2 room(std::max(display.x - insets_.left - insets_.right, 1.0f),
+                      std::max(display.y - insets_.top - insets_.bottom, 1.0f));
+    ImGui::SetNextWindowPos(ImVec2(left.x + room.x / 2, left.y + room.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    // For fingers, lines are broken at the window's edge, which therefore has to be known.
+    const float width = forFingers() ? std::min(room.x, 420 * scale()) : 0;
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(forFingers() ? width : room.x, room.y));
+    beginWindow("Help", 0);
+    if (ImGui::BeginTable("pointer", 2, ImGuiTableFlags_SizingFixedFit)) {
+        if (forFingers()) {
+            ImGui::TableSetupColumn("fingers", ImGuiTableColumnFlags_WidthFixed, kFingerHelpPoints * scale());
+            ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed,
+                                    ImGui::GetContentRegionAvail().x - (kFingerHelpPoints + 16) * scale());
+        }
+        for (const PointerBinding& b : pointerBindings()) row(forFingers() ? b.touch : b.mouse, b.what);
+        ImGui::EndTable();
+    }
+    ImGui::Separator();
+    if (!forFingers())
+        drawKeys();
+    else if (ImGui::Button("Close", ImVec2(-1, 0)))
+        toggleHelp();
+    if (ImGui::Button("Licences", ImVec2(forFingers() ? -1.0f : 0.0f, 0))) licences_ = !licences_;
+    if (licences_) ImGui::TextUnformatted(notices());
+    ImGui::End();
+}
+
+}  // namespace nacre::app

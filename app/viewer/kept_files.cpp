@@ -1,0 +1,78 @@
+#include "app/viewer/kept_files.h"
+
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <mutex>
+
+#include "app/headless/output_file.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kMagic = 0x31434c5045434e4eull;  // "NNCEPLC1"
+constexpr std::uintmax_t kLargestCache = 256u << 20;
+
+void write(const std::string& path, const std::string& content) {
+    if (path.empty()) return;
+    static std::mutex oneAtATime;  // as OutputFile wants it
+    const std::lock_guard lock(oneAtATime);
+    try {
+        fs::create_directories(fs::path(path).parent_path());
+        OutputFile file(path);
+        writeText(file, content);
+    } catch (const std::exception&) {
+        // A full or read-only disk is no reason to lose the window.
+    }
+}
+
+/// FNV-1a, 64 bits: tells a cut or damaged file.
+std::uint64_t hashOf(std::string_view bytes) {
+    std::uint64_t hash = 0xcbf29ce484222325ull;
+    for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
+    return hash;
+}
+
+}  // namespace
+
+std::optional<SavedView> loadView(const std::string& path) {
+    if (path.empty()) return std::nullopt;
+    try {
+        return readSavedView(path);
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+void keepView(const std::string& path, const SavedView& view) { write(path, savedViewJson(view)); }
+
+std::vector<std::byte> loadPipelineCache(const std::string& path) {
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(path, error);
+    if (error || size < 16 || size > kLargestCache) return {};
+    std::ifstream stream(path, std::ios::binary);
+    const std::string content{std::istreambuf_iterator<char>(stream), {}};
+    if (content.size() < 16) return {};
+    std::uint64_t head[2];
+    std::memcpy(head, content.data(), sizeof head);
+    const std::string_view data = std::string_view(content).substr(sizeof head);
+    if (head[0] != kMagic || head[1] != hashOf(data)) return {};
+    std::vector<std::byte> bytes(data.size());
+    std::memcpy(bytes.data(), data.data(), data.size());
+    return bytes;
+}
+
+void keepPipelineCache(const std::string& path, const std::vector<std::byte>& data) {
+    if (data.empty() || data.size() > kLargestCache) return;
+    const std::string_view bytes(reinterpret_cast<const char*>(data.data()), data.size());
+    const std::uint64_t head[2] = {kMagic, hashOf(bytes)};
+    std::string content(reinterpret_cast<const char*>(head), sizeof head);
+    write(path, content.append(bytes));
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,136 @@
+// What outlives an activity, and what other apps hand over to it.
+
+#include <fstream>
+
+#include "tests/android_host/host_fixture.h"
+
+namespace nacre::test {
+namespace {
+
+TEST_F(AndroidHost, BringsASample) {
+    Host host(folder_);
+    host.start();
+    EXPECT_EQ(host.view().input, "sample:dna");
+}
+
+TEST_F(AndroidHost, TheStateOutlivesTheProcess) {
+    std::string state;
+    {
+        Host host(folder_, std::nullopt, kQuick);
+        host.open(160, 200);
+        host.key(AKEYCODE_3, AKEY_EVENT_ACTION_DOWN);
+        host.drag(80, 100, 80, 160);
+        state = host.saveState();
+        host.pause();
+        host.stop();
+    }
+    Host restored(folder_, std::nullopt, state);
+    restored.open(160, 200);
+    EXPECT_EQ(restored.saveState(), state);
+    expectAsRendered(restored);
+    restored.destroy();
+    Host again(folder_);  // from the launcher: as it was left
+    EXPECT_EQ(again.saveState(), state);
+    again.destroy();
+    Host damaged(folder_, std::nullopt, "{\"zoom\": \"far\"}");
+    EXPECT_EQ(damaged.saveState(), state);
+    EXPECT_FALSE(takeLog().empty());
+}
+
+std::string pdbOf(const char* element, double x) {
+    char line[400];
+    std::snprintf(line, sizeof line,
+                  "HETATM    1 %2s   UNK A   1    %8.3f%8.3f%8.3f  1.00  0.00          %2s\n"
+                  "HETATM    2 %2s   UNK A   1    %8.3f%8.3f%8.3f  1.00  0.00          %2s\nEND\n",
+                  element, x, 0.0, 0.0, element, element, -x, 0.0, 0.0, element);
+    return line;
+}
+
+TEST_F(AndroidHost, OpensWhatOtherAppsHandOver) {
+    Document document;
+    document.name = "../../two atoms.pdb";
+    document.bytes = pdbOf("FE", 1) + std::string(100000, '\n');
+    std::string state;
+    {
+        Host host(folder_, document);
+        host.open(120, 120);
+        host.key(AKEYCODE_O, AKEY_EVENT_ACTION_DOWN);  // occlusion off
+        ASSERT_TRUE(eventually([&] { return !host.view().input.empty(); }));
+        expectAsRendered(host);
+        const std::filesystem::path copy = host.view().input;
+        EXPECT_EQ(copy.filename(), "two atoms.pdb");
+        EXPECT_EQ(copy.parent_path().parent_path(), folder_ / "opened");
+        state = host.saveState();
+    }
+    document.refuses = true;  // leave to read has gone with the activity
+    Host host(folder_, document, state);
+    host.open(120, 120);
+    expectAsRendered(host);
+    EXPECT_EQ(host.saveState(), state);
+}
+
+TEST_F(AndroidHost, OpensWhatProvidersStream) {
+    Document document;
+    document.bytes = pdbOf("C", 1) + std::string(1500000, '\n');
+    document.hasDescriptor = false;
+    Host host(folder_, document);
+    host.start();
+    ASSERT_TRUE(eventually([&] { return !host.view().input.empty(); }));
+    const std::filesystem::path copy = host.view().input;
+    EXPECT_EQ(copy.filename(), "7");  // the provider keeps no names
+    std::ifstream file(copy, std::ios::binary);
+    EXPECT_TRUE(std::string(std::istreambuf_iterator<char>(file), {}) == document.bytes);
+}
+
+TEST_F(AndroidHost, SaysWhyADocumentCannotBeOpened) {
+    Document document;
+    document.refuses = true;
+    Host refused(folder_, document);
+    refused.open(320, 200);
+    EXPECT_TRUE(eventually([&] { return refused.frames() > 0 && saysSomething(refused.picture()); }));
+    EXPECT_FALSE(takeLog().empty());
+    refused.destroy();
+    document.refuses = false;
+    document.bytes = "no molecule at all";
+    Host senseless(folder_, document);
+    senseless.open(320, 200);
+    EXPECT_TRUE(eventually([&] { return senseless.frames() > 0 && saysSomething(senseless.picture()); }));
+}
+
+TEST_F(AndroidHost, KeepsAFewOfTheOpenedFiles) {
+    for (int i = 0; i < 10; ++i) {
+        Document document;
+        document.name = std::to_string(i) + ".pdb";
+        document.bytes = pdbOf("C", 1 + i);
+        Host host(folder_, document);
+        host.start();
+        ASSERT_TRUE(eventually([&] { return !host.view().input.empty(); })) << i;
+    }
+    std::size_t count = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_ / "opened")) ++count;
+    EXPECT_EQ(count, 8u);
+}
+
+TEST_F(AndroidHost, EndsAtOnceWhileADocumentIsStillComing) {
+    Document document;
+    document.bytes = pdbOf("C", 1);
+    document.seconds = 0.3;
+    Host host(folder_, document);
+    host.open(160, 160);
+}
+
+TEST_F(AndroidHost, WithoutADeviceTheActivityEnds) {
+    setVulkanBroken(true);
+    {
+        Host host(folder_, std::nullopt, kQuick);
+        host.open(160, 160);
+        EXPECT_TRUE(eventually([&] { return host.finishAsked(); }));
+        EXPECT_FALSE(takeLog().empty());
+        host.tap(80, 80);
+        EXPECT_EQ(host.saveState(), "");
+    }
+    setVulkanBroken(false);
+}
+
+}  // namespace
+}  // namespace nacre::test

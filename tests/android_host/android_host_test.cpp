@@ -1,0 +1,225 @@
+// The Android shell as Android has it: callbacks in the system's order and in others, fingers, documents of other apps.
+// SwiftShader draws, the validation layer watches, and every picture is compared with one drawn without a window.
+
+#include <cmath>
+#include <cstdlib>
+#include <random>
+
+#include "tests/android_host/host_fixture.h"
+
+namespace nacre::test {
+namespace {
+
+TEST_F(AndroidHost, ShowsTheSampleAndThenRests) {
+    Host host(folder_, std::nullopt, kBaked);
+    host.open(120, 160);
+    expectAsRendered(host);
+    sleep(0.5);
+    const std::uint64_t before = host.frames();
+    sleep(2);
+    EXPECT_EQ(host.frames(), before);
+    EXPECT_FALSE(std::filesystem::is_empty(folder_ / "occlusion"));  // the bake is kept
+    EXPECT_TRUE(takeLog().empty());
+}
+
+TEST_F(AndroidHost, TurnsPicturesForTheDisplay) {
+    constexpr Covered kSmallMenu{50, 38};
+    Host host(folder_, std::nullopt, kQuick, 80);
+    host.open(80, 100, 1);
+    expectAsRendered(host, kSmallMenu, "a quarter turn");
+    host.resizeWindow(100, 80, 2);
+    expectAsRendered(host, kSmallMenu, "half a turn");
+    host.resizeWindow(80, 100, 3);
+    expectAsRendered(host, kSmallMenu, "three quarters");
+    host.resizeWindow(100, 80, 0);
+    expectAsRendered(host, kSmallMenu, "upright");
+}
+
+TEST_F(AndroidHost, FingersRotateZoomAndFit) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.open(320, 320);
+    host.drag(100, 160, 210, 160, 11);  // the first 10 points tell a drag from a tap
+    app::SavedView view = host.view();
+    const double half = 50 * M_PI / 180;
+    EXPECT_NEAR(view.camera.orientation.w, std::cos(half), 1e-5);
+    EXPECT_NEAR(view.camera.orientation.y, std::sin(half), 1e-5);
+    expectAsRendered(host);
+
+    const auto two = [](float apart) {
+        return std::vector<AInputEvent::Pointer>{{4, 160 - apart, 160}, {9, 160 + apart, 160}};
+    };
+    host.motion(AMOTION_EVENT_ACTION_DOWN, {{4, 120, 160}});
+    host.motion(AMOTION_EVENT_ACTION_POINTER_DOWN | 1 << AMOTION_EVENT_ACTION_POINTER_INDEX_SHIFT, two(40));
+    for (float apart = 45; apart <= 80; apart += 5) host.motion(AMOTION_EVENT_ACTION_MOVE, two(apart));
+    host.motion(AMOTION_EVENT_ACTION_POINTER_UP | 0 << AMOTION_EVENT_ACTION_POINTER_INDEX_SHIFT, two(80));
+    host.motion(AMOTION_EVENT_ACTION_UP, {{9, 240, 160}});
+    EXPECT_NEAR(host.view().camera.zoom, 2, 1e-5);
+    host.scroll(-1, 160, 160);
+    EXPECT_NEAR(host.view().camera.zoom, 2 / 1.15, 1e-5);
+
+    host.tap(250, 160, 2);
+    EXPECT_TRUE(eventually([&] { return std::abs(host.view().camera.zoom - 1) < 1e-9; }));
+    expectAsRendered(host);
+}
+
+TEST_F(AndroidHost, AKeyboardWorksToo) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.open(160, 160);
+    EXPECT_TRUE(host.key(AKEYCODE_3, AKEY_EVENT_ACTION_DOWN));
+    EXPECT_EQ(host.view().style, "licorice");
+    host.key(AKEYCODE_DPAD_RIGHT, AKEY_EVENT_ACTION_DOWN, AMETA_SHIFT_ON);
+    EXPECT_GT(host.view().camera.pan.x, 0);
+    EXPECT_FALSE(host.key(AKEYCODE_VOLUME_UP, AKEY_EVENT_ACTION_DOWN));
+    host.queue()->inputMethodTakesNext = true;
+    host.key(AKEYCODE_1, AKEY_EVENT_ACTION_DOWN);
+    EXPECT_EQ(host.view().style, "licorice");
+}
+
+TEST_F(AndroidHost, ATapNamesAnAtom) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.open(300, 200);
+    expectAsRendered(host);
+    EXPECT_FALSE(saysSomething(host.picture()));
+    host.tap(150, 100);
+    EXPECT_TRUE(eventually([&] { return saysSomething(host.picture()); }));
+    sleep(0.5);
+    host.tap(4, 190);  // beside it
+    expectAsRendered(host);
+}
+
+TEST_F(AndroidHost, ThePanelIsReachedByFingers) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.open(360, 480);
+    expectAsRendered(host);
+    EXPECT_FALSE(host.back());  // Android's, which ends the activity
+    host.tap(40, 36);
+    ASSERT_TRUE(eventually([&] { return host.picture().rgb[std::size_t{3} * (360 * 200 + 100)] < 60; }));
+    sleep(0.3);
+    host.tap(60, 276);  // "Ball and stick"
+    EXPECT_TRUE(eventually([&] { return host.view().style == "ball-and-stick"; }));
+    host.drag(200, 400, 200, 100);  // scrolls, and turns nothing
+    EXPECT_NEAR(std::abs(host.view().camera.orientation.w), 1, 1e-12);
+    EXPECT_EQ(host.view().style, "ball-and-stick");
+    EXPECT_TRUE(host.back());
+    host.view();  // waits
+    EXPECT_FALSE(host.back());
+    expectAsRendered(host);
+}
+
+TEST_F(AndroidHost, AWindowMayGoAndComeAgain) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.open(120, 160);
+    expectAsRendered(host);
+    host.pause();
+    host.stop();
+    host.destroyWindow();
+    const std::uint64_t before = host.frames();
+    host.lowMemory();  // gives the device back, and refines no more
+    sleep(0.3);
+    EXPECT_EQ(host.frames(), before);
+    host.start();
+    host.resume();
+    host.createWindow(160, 120, 1);
+    expectAsRendered(host, kMenu, "", 1);
+    refuseFrames(2);
+    host.redraw();
+    expectAsRendered(host, kMenu, "", 1);
+    host.destroyWindow();  // and without a pause
+    host.createWindow(160, 160);
+    host.lowMemory();
+    host.setDensity(320);
+    host.setContent({0, 20, 160, 150});
+    sleep(0.2);
+    host.tap(100, 100);
+}
+
+TEST_F(AndroidHost, NothingIsDrawnWhileItIsNotSeen) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.open(160, 160);
+    expectAsRendered(host);
+    host.key(AKEYCODE_SPACE, AKEY_EVENT_ACTION_DOWN);  // turns by itself
+    sleep(0.5);
+    host.pause();
+    host.stop();
+    sleep(0.3);
+    const std::uint64_t before = host.frames();
+    host.key(AKEYCODE_1, AKEY_EVENT_ACTION_DOWN);
+    sleep(1);
+    EXPECT_EQ(host.frames(), before);
+    host.start();
+    host.resume();
+    expectAsRendered(host);
+}
+
+/// Everything that the system may do next, one after the other, by chance.
+void act(Host& host, std::mt19937& random, bool& started) {
+    const auto roll = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+    const auto place = [&] { return static_cast<float>(roll(200)); };
+    switch (roll(14)) {
+        case 0:
+            if (host.windowIsThere()) return host.destroyWindow();
+            return host.createWindow(100 + roll(60), 100 + roll(60), roll(4));
+        case 1:
+            if (host.windowIsThere()) host.resizeWindow(100 + roll(60), 100 + roll(60), roll(4));
+            return;
+        case 2:
+            started ? (host.pause(), host.stop()) : (host.start(), host.resume());
+            started = !started;
+            return;
+        case 3:
+            return host.lowMemory();
+        case 4:
+            return host.setDensity(160 + 80 * roll(3));
+        case 5:
+            if (host.queue()) return host.destroyQueue();
+            return host.createQueue();
+        case 6:
+            return refuseFrames(roll(3));
+        case 7:
+            host.saveState();
+            return;
+        case 8:
+            return host.setContent({roll(20), roll(20), 80 + roll(60), 80 + roll(60)});
+        case 9:
+            sleep(0.001 * roll(60));
+            return;
+        default:
+            break;
+    }
+    if (!host.queue()) return;
+    constexpr std::int32_t kActions[] = {AMOTION_EVENT_ACTION_DOWN,         AMOTION_EVENT_ACTION_UP,
+                                         AMOTION_EVENT_ACTION_MOVE,         AMOTION_EVENT_ACTION_CANCEL,
+                                         AMOTION_EVENT_ACTION_POINTER_DOWN, AMOTION_EVENT_ACTION_POINTER_UP};
+    if (roll(3) == 0)
+        host.key(roll(260), roll(2), roll(2) * AMETA_SHIFT_ON);
+    else
+        host.motion(kActions[roll(6)], {{roll(3), place(), place()}});
+}
+
+TEST_F(AndroidHost, SurvivesAnyOrder) {
+    // More of them by hand: NACRE_ANDROID_SEEDS=50
+    const char* asked = std::getenv("NACRE_ANDROID_SEEDS");
+    const int seeds = asked ? std::atoi(asked) : 1;
+    for (int seed = 1; seed <= seeds; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937 random(static_cast<unsigned>(seed));
+        // Two activities of one process, as when a second document is opened.
+        Host first(folder_, std::nullopt, kQuick), second(folder_, std::nullopt, kQuick);
+        bool firstStarted = false, secondStarted = false;
+        for (int i = 0; i < 40; ++i) {
+            act(first, random, firstStarted);
+            act(second, random, secondStarted);
+        }
+        if (seed != seeds) continue;
+        second.destroy();
+        refuseFrames(0);
+        if (first.windowIsThere()) first.destroyWindow();
+        if (firstStarted) first.pause(), first.stop();
+        Host last(folder_, std::nullopt, first.saveState());
+        last.open(160, 160);
+        EXPECT_FALSE(last.finishAsked());
+    }
+}
+
+}  // namespace
+}  // namespace nacre::test

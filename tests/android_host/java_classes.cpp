@@ -1,0 +1,118 @@
+// The few classes that the shell calls, and how a document's provider behaves.
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+
+#include "tests/android_host/java_state.h"
+#include "tests/android_host/window.h"
+
+namespace nacre::test {
+namespace {
+
+using Impl = JavaMachine::Impl;
+
+constexpr struct {
+    const char *type, *name, *signature;
+} kMethods[] = {
+    {kActivity, "getIntent", "()Landroid/content/Intent;"},
+    {kActivity, "getContentResolver", "()Landroid/content/ContentResolver;"},
+    {"android/content/Intent", "getData", "()Landroid/net/Uri;"},
+    {"android/net/Uri", "getLastPathSegment", "()Ljava/lang/String;"},
+    {"android/content/ContentResolver", "openInputStream", "(Landroid/net/Uri;)Ljava/io/InputStream;"},
+    {"android/content/ContentResolver", "openFileDescriptor",
+     "(Landroid/net/Uri;Ljava/lang/String;)Landroid/os/ParcelFileDescriptor;"},
+    {"android/content/ContentResolver", "query",
+     "(Landroid/net/Uri;[Ljava/lang/String;Ljava/lang/String;[Ljava/lang/String;Ljava/lang/String;)Landroid/database/"
+     "Cursor;"},
+    {"android/database/Cursor", "moveToFirst", "()Z"},
+    {"android/database/Cursor", "getString", "(I)Ljava/lang/String;"},
+    {"android/database/Cursor", "close", "()V"},
+    {"java/io/InputStream", "read", "([B)I"},
+    {"java/io/InputStream", "close", "()V"},
+    {"android/os/ParcelFileDescriptor", "detachFd", "()I"},
+};
+
+Object* openStream(JNIEnv* env) {
+    Impl& machine = machineOf(env);
+    ++machine.opened;
+    return machine.make("java/io/InputStream");
+}
+
+bool providerRefuses(JNIEnv* env) {
+    const Document& document = *machineOf(env).document;
+    std::this_thread::sleep_for(std::chrono::duration<double>(document.seconds));
+    if (document.refuses) raise(env, "java.lang.SecurityException", "Permission Denial");
+    return document.refuses;
+}
+
+/// A descriptor of an unlinked file that holds the document.
+int descriptorOf(const Document& document) {
+    char path[] = "/tmp/nacre-document-XXXXXX";
+    const int file = mkstemp(path);
+    unlink(path);
+    for (std::size_t done = 0; done < document.bytes.size();) {
+        const ssize_t count = write(file, document.bytes.data() + done, document.bytes.size() - done);
+        if (count <= 0) break;
+        done += static_cast<std::size_t>(count);
+    }
+    lseek(file, 0, SEEK_SET);
+    return file;
+}
+
+}  // namespace
+
+bool known(const std::string& type, const std::string& name, const std::string& signature) {
+    if (name == "toString" && signature == "()Ljava/lang/String;") return true;
+    return std::any_of(std::begin(kMethods), std::end(kMethods),
+                       [&](const auto& m) { return type == m.type && name == m.name && signature == m.signature; });
+}
+
+Object* callObject(JNIEnv* env, Object* of, const std::string& name, va_list arguments) {
+    Impl& machine = machineOf(env);
+    if (name == "getIntent") return machine.make("android/content/Intent");
+    if (name == "getData") return machine.document ? machine.make("android/net/Uri", machine.document->uri) : nullptr;
+    if (name == "getContentResolver") return machine.make("android/content/ContentResolver");
+    if (name == "toString") return machine.make("java/lang/String", of->text);
+    if (name == "getLastPathSegment")
+        return machine.make("java/lang/String", of->text.substr(of->text.find_last_of('/') + 1));
+    if (name == "getString") return machine.make("java/lang/String", machine.document->name);
+    const Object* uri = in(va_arg(arguments, jobject));
+    if (!uri || uri->type != "android/net/Uri") {
+        raise(env, "java.lang.NullPointerException", "uri");
+        return nullptr;
+    }
+    if (name == "query") {
+        if (providerRefuses(env)) return nullptr;
+        const Object* columns = in(va_arg(arguments, jobject));
+        if (!columns || columns->text != "_display_name") Faults::add("a query for other columns");
+        ++machine.opened;
+        return machine.make("android/database/Cursor");
+    }
+    if (providerRefuses(env)) return nullptr;
+    if (name == "openInputStream") return openStream(env);
+    if (name == "openFileDescriptor") {
+        const Object* mode = in(va_arg(arguments, jobject));
+        if (!mode || mode->text != "r") Faults::add("openFileDescriptor to do more than read");
+        if (machine.document->hasDescriptor) return machine.make("android/os/ParcelFileDescriptor");
+        raise(env, "java.io.FileNotFoundException", "this provider only streams");
+    }
+    return nullptr;
+}
+
+jint callInt(JNIEnv* env, Object* of, const std::string& name, va_list arguments) {
+    const Document& document = *machineOf(env).document;
+    if (name == "detachFd") return descriptorOf(document);
+    Object* buffer = in(va_arg(arguments, jobject));  // read([B)
+    if (of->at >= document.bytes.size()) return -1;
+    // Streams give as much as they like.
+    const std::size_t count = std::min({buffer->bytes.size(), document.bytes.size() - of->at, of->at % 3000 + 1000});
+    std::memcpy(buffer->bytes.data(), document.bytes.data() + of->at, count);
+    of->at += count;
+    return static_cast<jint>(count);
+}
+
+}  // namespace nacre::test

@@ -1,0 +1,226 @@
+#include "tests/android_host/java_machine.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+#include "tests/android_host/java_state.h"
+#include "tests/android_host/window.h"
+
+namespace nacre::test {
+namespace {
+
+using Impl = JavaMachine::Impl;
+
+// JNIEnv has one member: the table, which stands at the machine's start, so that the machine is found by it.
+std::map<const JNINativeInterface*, Impl*>& machines() {
+    static std::map<const JNINativeInterface*, Impl*> all;
+    return all;
+}
+std::mutex machinesMutex;
+
+}  // namespace
+
+JavaMachine::Impl& machineOf(JNIEnv* env) {
+    const std::lock_guard lock(machinesMutex);
+    return *machines().at(env->functions);
+}
+
+namespace {
+
+Thread& threadOf(JNIEnv* env) {
+    Impl& machine = machineOf(env);
+    const std::lock_guard lock(machine.mutex);
+    const auto it = machine.threads.find(std::this_thread::get_id());
+    if (it == machine.threads.end() || &it->second->env != env) {
+        Faults::add("a JNI call with another thread's environment");
+        return *machine.threads.begin()->second;
+    }
+    return *it->second;
+}
+
+jobject local(JNIEnv* env, Object* object) {
+    if (!object) return nullptr;
+    std::vector<jobject>& frame = threadOf(env).frames.back();
+    frame.push_back(object);
+    constexpr std::size_t kMost = 512;  // Android's table of old
+    if (frame.size() > kMost) Faults::add("more than 512 local references");
+    return object;
+}
+
+void expectNothingPending(JNIEnv* env, const char* call) {
+    if (threadOf(env).pending) Faults::add(std::string(call) + " with an exception pending");
+}
+
+}  // namespace
+
+void raise(JNIEnv* env, const std::string& type, const std::string& words) {
+    threadOf(env).pending = machineOf(env).make(type, type + ": " + words);
+}
+
+namespace {
+
+// --- the table
+
+const Method& nameOf(JNIEnv* env, jobject of, jmethodID id, char result) {
+    const auto& method = *reinterpret_cast<const Method*>(id);
+    expectNothingPending(env, method.name.c_str());
+    if (in(of)->type != method.type) Faults::add(method.name + " called of a " + in(of)->type);
+    if (method.signature[method.signature.find(')') + 1] != result)
+        Faults::add(method.name + " called as another type");
+    return method;
+}
+
+void fillObjects(JNINativeInterface& f) {
+    f.GetObjectClass = [](JNIEnv* env, jobject of) {
+        return as<jclass>(local(env, machineOf(env).make("class", in(of)->type)));
+    };
+    f.FindClass = [](JNIEnv* env, const char* name) {
+        expectNothingPending(env, "FindClass");
+        return as<jclass>(local(env, machineOf(env).make("class", name)));
+    };
+    f.GetMethodID = [](JNIEnv* env, jclass type, const char* name, const char* signature) -> jmethodID {
+        expectNothingPending(env, "GetMethodID");
+        if (!known(in(type)->text, name, signature)) {
+            raise(env, "java.lang.NoSuchMethodError", in(type)->text + "." + name + signature);
+            return nullptr;
+        }
+        Impl& machine = machineOf(env);
+        const std::lock_guard lock(machine.mutex);
+        machine.methods.push_back({in(type)->text, name, signature});
+        return reinterpret_cast<jmethodID>(&machine.methods.back());
+    };
+    f.NewStringUTF = [](JNIEnv* env, const char* text) {
+        return as<jstring>(local(env, machineOf(env).make("java/lang/String", text)));
+    };
+    f.GetStringUTFChars = [](JNIEnv*, jstring string, jboolean*) -> const char* {
+        return strdup(in(string)->text.c_str());
+    };
+    f.ReleaseStringUTFChars = [](JNIEnv*, jstring, const char* text) { std::free(const_cast<char*>(text)); };
+    f.NewObjectArray = [](JNIEnv* env, jsize count, jclass, jobject first) {
+        if (count != 1) Faults::add("an array of another size");
+        return as<jobjectArray>(local(env, machineOf(env).make("[Ljava/lang/String;", in(first)->text)));
+    };
+    f.NewByteArray = [](JNIEnv* env, jsize count) {
+        Object* array = machineOf(env).make("[B");
+        array->bytes.resize(static_cast<std::size_t>(count));
+        return as<jbyteArray>(local(env, array));
+    };
+    f.GetByteArrayRegion = [](JNIEnv* env, jbyteArray array, jsize start, jsize count, jbyte* to) {
+        if (start < 0 || count < 0 || static_cast<std::size_t>(start + count) > in(array)->bytes.size())
+            return raise(env, "java.lang.ArrayIndexOutOfBoundsException", "");
+        std::memcpy(to, in(array)->bytes.data() + start, static_cast<std::size_t>(count));
+    };
+}
+
+void fillCalls(JNINativeInterface& f) {
+    f.CallObjectMethodV = [](JNIEnv* env, jobject of, jmethodID id, va_list arguments) {
+        return local(env, callObject(env, in(of), nameOf(env, of, id, 'L').name, arguments));
+    };
+    f.CallIntMethodV = [](JNIEnv* env, jobject of, jmethodID id, va_list arguments) {
+        return callInt(env, in(of), nameOf(env, of, id, 'I').name, arguments);
+    };
+    f.CallBooleanMethodV = [](JNIEnv* env, jobject of, jmethodID id, va_list) -> jboolean {
+        nameOf(env, of, id, 'Z');  // moveToFirst
+        return machineOf(env).document->name.empty() ? JNI_FALSE : JNI_TRUE;
+    };
+    f.CallVoidMethodV = [](JNIEnv* env, jobject of, jmethodID id, va_list) {
+        nameOf(env, of, id, 'V');  // close
+        ++machineOf(env).closed;
+    };
+}
+
+void fillReferences(JNINativeInterface& f) {
+    f.PushLocalFrame = [](JNIEnv* env, jint) -> jint {
+        threadOf(env).frames.emplace_back();
+        return JNI_OK;
+    };
+    f.PopLocalFrame = [](JNIEnv* env, jobject) -> jobject {
+        threadOf(env).frames.pop_back();
+        return nullptr;
+    };
+    f.DeleteLocalRef = [](JNIEnv* env, jobject object) {
+        std::vector<jobject>& frame = threadOf(env).frames.back();
+        const auto it = std::find(frame.begin(), frame.end(), object);
+        if (it == frame.end()) return Faults::add("a local reference given back that is none");
+        frame.erase(it);
+    };
+    f.NewGlobalRef = [](JNIEnv* env, jobject object) {
+        Impl& machine = machineOf(env);
+        const std::lock_guard lock(machine.mutex);
+        machine.globals.push_back(object);
+        return object;
+    };
+    f.DeleteGlobalRef = [](JNIEnv* env, jobject object) {
+        Impl& machine = machineOf(env);
+        const std::lock_guard lock(machine.mutex);
+        const auto it = std::find(machine.globals.begin(), machine.globals.end(), object);
+        if (it == machine.globals.end()) return Faults::add("a global reference given back that is none");
+        machine.globals.erase(it);
+    };
+    f.ExceptionCheck = [](JNIEnv* env) -> jboolean { return threadOf(env).pending ? JNI_TRUE : JNI_FALSE; };
+    f.ExceptionOccurred = [](JNIEnv* env) { return as<jthrowable>(local(env, threadOf(env).pending)); };
+    f.ExceptionClear = [](JNIEnv* env) { threadOf(env).pending = nullptr; };
+}
+
+jint attach(JavaVM* vm, JNIEnv** env, void*) {
+    Impl* machine = nullptr;
+    {
+        const std::lock_guard lock(machinesMutex);
+        for (const auto& [functions, each] : machines())
+            if (&each->vm == vm) machine = each;
+    }
+    const std::lock_guard lock(machine->mutex);
+    auto& thread = machine->threads[std::this_thread::get_id()];
+    if (!thread) thread = std::make_unique<Thread>();
+    thread->env.functions = &machine->functions;
+    *env = &thread->env;
+    return JNI_OK;
+}
+
+jint detach(JavaVM* vm) {
+    const std::lock_guard lock(machinesMutex);
+    for (const auto& [functions, machine] : machines())
+        if (&machine->vm == vm) {
+            const std::lock_guard own(machine->mutex);
+            const auto it = machine->threads.find(std::this_thread::get_id());
+            if (it->second->frames.size() != 1) Faults::add("local frames left on a thread");
+            machine->threads.erase(it);
+        }
+    return JNI_OK;
+}
+
+}  // namespace
+
+JavaMachine::JavaMachine(std::optional<Document> document) : impl_(std::make_unique<Impl>(std::move(document))) {
+    fillObjects(impl_->functions);
+    fillCalls(impl_->functions);
+    fillReferences(impl_->functions);
+    impl_->invoke.AttachCurrentThread = attach;
+    impl_->invoke.DetachCurrentThread = detach;
+    impl_->vm.functions = &impl_->invoke;
+    {
+        const std::lock_guard lock(machinesMutex);
+        machines()[&impl_->functions] = impl_.get();
+    }
+    impl_->activity = impl_->make(kActivity);
+    attach(&impl_->vm, &impl_->mainEnv, nullptr);
+}
+
+JavaMachine::~JavaMachine() {
+    if (!impl_->globals.empty()) Faults::add("global references left");
+    if (impl_->threads.size() != 1) Faults::add("threads left attached");
+    for (const auto& [id, thread] : impl_->threads) {
+        if (thread->frames.size() != 1 || !thread->frames[0].empty()) Faults::add("local references left");
+        if (thread->pending) Faults::add("an exception left pending");
+    }
+    if (impl_->opened != impl_->closed) Faults::add("a cursor or stream left open");
+    const std::lock_guard lock(machinesMutex);
+    machines().erase(&impl_->functions);
+}
+
+JavaVM* JavaMachine::vm() { return &impl_->vm; }
+JNIEnv* JavaMachine::env() { return impl_->mainEnv; }
+jobject JavaMachine::activity() { return impl_->activity; }
+
+}  // namespace nacre::test

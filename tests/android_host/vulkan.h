@@ -1,0 +1,13 @@
+#pragma once
+// What stands for Android's libvulkan.so: the machine's own loader, with VK_KHR_android_surface made of
+// VK_EXT_headless_surface. A window says its size and turn as Android's do, and what is presented is read back.
+
+namespace nacre::test {
+
+/// No device from now on, as on a machine without a driver.
+void setVulkanBroken(bool broken);
+
+/// Frames that are refused as out of date before the next one is taken.
+void refuseFrames(int count);
+
+}  // namespace nacre::test
