@@ -227,6 +227,7 @@ std::vector<gpu::Buffer> Renderer::Impl::draw(const RenderSettings& settings, co
     stats.loadedBytes = plan.total.loaded;
     stats.storedBytes = plan.total.stored;
     stats.deviceBytes = device.peakAllocatedBytes();
+    stats.deviceBytesHeld = device.allocatedBytes();
     return pixels;
 }
 

@@ -87,6 +87,7 @@ struct FrameStats {
     std::uint64_t copies = 1;                  ///< of an assembly
     OcclusionStats occlusion;
     std::uint64_t deviceBytes = 0;   ///< peak device memory
+    std::uint64_t deviceBytesHeld = 0;  ///< after the last picture
     std::uint64_t windowFrames = 0;  ///< submitted to the window so far
     std::uint32_t tileBytesPerPixel = 0;
     std::uint64_t loadedBytes = 0, storedBytes = 0;  ///< of attachments, a frame

@@ -7,15 +7,16 @@
 
 namespace nacre {
 
-/// Host and device together, per atom that is read, with its bonds and sticks; the peak while it is read, too. Measured
-/// on 58,870 to 1,032,840 atoms in PDB, MMTF and mmCIF as sticks; tests hold it.
+/// Host and device together, per atom that is read, with its bonds and sticks; the peak while it is read, too. Beyond what
+/// programs and drivers take for any molecule, lavapipe some 100 MB for large scenes. A test holds it.
 constexpr std::uint64_t kBytesPerAtom = 700;
 /// The file's text is held while it is read, once inflated and, for a moment, twice.
 constexpr std::uint64_t kBytesPerTextByte = 2;
 /// Occlusion has a bound of its own: RenderSettings::occlusionBytes.
 
-/// Device memory of a window's frame, per pixel: depth, encoded depth and colour while drawn, three images of the
-/// display; twice that many pixels more, at most, while the picture that stays is refined (ViewerOptions).
+/// Device memory of a window's frame, per pixel: depth, encoded depth and colour, and three images of the display. While
+/// the picture that stays is refined, up to ViewerOptions::refinedPixels samples more, of 16 bytes; of 4 where depth
+/// never leaves the tile.
 constexpr std::uint64_t kBytesPerWindowPixel = 28;
 /// Host and device together, per pixel of a picture for a file, supersampled ones counted.
 constexpr std::uint64_t kBytesPerPicturePixel = 64;

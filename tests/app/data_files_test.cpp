@@ -8,7 +8,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "engine/molecule/read.h"
+#include "engine/molecule/memory_bound.h"
 #include "tests/app/measured_run.h"
 #include "tests/support/test_data.h"
 
@@ -93,6 +93,33 @@ void renderGoodFiles(int first, int step) {
         }
     }
     EXPECT_GT(drawn, 20);
+}
+
+TEST(DataFiles, MemoryKeepsToTheStatedBound) {
+    NACRE_NEEDS_DATA();
+    if (!kMeasured) GTEST_SKIP() << "sanitizers take memory of their own";
+    const auto peak = [](const std::string& input, std::vector<std::string> more) {
+        const TemporaryFolder folder;
+        std::vector<std::string> arguments{"render", input,         "-o",  folder / "a.png", "--size", "64x64",
+                                           "--style", "licorice", "--occlusion", "off"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const MeasuredRun run = test::runMeasured(arguments);
+        EXPECT_EQ(run.code, 0) << run.err;
+        return run.peakBytes;
+    };
+    const std::int64_t least = peak("sample:glucose", {});
+    const std::int64_t driver = 100'000'000;
+    EXPECT_LT(peak(test::dataFile("1aon-groel.pdb.gz"), {}) - least,
+              driver + static_cast<std::int64_t>(58'870 * kBytesPerAtom + 4'800'000 * kBytesPerTextByte));
+    EXPECT_LT(peak(test::dataFile("4v5a-ribosome.mmtf"), {}) - least,
+              driver + static_cast<std::int64_t>(290'487 * kBytesPerAtom + 2'702'627 * kBytesPerTextByte));
+    // What does not fit is refused: 5 MB have room for 3,744 atoms, half a molecule.
+    const TemporaryFolder folder;
+    const MeasuredRun run =
+        test::runMeasured({"render", test::dataFile("4hhb.pdb"), "-o", folder / "a.png", "--memory", "5"});
+    EXPECT_EQ(run.code, 1);
+    EXPECT_NE(run.err.find("4hhb.pdb: more than 3744 atoms, all that there is memory for"), std::string::npos) << run.err;
+    EXPECT_EQ(folder.count(), 0u);
 }
 
 TEST(DataFiles, GoodOnesBecomePictures) {

@@ -42,7 +42,8 @@ TEST_P(Ladder, DiffersOnlyWhereSurfacesAreCloserThanItsStep) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Molecules, Ladder, testing::Values("sample:dna", "1bna.pdb", "4hhb.pdb", "neon-pump.pdb"));
+INSTANTIATE_TEST_SUITE_P(Molecules, Ladder, testing::Values("sample:dna", "1bna.pdb", "4hhb.pdb", "neon-pump.pdb"),
+                         [](const auto& info) { return testName(info.param); });
 
 }  // namespace
 }  // namespace nacre::test

@@ -187,7 +187,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SamePicture,
                                          Case{"1bna.pdb", Style::spacefill, Projection::perspective},
                                          Case{"4hhb.pdb", Style::spacefill, Projection::orthographic},
                                          Case{"4hhb.pdb", Style::ballAndStick, Projection::orthographic},
-                                         Case{"neon-pump.pdb", Style::licorice, Projection::perspective}));
+                                         Case{"neon-pump.pdb", Style::licorice, Projection::perspective}),
+                         [](const auto& info) { return testName(info.param.file) + std::to_string(info.index); });
 
 }  // namespace
 }  // namespace nacre::test

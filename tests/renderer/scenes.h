@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <numeric>
+#include <string>
 
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
@@ -17,6 +19,13 @@ namespace nacre::test {
 inline Molecule molecule(const std::string& name) {
     if (name.starts_with("sample:")) return sampleMolecule(name.substr(7));
     return readMoleculeFile(dataFile(name));
+}
+
+/// A molecule's name as part of a test's: letters and digits alone.
+inline std::string testName(std::string file) {
+    for (char& c : file)
+        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+    return file;
 }
 
 inline Representation scene(const std::string& name, Style style) {

@@ -1,0 +1,167 @@
+// A long sitting: random files, styles, selections, colours, views, sizes, debug views and bakes, one after the other, on
+// one renderer. Says how memory went, and fails if it grew, or if the validation layer said anything.
+//   soak [FRAMES [FILES]]      10000 frames and 200 files, if not said
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <random>
+
+#include "engine/error.h"
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/read.h"
+#include "engine/molecule/selection.h"
+#include "engine/renderer.h"
+#include "tests/support/test_data.h"
+
+namespace nacre {
+namespace {
+
+constexpr std::uintmax_t kLargestFile = 600'000;  // bytes: many small files rather than a few large ones
+
+struct Sample {
+    double frame, residentBytes, deviceBytes;
+};
+
+double residentBytes() {
+    std::ifstream in("/proc/self/statm");
+    long size = 0, resident = 0;
+    in >> size >> resident;
+    return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+}
+
+/// Least squares, bytes per 1000 frames.
+double slope(const std::vector<Sample>& samples, double Sample::*value) {
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    for (const Sample& s : samples) {
+        n += 1, x += s.frame, y += s.*value, xx += s.frame * s.frame, xy += s.frame * s.*value;
+    }
+    return 1000 * (n * xy - x * y) / (n * xx - x * x);
+}
+
+std::vector<std::string> inputs() {
+    std::vector<std::string> found{"sample:dna", "sample:glucose", "sample:buckyball"};
+    if (const auto folder = test::dataFolder())
+        for (const auto& entry : std::filesystem::directory_iterator(*folder))
+            if (entry.is_regular_file() && entry.file_size() < kLargestFile) found.push_back(entry.path());
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+class Soak {
+public:
+    explicit Soak(int frames, int files) : frames_(frames), every_(std::max(frames / std::max(files, 1), 1)) {
+        DeviceOptions options;
+        options.validate = true;
+        renderer_ = std::make_unique<Renderer>(options);
+    }
+
+    int run() {
+        for (int frame = 0; frame < frames_; ++frame) {
+            if (frame % every_ == 0) load();
+            if (frame % 7 == 3) rebuild();
+            draw();
+            // The first third fills caches: pipelines of every kind, the driver's own.
+            if (frame >= frames_ / 3 && frame % 10 == 0)
+                samples_.push_back(
+                    {double(frame), residentBytes(), static_cast<double>(renderer_->stats().deviceBytesHeld)});
+        }
+        return tell();
+    }
+
+private:
+    template <typename T>
+    const T& oneOf(const std::vector<T>& list) {
+        return list[random_() % list.size()];
+    }
+    double within(double low, double high) { return std::uniform_real_distribution(low, high)(random_); }
+
+    void load() {
+        static const std::vector<std::string> all = inputs();
+        for (;;) {
+            const std::string& input = oneOf(all);
+            try {
+                molecule_ = input.starts_with("sample:") ? sampleMolecule(input.substr(7)) : readMoleculeFile(input);
+            } catch (const Error&) {
+                continue;  // no structure, or a format that is not read
+            }
+            if (drawnAtoms(molecule_, {}).empty()) continue;
+            ++loaded_;
+            return rebuild();
+        }
+    }
+
+    void rebuild() {
+        RepresentationOptions look;
+        look.style = oneOf(std::vector{Style::spacefill, Style::ballAndStick, Style::licorice});
+        look.color = oneOf(std::vector{ColorScheme::element, ColorScheme::chain, ColorScheme::residue});
+        if (random_() % 2) {
+            Rule rule;
+            rule.selection =
+                parseSelection(oneOf(std::vector{"element C", "index 1 to 50", "backbone", "not element H"}));
+            rule.style = Style::licorice;
+            look.rules.push_back(rule);
+        }
+        Representation scene = represent(molecule_, drawnAtoms(molecule_), look);
+        radius_ = scene.radius;
+        renderer_->setScene(std::move(scene));
+    }
+
+    void draw() {
+        RenderSettings s;
+        Camera camera;
+        camera.rotationDegrees = {within(-180, 180), within(-180, 180), within(-180, 180)};
+        camera.zoom = within(0.5, 3);
+        camera.projection = random_() % 2 ? Projection::perspective : Projection::orthographic;
+        const auto side = [&] { return static_cast<std::uint32_t>(16 + random_() % 180); };
+        s.view = viewOf(camera, radius_, side(), side());
+        s.occlusionDirections = static_cast<int>(random_() % 3) * 4;
+        if (random_() % 4 == 0) s.debug = static_cast<DebugView>(random_() % debugViewNames().size());
+        switch (random_() % 4) {
+            case 0:
+                renderer_->layers(s);
+                break;
+            case 1:
+                renderer_->render(s);
+                break;
+            case 2:
+                renderer_->atomAt(s, s.view.width / 2.0, s.view.height / 2.0, 6);
+                break;
+            default:
+                renderer_->drawFrame(s);
+        }
+    }
+
+    int tell() const {
+        const double resident = slope(samples_, &Sample::residentBytes), device = slope(samples_, &Sample::deviceBytes);
+        std::printf("%d frames, %d files: resident %.1f MB, %+.3f MB in 1000 frames; device %.1f MB held, %+.3f MB\n",
+                    frames_, loaded_, samples_.back().residentBytes / 1e6, resident / 1e6,
+                    samples_.back().deviceBytes / 1e6, device / 1e6);
+        for (const std::string& message : renderer_->validationMessages()) std::cerr << message << "\n";
+        const bool flat = resident < 2e6 && device < 2e6;
+        if (!flat) std::cerr << "memory grows\n";
+        return flat && renderer_->validationMessages().empty() ? 0 : 1;
+    }
+
+    int frames_, every_, loaded_ = 0;
+    std::mt19937 random_{1};
+    std::unique_ptr<Renderer> renderer_;
+    Molecule molecule_;
+    double radius_ = 1;
+    std::vector<Sample> samples_;
+};
+
+}  // namespace
+}  // namespace nacre
+
+int main(int count, char** arguments) try {
+    const int frames = count > 1 ? std::atoi(arguments[1]) : 10000, files = count > 2 ? std::atoi(arguments[2]) : 200;
+    return nacre::Soak(std::max(frames, 30), files).run();
+} catch (const std::exception& error) {
+    std::cerr << error.what() << "\n";
+    return 1;
+}
