@@ -10,6 +10,9 @@
 #include <cmath>
 
 #include "engine/error.h"
+#ifdef __APPLE__
+#include "app/apple/mac/opened_files.h"
+#endif
 
 namespace nacre::app {
 namespace {
@@ -53,6 +56,10 @@ std::optional<SpecialKey> specialKey(int key) {
 }  // namespace
 
 Window::Window(PixelSize size, WindowEvents events) : events_(std::move(events)) {
+#ifdef __APPLE__
+    listenForOpenedFiles(wake);
+    glfwInitHint(GLFW_COCOA_CHDIR_RESOURCES, GLFW_FALSE);
+#endif
     if (!glfwInit()) throw Error("cannot open a window", "", lastError());
     if (!glfwVulkanSupported()) {
         glfwTerminate();
@@ -161,6 +168,9 @@ void Window::handleEvents(double seconds) {
         glfwWaitEvents();
     else
         glfwWaitEventsTimeout(seconds);
+#ifdef __APPLE__
+    for (const std::string& path : takeOpenedFiles()) events_.dropped(path);
+#endif
 }
 
 void Window::wake() { glfwPostEmptyEvent(); }
