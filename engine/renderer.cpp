@@ -9,6 +9,7 @@
 
 #include "engine/debug_frame.h"
 #include "engine/error.h"
+#include "engine/gpu/context.h"
 #include "engine/gpu/instance.h"
 #include "engine/passes/debug_pass.h"
 #include "engine/passes/fragment_counter.h"
@@ -325,7 +326,7 @@ const std::vector<std::string>& Renderer::validationMessages() const { return im
 std::uint32_t Renderer::maxSize() const { return impl_->device.caps().maxImageSize; }
 
 std::vector<DeviceInfo> listDevices() {
-    const vk::raii::Context context;
+    const vk::raii::Context context = gpu::makeContext();
     gpu::InstanceExtensions found;
     const vk::raii::Instance instance = gpu::makeInstance(context, false, found);
     std::vector<DeviceInfo> devices;

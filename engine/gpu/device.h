@@ -7,6 +7,7 @@
 
 #include "engine/device_options.h"
 #include "engine/gpu/caps.h"
+#include "engine/gpu/context.h"
 
 namespace nacre::gpu {
 
@@ -62,7 +63,7 @@ private:
     void createInstance(const DeviceOptions& options);
     void createDevice(const DeviceOptions& options);
 
-    vk::raii::Context context_;
+    vk::raii::Context context_ = makeContext();
     vk::raii::Instance instance_{nullptr};
     std::unique_ptr<std::vector<std::string>> messages_ = std::make_unique<std::vector<std::string>>();
     vk::raii::DebugUtilsMessengerEXT messenger_{nullptr};
