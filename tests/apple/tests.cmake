@@ -16,3 +16,7 @@ add_executable(test_apple apple/session_test.cpp apple/label_colors_test.cpp)
 target_link_libraries(test_apple PRIVATE GTest::gtest_main nacre_session)
 gtest_discover_tests(test_apple TEST_PREFIX apple/ DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300
                      ENVIRONMENT "VK_DRIVER_FILES=${swiftshader};VK_ICD_FILENAMES=${swiftshader}")
+
+# The projects and property lists that CMake makes for Apple's systems.
+add_test(NAME apple/project COMMAND python3 ${apple_tests}/project_test.py ${CMAKE_SOURCE_DIR})
+set_tests_properties(apple/project PROPERTIES TIMEOUT 300)

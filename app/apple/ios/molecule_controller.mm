@@ -3,6 +3,7 @@
 #import <QuartzCore/QuartzCore.h>
 #import <UniformTypeIdentifiers/UniformTypeIdentifiers.h>
 
+#include <limits>
 #include <memory>
 
 #import "app/apple/ios/document_access.h"
@@ -60,7 +61,7 @@ void savePipelines(const std::vector<std::byte>& bytes) {
     if ((self = [super initWithNibName:nil bundle:nil])) {
         NSString* json = state[kView];
         NSData* bookmark = state[kBookmark];
-        if (json) [self restore:textOf(json) name:"the last view"];
+        if (json) [self restore:textOf(json)];
         if (bookmark) _document = [DocumentAccess accessWithBookmark:bookmark];
         if (_document) _first.input = textOf(_document.url.path);  // it may have moved
         if (_first.input.empty()) _first.input = "sample:dna";
@@ -68,13 +69,12 @@ void savePipelines(const std::vector<std::byte>& bytes) {
     return self;
 }
 
-- (BOOL)restore:(const std::string&)json name:(const std::string&)name {
+/// A state that cannot be read counts as absent.
+- (void)restore:(const std::string&)json {
     try {
-        _first = parseSavedView(json, name);
-        return YES;
-    } catch (const nacre::Error& error) {
-        tell(@"Cannot restore the view", stringOf(error.what()), self);
-        return NO;
+        _first = parseSavedView(json, "the last view");
+    } catch (const nacre::Error&) {
+        _first = {};
     }
 }
 
@@ -100,6 +100,11 @@ void savePipelines(const std::vector<std::byte>& bytes) {
         return controller ? [controller step:now] : std::numeric_limits<double>::infinity();
     }];
     [self addMenuButton];
+}
+
+- (void)viewDidAppear:(BOOL)animated {
+    [super viewDidAppear:animated];
+    [_molecule becomeFirstResponder];  // for the keys of a keyboard
 }
 
 - (void)addMenuButton {
@@ -158,7 +163,6 @@ void savePipelines(const std::vector<std::byte>& bytes) {
         what();
         return YES;
     } catch (const std::exception& error) {
-        [_clock setSuspended:YES];
         tell(@"Nacre", stringOf(error.what()), self);
         return NO;
     }
@@ -169,12 +173,15 @@ void savePipelines(const std::vector<std::byte>& bytes) {
 }
 
 - (double)step:(double)now {
-    double next = std::numeric_limits<double>::infinity();
-    double* const result = &next;
-    if (!_session || ![self attempt:^{
-          *result = self->_session->step(now);
-        }])
+    __block double next = std::numeric_limits<double>::infinity();
+    if (!_session) return next;
+    const BOOL drawn = [self attempt:^{
+      next = self->_session->step(now);
+    }];
+    if (!drawn) {
+        _clock.suspended = YES;  // it would fail again with the next frame
         return next;
+    }
     const Viewer& viewer = _session->viewer();
     const BOOL more = UIAccessibilityDarkerSystemColorsEnabled() || UIAccessibilityIsReduceTransparencyEnabled();
     const LabelColors colors = labelColors(viewer.settings().background, more);
@@ -215,7 +222,7 @@ void savePipelines(const std::vector<std::byte>& bytes) {
     };
     const auto sample = [&](const char* title, const char* input) {
         return item(title, "", ^(MoleculeController* controller) {
-          [controller open:input];
+          [controller openSample:input];
         });
     };
     std::vector<MenuItem> items = {item("Open ...", "folder", ^(MoleculeController* controller) {
@@ -275,13 +282,24 @@ void savePipelines(const std::vector<std::byte>& bytes) {
 - (void)openDocument:(NSURL*)url {
     _document = [[DocumentAccess alloc] initWithURL:url];
     const std::string path = textOf(url.path);
-    if (![url.lastPathComponent.lowercaseString hasSuffix:@".view.json"]) return [self open:path];
+    if ([url.lastPathComponent.lowercaseString hasSuffix:@".view.json"]) return [self openView:path];
+    [self open:path];
+}
+
+/// A saved view: another session, which starts with it.
+- (void)openView:(const std::string&)path {
     [self attempt:^{
-      if (![self restore:readDocument(path) name:textOf(url.lastPathComponent)]) return;
+      self->_first = parseSavedView(readDocument(path), path);
+      self->_document = nil;
       self->_molecule.viewer = nullptr;
       self->_session.reset();
       if (self.viewIfLoaded) [self moleculeViewResized:self->_molecule];
     }];
+}
+
+- (void)openSample:(const std::string&)input {
+    _document = nil;
+    [self open:input];
 }
 
 - (void)open:(const std::string&)input {

@@ -54,6 +54,7 @@ typedef NS_OPTIONS(NSUInteger, UIControlState) { UIControlStateNormal = 0 };
 @property(nullable, nonatomic, readonly, strong) UIView* viewIfLoaded;
 @property(nullable, nonatomic, readonly) UIPopoverPresentationController* popoverPresentationController;
 - (void)viewDidLoad;
+- (void)viewDidAppear:(BOOL)animated;
 - (void)didReceiveMemoryWarning;
 - (void)presentViewController:(UIViewController*)controller
                      animated:(BOOL)animated
