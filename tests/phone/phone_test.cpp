@@ -51,6 +51,20 @@ TEST(Phone, TheValidationLayerKnowsItsLimits) {
     EXPECT_NE(device.validationMessages()[0].find("VUID-VkPushConstantRange-size-00298"), std::string::npos);
 }
 
+TEST(Phone, TheValidationLayerKnowsThePortabilitySubset) {
+    // And without this. What the subset leaves out and nobody asked for is off, whatever the device has.
+    DeviceOptions options;
+    options.validate = true;
+    const gpu::Device device(options);
+    vk::SamplerCreateInfo sampler;
+    sampler.mipLodBias = 0.5f;
+    const vk::raii::Sampler biased(*device, sampler);
+    ASSERT_EQ(device.validationMessages().size(), onMoltenVk() ? 1u : 0u);
+    if (onMoltenVk()) {
+        EXPECT_NE(device.validationMessages()[0].find("samplerMipLodBias-04467"), std::string::npos);
+    }
+}
+
 TEST(Phone, DrawsEveryPathAndStyleAlike) {
     for (const Style style : {Style::spacefill, Style::ballAndStick})
         for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
