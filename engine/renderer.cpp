@@ -9,6 +9,7 @@
 
 #include "engine/debug_frame.h"
 #include "engine/error.h"
+#include "engine/gpu/context.h"
 #include "engine/gpu/instance.h"
 #include "engine/passes/debug_pass.h"
 #include "engine/passes/fragment_counter.h"
@@ -382,7 +383,7 @@ bool capturesBuilt() { return gpu::CaptureHook::built(); }
 
 std::vector<DeviceInfo> listDevices() {
     try {
-        const vk::raii::Context context;
+        const vk::raii::Context context = gpu::makeContext();
         gpu::InstanceExtensions found;
         const vk::raii::Instance instance = gpu::makeInstance(context, false, found);
         std::vector<DeviceInfo> devices;

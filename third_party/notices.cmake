@@ -15,6 +15,13 @@ set(NACRE_PARTS
     "OpenImageIO|BSD-3-Clause|libopenimageio-dev|openimageio|https://github.com/AcademySoftwareFoundation/OpenImageIO"
     "libcurl|curl|libcurl4-openssl-dev|curl|https://curl.se"
     "CLI11|BSD-3-Clause|libcli11-dev|cli11|https://github.com/CLIUtils/CLI11")
+if(IOS)
+    list(FILTER NACRE_PARTS EXCLUDE REGEX "^(OpenImageIO|libcurl|CLI11)")
+endif()
+if(APPLE)
+    list(APPEND NACRE_PARTS
+        "MoltenVK|Apache-2.0||moltenvk|https://github.com/KhronosGroup/MoltenVK")
+endif()
 if(NACRE_DESKTOP)
     list(APPEND NACRE_PARTS
         "GLFW|zlib|libglfw3-dev|glfw3|https://www.glfw.org"

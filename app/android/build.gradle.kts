@@ -8,7 +8,7 @@ val vcpkg = System.getenv("VCPKG_ROOT") ?: throw GradleException("VCPKG_ROOT nam
 android {
     namespace = "org.nacre.viewer"
     compileSdk = 36
-    ndkVersion = "29.0.14206865"  // r29, the first whose libc++ reads floating-point numbers by std::from_chars
+    ndkVersion = "29.0.14206865"
 
     defaultConfig {
         applicationId = "org.nacre.viewer"

@@ -2,6 +2,7 @@
 
 #include "app/desktop/view_command.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -41,26 +42,29 @@ public:
           renderer_(makeRenderer()),
           screen_(*renderer_),
           viewer_(screen_, sources(options.first.input), firstView(), viewerOptions(), Window::wake),
-          panel_(window_.pixelsPerPoint(), [this](ViewerCommand command) { run(command); }) {
+          panel_(makePanel()) {
+        scale_ = window_.pixelsPerPoint();
         renderer_->setScene({});
-        renderer_->setOverlayGlyphs(panel_.glyphs());
+        renderer_->setOverlayGlyphs(panel_->glyphs());
         viewer_.setDebugView(options.first.debug, now());
         resized();
     }
 
     void loop() {
         while (!window_.closing()) {
-            const double wake = viewer_.update(now(), [this] { return panel_.draw(viewer_, window_.size(), now()); });
+            const double wake = viewer_.update(now(), [this] { return panel_->draw(viewer_, window_.size(), now()); });
             if (viewer_.deviceLost()) renew();
             if (renderer_->stats().windowFrames != shown_) {
                 shown_ = renderer_->stats().windowFrames;
                 lastShown_ = now();
+                if (inputAt_ > 0) latencies_.push_back(1000 * (lastShown_ - inputAt_));
             }
+            inputAt_ = 0;  // what is not answered by now changed nothing
             saveWarmCaches();
             window_.setTitle(viewer_.title());
-            if (panel_.restless()) viewer_.overlayChanged();
-            const double next = std::max(panel_.restless() ? now() : wake, lastFrame_ + 0.95 / window_.refreshRate());
-            window_.handleEvents(std::isinf(wake) && !panel_.restless() ? wake : next - now());
+            if (panel_->restless()) viewer_.overlayChanged();
+            const double next = std::max(panel_->restless() ? now() : wake, lastFrame_ + 0.95 / window_.refreshRate());
+            window_.handleEvents(std::isinf(wake) && !panel_->restless() ? wake : next - now());
             lastFrame_ = now();
         }
         saveState(viewer_.view());
@@ -75,6 +79,10 @@ private:
     static double now() {
         using Clock = std::chrono::steady_clock;
         return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+    }
+
+    std::unique_ptr<Panel> makePanel() {
+        return std::make_unique<Panel>(window_.pixelsPerPoint(), [this](ViewerCommand command) { run(command); });
     }
 
     std::unique_ptr<Renderer> makeRenderer() const {
@@ -101,6 +109,11 @@ private:
         return options;
     }
 
+    /// Of what the next frame answers, the first.
+    void noteInput() {
+        if (inputAt_ == 0) inputAt_ = now();
+    }
+
     WindowEvents events() {
         WindowEvents e;
         e.resized = [this] { resized(); };
@@ -111,43 +124,54 @@ private:
         };
         e.damaged = [this] { viewer_.overlayChanged(); };
         e.pointer = [this](glm::dvec2 at) {
+            noteInput();
             pointer_ = at;
-            panel_.pointer(at);
+            panel_->pointer(at);
             if (!panelDrag_) viewer_.mouseMove(at / scale_, now());
         };
         e.button = [this](MouseButton button, bool down, Modifiers with) {
+            noteInput();
             // Who got the press gets the release.
-            if (down) panelDrag_ = panel_.ownsPointer();
+            if (down) panelDrag_ = panel_->ownsPointer();
             if (panelDrag_)
-                panel_.button(button, down);
+                panel_->button(button, down);
             else
                 viewer_.mouseButton(button, down, pointer_ / scale_, with, now());
             if (!down) panelDrag_ = false;
         };
         e.wheel = [this](double steps) {
-            if (panel_.ownsPointer())
-                panel_.wheel(steps);
+            noteInput();
+            if (panel_->ownsPointer())
+                panel_->wheel(steps);
             else
                 viewer_.wheel(steps, pointer_ / scale_, now());
         };
         e.special = [this](SpecialKey key, bool down) {
-            if (panel_.ownsKeys() || !down) panel_.key(key, down);
+            if (panel_->ownsKeys() || !down) panel_->key(key, down);
         };
         e.character = [this](char32_t c) {
-            if (panel_.ownsKeys()) panel_.character(c);
+            if (panel_->ownsKeys()) panel_->character(c);
         };
         e.key = [this](KeyEvent key) {
-            if (panel_.ownsKeys()) return;
+            noteInput();
+            if (panel_->ownsKeys()) return;
             if (const auto command = commandOf(key)) run(*command);
         };
         e.dropped = [this](const std::string& path) { viewer_.open(lasting(path), now()); };
         return e;
     }
 
+    /// The window came to a display of another density: text is drawn anew at its size.
+    void rescaled() {
+        scale_ = window_.pixelsPerPoint();
+        panel_ = makePanel();
+        renderer_->setOverlayGlyphs(panel_->glyphs());
+    }
+
     void resized() {
         const PixelSize size = window_.size();
         if (size.width == 0 || size.height == 0) return viewer_.pause();
-        scale_ = window_.pixelsPerPoint();
+        if (window_.pixelsPerPoint() != scale_) rescaled();
         viewer_.resize(size, scale_, now());
         viewer_.resume(now());
     }
@@ -155,13 +179,13 @@ private:
     void run(ViewerCommand command) {
         switch (command) {
             case ViewerCommand::panel:
-                panel_.togglePanel();
+                panel_->togglePanel();
                 return viewer_.overlayChanged();
             case ViewerCommand::help:
-                panel_.toggleHelp();
+                panel_->toggleHelp();
                 return viewer_.overlayChanged();
             case ViewerCommand::clearPicks:
-                panel_.closeHelp();
+                panel_->closeHelp();
                 break;
             case ViewerCommand::quit:
                 return window_.close();
@@ -209,7 +233,7 @@ private:
             if (!renderer_->startedByRenderDoc()) file.emplace(freeName(viewer_.document()->view.input, ".rdc"));
             renderer_->beginCapture(file ? captureStem(*file) : "");
             WindowFrame frame;
-            frame.overlay = panel_.draw(viewer_, window_.size(), now());
+            frame.overlay = panel_->draw(viewer_, window_.size(), now());
             const bool shown = renderer_->present(viewer_.settings(), frame) == FrameOutcome::shown;
             const std::string written = renderer_->endCapture();
             if (!shown) throw Error("cannot capture", "", "the window is changing");
@@ -239,7 +263,7 @@ private:
         renderer_ = makeRenderer();
         screen_.setRenderer(*renderer_);
         renderer_->setScene({});
-        renderer_->setOverlayGlyphs(panel_.glyphs());
+        renderer_->setOverlayGlyphs(panel_->glyphs());
         viewer_.screenLost(now());
     }
 
@@ -250,6 +274,10 @@ private:
         json["occlusion"] = viewer_.occlusion();
         json["occlusion_cached"] = renderer_->stats().occlusion.cached;
         json["occlusion_bytes"] = renderer_->stats().occlusion.bytes;
+        if (!latencies_.empty()) {
+            std::sort(latencies_.begin(), latencies_.end());
+            json["input_to_present"] = {{"min", latencies_.front()}, {"median", latencies_[latencies_.size() / 2]}};
+        }
         json["picked"] = nlohmann::ordered_json::array();
         for (const std::uint32_t pick : viewer_.picks()) json["picked"].push_back(pick + 1);
         json["device"] = renderer_->stats().device.name;
@@ -262,10 +290,12 @@ private:
     std::unique_ptr<Renderer> renderer_;
     RendererScreen screen_;
     Viewer viewer_;
-    Panel panel_;
+    std::unique_ptr<Panel> panel_;
     glm::dvec2 pointer_{};
-    double scale_ = 1, lastFrame_ = 0, lastShown_ = 0;
-    std::uint64_t shown_ = 0;  // frames, when lastShown_ was
+    double scale_ = 0, lastFrame_ = 0, lastShown_ = 0;
+    double inputAt_ = 0;             // when the first input came that no frame has answered; 0: none did
+    std::vector<double> latencies_;  // of frames that answered some, milliseconds until they were handed to the display
+    std::uint64_t shown_ = 0;        // frames, when lastShown_ was
     bool panelDrag_ = false, cacheSaved_ = false;
     int lost_ = 0;          // devices, of late
     double lostAt_ = -1e9;  // the last of them

@@ -10,6 +10,9 @@
 #include <cmath>
 
 #include "engine/error.h"
+#ifdef __APPLE__
+#include "app/apple/mac/opened_files.h"
+#endif
 
 namespace nacre::app {
 namespace {
@@ -55,6 +58,10 @@ std::optional<SpecialKey> specialKey(int key) {
 }  // namespace
 
 Window::Window(PixelSize size, WindowEvents events) : events_(std::move(events)) {
+#ifdef __APPLE__
+    listenForOpenedFiles(wake);
+    glfwInitHint(GLFW_COCOA_CHDIR_RESOURCES, GLFW_FALSE);
+#endif
     if (!glfwInit()) throw Error("cannot open a window", "", lastError());
     if (!glfwVulkanSupported()) {
         glfwTerminate();
@@ -81,6 +88,7 @@ Window::~Window() {
 void Window::connect() {
     glfwSetWindowUserPointer(window_, &events_);
     glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { eventsOf(w).resized(); });
+    glfwSetWindowContentScaleCallback(window_, [](GLFWwindow* w, float, float) { eventsOf(w).resized(); });
     glfwSetWindowIconifyCallback(window_, [](GLFWwindow* w, int iconified) { eventsOf(w).iconified(iconified != 0); });
     glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { eventsOf(w).damaged(); });
     glfwSetCursorPosCallback(window_,
@@ -163,6 +171,9 @@ void Window::handleEvents(double seconds) {
         glfwWaitEvents();
     else
         glfwWaitEventsTimeout(seconds);
+#ifdef __APPLE__
+    for (const std::string& path : takeOpenedFiles()) events_.dropped(path);
+#endif
 }
 
 void Window::wake() { glfwPostEmptyEvent(); }

@@ -2,9 +2,11 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 #include "app/headless/srgb.h"
+#include "engine/molecule/floating_point.h"
 #include "engine/scene/palettes.h"
 
 namespace nacre::app {
@@ -16,15 +18,14 @@ namespace {
 
 template <class Number>
 bool parseWhole(std::string_view text, Number& value) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto [end, error] = fromChars(text.data(), text.data() + text.size(), value);
     return error == std::errc() && end == text.data() + text.size();
 }
 
 /// A number as people read it: 0.0001, 16384.
 std::string plain(double value) {
     std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed).ptr;
-    return {digits.data(), end};
+    return {digits.data(), static_cast<std::size_t>(std::snprintf(digits.data(), digits.size(), "%.12g", value))};
 }
 
 struct NamedColor {

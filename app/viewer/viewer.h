@@ -50,6 +50,8 @@ public:
     void mouseMove(glm::dvec2 at, double now);
     void mouseButton(MouseButton button, bool down, glm::dvec2 at, Modifiers with, double now);
     void wheel(double steps, glm::dvec2 at, double now);
+    /// One that the platform recognised itself: pinch and twist of a trackpad.
+    void gesture(const Gesture& gesture, double now) { apply({gesture}, now); }
     void run(ViewerCommand command, double now);
     void open(const std::string& path, double now);
     void pause();

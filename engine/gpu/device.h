@@ -9,6 +9,7 @@
 #include "engine/error.h"
 #include "engine/gpu/caps.h"
 #include "engine/gpu/capture_hook.h"
+#include "engine/gpu/context.h"
 #include "engine/gpu/device_loss.h"
 
 namespace nacre::gpu {
@@ -75,7 +76,7 @@ private:
     void createDevice(const DeviceOptions& options);
     void nameOwn() const;
 
-    vk::raii::Context context_;
+    vk::raii::Context context_ = makeContext();
     vk::raii::Instance instance_{nullptr};
     std::unique_ptr<std::vector<std::string>> messages_ = std::make_unique<std::vector<std::string>>();
     vk::raii::DebugUtilsMessengerEXT messenger_{nullptr};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/error.h"
+#include "engine/molecule/floating_point.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -47,7 +48,7 @@ std::string_view MmcifCell::text(std::array<char, 32>& buffer) const {
     if (kind_ != Kind::number) return text_;
     const auto whole = integer();
     char* const end = buffer.data() + buffer.size();
-    const auto written = whole ? std::to_chars(buffer.data(), end, *whole) : std::to_chars(buffer.data(), end, number_);
+    const auto written = whole ? std::to_chars(buffer.data(), end, *whole) : toChars(buffer.data(), end, number_);
     return {buffer.data(), static_cast<std::size_t>(written.ptr - buffer.data())};
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/molecule/element.h"
+#include "engine/molecule/floating_point.h"
 #include "engine/molecule/residue_templates.h"
 
 namespace nacre::pdb {
@@ -128,7 +129,7 @@ std::optional<double> number(std::string_view field) {
     if (field.empty()) return std::nullopt;
     if (const auto value = shortDecimal(field)) return value;
     double value = 0;
-    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+    const auto [end, error] = fromChars(field.data(), field.data() + field.size(), value);
     if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value)) return std::nullopt;
     return value;
 }

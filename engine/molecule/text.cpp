@@ -1,9 +1,9 @@
 #include "engine/molecule/text.h"
 
-#include <charconv>
 #include <cmath>
 
 #include "engine/error.h"
+#include "engine/molecule/floating_point.h"
 
 namespace nacre {
 
@@ -18,7 +18,7 @@ std::optional<Number> parseWhole(std::string_view text) {
         if (!text.empty() && text.front() == '-') return std::nullopt;
     }
     Number value{};
-    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto [end, fault] = fromChars(text.data(), text.data() + text.size(), value);
     if (fault == std::errc::result_out_of_range && std::is_floating_point_v<Number>) return Number(HUGE_VAL);
     if (fault != std::errc() || end != text.data() + text.size()) return std::nullopt;
     return value;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <future>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -245,9 +246,9 @@ OpenTexels openTexels(const OcclusionLayout& layout, const Representation& r, co
     const std::uint32_t parts = std::clamp(std::thread::hardware_concurrency(), 1u, 16u);
     std::vector<Finder> finders(parts, Finder(layout, r, grid));
     {
-        std::vector<std::jthread> threads;
+        std::vector<std::future<void>> threads;
         for (std::uint32_t part = 0; part < parts; ++part)
-            threads.emplace_back([&, part] {
+            threads.push_back(std::async(std::launch::async, [&, part] {
                 const auto bound = [&](std::uint32_t n) {
                     return first + static_cast<std::uint32_t>(std::uint64_t{count - first} * n / parts);
                 };
@@ -256,7 +257,8 @@ OpenTexels openTexels(const OcclusionLayout& layout, const Representation& r, co
                         finders[part].sphere(i);
                     else
                         finders[part].cylinder(i - spheres);
-            });
+            }));
+        for (std::future<void>& thread : threads) thread.get();
     }
     for (const Finder& finder : finders) append(all, finder.found);
     all.firstOfSphere.push_back(static_cast<std::uint32_t>(all.sphereTexels));

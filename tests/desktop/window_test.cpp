@@ -136,6 +136,7 @@ TEST(Window, DragRotatesWheelZooms) {
     EXPECT_LT(view["pan"][1].get<double>(), 0);
     expectAsRendered(session, path);
     EXPECT_EQ(session.quit(), 0) << session.errors();
+    EXPECT_GT(session.stats()["input_to_present"]["median"].get<double>(), 0);
 }
 
 TEST(Window, ClickPicksTheAtomThatIsSeen) {

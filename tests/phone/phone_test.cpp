@@ -51,6 +51,25 @@ TEST(Phone, TheValidationLayerKnowsItsLimits) {
     EXPECT_NE(device.validationMessages()[0].find("VUID-VkPushConstantRange-size-00298"), std::string::npos);
 }
 
+TEST(Phone, TheValidationLayerSeesThePhoneAndNotItsDriver) {
+    // And without this: lavapipe has eight sets, and no portability subset.
+    DeviceOptions options;
+    options.validate = true;
+    const gpu::Device device(options);
+    const vk::raii::DescriptorSetLayout empty(*device, vk::DescriptorSetLayoutCreateInfo());
+    const std::vector<vk::DescriptorSetLayout> five(5, *empty);
+    const vk::raii::PipelineLayout layout(*device, vk::PipelineLayoutCreateInfo({}, five));
+    ASSERT_EQ(device.validationMessages().size(), 1u);
+    EXPECT_NE(device.validationMessages()[0].find("setLayoutCount-00286"), std::string::npos);
+    if (!onMoltenVk()) return;
+    // What the subset leaves out is off, whatever the device has, since nobody asks for it.
+    vk::SamplerCreateInfo sampler;
+    sampler.mipLodBias = 0.5f;
+    const vk::raii::Sampler biased(*device, sampler);
+    ASSERT_EQ(device.validationMessages().size(), 2u);
+    EXPECT_NE(device.validationMessages()[1].find("samplerMipLodBias-04467"), std::string::npos);
+}
+
 TEST(Phone, DrawsEveryPathAndStyleAlike) {
     for (const Style style : {Style::spacefill, Style::ballAndStick})
         for (const Projection projection : {Projection::orthographic, Projection::perspective}) {

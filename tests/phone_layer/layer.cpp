@@ -1,14 +1,18 @@
 // A Vulkan layer that makes a software driver report what the least phone does: limits, features, formats, extensions,
 // and a lazily allocated memory type, as tile-based GPUs have. Under the validation layer a program that asks for more
-// is told. The environment variable NACRE_PHONE names the phone: "android" (of Arm's make) or "moltenvk".
+// is told. The environment variable NACRE_PHONE names the phone: "android" (of Arm's make) or "moltenvk";
+// NACRE_PHONE_SHADERS may name a folder that takes every shader which the program hands over, as 1.spv, 2.spv, ...
 
 #define VK_ENABLE_BETA_EXTENSIONS
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -44,6 +48,7 @@ bool molten() {
     X(GetPhysicalDeviceMemoryProperties2)
 #define NACRE_DEVICE_BELOW(X)     \
     X(AllocateMemory)             \
+    X(CreateShaderModule)         \
     X(GetImageMemoryRequirements) \
     X(GetImageMemoryRequirements2)
 #define NACRE_DECLARE(name) PFN_vk##name next##name = nullptr;
@@ -207,6 +212,19 @@ VKAPI_ATTR VkResult VKAPI_CALL AllocateMemory(VkDevice of, const VkMemoryAllocat
     VkMemoryAllocateInfo real = *info;
     if (real.memoryTypeIndex == lazyType) real.memoryTypeIndex = 0;
     return nextAllocateMemory(of, &real, allocator, memory);
+}
+
+// --- shaders
+
+VKAPI_ATTR VkResult VKAPI_CALL CreateShaderModule(VkDevice of, const VkShaderModuleCreateInfo* info,
+                                                  const VkAllocationCallbacks* allocator, VkShaderModule* shader) {
+    static std::atomic<int> count = 0;
+    if (const char* folder = std::getenv("NACRE_PHONE_SHADERS")) {
+        std::ofstream file(std::string(folder) + "/" + std::to_string(++count) + ".spv", std::ios::binary);
+        file.write(reinterpret_cast<const char*>(info->pCode), static_cast<std::streamsize>(info->codeSize));
+        if (!file.flush()) std::abort();  // a test that looks at fewer would pass for nothing
+    }
+    return nextCreateShaderModule(of, info, allocator, shader);
 }
 
 // --- device and loader

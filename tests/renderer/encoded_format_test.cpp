@@ -43,7 +43,7 @@ TEST_P(Ladder, DiffersOnlyWhereSurfacesAreCloserThanItsStep) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Molecules, Ladder, testing::Values("sample:dna", "1bna.pdb", "4hhb.pdb", "neon-pump.pdb"),
-                         [](const auto& info) { return testName(info.param); });
+                         [](const auto& test) { return testName(test.param); });
 
 }  // namespace
 }  // namespace nacre::test

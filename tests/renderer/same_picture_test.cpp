@@ -188,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SamePicture,
                                          Case{"4hhb.pdb", Style::spacefill, Projection::orthographic},
                                          Case{"4hhb.pdb", Style::ballAndStick, Projection::orthographic},
                                          Case{"neon-pump.pdb", Style::licorice, Projection::perspective}),
-                         [](const auto& info) { return testName(info.param.file) + std::to_string(info.index); });
+                         [](const auto& test) { return testName(test.param.file) + std::to_string(test.index); });
 
 }  // namespace
 }  // namespace nacre::test

@@ -1,0 +1,26 @@
+#pragma once
+// Calls a step when the display wants a frame, as long as there is one to draw, and not at all after that.
+
+#import <UIKit/UIKit.h>
+
+#include <functional>
+
+NS_ASSUME_NONNULL_BEGIN
+
+@interface FrameClock : NSObject
+
+/// @param step given the time in seconds, as UITouch.timestamp and CACurrentMediaTime() count them; returns when it
+///             wants to be called again, infinity for never
+- (instancetype)initWithStep:(std::function<double(double)>)step;
+- (instancetype)init NS_UNAVAILABLE;
+
+/// Something happened: step with the next frame of the display.
+- (void)wake;
+/// Nothing is to be seen: no steps until NO is set.
+@property(nonatomic, getter=isSuspended) BOOL suspended;
+/// For ever. The clock keeps itself alive until then.
+- (void)stop;
+
+@end
+
+NS_ASSUME_NONNULL_END

@@ -1,0 +1,58 @@
+#import "app/apple/ios/frame_clock.h"
+
+#import <QuartzCore/QuartzCore.h>
+
+#include <cmath>
+
+@implementation FrameClock {
+    std::function<double(double)> _step;
+    CADisplayLink* _link;
+    NSTimer* _alarm;
+}
+
+- (instancetype)initWithStep:(std::function<double(double)>)step {
+    if ((self = [super init])) {
+        _step = std::move(step);
+        _link = [CADisplayLink displayLinkWithTarget:self selector:@selector(frame:)];
+        const float most = static_cast<float>(UIScreen.mainScreen.maximumFramesPerSecond);
+        _link.preferredFrameRateRange = CAFrameRateRangeMake(30, most, most);
+        [_link addToRunLoop:NSRunLoop.mainRunLoop forMode:NSRunLoopCommonModes];
+    }
+    return self;
+}
+
+- (void)frame:(CADisplayLink*)link {
+    const double now = CACurrentMediaTime();
+    const double next = _step(now);
+    if (next <= now + link.duration) return;
+    link.paused = YES;
+    [_alarm invalidate];
+    _alarm = nil;
+    if (!std::isfinite(next)) return;
+    __weak FrameClock* weakSelf = self;
+    _alarm = [NSTimer timerWithTimeInterval:next - now
+                                    repeats:NO
+                                      block:^(NSTimer*) {
+                                        [weakSelf wake];
+                                      }];
+    [NSRunLoop.mainRunLoop addTimer:_alarm forMode:NSRunLoopCommonModes];
+}
+
+- (void)wake {
+    if (!_suspended) _link.paused = NO;
+}
+
+- (void)setSuspended:(BOOL)suspended {
+    _suspended = suspended;
+    [_alarm invalidate];
+    _alarm = nil;
+    _link.paused = suspended;
+}
+
+- (void)stop {
+    self.suspended = YES;
+    [_link invalidate];
+    _step = nullptr;
+}
+
+@end

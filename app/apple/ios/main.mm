@@ -1,0 +1,11 @@
+#import "app/apple/ios/app_delegate.h"
+
+// Scenes are told in Info.plist; the app itself has nothing to do.
+@implementation AppDelegate
+@end
+
+int main(int argc, char* argv[]) {
+    @autoreleasepool {
+        return UIApplicationMain(argc, argv, nil, NSStringFromClass(AppDelegate.class));
+    }
+}

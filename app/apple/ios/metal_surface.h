@@ -1,0 +1,16 @@
+#pragma once
+
+#import <QuartzCore/CAMetalLayer.h>
+
+#include "engine/device_options.h"
+
+NS_ASSUME_NONNULL_BEGIN
+
+namespace nacre::app {
+
+/// Makes Vulkan draw into a layer, by VK_EXT_metal_surface. The layer lives longer.
+SurfaceSource surfaceOf(CAMetalLayer* layer);
+
+}  // namespace nacre::app
+
+NS_ASSUME_NONNULL_END

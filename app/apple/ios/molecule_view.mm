@@ -1,0 +1,177 @@
+#import "app/apple/ios/molecule_view.h"
+
+#import <QuartzCore/QuartzCore.h>
+
+#include <cmath>
+
+#include "app/apple/ios/keys.h"
+
+using nacre::app::Gesture;
+using nacre::app::MouseButton;
+using nacre::app::MouseGestures;
+using nacre::app::TouchEvent;
+using nacre::app::TouchPhase;
+using nacre::app::ViewerCommand;
+
+namespace {
+
+constexpr double kPointsPerStep = 40;  // of a two-finger scroll, to one step of a wheel
+
+glm::dvec2 placeOf(CGPoint point) { return {point.x, point.y}; }
+
+std::int64_t nameOf(UITouch* touch) { return reinterpret_cast<std::intptr_t>((__bridge void*)touch); }
+
+nacre::app::Modifiers modifiersOf(UIKeyModifierFlags flags) {
+    return {(flags & UIKeyModifierShift) != 0, (flags & UIKeyModifierControl) != 0};
+}
+
+}  // namespace
+
+@interface MoleculeView () <UIGestureRecognizerDelegate>
+@end
+
+@implementation MoleculeView {
+    MouseButton _held;
+}
+
++ (Class)layerClass {
+    return CAMetalLayer.class;
+}
+
+- (instancetype)initWithFrame:(CGRect)frame {
+    if ((self = [super initWithFrame:frame])) {
+        self.multipleTouchEnabled = YES;
+        self.metalLayer.opaque = YES;
+        // UIKit has no touches for these three: they come from trackpads and wheels alone.
+        UIPanGestureRecognizer* scroll = [[UIPanGestureRecognizer alloc] initWithTarget:self action:@selector(scroll:)];
+        scroll.allowedScrollTypesMask = UIScrollTypeMaskAll;
+        UIPinchGestureRecognizer* pinch = [[UIPinchGestureRecognizer alloc] initWithTarget:self
+                                                                                    action:@selector(pinch:)];
+        UIRotationGestureRecognizer* twist = [[UIRotationGestureRecognizer alloc] initWithTarget:self
+                                                                                          action:@selector(twist:)];
+        for (UIGestureRecognizer* recognizer in @[ scroll, pinch, twist ]) {
+            recognizer.delegate = self;
+            recognizer.allowedTouchTypes = @[];
+            recognizer.cancelsTouchesInView = NO;
+            [self addGestureRecognizer:recognizer];
+        }
+    }
+    return self;
+}
+
+- (CAMetalLayer*)metalLayer {
+    return static_cast<CAMetalLayer*>(self.layer);
+}
+
+- (nacre::PixelSize)pixels {
+    const CGSize size = self.metalLayer.drawableSize;
+    return {static_cast<std::uint32_t>(std::lround(size.width)), static_cast<std::uint32_t>(std::lround(size.height))};
+}
+
+- (void)layoutSubviews {
+    [super layoutSubviews];
+    const CGFloat scale = self.window ? self.window.screen.nativeScale : self.contentScaleFactor;
+    self.contentScaleFactor = scale;
+    self.metalLayer.contentsScale = scale;
+    self.metalLayer.drawableSize =
+        CGSizeMake(std::round(self.bounds.size.width * scale), std::round(self.bounds.size.height * scale));
+    [self.delegate moleculeViewResized:self];
+}
+
+// --- fingers, pencil, mouse
+
+- (void)forward:(NSSet<UITouch*>*)touches event:(nullable UIEvent*)event phase:(TouchPhase)phase {
+    if (!self.viewer) return;
+    for (UITouch* touch in touches) {
+        const glm::dvec2 at = placeOf([touch locationInView:self]);
+        if (touch.type == UITouchTypeIndirectPointer)
+            [self mouse:at event:event phase:phase when:touch.timestamp];
+        else
+            self.viewer->touch({nameOf(touch), phase, at}, touch.timestamp);
+    }
+    [self.delegate moleculeViewTouched:self];
+}
+
+- (void)mouse:(glm::dvec2)at event:(nullable UIEvent*)event phase:(TouchPhase)phase when:(double)when {
+    if (phase == TouchPhase::moved) {
+        self.viewer->mouseMove(at, when);
+        return;
+    }
+    const bool down = phase == TouchPhase::began;
+    if (down) _held = event.buttonMask & UIEventButtonMaskSecondary ? MouseButton::right : MouseButton::left;
+    self.viewer->mouseButton(_held, down, at, modifiersOf(event.modifierFlags), when);
+}
+
+- (void)touchesBegan:(NSSet<UITouch*>*)touches withEvent:(UIEvent*)event {
+    [self becomeFirstResponder];
+    [self forward:touches event:event phase:TouchPhase::began];
+}
+- (void)touchesMoved:(NSSet<UITouch*>*)touches withEvent:(UIEvent*)event {
+    [self forward:touches event:event phase:TouchPhase::moved];
+}
+- (void)touchesEnded:(NSSet<UITouch*>*)touches withEvent:(UIEvent*)event {
+    [self forward:touches event:event phase:TouchPhase::ended];
+}
+- (void)touchesCancelled:(NSSet<UITouch*>*)touches withEvent:(UIEvent*)event {
+    [self forward:touches event:event phase:TouchPhase::cancelled];
+}
+
+// --- wheel and trackpad
+
+- (BOOL)gestureRecognizer:(UIGestureRecognizer*)recognizer shouldReceiveEvent:(UIEvent*)event {
+    return event.type == UIEventTypeScroll || event.type == UIEventTypeTransform;
+}
+
+- (BOOL)gestureRecognizer:(UIGestureRecognizer*)recognizer
+    shouldRecognizeSimultaneouslyWithGestureRecognizer:(UIGestureRecognizer*)other {
+    return YES;
+}
+
+- (void)scroll:(UIPanGestureRecognizer*)recognizer {
+    if (!self.viewer) return;
+    self.viewer->wheel([recognizer translationInView:self].y / kPointsPerStep,
+                       placeOf([recognizer locationInView:self]), CACurrentMediaTime());
+    [recognizer setTranslation:CGPointZero inView:self];
+    [self.delegate moleculeViewTouched:self];
+}
+
+- (void)transform:(UIGestureRecognizer*)recognizer scale:(double)scale turn:(double)turn {
+    if (!self.viewer) return;
+    Gesture gesture;
+    gesture.kind = Gesture::Kind::transform;
+    gesture.at = placeOf([recognizer locationInView:self]);
+    gesture.scale = scale;
+    gesture.turn = turn;
+    self.viewer->gesture(gesture, CACurrentMediaTime());
+    [self.delegate moleculeViewTouched:self];
+}
+
+- (void)pinch:(UIPinchGestureRecognizer*)recognizer {
+    [self transform:recognizer scale:recognizer.scale turn:0];
+    recognizer.scale = 1;
+}
+
+- (void)twist:(UIRotationGestureRecognizer*)recognizer {
+    [self transform:recognizer scale:1 turn:recognizer.rotation];
+    recognizer.rotation = 0;
+}
+
+// --- keys
+
+- (BOOL)canBecomeFirstResponder {
+    return YES;
+}
+
+- (void)pressesBegan:(NSSet<UIPress*>*)presses withEvent:(nullable UIPressesEvent*)event {
+    BOOL known = NO;
+    for (UIPress* press in presses) {
+        UIKey* key = press.key;
+        const auto command = key ? nacre::app::commandOfKey(key) : std::nullopt;
+        if (!command) continue;
+        known = YES;
+        [self.delegate moleculeView:self command:*command];
+    }
+    if (!known) [super pressesBegan:presses withEvent:event];
+}
+
+@end

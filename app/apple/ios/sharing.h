@@ -1,0 +1,22 @@
+#pragma once
+
+#import <UIKit/UIKit.h>
+
+#include "app/apple/session.h"
+
+NS_ASSUME_NONNULL_BEGIN
+
+namespace nacre::app {
+
+/// The picture as PNG in sRGB; nil where memory is short.
+NSData* _Nullable pngOf(const PictureBytes& picture);
+
+/// Shows the share sheet for bytes under a file name. @param from what its arrow points at
+void share(NSData* data, NSString* name, UIViewController* over, UIView* from);
+
+/// Says what went wrong, or shows a long text, with one button.
+void tell(NSString* title, NSString* _Nullable text, UIViewController* over);
+
+}  // namespace nacre::app
+
+NS_ASSUME_NONNULL_END

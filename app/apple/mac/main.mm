@@ -1,0 +1,45 @@
+// Nacre.app: what `nacre view` is on the command line, started by the Finder.
+
+#import <AppKit/AppKit.h>
+
+#include <exception>
+
+#include "app/desktop/view_command.h"
+
+namespace {
+
+/// Pictures are saved in the current folder, and the Finder starts apps in the root.
+void goToPictures() {
+    NSFileManager* files = NSFileManager.defaultManager;
+    NSURL* pictures = [files URLForDirectory:NSPicturesDirectory
+                                    inDomain:NSUserDomainMask
+                           appropriateForURL:nil
+                                      create:YES
+                                       error:nil];
+    NSString* path = pictures.path;
+    if (path) [files changeCurrentDirectoryPath:path];
+}
+
+void tell(const char* why) {
+    NSString* text = [NSString stringWithUTF8String:why];
+    NSAlert* alert = [[NSAlert alloc] init];
+    alert.messageText = @"Nacre cannot go on";
+    alert.informativeText = text ? text : @"";
+    [alert runModal];
+}
+
+}  // namespace
+
+int main() {
+    @autoreleasepool {
+        goToPictures();
+        try {
+            const char* arguments[] = {"nacre", "view"};
+            nacre::app::viewCommand(nacre::app::parseCommandLine(2, arguments).view);
+            return 0;
+        } catch (const std::exception& error) {
+            tell(error.what());
+            return 1;
+        }
+    }
+}

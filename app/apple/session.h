@@ -1,0 +1,80 @@
+#pragma once
+// What the iOS app does apart from UIKit: renderer and viewer of one scene of the app, from its surface to the pixels
+// that are shared. Plain C++, so that it is tested where there is no iPhone. For the main thread.
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/viewer/viewer.h"
+
+namespace nacre::app {
+
+/// What UIKit lends to a session.
+struct SessionHost {
+    SurfaceSource surface;
+    /// A file's bytes. Called on the loader's thread. @throws Error
+    std::function<std::string(const std::string& path)> readFile;
+    /// Something is ready: call step() on the main thread. Called on any thread.
+    std::function<void()> wake;
+    std::vector<std::byte> pipelineCache;                              ///< of an earlier run; may be empty
+    std::function<void(const std::vector<std::byte>&)> keepPipelines;  ///< called once, after warm-up
+    std::string occlusionCache;                                        ///< folder; empty: bakes are not kept
+    bool validate = false;                                             ///< Khronos validation layer
+};
+
+/// 8 bits a channel, sRGB, straight alpha, row 0 on top.
+struct PictureBytes {
+    std::uint32_t width = 0, height = 0;
+    std::vector<std::uint8_t> rgba;
+};
+
+class MoleculeSession {
+public:
+    /// @throws Error if there is no suitable device
+    MoleculeSession(SessionHost host, const SavedView& first);
+
+    Viewer& viewer() { return viewer_; }
+    const Viewer& viewer() const { return viewer_; }
+
+    void resize(PixelSize pixels, double pixelsPerPoint, double now);
+    /// The device works for apps that are seen alone: nothing is submitted from now on.
+    void enterBackground();
+    /// @throws Error if the device cannot be had again
+    void enterForeground(double now);
+    /// Gives up what can be made again; in the background that is the device and all that it holds.
+    void lowMemory();
+    bool holdsDevice() const { return renderer_ != nullptr; }
+
+    /// Draws, if there is something to draw.
+    /// @returns when to call again, if nothing happens before; never: infinity. @throws Error
+    double step(double now);
+
+    /// The picture as it is seen, for a file. Only in the foreground, with a document. @throws Error
+    /// @param samples a side of a pixel
+    PictureBytes picture(std::uint32_t samples = ViewerOptions{}.mostSamples);
+    /// What restores this session, as `nacre render --view` takes it.
+    std::string state() const { return savedViewJson(viewer_.view()); }
+    /// "1bna", for the names of files that are shared.
+    std::string shareName() const;
+    const Renderer* renderer() const { return renderer_.get(); }
+
+private:
+    std::unique_ptr<Renderer> makeRenderer();
+    void renew(double now);
+    void savePipelines();
+
+    SessionHost host_;
+    std::unique_ptr<Renderer> renderer_;
+    RendererScreen screen_;
+    Viewer viewer_;
+    bool foreground_ = true, pipelinesKept_ = false;
+    int lost_ = 0;
+};
+
+/// What a screen reader says of the picture besides title(): the last pick, its measurement, the message.
+std::string spokenValue(const Annotations& annotations);
+
+}  // namespace nacre::app

@@ -1,0 +1,238 @@
+// The iOS app's session on a window that nobody sees, as UIKit would lead it: SwiftShader, which has
+// VK_EXT_headless_surface.
+
+#include "app/apple/session.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/apple/menu.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+// What SwiftShader says of a surface without a window, whatever is asked for.
+constexpr PixelSize kSize{1280, 720};
+constexpr double kScale = 2;  // pixels a point
+
+/// UIKit's part: a surface, a file, a clock.
+class Host {
+public:
+    SessionHost lend() {
+        SessionHost host;
+        host.validate = true;
+        host.surface.instanceExtensions = {VK_KHR_SURFACE_EXTENSION_NAME, VK_EXT_HEADLESS_SURFACE_EXTENSION_NAME};
+        host.surface.create = [this](VkInstance instance) {
+            ++surfaces;
+            const auto make = reinterpret_cast<PFN_vkCreateHeadlessSurfaceEXT>(
+                vkGetInstanceProcAddr(instance, "vkCreateHeadlessSurfaceEXT"));
+            const VkHeadlessSurfaceCreateInfoEXT info{VK_STRUCTURE_TYPE_HEADLESS_SURFACE_CREATE_INFO_EXT, nullptr, 0};
+            VkSurfaceKHR surface = VK_NULL_HANDLE;
+            EXPECT_EQ(make(instance, &info, nullptr, &surface), VK_SUCCESS);
+            return surface;
+        };
+        host.readFile = [](const std::string& path) -> std::string {
+            if (path == "/far/water.xyz") return "3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n";
+            if (path == "/far/pair.pdb")
+                return "ATOM      1  C   GLY A   1       0.000   0.000   0.000  1.00  0.00           C\n"
+                       "ATOM      2  O   GLY A   1       1.230   0.000   0.000  1.00  0.00           O\n"
+                       "ATOM      3  C   GLY B   1       0.000   5.000   0.000  1.00  0.00           C\n"
+                       "ATOM      4  O   GLY B   1       1.230   5.000   0.000  1.00  0.00           O\n";
+            throw Error("cannot read molecule", path, "it is gone");
+        };
+        host.wake = [] {};
+        host.keepPipelines = [this](const std::vector<std::byte>& bytes) { pipelines.push_back(bytes.size()); };
+        return host;
+    }
+
+    /// As the display link does: steps until nothing is due for `quiet` seconds.
+    void run(MoleculeSession& session, double quiet = 5) {
+        for (int steps = 0; steps < 2000; ++steps) {
+            const double wake = session.step(now);
+            if (session.viewer().loading())
+                session.viewer().waitForLoading();
+            else if (wake > now + quiet)
+                return;
+            now = std::max(now + 1.0 / 60, std::isfinite(wake) ? wake : now);
+        }
+        ADD_FAILURE() << "it never rests";
+    }
+
+    int surfaces = 0;
+    std::vector<std::size_t> pipelines;
+    double now = 100;
+};
+
+SavedView viewOf(const std::string& input) {
+    SavedView view;
+    view.input = input;
+    view.style = "spacefill";
+    view.occlusionDirections = 4;
+    return view;
+}
+
+std::uint64_t framesOf(const MoleculeSession& session) { return session.renderer()->stats().windowFrames; }
+
+void expectValid(const MoleculeSession& session) {
+    for (const std::string& message : session.renderer()->validationMessages()) ADD_FAILURE() << message;
+}
+
+/// A window, and refinements of one sample: SwiftShader takes a second for sixteen.
+void begin(MoleculeSession& session, Host& host) {
+    session.resize(kSize, kScale, host.now);
+    session.viewer().lowMemory();
+}
+
+TEST(MoleculeSession, DrawsComesToRestAndPicks) {
+    Host host;
+    MoleculeSession session(host.lend(), viewOf("/far/water.xyz"));
+    begin(session, host);
+    host.run(session);
+    ASSERT_TRUE(session.viewer().document());
+    const std::uint64_t drawn = framesOf(session);
+    EXPECT_GT(drawn, 0u);
+    host.now += 60;
+    EXPECT_TRUE(std::isinf(session.step(host.now)));
+    EXPECT_EQ(framesOf(session), drawn) << "a picture that stands still is not drawn again";
+
+    // A tap in the middle; the display link wakes for the time that a second one would take.
+    session.viewer().touch({1, TouchPhase::began, {320, 180}}, host.now);
+    session.viewer().touch({1, TouchPhase::ended, {320, 180}}, host.now + 0.05);
+    host.now += 0.05;
+    host.run(session);
+    ASSERT_EQ(session.viewer().picks().size(), 1u);
+    EXPECT_EQ(spokenValue(session.viewer().annotations()).substr(0, 6), "Oxygen");
+
+    // A twist of a trackpad.
+    const std::string before = session.state();
+    Gesture twist;
+    twist.kind = Gesture::Kind::transform;
+    twist.turn = 0.5;
+    session.viewer().gesture(twist, host.now);
+    EXPECT_NE(session.state(), before);
+    EXPECT_EQ(host.pipelines.size(), 1u);
+    expectValid(session);
+}
+
+TEST(MoleculeSession, SubmitsNothingInTheBackgroundAndComesBackWithWhatItHad) {
+    Host host;
+    MoleculeSession session(host.lend(), viewOf("sample:glucose"));
+    begin(session, host);
+    host.run(session);
+    const PictureBytes before = session.picture(1);
+    const std::string state = session.state();
+
+    session.enterBackground();
+    const std::uint64_t drawn = framesOf(session);
+    session.viewer().run(ViewerCommand::autoRotate, host.now);
+    for (int i = 0; i < 10; ++i) EXPECT_TRUE(std::isinf(session.step(host.now += 1)));
+    EXPECT_EQ(framesOf(session), drawn);
+    session.viewer().run(ViewerCommand::autoRotate, host.now);
+
+    session.lowMemory();
+    EXPECT_FALSE(session.holdsDevice());
+    EXPECT_TRUE(std::isinf(session.step(host.now)));
+    session.lowMemory();
+    EXPECT_EQ(session.state(), state);
+    session.enterForeground(host.now);
+    host.run(session);
+    EXPECT_EQ(host.surfaces, 2);
+    EXPECT_GT(framesOf(session), 0u);
+    EXPECT_EQ(session.picture(1).rgba, before.rgba);
+    expectValid(session);
+
+    // And in the foreground it keeps what it draws with.
+    session.lowMemory();
+    EXPECT_TRUE(session.holdsDevice());
+}
+
+TEST(MoleculeSession, IsRestoredFromItsState) {
+    Host host;
+    PictureBytes picture;
+    std::string state;
+    {
+        MoleculeSession session(host.lend(), viewOf("/far/water.xyz"));
+        begin(session, host);
+        host.run(session);
+        session.viewer().run(ViewerCommand::rotateLeft, host.now);
+        session.viewer().run(ViewerCommand::licorice, host.now);
+        host.run(session);
+        state = session.state();
+        picture = session.picture(1);
+        EXPECT_EQ(session.shareName(), "water");
+    }
+    MoleculeSession session(host.lend(), parseSavedView(state, "state"));
+    begin(session, host);
+    host.run(session);
+    EXPECT_EQ(session.picture(1).rgba, picture.rgba);
+    // Not a blank sheet: white about the molecule, opaque, and not white on it.
+    ASSERT_EQ(picture.rgba.size(), 4u * kSize.width * kSize.height);
+    EXPECT_EQ(picture.rgba[0], 255);
+    EXPECT_EQ(picture.rgba[3], 255);
+    EXPECT_GT(std::count_if(picture.rgba.begin(), picture.rgba.end(), [](std::uint8_t v) { return v < 200; }), 100);
+}
+
+TEST(MoleculeSession, SaysWhyAFileIsNotShown) {
+    Host host;
+    MoleculeSession session(host.lend(), viewOf("sample:glucose"));
+    begin(session, host);
+    host.run(session);
+    session.viewer().open("/far/gone.pdb", host.now);
+    session.viewer().waitForLoading();
+    session.step(host.now);
+    EXPECT_NE(spokenValue(session.viewer().annotations()).find("it is gone"), std::string::npos);
+    EXPECT_EQ(session.viewer().document()->view.input, "sample:glucose");
+    EXPECT_EQ(session.shareName(), "glucose");
+}
+
+TEST(MoleculeSession, TheMenuDoesWhatItSays) {
+    Host host;
+    MoleculeSession session(host.lend(), viewOf("/far/pair.pdb"));
+    begin(session, host);
+    host.run(session);
+    Viewer& viewer = session.viewer();
+    const auto menu = [&] { return viewMenu(viewer, [&] { return host.now; }); };
+    const auto find = [](const std::vector<MenuItem>& items, const std::string& title) {
+        const auto at = std::find_if(items.begin(), items.end(), [&](const MenuItem& i) { return i.title == title; });
+        if (at == items.end()) throw std::out_of_range(title);
+        return *at;
+    };
+    EXPECT_TRUE(find(find(menu(), "Style").children, "Space-filling").checked);
+    find(find(menu(), "Style").children, "Licorice").choose();
+    find(find(menu(), "Colours").children, "chain").choose();
+    find(find(menu(), "Show").children, "Perspective").choose();
+    EXPECT_EQ(viewer.view().style, "licorice");
+    EXPECT_EQ(viewer.view().color, "chain");
+    EXPECT_TRUE(find(find(menu(), "Style").children, "Licorice").checked);
+    EXPECT_TRUE(find(find(menu(), "Show").children, "Perspective").checked);
+
+    host.run(session);
+    const std::size_t bonds = viewer.document()->scene.drawnBonds;
+    EXPECT_EQ(bonds, 2u);
+    find(find(find(menu(), "Parts").children, "chain A").children, "Hide").choose();
+    host.run(session);
+    EXPECT_EQ(viewer.document()->scene.drawnBonds, 1u);
+    find(find(menu(), "Parts").children, "Undo hide chain A").choose();
+    host.run(session);
+    EXPECT_EQ(viewer.document()->scene.drawnBonds, bonds);
+    EXPECT_THROW(find(menu(), "Forget the picked atoms"), std::out_of_range);
+
+    // No item leaves a look that cannot be drawn.
+    const std::function<void(const std::vector<MenuItem>&)> chooseAll = [&](const std::vector<MenuItem>& items) {
+        for (const MenuItem& item : items) {
+            EXPECT_FALSE(item.title.empty());
+            chooseAll(item.children);
+            if (item.choose) item.choose();
+            EXPECT_NO_THROW(lookOf(viewer.view())) << item.title;
+            EXPECT_TRUE(item.choose || !item.children.empty()) << item.title;
+        }
+    };
+    chooseAll(menu());
+    expectValid(session);
+}
+
+}  // namespace
+}  // namespace nacre::app
