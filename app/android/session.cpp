@@ -3,10 +3,10 @@
 #include <algorithm>
 
 #include "app/android/log.h"
-#include "app/android/molecules.h"
 #include "app/android/render_thread.h"
 #include "app/android/surface.h"
 #include "app/viewer/kept_files.h"
+#include "app/viewer/local_molecules.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -53,7 +53,7 @@ Session::Session(SessionFiles files, const SavedView& first, double pixelsPerPoi
     : files_(std::move(files)),
       shared_(shared),
       screen_(files_.occlusion),
-      viewer_(screen_, moleculeSources(), first, ViewerOptions{}, std::move(wake)) {
+      viewer_(screen_, localMolecules(), first, ViewerOptions{}, std::move(wake)) {
     makePanel(pixelsPerPoint);
     viewer_.pause();
 }

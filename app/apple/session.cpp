@@ -5,9 +5,8 @@
 #include <limits>
 
 #include "app/headless/srgb.h"
+#include "app/viewer/local_molecules.h"
 #include "engine/error.h"
-#include "engine/molecule/drawn_atoms.h"
-#include "engine/molecule/read.h"
 
 namespace nacre::app {
 namespace {
@@ -15,22 +14,6 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr std::uint64_t kFramesOfWarmUp = 3;  // live, refined, kept
 constexpr std::string_view kSample = "sample:";
-
-Molecule read(const SavedView& view, const std::function<std::string(const std::string&)>& readFile) {
-    if (view.input.starts_with(kSample)) return sampleMolecule(std::string_view(view.input).substr(kSample.size()));
-    ReadOptions options;
-    options.format = formatFromName(view.format);
-    options.model = view.model;
-    return readMolecule(view.input, readFile(view.input), options);
-}
-
-Representation build(const Molecule& molecule, const SavedView& view) {
-    const std::vector<std::uint32_t> drawn = drawnAtoms(molecule, view.drawn);
-    if (drawn.empty())
-        throw Error("cannot draw molecule", view.input,
-                    "none of its " + std::to_string(molecule.atoms.size()) + " atoms is shown");
-    return represent(molecule, drawn, lookOf(view));
-}
 
 /// The main thread draws and takes touches: what it does at rest must not be felt by the next touch.
 ViewerOptions viewerOptions(const std::string& occlusionCache) {
@@ -46,8 +29,7 @@ MoleculeSession::MoleculeSession(SessionHost host, const SavedView& first)
     : host_(std::move(host)),
       renderer_(makeRenderer()),
       screen_(*renderer_),
-      viewer_(screen_, {[file = host_.readFile](const SavedView& view) { return read(view, file); }, build}, first,
-              viewerOptions(host_.occlusionCache), host_.wake) {}
+      viewer_(screen_, localMolecules(host_.readFile), first, viewerOptions(host_.occlusionCache), host_.wake) {}
 
 std::unique_ptr<Renderer> MoleculeSession::makeRenderer() {
     DeviceOptions device;

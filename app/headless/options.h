@@ -19,9 +19,9 @@ namespace nacre::app {
 struct InputOptions {
     std::string path;  ///< a file, "-", "sample:NAME", or "pdb:", "pubchem:", "afdb:" and an identifier
     std::optional<Format> format;
-    int model = 1;                     ///< 1-based, or kAllModels
-    std::optional<std::string> cache;  ///< folder, or "off"; empty: the usual one (app/cache_folder.h)
-    bool offline = false;              ///< downloads from the cache alone
+    int model = 1;                                ///< 1-based, or kAllModels
+    std::optional<std::string> cache;             ///< folder, or "off"; empty: the usual one (app/cache_folder.h)
+    bool offline = false;                         ///< downloads from the cache alone
     std::optional<std::int64_t> memoryMegabytes;  ///< for the molecule, of 2^20 bytes; empty: half of the machine's
 };
 

@@ -5,16 +5,16 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "app/android/molecules.h"
 #include "app/headless/option_values.h"
 #include "app/headless/srgb.h"
+#include "app/viewer/local_molecules.h"
 #include "engine/renderer.h"
 
 namespace nacre::test {
 
 WindowPicture expectedPicture(const app::SavedView& view, std::uint32_t width, std::uint32_t height,
                               std::uint32_t samples) {
-    const app::Sources sources = app::moleculeSources();
+    const app::Sources sources = app::localMolecules();
     const Molecule molecule = sources.read(view);
     const Representation scene = sources.build(molecule, view);
     RenderSettings settings;

@@ -1,4 +1,4 @@
-#include "app/android/molecules.h"
+#include "app/viewer/local_molecules.h"
 
 #include <unistd.h>
 
@@ -10,19 +10,18 @@ namespace {
 
 constexpr std::string_view kSample = "sample:";
 
-/// Of the phone's memory a quarter is the molecule's: Android ends an app that takes half of it.
 std::uint64_t memoryBytes() {
     const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGE_SIZE);
     return pages > 0 && size > 0 ? static_cast<std::uint64_t>(pages) / 4 * static_cast<std::uint64_t>(size)
                                  : std::uint64_t{512} << 20;
 }
 
-Molecule read(const SavedView& view) {
+Molecule read(const SavedView& view, const std::function<std::string(const std::string&)>& readFile) {
     if (view.input.starts_with(kSample)) return sampleMolecule(std::string_view(view.input).substr(kSample.size()));
     ReadOptions options = readWithin(memoryBytes());
     options.format = formatFromName(view.format);
     options.model = view.model;
-    return readMoleculeFile(view.input, options);
+    return readFile ? readMolecule(view.input, readFile(view.input), options) : readMoleculeFile(view.input, options);
 }
 
 Representation build(const Molecule& molecule, const SavedView& view) {
@@ -35,6 +34,8 @@ Representation build(const Molecule& molecule, const SavedView& view) {
 
 }  // namespace
 
-Sources moleculeSources() { return {read, build}; }
+Sources localMolecules(std::function<std::string(const std::string&)> readFile) {
+    return {[readFile = std::move(readFile)](const SavedView& view) { return read(view, readFile); }, build};
+}
 
 }  // namespace nacre::app
