@@ -102,7 +102,7 @@ private:
         if (random_() % 2) {
             Rule rule;
             rule.selection =
-                parseSelection(oneOf(std::vector{"element C", "index 1 to 50", "backbone", "not element H"}));
+                parseSelection(oneOf(std::vector{"element C", "resi 1-50", "backbone", "not element H"}));
             rule.style = Style::licorice;
             look.rules.push_back(rule);
         }
