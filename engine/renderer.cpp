@@ -208,6 +208,8 @@ std::vector<gpu::Buffer> Renderer::Impl::draw(const RenderSettings& settings, co
 
     graph::PlanCaps caps = device.caps().plan;
     caps.merge = caps.merge && settings.merge;
+    caps.transient = caps.transient && settings.transient;
+    caps.storeAll = caps.storeAll || !settings.transient;
     const graph::Plan& plan = plans.planOf(g, caps);
     if (lastPlan != plan) {
         lastGraph = g.declarations();

@@ -28,8 +28,9 @@ struct RenderSettings {
     double occlusionWorthKeeping = 50;          ///< milliseconds: bakes that took less are not kept
     PlateShape plates = PlateShape::automatic;  ///< of the opaque prepass; never changes the picture
     ImpostorShape impostor = ImpostorShape::automatic;
-    bool countFragments = false;        ///< fill FrameStats::passes (slower)
-    bool merge = true;                  ///< neighbouring passes share a render pass
+    bool countFragments = false;  ///< fill FrameStats::passes (slower)
+    bool transient = true;        ///< what a tile alone needs has no memory, where the device can; off: all is stored
+    bool merge = true;            ///< neighbouring passes share a render pass
     DebugView debug = DebugView::none;  ///< of pictures and window frames; layers and picks are not concerned
     /// Called between batches of the occlusion bake with the share that is done, above 0 and at most 1.
     std::function<void(double)> onBakeProgress;
@@ -86,9 +87,9 @@ struct FrameStats {
     std::uint64_t spheres = 0, cylinders = 0;  ///< submitted for the last picture, in all copies
     std::uint64_t copies = 1;                  ///< of an assembly
     OcclusionStats occlusion;
-    std::uint64_t deviceBytes = 0;   ///< peak device memory
+    std::uint64_t deviceBytes = 0;      ///< peak device memory
     std::uint64_t deviceBytesHeld = 0;  ///< after the last picture
-    std::uint64_t windowFrames = 0;  ///< submitted to the window so far
+    std::uint64_t windowFrames = 0;     ///< submitted to the window so far
     std::uint32_t tileBytesPerPixel = 0;
     std::uint64_t loadedBytes = 0, storedBytes = 0;  ///< of attachments, a frame
 };

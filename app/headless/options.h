@@ -44,7 +44,7 @@ struct RenderOptions {
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha
     bool lighting = true;
     OcclusionSettings occlusion;
-    bool prepass = true, merge = true;
+    bool prepass = true, merge = true, transient = true;
     DebugView debug = DebugView::none;
     DeviceOptions device;
     std::string output, layers, stats, capture;  ///< paths; all but the first may be empty

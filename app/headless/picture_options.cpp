@@ -84,6 +84,8 @@ void addDevice(CLI::App& app, RenderOptions& options) {
     addDeviceName(app, options.device);
     addVisibility(app, options.device);
     addOnOff(app, "--prepass", options.prepass, "Opaque plates that reject hidden work; never changes the picture");
+    addOnOff(app, "--transient", options.transient,
+             "off: every attachment has memory and is stored; never changes the picture");
     addOnOff(app, "--merge", options.merge, "Passes as subpasses of one render pass; never changes the picture");
     app.add_flag("--validate", options.device.validate,
                  "Run under the Vulkan validation layer; any message is an error");

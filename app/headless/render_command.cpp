@@ -46,6 +46,7 @@ RenderSettings settingsOf(const RenderOptions& options, const Representation& sc
     settings.occlusionBytes = options.occlusion.bytes();
     if (!options.prepass) settings.plates = PlateShape::none;
     settings.merge = options.merge;
+    settings.transient = options.transient;
     settings.debug = options.debug;
     // What is captured is to be seen: the bake, too, is done then.
     if (options.capture.empty()) settings.occlusionCache = occlusionCacheFolder(options.input);

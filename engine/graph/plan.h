@@ -21,6 +21,7 @@ struct PlanCaps {
     std::uint32_t tileBytesPerPixel = 16;   ///< colour + input attachments of one render pass
     std::uint32_t maxColorAttachments = 4;  ///< of one subpass
     std::uint32_t maxInputAttachments = 4;
+    friend bool operator==(const PlanCaps&, const PlanCaps&) = default;
 };
 
 enum class Load : std::uint8_t { clear, load, dontCare };

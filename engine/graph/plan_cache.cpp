@@ -20,13 +20,13 @@ bool sameDeclarations(const Graph& a, const Graph& b) {
 
 const Plan& PlanCache::planOf(const Graph& graph, const PlanCaps& caps) {
     const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) {
-        return e.merge == caps.merge && sameDeclarations(e.graph, graph);
+        return e.caps == caps && sameDeclarations(e.graph, graph);
     });
     if (found != entries_.end()) {
         entries_.splice(entries_.begin(), entries_, found);
         return entries_.front().plan;
     }
-    entries_.push_front({graph.declarations(), caps.merge, compile(graph, caps)});
+    entries_.push_front({graph.declarations(), caps, compile(graph, caps)});
     if (entries_.size() > kMost) entries_.pop_back();
     return entries_.front().plan;
 }

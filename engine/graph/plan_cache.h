@@ -13,15 +13,14 @@ bool sameDeclarations(const Graph& a, const Graph& b);
 
 class PlanCache {
 public:
-    /// The plan of a graph: the one kept from an equal graph, or a new one. Good until the next call.
-    /// @param caps must be the same from call to call, but for `merge`
+    /// The plan of a graph: the one kept from an equal graph and equal caps, or a new one. Good until the next call.
     const Plan& planOf(const Graph& graph, const PlanCaps& caps);
     std::size_t size() const { return entries_.size(); }
 
 private:
     struct Entry {
         Graph graph;  ///< without its recorders
-        bool merge;
+        PlanCaps caps;
         Plan plan;
     };
     std::list<Entry> entries_;  ///< latest use first

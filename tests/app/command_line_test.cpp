@@ -138,6 +138,9 @@ TEST(CommandLine, HelpShowsExamplesAndEveryOption) {
                                "--visibility",
                                "--prepass",
                                "--merge",
+                               "--transient",
+                               "--debug",
+                               "--memory",
                                "--cache",
                                "--offline",
                                "Examples"})

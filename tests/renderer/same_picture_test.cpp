@@ -146,6 +146,15 @@ TEST(SamePicture, TransientOrStored) {
     }
     unsetenv("NACRE_NO_TRANSIENT");
     EXPECT_EQ(pictures[0], pictures[1]);
+    // The same for one picture.
+    ValidatedRenderer renderer(Visibility::encoded);
+    renderer->setScene(r);
+    RenderSettings one = s;
+    for (const bool transient : {true, false}) {
+        one.transient = transient;
+        EXPECT_EQ(renderer->render(one).rgba, pictures[0]);
+        EXPECT_EQ(renderer->stats().storedBytes, 128u * 128u * (transient ? 4u : 12u));
+    }
 }
 
 TEST(Frame, IsSplitByTheEnvironment) {
