@@ -1,5 +1,6 @@
 // libFuzzer target for the readers: any bytes are a molecule or an Error, and nothing else.
 // --format=NAME fuzzes one reader; without it the format is told from the bytes, gzip among them.
+// --render draws what was read, too: a small picture, with occlusion, in a style that the bytes choose.
 // --list prints the formats. tools/fuzz runs them all.
 
 #include <cmath>
@@ -8,11 +9,14 @@
 #include <string>
 
 #include "engine/error.h"
+#include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
+#include "engine/renderer.h"
 
 namespace {
 
 nacre::ReadOptions options;
+nacre::Renderer* renderer = nullptr;  // with --render
 
 void require(bool holds, const char* what) {
     if (holds) return;
@@ -36,12 +40,28 @@ void check(const nacre::Molecule& molecule) {
         require(values->empty() || values->size() == count, "has charges or radii of other atoms");
 }
 
+/// Draws it in one of the styles and, if it has any, as an assembly.
+void draw(const nacre::Molecule& molecule, std::size_t choice) {
+    const std::vector<std::uint32_t> drawn = nacre::drawnAtoms(molecule);
+    if (drawn.empty() || drawn.size() > 20000) return;
+    nacre::RepresentationOptions look;
+    look.style = static_cast<nacre::Style>(choice % 3);
+    if (choice / 3 % 2 && !molecule.assemblies.empty()) look.assembly = molecule.assemblies.front().id;
+    nacre::Representation scene = nacre::represent(molecule, drawn, look);
+    nacre::RenderSettings settings;
+    settings.view = nacre::viewOf({}, scene.radius, 24, 24);
+    settings.occlusionDirections = 1;
+    renderer->setScene(std::move(scene));
+    require(!renderer->render(settings).rgba.empty(), "has no picture");
+}
+
 /// Reads one model; says whether there are more.
 bool read(const std::string& bytes, int model) {
     options.model = model;
     try {
         const nacre::Molecule molecule = nacre::readMolecule("input", bytes, options);
         check(molecule);
+        if (renderer) draw(molecule, bytes.size());
         return molecule.file.models.value_or(1) > model || molecule.file.records.value_or(1) > model;
     } catch (const nacre::Error&) {
         return false;
@@ -58,6 +78,10 @@ extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
         if (argument == "--list") {
             std::cout << nacre::formatNames() << std::endl;
             std::exit(0);
+        }
+        if (argument == "--render") {
+            static nacre::Renderer only{nacre::DeviceOptions{}};
+            renderer = &only;
         }
         if (argument.compare(0, start.size(), start) != 0) continue;
         options.format = nacre::formatFromName(argument.substr(start.size()));
