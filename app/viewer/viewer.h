@@ -97,6 +97,7 @@ private:
     bool noticeLoss();
     void tookDocument(double now);
     double advance(double now);
+    bool moveCamera(ViewerCommand command, double now);
     void draw(const FrameSchedule::Next& next, double now, bool moving, const std::function<const Overlay*()>& overlay);
     double occlusionBudget(double now, bool moving);
     std::uint32_t refinedSamples() const;

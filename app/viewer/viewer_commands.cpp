@@ -20,11 +20,11 @@ std::string nextOf(std::span<const char* const> choices, const std::string& curr
 
 }  // namespace
 
-void Viewer::run(ViewerCommand command, double now) {
+/// Commands of the camera. @returns whether it was one
+bool Viewer::moveCamera(ViewerCommand command, double now) {
     using C = ViewerCommand;
     const Viewport v = viewport();
     const glm::dvec2 middle(v.width / 2, v.height / 2);
-    SavedView look = view();
     const auto rotate = [&](double x, double y) {
         motion_.touch();
         motion_.rotate({x * kKeyDegrees, y * kKeyDegrees}, now);
@@ -36,38 +36,61 @@ void Viewer::run(ViewerCommand command, double now) {
     };
     switch (command) {
         case C::rotateLeft:
-            return rotate(-1, 0);
+            rotate(-1, 0);
+            return true;
         case C::rotateRight:
-            return rotate(1, 0);
+            rotate(1, 0);
+            return true;
         case C::rotateUp:
-            return rotate(0, -1);
+            rotate(0, -1);
+            return true;
         case C::rotateDown:
-            return rotate(0, 1);
+            rotate(0, 1);
+            return true;
         case C::panLeft:
-            return pan(-1, 0);
+            pan(-1, 0);
+            return true;
         case C::panRight:
-            return pan(1, 0);
+            pan(1, 0);
+            return true;
         case C::panUp:
-            return pan(0, -1);
+            pan(0, -1);
+            return true;
         case C::panDown:
-            return pan(0, 1);
+            pan(0, 1);
+            return true;
         case C::zoomIn:
         case C::zoomOut:
             motion_.zoom(command == C::zoomIn ? kKeyZoom : 1 / kKeyZoom, middle, radius(), v);
-            return changed(now);
+            changed(now);
+            return true;
         case C::rollLeft:
         case C::rollRight:
             motion_.roll(glm::radians(command == C::rollRight ? kKeyDegrees : -kKeyDegrees));
-            return changed(now);
+            changed(now);
+            return true;
         case C::fit:
-            return motion_.fit(now);
+            motion_.fit(now);
+            return true;
         case C::reset:
-            return motion_.reset(now);
+            motion_.reset(now);
+            return true;
         case C::autoRotate: {
             const bool on = !motion_.autoRotation();
             motion_.touch();
-            return motion_.setAutoRotation(on);
+            motion_.setAutoRotation(on);
+            return true;
         }
+        default:
+            return false;
+    }
+}
+
+void Viewer::run(ViewerCommand command, double now) {
+    using C = ViewerCommand;
+    if (moveCamera(command, now)) return;
+    SavedView look = view();
+    switch (command) {
         case C::spacefill:
             look.style = "spacefill";
             break;
@@ -116,12 +139,7 @@ void Viewer::run(ViewerCommand command, double now) {
             picks_.clear();
             message_.clear();
             return schedule_.overlayChanged();
-        case C::savePicture:
-        case C::saveView:
-        case C::captureFrame:
-        case C::panel:
-        case C::help:
-        case C::quit:
+        default:
             return;  // the shell's
     }
     setLook(look, now);
