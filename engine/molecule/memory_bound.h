@@ -7,17 +7,17 @@
 
 namespace nacre {
 
-/// Host and device together, per atom that is read, with its bonds and sticks; the peak while it is read, too. Beyond what
-/// programs and drivers take for any molecule, lavapipe some 100 MB for large scenes. A test holds it.
+/// Host and device together, per atom that is read, with its bonds and sticks; the peak while it is read, too. Beyond
+/// what programs and drivers take for any molecule, lavapipe some 100 MB for large scenes. A test holds it.
 constexpr std::uint64_t kBytesPerAtom = 700;
 /// The file's text is held while it is read, once inflated and, for a moment, twice.
 constexpr std::uint64_t kBytesPerTextByte = 2;
 /// Occlusion has a bound of its own: RenderSettings::occlusionBytes.
 
-/// Device memory of a window's frame, per pixel: depth, encoded depth and colour, and three images of the display. While
-/// the picture that stays is refined, up to ViewerOptions::refinedPixels samples more, of 16 bytes; of 4 where depth
-/// never leaves the tile.
-constexpr std::uint64_t kBytesPerWindowPixel = 28;
+// A window's frame takes 28 bytes of device memory a pixel by its formats: depth 4, encoded depth 8 at most, colour 4,
+// three images of the display 12. While the picture that stays is refined, up to ViewerOptions::refinedPixels samples
+// more, of 16 bytes; of 4 where depth never leaves the tile.
+
 /// Host and device together, per pixel of a picture for a file, supersampled ones counted.
 constexpr std::uint64_t kBytesPerPicturePixel = 64;
 

@@ -98,27 +98,28 @@ void renderGoodFiles(int first, int step) {
 TEST(DataFiles, MemoryKeepsToTheStatedBound) {
     NACRE_NEEDS_DATA();
     if (!kMeasured) GTEST_SKIP() << "sanitizers take memory of their own";
-    const auto peak = [](const std::string& input, std::vector<std::string> more) {
+    const auto peak = [](const std::string& input, const char* size = "64x64") {
         const TemporaryFolder folder;
-        std::vector<std::string> arguments{"render", input,         "-o",  folder / "a.png", "--size", "64x64",
-                                           "--style", "licorice", "--occlusion", "off"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        const MeasuredRun run = test::runMeasured(arguments);
+        const MeasuredRun run = test::runMeasured(
+            {"render", input, "-o", folder / "a.png", "--size", size, "--style", "licorice", "--occlusion", "off"});
         EXPECT_EQ(run.code, 0) << run.err;
         return run.peakBytes;
     };
-    const std::int64_t least = peak("sample:glucose", {});
+    const std::int64_t least = peak("sample:glucose");
     const std::int64_t driver = 100'000'000;
-    EXPECT_LT(peak(test::dataFile("1aon-groel.pdb.gz"), {}) - least,
+    EXPECT_LT(peak(test::dataFile("1aon-groel.pdb.gz")) - least,
               driver + static_cast<std::int64_t>(58'870 * kBytesPerAtom + 4'800'000 * kBytesPerTextByte));
-    EXPECT_LT(peak(test::dataFile("4v5a-ribosome.mmtf"), {}) - least,
+    EXPECT_LT(peak(test::dataFile("4v5a-ribosome.mmtf")) - least,
               driver + static_cast<std::int64_t>(290'487 * kBytesPerAtom + 2'702'627 * kBytesPerTextByte));
+    EXPECT_LT(peak("sample:glucose", "2048x2048") - least,
+              static_cast<std::int64_t>(2048 * 2048 * kBytesPerPicturePixel));
     // What does not fit is refused: 5 MB have room for 3,744 atoms, half a molecule.
     const TemporaryFolder folder;
     const MeasuredRun run =
         test::runMeasured({"render", test::dataFile("4hhb.pdb"), "-o", folder / "a.png", "--memory", "5"});
     EXPECT_EQ(run.code, 1);
-    EXPECT_NE(run.err.find("4hhb.pdb: more than 3744 atoms, all that there is memory for"), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("4hhb.pdb: more than 3744 atoms, all that there is memory for"), std::string::npos)
+        << run.err;
     EXPECT_EQ(folder.count(), 0u);
 }
 
