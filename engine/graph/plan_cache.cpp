@@ -19,9 +19,8 @@ bool sameDeclarations(const Graph& a, const Graph& b) {
 }
 
 const Plan& PlanCache::planOf(const Graph& graph, const PlanCaps& caps) {
-    const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) {
-        return e.caps == caps && sameDeclarations(e.graph, graph);
-    });
+    const auto found = std::find_if(entries_.begin(), entries_.end(),
+                                    [&](const Entry& e) { return e.caps == caps && sameDeclarations(e.graph, graph); });
     if (found != entries_.end()) {
         entries_.splice(entries_.begin(), entries_, found);
         return entries_.front().plan;

@@ -117,7 +117,8 @@ private:
 
 class MmcifModel {
 public:
-    MmcifModel(const std::string& name, const ReadOptions& options) : builder_(name, options.maxAtoms), options_(options) {}
+    MmcifModel(const std::string& name, const ReadOptions& options)
+        : builder_(name, options.maxAtoms), options_(options) {}
 
     /// Whether a category, or a column of one, is of any use; names as below. Readers need not give the others.
     static bool isKept(std::string_view category);

@@ -62,7 +62,12 @@ enum class Flavour { pdb, pdbqt };
 class PdbReader {
 public:
     PdbReader(const std::string& name, std::string_view text, const ReadOptions& options, Flavour flavour)
-        : name_(name), text_(text), lines_(text), wanted_(options.model), maxAtoms_(options.maxAtoms), flavour_(flavour) {
+        : name_(name),
+          text_(text),
+          lines_(text),
+          wanted_(options.model),
+          maxAtoms_(options.maxAtoms),
+          flavour_(flavour) {
         chainIndex_.fill(-1);
     }
 
