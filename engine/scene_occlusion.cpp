@@ -76,10 +76,11 @@ void SceneOcclusion::make(const RenderSettings& settings) {
     worthKeeping_ = settings.occlusionWorthKeeping;
     const auto kept = readOcclusion(cache_, cacheName_, representation_);
     if (kept)
-        bake_ = std::make_unique<passes::OcclusionBake>(device_, executor_, geometry_, scene_, representation_, options,
-                                                        *kept);
+        bake_ = std::make_unique<passes::OcclusionBake>(device_, executor_, geometry_, pipelines_, scene_,
+                                                        representation_, options, *kept);
     else
-        bake_ = std::make_unique<passes::OcclusionBake>(device_, geometry_, scene_, representation_, options);
+        bake_ =
+            std::make_unique<passes::OcclusionBake>(device_, geometry_, pipelines_, scene_, representation_, options);
     scene_ = passes::makeSceneBuffers(device_, representation_);  // the looks hold patch addresses now
     if (!kept) bake_->finish(executor_);
     baked_ = wanted;

@@ -21,6 +21,7 @@ public:
         : device_(device),
           executor_(executor),
           geometry_(geometry),
+          pipelines_(device),
           nearest_(nearest),
           representation_(representation),
           scene_(scene),
@@ -50,6 +51,7 @@ private:
     const gpu::Device& device_;
     graph::Executor& executor_;
     passes::Geometry& geometry_;
+    passes::OcclusionPipelines pipelines_;  // of all bakes
     passes::Nearest nearest_;
     Representation& representation_;
     passes::SceneBuffers& scene_;

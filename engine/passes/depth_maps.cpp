@@ -39,10 +39,12 @@ Nearest nearestOf(OcclusionMaps path) { return path == OcclusionMaps::encoded ? 
 
 }  // namespace
 
-DepthMaps::DepthMaps(const gpu::Device& device, Geometry& geometry, const SceneBuffers& scene,
-                     const Representation& representation, OcclusionMaps path, std::uint64_t budgetBytes)
+DepthMaps::DepthMaps(const gpu::Device& device, Geometry& geometry, OcclusionPipelines& pipelines,
+                     const SceneBuffers& scene, const Representation& representation, OcclusionMaps path,
+                     std::uint64_t budgetBytes)
     : device_(device),
       geometry_(geometry),
+      pipelines_(pipelines),
       scene_(scene),
       representation_(representation),
       path_(path),
@@ -63,28 +65,13 @@ DepthMaps::DepthMaps(const gpu::Device& device, Geometry& geometry, const SceneB
     splats_ = gpu::makeBuffer(device, std::uint64_t{4} * pixels_ * pixels_ * perBatch_,
                               Usage::eStorageBuffer | Usage::eTransferDst | Usage::eTransferSrc, gpu::Access::upload,
                               "depth maps' splats");
-    using Type = vk::DescriptorType;
-    constexpr Type kBindings[] = {Type::eStorageBuffer, Type::eStorageBuffer, Type::eStorageBuffer};
-    splatLayout_ = gpu::makeLayout(device, kBindings, vk::ShaderStageFlagBits::eCompute, sizeof(layout::SplatConstants),
-                                   "depth splatting layout");
     const std::size_t copies = std::max<std::size_t>(representation.copies.transforms.size(), 1);
     views_ = gpu::makeBuffer(device, sizeof(layout::ViewConstants) * perBatch_ * copies, Usage::eStorageBuffer,
                              gpu::Access::upload, "depth maps' views");
-    sphereSplats_ = gpu::makeComputePipeline(device, shaders::occlusionSplatSphere, {}, *splatLayout_.pipeline,
-                                             "depth splatting, spheres");
-    if (scene.cylinderCount > 0)
-        cylinderSplats_ = gpu::makeComputePipeline(device, shaders::occlusionSplatCylinder, {}, *splatLayout_.pipeline,
-                                                   "depth splatting, cylinders");
 }
 
 std::uint64_t DepthMaps::bytes() const {
     return std::uint64_t{bytesPerPixel(path_, device_.caps().encoded)} * pixels_ * pixels_ * perBatch_;
-}
-
-void DepthMaps::decoding(gpu::Specialization& constants) const {
-    const gpu::EncodedFormat& encoded = device_.caps().encoded;
-    constants.set(1, path_ == OcclusionMaps::encoded ? encoded.channels : 1);
-    constants.set(2, path_ == OcclusionMaps::encoded ? encoded.steps : 0);
 }
 
 View DepthMaps::view(const glm::dmat3& frame) const {
@@ -138,31 +125,32 @@ PlacedCopies DepthMaps::writeViews(std::span<const glm::dmat3> frames, std::uint
 
 void DepthMaps::recordSplat(graph::PassContext& context, graph::Buffer maps, std::span<const glm::dmat3> frames,
                             std::uint32_t across) const {
-    const vk::DescriptorSet set = context.descriptors.allocate(splatLayout_.set, "depth map splats");
+    const vk::DescriptorSet set = context.descriptors.allocate(pipelines_.splatLayout().set, "depth map splats");
     const vk::DescriptorBufferInfo infos[] = {{*scene_.shapes.handle, 0, VK_WHOLE_SIZE},
                                               {*views_.handle, 0, VK_WHOLE_SIZE},
                                               {context.buffer(maps), 0, VK_WHOLE_SIZE}};
     for (std::uint32_t i = 0; i < 3; ++i)
         device_->updateDescriptorSets(
             vk::WriteDescriptorSet(set, i, 0, vk::DescriptorType::eStorageBuffer, {}, infos[i]), {});
-    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *splatLayout_.pipeline, 0, set, {});
+    const vk::PipelineLayout pipelineLayout = *pipelines_.splatLayout().pipeline;
+    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, pipelineLayout, 0, set, {});
     const PlacedCopies placed = writeViews(frames, across);
     const auto mapCount = static_cast<std::uint32_t>(frames.size());
     constexpr std::uint32_t kMost = 65535 * kGroup;  // the floor allows 65,535 workgroups a dispatch
-    const auto splat = [&](const std::vector<PlacedCopies::Call>& calls, const vk::raii::Pipeline& pipeline) {
+    const auto splat = [&](const std::vector<PlacedCopies::Call>& calls, bool cylinders) {
         if (calls.empty()) return;
-        context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline);
+        context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipelines_.splatting(cylinders));
         for (const PlacedCopies::Call& call : calls)
             for (std::uint32_t first = call.first, end = first + call.count; first < end; first += kMost) {
                 const layout::SplatConstants c{call.copy * mapCount, first,   std::min(end, first + kMost),
                                                scene_.sphereCount,   pixels_, pixels_ * across};
-                context.commands.pushConstants<layout::SplatConstants>(*splatLayout_.pipeline,
+                context.commands.pushConstants<layout::SplatConstants>(pipelineLayout,
                                                                        vk::ShaderStageFlagBits::eCompute, 0, c);
                 context.commands.dispatch((c.end - c.first + kGroup - 1) / kGroup, mapCount, 1);
             }
     };
-    splat(placed.spheres, sphereSplats_);
-    splat(placed.cylinders, cylinderSplats_);
+    splat(placed.spheres, false);
+    splat(placed.cylinders, true);
 }
 
 graph::Image DepthMaps::declare(graph::Graph& g, graph::Imports& imports, std::span<const glm::dmat3> frames,

@@ -9,6 +9,7 @@
 #include "engine/gpu/resources.h"
 #include "engine/graph/execute.h"
 #include "engine/passes/geometry.h"
+#include "engine/passes/occlusion_pipelines.h"
 #include "engine/scene/camera.h"
 
 namespace nacre::passes {
@@ -20,7 +21,7 @@ public:
     /// @param path  not `automatic`
     /// @param representation  outlives this
     /// @param budgetBytes  device memory for the maps of one batch; they get smaller until at least one fits
-    DepthMaps(const gpu::Device& device, Geometry& geometry, const SceneBuffers& scene,
+    DepthMaps(const gpu::Device& device, Geometry& geometry, OcclusionPipelines& pipelines, const SceneBuffers& scene,
               const Representation& representation, OcclusionMaps path, std::uint64_t budgetBytes);
 
     /// Sizes of a batch that fit the budget: 1, 4 or 16 maps.
@@ -32,8 +33,8 @@ public:
     /// @param frames  kept until the graph has run
     graph::Image declare(graph::Graph& g, graph::Imports& imports, std::span<const glm::dmat3> frames,
                          std::uint32_t batch);
-    /// Of the textures: how a depth is to be decoded.
-    void decoding(gpu::Specialization& constants) const;
+    /// Whether the maps hold encoded depth, not depth itself.
+    bool encoded() const { return path_ == OcclusionMaps::encoded; }
     /// Drops the memory of the maps.
     void release() { splats_ = {}; }
     /// The view of one map.
@@ -49,17 +50,13 @@ private:
 
     const gpu::Device& device_;
     Geometry& geometry_;
+    OcclusionPipelines& pipelines_;
     const SceneBuffers& scene_;
     const Representation& representation_;
     OcclusionMaps path_;
     double radius_, meanRadius_ = 0;
     std::uint32_t pixels_ = 0, perBatch_ = 1;
     gpu::Buffer splats_, views_;
-    gpu::Layout splatLayout_;
-    vk::raii::Pipeline sphereSplats_{nullptr}, cylinderSplats_{nullptr};
 };
-
-/// Maps in a row of the image of a batch.
-constexpr std::uint32_t mapsAcross(std::uint32_t batch) { return batch > 4 ? 4 : batch > 1 ? 2 : 1; }
 
 }  // namespace nacre::passes

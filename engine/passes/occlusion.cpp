@@ -57,37 +57,28 @@ std::uint32_t batchFor(std::uint32_t directions) { return directions > 4 ? 16 : 
 
 }  // namespace
 
-OcclusionBake::OcclusionBake(const gpu::Device& device, Geometry& geometry, const SceneBuffers& scene,
-                             Representation& representation, const OcclusionOptions& options)
+OcclusionBake::OcclusionBake(const gpu::Device& device, Geometry& geometry, OcclusionPipelines& pipelines,
+                             const SceneBuffers& scene, Representation& representation, const OcclusionOptions& options)
     : device_(device),
+      pipelines_(pipelines),
       scene_(scene),
       directions_(occlusionDirections(options.directions)),
-      maps_(device, geometry, scene, representation, options.path, options.budgetBytes / 2) {
+      maps_(device, geometry, pipelines, scene, representation, options.path, options.budgetBytes / 2) {
     OpenTexels open;
     layout_ = chooseLayout(representation, options.budgetBytes - std::min(maps_.bytes(), options.budgetBytes), open);
     assignPatches(layout_, representation);
     copies_ = occlusionCopies(representation, layout_, open.texels, open.sphereTexels);
     makeBuffers(open);
-
-    constexpr Type kAccumulate[] = {Type::eStorageBuffer, Type::eUniformBuffer, Type::eStorageBuffer,
-                                    Type::eStorageBuffer, Type::eCombinedImageSampler};
-    constexpr Type kFinish[] = {Type::eStorageBuffer, Type::eStorageBuffer, Type::eStorageBuffer};
-    accumulateLayout_ = gpu::makeLayout(device, kAccumulate, vk::ShaderStageFlagBits::eCompute,
-                                        sizeof(layout::OcclusionConstants), "occlusion accumulation layout");
-    finishLayout_ = gpu::makeLayout(device, kFinish, vk::ShaderStageFlagBits::eCompute, sizeof(std::uint32_t),
-                                    "occlusion finish layout");
-    finish_ =
-        gpu::makeComputePipeline(device, shaders::occlusionFinish, {}, *finishLayout_.pipeline, "occlusion finish");
-    sampler_ = gpu::makeSampler(device, vk::Filter::eNearest, "depth maps");
 }
 
 OcclusionBake::OcclusionBake(const gpu::Device& device, graph::Executor& executor, Geometry& geometry,
-                             const SceneBuffers& scene, Representation& representation, const OcclusionOptions& options,
-                             const FinishedOcclusion& finished)
+                             OcclusionPipelines& pipelines, const SceneBuffers& scene, Representation& representation,
+                             const OcclusionOptions& options, const FinishedOcclusion& finished)
     : device_(device),
+      pipelines_(pipelines),
       scene_(scene),
       directions_(occlusionDirections(options.directions)),
-      maps_(device, geometry, scene, representation, options.path, 0),
+      maps_(device, geometry, pipelines, scene, representation, options.path, 0),
       layout_(finished.layout),
       texelCount_(finished.openTexels),
       seenSpheres_(finished.seenSpheres),
@@ -170,58 +161,41 @@ layout::OcclusionConstants OcclusionBake::constants() const {
     const layout::ViewConstants v = viewConstants(view, 0.0f, 0, 0);
     layout::OcclusionConstants c{};
     c.map = {maps_.pixels(), view.pixelsPerAngstrom, 1.0 / view.pixelsPerAngstrom, 0};
+    // Four taps stand for the directions between two of the set, which are the farther apart the fewer they are.
+    if (manySticks()) c.map.w = static_cast<float>(std::min(2.0 * std::sqrt(128.0 / directions()), 2.5));
     c.depth = {v.depth.x, v.depth.y, v.projection.z, 0};
     c.patches = {layout_.sphereEdge, layout_.around, layout_.along, layout_.sphereCount};
     return c;
 }
 
-OcclusionBake::Accumulation& OcclusionBake::accumulation(std::uint32_t batch) {
-    if (const auto it = accumulations_.find(batch); it != accumulations_.end()) return it->second;
-    Accumulation fresh;
-    gpu::Specialization constants;
-    constants.set(0, batch);
-    maps_.decoding(constants);
-    constants.set(3, mapsAcross(batch));
-    if (2 * std::uint64_t{layout_.cylinderCount} > layout_.sphereCount) {
-        // Sticks throw thin shadows: four taps stand for the directions between two of the set, which are the farther
-        // apart the fewer they are. A few sticks among full atoms must not cost these four times the time.
-        constants.set(4, 4u);
-        constants.set(5, static_cast<float>(std::min(2.0 * std::sqrt(128.0 / directions()), 2.5)));
-    }
-    const auto make = [&](std::span<const std::uint32_t> code, const char* name) {
-        return gpu::makeComputePipeline(device_, code, constants, *accumulateLayout_.pipeline, name);
-    };
-    if (layout_.sphereEdge == 1)
-        fresh.spheres = make(shaders::occlusionAccumulateWhole, "occlusion accumulation, whole spheres");
-    else
-        fresh.spheres = make(shaders::occlusionAccumulateSphere, "occlusion accumulation, spheres");
-    if (layout_.cylinderCount > 0)
-        fresh.cylinders = make(shaders::occlusionAccumulateCylinder, "occlusion accumulation, cylinders");
-    return accumulations_.emplace(batch, std::move(fresh)).first->second;
-}
-
 vk::DescriptorSet OcclusionBake::accumulationSet(graph::PassContext& context, graph::Image maps, std::uint32_t group) {
-    const vk::DescriptorSet set = context.descriptors.allocate(accumulateLayout_.set, "occlusion accumulation");
+    const vk::DescriptorSet set =
+        context.descriptors.allocate(pipelines_.accumulateLayout().set, "occlusion accumulation");
     bind(device_, set, 0, Type::eStorageBuffer, *scene_.shapes.handle);
     bind(device_, set, 1, Type::eUniformBuffer, *batchDirections_.handle, group * kGroupBytes, kGroupBytes);
     bind(device_, set, 2, Type::eStorageBuffer, *list_.handle);
     bind(device_, set, 3, Type::eStorageBuffer, *sums_.handle);
-    const vk::DescriptorImageInfo info(*sampler_, context.view(maps), vk::ImageLayout::eShaderReadOnlyOptimal);
+    const vk::DescriptorImageInfo info(pipelines_.sampler(), context.view(maps),
+                                       vk::ImageLayout::eShaderReadOnlyOptimal);
     device_->updateDescriptorSets(vk::WriteDescriptorSet(set, 4, 0, Type::eCombinedImageSampler, info), {});
     return set;
 }
 
 void OcclusionBake::recordAccumulation(graph::PassContext& context, graph::Image maps, std::uint32_t batch) {
     constexpr auto kCompute = vk::PipelineBindPoint::eCompute;
-    const vk::PipelineLayout pipelineLayout = *accumulateLayout_.pipeline;
-    const Accumulation& pipelines = accumulation(batch);
+    const vk::PipelineLayout pipelineLayout = *pipelines_.accumulateLayout().pipeline;
+    using Texels = OcclusionPipelines::Texels;
+    const Texels spheres = layout_.sphereEdge == 1 ? Texels::wholeSpheres : Texels::spheres;
     layout::OcclusionConstants c = constants();
     std::vector<vk::DescriptorSet> sets(copies_.groups.size());
     for (const OcclusionCopies::Run& run : copies_.runs) {
         if (run.count == 0) continue;
         if (!sets[run.group]) sets[run.group] = accumulationSet(context, maps, run.group);
         c.range = {run.first, run.count, 0, 0};
-        context.commands.bindPipeline(kCompute, run.cylinders ? *pipelines.cylinders : *pipelines.spheres);
+        // A few sticks among full atoms must not cost these four times the time.
+        context.commands.bindPipeline(
+            kCompute, pipelines_.accumulation({run.cylinders ? Texels::cylinders : spheres, batch, maps_.encoded(),
+                                               manySticks() ? 4u : 1u}));
         context.commands.bindDescriptorSets(kCompute, pipelineLayout, 0, sets[run.group], {});
         context.commands.pushConstants<layout::OcclusionConstants>(pipelineLayout, vk::ShaderStageFlagBits::eCompute, 0,
                                                                    c);
@@ -312,14 +286,14 @@ void OcclusionBake::finish(graph::Executor& executor) {
     const auto bytes = g.importBuffer("occlusion bytes", bytes_.size, kComputeBuffer);
     const auto atlas = g.importImage("occlusion atlas", atlas_.desc, kTextureState, !atlasDefined_);
     g.compute("occlusion finish").reads(sums).writes(bytes).record([&](graph::PassContext& c) {
-        const vk::DescriptorSet set = c.descriptors.allocate(finishLayout_.set, "occlusion finish");
+        const vk::DescriptorSet set = c.descriptors.allocate(pipelines_.finishLayout().set, "occlusion finish");
         bind(device_, set, 0, Type::eStorageBuffer, *sums_.handle);
         bind(device_, set, 1, Type::eStorageBuffer, *words_.handle);
         bind(device_, set, 2, Type::eStorageBuffer, *bytes_.handle);
-        c.commands.bindPipeline(vk::PipelineBindPoint::eCompute, *finish_);
-        c.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *finishLayout_.pipeline, 0, set, {});
-        c.commands.pushConstants<std::uint32_t>(*finishLayout_.pipeline, vk::ShaderStageFlagBits::eCompute, 0,
-                                                static_cast<std::uint32_t>(wordCount_));
+        c.commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipelines_.finish());
+        c.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *pipelines_.finishLayout().pipeline, 0, set, {});
+        c.commands.pushConstants<std::uint32_t>(*pipelines_.finishLayout().pipeline, vk::ShaderStageFlagBits::eCompute,
+                                                0, static_cast<std::uint32_t>(wordCount_));
         dispatch(c.commands, wordCount_);
     });
     g.transfer("occlusion upload").copiesFrom(bytes).copiesTo(atlas).record([&](graph::PassContext& c) {

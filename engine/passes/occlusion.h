@@ -3,12 +3,12 @@
 // followed by one dispatch over the atlas texels that light can reach.
 
 #include <cstdint>
-#include <map>
 #include <vector>
 
 #include "engine/gpu/resources.h"
 #include "engine/graph/execute.h"
 #include "engine/passes/depth_maps.h"
+#include "engine/passes/occlusion_pipelines.h"
 #include "engine/scene/finished_occlusion.h"
 #include "engine/scene/occlusion_copies.h"
 #include "engine/scene/open_texels.h"
@@ -25,14 +25,15 @@ class OcclusionBake {
 public:
     /// Everything that a bake needs; no light is asked for yet, and the atlas says so: all is open.
     /// Writes the patch addresses into the looks of the representation; both it and `scene` (whose looks are then to be
-    /// uploaded anew) outlive the bake.
+    /// uploaded anew) outlive the bake, as do the pipelines.
     /// @throws Error if even one value a sphere does not fit the budget
-    OcclusionBake(const gpu::Device& device, Geometry& geometry, const SceneBuffers& scene,
-                  Representation& representation, const OcclusionOptions& options);
+    OcclusionBake(const gpu::Device& device, Geometry& geometry, OcclusionPipelines& pipelines,
+                  const SceneBuffers& scene, Representation& representation, const OcclusionOptions& options);
 
     /// A bake that is done: what was left of one with the same options of the same representation.
-    OcclusionBake(const gpu::Device& device, graph::Executor& executor, Geometry& geometry, const SceneBuffers& scene,
-                  Representation& representation, const OcclusionOptions& options, const FinishedOcclusion& finished);
+    OcclusionBake(const gpu::Device& device, graph::Executor& executor, Geometry& geometry,
+                  OcclusionPipelines& pipelines, const SceneBuffers& scene, Representation& representation,
+                  const OcclusionOptions& options, const FinishedOcclusion& finished);
 
     /// Renders the depth maps of the next directions, at most one batch, and adds them up.
     /// @param most  directions at most
@@ -57,19 +58,18 @@ public:
     const std::vector<bool>& seenSpheres() const { return seenSpheres_; }
 
 private:
-    struct Accumulation {
-        vk::raii::Pipeline spheres{nullptr}, cylinders{nullptr};
-    };
     OcclusionLayout chooseLayout(Representation& representation, std::uint64_t budgetBytes, OpenTexels& open);
     void makeBuffers(const OpenTexels& open);
     layout::OcclusionConstants constants() const;
-    Accumulation& accumulation(std::uint32_t batch);
+    /// Sticks throw thin shadows, which one tap misses.
+    bool manySticks() const { return 2 * std::uint64_t{layout_.cylinderCount} > layout_.sphereCount; }
     void dropDeepTexels();
     void recordAccumulation(graph::PassContext& context, graph::Image maps, std::uint32_t batch);
     vk::DescriptorSet accumulationSet(graph::PassContext& context, graph::Image maps, std::uint32_t group);
     void writeDirections(std::span<const glm::dmat3> frames);
 
     const gpu::Device& device_;
+    OcclusionPipelines& pipelines_;
     const SceneBuffers& scene_;
     std::vector<glm::dmat3> directions_;
     DepthMaps maps_;
@@ -83,10 +83,6 @@ private:
     gpu::Buffer batchDirections_, list_, sums_, words_, bytes_;
     gpu::Image atlas_;
     bool atlasDefined_ = false;
-    gpu::Layout accumulateLayout_, finishLayout_;
-    std::map<std::uint32_t, Accumulation> accumulations_;  // by directions a batch
-    vk::raii::Pipeline finish_{nullptr};
-    vk::raii::Sampler sampler_{nullptr};
 };
 
 }  // namespace nacre::passes

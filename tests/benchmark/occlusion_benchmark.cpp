@@ -47,6 +47,7 @@ double processorMs() { return static_cast<double>(std::clock()) * 1e3 / CLOCKS_P
 struct Stage {
     gpu::Device device{DeviceOptions{}};
     passes::Geometry geometry{device};
+    passes::OcclusionPipelines pipelines{device};
     graph::Executor executor{device};
     Representation scene;
     passes::SceneBuffers buffers;
@@ -60,7 +61,7 @@ struct Stage {
     OcclusionMaps deviceMaps() const { return device.caps().software ? OcclusionMaps::splat : OcclusionMaps::encoded; }
     std::unique_ptr<passes::OcclusionBake> bake(int directions, OcclusionMaps maps) {
         const passes::OcclusionOptions options{directions, 64ull << 20, maps};
-        return std::make_unique<passes::OcclusionBake>(device, geometry, buffers, scene, options);
+        return std::make_unique<passes::OcclusionBake>(device, geometry, pipelines, buffers, scene, options);
     }
     test::OcclusionFloor floor(const passes::OcclusionBake& bake) const {
         const std::uint64_t pixels = bake.maps().pixels(), perBatch = bake.maps().perBatch();
@@ -133,7 +134,8 @@ struct Batch {
         all.resize(kMaps);
         return all;
     }();
-    passes::DepthMaps splats{stage.device, stage.geometry, stage.buffers, stage.scene, OcclusionMaps::splat, 32u << 20};
+    passes::DepthMaps splats{stage.device, stage.geometry,       stage.pipelines, stage.buffers,
+                             stage.scene,  OcclusionMaps::splat, 32u << 20};
     test::BatchMaps ways{stage.scene, frames, splats.pixels()};
 
     Batch() {
