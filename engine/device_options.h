@@ -18,6 +18,23 @@ enum class Visibility {
     deferred,     ///< the nearest primitive's number by gl_FragDepth, then every covered pixel shaded once
 };
 
+/// As the command line spells it.
+inline const char* visibilityName(Visibility visibility) {
+    switch (visibility) {
+        case Visibility::automatic:
+            return "auto";
+        case Visibility::encoded:
+            return "encoded";
+        case Visibility::fragdepth:
+            return "fragdepth";
+        case Visibility::deferred:
+            return "deferred";
+        case Visibility::rasterOrder:
+            return "raster-order";
+    }
+    return "";
+}
+
 /// The opaque plates of the prepass, per sphere; domes are stacks of smaller octagons nearer to the viewer.
 enum class PlateShape { automatic, none, square, octagon, dome2, dome3 };
 

@@ -40,7 +40,7 @@ DeviceInfo infoOf(const gpu::Caps& caps) {
     info.apiVersion = std::to_string(VK_API_VERSION_MAJOR(caps.apiVersion)) + "." +
                       std::to_string(VK_API_VERSION_MINOR(caps.apiVersion)) + "." +
                       std::to_string(VK_API_VERSION_PATCH(caps.apiVersion));
-    info.visibility = gpu::visibilityName(caps.visibility);
+    info.visibility = visibilityName(caps.visibility);
     info.why = caps.visibilityReason;
     info.encodedFormat = graph::formatName(caps.encoded.format);
     info.lazyMemory = caps.plan.transient;

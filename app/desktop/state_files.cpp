@@ -34,7 +34,9 @@ std::string freeName(const std::string& input, const std::string& extension) {
     if (const std::size_t dot = stem.find('.', 1); dot != std::string::npos) stem.resize(dot);
     if (stem.empty() || stem == "-") stem = "nacre";
     for (int n = 1;; ++n) {
-        const std::string name = stem + (n == 1 ? "" : "-" + std::to_string(n)) + extension;
+        std::string name = stem;
+        if (n > 1) name.append("-").append(std::to_string(n));
+        name += extension;
         if (!fs::exists(name)) return name;
     }
 }

@@ -41,7 +41,7 @@ std::string pdbId(const std::string& input, const std::string& text) {
         return id.size() == 4 && isDigit(id[0]) && std::all_of(id.begin() + 1, id.end(), isLowerOrDigit);
     };
     constexpr std::string_view kLong = "pdb_", kShortAsLong = "pdb_0000";
-    const std::string id = lower(text);
+    std::string id = lower(text);
     if (isShort(id)) return id;
     const bool isLong = id.size() == kLong.size() + 8 && id.rfind(kLong, 0) == 0 &&
                         std::all_of(id.begin() + kLong.size(), id.end(), isLowerOrDigit);
@@ -53,7 +53,7 @@ std::string pdbId(const std::string& input, const std::string& text) {
 
 /// UniProt's pattern of accessions: https://www.uniprot.org/help/accession_numbers
 std::string uniprotAccession(const std::string& input, const std::string& text) {
-    const std::string id = upper(text);
+    std::string id = upper(text);
     const auto letterBlock = [&](std::size_t at) {
         return isUpper(id[at]) && isUpperOrDigit(id[at + 1]) && isUpperOrDigit(id[at + 2]) && isDigit(id[at + 3]);
     };

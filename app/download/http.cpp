@@ -45,7 +45,7 @@ std::string headerOf(CURL* handle, const char* name) {
 
 /// What a later request may name this version by (RFC 9110, 13.1.5: no weak ETag).
 std::string validatorOf(CURL* handle) {
-    const std::string tag = headerOf(handle, "ETag");
+    std::string tag = headerOf(handle, "ETag");
     if (!tag.empty() && tag.rfind("W/", 0) != 0) return tag;
     return headerOf(handle, "Last-Modified");
 }

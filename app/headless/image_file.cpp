@@ -31,7 +31,7 @@ bool isJpeg(const std::string& path) { return extensionOf(path) == ".jpg" || ext
 }
 
 OIIO::ImageSpec specOf(const std::string& path, std::uint32_t width, std::uint32_t height, int channels,
-                       OIIO::TypeDesc type) {
+                       const OIIO::TypeDesc& type) {
     OIIO::ImageSpec spec(static_cast<int>(width), static_cast<int>(height), channels, type);
     spec.attribute("Software", "nacre");
     // OpenImageIO would put in the time of day; equal pictures shall be equal files.
@@ -97,7 +97,7 @@ bool readsBack(const std::string& path, const OIIO::ImageSpec& spec) {
 
 /// Writes rows as `convert(firstRow, rowCount)` gives them: a pointer to rowCount rows of interleaved channels.
 template <class Convert>
-void writeRows(OutputFile& file, const OIIO::ImageSpec& spec, OIIO::TypeDesc from, Convert&& convert) {
+void writeRows(OutputFile& file, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& from, Convert&& convert) {
     CheckedFile target(file.temporary());  // outlives the writer
     const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(file.temporary());
     if (!out) fail(file, OIIO::geterror());

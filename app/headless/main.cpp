@@ -14,9 +14,8 @@
 #endif
 #include "engine/error.h"
 
+namespace nacre::app {
 namespace {
-
-using namespace nacre::app;
 
 int complain(const std::string& text, int code) {
     std::string line = text;
@@ -60,9 +59,7 @@ void run(const CommandLine& line, std::ostream& out) {
     }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int complete(int argc, char** argv) {
     try {
         run(parseCommandLine(argc, argv), std::cout);
         std::cout.flush();
@@ -76,3 +73,8 @@ int main(int argc, char** argv) {
         return complain(error.what(), 1);
     }
 }
+
+}  // namespace
+}  // namespace nacre::app
+
+int main(int argc, char** argv) { return nacre::app::complete(argc, argv); }

@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "app/headless/plan_command.h"
-#include "engine/gpu/caps.h"
 
 namespace nacre::app {
 namespace {
@@ -42,9 +41,9 @@ public:
 
 private:
     std::string title() const {
-        return report_.caps + ", " + gpu::visibilityName(report_.visibility) + ", " +
-               std::to_string(report_.extent.width) + "x" + std::to_string(report_.extent.height) + ": loads " +
-               megabytes(report_.plan.total.loaded) + ", stores " + megabytes(report_.plan.total.stored) + " a frame";
+        return report_.caps + ", " + visibilityName(report_.visibility) + ", " + std::to_string(report_.extent.width) +
+               "x" + std::to_string(report_.extent.height) + ": loads " + megabytes(report_.plan.total.loaded) +
+               ", stores " + megabytes(report_.plan.total.stored) + " a frame";
     }
 
     std::string onTile(std::size_t step, std::uint32_t attachment) const {

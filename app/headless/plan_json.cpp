@@ -1,7 +1,6 @@
 #include <nlohmann/json.hpp>
 
 #include "app/headless/plan_command.h"
-#include "engine/gpu/caps.h"
 
 namespace nacre::app {
 namespace {
@@ -84,7 +83,7 @@ Json imagesJson(const graph::Graph& graph, const graph::Plan& plan) {
 
 std::string planJson(const PlanReport& report) {
     Json json{{"caps", report.caps},
-              {"visibility", gpu::visibilityName(report.visibility)},
+              {"visibility", visibilityName(report.visibility)},
               {"why", report.why},
               {"size", {report.extent.width, report.extent.height}},
               {"merge", report.plannedWith.merge},

@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "app/headless/plan_command.h"
-#include "engine/gpu/caps.h"
 
 namespace nacre::app {
 namespace {
@@ -155,7 +154,7 @@ void memoryText(std::ostream& out, const PlanReport& report) {
 std::string planText(const PlanReport& report) {
     std::ostringstream out;
     out << report.caps << ", " << report.extent.width << "x" << report.extent.height << '\n'
-        << "visibility " << gpu::visibilityName(report.visibility) << ": " << report.why << "\n\n";
+        << "visibility " << visibilityName(report.visibility) << ": " << report.why << "\n\n";
     for (const graph::Step& step : report.plan.steps) {
         barriersText(out, report, step.before);
         renderPassText(out, report, step.renderPass);

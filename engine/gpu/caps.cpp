@@ -73,22 +73,6 @@ void applyEnvironment(graph::PlanCaps& plan) {
 
 }  // namespace
 
-const char* visibilityName(Visibility visibility) {
-    switch (visibility) {
-        case Visibility::automatic:
-            return "auto";
-        case Visibility::encoded:
-            return "encoded";
-        case Visibility::fragdepth:
-            return "fragdepth";
-        case Visibility::deferred:
-            return "deferred";
-        case Visibility::rasterOrder:
-            return "raster-order";
-    }
-    return "";
-}
-
 bool readsInRasterOrder(const vk::raii::PhysicalDevice& device) {
     if (!hasExtension(device, VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME)) return false;
     using Features = vk::PhysicalDeviceRasterizationOrderAttachmentAccessFeaturesEXT;

@@ -36,6 +36,4 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
 /// Whether fragments may read their own attachment in raster order.
 bool readsInRasterOrder(const vk::raii::PhysicalDevice& device);
 
-const char* visibilityName(Visibility visibility);
-
 }  // namespace nacre::gpu

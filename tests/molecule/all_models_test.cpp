@@ -95,8 +95,9 @@ TEST(AllModels, OfTwoFramesThatLieOnEachOtherAreNotBonded) {
 
 TEST(AllModels, ChooseConformersWithinEachModel) {
     const auto atom = [](char location, const char* occupancy) {
-        return std::string("ATOM      1  CA ") + location + "GLY A   1       0.000   0.000   0.000  " + occupancy +
-               "  0.00           C\n";
+        std::string line = "ATOM      1  CA xGLY A   1       0.000   0.000   0.000  0.00  0.00           C\n";
+        line[16] = location;
+        return line.replace(56, 4, occupancy);
     };
     const std::string text = "MODEL        1\n" + atom('A', "0.70") + atom('B', "0.30") + "ENDMDL\nMODEL        2\n" +
                              atom('A', "0.20") + atom('B', "0.80") + "ENDMDL\n";

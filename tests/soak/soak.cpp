@@ -109,6 +109,7 @@ private:
         }
         Representation scene = represent(molecule_, drawnAtoms(molecule_), look);
         radius_ = scene.radius;
+        directions_ = static_cast<int>(random_() % 3) * 4;
         renderer_->setScene(std::move(scene));
     }
 
@@ -120,7 +121,7 @@ private:
         camera.projection = random_() % 2 ? Projection::perspective : Projection::orthographic;
         const auto side = [&] { return static_cast<std::uint32_t>(16 + random_() % 180); };
         s.view = viewOf(camera, radius_, side(), side());
-        s.occlusionDirections = static_cast<int>(random_() % 3) * 4;
+        s.occlusionDirections = directions_;
         if (random_() % 4 == 0) s.debug = static_cast<DebugView>(random_() % debugViewNames().size());
         switch (random_() % 4) {
             case 0:
@@ -149,7 +150,7 @@ private:
         return flat ? 0 : 1;
     }
 
-    int frames_, every_, loaded_ = 0;
+    int frames_, every_, loaded_ = 0, directions_ = 0;
     bool validate_;
     std::mt19937 random_{1};
     std::unique_ptr<Renderer> renderer_;
