@@ -105,6 +105,7 @@ struct Renderer::Impl {
         stats.device = infoOf(device.caps());
         guarded([&] {
             white = passes::makeWhiteTexture(device, executor);
+            scene = passes::makeSceneBuffers(device, representation);
             if (options.surface.create) window = std::make_unique<WindowFrames>(device, executor, options.surface);
         });
     }
@@ -305,6 +306,7 @@ double Renderer::advanceOcclusion(const RenderSettings& settings, double millise
         if (impl_->loss.empty()) throw;
         return 0;  // present() tells
     }
+    if (!impl_->occlusion.bake()) return 1;
     return static_cast<double>(impl_->occlusion.bake()->directionsDone()) / impl_->occlusion.bake()->directions();
 }
 

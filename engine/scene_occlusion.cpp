@@ -66,6 +66,7 @@ void SceneOcclusion::begin(const RenderSettings& settings) {
 void SceneOcclusion::make(const RenderSettings& settings) {
     const std::tuple wanted{settings.occlusionDirections, settings.occlusionBytes, settings.occlusionMaps};
     if (settings.occlusionDirections == 0 || (bake_ && baked_ == wanted)) return;
+    if (representation_.spheres.empty() && representation_.cylinders.empty()) return;  // no atlas of no patches
     const auto start = Clock::now();
     device_->waitIdle();  // frames for the window may still read the streams and the atlas
     bake_.reset();
@@ -129,6 +130,7 @@ void SceneOcclusion::show(Clock::time_point start) {
 }
 
 void SceneOcclusion::advance(double milliseconds) {
+    if (!bake_) return;
     orDrop([&] {
         const auto start = Clock::now();
         const int before = bake_->directionsDone();
@@ -148,7 +150,7 @@ void SceneOcclusion::advance(double milliseconds) {
 
 void SceneOcclusion::finish(const RenderSettings& settings) {
     begin(settings);
-    if (settings.occlusionDirections == 0 || bake_->directionsDone() == bake_->directions()) return;
+    if (settings.occlusionDirections == 0 || !bake_ || bake_->directionsDone() == bake_->directions()) return;
     orDrop([&] {
         const auto start = Clock::now();
         while (bake_->directionsDone() < bake_->directions()) {

@@ -27,7 +27,8 @@ public:
           scene_(scene),
           stats_(stats) {}
 
-    /// Makes the bake that the settings ask for, unless it is there. One that was kept is done at once.
+    /// Makes the bake that the settings ask for, unless it is there, or there is nothing to bake. One that was kept is
+    /// done at once.
     void begin(const RenderSettings& settings);
     /// Works for about `milliseconds`, at least one direction, on the bake that begin() made.
     void advance(double milliseconds);
@@ -35,7 +36,7 @@ public:
     void finish(const RenderSettings& settings);
     /// The scene is about to change.
     void drop() { bake_.reset(); }
-    /// Null: nothing was asked for yet.
+    /// Null: nothing was asked for yet, or there is nothing to bake.
     const passes::OcclusionBake* bake() const { return bake_.get(); }
 
 private:

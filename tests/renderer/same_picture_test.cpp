@@ -157,6 +157,29 @@ TEST(SamePicture, TransientOrStored) {
     }
 }
 
+TEST(Frame, OfNothingIsTheBackground) {
+    for (const Visibility path :
+         {Visibility::encoded, Visibility::fragdepth, Visibility::deferred, Visibility::rasterOrder})
+        for (const bool set : {false, true}) {
+            ValidatedRenderer renderer(path);
+            if (set) renderer->setScene({});
+            RenderSettings s;
+            s.view = viewOf({}, 1, 40, 30);
+            s.background = {1, 0, 0, 1};
+            s.occlusionDirections = 8;
+            const std::vector<float> rgba = renderer->render(s).rgba;
+            ASSERT_EQ(rgba.size(), 4u * 40 * 30);
+            for (std::size_t i = 0; i < rgba.size(); i += 4)
+                ASSERT_EQ(std::vector(&rgba[i], &rgba[i] + 4), (std::vector<float>{1, 0, 0, 1}));
+            for (const auto id : renderer->layers(s).id) ASSERT_EQ(id, 0u);
+            EXPECT_EQ(renderer->advanceOcclusion(s, 1), 1.0);
+            renderer->drawFrame(s);
+            EXPECT_EQ(renderer->atomAt(s, 20, 15, 4), 0u);
+            s.debug = DebugView::patches;
+            renderer->render(s);
+        }
+}
+
 TEST(Frame, IsSplitByTheEnvironment) {
     const Representation r = scene("sample:dna", Style::spacefill);
     setenv("NACRE_NO_MERGE", "1", 1);
