@@ -3,6 +3,7 @@
 // of pipeline. Memory is looked at between two files, when nothing is loaded and it may be compared. With `validate`
 // the validation layer listens instead, whose own memory grows, and a message fails.
 //   soak [FRAMES [FILES [validate]]]      10000 frames and 200 files, if not said
+#include <malloc.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -28,6 +29,7 @@ constexpr std::uintmax_t kLargestFile = 600'000;  // bytes: many small files rat
 
 struct Sample {
     double frame, residentBytes, deviceBytes;
+    double freedBytes;  // resident, but given back when the allocator was asked to
 };
 
 double residentBytes() {
@@ -91,9 +93,12 @@ private:
         RenderSettings s;
         s.view = viewOf({}, 1, 64, 64);
         renderer_->drawFrame(s);
-        if (frame >= frames_ / 2)
-            samples_.push_back(
-                {double(frame), residentBytes(), static_cast<double>(renderer_->stats().deviceBytesHeld)});
+        if (frame < frames_ / 2) return;
+        const double before = residentBytes();
+        malloc_trim(0);
+        const double after = residentBytes();
+        samples_.push_back(
+            {double(frame), after, static_cast<double>(renderer_->stats().deviceBytesHeld), before - after});
     }
 
     void load() {
@@ -154,11 +159,15 @@ private:
 
     int tell() const {
         const double resident = slope(samples_, &Sample::residentBytes), device = slope(samples_, &Sample::deviceBytes);
-        std::printf(
-            "%d frames, %d files: at rest %.1f MB resident, %+.3f MB in 1000 frames, and %.1f MB of the device's, "
-            "%+.3f MB; at most %.1f MB resident\n",
-            frames_, loaded_, samples_.back().residentBytes / 1e6, resident / 1e6, samples_.back().deviceBytes / 1e6,
-            device / 1e6, most_ / 1e6);
+        const Sample& last = samples_.back();
+        std::printf("%d frames, %d files; at most %.1f MB resident\nat rest, and the slope in 1000 frames:\n", frames_,
+                    loaded_, most_ / 1e6);
+        const auto line = [&](const char* what, double now, double grows) {
+            std::printf("  %-28s %7.1f MB  %+.3f MB\n", what, now / 1e6, grows / 1e6);
+        };
+        line("resident", last.residentBytes, resident);
+        line("freed, kept by the allocator", last.freedBytes, slope(samples_, &Sample::freedBytes));
+        line("of the device's", last.deviceBytes, device);
         for (const std::string& message : renderer_->validationMessages()) std::cerr << message << "\n";
         if (validate_) return renderer_->validationMessages().empty() ? 0 : 1;
         const bool flat = resident < kFlat && device < kFlat;
