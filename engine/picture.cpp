@@ -34,7 +34,7 @@ Picture resolvePicture(const std::uint32_t* pixels, std::uint32_t width, std::ui
             std::uint32_t hits = 0;
             for (std::uint32_t j = 0; j < n; ++j)
                 for (std::uint32_t i = 0; i < n; ++i) {
-                    const std::uint32_t p = pixels[(std::size_t{y} * n + j) * width + x * n + i];
+                    const std::uint32_t p = pixels[(std::size_t{y} * n + j) * width + std::size_t{x} * n + i];
                     if (p >> 24 == 0) continue;
                     ++hits;
                     for (int c = 0; c < 3; ++c) sum[c] += linear[p >> (8 * c) & 0xff];

@@ -105,7 +105,6 @@ struct Renderer::Impl {
         stats.device = infoOf(device.caps());
         guarded([&] {
             white = passes::makeWhiteTexture(device, executor);
-            scene = passes::makeSceneBuffers(device, representation);
             if (options.surface.create) window = std::make_unique<WindowFrames>(device, executor, options.surface);
         });
     }

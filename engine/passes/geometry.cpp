@@ -183,6 +183,7 @@ void Geometry::drawPrimitives(graph::PassContext& context, const SceneBuffers& s
 
 void Geometry::draw(graph::PassContext& context, const SceneBuffers& scene, const Draw& draw,
                     const ShadingInputs& inputs) {
+    if (scene.empty()) return;
     const bool software = device_.caps().software;
     if (draw.writes == Writes::plates) {
         const PlateShape shape = choosePlates(draw.plates, software, draw.radiusPixels);

@@ -25,6 +25,7 @@ SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r
     SceneBuffers scene;
     scene.sphereCount = static_cast<std::uint32_t>(r.spheres.size());
     scene.cylinderCount = static_cast<std::uint32_t>(r.cylinders.size());
+    if (scene.empty()) return scene;
     scene.cylinderOffset = r.spheres.size() * sizeof(Sphere);
     scene.cylinderLookOffset = r.spheres.size() * sizeof(SphereLook);
     scene.shapes = joined(device, r.spheres, r.cylinders, "stream A: shapes");

@@ -11,6 +11,8 @@ struct SceneBuffers {
     gpu::Buffer looks;   ///< stream B, likewise
     std::uint32_t sphereCount = 0, cylinderCount = 0;
     vk::DeviceSize cylinderOffset = 0, cylinderLookOffset = 0;  ///< bytes into shapes and looks
+
+    bool empty() const { return sphereCount + cylinderCount == 0; }  ///< then without buffers
 };
 
 SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& representation);

@@ -74,6 +74,7 @@ std::vector<std::uint32_t> representativeCopies(const std::vector<glm::dmat4x3>&
                                                 const std::vector<std::uint32_t>& list, double reach) {
     if (list.size() > kMostCopies) return list;
     std::vector<Motion> motions;
+    motions.reserve(list.size());
     for (const std::uint32_t i : list) motions.emplace_back(transforms[i]);
     const MotionTable table(motions, reach);
     // Copies that a symmetry takes to each other are joined; each group's lowest stands for it.

@@ -12,6 +12,7 @@ constexpr std::size_t kMostGroups = 100;
 
 std::vector<glm::dmat4x3> picked(const Copies& copies, const std::vector<std::uint32_t>& which) {
     std::vector<glm::dmat4x3> transforms;
+    transforms.reserve(which.size());
     for (const std::uint32_t i : which) transforms.push_back(copies.transforms[i]);
     return transforms;
 }

@@ -105,7 +105,7 @@ public:
         const std::uint32_t edge = layout_.sphereEdge;
         found.firstOfSphere.push_back(static_cast<std::uint32_t>(found.texels.size()));
         collect(i);
-        begin(edge * edge);
+        begin(std::size_t{edge} * edge);
         for (std::uint32_t k = 0; k < edge * edge; ++k)
             if (!buried(s.center + normals_[k] * s.radius)) open(k, i * edge * edge + k);
         words({edge, edge}, true, i, 0);
@@ -116,7 +116,7 @@ public:
         const Cylinder& c = r_.cylinders[i];
         const std::uint32_t around = layout_.around, along = layout_.along;
         collect(static_cast<std::uint32_t>(r_.spheres.size()) + i);
-        begin(around * along);
+        begin(std::size_t{around} * along);
         glm::vec3 u, v;
         frameAbout(glm::normalize(c.b - c.a), u, v);
         const auto base = static_cast<std::uint32_t>(layout_.sphereTexels()) + i * around * along;
@@ -163,7 +163,8 @@ private:
     std::uint16_t entryAt(const glm::ivec2& at, const glm::ivec2& size, bool sphere) const {
         const glm::ivec2 p = folded(at, size, sphere);
         if (p.x < 0 || p.y < 0 || p.x >= size.x || p.y >= size.y) return kBuried;
-        return entries_[static_cast<std::size_t>(p.y * size.x + p.x)];
+        const int place = p.y * size.x + p.x;
+        return entries_[static_cast<std::size_t>(place)];
     }
     /// The nearest open texel, if possible one with another open one behind it, and that one (else the same again).
     AtlasWord::Source nearestOpen(const glm::ivec2& at, const glm::ivec2& size, bool sphere) const {
@@ -191,7 +192,8 @@ private:
                 word.base = base_;
                 bool any = false;
                 for (int k = 0; k < 4; ++k) {
-                    const std::uint16_t own = entries_[static_cast<std::size_t>(y * size.x + x + k)];
+                    const int place = y * size.x + x + k;
+                    const std::uint16_t own = entries_[static_cast<std::size_t>(place)];
                     word.sources[k] =
                         own != kBuried ? AtlasWord::Source{own, own} : nearestOpen({x + k, y}, size, sphere);
                     any = any || word.sources[k].entry != kBuried;
@@ -275,11 +277,11 @@ double openShare(const OcclusionLayout& layout, const Representation& r, const P
     };
     for (std::uint32_t i = 0; i < r.spheres.size(); i += each(r.spheres.size())) {
         finder.sphere(i);
-        texels += layout.sphereEdge * layout.sphereEdge;
+        texels += std::uint64_t{layout.sphereEdge} * layout.sphereEdge;
     }
     for (std::uint32_t i = 0; i < r.cylinders.size(); i += each(r.cylinders.size())) {
         finder.cylinder(i);
-        texels += layout.around * layout.along;
+        texels += std::uint64_t{layout.around} * layout.along;
     }
     return static_cast<double>(finder.found.texels.size()) / static_cast<double>(texels);
 }
