@@ -10,7 +10,8 @@
 
 layout(local_size_x = 64) in;
 
-layout(constant_id = 4) const int kTaps = 1;  // 1 or 4: pixels asked for a texel
+layout(constant_id = 4) const int kTaps = 1;        // 1 or 4: pixels asked for a texel
+layout(constant_id = 5) const float kSpread = 0.0;  // of four taps, pixels
 
 layout(set = 0, binding = 2, std430) readonly buffer Texels { uint texels[]; };
 layout(set = 0, binding = 3, std430) buffer Sums { vec2 sums[]; };  // light that came, light that could have come
@@ -77,7 +78,7 @@ void main() {
         [[unroll]] for (int tap = 0; tap < kTaps; ++tap) {
             // Four taps stand in a square, askew, so that each has its own column and row.
             vec2 aside = tap % 2 == 0 ? vec2(0.75, 0.25) : vec2(-0.25, 0.75);
-            aside *= kTaps == 1 ? 0.0 : tap < 2 ? bake.map.w : -bake.map.w;
+            aside *= kTaps == 1 ? 0.0 : tap < 2 ? kSpread : -kSpread;
             if (frontmost(i, center, axis, texel.radius, at, aside)) seen += 1.0 / float(kTaps);
         }
         sum += vec2(seen * counted, cosine);

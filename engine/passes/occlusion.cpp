@@ -161,11 +161,15 @@ layout::OcclusionConstants OcclusionBake::constants() const {
     const layout::ViewConstants v = viewConstants(view, 0.0f, 0, 0);
     layout::OcclusionConstants c{};
     c.map = {maps_.pixels(), view.pixelsPerAngstrom, 1.0 / view.pixelsPerAngstrom, 0};
-    // Four taps stand for the directions between two of the set, which are the farther apart the fewer they are.
-    if (manySticks()) c.map.w = static_cast<float>(std::min(2.0 * std::sqrt(128.0 / directions()), 2.5));
     c.depth = {v.depth.x, v.depth.y, v.projection.z, 0};
     c.patches = {layout_.sphereEdge, layout_.around, layout_.along, layout_.sphereCount};
     return c;
+}
+
+float OcclusionBake::spreadOfTaps() const {
+    // A few sticks among full atoms must not cost these four times the time.
+    if (2 * std::uint64_t{layout_.cylinderCount} <= layout_.sphereCount) return 0;
+    return static_cast<float>(std::min(2.0 * std::sqrt(128.0 / directions()), 2.5));
 }
 
 vk::DescriptorSet OcclusionBake::accumulationSet(graph::PassContext& context, graph::Image maps, std::uint32_t group) {
@@ -192,10 +196,8 @@ void OcclusionBake::recordAccumulation(graph::PassContext& context, graph::Image
         if (run.count == 0) continue;
         if (!sets[run.group]) sets[run.group] = accumulationSet(context, maps, run.group);
         c.range = {run.first, run.count, 0, 0};
-        // A few sticks among full atoms must not cost these four times the time.
-        context.commands.bindPipeline(
-            kCompute, pipelines_.accumulation({run.cylinders ? Texels::cylinders : spheres, batch, maps_.encoded(),
-                                               manySticks() ? 4u : 1u}));
+        context.commands.bindPipeline(kCompute, pipelines_.accumulation({run.cylinders ? Texels::cylinders : spheres,
+                                                                         batch, maps_.encoded(), spreadOfTaps()}));
         context.commands.bindDescriptorSets(kCompute, pipelineLayout, 0, sets[run.group], {});
         context.commands.pushConstants<layout::OcclusionConstants>(pipelineLayout, vk::ShaderStageFlagBits::eCompute, 0,
                                                                    c);

@@ -61,8 +61,9 @@ private:
     OcclusionLayout chooseLayout(Representation& representation, std::uint64_t budgetBytes, OpenTexels& open);
     void makeBuffers(const OpenTexels& open);
     layout::OcclusionConstants constants() const;
-    /// Sticks throw thin shadows, which one tap misses.
-    bool manySticks() const { return 2 * std::uint64_t{layout_.cylinderCount} > layout_.sphereCount; }
+    /// Sticks throw thin shadows, which one tap misses: four stand for the directions between two of the set, which are
+    /// the farther apart the fewer they are. @returns pixels; 0: one tap
+    float spreadOfTaps() const;
     void dropDeepTexels();
     void recordAccumulation(graph::PassContext& context, graph::Image maps, std::uint32_t batch);
     vk::DescriptorSet accumulationSet(graph::PassContext& context, graph::Image maps, std::uint32_t group);

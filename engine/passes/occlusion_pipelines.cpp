@@ -32,7 +32,10 @@ vk::Pipeline OcclusionPipelines::accumulation(const Accumulation& key) {
     constants.set(1, key.encoded ? encoded.channels : 1);
     constants.set(2, key.encoded ? encoded.steps : 0);
     constants.set(3, mapsAcross(key.batch));
-    constants.set(4, key.taps);
+    if (key.spread > 0) {
+        constants.set(4, 4u);
+        constants.set(5, key.spread);
+    }
     const auto make = [&](std::span<const std::uint32_t> code, const char* name) {
         return *accumulations_
                     .emplace(key, gpu::makeComputePipeline(device_, code, constants, *accumulateLayout_.pipeline, name))

@@ -1,6 +1,6 @@
 #pragma once
 // The compute pipelines of occlusion bakes, with their layouts: made when first asked for, kept for the bakes to come.
-// How many there can be does not depend on what is baked.
+// They depend on what is baked through its number of directions alone.
 
 #include <compare>
 #include <cstdint>
@@ -23,7 +23,7 @@ public:
         Texels texels;
         std::uint32_t batch;  ///< depth maps in the image: 1, 4 or 16
         bool encoded;         ///< these hold encoded depth, not depth itself
-        std::uint32_t taps;   ///< pixels asked for a texel: 1 or 4
+        float spread;         ///< of the four pixels asked for a texel, pixels; 0: one is asked
         auto operator<=>(const Accumulation&) const = default;
     };
 

@@ -27,8 +27,8 @@ struct ViewConstants {
 
 /// Push constants of the occlusion passes. A batch of depth maps lies side by side in one image, kMapsAcross in a row.
 struct OcclusionConstants {
-    vec4 map;    // x: pixels across one depth map, y: pixels per Å, z: slack in Å, w: spread of four taps in pixels
-    vec4 depth;  // x: Z at encoded depth 0, y: 1 / (range of Z), z: Z origin, w: 0
+    vec4 map;       // x: pixels across one depth map, y: pixels per Å, z: slack in Å, w: 0
+    vec4 depth;     // x: Z at encoded depth 0, y: 1 / (range of Z), z: Z origin, w: 0
     uvec4 patches;  // x: texels across a sphere's patch, y: around, z: along a cylinder's patch, w: number of spheres
     uvec4 range;    // x: first entry of the list, y: number of entries, zw: 0
 };
