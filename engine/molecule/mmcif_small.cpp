@@ -105,9 +105,9 @@ TransformRows transformOf(const gemmi::Op& operation, const gemmi::UnitCell& cel
     for (int i = 0; i < 3; ++i) fractional.vec.at(i) -= std::floor(moved.at(i));
     const gemmi::Transform whole = cell.orth.combine(fractional).combine(cell.frac);
     TransformRows rows{};
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) rows[static_cast<std::size_t>(4 * i + j)] = whole.mat[i][j];
-        rows[static_cast<std::size_t>(4 * i + 3)] = whole.vec.at(i);
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) rows[4 * i + j] = whole.mat[i][j];
+        rows[4 * i + 3] = whole.vec.at(static_cast<int>(i));
     }
     return rows;
 }

@@ -40,7 +40,7 @@ bool takeSized(std::string_view& rest, Kind kind, std::uint64_t size, MsgpackVal
 
 bool takeInteger(std::string_view& rest, std::size_t size, bool isSigned, MsgpackValue& value) {
     std::uint64_t bits = 0;
-    if (!takeUnsigned(rest, size, bits)) return false;
+    if (size == 0 || !takeUnsigned(rest, size, bits)) return false;
     value.kind = Kind::integer;
     const auto unused = static_cast<unsigned>(64 - 8 * size);
     value.integer = isSigned ? static_cast<std::int64_t>(bits << unused) >> unused : static_cast<std::int64_t>(bits);

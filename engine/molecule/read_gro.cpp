@@ -126,7 +126,8 @@ private:
             }
             box[kPlace[i][0]][static_cast<int>(kPlace[i][1])] = static_cast<float>(*value * kAngstrom);
         }
-        if (box != std::array<glm::vec3, 3>()) builder_.molecule().file.box = box;  // zeros stand for none
+        constexpr std::array<glm::vec3, 3> kNone{};  // is written as zeros
+        if (box != kNone) builder_.molecule().file.box = box;
     }
 
     bool skipFrame(std::int64_t count) {

@@ -243,14 +243,14 @@ private:
         if (!atEnd() && (text_[position_] == '\'' || text_[position_] == '"')) {
             const std::size_t close = text_.find(text_[position_], position_ + 1);
             if (close == std::string_view::npos) fail("this quote is not closed");
-            const std::string value(text_.substr(position_ + 1, close - position_ - 1));
+            std::string value(text_.substr(position_ + 1, close - position_ - 1));
             position_ = close + 1;
             return value;
         }
         // A forgotten value, rather than a chain named "and".
         const auto next = keyword();
         if (next && (*next == conjunction || *next == disjunction || *next == negation)) expected(wanted);
-        const std::string value(word());
+        std::string value(word());
         if (value.empty()) expected(wanted);
         return value;
     }

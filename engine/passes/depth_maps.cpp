@@ -85,8 +85,8 @@ View DepthMaps::view(const glm::dmat3& frame) const {
 
 /// Map i of a batch.
 layout::ViewConstants DepthMaps::constants(const glm::dmat3& frame, std::uint32_t i, std::uint32_t across) const {
-    return viewConstants(view(frame), device_.caps().snapPixels, i % across * pixels_ + pixels_ / 2.0,
-                         i / across * pixels_ + pixels_ / 2.0);
+    const std::uint32_t x = i % across * pixels_, y = i / across * pixels_;
+    return viewConstants(view(frame), device_.caps().snapPixels, x + pixels_ / 2.0, y + pixels_ / 2.0);
 }
 
 void DepthMaps::recordRaster(graph::PassContext& context, std::span<const glm::dmat3> frames, std::uint32_t across,
