@@ -106,7 +106,7 @@ TransformRows transformOf(const gemmi::Op& operation, const gemmi::UnitCell& cel
     const gemmi::Transform whole = cell.orth.combine(fractional).combine(cell.frac);
     TransformRows rows{};
     for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) rows[4 * i + j] = whole.mat[i][j];
+        for (std::size_t j = 0; j < 3; ++j) rows[4 * i + j] = whole.mat.a[i][j];
         rows[4 * i + 3] = whole.vec.at(static_cast<int>(i));
     }
     return rows;
