@@ -3,6 +3,7 @@
 set(NACRE_SHADER_DIR ${CMAKE_BINARY_DIR}/shaders)
 file(MAKE_DIRECTORY ${NACRE_SHADER_DIR})
 file(GLOB NACRE_SHADER_COMMON CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/common/*)
+set(NACRE_SHADER_EMBED ${CMAKE_SOURCE_DIR}/shaders/embed.cmake)
 set(NACRE_SHADER_HEADERS)
 set(NACRE_SHADER_INCLUDES "#pragma once\n#include <cstdint>\nnamespace nacre::shaders {\n")
 
@@ -16,8 +17,8 @@ function(nacre_shader name source)
         OUTPUT ${header}
         COMMAND ${GLSLANG_VALIDATOR} -V --quiet --target-env vulkan1.1 ${defines} -o ${binary} ${input}
         COMMAND ${SPIRV_VAL} --target-env vulkan1.1 ${binary}
-        COMMAND ${GLSLANG_VALIDATOR} -V --quiet --target-env vulkan1.1 ${defines} --vn ${name} -o ${header} ${input}
-        DEPENDS ${input} ${NACRE_SHADER_COMMON}
+        COMMAND ${CMAKE_COMMAND} -DINPUT=${binary} -DOUTPUT=${header} -DNAME=${name} -P ${NACRE_SHADER_EMBED}
+        DEPENDS ${input} ${NACRE_SHADER_COMMON} ${NACRE_SHADER_EMBED}
         COMMENT "Shader ${name}"
         VERBATIM)
     set(NACRE_SHADER_HEADERS ${NACRE_SHADER_HEADERS} ${header} PARENT_SCOPE)
