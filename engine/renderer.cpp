@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <bit>
-#include <chrono>
 #include <cmath>
 
 #include "engine/debug_frame.h"
 #include "engine/error.h"
 #include "engine/gpu/context.h"
 #include "engine/gpu/instance.h"
+#include "engine/milliseconds.h"
 #include "engine/passes/debug_pass.h"
 #include "engine/passes/fragment_counter.h"
 #include "engine/passes/geometry.h"
@@ -26,11 +26,6 @@ namespace {
 
 using passes::Nearest;
 using passes::Writes;
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 DeviceInfo infoOf(const gpu::Caps& caps) {
     DeviceInfo info;

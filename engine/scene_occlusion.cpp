@@ -9,10 +9,6 @@ namespace {
 
 using passes::Nearest;
 
-double millisecondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
 /// The path of the depth maps, if the device is to choose.
 OcclusionMaps automaticMaps(const gpu::Caps& caps, Nearest nearest) {
     if (caps.software) return OcclusionMaps::splat;

@@ -1,10 +1,10 @@
 #pragma once
 // The occlusion of the renderer's scene: which bake the settings ask for, how far it is, what is kept of it on disk.
 
-#include <chrono>
 #include <memory>
 #include <tuple>
 
+#include "engine/milliseconds.h"
 #include "engine/passes/occlusion.h"
 #include "engine/renderer.h"
 #include "engine/storage/disk_cache.h"
@@ -40,7 +40,6 @@ public:
     const passes::OcclusionBake* bake() const { return bake_.get(); }
 
 private:
-    using Clock = std::chrono::steady_clock;
     /// Does some work on the bake. One that failed half way may have counted directions that it does not know of, and
     /// is dropped: the next begins anew.
     template <typename Work>

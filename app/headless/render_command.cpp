@@ -1,6 +1,5 @@
 #include <unistd.h>
 
-#include <chrono>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -14,15 +13,10 @@
 #include "app/headless/progress.h"
 #include "app/headless/stats.h"
 #include "engine/error.h"
+#include "engine/milliseconds.h"
 
 namespace nacre::app {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double millisecondsSince(Clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 /// The files asked for, made at once so that a folder that cannot be written to is refused before any work.
 struct Outputs {

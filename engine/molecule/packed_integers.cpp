@@ -14,7 +14,7 @@ Integers convert(std::string_view bytes, ByteOrder order) {
             const std::size_t byte = order == ByteOrder::little ? k : sizeof(Wire) - 1 - k;
             bits |= std::uint32_t{data[i * sizeof(Wire) + byte]} << 8 * k;
         }
-        values[i] = static_cast<std::int32_t>(static_cast<Wire>(bits));  // NOLINT(bugprone-signed-char-misuse)
+        values[i] = static_cast<std::int32_t>(static_cast<Wire>(bits));  // NOLINT(bugprone-signed-char-misuse): numbers
     }
     return values;
 }

@@ -171,7 +171,7 @@ TEST(Frame, OfNothingIsTheBackground) {
             ASSERT_EQ(rgba.size(), 4u * 40 * 30);
             for (std::size_t i = 0; i < rgba.size(); i += 4)
                 ASSERT_EQ(std::vector(&rgba[i], &rgba[i] + 4), (std::vector<float>{1, 0, 0, 1}));
-            for (const auto id : renderer->layers(s).id) ASSERT_EQ(id, 0u);
+            EXPECT_EQ(renderer->layers(s).id, std::vector<std::uint32_t>(40 * 30));
             EXPECT_EQ(renderer->advanceOcclusion(s, 1), 1.0);
             renderer->drawFrame(s);
             EXPECT_EQ(renderer->atomAt(s, 20, 15, 4), 0u);
