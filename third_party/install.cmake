@@ -6,7 +6,7 @@ set(NACRE_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/nacre)
 set(NACRE_INCLUDE_DIR ${CMAKE_INSTALL_INCLUDEDIR}/nacre)
 
 set_target_properties(nacre_molecule PROPERTIES EXPORT_NAME molecule)
-file(GLOB headers CONFIGURE_DEPENDS engine/molecule/*.h engine/scene/*.h)
+file(GLOB headers CONFIGURE_DEPENDS engine/molecule/*.h engine/molecule/samples/*.h engine/molecule/selection/*.h engine/scene/*.h)
 target_sources(nacre_molecule PUBLIC FILE_SET HEADERS BASE_DIRS ${CMAKE_SOURCE_DIR}
                FILES ${headers} ${CMAKE_SOURCE_DIR}/engine/error.h)
 set(headers debug_view device_options overlay renderer)

@@ -2,7 +2,7 @@
 #   NACRE_IMPORTED_TYPES, NACRE_DOCUMENT_TYPES
 # Imported, since the formats are others': an app of theirs that exports a type under the same name has the last word.
 
-# name | type | endings (engine/molecule/detect.cpp) | conforms to
+# name | type | endings (engine/molecule/formats/detect.cpp) | conforms to
 set(formats
     "PDB structure|org.wwpdb.pdb|pdb ent|public.plain-text"
     "mmCIF structure|org.wwpdb.mmcif|cif mmcif mcif|public.plain-text"

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "engine/error.h"
-#include "engine/molecule/readers.h"
+#include "engine/molecule/formats/readers.h"
 
 namespace nacre {
 namespace {

@@ -9,13 +9,13 @@
 #include <new>
 
 #include "engine/error.h"
-#include "engine/molecule/bonds.h"
-#include "engine/molecule/detect.h"
-#include "engine/molecule/inflate.h"
+#include "engine/molecule/bonds/bonds.h"
+#include "engine/molecule/formats/detect.h"
+#include "engine/molecule/formats/inflate.h"
 #include "engine/molecule/overlay_models.h"
-#include "engine/molecule/readers.h"
+#include "engine/molecule/formats/readers.h"
 #include "engine/molecule/text.h"
-#include "engine/molecule/text_encoding.h"
+#include "engine/molecule/formats/text_encoding.h"
 
 namespace nacre {
 

@@ -10,7 +10,7 @@
 
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/element.h"
-#include "engine/molecule/residue_templates.h"
+#include "engine/molecule/bonds/residue_templates.h"
 
 namespace nacre {
 namespace {

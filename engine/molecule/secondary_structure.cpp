@@ -4,7 +4,7 @@
 #include <map>
 #include <tuple>
 
-#include "engine/molecule/pdb_fields.h"
+#include "engine/molecule/formats/pdb_fields.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {

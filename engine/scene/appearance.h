@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/molecule/molecule.h"
-#include "engine/molecule/selection.h"
+#include "engine/molecule/selection/selection.h"
 #include "engine/scene/color_schemes.h"
 
 namespace nacre {

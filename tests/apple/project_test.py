@@ -47,7 +47,7 @@ def imported(folder):
 
 def endings_read():
     """The endings that the reader knows, by format."""
-    text = (SOURCE / "engine/molecule/detect.cpp").read_text()
+    text = (SOURCE / "engine/molecule/formats/detect.cpp").read_text()
     return {ending for ending, _ in re.findall(r'\{"(\w+)", Format::(\w+)\}', text)}
 
 

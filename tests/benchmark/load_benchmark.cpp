@@ -13,9 +13,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "engine/molecule/detect.h"
-#include "engine/molecule/inflate.h"
-#include "engine/molecule/readers.h"
+#include "engine/molecule/formats/detect.h"
+#include "engine/molecule/formats/inflate.h"
+#include "engine/molecule/formats/readers.h"
 #include "tests/benchmark/gemmi_mmcif.h"
 #include "tests/molecule/bcif_writer.h"
 #include "tests/support/test_data.h"

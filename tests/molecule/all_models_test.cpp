@@ -6,7 +6,7 @@
 
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
-#include "engine/molecule/selection.h"
+#include "engine/molecule/selection/selection.h"
 #include "tests/molecule/expect_error.h"
 #include "tests/support/test_data.h"
 

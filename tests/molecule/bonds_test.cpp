@@ -1,4 +1,4 @@
-#include "engine/molecule/bonds.h"
+#include "engine/molecule/bonds/bonds.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/molecule/readers.h"
+#include "engine/molecule/formats/readers.h"
 #include "tests/molecule/build_molecule.h"
 #include "tests/molecule/text_file.h"
 #include "tests/support/test_data.h"

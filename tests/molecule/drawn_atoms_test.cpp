@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/molecule/readers.h"
+#include "engine/molecule/formats/readers.h"
 #include "tests/molecule/build_molecule.h"
 #include "tests/molecule/text_file.h"
 #include "tests/support/test_data.h"

@@ -1,4 +1,4 @@
-#include "engine/molecule/inflate.h"
+#include "engine/molecule/formats/inflate.h"
 
 #include <gtest/gtest.h>
 

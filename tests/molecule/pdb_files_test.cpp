@@ -10,7 +10,7 @@
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"
-#include "engine/molecule/readers.h"
+#include "engine/molecule/formats/readers.h"
 #include "tests/molecule/text_file.h"
 #include "tests/support/test_data.h"
 

@@ -4,8 +4,8 @@
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"
-#include "engine/molecule/pdb_fields.h"
-#include "engine/molecule/readers.h"
+#include "engine/molecule/formats/pdb_fields.h"
+#include "engine/molecule/formats/readers.h"
 
 namespace nacre {
 namespace {

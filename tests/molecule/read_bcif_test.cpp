@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <set>
 
-#include "engine/molecule/readers.h"
+#include "engine/molecule/formats/readers.h"
 #include "tests/molecule/bcif_writer.h"
 #include "tests/molecule/expect_error.h"
 #include "tests/molecule/gzip_bytes.h"

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "engine/molecule/detect.h"
+#include "engine/molecule/formats/detect.h"
 #include "engine/molecule/text.h"
-#include "engine/molecule/text_encoding.h"
+#include "engine/molecule/formats/text_encoding.h"
 #include "tests/molecule/expect_error.h"
 
 namespace nacre {

@@ -12,7 +12,7 @@
 #include <gemmi/select.hpp>
 
 #include "engine/molecule/read.h"
-#include "engine/molecule/selection.h"
+#include "engine/molecule/selection/selection.h"
 #include "tests/support/test_data.h"
 
 namespace nacre {

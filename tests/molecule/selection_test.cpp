@@ -1,4 +1,4 @@
-#include "engine/molecule/selection.h"
+#include "engine/molecule/selection/selection.h"
 
 #include <gtest/gtest.h>
 

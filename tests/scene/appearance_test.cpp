@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "engine/error.h"
-#include "engine/molecule/bonds.h"
+#include "engine/molecule/bonds/bonds.h"
 #include "engine/scene/colors.h"
 #include "engine/scene/palettes.h"
 #include "engine/scene/representation.h"

@@ -17,7 +17,7 @@
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
-#include "engine/molecule/selection.h"
+#include "engine/molecule/selection/selection.h"
 #include "engine/renderer.h"
 #include "tests/support/test_data.h"
 

@@ -1,0 +1,145 @@
+#include "engine/error.h"
+#include "engine/molecule/formats/ctab.h"
+
+namespace nacre {
+
+namespace {
+
+class TableV2000 {
+public:
+    TableV2000(MoleculeBuilder& builder, LineReader& lines) : builder_(builder), lines_(lines) {}
+
+    CtabCounts run(std::string_view countsLine) {
+        const auto counts = parseCountsV2000(countsLine);
+        if (!counts) fail("no counts of atoms and bonds: '" + printable(countsLine) + "'");
+        if (counts->atoms < 0 || counts->bonds < 0) fail("negative counts of atoms or bonds");
+        if (counts->atoms == 0) fail("the record has no atoms");
+        for (std::int64_t i = 0; i < counts->atoms; ++i) {
+            step("atom", i, counts->atoms);
+            readAtom(i, counts->atoms);
+        }
+        for (std::int64_t i = 0; i < counts->bonds; ++i) {
+            step("bond", i, counts->bonds);
+            readBond(i, counts->bonds);
+        }
+        readProperties();
+        return *counts;
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& why) const {
+        throw Error("cannot read molecule", builder_.name(), why, lines_.number());
+    }
+    static std::string ordinal(const char* what, std::int64_t i, std::int64_t count) {
+        return std::string(what) + " " + std::to_string(i + 1) + " of the " + std::to_string(count) + " announced";
+    }
+    void step(const char* what, std::int64_t i, std::int64_t count) {
+        if (!lines_.next()) fail("the record ends before " + ordinal(what, i, count));
+    }
+
+    /// Columns first; then words, for writers that did not count blanks.
+    void readAtom(std::int64_t i, std::int64_t count) {
+        const std::string_view line = lines_.line();
+        std::string_view axes[3] = {columns(line, 0, 10), columns(line, 10, 10), columns(line, 20, 10)};
+        std::string_view symbol = trim(columns(line, 30, 4));
+        std::string_view charge = columns(line, 36, 3);
+        const auto isSymbol = [](std::string_view text) {
+            return !text.empty() && text.find_first_of("0123456789.+-") != 0 && text.find(' ') == text.npos;
+        };
+        const auto numeric = [&] { return parseNumber(axes[0]) && parseNumber(axes[1]) && parseNumber(axes[2]); };
+        if (!numeric() || !isSymbol(symbol)) {
+            const Words words = splitWords(line);
+            for (std::size_t axis = 0; axis < 3; ++axis) axes[axis] = words[axis];
+            symbol = words[3];
+            charge = words[5];
+        }
+        if (!numeric() || !isSymbol(symbol))
+            fail(ordinal("atom", i, count) + " is no atom line: '" + printable(line) + "'");
+        glm::vec3 position;
+        for (int axis = 0; axis < 3; ++axis)
+            position[axis] = parseCoordinate(axes[axis], "xyz"[axis], builder_.name(), lines_.number());
+        // Codes 1 to 3 and 5 to 7 stand for +3 to +1 and -1 to -3; 4 is a radical.
+        const std::int64_t code = parseInteger(charge).value_or(0);
+        addCtabAtom(builder_, symbol, position, code >= 1 && code <= 7 ? 4 - code : 0, lines_.number());
+    }
+
+    void readBond(std::int64_t i, std::int64_t count) {
+        const std::string_view line = lines_.line();
+        auto a = parseInteger(columns(line, 0, 3)), b = parseInteger(columns(line, 3, 3));
+        auto type = parseInteger(columns(line, 6, 3));
+        if (!a || !b || !type) {
+            const Words words = splitWords(line);
+            a = parseInteger(words[0]);
+            b = parseInteger(words[1]);
+            type = parseInteger(words[2]);
+        }
+        if (!a || !b || !type) fail(ordinal("bond", i, count) + " is no bond line: '" + printable(line) + "'");
+        if (const int order = bondOrderOfCtab(*type)) builder_.addBond(*a - 1, *b - 1, order, lines_.number());
+    }
+
+    void readProperties() {
+        bool first = true;
+        while (lines_.next()) {
+            const std::string_view line = lines_.line();
+            if (startsWith(line, "M  END")) return;
+            const bool charges = startsWith(line, "M  CHG");
+            // Either of these lines replaces the charges of the atom lines.
+            if ((charges || startsWith(line, "M  RAD")) && first) {
+                first = false;
+                for (Atom& atom : builder_.molecule().atoms) atom.charge = 0;
+            }
+            if (charges) readCharges(line);
+        }
+        builder_.warn("the record has no M  END line");
+    }
+
+    void readCharges(std::string_view line) {
+        const Words words = splitWords(line.substr(6));
+        const std::int64_t count = parseInteger(words[0]).value_or(0);
+        auto& atoms = builder_.molecule().atoms;
+        for (std::size_t i = 1; i + 1 < words.count && static_cast<std::int64_t>(i) <= 2 * count; i += 2) {
+            const auto atom = parseInteger(words[i]), charge = parseInteger(words[i + 1]);
+            if (!atom || *atom < 1 || *atom > static_cast<std::int64_t>(atoms.size()))
+                fail("charge of an atom that is not there: '" + printable(words[i]) + "'");
+            if (charge && *charge >= -20 && *charge <= 20)
+                atoms[static_cast<std::size_t>(*atom - 1)].charge = static_cast<std::int8_t>(*charge);
+        }
+    }
+
+    MoleculeBuilder& builder_;
+    LineReader& lines_;
+};
+
+}  // namespace
+
+std::optional<CtabCounts> parseCountsV2000(std::string_view line) {
+    auto atoms = parseInteger(columns(line, 0, 3)), bonds = parseInteger(columns(line, 3, 3));
+    if (!atoms || !bonds) {
+        const Words words = splitWords(line);
+        atoms = parseInteger(words[0]);
+        bonds = parseInteger(words[1]);
+    }
+    if (!atoms || !bonds) return std::nullopt;
+    return CtabCounts{*atoms, *bonds};
+}
+
+int bondOrderOfCtab(std::int64_t type) {
+    if (type == 10) return 0;
+    return type >= 1 && type <= 4 ? static_cast<int>(type) : 1;
+}
+
+void addCtabAtom(MoleculeBuilder& builder, std::string_view symbol, glm::vec3 position, std::int64_t charge,
+                 std::uint64_t line) {
+    Atom atom;
+    atom.position = position;
+    atom.element = builder.element(symbol, line);
+    atom.name = Name(symbol);
+    if (charge >= -20 && charge <= 20) atom.charge = static_cast<std::int8_t>(charge);
+    builder.addAtom(atom, "", 1, '\0', "");
+}
+
+CtabCounts readCtabV2000(MoleculeBuilder& builder, LineReader& lines, std::string_view counts) {
+    return TableV2000(builder, lines).run(counts);
+}
+
+}  // namespace nacre

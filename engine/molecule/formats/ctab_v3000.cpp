@@ -1,0 +1,123 @@
+#include <unordered_map>
+
+#include "engine/error.h"
+#include "engine/molecule/formats/ctab.h"
+
+namespace nacre {
+
+namespace {
+
+constexpr std::string_view kPrefix = "M  V30 ";
+
+class TableV3000 {
+public:
+    TableV3000(MoleculeBuilder& builder, LineReader& lines) : builder_(builder), lines_(lines) {}
+
+    CtabCounts run() {
+        std::optional<CtabCounts> announced;
+        CtabCounts read;
+        bool ended = false;
+        while (!ended && next()) {
+            const Words words = splitWords(line_);
+            if (words[0] == "COUNTS" && !announced) {
+                const auto atoms = parseInteger(words[1]), bonds = parseInteger(words[2]);
+                if (!atoms || !bonds || *atoms < 0 || *bonds < 0) fail("bad counts: '" + printable(line_) + "'");
+                announced = CtabCounts{*atoms, *bonds};
+            } else if (words[0] == "BEGIN" && words[1] == "ATOM") {
+                read.atoms += block("ATOM", [this] { readAtom(); });
+            } else if (words[0] == "BEGIN" && words[1] == "BOND") {
+                read.bonds += block("BOND", [this] { readBond(); });
+            }
+            // What follows the first table (R groups, templates) is not part of the molecule.
+            ended = words[0] == "END" && words[1] == "CTAB";
+        }
+        if (!ended) fail("the record ends before END CTAB");
+        if (announced && (announced->atoms != read.atoms || announced->bonds != read.bonds))
+            builder_.warn("the counts line announces " + std::to_string(announced->atoms) + " atoms and " +
+                          std::to_string(announced->bonds) + " bonds, but there are " + std::to_string(read.atoms) +
+                          " and " + std::to_string(read.bonds));
+        return read;
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& why) const {
+        throw Error("cannot read molecule", builder_.name(), why, lines_.number());
+    }
+
+    /// Steps to the next V30 line, with its continuations put together; false at the end of the table.
+    bool next() {
+        line_.clear();
+        while (lines_.next()) {
+            std::string_view text = lines_.line();
+            if (startsWith(text, "M  END")) return false;
+            if (!startsWith(text, kPrefix))
+                fail("expected a line that begins with 'M  V30 ': '" + printable(text) + "'");
+            text.remove_prefix(kPrefix.size());
+            while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+            const bool continues = !text.empty() && text.back() == '-';
+            if (continues) text.remove_suffix(1);
+            line_ += text;
+            if (!continues) return true;
+        }
+        return false;
+    }
+
+    template <typename ReadLine>
+    std::int64_t block(std::string_view kind, ReadLine readLine) {
+        std::int64_t count = 0;
+        while (next()) {
+            if (startsWith(line_, "END ")) return count;
+            readLine();
+            ++count;
+        }
+        fail("the record ends inside its " + std::string(kind) + " block");
+    }
+
+    /// index type x y z aamap [KEY=VALUE ...]; the type may be a list in brackets, which holds blanks.
+    void readAtom() {
+        std::string_view text = line_;
+        std::string_view type;
+        const std::size_t open = text.find('['), close = text.find(']');
+        const bool list = open != std::string_view::npos && close != std::string_view::npos && open < close;
+        Words words = splitWords(list ? text.substr(close + 1) : text);
+        const auto index = parseInteger(splitWords(text)[0]);
+        type = list ? std::string_view("*") : words[1];
+        const std::size_t x = list ? 0 : 2;
+        if (!index || words.count < x + 3) fail("no atom line: '" + printable(line_) + "'");
+        glm::vec3 position;
+        for (int axis = 0; axis < 3; ++axis)
+            position[axis] = parseCoordinate(words[x + static_cast<std::size_t>(axis)], "xyz"[axis], builder_.name(),
+                                             lines_.number());
+        std::int64_t charge = 0;
+        for (std::size_t i = x + 3; i < words.count; ++i)
+            if (startsWith(words[i], "CHG=")) charge = parseInteger(words[i].substr(4)).value_or(0);
+        if (!positions_.emplace(*index, builder_.molecule().atoms.size()).second)
+            fail("atom " + std::to_string(*index) + " occurs twice");
+        addCtabAtom(builder_, type, position, charge, lines_.number());
+    }
+
+    /// index type atom1 atom2 [KEY=VALUE ...]
+    void readBond() {
+        const Words words = splitWords(line_);
+        const auto type = parseInteger(words[1]), a = parseInteger(words[2]), b = parseInteger(words[3]);
+        if (!type || !a || !b) fail("no bond line: '" + printable(line_) + "'");
+        const auto first = positions_.find(*a), second = positions_.find(*b);
+        if (first == positions_.end() || second == positions_.end())
+            fail("bond between atoms " + std::to_string(*a) + " and " + std::to_string(*b) +
+                 ", of which one is not there");
+        if (const int order = bondOrderOfCtab(*type))
+            builder_.addBond(static_cast<std::int64_t>(first->second), static_cast<std::int64_t>(second->second), order,
+                             lines_.number());
+    }
+
+    MoleculeBuilder& builder_;
+    LineReader& lines_;
+    std::string line_;
+    std::unordered_map<std::int64_t, std::size_t> positions_;  ///< the file's atom number -> index
+};
+
+}  // namespace
+
+CtabCounts readCtabV3000(MoleculeBuilder& builder, LineReader& lines) { return TableV3000(builder, lines).run(); }
+
+}  // namespace nacre

@@ -1,0 +1,191 @@
+#include "engine/molecule/formats/detect.h"
+
+#include <algorithm>
+#include <array>
+
+#include "engine/error.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+
+namespace {
+
+constexpr std::size_t kHead = std::size_t{64} << 10;  // how much of the content is looked at
+
+/// What the content or the name says: a format that is read, or the words for one that is not.
+struct Guess {
+    std::optional<Format> format;
+    std::string_view other;
+    explicit operator bool() const { return format || !other.empty(); }
+};
+
+Guess is(Format format) { return {format, {}}; }
+Guess isNot(std::string_view words) { return {std::nullopt, words}; }
+
+bool contains(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
+
+Guess guessBinary(std::string_view head) {
+    struct Signature {
+        std::string_view bytes, words;
+    };
+    static constexpr Signature kSignatures[] = {{"\x89PNG", "a PNG picture, not a molecule"},
+                                                {"\xff\xd8\xff", "a JPEG picture, not a molecule"},
+                                                {"GIF8", "a GIF picture, not a molecule"},
+                                                {"%PDF", "a PDF document, not a molecule"},
+                                                {"PK\x03\x04", "a ZIP archive; unpack it first"},
+                                                {"\xfd"
+                                                 "7zXZ",
+                                                 "xz-compressed; only gzip is supported"},
+                                                {"BZh", "bzip2-compressed; only gzip is supported"},
+                                                {"\x28\xb5\x2f\xfd", "zstd-compressed; only gzip is supported"},
+                                                {"\x1f\x8b", "gzip inside gzip; unpack it first"},
+                                                {"\x7f"
+                                                 "ELF",
+                                                 "a program, not a molecule"}};
+    for (const Signature& signature : kSignatures)
+        if (startsWith(head, signature.bytes)) return isNot(signature.words);
+    if (const auto format = detectBinaryFormat(head)) return is(*format);
+    return {};
+}
+
+bool isInteger(std::string_view text) {
+    text = trim(text);
+    return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// The first lines, where several formats have their mark at a fixed place.
+Guess guessByFirstLines(std::string_view text) {
+    std::array<std::string_view, 4> line{};
+    LineReader lines(text);
+    for (std::string_view& next : line)
+        if (lines.next()) next = lines.line();
+    const std::string_view mark = columns(line[3], 33, 12);
+    if (contains(mark, "V2000") || contains(mark, "V3000")) return is(Format::sdf);
+    const Words third = splitWords(line[2]);
+    const auto numbers = [&](std::size_t first, std::size_t count) {
+        for (std::size_t i = first; i < first + count; ++i)
+            if (!parseNumber(third[i])) return false;
+        return true;
+    };
+    const bool groAtom = parseInteger(columns(line[2], 0, 5)) && parseInteger(columns(line[2], 15, 5)) &&
+                         parseNumber(columns(line[2], 20, 8)) && parseNumber(columns(line[2], 28, 8));
+    if (isInteger(line[1]) && groAtom) return is(Format::gro);
+    if (isInteger(line[0]) && (numbers(1, 3) || contains(line[1], "Properties="))) return is(Format::xyz);
+    return {};
+}
+
+bool isPdbRecord(std::string_view line) {
+    static constexpr std::string_view kRecords[] = {
+        "HEADER", "TITLE ", "COMPND", "SOURCE", "KEYWDS", "EXPDTA", "AUTHOR", "REVDAT", "REMARK", "SEQRES",
+        "HETNAM", "HELIX ", "SHEET ", "CRYST1", "ORIGX1", "SCALE1", "MODEL ", "ATOM  ", "HETATM", "CONECT",
+        "ENDMDL", "OBSLTE", "CAVEAT", "SPLIT ", "NUMMDL", "DBREF ", "SSBOND", "MASTER"};
+    return std::any_of(std::begin(kRecords), std::end(kRecords), [&](auto record) { return startsWith(line, record); });
+}
+
+std::size_t decimals(std::string_view number) {
+    const std::size_t point = number.find('.');
+    return point == std::string_view::npos || !parseNumber(number) ? 0 : number.size() - point - 1;
+}
+
+/// PQR and PDBQT look like PDB: the last columns of an atom line tell.
+Guess guessPdbFamily(std::string_view line) {
+    if (!startsWith(line, "ATOM  ") && !startsWith(line, "HETATM")) return is(Format::pdb);
+    const std::string_view charge = columns(line, 70, 6);
+    if (charge.size() == 6 && charge[2] == '.' && parseNumber(charge) && !trim(columns(line, 77, 2)).empty())
+        return is(Format::pdbqt);
+    // PQR ends in x, y, z, charge and radius; PDB gives occupancy and B factor two decimals.
+    const Words words = splitWords(line);
+    bool pqr = words.count >= 9;
+    for (std::size_t back = 1; back <= 5 && pqr; ++back)
+        pqr = decimals(words[words.count - back]) >= (back <= 2 ? 3u : 1u);
+    return is(pqr ? Format::pqr : Format::pdb);
+}
+
+Guess guessByLines(std::string_view head) {
+    LineReader lines(head);
+    bool pdb = false;
+    while (lines.next()) {
+        const std::string_view line = trim(lines.line());
+        if (startsWith(line, "@<TRIPOS>")) return is(Format::mol2);
+        if (pdb && (startsWith(line, "ROOT") || startsWith(line, "TORSDOF"))) return is(Format::pdbqt);
+        const bool atom = startsWith(lines.line(), "ATOM  ") || startsWith(lines.line(), "HETATM");
+        if (atom) return guessPdbFamily(lines.line());
+        pdb = pdb || isPdbRecord(lines.line());
+        if (line.empty() || line.front() == '#' || pdb) continue;
+        const std::string start = lowerCase(line.substr(0, 16));
+        if (startsWith(start, "data_") || startsWith(start, "loop_")) return is(Format::mmcif);
+    }
+    return pdb ? is(Format::pdb) : Guess{};
+}
+
+Guess guessByContent(std::string_view text) {
+    const std::string_view head = text.substr(0, kHead);
+    if (const Guess guess = guessBinary(head)) return guess;
+    const std::string_view start = trim(head);
+    if (startsWith(start, "{")) return is(Format::mmjson);
+    if (startsWith(start, "<")) {
+        const std::string lower = lowerCase(start);
+        if (contains(lower, "<html") || startsWith(lower, "<!doctype html")) return isNot("a web page, not a molecule");
+        if (contains(lower, "<cml") || contains(lower, "<molecule") || contains(lower, "xml-cml.org"))
+            return is(Format::cml);
+        if (contains(lower, "pdbx:datablock")) return isNot("pdbml");
+    }
+    if (const Guess guess = guessByFirstLines(text)) return guess;
+    return guessByLines(head);
+}
+
+Guess guessByName(const std::string& name) {
+    std::string lower = lowerCase(name);
+    if (lower.size() > 3 && lower.substr(lower.size() - 3) == ".gz") lower.resize(lower.size() - 3);
+    const std::size_t dot = lower.find_last_of("./\\");
+    if (dot == std::string::npos || lower[dot] != '.') return {};
+    const std::string ending = lower.substr(dot + 1);
+    struct Ending {
+        std::string_view ending;
+        Format format;
+    };
+    static constexpr Ending kEndings[] = {
+        {"pdb", Format::pdb},     {"ent", Format::pdb},     {"cif", Format::mmcif},     {"mmcif", Format::mmcif},
+        {"mcif", Format::mmcif},  {"json", Format::mmjson}, {"mmjson", Format::mmjson}, {"sdf", Format::sdf},
+        {"sd", Format::sdf},      {"mol", Format::sdf},     {"mdl", Format::sdf},       {"xyz", Format::xyz},
+        {"extxyz", Format::xyz},  {"mol2", Format::mol2},   {"pqr", Format::pqr},       {"gro", Format::gro},
+        {"pdbqt", Format::pdbqt}, {"cml", Format::cml},     {"bcif", Format::bcif},     {"mmtf", Format::mmtf}};
+    for (const Ending& known : kEndings)
+        if (ending == known.ending) return is(known.format);
+    static constexpr std::string_view kOthers[] = {"pdbml", "dcd", "xtc", "trr", "cube", "mae", "prmtop", "psf"};
+    for (const std::string_view other : kOthers)
+        if (ending == other) return isNot(other);
+    return {};
+}
+
+[[noreturn]] void refuse(const std::string& name, std::string_view other) {
+    const bool isFormat = other.find(' ') == std::string_view::npos;
+    if (!isFormat) throw Error("cannot read molecule", name, "it is " + std::string(other));
+    throw Error("cannot read molecule", name,
+                "format " + std::string(other) + " is not supported; supported: " + formatNames());
+}
+
+}  // namespace
+
+std::optional<Format> detectBinaryFormat(std::string_view bytes) {
+    const auto first = bytes.empty() ? 0u : static_cast<unsigned char>(bytes.front());
+    if ((first & 0xF0u) != 0x80 && first != 0xDE && first != 0xDF) return std::nullopt;  // no MessagePack map
+    const std::string_view head = bytes.substr(0, 4096);
+    if (contains(head, "dataBlocks")) return Format::bcif;
+    if (contains(head, "mmtfVersion") || contains(head, "CoordList")) return Format::mmtf;
+    return std::nullopt;
+}
+
+Format detectFormat(const std::string& name, std::string_view text) {
+    const Guess content = guessByContent(text), named = guessByName(name);
+    // A name may narrow down what looks like PDB: PQR files are free in their columns.
+    const bool narrowed = named.format == Format::pqr || named.format == Format::pdbqt;
+    const Guess guess = content && !(content.format == Format::pdb && narrowed) ? content : named;
+    if (!guess)
+        throw Error("cannot read molecule", name,
+                    "its format cannot be told from its content or name; state it (" + formatNames() + ")");
+    if (!guess.format) refuse(name, guess.other);
+    return *guess.format;
+}
+
+}  // namespace nacre

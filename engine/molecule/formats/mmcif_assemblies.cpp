@@ -1,0 +1,82 @@
+#include <cmath>
+
+#include "engine/molecule/assemblies.h"
+#include "engine/molecule/formats/mmcif_model.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+
+namespace {
+
+TransformsById readOperators(const MmcifTable& table) {
+    static constexpr const char* kColumns[12] = {"matrix[1][1]", "matrix[1][2]", "matrix[1][3]", "vector[1]",
+                                                 "matrix[2][1]", "matrix[2][2]", "matrix[2][3]", "vector[2]",
+                                                 "matrix[3][1]", "matrix[3][2]", "matrix[3][3]", "vector[3]"};
+    TransformsById operators;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        const auto id = table.get(row, {"id"});
+        if (!id) continue;
+        TransformRows rows{};
+        for (std::size_t i = 0; i < rows.size(); ++i)  // what is no number is found out when the operator is used
+            rows[i] = parseNumber(table.get(row, {kColumns[i]}).value_or("")).value_or(HUGE_VAL);
+        operators.emplace(std::string(*id), rows);
+    }
+    return operators;
+}
+
+std::vector<std::uint32_t> subchainsOf(std::string_view list, const MoleculeBuilder& builder, AssemblyLimits& limits) {
+    std::vector<std::uint32_t> subchains;
+    for (;;) {
+        const std::size_t comma = list.find(',');
+        limits.spend(0, 1);
+        // Those without atoms in this model are none that could be drawn.
+        if (const auto index = builder.subchain(trim(list.substr(0, comma)))) subchains.push_back(*index);
+        if (comma == std::string_view::npos) return subchains;
+        list.remove_prefix(comma + 1);
+    }
+}
+
+}  // namespace
+
+void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, const MmcifTable& generators,
+                        const MmcifTable& operators) {
+    std::vector<Assembly> found;
+    std::map<std::string, std::size_t, std::less<>> byId;
+    std::map<std::string, std::string, std::less<>> faults;
+    for (std::size_t row = 0; row < assemblies.rows(); ++row) {
+        const std::string id(assemblies.get(row, {"id"}).value_or(""));
+        if (found.size() == AssemblyLimits::kMaxAssemblies) {
+            builder.warn("more than " + std::to_string(AssemblyLimits::kMaxAssemblies) +
+                         " assemblies; the rest is left out");
+            break;
+        }
+        if (!byId.emplace(id, found.size()).second) continue;
+        found.push_back({id, std::string(assemblies.get(row, {"details"}).value_or("")), {}});
+    }
+
+    const TransformsById transforms = readOperators(operators);
+    AssemblyLimits limits;
+    for (std::size_t row = 0; row < generators.rows(); ++row) {
+        const auto assembly = byId.find(generators.get(row, {"assembly_id"}).value_or(""));
+        if (assembly == byId.end()) continue;
+        try {
+            addPart(found[assembly->second],
+                    expandOperators(generators.get(row, {"oper_expression"}).value_or(""), transforms, limits),
+                    subchainsOf(generators.get(row, {"asym_id_list"}).value_or(""), builder, limits));
+        } catch (const AssemblyFault& fault) {
+            faults.emplace(assembly->first, fault.what());
+        }
+    }
+
+    for (Assembly& assembly : found) {
+        const auto fault = faults.find(assembly.id);
+        if (fault == faults.end() && !assembly.parts.empty())
+            builder.molecule().assemblies.push_back(std::move(assembly));
+        else
+            builder.warn(
+                "assembly " + printable(assembly.id) + " is left out: " +
+                (fault == faults.end() ? "the file says of no chain that is here how to place it" : fault->second));
+    }
+}
+
+}  // namespace nacre

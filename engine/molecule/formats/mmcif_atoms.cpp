@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <cmath>
+
+#include "engine/error.h"
+#include "engine/molecule/element.h"
+#include "engine/molecule/formats/mmcif_model.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+
+namespace {
+
+constexpr std::size_t kMaxModels = 1'000'000;
+
+char firstCharacter(std::string_view text) { return text.empty() || text.front() == ' ' ? '\0' : text.front(); }
+
+std::int8_t formalCharge(const MmcifCell& cell) {
+    const auto value = cell.integer();
+    return value && std::abs(*value) <= 20 ? static_cast<std::int8_t>(*value) : std::int8_t{0};
+}
+
+/// For files without type_symbol: "CA" of residue "CA" is calcium, else the first letter tells, or the first two.
+std::string_view elementOfName(std::string_view name, std::string_view residue) {
+    while (!name.empty() && name.front() >= '0' && name.front() <= '9') name.remove_prefix(1);
+    if (name == residue && elementFromSymbol(name) != 0) return name;
+    return elementFromSymbol(name.substr(0, 1)) != 0 ? name.substr(0, 1) : name.substr(0, 2);
+}
+
+}  // namespace
+
+const std::array<const char*, MmcifAtoms::columnCount> MmcifAtoms::kNames = {"cartn_x",
+                                                                             "cartn_y",
+                                                                             "cartn_z",
+                                                                             "group_pdb",
+                                                                             "type_symbol",
+                                                                             "auth_atom_id",
+                                                                             "label_atom_id",
+                                                                             "auth_comp_id",
+                                                                             "label_comp_id",
+                                                                             "auth_asym_id",
+                                                                             "label_asym_id",
+                                                                             "auth_seq_id",
+                                                                             "label_seq_id",
+                                                                             "pdbx_pdb_ins_code",
+                                                                             "label_alt_id",
+                                                                             "occupancy",
+                                                                             "b_iso_or_equiv",
+                                                                             "pdbx_formal_charge",
+                                                                             "pdbx_pdb_model_num",
+                                                                             "label_entity_id"};
+
+bool MmcifAtoms::isKept(std::string_view column) {
+    return std::any_of(kNames.begin(), kNames.end(), [&](const char* name) { return column == name; });
+}
+
+MmcifAtoms::MmcifAtoms(MoleculeBuilder& builder, const std::vector<std::string>& columns, int wantedModel)
+    : builder_(builder), wantedModel_(wantedModel) {
+    for (int which = 0; which < columnCount; ++which) {
+        column_[which] = -1;
+        for (std::size_t i = columns.size(); i-- > 0;)
+            if (columns[i] == kNames[static_cast<std::size_t>(which)]) column_[which] = static_cast<int>(i);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+        if (column_[axis] < 0)
+            throw Error("cannot read molecule", builder_.name(),
+                        std::string("the column _atom_site.Cartn_") + "xyz"[axis] + " is missing");
+}
+
+void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
+    ++rows_;
+    if (modelIndex(text(cells, model)) != wantedModel_) return;
+    Atom atom;
+    atom.position = {coordinate(cells, 0, line), coordinate(cells, 1, line), coordinate(cells, 2, line)};
+    const std::string_view name = text(cells, authAtom, labelAtom), residue = text(cells, authComp, labelComp);
+    const std::string_view type = text(cells, symbol);
+    atom.name = Name(name);
+    atom.element = builder_.element(cell(cells, symbol).missing() ? elementOfName(name, residue) : type, line);
+    atom.alternate = firstCharacter(text(cells, alternate));
+    atom.hetero = text(cells, group) == "HETATM";
+    atom.charge = formalCharge(cell(cells, charge));
+    atom.occupancy = property(cell(cells, occupancy), 1.0f);
+    atom.temperatureFactor = property(cell(cells, temperature), 0.0f);
+    const auto number = cell(cells, cell(cells, authSeq).missing() ? labelSeq : authSeq).integer();
+    const bool fits = number && *number >= INT32_MIN && *number <= INT32_MAX;
+    builder_.addAtom(atom, text(cells, authAsym, labelAsym), fits ? static_cast<std::int32_t>(*number) : 0,
+                     firstCharacter(text(cells, insertion)), residue, text(cells, labelAsym, authAsym));
+    if (column_[entity] >= 0) {
+        Residue& last = builder_.molecule().residues.back();
+        if (last.atomCount == 1) last.entity = entityIndex(cell(cells, entity));
+    }
+    countChains(cells);
+}
+
+int MmcifAtoms::modelIndex(std::string_view number) {
+    if (lastIndex_ > 0 && number == lastModel_) return lastIndex_;
+    lastModel_ = std::string(number);
+    lastIndex_ = models_.emplace(lastModel_, static_cast<int>(models_.size()) + 1).first->second;
+    if (models_.size() > kMaxModels) throw Error("cannot read molecule", builder_.name(), "it has too many models");
+    return lastIndex_;
+}
+
+float MmcifAtoms::coordinate(const MmcifCell* cells, int axis, std::uint64_t line) const {
+    const MmcifCell& given = cells[column_[axis]];
+    if (const auto value = given.number(); value && std::abs(*value) <= 1e9) return static_cast<float>(*value);
+    std::array<char, 32> buffer{};
+    const std::string why = std::string("Cartn_") + "xyz"[axis] + " of row " + std::to_string(rows_) +
+                            " of _atom_site is not a finite number: '" +
+                            (given.missing() ? "?" : printable(given.text(buffer))) + "'";
+    throw Error("cannot read molecule", builder_.name(), why,
+                line > 0 ? std::optional<std::uint64_t>(line) : std::nullopt);
+}
+
+float MmcifAtoms::property(const MmcifCell& given, float otherwise) {
+    if (given.missing()) return otherwise;
+    const auto value = given.number();
+    if (value && std::abs(*value) <= 1e9) return static_cast<float>(*value);
+    std::array<char, 32> buffer{};
+    if (badProperties_++ == 0)
+        builder_.warn("occupancy or B factor is not a number: '" + printable(given.text(buffer)) + "'");
+    return otherwise;
+}
+
+void MmcifAtoms::countChains(const MmcifCell* cells) {
+    const auto count = [](std::string_view chain, std::string& last, std::map<std::string, bool, std::less<>>& all) {
+        if (!all.empty() && last == chain) return;
+        last = std::string(chain);
+        all.emplace(last, true);
+    };
+    if (!cell(cells, authAsym).missing()) count(text(cells, authAsym), lastAuth_, authChains_);
+    if (!cell(cells, labelAsym).missing()) count(text(cells, labelAsym), lastLabel_, labelChains_);
+}
+
+std::uint32_t MmcifAtoms::entityIndex(const MmcifCell& given) {
+    if (given.missing()) return 0;
+    const std::string_view identifier = given.text(buffers_[entity]);
+    if (const auto known = entities_.find(identifier); known != entities_.end()) return known->second;
+    std::vector<std::string>& names = builder_.molecule().entities;
+    names.emplace_back(identifier);
+    return entities_.emplace(identifier, static_cast<std::uint32_t>(names.size())).first->second;
+}
+
+void MmcifAtoms::summarise(FileSummary& file) const {
+    const auto models = static_cast<std::int64_t>(models_.size());
+    if (rows_ > 0 && wantedModel_ > models)
+        throw Error("cannot read molecule", builder_.name(),
+                    "there is no model " + std::to_string(wantedModel_) + "; the file has " + std::to_string(models));
+    file.models = models;
+    file.totalAtomsAllModels = rows_;
+    if (column_[authAsym] >= 0) file.chainsAuth = static_cast<std::int64_t>(authChains_.size());
+    if (column_[labelAsym] >= 0) file.chainsLabel = static_cast<std::int64_t>(labelChains_.size());
+}
+
+}  // namespace nacre

@@ -1,0 +1,157 @@
+#include <array>
+#include <unordered_map>
+
+#include "engine/error.h"
+#include "engine/molecule/formats/mmcif_model.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+
+namespace {
+
+int bondOrder(std::optional<std::string_view> text) {
+    const std::string order = lowerCase(text.value_or("sing").substr(0, 4));
+    if (order == "doub") return 2;
+    if (order == "trip") return 3;
+    return order == "arom" || order == "delo" ? 4 : 1;
+}
+
+/// Where to look a residue up: the runs with the same chain, number and insertion code.
+using ResidueIndex = std::unordered_multimap<std::string, std::uint32_t>;
+
+std::string residueKey(std::string_view chain, std::string_view number, std::string_view insertion) {
+    std::string key(chain);
+    return key.append(1, '\n').append(number).append(1, '\n').append(insertion.substr(0, 1));
+}
+
+ResidueIndex indexResidues(const Molecule& molecule) {
+    ResidueIndex index;
+    for (std::uint32_t i = 0; i < molecule.residues.size(); ++i) {
+        const Residue& residue = molecule.residues[i];
+        const std::string_view insertion(&residue.insertionCode, residue.insertionCode ? 1 : 0);
+        index.emplace(residueKey(molecule.chains[residue.chain].name, std::to_string(residue.number), insertion), i);
+    }
+    return index;
+}
+
+/// The column names of one partner of a connection.
+struct Partner {
+    const char *authAsym, *labelAsym, *authSeq, *labelSeq, *insertion, *comp, *authComp, *atom, *alternate;
+};
+constexpr Partner kPartners[2] = {
+    {"ptnr1_auth_asym_id", "ptnr1_label_asym_id", "ptnr1_auth_seq_id", "ptnr1_label_seq_id", "pdbx_ptnr1_pdb_ins_code",
+     "ptnr1_label_comp_id", "ptnr1_auth_comp_id", "ptnr1_label_atom_id", "pdbx_ptnr1_label_alt_id"},
+    {"ptnr2_auth_asym_id", "ptnr2_label_asym_id", "ptnr2_auth_seq_id", "ptnr2_label_seq_id", "pdbx_ptnr2_pdb_ins_code",
+     "ptnr2_label_comp_id", "ptnr2_auth_comp_id", "ptnr2_label_atom_id", "pdbx_ptnr2_label_alt_id"}};
+
+// A hostile file may have one huge residue and many connections to it; real ones are far below these.
+constexpr std::size_t kMaxComparisons = 200'000'000;
+constexpr std::size_t kMaxAlternates = 16;
+
+/// @param comparisons counts the atoms that were looked at
+std::vector<std::uint32_t> findAtoms(const Molecule& molecule, const ResidueIndex& index, const MmcifTable& table,
+                                     std::size_t row, const Partner& partner, std::size_t& comparisons) {
+    std::vector<std::uint32_t> found;
+    const auto text = [&](const char* first, const char* second) {
+        return table.get(row, {first, second}).value_or("");
+    };
+    const auto range =
+        index.equal_range(residueKey(text(partner.authAsym, partner.labelAsym), text(partner.authSeq, partner.labelSeq),
+                                     text(partner.insertion, partner.insertion)));
+    const Name comp(text(partner.authComp, partner.comp)), name(text(partner.atom, partner.atom));
+    const auto alternate = table.get(row, {partner.alternate});
+    for (auto i = range.first; i != range.second; ++i) {
+        const Residue& residue = molecule.residues[i->second];
+        ++comparisons;
+        if (residue.name != comp) continue;
+        comparisons += residue.atomCount;
+        for (std::uint32_t a = residue.firstAtom; a < residue.firstAtom + residue.atomCount; ++a) {
+            const Atom& atom = molecule.atoms[a];
+            const bool same = !alternate || alternate->substr(0, 1) == std::string_view(&atom.alternate, 1);
+            if (same && atom.name == name) found.push_back(a);
+            if (found.size() == kMaxAlternates) return found;
+        }
+    }
+    return found;
+}
+
+/// Bonds between atoms of the model itself: covalent ones and a metal's coordination, but no hydrogen bonds.
+bool isBond(const MmcifTable& table, std::size_t row) {
+    const std::string type = lowerCase(table.get(row, {"conn_type_id"}).value_or(""));
+    const auto first = table.get(row, {"ptnr1_symmetry"}), second = table.get(row, {"ptnr2_symmetry"});
+    const bool mate = first && second && *first != *second;
+    return !mate && (startsWith(type, "covale") || type == "disulf" || type == "metalc");
+}
+
+}  // namespace
+
+void addStructConnBonds(MoleculeBuilder& builder, const MmcifTable& connections) {
+    const Molecule& molecule = builder.molecule();
+    ResidueIndex index;
+    std::size_t missing = 0, comparisons = 0;
+    for (std::size_t row = 0; row < connections.rows(); ++row) {
+        if (!isBond(connections, row)) continue;
+        if (comparisons > kMaxComparisons) {
+            builder.warn("too many connections of _struct_conn to huge residues; the rest is passed over");
+            break;
+        }
+        if (index.empty()) index = indexResidues(molecule);
+        const auto first = findAtoms(molecule, index, connections, row, kPartners[0], comparisons);
+        const auto second = findAtoms(molecule, index, connections, row, kPartners[1], comparisons);
+        if (first.empty() || second.empty()) ++missing;
+        const int order = bondOrder(connections.get(row, {"pdbx_value_order"}));
+        for (const std::uint32_t a : first)
+            for (const std::uint32_t b : second) {
+                const char p = molecule.atoms[a].alternate, q = molecule.atoms[b].alternate;
+                if (a != b && (p == q || p == '\0' || q == '\0')) builder.addBond(a, b, order, 0);
+            }
+    }
+    if (missing > 0)
+        builder.warn("connections of _struct_conn to atoms that are not there: " + std::to_string(missing));
+}
+
+void addComponent(MoleculeBuilder& builder, const MmcifTable& atoms, const MmcifTable& bonds) {
+    using Axes = std::array<const char*, 3>;
+    static constexpr Axes kSources[] = {
+        {"pdbx_model_cartn_x_ideal", "pdbx_model_cartn_y_ideal", "pdbx_model_cartn_z_ideal"},
+        {"model_cartn_x", "model_cartn_y", "model_cartn_z"},
+        {"x", "y", "z"}};
+    const auto complete = [&](const Axes& axes) {
+        for (std::size_t row = 0; row < atoms.rows(); ++row)
+            for (const char* axis : axes)
+                if (!atoms.get(row, {axis})) return false;
+        return true;
+    };
+    const Axes* source = nullptr;
+    for (const Axes& axes : kSources)
+        if (!source && complete(axes)) source = &axes;
+    if (!source) throw Error("cannot read molecule", builder.name(), "the chemical component has no coordinates");
+
+    std::unordered_map<std::string, std::uint32_t> position;
+    for (std::size_t row = 0; row < atoms.rows(); ++row) {
+        Atom atom;
+        const std::string name(atoms.get(row, {"atom_id"}).value_or(""));
+        for (int axis = 0; axis < 3; ++axis)
+            atom.position[axis] = parseCoordinate(*atoms.get(row, {(*source)[static_cast<std::size_t>(axis)]}),
+                                                  "xyz"[axis], builder.name(), 0);
+        atom.name = Name(name);
+        atom.element = builder.element(atoms.get(row, {"type_symbol"}).value_or(""), 0);
+        atom.hetero = true;
+        const auto charge = parseInteger(atoms.get(row, {"charge"}).value_or("0"));
+        if (charge && *charge >= -20 && *charge <= 20) atom.charge = static_cast<std::int8_t>(*charge);
+        builder.addAtom(atom, "", 1, '\0', atoms.get(row, {"comp_id"}).value_or(""));
+        position.emplace(name, static_cast<std::uint32_t>(row));
+    }
+    for (std::size_t row = 0; row < bonds.rows(); ++row) {
+        const auto a = position.find(std::string(bonds.get(row, {"atom_id_1"}).value_or("")));
+        const auto b = position.find(std::string(bonds.get(row, {"atom_id_2"}).value_or("")));
+        if (a == position.end() || b == position.end() || a == b)
+            throw Error("cannot read molecule", builder.name(),
+                        "row " + std::to_string(row + 1) + " of _chem_comp_bond names atoms that are not there");
+        builder.addBond(a->second, b->second, bondOrder(bonds.get(row, {"value_order", "type"})), 0);
+    }
+    builder.molecule().file.models = 1;
+    builder.molecule().file.bonds = static_cast<std::int64_t>(bonds.rows());
+}
+
+}  // namespace nacre

@@ -1,0 +1,184 @@
+#include "engine/molecule/formats/mmcif_model.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "engine/error.h"
+#include "engine/molecule/floating_point.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+
+namespace {
+
+constexpr std::size_t kMaxKeptCells = std::size_t{1} << 22;
+
+/// A value may end in its standard uncertainty: "1.234(5)".
+std::string_view withoutUncertainty(std::string_view text) {
+    return !text.empty() && text.back() == ')' ? text.substr(0, text.find('(')) : text;
+}
+
+bool hasColumn(const std::vector<std::string>& columns, std::string_view start) {
+    return std::any_of(columns.begin(), columns.end(), [&](const std::string& c) { return startsWith(c, start); });
+}
+
+void setTitle(FileSummary& file, const MmcifTable& table) {
+    if (table.rows() == 0) return;
+    // A long title is a text of several lines; small-molecule files put even a '?' into one.
+    std::string title(table.get(0, {"title", "name", "name_common", "name_systematic"}).value_or(""));
+    std::replace(title.begin(), title.end(), '\n', ' ');
+    if (trim(title) != "?") file.title = trim(title);
+}
+
+}  // namespace
+
+std::optional<double> MmcifCell::number() const {
+    if (kind_ == Kind::number) return number_;
+    return kind_ == Kind::text ? parseNumber(withoutUncertainty(text_)) : std::nullopt;
+}
+
+std::optional<std::int64_t> MmcifCell::integer() const {
+    if (kind_ == Kind::text) return parseInteger(text_);
+    const bool whole = kind_ == Kind::number && std::abs(number_) < 1e15 && std::trunc(number_) == number_;
+    return whole ? std::optional<std::int64_t>(static_cast<std::int64_t>(number_)) : std::nullopt;
+}
+
+std::string_view MmcifCell::text(std::array<char, 32>& buffer) const {
+    if (kind_ != Kind::number) return text_;
+    const auto whole = integer();
+    char* const end = buffer.data() + buffer.size();
+    const auto written = whole ? std::to_chars(buffer.data(), end, *whole) : toChars(buffer.data(), end, number_);
+    return {buffer.data(), static_cast<std::size_t>(written.ptr - buffer.data())};
+}
+
+std::optional<std::string_view> MmcifTable::get(std::size_t row, std::initializer_list<const char*> names) const {
+    for (const char* name : names)
+        for (std::size_t i = 0; i < columns.size(); ++i)
+            if (columns[i] == name) {
+                if (const auto& value = cells[row * columns.size() + i]) return *value;
+                break;
+            }
+    return std::nullopt;
+}
+
+bool MmcifModel::isKept(std::string_view category) {
+    static constexpr std::string_view kKept[] = {"atom_site",
+                                                 "struct",
+                                                 "struct_conn",
+                                                 "pdbx_struct_assembly",
+                                                 "pdbx_struct_assembly_gen",
+                                                 "pdbx_struct_oper_list",
+                                                 "chem_comp",
+                                                 "chem_comp_atom",
+                                                 "chem_comp_bond",
+                                                 "struct_conf",
+                                                 "struct_sheet_range",
+                                                 "refine",
+                                                 "em_3d_reconstruction",
+                                                 "cell",
+                                                 "symmetry_equiv",
+                                                 "space_group_symop",
+                                                 "chemical"};
+    return std::find(std::begin(kKept), std::end(kKept), category) != std::end(kKept);
+}
+
+bool MmcifModel::isKept(std::string_view category, std::string_view column) {
+    return isKept(category) && (category != "atom_site" || MmcifAtoms::isKept(column));
+}
+
+void MmcifModel::beginBlock() {
+    const auto hasRows = [&](const char* category) {
+        const auto table = tables_.find(category);
+        return table != tables_.end() && table->second.rows() > 0;
+    };
+    if (atoms_ || hasRows("chem_comp_atom") || hasRows("atom_site")) {
+        done_ = true;
+    } else {
+        tables_.clear();
+        cells_ = 0;
+    }
+    table_ = nullptr;
+}
+
+bool MmcifModel::beginCategory(const std::string& category, const std::vector<std::string>& columns,
+                               std::uint64_t line) {
+    if (done_) return false;
+    const bool fractional = hasColumn(columns, "fract_") && !hasColumn(columns, "cartn_");
+    if (category == "atom_site" && !fractional) {
+        if (atoms_) throw Error("cannot read molecule", builder_.name(), "_atom_site occurs twice", line);
+        atoms_ = std::make_unique<MmcifAtoms>(builder_, columns, options_.model);
+        table_ = nullptr;
+        return true;
+    }
+    if (!isKept(category)) return false;
+    table_ = &tables_[category];
+    // Single values of a category may stand apart from each other; together they are its one row.
+    if (table_->rows() != 1) *table_ = MmcifTable();
+    table_->columns.insert(table_->columns.end(), columns.begin(), columns.end());
+    return true;
+}
+
+void MmcifModel::expectRows(std::size_t rows, std::size_t columns) const {
+    if (rows > 0 && columns > (kMaxKeptCells - std::min(cells_, kMaxKeptCells)) / rows)
+        throw Error("cannot read molecule", builder_.name(), "a category is too long");
+}
+
+void MmcifModel::addRow(const std::vector<MmcifCell>& cells, std::uint64_t line) {
+    if (!table_) {
+        atoms_->addRow(cells.data(), line);
+        return;
+    }
+    cells_ += cells.size();
+    if (cells_ > kMaxKeptCells) throw Error("cannot read molecule", builder_.name(), "a category is too long", line);
+    std::array<char, 32> buffer{};
+    for (const MmcifCell& cell : cells)
+        table_->cells.push_back(cell.missing() ? std::nullopt : std::optional<std::string>(cell.text(buffer)));
+}
+
+Molecule MmcifModel::finish(const std::string& format) {
+    FileSummary& file = builder_.molecule().file;
+    file.format = format;
+    const char* titleOf = "chem_comp";
+    if (atoms_) {
+        titleOf = "struct";
+        atoms_->summarise(file);
+        addStructConnBonds(builder_, tables_["struct_conn"]);
+        addSecondaryStructure(builder_, tables_["struct_conf"], tables_["struct_sheet_range"]);
+        addMmcifAssemblies(builder_, tables_["pdbx_struct_assembly"], tables_["pdbx_struct_assembly_gen"],
+                           tables_["pdbx_struct_oper_list"]);
+    } else if (tables_["chem_comp_atom"].rows() > 0) {
+        if (options_.model != 1)
+            throw Error("cannot read molecule", builder_.name(), "a chemical component has only model 1");
+        addComponent(builder_, tables_["chem_comp_atom"], tables_["chem_comp_bond"]);
+        file.format = format + "-chem_comp";
+    } else if (tables_["atom_site"].rows() > 0) {
+        if (options_.model != 1)
+            throw Error("cannot read molecule", builder_.name(), "a small-molecule CIF has only model 1");
+        titleOf = "chemical";
+        const bool old = tables_["symmetry_equiv"].rows() > 0;
+        addSmallMolecule(
+            builder_, {tables_["atom_site"], tables_["cell"], tables_[old ? "symmetry_equiv" : "space_group_symop"]});
+        file.format = "cif-core";
+    } else {
+        throw Error("cannot read molecule", builder_.name(), "it has no _atom_site rows, so no atoms");
+    }
+    setTitle(file, tables_[titleOf]);
+    for (const auto& [category, column] :
+         {std::pair("refine", "ls_d_res_high"), std::pair("em_3d_reconstruction", "resolution")}) {
+        const MmcifTable& table = tables_[category];
+        if (file.resolution || table.rows() == 0) continue;
+        const auto value = parseNumber(table.get(0, {column}).value_or(""));
+        if (value && *value > 0 && *value < 1e6) file.resolution = *value;
+    }
+    const auto rowsOf = [&](const char* category) -> std::optional<std::int64_t> {
+        const MmcifTable& table = tables_[category];
+        if (table.columns.empty()) return std::nullopt;
+        return static_cast<std::int64_t>(table.rows());
+    };
+    file.assemblies = rowsOf("pdbx_struct_assembly");
+    file.operators = rowsOf("pdbx_struct_oper_list");
+    return builder_.finish();
+}
+
+}  // namespace nacre

@@ -1,0 +1,172 @@
+#pragma once
+// What mmCIF, mmJSON and BinaryCIF have in common: categories of rows go in, a Molecule comes out. Knows no syntax and
+// keeps only what it needs, so that a million atoms take no more memory than the molecule. Must also compile as C++17.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/molecule/molecule.h"
+#include "engine/molecule/formats/molecule_builder.h"
+#include "engine/molecule/read.h"
+
+namespace nacre {
+
+/// One value: text, or a number where the format has numbers (BinaryCIF), or missing ('?' and '.' in text).
+class MmcifCell {
+public:
+    MmcifCell() = default;
+    MmcifCell(std::string_view text) : text_(text), kind_(Kind::text) {}
+    explicit MmcifCell(double number) : number_(number), kind_(Kind::number) {}
+
+    bool missing() const { return kind_ == Kind::missing; }
+    std::optional<double> number() const;  ///< without the standard uncertainty that text may end in: "1.234(5)"
+    std::optional<std::int64_t> integer() const;
+    /// The value as text, "" if missing. @param buffer where a number is written; shared with the result
+    std::string_view text(std::array<char, 32>& buffer) const;
+
+private:
+    enum class Kind : std::uint8_t { missing, text, number };
+    std::string_view text_;
+    double number_ = 0;
+    Kind kind_ = Kind::missing;
+};
+
+/// A small category, kept whole.
+class MmcifTable {
+public:
+    std::vector<std::string> columns;  ///< lower case, without the category
+    std::vector<std::optional<std::string>> cells;
+
+    std::size_t rows() const { return columns.empty() ? 0 : cells.size() / columns.size(); }
+    /// The value of the first of these columns that has one.
+    std::optional<std::string_view> get(std::size_t row, std::initializer_list<const char*> names) const;
+};
+
+/// Rows of _atom_site.
+class MmcifAtoms {
+public:
+    /// @throws Error naming the coordinate column that is missing
+    MmcifAtoms(MoleculeBuilder& builder, const std::vector<std::string>& columns, int model);
+    /// Whether a column (lower case) is of any use.
+    static bool isKept(std::string_view column);
+    /// @param line 0 if unknown
+    void addRow(const MmcifCell* cells, std::uint64_t line);
+    /// @throws Error if the model that was asked for is not there
+    void summarise(FileSummary& file) const;
+
+private:
+    enum Column {
+        x,
+        y,
+        z,
+        group,
+        symbol,
+        authAtom,
+        labelAtom,
+        authComp,
+        labelComp,
+        authAsym,
+        labelAsym,
+        authSeq,
+        labelSeq,
+        insertion,
+        alternate,
+        occupancy,
+        temperature,
+        charge,
+        model,
+        entity,
+        columnCount
+    };
+    static const std::array<const char*, columnCount> kNames;
+
+    const MmcifCell& cell(const MmcifCell* cells, Column which) const {
+        static const MmcifCell kMissing;
+        return column_[which] < 0 ? kMissing : cells[column_[which]];
+    }
+    std::string_view text(const MmcifCell* cells, Column which) { return cell(cells, which).text(buffers_[which]); }
+    std::string_view text(const MmcifCell* cells, Column first, Column second) {
+        return text(cells, cell(cells, first).missing() ? second : first);
+    }
+
+    int modelIndex(std::string_view number);
+    float coordinate(const MmcifCell* cells, int axis, std::uint64_t line) const;
+    float property(const MmcifCell& cell, float otherwise);
+    void countChains(const MmcifCell* cells);
+    std::uint32_t entityIndex(const MmcifCell& given);
+
+    int column_[columnCount];
+    std::array<char, 32> buffers_[columnCount]{};
+    MoleculeBuilder& builder_;
+    int wantedModel_;
+    std::map<std::string, int, std::less<>> models_;  ///< pdbx_PDB_model_num -> 1-based position
+    std::string lastModel_;
+    int lastIndex_ = 0;
+    std::int64_t rows_ = 0;
+    std::int64_t badProperties_ = 0;
+    std::map<std::string, bool, std::less<>> authChains_, labelChains_;
+    std::string lastAuth_, lastLabel_;
+    std::map<std::string, std::uint32_t, std::less<>> entities_;  ///< label_entity_id -> 1-based position
+};
+
+class MmcifModel {
+public:
+    MmcifModel(const std::string& name, const ReadOptions& options)
+        : builder_(name, options.maxAtoms), options_(options) {}
+
+    /// Whether a category, or a column of one, is of any use; names as below. Readers need not give the others.
+    static bool isKept(std::string_view category);
+    static bool isKept(std::string_view category, std::string_view column);
+
+    /// A data block begins. The first block with atoms is the one that is read.
+    void beginBlock();
+    /// Rows of a category follow. False if they are of no use and need not be given.
+    /// @param category lower case, without '_' and '.'; columns likewise
+    bool beginCategory(const std::string& category, const std::vector<std::string>& columns, std::uint64_t line);
+    void addRow(const std::vector<MmcifCell>& cells, std::uint64_t line);
+    /// Refuses what addRow() would refuse later, before a reader unpacks it. @throws Error
+    void expectRows(std::size_t rows, std::size_t columns) const;
+
+    /// @param format "mmcif", "mmjson" or "bcif"
+    /// @throws Error if there are no atoms
+    Molecule finish(const std::string& format);
+
+private:
+    MoleculeBuilder builder_;
+    ReadOptions options_;
+    std::unique_ptr<MmcifAtoms> atoms_;
+    std::map<std::string, MmcifTable> tables_;  ///< the small categories that are kept
+    MmcifTable* table_ = nullptr;               ///< the one that rows go to; null: the atoms
+    std::size_t cells_ = 0;
+    bool done_ = false;
+};
+
+/// Bonds of _struct_conn between atoms that are there: covalent ones and disulphides, not metal coordination or
+/// hydrogen bonds, and none to symmetry mates.
+void addStructConnBonds(MoleculeBuilder& builder, const MmcifTable& connections);
+
+/// Helices of _struct_conf and strands of _struct_sheet_range.
+void addSecondaryStructure(MoleculeBuilder& builder, const MmcifTable& conformations, const MmcifTable& strands);
+/// Assemblies of _pdbx_struct_assembly, _pdbx_struct_assembly_gen and _pdbx_struct_oper_list. One that cannot be read
+/// is left out with a warning.
+void addMmcifAssemblies(MoleculeBuilder& builder, const MmcifTable& assemblies, const MmcifTable& generators,
+                        const MmcifTable& operators);
+
+/// The tables of a small-molecule CIF, whose coordinates are fractions of the unit cell.
+struct SmallMoleculeTables {
+    const MmcifTable &atoms, &cell, &symmetry;
+};
+/// The atoms as the file lists them, the asymmetric unit; the content of the unit cell becomes the assembly
+/// "unit-cell". @throws Error if the cell is missing or impossible, or a coordinate is no number
+void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& tables);
+
+/// The molecule of a chemical component file: ideal coordinates if complete, else the model's.
+void addComponent(MoleculeBuilder& builder, const MmcifTable& atoms, const MmcifTable& bonds);
+
+}  // namespace nacre

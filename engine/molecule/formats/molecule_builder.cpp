@@ -1,0 +1,128 @@
+#include "engine/molecule/formats/molecule_builder.h"
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "engine/error.h"
+#include "engine/molecule/element.h"
+#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+
+namespace {
+
+constexpr std::size_t kMaxWarnings = 20;
+
+bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+}  // namespace
+
+void MoleculeBuilder::addAtom(Atom atom, std::string_view chain, std::int32_t number, char insertionCode,
+                              std::string_view residue, std::string_view subchain) {
+    if (!subchain.data()) subchain = chain;
+    if (molecule_.atoms.size() >= maxAtoms_) throw tooManyAtoms(name_, maxAtoms_);
+    const Name residueName(residue);
+    const auto continues = [&](const Residue& last) {
+        return last.number == number && last.insertionCode == insertionCode && last.name == residueName &&
+               molecule_.chains[last.chain].name == chain && molecule_.subchains[last.subchain] == subchain;
+    };
+    if (molecule_.residues.empty() || !continues(molecule_.residues.back())) {
+        Residue next;
+        next.name = residueName;
+        next.number = number;
+        next.insertionCode = insertionCode;
+        next.chain = chainIndex(chain);
+        next.subchain = subchainIndex(subchain);
+        next.firstAtom = static_cast<std::uint32_t>(molecule_.atoms.size());
+        molecule_.residues.push_back(next);
+    }
+    ++molecule_.residues.back().atomCount;
+    atom.residue = static_cast<std::uint32_t>(molecule_.residues.size() - 1);
+    molecule_.atoms.push_back(atom);
+}
+
+std::uint32_t MoleculeBuilder::chainIndex(std::string_view chain) {
+    if (!molecule_.residues.empty()) {
+        const std::uint32_t last = molecule_.residues.back().chain;
+        if (molecule_.chains[last].name == chain) return last;
+    }
+    const auto [found, added] =
+        chains_.emplace(std::string(chain), static_cast<std::uint32_t>(molecule_.chains.size()));
+    if (added) molecule_.chains.push_back({std::string(chain)});
+    return found->second;
+}
+
+std::uint32_t MoleculeBuilder::subchainIndex(std::string_view subchain) {
+    const auto [found, added] =
+        subchains_.emplace(std::string(subchain), static_cast<std::uint32_t>(molecule_.subchains.size()));
+    if (added) molecule_.subchains.emplace_back(subchain);
+    return found->second;
+}
+
+std::optional<std::uint32_t> MoleculeBuilder::subchain(std::string_view name) const {
+    const auto found = subchains_.find(std::string(name));
+    return found == subchains_.end() ? std::nullopt : std::optional<std::uint32_t>(found->second);
+}
+
+void MoleculeBuilder::addBond(std::int64_t a, std::int64_t b, int order, std::uint64_t line) {
+    const auto count = static_cast<std::int64_t>(molecule_.atoms.size());
+    const auto where = line > 0 ? std::optional<std::uint64_t>(line) : std::nullopt;
+    if (a < 0 || b < 0 || a >= count || b >= count)
+        throw Error("cannot read molecule", name_,
+                    "bond between atoms " + std::to_string(a + 1) + " and " + std::to_string(b + 1) + " of " +
+                        std::to_string(count),
+                    where);
+    if (a == b)
+        throw Error("cannot read molecule", name_, "bond of atom " + std::to_string(a + 1) + " to itself", where);
+    Bond bond;
+    bond.a = static_cast<std::uint32_t>(std::min(a, b));
+    bond.b = static_cast<std::uint32_t>(std::max(a, b));
+    bond.order = static_cast<std::uint8_t>(order);
+    bond.source = BondSource::file;
+    molecule_.bonds.push_back(bond);
+}
+
+Element MoleculeBuilder::element(std::string_view symbol, std::uint64_t line) {
+    symbol = trim(symbol);
+    if (const auto number = parseInteger(symbol); number && *number >= 1 && *number <= 118)
+        return static_cast<Element>(*number);
+    std::size_t letters = 0;
+    while (letters < symbol.size() && isLetter(symbol[letters])) ++letters;
+    // After the letters a file may add the charge or its own numbering, but nothing else.
+    const bool usual = symbol.find_first_not_of("0123456789+-", letters) == std::string_view::npos;
+    const std::string_view bare = symbol.substr(0, letters);
+    if (usual && (bare == "T" || bare == "t")) return 1;  // tritium
+    const Element known = usual ? elementFromSymbol(bare) : Element{0};
+    if (known == 0 && unknownElements_++ == 0) {
+        firstUnknown_ = "'" + printable(symbol, 16) + "'";
+        if (line > 0) firstUnknown_ += " in line " + std::to_string(line);
+    }
+    return known;
+}
+
+void MoleculeBuilder::warn(const std::string& sentence) {
+    if (molecule_.warnings.size() < kMaxWarnings)
+        molecule_.warnings.push_back(sentence);
+    else
+        ++warningsLeftOut_;
+}
+
+Molecule MoleculeBuilder::finish() {
+    if (molecule_.atoms.empty()) throw Error("cannot read molecule", name_, "it has no atoms");
+    if (unknownElements_ > 0)
+        warn("atoms of unknown element: " + std::to_string(unknownElements_) + ", the first " + firstUnknown_);
+    auto& bonds = molecule_.bonds;
+    const auto before = [](const Bond& x, const Bond& y) { return std::tie(x.a, x.b) < std::tie(y.a, y.b); };
+    const auto same = [](const Bond& x, const Bond& y) { return x.a == y.a && x.b == y.b; };
+    std::stable_sort(bonds.begin(), bonds.end(), before);
+    const auto end = std::unique(bonds.begin(), bonds.end(), same);
+    if (end != bonds.end()) warn("bonds stated more than once: " + std::to_string(bonds.end() - end));
+    bonds.erase(end, bonds.end());
+    if (warningsLeftOut_ > 0) molecule_.warnings.push_back("and " + std::to_string(warningsLeftOut_) + " more");
+    return std::move(molecule_);
+}
+
+}  // namespace nacre

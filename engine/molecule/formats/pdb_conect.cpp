@@ -1,0 +1,161 @@
+#include "engine/molecule/formats/pdb_conect.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "engine/molecule/formats/pdb_fields.h"
+
+namespace nacre::pdb {
+namespace {
+
+/// Atoms by serial number: as a table, since files number their atoms one after the other; where one does not, and its
+/// table would be mostly holes, as a sorted list.
+class SerialIndex {
+public:
+    enum class Found { none, one, several };
+
+    explicit SerialIndex(const std::vector<std::int64_t>& serials) {
+        const auto last = std::max_element(serials.begin(), serials.end());
+        const std::int64_t longest = static_cast<std::int64_t>(serials.size()) * 4 + 100'000;
+        if (last != serials.end() && *last < longest)
+            fillTable(serials, static_cast<std::size_t>(std::max<std::int64_t>(*last, 0)) + 1);
+        else
+            sortEntries(serials);
+    }
+
+    Found find(std::int64_t serial, std::uint32_t& atom) const {
+        if (table_.empty()) return findSorted(serial, atom);
+        if (serial < 0 || serial >= static_cast<std::int64_t>(table_.size())) return Found::none;
+        atom = table_[static_cast<std::size_t>(serial)];
+        return atom == kNone ? Found::none : atom == kSeveral ? Found::several : Found::one;
+    }
+
+private:
+    using Entry = std::pair<std::int64_t, std::uint32_t>;
+    static constexpr std::uint32_t kNone = ~0u, kSeveral = kNone - 1;
+
+    void fillTable(const std::vector<std::int64_t>& serials, std::size_t size) {
+        table_.assign(size, kNone);
+        for (std::uint32_t i = 0; i < serials.size(); ++i) {
+            if (serials[i] < 0) continue;
+            std::uint32_t& slot = table_[static_cast<std::size_t>(serials[i])];
+            slot = slot == kNone ? i : kSeveral;
+        }
+    }
+
+    void sortEntries(const std::vector<std::int64_t>& serials) {
+        entries_.reserve(serials.size());
+        for (std::uint32_t i = 0; i < serials.size(); ++i)
+            if (serials[i] >= 0) entries_.emplace_back(serials[i], i);
+        if (!std::is_sorted(entries_.begin(), entries_.end())) std::sort(entries_.begin(), entries_.end());
+    }
+
+    Found findSorted(std::int64_t serial, std::uint32_t& atom) const {
+        const auto [begin, end] = std::equal_range(entries_.begin(), entries_.end(), Entry(serial, 0),
+                                                   [](const Entry& l, const Entry& r) { return l.first < r.first; });
+        if (begin == end) return Found::none;
+        atom = begin->second;
+        return end - begin == 1 ? Found::one : Found::several;
+    }
+
+    std::vector<std::uint32_t> table_;
+    std::vector<Entry> entries_;
+};
+
+/// One kind of ignored record: how many, and where the first is.
+struct Ignored {
+    std::size_t count = 0;
+    std::uint64_t firstLine = 0;
+
+    void note(std::uint64_t line) {
+        if (count++ == 0) firstLine = line;
+    }
+    void report(Molecule& molecule, const std::string& what) const {
+        if (count == 0) return;
+        molecule.warnings.push_back("ignored " + std::to_string(count) + " CONECT " + what + ", the first on line " +
+                                    std::to_string(firstLine));
+    }
+};
+
+/// By first atom, then second; of bonds of the same two atoms the one of the highest order. Dealt out to the first
+/// atoms, of which each has a handful: quicker than sorting all of them, where every atom has its record.
+std::vector<Bond> sortedUnique(const std::vector<Bond>& bonds, std::size_t atoms) {
+    std::vector<std::uint32_t> ends(atoms + 1, 0);
+    for (const Bond& bond : bonds) ++ends[bond.a + 1];
+    for (std::size_t i = 1; i <= atoms; ++i) ends[i] += ends[i - 1];
+    std::vector<Bond> sorted(bonds.size());
+    for (const Bond& bond : bonds) sorted[ends[bond.a]++] = bond;  // now where each atom's bonds end
+    std::size_t kept = 0, first = 0;
+    for (std::size_t i = 0; i < atoms; ++i) {
+        const auto begin = sorted.begin() + static_cast<std::ptrdiff_t>(first);
+        const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(ends[i]);
+        first = ends[i];
+        std::sort(begin, end, [](const Bond& l, const Bond& r) { return l.b != r.b ? l.b < r.b : l.order > r.order; });
+        const auto last = std::unique(begin, end, [](const Bond& l, const Bond& r) { return l.b == r.b; });
+        for (auto bond = begin; bond != last; ++bond) sorted[kept++] = *bond;
+    }
+    sorted.resize(kept);
+    return sorted;
+}
+
+}  // namespace
+
+void ConectTable::add(std::string_view line, std::uint64_t lineNumber) {
+    // Columns 32 and on held hydrogen bonds and salt bridges in old files; they are no bonds.
+    constexpr std::array<std::size_t, 4> kPartners = {12, 17, 22, 27};
+    const auto from = integer(columns(line, 7, 11), 5);
+    if (!from || *from < 0) {
+        if (unreadable_++ == 0) firstUnreadable_ = lineNumber;
+        return;
+    }
+    const std::size_t before = pairs_.size();
+    for (const std::size_t first : kPartners) {
+        const std::string_view field = trim(columns(line, first, first + 4));
+        if (field.empty()) continue;
+        const auto to = integer(field, 5);
+        if (!to) {
+            if (unreadable_++ == 0) firstUnreadable_ = lineNumber;
+            continue;
+        }
+        if (*to <= 0) continue;  // padding
+        // A partner named twice in one record is the customary way to write a double bond.
+        const auto known = std::find_if(pairs_.begin() + static_cast<std::ptrdiff_t>(before), pairs_.end(),
+                                        [&](const Pair& pair) { return pair.to == *to; });
+        if (known == pairs_.end()) {
+            pairs_.push_back({*from, *to, lineNumber, 1});
+        } else {
+            known->order = static_cast<std::uint8_t>(std::min(known->order + 1, 3));
+        }
+    }
+}
+
+void ConectTable::resolve(const std::vector<std::int64_t>& serials, Molecule& molecule) const {
+    molecule.file.conectUniquePairs = 0;
+    if (empty()) return;
+    const SerialIndex index(serials);
+    Ignored dangling;
+    Ignored ambiguous;
+    std::vector<Bond> bonds;
+    for (const Pair& pair : pairs_) {
+        std::uint32_t a = 0;
+        std::uint32_t b = 0;
+        const SerialIndex::Found foundA = index.find(pair.from, a);
+        const SerialIndex::Found foundB = index.find(pair.to, b);
+        if (foundA == SerialIndex::Found::none || foundB == SerialIndex::Found::none) {
+            dangling.note(pair.line);
+        } else if (foundA == SerialIndex::Found::several || foundB == SerialIndex::Found::several) {
+            ambiguous.note(pair.line);
+        } else if (a != b) {
+            bonds.push_back({std::min(a, b), std::max(a, b), pair.order, BondSource::file});
+        }
+    }
+    bonds = sortedUnique(bonds, serials.size());
+    molecule.file.conectUniquePairs = static_cast<std::int64_t>(bonds.size());
+    molecule.bonds.insert(molecule.bonds.end(), bonds.begin(), bonds.end());
+    dangling.report(molecule, "bonds to atoms that are not there");
+    ambiguous.report(molecule, "bonds to serial numbers that several atoms bear");
+    Ignored{unreadable_, firstUnreadable_}.report(molecule, "fields that are no serial numbers");
+}
+
+}  // namespace nacre::pdb

@@ -1,0 +1,199 @@
+#include "engine/molecule/formats/pdb_fields.h"
+
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include "engine/molecule/element.h"
+#include "engine/molecule/floating_point.h"
+#include "engine/molecule/bonds/residue_templates.h"
+
+namespace nacre::pdb {
+namespace {
+
+bool isBlank(char c) { return c == ' ' || c == '\0' || c == '\t'; }
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+bool isLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+/// Plain decimals of the width that PDB columns have, several times faster than the general conversion. Mantissa and
+/// power of ten are exact in double, so the quotient is correctly rounded.
+std::optional<double> shortDecimal(std::string_view text) {
+    constexpr double kPowers[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12};
+    if (text.size() > 12) return std::nullopt;
+    std::size_t i = text.front() == '-' || text.front() == '+' ? 1 : 0;
+    std::int64_t mantissa = 0;
+    std::size_t digits = 0;
+    std::size_t decimals = 0;
+    bool point = false;
+    for (; i < text.size(); ++i) {
+        if (isDigit(text[i])) {
+            mantissa = mantissa * 10 + (text[i] - '0');
+            ++digits;
+            if (point) ++decimals;
+        } else if (text[i] == '.' && !point) {
+            point = true;
+        } else {
+            return std::nullopt;
+        }
+    }
+    if (digits == 0) return std::nullopt;
+    const double value = static_cast<double>(mantissa) / kPowers[decimals];
+    return text.front() == '-' ? -value : value;
+}
+
+std::optional<std::int64_t> decimal(std::string_view text) {
+    if (text.size() > 1 && text[0] == '+' && isDigit(text[1])) text.remove_prefix(1);
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+std::optional<std::int64_t> hybrid36(std::string_view text, std::size_t width) {
+    if (text.size() != width || !isLetter(text.front())) return std::nullopt;
+    const bool lower = text.front() >= 'a';
+    std::int64_t value = 0;
+    std::int64_t firstLetterPower = 1;  // 36^(width - 1)
+    std::int64_t decimals = 10;         // 10^width
+    for (std::size_t i = 1; i < width; ++i) {
+        firstLetterPower *= 36;
+        decimals *= 10;
+    }
+    for (const char c : text) {
+        const bool fits = isDigit(c) || (lower ? c >= 'a' && c <= 'z' : c >= 'A' && c <= 'Z');
+        if (!fits) return std::nullopt;
+        value = value * 36 + (isDigit(c) ? c - '0' : upper(c) - 'A' + 10);
+    }
+    return value - 10 * firstLetterPower + decimals + (lower ? 26 * firstLetterPower : 0);
+}
+
+/// Symbol of one letter, if it is the beginning of an element's name at all.
+Element oneLetter(char c) { return isLetter(c) ? elementFromSymbol(std::string_view(&c, 1)) : Element{0}; }
+
+/// The names of standard residues start with the element whatever column they stand in; only selenium takes two.
+Element inStandardResidue(std::string_view name) {
+    const std::size_t first = name.find_first_not_of("0123456789");
+    if (first == std::string_view::npos) return 0;
+    if (upper(name[first]) == 'S' && name.size() > first + 1 && upper(name[first + 1]) == 'E')
+        return elementFromSymbol("SE");
+    return oneLetter(name[first]);
+}
+
+/// Whole names that nobody gives to another element, wherever they stand.
+bool isPlainSymbol(std::string_view name) {
+    for (const char* symbol : {"SI", "CL", "BR", "FE", "MG", "ZN", "MN", "LI", "AL"})
+        if (name.size() == 2 && upper(name[0]) == symbol[0] && upper(name[1]) == symbol[1]) return true;
+    return false;
+}
+
+/// Element of an atom that is a residue by itself; CHARMM has names of its own for ions.
+Element ionOf(std::string_view name) {
+    struct Ion {
+        std::string_view name, symbol;
+    };
+    static constexpr Ion kIons[] = {{"SOD", "NA"}, {"POT", "K"},  {"CLA", "CL"}, {"CAL", "CA"},
+                                    {"CES", "CS"}, {"LIT", "LI"}, {"RUB", "RB"}, {"BAR", "BA"}};
+    for (const Ion& ion : kIons)
+        if (name == ion.name) return elementFromSymbol(ion.symbol);
+    return elementFromSymbol(name);
+}
+
+/// Columns 13-14 hold the symbol, right-justified; names of four characters have no room for that, so that theirs may
+/// be one letter as well.
+Element byNameColumns(std::string_view field) {
+    if (isPlainSymbol(trim(field))) return elementFromSymbol(trim(field));
+    const char first = column(field, 1);
+    const char second = column(field, 2);
+    if (isBlank(first) || isDigit(first)) return oneLetter(second);
+    if (!isLetter(first)) return oneLetter(second);
+    const Element two = isLetter(second) ? elementFromSymbol(field.substr(0, 2)) : Element{0};
+    const bool full = !isBlank(column(field, 3)) && !isBlank(column(field, 4));
+    const char letter = upper(first);
+    const bool organic = letter == 'H' || letter == 'D' || letter == 'C' || letter == 'N' || letter == 'O';
+    const bool chlorine = letter == 'C' && upper(second) == 'L';
+    if (two != 0 && !(full && organic && !chlorine)) return two;
+    return oneLetter(first);
+}
+
+}  // namespace
+
+std::string_view trim(std::string_view field) {
+    while (!field.empty() && isBlank(field.front())) field.remove_prefix(1);
+    while (!field.empty() && isBlank(field.back())) field.remove_suffix(1);
+    return field;
+}
+
+std::optional<double> number(std::string_view field) {
+    field = trim(field);
+    if (field.empty()) return std::nullopt;
+    if (const auto value = shortDecimal(field)) return value;
+    double value = 0;
+    const auto [end, error] = fromChars(field.data(), field.data() + field.size(), value);
+    if (error != std::errc() || end != field.data() + field.size() || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+std::optional<std::int64_t> integer(std::string_view field, std::size_t width) {
+    field = trim(field);
+    if (const auto value = decimal(field)) return value;
+    return field.empty() ? std::nullopt : hybrid36(field, width);
+}
+
+std::optional<std::int64_t> serial(std::string_view line) {
+    // "ATOM 1000000" starts early, "ATOM  100000" ends late.
+    const std::size_t first = isDigit(column(line, 6)) ? 6 : 7;
+    const bool wide = isDigit(column(line, 7)) && isDigit(column(line, 11)) && isDigit(column(line, 12));
+    return integer(columns(line, first, wide ? 12 : 11), 5);
+}
+
+Element element(std::string_view line, const Name& residueName) {
+    // Old files have the entry's code and a line number in columns 73-80; digits there are no symbol.
+    const std::string_view symbol = trim(columns(line, 77, 78));
+    if (!symbol.empty())
+        if (const Element stated = elementFromSymbol(symbol)) return stated;
+    return elementByName(columns(line, 13, 16), residueName);
+}
+
+Element elementByName(std::string_view field, const Name& residueName) {
+    if (residueTemplate(residueName)) return inStandardResidue(trim(field));
+    return byNameColumns(field);
+}
+
+Element elementByLooseName(std::string_view name, const Name& residueName) {
+    if (residueTemplate(residueName)) return inStandardResidue(name);
+    const bool sign = !name.empty() && (name.back() == '+' || name.back() == '-');
+    const std::string_view letters = name.substr(0, name.find_last_not_of("0123456789+-") + 1);
+    const std::string_view residue = residueName.view();
+    if (sign || letters == residue.substr(0, residue.find_last_not_of("0123456789+-") + 1))
+        if (const Element ion = ionOf(letters)) return ion;
+    if (isPlainSymbol(letters)) return elementFromSymbol(letters);
+    return byNameColumns(name.size() < 4 ? " " + std::string(name) : std::string(name));
+}
+
+Element elementByAutoDockType(std::string_view type) {
+    struct Type {
+        std::string_view type, symbol;
+    };
+    // Types of AutoDock 4's parameters that are no symbols: aromatic carbon, polar hydrogen, acceptors, the carbons
+    // that rings are closed with, and the water of hydrated docking.
+    static constexpr Type kTypes[] = {{"A", "C"},  {"HD", "H"}, {"HS", "H"}, {"NA", "N"}, {"NS", "N"},
+                                      {"OA", "O"}, {"OS", "O"}, {"SA", "S"}, {"Z", "C"},  {"G", "C"},
+                                      {"GA", "C"}, {"J", "C"},  {"Q", "C"},  {"W", "O"}};
+    type = trim(type);
+    for (const Type& known : kTypes)
+        if (type == known.type) return elementFromSymbol(known.symbol);
+    return elementFromSymbol(type);
+}
+
+std::int8_t charge(std::string_view line) {
+    const char a = column(line, 79);
+    const char b = column(line, 80);
+    const bool digitFirst = isDigit(a) && (b == '+' || b == '-');
+    const bool signFirst = isDigit(b) && (a == '+' || a == '-');
+    if (!digitFirst && !signFirst) return 0;
+    const int size = (digitFirst ? a : b) - '0';
+    return static_cast<std::int8_t>((digitFirst ? b : a) == '-' ? -size : size);
+}
+
+}  // namespace nacre::pdb

@@ -1,0 +1,111 @@
+// BinaryCIF: the categories of mmCIF in columns, packed with MessagePack.
+#include <algorithm>
+
+#include "engine/error.h"
+#include "engine/molecule/formats/bcif_column.h"
+#include "engine/molecule/formats/mmcif_model.h"
+#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+
+namespace {
+
+using Kind = MsgpackValue::Kind;
+
+class BcifWalker {
+public:
+    BcifWalker(const std::string& name, std::size_t bytes, MmcifModel& model)
+        : name_(name), bytes_(bytes), model_(model) {}
+
+    void document(const MsgpackValue& root) {
+        const auto blocks = root.find("dataBlocks");
+        if (!blocks || !blocks->is(Kind::array)) fail("it has no dataBlocks, so it is no BinaryCIF");
+        MsgpackElements elements(*blocks);
+        for (MsgpackValue block; elements.next(block);) {
+            model_.beginBlock();
+            const auto categories = block.find("categories");
+            if (!categories || !categories->is(Kind::array)) fail("a data block has no categories");
+            MsgpackElements each(*categories);
+            for (MsgpackValue content; each.next(content);) category(content);
+        }
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& why) const { throw Error("cannot read molecule", name_, why); }
+
+    std::string nameOf(const MsgpackValue& map) const {
+        const auto named = map.find("name");
+        const auto text = named ? named->asText() : std::nullopt;
+        if (!text) fail("a category or column has no name");
+        return lowerCase(*text);
+    }
+
+    void category(const MsgpackValue& content) {
+        std::string name = nameOf(content);
+        if (startsWith(name, "_")) name.erase(0, 1);
+        if (!MmcifModel::isKept(name)) return;
+        std::vector<std::string> names;
+        std::vector<MsgpackValue> values;
+        const auto columns = content.find("columns");
+        if (!columns || !columns->is(Kind::array)) fail("the category " + printable(name) + " has no columns");
+        MsgpackElements elements(*columns);
+        for (MsgpackValue column; elements.next(column);) {
+            std::string label = nameOf(column);
+            const bool repeated = std::find(names.begin(), names.end(), label) != names.end();
+            if (repeated || !MmcifModel::isKept(name, label)) continue;
+            if (names.size() == kMaxColumns) fail("the category _" + printable(name) + " has too many columns");
+            names.push_back(std::move(label));
+            values.push_back(column);
+        }
+        const std::size_t rows = rowCount(content, name);
+        if (values.empty() || rows == 0 || !model_.beginCategory(name, names, 0)) return;
+        if (name != "atom_site") model_.expectRows(rows, names.size());
+        addRows(name, names, values, rows);
+    }
+
+    /// A row takes a byte of the file at least: what no real file violates bounds what a hostile one makes us allocate.
+    std::size_t rowCount(const MsgpackValue& content, const std::string& category) const {
+        const auto value = content.find("rowCount");
+        const auto rows = value ? value->asInteger() : std::nullopt;
+        if (!rows || *rows < 0 || static_cast<std::uint64_t>(*rows) > std::min(bytes_, kMaxRows))
+            fail("the number of rows of _" + printable(category) + " is missing or impossible");
+        return static_cast<std::size_t>(*rows);
+    }
+
+    void addRows(const std::string& category, const std::vector<std::string>& names,
+                 const std::vector<MsgpackValue>& values, std::size_t rows) {
+        std::vector<BcifColumn> columns;
+        columns.reserve(values.size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            try {
+                columns.emplace_back(values[i], rows);
+            } catch (const PackedFault& fault) {
+                fail("column _" + printable(category) + "." + printable(names[i]) + ": " +
+                     printable(fault.what(), 200));
+            }
+        }
+        std::vector<MmcifCell> row(columns.size());
+        for (std::size_t i = 0; i < rows; ++i) {
+            for (std::size_t j = 0; j < columns.size(); ++j) row[j] = columns[j].cell(i);
+            model_.addRow(row, 0);
+        }
+    }
+
+    static constexpr std::size_t kMaxColumns = 1000;        // the dictionary's largest category has some 120
+    static constexpr std::size_t kMaxRows = 4 * kMaxAtoms;  // all models together
+
+    const std::string& name_;
+    std::size_t bytes_;
+    MmcifModel& model_;
+};
+
+}  // namespace
+
+Molecule readBcif(const std::string& name, std::string_view bytes, const ReadOptions& options) {
+    MmcifModel model(name, options);
+    BcifWalker(name, bytes.size(), model).document(parseMsgpack(name, bytes));
+    return model.finish("bcif");
+}
+
+}  // namespace nacre

@@ -1,0 +1,275 @@
+// CML (Chemical Markup Language, schema 2 and 3): <molecule> elements with an atomArray and a bondArray. All molecules
+// of a file stand together; each outermost one is a residue. Expat reads the XML as a stream, so that memory is bounded
+// by the atoms, and entities are refused, so that no text multiplies itself.
+#include <expat.h>
+
+#include <exception>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/error.h"
+#include "engine/molecule/element.h"
+#include "engine/molecule/formats/molecule_builder.h"
+#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+
+namespace {
+
+constexpr int kDeepest = 256;
+constexpr std::size_t kLongestTitle = 200;
+
+/// Attributes as expat hands them out: names and values in turn.
+class Attributes {
+public:
+    explicit Attributes(const XML_Char** list) : list_(list) {}
+
+    /// Empty if there is none.
+    std::string_view operator[](std::string_view name) const {
+        for (const XML_Char** at = list_; *at; at += 2)
+            if (name == *at) return at[1];
+        return {};
+    }
+
+private:
+    const XML_Char** list_;
+};
+
+/// Cuts the first word off.
+std::string_view nextWord(std::string_view& text) {
+    text = trim(text);
+    const std::string_view word = text.substr(0, text.find_first_of(" \t\n\r"));
+    text.remove_prefix(word.size());
+    return word;
+}
+
+struct CmlAtom {
+    std::string_view id, element, x, y, z, charge;
+};
+
+struct CmlBond {
+    std::string a, b;
+    int order;
+    std::uint64_t line;
+};
+
+class CmlReader {
+public:
+    CmlReader(const std::string& name, std::size_t maxAtoms)
+        : name_(name), builder_(name, maxAtoms), parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
+        if (!parser_) throw std::bad_alloc();
+        XML_SetUserData(parser_.get(), this);
+        XML_SetElementHandler(parser_.get(), onStart, onEnd);
+        XML_SetCharacterDataHandler(parser_.get(), onText);
+        XML_SetEntityDeclHandler(parser_.get(), onEntity);
+    }
+
+    Molecule run(std::string_view text) {
+        constexpr std::size_t kPiece = std::size_t{1} << 30;  // expat counts in int
+        do {
+            const std::string_view piece = text.substr(0, kPiece);
+            text.remove_prefix(piece.size());
+            const auto status = XML_Parse(parser_.get(), piece.data(), static_cast<int>(piece.size()),
+                                          text.empty() ? XML_TRUE : XML_FALSE);
+            if (thrown_) std::rethrow_exception(thrown_);
+            if (status != XML_STATUS_OK)
+                fail(std::string("not valid XML: ") + XML_ErrorString(XML_GetErrorCode(parser_.get())));
+        } while (!text.empty());
+        FileSummary& file = builder_.molecule().file;
+        file.format = "cml";
+        file.records = molecules_;
+        file.bonds = bondCount_;
+        if (flat_ > 0) builder_.warn("atoms with coordinates in two dimensions only: " + std::to_string(flat_));
+        if (oddOrders_ > 0) builder_.warn("bonds of unknown order, read as single: " + std::to_string(oddOrders_));
+        return builder_.finish();
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& why) const { throw Error("cannot read molecule", name_, why, line()); }
+
+    std::uint64_t line() const { return XML_GetCurrentLineNumber(parser_.get()); }
+
+    /// Runs what may throw; an exception must not pass through expat, which is C.
+    template <typename Work>
+    static void guarded(void* user, Work work) {
+        CmlReader& reader = *static_cast<CmlReader*>(user);
+        if (reader.thrown_) return;
+        try {
+            work(reader);
+        } catch (...) {
+            reader.thrown_ = std::current_exception();
+            XML_StopParser(reader.parser_.get(), XML_FALSE);
+        }
+    }
+    static void XMLCALL onStart(void* user, const XML_Char* name, const XML_Char** attributes) {
+        guarded(user, [&](CmlReader& reader) { reader.start(name, Attributes(attributes)); });
+    }
+    static void XMLCALL onEnd(void* user, const XML_Char* name) {
+        guarded(user, [&](CmlReader& reader) { reader.end(name); });
+    }
+    static void XMLCALL onText(void* user, const XML_Char* text, int length) {
+        guarded(user, [&](CmlReader& reader) { reader.text({text, static_cast<std::size_t>(length)}); });
+    }
+    static void XMLCALL onEntity(void* user, const XML_Char*, int, const XML_Char*, int, const XML_Char*,
+                                 const XML_Char*, const XML_Char*, const XML_Char*) {
+        guarded(user, [](CmlReader& reader) { reader.fail("it declares XML entities, which are not supported"); });
+    }
+
+    static std::string_view withoutPrefix(std::string_view name) { return name.substr(name.find(':') + 1); }
+
+    void start(std::string_view qualified, const Attributes& attributes) {
+        const std::string_view name = withoutPrefix(qualified);
+        if (++depth_ > kDeepest) fail("its elements are nested more than " + std::to_string(kDeepest) + " deep");
+        inName_ = name == "name" && moleculeDepth_ > 0 && nameText_.empty();
+        if (name == "molecule") {
+            ++molecules_;
+            if (++moleculeDepth_ == 1) ++outermost_;
+            if (title_.empty()) title_ = attributes["title"].substr(0, kLongestTitle);
+        } else if (moleculeDepth_ == 0) {
+            if (name == "cml") title_ = attributes["title"].substr(0, kLongestTitle);
+        } else if (name == "atom") {
+            addAtom({attributes["id"], attributes["elementType"], coordinate(attributes, "x3", "x2"),
+                     coordinate(attributes, "y3", "y2"), coordinate(attributes, "z3", ""), attributes["formalCharge"]},
+                    !attributes["xFract"].empty());
+        } else if (name == "atomArray" && !attributes["atomID"].empty()) {
+            addAtomArray(attributes);
+        } else if (name == "bond") {
+            addBond(attributes);
+        } else if (name == "bondArray" && !attributes["atomRef1"].empty()) {
+            addBondArray(attributes);
+        }
+    }
+
+    void end(std::string_view qualified) {
+        --depth_;
+        inName_ = false;
+        if (withoutPrefix(qualified) == "molecule" && --moleculeDepth_ == 0) finishMolecule();
+    }
+
+    void text(std::string_view piece) {
+        if (inName_ && title_.size() < kLongestTitle) nameText_ += piece.substr(0, kLongestTitle);
+        if (nameText_.size() > kLongestTitle) inName_ = false;
+    }
+
+    /// The attribute of three dimensions, or else that of two.
+    static std::string_view coordinate(const Attributes& attributes, std::string_view solid, std::string_view flat) {
+        const bool isSolid = !attributes["x3"].empty();
+        return isSolid ? attributes[solid] : flat.empty() ? std::string_view() : attributes[flat];
+    }
+
+    void addAtom(const CmlAtom& given, bool fractional) {
+        if (given.x.empty()) {
+            const std::string who = "atom '" + printable(given.id) + "' has ";
+            fail(fractional ? who + "fractional coordinates, which are not supported in CML" : who + "no coordinates");
+        }
+        const bool flat = given.z.empty();
+        flat_ += flat;
+        Atom atom;
+        atom.position.x = parseCoordinate(given.x, 'x', name_, line());
+        atom.position.y = parseCoordinate(given.y, 'y', name_, line());
+        atom.position.z = flat ? 0 : parseCoordinate(given.z, 'z', name_, line());
+        atom.element = builder_.element(given.element, line());
+        atom.name = Name(atom.element != 0 ? elementSymbol(atom.element) : given.element);
+        if (!given.charge.empty()) {
+            const auto charge = parseInteger(given.charge);
+            if (!charge || *charge < -20 || *charge > 20)
+                fail("the formal charge is not usable: '" + printable(given.charge) + "'");
+            atom.charge = static_cast<std::int8_t>(*charge);
+        }
+        const auto index = static_cast<std::uint32_t>(builder_.molecule().atoms.size());
+        builder_.addAtom(atom, "", outermost_, '\0', "");
+        if (!given.id.empty() && !indexOfId_.emplace(std::string(given.id), index).second)
+            fail("two atoms are called '" + printable(given.id) + "'");
+    }
+
+    /// Atoms as lists of words in the array's own attributes.
+    void addAtomArray(const Attributes& attributes) {
+        const bool solid = !attributes["x3"].empty();
+        std::string_view ids = attributes["atomID"], elements = attributes["elementType"];
+        std::string_view xs = attributes[solid ? "x3" : "x2"], ys = attributes[solid ? "y3" : "y2"];
+        std::string_view zs = solid ? attributes["z3"] : std::string_view(), charges = attributes["formalCharge"];
+        while (!trim(ids).empty()) {
+            const std::string_view id = nextWord(ids), element = nextWord(elements);
+            const std::string_view x = nextWord(xs), y = nextWord(ys);
+            addAtom({id, element, x, y, nextWord(zs), nextWord(charges)}, !attributes["xFract"].empty());
+        }
+    }
+
+    void addBond(const Attributes& attributes) {
+        std::string_view pair = attributes["atomRefs2"];
+        if (pair.empty()) pair = attributes["atomRefs"];
+        std::string_view a = nextWord(pair), b = nextWord(pair);
+        if (a.empty()) {
+            a = attributes["atomRef1"];
+            b = attributes["atomRef2"];
+        }
+        addBond(a, b, attributes["order"]);
+    }
+
+    void addBondArray(const Attributes& attributes) {
+        std::string_view as = attributes["atomRef1"], bs = attributes["atomRef2"], orders = attributes["order"];
+        while (!trim(as).empty()) {
+            const std::string_view a = nextWord(as), b = nextWord(bs);
+            addBond(a, b, nextWord(orders));
+        }
+    }
+
+    void addBond(std::string_view a, std::string_view b, std::string_view order) {
+        if (a.empty() || b.empty()) fail("a bond needs two atoms");
+        ++bondCount_;
+        pending_.push_back({std::string(a), std::string(b), orderOf(order), line()});
+    }
+
+    int orderOf(std::string_view order) {
+        if (order.empty() || order == "1" || order == "S") return 1;
+        if (order == "2" || order == "D") return 2;
+        if (order == "3" || order == "T") return 3;
+        if (order == "A" || order == "1.5") return 4;
+        ++oddOrders_;
+        return 1;
+    }
+
+    /// Bonds may stand before their atoms, so that they wait for the molecule's end.
+    void finishMolecule() {
+        for (const CmlBond& bond : pending_) {
+            const auto a = indexOfId_.find(bond.a), b = indexOfId_.find(bond.b);
+            if (a == indexOfId_.end() || b == indexOfId_.end()) {
+                const std::string& absent = a == indexOfId_.end() ? bond.a : bond.b;
+                throw Error("cannot read molecule", name_,
+                            "bond to atom '" + printable(absent) + "', which is not there", bond.line);
+            }
+            builder_.addBond(a->second, b->second, bond.order, bond.line);
+        }
+        pending_.clear();
+        indexOfId_.clear();
+        std::string& title = builder_.molecule().file.title;
+        if (title.empty()) title = printable(trim(title_.empty() ? nameText_ : title_), kLongestTitle);
+    }
+
+    const std::string& name_;
+    MoleculeBuilder builder_;
+    std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser_;
+    std::exception_ptr thrown_;
+    int depth_ = 0, moleculeDepth_ = 0;
+    std::int64_t molecules_ = 0, bondCount_ = 0;
+    std::int32_t outermost_ = 0;
+    bool inName_ = false;
+    std::string title_, nameText_;
+    std::unordered_map<std::string, std::uint32_t> indexOfId_;
+    std::vector<CmlBond> pending_;
+    std::size_t flat_ = 0, oddOrders_ = 0;
+};
+
+}  // namespace
+
+Molecule readCml(const std::string& name, std::string_view text, const ReadOptions& options) {
+    if (options.model > 1)
+        throw Error(
+            "cannot read molecule", name,
+            "there is no model " + std::to_string(options.model) + "; the molecules of a CML file are read as one");
+    return CmlReader(name, options.maxAtoms).run(text);
+}
+
+}  // namespace nacre

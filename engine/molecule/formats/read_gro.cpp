@@ -1,0 +1,155 @@
+// GRO (GROMACS): frames of a title, a count, one line of fixed columns per atom and the box; lengths in nm.
+#include "engine/error.h"
+#include "engine/molecule/formats/molecule_builder.h"
+#include "engine/molecule/formats/pdb_fields.h"
+#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+
+namespace {
+
+constexpr std::size_t kFirstPosition = 20;     // after residue number, residue name, atom name and atom number
+constexpr std::size_t kShortestAtomLine = 26;  // coordinates of two characters, without the last end of line
+constexpr double kAngstrom = 10;               // in a nm
+constexpr std::int32_t kNumbersWrapAt = 100000;
+
+class GroReader {
+public:
+    GroReader(const std::string& name, std::string_view text, const ReadOptions& options)
+        : name_(name), lines_(text), model_(options.model), builder_(name, options.maxAtoms) {}
+
+    Molecule run() {
+        std::int64_t frames = 0, atoms = 0;
+        while (const auto count = beginFrame(frames + 1)) {
+            const bool wanted = frames + 1 == model_;
+            if (wanted) {
+                readAtoms(*count);
+                readBox();
+            } else if (!skipFrame(*count)) {
+                builder_.warn("frame " + std::to_string(frames + 1) + " is incomplete");
+                break;
+            }
+            ++frames;
+            atoms += *count;
+        }
+        if (frames == 0) fail("it has no frames", std::nullopt);
+        if (model_ > frames)
+            fail("there is no frame " + std::to_string(model_) + "; the file has " + std::to_string(frames),
+                 std::nullopt);
+        FileSummary& file = builder_.molecule().file;
+        file.format = "gro";
+        file.models = frames;
+        file.totalAtomsAllModels = atoms;
+        return builder_.finish();
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& why, std::optional<std::uint64_t> line) const {
+        throw Error("cannot read molecule", name_, why, line);
+    }
+
+    /// The number of atoms of the next frame, with its title read; empty at the end of the frames.
+    std::optional<std::int64_t> beginFrame(std::int64_t frame) {
+        if (trim(lines_.rest()).empty()) return std::nullopt;
+        lines_.next();
+        const std::string_view title = trim(lines_.line());
+        const bool second = lines_.next();
+        const std::string_view announced = second ? trim(lines_.line()) : std::string_view();
+        const bool digits = !announced.empty() && announced.find_first_not_of("0123456789") == std::string_view::npos;
+        const auto count = digits ? parseInteger(announced) : std::nullopt;
+        if (count && *count <= static_cast<std::int64_t>(lines_.rest().size() / kShortestAtomLine + 1)) {
+            if (frame == model_) builder_.molecule().file.title = printable(title, 200);
+            return count;
+        }
+        if (frame > model_) {
+            builder_.warn("what follows frame " + std::to_string(frame - 1) + " is passed over");
+            return std::nullopt;
+        }
+        if (!digits) fail("expected a number of atoms, not '" + printable(announced) + "'", lines_.number());
+        fail("it announces " + printable(announced) + " atoms, but does not have as many", lines_.number());
+    }
+
+    void readAtoms(std::int64_t count) {
+        for (std::int64_t i = 0; i < count; ++i) {
+            if (!lines_.next())
+                fail("it ends after " + std::to_string(i) + " of " + std::to_string(count) + " atoms", lines_.number());
+            if (i == 0) width_ = widthOfCoordinates(lines_.line());
+            readAtom(lines_.line());
+        }
+    }
+
+    /// The distance of the decimal points: files may be written with more digits than the usual three.
+    static std::size_t widthOfCoordinates(std::string_view line) {
+        constexpr std::size_t kUsual = 8, kWidest = 32;
+        const std::size_t first = line.find('.', kFirstPosition);
+        if (first == std::string_view::npos) return kUsual;
+        const std::size_t second = line.find('.', first + 1);
+        return second == std::string_view::npos || second - first > kWidest ? kUsual : second - first;
+    }
+
+    void readAtom(std::string_view line) {
+        Atom atom;
+        for (int axis = 0; axis < 3; ++axis)
+            atom.position[axis] =
+                parseCoordinate(columns(line, kFirstPosition + static_cast<std::size_t>(axis) * width_, width_),
+                                "xyz"[axis], name_, lines_.number(), kAngstrom);
+        const std::string_view residue = trim(columns(line, 5, 5));
+        const std::string_view name = trim(columns(line, 10, 5));
+        atom.name = Name(name);
+        atom.element = pdb::elementByLooseName(name, Name(residue));
+        unknownElements_ += atom.element == 0;
+        builder_.addAtom(atom, "", unwrapped(parseInteger(columns(line, 0, 5)).value_or(0)), '\0', residue);
+    }
+
+    /// Residue numbers have five digits: after 99999 comes 0 again.
+    std::int32_t unwrapped(std::int64_t written) {
+        const auto number = static_cast<std::int32_t>(written);
+        if (lastNumber_ == kNumbersWrapAt - 1 && number == 0 && wraps_ < 10000) ++wraps_;
+        lastNumber_ = number;
+        return number + wraps_ * kNumbersWrapAt;
+    }
+
+    /// Three lengths, or the nine components in the order xx yy zz xy xz yx yz zx zy.
+    void readBox() {
+        if (unknownElements_ > 0)
+            builder_.warn("atoms of unknown element, such as virtual sites: " + std::to_string(unknownElements_));
+        const Words words = lines_.next() ? splitWords(lines_.line()) : Words();
+        constexpr std::size_t kPlace[9][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 0}, {1, 2}, {2, 0}, {2, 1}};
+        std::array<glm::vec3, 3> box{};
+        const std::size_t count = words.count >= 9 ? 9 : 3;
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto value = parseNumber(words[i]);
+            if (!value || !(std::abs(*value) <= 1e9)) {
+                builder_.warn("frame " + std::to_string(model_) + " has no readable box");
+                return;
+            }
+            box[kPlace[i][0]][static_cast<int>(kPlace[i][1])] = static_cast<float>(*value * kAngstrom);
+        }
+        constexpr std::array<glm::vec3, 3> kNone{};  // is written as zeros
+        if (box != kNone) builder_.molecule().file.box = box;
+    }
+
+    bool skipFrame(std::int64_t count) {
+        for (std::int64_t i = 0; i < count; ++i)
+            if (!lines_.next()) return false;
+        lines_.next();
+        return true;
+    }
+
+    const std::string& name_;
+    LineReader lines_;
+    int model_;
+    MoleculeBuilder builder_;
+    std::size_t width_ = 8;
+    std::int32_t lastNumber_ = 0, wraps_ = 0;
+    std::size_t unknownElements_ = 0;
+};
+
+}  // namespace
+
+Molecule readGro(const std::string& name, std::string_view text, const ReadOptions& options) {
+    return GroReader(name, text, options).run();
+}
+
+}  // namespace nacre

@@ -1,0 +1,196 @@
+// gemmi's CIF grammar with actions of our own: gemmi's document would keep every value as a string, which for a
+// capsid of a million atoms is over a gigabyte.
+#include <gemmi/cif.hpp>
+
+#include "engine/error.h"
+#include "engine/molecule/formats/mmcif_model.h"
+#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+
+namespace {
+
+namespace pegtl = tao::pegtl;
+namespace rules = gemmi::cif::rules;
+
+constexpr std::size_t kMaxTags = 1000;  // the largest category of the dictionary has some 120
+
+/// What a value means: quotes off, '?' and '.' null.
+MmcifCell meaning(std::string_view raw) {
+    if (raw == "?" || raw == ".") return {};
+    const char first = raw.empty() ? '\0' : raw.front();
+    if ((first == '\'' || first == '"') && raw.size() >= 2 && raw.back() == first) return raw.substr(1, raw.size() - 2);
+    if (first == ';' && raw.size() >= 3 && raw.substr(raw.size() - 2) == "\n;") return raw.substr(1, raw.size() - 3);
+    return raw;
+}
+
+/// Follows the parse, and hands rows to the model.
+class Walker {
+public:
+    Walker(const std::string& name, MmcifModel& model) : name_(name), model_(model) {}
+
+    void block() {
+        flushItems();
+        inFrame_ = false;
+        model_.beginBlock();
+    }
+    void frame(bool begins) {
+        flushItems();
+        inFrame_ = begins;
+    }
+
+    void itemTag(std::string_view tag, std::uint64_t line) {
+        const auto [category, column] = split(tag);
+        if (category != itemCategory_) flushItems();
+        if (itemColumns_.size() >= kMaxTags) fail("too many tags in a category", line);
+        itemCategory_ = category;
+        itemColumns_.push_back(column);
+        items_.resize(itemColumns_.size());
+        itemLine_ = line;
+    }
+    void itemValue(std::string_view raw) { items_.back() = meaning(raw); }
+
+    void beginLoop() {
+        flushItems();
+        category_.clear();
+        columns_.clear();
+        row_.clear();
+        filled_ = 0;
+        open_ = false;
+    }
+    void loopTag(std::string_view tag, std::uint64_t line) {
+        const auto [category, column] = split(tag);
+        if (columns_.size() >= kMaxTags) fail("too many tags in a loop", line);
+        if (columns_.empty()) category_ = category;
+        columns_.push_back(column);
+    }
+    void loopValue(std::string_view raw, std::uint64_t line) {
+        if (!open_) {
+            open_ = true;
+            wanted_ = !inFrame_ && model_.beginCategory(category_, columns_, line);
+        }
+        if (wanted_) row_.push_back(meaning(raw));
+        lastLine_ = line;
+        if (++filled_ < columns_.size()) return;
+        if (wanted_) model_.addRow(row_, line);
+        row_.clear();
+        filled_ = 0;
+    }
+    void endLoop() {
+        if (filled_ != 0)
+            fail("the last row of _" + printable(category_) + " has " + std::to_string(filled_) +
+                     " values instead of " + std::to_string(columns_.size()),
+                 lastLine_);
+    }
+
+    void textDelimiter(std::uint64_t line) { textBegin_ = textBegin_ > 0 ? 0 : line; }
+    std::uint64_t textBegin() const { return textBegin_; }  ///< line of a text field that is still open, or 0
+
+    void flushItems() {
+        if (!itemColumns_.empty() && !inFrame_ && model_.beginCategory(itemCategory_, itemColumns_, itemLine_))
+            model_.addRow(items_, itemLine_);
+        itemColumns_.clear();
+        items_.clear();
+        itemCategory_.clear();
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& why, std::uint64_t line) const {
+        throw Error("cannot read molecule", name_, why, line);
+    }
+    static std::pair<std::string, std::string> split(std::string_view tag) {
+        const std::string lower = lowerCase(tag.substr(1));
+        const std::size_t dot = lower.find('.');
+        if (dot == std::string::npos) return splitCore(lower);
+        return {lower.substr(0, dot), lower.substr(dot + 1)};
+    }
+
+    /// Tags of small-molecule CIF have no dot: _atom_site_fract_x is what mmCIF would call _atom_site.fract_x.
+    static std::pair<std::string, std::string> splitCore(const std::string& tag) {
+        static constexpr std::string_view kCategories[] = {"atom_site_aniso", "atom_site",         "cell",
+                                                           "symmetry_equiv",  "space_group_symop", "chemical"};
+        for (const std::string_view category : kCategories)
+            if (startsWith(tag, category) && tag.size() > category.size() && tag[category.size()] == '_')
+                return {std::string(category), tag.substr(category.size() + 1)};
+        return {tag, ""};
+    }
+
+    const std::string& name_;
+    MmcifModel& model_;
+    bool inFrame_ = false;
+    std::string itemCategory_, category_;
+    std::vector<std::string> itemColumns_, columns_;
+    std::vector<MmcifCell> items_, row_;
+    std::uint64_t itemLine_ = 0, lastLine_ = 0, textBegin_ = 0;
+    std::size_t filled_ = 0;
+    bool open_ = false, wanted_ = false;
+};
+
+template <typename Rule>
+struct Action : pegtl::nothing<Rule> {};
+
+#define NACRE_CIF_ACTION(rule, call)                     \
+    template <>                                          \
+    struct Action<rules::rule> {                         \
+        template <typename Input>                        \
+        static void apply(const Input& in, Walker& to) { \
+            (void)in;                                    \
+            to.call;                                     \
+        }                                                \
+    };
+NACRE_CIF_ACTION(datablockheading, block())
+NACRE_CIF_ACTION(framename, frame(true))
+NACRE_CIF_ACTION(endframe, frame(false))
+NACRE_CIF_ACTION(item_tag, itemTag(in.string_view(), in.iterator().line))
+NACRE_CIF_ACTION(item_value, itemValue(in.string_view()))
+NACRE_CIF_ACTION(str_loop, beginLoop())
+NACRE_CIF_ACTION(loop_tag, loopTag(in.string_view(), in.iterator().line))
+NACRE_CIF_ACTION(loop_value, loopValue(in.string_view(), in.iterator().line))
+NACRE_CIF_ACTION(loop, endLoop())
+NACRE_CIF_ACTION(field_sep, textDelimiter(in.iterator().line))
+#undef NACRE_CIF_ACTION
+
+/// @throws pegtl::parse_error where the text is no CIF
+Molecule parseCif(const std::string& name, std::string_view text, const ReadOptions& options) {
+    MmcifModel model(name, options);
+    Walker walker(name, model);
+    pegtl::memory_input<> input(text.data(), text.size(), "");
+    try {
+        pegtl::parse<rules::file, Action, gemmi::cif::Errors>(input, walker);
+    } catch (const pegtl::parse_error&) {
+        if (walker.textBegin() == 0) throw;
+        throw Error("cannot read molecule", name, "this text field is never closed", walker.textBegin());
+    }
+    walker.flushItems();
+    return model.finish("mmcif");
+}
+
+}  // namespace
+
+Molecule readMmcif(const std::string& name, std::string_view text, const ReadOptions& options) {
+    try {
+        return parseCif(name, text, options);
+    } catch (const pegtl::parse_error&) {
+    }
+    // Words of old files may hold letters in some author's encoding, or zeros; the grammar takes them in quotes only.
+    std::string replaced(text);
+    std::size_t foreign = 0;
+    for (char& c : replaced) {
+        const auto byte = static_cast<unsigned char>(c);
+        if ((byte >= ' ' && byte < 0x7f) || c == '\n' || c == '\t') continue;
+        c = '?';
+        ++foreign;
+    }
+    try {
+        Molecule molecule = parseCif(name, replaced, options);
+        molecule.warnings.push_back("bytes that CIF does not allow, read as '?': " + std::to_string(foreign));
+        return molecule;
+    } catch (const pegtl::parse_error& fault) {
+        std::string why = "not valid CIF: " + printable(fault.message(), 200);
+        if (fault.message() == "parse error") why += "; perhaps a quote or a text field before it is not closed";
+        throw Error("cannot read molecule", name, why, fault.positions().front().line);
+    }
+}
+
+}  // namespace nacre

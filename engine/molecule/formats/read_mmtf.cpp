@@ -1,0 +1,263 @@
+// MMTF, version 1: arrays over all models, chains, residues and atoms, which the counts of one level nest in the next.
+#include <algorithm>
+#include <cmath>
+
+#include "engine/error.h"
+#include "engine/molecule/assemblies.h"
+#include "engine/molecule/formats/mmtf_groups.h"
+#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+
+namespace {
+
+using Kind = MsgpackValue::Kind;
+
+class MmtfReader {
+public:
+    MmtfReader(const std::string& name, std::string_view bytes, const ReadOptions& options)
+        : fields_(name, bytes), builder_(name, options.maxAtoms), wanted_(static_cast<std::size_t>(options.model)) {}
+
+    Molecule read() {
+        checkVersion();
+        readCounts();
+        readArrays();
+        walk();
+        addBondsBetweenGroups();
+        addAssemblies();
+        summarise();
+        return builder_.finish();
+    }
+
+private:
+    void checkVersion() const {
+        const std::string version = fields_.text("mmtfVersion");
+        if (!startsWith(version, "1.") && !startsWith(version, "0."))
+            fields_.fail("MMTF version '" + printable(version) + "' is not supported; supported: 1");
+    }
+
+    /// An unencoded list of counts that together are `total`.
+    std::vector<std::size_t> counts(const char* field, std::size_t size, std::size_t total) const {
+        const MsgpackValue list = fields_.list(field);
+        if (!list.is(Kind::array) || list.count != size)
+            fields_.fail(std::string(field) + " has not the announced length");
+        std::vector<std::size_t> counts;
+        MsgpackElements elements(list);
+        std::size_t sum = 0;
+        for (MsgpackValue value; elements.next(value);) {
+            const auto count = value.asInteger();
+            if (!count || *count < 0 || static_cast<std::uint64_t>(*count) > total - sum)
+                fields_.fail(std::string(field) + " has an impossible value");
+            sum += static_cast<std::size_t>(*count);
+            counts.push_back(static_cast<std::size_t>(*count));
+        }
+        if (sum != total) fields_.fail(std::string(field) + " does not add up");
+        return counts;
+    }
+
+    void readCounts() {
+        constexpr std::size_t kMaxAtomsOfModels = 4 * kMaxAtoms, kMaxChains = 1'000'000;
+        atoms_ = fields_.count("numAtoms", kMaxAtomsOfModels);
+        groups_ = fields_.count("numGroups", kMaxAtomsOfModels);
+        chains_ = fields_.count("numChains", kMaxChains);
+        models_ = fields_.count("numModels", kMaxChains);
+        if (atoms_ == 0) fields_.fail("it has no atoms");
+        if (wanted_ > models_)
+            fields_.fail("there is no model " + std::to_string(wanted_) + "; the file has " + std::to_string(models_));
+        groupsOfChain_ = counts("groupsPerChain", chains_, groups_);
+        chainsOfModel_ = counts("chainsPerModel", models_, chains_);
+    }
+
+    Integers optionalIntegers(const char* field, std::size_t size) const {
+        return fields_.has(field) ? fields_.integers(field, size) : Integers(size);
+    }
+
+    void readArrays() {
+        types_ = readMmtfGroups(fields_, builder_);
+        typeOfGroup_ = fields_.integers("groupTypeList", groups_);
+        numbers_ = fields_.integers("groupIdList", groups_);
+        insertions_ = optionalIntegers("insCodeList", groups_);
+        subchains_ = fields_.names("chainIdList", chains_);
+        chainNames_ = fields_.has("chainNameList") ? fields_.names("chainNameList", chains_) : subchains_;
+        x_ = fields_.floats("xCoordList", atoms_);
+        y_ = fields_.floats("yCoordList", atoms_);
+        z_ = fields_.floats("zCoordList", atoms_);
+        temperature_ = fields_.has("bFactorList") ? fields_.floats("bFactorList", atoms_) : std::vector<float>(atoms_);
+        occupancy_ =
+            fields_.has("occupancyList") ? fields_.floats("occupancyList", atoms_) : std::vector<float>(atoms_, 1.0f);
+        alternates_ = optionalIntegers("altLocList", atoms_);
+    }
+
+    /// Goes through every model; atoms and bonds are added for the one that is wanted.
+    void walk() {
+        std::size_t chain = 0, group = 0;
+        for (std::size_t model = 1; model <= models_; ++model) {
+            const bool taken = model == wanted_;
+            if (taken) begin_ = next_;
+            for (const std::size_t end = chain + chainsOfModel_[model - 1]; chain < end; ++chain)
+                for (const std::size_t last = group + groupsOfChain_[chain]; group < last; ++group)
+                    addGroup(group, chain, taken);
+            if (taken) end_ = next_;
+        }
+        if (next_ != atoms_) fields_.fail("its groups have " + std::to_string(next_) + " atoms instead of numAtoms");
+    }
+
+    void addGroup(std::size_t group, std::size_t chain, bool taken) {
+        const auto index = static_cast<std::size_t>(typeOfGroup_[group]);  // a negative one is too large
+        if (index >= types_.size()) fields_.fail("groupTypeList refers to a group that is not there");
+        const MmtfGroup& type = types_[index];
+        if (type.atoms.size() > atoms_ - next_) fields_.fail("its groups have more atoms than numAtoms");
+        if (taken) {
+            countBonds(type.bonds.size());
+            for (std::size_t i = 0; i < type.atoms.size(); ++i) {
+                Atom atom = type.atoms[i];
+                place(atom, next_ + i);
+                builder_.addAtom(atom, chainNames_[chain], numbers_[group], character(insertions_[group]), type.name,
+                                 subchains_[chain]);
+            }
+            const auto first = static_cast<std::int64_t>(next_ - begin_);
+            for (const MmtfGroup::Bond& bond : type.bonds)
+                builder_.addBond(first + bond.a, first + bond.b, bond.order, 0);
+        }
+        bondsOfAll_ += static_cast<std::int64_t>(type.bonds.size());
+        next_ += type.atoms.size();
+    }
+
+    /// A hostile group could bond all its atoms with each other, and be referred to a million times.
+    void countBonds(std::size_t more) {
+        constexpr std::size_t kMaxBondsPerAtom = 16;
+        bonds_ += more;
+        if (bonds_ > kMaxBondsPerAtom * atoms_) fields_.fail("it has more bonds than its atoms could form");
+    }
+
+    static char character(std::int32_t code) { return code > ' ' && code < 127 ? static_cast<char>(code) : '\0'; }
+
+    void place(Atom& atom, std::size_t index) const {
+        const float position[3] = {x_[index], y_[index], z_[index]};
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(std::abs(position[axis]) <= 1e9f))
+                fields_.fail(std::string(1, "xyz"[axis]) + " of atom " + std::to_string(index + 1) +
+                             " is not a finite number");
+            atom.position[axis] = position[axis];
+        }
+        // Not-a-number fails both comparisons, and leaves what an Atom has by itself.
+        if (std::abs(occupancy_[index]) <= 1e9f) atom.occupancy = occupancy_[index];
+        if (std::abs(temperature_[index]) <= 1e9f) atom.temperatureFactor = temperature_[index];
+        atom.alternate = character(alternates_[index]);
+    }
+
+    void addBondsBetweenGroups() {
+        if (!fields_.has("bondAtomList")) return;
+        const MsgpackValue list = fields_.list("bondAtomList");
+        const std::size_t pairs = encodedLength(list) / 2;
+        const Integers ends = fields_.integers("bondAtomList", 2 * pairs);
+        const Integers orders =
+            fields_.has("bondOrderList") ? fields_.integers("bondOrderList", pairs) : Integers(pairs, 1);
+        bondsOfAll_ += static_cast<std::int64_t>(pairs);
+        for (std::size_t i = 0; i < pairs; ++i) {
+            // Numbered over all models.
+            const std::int64_t a = ends[2 * i], b = ends[2 * i + 1];
+            const auto here = [&](std::int64_t atom) {
+                return atom >= static_cast<std::int64_t>(begin_) && atom < static_cast<std::int64_t>(end_);
+            };
+            const auto total = static_cast<std::int64_t>(atoms_);
+            if (a < 0 || b < 0 || a >= total || b >= total || a == b)
+                fields_.fail("bondAtomList refers to an atom that is not there, or bonds one to itself");
+            if (!here(a) || !here(b)) continue;
+            countBonds(1);
+            const auto begin = static_cast<std::int64_t>(begin_);
+            builder_.addBond(a - begin, b - begin, mmtfBondOrder(orders[i]), 0);
+        }
+    }
+
+    /// How many values an encoded array announces: of bonds between groups there is no count elsewhere. No more than
+    /// the file has bytes, as everywhere.
+    std::size_t encodedLength(const MsgpackValue& list) const {
+        if (!list.is(Kind::binary) || list.bytes.size() < 8) fields_.fail("bondAtomList is no encoded array");
+        const std::int32_t length = integersFromBytes(list.bytes.substr(4, 4), {4, true}, ByteOrder::big)[0];
+        if (length < 0 || length % 2 != 0 || static_cast<std::size_t>(length) > fields_.bytes())
+            fields_.fail("bondAtomList announces an impossible number of atoms");
+        return static_cast<std::size_t>(length);
+    }
+
+    void addAssemblies() {
+        AssemblyLimits limits;
+        MsgpackElements elements(fields_.list("bioAssemblyList"));
+        for (MsgpackValue given; elements.next(given);) {
+            const auto named = given.find("name");
+            ++assemblies_;
+            const std::string number = std::to_string(assemblies_);
+            Assembly assembly{std::string(named ? named->asText().value_or(number) : number), "", {}};
+            try {
+                if (builder_.molecule().assemblies.size() == AssemblyLimits::kMaxAssemblies)
+                    throw AssemblyFault("there are more than " + std::to_string(AssemblyLimits::kMaxAssemblies));
+                addTransforms(assembly, given, limits);
+                if (assembly.parts.empty()) throw AssemblyFault("it places no chain that is here");
+                builder_.molecule().assemblies.push_back(std::move(assembly));
+            } catch (const AssemblyFault& fault) {
+                builder_.warn("assembly " + printable(assembly.id) + " is left out: " + fault.what());
+            }
+        }
+    }
+
+    void addTransforms(Assembly& assembly, const MsgpackValue& given, AssemblyLimits& limits) {
+        MsgpackElements transforms(given.find("transformList").value_or(MsgpackValue{}));
+        std::int64_t count = 0;
+        for (MsgpackValue transform; transforms.next(transform); ++count) {
+            const MsgpackValue chains = transform.find("chainIndexList").value_or(MsgpackValue{});
+            const MsgpackValue matrix = transform.find("matrix").value_or(MsgpackValue{});
+            limits.spend(1, chains.count);
+            if (matrix.count != 16) throw AssemblyFault("a matrix has not 16 numbers");
+            TransformRows rows{};
+            MsgpackElements numbers(matrix), indices(chains);
+            MsgpackValue value;
+            for (double& number : rows) number = numbers.next(value) ? value.asNumber().value_or(HUGE_VAL) : HUGE_VAL;
+            std::vector<std::uint32_t> subchains;
+            while (indices.next(value)) {
+                const auto chain = value.asInteger();
+                if (!chain || *chain < 0 || static_cast<std::size_t>(*chain) >= chains_)
+                    throw AssemblyFault("it names a chain that is not there");
+                if (const auto index = builder_.subchain(subchains_[static_cast<std::size_t>(*chain)]))
+                    subchains.push_back(*index);
+            }
+            addPart(assembly, {toMatrix(rows)}, std::move(subchains));
+        }
+        mostTransforms_ = std::max(mostTransforms_, count);
+    }
+
+    void summarise() {
+        FileSummary& file = builder_.molecule().file;
+        file.format = "mmtf";
+        file.title = fields_.text("title");
+        file.models = static_cast<std::int64_t>(models_);
+        file.totalAtomsAllModels = static_cast<std::int64_t>(atoms_);
+        file.bonds = static_cast<std::int64_t>(bonds_);
+        file.bondsAllModels = bondsOfAll_;
+        file.chainsLabel = static_cast<std::int64_t>(chainsOfModel_[wanted_ - 1]);
+        if (assemblies_ == 0) return;
+        file.assemblies = assemblies_;
+        file.biomtOperators = mostTransforms_;
+    }
+
+    MmtfFields fields_;
+    MoleculeBuilder builder_;
+    std::size_t wanted_;
+    std::size_t atoms_ = 0, groups_ = 0, chains_ = 0, models_ = 0;
+    std::vector<std::size_t> groupsOfChain_, chainsOfModel_;
+    std::vector<MmtfGroup> types_;
+    Integers typeOfGroup_, numbers_, insertions_, alternates_;
+    std::vector<std::string> subchains_, chainNames_;
+    std::vector<float> x_, y_, z_, temperature_, occupancy_;
+    std::size_t next_ = 0, begin_ = 0, end_ = 0;  ///< the atom to come; those of the wanted model
+    std::size_t bonds_ = 0;
+    std::int64_t bondsOfAll_ = 0, assemblies_ = 0, mostTransforms_ = 0;
+};
+
+}  // namespace
+
+Molecule readMmtf(const std::string& name, std::string_view bytes, const ReadOptions& options) {
+    return MmtfReader(name, bytes, options).read();
+}
+
+}  // namespace nacre

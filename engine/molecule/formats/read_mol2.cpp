@@ -1,0 +1,266 @@
+// MOL2 (Tripos): records of sections that begin with "@<TRIPOS>NAME"; fields between blanks.
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/error.h"
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/element.h"
+#include "engine/molecule/formats/molecule_builder.h"
+#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/bonds/residue_templates.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+
+namespace {
+
+constexpr std::string_view kMark = "@<TRIPOS>";
+
+/// Steps through the lines of a file and knows the section they stand in; a backslash joins a line to the next.
+class Mol2Lines {
+public:
+    explicit Mol2Lines(std::string_view text, std::uint64_t firstLine = 1) : lines_(text, firstLine) {}
+
+    /// Steps to the next line that is neither blank nor a comment, or, in the section MOLECULE, to any.
+    bool next() {
+        while (lines_.next()) {
+            number_ = lines_.number();
+            line_ = lines_.line();
+            if (startsWith(line_, kMark)) {
+                section_ = trim(line_.substr(kMark.size()));
+                lineOfSection_ = 0;
+                return true;
+            }
+            ++lineOfSection_;
+            if (section_ == "MOLECULE") return true;
+            const std::string_view text = trim(line_);
+            if (text.empty() || text.front() == '#') continue;
+            if (text.back() == '\\') join();
+            return true;
+        }
+        return false;
+    }
+    std::string_view line() const { return line_; }
+    std::string_view section() const { return section_; }
+    std::size_t lineOfSection() const { return lineOfSection_; }  ///< 0 on the line that begins it
+    bool inside(std::string_view section) const { return lineOfSection_ > 0 && section_ == section; }
+    std::uint64_t number() const { return number_; }
+    std::string_view rest() const { return lines_.rest(); }
+
+private:
+    void join() {
+        joined_.clear();
+        for (std::string_view text = trim(line_); !text.empty() && text.back() == '\\'; text = trim(lines_.line())) {
+            joined_ += text.substr(0, text.size() - 1);
+            joined_ += ' ';
+            if (!lines_.next()) break;
+        }
+        if (const std::string_view last = trim(lines_.line()); last.empty() || last.back() != '\\') joined_ += last;
+        line_ = joined_;
+    }
+
+    LineReader lines_;
+    std::string_view line_, section_;
+    std::string joined_;
+    std::size_t lineOfSection_ = 0;
+    std::uint64_t number_ = 0;
+};
+
+/// Where a record lies, and how many lines its sections have.
+struct Mol2Record {
+    std::string_view text;  ///< begins with "@<TRIPOS>MOLECULE"
+    std::uint64_t line = 0;
+    std::int64_t atoms = 0, bonds = 0;
+};
+
+/// What SUBSTRUCTURE says of one residue.
+struct Substructure {
+    std::string name, chain;
+};
+
+struct Mol2Bond {
+    std::int64_t a, b;  ///< as written
+    int order;
+    std::uint64_t line;
+};
+
+int orderOf(std::string_view type) {
+    if (type == "2" || type == "3") return type[0] - '0';
+    return type == "ar" ? 4 : 1;  // single, amide, dummy, unknown
+}
+
+class Mol2Reader {
+public:
+    Mol2Reader(const std::string& name, std::size_t maxAtoms) : name_(name), builder_(name, maxAtoms) {}
+
+    Molecule run(std::string_view text, int model) {
+        std::int64_t records = 0, atoms = 0, bonds = 0;
+        Mol2Record wanted;
+        Mol2Lines lines(text);
+        while (lines.next()) {
+            const bool begins = lines.lineOfSection() == 0 && lines.section() == "MOLECULE";
+            if (begins && ++records == model)
+                wanted = {text.substr(static_cast<std::size_t>(lines.line().data() - text.data())), lines.number()};
+            if (records == model) {
+                wanted.atoms += lines.inside("ATOM");
+                wanted.bonds += lines.inside("BOND");
+            }
+            atoms += lines.inside("ATOM");
+            bonds += lines.inside("BOND");
+        }
+        if (model > records)
+            fail("there is no record " + std::to_string(model) + "; the file has " + std::to_string(records), 0);
+        readRecord(wanted);
+        FileSummary& file = builder_.molecule().file;
+        file.format = "mol2";
+        file.records = records;
+        file.totalAtomsAllRecords = atoms;
+        file.totalBondsAllRecords = bonds;
+        file.bonds = wanted.bonds;
+        return builder_.finish();
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& why, std::uint64_t line) const {
+        throw Error("cannot read molecule", name_, why, line > 0 ? std::optional(line) : std::nullopt);
+    }
+
+    void readRecord(const Mol2Record& record) {
+        eachLine(record, [&](const Mol2Lines& lines) {
+            if (lines.inside("MOLECULE") && lines.lineOfSection() == 1) title(trim(lines.line()));
+            if (lines.inside("MOLECULE") && lines.lineOfSection() == 2) counts(lines, record);
+            if (lines.inside("SUBSTRUCTURE")) addSubstructure(splitWords(lines.line()));
+        });
+        eachLine(record, [&](const Mol2Lines& lines) {
+            if (lines.inside("ATOM")) addAtom(lines);
+            if (lines.inside("BOND")) addBond(lines);
+        });
+        resolveBonds();
+    }
+
+    /// Calls with each line of the record, until the next one begins.
+    template <typename Visit>
+    static void eachLine(const Mol2Record& record, Visit visit) {
+        Mol2Lines lines(record.text, record.line);
+        for (bool first = true; lines.next(); first = false) {
+            if (!first && lines.lineOfSection() == 0 && lines.section() == "MOLECULE") return;
+            visit(lines);
+        }
+    }
+
+    void title(std::string_view text) {
+        if (text != "****") builder_.molecule().file.title = printable(text, 200);
+    }
+
+    void counts(const Mol2Lines& lines, const Mol2Record& record) {
+        const Words words = splitWords(lines.line());
+        const auto atoms = parseInteger(words[0]), bonds = parseInteger(words[1]);
+        if (!atoms) fail("expected a number of atoms, not '" + printable(words[0]) + "'", lines.number());
+        if (*atoms > record.atoms)
+            fail("it announces " + std::to_string(*atoms) + " atoms and has " + std::to_string(record.atoms),
+                 lines.number());
+        if (*atoms != record.atoms || (bonds && *bonds != record.bonds))
+            builder_.warn("it announces " + std::to_string(*atoms) + " atoms and " + printable(words[1]) +
+                          " bonds, and has " + std::to_string(record.atoms) + " and " + std::to_string(record.bonds));
+    }
+
+    /// id name root_atom [type dictionary_type chain sub_type ...]
+    void addSubstructure(const Words& words) {
+        const auto stated = [](std::string_view word) {
+            return std::string(word == "****" ? std::string_view() : word);
+        };
+        if (const auto id = parseInteger(words[0])) substructures_[*id] = {stated(words[6]), stated(words[5])};
+    }
+
+    /// id name x y z type [residue_id [residue_name [charge [status]]]]
+    void addAtom(const Mol2Lines& lines) {
+        const Words words = splitWords(lines.line());
+        if (words.count < 6)
+            fail("an atom line needs a number, a name, three coordinates and a type: '" + printable(lines.line()) + "'",
+                 lines.number());
+        Atom atom;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            atom.position[static_cast<int>(axis)] =
+                parseCoordinate(words[2 + axis], "xyz"[axis], name_, lines.number());
+        atom.name = Name(words[1]);
+        atom.element = elementOf(words[5], lines.number());
+        const auto index = static_cast<std::uint32_t>(builder_.molecule().atoms.size());
+        const auto id = parseInteger(words[0]);
+        idsAreUsable_ = idsAreUsable_ && id && indexOfId_.emplace(*id, index).second;
+        if (!idsAreUsable_) indexOfId_.clear();
+        addToResidue(atom, parseInteger(words[6]).value_or(1), words[7]);
+        const auto charge = parseNumber(words[8]);
+        builder_.molecule().partialCharges.push_back(charge && std::abs(*charge) <= 1000 ? static_cast<float>(*charge)
+                                                                                         : 0.0f);
+    }
+
+    /// "C.ar" is carbon; types all in small letters ("ca", "c3", "hn") are the force field GAFF's, which names the
+    /// element by the first letter but for chlorine and bromine.
+    Element elementOf(std::string_view type, std::uint64_t line) {
+        const std::string_view symbol = type.substr(0, type.find('.'));
+        const bool gaff = !symbol.empty() && symbol[0] >= 'a' && symbol[0] <= 'z';
+        if (gaff && symbol != "cl" && symbol != "br") return builder_.element(symbol.substr(0, 1), line);
+        return builder_.element(symbol, line);
+    }
+
+    void addToResidue(const Atom& atom, std::int64_t id, std::string_view stated) {
+        std::string_view residue = stated;
+        auto number = static_cast<std::int32_t>(id);
+        const auto found = substructures_.find(id);
+        const std::string_view type =
+            found == substructures_.end() ? std::string_view() : std::string_view(found->second.name);
+        // "GLY402" is a residue's name and its number in the chain.
+        const std::size_t letters = stated.find_last_not_of("0123456789") + 1;
+        const auto digits = parseInteger(stated.substr(letters));
+        const std::string_view start = type.empty() ? stated.substr(0, letters) : type;
+        const bool splits = digits && *digits <= 1'000'000 && startsWith(stated, start) &&
+                            (!type.empty() || residueTemplate(Name(start)) || isWater(Name(start)));
+        if (!type.empty()) residue = type;
+        if (splits) {
+            residue = start;
+            number = static_cast<std::int32_t>(*digits);
+        }
+        builder_.addAtom(atom,
+                         found == substructures_.end() ? std::string_view() : std::string_view(found->second.chain),
+                         number, '\0', residue);
+    }
+
+    /// id origin target type [status]
+    void addBond(const Mol2Lines& lines) {
+        const Words words = splitWords(lines.line());
+        const auto a = parseInteger(words[1]), b = parseInteger(words[2]);
+        if (!a || !b || words.count < 4)
+            fail("a bond line needs a number, two atoms and a type: '" + printable(lines.line()) + "'", lines.number());
+        if (words[3] != "nc") pending_.push_back({*a, *b, orderOf(words[3]), lines.number()});  // "not connected"
+    }
+
+    /// Bonds name atoms by the ids of their lines. PyMOL numbers the lines through all records and the bonds by place,
+    /// so that the place counts wherever ids do not resolve.
+    void resolveBonds() {
+        const auto known = [this](std::int64_t id) { return indexOfId_.find(id) != indexOfId_.end(); };
+        const bool byId = idsAreUsable_ && std::all_of(pending_.begin(), pending_.end(), [&](const Mol2Bond& bond) {
+                              return known(bond.a) && known(bond.b);
+                          });
+        const auto indexOf = [&](std::int64_t id) -> std::int64_t {
+            return byId ? indexOfId_.at(id) : id > 0 ? id - 1 : -1;  // addBond() refuses what lies outside
+        };
+        for (const Mol2Bond& bond : pending_) builder_.addBond(indexOf(bond.a), indexOf(bond.b), bond.order, bond.line);
+    }
+
+    const std::string& name_;
+    MoleculeBuilder builder_;
+    std::unordered_map<std::int64_t, Substructure> substructures_;
+    std::unordered_map<std::int64_t, std::uint32_t> indexOfId_;
+    std::vector<Mol2Bond> pending_;
+    bool idsAreUsable_ = true;
+};
+
+}  // namespace
+
+Molecule readMol2(const std::string& name, std::string_view text, const ReadOptions& options) {
+    return Mol2Reader(name, options.maxAtoms).run(text, options.model);
+}
+
+}  // namespace nacre

@@ -1,0 +1,276 @@
+// PDB files, by columns (wwPDB format 3.3), lenient where old or hand-made files depart from them; and AutoDock's
+// PDBQT, which keeps the columns up to 66, then gives a partial charge (71-76) and an atom type (78-80).
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/error.h"
+#include "engine/molecule/formats/pdb_assemblies.h"
+#include "engine/molecule/formats/pdb_conect.h"
+#include "engine/molecule/formats/pdb_fields.h"
+#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/secondary_structure.h"
+
+namespace nacre {
+namespace {
+
+using pdb::column;
+using pdb::columns;
+using pdb::trim;
+
+constexpr const char* kCannotRead = "cannot read molecule";
+constexpr std::size_t kLongestTitle = 4096;
+
+bool startsWith(std::string_view line, std::string_view prefix) { return line.substr(0, prefix.size()) == prefix; }
+
+/// Text for people: whatever is no printable ASCII becomes a question mark.
+std::string printable(std::string_view text) {
+    std::string clean(text);
+    for (char& c : clean)
+        if (c < ' ' || c > '~') c = '?';
+    return clean;
+}
+
+/// Hands out the lines of a text that ends them with LF, CR LF, or CR alone.
+class Lines {
+public:
+    explicit Lines(std::string_view text) : rest_(text) {
+        if (text.find('\n') == std::string_view::npos) end_ = '\r';
+    }
+    bool next(std::string_view& line) {
+        if (rest_.empty()) return false;
+        const std::size_t length = std::min(rest_.find(end_), rest_.size());
+        line = rest_.substr(0, length);
+        rest_.remove_prefix(std::min(length + 1, rest_.size()));
+        if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+        ++number_;
+        return true;
+    }
+    std::uint64_t number() const { return number_; }
+
+private:
+    std::string_view rest_;
+    char end_ = '\n';
+    std::uint64_t number_ = 0;
+};
+
+enum class Flavour { pdb, pdbqt };
+
+class PdbReader {
+public:
+    PdbReader(const std::string& name, std::string_view text, const ReadOptions& options, Flavour flavour)
+        : name_(name),
+          text_(text),
+          lines_(text),
+          wanted_(options.model),
+          maxAtoms_(options.maxAtoms),
+          flavour_(flavour) {
+        chainIndex_.fill(-1);
+    }
+
+    Molecule read() {
+        if (wanted_ < 1) throw Error(kCannotRead, name_, "models count from 1");
+        molecule_.file.format = flavour_ == Flavour::pdb ? "pdb" : "pdbqt";
+        // A bound on what the text can hold, so no header can ask for more.
+        molecule_.atoms.reserve(std::min(text_.size() / 81 + 1, maxAtoms_));
+        std::string_view line;
+        while (lines_.next(line)) record(line);
+        endModel();
+        return finish();
+    }
+
+private:
+    void record(std::string_view line) {
+        if (startsWith(line, "ATOM ") || startsWith(line, "HETATM")) {
+            if (modelInProgress() == wanted_) atom(line);
+            ++atomsInModel_;
+        } else if (startsWith(line, "CONECT")) {
+            conect_.add(line, lines_.number());
+        } else if (startsWith(line, "MODEL ") || line == "MODEL") {
+            sawModelRecord_ = true;
+            endModel();
+        } else if (startsWith(line, "ENDMDL")) {
+            endModel();
+        } else if (startsWith(line, "END") && trim(line) == "END") {
+            if (!sawModelRecord_) endModel();  // files of several structures in a row
+        } else if (startsWith(line, "TITLE ")) {
+            title(line);
+        } else if (const auto range = secondaryOfPdbLine(line)) {
+            secondary_.push_back(*range);
+        } else if (startsWith(line, "REMARK   2 RESOLUTION.")) {
+            const std::string_view value = trim(columns(line, 23, 40));  // a number, or NOT APPLICABLE
+            if (const auto stated = pdb::number(value.substr(0, value.find(' '))); stated && *stated > 0)
+                molecule_.file.resolution = *stated;
+        } else if (startsWith(line, "REMARK 350")) {
+            remark350_.add(line);
+        }
+    }
+
+    int modelInProgress() const { return models_ + 1; }
+
+    void endModel() {
+        if (atomsInModel_ == 0) return;
+        ++models_;
+        totalAtoms_ += atomsInModel_;
+        atomsInModel_ = 0;
+    }
+
+    void title(std::string_view line) {
+        const std::string_view part = trim(columns(line, 11, 80));
+        std::string& text = molecule_.file.title;
+        if (part.empty() || text.size() + part.size() > kLongestTitle) return;
+        if (!text.empty()) text += ' ';
+        text += printable(part);
+    }
+
+    float coordinate(std::string_view line, std::size_t first, char axis) {
+        const std::string_view field = columns(line, first, first + 7);
+        if (const auto value = pdb::number(field)) return static_cast<float>(*value);
+        const std::string shown = printable(trim(field));
+        const std::string why = shown.empty() ? "has no " + std::string(1, axis) + " coordinate"
+                                              : "\"" + shown + "\" is no " + std::string(1, axis) + " coordinate";
+        throw Error(kCannotRead, name_, why, lines_.number());
+    }
+
+    /// A number that may be missing; what is there but unreadable counts as missing, with a warning.
+    float optionalNumber(std::string_view line, std::size_t first, float missing) {
+        const std::string_view field = trim(columns(line, first, first + 5));
+        if (field.empty()) return missing;
+        if (const auto value = pdb::number(field)) return static_cast<float>(*value);
+        if (unreadableNumbers_++ == 0) firstUnreadableNumber_ = lines_.number();
+        return missing;
+    }
+
+    void atom(std::string_view line) {
+        Atom atom;
+        atom.position.x = coordinate(line, 31, 'x');
+        atom.position.y = coordinate(line, 39, 'y');
+        atom.position.z = coordinate(line, 47, 'z');
+        atom.occupancy = optionalNumber(line, 55, 1);
+        atom.temperatureFactor = optionalNumber(line, 61, 0);
+        atom.name = trim(columns(line, 13, 16));
+        atom.hetero = line[0] == 'H';
+        const char alternate = column(line, 17);
+        atom.alternate = alternate == ' ' ? '\0' : alternate;
+        atom.residue = residueOf(line);
+        elementAndCharge(line, atom);
+        ++molecule_.residues.back().atomCount;
+        if (molecule_.atoms.size() >= maxAtoms_) throw tooManyAtoms(name_, maxAtoms_);
+        molecule_.atoms.push_back(atom);
+        serials_.push_back(pdb::serial(line).value_or(-1));
+    }
+
+    void elementAndCharge(std::string_view line, Atom& atom) {
+        const Name& residue = molecule_.residues.back().name;
+        if (flavour_ == Flavour::pdb) {
+            atom.element = pdb::element(line, residue);
+            atom.charge = pdb::charge(line);
+            return;
+        }
+        atom.element = pdb::elementByAutoDockType(columns(line, 78, 80));
+        if (atom.element == 0) atom.element = pdb::elementByName(columns(line, 13, 16), residue);
+        molecule_.partialCharges.push_back(optionalNumber(line, 71, 0));
+    }
+
+    /// Index of the residue that the line belongs to: the latest, or a new one.
+    std::uint32_t residueOf(std::string_view line) {
+        // Column 21 is blank by the format; simulation programs put the fourth letter of "TIP3" there.
+        const std::string_view columns18to27 = columns(line, 18, 27);
+        if (molecule_.residues.empty() || columns18to27 != latestResidue_) startResidue(line, columns18to27);
+        return static_cast<std::uint32_t>(molecule_.residues.size() - 1);
+    }
+
+    void startResidue(std::string_view line, std::string_view columns18to27) {
+        latestResidue_ = columns18to27;
+        Residue residue;
+        residue.name = trim(columns(line, 18, 21));
+        // Five digits run into the column of the insertion code.
+        const char code = column(line, 27);
+        const bool wide = code >= '0' && code <= '9' && column(line, 23) != ' ';
+        const auto number = pdb::integer(columns(line, 23, wide ? 27 : 26), 4);
+        residue.number = static_cast<std::int32_t>(number.value_or(0));
+        residue.insertionCode = wide || code == ' ' ? '\0' : code;
+        residue.chain = residue.subchain = chainOf(column(line, 22));
+        residue.firstAtom = static_cast<std::uint32_t>(molecule_.atoms.size());
+        molecule_.residues.push_back(residue);
+    }
+
+    std::uint32_t chainOf(char letter) {
+        int& index = chainIndex_[static_cast<unsigned char>(letter)];
+        if (index < 0) {
+            index = static_cast<int>(molecule_.chains.size());
+            molecule_.chains.push_back({letter == ' ' ? std::string() : printable({&letter, 1})});
+            molecule_.subchains.push_back(molecule_.chains.back().name);
+        }
+        return static_cast<std::uint32_t>(index);
+    }
+
+    [[noreturn]] void refuseEmpty() const {
+        if (text_.empty()) throw Error(kCannotRead, name_, "the file is empty");
+        const std::string_view head = text_.substr(0, 4096);
+        const auto control = [](char c) {
+            return static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t';
+        };
+        if (std::count_if(head.begin(), head.end(), control) > 0)
+            throw Error(kCannotRead, name_, "it is no text, hence no PDB file");
+        throw Error(kCannotRead, name_, "it has no ATOM or HETATM records");
+    }
+
+    Molecule finish() {
+        if (models_ == 0) refuseEmpty();
+        if (wanted_ > models_) {
+            const std::string have =
+                models_ == 1 ? "there is 1 model" : "there are " + std::to_string(models_) + " models";
+            throw Error(kCannotRead, name_, "no model " + std::to_string(wanted_) + ": " + have);
+        }
+        FileSummary& file = molecule_.file;
+        file.models = models_;
+        file.totalAtomsAllModels = totalAtoms_;
+        file.chains = static_cast<std::int64_t>(molecule_.chains.size());
+        if (remark350_.operators() > 0) file.biomtOperators = remark350_.operators();
+        if (unreadableNumbers_ > 0)
+            molecule_.warnings.push_back("ignored " + std::to_string(unreadableNumbers_) +
+                                         " occupancies, temperature factors or charges that are no numbers, the first "
+                                         "on line " +
+                                         std::to_string(firstUnreadableNumber_));
+        conect_.resolve(serials_, molecule_);
+        applySecondaryStructure(molecule_, secondary_);
+        remark350_.resolve(molecule_);
+        return std::move(molecule_);
+    }
+
+    const std::string& name_;
+    std::string_view text_;
+    Lines lines_;
+    int wanted_;
+    std::size_t maxAtoms_;
+    Flavour flavour_;
+    Molecule molecule_;
+    pdb::ConectTable conect_;
+    pdb::Remark350 remark350_;
+    std::vector<std::int64_t> serials_;
+    std::vector<SecondaryRange> secondary_;
+    std::array<int, 256> chainIndex_{};
+    std::string_view latestResidue_;
+    bool sawModelRecord_ = false;
+    int models_ = 0;
+    std::int64_t atomsInModel_ = 0;
+    std::int64_t totalAtoms_ = 0;
+    std::size_t unreadableNumbers_ = 0;
+    std::uint64_t firstUnreadableNumber_ = 0;
+};
+
+}  // namespace
+
+Molecule readPdb(const std::string& name, std::string_view text, const ReadOptions& options) {
+    return PdbReader(name, text, options, Flavour::pdb).read();
+}
+
+Molecule readPdbqt(const std::string& name, std::string_view text, const ReadOptions& options) {
+    return PdbReader(name, text, options, Flavour::pdbqt).read();
+}
+
+}  // namespace nacre

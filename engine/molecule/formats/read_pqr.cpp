@@ -1,0 +1,157 @@
+// PQR (PDB2PQR, APBS): PDB records whose fields stand between blanks, with a charge and a radius at the end. Where
+// numbers run into each other, the PDB columns that most writers keep are taken instead.
+#include <cmath>
+#include <utility>
+
+#include "engine/error.h"
+#include "engine/molecule/formats/molecule_builder.h"
+#include "engine/molecule/formats/pdb_conect.h"
+#include "engine/molecule/formats/pdb_fields.h"
+#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+
+namespace {
+
+/// The fields of one atom line as they are written.
+struct PqrFields {
+    std::string_view serial, name, residue, chain, number;
+    std::array<std::string_view, 3> position;
+    std::string_view charge, radius;
+};
+
+class PqrReader {
+public:
+    PqrReader(const std::string& name, std::string_view text, const ReadOptions& options)
+        : name_(name), lines_(text), model_(options.model), builder_(name, options.maxAtoms) {}
+
+    Molecule run() {
+        while (lines_.next()) record(lines_.line());
+        endModel();
+        if (models_ == 0) throw Error("cannot read molecule", name_, "it has no ATOM or HETATM records");
+        if (model_ > models_)
+            throw Error("cannot read molecule", name_,
+                        "there is no model " + std::to_string(model_) + "; the file has " + std::to_string(models_));
+        if (unknownElements_ > 0)
+            builder_.warn("atoms whose name tells no element: " + std::to_string(unknownElements_));
+        Molecule& molecule = builder_.molecule();
+        molecule.file.format = "pqr";
+        molecule.file.models = models_;
+        molecule.file.totalAtomsAllModels = totalAtoms_;
+        molecule.file.chains = static_cast<std::int64_t>(molecule.chains.size());
+        conect_.resolve(serials_, molecule);
+        return builder_.finish();
+    }
+
+private:
+    void record(std::string_view line) {
+        if (startsWith(line, "ATOM") || startsWith(line, "HETATM")) {
+            if (models_ + 1 == model_) addAtom(line);
+            ++atomsInModel_;
+        } else if (startsWith(line, "CONECT")) {
+            conect_.add(line, lines_.number());
+        } else if (startsWith(line, "MODEL") || startsWith(line, "ENDMDL")) {
+            endModel();
+        }
+    }
+
+    void endModel() {
+        if (atomsInModel_ == 0) return;
+        ++models_;
+        totalAtoms_ += std::exchange(atomsInModel_, 0);
+    }
+
+    /// ATOM serial name residue [chain] number x y z charge radius; empty if the line is not of that kind.
+    static std::optional<PqrFields> fieldsByWords(std::string_view line) {
+        const Words words = splitWords(line.substr(line[0] == 'H' ? 6 : 4));
+        if (words.count != 9 && words.count != 10) return std::nullopt;
+        const std::size_t numbers = words.count - 5;
+        for (std::size_t i = numbers; i < words.count; ++i)
+            if (!parseNumber(words[i])) return std::nullopt;
+        PqrFields fields;
+        fields.serial = words[0];
+        fields.name = words[1];
+        fields.residue = words[2];
+        fields.chain = words.count == 10 ? words[3] : std::string_view();
+        fields.number = words[numbers - 1];
+        // "A1000": the chain has run into the number.
+        const bool joined = fields.chain.empty() && fields.number.size() > 1 &&
+                            !parseInteger(fields.number.substr(0, 1)) && parseInteger(fields.number.substr(1)) &&
+                            fields.number[0] != '-' && fields.number[0] != '+';
+        if (joined) {
+            fields.chain = fields.number.substr(0, 1);
+            fields.number.remove_prefix(1);
+        }
+        fields.position = {words[numbers], words[numbers + 1], words[numbers + 2]};
+        fields.charge = words[numbers + 3];
+        fields.radius = words[numbers + 4];
+        return fields;
+    }
+
+    static PqrFields fieldsByColumns(std::string_view line) {
+        using pdb::columns;
+        PqrFields fields;
+        fields.serial = columns(line, 7, 11);
+        fields.name = pdb::trim(columns(line, 13, 16));
+        fields.residue = pdb::trim(columns(line, 18, 20));
+        fields.chain = pdb::trim(columns(line, 22, 22));
+        fields.number = pdb::trim(columns(line, 23, 27));
+        fields.position = {columns(line, 31, 38), columns(line, 39, 46), columns(line, 47, 54)};
+        const Words last = splitWords(columns(line, 55, line.size()));
+        fields.charge = last[0];
+        fields.radius = last[1];
+        return fields;
+    }
+
+    void addAtom(std::string_view line) {
+        const PqrFields fields = fieldsByWords(line).value_or(fieldsByColumns(line));
+        Atom atom;
+        for (int axis = 0; axis < 3; ++axis)
+            atom.position[axis] =
+                parseCoordinate(fields.position[static_cast<std::size_t>(axis)], "xyz"[axis], name_, lines_.number());
+        atom.name = Name(fields.name);
+        atom.hetero = line[0] == 'H';
+        const std::string_view field = pdb::columns(line, 13, 16);
+        const Name residue(fields.residue);
+        atom.element = pdb::trim(field) == fields.name ? pdb::elementByName(field, residue)
+                                                       : pdb::elementByLooseName(fields.name, residue);
+        unknownElements_ += atom.element == 0;
+        Molecule& molecule = builder_.molecule();
+        molecule.partialCharges.push_back(property(fields.charge, "charge", -1000));
+        molecule.radii.push_back(property(fields.radius, "radius", 0));
+        std::string_view number = fields.number;
+        char insertionCode = '\0';
+        if (!number.empty() && (number.back() < '0' || number.back() > '9')) {
+            insertionCode = number.back();
+            number.remove_suffix(1);
+        }
+        builder_.addAtom(atom, fields.chain, static_cast<std::int32_t>(parseInteger(number).value_or(0)), insertionCode,
+                         fields.residue);
+        serials_.push_back(pdb::integer(fields.serial, 5).value_or(-1));
+    }
+
+    float property(std::string_view text, const char* what, double least) const {
+        const auto value = parseNumber(text);
+        if (value && *value >= least && *value <= 1000) return static_cast<float>(*value);
+        throw Error("cannot read molecule", name_,
+                    std::string("the ") + what + " is not usable: '" + printable(trim(text)) + "'", lines_.number());
+    }
+
+    const std::string& name_;
+    LineReader lines_;
+    int model_;
+    MoleculeBuilder builder_;
+    pdb::ConectTable conect_;
+    std::vector<std::int64_t> serials_;
+    std::int64_t models_ = 0, atomsInModel_ = 0, totalAtoms_ = 0;
+    std::size_t unknownElements_ = 0;
+};
+
+}  // namespace
+
+Molecule readPqr(const std::string& name, std::string_view text, const ReadOptions& options) {
+    return PqrReader(name, text, options).run();
+}
+
+}  // namespace nacre

@@ -1,0 +1,158 @@
+// XYZ: a count, a comment and one line per atom, frame after frame. Extended XYZ names its columns in the comment
+// (Properties=species:S:1:pos:R:3:...).
+#include <algorithm>
+
+#include "engine/error.h"
+#include "engine/molecule/element.h"
+#include "engine/molecule/formats/molecule_builder.h"
+#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+
+namespace {
+
+constexpr std::size_t kShortestAtomLine = 7;  // "C 0 0 0"
+
+struct Layout {
+    std::size_t species = 0;   ///< word of the atom line
+    std::size_t position = 1;  ///< word of x
+};
+
+class XyzReader {
+public:
+    XyzReader(const std::string& name, std::string_view text, const ReadOptions& options)
+        : name_(name), lines_(text), model_(options.model), builder_(name, options.maxAtoms) {}
+
+    Molecule run() {
+        std::int64_t frames = 0, atoms = 0;
+        while (const auto count = beginFrame(frames + 1)) {
+            const bool wanted = ++frames == model_;
+            if (wanted) readAtoms(*count);
+            if (!wanted && !skipAtoms(*count)) {
+                builder_.warn("frame " + std::to_string(frames) + " is incomplete");
+                --frames;
+                break;
+            }
+            atoms += *count;
+        }
+        if (frames == 0) fail("it has no frames", std::nullopt);
+        if (model_ > frames)
+            fail("there is no frame " + std::to_string(model_) + "; the file has " + std::to_string(frames),
+                 std::nullopt);
+        FileSummary& file = builder_.molecule().file;
+        file.format = "xyz";
+        file.models = frames;
+        file.totalAtomsAllModels = atoms;
+        return builder_.finish();
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& why, std::optional<std::uint64_t> line) const {
+        throw Error("cannot read molecule", name_, why, line);
+    }
+
+    /// The number of atoms of the next frame, with its comment read; empty at the end of the frames.
+    std::optional<std::int64_t> beginFrame(std::int64_t frame) {
+        while (lines_.next()) {
+            if (trim(lines_.line()).empty()) continue;
+            const std::string_view text = trim(lines_.line());
+            const bool digits = text.find_first_not_of("0123456789") == std::string_view::npos;
+            if (!digits && frame > model_) {
+                builder_.warn("what follows frame " + std::to_string(frame - 1) + " is passed over");
+                return std::nullopt;
+            }
+            if (!digits) fail("expected a number of atoms, not '" + printable(text) + "'", lines_.number());
+            const std::uint64_t line = lines_.number();
+            const auto count = parseInteger(text);
+            const bool comment = lines_.next();
+            if (frame == model_) comment_ = comment ? lines_.line() : std::string_view();
+            if (count && *count <= static_cast<std::int64_t>(lines_.rest().size() / kShortestAtomLine + 1))
+                return count;
+            if (frame <= model_) fail("it announces " + printable(text) + " atoms, but does not have as many", line);
+            builder_.warn("frame " + std::to_string(frame) + " is incomplete");
+            return std::nullopt;
+        }
+        return std::nullopt;
+    }
+
+    void readAtoms(std::int64_t count) {
+        builder_.molecule().file.title = printable(trim(comment_), 200);
+        const Layout layout = layoutOf(comment_);
+        for (std::int64_t i = 0; i < count; ++i) {
+            if (!lines_.next())
+                fail("it ends after " + std::to_string(i) + " of " + std::to_string(count) + " atoms", lines_.number());
+            readAtom(layout);
+        }
+    }
+
+    void readAtom(const Layout& layout) {
+        const Words words = splitWords(lines_.line());
+        const std::uint64_t line = lines_.number();
+        if (words.count < std::max(layout.species + 1, layout.position + 3))
+            fail("an atom line needs an element and three coordinates: '" + printable(lines_.line()) + "'", line);
+        Atom atom;
+        for (int axis = 0; axis < 3; ++axis)
+            atom.position[axis] =
+                parseCoordinate(words[layout.position + static_cast<std::size_t>(axis)], "xyz"[axis], name_, line);
+        const std::string_view species = words[layout.species];
+        atom.element = builder_.element(species, line);
+        atom.name = Name(atom.element != 0 ? elementSymbol(atom.element) : species);
+        builder_.addAtom(atom, "", 1, '\0', "");
+    }
+
+    bool skipAtoms(std::int64_t count) {
+        for (std::int64_t i = 0; i < count; ++i)
+            if (!lines_.next()) return false;
+        return true;
+    }
+
+    /// Columns by the comment of an extended XYZ file. Without a usable list they are the usual ones.
+    Layout layoutOf(std::string_view comment) {
+        const std::string lower = lowerCase(comment);
+        std::size_t at = lower.find("properties=");
+        if (at == std::string::npos) return {};
+        at += std::string_view("properties=").size();
+        std::string_view list = std::string_view(lower).substr(at);
+        if (!list.empty() && list.front() == '"') list.remove_prefix(1);
+        list = list.substr(0, list.find_first_of(" \t\""));
+        std::optional<std::size_t> species, position;
+        std::size_t column = 0;
+        while (!list.empty()) {
+            const auto field = [&list] {
+                const std::size_t colon = list.find(':');
+                const std::string_view text = list.substr(0, colon);
+                list.remove_prefix(colon == std::string_view::npos ? list.size() : colon + 1);
+                return text;
+            };
+            const std::string_view property = field(), type = field();
+            const auto width = parseInteger(field());
+            if (type.size() != 1 || !width || *width < 1 || *width > 16) return unusable();
+            if (property == "species" || (property == "z" && !species)) species = column;
+            if (property == "pos" && *width == 3) position = column;
+            column += static_cast<std::size_t>(*width);
+            if (column > 1000) return unusable();
+        }
+        if (!species || !position || *species >= 16 || *position + 3 > 16) return unusable();
+        return {*species, *position};
+    }
+
+    Layout unusable() {
+        builder_.warn("the Properties of the comment line are not usable; element and coordinates are read as usual");
+        return {};
+    }
+
+    const std::string& name_;
+    LineReader lines_;
+    int model_;
+    MoleculeBuilder builder_;
+    std::string_view comment_;
+};
+
+}  // namespace
+
+Molecule readXyz(const std::string& name, std::string_view text, const ReadOptions& options) {
+    return XyzReader(name, text, options).run();
+}
+
+}  // namespace nacre

@@ -1,0 +1,228 @@
+#include "engine/molecule/selection/selection.h"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+
+#include "engine/molecule/element.h"
+#include "engine/molecule/near_atoms.h"
+#include "engine/molecule/residue_kind.h"
+
+namespace nacre {
+namespace {
+
+using Set = std::vector<bool>;
+
+char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+/// Whether a text is that of a pattern, in which * stands for any characters.
+/// @param foldCase  the text's letters count as capitals; the pattern's are capitals
+bool matches(std::string_view pattern, std::string_view text, bool foldCase) {
+    std::size_t p = 0, t = 0, star = std::string_view::npos, resume = 0;
+    while (t < text.size()) {
+        const char c = foldCase ? upper(text[t]) : text[t];
+        if (p < pattern.size() && pattern[p] == '*') {
+            star = p++;
+            resume = t;
+        } else if (p < pattern.size() && pattern[p] == c) {
+            ++p;
+            ++t;
+        } else if (star != std::string_view::npos) {
+            p = star + 1;
+            t = ++resume;
+        } else {
+            return false;
+        }
+    }
+    while (p < pattern.size() && pattern[p] == '*') ++p;
+    return p == pattern.size();
+}
+
+bool anyMatches(const std::vector<std::string>& patterns, std::string_view text, bool foldCase = true) {
+    return std::any_of(patterns.begin(), patterns.end(),
+                       [&](const std::string& pattern) { return matches(pattern, text, foldCase); });
+}
+
+bool anyHolds(const std::vector<NumberRange>& ranges, std::int32_t number, char code) {
+    const auto place = std::tuple(number, upper(code));
+    return std::any_of(ranges.begin(), ranges.end(), [&](const NumberRange& range) {
+        return std::tuple(range.first, range.firstCode) <= place && place <= std::tuple(range.last, range.lastCode);
+    });
+}
+
+class Evaluator {
+public:
+    explicit Evaluator(const Molecule& molecule) : molecule_(molecule) {}
+
+    Set run(const Selection& selection) {
+        for (const SelectionStep& step : selection.steps) apply(step);
+        return pop();
+    }
+
+private:
+    void apply(const SelectionStep& step) {
+        switch (step.test) {
+            case SelectionTest::negation:
+                stack_.back().flip();
+                break;
+            case SelectionTest::conjunction:
+                combine([](bool a, bool b) { return a && b; });
+                break;
+            case SelectionTest::disjunction:
+                combine([](bool a, bool b) { return a || b; });
+                break;
+            case SelectionTest::within:
+                stack_.back() = atomsNear(molecule_, stack_.back(), step.distance);
+                break;
+            case SelectionTest::byResidue:
+                stack_.back() = wholeResidues(stack_.back());
+                break;
+            default:
+                stack_.push_back(leaf(step));
+        }
+    }
+
+    Set leaf(const SelectionStep& step) {
+        switch (step.test) {
+            case SelectionTest::none:
+                return Set(molecule_.atoms.size(), false);
+            case SelectionTest::model:
+                return whereResidue([&](std::size_t i) {
+                    return anyHolds(step.numbers, molecule_.chains[molecule_.residues[i].chain].model, '\0');
+                });
+            case SelectionTest::protein:
+                return ofKind({ResidueKind::protein});
+            case SelectionTest::nucleic:
+                return ofKind({ResidueKind::nucleic});
+            case SelectionTest::polymer:
+                return ofKind({ResidueKind::protein, ResidueKind::nucleic});
+            case SelectionTest::ligand:
+                return ofKind({ResidueKind::ligand});
+            case SelectionTest::water:
+                return ofKind({ResidueKind::water});
+            case SelectionTest::ion:
+                return ofKind({ResidueKind::ion});
+            case SelectionTest::backbone:
+            case SelectionTest::sidechain:
+                return ofPolymer(step.test == SelectionTest::backbone);
+            case SelectionTest::chain:
+            case SelectionTest::residueName:
+            case SelectionTest::residueNumber:
+                return ofResidues(step);
+            default:
+                return ofAtoms(step);
+        }
+    }
+
+    /// Atoms of the residues for which `holds` is true.
+    template <typename Holds>
+    Set whereResidue(const Holds& holds) const {
+        std::vector<bool> residues(molecule_.residues.size());
+        for (std::size_t i = 0; i < residues.size(); ++i) residues[i] = holds(i);
+        return whereAtom([&](const Atom& atom) { return residues[atom.residue]; });
+    }
+
+    template <typename Holds>
+    Set whereAtom(const Holds& holds) const {
+        Set set(molecule_.atoms.size());
+        for (std::size_t i = 0; i < set.size(); ++i) set[i] = holds(molecule_.atoms[i]);
+        return set;
+    }
+
+    Set ofKind(std::initializer_list<ResidueKind> wanted) {
+        const std::vector<ResidueKind>& known = kinds();
+        return whereResidue(
+            [&](std::size_t i) { return std::find(wanted.begin(), wanted.end(), known[i]) != wanted.end(); });
+    }
+
+    Set ofPolymer(bool backbone) {
+        const std::vector<ResidueKind>& known = kinds();
+        return whereAtom([&](const Atom& atom) {
+            const ResidueKind kind = known[atom.residue];
+            const bool polymer = kind == ResidueKind::protein || kind == ResidueKind::nucleic;
+            return polymer && isBackbone(kind, atom.name) == backbone;
+        });
+    }
+
+    Set ofResidues(const SelectionStep& step) const {
+        if (step.test == SelectionTest::chain) {
+            std::vector<bool> chains(molecule_.chains.size());
+            for (std::size_t i = 0; i < chains.size(); ++i)
+                chains[i] = anyMatches(step.words, molecule_.chains[i].name, false);
+            return whereResidue([&](std::size_t i) { return chains[molecule_.residues[i].chain]; });
+        }
+        return whereResidue([&](std::size_t i) {
+            const Residue& residue = molecule_.residues[i];
+            return step.test == SelectionTest::residueName
+                       ? anyMatches(step.words, residue.name.view())
+                       : anyHolds(step.numbers, residue.number, residue.insertionCode);
+        });
+    }
+
+    Set ofAtoms(const SelectionStep& step) const {
+        switch (step.test) {
+            case SelectionTest::hydrogen:
+                return whereAtom([](const Atom& atom) { return isHydrogen(atom.element); });
+            case SelectionTest::hetatm:
+                return whereAtom([](const Atom& atom) { return atom.hetero; });
+            case SelectionTest::atomName:
+                return whereAtom([&](const Atom& atom) { return anyMatches(step.words, atom.name.view()); });
+            case SelectionTest::alternate:
+                return whereAtom([&](const Atom& atom) {
+                    const std::string_view location(&atom.alternate, atom.alternate ? 1 : 0);
+                    return anyMatches(step.words, location);
+                });
+            case SelectionTest::element: {
+                std::vector<bool> wanted(256);
+                for (const std::string& word : step.words) wanted[elementFromSymbol(word)] = true;
+                return whereAtom([&](const Atom& atom) { return wanted[atom.element]; });
+            }
+            default:
+                return Set(molecule_.atoms.size(), true);
+        }
+    }
+
+    /// A residue's atoms may stand apart in the file, where conformers of different name alternate.
+    Set wholeResidues(const Set& set) const {
+        using Key = std::tuple<std::uint32_t, std::int32_t, char, std::array<char, 8>>;
+        const auto key = [&](const Residue& r) { return Key(r.chain, r.number, r.insertionCode, r.name.bytes); };
+        std::map<Key, bool> touched;
+        std::uint32_t latest = static_cast<std::uint32_t>(molecule_.residues.size());
+        for (std::size_t i = 0; i < set.size(); ++i) {
+            if (!set[i] || molecule_.atoms[i].residue == latest) continue;
+            latest = molecule_.atoms[i].residue;
+            touched[key(molecule_.residues[latest])] = true;
+        }
+        return whereResidue([&](std::size_t i) { return touched.count(key(molecule_.residues[i])) > 0; });
+    }
+
+    const std::vector<ResidueKind>& kinds() {
+        if (kinds_.empty()) kinds_ = residueKinds(molecule_);
+        return kinds_;
+    }
+
+    Set pop() {
+        Set top = std::move(stack_.back());
+        stack_.pop_back();
+        return top;
+    }
+
+    template <typename Operation>
+    void combine(const Operation& operation) {
+        const Set right = pop();
+        Set& left = stack_.back();
+        for (std::size_t i = 0; i < left.size(); ++i) left[i] = operation(left[i], right[i]);
+    }
+
+    const Molecule& molecule_;
+    std::vector<Set> stack_;
+    std::vector<ResidueKind> kinds_;
+};
+
+}  // namespace
+
+std::vector<bool> selectAtoms(const Molecule& molecule, const Selection& selection) {
+    return Evaluator(molecule).run(selection);
+}
+
+}  // namespace nacre

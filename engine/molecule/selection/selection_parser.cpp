@@ -1,0 +1,373 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "engine/error.h"
+#include "engine/molecule/element.h"
+#include "engine/molecule/selection/selection.h"
+#include "engine/molecule/text.h"
+
+namespace nacre {
+namespace {
+
+using enum SelectionTest;
+
+constexpr std::size_t kLongestText = 20'000;
+constexpr int kDeepest = 64;
+constexpr double kFarthest = 10'000;  // Å
+constexpr char kAnyCode = '\x7f';     // after every insertion code
+
+struct Keyword {
+    std::string_view word;
+    SelectionTest test;
+};
+constexpr Keyword kKeywords[] = {
+    {"all", all},
+    {"*", all},
+    {"none", none},
+    {"protein", protein},
+    {"polymer.protein", protein},
+    {"nucleic", nucleic},
+    {"polymer.nucleic", nucleic},
+    {"polymer", polymer},
+    {"pol.", polymer},
+    {"ligand", ligand},
+    {"ligands", ligand},
+    {"water", water},
+    {"waters", water},
+    {"solvent", water},
+    {"sol.", water},
+    {"ion", ion},
+    {"ions", ion},
+    {"backbone", backbone},
+    {"bb.", backbone},
+    {"sidechain", sidechain},
+    {"sc.", sidechain},
+    {"hydrogen", hydrogen},
+    {"hydrogens", hydrogen},
+    {"hydro", hydrogen},
+    {"h.", hydrogen},
+    {"hetatm", hetatm},
+    {"het", hetatm},
+    {"chain", chain},
+    {"c.", chain},
+    {"resn", residueName},
+    {"resname", residueName},
+    {"r.", residueName},
+    {"resi", residueNumber},
+    {"resid", residueNumber},
+    {"i.", residueNumber},
+    {"name", atomName},
+    {"n.", atomName},
+    {"elem", element},
+    {"element", element},
+    {"symbol", element},
+    {"e.", element},
+    {"altloc", alternate},
+    {"alt", alternate},
+    {"model", model},
+    {"within", within},
+    {"w.", within},
+    {"byres", byResidue},
+    {"byresidue", byResidue},
+    {"br.", byResidue},
+    {"not", negation},
+    {"!", negation},
+    {"and", conjunction},
+    {"&", conjunction},
+    {"or", disjunction},
+    {"|", disjunction},
+};
+
+std::string upperCase(std::string_view text) {
+    std::string upper(text);
+    for (char& c : upper)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return upper;
+}
+
+bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+class Parser {
+public:
+    explicit Parser(std::string_view text) : text_(text) {}
+
+    Selection parse() {
+        if (text_.size() > kLongestText)
+            throw Error("cannot read selection", "",
+                        "it is longer than " + std::to_string(kLongestText) + " characters");
+        expression();
+        if (!atEnd()) expected("'and', 'or' or the end");
+        result_.text = printable(trim(text_), 200);
+        return std::move(result_);
+    }
+
+private:
+    struct Nesting {
+        explicit Nesting(Parser& parser) : depth(parser.depth_) {
+            if (++depth > kDeepest) parser.fail("more than " + std::to_string(kDeepest) + " levels of nesting");
+        }
+        ~Nesting() { --depth; }
+        int& depth;
+    };
+
+    void expression() {
+        binary(disjunction);
+        if (accept(within)) {
+            SelectionStep step = withinStep();
+            operand("within N of");
+            result_.steps.push_back(std::move(step));
+            push(conjunction);
+            refuseOperator("within N of");
+        }
+    }
+
+    void binary(SelectionTest operation) {
+        const auto part = [&] { operation == disjunction ? binary(conjunction) : term(); };
+        part();
+        while (accept(operation)) {
+            part();
+            push(operation);
+        }
+    }
+
+    void term() {
+        const Nesting nesting(*this);
+        if (accept(negation)) {
+            term();
+            push(negation);
+        } else if (accept(byResidue)) {
+            operand("byres");
+            push(byResidue);
+        } else if (accept(within)) {
+            SelectionStep step = withinStep();
+            operand("within N of");
+            result_.steps.push_back(std::move(step));
+        } else if (acceptCharacter('(')) {
+            expression();
+            if (!acceptCharacter(')')) expected("'and', 'or' or ')'");
+        } else {
+            test();
+        }
+    }
+
+    /// What byres or within applies to.
+    void operand(const char* operation) {
+        skipBlanks();
+        const bool parentheses = !atEnd() && text_[position_] == '(';
+        term();
+        if (!parentheses) refuseOperator(operation);
+    }
+
+    /// Where PyMOL and the eye may disagree on how far an operation reaches, the writer has to say.
+    void refuseOperator(const char* operation) {
+        const auto next = keyword();
+        if (next && (*next == conjunction || *next == disjunction || *next == within))
+            fail("put parentheses around what '" + std::string(operation) + "' applies to, or around both");
+    }
+
+    SelectionStep withinStep() {
+        skipBlanks();
+        const std::size_t begin = position_;
+        const std::string_view number = word();
+        const auto distance = parseNumber(number);
+        if (!distance || !(*distance >= 0 && *distance <= kFarthest)) {
+            position_ = begin;
+            expected("a distance from 0 to 10000 Å");
+        }
+        skipBlanks();
+        const std::size_t beforeOf = position_;
+        if (lowerCase(word()) != "of") {
+            position_ = beforeOf;
+            expected("'of'");
+        }
+        SelectionStep step;
+        step.test = within;
+        step.distance = *distance;
+        return step;
+    }
+
+    void test() {
+        const auto found = keyword();
+        if (!found || *found == conjunction || *found == disjunction)
+            expected("a selection such as 'chain A', 'resn HEM' or 'protein'");
+        accept(*found);
+        SelectionStep step;
+        step.test = *found;
+        switch (*found) {
+            case chain:
+                values(step, "a chain name");
+                break;
+            case residueName:
+                values(step, "a residue name");
+                break;
+            case atomName:
+                values(step, "an atom name");
+                break;
+            case element:
+                values(step, "an element symbol");
+                break;
+            case alternate:
+                values(step, "an alternate location");
+                break;
+            case residueNumber:
+                numbers(step, "a residue number");
+                break;
+            case model:
+                numbers(step, "a model number");
+                break;
+            default:
+                break;
+        }
+        result_.steps.push_back(std::move(step));
+    }
+
+    void values(SelectionStep& step, const char* wanted) {
+        do {
+            skipBlanks();
+            const std::size_t begin = position_;
+            std::string value = listItem(wanted);
+            if (step.test != chain) value = upperCase(value);
+            if (step.test == element && value != "X" && nacre::elementFromSymbol(value) == 0) {
+                position_ = begin;
+                expected(wanted);
+            }
+            step.words.push_back(std::move(value));
+        } while (acceptCharacter('+') || acceptCharacter(','));
+    }
+
+    std::string listItem(const char* wanted) {
+        if (!atEnd() && (text_[position_] == '\'' || text_[position_] == '"')) {
+            const std::size_t close = text_.find(text_[position_], position_ + 1);
+            if (close == std::string_view::npos) fail("this quote is not closed");
+            std::string value(text_.substr(position_ + 1, close - position_ - 1));
+            position_ = close + 1;
+            return value;
+        }
+        // A forgotten value, rather than a chain named "and".
+        const auto next = keyword();
+        if (next && (*next == conjunction || *next == disjunction || *next == negation)) expected(wanted);
+        std::string value(word());
+        if (value.empty()) expected(wanted);
+        return value;
+    }
+
+    void numbers(SelectionStep& step, const char* wanted) {
+        do {
+            skipBlanks();
+            const std::size_t end = wordEnd();
+            NumberRange range;
+            number(wanted, range.first, range.firstCode);
+            range.last = range.first;
+            range.lastCode = range.firstCode;
+            if (position_ < end && (text_[position_] == '-' || text_[position_] == ':')) {
+                ++position_;
+                const std::size_t begin = position_;
+                number(wanted, range.last, range.lastCode);
+                if (range.lastCode == '\0') range.lastCode = kAnyCode;
+                if (range.last < range.first) {
+                    position_ = begin;
+                    fail("the range ends before it begins");
+                }
+            }
+            if (position_ < end) expected("'+', ',' or the end of the number");
+            step.numbers.push_back(range);
+        } while (acceptCharacter('+') || acceptCharacter(','));
+    }
+
+    void number(const char* wanted, std::int32_t& value, char& code) {
+        const std::size_t begin = position_;
+        if (text_.substr(position_, 2) == "\\-") ++position_;
+        const char* end = text_.data() + text_.size();
+        const auto [stop, error] = std::from_chars(text_.data() + position_, end, value);
+        if (error != std::errc()) {
+            position_ = begin;
+            expected(wanted);
+        }
+        position_ = static_cast<std::size_t>(stop - text_.data());
+        if (atEndHere() || !isLetter(text_[position_])) return;
+        code = upperCase(text_.substr(position_, 1))[0];
+        ++position_;
+    }
+
+    // ---- the text ----
+
+    void skipBlanks() {
+        while (position_ < text_.size() && isBlank(text_[position_])) ++position_;
+    }
+    bool atEndHere() const { return position_ >= text_.size(); }
+    bool atEnd() {
+        skipBlanks();
+        return atEndHere();
+    }
+    std::size_t wordEnd() const {
+        std::size_t end = position_;
+        while (end < text_.size() && !isBlank(text_[end]) &&
+               std::string_view("()+,&|!").find(text_[end]) == std::string_view::npos)
+            ++end;
+        return end;
+    }
+    std::string_view word() {
+        const std::size_t begin = position_;
+        position_ = wordEnd();
+        return text_.substr(begin, position_ - begin);
+    }
+    /// The next word or operator as it stands; moves on to it, not past it.
+    std::string_view nextToken() {
+        skipBlanks();
+        if (atEndHere()) return {};
+        const std::size_t end = wordEnd();
+        return text_.substr(position_, end > position_ ? end - position_ : 1);
+    }
+    std::optional<SelectionTest> keyword() {
+        const std::string token = lowerCase(nextToken());
+        for (const Keyword& entry : kKeywords)
+            if (entry.word == token) return entry.test;
+        return std::nullopt;
+    }
+    bool accept(SelectionTest wanted) {
+        if (keyword() != wanted) return false;
+        position_ += nextToken().size();
+        return true;
+    }
+    bool acceptCharacter(char wanted) {
+        if (atEnd() || text_[position_] != wanted) return false;
+        ++position_;
+        return true;
+    }
+    void push(SelectionTest operation) {
+        SelectionStep step;
+        step.test = operation;
+        result_.steps.push_back(std::move(step));
+    }
+
+    // ---- faults ----
+
+    [[noreturn]] void expected(const std::string& wanted) {
+        skipBlanks();
+        const std::string found = atEndHere() ? "the end" : "'" + printable(nextToken(), 24) + "'";
+        fail("expected " + wanted + ", found " + found);
+    }
+    [[noreturn]] void fail(const std::string& why) const {
+        // Columns count characters as people see them, so that bytes within one do not count.
+        std::size_t column = 1;
+        for (std::size_t i = 0; i < position_ && i < text_.size(); ++i)
+            if ((static_cast<unsigned char>(text_[i]) & 0xc0) != 0x80) ++column;
+        throw Error("cannot read selection", "'" + printable(text_, 120) + "'",
+                    "column " + std::to_string(column) + ": " + why);
+    }
+
+    std::string_view text_;
+    std::size_t position_ = 0;
+    int depth_ = 0;
+    Selection result_;
+};
+
+}  // namespace
+
+Selection parseSelection(std::string_view text) { return Parser(text).parse(); }
+
+}  // namespace nacre
