@@ -46,7 +46,7 @@ enum class ImpostorShape {
     pyramid,  ///< eight facets that lean against the sphere, so that early tests reject more (orthographic)
 };
 
-/// The formats that can hold encoded depth, finest first (engine/gpu/encoded_format.h).
+/// The formats that can hold encoded depth, finest first (engine/graph/encoded_format.h).
 enum class EncodedDepth { automatic, r32f, rgba16f, rg16f, a2b10g10r10, rgba8 };
 
 /// A window to draw into. The engine knows no window system: whoever has the window makes its surface.

@@ -6,20 +6,20 @@
 #include <bit>
 #include <cmath>
 
-#include "engine/debug_frame.h"
 #include "engine/error.h"
+#include "engine/frame/debug_frame.h"
+#include "engine/frame/picture.h"
+#include "engine/frame/screen_frame.h"
+#include "engine/frame/window_frames.h"
 #include "engine/gpu/context.h"
 #include "engine/gpu/instance.h"
 #include "engine/milliseconds.h"
+#include "engine/occlusion/scene_occlusion.h"
 #include "engine/passes/debug_pass.h"
 #include "engine/passes/fragment_counter.h"
 #include "engine/passes/geometry.h"
 #include "engine/passes/read_back.h"
 #include "engine/passes/view_constants.h"
-#include "engine/picture.h"
-#include "engine/scene_occlusion.h"
-#include "engine/screen_frame.h"
-#include "engine/window_frames.h"
 
 namespace nacre {
 namespace {
@@ -60,7 +60,7 @@ struct Renderer::Impl {
     Nearest nearest;
     passes::Geometry geometry;
     passes::DebugPass debugPass;
-    graph::Executor executor;
+    gpu::Executor executor;
     gpu::Image white;
     Representation representation;
     passes::SceneBuffers scene;
@@ -106,7 +106,7 @@ struct Renderer::Impl {
 
     /// Declares the screen frame (screen_frame.cpp) with its recorders.
     ScreenFrame declare(const RenderSettings& settings, const View& view, std::span<const ScreenTarget> targets,
-                        const char* name, graph::Imports& imports, passes::FragmentCounter* counter = nullptr);
+                        const char* name, gpu::Imports& imports, passes::FragmentCounter* counter = nullptr);
     /// Gives the recorders of the passes that only a debug view has.
     DebugRecord recordDebug(const RenderSettings& settings, const View& view);
     /// Draws one frame. @returns the pixels of every target, for the host; none unless `readBack`
@@ -132,7 +132,7 @@ layout::ViewConstants Renderer::Impl::constants(const RenderSettings& settings, 
 }
 
 ScreenFrame Renderer::Impl::declare(const RenderSettings& settings, const View& view,
-                                    std::span<const ScreenTarget> targets, const char* name, graph::Imports& imports,
+                                    std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
                                     passes::FragmentCounter* counter) {
     const gpu::Image& atlas = settings.occlusionDirections > 0 && occlusion.bake() ? occlusion.bake()->atlas() : white;
     // Held by the recorders, as long as the graph is there.
@@ -154,7 +154,7 @@ ScreenFrame Renderer::Impl::declare(const RenderSettings& settings, const View& 
         d.impostor = settings.impostor;
         d.radiusPixels = meanRadius * view.pixelsPerAngstrom;
         if (counter) counter->attach(d);
-        return [this, d, inputs, copies, copyRows](graph::PassContext& c) {
+        return [this, d, inputs, copies, copyRows](gpu::PassContext& c) {
             geometry.draw(c, scene, d, {c.view(inputs.atlas), c.view(inputs.nearest), inputs.nearestIsTexture});
         };
     };
@@ -170,7 +170,7 @@ DebugRecord Renderer::Impl::recordDebug(const RenderSettings& settings, const Vi
         const passes::DebugPass::Draw d{settings.debug,    inputs.tileMean,
                                         kDebugTile,        view.projection == Projection::perspective,
                                         view.quarterTurns, constants(settings, view)};
-        return [this, d, inputs](graph::PassContext& c) {
+        return [this, d, inputs](gpu::PassContext& c) {
             debugPass.draw(c, d, c.view(inputs.source), inputs.hasUnder ? c.view(inputs.under) : vk::ImageView());
         };
     };
@@ -181,7 +181,7 @@ std::vector<gpu::Buffer> Renderer::Impl::draw(const RenderSettings& settings, co
                                               std::span<const ScreenTarget> targets, bool readBack, const char* name) {
     const graph::Extent extent = imageExtent(view);
     passes::FragmentCounter counter(device, settings.countFragments);
-    graph::Imports imports;
+    gpu::Imports imports;
     ScreenFrame frame = declare(settings, view, targets, name, imports, &counter);
     graph::Graph& g = frame.graph;
     std::vector<gpu::Buffer> pixels;
@@ -311,7 +311,7 @@ std::vector<bool> Renderer::seenSpheres() const {
 FrameOutcome Renderer::present(const RenderSettings& settings, const WindowFrame& frame) {
     Impl& impl = *impl_;
     const auto declare = [&](const View& view, std::span<const ScreenTarget> targets, const char* name,
-                             graph::Imports& imports) { return impl.declare(settings, view, targets, name, imports); };
+                             gpu::Imports& imports) { return impl.declare(settings, view, targets, name, imports); };
     if (!impl.loss.empty()) return FrameOutcome::lost;
     try {
         return impl.guarded([&] {

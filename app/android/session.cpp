@@ -5,8 +5,8 @@
 #include "app/android/log.h"
 #include "app/android/render_thread.h"
 #include "app/android/surface.h"
+#include "app/shared/local_molecules.h"
 #include "app/viewer/kept_files.h"
-#include "app/viewer/local_molecules.h"
 #include "engine/error.h"
 
 namespace nacre::app {

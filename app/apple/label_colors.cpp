@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/headless/srgb.h"
+#include "app/shared/srgb.h"
 
 namespace nacre::app {
 namespace {

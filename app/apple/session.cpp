@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <limits>
 
-#include "app/headless/srgb.h"
-#include "app/viewer/local_molecules.h"
+#include "app/shared/local_molecules.h"
+#include "app/shared/srgb.h"
 #include "engine/error.h"
 
 namespace nacre::app {

@@ -9,13 +9,13 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/saved_options.h"
 #include "app/desktop/state_files.h"
 #include "app/desktop/window.h"
-#include "app/headless/capture_file.h"
-#include "app/headless/image_file.h"
-#include "app/headless/input.h"
-#include "app/headless/saved_options.h"
 #include "app/panel/panel.h"
+#include "app/shared/capture_file.h"
+#include "app/shared/image_file.h"
+#include "app/shared/input.h"
 #include "engine/error.h"
 
 namespace nacre::app {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/headless/options.h"
+#include "app/cli/options.h"
 
 namespace nacre::app {
 

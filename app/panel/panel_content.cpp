@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "app/notices.h"
 #include "app/panel/panel.h"
 #include "app/panel/panel_style.h"
+#include "app/shared/notices.h"
 #include "app/viewer/presets.h"
 
 namespace nacre::app {

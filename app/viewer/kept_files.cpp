@@ -7,7 +7,7 @@
 #include <iterator>
 #include <mutex>
 
-#include "app/headless/output_file.h"
+#include "app/shared/output_file.h"
 #include "engine/error.h"
 
 namespace nacre::app {

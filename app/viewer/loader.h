@@ -7,7 +7,7 @@
 #include <optional>
 #include <thread>
 
-#include "app/viewer/saved_view.h"
+#include "app/shared/saved_view.h"
 #include "engine/molecule/molecule.h"
 
 namespace nacre::app {

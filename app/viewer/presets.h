@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/viewer/saved_view.h"
+#include "app/shared/saved_view.h"
 
 namespace nacre::app {
 

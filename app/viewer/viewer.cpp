@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "app/headless/option_values.h"
+#include "app/shared/option_values.h"
 #include "app/viewer/measurement.h"
 #include "engine/error.h"
 

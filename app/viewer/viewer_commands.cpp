@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <glm/trigonometric.hpp>
 
-#include "app/headless/option_values.h"
+#include "app/shared/option_values.h"
 #include "app/viewer/presets.h"
 #include "app/viewer/viewer.h"
 

@@ -39,8 +39,8 @@ bool hasLazyMemory(const vk::raii::PhysicalDevice& device) {
 
 /// The finest rung that the device blends. R32F keeps depth exactly, but neither Mali nor Adreno 5xx blends it;
 /// RGBA16F blends everywhere (the Vulkan specification's table of mandatory format support).
-EncodedFormat encodedFormatOf(const vk::raii::PhysicalDevice& device, EncodedDepth wanted) {
-    for (const EncodedFormat& format : encodedFormats()) {
+graph::EncodedFormat encodedFormatOf(const vk::raii::PhysicalDevice& device, EncodedDepth wanted) {
+    for (const graph::EncodedFormat& format : graph::encodedFormats()) {
         if (wanted != EncodedDepth::automatic && wanted != format.rung) continue;
         if (blends(device, static_cast<vk::Format>(format.format))) return format;
         if (wanted == format.rung)

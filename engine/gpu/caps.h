@@ -5,7 +5,7 @@
 #include <vulkan/vulkan_raii.hpp>
 
 #include "engine/device_options.h"
-#include "engine/gpu/encoded_format.h"
+#include "engine/graph/encoded_format.h"
 #include "engine/graph/plan.h"
 
 namespace nacre::gpu {
@@ -20,7 +20,7 @@ struct Caps {
     std::uint64_t maxStorageBufferBytes = 1u << 27;
     float timestampNanoseconds = 0;  ///< 0: no timestamps
     graph::PlanCaps plan;
-    EncodedFormat encoded;
+    graph::EncodedFormat encoded;
     /// Quirk: a pipeline cache is not to be used. SwiftShader looks shaders up in it by the address of the render pass,
     /// and takes those of one that is gone for those of another that was made in its place.
     bool cacheMixesRenderPasses = false;

@@ -18,10 +18,13 @@
 #include <string>
 #include <vector>
 
+namespace nacre::gpu {
+struct PassContext;  // engine/gpu/execute.h: what a pass gets when it records
+}
+
 namespace nacre::graph {
 
-struct PassContext;  // execute.h: what a pass gets when it records
-using Record = std::function<void(PassContext&)>;
+using Record = std::function<void(gpu::PassContext&)>;
 
 struct Extent {
     std::uint32_t width = 0, height = 0;

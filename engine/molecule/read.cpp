@@ -12,10 +12,10 @@
 #include "engine/molecule/bonds/bonds.h"
 #include "engine/molecule/formats/detect.h"
 #include "engine/molecule/formats/inflate.h"
-#include "engine/molecule/overlay_models.h"
 #include "engine/molecule/formats/readers.h"
-#include "engine/molecule/text.h"
 #include "engine/molecule/formats/text_encoding.h"
+#include "engine/molecule/overlay_models.h"
+#include "engine/molecule/text.h"
 
 namespace nacre {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <string_view>
 
+#include "engine/molecule/bonds/residue_templates.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/element.h"
-#include "engine/molecule/bonds/residue_templates.h"
 
 namespace nacre {
 namespace {

@@ -43,7 +43,7 @@ DebugPass::DebugPass(const gpu::Device& device)
       layout_(gpu::makeLayout(device, kBindings, vk::ShaderStageFlagBits::eFragment, sizeof(layout::ViewConstants),
                               "debug view layout")) {}
 
-vk::Pipeline DebugPass::pipeline(const graph::PassContext& context, const Draw& draw) {
+vk::Pipeline DebugPass::pipeline(const gpu::PassContext& context, const Draw& draw) {
     const Key key{draw.view, draw.tileMean, draw.perspective, draw.quarterTurns, context.renderPass, context.subpass};
     if (const auto it = pipelines_.find(key); it != pipelines_.end()) return *it->second;
     gpu::GraphicsPipeline d;
@@ -63,7 +63,7 @@ vk::Pipeline DebugPass::pipeline(const graph::PassContext& context, const Draw& 
     return *pipelines_.emplace(key, gpu::makePipeline(device_, d)).first->second;
 }
 
-void DebugPass::draw(graph::PassContext& context, const Draw& draw, vk::ImageView source, vk::ImageView under) {
+void DebugPass::draw(gpu::PassContext& context, const Draw& draw, vk::ImageView source, vk::ImageView under) {
     const vk::raii::CommandBuffer& commands = context.commands;
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, draw));
     const vk::DescriptorSet set = context.descriptors.allocate(layout_.set, "debug view");

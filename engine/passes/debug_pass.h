@@ -3,7 +3,7 @@
 #include <map>
 
 #include "engine/debug_view.h"
-#include "engine/graph/execute.h"
+#include "engine/gpu/execute.h"
 #include "shaders/common/layout.h"
 
 namespace nacre::passes {
@@ -22,11 +22,11 @@ public:
         layout::ViewConstants constants{};
     };
     /// @param under null if the view reads one image
-    void draw(graph::PassContext& context, const Draw& draw, vk::ImageView source, vk::ImageView under);
+    void draw(gpu::PassContext& context, const Draw& draw, vk::ImageView source, vk::ImageView under);
 
 private:
     using Key = std::tuple<DebugView, bool, bool, int, VkRenderPass, std::uint32_t>;
-    vk::Pipeline pipeline(const graph::PassContext& context, const Draw& draw);
+    vk::Pipeline pipeline(const gpu::PassContext& context, const Draw& draw);
 
     const gpu::Device& device_;
     vk::raii::Sampler sampler_;

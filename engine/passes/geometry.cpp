@@ -63,7 +63,7 @@ const gpu::Layout& Geometry::layoutOf(const ShaderKey& key) {
         .first->second;
 }
 
-vk::Pipeline Geometry::pipeline(graph::PassContext& context, const ShaderKey& key, const Draw& draw,
+vk::Pipeline Geometry::pipeline(gpu::PassContext& context, const ShaderKey& key, const Draw& draw,
                                 std::uint32_t corners, float rim) {
     const bool plates = key.writes == Writes::plates;
     const auto shape = static_cast<std::uint32_t>(plates ? rim * 1e6f : 0.0f) * 32 + corners;
@@ -75,7 +75,7 @@ vk::Pipeline Geometry::pipeline(graph::PassContext& context, const ShaderKey& ke
                                                                                        : ", screen");
     d.vertex = vertexShader(key);
     d.fragment = fragmentShader(key);
-    const gpu::EncodedFormat& encoded = device_.caps().encoded;
+    const graph::EncodedFormat& encoded = device_.caps().encoded;
     d.constants.set(0, draw.perspective);
     d.constants.set(7, draw.quarterTurns);
     const bool exact = key.nearest == Nearest::rasterOrder;  // needs no blending: R32F everywhere
@@ -100,7 +100,7 @@ vk::Pipeline Geometry::pipeline(graph::PassContext& context, const ShaderKey& ke
     return *pipelines_.emplace(at, gpu::makePipeline(device_, d)).first->second;
 }
 
-void Geometry::bindSets(graph::PassContext& context, const SceneBuffers& scene, const ShaderKey& key, const Draw& draw,
+void Geometry::bindSets(gpu::PassContext& context, const SceneBuffers& scene, const ShaderKey& key, const Draw& draw,
                         const ShadingInputs& inputs) {
     const gpu::Layout& layout = layoutOf(key);
     constexpr auto kGraphics = vk::PipelineBindPoint::eGraphics;
@@ -156,7 +156,7 @@ void drawCopies(const vk::raii::CommandBuffer& commands, vk::PipelineLayout layo
 
 }  // namespace
 
-void Geometry::drawPrimitives(graph::PassContext& context, const SceneBuffers& scene, const Draw& draw,
+void Geometry::drawPrimitives(gpu::PassContext& context, const SceneBuffers& scene, const Draw& draw,
                               const ShadingInputs& inputs, Primitive primitive, std::uint32_t corners, float rim) {
     const bool sphere = primitive == Primitive::sphere, screen = primitive == Primitive::screen;
     const std::vector<PlacedCopies::Call>& calls = sphere ? draw.copies->spheres : draw.copies->cylinders;
@@ -181,7 +181,7 @@ void Geometry::drawPrimitives(graph::PassContext& context, const SceneBuffers& s
     drawCopies(commands, layout, draw, calls, corners);
 }
 
-void Geometry::draw(graph::PassContext& context, const SceneBuffers& scene, const Draw& draw,
+void Geometry::draw(gpu::PassContext& context, const SceneBuffers& scene, const Draw& draw,
                     const ShadingInputs& inputs) {
     if (scene.empty()) return;
     const bool software = device_.caps().software;

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/graph/execute.h"
+#include "engine/gpu/execute.h"
 #include "engine/passes/placed_copies.h"
 #include "engine/passes/plates.h"
 #include "engine/passes/scene_buffers.h"
@@ -42,19 +42,18 @@ public:
     explicit Geometry(const gpu::Device& device);
 
     /// Draws the scene's spheres and cylinders; plates for spheres alone; one triangle for `deferred` shading.
-    void draw(graph::PassContext& context, const SceneBuffers& scene, const Draw& draw,
-              const ShadingInputs& inputs = {});
+    void draw(gpu::PassContext& context, const SceneBuffers& scene, const Draw& draw, const ShadingInputs& inputs = {});
 
 private:
     using LayoutKey = std::tuple<bool, Nearest, bool, bool>;  // reads, nearest, sampled, counting
     using PipelineKey = std::tuple<ShaderKey, bool, int, std::uint32_t, VkRenderPass, std::uint32_t>;
 
     const gpu::Layout& layoutOf(const ShaderKey& key);
-    vk::Pipeline pipeline(graph::PassContext& context, const ShaderKey& key, const Draw& draw, std::uint32_t corners,
+    vk::Pipeline pipeline(gpu::PassContext& context, const ShaderKey& key, const Draw& draw, std::uint32_t corners,
                           float rim);
-    void drawPrimitives(graph::PassContext& context, const SceneBuffers& scene, const Draw& draw,
+    void drawPrimitives(gpu::PassContext& context, const SceneBuffers& scene, const Draw& draw,
                         const ShadingInputs& inputs, Primitive primitive, std::uint32_t corners, float rim = 0);
-    void bindSets(graph::PassContext& context, const SceneBuffers& scene, const ShaderKey& key, const Draw& draw,
+    void bindSets(gpu::PassContext& context, const SceneBuffers& scene, const ShaderKey& key, const Draw& draw,
                   const ShadingInputs& inputs);
 
     const gpu::Device& device_;

@@ -49,13 +49,13 @@ vk::Rect2D scissorOf(const OverlayBatch& b, graph::Extent upright, int quarterTu
 
 }  // namespace
 
-OverlayPass::OverlayPass(const gpu::Device& device, graph::Executor& executor)
+OverlayPass::OverlayPass(const gpu::Device& device, gpu::Executor& executor)
     : device_(device),
       sampler_(gpu::makeSampler(device, vk::Filter::eLinear, "glyphs")),
       layout_(gpu::makeLayout(device, kBindings, kStages, 16, "overlay layout")),
       glyphs_(makeWhiteTexture(device, executor)) {}
 
-void OverlayPass::setGlyphs(graph::Executor& executor, const OverlayGlyphs& glyphs) {
+void OverlayPass::setGlyphs(gpu::Executor& executor, const OverlayGlyphs& glyphs) {
     if (std::max(glyphs.width, glyphs.height) > device_.caps().maxImageSize)
         throw Error("cannot show text", device_.caps().deviceName, "its textures are too small for the glyphs");
     glyphs_ =
@@ -67,7 +67,7 @@ void OverlayPass::upload(gpu::FrameSlot& slot, const Overlay& overlay) const {
     put(device_, slot.indices, overlay.indices, vk::BufferUsageFlagBits::eIndexBuffer, "overlay indices");
 }
 
-vk::Pipeline OverlayPass::pipeline(const graph::PassContext& context, int quarterTurns, bool coded) {
+vk::Pipeline OverlayPass::pipeline(const gpu::PassContext& context, int quarterTurns, bool coded) {
     const auto key =
         std::make_tuple(static_cast<VkRenderPass>(context.renderPass), context.subpass, quarterTurns, coded);
     if (const auto it = pipelines_.find(key); it != pipelines_.end()) return *it->second;
@@ -91,7 +91,7 @@ vk::Pipeline OverlayPass::pipeline(const graph::PassContext& context, int quarte
     return *pipelines_.emplace(key, gpu::makePipeline(device_, d)).first->second;
 }
 
-void OverlayPass::draw(graph::PassContext& context, const gpu::FrameSlot& slot, const Overlay& overlay,
+void OverlayPass::draw(gpu::PassContext& context, const gpu::FrameSlot& slot, const Overlay& overlay,
                        graph::Extent upright, int quarterTurns, bool coded) {
     const vk::raii::CommandBuffer& commands = context.commands;
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, quarterTurns, coded));

@@ -2,8 +2,8 @@
 
 #include <map>
 
+#include "engine/gpu/execute.h"
 #include "engine/gpu/frame_ring.h"
-#include "engine/graph/execute.h"
 #include "engine/overlay.h"
 
 namespace nacre::passes {
@@ -11,20 +11,20 @@ namespace nacre::passes {
 /// Draws an application's triangles over the picture.
 class OverlayPass {
 public:
-    OverlayPass(const gpu::Device& device, graph::Executor& executor);
+    OverlayPass(const gpu::Device& device, gpu::Executor& executor);
 
     /// Replaces the glyph texture; nothing may be in flight. @throws Error if the texture is larger than the device
     /// takes
-    void setGlyphs(graph::Executor& executor, const OverlayGlyphs& glyphs);
+    void setGlyphs(gpu::Executor& executor, const OverlayGlyphs& glyphs);
     /// Puts the triangles where the device reads them.
     void upload(gpu::FrameSlot& slot, const Overlay& overlay) const;
     /// @param upright pixels of the picture as it is seen
     /// @param coded   the target takes sRGB-coded colour
-    void draw(graph::PassContext& context, const gpu::FrameSlot& slot, const Overlay& overlay, graph::Extent upright,
+    void draw(gpu::PassContext& context, const gpu::FrameSlot& slot, const Overlay& overlay, graph::Extent upright,
               int quarterTurns, bool coded);
 
 private:
-    vk::Pipeline pipeline(const graph::PassContext& context, int quarterTurns, bool coded);
+    vk::Pipeline pipeline(const gpu::PassContext& context, int quarterTurns, bool coded);
 
     const gpu::Device& device_;
     vk::raii::Sampler sampler_;

@@ -11,14 +11,14 @@ vk::BufferImageCopy whole(const graph::ImageDesc& desc) {
 }  // namespace
 
 void readBack(graph::Graph& g, graph::Image image, const graph::ImageDesc& desc, graph::Buffer buffer) {
-    g.transfer("read back").copiesFrom(image).copiesTo(buffer).record([=](graph::PassContext& c) {
+    g.transfer("read back").copiesFrom(image).copiesTo(buffer).record([=](gpu::PassContext& c) {
         c.commands.copyImageToBuffer(c.image(image), vk::ImageLayout::eTransferSrcOptimal, c.buffer(buffer),
                                      whole(desc));
     });
     g.output(buffer);
 }
 
-gpu::Image makeTexture(const gpu::Device& device, graph::Executor& executor, const graph::ImageDesc& desc,
+gpu::Image makeTexture(const gpu::Device& device, gpu::Executor& executor, const graph::ImageDesc& desc,
                        std::span<const std::uint8_t> bytes, const std::string& name) {
     gpu::Image image = gpu::makeImage(
         device, desc, vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, false, name);
@@ -26,11 +26,11 @@ gpu::Image makeTexture(const gpu::Device& device, graph::Executor& executor, con
     graph::Graph g(name);
     const auto target = g.importImage(name, desc, kTextureState, true);
     const auto source = g.importBuffer(name + " bytes", staging.size);
-    g.transfer("upload").copiesFrom(source).copiesTo(target).record([=](graph::PassContext& c) {
+    g.transfer("upload").copiesFrom(source).copiesTo(target).record([=](gpu::PassContext& c) {
         c.commands.copyBufferToImage(c.buffer(source), c.image(target), vk::ImageLayout::eTransferDstOptimal,
                                      whole(desc));
     });
-    graph::Imports imports;
+    gpu::Imports imports;
     imports.bind(target, image);
     imports.bind(source, staging);
     const graph::Plan plan = graph::compile(g, device.caps().plan);
@@ -39,7 +39,7 @@ gpu::Image makeTexture(const gpu::Device& device, graph::Executor& executor, con
     return image;
 }
 
-gpu::Image makeWhiteTexture(const gpu::Device& device, graph::Executor& executor) {
+gpu::Image makeWhiteTexture(const gpu::Device& device, gpu::Executor& executor) {
     constexpr std::array<std::uint8_t, 4> kWhite{255, 255, 255, 255};
     return makeTexture(device, executor, {VK_FORMAT_R8_UNORM, {1, 1}}, kWhite, "white");
 }

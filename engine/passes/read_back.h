@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "engine/graph/execute.h"
+#include "engine/gpu/execute.h"
 
 namespace nacre::passes {
 
@@ -13,11 +13,11 @@ namespace nacre::passes {
 void readBack(graph::Graph& g, graph::Image image, const graph::ImageDesc& desc, graph::Buffer buffer);
 
 /// A texture with contents, in kTextureState. @param bytes  all of its texels, row by row
-gpu::Image makeTexture(const gpu::Device& device, graph::Executor& executor, const graph::ImageDesc& desc,
+gpu::Image makeTexture(const gpu::Device& device, gpu::Executor& executor, const graph::ImageDesc& desc,
                        std::span<const std::uint8_t> bytes, const std::string& name);
 
 /// A texture of one white texel, for passes that have no occlusion to read.
-gpu::Image makeWhiteTexture(const gpu::Device& device, graph::Executor& executor);
+gpu::Image makeWhiteTexture(const gpu::Device& device, gpu::Executor& executor);
 
 /// State of a texture between graphs.
 constexpr graph::State kTextureState{VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT,

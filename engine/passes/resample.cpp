@@ -14,7 +14,7 @@ Resample::Resample(const gpu::Device& device)
       sampler_(gpu::makeSampler(device, vk::Filter::eLinear, "picture")),
       layout_(gpu::makeLayout(device, kBindings, vk::ShaderStageFlagBits::eFragment, 16, "resample layout")) {}
 
-vk::Pipeline Resample::pipeline(const graph::PassContext& context, std::uint32_t samples, bool coded) {
+vk::Pipeline Resample::pipeline(const gpu::PassContext& context, std::uint32_t samples, bool coded) {
     const auto key = std::make_tuple(static_cast<VkRenderPass>(context.renderPass), context.subpass, samples, coded);
     if (const auto it = pipelines_.find(key); it != pipelines_.end()) return *it->second;
     gpu::GraphicsPipeline d;
@@ -31,7 +31,7 @@ vk::Pipeline Resample::pipeline(const graph::PassContext& context, std::uint32_t
     return *pipelines_.emplace(key, gpu::makePipeline(device_, d)).first->second;
 }
 
-void Resample::draw(graph::PassContext& context, vk::ImageView picture, std::uint32_t samples, bool coded) {
+void Resample::draw(gpu::PassContext& context, vk::ImageView picture, std::uint32_t samples, bool coded) {
     const vk::raii::CommandBuffer& commands = context.commands;
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, samples, coded));
     const vk::DescriptorSet set = context.descriptors.allocate(layout_.set, "resample");

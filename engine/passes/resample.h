@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "engine/graph/execute.h"
+#include "engine/gpu/execute.h"
 
 namespace nacre::passes {
 
@@ -13,10 +13,10 @@ public:
 
     /// @param samples n: the picture has n x n texels for each pixel of the target; 0: any other ratio
     /// @param coded   the target takes sRGB-coded colour
-    void draw(graph::PassContext& context, vk::ImageView picture, std::uint32_t samples, bool coded);
+    void draw(gpu::PassContext& context, vk::ImageView picture, std::uint32_t samples, bool coded);
 
 private:
-    vk::Pipeline pipeline(const graph::PassContext& context, std::uint32_t samples, bool coded);
+    vk::Pipeline pipeline(const gpu::PassContext& context, std::uint32_t samples, bool coded);
 
     const gpu::Device& device_;
     vk::raii::Sampler sampler_;

@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "app/headless/option_values.h"
-#include "app/headless/srgb.h"
-#include "app/viewer/local_molecules.h"
+#include "app/shared/local_molecules.h"
+#include "app/shared/option_values.h"
+#include "app/shared/srgb.h"
 #include "engine/renderer.h"
 
 namespace nacre::test {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "app/headless/options.h"
+#include "app/cli/options.h"
 #include "engine/error.h"
 #include "engine/molecule/read.h"
 #include "engine/scene/palettes.h"

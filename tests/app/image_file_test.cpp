@@ -1,4 +1,4 @@
-#include "app/headless/image_file.h"
+#include "app/shared/image_file.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/headless/srgb.h"
+#include "app/shared/srgb.h"
 #include "engine/error.h"
 #include "tests/app/temporary_folder.h"
 

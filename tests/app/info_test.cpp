@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "app/headless/info_command.h"
+#include "app/cli/info_command.h"
 #include "engine/molecule/read.h"
 #include "tests/support/test_data.h"
 

@@ -10,10 +10,10 @@
 #include <random>
 #include <thread>
 
-#include "app/headless/image_file.h"
-#include "app/headless/output_file.h"
+#include "app/shared/image_file.h"
+#include "app/shared/output_file.h"
 #include "engine/error.h"
-#include "engine/storage/occlusion_cache.h"
+#include "engine/occlusion/cache.h"
 #include "tests/app/measured_run.h"
 #ifdef NACRE_DESKTOP
 #include "app/desktop/state_files.h"

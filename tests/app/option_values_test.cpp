@@ -1,4 +1,4 @@
-#include "app/headless/option_values.h"
+#include "app/shared/option_values.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/headless/srgb.h"
+#include "app/shared/srgb.h"
 
 namespace nacre::app {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "app/headless/plan_command.h"
+#include "app/cli/plan_command.h"
 #include "engine/error.h"
 
 namespace nacre::app {

@@ -1,6 +1,6 @@
 // What a person at a terminal sees while a command works, and that nobody else sees it.
 
-#include "app/headless/progress.h"
+#include "app/cli/progress.h"
 
 #include <gtest/gtest.h>
 

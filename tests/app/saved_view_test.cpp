@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/headless/saved_options.h"
+#include "app/cli/saved_options.h"
 #include "tests/app/run_program.h"
 
 namespace nacre {

@@ -20,8 +20,8 @@
 
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
-#include "engine/passes/occlusion.h"
-#include "engine/scene/occlusion_directions.h"
+#include "engine/occlusion/bake.h"
+#include "engine/occlusion/directions.h"
 #include "tests/benchmark/batch_maps.h"
 #include "tests/benchmark/occlusion_floor.h"
 #include "tests/support/test_data.h"
@@ -48,7 +48,7 @@ struct Stage {
     gpu::Device device{DeviceOptions{}};
     passes::Geometry geometry{device};
     passes::OcclusionPipelines pipelines{device};
-    graph::Executor executor{device};
+    gpu::Executor executor{device};
     Representation scene;
     passes::SceneBuffers buffers;
     double floorMs = 0;
@@ -162,7 +162,7 @@ void splatBatch(benchmark::State& state) {
     Stage& stage = batch.stage;
     for (auto _ : state) {
         graph::Graph g("batch of splats");
-        graph::Imports imports;
+        gpu::Imports imports;
         g.output(batch.splats.declare(g, imports, batch.frames, passes::DepthMaps::kMostPerBatch));
         const graph::Plan plan = graph::compile(g, stage.device.caps().plan);
         stage.device.submitAndWait(

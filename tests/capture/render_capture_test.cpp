@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/headless/capture_file.h"
+#include "app/shared/capture_file.h"
 #include "tests/app/run_program.h"
 #include "tests/capture/inspect.h"
 

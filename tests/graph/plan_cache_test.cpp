@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/frame/screen_frame.h"
 #include "engine/graph/capability_sets.h"
-#include "engine/screen_frame.h"
 
 namespace nacre::graph {
 namespace {
@@ -14,7 +14,7 @@ ScreenFrame windowFrame(passes::Nearest nearest, Extent extent, Clear clear = Cl
     ScreenFrameOptions options;
     options.extent = extent;
     options.nearest = nearest;
-    options.encoded = gpu::encodedFormats()[0];
+    options.encoded = graph::encodedFormats()[0];
     options.targets = {&target, 1};
     ScreenFrame frame = screenFrame(options);
     frame.graph.graphics("overlay").color(frame.targets[0]);

@@ -8,7 +8,7 @@
 #include <deque>
 #include <numeric>
 
-#include "engine/graph/execute.h"
+#include "engine/gpu/execute.h"
 
 namespace nacre::test {
 namespace {
@@ -60,10 +60,10 @@ public:
         const auto color = g.importImage("no colour", noColor_.desc, kImportedState, true);
         const auto depth = g.importImage("no depth", noDepth_.desc, kImportedState, true);
         g.graphics("clear").color(color, graph::Clear{0.0f}).color(depth, graph::Clear{0.0f});
-        graph::Imports imports;
+        gpu::Imports imports;
         imports.bind(color, noColor_);
         imports.bind(depth, noDepth_);
-        graph::Executor executor(device);
+        gpu::Executor executor(device);
         plan = compile(g, device.caps().plan);
         device.submitAndWait([&](const vk::raii::CommandBuffer& c) { executor.record(c, g, plan, imports); });
     }
@@ -75,13 +75,13 @@ public:
             const RandomPass& pass = random.passes[p];
             std::vector<graph::Image> images = declared.images;
             std::vector<graph::Buffer> buffers = declared.buffers;
-            return [this, &random, &pass, images, buffers](graph::PassContext& c) {
+            return [this, &random, &pass, images, buffers](gpu::PassContext& c) {
                 if (pass.kind == graph::PassKind::graphics) draw(c, random, pass, images, buffers);
                 if (pass.kind == graph::PassKind::compute) dispatch(c, random, pass, images, buffers);
                 if (pass.kind == graph::PassKind::transfer) copy(c, random, pass, images, buffers);
             };
         });
-        graph::Imports imports;
+        gpu::Imports imports;
         std::deque<gpu::Buffer> memory;
         for (const graph::Buffer b : d.buffers) {
             memory.push_back(buffer("buffer"));
@@ -102,12 +102,12 @@ public:
             d.graph.transfer("read back " + std::to_string(i))
                 .copiesFrom(image)
                 .copiesTo(host)
-                .record([image, host, desc](graph::PassContext& c) {
+                .record([image, host, desc](gpu::PassContext& c) {
                     c.commands.copyImageToBuffer(c.image(image), vk::ImageLayout::eTransferSrcOptimal, c.buffer(host),
                                                  wholeCopy(desc));
                 });
         }
-        graph::Executor executor(device);
+        gpu::Executor executor(device);
         plan = compile(d.graph, caps);
         device.submitAndWait([&](const vk::raii::CommandBuffer& c) { executor.record(c, d.graph, plan, imports); });
         std::vector<std::uint32_t> result;
@@ -137,7 +137,7 @@ private:
     }
 
     /// The set of a pass, with something to read at every binding.
-    vk::DescriptorSet set(graph::PassContext& c, const gpu::Layout& layout, const RandomGraph& random,
+    vk::DescriptorSet set(gpu::PassContext& c, const gpu::Layout& layout, const RandomGraph& random,
                           const RandomPass& pass, const std::vector<graph::Image>& images,
                           const std::vector<graph::Buffer>& buffers, Push& push) {
         vk::ImageView color = *noColor_.view, depth = *noDepth_.view;
@@ -162,7 +162,7 @@ private:
         return set;
     }
 
-    void draw(graph::PassContext& c, const RandomGraph& random, const RandomPass& pass,
+    void draw(gpu::PassContext& c, const RandomGraph& random, const RandomPass& pass,
               const std::vector<graph::Image>& images, const std::vector<graph::Buffer>& buffers) {
         const RandomUse* input = pass.find(Verb::input);
         const bool onTile = input && !c.inputIsSampled;
@@ -195,7 +195,7 @@ private:
         c.commands.draw(3, 1, 0, 0);
     }
 
-    void dispatch(graph::PassContext& c, const RandomGraph& random, const RandomPass& pass,
+    void dispatch(gpu::PassContext& c, const RandomGraph& random, const RandomPass& pass,
                   const std::vector<graph::Image>& images, const std::vector<graph::Buffer>& buffers) {
         Push push{0, pass.seed, 0};
         const vk::DescriptorSet textures = set(c, compute_, random, pass, images, buffers, push);
@@ -209,7 +209,7 @@ private:
         c.commands.dispatch(kBufferWords / 64, 1, 1);
     }
 
-    static void copy(graph::PassContext& c, const RandomGraph& random, const RandomPass& pass,
+    static void copy(gpu::PassContext& c, const RandomGraph& random, const RandomPass& pass,
                      const std::vector<graph::Image>& images, const std::vector<graph::Buffer>& buffers) {
         const std::uint32_t from = pass.find(Verb::copiesFrom)->resource;
         const RandomUse& to = *pass.find(Verb::copiesTo);

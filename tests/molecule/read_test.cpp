@@ -8,8 +8,8 @@
 #include <fstream>
 
 #include "engine/molecule/formats/detect.h"
-#include "engine/molecule/text.h"
 #include "engine/molecule/formats/text_encoding.h"
+#include "engine/molecule/text.h"
 #include "tests/molecule/expect_error.h"
 
 namespace nacre {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/scene/occlusion_copies.h"
+#include "engine/occlusion/copies.h"
 #include "tests/renderer/scenes.h"
 #include "tests/support/written_out.h"
 

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "engine/gpu/encoded_format.h"
+#include "engine/graph/encoded_format.h"
 #include "tests/phone_layer/floor.h"
 
 namespace nacre::test {
@@ -33,7 +33,7 @@ TEST(Requirements, EveryExtensionIsThere) {
 }
 
 TEST(Requirements, SomeRungOfEncodedDepthBlendsOnEveryPhone) {
-    EXPECT_TRUE(std::any_of(gpu::encodedFormats().begin(), gpu::encodedFormats().end(), [](const auto& rung) {
+    EXPECT_TRUE(std::any_of(graph::encodedFormats().begin(), graph::encodedFormats().end(), [](const auto& rung) {
         return phone::floorFormat(rung.format) & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
     }));
 }

@@ -1,6 +1,6 @@
 // Every rung of the ladder of encoded depth against the exact one, R32F.
 
-#include "engine/gpu/encoded_format.h"
+#include "engine/graph/encoded_format.h"
 
 #include "tests/reference/ray_caster.h"
 #include "tests/renderer/scenes.h"
@@ -23,7 +23,7 @@ TEST_P(Ladder, DiffersOnlyWhereSurfacesAreCloserThanItsStep) {
     const Representation r = scene(GetParam(), Style::spacefill);
     const RenderSettings s = settings(r, 400, Projection::orthographic);
     const LayerPicture exact = draw(r, s, EncodedDepth::r32f);
-    for (const gpu::EncodedFormat& format : gpu::encodedFormats()) {
+    for (const graph::EncodedFormat& format : graph::encodedFormats()) {
         const LayerPicture p = draw(r, s, format.rung);
         // One step of the code, and the room that the encoded range has beyond the bounding sphere.
         const double step = 2.0 * (r.radius + 1.0) / format.levels();

@@ -1,5 +1,3 @@
-#include "engine/scene/occlusion_directions.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,8 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 #include <random>
+
+#include "engine/occlusion/directions.h"
 
 namespace nacre {
 namespace {

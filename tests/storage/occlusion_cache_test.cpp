@@ -1,5 +1,3 @@
-#include "engine/storage/occlusion_cache.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -7,6 +5,7 @@
 #include <functional>
 #include <set>
 
+#include "engine/occlusion/cache.h"
 #include "tests/app/temporary_folder.h"
 
 namespace nacre {

@@ -1,4 +1,4 @@
-#include "app/viewer/saved_view.h"
+#include "app/shared/saved_view.h"
 
 #include <gtest/gtest.h>
 

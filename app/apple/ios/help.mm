@@ -1,7 +1,7 @@
 #include "app/apple/ios/help.h"
 
 #include "app/apple/ios/document_access.h"
-#include "app/notices.h"
+#include "app/shared/notices.h"
 #include "app/viewer/commands.h"
 
 namespace nacre::app {

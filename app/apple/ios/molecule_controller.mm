@@ -16,7 +16,7 @@
 #import "app/apple/ios/sharing.h"
 #import "app/apple/ios/spoken.h"
 #import "app/apple/session.h"
-#import "app/headless/option_values.h"
+#import "app/shared/option_values.h"
 #import "engine/error.h"
 
 using namespace nacre::app;

@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "engine/molecule/bonds/bond_steps.h"
-#include "engine/molecule/element.h"
 #include "engine/molecule/bonds/residue_templates.h"
+#include "engine/molecule/element.h"
 
 namespace nacre {
 namespace {

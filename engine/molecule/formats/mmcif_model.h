@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/molecule/molecule.h"
 #include "engine/molecule/formats/molecule_builder.h"
+#include "engine/molecule/molecule.h"
 #include "engine/molecule/read.h"
 
 namespace nacre {

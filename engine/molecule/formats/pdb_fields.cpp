@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "engine/molecule/bonds/residue_templates.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/floating_point.h"
-#include "engine/molecule/bonds/residue_templates.h"
 
 namespace nacre::pdb {
 namespace {

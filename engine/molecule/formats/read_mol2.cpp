@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "engine/error.h"
+#include "engine/molecule/bonds/residue_templates.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/molecule_builder.h"
 #include "engine/molecule/formats/readers.h"
-#include "engine/molecule/bonds/residue_templates.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {

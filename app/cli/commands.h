@@ -1,0 +1,17 @@
+#pragma once
+// One function a command. Each throws nacre::Error where it fails.
+
+#include <iosfwd>
+
+#include "app/cli/options.h"
+
+namespace nacre::app {
+
+void renderCommand(const RenderOptions& options);
+void benchCommand(const BenchOptions& options, std::ostream& out);
+void planCommand(const PlanOptions& options, std::ostream& out);
+void infoCommand(const InfoOptions& options, std::ostream& out);
+void devicesCommand(bool json, std::ostream& out);
+void versionCommand(std::ostream& out);
+
+}  // namespace nacre::app

@@ -1,0 +1,65 @@
+#include <vulkan/vulkan_core.h>
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "app/cli/commands.h"
+#include "engine/error.h"
+#include "engine/renderer.h"
+#include "nacre_commit.h"
+
+namespace nacre::app {
+namespace {
+
+std::string versionText(std::uint32_t version) {
+    return std::to_string(VK_API_VERSION_MAJOR(version)) + "." + std::to_string(VK_API_VERSION_MINOR(version)) + "." +
+           std::to_string(VK_API_VERSION_PATCH(version));
+}
+
+std::string describe(const DeviceInfo& device) {
+    return device.name + " (" + device.type + ", Vulkan " + device.apiVersion + ", " + device.driver + ")";
+}
+
+}  // namespace
+
+void devicesCommand(bool json, std::ostream& out) {
+    const std::vector<DeviceInfo> devices = listDevices();
+    if (!json) {
+        for (std::size_t i = 0; i < devices.size(); ++i)
+            out << i << "  " << describe(devices[i]) << '\n'
+                << "   visibility " << devices[i].visibility << ": " << devices[i].why << "; encoded depth "
+                << devices[i].encodedFormat << "; lazy memory " << (devices[i].lazyMemory ? "yes" : "no") << '\n';
+        if (devices.empty()) out << "no Vulkan device\n";
+        return;
+    }
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < devices.size(); ++i)
+        list.push_back({{"number", i},
+                        {"name", devices[i].name},
+                        {"type", devices[i].type},
+                        {"api_version", devices[i].apiVersion},
+                        {"driver", devices[i].driver},
+                        {"visibility", devices[i].visibility},
+                        {"why", devices[i].why},
+                        {"encoded_format", devices[i].encodedFormat},
+                        {"lazy_memory", devices[i].lazyMemory}});
+    out << list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+}
+
+void versionCommand(std::ostream& out) {
+    out << "nacre " << NACRE_VERSION << " (" << NACRE_COMMIT << ")\n"
+        << "Vulkan headers " << versionText(VK_HEADER_VERSION_COMPLETE) << '\n'
+        << "captures "
+        << (capturesBuilt() ? "by RenderDoc, where it is installed" : "none: built without renderdoc_app.h") << '\n';
+    try {
+        const std::vector<DeviceInfo> devices = listDevices();
+        out << "device " << (devices.empty() ? "none" : describe(devices.front())) << '\n';
+    } catch (const Error& error) {
+        // A machine without a driver still has a version.
+        out << "device none: " << error.what() << '\n';
+    }
+}
+
+}  // namespace nacre::app

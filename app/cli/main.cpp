@@ -1,0 +1,80 @@
+// The headless command line: 0 done, 1 failed with one line on standard error, 2 wrong usage.
+
+#include <exception>
+#include <iostream>
+#include <new>
+#include <sstream>
+#include <string>
+
+#include "app/cli/commands.h"
+#include "app/cli/options.h"
+#include "app/shared/notices.h"
+#ifdef NACRE_DESKTOP
+#include "app/desktop/view_command.h"
+#endif
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+int complain(const std::string& text, int code) {
+    std::string line = text;
+    for (char& c : line)
+        if (c == '\n' || c == '\r') c = ' ';
+    std::cerr << "nacre: error: " << line << std::endl;
+    return code;
+}
+
+void run(const CommandLine& line, std::ostream& out) {
+    switch (line.command) {
+        case Command::help:
+            out << line.help;
+            break;
+        case Command::version:
+            versionCommand(out);
+            break;
+        case Command::notices:
+            out << notices();
+            break;
+        case Command::render:
+            renderCommand(line.render);
+            break;
+        case Command::view:
+#ifdef NACRE_DESKTOP
+            viewCommand(line.view);
+#endif
+            break;
+        case Command::bench:
+            benchCommand(line.bench, out);
+            break;
+        case Command::plan:
+            planCommand(line.plan, out);
+            break;
+        case Command::info:
+            infoCommand(line.info, out);
+            break;
+        case Command::devices:
+            devicesCommand(line.json, out);
+            break;
+    }
+}
+
+int complete(int argc, char** argv) {
+    try {
+        run(parseCommandLine(argc, argv), std::cout);
+        std::cout.flush();
+        if (!std::cout) return complain("cannot write to standard output", 1);
+        return 0;
+    } catch (const UsageError& error) {
+        return complain("wrong usage: " + std::string(error.what()) + " (see --help)", 2);
+    } catch (const std::bad_alloc&) {
+        return complain("out of memory", 1);
+    } catch (const std::exception& error) {
+        return complain(error.what(), 1);
+    }
+}
+
+}  // namespace
+}  // namespace nacre::app
+
+int main(int argc, char** argv) { return nacre::app::complete(argc, argv); }

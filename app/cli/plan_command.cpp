@@ -1,0 +1,150 @@
+#include "app/cli/plan_command.h"
+
+#include <algorithm>
+#include <ostream>
+
+#include "app/cli/commands.h"
+#include "engine/error.h"
+#include "engine/gpu/device.h"
+
+namespace nacre::app {
+namespace {
+
+const graph::EncodedFormat& formatOf(EncodedDepth rung) {
+    for (const graph::EncodedFormat& format : graph::encodedFormats())
+        if (format.rung == rung) return format;
+    return graph::encodedFormats().front();
+}
+
+void chooseBySet(const PlanOptions& options, PlanReport& report) {
+    const graph::CapabilitySet& set = graph::capabilitySet(options.caps);
+    report.caps = set.plan.name;
+    report.plannedWith = set.plan;
+    report.facts = set.facts;
+    const bool automatic = options.device.visibility == Visibility::automatic;
+    report.visibility = automatic ? set.visibility : options.device.visibility;
+    report.why = automatic ? set.why : "asked for";
+    report.encoded = formatOf(set.encoded);
+    if (options.device.encoded == EncodedDepth::automatic) return;
+    // The ladder stands finest first: a device blends its own rung and all coarser ones.
+    const graph::EncodedFormat& wanted = formatOf(options.device.encoded);
+    if (wanted.rung < set.encoded)
+        throw Error("cannot encode depth", std::string(wanted.name), set.plan.name + " does not blend that format");
+    report.encoded = wanted;
+}
+
+void chooseByDevice(const PlanOptions& options, PlanReport& report) {
+    const gpu::Device device(options.device);
+    report.caps = device.caps().deviceName;
+    report.plannedWith = device.caps().plan;
+    report.visibility = device.caps().visibility;
+    report.why = device.caps().visibilityReason;
+    report.encoded = device.caps().encoded;
+}
+
+std::string joined(const graph::Graph& graph, const std::vector<std::uint32_t>& passes) {
+    std::string text;
+    for (const std::uint32_t p : passes) text += (text.empty() ? "" : " + ") + graph.passes()[p].name;
+    return text;
+}
+
+}  // namespace
+
+PlanReport planReport(const PlanOptions& options) {
+    PlanReport report{{}, {}, {}, {}, {}, {}, {options.size.width, options.size.height}, {}, {}, {}, graph::Graph(""),
+                      {}};
+    if (options.caps.empty())
+        chooseByDevice(options, report);
+    else
+        chooseBySet(options, report);
+    report.frame = screenFrame({report.extent,
+                                nearestOf(report.visibility),
+                                report.encoded,
+                                {VK_FORMAT_R8_UNORM, {1024, 1024}},
+                                kScreenTargets});
+    for (const graph::Image target : report.frame.targets) report.frame.graph.output(target);
+    graph::PlanCaps& caps = report.plannedWith;
+    caps.merge = caps.merge && options.merge;
+    report.plan = graph::compile(report.frame.graph, caps);
+    graph::PlanCaps alone = caps;
+    alone.merge = false;
+    report.unmerged = graph::compile(report.frame.graph, alone);
+    graph::PlanCaps gles;
+    gles.name = "OpenGL ES 2";
+    gles.tileSubpasses = false;
+    report.paperGraph = paperFrame(report.extent);
+    report.paper = graph::compile(report.paperGraph, gles);
+    return report;
+}
+
+std::vector<NamedUse> usesOf(const PlanReport& report, const graph::RenderPassPlan& pass,
+                             const graph::Subpass& subpass) {
+    const graph::Graph& g = report.frame.graph;
+    std::vector<NamedUse> uses;
+    const auto nameAt = [&](std::uint32_t attachment) { return g.images()[pass.attachments[attachment].image].name; };
+    if (subpass.depth >= 0)
+        uses.push_back({nameAt(static_cast<std::uint32_t>(subpass.depth)), subpass.depthWrite ? "test, write" : "test",
+                        subpass.depthWrite});
+    for (const std::uint32_t a : subpass.inputs) uses.push_back({nameAt(a), "input attachment", false});
+    for (const std::uint32_t p : subpass.passes)
+        for (const graph::Use& use : g.passes()[p].uses)
+            if (use.verb == graph::Verb::samples || (use.verb == graph::Verb::input && report.plan.inputIsSampled[p]))
+                uses.push_back({g.images()[use.resource].name, "texture", false});
+    for (const std::uint32_t a : subpass.colors) uses.push_back({nameAt(a), "write", true});
+    return uses;
+}
+
+std::string nameOf(const graph::Graph& graph, const graph::Subpass& subpass) { return joined(graph, subpass.passes); }
+
+std::string nameOf(const graph::Graph& graph, const graph::RenderPassPlan& pass) {
+    std::vector<std::uint32_t> all;
+    for (const graph::Subpass& subpass : pass.subpasses)
+        all.insert(all.end(), subpass.passes.begin(), subpass.passes.end());
+    return joined(graph, all);
+}
+
+std::vector<std::string> stageNames(VkPipelineStageFlags stages) {
+    constexpr std::pair<VkPipelineStageFlags, const char*> kNames[] = {
+        {VK_PIPELINE_STAGE_TOP_OF_PIPE_BIT, "top"},
+        {VK_PIPELINE_STAGE_VERTEX_INPUT_BIT, "vertex input"},
+        {VK_PIPELINE_STAGE_EARLY_FRAGMENT_TESTS_BIT, "early tests"},
+        {VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, "fragment shader"},
+        {VK_PIPELINE_STAGE_LATE_FRAGMENT_TESTS_BIT, "late tests"},
+        {VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT, "colour output"},
+        {VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, "compute shader"},
+        {VK_PIPELINE_STAGE_TRANSFER_BIT, "transfer"},
+        {VK_PIPELINE_STAGE_HOST_BIT, "host"},
+    };
+    std::vector<std::string> names;
+    for (const auto& [flag, name] : kNames)
+        if (stages & flag) names.emplace_back(name);
+    return names;
+}
+
+std::uint64_t bytesOf(const graph::ImageDecl& image) {
+    return std::uint64_t{graph::bytesPerTexel(image.desc.format)} * image.desc.extent.width * image.desc.extent.height *
+           image.desc.layers * image.desc.samples;
+}
+
+std::uint32_t tileBytesOf(const graph::Plan& plan) {
+    std::uint32_t most = 0;
+    for (const graph::Step& step : plan.steps) most = std::max(most, step.renderPass.tileBytesPerPixel);
+    return most;
+}
+
+void planCommand(const PlanOptions& options, std::ostream& out) {
+    const PlanReport report = planReport(options);
+    switch (options.format) {
+        case PlanFormat::text:
+            out << planText(report);
+            break;
+        case PlanFormat::json:
+            out << planJson(report);
+            break;
+        case PlanFormat::dot:
+            out << planDot(report);
+            break;
+    }
+}
+
+}  // namespace nacre::app

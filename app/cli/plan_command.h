@@ -1,0 +1,54 @@
+#pragma once
+// `nacre plan`: what the screen frame becomes on a GPU, beside the same frame unmerged and the paper's arrangement.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/cli/options.h"
+#include "engine/frame/screen_frame.h"
+#include "engine/graph/capability_sets.h"
+
+namespace nacre::app {
+
+struct PlanReport {
+    std::string caps;  ///< name of the capability set or device
+    graph::PlanCaps plannedWith;
+    Visibility visibility{};
+    std::string why;  ///< of `visibility`
+    graph::EncodedFormat encoded;
+    std::span<const graph::Fact> facts;  ///< none for a real device
+    graph::Extent extent;
+    ScreenFrame frame;
+    graph::Plan plan, unmerged;
+    graph::Graph paperGraph;
+    graph::Plan paper;
+};
+
+/// @throws Error if there is no such device, or it cannot encode depth as asked for
+PlanReport planReport(const PlanOptions& options);
+
+std::string planText(const PlanReport& report);
+/// The keys are stable: snake_case, bytes as whole numbers.
+std::string planJson(const PlanReport& report);
+/// For `dot -Tsvg`.
+std::string planDot(const PlanReport& report);
+
+/// What a subpass does to an image, in words: "depth" "test".
+struct NamedUse {
+    std::string image, how;
+    bool writes = false;
+};
+std::vector<NamedUse> usesOf(const PlanReport& report, const graph::RenderPassPlan& pass,
+                             const graph::Subpass& subpass);
+/// "opaque prepass + depth encoding"
+std::string nameOf(const graph::Graph& graph, const graph::Subpass& subpass);
+std::string nameOf(const graph::Graph& graph, const graph::RenderPassPlan& pass);
+/// "early tests", "colour output", ...
+std::vector<std::string> stageNames(VkPipelineStageFlags stages);
+/// Bytes of an image, all its pixels, samples and layers.
+std::uint64_t bytesOf(const graph::ImageDecl& image);
+/// What the tile must hold for a pixel at most, beside hardware depth.
+std::uint32_t tileBytesOf(const graph::Plan& plan);
+
+}  // namespace nacre::app

@@ -1,0 +1,110 @@
+#include <nlohmann/json.hpp>
+
+#include "app/cli/plan_command.h"
+
+namespace nacre::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* loadName(graph::Load load) {
+    return load == graph::Load::clear ? "clear" : load == graph::Load::load ? "load" : "dont_care";
+}
+const char* storeName(graph::Store store) {
+    return store == graph::Store::store ? "store" : store == graph::Store::none ? "none" : "dont_care";
+}
+
+Json subpassJson(const PlanReport& report, const graph::RenderPassPlan& pass, const graph::Subpass& subpass) {
+    Json json{{"name", nameOf(report.frame.graph, subpass)}, {"reads", Json::array()}, {"writes", Json::array()}};
+    for (const NamedUse& use : usesOf(report, pass, subpass))
+        json[use.writes ? "writes" : "reads"].push_back(use.image);
+    Json inputs = Json::array();
+    for (const NamedUse& use : usesOf(report, pass, subpass))
+        if (use.how == "input attachment") inputs.push_back(use.image);
+    json["input_attachments"] = inputs;
+    return json;
+}
+
+Json renderPassJson(const PlanReport& report, const graph::RenderPassPlan& pass) {
+    const graph::Graph& g = report.frame.graph;
+    Json json{{"name", nameOf(g, pass)},
+              {"subpasses", Json::array()},
+              {"attachments", Json::array()},
+              {"dependencies", Json::array()},
+              {"tile_bytes_per_pixel", pass.tileBytesPerPixel}};
+    for (const graph::Subpass& subpass : pass.subpasses)
+        json["subpasses"].push_back(subpassJson(report, pass, subpass));
+    for (const graph::Attachment& a : pass.attachments)
+        json["attachments"].push_back({{"name", g.images()[a.image].name},
+                                       {"format", graph::formatName(a.format)},
+                                       {"load", loadName(a.load)},
+                                       {"store", storeName(a.store)},
+                                       {"transient", a.transient}});
+    for (const graph::Dependency& d : pass.dependencies)
+        json["dependencies"].push_back({{"from", d.from == VK_SUBPASS_EXTERNAL ? Json("external") : Json(d.from)},
+                                        {"to", d.to},
+                                        {"from_stages", stageNames(d.fromStages)},
+                                        {"to_stages", stageNames(d.toStages)},
+                                        {"by_region", d.byRegion}});
+    return json;
+}
+
+Json fetchJson(const Fetch& fetch) {
+    return {{"sphere", fetch.sphere},
+            {"cylinder", fetch.cylinder},
+            {"per", fetch.perPixel ? "covered pixel" : "primitive"}};
+}
+
+Json passesJson(const PlanReport& report) {
+    Json list = Json::array();
+    for (std::size_t p = 0; p < report.frame.passes.size(); ++p) {
+        const ScreenPass& notes = report.frame.passes[p];
+        list.push_back({{"name", report.frame.graph.passes()[p].name},
+                        {"depth_test", depthTimingName(notes.depth)},
+                        {"depth_test_why", notes.why},
+                        {"binning_bytes", fetchJson(notes.binning)},
+                        {"shading_bytes", fetchJson(notes.shading)},
+                        {"precision", notes.precision}});
+    }
+    return list;
+}
+
+Json imagesJson(const graph::Graph& graph, const graph::Plan& plan) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < graph.images().size(); ++i)
+        if (!graph.images()[i].imported)
+            list.push_back({{"name", graph.images()[i].name},
+                            {"loaded", plan.traffic[i].loaded},
+                            {"stored", plan.traffic[i].stored}});
+    return list;
+}
+
+}  // namespace
+
+std::string planJson(const PlanReport& report) {
+    Json json{{"caps", report.caps},
+              {"visibility", visibilityName(report.visibility)},
+              {"why", report.why},
+              {"size", {report.extent.width, report.extent.height}},
+              {"merge", report.plannedWith.merge},
+              {"render_passes", Json::array()},
+              {"passes", passesJson(report)},
+              {"tile_bytes_per_pixel", tileBytesOf(report.plan)},
+              {"tile_bytes_per_pixel_budget", report.plannedWith.tileBytesPerPixel}};
+    for (const graph::Step& step : report.plan.steps)
+        json["render_passes"].push_back(renderPassJson(report, step.renderPass));
+    // `unmerged` and `paper` are what those arrangements load and store together.
+    json["memory_bytes"] = {{"loaded", report.plan.total.loaded},
+                            {"stored", report.plan.total.stored},
+                            {"unmerged", report.unmerged.total.loaded + report.unmerged.total.stored},
+                            {"paper", report.paper.total.loaded + report.paper.total.stored},
+                            {"images", imagesJson(report.frame.graph, report.plan)},
+                            {"unmerged_images", imagesJson(report.frame.graph, report.unmerged)},
+                            {"paper_images", imagesJson(report.paperGraph, report.paper)}};
+    json["facts"] = Json::array();
+    for (const graph::Fact& fact : report.facts)
+        json["facts"].push_back({{"what", fact.what}, {"source", fact.source}});
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,169 @@
+// The plan for people: tables whose columns are aligned.
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+#include "app/cli/plan_command.h"
+
+namespace nacre::app {
+namespace {
+
+using Row = std::vector<std::string>;
+
+/// Columns as wide as their longest cell. Those from `numbers` on are flushed right.
+void table(std::ostream& out, const std::string& indent, const std::vector<Row>& rows, std::size_t numbers = SIZE_MAX) {
+    std::vector<std::size_t> widths;
+    for (const Row& row : rows) {
+        widths.resize(std::max(widths.size(), row.size()));
+        for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
+    }
+    for (const Row& row : rows) {
+        std::string line = indent;
+        for (std::size_t c = 0; c < row.size(); ++c) {
+            const std::string padding(widths[c] - row[c].size(), ' ');
+            line += (c ? "  " : "") + (c >= numbers ? padding + row[c] : row[c] + padding);
+        }
+        out << line.substr(0, line.find_last_not_of(' ') + 1) << '\n';
+    }
+}
+
+std::string list(const std::vector<std::string>& words, const char* none = "-") {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text.empty() ? none : text;
+}
+
+/// 11,849,760
+std::string grouped(std::uint64_t value) {
+    std::string text = std::to_string(value);
+    for (std::size_t i = text.size(); i > 3;) text.insert(i -= 3, ",");
+    return text;
+}
+
+void renderPassText(std::ostream& out, const PlanReport& report, const graph::RenderPassPlan& pass) {
+    const graph::Graph& g = report.frame.graph;
+    out << "render pass: " << nameOf(g, pass) << '\n';
+    std::vector<Row> rows{{"attachment", "format", "load", "store", "memory"}};
+    bool depth = false;
+    for (const graph::Attachment& a : pass.attachments) {
+        depth = depth || graph::isDepthFormat(a.format);
+        rows.push_back({g.images()[a.image].name, graph::formatName(a.format),
+                        a.load == graph::Load::clear  ? "clear"
+                        : a.load == graph::Load::load ? "load"
+                                                      : "-",
+                        a.store == graph::Store::store  ? "store"
+                        : a.store == graph::Store::none ? "none"
+                                                        : "-",
+                        a.transient ? "transient: none" : grouped(bytesOf(g.images()[a.image])) + " B"});
+    }
+    table(out, "  ", rows);
+    rows = {{"subpass", "passes", "reads", "writes"}};
+    for (std::size_t s = 0; s < pass.subpasses.size(); ++s) {
+        std::vector<std::string> reads, writes;
+        for (const NamedUse& use : usesOf(report, pass, pass.subpasses[s]))
+            (use.writes ? writes : reads)
+                .push_back(use.how == "write" || use.how == "test, write" ? use.image
+                                                                          : use.image + " (" + use.how + ")");
+        rows.push_back({std::to_string(s), nameOf(g, pass.subpasses[s]), list(reads), list(writes)});
+    }
+    table(out, "  ", rows);
+    rows = {{"dependency", "waits for", "before", "reach"}};
+    for (const graph::Dependency& d : pass.dependencies)
+        rows.push_back(
+            {(d.from == VK_SUBPASS_EXTERNAL ? "before" : std::to_string(d.from)) + " -> " + std::to_string(d.to),
+             list(stageNames(d.fromStages)), list(stageNames(d.toStages)), d.byRegion ? "same pixel" : "whole image"});
+    if (rows.size() > 1) table(out, "  ", rows);
+    out << "  tile: " << pass.tileBytesPerPixel << " of " << report.plannedWith.tileBytesPerPixel
+        << " B a pixel for colour and input" << (depth ? ", depth beside them" : "") << "\n\n";
+}
+
+void barriersText(std::ostream& out, const PlanReport& report, const std::vector<graph::Barrier>& barriers) {
+    std::vector<Row> rows{{"barrier", "waits for", "before"}};
+    for (const graph::Barrier& b : barriers)
+        rows.push_back(
+            {b.isImage ? report.frame.graph.images()[b.resource].name : report.frame.graph.buffers()[b.resource].name,
+             list(stageNames(b.from.stages)), list(stageNames(b.to.stages))});
+    if (rows.size() > 1) table(out, "  ", rows);
+    if (rows.size() > 1) out << '\n';
+}
+
+std::string fetchText(const Fetch& fetch) {
+    if (fetch.sphere == 0 && fetch.cylinder == 0) return "-";
+    std::string text = std::to_string(fetch.sphere) + " B";
+    if (fetch.cylinder) text += " / " + std::to_string(fetch.cylinder) + " B";
+    return text + (fetch.perPixel ? " a covered pixel" : "");
+}
+
+void passesText(std::ostream& out, const PlanReport& report) {
+    std::vector<Row> rows{{"pass", "depth test", "binning", "shading"}};
+    const auto& passes = report.frame.graph.passes();
+    for (std::size_t p = 0; p < passes.size(); ++p) {
+        const ScreenPass& notes = report.frame.passes[p];
+        rows.push_back(
+            {passes[p].name, depthTimingName(notes.depth), fetchText(notes.binning), fetchText(notes.shading)});
+    }
+    out << "bytes fetched for each sphere / cylinder\n";
+    table(out, "  ", rows);
+    for (std::size_t p = 0; p < passes.size(); ++p)
+        out << "  " << passes[p].name << '\n'
+            << "    depth: " << report.frame.passes[p].why << '\n'
+            << "    " << report.frame.passes[p].precision << '\n';
+    out << '\n';
+}
+
+void memoryText(std::ostream& out, const PlanReport& report) {
+    out << "bytes to and from memory a frame, of attachments and of textures that the frame makes\n";
+    std::vector<Row> rows{{"image", "loaded", "stored", "unmerged: loaded", "stored", "paper: loaded", "stored"}};
+    const auto cells = [](Row& row, const graph::Traffic& traffic) {
+        row.push_back(grouped(traffic.loaded));
+        row.push_back(grouped(traffic.stored));
+    };
+    const auto& images = report.frame.graph.images();
+    const auto& paperImages = report.paperGraph.images();
+    std::vector<bool> shown(paperImages.size());
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        if (images[i].imported) continue;
+        Row row{images[i].name};
+        cells(row, report.plan.traffic[i]);
+        cells(row, report.unmerged.traffic[i]);
+        for (std::size_t p = 0; p < paperImages.size(); ++p)
+            if (paperImages[p].name == images[i].name) {
+                cells(row, report.paper.traffic[p]);
+                shown[p] = true;
+            }
+        rows.push_back(row);
+    }
+    for (std::size_t p = 0; p < paperImages.size(); ++p) {
+        if (shown[p]) continue;
+        Row row{paperImages[p].name, "", "", "", ""};
+        cells(row, report.paper.traffic[p]);
+        rows.push_back(row);
+    }
+    rows.push_back({"in all"});
+    for (const graph::Plan* plan : {&report.plan, &report.unmerged, &report.paper}) cells(rows.back(), plan->total);
+    rows.push_back({"a pixel"});
+    const std::uint64_t pixels = std::uint64_t{report.extent.width} * report.extent.height;
+    for (const graph::Plan* plan : {&report.plan, &report.unmerged, &report.paper})
+        cells(rows.back(), {plan->total.loaded / pixels, plan->total.stored / pixels});
+    table(out, "  ", rows, 1);
+}
+
+}  // namespace
+
+std::string planText(const PlanReport& report) {
+    std::ostringstream out;
+    out << report.caps << ", " << report.extent.width << "x" << report.extent.height << '\n'
+        << "visibility " << visibilityName(report.visibility) << ": " << report.why << "\n\n";
+    for (const graph::Step& step : report.plan.steps) {
+        barriersText(out, report, step.before);
+        renderPassText(out, report, step.renderPass);
+    }
+    passesText(out, report);
+    memoryText(out, report);
+    if (!report.facts.empty()) out << "\nwhat is known of " << report.caps << '\n';
+    for (const graph::Fact& fact : report.facts) out << "  " << fact.what << "\n    [" << fact.source << "]\n";
+    return out.str();
+}
+
+}  // namespace nacre::app

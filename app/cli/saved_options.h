@@ -1,0 +1,17 @@
+#pragma once
+// Between the options of the command line and a saved view.
+
+#include "app/cli/options.h"
+#include "app/shared/saved_view.h"
+
+namespace nacre::app {
+
+/// The input of a saved view; cache and the like as in `options`.
+InputOptions inputOf(const SavedView& view, InputOptions options);
+
+/// Sets what a saved view says. Rules go before those that are there already; its INPUT becomes `savedInput`.
+void applySavedView(const SavedView& view, RenderOptions& options);
+
+SavedView savedViewOf(const RenderOptions& options);
+
+}  // namespace nacre::app

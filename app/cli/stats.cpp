@@ -1,0 +1,99 @@
+#include "app/cli/stats.h"
+
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/scene/palettes.h"
+
+namespace nacre::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::int64_t peakResidentBytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+#ifdef __APPLE__
+    return usage.ru_maxrss;
+#else
+    return std::int64_t{usage.ru_maxrss} * 1024;  // Linux counts in KiB
+#endif
+}
+
+/// Row by row, as it is written on paper; GLM stores columns.
+Json rowsOf(const glm::dmat3& matrix) {
+    Json rows = Json::array();
+    for (int row = 0; row < 3; ++row) rows.push_back({matrix[0][row], matrix[1][row], matrix[2][row]});
+    return rows;
+}
+
+Json legendJson(const std::vector<Legend>& legends) {
+    Json list = Json::array();
+    for (const Legend& legend : legends) {
+        Json entries = Json::array();
+        for (const LegendEntry& entry : legend.entries)
+            entries.push_back({{"label", entry.label}, {"color", colorText(entry.color)}});
+        list.push_back({{"selection", legend.selection}, {"scheme", legend.scheme}, {"entries", entries}});
+    }
+    return list;
+}
+
+Json passesOf(const FrameStats& frame) {
+    Json passes = Json::array();
+    for (const PassCount& pass : frame.passes)
+        passes.push_back({{"name", pass.name}, {"shaded_fragments", pass.shadedFragments}});
+    return passes;
+}
+
+}  // namespace
+
+std::string statsJson(const RunStats& run, const View& view, const FrameStats& frame) {
+    Json json;
+    json["view"] = {{"width", view.width},
+                    {"height", view.height},
+                    {"projection", view.projection == Projection::orthographic ? "ortho" : "perspective"},
+                    {"center", {run.center.x, run.center.y, run.center.z}},
+                    {"radius", view.radius},
+                    {"pixels_per_angstrom", view.pixelsPerAngstrom},
+                    {"eye_distance", view.eyeDistance},
+                    {"rotation", rowsOf(view.rotation)},
+                    {"pan", {view.pan.x, view.pan.y}}};
+    json["atoms"] = {
+        {"read", run.atomsRead}, {"drawn", run.atomsDrawn}, {"submitted", frame.spheres}, {"copies", frame.copies}};
+    json["bonds"] = {{"known", run.bondsKnown}, {"drawn", run.bondsDrawn}, {"cylinders", frame.cylinders}};
+    json["legend"] = legendJson(run.legends);
+    json["warnings"] = run.warnings;
+    json["times"] = {{"load", run.loadMs},
+                     {"scene", run.sceneMs},
+                     {"bake", frame.bakeMilliseconds},
+                     {"first_picture", run.firstPictureMs},
+                     {"frame", frame.frameMilliseconds},
+                     {"total", run.totalMs}};
+    json["covered_pixels"] = frame.coveredPixels;
+    json["passes"] = passesOf(frame);
+    const OcclusionStats& occlusion = frame.occlusion;
+    json["occlusion"] = {{"directions", occlusion.directions},
+                         {"cached", occlusion.cached},
+                         {"patch_texels", occlusion.patchTexels},
+                         {"texels", occlusion.texels},
+                         {"maps", occlusion.maps},
+                         {"map_pixels", occlusion.mapPixels},
+                         {"maps_per_batch", occlusion.mapsPerBatch},
+                         {"bytes", occlusion.bytes},
+                         {"never_seen", occlusion.neverSeen}};
+    json["tile_bytes_per_pixel"] = frame.tileBytesPerPixel;
+    json["memory"] = {{"resident_peak", peakResidentBytes()},
+                      {"device", frame.deviceBytes},
+                      {"loaded", frame.loadedBytes},
+                      {"stored", frame.storedBytes}};
+    json["device"] = {{"name", frame.device.name},
+                      {"driver", frame.device.driver},
+                      {"api_version", frame.device.apiVersion},
+                      {"visibility", frame.device.visibility},
+                      {"why", frame.device.why},
+                      {"encoded_format", frame.device.encodedFormat}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/cli/options.h"
+#include "engine/renderer.h"
+
+namespace nacre::app {
+
+/// What `render --stats` says beside what the renderer measured.
+struct RunStats {
+    std::size_t atomsRead = 0, bondsKnown = 0;
+    std::size_t atomsDrawn = 0, bondsDrawn = 0;
+    glm::dvec3 center{};  ///< of the view, Å
+    std::vector<Legend> legends;
+    std::vector<std::string> warnings;  ///< of the file and of the rules
+    double loadMs = 0;                  ///< reading, inflating, bonds
+    double sceneMs = 0;                 ///< choosing atoms, building the streams
+    double firstPictureMs = 0;          ///< from the command's start to the first picture in memory
+    double totalMs = 0;                 ///< from the command's start until only this file is left to write
+};
+
+/// JSON text; the keys are stable: snake_case, times in milliseconds, bytes as whole numbers.
+std::string statsJson(const RunStats& run, const View& view, const FrameStats& frame);
+
+}  // namespace nacre::app

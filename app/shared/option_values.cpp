@@ -1,0 +1,211 @@
+#include "app/shared/option_values.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "app/shared/srgb.h"
+#include "engine/molecule/floating_point.h"
+#include "engine/scene/palettes.h"
+
+namespace nacre::app {
+namespace {
+
+[[noreturn]] void refuse(std::string_view text, const std::string& wanted) {
+    throw std::invalid_argument("expected " + wanted + ", not '" + std::string(text) + "'");
+}
+
+template <class Number>
+bool parseWhole(std::string_view text, Number& value) {
+    const auto [end, error] = fromChars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size();
+}
+
+/// A number as people read it: 0.0001, 16384.
+std::string plain(double value) {
+    std::array<char, 32> digits{};
+    return {digits.data(), static_cast<std::size_t>(std::snprintf(digits.data(), digits.size(), "%.12g", value))};
+}
+
+struct NamedColor {
+    std::string_view name;
+    std::uint32_t rgba;
+};
+
+// CSS Color Module Level 4: the sixteen basic names, gray spelt the other way, and those that pictures of molecules ask
+// for most.
+constexpr NamedColor kNamedColors[] = {
+    {"transparent", 0x00000000}, {"black", 0x000000ff},     {"silver", 0xc0c0c0ff},     {"gray", 0x808080ff},
+    {"grey", 0x808080ff},        {"white", 0xffffffff},     {"maroon", 0x800000ff},     {"red", 0xff0000ff},
+    {"purple", 0x800080ff},      {"fuchsia", 0xff00ffff},   {"green", 0x008000ff},      {"lime", 0x00ff00ff},
+    {"olive", 0x808000ff},       {"yellow", 0xffff00ff},    {"navy", 0x000080ff},       {"blue", 0x0000ffff},
+    {"teal", 0x008080ff},        {"aqua", 0x00ffffff},      {"orange", 0xffa500ff},     {"cyan", 0x00ffffff},
+    {"magenta", 0xff00ffff},     {"pink", 0xffc0cbff},      {"brown", 0xa52a2aff},      {"gold", 0xffd700ff},
+    {"violet", 0xee82eeff},      {"salmon", 0xfa8072ff},    {"coral", 0xff7f50ff},      {"tomato", 0xff6347ff},
+    {"orchid", 0xda70d6ff},      {"skyblue", 0x87ceebff},   {"steelblue", 0x4682b4ff},  {"indigo", 0x4b0082ff},
+    {"turquoise", 0x40e0d0ff},   {"khaki", 0xf0e68cff},     {"wheat", 0xf5deb3ff},      {"lightgray", 0xd3d3d3ff},
+    {"lightgrey", 0xd3d3d3ff},   {"darkgray", 0xa9a9a9ff},  {"darkgrey", 0xa9a9a9ff},   {"lightblue", 0xadd8e6ff},
+    {"lightgreen", 0x90ee90ff},  {"darkgreen", 0x006400ff}, {"darkred", 0x8b0000ff},    {"darkblue", 0x00008bff},
+    {"firebrick", 0xb22222ff},   {"crimson", 0xdc143cff},   {"forestgreen", 0x228b22ff}};
+
+std::array<float, 4> unpack(std::uint32_t rgba) {
+    const auto channel = [&](int shift) { return static_cast<float>(rgba >> shift & 0xff) / 255.0f; };
+    return {channel(24), channel(16), channel(8), channel(0)};
+}
+
+}  // namespace
+
+Size parseSize(std::string_view text) {
+    const std::string wanted = "WIDTHxHEIGHT, each 1 to " + std::to_string(kLargestSide);
+    const std::size_t cross = text.find('x');
+    Size size;
+    if (cross == std::string_view::npos || !parseWhole(text.substr(0, cross), size.width) ||
+        !parseWhole(text.substr(cross + 1), size.height))
+        refuse(text, wanted);
+    for (const std::uint32_t side : {size.width, size.height})
+        if (side < 1 || side > kLargestSide) refuse(text, wanted);
+    return size;
+}
+
+glm::dvec3 parseRotation(std::string_view text) {
+    glm::dvec3 angles(0);
+    std::string_view rest = text;
+    for (int i = 0; i < 3; ++i) {
+        const std::size_t comma = i < 2 ? rest.find(',') : rest.size();
+        if (comma == std::string_view::npos || !parseWhole(rest.substr(0, comma), angles[i]) ||
+            !std::isfinite(angles[i]))
+            refuse(text, "three angles X,Y,Z in degrees");
+        rest.remove_prefix(i < 2 ? comma + 1 : comma);
+    }
+    return angles;
+}
+
+std::array<float, 4> parseColor(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    for (const NamedColor& entry : kNamedColors)
+        if (entry.name == lower) return unpack(entry.rgba);
+    const std::string digits = !lower.empty() && lower[0] == '#' ? lower.substr(1) : std::string();
+    std::uint32_t value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+    if (error == std::errc() && end == digits.data() + digits.size()) {
+        if (digits.size() == 3)
+            return unpack((value >> 8) * 0x11000000u | (value >> 4 & 15) * 0x110000u | (value & 15) * 0x1100u | 0xffu);
+        if (digits.size() == 6) return unpack(value << 8 | 0xffu);
+        if (digits.size() == 8) return unpack(value);
+    }
+    refuse(text, "'transparent', a basic colour name, #rgb, #rrggbb or #rrggbbaa");
+}
+
+Style parseStyle(std::string_view text) {
+    constexpr Style kStyles[] = {Style::spacefill, Style::ballAndStick, Style::licorice};
+    return kStyles[parseChoice(text, {"spacefill", "ball-and-stick", "licorice"})];
+}
+
+Coloring parseColoring(std::string_view text) {
+    if (const auto scheme = colorSchemeFromName(text)) return *scheme;
+    constexpr const char* kWanted =
+        "element, chain, residue, hydrophobicity, charge, secondary-structure, b-factor, plddt, rainbow, occupancy, "
+        "entity, a colour's name or #rrggbb";
+    std::array<float, 4> color{};
+    try {
+        color = parseColor(text);
+    } catch (const std::invalid_argument&) {
+        refuse(text, kWanted);
+    }
+    if (color[3] < 1.0f) throw std::invalid_argument("atoms cannot be transparent: '" + std::string(text) + "'");
+    std::uint32_t rgb = 0;
+    for (std::size_t i = 0; i < 3; ++i) rgb = rgb << 8 | toByte(color[i]);
+    return Coloring::uniform(packedColor(rgb));
+}
+
+namespace {
+
+/// A selection may hold no '=', so that the last one is what divides.
+std::pair<std::string_view, std::string_view> divide(std::string_view text, const char* wanted) {
+    const std::size_t sign = text.rfind('=');
+    if (sign == std::string_view::npos) refuse(text, wanted);
+    return {text.substr(0, sign), text.substr(sign + 1)};
+}
+
+}  // namespace
+
+Rule parseShow(std::string_view text) {
+    const auto [selection, style] = divide(text, "SELECTION=STYLE");
+    Rule rule;
+    rule.action = Rule::Action::show;
+    rule.selection = parseSelection(selection);
+    rule.style = parseStyle(style);
+    return rule;
+}
+
+Rule parseHide(std::string_view text) {
+    Rule rule;
+    rule.action = Rule::Action::hide;
+    rule.selection = parseSelection(text);
+    return rule;
+}
+
+Rule parseColorBy(std::string_view text) {
+    const auto [selection, coloring] = divide(text, "SELECTION=SCHEME or SELECTION=COLOR");
+    Rule rule;
+    rule.action = Rule::Action::color;
+    rule.selection = parseSelection(selection);
+    rule.coloring = parseColoring(coloring);
+    return rule;
+}
+
+double parseNumber(std::string_view text, double low, double high) {
+    double value = 0;
+    if (!parseWhole(text, value) || !(value >= low && value <= high))
+        refuse(text, "a number from " + plain(low) + " to " + plain(high));
+    return value;
+}
+
+std::int64_t parseInteger(std::string_view text, std::int64_t low, std::int64_t high) {
+    std::int64_t value = 0;
+    if (!parseWhole(text, value) || value < low || value > high)
+        refuse(text, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    return value;
+}
+
+int parseModel(std::string_view text) {
+    if (text == "all") return kAllModels;
+    int value = 0;
+    if (!parseWhole(text, value) || value < 1) refuse(text, "'all' or a model's number from 1");
+    return value;
+}
+
+int parseOcclusion(std::string_view text) {
+    if (text == "off") return 0;
+    std::int64_t value = 0;
+    if (!parseWhole(text, value) || value < 1 || value > kMostDirections)
+        refuse(text, "'off' or a number of directions from 1 to " + std::to_string(kMostDirections));
+    return static_cast<int>(value);
+}
+
+std::size_t parseChoice(std::string_view text, std::initializer_list<const char*> choices) {
+    return parseChoice(text, std::span(choices.begin(), choices.size()));
+}
+
+std::size_t parseChoice(std::string_view text, std::span<const char* const> choices) {
+    std::string list;
+    std::size_t index = 0;
+    for (const std::string_view choice : choices) {
+        if (choice == text) return index;
+        list += std::string(index == 0 ? "" : index + 1 == choices.size() ? " or " : ", ") + std::string(choice);
+        ++index;
+    }
+    refuse(text, list);
+}
+
+void checkSamples(const Size& size, std::uint32_t supersample) {
+    const std::uint64_t samples = std::uint64_t{size.width} * size.height * supersample * supersample;
+    if (samples > kMostSamples)
+        throw std::invalid_argument("--size times --supersample squared is " + std::to_string(samples) +
+                                    " samples; at most " + std::to_string(kMostSamples) + " are drawn");
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,181 @@
+#include "app/shared/saved_view.h"
+
+#include <cmath>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "app/shared/option_values.h"
+#include "engine/error.h"
+#include "engine/molecule/read.h"
+
+namespace nacre::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostBytes = 1 << 20;
+constexpr std::size_t kMostRules = 1000;
+
+/// A number or text as an option would have it.
+std::string textOf(const Json& value) {
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_number()) return value.dump();
+    throw std::invalid_argument("expected a text or a number");
+}
+
+bool isOn(const Json& value, const char* on, const char* off) { return parseChoice(textOf(value), {on, off}) == 0; }
+
+template <std::size_t count>
+std::array<double, count> numbersOf(const Json& value) {
+    if (!value.is_array() || value.size() != count)
+        throw std::invalid_argument("expected a list of " + std::to_string(count) + " numbers");
+    std::array<double, count> numbers{};
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!value[i].is_number() || !std::isfinite(value[i].get<double>()))
+            throw std::invalid_argument("expected a list of " + std::to_string(count) + " numbers");
+        numbers[i] = value[i].get<double>();
+    }
+    return numbers;
+}
+
+glm::dquat orientationOf(const Json& value) {
+    const auto q = numbersOf<4>(value);
+    const glm::dquat orientation(q[0], q[1], q[2], q[3]);
+    const double length = glm::length(orientation);
+    if (!(length > 1e-6 && length < 1e6)) throw std::invalid_argument("expected a quaternion w, x, y, z");
+    // One that is unit already keeps its very digits.
+    return std::abs(length - 1) < 1e-12 ? orientation : orientation / length;
+}
+
+Rule parseRule(const std::string& option, const std::string& value) {
+    if (option == "show") return parseShow(value);
+    if (option == "hide") return parseHide(value);
+    if (option == "color-by") return parseColorBy(value);
+    throw std::invalid_argument("expected show, hide or color-by, not '" + option + "'");
+}
+
+void readRules(const Json& list, SavedView& view) {
+    if (!list.is_array() || list.size() > kMostRules)
+        throw std::invalid_argument("expected a list of at most " + std::to_string(kMostRules) + " rules");
+    for (const Json& rule : list) {
+        if (!rule.is_object() || rule.size() != 1)
+            throw std::invalid_argument("expected each rule as {\"option\": \"value\"}");
+        const std::string option = rule.begin().key(), value = textOf(rule.begin().value());
+        parseRule(option, value);
+        view.rules.emplace_back(option, value);
+    }
+}
+
+std::string checkedFormat(const std::string& name) {
+    if (!name.empty() && !formatFromName(name)) throw std::invalid_argument("expected one of " + formatNames());
+    return name;
+}
+
+void readKey(const std::string& key, const Json& value, SavedView& view) {
+    const auto parsed = [&](auto parse) {
+        std::string text = textOf(value);
+        parse(text);
+        return text;
+    };
+    if (key == "input") {
+        view.input = textOf(value);
+    } else if (key == "format") {
+        view.format = checkedFormat(textOf(value));
+    } else if (key == "model") {
+        view.model = parseModel(textOf(value));
+    } else if (key == "assembly") {
+        view.assembly = textOf(value);
+    } else if (key == "style") {
+        view.style = parsed(parseStyle);
+    } else if (key == "color") {
+        view.color = parsed(parseColoring);
+    } else if (key == "rules") {
+        readRules(value, view);
+    } else if (key == "water") {
+        view.drawn.water = isOn(value, "show", "hide");
+    } else if (key == "hydrogens") {
+        view.drawn.hydrogens = isOn(value, "show", "hide");
+    } else if (key == "projection") {
+        view.camera.projection =
+            isOn(value, "ortho", "perspective") ? Projection::orthographic : Projection::perspective;
+    } else if (key == "fov") {
+        view.camera.fovDegrees = parseNumber(textOf(value), kSmallestFov, kLargestFov);
+    } else if (key == "zoom") {
+        view.camera.zoom = parseNumber(textOf(value), kSmallestZoom, kLargestZoom);
+    } else if (key == "orientation") {
+        view.camera.orientation = orientationOf(value);
+    } else if (key == "pan") {
+        const auto pan = numbersOf<2>(value);
+        view.camera.pan = {pan[0], pan[1]};
+    } else if (key == "background") {
+        view.background = parsed(parseColor);
+    } else if (key == "lighting") {
+        view.lighting = isOn(value, "on", "off");
+    } else if (key == "occlusion") {
+        view.occlusionDirections = parseOcclusion(textOf(value));
+    } else {
+        throw std::invalid_argument("no such key");
+    }
+}
+
+}  // namespace
+
+SavedView parseSavedView(const std::string& json, const std::string& name) {
+    const Json object = Json::parse(json, nullptr, false);
+    if (!object.is_object()) throw Error("cannot read view", name, "it is no JSON object");
+    SavedView view;
+    for (const auto& [key, value] : object.items()) {
+        try {
+            readKey(key, value, view);
+        } catch (const std::exception& error) {
+            throw Error("cannot read view", name, "\"" + key + "\": " + error.what());
+        }
+    }
+    return view;
+}
+
+SavedView readSavedView(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::string text;
+    for (char c = 0; text.size() <= kMostBytes && file.get(c);) text.push_back(c);
+    if (text.empty()) throw Error("cannot read view", path, "the file is missing, empty or not readable");
+    if (text.size() > kMostBytes) throw Error("cannot read view", path, "it is larger than a view can be");
+    return parseSavedView(text, path);
+}
+
+std::string savedViewJson(const SavedView& view) {
+    Json json = Json::object();
+    if (!view.input.empty()) json["input"] = view.input;
+    if (!view.format.empty()) json["format"] = view.format;
+    json["model"] = view.model == kAllModels ? Json("all") : Json(view.model);
+    if (!view.assembly.empty()) json["assembly"] = view.assembly;
+    if (!view.style.empty()) json["style"] = view.style;
+    json["color"] = view.color;
+    json["rules"] = Json::array();
+    for (const auto& [option, value] : view.rules) json["rules"].push_back({{option, value}});
+    json["water"] = view.drawn.water ? "show" : "hide";
+    json["hydrogens"] = view.drawn.hydrogens ? "show" : "hide";
+    json["projection"] = view.camera.projection == Projection::orthographic ? "ortho" : "perspective";
+    json["fov"] = view.camera.fovDegrees;
+    json["zoom"] = view.camera.zoom;
+    const glm::dquat& q = view.camera.orientation;
+    json["orientation"] = {q.w, q.x, q.y, q.z};
+    json["pan"] = {view.camera.pan.x, view.camera.pan.y};
+    json["background"] = view.background;
+    json["lighting"] = view.lighting ? "on" : "off";
+    json["occlusion"] = view.occlusionDirections ? Json(view.occlusionDirections) : Json("off");
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+RepresentationOptions lookOf(const SavedView& view) {
+    RepresentationOptions look;
+    look.assembly = view.assembly;
+    if (!view.style.empty()) look.style = parseStyle(view.style);
+    look.color = parseColoring(view.color);
+    for (const auto& [option, value] : view.rules) look.rules.push_back(parseRule(option, value));
+    return look;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,76 @@
+#include "engine/frame/picture.h"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace nacre {
+namespace {
+
+/// Premultiplied linear colour of a background.
+std::array<float, 4> premultiplied(const std::array<float, 4>& background) {
+    const float a = background[3];
+    return {linearFromSrgb(background[0]) * a, linearFromSrgb(background[1]) * a, linearFromSrgb(background[2]) * a, a};
+}
+
+}  // namespace
+
+float linearFromSrgb(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
+
+Picture resolvePicture(const std::uint32_t* pixels, std::uint32_t width, std::uint32_t height, std::uint32_t n,
+                       const std::array<float, 4>& background, std::uint64_t& covered) {
+    std::array<float, 256> linear{};
+    for (int i = 0; i < 256; ++i) linear[static_cast<std::size_t>(i)] = linearFromSrgb(static_cast<float>(i) / 255.0f);
+    const std::array<float, 4> behind = premultiplied(background);
+    Picture picture;
+    picture.width = width / n;
+    picture.height = height / n;
+    picture.rgba.reserve(std::size_t{picture.width} * picture.height * 4);
+    covered = 0;
+    const float share = 1.0f / static_cast<float>(n * n);
+    for (std::uint32_t y = 0; y < picture.height; ++y)
+        for (std::uint32_t x = 0; x < picture.width; ++x) {
+            float sum[3] = {0, 0, 0};
+            std::uint32_t hits = 0;
+            for (std::uint32_t j = 0; j < n; ++j)
+                for (std::uint32_t i = 0; i < n; ++i) {
+                    const std::uint32_t p = pixels[(std::size_t{y} * n + j) * width + std::size_t{x} * n + i];
+                    if (p >> 24 == 0) continue;
+                    ++hits;
+                    for (int c = 0; c < 3; ++c) sum[c] += linear[p >> (8 * c) & 0xff];
+                }
+            covered += hits;
+            const float alpha = static_cast<float>(hits) * share;
+            for (std::size_t c = 0; c < 3; ++c) picture.rgba.push_back(sum[c] * share + (1 - alpha) * behind[c]);
+            picture.rgba.push_back(alpha + (1 - alpha) * behind[3]);
+        }
+    return picture;
+}
+
+LayerPicture assembleLayers(std::uint32_t width, std::uint32_t height, const float* color, const float* surface,
+                            const std::uint32_t* identity, const std::array<float, 4>& background,
+                            std::uint64_t& covered) {
+    const std::array<float, 4> behind = premultiplied(background);
+    const std::size_t count = std::size_t{width} * height;
+    LayerPicture l;
+    l.width = width;
+    l.height = height;
+    l.rgba.resize(count * 4);
+    l.z.resize(count);
+    l.normal.resize(count * 3);
+    l.occlusion.resize(count);
+    l.id.resize(count);
+    covered = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool hit = identity[2 * i] != 0;
+        covered += hit ? 1 : 0;
+        for (std::size_t c = 0; c < 4; ++c) l.rgba[4 * i + c] = hit ? color[4 * i + c] : behind[c];
+        for (std::size_t c = 0; c < 3; ++c) l.normal[3 * i + c] = hit ? surface[4 * i + c] : 0.0f;
+        l.z[i] = hit ? surface[4 * i + 3] : std::numeric_limits<float>::infinity();
+        l.id[i] = identity[2 * i];
+        l.occlusion[i] = hit ? std::bit_cast<float>(identity[2 * i + 1]) : 1.0f;
+    }
+    return l;
+}
+
+}  // namespace nacre

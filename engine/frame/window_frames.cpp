@@ -1,0 +1,155 @@
+#include "engine/frame/window_frames.h"
+
+#include "engine/frame/picture.h"
+#include "engine/passes/read_back.h"
+
+namespace nacre {
+namespace {
+
+using passes::Writes;
+using Quality = WindowFrame::Quality;
+
+constexpr VkFormat kPictureFormat = VK_FORMAT_R8G8B8A8_SRGB;
+
+/// A window is opaque: a background that is not stands over white.
+graph::Clear clearOf(const std::array<float, 4>& background) {
+    const float a = background[3];
+    const auto channel = [&](std::size_t i) { return linearFromSrgb(background[i]) * a + 1.0f - a; };
+    return {channel(0), channel(1), channel(2), 1.0f};
+}
+
+}  // namespace
+
+WindowFrames::WindowFrames(const gpu::Device& device, gpu::Executor& executor, const SurfaceSource& source)
+    : device_(device),
+      executor_(executor),
+      swapchain_(device, source.create),
+      ring_(device),
+      overlay_(device, executor),
+      resample_(device) {}
+
+void WindowFrames::setGlyphs(const OverlayGlyphs& glyphs) {
+    device_->waitIdle();
+    overlay_.setGlyphs(executor_, glyphs);
+}
+
+void WindowFrames::release() {
+    ring_.dropImage();
+    executor_.forgetFramebuffers();
+    swapchain_.release();
+}
+
+bool WindowFrames::coded() const {
+    return swapchain_.format() == VK_FORMAT_B8G8R8A8_UNORM || swapchain_.format() == VK_FORMAT_R8G8B8A8_UNORM;
+}
+
+/// Brings swapchain and kept picture to the window's size. @returns whether there is anything to draw into
+bool WindowFrames::prepare(graph::Extent wanted) {
+    if (!swapchain_.stale() && swapchain_.ready() && swapchain_.upright() == wanted) return true;
+    ring_.dropImage();
+    executor_.forgetFramebuffers();
+    swapchain_.recreate(wanted);
+    return swapchain_.ready();
+}
+
+/// The pass that brings a picture onto the window.
+graph::Image WindowFrames::addPicture(ScreenFrame& frame, graph::Image picture, std::uint32_t samples) {
+    const graph::Image window =
+        frame.graph.importImage("window", {swapchain_.format(), swapchain_.extent()}, kWindowState, true);
+    frame.graph.graphics("resample").samples(picture).color(window).record([=, this](gpu::PassContext& c) {
+        resample_.draw(c, c.view(picture), samples, coded());
+    });
+    return window;
+}
+
+void WindowFrames::addOverlay(ScreenFrame& frame, graph::Image window, const Overlay* overlay, gpu::FrameSlot& slot) {
+    if (!overlay || overlay->batches.empty()) return;
+    overlay_.upload(slot, *overlay);
+    frame.graph.graphics("overlay").color(window).record([=, this, &slot](gpu::PassContext& c) {
+        overlay_.draw(c, slot, *overlay, swapchain_.upright(), swapchain_.quarterTurns(), coded());
+    });
+}
+
+/// The frame but for the overlay. Its last target is the window.
+ScreenFrame WindowFrames::declareFrame(const View& upright, const graph::Clear& clear, const WindowFrame& frame,
+                                       const Declare& declare, gpu::Imports& imports) {
+    View view = upright;
+    view.quarterTurns = swapchain_.quarterTurns();
+    if (frame.quality == Quality::live && frame.scale == 1.0 && !coded()) {
+        const ScreenTarget target{"window", swapchain_.format(), Writes::color, clear, true};
+        return declare(view, {&target, 1}, "screen", imports);
+    }
+    const graph::ImageDesc keptDesc{kPictureFormat, swapchain_.extent()};
+    const ScreenTarget target{"colour", kPictureFormat, Writes::color, clear};
+    if (frame.quality == Quality::live) {
+        ScreenFrame f = declare(scaled(view, frame.scale), {&target, 1}, "scaled screen", imports);
+        f.targets.push_back(addPicture(f, f.targets[0], frame.scale == 1.0 ? 1 : 0));
+        return f;
+    }
+    if (frame.quality == Quality::refined) {
+        if (kept_.desc != keptDesc) {
+            executor_.forgetFramebuffers();
+            kept_ = gpu::makeImage(device_, keptDesc,
+                                   vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled, false,
+                                   "refined picture");
+        }
+        ScreenFrame f = declare(scaled(view, frame.samples), {&target, 1}, "refinement", imports);
+        const graph::Image kept = f.graph.importImage("refined picture", keptDesc, passes::kTextureState, true);
+        const graph::Image colour = f.targets[0];
+        imports.bind(kept, kept_);
+        f.graph.graphics("mean of samples").samples(colour).color(kept).record([=, this](gpu::PassContext& c) {
+            resample_.draw(c, c.view(colour), frame.samples, false);
+        });
+        f.targets.push_back(addPicture(f, kept, 1));
+        return f;
+    }
+    ScreenFrame f{graph::Graph("kept screen"), {}, {}, {}, {}, {}};
+    const graph::Image kept = f.graph.importImage("refined picture", keptDesc, passes::kTextureState);
+    imports.bind(kept, kept_);
+    f.targets.push_back(addPicture(f, kept, 1));
+    return f;
+}
+
+/// Draws the frame into the image that the slot has.
+void WindowFrames::submit(gpu::FrameSlot& slot, const View& view, const graph::Clear& clear, const WindowFrame& frame,
+                          const Declare& declare) {
+    gpu::Imports imports;
+    const auto f = std::make_shared<ScreenFrame>(declareFrame(view, clear, frame, declare, imports));
+    slot.held = f;
+    const graph::Image window = f->targets.back();
+    imports.bind(window, swapchain_.image(*slot.image));
+    addOverlay(*f, window, frame.overlay, slot);
+    graph::PlanCaps caps = device_.caps().plan;
+    const graph::Plan& plan = plans_.planOf(f->graph, caps);
+    device_.log().begin();
+    slot.commands.reset();
+    slot.commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    executor_.record(slot.commands, f->graph, plan, imports, slot.descriptors);
+    slot.commands.end();
+    ring_.submit(slot, swapchain_.drawn(*slot.image));
+}
+
+FrameOutcome WindowFrames::present(const View& view, const std::array<float, 4>& background, const WindowFrame& frame,
+                                   const Declare& declare) {
+    const graph::Extent wanted{view.width, view.height};
+    for (int attempt = 0; attempt < 3; ++attempt) {
+        if (!prepare(wanted)) return FrameOutcome::hidden;
+        if (swapchain_.upright() != wanted) return FrameOutcome::resized;
+        if (frame.quality == Quality::kept && !(keptDrawn_ && kept_.desc.extent == swapchain_.extent()))
+            return FrameOutcome::resized;
+        gpu::FrameSlot& slot = ring_.next();
+        // An attempt that failed may have left the slot with an image.
+        if (!slot.image) slot.image = swapchain_.acquire(*slot.acquired);
+        if (!slot.image) continue;
+        const std::uint32_t index = *slot.image;
+        if (frame.quality == Quality::refined) keptDrawn_ = false;
+        submit(slot, view, clearOf(background), frame, declare);
+        if (frame.quality == Quality::refined) keptDrawn_ = true;
+        swapchain_.present(index);
+        if (frame.quality == Quality::refined) executor_.forget("refinement");
+        return FrameOutcome::shown;
+    }
+    return FrameOutcome::resized;  // faster than it can be followed: again at the next frame
+}
+
+}  // namespace nacre

@@ -1,0 +1,180 @@
+#include "engine/gpu/execute.h"
+
+#include <algorithm>
+
+namespace nacre::gpu {
+namespace {
+
+/// What a VkRenderPass depends on: neither sizes nor clear values nor the numbers of images and passes.
+graph::RenderPassPlan essence(graph::RenderPassPlan plan) {
+    plan.extent = {};
+    for (graph::Attachment& a : plan.attachments) {
+        a.image = 0;
+        a.clear = graph::Clear{0.0f};
+    }
+    for (graph::Subpass& s : plan.subpasses) s.passes.clear();
+    return plan;
+}
+
+/// What a plan carries out, in words: "screen: opaque prepass, impostor colour".
+std::string workOf(const graph::Graph& graph, const graph::Plan& plan) {
+    std::string text;
+    const auto add = [&](std::uint32_t pass) { text += (text.empty() ? ": " : ", ") + graph.passes()[pass].name; };
+    for (const graph::Step& step : plan.steps) {
+        if (step.kind != graph::PassKind::graphics) add(step.pass);
+        for (const graph::Subpass& subpass : step.renderPass.subpasses)
+            for (const std::uint32_t pass : subpass.passes) add(pass);
+    }
+    return graph.name() + text;
+}
+
+}  // namespace
+
+Executor::Executor(const Device& device) : device_(device), descriptors_(device) {}
+
+const Image& Executor::own(const std::string& key, const graph::ImageDesc& desc, const graph::PlannedImage& planned) {
+    const auto it = images_.find(key);
+    if (it != images_.end() && it->second.image.desc == desc && it->second.usage == planned.usage)
+        return it->second.image;
+    if (it != images_.end()) {
+        forgetFramebuffers();
+        images_.erase(it);
+    }
+    Image image = makeImage(device_, desc, vk::ImageUsageFlags(planned.usage), planned.transient, key);
+    return images_.emplace(key, OwnedImage{planned.usage, planned.transient, std::move(image)}).first->second.image;
+}
+
+Executor::OwnedRenderPass& Executor::renderPass(const graph::RenderPassPlan& plan, const std::string& name) {
+    const graph::RenderPassPlan key = essence(plan);
+    for (OwnedRenderPass& pass : renderPasses_)
+        if (pass.plan == key) return pass;
+    renderPasses_.push_back({key, makeRenderPass(device_, plan, name), {}});
+    return renderPasses_.back();
+}
+
+vk::Framebuffer Executor::framebuffer(OwnedRenderPass& pass, const graph::RenderPassPlan& plan,
+                                      const PassContext& context, const std::string& name) {
+    std::vector<VkImageView> views;
+    for (const graph::Attachment& a : plan.attachments) views.push_back(context.images[a.image].view);
+    for (const Framebuffer& f : pass.framebuffers)
+        if (f.views == views && f.extent == plan.extent) return *f.handle;
+    std::vector<vk::ImageView> handles(views.begin(), views.end());
+    vk::raii::Framebuffer handle(*device_, vk::FramebufferCreateInfo({}, *pass.handle, handles, plan.extent.width,
+                                                                     plan.extent.height, plan.layers));
+    device_.name(*handle, name);
+    pass.framebuffers.push_back({std::move(views), plan.extent, std::move(handle)});
+    return *pass.framebuffers.back().handle;
+}
+
+void Executor::barriers(const vk::raii::CommandBuffer& commands, const std::vector<graph::Barrier>& list,
+                        const graph::Graph& graph, const PassContext& context) const {
+    if (list.empty()) return;
+    vk::PipelineStageFlags from, to;
+    std::vector<vk::ImageMemoryBarrier> images;
+    std::vector<vk::BufferMemoryBarrier> buffers;
+    for (const graph::Barrier& b : list) {
+        from |= vk::PipelineStageFlags(b.from.stages);
+        to |= vk::PipelineStageFlags(b.to.stages);
+        const vk::AccessFlags fromAccess(b.from.access), toAccess(b.to.access);
+        if (!b.isImage) {
+            buffers.emplace_back(fromAccess, toAccess, VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
+                                 context.buffers[b.resource], 0, VK_WHOLE_SIZE);
+            continue;
+        }
+        const graph::ImageDesc& desc = graph.images()[b.resource].desc;
+        const auto aspect =
+            graph::isDepthFormat(desc.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
+        images.emplace_back(fromAccess, toAccess, static_cast<vk::ImageLayout>(b.from.layout),
+                            static_cast<vk::ImageLayout>(b.to.layout), VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
+                            context.images[b.resource].handle, vk::ImageSubresourceRange(aspect, 0, 1, 0, desc.layers));
+    }
+    commands.pipelineBarrier(from, to, {}, {}, buffers, images);
+}
+
+void Executor::recordRenderPass(const graph::Graph& graph, const graph::Plan& plan, const graph::RenderPassPlan& pass,
+                                PassContext& context) {
+    std::string name;
+    for (const graph::Subpass& subpass : pass.subpasses)
+        for (const std::uint32_t p : subpass.passes) name += (name.empty() ? "" : " + ") + graph.passes()[p].name;
+    OwnedRenderPass& owned = renderPass(pass, name);
+    std::vector<vk::ClearValue> clears;
+    for (const graph::Attachment& a : pass.attachments)
+        clears.push_back(graph::isDepthFormat(a.format)
+                             ? vk::ClearValue(vk::ClearDepthStencilValue(a.clear.value[0], 0))
+                             : vk::ClearValue(vk::ClearColorValue(a.clear.value)));
+    const vk::Rect2D area({0, 0}, {pass.extent.width, pass.extent.height});
+    const vk::SubpassBeginInfo inlineContents(vk::SubpassContents::eInline);
+    context.commands.beginRenderPass2KHR(
+        vk::RenderPassBeginInfo(*owned.handle, framebuffer(owned, pass, context, name), area, clears), inlineContents);
+    context.renderPass = *owned.handle;
+    context.extent = pass.extent;
+    for (std::uint32_t s = 0; s < pass.subpasses.size(); ++s) {
+        if (s > 0) context.commands.nextSubpass2KHR(inlineContents, vk::SubpassEndInfo());
+        context.subpass = s;
+        context.colorCount = static_cast<std::uint32_t>(pass.subpasses[s].colors.size());
+        for (const std::uint32_t p : pass.subpasses[s].passes) {
+            device_.beginLabel(context.commands, graph.passes()[p].name);
+            context.inputIsSampled = plan.inputIsSampled[p];
+            context.commands.setViewport(0, vk::Viewport(0, 0, static_cast<float>(pass.extent.width),
+                                                         static_cast<float>(pass.extent.height), 0, 1));
+            context.commands.setScissor(0, area);
+            if (graph.passes()[p].record) graph.passes()[p].record(context);
+            device_.endLabel(context.commands);
+        }
+    }
+    context.commands.endRenderPass2KHR(vk::SubpassEndInfo());
+}
+
+void Executor::record(const vk::raii::CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan,
+                      const Imports& imports, DescriptorPool& descriptors) {
+    PassContext context{commands, device_, descriptors, {}, 0, 0, {}, false, {}, {}};
+    for (std::uint32_t i = 0; i < graph.images().size(); ++i) {
+        const graph::ImageDecl& decl = graph.images()[i];
+        ImageRef image;
+        if (decl.imported) {
+            const auto it = imports.images.find(i);
+            if (it != imports.images.end()) image = it->second;
+            if (!image.handle && plan.images[i].used)
+                throw graph::GraphError("graph '" + graph.name() + "', image '" + decl.name +
+                                        "': imported, but not bound");
+        } else if (plan.images[i].used) {
+            image = own(graph.name() + ": " + decl.name, decl.desc, plan.images[i]);
+        }
+        context.images.push_back(image);
+    }
+    for (std::uint32_t i = 0; i < graph.buffers().size(); ++i) {
+        const auto it = imports.buffers.find(i);
+        if (it == imports.buffers.end())
+            throw graph::GraphError("graph '" + graph.name() + "', buffer '" + graph.buffers()[i].name +
+                                    "': not bound");
+        context.buffers.push_back(it->second);
+    }
+    device_.name(*commands, graph.name());  // here, since RenderDoc keeps names given while a buffer is recorded
+    device_.log().record(workOf(graph, plan));
+    device_.beginLabel(commands, graph.name());
+    for (const graph::Step& step : plan.steps) {
+        barriers(commands, step.before, graph, context);
+        if (step.kind == graph::PassKind::graphics) {
+            recordRenderPass(graph, plan, step.renderPass, context);
+            continue;
+        }
+        const graph::PassDecl& pass = graph.passes()[step.pass];
+        device_.beginLabel(commands, pass.name);
+        if (pass.record) pass.record(context);
+        device_.endLabel(commands);
+    }
+    barriers(commands, plan.after, graph, context);
+    device_.endLabel(commands);
+}
+
+void Executor::forgetFramebuffers() {
+    device_->waitIdle();
+    for (OwnedRenderPass& pass : renderPasses_) pass.framebuffers.clear();
+}
+
+void Executor::forget(const std::string& graph) {
+    forgetFramebuffers();
+    std::erase_if(images_, [&](const auto& entry) { return entry.first.starts_with(graph + ": "); });
+}
+
+}  // namespace nacre::gpu

@@ -1,0 +1,98 @@
+#pragma once
+// Carries out a plan: makes the images, render passes and framebuffers it asks for, records barriers and passes.
+
+#include <list>
+#include <map>
+#include <memory>
+
+#include "engine/gpu/pipeline.h"
+#include "engine/gpu/resources.h"
+#include "engine/graph/plan.h"
+
+namespace nacre::gpu {
+
+class Executor;
+
+/// Resources from outside, by the handles under which the graph imported them.
+struct Imports {
+    std::map<std::uint32_t, ImageRef> images;
+    std::map<std::uint32_t, vk::Buffer> buffers;
+    void bind(graph::Image handle, const ImageRef& image) { images[handle.index] = image; }
+    void bind(graph::Buffer handle, const Buffer& buffer) { buffers[handle.index] = *buffer.handle; }
+};
+
+/// What a pass gets when it records.
+struct PassContext {
+    const vk::raii::CommandBuffer& commands;
+    const Device& device;
+    DescriptorPool& descriptors;
+    vk::RenderPass renderPass;  ///< graphics passes
+    std::uint32_t subpass = 0;
+    std::uint32_t colorCount = 0;  ///< colour attachments of the subpass
+    graph::Extent extent;
+    bool inputIsSampled = false;   ///< input reads come as textures
+    std::vector<ImageRef> images;  ///< by graph index
+    std::vector<vk::Buffer> buffers;
+
+    vk::ImageView view(graph::Image image) const { return images[image.index].view; }
+    vk::Image image(graph::Image image) const { return images[image.index].handle; }
+    vk::Buffer buffer(graph::Buffer buffer) const { return buffers[buffer.index]; }
+};
+
+class Executor {
+public:
+    explicit Executor(const Device& device);
+
+    /// Records the plan of a graph. Images of the same graph and name are kept from one execution to the next.
+    /// For commands that are waited for before the next ones are recorded: their descriptor sets last until then.
+    void record(const vk::raii::CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan,
+                const Imports& imports) {
+        reset();  // what failed half way may have left some
+        record(commands, graph, plan, imports, descriptors_);
+    }
+    /// The same, with descriptor sets from a pool of the caller's, for frames that overlap.
+    void record(const vk::raii::CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan,
+                const Imports& imports, DescriptorPool& descriptors);
+    /// Call when nothing that was recorded is in flight: frees descriptor sets.
+    void reset() { descriptors_.reset(); }
+    /// Drops every image of this name's graph, so that its memory can be used for something else.
+    void forget(const std::string& graph);
+    /// Waits for the device and drops every framebuffer. Call before an imported attachment's view is destroyed.
+    void forgetFramebuffers();
+
+private:
+    struct OwnedImage {
+        VkImageUsageFlags usage;
+        bool transient;
+        Image image;
+    };
+    struct Framebuffer {
+        std::vector<VkImageView> views;
+        graph::Extent extent;
+        vk::raii::Framebuffer handle;
+    };
+    struct OwnedRenderPass {
+        graph::RenderPassPlan plan;  ///< without what changes from frame to frame
+        vk::raii::RenderPass handle;
+        std::list<Framebuffer> framebuffers;
+    };
+
+    const Image& own(const std::string& key, const graph::ImageDesc& desc, const graph::PlannedImage& planned);
+    OwnedRenderPass& renderPass(const graph::RenderPassPlan& plan, const std::string& name);
+    vk::Framebuffer framebuffer(OwnedRenderPass& pass, const graph::RenderPassPlan& plan, const PassContext& context,
+                                const std::string& name);
+    void barriers(const vk::raii::CommandBuffer& commands, const std::vector<graph::Barrier>& barriers,
+                  const graph::Graph& graph, const PassContext& context) const;
+    void recordRenderPass(const graph::Graph& graph, const graph::Plan& plan, const graph::RenderPassPlan& pass,
+                          PassContext& context);
+
+    const Device& device_;
+    DescriptorPool descriptors_;
+    std::map<std::string, OwnedImage> images_;
+    std::list<OwnedRenderPass> renderPasses_;
+};
+
+/// The VkRenderPass of a plan.
+vk::raii::RenderPass makeRenderPass(const Device& device, const graph::RenderPassPlan& plan, const std::string& name);
+
+}  // namespace nacre::gpu

@@ -1,0 +1,89 @@
+#include "engine/gpu/execute.h"
+#include "engine/graph/plan_internal.h"
+
+namespace nacre::gpu {
+namespace {
+
+vk::AttachmentLoadOp loadOp(graph::Load load) {
+    switch (load) {
+        case graph::Load::clear:
+            return vk::AttachmentLoadOp::eClear;
+        case graph::Load::load:
+            return vk::AttachmentLoadOp::eLoad;
+        case graph::Load::dontCare:
+            return vk::AttachmentLoadOp::eDontCare;
+    }
+    return {};
+}
+
+vk::AttachmentStoreOp storeOp(graph::Store store) {
+    switch (store) {
+        case graph::Store::store:
+            return vk::AttachmentStoreOp::eStore;
+        case graph::Store::dontCare:
+            return vk::AttachmentStoreOp::eDontCare;
+        case graph::Store::none:
+            return vk::AttachmentStoreOp::eNone;
+    }
+    return {};
+}
+
+vk::AttachmentReference2 reference(std::uint32_t attachment, graph::Verb verb, VkFormat format) {
+    const auto aspect =
+        graph::isDepthFormat(format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
+    return {attachment, static_cast<vk::ImageLayout>(graph::stateOf(verb, graph::PassKind::graphics).layout), aspect};
+}
+
+struct References {
+    std::vector<vk::AttachmentReference2> colors, inputs;
+    vk::AttachmentReference2 depth;
+};
+
+}  // namespace
+
+vk::raii::RenderPass makeRenderPass(const Device& device, const graph::RenderPassPlan& plan, const std::string& name) {
+    std::vector<vk::AttachmentDescription2> attachments;
+    for (const graph::Attachment& a : plan.attachments)
+        attachments.emplace_back(vk::AttachmentDescriptionFlags{}, static_cast<vk::Format>(a.format),
+                                 static_cast<vk::SampleCountFlagBits>(plan.samples), loadOp(a.load), storeOp(a.store),
+                                 vk::AttachmentLoadOp::eDontCare, vk::AttachmentStoreOp::eDontCare,
+                                 static_cast<vk::ImageLayout>(a.initialLayout),
+                                 static_cast<vk::ImageLayout>(a.finalLayout));
+    std::vector<References> references(plan.subpasses.size());
+    std::vector<vk::SubpassDescription2> subpasses;
+    for (std::size_t s = 0; s < plan.subpasses.size(); ++s) {
+        const graph::Subpass& subpass = plan.subpasses[s];
+        References& r = references[s];
+        const auto verbOf = [&](std::uint32_t attachment) {
+            graph::Verb verb{};
+            graph::attachmentVerb(subpass, attachment, verb);
+            return verb;
+        };
+        for (const std::uint32_t a : subpass.colors)
+            r.colors.push_back(reference(a, verbOf(a), plan.attachments[a].format));
+        for (const std::uint32_t a : subpass.inputs)
+            r.inputs.push_back(reference(a, verbOf(a), plan.attachments[a].format));
+        if (subpass.depth >= 0)
+            r.depth = reference(static_cast<std::uint32_t>(subpass.depth),
+                                subpass.depthWrite ? graph::Verb::depth : graph::Verb::depthTest, VK_FORMAT_D32_SFLOAT);
+        vk::SubpassDescriptionFlags flags;
+        if (subpass.ordered) flags = vk::SubpassDescriptionFlagBits::eRasterizationOrderAttachmentColorAccessEXT;
+        vk::SubpassDescription2 description(flags, vk::PipelineBindPoint::eGraphics, 0, r.inputs, r.colors);
+        if (subpass.depth >= 0) description.pDepthStencilAttachment = &r.depth;
+        description.preserveAttachmentCount = static_cast<std::uint32_t>(subpass.preserve.size());
+        description.pPreserveAttachments = subpass.preserve.data();
+        subpasses.push_back(description);
+    }
+    std::vector<vk::SubpassDependency2> dependencies;
+    for (const graph::Dependency& d : plan.dependencies)
+        dependencies.emplace_back(
+            d.from, d.to, vk::PipelineStageFlags(d.fromStages), vk::PipelineStageFlags(d.toStages),
+            vk::AccessFlags(d.fromAccess), vk::AccessFlags(d.toAccess),
+            d.byRegion ? vk::DependencyFlags(vk::DependencyFlagBits::eByRegion) : vk::DependencyFlags());
+    const vk::RenderPassCreateInfo2 info({}, attachments, subpasses, dependencies);
+    vk::raii::RenderPass pass = device->createRenderPass2KHR(info);
+    device.name(*pass, name);
+    return pass;
+}
+
+}  // namespace nacre::gpu

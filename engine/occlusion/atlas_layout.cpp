@@ -1,0 +1,67 @@
+#include "engine/occlusion/atlas_layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace nacre {
+namespace {
+
+struct PatchSize {
+    std::uint32_t edge, around, along;
+};
+// From the finest to the coarsest. A bond is a fifth as wide as an atom: half the texels around it, few along it.
+constexpr PatchSize kSizes[] = {{32, 24, 24}, {24, 20, 16}, {20, 16, 12}, {16, 12, 8},
+                                {12, 12, 6},  {8, 8, 4},    {4, 4, 2},    {1, 4, 2}};
+
+std::uint32_t roundUp(std::uint64_t value, std::uint32_t step) {
+    return static_cast<std::uint32_t>((value + step - 1) / step * step);
+}
+
+OcclusionLayout layoutFor(const PatchSize& size, std::size_t spheres, std::size_t cylinders, std::uint32_t maxSize) {
+    OcclusionLayout layout;
+    layout.sphereEdge = size.edge;
+    layout.around = size.around;
+    layout.along = size.along;
+    layout.sphereCount = static_cast<std::uint32_t>(spheres);
+    layout.cylinderCount = static_cast<std::uint32_t>(cylinders);
+    // Nearly square, and a multiple of both patch widths.
+    const std::uint32_t step = std::lcm(size.edge, size.around);
+    const double side = std::sqrt(static_cast<double>(std::max<std::uint64_t>(layout.texelCount(), 1)));
+    layout.width = std::min(roundUp(static_cast<std::uint64_t>(side), step), maxSize / step * step);
+    const auto rows = [&](std::uint64_t count, std::uint32_t w, std::uint32_t h) {
+        const std::uint64_t perRow = layout.width / w;
+        return (count + perRow - 1) / perRow * h;
+    };
+    const std::uint64_t sphereRows = rows(spheres, size.edge, size.edge);
+    const std::uint64_t height = sphereRows + rows(cylinders, size.around, size.along);
+    layout.sphereRows = static_cast<std::uint32_t>(std::min<std::uint64_t>(sphereRows, UINT32_MAX));
+    layout.height = static_cast<std::uint32_t>(std::min<std::uint64_t>(height, UINT32_MAX));
+    return layout;
+}
+
+}  // namespace
+
+std::vector<OcclusionLayout> occlusionLayouts(std::size_t spheres, std::size_t cylinders, std::uint32_t maxSize) {
+    std::vector<OcclusionLayout> layouts;
+    for (const PatchSize& size : kSizes) {
+        const OcclusionLayout layout = layoutFor(size, spheres, cylinders, maxSize);
+        if (layout.height <= maxSize) layouts.push_back(layout);
+    }
+    return layouts;
+}
+
+void assignPatches(const OcclusionLayout& layout, Representation& r) {
+    const auto address = [&](std::size_t i, std::uint32_t w, std::uint32_t h, std::uint32_t top) {
+        const auto perRow = static_cast<std::size_t>(layout.width / w);
+        const auto x = static_cast<std::uint32_t>(i % perRow) * w;
+        const auto y = static_cast<std::uint32_t>(i / perRow) * h + top;
+        return x | y << 16;
+    };
+    for (std::size_t i = 0; i < r.sphereLooks.size(); ++i)
+        r.sphereLooks[i].patch = address(i, layout.sphereEdge, layout.sphereEdge, 0);
+    for (std::size_t i = 0; i < r.cylinderLooks.size(); ++i)
+        r.cylinderLooks[i].patch = address(i, layout.around, layout.along, layout.sphereRows);
+}
+
+}  // namespace nacre

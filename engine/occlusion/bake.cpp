@@ -1,0 +1,316 @@
+#include "engine/occlusion/bake.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
+
+#include "engine/error.h"
+#include "engine/occlusion/directions.h"
+#include "engine/passes/read_back.h"
+#include "engine/passes/view_constants.h"
+#include "shaders.h"
+
+namespace nacre::passes {
+namespace {
+
+using Usage = vk::BufferUsageFlagBits;
+using Type = vk::DescriptorType;
+constexpr std::uint32_t kGroup = 64;            // local_size_x
+constexpr std::uint32_t kGroupsPerRow = 32768;  // of a dispatch; the floor allows 65,535
+constexpr std::uint64_t kBytesPerTexel = 2;     // of the atlas: the texel, and the byte that is copied into it
+constexpr std::uint64_t kBytesPerOpen = 4 + 8;  // list entry, sums
+// So many directions tell which texels lie so deep that no light will come to matter: they stay dark, unasked.
+constexpr int kTellsDeepTexels = 32;
+
+/// Texels that a bake takes on, whatever the memory: its time goes with them. With few directions their noise outweighs
+/// what finer patches bring.
+std::uint64_t mostTexels(std::uint64_t primitives, int directions) {
+    const double share = std::clamp(directions / 128.0, 0.5, 4.0);
+    return static_cast<std::uint64_t>(share * (700'000.0 + 40.0 * static_cast<double>(primitives)));
+}
+
+constexpr graph::State kComputeBuffer{
+    VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
+
+std::uint64_t bytesOf(const OcclusionLayout& layout, std::uint64_t openTexels, std::uint64_t words) {
+    return std::uint64_t{layout.width} * layout.height * kBytesPerTexel + openTexels * kBytesPerOpen +
+           words * sizeof(AtlasWord);
+}
+
+/// Directions of one group of copies; a multiple of the floor's uniform buffer offset alignment, 256.
+constexpr vk::DeviceSize kGroupBytes = sizeof(layout::Direction) * DepthMaps::kMostPerBatch;
+
+void bind(const gpu::Device& device, vk::DescriptorSet set, std::uint32_t binding, Type type, vk::Buffer buffer,
+          vk::DeviceSize offset = 0, vk::DeviceSize size = VK_WHOLE_SIZE) {
+    const vk::DescriptorBufferInfo info(buffer, offset, size);
+    device->updateDescriptorSets(vk::WriteDescriptorSet(set, binding, 0, type, {}, info), {});
+}
+
+void dispatch(const vk::raii::CommandBuffer& commands, std::uint64_t invocations) {
+    const auto groups = static_cast<std::uint32_t>((invocations + kGroup - 1) / kGroup);
+    const std::uint32_t wide = std::min(groups, kGroupsPerRow);
+    if (groups) commands.dispatch(wide, (groups + wide - 1) / wide, 1);
+}
+
+std::uint32_t batchFor(std::uint32_t directions) { return directions > 4 ? 16 : directions > 1 ? 4 : 1; }
+
+}  // namespace
+
+OcclusionBake::OcclusionBake(const gpu::Device& device, Geometry& geometry, OcclusionPipelines& pipelines,
+                             const SceneBuffers& scene, Representation& representation, const OcclusionOptions& options)
+    : device_(device),
+      pipelines_(pipelines),
+      scene_(scene),
+      directions_(occlusionDirections(options.directions)),
+      maps_(device, geometry, pipelines, scene, representation, options.path, options.budgetBytes / 2) {
+    OpenTexels open;
+    layout_ = chooseLayout(representation, options.budgetBytes - std::min(maps_.bytes(), options.budgetBytes), open);
+    assignPatches(layout_, representation);
+    copies_ = occlusionCopies(representation, layout_, open.texels, open.sphereTexels);
+    makeBuffers(open);
+}
+
+OcclusionBake::OcclusionBake(const gpu::Device& device, gpu::Executor& executor, Geometry& geometry,
+                             OcclusionPipelines& pipelines, const SceneBuffers& scene, Representation& representation,
+                             const OcclusionOptions& options, const FinishedOcclusion& finished)
+    : device_(device),
+      pipelines_(pipelines),
+      scene_(scene),
+      directions_(occlusionDirections(options.directions)),
+      maps_(device, geometry, pipelines, scene, representation, options.path, 0),
+      layout_(finished.layout),
+      texelCount_(finished.openTexels),
+      seenSpheres_(finished.seenSpheres),
+      done_(options.directions) {
+    assignPatches(layout_, representation);
+    maps_.release();
+    atlas_ = makeTexture(device, executor, {VK_FORMAT_R8_UNORM, {layout_.width, layout_.height}}, finished.atlas,
+                         "occlusion atlas");
+    atlasDefined_ = true;
+}
+
+std::vector<std::uint8_t> OcclusionBake::atlasTexels() const {
+    const auto* texels = reinterpret_cast<const std::uint8_t*>(bytes_.mapped);
+    return {texels, texels + std::size_t{layout_.width} * layout_.height};
+}
+
+/// The finest patches of which everything fits.
+OcclusionLayout OcclusionBake::chooseLayout(Representation& representation, std::uint64_t budgetBytes,
+                                            OpenTexels& open) {
+    const std::size_t spheres = representation.spheres.size(), cylinders = representation.cylinders.size();
+    const PrimitiveGrid grid(representation);
+    std::uint64_t least = 0;
+    for (const OcclusionLayout& layout : occlusionLayouts(spheres, cylinders, device_.caps().maxImageSize)) {
+        // Guessed from a sample first: looking at every texel takes its time.
+        least = bytesOf(layout, 0, 0);
+        if (least > budgetBytes) continue;
+        const double share = openShare(layout, representation, grid);
+        const auto guess = static_cast<std::uint64_t>(share * static_cast<double>(layout.texelCount()));
+        least = bytesOf(layout, guess, guess / 4);
+        if (least > budgetBytes || (layout.sphereEdge > 1 && guess > mostTexels(spheres + cylinders, directions())))
+            continue;
+        open = openTexels(layout, representation, grid);
+        least = bytesOf(layout, open.texels.size(), open.words.size());
+        if (least <= budgetBytes) return layout;
+    }
+    throw Error("not enough memory for ambient occlusion", "",
+                std::to_string(spheres + cylinders) + " primitives need " + std::to_string((least >> 20) + 1) +
+                    " MB beside " + std::to_string(maps_.bytes() >> 20) + " MB of depth maps, and " +
+                    std::to_string(budgetBytes >> 20) + " MB are left of the budget (raise --occlusion-memory, or " +
+                    "render with --occlusion off)");
+}
+
+void OcclusionBake::makeBuffers(const OpenTexels& open) {
+    texelCount_ = open.texels.size();
+    wordCount_ = open.words.size();
+    firstOfSphere_ = open.firstOfSphere;
+    batchDirections_ = gpu::makeBuffer(device_, kGroupBytes * copies_.groups.size(), Usage::eUniformBuffer,
+                                       gpu::Access::upload, "occlusion directions");
+    list_ = gpu::makeBuffer(device_, std::span(open.texels), Usage::eStorageBuffer, "occlusion texels");
+    words_ = gpu::makeBuffer(device_, std::span(open.words), Usage::eStorageBuffer, "occlusion words");
+    sums_ = gpu::makeBuffer(device_, texelCount_ * 8, Usage::eStorageBuffer, gpu::Access::upload, "occlusion sums");
+    std::memset(sums_.mapped, 0, sums_.size);
+    bytes_ = gpu::makeBuffer(device_, std::uint64_t{layout_.width} * layout_.height,
+                             Usage::eStorageBuffer | Usage::eTransferSrc, gpu::Access::upload, "occlusion bytes");
+    std::memset(bytes_.mapped, 0, bytes_.size);
+    atlas_ = gpu::makeImage(device_, {VK_FORMAT_R8_UNORM, {layout_.width, layout_.height}},
+                            vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, false,
+                            "occlusion atlas");
+}
+
+std::uint64_t OcclusionBake::bytes() const { return bytesOf(layout_, texelCount_, wordCount_) + maps_.bytes(); }
+
+void OcclusionBake::release() {
+    const auto* sums = reinterpret_cast<const float*>(sums_.mapped);
+    seenSpheres_.assign(layout_.sphereCount, false);
+    for (std::size_t i = 0; i < seenSpheres_.size(); ++i)
+        for (std::size_t k = firstOfSphere_[i]; k < firstOfSphere_[i + 1] && !seenSpheres_[i]; ++k)
+            seenSpheres_[i] = sums[2 * k] > 0;
+    maps_.release();
+    batchDirections_ = {};
+    list_ = {};
+    words_ = {};
+    sums_ = {};
+    bytes_ = {};
+    firstOfSphere_.clear();
+}
+
+layout::OcclusionConstants OcclusionBake::constants() const {
+    const View view = maps_.view(glm::dmat3(1));
+    const layout::ViewConstants v = viewConstants(view, 0.0f, 0, 0);
+    layout::OcclusionConstants c{};
+    c.map = {maps_.pixels(), view.pixelsPerAngstrom, 1.0 / view.pixelsPerAngstrom, 0};
+    c.depth = {v.depth.x, v.depth.y, v.projection.z, 0};
+    c.patches = {layout_.sphereEdge, layout_.around, layout_.along, layout_.sphereCount};
+    return c;
+}
+
+float OcclusionBake::spreadOfTaps() const {
+    // A few sticks among full atoms must not cost these four times the time.
+    if (2 * std::uint64_t{layout_.cylinderCount} <= layout_.sphereCount) return 0;
+    return static_cast<float>(std::min(2.0 * std::sqrt(128.0 / directions()), 2.5));
+}
+
+vk::DescriptorSet OcclusionBake::accumulationSet(gpu::PassContext& context, graph::Image maps, std::uint32_t group) {
+    const vk::DescriptorSet set =
+        context.descriptors.allocate(pipelines_.accumulateLayout().set, "occlusion accumulation");
+    bind(device_, set, 0, Type::eStorageBuffer, *scene_.shapes.handle);
+    bind(device_, set, 1, Type::eUniformBuffer, *batchDirections_.handle, group * kGroupBytes, kGroupBytes);
+    bind(device_, set, 2, Type::eStorageBuffer, *list_.handle);
+    bind(device_, set, 3, Type::eStorageBuffer, *sums_.handle);
+    const vk::DescriptorImageInfo info(pipelines_.sampler(), context.view(maps),
+                                       vk::ImageLayout::eShaderReadOnlyOptimal);
+    device_->updateDescriptorSets(vk::WriteDescriptorSet(set, 4, 0, Type::eCombinedImageSampler, info), {});
+    return set;
+}
+
+void OcclusionBake::recordAccumulation(gpu::PassContext& context, graph::Image maps, std::uint32_t batch) {
+    constexpr auto kCompute = vk::PipelineBindPoint::eCompute;
+    const vk::PipelineLayout pipelineLayout = *pipelines_.accumulateLayout().pipeline;
+    using Texels = OcclusionPipelines::Texels;
+    const Texels spheres = layout_.sphereEdge == 1 ? Texels::wholeSpheres : Texels::spheres;
+    layout::OcclusionConstants c = constants();
+    std::vector<vk::DescriptorSet> sets(copies_.groups.size());
+    for (const OcclusionCopies::Run& run : copies_.runs) {
+        if (run.count == 0) continue;
+        if (!sets[run.group]) sets[run.group] = accumulationSet(context, maps, run.group);
+        c.range = {run.first, run.count, 0, 0};
+        context.commands.bindPipeline(kCompute, pipelines_.accumulation({run.cylinders ? Texels::cylinders : spheres,
+                                                                         batch, maps_.encoded(), spreadOfTaps()}));
+        context.commands.bindDescriptorSets(kCompute, pipelineLayout, 0, sets[run.group], {});
+        context.commands.pushConstants<layout::OcclusionConstants>(pipelineLayout, vk::ShaderStageFlagBits::eCompute, 0,
+                                                                   c);
+        dispatch(context.commands, run.count);
+    }
+}
+
+/// The directions of a batch as each group of copies meets them: the copy that a direction asks about is moved to its
+/// place first. Of those that a batch lacks all is zero.
+void OcclusionBake::writeDirections(std::span<const glm::dmat3> frames) {
+    auto* direction = reinterpret_cast<layout::Direction*>(batchDirections_.mapped);
+    for (const std::vector<glm::dmat4x3>& places : copies_.groups)
+        for (std::size_t i = 0; i < DepthMaps::kMostPerBatch; ++i, ++direction) {
+            *direction = {};
+            if (i >= frames.size()) continue;
+            const glm::dmat4x3& place = places[(static_cast<std::size_t>(done_) + i) % places.size()];
+            const glm::dmat3 rows = glm::transpose(frames[i] * glm::dmat3(place[0], place[1], place[2]));
+            const glm::dvec3 shift = frames[i] * place[3];
+            *direction = {glm::vec4(rows[0], shift.x), glm::vec4(rows[1], shift.y), glm::vec4(rows[2], shift.z)};
+        }
+}
+
+void OcclusionBake::step(gpu::Executor& executor, std::uint32_t most) {
+    const std::uint32_t left = static_cast<std::uint32_t>(directions_.size()) - static_cast<std::uint32_t>(done_);
+    std::uint32_t count = std::min({left, most, maps_.perBatch()});
+    if (count == 0) return;
+    // However the directions are dealt out: deep texels are dropped after the same one, and the sums come out the same.
+    if (done_ < kTellsDeepTexels) count = std::min(count, static_cast<std::uint32_t>(kTellsDeepTexels - done_));
+    const std::uint32_t batch = batchFor(count);
+    const std::span frames(directions_.data() + done_, count);
+    writeDirections(frames);
+    graph::Graph g("occlusion");
+    gpu::Imports imports;
+    const auto sums = g.importBuffer("occlusion sums", sums_.size, kComputeBuffer);
+    imports.bind(sums, sums_);
+    const graph::Image maps = maps_.declare(g, imports, frames, batch);
+    g.compute("occlusion accumulation").samples(maps).writes(sums).record([&](gpu::PassContext& c) {
+        recordAccumulation(c, maps, batch);
+    });
+    const graph::Plan plan = graph::compile(g, device_.caps().plan);
+    device_.submitAndWait([&](const vk::raii::CommandBuffer& c) { executor.record(c, g, plan, imports); });
+    executor.reset();
+    done_ += static_cast<int>(count);
+    asked_ += std::uint64_t{count} * texelCount_;
+    if (done_ == kTellsDeepTexels) dropDeepTexels();
+}
+
+/// Takes the texels off the list that no direction has lit so far, and moves the others up.
+void OcclusionBake::dropDeepTexels() {
+    auto* list = reinterpret_cast<std::uint32_t*>(list_.mapped);
+    auto* sums = reinterpret_cast<glm::vec2*>(sums_.mapped);
+    std::vector<std::uint32_t> keptBefore(texelCount_ + 1);
+    std::uint32_t kept = 0;
+    for (std::size_t i = 0; i < texelCount_; ++i) {
+        keptBefore[i] = kept;
+        if (sums[i].x == 0) continue;
+        list[kept] = list[i];
+        sums[kept++] = sums[i];
+    }
+    keptBefore[texelCount_] = kept;
+    auto* words = reinterpret_cast<AtlasWord*>(words_.mapped);
+    for (std::size_t i = 0; i < wordCount_; ++i) {
+        const std::uint32_t base = words[i].base;
+        words[i].base = keptBefore[base];
+        const auto follow = [&](std::uint16_t& entry) {
+            if (entry == AtlasWord::kNone) return;
+            const std::uint32_t before = keptBefore[base + entry];
+            entry = keptBefore[base + entry + 1] == before ? AtlasWord::kNone  // dropped
+                                                           : static_cast<std::uint16_t>(before - words[i].base);
+        };
+        for (AtlasWord::Source& source : words[i].sources) {
+            follow(source.entry);
+            follow(source.beyond);
+        }
+    }
+    for (std::uint32_t& first : firstOfSphere_) first = keptBefore[first];
+    for (OcclusionCopies::Run& run : copies_.runs) {
+        const std::uint32_t end = keptBefore[run.first + run.count];
+        run.first = keptBefore[run.first];
+        run.count = end - run.first;
+    }
+    texelCount_ = kept;
+}
+
+void OcclusionBake::finish(gpu::Executor& executor) {
+    graph::Graph g("occlusion finish");
+    const auto sums = g.importBuffer("occlusion sums", sums_.size, kComputeBuffer);
+    const auto bytes = g.importBuffer("occlusion bytes", bytes_.size, kComputeBuffer);
+    const auto atlas = g.importImage("occlusion atlas", atlas_.desc, kTextureState, !atlasDefined_);
+    g.compute("occlusion finish").reads(sums).writes(bytes).record([&](gpu::PassContext& c) {
+        const vk::DescriptorSet set = c.descriptors.allocate(pipelines_.finishLayout().set, "occlusion finish");
+        bind(device_, set, 0, Type::eStorageBuffer, *sums_.handle);
+        bind(device_, set, 1, Type::eStorageBuffer, *words_.handle);
+        bind(device_, set, 2, Type::eStorageBuffer, *bytes_.handle);
+        c.commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipelines_.finish());
+        c.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *pipelines_.finishLayout().pipeline, 0, set, {});
+        c.commands.pushConstants<std::uint32_t>(*pipelines_.finishLayout().pipeline, vk::ShaderStageFlagBits::eCompute,
+                                                0, static_cast<std::uint32_t>(wordCount_));
+        dispatch(c.commands, wordCount_);
+    });
+    g.transfer("occlusion upload").copiesFrom(bytes).copiesTo(atlas).record([&](gpu::PassContext& c) {
+        const vk::BufferImageCopy all(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {},
+                                      {layout_.width, layout_.height, 1});
+        c.commands.copyBufferToImage(c.buffer(bytes), c.image(atlas), vk::ImageLayout::eTransferDstOptimal, all);
+    });
+    gpu::Imports imports;
+    imports.bind(sums, sums_);
+    imports.bind(bytes, bytes_);
+    imports.bind(atlas, atlas_);
+    const graph::Plan plan = graph::compile(g, device_.caps().plan);
+    device_.submitAndWait([&](const vk::raii::CommandBuffer& c) { executor.record(c, g, plan, imports); });
+    executor.reset();
+    atlasDefined_ = true;
+}
+
+}  // namespace nacre::passes

@@ -1,0 +1,89 @@
+#pragma once
+// Bakes ambient occlusion (paper section 4): depth maps of the molecule from many directions, batch by batch, each
+// followed by one dispatch over the atlas texels that light can reach.
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/gpu/execute.h"
+#include "engine/gpu/resources.h"
+#include "engine/occlusion/copies.h"
+#include "engine/occlusion/depth_maps.h"
+#include "engine/occlusion/finished_occlusion.h"
+#include "engine/occlusion/open_texels.h"
+#include "engine/occlusion/pipelines.h"
+
+namespace nacre::passes {
+
+struct OcclusionOptions {
+    int directions = 128;
+    std::uint64_t budgetBytes = 64ull << 20;  ///< device memory of everything that the bake holds
+    OcclusionMaps path = OcclusionMaps::encoded;
+};
+
+class OcclusionBake {
+public:
+    /// Everything that a bake needs; no light is asked for yet, and the atlas says so: all is open.
+    /// Writes the patch addresses into the looks of the representation; both it and `scene` (whose looks are then to be
+    /// uploaded anew) outlive the bake, as do the pipelines.
+    /// @throws Error if even one value a sphere does not fit the budget
+    OcclusionBake(const gpu::Device& device, Geometry& geometry, OcclusionPipelines& pipelines,
+                  const SceneBuffers& scene, Representation& representation, const OcclusionOptions& options);
+
+    /// A bake that is done: what was left of one with the same options of the same representation.
+    OcclusionBake(const gpu::Device& device, gpu::Executor& executor, Geometry& geometry, OcclusionPipelines& pipelines,
+                  const SceneBuffers& scene, Representation& representation, const OcclusionOptions& options,
+                  const FinishedOcclusion& finished);
+
+    /// Renders the depth maps of the next directions, at most one batch, and adds them up.
+    /// @param most  directions at most
+    void step(gpu::Executor& executor, std::uint32_t most = DepthMaps::kMostPerBatch);
+    /// Sums -> atlas, for the directions done so far.
+    void finish(gpu::Executor& executor);
+
+    const gpu::Image& atlas() const { return atlas_; }
+    const OcclusionLayout& layout() const { return layout_; }
+    const DepthMaps& maps() const { return maps_; }
+    int directionsDone() const { return done_; }
+    int directions() const { return static_cast<int>(directions_.size()); }
+    std::uint64_t bytes() const;
+    std::size_t texels() const { return texelCount_; }
+    /// Texels times directions that were asked so far: the bake's work.
+    std::uint64_t asked() const { return asked_; }
+    /// The texels of the atlas as finish() wrote them; only before release().
+    std::vector<std::uint8_t> atlasTexels() const;
+    /// Drops all but the atlas, when no more steps are wanted.
+    void release();
+    /// For each sphere whether any direction saw any of it; known after release().
+    const std::vector<bool>& seenSpheres() const { return seenSpheres_; }
+
+private:
+    OcclusionLayout chooseLayout(Representation& representation, std::uint64_t budgetBytes, OpenTexels& open);
+    void makeBuffers(const OpenTexels& open);
+    layout::OcclusionConstants constants() const;
+    /// Sticks throw thin shadows, which one tap misses: four stand for the directions between two of the set, which are
+    /// the farther apart the fewer they are. @returns pixels; 0: one tap
+    float spreadOfTaps() const;
+    void dropDeepTexels();
+    void recordAccumulation(gpu::PassContext& context, graph::Image maps, std::uint32_t batch);
+    vk::DescriptorSet accumulationSet(gpu::PassContext& context, graph::Image maps, std::uint32_t group);
+    void writeDirections(std::span<const glm::dmat3> frames);
+
+    const gpu::Device& device_;
+    OcclusionPipelines& pipelines_;
+    const SceneBuffers& scene_;
+    std::vector<glm::dmat3> directions_;
+    DepthMaps maps_;
+    OcclusionLayout layout_;
+    OcclusionCopies copies_;
+    std::size_t texelCount_ = 0, wordCount_ = 0;  // of the list, of the atlas
+    std::vector<std::uint32_t> firstOfSphere_;
+    std::vector<bool> seenSpheres_;
+    int done_ = 0;
+    std::uint64_t asked_ = 0;
+    gpu::Buffer batchDirections_, list_, sums_, words_, bytes_;
+    gpu::Image atlas_;
+    bool atlasDefined_ = false;
+};
+
+}  // namespace nacre::passes

@@ -1,0 +1,151 @@
+#include "engine/occlusion/cache.h"
+
+#include <xxhash.h>
+
+#include <bit>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <type_traits>
+
+namespace nacre {
+namespace {
+
+// To be raised by whoever changes what a bake gives: patch sizes, directions, open texels, shaders.
+constexpr std::uint32_t kVersion = 2;
+
+/// The file: this, the atlas, a bit for each sphere, and the hash of the file's name and all that.
+struct Header {
+    char magic[8] = {'N', 'A', 'C', 'R', 'E', 'O', 'C', 'C'};
+    std::uint32_t version = kVersion;
+    std::uint32_t sphereEdge = 0, around = 0, along = 0, width = 0, height = 0, sphereRows = 0, sphereCount = 0,
+                  cylinderCount = 0;
+    std::uint32_t unused = 0;
+    std::uint64_t openTexels = 0;
+};
+static_assert(sizeof(Header) == 56 && std::has_unique_object_representations_v<Header>);
+
+class Hash {
+public:
+    Hash() : state_(XXH3_createState()) {
+        if (!state_) throw std::bad_alloc();
+        XXH3_128bits_reset(state_.get());
+    }
+    Hash& add(const void* bytes, std::size_t size) {
+        XXH3_128bits_update(state_.get(), bytes, size);
+        return *this;
+    }
+    template <typename T>
+    Hash& add(const T& value) {
+        static_assert(std::has_unique_object_representations_v<T>);
+        return add(&value, sizeof value);
+    }
+    /// 16 bytes in the order that XXH128 prints them.
+    XXH128_canonical_t result() const {
+        XXH128_canonical_t canonical;
+        XXH128_canonicalFromHash(&canonical, XXH3_128bits_digest(state_.get()));
+        return canonical;
+    }
+
+private:
+    struct Free {
+        void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
+    };
+    std::unique_ptr<XXH3_state_t, Free> state_;
+};
+
+std::string_view bytesOf(const void* data, std::size_t size) { return {static_cast<const char*>(data), size}; }
+
+std::vector<std::uint8_t> packed(const std::vector<bool>& bits) {
+    std::vector<std::uint8_t> bytes((bits.size() + 7) / 8);
+    for (std::size_t i = 0; i < bits.size(); ++i)
+        if (bits[i]) bytes[i / 8] = static_cast<std::uint8_t>(bytes[i / 8] | 1u << i % 8);
+    return bytes;
+}
+
+/// The places at which an assembly's runs stand.
+void addCopies(Hash& hash, const Copies& copies) {
+    hash.add(std::uint64_t{copies.transforms.size()});
+    hash.add(copies.transforms.data(), copies.transforms.size() * sizeof(glm::dmat4x3));
+    for (const std::vector<std::uint32_t>& list : copies.lists)
+        hash.add(std::uint64_t{list.size()}).add(list.data(), list.size() * sizeof(std::uint32_t));
+    for (const auto* runs : {&copies.spheres, &copies.cylinders})
+        for (const PrimitiveRun& run : *runs) hash.add(run.first).add(run.count).add(run.list);
+}
+
+XXH128_canonical_t checksum(const std::string& name, std::string_view content) {
+    return Hash().add(name.data(), name.size()).add(content.data(), content.size()).result();
+}
+
+}  // namespace
+
+std::string occlusionCacheName(const Representation& representation, std::string_view how) {
+    Hash hash;
+    hash.add(kVersion).add(std::uint64_t{how.size()}).add(how.data(), how.size());
+    hash.add(std::uint64_t{representation.spheres.size()});
+    hash.add(representation.spheres.data(), representation.spheres.size() * sizeof(Sphere));
+    hash.add(representation.cylinders.data(), representation.cylinders.size() * sizeof(Cylinder));
+    hash.add(std::bit_cast<std::uint64_t>(representation.radius));
+    addCopies(hash, representation.copies);
+    const XXH128_canonical_t result = hash.result();
+    std::string name = "occlusion-";
+    for (const unsigned char byte : result.digest) {
+        char hex[3];
+        std::snprintf(hex, sizeof hex, "%02x", byte);
+        name += hex;
+    }
+    return name;
+}
+
+std::optional<FinishedOcclusion> readOcclusion(const DiskCache& cache, const std::string& name,
+                                               const Representation& representation) {
+    const std::optional<std::string> file = cache.read(name);
+    Header header;
+    constexpr std::size_t kLeast = sizeof(Header) + sizeof(XXH128_canonical_t);
+    if (!file || file->size() < kLeast) return std::nullopt;
+    const std::string_view content = std::string_view(*file).substr(0, file->size() - sizeof(XXH128_canonical_t));
+    const XXH128_canonical_t expected = checksum(name, content);
+    if (std::memcmp(expected.digest, file->data() + content.size(), sizeof expected.digest) != 0) return std::nullopt;
+    std::memcpy(&header, content.data(), sizeof header);
+
+    const std::uint64_t texels = std::uint64_t{header.width} * header.height;
+    const std::uint64_t bits = (std::uint64_t{header.sphereCount} + 7) / 8;
+    const Header fresh;
+    if (std::memcmp(header.magic, fresh.magic, sizeof fresh.magic) != 0 || header.version != kVersion ||
+        header.sphereCount != representation.spheres.size() ||
+        header.cylinderCount != representation.cylinders.size() || content.size() != sizeof header + texels + bits)
+        return std::nullopt;
+    FinishedOcclusion finished;
+    finished.layout = {header.sphereEdge, header.around,     header.along,       header.width,
+                       header.height,     header.sphereRows, header.sphereCount, header.cylinderCount};
+    const auto* atlas = reinterpret_cast<const std::uint8_t*>(content.data()) + sizeof header;
+    finished.atlas.assign(atlas, atlas + texels);
+    finished.seenSpheres.resize(header.sphereCount);
+    for (std::size_t i = 0; i < finished.seenSpheres.size(); ++i)
+        finished.seenSpheres[i] = (atlas[texels + i / 8] >> i % 8 & 1) != 0;
+    finished.openTexels = header.openTexels;
+    return finished;
+}
+
+bool writeOcclusion(const DiskCache& cache, const std::string& name, const FinishedOcclusion& finished) {
+    const OcclusionLayout& layout = finished.layout;
+    Header header;
+    header.sphereEdge = layout.sphereEdge;
+    header.around = layout.around;
+    header.along = layout.along;
+    header.width = layout.width;
+    header.height = layout.height;
+    header.sphereRows = layout.sphereRows;
+    header.sphereCount = layout.sphereCount;
+    header.cylinderCount = layout.cylinderCount;
+    header.openTexels = finished.openTexels;
+    const std::vector<std::uint8_t> seen = packed(finished.seenSpheres);
+    std::string content(bytesOf(&header, sizeof header));
+    content.append(reinterpret_cast<const char*>(finished.atlas.data()), finished.atlas.size());
+    content.append(reinterpret_cast<const char*>(seen.data()), seen.size());
+    const XXH128_canonical_t sum = checksum(name, content);
+    const std::string_view parts[] = {content, bytesOf(sum.digest, sizeof sum.digest)};
+    return cache.write(name, parts);
+}
+
+}  // namespace nacre

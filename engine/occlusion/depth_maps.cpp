@@ -1,0 +1,197 @@
+#include "engine/occlusion/depth_maps.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/passes/view_constants.h"
+#include "shaders.h"
+
+namespace nacre::passes {
+namespace {
+
+// Pixels across the radius of a sphere, of a cylinder: what more than that brings is lost in the patches' own error.
+constexpr double kPixelsPerSphere = 2.7, kPixelsPerCylinder = 1.5;
+constexpr double kSmallest = 128, kLargest = 2048;
+constexpr std::uint32_t kGroup = 64;  // local_size_x
+constexpr graph::State kSplatState{
+    VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
+
+std::uint32_t bytesPerPixel(OcclusionMaps path, const graph::EncodedFormat& encoded) {
+    switch (path) {
+        case OcclusionMaps::encoded:
+            return 4 + graph::bytesPerTexel(encoded.format);
+        case OcclusionMaps::fragdepth:
+            return 4;
+        default:
+            return 8;  // the splats, and the texture that they are copied to
+    }
+}
+
+/// Pixels per Å that the primitives want on the average.
+double wantedResolution(const Representation& r) {
+    double sum = 0;
+    for (const Sphere& s : r.spheres) sum += kPixelsPerSphere / s.radius;
+    for (const Cylinder& c : r.cylinders) sum += kPixelsPerCylinder / c.radius;
+    return sum / static_cast<double>(std::max<std::size_t>(r.spheres.size() + r.cylinders.size(), 1));
+}
+
+Nearest nearestOf(OcclusionMaps path) { return path == OcclusionMaps::encoded ? Nearest::encoded : Nearest::fragdepth; }
+
+}  // namespace
+
+DepthMaps::DepthMaps(const gpu::Device& device, Geometry& geometry, OcclusionPipelines& pipelines,
+                     const SceneBuffers& scene, const Representation& representation, OcclusionMaps path,
+                     std::uint64_t budgetBytes)
+    : device_(device),
+      geometry_(geometry),
+      pipelines_(pipelines),
+      scene_(scene),
+      representation_(representation),
+      path_(path),
+      radius_(representation.radius) {
+    double sum = 0;
+    for (const Sphere& s : representation.spheres) sum += s.radius;
+    meanRadius_ = sum / static_cast<double>(std::max<std::size_t>(representation.spheres.size(), 1));
+    const double wanted = std::ceil(2.0 * radius_ * wantedResolution(representation) / 8.0) * 8.0;
+    const std::uint32_t bytes = bytesPerPixel(path, device.caps().encoded);
+    const double fits = std::floor(std::sqrt(static_cast<double>(budgetBytes) / bytes) / 8.0) * 8.0;
+    pixels_ = static_cast<std::uint32_t>(std::max(std::min(std::clamp(wanted, kSmallest, kLargest), fits), 8.0));
+    for (const std::uint32_t batch : {4u, kMostPerBatch})
+        if (std::uint64_t{bytes} * pixels_ * pixels_ * batch <= budgetBytes &&
+            pixels_ * mapsAcross(batch) <= device.caps().maxImageSize)
+            perBatch_ = batch;
+    if (path != OcclusionMaps::splat) return;
+    using Usage = vk::BufferUsageFlagBits;
+    splats_ = gpu::makeBuffer(device, std::uint64_t{4} * pixels_ * pixels_ * perBatch_,
+                              Usage::eStorageBuffer | Usage::eTransferDst | Usage::eTransferSrc, gpu::Access::upload,
+                              "depth maps' splats");
+    const std::size_t copies = std::max<std::size_t>(representation.copies.transforms.size(), 1);
+    views_ = gpu::makeBuffer(device, sizeof(layout::ViewConstants) * perBatch_ * copies, Usage::eStorageBuffer,
+                             gpu::Access::upload, "depth maps' views");
+}
+
+std::uint64_t DepthMaps::bytes() const {
+    return std::uint64_t{bytesPerPixel(path_, device_.caps().encoded)} * pixels_ * pixels_ * perBatch_;
+}
+
+View DepthMaps::view(const glm::dmat3& frame) const {
+    View view;
+    view.width = view.height = pixels_;
+    view.rotation = frame;
+    view.radius = radius_;
+    view.pixelsPerAngstrom = pixels_ / (2.0 * radius_);
+    return view;
+}
+
+/// Map i of a batch.
+layout::ViewConstants DepthMaps::constants(const glm::dmat3& frame, std::uint32_t i, std::uint32_t across) const {
+    const std::uint32_t x = i % across * pixels_, y = i / across * pixels_;
+    return viewConstants(view(frame), device_.caps().snapPixels, x + pixels_ / 2.0, y + pixels_ / 2.0);
+}
+
+void DepthMaps::recordRaster(gpu::PassContext& context, std::span<const glm::dmat3> frames, std::uint32_t across,
+                             Writes writes) const {
+    const auto side = static_cast<float>(pixels_);
+    for (std::uint32_t i = 0; i < frames.size(); ++i) {
+        const std::uint32_t x = i % across * pixels_, y = i / across * pixels_;
+        context.commands.setViewport(0, vk::Viewport(static_cast<float>(x), static_cast<float>(y), side, side, 0, 1));
+        context.commands.setScissor(0, vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {pixels_, pixels_}));
+        const PlacedCopies copies = placeCopies(representation_, view(frames[i]));
+        Draw draw{writes, nearestOf(path_)};
+        draw.copies = &copies;
+        draw.radiusPixels = meanRadius_ * pixels_ / (2.0 * radius_);
+        draw.view = constants(frames[i], i, across);
+        geometry_.draw(context, scene_, draw);
+    }
+}
+
+/// The views of a batch: all maps of the first copy, then all of the next one.
+/// @returns the calls, the same for every map since each shows the whole molecule
+PlacedCopies DepthMaps::writeViews(std::span<const glm::dmat3> frames, std::uint32_t across) const {
+    auto* views = reinterpret_cast<layout::ViewConstants*>(views_.mapped);
+    PlacedCopies placed;
+    for (std::uint32_t i = 0; i < frames.size(); ++i) {
+        placed = placeCopies(representation_, view(frames[i]));
+        layout::ViewConstants c = constants(frames[i], i, across);
+        for (std::size_t copy = 0; 3 * copy < placed.rows.size(); ++copy) {
+            c.row0 = placed.rows[3 * copy];
+            c.row1 = placed.rows[3 * copy + 1];
+            c.row2 = placed.rows[3 * copy + 2];
+            views[copy * frames.size() + i] = c;
+        }
+    }
+    return placed;
+}
+
+void DepthMaps::recordSplat(gpu::PassContext& context, graph::Buffer maps, std::span<const glm::dmat3> frames,
+                            std::uint32_t across) const {
+    const vk::DescriptorSet set = context.descriptors.allocate(pipelines_.splatLayout().set, "depth map splats");
+    const vk::DescriptorBufferInfo infos[] = {{*scene_.shapes.handle, 0, VK_WHOLE_SIZE},
+                                              {*views_.handle, 0, VK_WHOLE_SIZE},
+                                              {context.buffer(maps), 0, VK_WHOLE_SIZE}};
+    for (std::uint32_t i = 0; i < 3; ++i)
+        device_->updateDescriptorSets(
+            vk::WriteDescriptorSet(set, i, 0, vk::DescriptorType::eStorageBuffer, {}, infos[i]), {});
+    const vk::PipelineLayout pipelineLayout = *pipelines_.splatLayout().pipeline;
+    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, pipelineLayout, 0, set, {});
+    const PlacedCopies placed = writeViews(frames, across);
+    const auto mapCount = static_cast<std::uint32_t>(frames.size());
+    constexpr std::uint32_t kMost = 65535 * kGroup;  // the floor allows 65,535 workgroups a dispatch
+    const auto splat = [&](const std::vector<PlacedCopies::Call>& calls, bool cylinders) {
+        if (calls.empty()) return;
+        context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipelines_.splatting(cylinders));
+        for (const PlacedCopies::Call& call : calls)
+            for (std::uint32_t first = call.first, end = first + call.count; first < end; first += kMost) {
+                const layout::SplatConstants c{call.copy * mapCount, first,   std::min(end, first + kMost),
+                                               scene_.sphereCount,   pixels_, pixels_ * across};
+                context.commands.pushConstants<layout::SplatConstants>(pipelineLayout,
+                                                                       vk::ShaderStageFlagBits::eCompute, 0, c);
+                context.commands.dispatch((c.end - c.first + kGroup - 1) / kGroup, mapCount, 1);
+            }
+    };
+    splat(placed.spheres, false);
+    splat(placed.cylinders, true);
+}
+
+graph::Image DepthMaps::declare(graph::Graph& g, gpu::Imports& imports, std::span<const glm::dmat3> frames,
+                                std::uint32_t batch) {
+    using graph::Clear;
+    const std::uint32_t across = mapsAcross(batch);
+    const graph::Extent extent{pixels_ * across, pixels_ * across};
+    if (path_ == OcclusionMaps::splat) {
+        const auto splats = g.importBuffer("depth maps' splats", splats_.size, kSplatState);
+        imports.bind(splats, splats_);
+        const auto maps = g.image("depth maps", {VK_FORMAT_R32_SFLOAT, extent});
+        const vk::DeviceSize used = std::uint64_t{4} * extent.width * extent.height;
+        g.transfer("clear depth maps").copiesTo(splats).record([=](gpu::PassContext& c) {
+            c.commands.fillBuffer(c.buffer(splats), 0, used, 0x3f800000);  // 1.0f
+        });
+        g.compute("depth splatting").writes(splats).record([=, this](gpu::PassContext& c) {
+            recordSplat(c, splats, frames, across);
+        });
+        g.transfer("depth maps to texture").copiesFrom(splats).copiesTo(maps).record([=](gpu::PassContext& c) {
+            const vk::BufferImageCopy all(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {},
+                                          {extent.width, extent.height, 1});
+            c.commands.copyBufferToImage(c.buffer(splats), c.image(maps), vk::ImageLayout::eTransferDstOptimal, all);
+        });
+        return maps;
+    }
+    const auto depth = g.image("depth maps' hardware depth", {VK_FORMAT_D32_SFLOAT, extent});
+    g.graphics("opaque prepass").depth(depth, Clear{1.0f}).record([=, this](gpu::PassContext& c) {
+        recordRaster(c, frames, across, Writes::plates);
+    });
+    if (path_ == OcclusionMaps::fragdepth) {
+        g.graphics("nearest depth").depth(depth).record([=, this](gpu::PassContext& c) {
+            recordRaster(c, frames, across, Writes::depth);
+        });
+        return depth;
+    }
+    const auto maps = g.image("depth maps", {device_.caps().encoded.format, extent});
+    g.graphics("depth encoding")
+        .depthTest(depth)
+        .color(maps, Clear{device_.caps().encoded.farthest})
+        .record([=, this](gpu::PassContext& c) { recordRaster(c, frames, across, Writes::encoded); });
+    return maps;
+}
+
+}  // namespace nacre::passes

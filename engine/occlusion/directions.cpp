@@ -1,0 +1,56 @@
+#include "engine/occlusion/directions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+
+namespace nacre {
+namespace {
+
+std::vector<glm::dvec3> fibonacciSphere(int count) {
+    std::vector<glm::dvec3> points;
+    for (int i = 0; i < count; ++i) {
+        const double z = 1.0 - (2.0 * i + 1.0) / count;
+        const double angle = 2.0 * std::numbers::pi * std::fmod(i / std::numbers::phi, 1.0);
+        const double flat = std::sqrt(std::max(0.0, 1.0 - z * z));
+        points.emplace_back(flat * std::cos(angle), flat * std::sin(angle), z);
+    }
+    return points;
+}
+
+/// Moves the point that is farthest from all before it to the front of the rest, again and again.
+void spreadPrefixes(std::vector<glm::dvec3>& points) {
+    std::vector<double> nearest(points.size(), 4.0);  // squared distance to those in place
+    for (std::size_t placed = 1; placed < points.size(); ++placed) {
+        std::size_t farthest = placed;
+        for (std::size_t i = placed; i < points.size(); ++i) {
+            const glm::dvec3 d = points[i] - points[placed - 1];
+            nearest[i] = std::min(nearest[i], glm::dot(d, d));
+            if (nearest[i] > nearest[farthest]) farthest = i;
+        }
+        std::swap(points[placed], points[farthest]);
+        std::swap(nearest[placed], nearest[farthest]);
+    }
+}
+
+}  // namespace
+
+std::vector<glm::dmat3> occlusionDirections(int count) {
+    std::vector<glm::dvec3> points = fibonacciSphere(count);
+    spreadPrefixes(points);
+    std::vector<glm::dmat3> frames;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const glm::dvec3& w = points[i];
+        const glm::dvec3 helper = std::abs(w.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+        const glm::dvec3 x = glm::normalize(glm::cross(helper, w)), y = glm::cross(w, x);
+        const double roll =
+            2.0 * std::numbers::pi * std::fmod(static_cast<double>(i) * std::pow(std::numbers::phi, 3), 1.0);
+        const glm::dvec3 u = x * std::cos(roll) + y * std::sin(roll);
+        frames.push_back(glm::transpose(glm::dmat3(u, glm::cross(w, u), w)));
+    }
+    return frames;
+}
+
+}  // namespace nacre

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/occlusion/atlas_layout.h"
+
+namespace nacre {
+
+/// All that is left of a finished occlusion bake: enough to draw with, and the same as the bake itself bit for bit.
+struct FinishedOcclusion {
+    OcclusionLayout layout;
+    std::vector<std::uint8_t> atlas;  ///< layout.width x layout.height texels
+    std::vector<bool> seenSpheres;    ///< for each sphere whether any direction saw any of it
+    std::uint64_t openTexels = 0;
+};
+
+}  // namespace nacre

@@ -1,0 +1,67 @@
+#pragma once
+// The occlusion of the renderer's scene: which bake the settings ask for, how far it is, what is kept of it on disk.
+
+#include <memory>
+#include <tuple>
+
+#include "engine/milliseconds.h"
+#include "engine/occlusion/bake.h"
+#include "engine/renderer.h"
+#include "engine/storage/disk_cache.h"
+
+namespace nacre {
+
+class SceneOcclusion {
+public:
+    /// All of them outlive this. A bake writes patch addresses into the looks of `representation` and uploads `scene`
+    /// anew; `stats` is told what was chosen and done.
+    SceneOcclusion(const gpu::Device& device, gpu::Executor& executor, passes::Geometry& geometry,
+                   passes::Nearest nearest, Representation& representation, passes::SceneBuffers& scene,
+                   FrameStats& stats)
+        : device_(device),
+          executor_(executor),
+          geometry_(geometry),
+          pipelines_(device),
+          nearest_(nearest),
+          representation_(representation),
+          scene_(scene),
+          stats_(stats) {}
+
+    /// Makes the bake that the settings ask for, unless it is there, or there is nothing to bake. One that was kept is
+    /// done at once.
+    void begin(const RenderSettings& settings);
+    /// Works for about `milliseconds`, at least one direction, on the bake that begin() made.
+    void advance(double milliseconds);
+    /// All of it.
+    void finish(const RenderSettings& settings);
+    /// The scene is about to change.
+    void drop() { bake_.reset(); }
+    /// Null: nothing was asked for yet, or there is nothing to bake.
+    const passes::OcclusionBake* bake() const { return bake_.get(); }
+
+private:
+    /// Does some work on the bake. One that failed half way may have counted directions that it does not know of, and
+    /// is dropped: the next begins anew.
+    template <typename Work>
+    void orDrop(Work&& work);
+    void make(const RenderSettings& settings);
+    void keep(std::vector<std::uint8_t> atlas);
+    void show(Clock::time_point start);
+
+    const gpu::Device& device_;
+    gpu::Executor& executor_;
+    passes::Geometry& geometry_;
+    passes::OcclusionPipelines pipelines_;  // of all bakes
+    passes::Nearest nearest_;
+    Representation& representation_;
+    passes::SceneBuffers& scene_;
+    FrameStats& stats_;
+    std::unique_ptr<passes::OcclusionBake> bake_;
+    std::tuple<int, std::uint64_t, OcclusionMaps> baked_{};  // directions, budget, maps: of bake_
+    double directionMilliseconds_ = 0;                       // that one direction took, lately
+    DiskCache cache_;                                        // off: the bake is not to be kept
+    std::string cacheName_;                                  // of the bake in it
+    double worthKeeping_ = 0;
+};
+
+}  // namespace nacre
