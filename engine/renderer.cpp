@@ -3,7 +3,6 @@
 #include "engine/renderer.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "engine/error.h"
@@ -122,12 +121,15 @@ layout::ViewConstants Renderer::Impl::constants(const RenderSettings& settings, 
         passes::viewConstants(view, device.caps().snapPixels, image.width / 2.0, image.height / 2.0);
     const bool occluded = settings.occlusionDirections > 0 && occlusion.bake();
     const OcclusionLayout layout = occluded ? occlusion.bake()->layout() : OcclusionLayout{};
-    if (occluded) c.atlas = glm::vec4(1.0 / layout.width, 1.0 / layout.height, layout.sphereEdge, layout.around);
-    const auto spheres = static_cast<std::uint32_t>(representation.spheres.size());
-    const auto primitives = static_cast<std::uint32_t>(spheres + representation.cylinders.size());
-    c.depth.z = std::bit_cast<float>(primitives);
-    c.depth.w = 1;
-    c.shading = glm::vec4(settings.lighting ? 1 : 0, occluded ? 1 : 0, layout.along, std::bit_cast<float>(spheres));
+    if (occluded) c.atlasTexel = glm::vec2(1.0 / layout.width, 1.0 / layout.height);
+    c.sphereEdge = static_cast<float>(layout.sphereEdge);
+    c.around = static_cast<float>(layout.around);
+    c.along = static_cast<float>(layout.along);
+    c.lighting = settings.lighting ? 1 : 0;
+    c.occlusion = occluded ? 1 : 0;
+    c.spheres = static_cast<std::uint32_t>(representation.spheres.size());
+    c.primitives = static_cast<std::uint32_t>(c.spheres + representation.cylinders.size());
+    c.wholeImage = 1;
     return c;
 }
 

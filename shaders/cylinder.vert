@@ -36,7 +36,7 @@ void main() {
 #endif
 #ifdef NUMBER
     // After the copy's spheres.
-    primitive = floatBitsToUint(view.projection.w) + floatBitsToUint(view.shading.w) + uint(gl_InstanceIndex) + 1u;
+    primitive = view.numberBefore + view.spheres + uint(gl_InstanceIndex) + 1u;
 #endif
     vec3 axis = normalize(b - a);
     // Both ends' silhouettes as spheres of the cylinder's radius: their hull holds the cylinder in any projection.
@@ -52,7 +52,7 @@ void main() {
     high = max(high, reach(oa, u));
     if (!kPerspective) {
         // A flat cap sticks out by r |axis.z| only.
-        float cap = radius * abs(axis.z) + view.screen.w;
+        float cap = radius * abs(axis.z) + view.snap;
         low = dot(oa.center, u) - cap;
         high = dot(ob.center, u) + cap;
     }
@@ -62,5 +62,5 @@ void main() {
     bool second = (gl_VertexIndex & 2) == 0;
     vec2 q = u * (first ? low : high) + v * (second ? left : right);
     float front = max(a.z, b.z) + radius * sqrt(max(1.0 - axis.z * axis.z, 0.0));
-    gl_Position = clipPosition(q, encodedDepth(view.projection.z - front - radius * 1e-3));
+    gl_Position = clipPosition(q, encodedDepth(view.origin - front - radius * 1e-3));
 }

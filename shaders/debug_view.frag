@@ -3,10 +3,11 @@
 //   DEPTH NORMALS      of the surface layer            ID OCCLUSION   of the identity layer
 //   ENCODED            the encoded depth attachment    PLATES         the prepass's depth, over the shaded picture
 //   OVERDRAW TILES     fragments added up              PATCHES        the occlusion atlas
-// The target codes what it gets as sRGB: shown() undoes that where a number is to be seen as it is.
+// The target codes what it gets as sRGB: linearFromSrgb() undoes that where a number is to be seen as it is.
 #extension GL_GOOGLE_include_directive : require
 #include "common/view.glsl"
 #include "common/encoding.glsl"
+#include "common/srgb.glsl"
 
 #if defined(ID) || defined(OCCLUSION)
 layout(set = 0, binding = 0) uniform usampler2D source;
@@ -17,11 +18,7 @@ layout(set = 0, binding = 0) uniform sampler2D source;
 layout(set = 0, binding = 1) uniform sampler2D under;
 #endif
 layout(location = 0) out vec4 color;
-layout(constant_id = 8) const int kTile = 16;
-
-vec3 shown(vec3 c) {
-    return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
-}
+layout(constant_id = kTileId) const int kTile = 16;
 
 /// Fragments in a pixel: every doubling is a step from indigo (1) over teal, green, yellow (8), orange to red (32).
 vec3 heat(float fragments) {
@@ -46,15 +43,15 @@ void main() {
 #if defined(DEPTH)
     vec4 surface = texelFetch(source, pixel, 0);
     if (surface.xyz == vec3(0.0)) discard;
-    color = vec4(shown(vec3(1.0 - clamp(encodedDepth(surface.w), 0.0, 1.0))), 1.0);
+    color = vec4(linearFromSrgb(vec3(1.0 - clamp(encodedDepth(surface.w), 0.0, 1.0))), 1.0);
 #elif defined(NORMALS)
     vec4 surface = texelFetch(source, pixel, 0);
     if (surface.xyz == vec3(0.0)) discard;
-    color = vec4(shown(surface.xyz * 0.5 + 0.5), 1.0);
+    color = vec4(linearFromSrgb(surface.xyz * 0.5 + 0.5), 1.0);
 #elif defined(ID)
     uint atom = texelFetch(source, pixel, 0).x;
     if (atom == 0u) discard;
-    color = vec4(shown(colorOf(atom)), 1.0);
+    color = vec4(linearFromSrgb(colorOf(atom)), 1.0);
 #elif defined(OCCLUSION)
     uvec2 identity = texelFetch(source, pixel, 0).xy;
     if (identity.x == 0u) discard;
@@ -62,9 +59,9 @@ void main() {
 #elif defined(ENCODED)
     vec4 e = texelFetch(source, pixel, 0);
     if (kDepthSteps == 0)
-        color = vec4(shown(e.xxx), 1.0);
+        color = vec4(linearFromSrgb(e.xxx), 1.0);
     else
-        color = vec4(shown(vec3(stepOf(e.x), kDepthChannels > 1 ? stepOf(e.y) : 0,
+        color = vec4(linearFromSrgb(vec3(stepOf(e.x), kDepthChannels > 1 ? stepOf(e.y) : 0,
                                 kDepthChannels > 2 ? stepOf(e.z) : 0) / float(kDepthSteps)), 1.0);
 #elif defined(PLATES)
     vec4 picture = texelFetch(under, pixel, 0);
@@ -74,18 +71,18 @@ void main() {
 #elif defined(OVERDRAW)
     float fragments = texelFetch(source, pixel, 0).x * 255.0;
     if (fragments < 0.5) discard;
-    color = vec4(shown(heat(fragments)), 1.0);
+    color = vec4(linearFromSrgb(heat(fragments)), 1.0);
 #elif defined(TILES)
     ivec2 inTile = pixel % kTile;
     bool edge = inTile.x == 0 || inTile.y == 0;
     float mean = texelFetch(source, pixel / kTile, 0).x;
     vec3 tile = mean > 0.0 ? heat(mean) : vec3(0.93);
     if (mean > 0.0 && texelFetch(under, pixel, 0).x == 0.0) tile = mix(tile, vec3(1.0), 0.45);
-    color = vec4(shown(edge ? tile * 0.8 : tile), 1.0);
+    color = vec4(linearFromSrgb(edge ? tile * 0.8 : tile), 1.0);
 #elif defined(PATCHES)
     // The atlas lies on the plane z = 0 as large as the scene; it pans and zooms with the view, and does not turn.
     vec2 size = vec2(textureSize(source, 0));
-    vec2 texel = planePoint(gl_FragCoord.xy) * vec2(1.0, -1.0) * view.depth.y * max(size.x, size.y) + 0.5 * size;
+    vec2 texel = planePoint(gl_FragCoord.xy) * vec2(1.0, -1.0) * view.perRange * max(size.x, size.y) + 0.5 * size;
     if (any(lessThan(texel, vec2(0.0))) || any(greaterThanEqual(texel, size))) discard;
     color = vec4(vec3(texelFetch(source, ivec2(texel), 0).x), 1.0);
 #endif

@@ -23,13 +23,13 @@ void main() {
     uint number = primitiveHere();
     if (number == 0u) discard;
     countFragment();
-    uint primitives = floatBitsToUint(view.depth.z);
+    uint primitives = view.primitives;
     uint copy = (number - 1u) / primitives;
     uint index = (number - 1u) % primitives;
     copyRow0 = copyRows[3u * copy];
     copyRow1 = copyRows[3u * copy + 1u];
     copyRow2 = copyRows[3u * copy + 2u];
-    uint spheres = floatBitsToUint(view.shading.w);
+    uint spheres = view.spheres;
     if (index < spheres) {
         vec4 shape = shapes[index];
         precise vec3 center = toView(shape.xyz);

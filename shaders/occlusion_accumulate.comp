@@ -10,8 +10,8 @@
 
 layout(local_size_x = 64) in;
 
-layout(constant_id = 4) const int kTaps = 1;        // 1 or 4: pixels asked for a texel
-layout(constant_id = 5) const float kSpread = 0.0;  // of four taps, pixels
+layout(constant_id = kTapsId) const int kTaps = 1;        // 1 or 4: pixels asked for a texel
+layout(constant_id = kSpreadId) const float kSpread = 0.0;  // of four taps, pixels
 
 layout(set = 0, binding = 2, std430) readonly buffer Texels { uint texels[]; };
 layout(set = 0, binding = 3, std430) buffer Sums { vec2 sums[]; };  // light that came, light that could have come
@@ -39,22 +39,22 @@ float ownHeight(vec3 center, vec3 axis, float radius, vec2 q, float z) {
 
 /// Whether the depth map of direction i shows the texel, `aside` pixels from its place.
 bool frontmost(int i, vec3 center, vec3 axis, float radius, vec3 at, vec2 aside) {
-    float pixels = bake.map.x, scale = bake.map.y, middle = 0.5 * pixels;
+    float pixels = bake.mapPixels, scale = bake.pixelsPerAngstrom, middle = 0.5 * pixels;
     vec2 place = clamp(floor(vec2(at.x, -at.y) * scale + middle + aside), vec2(0.0), vec2(pixels - 1.0));
     // What this very surface would have written at the pixel's centre, so that it never shadows itself; or the texel's
     // own height, if that is nearer: beside a contact the surface at the centre may lie inside a neighbour that does
     // not hide the texel. A pixel's width of slack, more for a tap aside, allows for the neighbour's slope.
     vec2 q = (place + 0.5 - middle) / scale;
     float front = max(ownHeight(center, axis, radius, vec2(q.x, -q.y), at.z), at.z);
-    float own = (bake.depth.z - front - bake.map.z * (1.0 + length(aside)) - bake.depth.x) * bake.depth.y;
+    float own = (bake.origin - front - bake.slack * (1.0 + length(aside)) - bake.depthStart) * bake.perRange;
     ivec2 tile = ivec2(i % kMapsAcross, i / kMapsAcross) * int(pixels);
     return own <= decodeDepth(texelFetch(depthMaps, tile + ivec2(place), 0));
 }
 
 void main() {
     uint listed = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
-    if (listed >= bake.range.y) return;
-    uint entry = bake.range.x + listed;
+    if (listed >= bake.entries) return;
+    uint entry = bake.firstEntry + listed;
 #ifdef CYLINDER
     Texel texel = cylinderTexel(texels[entry]);
 #else

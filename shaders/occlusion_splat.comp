@@ -35,9 +35,9 @@ void main() {
     vec2 low = sphere.xy - radius, high = sphere.xy + radius;
 #endif
     // Pixels that may lie inside, in the image of the batch, whose rows run downwards.
-    ivec2 corner = ivec2(view.screen.xy) - int(splat.pixels) / 2;
-    ivec2 from = ivec2(floor(vec2(low.x, -high.y) / view.screen.z + view.screen.xy - 0.5));
-    ivec2 to = ivec2(ceil(vec2(high.x, -low.y) / view.screen.z + view.screen.xy - 0.5));
+    ivec2 corner = ivec2(view.axisPixel) - int(splat.pixels) / 2;
+    ivec2 from = ivec2(floor(vec2(low.x, -high.y) / view.pixel + view.axisPixel - 0.5));
+    ivec2 to = ivec2(ceil(vec2(high.x, -low.y) / view.pixel + view.axisPixel - 0.5));
     from = max(from, corner);
     to = min(to, corner + int(splat.pixels) - 1);
     for (int y = from.y; y <= to.y; ++y)

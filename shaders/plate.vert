@@ -6,7 +6,7 @@
 #include "common/outline.glsl"
 
 // Corner radius of the plate in sphere radii; it stands sqrt(1 - rim^2) in front of the centre.
-layout(constant_id = 4) const float kRim = 0.98516;
+layout(constant_id = kRimId) const float kRim = 0.98516;
 
 layout(location = 0) in vec4 inSphere;
 invariant gl_Position;
@@ -14,11 +14,11 @@ invariant gl_Position;
 void main() {
     precise vec3 center = toView(inSphere.xyz);
     float radius = inSphere.w * (1.0 - 1e-3);
-    float Z = view.projection.z - center.z - radius * sqrt(1.0 - kRim * kRim);
-    float magnify = kPerspective ? view.projection.z / Z : 1.0;
+    float Z = view.origin - center.z - radius * sqrt(1.0 - kRim * kRim);
+    float magnify = kPerspective ? view.origin / Z : 1.0;
     // The cosine of half a side's angle takes the corners of the circumscribed polygon back to the rim. The rasteriser
     // may move a corner by the snap margin: draw that much less, or nothing.
     float inset = kCorners == 4 ? 0.70710678 : 0.92387953;
-    float reach = max((radius * kRim - view.screen.w / magnify * 1.5) * inset, 0.0);
+    float reach = max((radius * kRim - view.snap / magnify * 1.5) * inset, 0.0);
     gl_Position = clipPosition((center.xy + corner(gl_VertexIndex) * reach) * magnify, encodedDepth(Z));
 }

@@ -1,16 +1,16 @@
 #version 450
 // A picture at another resolution: the mean of n x n texels in linear light, or, if the picture is not a whole
 // multiple of the target, bilinear.
+#extension GL_GOOGLE_include_directive : require
+#include "common/layout.h"
+#include "common/srgb.glsl"
+
 layout(set = 0, binding = 0) uniform sampler2D picture;
 layout(location = 0) out vec4 color;
-layout(constant_id = 0) const int kSamples = 0;     // n; 0: bilinear
-layout(constant_id = 1) const bool kCoded = false;  // the target takes sRGB-coded colour as it is
+layout(constant_id = kSamplesId) const int kSamples = 0;     // n; 0: bilinear
+layout(constant_id = kCodedId) const bool kCoded = false;  // the target takes sRGB-coded colour as it is
 
 layout(push_constant) uniform Push { vec4 scale; };  // xy: 1 / pixels of the target
-
-vec3 coded(vec3 c) {
-    return mix(c * 12.92, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
-}
 
 void main() {
     vec3 sum = vec3(0.0);
@@ -22,5 +22,5 @@ void main() {
     } else {
         sum = textureLod(picture, gl_FragCoord.xy * scale.xy, 0.0).rgb;
     }
-    color = vec4(kCoded ? coded(sum) : sum, 1.0);
+    color = vec4(kCoded ? srgbFromLinear(sum) : sum, 1.0);
 }

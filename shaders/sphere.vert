@@ -23,7 +23,7 @@ void main() {
     look = inLook;
 #endif
 #ifdef NUMBER
-    primitive = floatBitsToUint(view.projection.w) + uint(gl_InstanceIndex) + 1u;
+    primitive = view.numberBefore + uint(gl_InstanceIndex) + 1u;
 #endif
     Outline outline = sphereOutline(center, radius);
     bool apex;
@@ -31,6 +31,6 @@ void main() {
     vec2 q = outline.center + outline.axisU * e.x + outline.axisV * e.y;
     // A little nearer than the nearest point, so that rounding never lets the fixed-function test cut into it.
     float front = radius * 1.001;
-    if (kCorners == 24) front = radius * (pyramidHeight(apex) + 2e-3) + 2.0 * view.screen.w;
-    gl_Position = clipPosition(q, encodedDepth(view.projection.z - center.z - front));
+    if (kCorners == 24) front = radius * (pyramidHeight(apex) + 2e-3) + 2.0 * view.snap;
+    gl_Position = clipPosition(q, encodedDepth(view.origin - center.z - front));
 }

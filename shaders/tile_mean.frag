@@ -1,8 +1,11 @@
 #version 450
 // The mean of a tile's fragments: a pixel here is a tile there.
+#extension GL_GOOGLE_include_directive : require
+#include "common/layout.h"
+
 layout(set = 0, binding = 0) uniform sampler2D counts;
 layout(location = 0) out vec4 mean;
-layout(constant_id = 8) const int kTile = 16;
+layout(constant_id = kTileId) const int kTile = 16;
 
 void main() {
     ivec2 first = ivec2(gl_FragCoord.xy) * kTile;

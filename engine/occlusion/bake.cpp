@@ -160,9 +160,16 @@ layout::OcclusionConstants OcclusionBake::constants() const {
     const View view = maps_.view(glm::dmat3(1));
     const layout::ViewConstants v = viewConstants(view, 0.0f, 0, 0);
     layout::OcclusionConstants c{};
-    c.map = {maps_.pixels(), view.pixelsPerAngstrom, 1.0 / view.pixelsPerAngstrom, 0};
-    c.depth = {v.depth.x, v.depth.y, v.projection.z, 0};
-    c.patches = {layout_.sphereEdge, layout_.around, layout_.along, layout_.sphereCount};
+    c.mapPixels = static_cast<float>(maps_.pixels());
+    c.pixelsPerAngstrom = static_cast<float>(view.pixelsPerAngstrom);
+    c.slack = static_cast<float>(1.0 / view.pixelsPerAngstrom);
+    c.origin = v.origin;
+    c.depthStart = v.depthStart;
+    c.perRange = v.perRange;
+    c.sphereEdge = layout_.sphereEdge;
+    c.around = layout_.around;
+    c.along = layout_.along;
+    c.spheres = layout_.sphereCount;
     return c;
 }
 
@@ -195,7 +202,8 @@ void OcclusionBake::recordAccumulation(gpu::PassContext& context, graph::Image m
     for (const OcclusionCopies::Run& run : copies_.runs) {
         if (run.count == 0) continue;
         if (!sets[run.group]) sets[run.group] = accumulationSet(context, maps, run.group);
-        c.range = {run.first, run.count, 0, 0};
+        c.firstEntry = static_cast<std::uint32_t>(run.first);
+        c.entries = static_cast<std::uint32_t>(run.count);
         context.commands.bindPipeline(kCompute, pipelines_.accumulation({run.cylinders ? Texels::cylinders : spheres,
                                                                          batch, maps_.encoded(), spreadOfTaps()}));
         context.commands.bindDescriptorSets(kCompute, pipelineLayout, 0, sets[run.group], {});

@@ -28,13 +28,13 @@ vk::Pipeline OcclusionPipelines::accumulation(const Accumulation& key) {
     if (const auto it = accumulations_.find(key); it != accumulations_.end()) return *it->second;
     const graph::EncodedFormat& encoded = device_.caps().encoded;
     gpu::Specialization constants;
-    constants.set(0, key.batch);
-    constants.set(1, key.encoded ? encoded.channels : 1);
-    constants.set(2, key.encoded ? encoded.steps : 0);
-    constants.set(3, mapsAcross(key.batch));
+    constants.set(layout::kBatchId, key.batch);
+    constants.set(layout::kDepthChannelsId, key.encoded ? encoded.channels : 1);
+    constants.set(layout::kDepthStepsId, key.encoded ? encoded.steps : 0);
+    constants.set(layout::kMapsAcrossId, mapsAcross(key.batch));
     if (key.spread > 0) {
-        constants.set(4, 4u);
-        constants.set(5, key.spread);
+        constants.set(layout::kTapsId, 4u);
+        constants.set(layout::kSpreadId, key.spread);
     }
     const auto make = [&](std::span<const std::uint32_t> code, const char* name) {
         return *accumulations_

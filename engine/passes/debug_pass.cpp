@@ -50,11 +50,11 @@ vk::Pipeline DebugPass::pipeline(const gpu::PassContext& context, const Draw& dr
     d.name = draw.tileMean ? "tile mean" : std::string("debug view, ") + debugViewNames()[static_cast<int>(draw.view)];
     d.vertex = shaders::screenVertex;
     d.fragment = shaderOf(draw);
-    d.constants.set(0, draw.perspective);
-    d.constants.set(1, device_.caps().encoded.channels);
-    d.constants.set(2, device_.caps().encoded.steps);
-    d.constants.set(7, draw.quarterTurns);
-    d.constants.set(8, draw.tile);
+    d.constants.set(layout::kPerspectiveId, draw.perspective);
+    d.constants.set(layout::kDepthChannelsId, device_.caps().encoded.channels);
+    d.constants.set(layout::kDepthStepsId, device_.caps().encoded.steps);
+    d.constants.set(layout::kQuarterTurnsId, draw.quarterTurns);
+    d.constants.set(layout::kTileId, draw.tile);
     d.layout = *layout_.pipeline;
     d.renderPass = context.renderPass;
     d.subpass = context.subpass;

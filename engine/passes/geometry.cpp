@@ -1,7 +1,5 @@
 #include "engine/passes/geometry.h"
 
-#include <bit>
-
 namespace nacre::passes {
 namespace {
 
@@ -76,13 +74,13 @@ vk::Pipeline Geometry::pipeline(gpu::PassContext& context, const ShaderKey& key,
     d.vertex = vertexShader(key);
     d.fragment = fragmentShader(key);
     const graph::EncodedFormat& encoded = device_.caps().encoded;
-    d.constants.set(0, draw.perspective);
-    d.constants.set(7, draw.quarterTurns);
+    d.constants.set(layout::kPerspectiveId, draw.perspective);
+    d.constants.set(layout::kQuarterTurnsId, draw.quarterTurns);
     const bool exact = key.nearest == Nearest::rasterOrder;  // needs no blending: R32F everywhere
-    d.constants.set(1, exact ? 1 : encoded.channels);
-    d.constants.set(2, exact ? 0 : encoded.steps);
-    d.constants.set(3, corners);
-    if (plates) d.constants.set(4, rim);
+    d.constants.set(layout::kDepthChannelsId, exact ? 1 : encoded.channels);
+    d.constants.set(layout::kDepthStepsId, exact ? 0 : encoded.steps);
+    d.constants.set(layout::kCornersId, corners);
+    if (plates) d.constants.set(layout::kRimId, rim);
     d.strip = corners != kPyramidCorners;
     describeStreams(d, key.primitive, shades(key.writes));
     d.layout = *layoutOf(key).pipeline;
@@ -144,11 +142,10 @@ namespace {
 void drawCopies(const vk::raii::CommandBuffer& commands, vk::PipelineLayout layout, const Draw& draw,
                 const std::vector<PlacedCopies::Call>& calls, std::uint32_t corners) {
     layout::ViewConstants view = draw.view;
-    const auto primitives = std::bit_cast<std::uint32_t>(view.depth.z);
     for (const PlacedCopies::Call& call : calls) {
         const glm::vec4* rows = &draw.copies->rows[3 * std::size_t{call.copy}];
         view.row0 = rows[0], view.row1 = rows[1], view.row2 = rows[2];
-        view.projection.w = std::bit_cast<float>(call.copy * primitives);
+        view.numberBefore = call.copy * view.primitives;
         commands.pushConstants<layout::ViewConstants>(layout, kStages, 0, view);
         commands.draw(corners, call.count, 0, call.first);
     }

@@ -6,6 +6,7 @@
 #include "engine/error.h"
 #include "engine/passes/read_back.h"
 #include "shaders.h"
+#include "shaders/common/layout.h"
 
 namespace nacre::passes {
 namespace {
@@ -75,8 +76,8 @@ vk::Pipeline OverlayPass::pipeline(const gpu::PassContext& context, int quarterT
     d.name = "overlay";
     d.vertex = shaders::overlayVertex;
     d.fragment = shaders::overlayFragment;
-    d.constants.set(0, quarterTurns);
-    d.constants.set(1, coded);
+    d.constants.set(layout::kQuarterTurnsId, quarterTurns);
+    d.constants.set(layout::kCodedId, coded);
     d.bindings = {{0, sizeof(OverlayVertex), vk::VertexInputRate::eVertex}};
     d.attributes = {{0, 0, vk::Format::eR32G32Sfloat, 0},
                     {1, 0, vk::Format::eR32G32Sfloat, 8},

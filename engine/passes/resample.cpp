@@ -1,6 +1,7 @@
 #include "engine/passes/resample.h"
 
 #include "shaders.h"
+#include "shaders/common/layout.h"
 
 namespace nacre::passes {
 namespace {
@@ -21,8 +22,8 @@ vk::Pipeline Resample::pipeline(const gpu::PassContext& context, std::uint32_t s
     d.name = "resample";
     d.vertex = shaders::screenVertex;
     d.fragment = shaders::resampleFragment;
-    d.constants.set(0, samples);
-    d.constants.set(1, coded);
+    d.constants.set(layout::kSamplesId, samples);
+    d.constants.set(layout::kCodedId, coded);
     d.layout = *layout_.pipeline;
     d.renderPass = context.renderPass;
     d.subpass = context.subpass;

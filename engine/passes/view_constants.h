@@ -15,14 +15,17 @@ inline layout::ViewConstants viewConstants(const View& view, float snapPixels, d
     constexpr double kRoom = 1.0;
     const double range = 2.0 * (view.radius + kRoom);
     layout::ViewConstants c{};
-    c.projection =
-        glm::vec4(2.0 * view.pixelsPerAngstrom / view.width, -2.0 * view.pixelsPerAngstrom / view.height, origin, 0.0);
+    c.ndcPerAngstrom =
+        glm::vec2(2.0 * view.pixelsPerAngstrom / view.width, -2.0 * view.pixelsPerAngstrom / view.height);
+    c.origin = static_cast<float>(origin);
     const double right = view.pan.x * view.pixelsPerAngstrom, down = -view.pan.y * view.pixelsPerAngstrom;
     constexpr double kTurned[4][4] = {{1, 0, 0, 1}, {0, -1, 1, 0}, {-1, 0, 0, -1}, {0, 1, -1, 0}};
     const double* turn = kTurned[view.quarterTurns & 3];
-    c.screen = glm::vec4(centerX + turn[0] * right + turn[1] * down, centerY + turn[2] * right + turn[3] * down,
-                         1.0 / view.pixelsPerAngstrom, snapPixels / view.pixelsPerAngstrom);
-    c.depth = glm::vec4(origin - view.radius - kRoom, 1.0 / range, 0.0, 0.0);
+    c.axisPixel = glm::vec2(centerX + turn[0] * right + turn[1] * down, centerY + turn[2] * right + turn[3] * down);
+    c.pixel = static_cast<float>(1.0 / view.pixelsPerAngstrom);
+    c.snap = static_cast<float>(snapPixels / view.pixelsPerAngstrom);
+    c.depthStart = static_cast<float>(origin - view.radius - kRoom);
+    c.perRange = static_cast<float>(1.0 / range);
     return c;
 }
 

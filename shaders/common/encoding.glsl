@@ -4,9 +4,10 @@
 //   UNORM channels   M = 255 or 1023
 //   half floats      M = 61,439: the normal halves in their order, negative ones first, are the steps. Every step is a
 //                    value that the format holds exactly, so nothing is rounded and four channels tell 245,756 depths.
+#include "layout.h"
 
-layout(constant_id = 1) const int kDepthChannels = 1;
-layout(constant_id = 2) const int kDepthSteps = 0;  // M; 0: one float channel
+layout(constant_id = kDepthChannelsId) const int kDepthChannels = 1;
+layout(constant_id = kDepthStepsId) const int kDepthSteps = 0;  // M; 0: one float channel
 
 const int kHalfSteps = 61439;
 

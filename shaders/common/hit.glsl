@@ -16,8 +16,8 @@ Hit sphereHit(vec4 sphere, vec2 fragment) {
     hit.along = 0.0;
     precise vec2 q = planePoint(fragment);
     if (kPerspective) {
-        precise vec3 ray = vec3(q, -view.projection.z);
-        precise vec3 center = vec3(sphere.xy, sphere.z - view.projection.z);
+        precise vec3 ray = vec3(q, -view.origin);
+        precise vec3 center = vec3(sphere.xy, sphere.z - view.origin);
         precise float a = dot(ray, ray);
         precise float t0 = dot(ray, center) / a;
         precise vec3 w = ray * t0 - center;
@@ -25,7 +25,7 @@ Hit sphereHit(vec4 sphere, vec2 fragment) {
         hit.inside = h > 0.0;
         precise float s = sqrt(max(h, 0.0) / a);
         precise float t = t0 - s;
-        hit.Z = t * view.projection.z;
+        hit.Z = t * view.origin;
         hit.normal = (w - ray * s) / sphere.w;
     } else {
         precise vec2 w = q - sphere.xy;
@@ -33,7 +33,7 @@ Hit sphereHit(vec4 sphere, vec2 fragment) {
         hit.inside = h > 0.0;
         precise float s = sqrt(max(h, 0.0));
         precise float z = sphere.z + s;
-        hit.Z = view.projection.z - z;
+        hit.Z = view.origin - z;
         hit.normal = vec3(w, s) / sphere.w;
     }
     return hit;
@@ -43,8 +43,8 @@ Hit sphereHit(vec4 sphere, vec2 fragment) {
 Hit cylinderHit(vec3 a, vec3 b, float r, vec2 fragment) {
     Hit hit;
     precise vec2 q = planePoint(fragment);
-    precise vec3 origin = kPerspective ? vec3(0.0, 0.0, view.projection.z) : vec3(q, 0.0);
-    precise vec3 ray = kPerspective ? vec3(q, -view.projection.z) : vec3(0.0, 0.0, -1.0);
+    precise vec3 origin = kPerspective ? vec3(0.0, 0.0, view.origin) : vec3(q, 0.0);
+    precise vec3 ray = kPerspective ? vec3(q, -view.origin) : vec3(0.0, 0.0, -1.0);
     precise vec3 span = b - a;
     precise float len = sqrt(dot(span, span));
     precise vec3 axis = span / len;
@@ -67,7 +67,7 @@ Hit cylinderHit(vec3 a, vec3 b, float r, vec2 fragment) {
     bool cap = !side && abs(rayAxis) > 1e-12 && dot(wCap, wCap) < r * r;
     precise float tHit = side ? t : tCap;
     hit.inside = side || cap;
-    hit.Z = kPerspective ? tHit * view.projection.z : view.projection.z + tHit;
+    hit.Z = kPerspective ? tHit * view.origin : view.origin + tHit;
     hit.normal = side ? (fromSide + raySide * t) / r : (rayAxis > 0.0 ? -axis : axis);
     hit.along = clamp((fromAxis + rayAxis * tHit) / len, 0.0, 1.0);
     return hit;

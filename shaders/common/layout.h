@@ -1,42 +1,74 @@
 // Layouts that C++ and GLSL share. Included by both: keep to the common subset.
+#ifndef NACRE_LAYOUT_H
+#define NACRE_LAYOUT_H
 #ifdef __cplusplus
-#pragma once
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 namespace nacre::layout {
-using glm::uvec4;
+using glm::vec2;
 using glm::vec4;
+using uint = std::uint32_t;
 #endif
+
+// Specialization constants: a number means one thing, in every stage that has it.
+const int kPerspectiveId = 0;    // bool
+const int kDepthChannelsId = 1;  // of encoded depth
+const int kDepthStepsId = 2;     // of a channel of encoded depth, less one; 0: the channel is the depth
+const int kCornersId = 3;        // of the polygon that a primitive is drawn in
+const int kRimId = 4;            // float: of a plate, in radii of its sphere
+const int kQuarterTurnsId = 5;   // clockwise, from the upright picture to the image
+const int kTileId = 6;           // pixels across a tile of debug views
+const int kCodedId = 7;          // bool: the target takes sRGB-coded colour as it is
+const int kSamplesId = 8;        // n x n texels of a picture for a pixel; 0: bilinear
+const int kBatchId = 9;          // depth maps of a batch
+const int kMapsAcrossId = 10;    // of them in a row of the image
+const int kTapsId = 11;          // pixels of a depth map that are asked for a texel: 1 or 4
+const int kSpreadId = 12;        // float: of four taps, pixels
 
 /// Push constants of every geometry pass. Lengths in Å, view space as in engine/scene/camera.h.
 /// Z is the distance that the layers report: origin - z (orthographic: origin = R, perspective: origin = eye).
 struct ViewConstants {
-    vec4 row0;  // the copy that is drawn, xyz: a row of its rotation into view space, w: of its shift, Å
+    vec4 row0;  // the copy that is drawn, xyz: a row of its rotation into view space, w: of its shift
     vec4 row1;
     vec4 row2;
-    vec4 projection;  // x: NDC x per Å on the plane z = 0, y: NDC y per Å (negative: Vulkan's y points down),
-                      // z: Z origin, w: number before that of the copy's first primitive, as bits
-    vec4 screen;   // xy: pixel of the view axis, z: Å per pixel at z = 0, w: rasteriser's snap margin in Å at z = 0
-    vec4 depth;    // x: Z at encoded depth 0, y: 1 / (range of Z), z: primitives in a copy, as bits,
-                   // w: 1 if the viewport is the whole image, 0 if it has the view axis in its middle
-    vec4 atlas;    // xy: 1 / atlas size, z: texels across a sphere's patch, w: texels around a cylinder's patch
-    vec4 shading;  // x: lighting 0 or 1, y: occlusion 0 or 1, z: texels along a cylinder's patch,
-                   // w: number of spheres, as bits
+    vec2 ndcPerAngstrom;  // on the plane z = 0; y is negative, since Vulkan's y points down
+    float origin;         // of Z
+    uint numberBefore;    // that of the copy's first primitive: primitives are counted from 1 over all copies
+    vec2 axisPixel;       // where the view axis meets the framebuffer, pixels
+    float pixel;          // across, at z = 0
+    float snap;           // how far the rasteriser may move a vertex, at z = 0
+    float depthStart;     // Z at encoded depth 0
+    float perRange;       // 1 / (range of Z)
+    uint primitives;      // in a copy
+    float wholeImage;     // 1 if the viewport is the whole image, 0 if it has the view axis in its middle
+    vec2 atlasTexel;      // 1 / texels of the atlas
+    float sphereEdge;     // texels across a sphere's patch
+    float around;         // texels around a cylinder's patch
+    float lighting;       // 0 or 1
+    float occlusion;      // 0 or 1
+    float along;          // texels along a cylinder's patch
+    uint spheres;         // of the primitives in a copy
 };
 
 /// Push constants of the occlusion passes. A batch of depth maps lies side by side in one image, kMapsAcross in a row.
 struct OcclusionConstants {
-    vec4 map;       // x: pixels across one depth map, y: pixels per Å, z: slack in Å, w: 0
-    vec4 depth;     // x: Z at encoded depth 0, y: 1 / (range of Z), z: Z origin, w: 0
-    uvec4 patches;  // x: texels across a sphere's patch, y: around, z: along a cylinder's patch, w: number of spheres
-    uvec4 range;    // x: first entry of the list, y: number of entries, zw: 0
+    float mapPixels;          // across one depth map
+    float pixelsPerAngstrom;  // of a map
+    float slack;              // Å by which a texel may lie behind what a map shows
+    float origin;             // as in ViewConstants
+    float depthStart;
+    float perRange;
+    uint sphereEdge;
+    uint around;
+    uint along;
+    uint spheres;
+    uint firstEntry;  // of the list of texels
+    uint entries;
 };
 /// Push constants of depth splatting.
 struct SplatConstants {
-#ifdef __cplusplus
-    using uint = std::uint32_t;
-#endif
     uint view;        // of the first map
     uint first, end;  // primitives
     uint spheres;     // in the shapes, before the cylinders
@@ -51,7 +83,11 @@ struct Direction {
 
 #ifdef __cplusplus
 static_assert(sizeof(ViewConstants) == 128, "push constants: 128 bytes at most");
-static_assert(sizeof(OcclusionConstants) == 64);
+static_assert(offsetof(ViewConstants, ndcPerAngstrom) == 48 && offsetof(ViewConstants, axisPixel) == 64 &&
+              offsetof(ViewConstants, depthStart) == 80 && offsetof(ViewConstants, atlasTexel) == 96 &&
+              offsetof(ViewConstants, lighting) == 112);
+static_assert(sizeof(OcclusionConstants) == 48);
 static_assert(sizeof(Direction) == 48);
 }  // namespace nacre::layout
+#endif
 #endif

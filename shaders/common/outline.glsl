@@ -1,6 +1,7 @@
 // Flat outlines on the plane z = 0 that cover a primitive's picture.
+#include "layout.h"
 
-layout(constant_id = 3) const int kCorners = 8;  // 8: octagon, 4: square, 24: the pyramid's triangles
+layout(constant_id = kCornersId) const int kCorners = 8;  // 8: octagon, 4: square, 24: the pyramid's triangles
 
 /// Corner of a triangle strip over the polygon circumscribed about the unit circle, no buffers needed.
 vec2 corner(int index) {
@@ -34,14 +35,14 @@ struct Outline {
 /// half-axes E r sqrt(K) / (D^2 - r^2) and E r / sqrt(D^2 - r^2).
 Outline sphereOutline(vec3 center, float radius) {
     Outline o;
-    float margin = view.screen.w;
+    float margin = view.snap;
     if (!kPerspective) {
         o.center = center.xy;
         o.axisU = vec2(radius + margin, 0.0);
         o.axisV = vec2(0.0, radius + margin);
         return o;
     }
-    float E = view.projection.z;
+    float E = view.origin;
     float D = E - center.z;
     float rho = length(center.xy);
     float under = D * D - radius * radius;

@@ -2,6 +2,7 @@
 #include "hit.glsl"
 #include "patch.glsl"
 #include "shading.glsl"
+#include "srgb.glsl"
 
 layout(set = 0, binding = 0) uniform sampler2D occlusionAtlas;
 
@@ -13,23 +14,20 @@ layout(location = 0) out uvec2 identity;  // atom, occlusion as bits
 layout(location = 0) out vec4 color;  // linear, opaque
 #endif
 
-vec3 linearColor(uint srgb) {
-    vec3 c = unpackUnorm4x8(srgb).rgb;
-    return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
-}
+vec3 linearColor(uint srgb) { return linearFromSrgb(unpackUnorm4x8(srgb).rgb); }
 
 float patchTexel(uint address, vec2 uv, vec2 texels) {
     vec2 corner = vec2(address & 0xffffu, address >> 16);
-    return textureLod(occlusionAtlas, (corner + 0.5 + uv * (texels - 1.0)) * view.atlas.xy, 0.0).r;
+    return textureLod(occlusionAtlas, (corner + 0.5 + uv * (texels - 1.0)) * view.atlasTexel, 0.0).r;
 }
 float sphereOcclusion(Hit hit, uint patchAddress) {
-    if (view.shading.y == 0.0) return 1.0;
-    return patchTexel(patchAddress, octahedralCoordinate(toObject(hit.normal)), view.atlas.zz);
+    if (view.occlusion == 0.0) return 1.0;
+    return patchTexel(patchAddress, octahedralCoordinate(toObject(hit.normal)), vec2(view.sphereEdge));
 }
 float cylinderOcclusion(Hit hit, vec3 objectAxis, uint patchAddress) {
-    if (view.shading.y == 0.0) return 1.0;
+    if (view.occlusion == 0.0) return 1.0;
     vec2 uv = vec2(angleAbout(objectAxis, toObject(hit.normal)), hit.along);
-    return patchTexel(patchAddress, uv, vec2(view.atlas.w, view.shading.z));
+    return patchTexel(patchAddress, uv, vec2(view.around, view.along));
 }
 
 /// Writes a hit. Occlusion is passed by the caller, who knows the patch.
@@ -40,6 +38,6 @@ void writeSurface(Hit hit, uint colorBits, uint atom, float occlusion) {
     identity = uvec2(atom, floatBitsToUint(occlusion));
 #else
     vec3 base = linearColor(colorBits);
-    color = vec4(view.shading.x != 0.0 ? shade(base, hit.normal, occlusion) : base * occlusion, 1.0);
+    color = vec4(view.lighting != 0.0 ? shade(base, hit.normal, occlusion) : base * occlusion, 1.0);
 #endif
 }

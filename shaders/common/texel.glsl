@@ -6,8 +6,8 @@ layout(set = 0, binding = 0, std430) readonly buffer Shapes { vec4 shapes[]; };
 
 /// The directions of a batch; those that it lacks are zero and gain nothing. Constant addresses (the loops over it are
 /// unrolled) are what lets a driver load them once for all invocations.
-layout(constant_id = 0) const int kBatch = 16;
-layout(constant_id = 3) const int kMapsAcross = 4;
+layout(constant_id = kBatchId) const int kBatch = 16;
+layout(constant_id = kMapsAcrossId) const int kMapsAcross = 4;
 layout(set = 0, binding = 1, std140) uniform Directions { Direction directions[16]; };
 
 vec3 turned(Direction d, vec3 p) { return vec3(dot(d.u.xyz, p), dot(d.v.xyz, p), dot(d.w.xyz, p)); }
@@ -21,7 +21,7 @@ struct Texel {
 };
 
 Texel sphereTexel(uint index) {
-    uint edge = bake.patches.x;
+    uint edge = bake.sphereEdge;
     uint local = index % (edge * edge);
     vec4 sphere = shapes[index / (edge * edge)];
     Texel t;
@@ -33,7 +33,7 @@ Texel sphereTexel(uint index) {
 }
 
 Texel cylinderTexel(uint index) {
-    uint edge = bake.patches.x, around = bake.patches.y, along = bake.patches.z, spheres = bake.patches.w;
+    uint edge = bake.sphereEdge, around = bake.around, along = bake.along, spheres = bake.spheres;
     uint rest = index - ((spheres * edge * edge + 3u) & ~3u);
     uint shape = rest / (around * along), local = rest % (around * along);
     vec4 a = shapes[spheres + 2u * shape];

@@ -1,6 +1,7 @@
 // The view of a geometry pass, and what follows from a pixel alone.
 #extension GL_GOOGLE_include_directive : require
 #include "layout.h"
+#include "turn.glsl"
 
 #ifdef SPLAT
 // A row of workgroups a map: each has a view of its own.
@@ -10,16 +11,7 @@ ViewConstants view;  // main() fetches it once: in a loop every use of the buffe
 #else
 layout(push_constant) uniform Push { ViewConstants view; };
 #endif
-layout(constant_id = 0) const bool kPerspective = false;
-// Quarter turns clockwise by which the image is the upright picture turned: a display's pre-rotation.
-layout(constant_id = 7) const int kQuarterTurns = 0;
-
-vec2 turned(vec2 p) {
-    return kQuarterTurns == 1 ? vec2(-p.y, p.x) : kQuarterTurns == 2 ? -p : kQuarterTurns == 3 ? vec2(p.y, -p.x) : p;
-}
-vec2 upright(vec2 p) {
-    return kQuarterTurns == 1 ? vec2(p.y, -p.x) : kQuarterTurns == 2 ? -p : kQuarterTurns == 3 ? vec2(-p.y, p.x) : p;
-}
+layout(constant_id = kPerspectiveId) const bool kPerspective = false;
 
 // The copy that is drawn: that of the draw call, or, with COPY_OF_PIXEL, one that the shader looks up.
 #ifdef COPY_OF_PIXEL
@@ -39,17 +31,17 @@ vec3 toObject(vec3 v) { return copyRow0.xyz * v.x + copyRow1.xyz * v.y + copyRow
 
 /// The point of the plane z = 0 that this pixel looks through, Å.
 vec2 planePoint(vec2 fragment) {
-    precise vec2 q = upright(fragment - view.screen.xy) * view.screen.z;
+    precise vec2 q = upright(fragment - view.axisPixel) * view.pixel;
     return vec2(q.x, -q.y);
 }
 /// Encoded depth, 0 near to 1 far, of a distance Z.
 float encodedDepth(float Z) {
-    precise float d = (Z - view.depth.x) * view.depth.y;
+    precise float d = (Z - view.depthStart) * view.perRange;
     return d;
 }
 /// Clip position of a point of the plane z = 0 at encoded depth d. w = 1: depth is constant over a polygon.
 vec4 clipPosition(vec2 q, float d) {
-    vec2 perPixel = vec2(view.projection.x, -view.projection.y) * view.screen.z;  // NDC
-    vec2 axis = view.screen.xy * ((kQuarterTurns & 1) == 1 ? perPixel.yx : perPixel) - 1.0;
-    return vec4(turned(q * view.projection.xy) + axis * view.depth.w, clamp(d, 0.0, 1.0), 1.0);
+    vec2 perPixel = vec2(view.ndcPerAngstrom.x, -view.ndcPerAngstrom.y) * view.pixel;  // NDC
+    vec2 axis = view.axisPixel * ((kQuarterTurns & 1) == 1 ? perPixel.yx : perPixel) - 1.0;
+    return vec4(turned(q * view.ndcPerAngstrom) + axis * view.wholeImage, clamp(d, 0.0, 1.0), 1.0);
 }
