@@ -119,7 +119,7 @@ layout::ViewConstants Renderer::Impl::constants(const RenderSettings& settings, 
     const graph::Extent image = imageExtent(view);
     layout::ViewConstants c =
         passes::viewConstants(view, device.caps().snapPixels, image.width / 2.0, image.height / 2.0);
-    const bool occluded = settings.occlusionDirections > 0 && occlusion.bake();
+    const bool occluded = settings.occlusion.directions > 0 && occlusion.bake();
     const OcclusionLayout layout = occluded ? occlusion.bake()->layout() : OcclusionLayout{};
     if (occluded) c.atlasTexel = glm::vec2(1.0 / layout.width, 1.0 / layout.height);
     c.sphereEdge = static_cast<float>(layout.sphereEdge);
@@ -136,7 +136,7 @@ layout::ViewConstants Renderer::Impl::constants(const RenderSettings& settings, 
 ScreenFrame Renderer::Impl::declare(const RenderSettings& settings, const View& view,
                                     std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
                                     passes::FragmentCounter* counter) {
-    const gpu::Image& atlas = settings.occlusionDirections > 0 && occlusion.bake() ? occlusion.bake()->atlas() : white;
+    const gpu::Image& atlas = settings.occlusion.directions > 0 && occlusion.bake() ? occlusion.bake()->atlas() : white;
     // Held by the recorders, as long as the graph is there.
     const auto copies = std::make_shared<const passes::PlacedCopies>(passes::placeCopies(representation, view));
     const auto copyRows = std::make_shared<gpu::Buffer>();
@@ -152,8 +152,8 @@ ScreenFrame Renderer::Impl::declare(const RenderSettings& settings, const View& 
         d.quarterTurns = view.quarterTurns;
         d.copies = copies.get();
         d.copyRows = copyRows.get();
-        d.plates = settings.plates;
-        d.impostor = settings.impostor;
+        d.plates = settings.tuning.plates;
+        d.impostor = settings.tuning.impostor;
         d.radiusPixels = meanRadius * view.pixelsPerAngstrom;
         if (counter) counter->attach(d);
         return [this, d, inputs, copies, copyRows](gpu::PassContext& c) {
@@ -182,7 +182,7 @@ DebugRecord Renderer::Impl::recordDebug(const RenderSettings& settings, const Vi
 std::vector<gpu::Buffer> Renderer::Impl::draw(const RenderSettings& settings, const View& view,
                                               std::span<const ScreenTarget> targets, bool readBack, const char* name) {
     const graph::Extent extent = imageExtent(view);
-    passes::FragmentCounter counter(device, settings.countFragments);
+    passes::FragmentCounter counter(device, settings.tuning.countFragments);
     gpu::Imports imports;
     ScreenFrame frame = declare(settings, view, targets, name, imports, &counter);
     graph::Graph& g = frame.graph;
@@ -204,9 +204,9 @@ std::vector<gpu::Buffer> Renderer::Impl::draw(const RenderSettings& settings, co
     }
 
     graph::PlanCaps caps = device.caps().plan;
-    caps.merge = caps.merge && settings.merge;
-    caps.transient = caps.transient && settings.transient;
-    caps.storeAll = caps.storeAll || !settings.transient;
+    caps.merge = caps.merge && settings.tuning.merge;
+    caps.transient = caps.transient && settings.tuning.transient;
+    caps.storeAll = caps.storeAll || !settings.tuning.transient;
     const graph::Plan& plan = plans.planOf(g, caps);
     if (lastPlan != plan) {
         lastGraph = g.declarations();
@@ -220,7 +220,7 @@ std::vector<gpu::Buffer> Renderer::Impl::draw(const RenderSettings& settings, co
     });
     stats.frameMilliseconds = millisecondsSince(start);
     executor.reset();
-    if (settings.countFragments) stats.passes = counter.counts();
+    if (settings.tuning.countFragments) stats.passes = counter.counts();
     stats.tileBytesPerPixel = 0;
     for (const graph::Step& step : plan.steps)
         stats.tileBytesPerPixel = std::max(stats.tileBytesPerPixel, step.renderPass.tileBytesPerPixel);
@@ -292,7 +292,7 @@ double Renderer::drawFrame(const RenderSettings& settings) {
 }
 
 double Renderer::advanceOcclusion(const RenderSettings& settings, double milliseconds) {
-    if (settings.occlusionDirections == 0) return 1;
+    if (settings.occlusion.directions == 0) return 1;
     try {
         impl_->guarded([&] {
             impl_->occlusion.begin(settings);
@@ -339,8 +339,8 @@ std::uint32_t Renderer::atomAt(const RenderSettings& settings, double x, double 
     // A picture of its own, as large as the reach, about the place. The middle pixel is the one that holds (x, y).
     const auto side = static_cast<std::uint32_t>(2 * std::ceil(std::clamp(reach, 0.0, 100.0)) + 1);
     RenderSettings small = settings;
-    small.occlusionDirections = 0;
-    small.countFragments = false;
+    small.occlusion.directions = 0;
+    small.tuning.countFragments = false;
     small.view.pan = -planePointAt(settings.view, std::floor(x) + 0.5, std::floor(y) + 0.5);
     small.view.width = small.view.height = side;
     const auto pixels = impl_->guarded([&] { return impl_->draw(small, small.view, kPickTargets, true, "pick"); });

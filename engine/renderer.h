@@ -1,122 +1,17 @@
 #pragma once
 // A molecule's pictures. Read this and renderer.cpp first.
 
-#include <array>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "engine/debug_view.h"
 #include "engine/device_options.h"
-#include "engine/overlay.h"
-#include "engine/scene/camera.h"
+#include "engine/results.h"
 #include "engine/scene/representation.h"
+#include "engine/settings.h"
 
 namespace nacre {
-
-struct RenderSettings {
-    View view;
-    std::uint32_t supersample = 1;                ///< N x N samples a pixel
-    std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha, 0..1
-    bool lighting = true;                         ///< off: base colour x occlusion
-    int occlusionDirections = 128;                ///< 0: no occlusion
-    std::uint64_t occlusionBytes = 64ull << 20;   ///< device memory budget of the bake, atlas and depth maps included
-    OcclusionMaps occlusionMaps = OcclusionMaps::automatic;
-    std::string occlusionCache;                 ///< folder that finished bakes are kept in; empty: none are
-    double occlusionWorthKeeping = 50;          ///< milliseconds: bakes that took less are not kept
-    PlateShape plates = PlateShape::automatic;  ///< of the opaque prepass; never changes the picture
-    ImpostorShape impostor = ImpostorShape::automatic;
-    bool countFragments = false;  ///< fill FrameStats::passes (slower)
-    bool transient = true;        ///< what a tile alone needs has no memory, where the device can; off: all is stored
-    bool merge = true;            ///< neighbouring passes share a render pass
-    DebugView debug = DebugView::none;  ///< of pictures and window frames; layers and picks are not concerned
-    /// Called between batches of the occlusion bake with the share that is done, above 0 and at most 1.
-    std::function<void(double)> onBakeProgress;
-};
-
-/// Row 0 on top.
-struct Picture {
-    std::uint32_t width = 0, height = 0;
-    std::vector<float> rgba;  ///< linear light, premultiplied; 4 a pixel
-};
-
-struct LayerPicture {
-    std::uint32_t width = 0, height = 0;
-    std::vector<float> rgba;        ///< linear light, premultiplied; 4 a pixel
-    std::vector<float> z;           ///< Å; +infinity on the background
-    std::vector<float> normal;      ///< view space; 3 a pixel; 0 on the background
-    std::vector<float> occlusion;   ///< 0 closed .. 1 open; 1 on the background
-    std::vector<std::uint32_t> id;  ///< 1-based atom; 0 on the background
-};
-
-struct DeviceInfo {
-    std::string name, driver, type;  ///< type: "discrete", "integrated", "virtual", "software", "other"
-    std::string apiVersion;          ///< "1.3.230"
-    std::string visibility, why;     ///< the path that `automatic` takes here, and the reason
-    std::string encodedFormat;       ///< "R32F"
-    bool lazyMemory = false;
-};
-
-struct PassCount {
-    std::string name;
-    std::uint64_t shadedFragments = 0;
-};
-
-/// What the occlusion bake chose, and how far it is.
-struct OcclusionStats {
-    int directions = 0, done = 0;
-    std::uint32_t patchTexels = 0;  ///< across a sphere's patch; 1: one value an atom
-    std::uint64_t texels = 0;       ///< that light can reach
-    const char* maps = "";          ///< "encoded", "fragdepth", "splat"
-    std::uint32_t mapPixels = 0;    ///< across one depth map
-    std::uint32_t mapsPerBatch = 0;
-    std::uint64_t bytes = 0;      ///< device memory while it bakes
-    std::uint64_t neverSeen = 0;  ///< spheres that no direction saw
-    bool cached = false;          ///< read from disk: nothing was baked
-    std::uint64_t asked = 0;      ///< texels times the directions that each was asked about
-};
-
-struct FrameStats {
-    DeviceInfo device;                         ///< with the path and reason in force
-    double bakeMilliseconds = 0;               ///< ambient occlusion, from streams to atlas
-    double frameMilliseconds = 0;              ///< one frame, submission to completion, without read-back conversion
-    std::uint64_t coveredPixels = 0;           ///< of the last picture
-    std::vector<PassCount> passes;             ///< of the last frame that counted
-    std::uint64_t spheres = 0, cylinders = 0;  ///< submitted for the last picture, in all copies
-    std::uint64_t copies = 1;                  ///< of an assembly
-    OcclusionStats occlusion;
-    std::uint64_t deviceBytes = 0;      ///< peak device memory
-    std::uint64_t deviceBytesHeld = 0;  ///< after the last picture
-    std::uint64_t windowFrames = 0;     ///< submitted to the window so far
-    std::uint32_t tileBytesPerPixel = 0;
-    std::uint64_t loadedBytes = 0, storedBytes = 0;  ///< of attachments, a frame
-};
-
-/// How a frame for the window is drawn.
-struct WindowFrame {
-    enum class Quality {
-        live,     ///< at `scale` times the window's resolution
-        refined,  ///< from samples x samples a pixel, and kept
-        kept,     ///< the refined picture once more, under another overlay
-    };
-    Quality quality = Quality::live;
-    double scale = 1;
-    std::uint32_t samples = 2;
-    const Overlay* overlay = nullptr;  ///< good until the call returns
-};
-
-enum class FrameOutcome {
-    shown,
-    resized,  ///< nothing drawn: the window is now windowSize(), or there is no refined picture of that size
-    hidden,   ///< nothing drawn: the window has no area
-    lost,     ///< nothing drawn: the device is gone, deviceLoss() tells; only a new Renderer helps
-};
-
-struct PixelSize {
-    std::uint32_t width = 0, height = 0;
-};
 
 /// After an Error the renderer is as good as before: the same call, or one that asks for less, may succeed. Only a
 /// device that was lost stays so.

@@ -20,7 +20,7 @@ void WindowScreen::setScene(const Representation& scene) {
 double WindowScreen::advanceOcclusion(const RenderSettings& settings, double milliseconds) {
     if (!renderer_) return 0;
     RenderSettings kept = settings;
-    kept.occlusionCache = occlusionFolder_;
+    kept.occlusion.cache = occlusionFolder_;
     return renderer_->advanceOcclusion(kept, milliseconds);
 }
 

@@ -43,8 +43,8 @@ RenderSettings frameSettings(const BenchOptions& options, double radius, int fra
     camera.rotationDegrees = {0, 5.0 * frame, 0};
     RenderSettings settings;
     settings.view = viewOf(camera, radius, options.size.width, options.size.height);
-    settings.occlusionDirections = options.occlusion.directions;
-    settings.occlusionBytes = options.occlusion.bytes();
+    settings.occlusion.directions = options.occlusion.directions;
+    settings.occlusion.bytes = options.occlusion.bytes();
     return settings;
 }
 
@@ -75,9 +75,9 @@ Json compareShapes(const BenchOptions& options, const Representation& scene, Ren
     Json rows = Json::array();
     for (const Variant& variant : kVariants) {
         RenderSettings settings = frameSettings(options, scene.radius, 0);
-        settings.plates = variant.plateShape;
-        settings.impostor = variant.impostorShape;
-        settings.countFragments = true;
+        settings.tuning.plates = variant.plateShape;
+        settings.tuning.impostor = variant.impostorShape;
+        settings.tuning.countFragments = true;
         encoded.render(settings);
         const FrameStats stats = encoded.stats();
         Json passes = Json::array();
@@ -93,8 +93,8 @@ Json compareShapes(const BenchOptions& options, const Representation& scene, Ren
     for (int frame = -1; frame < options.frames; ++frame)
         for (std::size_t i = 0; i < std::size(kVariants); ++i) {
             RenderSettings settings = frameSettings(options, scene.radius, std::max(frame, 0));
-            settings.plates = kVariants[i].plateShape;
-            settings.impostor = kVariants[i].impostorShape;
+            settings.tuning.plates = kVariants[i].plateShape;
+            settings.tuning.impostor = kVariants[i].impostorShape;
             const double ms = encoded.drawFrame(settings);
             if (frame >= 0) samples[i].push_back(ms);
         }

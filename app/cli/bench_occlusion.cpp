@@ -22,13 +22,13 @@ Json timesJson(std::vector<double> samples) {
 
 Json compareMaps(RenderSettings settings, Renderer& renderer) {
     Json rows = Json::array();
-    if (settings.occlusionDirections == 0) return rows;
+    if (settings.occlusion.directions == 0) return rows;
     std::array<std::vector<double>, std::size(kMaps)> samples;
     std::array<OcclusionStats, std::size(kMaps)> stats;
     double spent = 0;
     for (int round = 0; round < kRounds && spent < kEnough; ++round)
         for (std::size_t i = 0; i < std::size(kMaps); ++i) {
-            settings.occlusionMaps = kMaps[i];  // another path than the last one's: baked anew
+            settings.occlusion.maps = kMaps[i];  // another path than the last one's: baked anew
             renderer.render(settings);
             stats[i] = renderer.stats().occlusion;
             samples[i].push_back(renderer.stats().bakeMilliseconds);
@@ -37,7 +37,7 @@ Json compareMaps(RenderSettings settings, Renderer& renderer) {
     for (std::size_t i = 0; i < std::size(kMaps); ++i) {
         const double best = *std::min_element(samples[i].begin(), samples[i].end());
         rows.push_back({{"maps", stats[i].maps},
-                        {"directions", settings.occlusionDirections},
+                        {"directions", settings.occlusion.directions},
                         {"bake", timesJson(samples[i])},
                         {"patch_texels", stats[i].patchTexels},
                         {"texels", stats[i].texels},

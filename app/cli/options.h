@@ -30,7 +30,7 @@ struct OcclusionSettings {
     std::optional<std::int64_t> megabytes;  ///< of 2^20 bytes; RenderSettings has the default
 
     std::uint64_t bytes() const {
-        return megabytes ? static_cast<std::uint64_t>(*megabytes) << 20 : RenderSettings{}.occlusionBytes;
+        return megabytes ? static_cast<std::uint64_t>(*megabytes) << 20 : RenderSettings{}.occlusion.bytes;
     }
 };
 

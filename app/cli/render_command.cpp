@@ -36,14 +36,14 @@ RenderSettings settingsOf(const RenderOptions& options, const Representation& sc
     settings.supersample = options.supersample;
     settings.background = options.background;
     settings.lighting = options.lighting;
-    settings.occlusionDirections = options.occlusion.directions;
-    settings.occlusionBytes = options.occlusion.bytes();
-    if (!options.prepass) settings.plates = PlateShape::none;
-    settings.merge = options.merge;
-    settings.transient = options.transient;
+    settings.occlusion.directions = options.occlusion.directions;
+    settings.occlusion.bytes = options.occlusion.bytes();
+    if (!options.prepass) settings.tuning.plates = PlateShape::none;
+    settings.tuning.merge = options.merge;
+    settings.tuning.transient = options.transient;
     settings.debug = options.debug;
     // What is captured is to be seen: the bake, too, is done then.
-    if (options.capture.empty()) settings.occlusionCache = occlusionCacheFolder(options.input);
+    if (options.capture.empty()) settings.occlusion.cache = occlusionCacheFolder(options.input);
     return settings;
 }
 
@@ -61,12 +61,12 @@ void sayOcclusion(const OcclusionStats& occlusion, const RenderSettings& setting
     std::cerr << "nacre: ambient occlusion: "
               << (occlusion.patchTexels == 1 ? "one value an atom" : patch + " x " + patch + " texels an atom");
     if (!occlusion.cached) std::cerr << ", depth maps of " << occlusion.mapPixels << " pixels";
-    std::cerr << ", " << (occlusion.bytes >> 20) << " of " << (settings.occlusionBytes >> 20) << " MB" << std::endl;
+    std::cerr << ", " << (occlusion.bytes >> 20) << " of " << (settings.occlusion.bytes >> 20) << " MB" << std::endl;
 }
 
 /// Draws the picture once more, by shaders that count.
 std::vector<PassCount> countFragments(Renderer& renderer, RenderSettings settings) {
-    settings.countFragments = true;
+    settings.tuning.countFragments = true;
     settings.debug = DebugView::none;
     renderer.render(settings);
     return renderer.stats().passes;
@@ -110,7 +110,7 @@ void renderCommand(const RenderOptions& options) {
     const Clock::time_point sceneStart = Clock::now();
     Representation scene = sceneOf(molecule, options.input.path, options.drawn, options.look);
     RenderSettings settings = settingsOf(options, scene);
-    settings.onBakeProgress = [&](double share) { progress.advance(share); };
+    settings.occlusion.onProgress = [&](double share) { progress.advance(share); };
     run.center = scene.center;
     run.atomsDrawn = scene.drawnAtoms;
     run.bondsDrawn = scene.drawnBonds;

@@ -212,9 +212,9 @@ RenderSettings Viewer::settings() const {
     s.view = viewOf(motion_.camera(), radius(), size_.width, size_.height);
     s.background = parseColor(view_.background);
     s.lighting = view_.lighting;
-    s.occlusionDirections = view_.occlusionDirections;
-    s.occlusionBytes = options_.occlusionBytes;
-    s.occlusionCache = options_.occlusionCache;
+    s.occlusion.directions = view_.occlusionDirections;
+    s.occlusion.bytes = options_.occlusionBytes;
+    s.occlusion.cache = options_.occlusionCache;
     s.debug = debug_;
     return s;
 }

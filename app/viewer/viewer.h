@@ -35,7 +35,7 @@ struct ViewerOptions {
     double movingMilliseconds = 4;             ///< of occlusion a frame while something moves
     double restingMilliseconds = 50;           ///< at least, while nothing does
     std::uint64_t refinedPixels = 1ull << 24;  ///< samples of a refinement at most
-    std::uint64_t occlusionBytes = RenderSettings{}.occlusionBytes;
+    std::uint64_t occlusionBytes = RenderSettings{}.occlusion.bytes;
     std::string occlusionCache;  ///< folder of finished bakes; empty: none are kept
 };
 

@@ -60,17 +60,17 @@ void SceneOcclusion::begin(const RenderSettings& settings) {
 }
 
 void SceneOcclusion::make(const RenderSettings& settings) {
-    const std::tuple wanted{settings.occlusionDirections, settings.occlusionBytes, settings.occlusionMaps};
-    if (settings.occlusionDirections == 0 || (bake_ && baked_ == wanted)) return;
+    const std::tuple wanted{settings.occlusion.directions, settings.occlusion.bytes, settings.occlusion.maps};
+    if (settings.occlusion.directions == 0 || (bake_ && baked_ == wanted)) return;
     if (representation_.spheres.empty() && representation_.cylinders.empty()) return;  // no atlas of no patches
     const auto start = Clock::now();
     device_->waitIdle();  // frames for the window may still read the streams and the atlas
     bake_.reset();
-    passes::OcclusionOptions options{settings.occlusionDirections, settings.occlusionBytes, settings.occlusionMaps};
+    passes::OcclusionOptions options{settings.occlusion.directions, settings.occlusion.bytes, settings.occlusion.maps};
     if (options.path == OcclusionMaps::automatic) options.path = automaticMaps(device_.caps(), nearest_);
-    cache_ = {settings.occlusionCache, kOcclusionCacheBytes};
+    cache_ = {settings.occlusion.cache, kOcclusionCacheBytes};
     cacheName_ = cache_.on() ? occlusionCacheName(representation_, howBaked(device_.caps(), options)) : "";
-    worthKeeping_ = settings.occlusionWorthKeeping;
+    worthKeeping_ = settings.occlusion.worthKeeping;
     const auto kept = readOcclusion(cache_, cacheName_, representation_);
     if (kept)
         bake_ = std::make_unique<passes::OcclusionBake>(device_, executor_, geometry_, pipelines_, scene_,
@@ -146,13 +146,13 @@ void SceneOcclusion::advance(double milliseconds) {
 
 void SceneOcclusion::finish(const RenderSettings& settings) {
     begin(settings);
-    if (settings.occlusionDirections == 0 || !bake_ || bake_->directionsDone() == bake_->directions()) return;
+    if (settings.occlusion.directions == 0 || !bake_ || bake_->directionsDone() == bake_->directions()) return;
     orDrop([&] {
         const auto start = Clock::now();
         while (bake_->directionsDone() < bake_->directions()) {
             bake_->step(executor_);
-            if (settings.onBakeProgress)
-                settings.onBakeProgress(static_cast<double>(bake_->directionsDone()) / bake_->directions());
+            if (settings.occlusion.onProgress)
+                settings.occlusion.onProgress(static_cast<double>(bake_->directionsDone()) / bake_->directions());
         }
         show(start);
     });

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/passes/geometry.h"
-#include "engine/renderer.h"
+#include "engine/results.h"
 
 namespace nacre::passes {
 

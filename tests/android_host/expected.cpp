@@ -21,7 +21,7 @@ WindowPicture expectedPicture(const app::SavedView& view, std::uint32_t width, s
     settings.view = viewOf(view.camera, scene.radius, width, height);
     settings.background = app::parseColor(view.background);
     settings.lighting = view.lighting;
-    settings.occlusionDirections = view.occlusionDirections;
+    settings.occlusion.directions = view.occlusionDirections;
     settings.supersample = samples;
     static Renderer renderer{DeviceOptions{}};
     renderer.setScene(scene);

@@ -16,8 +16,8 @@ public:
         options_.validate = true;
         options_.visibility = visibility;
         settings_ = settings(scene_, 48, Projection::orthographic);
-        settings_.occlusionDirections = 3;
-        settings_.occlusionBytes = 1 << 20;  // coarse patches: it is done dozens of times
+        settings_.occlusion.directions = 3;
+        settings_.occlusion.bytes = 1 << 20;  // coarse patches: it is done dozens of times
     }
 
     /// @param keep  the scene that is there, with its occlusion, from a run that failed later

@@ -50,7 +50,7 @@ void draw(const nacre::Molecule& molecule, std::size_t choice) {
     nacre::Representation scene = nacre::represent(molecule, drawn, look);
     nacre::RenderSettings settings;
     settings.view = nacre::viewOf({}, scene.radius, 24, 24);
-    settings.occlusionDirections = 1;
+    settings.occlusion.directions = 1;
     renderer->setScene(std::move(scene));
     require(!renderer->render(settings).rgba.empty(), "has no picture");
 }

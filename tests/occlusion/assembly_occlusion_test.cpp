@@ -30,7 +30,7 @@ Representation sceneOf(const Molecule& m, bool instanced) {
 
 LayerPicture baked(Renderer& renderer, const Representation& r, int directions) {
     RenderSettings s = settings(r, 200, Projection::orthographic, {30, 20, 10});
-    s.occlusionDirections = directions;
+    s.occlusion.directions = directions;
     renderer.setScene(r);
     return renderer.layers(s);
 }

@@ -26,9 +26,9 @@ protected:
         ValidatedRenderer renderer(Visibility::automatic);
         renderer->setScene(r);
         RenderSettings s = settings(r, 128, Projection::orthographic);
-        s.occlusionDirections = 16;
-        s.occlusionCache = folder_ / "cache";
-        s.occlusionWorthKeeping = 0;
+        s.occlusion.directions = 16;
+        s.occlusion.cache = folder_ / "cache";
+        s.occlusion.worthKeeping = 0;
         if (change) change(s);
         Run run{renderer->render(s), {}, renderer->stats().occlusion, renderer->seenSpheres()};
         run.layers = renderer->layers(s);
@@ -65,9 +65,9 @@ TEST_P(OcclusionCache, AHitIsTheSamePictureWithoutABake) {
 
 TEST_P(OcclusionCache, OtherSettingsAreOtherBakes) {
     run();
-    EXPECT_FALSE(run([](RenderSettings& s) { s.occlusionDirections = 15; }).stats.cached);
-    EXPECT_FALSE(run([](RenderSettings& s) { s.occlusionBytes /= 2; }).stats.cached);
-    EXPECT_FALSE(run([](RenderSettings& s) { s.occlusionMaps = OcclusionMaps::fragdepth; }).stats.cached);
+    EXPECT_FALSE(run([](RenderSettings& s) { s.occlusion.directions = 15; }).stats.cached);
+    EXPECT_FALSE(run([](RenderSettings& s) { s.occlusion.bytes /= 2; }).stats.cached);
+    EXPECT_FALSE(run([](RenderSettings& s) { s.occlusion.maps = OcclusionMaps::fragdepth; }).stats.cached);
     EXPECT_EQ(files().size(), 4u);
     EXPECT_TRUE(run([](RenderSettings& s) { s.lighting = false; }).stats.cached);
 }
@@ -95,9 +95,9 @@ TEST_P(OcclusionCache, AFolderThatCannotBeWrittenToIsNoError) {
 }
 
 TEST_P(OcclusionCache, QuickBakesAndThoseWithoutAFolderAreNotKept) {
-    run([](RenderSettings& s) { s.occlusionWorthKeeping = 1e9; });
+    run([](RenderSettings& s) { s.occlusion.worthKeeping = 1e9; });
     EXPECT_EQ(files().size(), 0u);
-    run([](RenderSettings& s) { s.occlusionCache.clear(); });
+    run([](RenderSettings& s) { s.occlusion.cache.clear(); });
     EXPECT_EQ(files().size(), 0u);
 }
 

@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
         std::cout << "| " << s.name << " |";
         for (const int k : kDirections) {
             RenderSettings settings;
-            settings.occlusionDirections = k;
+            settings.occlusion.directions = k;
             std::cout << " " << test::bakedDifference(renderer, scene, settings, points).rootMeanSquare << " |"
                       << std::flush;
         }

@@ -28,7 +28,7 @@ TEST(Occlusion, OfALoneSphereIsOneEverywhere) {
         renderer->setScene(r);
         RenderSettings s = settings(r, 128, Projection::orthographic);
         for (const int directions : {1, 8, 128}) {
-            s.occlusionDirections = directions;
+            s.occlusion.directions = directions;
             float least = 2;
             for (const float value : renderer->layers(s).occlusion) least = std::min(least, value);
             // With one direction the hemisphere behind it gets no light at all.
@@ -48,7 +48,7 @@ TEST_P(OcclusionOf, MoleculeIsNearTheRayTraced) {
     renderer->setScene(r);
     const auto points = tracePoints(*renderer.operator->(), r, 2000, 1024);
     RenderSettings s;
-    s.occlusionDirections = 128;
+    s.occlusion.directions = 128;
     const Difference d = bakedDifference(*renderer.operator->(), r, s, points);
     std::cout << "RMS " << d.rootMeanSquare << ", mean " << d.mean << ", worst " << d.worst << "\n";
     EXPECT_LE(d.rootMeanSquare, 0.035);
@@ -63,9 +63,9 @@ TEST(Occlusion, OfMoreAtomsThanPatchesFitIsOneValueAnAtom) {
     ValidatedRenderer renderer(Visibility::encoded);
     renderer->setScene(r);
     RenderSettings s = settings(r, 200, Projection::orthographic);
-    s.occlusionDirections = 64;
+    s.occlusion.directions = 64;
     const LayerPicture fine = renderer->layers(s);
-    s.occlusionBytes = 60'000;  // half for depth maps; the rest holds one texel an atom, not sixteen
+    s.occlusion.bytes = 60'000;  // half for depth maps; the rest holds one texel an atom, not sixteen
     const LayerPicture coarse = renderer->layers(s);
     EXPECT_EQ(renderer->stats().occlusion.patchTexels, 1u);
     // Every pixel of an atom has its one value, and on the whole it is as light as with patches.
@@ -88,7 +88,7 @@ TEST(Occlusion, OnAndOffDrawTheSameSurface) {
     renderer->setScene(r);
     RenderSettings s = settings(r, 128, Projection::orthographic);
     const LayerPicture off = renderer->layers(s);
-    s.occlusionDirections = 16;
+    s.occlusion.directions = 16;
     const LayerPicture on = renderer->layers(s);
     EXPECT_EQ(off.id, on.id);
     EXPECT_EQ(off.z, on.z);

@@ -13,13 +13,13 @@ protected:
     Representation scene_ = sceneOf(GetParam());
     RenderSettings settings_ = [this] {
         RenderSettings s = settings(scene_, 200, Projection::orthographic);
-        s.occlusionDirections = 70;  // no multiple of a batch
+        s.occlusion.directions = 70;  // no multiple of a batch
         return s;
     }();
     std::vector<float> baked(OcclusionMaps maps) {
         ValidatedRenderer renderer(Visibility::automatic);
         renderer->setScene(scene_);
-        settings_.occlusionMaps = maps;
+        settings_.occlusion.maps = maps;
         return renderer->layers(settings_).occlusion;
     }
 };
@@ -56,8 +56,8 @@ TEST(OcclusionBudget, HoldsWithCoarserPatchesAndSmallerMaps) {
         ValidatedRenderer renderer(Visibility::automatic);
         renderer->setScene(r);
         RenderSettings s = settings(r, 64, Projection::orthographic);
-        s.occlusionDirections = 16;
-        s.occlusionBytes = budget;
+        s.occlusion.directions = 16;
+        s.occlusion.bytes = budget;
         renderer->layers(s);
         const OcclusionStats stats = renderer->stats().occlusion;
         EXPECT_LE(stats.bytes, budget);
@@ -72,8 +72,8 @@ TEST(OcclusionBudget, TooSmallIsAnErrorThatSaysWhatIsNeeded) {
     Renderer renderer(DeviceOptions{});
     renderer.setScene(r);
     RenderSettings s = settings(r, 64, Projection::orthographic);
-    s.occlusionDirections = 16;
-    s.occlusionBytes = 1000;
+    s.occlusion.directions = 16;
+    s.occlusion.bytes = 1000;
     try {
         renderer.layers(s);
         FAIL();

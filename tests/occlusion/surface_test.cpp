@@ -40,7 +40,7 @@ Steps largestSteps(const Representation& r) {
                                    {35, 45, 0},
                                    {-35, 135, 20}}) {
         RenderSettings s = settings(r, 256, Projection::orthographic, turn);
-        s.occlusionDirections = 256;
+        s.occlusion.directions = 256;
         const LayerPicture p = renderer->layers(s);
         const glm::dmat3 back = glm::transpose(s.view.rotation);
         const auto normal = [&](std::size_t i) {
@@ -83,7 +83,7 @@ TEST(OcclusionContacts, LetNoLightIn) {
         renderer->setScene(r);
         const auto points = tracePoints(*renderer.operator->(), r, 4000, 400);
         RenderSettings settings;
-        settings.occlusionDirections = 256;
+        settings.occlusion.directions = 256;
         std::vector<TracedPoint> dark;
         std::copy_if(points.begin(), points.end(), std::back_inserter(dark),
                      [](const TracedPoint& p) { return p.open < 0.3; });
@@ -106,7 +106,7 @@ TEST(OcclusionSeen, AnAtomInACageIsNotAndItsWallsAre) {
     ValidatedRenderer renderer(Visibility::automatic);
     renderer->setScene(spheres(cage));
     RenderSettings s = settings(spheres(cage), 64, Projection::orthographic);
-    s.occlusionDirections = 64;
+    s.occlusion.directions = 64;
     EXPECT_TRUE(renderer->seenSpheres().empty());
     renderer->layers(s);
     const std::vector<bool> seen = renderer->seenSpheres();

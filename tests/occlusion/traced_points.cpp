@@ -19,7 +19,7 @@ constexpr std::size_t kViews = 10;
 RenderSettings layerSettings(const View& view) {
     RenderSettings s;
     s.view = view;
-    s.occlusionDirections = 0;
+    s.occlusion.directions = 0;
     return s;
 }
 

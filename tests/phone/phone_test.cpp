@@ -79,7 +79,7 @@ TEST(Phone, DrawsEveryPathAndStyleAlike) {
                 ValidatedRenderer renderer(path);
                 renderer->setScene(r);
                 RenderSettings s = settings(r, 96, projection);
-                s.occlusionDirections = 4;
+                s.occlusion.directions = 4;
                 s.supersample = 2;
                 renderer->render(s);
                 const LayerPicture layers = renderer->layers(s);
@@ -90,7 +90,7 @@ TEST(Phone, DrawsEveryPathAndStyleAlike) {
                 if (!onMoltenVk() || path == Visibility::fragdepth) {
                     EXPECT_EQ(renderer->stats().loadedBytes, 0u);
                 }
-                s.merge = false;
+                s.tuning.merge = false;
                 renderer->render(s);
             }
         }
@@ -104,8 +104,8 @@ TEST(Phone, BakesByEveryKindOfDepthMap) {
             ValidatedRenderer renderer(Visibility::automatic);
             renderer->setScene(r);
             RenderSettings s = settings(r, 64, Projection::orthographic);
-            s.occlusionDirections = directions;
-            s.occlusionMaps = maps;
+            s.occlusion.directions = directions;
+            s.occlusion.maps = maps;
             renderer->render(s);
             EXPECT_EQ(renderer->stats().occlusion.done, directions);
         }
@@ -118,7 +118,7 @@ TEST(Phone, ShowsEveryDebugViewAndRungOfEncodedDepth) {
         Renderer renderer(DeviceOptions{true, "", Visibility::encoded, rung});
         renderer.setScene(r);
         RenderSettings s = settings(r, 64, Projection::orthographic);
-        s.occlusionDirections = 2;
+        s.occlusion.directions = 2;
         const std::size_t views = rung == EncodedDepth::rgba16f ? debugViewNames().size() : 1;
         for (std::size_t view = 0; view < views; ++view) {
             s.debug = static_cast<DebugView>(view);
@@ -137,8 +137,8 @@ TEST(Phone, DrawsEveryKindOfPlateAndOutline) {
         for (const PlateShape plates : {PlateShape::none, PlateShape::octagon, PlateShape::dome3})
             for (const ImpostorShape impostor :
                  {ImpostorShape::square, ImpostorShape::octagon, ImpostorShape::pyramid}) {
-                s.plates = plates;
-                s.impostor = impostor;
+                s.tuning.plates = plates;
+                s.tuning.impostor = impostor;
                 EXPECT_GT(renderer->render(s).rgba.size(), 0u);
             }
     }

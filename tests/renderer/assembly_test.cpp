@@ -75,7 +75,7 @@ TEST_P(AssemblyPicture, IsTheSameByEveryPath) {
         ValidatedRenderer renderer(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false}) {
-            s.plates = prepass ? PlateShape::octagon : PlateShape::none;
+            s.tuning.plates = prepass ? PlateShape::octagon : PlateShape::none;
             pictures.push_back(renderer->layers(s));
             colors.push_back(renderer->render(s));
             const std::string what =

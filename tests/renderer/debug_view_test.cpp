@@ -66,7 +66,7 @@ TEST(DebugView, ShowsTheLayersByEveryPath) {
             ValidatedRenderer renderer(path);
             renderer->setScene(r);
             RenderSettings s = settings(r, kSize, projection);
-            s.occlusionDirections = 4;
+            s.occlusion.directions = 4;
             const LayerPicture layers = renderer->layers(s);
             const auto depth = show(renderer, s, DebugView::depth), normals = show(renderer, s, DebugView::normals);
             const auto ids = show(renderer, s, DebugView::id), open = show(renderer, s, DebugView::occlusion);
@@ -105,13 +105,13 @@ TEST(DebugView, OverdrawIsWhatTheCountersCount) {
     renderer->setScene(r);
     for (const PlateShape plates : {PlateShape::none, PlateShape::octagon}) {
         RenderSettings s = settings(r, kSize, Projection::orthographic);
-        s.plates = plates;
-        s.countFragments = true;
+        s.tuning.plates = plates;
+        s.tuning.countFragments = true;
         renderer->render(s);
         std::uint64_t counted = 0;
         for (const PassCount& pass : renderer->stats().passes)
             if (pass.name == "impostor colour") counted = pass.shadedFragments;
-        s.countFragments = false;
+        s.tuning.countFragments = false;
         std::uint64_t shown = 0;
         const auto overdraw = show(renderer, s, DebugView::overdraw);
         for (const Rgb& color : overdraw) shown += static_cast<std::uint64_t>(fragmentsOf(color));
@@ -142,7 +142,7 @@ TEST(DebugView, PlatesAreThePictureWhereThePrepassCoversIt) {
         ValidatedRenderer renderer(path);
         renderer->setScene(r);
         RenderSettings s = settings(r, kSize, Projection::orthographic);
-        s.plates = PlateShape::octagon;
+        s.tuning.plates = PlateShape::octagon;
         const auto picture = bytesOf(renderer->render(s));
         const auto covered = [&] {
             const auto shown = show(renderer, s, DebugView::plates);
@@ -163,7 +163,7 @@ TEST(DebugView, PlatesAreThePictureWhereThePrepassCoversIt) {
         const std::size_t octagons = covered();
         EXPECT_GT(octagons, drawn * 3 / 4);
         EXPECT_LT(octagons, drawn);
-        s.plates = PlateShape::none;
+        s.tuning.plates = PlateShape::none;
         EXPECT_EQ(covered(), 0u);
     }
 }
@@ -207,7 +207,7 @@ TEST(DebugView, PatchesAreTheAtlasAndFollowTheView) {
     ValidatedRenderer renderer(Visibility::encoded);
     renderer->setScene(lone);
     RenderSettings s = settings(lone, kSize, Projection::orthographic);
-    s.occlusionDirections = 64;
+    s.occlusion.directions = 64;
     s.background = {0, 0, 1, 1};
     const auto count = [&] {
         std::size_t open = 0;

@@ -46,8 +46,8 @@ TEST_P(SamePicture, WhateverThePath) {
         renderer->setScene(r);
         for (const bool prepass : {true, false})
             for (const bool merge : {true, false}) {
-                s.plates = prepass ? PlateShape::octagon : PlateShape::none;
-                s.merge = merge;
+                s.tuning.plates = prepass ? PlateShape::octagon : PlateShape::none;
+                s.tuning.merge = merge;
                 pictures.push_back(renderer->layers(s));
                 const std::string what = "path " + std::to_string(static_cast<int>(visibility)) +
                                          (prepass ? "" : ", no prepass") + (merge ? "" : ", unmerged");
@@ -64,13 +64,13 @@ TEST_P(SamePicture, WhateverThePlatesAndImpostors) {
     for (const Visibility visibility : {Visibility::encoded, Visibility::fragdepth}) {
         ValidatedRenderer renderer(visibility);
         renderer->setScene(r);
-        s.plates = PlateShape::none;
-        s.impostor = ImpostorShape::square;
+        s.tuning.plates = PlateShape::none;
+        s.tuning.impostor = ImpostorShape::square;
         const LayerPicture plain = renderer->layers(s);
         for (const PlateShape plates : {PlateShape::square, PlateShape::octagon, PlateShape::dome2, PlateShape::dome3})
             for (const ImpostorShape impostor : {ImpostorShape::octagon, ImpostorShape::pyramid}) {
-                s.plates = plates;
-                s.impostor = impostor;
+                s.tuning.plates = plates;
+                s.tuning.impostor = impostor;
                 expectSameLayers(plain, renderer->layers(s),
                                  "plates " + std::to_string(static_cast<int>(plates)) + ", impostor " +
                                      std::to_string(static_cast<int>(impostor)));
@@ -90,8 +90,8 @@ TEST_P(SamePicture, OfColourToo) {
         renderer->setScene(r);
         for (const bool prepass : {true, false})
             for (const bool merge : {true, false}) {
-                s.plates = prepass ? PlateShape::octagon : PlateShape::none;
-                s.merge = merge;
+                s.tuning.plates = prepass ? PlateShape::octagon : PlateShape::none;
+                s.tuning.merge = merge;
                 const Picture p = renderer->render(s);
                 if (first.empty()) first = p.rgba;
                 EXPECT_EQ(p.rgba, first) << "prepass " << prepass << ", merge " << merge;
@@ -151,7 +151,7 @@ TEST(SamePicture, TransientOrStored) {
     renderer->setScene(r);
     RenderSettings one = s;
     for (const bool transient : {true, false}) {
-        one.transient = transient;
+        one.tuning.transient = transient;
         EXPECT_EQ(renderer->render(one).rgba, pictures[0]);
         EXPECT_EQ(renderer->stats().storedBytes, 128u * 128u * (transient ? 4u : 12u));
     }
@@ -166,7 +166,7 @@ TEST(Frame, OfNothingIsTheBackground) {
             RenderSettings s;
             s.view = viewOf({}, 1, 40, 30);
             s.background = {1, 0, 0, 1};
-            s.occlusionDirections = 8;
+            s.occlusion.directions = 8;
             const std::vector<float> rgba = renderer->render(s).rgba;
             ASSERT_EQ(rgba.size(), 4u * 40 * 30);
             for (std::size_t i = 0; i < rgba.size(); i += 4)

@@ -54,7 +54,7 @@ inline RenderSettings settings(const Representation& r, std::uint32_t size, Proj
     camera.rotationDegrees = rotation;
     RenderSettings s;
     s.view = viewOf(camera, r.radius, size, size);
-    s.occlusionDirections = 0;
+    s.occlusion.directions = 0;
     return s;
 }
 

@@ -18,7 +18,7 @@ RenderSettings oblong(const Representation& r, Projection projection) {
     camera.zoom = 1.3;
     RenderSettings s;
     s.view = viewOf(camera, r.radius, 150, 110);
-    s.occlusionDirections = 0;
+    s.occlusion.directions = 0;
     return s;
 }
 

@@ -66,7 +66,7 @@ TEST(WindowFrames, EveryKindOfFrameByEveryPathIsValid) {
         s.view = viewOf(camera, r.radius, size.width, size.height);
         EXPECT_EQ(renderer.present(s, {}), FrameOutcome::shown);
         renderer.setScene(r);
-        s.occlusionDirections = 4;
+        s.occlusion.directions = 4;
         std::uint64_t shown = 1;
         for (int i = 0; i < 2; ++i) {
             renderer.advanceOcclusion(s, 0.1);

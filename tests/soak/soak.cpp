@@ -140,7 +140,7 @@ private:
         camera.projection = random_() % 2 ? Projection::perspective : Projection::orthographic;
         const auto side = [&] { return static_cast<std::uint32_t>(16 + random_() % 180); };
         s.view = viewOf(camera, radius_, side(), side());
-        s.occlusionDirections = directions_;
+        s.occlusion.directions = directions_;
         if (random_() % 4 == 0) s.debug = static_cast<DebugView>(random_() % debugViewNames().size());
         switch (random_() % 4) {
             case 0:

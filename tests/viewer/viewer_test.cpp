@@ -333,8 +333,8 @@ TEST(Viewer, BakesWithinTheMemoryAndIntoTheCacheThatItWasGiven) {
     options.occlusionBytes = 3 << 20;
     options.occlusionCache = "kept here";
     const Viewer viewer(screen, sources(), Bench::viewOf("sample:glucose"), options);
-    EXPECT_EQ(viewer.settings().occlusionBytes, 3u << 20);
-    EXPECT_EQ(viewer.settings().occlusionCache, "kept here");
+    EXPECT_EQ(viewer.settings().occlusion.bytes, 3u << 20);
+    EXPECT_EQ(viewer.settings().occlusion.cache, "kept here");
 }
 
 TEST(Viewer, DebugViewsComeOneAfterTheOtherAndAreNotAveraged) {

@@ -1,0 +1,79 @@
+#pragma once
+// What a caller gets: pictures, and what is known of the device and of the work.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace nacre {
+
+/// Row 0 on top.
+struct Picture {
+    std::uint32_t width = 0, height = 0;
+    std::vector<float> rgba;  ///< linear light, premultiplied; 4 a pixel
+};
+
+struct LayerPicture {
+    std::uint32_t width = 0, height = 0;
+    std::vector<float> rgba;        ///< linear light, premultiplied; 4 a pixel
+    std::vector<float> z;           ///< Å; +infinity on the background
+    std::vector<float> normal;      ///< view space; 3 a pixel; 0 on the background
+    std::vector<float> occlusion;   ///< 0 closed .. 1 open; 1 on the background
+    std::vector<std::uint32_t> id;  ///< 1-based atom; 0 on the background
+};
+
+struct DeviceInfo {
+    std::string name, driver, type;  ///< type: "discrete", "integrated", "virtual", "software", "other"
+    std::string apiVersion;          ///< "1.3.230"
+    std::string visibility, why;     ///< the path that `automatic` takes here, and the reason
+    std::string encodedFormat;       ///< "R32F"
+    bool lazyMemory = false;
+};
+
+struct PassCount {
+    std::string name;
+    std::uint64_t shadedFragments = 0;
+};
+
+/// What the occlusion bake chose, and how far it is.
+struct OcclusionStats {
+    int directions = 0, done = 0;
+    std::uint32_t patchTexels = 0;  ///< across a sphere's patch; 1: one value an atom
+    std::uint64_t texels = 0;       ///< that light can reach
+    const char* maps = "";          ///< "encoded", "fragdepth", "splat"
+    std::uint32_t mapPixels = 0;    ///< across one depth map
+    std::uint32_t mapsPerBatch = 0;
+    std::uint64_t bytes = 0;      ///< device memory while it bakes
+    std::uint64_t neverSeen = 0;  ///< spheres that no direction saw
+    bool cached = false;          ///< read from disk: nothing was baked
+    std::uint64_t asked = 0;      ///< texels times the directions that each was asked about
+};
+
+struct FrameStats {
+    DeviceInfo device;                         ///< with the path and reason in force
+    double bakeMilliseconds = 0;               ///< ambient occlusion, from streams to atlas
+    double frameMilliseconds = 0;              ///< one frame, submission to completion, without read-back conversion
+    std::uint64_t coveredPixels = 0;           ///< of the last picture
+    std::vector<PassCount> passes;             ///< of the last frame that counted
+    std::uint64_t spheres = 0, cylinders = 0;  ///< submitted for the last picture, in all copies
+    std::uint64_t copies = 1;                  ///< of an assembly
+    OcclusionStats occlusion;
+    std::uint64_t deviceBytes = 0;      ///< peak device memory
+    std::uint64_t deviceBytesHeld = 0;  ///< after the last picture
+    std::uint64_t windowFrames = 0;     ///< submitted to the window so far
+    std::uint32_t tileBytesPerPixel = 0;
+    std::uint64_t loadedBytes = 0, storedBytes = 0;  ///< of attachments, a frame
+};
+
+enum class FrameOutcome {
+    shown,
+    resized,  ///< nothing drawn: the window is now windowSize(), or there is no refined picture of that size
+    hidden,   ///< nothing drawn: the window has no area
+    lost,     ///< nothing drawn: the device is gone, deviceLoss() tells; only a new Renderer helps
+};
+
+struct PixelSize {
+    std::uint32_t width = 0, height = 0;
+};
+
+}  // namespace nacre

@@ -1,0 +1,60 @@
+#pragma once
+// What a caller asks of a picture or a frame.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "engine/debug_view.h"
+#include "engine/device_options.h"
+#include "engine/overlay.h"
+#include "engine/scene/camera.h"
+
+namespace nacre {
+
+/// The ambient occlusion bake of a scene: how much of it, and what it may take. Two bakes with the same first three are
+/// the same.
+struct OcclusionSettings {
+    int directions = 128;               ///< 0: no occlusion
+    std::uint64_t bytes = 64ull << 20;  ///< device memory budget of the bake, atlas and depth maps included
+    OcclusionMaps maps = OcclusionMaps::automatic;
+    std::string cache;         ///< folder that finished bakes are kept in; empty: none are
+    double worthKeeping = 50;  ///< milliseconds: bakes that took less are not kept
+    /// Called between batches of the bake with the share that is done, above 0 and at most 1.
+    std::function<void(double)> onProgress;
+};
+
+/// How a frame is drawn. None of this changes the picture.
+struct FrameTuning {
+    PlateShape plates = PlateShape::automatic;  ///< of the opaque prepass
+    ImpostorShape impostor = ImpostorShape::automatic;
+    bool countFragments = false;  ///< fill FrameStats::passes (slower)
+    bool transient = true;        ///< what a tile alone needs has no memory, where the device can; off: all is stored
+    bool merge = true;            ///< neighbouring passes share a render pass
+};
+
+struct RenderSettings {
+    View view;
+    std::uint32_t supersample = 1;                ///< N x N samples a pixel
+    std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha, 0..1
+    bool lighting = true;                         ///< off: base colour x occlusion
+    DebugView debug = DebugView::none;            ///< of pictures and window frames; layers and picks are not concerned
+    OcclusionSettings occlusion;
+    FrameTuning tuning;
+};
+
+/// How a frame for the window is drawn.
+struct WindowFrame {
+    enum class Quality {
+        live,     ///< at `scale` times the window's resolution
+        refined,  ///< from samples x samples a pixel, and kept
+        kept,     ///< the refined picture once more, under another overlay
+    };
+    Quality quality = Quality::live;
+    double scale = 1;
+    std::uint32_t samples = 2;
+    const Overlay* overlay = nullptr;  ///< good until the call returns
+};
+
+}  // namespace nacre
