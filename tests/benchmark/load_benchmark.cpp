@@ -1,5 +1,5 @@
 // How fast files are read, beside gemmi's own readers of the same bytes: load_benchmark [FILE...] [Google Benchmark's
-// options]; without files those of the README's table (tests/support/test_data.h says where they are looked for).
+// options]; without files those of docs/measurements.md (tests/support/test_data.h says where they are looked for).
 // Everything starts from inflated bytes in memory. "read" stops where gemmi does, at atoms; "load" is what the program
 // does: bonds too. --benchmark_enable_random_interleaving=true lets the machine's moods meet all of them.
 

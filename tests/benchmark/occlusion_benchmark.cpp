@@ -1,5 +1,5 @@
 // How long ambient occlusion takes to bake: occlusion_benchmark [Google Benchmark's options], on the device that
-// VK_DRIVER_FILES names. The molecules are those of the README's table (tests/support/test_data.h says where they are
+// VK_DRIVER_FILES names. The molecules are those of docs/measurements.md (tests/support/test_data.h says where they are
 // looked for).
 //   bake/NAME    the whole bake; `large/` before it is a million atoms, to be filtered out where there is no time
 //   paths/NAME/  the same by every path of the depth maps

@@ -1,5 +1,5 @@
-// Prints how far the baked occlusion is from the ray-traced one, by the number of directions, as a table for the
-// README: occlusion_table [POINTS [RAYS]]
+// Prints how far the baked occlusion is from the ray-traced one, by the number of directions, as the table of
+// docs/measurements.md: occlusion_table [POINTS [RAYS]]
 
 #include <cstdlib>
 #include <iomanip>

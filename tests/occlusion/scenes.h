@@ -9,7 +9,7 @@
 namespace nacre::test {
 
 struct OcclusionScene {
-    const char* name;  ///< as the README has it
+    const char* name;  ///< as docs/measurements.md has it
     const char* file;
     Style style;
 };
