@@ -49,10 +49,10 @@ protected:
         writePpm(expected, "/tmp/nacre-android-expected.ppm");
     }
 
-    /// Waits for a condition, at most 20 s.
+    /// Waits for a condition: a minute, in case other programs are busy.
     template <typename Condition>
     static bool eventually(Condition condition) {
-        for (int i = 0; i < 400; ++i) {
+        for (int i = 0; i < 1200; ++i) {
             if (condition()) return true;
             sleep(0.05);
         }

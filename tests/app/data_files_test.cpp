@@ -23,7 +23,7 @@ constexpr bool kMeasured = false;  // the bounds are those of the release build
 #else
 constexpr bool kMeasured = true;
 #endif
-constexpr double kMostSeconds = 5;
+constexpr double kMostSeconds = 10;  // of the processor: other programs may be busy
 constexpr std::int64_t kMostBytes = 500'000'000;
 /// More atoms than the default memory of occlusion has patches for.
 constexpr std::int64_t kManyAtoms = 400'000;
@@ -60,7 +60,7 @@ TEST(DataFiles, DamagedOnesEndInAPictureOrOneLineWithinBounds) {
             test::runMeasured({"render", entry.path(), "-o", folder / "a.png", "--size", "128x128"});
         expectPictureOrOneLine(run, entry.path(), folder);
         if (kMeasured) {
-            EXPECT_LT(run.wall, kMostSeconds);
+            EXPECT_LT(run.processorSeconds, kMostSeconds);
             EXPECT_LT(run.peakBytes, kMostBytes);
         }
         ++files;

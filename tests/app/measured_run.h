@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <pty.h>
+#include <signal.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,8 +11,10 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -21,17 +24,18 @@
 namespace nacre::test {
 
 struct MeasuredRun {
-    int code = -1;    ///< exit code; -1 after a signal
-    int signal = 0;   ///< what ended it, if a signal did
-    double wall = 0;  ///< seconds
+    int code = -1;                ///< exit code; -1 after a signal
+    int signal = 0;               ///< what ended it, if a signal did
+    double seconds = 0;           ///< by the clock on the wall, which a busy machine stretches
+    double processorSeconds = 0;  ///< of all its threads
     std::int64_t peakBytes = 0;
     std::string out, err;
 };
 
 struct RunOptions {
     std::vector<std::pair<std::string, std::string>> environment;
-    bool terminal = false;      ///< standard error is a terminal
-    unsigned mostSeconds = 60;  ///< then SIGALRM ends it
+    bool terminal = false;        ///< standard error is a terminal
+    std::function<bool()> until;  ///< asked again and again; once it is true SIGINT ends the program
 };
 
 namespace detail {
@@ -49,7 +53,8 @@ namespace detail {
     std::vector<char*> pointers{program.data()};
     for (std::string& argument : copies) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
-    alarm(options.mostSeconds);  // outlives the exec
+    const rlimit limit{60, 60};  // seconds of its processor; outlives the exec
+    setrlimit(RLIMIT_CPU, &limit);
     execv(program.c_str(), pointers.data());
     _exit(127);
 }
@@ -87,8 +92,14 @@ inline MeasuredRun runMeasured(const std::vector<std::string>& arguments, const 
     }
     int status = 0;
     rusage usage{};
-    wait4(child, &status, 0, &usage);
-    run.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    while (options.until && wait4(child, &status, WNOHANG, &usage) == 0) {
+        if (options.until()) kill(child, SIGINT);
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    if (!options.until) wait4(child, &status, 0, &usage);
+    run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    run.processorSeconds = static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+                           1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
     run.peakBytes = std::int64_t{usage.ru_maxrss} * 1024;
     if (WIFEXITED(status)) run.code = WEXITSTATUS(status);
     if (WIFSIGNALED(status)) run.signal = WTERMSIG(status);

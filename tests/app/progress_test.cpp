@@ -27,19 +27,24 @@ TEST(ProgressText, FitsANarrowTerminal) {
     EXPECT_LE(progressText("building the scene", std::nullopt, 1000000s).size(), 60u);
 }
 
-/// Some seconds of work on a software driver.
+/// More than a second of work, however fast the device.
 MeasuredRun longRun(const TemporaryFolder& folder, bool terminal) {
     test::RunOptions options;
     options.terminal = terminal;
-    return test::runMeasured({"render", "sample:dna", "-o", folder / "a.png", "--size", "32x32", "--occlusion", "1024"},
-                             options);
+    MeasuredRun run;
+    for (const char* directions : {"1024", "4096"}) {
+        run = test::runMeasured(
+            {"render", "sample:dna", "-o", folder / "a.png", "--size", "32x32", "--occlusion", directions}, options);
+        if (run.seconds > 1.5) break;
+    }
+    return run;
 }
 
 TEST(Progress, IsSeenOnATerminalOnceWorkTakesASecond) {
     const TemporaryFolder folder;
     const MeasuredRun run = longRun(folder, true);
     ASSERT_EQ(run.code, 0) << run.err;
-    ASSERT_GT(run.wall, 1.5) << "the work no longer takes long enough to tell";
+    ASSERT_GT(run.seconds, 1.5) << "the work no longer takes long enough to tell";
     EXPECT_NE(run.err.find("nacre: ambient occlusion ["), std::string::npos) << run.err;
     EXPECT_NE(run.err.find(" %"), std::string::npos) << run.err;
     const std::string cleared = "\r\x1b[K";

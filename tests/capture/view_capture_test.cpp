@@ -14,11 +14,7 @@ namespace {
 bool pressF12(XSession& session) {
     const WindowPicture before = session.picture();
     session.type("F12");
-    for (int i = 0; i < 100; ++i) {
-        session.sleep(0.2);
-        if (session.picture() != before) return true;
-    }
-    return false;
+    return session.waitUntil([&] { return session.picture() != before; });
 }
 
 TEST(ViewCapture, F12CapturesTheNextFrame) {

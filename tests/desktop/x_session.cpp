@@ -81,7 +81,7 @@ struct XSession::X {
 XSession::XSession(const std::string& arguments) : x_(std::make_unique<X>()) {
     startDisplay();
     manager_ = start("exec env DISPLAY=" + display_ + " openbox >/dev/null 2>&1");
-    const double end = now() + 20;
+    const double end = now() + 60;
     while (x_->windowsOf("_NET_SUPPORTING_WM_CHECK").empty() && now() < end) sleep(0.05);
     startNacre(arguments);
     findWindow();
@@ -119,7 +119,7 @@ void XSession::startNacre(const std::string& arguments) {
 }
 
 void XSession::findWindow() {
-    const double end = now() + 30;
+    const double end = now() + 60;
     while (now() < end) {
         for (const Window window : x_->windowsOf("_NET_CLIENT_LIST")) {
             XClassHint hint{};
@@ -286,10 +286,14 @@ WindowPicture XSession::picture() const {
     if (!image) return picture;
     picture.width = attributes.width;
     picture.height = attributes.height;
+    picture.rgb.resize(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 3);
+    std::uint8_t* to = picture.rgb.data();
     for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x) {
+        for (int x = 0; x < picture.width; ++x, to += 3) {
             const unsigned long p = XGetPixel(image, x, y);
-            for (const int shift : {16, 8, 0}) picture.rgb.push_back(static_cast<std::uint8_t>(p >> shift));
+            to[0] = static_cast<std::uint8_t>(p >> 16);
+            to[1] = static_cast<std::uint8_t>(p >> 8);
+            to[2] = static_cast<std::uint8_t>(p);
         }
     XDestroyImage(image);
     return picture;
@@ -313,18 +317,22 @@ void XSession::settle() {
     }
 }
 
-bool XSession::waitForTitle(const std::string& text, double seconds) {
-    const double end = now() + seconds;
+bool XSession::waitUntil(const std::function<bool()>& so) const {
+    const double end = now() + 60;
     while (now() < end) {
-        if (title().find(text) != std::string::npos) return true;
+        if (so()) return true;
         sleep(0.05);
     }
-    return false;
+    return so();
+}
+
+bool XSession::waitForTitle(const std::string& text) const {
+    return waitUntil([&] { return title().find(text) != std::string::npos; });
 }
 
 int XSession::quit() {
     type("q");
-    const double end = now() + 20;
+    const double end = now() + 60;
     int status = 0;
     while (now() < end) {
         if (waitpid(nacre_, &status, WNOHANG) == nacre_) {

@@ -2,6 +2,7 @@
 // A display of its own (Xvfb) with a window manager (openbox) and `nacre view` in it, and a hand on mouse and keys.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -45,8 +46,10 @@ public:
     WindowPicture picture() const;
     /// Waits until picture and title no longer change.
     void settle();
+    /// Waits until something is so: a minute, in case other programs are busy. @returns whether it came
+    bool waitUntil(const std::function<bool()>& so) const;
     /// Waits until the title holds a text. @returns whether it came
-    bool waitForTitle(const std::string& text, double seconds = 30);
+    bool waitForTitle(const std::string& text) const;
     void sleep(double seconds) const;
     /// Types Q and waits. @returns the exit status of nacre; its standard error is errors()
     int quit();

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 #include <glm/geometric.hpp>
 #include <random>
 
@@ -46,12 +46,12 @@ TEST(NearAtoms, AMillionAtomsTakeSecondsWhateverTheDistanceAndTheSpread) {
     std::vector<bool> marked(molecule.atoms.size());
     for (std::size_t i = 0; i < marked.size(); ++i) marked[i] = molecule.atoms[i].position.x < 0;
     for (const double distance : {2.0, 40.0, 200.0}) {
-        const auto start = std::chrono::steady_clock::now();
+        const std::clock_t start = std::clock();  // of the processor: other programs may be busy
         const std::vector<bool> near = atomsNear(molecule, marked, distance);
         EXPECT_FALSE(near[0]);
-        const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-        RecordProperty("seconds_at_" + std::to_string(static_cast<int>(distance)), std::to_string(time.count()));
-        EXPECT_LT(time.count(), 20.0) << distance;  // measured: under one
+        const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+        RecordProperty("seconds_at_" + std::to_string(static_cast<int>(distance)), std::to_string(seconds));
+        EXPECT_LT(seconds, 20.0) << distance;  // measured: under one
     }
 }
 

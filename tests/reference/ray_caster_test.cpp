@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <limits>
@@ -274,12 +274,12 @@ TEST(RayCaster, SurfacePointsLieOnTheirPrimitives) {
 
 TEST(RayCaster, DrawsAProteinInBoundedTime) {
     const Representation scene = cloud(4558, false);  // as many atoms as haemoglobin
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();          // of the processor: other programs may be busy
     const Layers layers = castRays(scene, viewOfScene(scene, Projection::orthographic, 512, 512));
-    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
-    RecordProperty("milliseconds", std::to_string(taken.count()));
+    const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    RecordProperty("seconds", std::to_string(seconds));
     EXPECT_GT(std::count_if(layers.id.begin(), layers.id.end(), [](std::uint32_t id) { return id != 0; }), 100000);
-    EXPECT_LT(taken.count(), 20000.0);  // wide enough for a sanitizer build on a loaded machine
+    EXPECT_LT(seconds, 20.0);  // wide enough for a sanitizer build
 }
 
 }  // namespace
