@@ -69,7 +69,7 @@ public:
                   [this](const char* why) { fail(why); }) {
         thread_.post([this, view = firstView(), density = density_] {
             const SessionFiles files{folder_ + "/view.json", folder_ + "/pipelines.bin", folder_ + "/occlusion"};
-            session_ = std::make_unique<Session>(files, view, density, shared_, [this] { thread_.post([] {}); });
+            session_ = std::make_unique<AndroidSession>(files, view, density, shared_, [this] { thread_.post([] {}); });
         });
         if (document_) document_->open();
     }
@@ -83,7 +83,7 @@ public:
     App(const App&) = delete;
 
     /// Tells the session something, on its thread.
-    using Tell = std::function<void(Session&)>;
+    using Tell = std::function<void(AndroidSession&)>;
     void post(Tell tell) {
         thread_.post([this, tell = std::move(tell)] { tell(*session_); });
     }
@@ -100,7 +100,7 @@ public:
 
     void readDensity() {
         density_ = densityOf(activity_);
-        post([density = density_](Session& s) { s.densityChanged(density); });
+        post([density = density_](AndroidSession& s) { s.densityChanged(density); });
     }
 
     void attach(AInputQueue* queue) {
@@ -125,8 +125,8 @@ private:
     std::unique_ptr<IntentDocument> openIntent() {
         return std::make_unique<IntentDocument>(
             activity_, OpenedFiles(folder_ + "/opened"),
-            [this](const std::string& path) { post([path](Session& s) { s.open(path); }); },
-            [this](const std::string& why) { post([why](Session& s) { s.say(why); }); });
+            [this](const std::string& path) { post([path](AndroidSession& s) { s.open(path); }); },
+            [this](const std::string& why) { post([why](AndroidSession& s) { s.say(why); }); });
     }
 
     /// Without a device there is nothing to show. On the render thread.
@@ -155,20 +155,20 @@ private:
             // Down and up go the same way, or Android takes half a key for a whole one.
             const bool down = AKeyEvent_getAction(event) == AKEY_EVENT_ACTION_DOWN;
             if (down) ownsBack_ = shared_.wantsBack;
-            if (ownsBack_ && !down) post([](Session& s) { s.back(); });
+            if (ownsBack_ && !down) post([](AndroidSession& s) { s.back(); });
             return ownsBack_;
         }
         if (const auto key = keyOf(event)) {
-            post([key = *key](Session& s) { s.key(key); });
+            post([key = *key](AndroidSession& s) { s.key(key); });
             return true;
         }
         if (const auto wheel = wheelOf(event, density_)) {
-            post([wheel = *wheel](Session& s) { s.wheel(wheel.steps, wheel.at); });
+            post([wheel = *wheel](AndroidSession& s) { s.wheel(wheel.steps, wheel.at); });
             return true;
         }
         auto touches = touchesOf(event, density_);
         if (touches.empty()) return false;
-        post([touches = std::move(touches), when = secondsOf(event)](Session& s) {
+        post([touches = std::move(touches), when = secondsOf(event)](AndroidSession& s) {
             for (const TouchEvent& touch : touches) s.touch(touch, when);
         });
         return true;
@@ -183,7 +183,7 @@ private:
     std::unique_ptr<IntentDocument> document_;
     SharedState shared_;
     RenderThread thread_;
-    std::unique_ptr<Session> session_;  // the thread's
+    std::unique_ptr<AndroidSession> session_;  // the thread's
 };
 
 App& appOf(ANativeActivity* activity) { return *static_cast<App*>(activity->instance); }
@@ -191,7 +191,7 @@ App& appOf(ANativeActivity* activity) { return *static_cast<App*>(activity->inst
 void* saveState(ANativeActivity* activity, std::size_t* size) {
     *size = 0;
     // Should the thread be busy for long, the view of its last step is what there is.
-    appOf(activity).call(kPatience, [](Session&) {});
+    appOf(activity).call(kPatience, [](AndroidSession&) {});
     const std::string text = appOf(activity).lastView();
     void* state = text.empty() ? nullptr : std::malloc(text.size());
     if (!state) return nullptr;
@@ -201,26 +201,26 @@ void* saveState(ANativeActivity* activity, std::size_t* size) {
 }
 
 void setCallbacks(ANativeActivityCallbacks& on) {
-    on.onStart = [](ANativeActivity* a) { appOf(a).post([](Session& s) { s.started(); }); };
-    on.onPause = [](ANativeActivity* a) { appOf(a).call(kPatience, [](Session& s) { s.paused(); }); };
-    on.onStop = [](ANativeActivity* a) { appOf(a).post([](Session& s) { s.stopped(); }); };
+    on.onStart = [](ANativeActivity* a) { appOf(a).post([](AndroidSession& s) { s.started(); }); };
+    on.onPause = [](ANativeActivity* a) { appOf(a).call(kPatience, [](AndroidSession& s) { s.paused(); }); };
+    on.onStop = [](ANativeActivity* a) { appOf(a).post([](AndroidSession& s) { s.stopped(); }); };
     on.onSaveInstanceState = saveState;
-    on.onLowMemory = [](ANativeActivity* a) { appOf(a).post([](Session& s) { s.lowMemory(); }); };
+    on.onLowMemory = [](ANativeActivity* a) { appOf(a).post([](AndroidSession& s) { s.lowMemory(); }); };
     on.onConfigurationChanged = [](ANativeActivity* a) { appOf(a).readDensity(); };
     on.onNativeWindowCreated = [](ANativeActivity* a, ANativeWindow* window) {
-        appOf(a).post([window](Session& s) { s.windowCreated(window); });
+        appOf(a).post([window](AndroidSession& s) { s.windowCreated(window); });
     };
     on.onNativeWindowResized = [](ANativeActivity* a, ANativeWindow*) {
-        appOf(a).post([](Session& s) { s.windowChanged(); });
+        appOf(a).post([](AndroidSession& s) { s.windowChanged(); });
     };
     on.onNativeWindowRedrawNeeded = [](ANativeActivity* a, ANativeWindow*) {
-        appOf(a).call(kPatience, [](Session& s) { s.windowChanged(); });
+        appOf(a).call(kPatience, [](AndroidSession& s) { s.windowChanged(); });
     };
     on.onNativeWindowDestroyed = [](ANativeActivity* a, ANativeWindow*) {
-        appOf(a).call(kForever, [](Session& s) { s.windowDestroyed(); });
+        appOf(a).call(kForever, [](AndroidSession& s) { s.windowDestroyed(); });
     };
     on.onContentRectChanged = [](ANativeActivity* a, const ARect* content) {
-        appOf(a).post([content = *content](Session& s) { s.contentChanged(content); });
+        appOf(a).post([content = *content](AndroidSession& s) { s.contentChanged(content); });
     };
     on.onInputQueueCreated = [](ANativeActivity* a, AInputQueue* queue) { appOf(a).attach(queue); };
     on.onInputQueueDestroyed = [](ANativeActivity* a, AInputQueue*) { appOf(a).detach(); };

@@ -5,102 +5,78 @@
 #include "app/android/log.h"
 #include "app/android/render_thread.h"
 #include "app/android/surface.h"
-#include "app/shared/local_molecules.h"
 #include "app/viewer/kept_files.h"
-#include "engine/error.h"
+#include "app/viewer/local_molecules.h"
 
 namespace nacre::app {
+namespace {
 
-// --- the screen
-
-void WindowScreen::setScene(const Representation& scene) {
-    if (renderer_) renderer_->setScene(scene);
+ViewerOptions optionsOf(const SessionFiles& files) {
+    ViewerOptions options;
+    options.occlusionCache = files.occlusion;
+    return options;
 }
 
-double WindowScreen::advanceOcclusion(const RenderSettings& settings, double milliseconds) {
-    if (!renderer_) return 0;
-    RenderSettings kept = settings;
-    kept.occlusion.cache = occlusionFolder_;
-    return renderer_->advanceOcclusion(kept, milliseconds);
-}
-
-FrameOutcome WindowScreen::present(const RenderSettings& settings, const WindowFrame& frame) {
-    if (!renderer_) return FrameOutcome::hidden;
-    try {
-        const FrameOutcome outcome = renderer_->present(settings, frame);
-        failures_ = 0;
-        return outcome;
-    } catch (const Error& error) {
-        // A window that is about to go refuses frames before anyone is told; another one comes.
-        constexpr int kMostFailures = 3;
-        if (++failures_ > kMostFailures) throw;
-        logError(error.what());
-        renderer_->releaseWindow();
-        return FrameOutcome::hidden;
-    }
-}
-
-PixelSize WindowScreen::windowSize() const { return renderer_ ? renderer_->windowSize() : PixelSize{1, 1}; }
-
-std::uint32_t WindowScreen::atomAt(const RenderSettings& settings, double x, double y, double reach) {
-    return renderer_ ? renderer_->atomAt(settings, x, y, reach) : 0;
-}
+}  // namespace
 
 // --- window
 
-Session::Session(SessionFiles files, const SavedView& first, double pixelsPerPoint, SharedState& shared,
-                 std::function<void()> wake)
+AndroidSession::AndroidSession(SessionFiles files, const SavedView& first, double pixelsPerPoint, SharedState& shared,
+                               std::function<void()> wake)
     : files_(std::move(files)),
       shared_(shared),
-      screen_(files_.occlusion),
-      viewer_(screen_, localMolecules(), first, ViewerOptions{}, std::move(wake)) {
+      session_(host(), localMolecules(), first, optionsOf(files_), std::move(wake)) {
     makePanel(pixelsPerPoint);
-    viewer_.pause();
+    viewer().pause();
 }
 
-void Session::makePanel(double pixelsPerPoint) {
+SessionHost AndroidSession::host() {
+    SessionHost host;
+    host.device = [this] {
+        DeviceOptions device;
+        device.surface = surfaceOf([this] { return window_; });
+        return device;
+    };
+    host.loadPipelines = [this] { return loadPipelineCache(files_.pipelines); };
+    host.keepPipelines = [this](const std::vector<std::byte>& data) { keepPipelineCache(files_.pipelines, data); };
+    host.prepare = [this](Renderer& renderer) { renderer.setOverlayGlyphs(panel_->glyphs()); };
+    host.lost = [](const std::string& why) { logError(why.c_str()); };
+    host.windowMayGo = true;
+    return host;
+}
+
+void AndroidSession::makePanel(double pixelsPerPoint) {
     scale_ = pixelsPerPoint;
     panel_.reset();
     panel_ = std::make_unique<Panel>(
         pixelsPerPoint, [this](ViewerCommand command) { run(command); }, PanelHand::fingers);
 }
 
-void Session::makeRenderer() {
-    DeviceOptions device;
-    device.surface = surfaceOf([this] { return window_; });
-    device.pipelineCache = loadPipelineCache(files_.pipelines);
-    renderer_ = std::make_unique<Renderer>(device);
-    screen_.setRenderer(renderer_.get());
-    renderer_->setScene({});
-    renderer_->setOverlayGlyphs(panel_->glyphs());
-    viewer_.screenLost(steadySeconds());
-}
-
-PixelSize Session::size() const {
+PixelSize AndroidSession::size() const {
     if (!window_) return {};
     return {static_cast<std::uint32_t>(std::max(ANativeWindow_getWidth(window_), 0)),
             static_cast<std::uint32_t>(std::max(ANativeWindow_getHeight(window_), 0))};
 }
 
-void Session::windowCreated(ANativeWindow* window) {
+void AndroidSession::windowCreated(ANativeWindow* window) {
     window_ = window;
-    if (!renderer_) makeRenderer();
+    if (!session_.renderer()) session_.open(steadySeconds());
     windowChanged();
 }
 
-void Session::windowChanged() {
-    if (window_ && size().width && size().height) viewer_.resize(size(), scale_, steadySeconds());
+void AndroidSession::windowChanged() {
+    if (window_ && size().width && size().height) viewer().resize(size(), scale_, steadySeconds());
     contentChanged(content_);
     settle();
 }
 
-void Session::windowDestroyed() {
-    if (renderer_) renderer_->releaseWindow();
+void AndroidSession::windowDestroyed() {
+    if (Renderer* renderer = session_.renderer()) renderer->releaseWindow();
     window_ = nullptr;
     settle();
 }
 
-void Session::contentChanged(const ARect& content) {
+void AndroidSession::contentChanged(const ARect& content) {
     content_ = content;
     const auto width = static_cast<std::int32_t>(size().width), height = static_cast<std::int32_t>(size().height);
     // While the window turns, its content may still be that of the other way up.
@@ -111,124 +87,105 @@ void Session::contentChanged(const ARect& content) {
         insets = {static_cast<float>(content.left), static_cast<float>(content.top),
                   static_cast<float>(width - content.right), static_cast<float>(height - content.bottom)};
     panel_->setInsets(insets);
-    viewer_.overlayChanged();
+    viewer().overlayChanged();
 }
 
-void Session::densityChanged(double pixelsPerPoint) {
+void AndroidSession::densityChanged(double pixelsPerPoint) {
     if (pixelsPerPoint != scale_) {
         makePanel(pixelsPerPoint);
-        if (renderer_) renderer_->setOverlayGlyphs(panel_->glyphs());
+        if (Renderer* renderer = session_.renderer()) renderer->setOverlayGlyphs(panel_->glyphs());
     }
     windowChanged();
 }
 
 /// Draws while there is a window that is to be seen.
-void Session::settle() {
+void AndroidSession::settle() {
     if (window_ && started_)
-        viewer_.resume(steadySeconds());
+        viewer().resume(steadySeconds());
     else
-        viewer_.pause();
+        viewer().pause();
 }
 
 // --- activity
 
-void Session::started() {
+void AndroidSession::started() {
     started_ = true;
     settle();
 }
 
 /// Another window has the user's attention, or will; this one may still be seen.
-void Session::paused() {
-    viewer_.pause();
+void AndroidSession::paused() {
+    viewer().pause();
     panel_->forgetTouch();
-    keepView(files_.view, viewer_.view());
+    keepView(files_.view, viewer().view());
     settle();
 }
 
-void Session::stopped() {
+void AndroidSession::stopped() {
     started_ = false;
     settle();
 }
 
-void Session::lowMemory() {
-    viewer_.lowMemory();
-    if (!window_) dropRenderer();
+void AndroidSession::lowMemory() {
+    viewer().lowMemory();
+    if (!window_) session_.close();
 }
 
-void Session::dropRenderer() {
-    screen_.setRenderer(nullptr);
-    renderer_.reset();
-}
-
-void Session::giveUp() {
-    dropRenderer();
+void AndroidSession::giveUp() {
+    session_.close();
     window_ = nullptr;
 }
 
 // --- the user
 
-void Session::touch(const TouchEvent& event, double when) {
+void AndroidSession::touch(const TouchEvent& event, double when) {
     if (panel_->touch(event))
-        viewer_.overlayChanged();
+        viewer().overlayChanged();
     else
-        viewer_.touch(event, when);
+        viewer().touch(event, when);
 }
 
-void Session::wheel(double steps, glm::dvec2 at) { viewer_.wheel(steps, at, steadySeconds()); }
+void AndroidSession::wheel(double steps, glm::dvec2 at) { viewer().wheel(steps, at, steadySeconds()); }
 
-void Session::key(const KeyEvent& event) {
+void AndroidSession::key(const KeyEvent& event) {
     if (const auto command = commandOf(event)) run(*command);
 }
 
-void Session::back() {
+void AndroidSession::back() {
     if (panel_->helpOpen())
         panel_->toggleHelp();
     else if (panel_->panelOpen())
         panel_->togglePanel();
-    viewer_.overlayChanged();
+    viewer().overlayChanged();
 }
 
-void Session::open(const std::string& path) { viewer_.open(path, steadySeconds()); }
+void AndroidSession::open(const std::string& path) { viewer().open(path, steadySeconds()); }
 
-void Session::say(const std::string& text) {
+void AndroidSession::say(const std::string& text) {
     logError(text.c_str());
-    viewer_.say(text, steadySeconds());
+    viewer().say(text, steadySeconds());
 }
 
-void Session::run(ViewerCommand command) {
+void AndroidSession::run(ViewerCommand command) {
     if (command == ViewerCommand::panel) panel_->togglePanel();
     if (command == ViewerCommand::help) panel_->toggleHelp();
-    viewer_.overlayChanged();
-    viewer_.run(command, steadySeconds());
+    viewer().overlayChanged();
+    viewer().run(command, steadySeconds());
 }
 
 // --- the loop
 
-double Session::step() {
+double AndroidSession::step() {
     const double now = steadySeconds();
-    const double wake = viewer_.update(now, [&] { return panel_->draw(viewer_, size(), now); });
+    const double wake = session_.step(now, [&] { return panel_->draw(viewer(), size(), now); });
     shared_.wantsBack = panel_->helpOpen() || panel_->panelOpen();
     {
         const std::lock_guard lock(shared_.mutex);
-        shared_.view = viewer_.view();
+        shared_.view = viewer().view();
     }
-    if (viewer_.deviceLost()) {
-        if (++lost_ > 3) throw Error("the device stopped", renderer_->stats().device.name, "again and again");
-        dropRenderer();
-        makeRenderer();
-        return now;
-    }
-    saveWarmCaches();
     if (!window_ || !started_ || !panel_->restless()) return wake;
-    viewer_.overlayChanged();
+    viewer().overlayChanged();
     return now;
-}
-
-/// What the driver compiled for the first refined picture is all that later ones need.
-void Session::saveWarmCaches() {
-    if (cachesSaved_ || !renderer_ || renderer_->stats().windowFrames < 3) return;
-    cachesSaved_ = true;
-    keepPipelineCache(files_.pipelines, renderer_->pipelineCache());
 }
 
 }  // namespace nacre::app

@@ -12,7 +12,7 @@
 #include <string>
 
 #include "app/panel/panel.h"
-#include "app/viewer/viewer.h"
+#include "app/viewer/session.h"
 
 namespace nacre::app {
 
@@ -30,29 +30,12 @@ struct SharedState {
     std::optional<SavedView> view;  ///< under the mutex: as it was after the last step
 };
 
-/// The engine's renderer, as long as there is one: it comes with the first window, and may go while there is none.
-class WindowScreen : public Screen {
-public:
-    explicit WindowScreen(std::string occlusionFolder) : occlusionFolder_(std::move(occlusionFolder)) {}
-    void setRenderer(Renderer* renderer) { renderer_ = renderer; }
-    void setScene(const Representation& scene) override;
-    double advanceOcclusion(const RenderSettings& settings, double milliseconds) override;
-    FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame) override;
-    PixelSize windowSize() const override;
-    std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach) override;
-
-private:
-    std::string occlusionFolder_;
-    Renderer* renderer_ = nullptr;
-    int failures_ = 0;  // to present, one after the other
-};
-
-class Session {
+class AndroidSession {
 public:
     /// @param first what to show; without input: nothing yet
     /// @param wake  makes the thread call step(); from any thread
-    Session(SessionFiles files, const SavedView& first, double pixelsPerPoint, SharedState& shared,
-            std::function<void()> wake);
+    AndroidSession(SessionFiles files, const SavedView& first, double pixelsPerPoint, SharedState& shared,
+                   std::function<void()> wake);
 
     // The window
     void windowCreated(ANativeWindow* window);
@@ -83,25 +66,21 @@ public:
     void giveUp();
 
 private:
-    void makeRenderer();
-    void dropRenderer();
+    Viewer& viewer() { return session_.viewer(); }
+    SessionHost host();
     void makePanel(double pixelsPerPoint);
     void settle();
     void run(ViewerCommand command);
-    void saveWarmCaches();
     PixelSize size() const;
 
     SessionFiles files_;
     SharedState& shared_;
     ANativeWindow* window_ = nullptr;
-    std::unique_ptr<Renderer> renderer_;
-    WindowScreen screen_;
-    Viewer viewer_;
+    Session session_;
     std::unique_ptr<Panel> panel_;
     ARect content_{};
     double scale_ = 1;
-    bool started_ = false, cachesSaved_ = false;
-    int lost_ = 0;
+    bool started_ = false;
 };
 
 }  // namespace nacre::app

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 
+#include "app/shared/option_text.h"
+#include "app/shared/option_values.h"
 #include "app/viewer/presets.h"
 
 namespace nacre::app {
 namespace {
 
-constexpr std::pair<const char*, const char*> kStyles[] = {
-    {"By size", ""}, {"Space-filling", "spacefill"}, {"Ball and stick", "ball-and-stick"}, {"Licorice", "licorice"}};
+constexpr std::pair<const char*, std::optional<Style>> kStyles[] = {{"By size", std::nullopt},
+                                                                    {"Space-filling", Style::spacefill},
+                                                                    {"Ball and stick", Style::ballAndStick},
+                                                                    {"Licorice", Style::licorice}};
 constexpr std::size_t kMostChains = 24;
 
 /// Makes items that change the look; each starts from the look that is there when it is chosen.
@@ -34,17 +38,24 @@ private:
 MenuItem styles(const Looks& looks) {
     MenuItem menu{"Style", "circle.hexagongrid"};
     for (const auto& [title, style] : kStyles)
-        menu.children.push_back(
-            looks.item(title, looks.now().style == style, [style = style](SavedView& look) { look.style = style; }));
+        menu.children.push_back(looks.item(title, looks.now().look.style == style,
+                                           [style = style](SavedView& look) { look.look.style = style; }));
     return menu;
 }
 
-MenuItem choices(const Looks& looks, const char* title, const char* symbol, std::span<const char* const> all,
-                 std::string SavedView::*value) {
-    MenuItem menu{title, symbol};
-    for (const char* choice : all)
-        menu.children.push_back(looks.item(choice, looks.now().*value == choice,
-                                           [value, choice](SavedView& look) { look.*value = choice; }));
+MenuItem colors(const Looks& looks) {
+    MenuItem menu{"Colours", "paintpalette"};
+    for (const char* choice : colorChoices())
+        menu.children.push_back(looks.item(choice, coloringText(looks.now().look.color) == choice,
+                                           [choice](SavedView& look) { look.look.color = parseColoring(choice); }));
+    return menu;
+}
+
+MenuItem backgrounds(const Looks& looks) {
+    MenuItem menu{"Background", "rectangle.fill"};
+    for (const char* choice : backgroundChoices())
+        menu.children.push_back(looks.item(choice, backgroundText(looks.now().background) == choice,
+                                           [choice](SavedView& look) { look.background = parseColor(choice); }));
     return menu;
 }
 
@@ -96,23 +107,23 @@ std::vector<std::string> partsOf(const Molecule& molecule) {
 
 MenuItem selections(const Looks& looks, const Molecule& molecule) {
     MenuItem menu{"Parts", "square.dashed"};
-    const auto rule = [&](const char* title, const char* option, const std::string& value) {
-        return looks.item(title, false, [option, value](SavedView& look) { look.rules.emplace_back(option, value); });
+    const auto rule = [&](const char* title, const Rule& change) {
+        return looks.item(title, false, [change](SavedView& look) { look.look.rules.push_back(change); });
     };
     for (const std::string& part : partsOf(molecule)) {
         MenuItem item{part};
-        item.children = {rule("Hide", "hide", part),
-                         rule("Space-filling", "show", part + "=spacefill"),
-                         rule("Ball and stick", "show", part + "=ball-and-stick"),
-                         rule("Licorice", "show", part + "=licorice"),
-                         rule("Colour by element", "color-by", part + "=element"),
-                         rule("Red", "color-by", part + "=#e04030")};
+        item.children = {rule("Hide", parseHide(part)),
+                         rule("Space-filling", parseShow(part + "=spacefill")),
+                         rule("Ball and stick", parseShow(part + "=ball-and-stick")),
+                         rule("Licorice", parseShow(part + "=licorice")),
+                         rule("Colour by element", parseColorBy(part + "=element")),
+                         rule("Red", parseColorBy(part + "=#e04030"))};
         menu.children.push_back(std::move(item));
     }
-    if (!looks.now().rules.empty()) {
-        const auto& [option, value] = looks.now().rules.back();
+    if (!looks.now().look.rules.empty()) {
+        const auto [option, value] = ruleText(looks.now().look.rules.back());
         menu.children.push_back(looks.item("Undo " + option + " " + value, false, [](SavedView& look) {
-            if (!look.rules.empty()) look.rules.pop_back();
+            if (!look.look.rules.empty()) look.look.rules.pop_back();
         }));
     }
     return menu;
@@ -125,10 +136,7 @@ std::vector<MenuItem> viewMenu(Viewer& viewer, const std::function<double()>& no
     const auto command = [&](const char* title, const char* symbol, ViewerCommand c, bool checked = false) {
         return MenuItem{title, symbol, checked, [&viewer, now, c] { viewer.run(c, now()); }};
     };
-    std::vector<MenuItem> items = {
-        styles(looks), choices(looks, "Colours", "paintpalette", colorChoices(), &SavedView::color),
-        choices(looks, "Background", "rectangle.fill", backgroundChoices(), &SavedView::background), presetMenu(looks),
-        show(looks)};
+    std::vector<MenuItem> items = {styles(looks), colors(looks), backgrounds(looks), presetMenu(looks), show(looks)};
     if (viewer.document()) items.push_back(selections(looks, *viewer.document()->molecule));
     items.push_back(
         command("Turn by itself", "arrow.triangle.2.circlepath", ViewerCommand::autoRotate, viewer.autoRotating()));

@@ -1,18 +1,15 @@
 #include "app/apple/session.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <limits>
 
-#include "app/shared/local_molecules.h"
 #include "app/shared/srgb.h"
-#include "engine/error.h"
+#include "app/viewer/local_molecules.h"
 
 namespace nacre::app {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr std::uint64_t kFramesOfWarmUp = 3;  // live, refined, kept
 constexpr std::string_view kSample = "sample:";
 
 /// The main thread draws and takes touches: what it does at rest must not be felt by the next touch.
@@ -23,87 +20,59 @@ ViewerOptions viewerOptions(const std::string& occlusionCache) {
     return options;
 }
 
-}  // namespace
-
-MoleculeSession::MoleculeSession(SessionHost host, const SavedView& first)
-    : host_(std::move(host)),
-      renderer_(makeRenderer()),
-      screen_(*renderer_),
-      viewer_(screen_, localMolecules(host_.readFile), first, viewerOptions(host_.occlusionCache), host_.wake) {}
-
-std::unique_ptr<Renderer> MoleculeSession::makeRenderer() {
-    DeviceOptions device;
-    device.validate = host_.validate;
-    device.surface = host_.surface;
-    device.pipelineCache = host_.pipelineCache;
-    auto renderer = std::make_unique<Renderer>(device);
-    renderer->setScene({});
-    return renderer;
+SessionHost hostOf(const MoleculeHost& host) {
+    SessionHost session;
+    session.device = [surface = host.surface, validate = host.validate] {
+        DeviceOptions device;
+        device.validate = validate;
+        device.surface = surface;
+        return device;
+    };
+    session.loadPipelines = host.loadPipelines;
+    session.keepPipelines = host.keepPipelines;
+    return session;
 }
 
-void MoleculeSession::renew(double now) {
-    renderer_.reset();  // it has the window: the next cannot have it before
-    renderer_ = makeRenderer();
-    screen_.setRenderer(*renderer_);
-    viewer_.screenLost(now);
+}  // namespace
+
+MoleculeSession::MoleculeSession(MoleculeHost host, const SavedView& first)
+    : session_(hostOf(host), localMolecules(host.readFile), first, viewerOptions(host.occlusionCache), host.wake) {
+    session_.open(0);
 }
 
 void MoleculeSession::resize(PixelSize pixels, double pixelsPerPoint, double now) {
-    if (pixels.width && pixels.height) viewer_.resize(pixels, pixelsPerPoint, now);
+    if (pixels.width && pixels.height) viewer().resize(pixels, pixelsPerPoint, now);
 }
 
 void MoleculeSession::enterBackground() {
     foreground_ = false;
-    viewer_.pause();
+    viewer().pause();
 }
 
 void MoleculeSession::enterForeground(double now) {
-    if (!renderer_) renew(now);
+    if (!holdsDevice()) session_.open(now);
     foreground_ = true;
-    viewer_.resume(now);
+    viewer().resume(now);
 }
 
 void MoleculeSession::lowMemory() {
-    viewer_.lowMemory();
-    if (!foreground_) renderer_.reset();
+    viewer().lowMemory();
+    if (!foreground_) session_.close();
 }
 
-double MoleculeSession::step(double now) {
-    if (!foreground_ || !renderer_) return kNever;
-    const double wake = viewer_.update(now);
-    if (viewer_.deviceLost()) {
-        constexpr int kMost = 3;
-        if (++lost_ > kMost) throw Error("the device stopped", renderer_->stats().device.name, "again and again");
-        renew(now);
-        return now;
-    }
-    savePipelines();
-    return wake;
-}
-
-void MoleculeSession::savePipelines() {
-    if (pipelinesKept_ || renderer_->stats().windowFrames < kFramesOfWarmUp) return;
-    pipelinesKept_ = true;
-    host_.pipelineCache = renderer_->pipelineCache();
-    if (host_.keepPipelines) host_.keepPipelines(host_.pipelineCache);
-}
+double MoleculeSession::step(double now) { return foreground_ && holdsDevice() ? session_.step(now) : kNever; }
 
 PictureBytes MoleculeSession::picture(std::uint32_t samples) {
-    RenderSettings settings = viewer_.settings();
+    RenderSettings settings = viewer().settings();
     settings.supersample = samples;
-    const Picture picture = renderer_->render(settings);
+    const Picture picture = session_.renderer()->render(settings);
     PictureBytes bytes{picture.width, picture.height, std::vector<std::uint8_t>(picture.rgba.size())};
-    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
-        const float alpha = std::clamp(picture.rgba[i + 3], 0.0f, 1.0f);
-        for (std::size_t c = i; c < i + 3; ++c)
-            bytes.rgba[c] = toByte(linearToSrgb(alpha > 0 ? picture.rgba[c] / alpha : 0.0f));
-        bytes.rgba[i + 3] = toByte(alpha);
-    }
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) codePixel(&picture.rgba[i], true, &bytes.rgba[i]);
     return bytes;
 }
 
 std::string MoleculeSession::shareName() const {
-    const std::string& input = viewer_.view().input;
+    const std::string& input = viewer().view().input;
     const std::size_t colon = input.starts_with(kSample) ? kSample.size() : 0;
     std::string name = std::filesystem::path(input.substr(colon)).filename().string();
     if (const std::size_t dot = name.find('.', 1); dot != std::string::npos) name.resize(dot);

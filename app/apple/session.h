@@ -1,25 +1,24 @@
 #pragma once
-// What the iOS app does apart from UIKit: renderer and viewer of one scene of the app, from its surface to the pixels
-// that are shared. Plain C++, so that it is tested where there is no iPhone. For the main thread.
+// What the iOS app does apart from UIKit: the session of one scene of the app, from its surface to the pixels that are
+// shared. Plain C++, so that it is tested where there is no iPhone. For the main thread.
 
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/viewer/viewer.h"
+#include "app/viewer/session.h"
 
 namespace nacre::app {
 
 /// What UIKit lends to a session.
-struct SessionHost {
+struct MoleculeHost {
     SurfaceSource surface;
     /// A file's bytes. Called on the loader's thread. @throws Error
     std::function<std::string(const std::string& path)> readFile;
     /// Something is ready: call step() on the main thread. Called on any thread.
     std::function<void()> wake;
-    std::vector<std::byte> pipelineCache;                              ///< of an earlier run; may be empty
+    std::function<std::vector<std::byte>()> loadPipelines;             ///< of an earlier run; may be empty
     std::function<void(const std::vector<std::byte>&)> keepPipelines;  ///< called once, after warm-up
     std::string occlusionCache;                                        ///< folder; empty: bakes are not kept
     bool validate = false;                                             ///< Khronos validation layer
@@ -34,10 +33,10 @@ struct PictureBytes {
 class MoleculeSession {
 public:
     /// @throws Error if there is no suitable device
-    MoleculeSession(SessionHost host, const SavedView& first);
+    MoleculeSession(MoleculeHost host, const SavedView& first);
 
-    Viewer& viewer() { return viewer_; }
-    const Viewer& viewer() const { return viewer_; }
+    Viewer& viewer() { return session_.viewer(); }
+    const Viewer& viewer() const { return session_.viewer(); }
 
     void resize(PixelSize pixels, double pixelsPerPoint, double now);
     /// The device works for apps that are seen alone: nothing is submitted from now on.
@@ -46,7 +45,7 @@ public:
     void enterForeground(double now);
     /// Gives up what can be made again; in the background that is the device and all that it holds.
     void lowMemory();
-    bool holdsDevice() const { return renderer_ != nullptr; }
+    bool holdsDevice() const { return renderer() != nullptr; }
 
     /// Draws, if there is something to draw.
     /// @returns when to call again, if nothing happens before; never: infinity. @throws Error
@@ -56,22 +55,14 @@ public:
     /// @param samples a side of a pixel
     PictureBytes picture(std::uint32_t samples = ViewerOptions{}.mostSamples);
     /// What restores this session, as `nacre render --view` takes it.
-    std::string state() const { return savedViewJson(viewer_.view()); }
+    std::string state() const { return savedViewJson(viewer().view()); }
     /// "1bna", for the names of files that are shared.
     std::string shareName() const;
-    const Renderer* renderer() const { return renderer_.get(); }
+    const Renderer* renderer() const { return session_.renderer(); }
 
 private:
-    std::unique_ptr<Renderer> makeRenderer();
-    void renew(double now);
-    void savePipelines();
-
-    SessionHost host_;
-    std::unique_ptr<Renderer> renderer_;
-    RendererScreen screen_;
-    Viewer viewer_;
-    bool foreground_ = true, pipelinesKept_ = false;
-    int lost_ = 0;
+    Session session_;
+    bool foreground_ = true;
 };
 
 /// What a screen reader says of the picture besides title(): the last pick, its measurement, the message.

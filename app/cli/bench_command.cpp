@@ -6,7 +6,9 @@
 #include "app/cli/bench_occlusion.h"
 #include "app/cli/commands.h"
 #include "app/cli/progress.h"
-#include "app/shared/input.h"
+#include "app/download/load_molecule.h"
+#include "app/shared/molecules.h"
+#include "engine/renderer.h"
 
 namespace nacre::app {
 namespace {

@@ -1,27 +1,29 @@
 #pragma once
-// Options that several commands share, added to CLI11's commands, and what they are built from.
+// Options that several commands share, and what they are built from.
 
-#include <CLI/CLI.hpp>
 #include <functional>
 
 #include "app/cli/options.h"
 
 namespace nacre::app {
 
-/// An option with one value. Always a single string, since a CLI11 option of many values swallows the INPUT.
+/// An option with one value.
 /// @param set throws std::invalid_argument or Error for what it does not take
-CLI::Option* addValue(CLI::App& app, const std::string& name, const std::string& type, const std::string& fallback,
-                      const std::string& help, std::function<void(const std::string&)> set);
-void addOnOff(CLI::App& app, const std::string& name, bool& target, const std::string& help);
+OptionSpec& addValue(CommandSpec& command, const std::string& name, const std::string& type,
+                     const std::string& fallback, const std::string& help, std::function<void(const std::string&)> set);
+void addFlag(CommandSpec& command, const std::string& name, bool& target, const std::string& help);
+void addOnOff(CommandSpec& command, const std::string& name, bool& target, const std::string& help);
 /// A file's name as it is. @throws std::invalid_argument if it is empty
 std::string fileName(const std::string& text);
 
-CLI::Option* addInput(CLI::App& app, InputOptions& input);
-void addSize(CLI::App& app, const std::string& fallback, Size& size);
-void addDeviceName(CLI::App& app, DeviceOptions& device);
-void addVisibility(CLI::App& app, DeviceOptions& device);
+/// INPUT, and how it is read. @param required  whether INPUT has to be there
+void addInput(CommandSpec& command, InputOptions& input, bool required);
+void addSize(CommandSpec& command, const std::string& fallback, Size& size);
+OptionSpec& addDeviceName(CommandSpec& command, DeviceOptions& device);
+void addVisibility(CommandSpec& command, DeviceOptions& device);
 /// What is drawn and how it looks: the same for every command that draws.
-CLI::Option* addContent(CLI::App& app, InputOptions& input, DrawnAtomsOptions& drawn, RepresentationOptions& look);
-void addOcclusion(CLI::App& app, OcclusionSettings& occlusion);
+void addContent(CommandSpec& command, InputOptions& input, bool required, DrawnAtomsOptions& drawn,
+                RepresentationOptions& look);
+void addOcclusion(CommandSpec& command, OcclusionOptions& occlusion);
 
 }  // namespace nacre::app

@@ -13,7 +13,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/progress.h"
-#include "app/shared/input.h"
+#include "app/download/load_molecule.h"
 #include "engine/molecule/chain_summary.h"
 #include "engine/molecule/counts.h"
 #include "engine/molecule/element.h"

@@ -4,28 +4,20 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
+#include "app/cli/command_spec.h"
+#include "app/desktop/view_options.h"
+#include "app/shared/input_options.h"
 #include "app/shared/option_values.h"
 #include "engine/molecule/drawn_atoms.h"
-#include "engine/molecule/read.h"
-#include "engine/renderer.h"
 #include "engine/scene/camera.h"
 #include "engine/scene/representation.h"
+#include "engine/settings.h"
 
 namespace nacre::app {
 
-struct InputOptions {
-    std::string path;  ///< a file, "-", "sample:NAME", or "pdb:", "pubchem:", "afdb:" and an identifier
-    std::optional<Format> format;
-    int model = 1;                     ///< 1-based, or kAllModels
-    std::optional<std::string> cache;  ///< folder, or "off"; empty: the usual one (app/shared/cache_folder.h)
-    bool offline = false;              ///< downloads from the cache alone
-    std::optional<std::int64_t> memoryMegabytes;  ///< for the molecule, of 2^20 bytes; empty: half of the machine's
-};
-
-struct OcclusionSettings {
+struct OcclusionOptions {
     int directions = 128;                   ///< 0 = off
     std::optional<std::int64_t> megabytes;  ///< of 2^20 bytes; RenderSettings has the default
 
@@ -43,8 +35,8 @@ struct RenderOptions {
     std::uint32_t supersample = 1;
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha
     bool lighting = true;
-    OcclusionSettings occlusion;
-    bool prepass = true, merge = true, transient = true;
+    OcclusionOptions occlusion;
+    FrameTuning tuning;
     DebugView debug = DebugView::none;
     DeviceOptions device;
     std::string output, layers, stats, capture;  ///< paths; all but the first may be empty
@@ -62,15 +54,9 @@ struct BenchOptions {
     RepresentationOptions look;
     Size size{640, 960};
     int frames = 20;
-    OcclusionSettings occlusion;
+    OcclusionOptions occlusion;
     DeviceOptions device;
     bool json = false;
-};
-
-/// A window: what it shows at first is said as for `render`; `size` is the window's.
-struct ViewOptions {
-    RenderOptions first;
-    bool restore = false;  ///< no INPUT and no saved view: go on where the last window was left
 };
 
 enum class PlanFormat { text, json, dot };
@@ -94,11 +80,6 @@ struct CommandLine {
     BenchOptions bench;
     PlanOptions plan;
     bool json = false;  ///< devices
-};
-
-/// The command line was used wrongly; what() says how, in one line.
-struct UsageError : std::runtime_error {
-    using std::runtime_error::runtime_error;
 };
 
 /// @throws UsageError

@@ -10,59 +10,60 @@
 namespace nacre::app {
 namespace {
 
-void addCamera(CLI::App& app, RenderOptions& options) {
-    addValue(app, "--rotate", "X,Y,Z", "0,0,0", "Degrees, right-handed, about the view axes, X first",
+void addCamera(CommandSpec& command, RenderOptions& options) {
+    addValue(command, "--rotate", "X,Y,Z", "0,0,0", "Degrees, right-handed, about the view axes, X first",
              [&](const std::string& text) { options.camera.rotationDegrees = parseRotation(text); });
-    addValue(app, "--zoom", "F", "1", "Scales the picture, 0.0001 to 10000",
+    addValue(command, "--zoom", "F", "1", "Scales the picture, 0.0001 to 10000",
              [&](const std::string& text) { options.camera.zoom = parseNumber(text, kSmallestZoom, kLargestZoom); });
-    addValue(app, "--projection", "NAME", "ortho", "ortho or perspective", [&](const std::string& text) {
+    addValue(command, "--projection", "NAME", "ortho", "ortho or perspective", [&](const std::string& text) {
         options.camera.projection =
             parseChoice(text, {"ortho", "perspective"}) == 0 ? Projection::orthographic : Projection::perspective;
     });
     addValue(
-        app, "--fov", "DEGREES", "30", "Perspective: angle across the shorter side, 1 to 120",
+        command, "--fov", "DEGREES", "30", "Perspective: angle across the shorter side, 1 to 120",
         [&](const std::string& text) { options.camera.fovDegrees = parseNumber(text, kSmallestFov, kLargestFov); });
 }
 
-void addShading(CLI::App& app, RenderOptions& options) {
-    addOcclusion(app, options.occlusion);
-    addValue(app, "--background", "COLOR", "white",
+void addShading(CommandSpec& command, RenderOptions& options) {
+    addOcclusion(command, options.occlusion);
+    addValue(command, "--background", "COLOR", "white",
              "transparent, a basic CSS name, #rgb, #rrggbb or #rrggbbaa (JPEG has no transparency: over white)",
              [&](const std::string& text) { options.background = parseColor(text); });
-    addOnOff(app, "--lighting", options.lighting, "off: base colour times occlusion, nothing else");
+    addOnOff(command, "--lighting", options.lighting, "off: base colour times occlusion, nothing else");
 }
 
-void addPixels(CLI::App& app, RenderOptions& options) {
-    addSize(app, "1024x1024", options.size);
-    addValue(app, "--supersample", "N", "1", "N x N samples a pixel, 1 to 8", [&](const std::string& text) {
+void addPixels(CommandSpec& command, RenderOptions& options) {
+    addSize(command, "1024x1024", options.size);
+    addValue(command, "--supersample", "N", "1", "N x N samples a pixel, 1 to 8", [&](const std::string& text) {
         options.supersample = static_cast<std::uint32_t>(parseInteger(text, 1, kMostSupersample));
     });
 }
 
 /// Goes before the options that it stands for, so that those prevail.
-void addSavedView(CLI::App& app, RenderOptions& options) {
-    addValue(app, "--view", "FILE", "none", "A view that `nacre view` saved: what is seen, and how; options prevail",
+void addSavedView(CommandSpec& command, RenderOptions& options) {
+    addValue(command, "--view", "FILE", "none",
+             "A view that `nacre view` saved: what is seen, and how; options prevail",
              [&](const std::string& text) { applySavedView(readSavedView(fileName(text)), options); });
 }
 
-void addFiles(CLI::App& app, RenderOptions& options) {
-    addValue(app, "-o,--output", "FILE", "", "The picture: .png, .tif, .tiff, .jpg, .jpeg or .exr",
+void addFiles(CommandSpec& command, RenderOptions& options) {
+    addValue(command, "-o,--output", "FILE", "", "The picture: .png, .tif, .tiff, .jpg, .jpeg or .exr",
              [&](const std::string& text) {
                  if (!isPictureName(text))
                      throw std::invalid_argument(
                          "expected a name that ends in .png, .tif, .tiff, .jpg, .jpeg or .exr, not '" + text + "'");
                  options.output = text;
              })
-        ->required();
-    addValue(app, "--layers", "FILE.exr", "none", "Colour, depth, normal, atom and occlusion of every pixel",
+        .required = true;
+    addValue(command, "--layers", "FILE.exr", "none", "Colour, depth, normal, atom and occlusion of every pixel",
              [&](const std::string& text) {
                  if (extensionOf(text) != ".exr")
                      throw std::invalid_argument("expected a name that ends in .exr, not '" + text + "'");
                  options.layers = text;
              });
-    addValue(app, "--stats", "FILE.json", "none", "View, counts, times and memory as JSON",
+    addValue(command, "--stats", "FILE.json", "none", "View, counts, times and memory as JSON",
              [&](const std::string& text) { options.stats = fileName(text); });
-    addValue(app, "--capture", "FILE.rdc", "none",
+    addValue(command, "--capture", "FILE.rdc", "none",
              "The frame and its occlusion bake, for RenderDoc, which has to be installed",
              [&](const std::string& text) {
                  if (extensionOf(text) != ".rdc")
@@ -72,23 +73,28 @@ void addFiles(CLI::App& app, RenderOptions& options) {
              });
 }
 
-void addDebug(CLI::App& app, RenderOptions& options) {
+void addDebug(CommandSpec& command, RenderOptions& options) {
     std::string names;
     for (const char* name : debugViewNames()) names += names.empty() ? name : std::string(", ") + name;
     addValue(
-        app, "--debug", "VIEW", "none", "What the frame works with, as the picture: " + names,
+        command, "--debug", "VIEW", "none", "What the frame works with, as the picture: " + names,
         [&](const std::string& text) { options.debug = static_cast<DebugView>(parseChoice(text, debugViewNames())); });
 }
 
-void addDevice(CLI::App& app, RenderOptions& options) {
-    addDeviceName(app, options.device);
-    addVisibility(app, options.device);
-    addOnOff(app, "--prepass", options.prepass, "Opaque plates that reject hidden work; never changes the picture");
-    addOnOff(app, "--transient", options.transient,
+void addDevice(CommandSpec& command, RenderOptions& options) {
+    addDeviceName(command, options.device);
+    addVisibility(command, options.device);
+    addValue(
+        command, "--prepass", "on|off", "on", "Opaque plates that reject hidden work; never changes the picture",
+        [&](const std::string& text) {
+            options.tuning.plates = parseChoice(text, {"on", "off"}) == 0 ? PlateShape::automatic : PlateShape::none;
+        });
+    addOnOff(command, "--transient", options.tuning.transient,
              "off: every attachment has memory and is stored; never changes the picture");
-    addOnOff(app, "--merge", options.merge, "Passes as subpasses of one render pass; never changes the picture");
-    app.add_flag("--validate", options.device.validate,
-                 "Run under the Vulkan validation layer; any message is an error");
+    addOnOff(command, "--merge", options.tuning.merge,
+             "Passes as subpasses of one render pass; never changes the picture");
+    addFlag(command, "--validate", options.device.validate,
+            "Run under the Vulkan validation layer; any message is an error");
 }
 
 bool sameFile(const std::string& a, const std::string& b) {
@@ -101,35 +107,30 @@ bool sameFile(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-void addRender(CLI::App& app, RenderOptions& options) {
-    addSavedView(app, options);
-    addContent(app, options.input, options.drawn, options.look)->required(false);
-    addFiles(app, options);
-    addCamera(app, options);
-    addShading(app, options);
-    addPixels(app, options);
-    addDebug(app, options);
-    addDevice(app, options);
+void addRender(CommandSpec& command, RenderOptions& options) {
+    addSavedView(command, options);
+    addContent(command, options.input, false, options.drawn, options.look);
+    addFiles(command, options);
+    addCamera(command, options);
+    addShading(command, options);
+    addPixels(command, options);
+    addDebug(command, options);
+    addDevice(command, options);
 }
 
-#ifdef NACRE_DESKTOP
-void addWindow(CLI::App& app, ViewOptions& options) {
-    RenderOptions& first = options.first;
+void addWindow(CommandSpec& command, RenderOptions& first) {
     first.size = {1280, 800};
-    addSavedView(app, first);
-    addContent(app, first.input, first.drawn, first.look)->required(false);
-    addCamera(app, first);
-    addSize(app, "1280x800", first.size);
-    addShading(app, first);
-    addDebug(app, first);
-    addValue(app, "--stats", "FILE", "none", "What the window drew, as JSON, when it is closed",
+    addSavedView(command, first);
+    addContent(command, first.input, false, first.drawn, first.look);
+    addCamera(command, first);
+    addSize(command, "1280x800", first.size);
+    addShading(command, first);
+    addDebug(command, first);
+    addValue(command, "--stats", "FILE", "none", "What the window drew, as JSON, when it is closed",
              [&](const std::string& text) { first.stats = fileName(text); });
-    addDeviceName(app, first.device);
-    addVisibility(app, first.device);
-    app.add_flag("--validate", first.device.validate, "Run under the Vulkan validation layer; any message is an error");
-    app.add_flag("--capture", first.device.capture, "Load RenderDoc, so that F12 captures a frame");
+    addDevice(command, first);
+    addFlag(command, "--capture", first.device.capture, "Load RenderDoc, so that F12 captures a frame");
 }
-#endif
 
 bool takeInput(RenderOptions& options) {
     if (!options.input.path.empty()) return true;

@@ -1,16 +1,13 @@
 #pragma once
 // The options of the commands that draw pictures.
 
-#include <CLI/CLI.hpp>
-
 #include "app/cli/options.h"
 
 namespace nacre::app {
 
-void addRender(CLI::App& app, RenderOptions& options);
-#ifdef NACRE_DESKTOP
-void addWindow(CLI::App& app, ViewOptions& options);
-#endif
+void addRender(CommandSpec& command, RenderOptions& options);
+/// What a window shows at first is said as for `render`; `size` is the window's.
+void addWindow(CommandSpec& command, RenderOptions& first);
 
 /// INPUT, or the one of the saved view. @returns whether there is one
 bool takeInput(RenderOptions& options);

@@ -4,8 +4,8 @@
 #include <ostream>
 
 #include "app/cli/commands.h"
+#include "engine/device_plan.h"
 #include "engine/error.h"
-#include "engine/gpu/device.h"
 
 namespace nacre::app {
 namespace {
@@ -23,6 +23,8 @@ void chooseBySet(const PlanOptions& options, PlanReport& report) {
     report.facts = set.facts;
     const bool automatic = options.device.visibility == Visibility::automatic;
     report.visibility = automatic ? set.visibility : options.device.visibility;
+    if (report.visibility == Visibility::rasterOrder && !set.plan.rasterOrder)
+        throw Error("cannot draw by raster-order", set.plan.name, "it does not read its own attachments in order");
     report.why = automatic ? set.why : "asked for";
     report.encoded = formatOf(set.encoded);
     if (options.device.encoded == EncodedDepth::automatic) return;
@@ -34,12 +36,12 @@ void chooseBySet(const PlanOptions& options, PlanReport& report) {
 }
 
 void chooseByDevice(const PlanOptions& options, PlanReport& report) {
-    const gpu::Device device(options.device);
-    report.caps = device.caps().deviceName;
-    report.plannedWith = device.caps().plan;
-    report.visibility = device.caps().visibility;
-    report.why = device.caps().visibilityReason;
-    report.encoded = device.caps().encoded;
+    const DevicePlan device = planOf(options.device);
+    report.caps = device.name;
+    report.plannedWith = device.caps;
+    report.visibility = device.visibility;
+    report.why = device.why;
+    report.encoded = device.encoded;
 }
 
 std::string joined(const graph::Graph& graph, const std::vector<std::uint32_t>& passes) {

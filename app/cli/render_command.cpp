@@ -9,11 +9,14 @@
 #include "app/cli/commands.h"
 #include "app/cli/progress.h"
 #include "app/cli/stats.h"
+#include "app/download/load_molecule.h"
+#include "app/shared/cache_folder.h"
 #include "app/shared/capture_file.h"
 #include "app/shared/image_file.h"
-#include "app/shared/input.h"
+#include "app/shared/molecules.h"
 #include "engine/error.h"
 #include "engine/milliseconds.h"
+#include "engine/renderer.h"
 
 namespace nacre::app {
 namespace {
@@ -38,18 +41,15 @@ RenderSettings settingsOf(const RenderOptions& options, const Representation& sc
     settings.lighting = options.lighting;
     settings.occlusion.directions = options.occlusion.directions;
     settings.occlusion.bytes = options.occlusion.bytes();
-    if (!options.prepass) settings.tuning.plates = PlateShape::none;
-    settings.tuning.merge = options.merge;
-    settings.tuning.transient = options.transient;
+    settings.tuning = options.tuning;
     settings.debug = options.debug;
     // What is captured is to be seen: the bake, too, is done then.
-    if (options.capture.empty()) settings.occlusion.cache = occlusionCacheFolder(options.input);
+    if (options.capture.empty()) settings.occlusion.cache = cacheFolder(options.input.cache, "occlusion");
     return settings;
 }
 
 void drawLayers(Renderer& renderer, const RenderSettings& settings, OutputFile& file) {
-    const LayerPicture layers = renderer.layers(settings);
-    writeLayers(file, {layers.width, layers.height, layers.rgba, layers.z, layers.normal, layers.id, layers.occlusion});
+    writeLayers(file, renderer.layers(settings));
 }
 
 /// Patches so small that an atom shows hardly more than one shade.
@@ -134,7 +134,7 @@ void renderCommand(const RenderOptions& options) {
     if (outputs.layers) drawLayers(renderer, settings, *outputs.layers);
     if (outputs.stats) frame.passes = countFragments(renderer, settings);
     checkValidation(renderer);
-    writePicture(outputs.picture, {picture.width, picture.height, picture.rgba}, options.background[3] < 1.0f);
+    writePicture(outputs.picture, picture, options.background[3] < 1.0f);
     if (!outputs.stats) return;
     run.totalMs = millisecondsSince(start);
     writeText(*outputs.stats, statsJson(run, settings.view, frame));

@@ -6,12 +6,12 @@
 
 namespace nacre::app {
 
-/// The input of a saved view; cache and the like as in `options`.
-InputOptions inputOf(const SavedView& view, InputOptions options);
-
 /// Sets what a saved view says. Rules go before those that are there already; its INPUT becomes `savedInput`.
 void applySavedView(const SavedView& view, RenderOptions& options);
 
 SavedView savedViewOf(const RenderOptions& options);
+
+/// A window that shows what `options` say at first.
+ViewOptions viewOptionsOf(const RenderOptions& options);
 
 }  // namespace nacre::app

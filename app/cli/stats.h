@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "app/cli/options.h"
-#include "engine/renderer.h"
+#include "engine/results.h"
+#include "engine/scene/camera.h"
 
 namespace nacre::app {
 

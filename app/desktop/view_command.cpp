@@ -9,23 +9,23 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "app/cli/saved_options.h"
 #include "app/desktop/state_files.h"
 #include "app/desktop/window.h"
+#include "app/download/load_molecule.h"
 #include "app/panel/panel.h"
+#include "app/shared/cache_folder.h"
 #include "app/shared/capture_file.h"
 #include "app/shared/image_file.h"
-#include "app/shared/input.h"
+#include "app/viewer/session.h"
 #include "engine/error.h"
 
 namespace nacre::app {
 namespace {
 
+constexpr std::uint32_t kSoftwareSamples = 2;  // a side of a pixel, of a refinement that a CPU draws
+
 Sources sources(const InputOptions& input) {
-    return {[input](const SavedView& view) { return loadMolecule(inputOf(view, input)); },
-            [](const Molecule& molecule, const SavedView& view) {
-                return sceneOf(molecule, view.input, view.drawn, lookOf(view));
-            }};
+    return {[input](const SavedView& view) { return loadMolecule(inputOf(view, input)); }, sceneOfView};
 }
 
 /// A path that means the same from any folder.
@@ -34,45 +34,41 @@ std::string lasting(const std::string& input) {
     return std::filesystem::absolute(input).lexically_normal().string();
 }
 
-class Session {
+class WindowSession {
 public:
-    explicit Session(const ViewOptions& options)
+    explicit WindowSession(const ViewOptions& options)
         : options_(options),
-          window_({options.first.size.width, options.first.size.height}, events()),
-          renderer_(makeRenderer()),
-          screen_(*renderer_),
-          viewer_(screen_, sources(options.first.input), firstView(), viewerOptions(), Window::wake),
-          panel_(makePanel()) {
+          window_({options.size.width, options.size.height}, events()),
+          panel_(makePanel()),
+          session_(host(), sources(options.input), firstView(), viewerOptions(), Window::wake) {
         scale_ = window_.pixelsPerPoint();
-        renderer_->setScene({});
-        renderer_->setOverlayGlyphs(panel_->glyphs());
-        viewer_.setDebugView(options.first.debug, now());
+        session_.open(now());
+        if (renderer().stats().device.type == "software") viewer().setMostSamples(kSoftwareSamples);
+        viewer().setDebugView(options.debug, now());
         resized();
     }
 
     void loop() {
         while (!window_.closing()) {
-            const double wake = viewer_.update(now(), [this] { return panel_->draw(viewer_, window_.size(), now()); });
-            if (viewer_.deviceLost()) renew();
-            if (renderer_->stats().windowFrames != shown_) {
-                shown_ = renderer_->stats().windowFrames;
+            const double wake = session_.step(now(), [this] { return panel_->draw(viewer(), window_.size(), now()); });
+            if (renderer().stats().windowFrames != shown_) {
+                shown_ = renderer().stats().windowFrames;
                 lastShown_ = now();
                 if (inputAt_ > 0) latencies_.push_back(1000 * (lastShown_ - inputAt_));
             }
             inputAt_ = 0;  // what is not answered by now changed nothing
-            saveWarmCaches();
-            window_.setTitle(viewer_.title());
-            if (panel_->restless()) viewer_.overlayChanged();
+            window_.setTitle(viewer().title());
+            if (panel_->restless()) viewer().overlayChanged();
             const double next = std::max(panel_->restless() ? now() : wake, lastFrame_ + 0.95 / window_.refreshRate());
             window_.handleEvents(std::isinf(wake) && !panel_->restless() ? wake : next - now());
             lastFrame_ = now();
         }
-        saveState(viewer_.view());
-        if (!options_.first.stats.empty()) writeStats();
-        if (!renderer_->validationMessages().empty())
-            throw Error("Vulkan validation", renderer_->stats().device.name,
-                        std::to_string(renderer_->validationMessages().size()) +
-                            " messages, the first: " + renderer_->validationMessages().front());
+        saveState(viewer().view());
+        if (!options_.stats.empty()) writeStats();
+        if (!renderer().validationMessages().empty())
+            throw Error("Vulkan validation", renderer().stats().device.name,
+                        std::to_string(renderer().validationMessages().size()) +
+                            " messages, the first: " + renderer().validationMessages().front());
     }
 
 private:
@@ -85,15 +81,25 @@ private:
         return std::make_unique<Panel>(window_.pixelsPerPoint(), [this](ViewerCommand command) { run(command); });
     }
 
-    std::unique_ptr<Renderer> makeRenderer() const {
-        DeviceOptions device = options_.first.device;
-        device.surface = window_.surface();
-        device.pipelineCache = loadPipelineCache();
-        return std::make_unique<Renderer>(device);
+    SessionHost host() {
+        SessionHost host;
+        host.device = [this] {
+            DeviceOptions device = options_.device;
+            device.surface = window_.surface();
+            return device;
+        };
+        host.loadPipelines = [] { return loadPipelineCache(); };
+        host.keepPipelines = savePipelineCache;
+        host.prepare = [this](Renderer& renderer) { renderer.setOverlayGlyphs(panel_->glyphs()); };
+        host.lost = [](const std::string& loss) { std::cerr << "nacre: warning: " << loss << std::endl; };
+        return host;
     }
 
+    Viewer& viewer() { return session_.viewer(); }
+    Renderer& renderer() { return *session_.renderer(); }
+
     SavedView firstView() const {
-        SavedView view = savedViewOf(options_.first);
+        SavedView view = options_.first;
         if (options_.restore)
             if (const auto saved = loadState()) view = *saved;
         if (view.input.empty()) view.input = "sample:dna";
@@ -103,9 +109,9 @@ private:
 
     ViewerOptions viewerOptions() const {
         ViewerOptions options;
-        if (renderer_->stats().device.type == "software") options.mostSamples = 2;
-        options.occlusionBytes = options_.first.occlusion.bytes();
-        options.occlusionCache = occlusionCacheFolder(options_.first.input);
+        options.occlusionBytes = options_.occlusionBytes;
+        options.occlusionCache = cacheFolder(options_.input.cache, "occlusion");
+        options.tuning = options_.tuning;
         return options;
     }
 
@@ -118,16 +124,16 @@ private:
         WindowEvents e;
         e.resized = [this] { resized(); };
         e.iconified = [this](bool iconified) {
-            if (!iconified) return viewer_.resume(now());
-            viewer_.pause();
-            saveState(viewer_.view());
+            if (!iconified) return viewer().resume(now());
+            viewer().pause();
+            saveState(viewer().view());
         };
-        e.damaged = [this] { viewer_.overlayChanged(); };
+        e.damaged = [this] { viewer().overlayChanged(); };
         e.pointer = [this](glm::dvec2 at) {
             noteInput();
             pointer_ = at;
             panel_->pointer(at);
-            if (!panelDrag_) viewer_.mouseMove(at / scale_, now());
+            if (!panelDrag_) viewer().mouseMove(at / scale_, now());
         };
         e.button = [this](MouseButton button, bool down, Modifiers with) {
             noteInput();
@@ -136,7 +142,7 @@ private:
             if (panelDrag_)
                 panel_->button(button, down);
             else
-                viewer_.mouseButton(button, down, pointer_ / scale_, with, now());
+                viewer().mouseButton(button, down, pointer_ / scale_, with, now());
             if (!down) panelDrag_ = false;
         };
         e.wheel = [this](double steps) {
@@ -144,7 +150,7 @@ private:
             if (panel_->ownsPointer())
                 panel_->wheel(steps);
             else
-                viewer_.wheel(steps, pointer_ / scale_, now());
+                viewer().wheel(steps, pointer_ / scale_, now());
         };
         e.special = [this](SpecialKey key, bool down) {
             if (panel_->ownsKeys() || !down) panel_->key(key, down);
@@ -157,7 +163,7 @@ private:
             if (panel_->ownsKeys()) return;
             if (const auto command = commandOf(key)) run(*command);
         };
-        e.dropped = [this](const std::string& path) { viewer_.open(lasting(path), now()); };
+        e.dropped = [this](const std::string& path) { viewer().open(lasting(path), now()); };
         return e;
     }
 
@@ -165,25 +171,25 @@ private:
     void rescaled() {
         scale_ = window_.pixelsPerPoint();
         panel_ = makePanel();
-        renderer_->setOverlayGlyphs(panel_->glyphs());
+        renderer().setOverlayGlyphs(panel_->glyphs());
     }
 
     void resized() {
         const PixelSize size = window_.size();
-        if (size.width == 0 || size.height == 0) return viewer_.pause();
+        if (size.width == 0 || size.height == 0) return viewer().pause();
         if (window_.pixelsPerPoint() != scale_) rescaled();
-        viewer_.resize(size, scale_, now());
-        viewer_.resume(now());
+        viewer().resize(size, scale_, now());
+        viewer().resume(now());
     }
 
     void run(ViewerCommand command) {
         switch (command) {
             case ViewerCommand::panel:
                 panel_->togglePanel();
-                return viewer_.overlayChanged();
+                return viewer().overlayChanged();
             case ViewerCommand::help:
                 panel_->toggleHelp();
-                return viewer_.overlayChanged();
+                return viewer().overlayChanged();
             case ViewerCommand::clearPicks:
                 panel_->closeHelp();
                 break;
@@ -197,112 +203,84 @@ private:
             default:
                 break;
         }
-        viewer_.run(command, now());
+        viewer().run(command, now());
     }
 
     /// The picture as PNG, or the view as JSON, in the current folder under a name that is free.
     void save(bool picture) {
-        if (!viewer_.document()) return;
+        if (!viewer().document()) return;
         try {
-            const std::string path = freeName(viewer_.document()->view.input, picture ? ".png" : ".view.json");
+            const std::string path = freeName(viewer().document()->view.input, picture ? ".png" : ".view.json");
             OutputFile file(path);
             if (picture) {
-                RenderSettings settings = viewer_.settings();
-                settings.supersample = viewerOptions().mostSamples;
-                const Picture p = renderer_->render(settings);
-                writePicture(file, {p.width, p.height, p.rgba}, false);
+                RenderSettings settings = viewer().settings();
+                settings.supersample = viewer().mostSamples();
+                writePicture(file, renderer().render(settings), false);
             } else {
-                writeText(file, savedViewJson(viewer_.view()));
+                writeText(file, savedViewJson(viewer().view()));
             }
-            viewer_.say("saved " + path, now());
+            viewer().say("saved " + path, now());
         } catch (const Error& error) {
-            viewer_.say(error.what(), now());
+            viewer().say(error.what(), now());
         }
     }
 
     /// The next frame, drawn at once, in the current folder under a name that is free; in RenderDoc's own if that
     /// started us.
     void captureFrame() {
-        if (!renderer_->captures())
-            return viewer_.say(capturesBuilt() ? "F12 needs RenderDoc from the start: nacre view --capture"
-                                               : "this program was built without RenderDoc's header",
-                               now());
-        if (!viewer_.document()) return;
+        if (!renderer().captures())
+            return viewer().say(capturesBuilt() ? "F12 needs RenderDoc from the start: nacre view --capture"
+                                                : "this program was built without RenderDoc's header",
+                                now());
+        if (!viewer().document()) return;
         try {
             std::optional<OutputFile> file;
-            if (!renderer_->startedByRenderDoc()) file.emplace(freeName(viewer_.document()->view.input, ".rdc"));
-            renderer_->beginCapture(file ? captureStem(*file) : "");
+            if (!renderer().startedByRenderDoc()) file.emplace(freeName(viewer().document()->view.input, ".rdc"));
+            renderer().beginCapture(file ? captureStem(*file) : "");
             WindowFrame frame;
-            frame.overlay = panel_->draw(viewer_, window_.size(), now());
-            const bool shown = renderer_->present(viewer_.settings(), frame) == FrameOutcome::shown;
-            const std::string written = renderer_->endCapture();
+            frame.overlay = panel_->draw(viewer(), window_.size(), now());
+            const bool shown = renderer().present(viewer().settings(), frame) == FrameOutcome::shown;
+            const std::string written = renderer().endCapture();
             if (!shown) throw Error("cannot capture", "", "the window is changing");
             if (file) keepCapture(written, *file);
-            viewer_.say("captured to " + (file ? file->path() : written), now());
+            viewer().say("captured to " + (file ? file->path() : written), now());
         } catch (const Error& error) {
-            viewer_.say(error.what(), now());
+            viewer().say(error.what(), now());
         }
-    }
-
-    /// What the driver compiled for the first refined picture is all that later ones need.
-    void saveWarmCaches() {
-        if (cacheSaved_ || renderer_->stats().windowFrames < 3) return;
-        cacheSaved_ = true;
-        if (renderer_->captures())
-            return;  // RenderDoc keeps the driver's data from us, and the file has what is better
-        savePipelineCache(renderer_->pipelineCache());
-    }
-
-    void renew() {
-        const std::string loss = renderer_->deviceLoss();
-        if (now() - lostAt_ > 60) lost_ = 0;
-        lostAt_ = now();
-        if (++lost_ > 3) throw Error("drawing was given up", "4 times within minutes", loss);
-        std::cerr << "nacre: warning: " << loss << std::endl;
-        renderer_.reset();
-        renderer_ = makeRenderer();
-        screen_.setRenderer(*renderer_);
-        renderer_->setScene({});
-        renderer_->setOverlayGlyphs(panel_->glyphs());
-        viewer_.screenLost(now());
     }
 
     void writeStats() {
         nlohmann::ordered_json json;
-        json["window_frames"] = renderer_->stats().windowFrames;
+        json["window_frames"] = renderer().stats().windowFrames;
         json["seconds_since_last_frame"] = now() - lastShown_;
-        json["occlusion"] = viewer_.occlusion();
-        json["occlusion_cached"] = renderer_->stats().occlusion.cached;
-        json["occlusion_bytes"] = renderer_->stats().occlusion.bytes;
+        json["occlusion"] = viewer().occlusion();
+        json["occlusion_cached"] = renderer().stats().occlusion.cached;
+        json["occlusion_bytes"] = renderer().stats().occlusion.bytes;
         if (!latencies_.empty()) {
             std::sort(latencies_.begin(), latencies_.end());
             json["input_to_present"] = {{"min", latencies_.front()}, {"median", latencies_[latencies_.size() / 2]}};
         }
         json["picked"] = nlohmann::ordered_json::array();
-        for (const std::uint32_t pick : viewer_.picks()) json["picked"].push_back(pick + 1);
-        json["device"] = renderer_->stats().device.name;
-        OutputFile file(options_.first.stats);
+        for (const std::uint32_t pick : viewer().picks()) json["picked"].push_back(pick + 1);
+        json["device"] = renderer().stats().device.name;
+        OutputFile file(options_.stats);
         writeText(file, json.dump(2) + "\n");
     }
 
     ViewOptions options_;
     Window window_;
-    std::unique_ptr<Renderer> renderer_;
-    RendererScreen screen_;
-    Viewer viewer_;
     std::unique_ptr<Panel> panel_;
+    Session session_;
     glm::dvec2 pointer_{};
     double scale_ = 0, lastFrame_ = 0, lastShown_ = 0;
     double inputAt_ = 0;             // when the first input came that no frame has answered; 0: none did
     std::vector<double> latencies_;  // of frames that answered some, milliseconds until they were handed to the display
     std::uint64_t shown_ = 0;        // frames, when lastShown_ was
-    bool panelDrag_ = false, cacheSaved_ = false;
-    int lost_ = 0;          // devices, of late
-    double lostAt_ = -1e9;  // the last of them
+    bool panelDrag_ = false;
 };
 
 }  // namespace
 
-void viewCommand(const ViewOptions& options) { Session(options).loop(); }
+void viewCommand(const ViewOptions& options) { WindowSession(options).loop(); }
 
 }  // namespace nacre::app

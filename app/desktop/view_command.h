@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/cli/options.h"
+#include "app/desktop/view_options.h"
 
 namespace nacre::app {
 

@@ -7,6 +7,8 @@
 #include "app/panel/panel.h"
 #include "app/panel/panel_style.h"
 #include "app/shared/notices.h"
+#include "app/shared/option_text.h"
+#include "app/shared/option_values.h"
 #include "app/viewer/presets.h"
 
 namespace nacre::app {
@@ -153,18 +155,19 @@ bool Panel::choose(const char* label, std::span<const char* const> choices, std:
 void Panel::drawLook(SavedView& look) {
     const float column = (forFingers() ? kFingerColumnPoints : kColumnPoints) * scale();
     heading("Style");
-    constexpr std::pair<const char*, const char*> kStyles[] = {{"By size", ""},
-                                                               {"Space-filling", "spacefill"},
-                                                               {"Ball and stick", "ball-and-stick"},
-                                                               {"Licorice", "licorice"}};
+    constexpr std::pair<const char*, std::optional<Style>> kStyles[] = {{"By size", std::nullopt},
+                                                                        {"Space-filling", Style::spacefill},
+                                                                        {"Ball and stick", Style::ballAndStick},
+                                                                        {"Licorice", Style::licorice}};
     for (const auto& [label, style] : kStyles) {
-        if (ImGui::RadioButton(label, look.style == style)) look.style = style;
+        if (ImGui::RadioButton(label, look.look.style == style)) look.look.style = style;
         if (!forFingers() && label != kStyles[1].first && label != kStyles[3].first) ImGui::SameLine(column);
     }
     heading("Colours, background, preset");
     ImGui::PushItemWidth(-1);
-    choose("##colours", colorChoices(), look.color);
-    choose("##background", backgroundChoices(), look.background);
+    std::string color = coloringText(look.look.color), background = backgroundText(look.background);
+    if (choose("##colours", colorChoices(), color)) look.look.color = parseColoring(color);
+    if (choose("##background", backgroundChoices(), background)) look.background = parseColor(background);
     drawPresets(look);
     ImGui::PopItemWidth();
 }
@@ -218,30 +221,31 @@ void Panel::drawRules(SavedView& look, const Molecule* molecule) {
         ImGui::TextWrapped("%s", ruleError_.c_str());
         ImGui::PopStyleColor();
     }
-    if (look.rules.empty()) return;
-    for (const auto& [option, value] : look.rules) ImGui::TextWrapped("%s %s", option.c_str(), value.c_str());
-    if (ImGui::Button("Undo rule")) look.rules.pop_back();
+    std::vector<Rule>& rules = look.look.rules;
+    if (rules.empty()) return;
+    for (const Rule& rule : rules) {
+        const auto [option, value] = ruleText(rule);
+        ImGui::TextWrapped("%s %s", option.c_str(), value.c_str());
+    }
+    if (ImGui::Button("Undo rule")) rules.pop_back();
 }
 
 void Panel::drawRuleButtons(SavedView& look, const std::string& selection) {
-    const auto add = [&](const char* option, const std::string& value) {
+    const auto add = [&](Rule (*parse)(std::string_view), const std::string& value) {
         try {
-            SavedView trial = look;
-            trial.rules.emplace_back(option, value);
-            lookOf(trial);
-            look.rules = trial.rules;
+            look.look.rules.push_back(parse(value));
             ruleError_.clear();
         } catch (const std::exception& error) {
             ruleError_ = error.what();
         }
     };
-    if (ImGui::Button("Hide")) add("hide", selection);
+    if (ImGui::Button("Hide")) add(parseHide, selection);
     ImGui::SameLine();
-    if (ImGui::Button("Balls")) add("show", selection + "=ball-and-stick");
+    if (ImGui::Button("Balls")) add(parseShow, selection + "=ball-and-stick");
     ImGui::SameLine();
-    if (ImGui::Button("Sticks")) add("show", selection + "=licorice");
+    if (ImGui::Button("Sticks")) add(parseShow, selection + "=licorice");
     ImGui::SameLine();
-    if (ImGui::Button("Red")) add("color-by", selection + "=#e04030");
+    if (ImGui::Button("Red")) add(parseColorBy, selection + "=#e04030");
 }
 
 void Panel::drawHelp() {

@@ -37,12 +37,12 @@ std::string hindrance(const std::string& folder) {
 
 }  // namespace
 
-std::string cacheFolder(const std::optional<std::string>& asked) {
+std::string cacheFolder(const std::optional<std::string>& asked, const std::string& name) {
     const std::string set = variable("NACRE_CACHE");
     std::string folder = asked ? *asked : set.empty() ? usualFolder() : set;
     if (folder.empty() || folder == "off") return {};
     const std::string why = hindrance(folder);
-    if (why.empty()) return folder;
+    if (why.empty()) return (fs::path(folder) / name).string();
     if (asked || !set.empty()) throw Error("cannot use cache", folder, why);
     return {};
 }

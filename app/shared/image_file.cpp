@@ -119,23 +119,13 @@ void writeRows(OutputFile& file, const OIIO::ImageSpec& spec, const OIIO::TypeDe
     file.commit();
 }
 
-/// One premultiplied linear pixel as sRGB bytes, straight alpha if kept, over white if not.
-void codePixel(const float* pixel, bool alpha, std::uint8_t* out) {
-    const float a = std::clamp(pixel[3], 0.0f, 1.0f);
-    for (int i = 0; i < 3; ++i) {
-        const float light = alpha ? (a > 0.0f ? pixel[i] / a : 0.0f) : pixel[i] + (1.0f - a);
-        out[i] = toByte(linearToSrgb(light));
-    }
-    if (alpha) out[3] = toByte(a);
-}
-
 }  // namespace
 
 bool isPictureName(const std::string& path) {
     return isExr(path) || isTiff(path) || isJpeg(path) || extensionOf(path) == ".png";
 }
 
-void writePicture(OutputFile& file, const PictureView& picture, bool alpha) {
+void writePicture(OutputFile& file, const Picture& picture, bool alpha) {
     const std::string& path = file.path();
     const std::size_t width = picture.width;
     if (isExr(path)) {
@@ -167,7 +157,7 @@ void writePicture(OutputFile& file, const PictureView& picture, bool alpha) {
     });
 }
 
-void writeLayers(OutputFile& file, const LayersView& layers) {
+void writeLayers(OutputFile& file, const LayerPicture& layers) {
     constexpr std::size_t kChannels = 10;
     OIIO::ImageSpec spec = specOf(file.path(), layers.width, layers.height, kChannels, OIIO::TypeDesc::FLOAT);
     spec.channelnames = {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z", "id", "occlusion"};

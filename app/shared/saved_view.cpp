@@ -6,6 +6,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "app/shared/molecules.h"
+#include "app/shared/option_text.h"
 #include "app/shared/option_values.h"
 #include "engine/error.h"
 #include "engine/molecule/read.h"
@@ -62,35 +64,29 @@ void readRules(const Json& list, SavedView& view) {
     for (const Json& rule : list) {
         if (!rule.is_object() || rule.size() != 1)
             throw std::invalid_argument("expected each rule as {\"option\": \"value\"}");
-        const std::string option = rule.begin().key(), value = textOf(rule.begin().value());
-        parseRule(option, value);
-        view.rules.emplace_back(option, value);
+        view.look.rules.push_back(parseRule(rule.begin().key(), textOf(rule.begin().value())));
     }
 }
 
-std::string checkedFormat(const std::string& name) {
-    if (!name.empty() && !formatFromName(name)) throw std::invalid_argument("expected one of " + formatNames());
-    return name;
+std::optional<Format> parseFormat(const std::string& name) {
+    const auto format = formatFromName(name);
+    if (!name.empty() && !format) throw std::invalid_argument("expected one of " + formatNames());
+    return format;
 }
 
 void readKey(const std::string& key, const Json& value, SavedView& view) {
-    const auto parsed = [&](auto parse) {
-        std::string text = textOf(value);
-        parse(text);
-        return text;
-    };
     if (key == "input") {
         view.input = textOf(value);
     } else if (key == "format") {
-        view.format = checkedFormat(textOf(value));
+        view.format = parseFormat(textOf(value));
     } else if (key == "model") {
         view.model = parseModel(textOf(value));
     } else if (key == "assembly") {
-        view.assembly = textOf(value);
+        view.look.assembly = textOf(value);
     } else if (key == "style") {
-        view.style = parsed(parseStyle);
+        view.look.style = parseStyle(textOf(value));
     } else if (key == "color") {
-        view.color = parsed(parseColoring);
+        view.look.color = parseColoring(textOf(value));
     } else if (key == "rules") {
         readRules(value, view);
     } else if (key == "water") {
@@ -110,7 +106,7 @@ void readKey(const std::string& key, const Json& value, SavedView& view) {
         const auto pan = numbersOf<2>(value);
         view.camera.pan = {pan[0], pan[1]};
     } else if (key == "background") {
-        view.background = parsed(parseColor);
+        view.background = parseColor(textOf(value));
     } else if (key == "lighting") {
         view.lighting = isOn(value, "on", "off");
     } else if (key == "occlusion") {
@@ -148,13 +144,16 @@ SavedView readSavedView(const std::string& path) {
 std::string savedViewJson(const SavedView& view) {
     Json json = Json::object();
     if (!view.input.empty()) json["input"] = view.input;
-    if (!view.format.empty()) json["format"] = view.format;
+    if (view.format) json["format"] = formatName(*view.format);
     json["model"] = view.model == kAllModels ? Json("all") : Json(view.model);
-    if (!view.assembly.empty()) json["assembly"] = view.assembly;
-    if (!view.style.empty()) json["style"] = view.style;
-    json["color"] = view.color;
+    if (!view.look.assembly.empty()) json["assembly"] = view.look.assembly;
+    if (view.look.style) json["style"] = styleName(*view.look.style);
+    json["color"] = coloringText(view.look.color);
     json["rules"] = Json::array();
-    for (const auto& [option, value] : view.rules) json["rules"].push_back({{option, value}});
+    for (const Rule& rule : view.look.rules) {
+        const auto [option, value] = ruleText(rule);
+        json["rules"].push_back({{option, value}});
+    }
     json["water"] = view.drawn.water ? "show" : "hide";
     json["hydrogens"] = view.drawn.hydrogens ? "show" : "hide";
     json["projection"] = view.camera.projection == Projection::orthographic ? "ortho" : "perspective";
@@ -163,19 +162,21 @@ std::string savedViewJson(const SavedView& view) {
     const glm::dquat& q = view.camera.orientation;
     json["orientation"] = {q.w, q.x, q.y, q.z};
     json["pan"] = {view.camera.pan.x, view.camera.pan.y};
-    json["background"] = view.background;
+    json["background"] = backgroundText(view.background);
     json["lighting"] = view.lighting ? "on" : "off";
     json["occlusion"] = view.occlusionDirections ? Json(view.occlusionDirections) : Json("off");
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-RepresentationOptions lookOf(const SavedView& view) {
-    RepresentationOptions look;
-    look.assembly = view.assembly;
-    if (!view.style.empty()) look.style = parseStyle(view.style);
-    look.color = parseColoring(view.color);
-    for (const auto& [option, value] : view.rules) look.rules.push_back(parseRule(option, value));
-    return look;
+InputOptions inputOf(const SavedView& view, InputOptions options) {
+    options.path = view.input;
+    options.format = view.format;
+    options.model = view.model;
+    return options;
+}
+
+Representation sceneOfView(const Molecule& molecule, const SavedView& view) {
+    return sceneOf(molecule, view.input, view.drawn, view.look);
 }
 
 }  // namespace nacre::app

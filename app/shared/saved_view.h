@@ -7,10 +7,10 @@
 //    "orientation": [w, x, y, z], "pan": [x, y], "background": "white", "lighting": "on", "occlusion": 128}
 // `orientation` is a unit quaternion (v = Q (p - C)), `pan` is in Å. Every key may be left out.
 
+#include <array>
 #include <string>
-#include <utility>
-#include <vector>
 
+#include "app/shared/input_options.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/scene/camera.h"
 #include "engine/scene/representation.h"
@@ -18,14 +18,13 @@
 namespace nacre::app {
 
 struct SavedView {
-    std::string input, format;  ///< empty: none, by content
+    std::string input;             ///< empty: none
+    std::optional<Format> format;  ///< empty: by content
     int model = 1;
-    std::string assembly;                                    ///< empty: the file's atoms as they are
-    std::string style, color = "element";                    ///< style: empty means by size
-    std::vector<std::pair<std::string, std::string>> rules;  ///< option without dashes, value
     DrawnAtomsOptions drawn;
+    RepresentationOptions look;
     Camera camera;
-    std::string background = "white";
+    std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha
     bool lighting = true;
     int occlusionDirections = 128;  ///< 0: off
 };
@@ -35,7 +34,9 @@ SavedView parseSavedView(const std::string& json, const std::string& name);
 SavedView readSavedView(const std::string& path);
 std::string savedViewJson(const SavedView& view);
 
-/// Style, colours and rules as the scene takes them. @throws std::invalid_argument or Error if a text is none
-RepresentationOptions lookOf(const SavedView& view);
+/// What a view names, read as it says; everything else as in `options`.
+InputOptions inputOf(const SavedView& view, InputOptions options = {});
+/// What is drawn of a view's molecule. @throws Error if that is nothing
+Representation sceneOfView(const Molecule& molecule, const SavedView& view);
 
 }  // namespace nacre::app

@@ -1,6 +1,7 @@
 #pragma once
 // Between linear light and the sRGB code values of files (IEC 61966-2-1).
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -22,6 +23,16 @@ inline float srgbToLinear(float coded) {
 inline std::uint8_t toByte(float value) {
     if (!(value > 0.0f)) return 0;
     return value >= 1.0f ? std::uint8_t{255} : static_cast<std::uint8_t>(value * 255.0f + 0.5f);
+}
+
+/// One premultiplied linear pixel as sRGB bytes: four with straight alpha, or three over white.
+inline void codePixel(const float* pixel, bool alpha, std::uint8_t* out) {
+    const float a = std::clamp(pixel[3], 0.0f, 1.0f);
+    for (int i = 0; i < 3; ++i) {
+        const float light = alpha ? (a > 0.0f ? pixel[i] / a : 0.0f) : pixel[i] + (1.0f - a);
+        out[i] = toByte(linearToSrgb(light));
+    }
+    if (alpha) out[3] = toByte(a);
 }
 
 }  // namespace nacre::app

@@ -1,33 +1,36 @@
 #include "app/viewer/presets.h"
 
+#include "app/shared/option_values.h"
+
 namespace nacre::app {
 
 std::span<const Preset> presets() {
-    static const std::vector<Preset> kPresets = {
-        {"Elements", "", "element", "white", {}},
-        {"Chains", "spacefill", "chain", "white", {}},
-        {"Chains and ligands", "spacefill", "chain", "white", {{"color-by", "ligand or ion=element"}}},
+    using enum Style;
+    constexpr std::array<float, 4> kWhite{1, 1, 1, 1}, kBlack{0, 0, 0, 1};
+    static const Preset kPresets[] = {
+        {"Elements", {{}, ColorScheme::element}, kWhite},
+        {"Chains", {spacefill, ColorScheme::chain}, kWhite},
+        {"Chains and ligands", {spacefill, ColorScheme::chain, {parseColorBy("ligand or ion=element")}}, kWhite},
         {"Ligand in its pocket",
-         "licorice",
-         "chain",
-         "white",
-         {{"hide", "not (ligand or ion or byres within 6 of ligand)"},
-          {"show", "ligand or ion=spacefill"},
-          {"color-by", "ligand or ion=element"}}},
-        {"Sticks", "licorice", "element", "white", {}},
-        {"N to C", "spacefill", "rainbow", "white", {}},
-        {"Predicted confidence", "spacefill", "plddt", "white", {}},
-        {"Hydrophobic and polar", "spacefill", "hydrophobicity", "white", {}},
-        {"On black", "spacefill", "element", "black", {}},
+         {licorice,
+          ColorScheme::chain,
+          {parseHide("not (ligand or ion or byres within 6 of ligand)"), parseShow("ligand or ion=spacefill"),
+           parseColorBy("ligand or ion=element")}},
+         kWhite},
+        {"Sticks", {licorice, ColorScheme::element}, kWhite},
+        {"N to C", {spacefill, ColorScheme::rainbow}, kWhite},
+        {"Predicted confidence", {spacefill, ColorScheme::plddt}, kWhite},
+        {"Hydrophobic and polar", {spacefill, ColorScheme::hydrophobicity}, kWhite},
+        {"On black", {spacefill, ColorScheme::element}, kBlack},
     };
     return kPresets;
 }
 
 void applyPreset(const Preset& preset, SavedView& view) {
-    view.style = preset.style;
-    view.color = preset.color;
+    const std::string assembly = view.look.assembly;
+    view.look = preset.look;
+    view.look.assembly = assembly;
     view.background = preset.background;
-    view.rules = preset.rules;
 }
 
 std::span<const char* const> colorChoices() {

@@ -2,8 +2,6 @@
 // Looks that are one key away.
 
 #include <span>
-#include <string>
-#include <vector>
 
 #include "app/shared/saved_view.h"
 
@@ -11,10 +9,8 @@ namespace nacre::app {
 
 struct Preset {
     const char* name;
-    const char* style;  ///< empty: by size
-    const char* color;
-    const char* background;
-    std::vector<std::pair<std::string, std::string>> rules;
+    RepresentationOptions look;
+    std::array<float, 4> background;
 };
 
 std::span<const Preset> presets();

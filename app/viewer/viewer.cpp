@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <limits>
 
-#include "app/shared/option_values.h"
 #include "app/viewer/measurement.h"
 #include "engine/error.h"
 
@@ -114,10 +113,10 @@ void Viewer::pick(glm::dvec2 at, double now) {
 void Viewer::open(const std::string& path, double now) {
     SavedView fresh = view();
     fresh.input = path;
-    fresh.format.clear();
+    fresh.format.reset();
     fresh.model = 1;
-    fresh.assembly.clear();
-    fresh.rules.clear();
+    fresh.look.assembly.clear();
+    fresh.look.rules.clear();
     fresh.camera = {};
     fresh.camera.projection = view_.camera.projection;
     loader_.read(fresh);
@@ -191,8 +190,7 @@ void Viewer::setLook(const SavedView& look, double now) {
     view_.camera = before.camera;
     motion_.setProjection(look.camera.projection);
     changed(now);
-    const bool scene = look.style != before.style || look.color != before.color || look.rules != before.rules ||
-                       look.drawn.water != before.drawn.water || look.drawn.hydrogens != before.drawn.hydrogens;
+    const bool scene = look.look != before.look || look.drawn != before.drawn;
     if (scene && document_.molecule) loader_.build(view(), document_.molecule);
     if (look.occlusionDirections != before.occlusionDirections) occlusion_ = look.occlusionDirections ? 0 : 1;
 }
@@ -210,11 +208,12 @@ std::string Viewer::title() const {
 RenderSettings Viewer::settings() const {
     RenderSettings s;
     s.view = viewOf(motion_.camera(), radius(), size_.width, size_.height);
-    s.background = parseColor(view_.background);
+    s.background = view_.background;
     s.lighting = view_.lighting;
     s.occlusion.directions = view_.occlusionDirections;
     s.occlusion.bytes = options_.occlusionBytes;
     s.occlusion.cache = options_.occlusionCache;
+    s.tuning = options_.tuning;
     s.debug = debug_;
     return s;
 }
@@ -264,9 +263,9 @@ void Viewer::tookDocument(double now) {
         view_.input = document_.view.input;
         view_.format = document_.view.format;
         view_.model = document_.view.model;
-        view_.assembly = document_.view.assembly;
+        view_.look.assembly = document_.view.look.assembly;
         if (!firstDocument_) {
-            view_.rules = document_.view.rules;
+            view_.look.rules = document_.view.look.rules;
             motion_.set(document_.view.camera);
         }
         firstDocument_ = false;

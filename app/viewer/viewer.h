@@ -37,6 +37,7 @@ struct ViewerOptions {
     std::uint64_t refinedPixels = 1ull << 24;  ///< samples of a refinement at most
     std::uint64_t occlusionBytes = RenderSettings{}.occlusion.bytes;
     std::string occlusionCache;  ///< folder of finished bakes; empty: none are kept
+    FrameTuning tuning;          ///< never changes the picture
 };
 
 class Viewer {
@@ -58,6 +59,9 @@ public:
     void resume(double now);
     /// Gives up what can be made again: the refined picture's samples from now on, picks stay.
     void lowMemory();
+    /// A side of a pixel, of the refinement, from now on.
+    void setMostSamples(std::uint32_t samples) { options_.mostSamples = samples; }
+    std::uint32_t mostSamples() const { return options_.mostSamples; }
     /// The window's picture or the device is lost, or `screen` draws on another one. Says what is known of the loss.
     void screenLost(double now);
 

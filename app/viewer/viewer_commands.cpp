@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/trigonometric.hpp>
 
+#include "app/shared/option_text.h"
 #include "app/shared/option_values.h"
 #include "app/viewer/presets.h"
 #include "app/viewer/viewer.h"
@@ -92,17 +93,17 @@ void Viewer::run(ViewerCommand command, double now) {
     SavedView look = view();
     switch (command) {
         case C::spacefill:
-            look.style = "spacefill";
+            look.look.style = Style::spacefill;
             break;
         case C::ballAndStick:
-            look.style = "ball-and-stick";
+            look.look.style = Style::ballAndStick;
             break;
         case C::licorice:
-            look.style = "licorice";
+            look.look.style = Style::licorice;
             break;
         case C::nextColor:
-            look.color = nextOf(colorChoices(), look.color);
-            say("colours: " + look.color, now);
+            look.look.color = parseColoring(nextOf(colorChoices(), coloringText(look.look.color)));
+            say("colours: " + coloringText(look.look.color), now);
             break;
         case C::nextPreset:
             preset_ = (preset_ + 1) % presets().size();
@@ -110,7 +111,7 @@ void Viewer::run(ViewerCommand command, double now) {
             say(presets()[preset_].name, now);
             break;
         case C::nextBackground:
-            look.background = nextOf(backgroundChoices(), look.background);
+            look.background = parseColor(nextOf(backgroundChoices(), backgroundText(look.background)));
             break;
         case C::water:
             look.drawn.water = !look.drawn.water;

@@ -10,6 +10,7 @@ namespace nacre {
 struct DrawnAtomsOptions {
     bool water = false;
     bool hydrogens = true;
+    friend bool operator==(const DrawnAtomsOptions&, const DrawnAtomsOptions&) = default;
 };
 
 /// Whether a residue of this name is water: HOH WAT H2O DOD SOL TIP TIP3 TIP4 SPC.

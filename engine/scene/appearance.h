@@ -26,6 +26,7 @@ struct Rule {
     Selection selection;
     Style style = Style::spacefill;  ///< of show
     Coloring coloring;               ///< of color
+    friend bool operator==(const Rule&, const Rule&) = default;
 };
 
 struct RepresentationOptions {
@@ -33,6 +34,7 @@ struct RepresentationOptions {
     Coloring color = ColorScheme::element;
     std::vector<Rule> rules = {};
     std::string assembly = {};  ///< identifier of one that the file states; empty: its atoms as they are
+    friend bool operator==(const RepresentationOptions&, const RepresentationOptions&) = default;
 };
 
 /// What the colours of some atoms mean.

@@ -45,6 +45,7 @@ struct Coloring {
         coloring.color = color;
         return coloring;
     }
+    friend bool operator==(const Coloring&, const Coloring&) = default;
 };
 
 struct LegendEntry {

@@ -66,13 +66,13 @@ TEST_F(AndroidHost, AKeyboardWorksToo) {
     Host host(folder_, std::nullopt, kQuick);
     host.open(160, 160);
     EXPECT_TRUE(host.key(AKEYCODE_3, AKEY_EVENT_ACTION_DOWN));
-    EXPECT_EQ(host.view().style, "licorice");
+    EXPECT_EQ(host.view().look.style, Style::licorice);
     host.key(AKEYCODE_DPAD_RIGHT, AKEY_EVENT_ACTION_DOWN, AMETA_SHIFT_ON);
     EXPECT_GT(host.view().camera.pan.x, 0);
     EXPECT_FALSE(host.key(AKEYCODE_VOLUME_UP, AKEY_EVENT_ACTION_DOWN));
     host.queue()->inputMethodTakesNext = true;
     host.key(AKEYCODE_1, AKEY_EVENT_ACTION_DOWN);
-    EXPECT_EQ(host.view().style, "licorice");
+    EXPECT_EQ(host.view().look.style, Style::licorice);
 }
 
 TEST_F(AndroidHost, ATapNamesAnAtom) {
@@ -96,10 +96,10 @@ TEST_F(AndroidHost, ThePanelIsReachedByFingers) {
     ASSERT_TRUE(eventually([&] { return host.picture().rgb[std::size_t{3} * (360 * 200 + 100)] < 60; }));
     sleep(0.3);
     host.tap(60, 276);  // "Ball and stick"
-    EXPECT_TRUE(eventually([&] { return host.view().style == "ball-and-stick"; }));
+    EXPECT_TRUE(eventually([&] { return host.view().look.style == Style::ballAndStick; }));
     host.drag(200, 400, 200, 100);  // scrolls, and turns nothing
     EXPECT_NEAR(std::abs(host.view().camera.orientation.w), 1, 1e-12);
-    EXPECT_EQ(host.view().style, "ball-and-stick");
+    EXPECT_EQ(host.view().look.style, Style::ballAndStick);
     EXPECT_TRUE(host.back());
     host.view();  // waits
     EXPECT_FALSE(host.back());

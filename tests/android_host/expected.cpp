@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "app/shared/local_molecules.h"
 #include "app/shared/option_values.h"
 #include "app/shared/srgb.h"
+#include "app/viewer/local_molecules.h"
 #include "engine/renderer.h"
 
 namespace nacre::test {
@@ -19,7 +19,7 @@ WindowPicture expectedPicture(const app::SavedView& view, std::uint32_t width, s
     const Representation scene = sources.build(molecule, view);
     RenderSettings settings;
     settings.view = viewOf(view.camera, scene.radius, width, height);
-    settings.background = app::parseColor(view.background);
+    settings.background = view.background;
     settings.lighting = view.lighting;
     settings.occlusion.directions = view.occlusionDirections;
     settings.supersample = samples;

@@ -21,8 +21,8 @@ constexpr double kScale = 2;  // pixels a point
 /// UIKit's part: a surface, a file, a clock.
 class Host {
 public:
-    SessionHost lend() {
-        SessionHost host;
+    MoleculeHost lend() {
+        MoleculeHost host;
         host.validate = true;
         host.surface.instanceExtensions = {VK_KHR_SURFACE_EXTENSION_NAME, VK_EXT_HEADLESS_SURFACE_EXTENSION_NAME};
         host.surface.create = [this](VkInstance instance) {
@@ -44,6 +44,7 @@ public:
             throw Error("cannot read molecule", path, "it is gone");
         };
         host.wake = [] {};
+        host.loadPipelines = [] { return std::vector<std::byte>(); };
         host.keepPipelines = [this](const std::vector<std::byte>& bytes) { pipelines.push_back(bytes.size()); };
         return host;
     }
@@ -69,7 +70,7 @@ public:
 SavedView viewOf(const std::string& input) {
     SavedView view;
     view.input = input;
-    view.style = "spacefill";
+    view.look.style = Style::spacefill;
     view.occlusionDirections = 4;
     return view;
 }
@@ -204,8 +205,8 @@ TEST(MoleculeSession, TheMenuDoesWhatItSays) {
     find(find(menu(), "Style").children, "Licorice").choose();
     find(find(menu(), "Colours").children, "chain").choose();
     find(find(menu(), "Show").children, "Perspective").choose();
-    EXPECT_EQ(viewer.view().style, "licorice");
-    EXPECT_EQ(viewer.view().color, "chain");
+    EXPECT_EQ(viewer.view().look.style, Style::licorice);
+    EXPECT_EQ(viewer.view().look.color, ColorScheme::chain);
     EXPECT_TRUE(find(find(menu(), "Style").children, "Licorice").checked);
     EXPECT_TRUE(find(find(menu(), "Show").children, "Perspective").checked);
 
@@ -226,7 +227,7 @@ TEST(MoleculeSession, TheMenuDoesWhatItSays) {
             EXPECT_FALSE(item.title.empty());
             chooseAll(item.children);
             if (item.choose) item.choose();
-            EXPECT_NO_THROW(lookOf(viewer.view())) << item.title;
+            EXPECT_NO_THROW(parseSavedView(savedViewJson(viewer.view()), item.title));
             EXPECT_TRUE(item.choose || !item.children.empty()) << item.title;
         }
     };

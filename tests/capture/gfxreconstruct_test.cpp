@@ -4,8 +4,8 @@
 
 #include <sstream>
 
-#include "tests/app/run_program.h"
 #include "tests/capture/inspect.h"
+#include "tests/support/run_program.h"
 
 namespace nacre::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <fstream>
 
 #include "app/shared/capture_file.h"
-#include "tests/app/run_program.h"
 #include "tests/capture/inspect.h"
+#include "tests/support/run_program.h"
 
 namespace nacre::test {
 namespace {

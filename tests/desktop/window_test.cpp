@@ -8,8 +8,8 @@
 #include <glm/gtc/quaternion.hpp>
 #include <random>
 
-#include "tests/app/run_program.h"
 #include "tests/desktop/x_session.h"
+#include "tests/support/run_program.h"
 #include "tests/support/test_data.h"
 
 namespace nacre::test {

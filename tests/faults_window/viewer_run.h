@@ -2,9 +2,8 @@
 // The viewer in a window that nobody sees, by a clock of its own: what a shell does, without one.
 
 #include <cmath>
-#include <memory>
 
-#include "app/viewer/viewer.h"
+#include "app/viewer/session.h"
 #include "tests/faults/fault_run.h"
 
 namespace nacre::test {
@@ -12,38 +11,42 @@ namespace nacre::test {
 class ViewerRun {
 public:
     /// @param directions of the occlusion, which takes most of the time
-    explicit ViewerRun(int directions = 0) : viewer_(screen_, sources(), firstView(directions), quick()) {
-        viewer_.waitForLoading();
-        viewer_.resize({64, 64}, 1, now_);
+    explicit ViewerRun(int directions = 0) : session_(host(), sources(), firstView(directions), quick(), {}) {
+        session_.open(now_);
+        viewer().waitForLoading();
+        viewer().resize({64, 64}, 1, now_);
     }
 
-    app::Viewer& viewer() { return viewer_; }
-    int devices() const { return screen_.devices; }
+    app::Viewer& viewer() { return session_.viewer(); }
+    int devices() const { return devices_; }
     /// Messages, each once in a row.
     const std::vector<std::string>& said() const { return said_; }
     void forgetSaid() { said_.clear(); }
+    double now() const { return now_; }
+
+    double secondsAfterALoss = 2 * app::Session::kForgottenAfter;  ///< a device is lost now and then
 
     /// As if the window had been covered.
-    void redraw() { viewer_.resume(now_); }
+    void redraw() { viewer().resume(now_); }
     void open() {
-        viewer_.open("sample:glucose", now_);
-        viewer_.waitForLoading();
+        viewer().open("sample:glucose", now_);
+        viewer().waitForLoading();
     }
     /// As if the window were new: scene and occlusion, too.
-    void anew() { viewer_.screenLost(now_); }
+    void anew() { viewer().screenLost(now_); }
 
     /// Until nothing is left to be drawn. @returns whether that came
     bool rest(int mostUpdates = 500) {
         for (int i = 0; i < mostUpdates; ++i) {
-            const double wake = viewer_.update(now_, [this] { return &overlay_; });
-            const std::string message = viewer_.annotations().message;
+            const int devices = devices_;
+            const double wake = session_.step(now_, [this] { return &overlay_; });
+            const std::string message = viewer().annotations().message;
             if (!message.empty() && (said_.empty() || said_.back() != message)) said_.push_back(message);
-            if (viewer_.deviceLost()) {
-                screen_.makeRenderer();
-                viewer_.screenLost(now_);
+            if (devices_ != devices) {
+                now_ += secondsAfterALoss;
                 continue;
             }
-            if (std::isinf(wake)) return viewer_.document() && viewer_.occlusion() == 1;
+            if (std::isinf(wake)) return viewer().document() && viewer().occlusion() == 1;
             now_ = std::max(now_ + 1.0 / 60, wake);
         }
         return false;
@@ -51,36 +54,21 @@ public:
 
     /// What the viewer shows, small.
     std::vector<float> picture() {
-        RenderSettings s = viewer_.settings();
-        s.view = viewOf(viewer_.view().camera, viewer_.document()->scene.radius, 64, 64);
-        return screen_.renderer->render(s).rgba;
+        RenderSettings s = viewer().settings();
+        s.view = viewOf(viewer().view().camera, viewer().document()->scene.radius, 64, 64);
+        return session_.renderer()->render(s).rgba;
     }
 
 private:
-    /// A screen whose renderer comes and goes.
-    struct RenewedScreen : app::Screen {
-        std::unique_ptr<Renderer> renderer;
-        int devices = 0;
-        RenewedScreen() { makeRenderer(); }
-        void makeRenderer() {
-            renderer.reset();
-            renderer = std::make_unique<Renderer>(options());
-            ++devices;
-        }
-        void setScene(const Representation& scene) override { renderer->setScene(scene); }
-        double advanceOcclusion(const RenderSettings& settings, double) override {
-            return renderer->advanceOcclusion(settings, 1e-3);
-        }
-        FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame) override {
-            return renderer->present(settings, frame);
-        }
-        PixelSize windowSize() const override { return renderer->windowSize(); }
-        std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach) override {
-            return renderer->atomAt(settings, x, y, reach);
-        }
-        std::string deviceLoss() const override { return renderer->deviceLoss(); }
-    };
-
+    app::SessionHost host() {
+        app::SessionHost host;
+        host.device = [this] {
+            ++devices_;
+            return options();
+        };
+        host.loadPipelines = [] { return std::vector<std::byte>(); };
+        return host;
+    }
     static DeviceOptions options() {
         DeviceOptions options;
         options.validate = true;
@@ -98,15 +86,14 @@ private:
         return options;
     }
     static app::Sources sources() {
-        return {[](const app::SavedView& v) { return sampleMolecule(v.input.substr(7)); },
-                [](const Molecule& m, const app::SavedView& v) {
-                    return represent(m, drawnAtoms(m, v.drawn), app::lookOf(v));
-                }};
+        return {
+            [](const app::SavedView& v) { return sampleMolecule(v.input.substr(7)); },
+            [](const Molecule& m, const app::SavedView& v) { return represent(m, drawnAtoms(m, v.drawn), v.look); }};
     }
     static app::SavedView firstView(int directions) {
         app::SavedView view;
         view.input = "sample:glucose";
-        view.style = "spacefill";
+        view.look.style = Style::spacefill;
         view.occlusionDirections = directions;
         return view;
     }
@@ -125,8 +112,8 @@ private:
 
     double now_ = 100;
     Overlay overlay_ = triangle();
-    RenewedScreen screen_;
-    app::Viewer viewer_;
+    int devices_ = 0;
+    app::Session session_;
     std::vector<std::string> said_;
 };
 

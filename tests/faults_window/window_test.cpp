@@ -168,5 +168,36 @@ TEST(WindowFaults, AnOcclusionThatFailsHalfWayIsBegunAnew) {
     expectNothingLeft();
 }
 
+/// Loses the device at the next submission and comes to rest. @returns whether it did
+bool loseOnce(ViewerRun& run) {
+    faults::reset();
+    faults::fail("vkQueueSubmit", 1, VK_ERROR_DEVICE_LOST);
+    run.redraw();
+    return run.rest() && faults::struck() == 1;
+}
+
+TEST(WindowFaults, LossesOfALongSittingAreForgottenAndThoseOfAMinuteAreNot) {
+    {
+        ViewerRun run;
+        ASSERT_TRUE(run.rest());
+        for (int loss = 1; loss <= 6; ++loss) {
+            ASSERT_TRUE(loseOnce(run)) << loss;
+            EXPECT_EQ(run.devices(), 1 + loss);
+        }
+        run.secondsAfterALoss = 1;
+        for (int loss = 1; loss <= app::Session::kMostLosses; ++loss) ASSERT_TRUE(loseOnce(run)) << loss;
+        try {
+            loseOnce(run);
+            ADD_FAILURE() << "a device that is lost again and again is made again and again";
+        } catch (const Error& error) {
+            EXPECT_EQ(std::string(error.what()).rfind("drawing was given up: 4 times within minutes: the device", 0),
+                      0u)
+                << error.what();
+        }
+        EXPECT_EQ(run.devices(), 1 + 6 + 3);
+    }
+    expectNothingLeft();
+}
+
 }  // namespace
 }  // namespace nacre::test

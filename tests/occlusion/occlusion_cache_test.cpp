@@ -4,8 +4,8 @@
 #include <fstream>
 #include <functional>
 
-#include "tests/app/temporary_folder.h"
 #include "tests/renderer/scenes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace nacre::test {
 namespace {

@@ -11,7 +11,7 @@
 #include <span>
 #include <sstream>
 
-#include "tests/app/run_program.h"
+#include "tests/support/run_program.h"
 
 namespace nacre::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "engine/occlusion/cache.h"
-#include "tests/app/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace nacre {
 namespace {

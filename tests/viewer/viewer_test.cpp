@@ -64,7 +64,7 @@ Sources sources() {
                 if (v.input == "bad") throw Error("cannot read molecule", "bad", "it is bad");
                 return sampleMolecule(v.input.substr(7));
             },
-            [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m, v.drawn), lookOf(v)); }};
+            [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m, v.drawn), v.look); }};
 }
 
 struct Bench {

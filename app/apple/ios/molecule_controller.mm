@@ -139,7 +139,7 @@ void savePipelines(const std::vector<std::byte>& bytes) {
 
 - (void)startSession {
     __weak MoleculeController* weakSelf = self;
-    SessionHost host;
+    MoleculeHost host;
     host.surface = surfaceOf(_molecule.metalLayer);
     host.readFile = readDocument;
     host.wake = [weakSelf] {
@@ -147,7 +147,7 @@ void savePipelines(const std::vector<std::byte>& bytes) {
           [weakSelf wake];
         });
     };
-    host.pipelineCache = loadPipelines();
+    host.loadPipelines = loadPipelines;
     host.keepPipelines = savePipelines;
     host.occlusionCache = textOf(cachedFile(@"occlusion").path);
     [self attempt:^{

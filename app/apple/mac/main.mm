@@ -34,8 +34,9 @@ int main() {
     @autoreleasepool {
         goToPictures();
         try {
-            const char* arguments[] = {"nacre", "view"};
-            nacre::app::viewCommand(nacre::app::parseCommandLine(2, arguments).view);
+            nacre::app::ViewOptions options;
+            options.restore = true;
+            nacre::app::viewCommand(options);
             return 0;
         } catch (const std::exception& error) {
             tell(error.what());

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "tests/app/no_cache.h"
-#include "tests/app/temporary_folder.h"
+#include "tests/support/no_cache.h"
+#include "tests/support/temporary_folder.h"
 
 namespace nacre::test {
 

@@ -9,9 +9,9 @@
 
 #include "engine/error.h"
 #include "engine/molecule/read.h"
-#include "tests/app/structure_server.h"
 #include "tests/molecule/bcif_writer.h"
 #include "tests/molecule/gzip_bytes.h"
+#include "tests/support/structure_server.h"
 
 namespace nacre::app {
 namespace {

@@ -11,10 +11,11 @@
 #include <thread>
 
 #include "app/shared/image_file.h"
+#include "app/shared/option_values.h"
 #include "app/shared/output_file.h"
 #include "engine/error.h"
 #include "engine/occlusion/cache.h"
-#include "tests/app/measured_run.h"
+#include "tests/support/measured_run.h"
 #ifdef NACRE_DESKTOP
 #include "app/desktop/state_files.h"
 #endif
@@ -184,7 +185,7 @@ TEST(StateFiles, DamagedOnesCountAsAbsent) {
     // A view is text: one that still reads as a view may be another, never an error.
     SavedView view;
     view.input = "sample:dna";
-    view.rules = {{"hide", "water"}, {"show", "protein=licorice"}};
+    view.look.rules = {parseHide("water"), parseShow("protein=licorice")};
     saveState(view);
     const std::string state = folder / "nacre/view.json", json = contentOf(state);
     for (std::size_t size = 0; size + 2 < json.size(); size += 5) {
@@ -198,7 +199,7 @@ TEST(StateFiles, DamagedOnesCountAsAbsent) {
         put(state, flipped);
         const auto loaded = loadState();
         if (!loaded) continue;
-        EXPECT_NO_THROW(lookOf(*loaded)) << flipped;
+        EXPECT_NO_THROW(parseSavedView(savedViewJson(*loaded), "again")) << flipped;
         ++read;
     }
     EXPECT_GT(read, 0);

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/molecule/memory_bound.h"
-#include "tests/app/measured_run.h"
+#include "tests/support/measured_run.h"
 #include "tests/support/test_data.h"
 
 namespace nacre {

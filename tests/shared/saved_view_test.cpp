@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/viewer/commands.h"
-#include "app/viewer/presets.h"
+#include "app/shared/option_values.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -12,27 +11,26 @@ namespace {
 TEST(SavedView, ComesBackToTheLastDigit) {
     SavedView view;
     view.input = "/tmp/a \"b\".pdb";
-    view.format = "pdb";
+    view.format = Format::pdb;
     view.model = 3;
-    view.assembly = "PAU";
-    view.style = "licorice";
-    view.color = "chain";
-    view.rules = {{"show", "ligand=ball-and-stick"}, {"hide", "chain B"}, {"color-by", "chain A=#ff8000"}};
+    view.look.assembly = "PAU";
+    view.look.style = Style::licorice;
+    view.look.color = ColorScheme::chain;
+    view.look.rules = {parseShow("ligand=ball-and-stick"), parseHide("chain B"), parseColorBy("chain A=#ff8000")};
     view.drawn = {true, false};
     view.camera.projection = Projection::perspective;
     view.camera.fovDegrees = 41.5;
     view.camera.zoom = 1.0 / 3;
     view.camera.pan = {0.1, -2e-7};
     view.camera.orientation = glm::normalize(glm::dquat(0.3, -0.2, 0.9, 0.1));
-    view.background = "#102030";
+    view.background = parseColor("#102030");
     view.lighting = false;
     view.occlusionDirections = 0;
     const SavedView back = parseSavedView(savedViewJson(view), "test");
     EXPECT_EQ(savedViewJson(back), savedViewJson(view));
     EXPECT_EQ(back.camera.orientation, view.camera.orientation);
     EXPECT_EQ(back.camera.pan, view.camera.pan);
-    EXPECT_EQ(back.rules, view.rules);
-    EXPECT_EQ(lookOf(back).rules.size(), 3u);
+    EXPECT_EQ(back.look, view.look);
 }
 
 TEST(SavedView, AnEmptyObjectIsTheDefault) {
@@ -64,34 +62,6 @@ TEST(SavedView, BadFilesAreRefusedByTheirKey) {
         }
     }
     EXPECT_THROW(readSavedView("/nowhere/v.json"), Error);
-}
-
-TEST(SavedView, EveryPresetAndChoiceIsOneThatTheSceneTakes) {
-    for (const Preset& preset : presets()) {
-        SavedView view;
-        applyPreset(preset, view);
-        EXPECT_NO_THROW(lookOf(view)) << preset.name;
-        EXPECT_NO_THROW(parseSavedView(savedViewJson(view), preset.name)) << preset.name;
-    }
-    for (const char* color : colorChoices()) {
-        SavedView view;
-        view.color = color;
-        EXPECT_NO_THROW(lookOf(view)) << color;
-    }
-}
-
-TEST(Commands, EveryCommandHasAKeyOfItsOwn) {
-    for (const Binding& b : keyBindings()) {
-        EXPECT_EQ(commandOf(b.key), b.command) << b.keys;
-        EXPECT_NE(std::string(b.what), "");
-    }
-    for (int c = 0; c <= static_cast<int>(ViewerCommand::quit); ++c) {
-        bool bound = false;
-        for (const Binding& b : keyBindings()) bound = bound || b.command == static_cast<ViewerCommand>(c);
-        EXPECT_TRUE(bound) << c;
-    }
-    EXPECT_EQ(commandOf({U'?', {true, false}}), ViewerCommand::help);  // wherever the layout has it
-    EXPECT_EQ(commandOf({U'x', {}}), std::nullopt);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 #include "app/shared/srgb.h"
 #include "engine/error.h"
-#include "tests/app/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace nacre::app {
 namespace {
@@ -130,7 +130,7 @@ TEST(ImageFile, LayersKeepEveryBit) {
     }
     {
         OutputFile file(folder / "l.exr");
-        writeLayers(file, {kWidth, kHeight, ramp(), z, normal, id, occlusion});
+        writeLayers(file, {kWidth, kHeight, ramp(), z, normal, occlusion, id});
     }
     const ReadBack back = readBack(folder / "l.exr");
     ASSERT_EQ(back.spec.nchannels, 10);

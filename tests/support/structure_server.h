@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "tests/app/temporary_folder.h"
+#include "tests/support/temporary_folder.h"
 
 namespace nacre::test {
 
@@ -28,7 +28,7 @@ public:
             prctl(PR_SET_PDEATHSIG, SIGKILL);  // a test that is killed leaves no server behind
             const int log = open((logs_ / "log").c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
             dup2(log, STDOUT_FILENO);
-            std::vector<std::string> words{"python3", NACRE_SOURCE_DIR "/tests/app/structure_server.py",
+            std::vector<std::string> words{"python3", NACRE_SOURCE_DIR "/tests/support/structure_server.py",
                                            folder_.path()};
             if (!certificate.empty()) words.insert(words.end(), {certificate, key});
             std::vector<char*> pointers;

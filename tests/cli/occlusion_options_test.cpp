@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/run_program.h"
+#include "tests/support/run_program.h"
 
 namespace nacre::app {
 namespace {

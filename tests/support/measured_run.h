@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-#include "tests/app/no_cache.h"
-#include "tests/app/temporary_folder.h"
+#include "tests/support/no_cache.h"
+#include "tests/support/temporary_folder.h"
 
 namespace nacre::test {
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/app/measured_run.h"
+#include "tests/support/measured_run.h"
 
 namespace nacre {
 namespace {

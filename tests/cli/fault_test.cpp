@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "tests/app/measured_run.h"
-#include "tests/app/run_program.h"
+#include "tests/support/measured_run.h"
+#include "tests/support/run_program.h"
 
 namespace nacre::test {
 namespace {

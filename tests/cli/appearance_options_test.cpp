@@ -13,7 +13,7 @@
 #include "engine/error.h"
 #include "engine/molecule/read.h"
 #include "engine/scene/palettes.h"
-#include "tests/app/run_program.h"
+#include "tests/support/run_program.h"
 
 namespace nacre::app {
 namespace {

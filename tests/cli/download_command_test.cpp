@@ -5,8 +5,8 @@
 
 #include <future>
 
-#include "tests/app/measured_run.h"
-#include "tests/app/structure_server.h"
+#include "tests/support/measured_run.h"
+#include "tests/support/structure_server.h"
 
 namespace nacre {
 namespace {

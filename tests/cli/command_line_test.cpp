@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/app/run_program.h"
-#include "tests/app/temporary_folder.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
 
 namespace nacre {
 namespace {

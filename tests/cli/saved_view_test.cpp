@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/cli/saved_options.h"
-#include "tests/app/run_program.h"
+#include "tests/support/run_program.h"
 
 namespace nacre {
 namespace {

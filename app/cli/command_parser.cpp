@@ -1,0 +1,146 @@
+// The only file that knows CLI11.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+
+#include "app/cli/command_spec.h"
+#include "app/shared/nearest_word.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+std::string oneLine(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
+
+/// A value of an option, with CLI11's exception for one that it does not take.
+void take(const OptionSpec& option, const std::string& text) {
+    try {
+        option.set(text);
+    } catch (const std::invalid_argument& error) {
+        throw CLI::ValidationError(option.longName(), error.what());
+    } catch (const Error& error) {
+        throw CLI::ValidationError(option.longName(), error.what());
+    }
+}
+
+/// An option has one value, always: CLI11's of many values swallow the INPUT.
+CLI::Option* addOption(CLI::App& app, const OptionSpec& option) {
+    if (option.flag())
+        return app.add_flag_callback(
+            option.names, [&option] { take(option, ""); }, option.help);
+    if (option.positional() && option.repeatable)
+        return app.add_option_function<std::vector<std::string>>(
+            option.names,
+            [&option](const std::vector<std::string>& all) {
+                for (const std::string& text : all) take(option, text);
+            },
+            option.help);
+    CLI::Option* added = app.add_option_function<std::string>(
+        option.names, [&option](const std::string& text) { take(option, text); }, option.help);
+    if (option.repeatable) added->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)->trigger_on_parse();
+    return added;
+}
+
+void addOptions(CLI::App& app, const CommandSpec& command) {
+    app.footer(command.footer);
+    for (const OptionSpec& option : command.options) {
+        CLI::Option* added = addOption(app, option);
+        if (!option.flag()) added->type_name(option.type)->default_str(option.fallback);
+        if (option.required) added->required();
+        if (!option.excludes.empty()) added->excludes(app.get_option(option.excludes));
+    }
+}
+
+/// Every way to write an option: "-o", "--output".
+std::vector<std::string> namesOf(const CommandSpec& command) {
+    std::vector<std::string> names{"-h", "--help"};
+    for (const OptionSpec& option : command.options) {
+        if (option.positional()) continue;
+        std::string_view rest = option.names;
+        for (std::size_t comma; (comma = rest.find(',')) != std::string_view::npos; rest.remove_prefix(comma + 1))
+            names.emplace_back(rest.substr(0, comma));
+        names.emplace_back(rest);
+    }
+    return names;
+}
+
+/// CLI11 tells of an unknown option together with all else that it could not place, and in reverse order.
+void refuseUnknown(const std::string& command, const std::vector<std::string>& known,
+                   std::span<const char* const> words) {
+    for (const std::string word : words) {
+        if (word == "--") return;
+        if (!word.starts_with("--")) continue;
+        const std::string name = word.substr(0, word.find('='));
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        throw UsageError("nacre" + (command.empty() ? "" : " " + command) + " has no option " + name +
+                         suggestion(name, known));
+    }
+}
+
+bool looksLikeInput(const std::string& word) {
+    std::error_code error;
+    return word.find_first_of(".:/") != std::string::npos || std::filesystem::exists(word, error);
+}
+
+[[noreturn]] void refuseWord(const std::string& word, const std::vector<std::string>& commands) {
+    if (looksLikeInput(word))
+        throw UsageError("a command comes before '" + word + "': `nacre view " + word + "` shows it, `nacre render " +
+                         word + " -o picture.png` draws it, `nacre info " + word + "` tells of it");
+    std::string list;
+    for (const std::string& command : commands) list += (list.empty() ? "" : ", ") + command;
+    const std::string near = suggestion(word, commands);
+    throw UsageError("there is no command '" + word + "'" + (near.empty() ? ": there are " + list : near));
+}
+
+}  // namespace
+
+std::string OptionSpec::longName() const {
+    const std::size_t dashes = names.find("--");
+    return dashes == std::string::npos ? names : names.substr(dashes);
+}
+
+ParsedCommand parseCommands(const CommandSpec& program, std::span<const CommandSpec> commands, int argc,
+                            const char* const* argv) {
+    CLI::App app(program.about, program.name);
+    addOptions(app, program);
+    std::vector<std::string> names;
+    for (const CommandSpec& command : commands) {
+        addOptions(*app.add_subcommand(command.name, command.about), command);
+        names.push_back(command.name);
+    }
+
+    std::vector<const char*> words(argv, argv + argc);
+    ParsedCommand parsed;
+    // `nacre help render` is `nacre render --help`.
+    if (words.size() > 1 && std::string_view(words[1]) == "help") {
+        words.erase(words.begin() + 1);
+        words.resize(std::min<std::size_t>(words.size(), 2));
+        words.push_back("--help");
+    }
+    const CommandSpec* chosen = &program;
+    if (words.size() > 1 && words[1][0] != '-') {
+        const auto at = std::find(names.begin(), names.end(), words[1]);
+        if (at == names.end()) refuseWord(words[1], names);
+        chosen = &commands[static_cast<std::size_t>(at - names.begin())];
+        parsed.name = chosen->name;
+    }
+    if (words.size() > 1)
+        refuseUnknown(parsed.name, namesOf(*chosen), std::span(words).subspan(parsed.name.empty() ? 1 : 2));
+    try {
+        app.parse(static_cast<int>(words.size()), words.data());
+    } catch (const CLI::CallForHelp&) {
+        parsed.help = app.help();
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(oneLine(error.what()));
+    }
+    // One that stands behind an option of the program.
+    for (const CLI::App* command : app.get_subcommands()) parsed.name = command->get_name();
+    if (app.get_subcommands().size() > 1) throw UsageError("more than one command");
+    return parsed;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,25 @@
+#pragma once
+// What a window is asked for, as plain data.
+
+#include <cstdint>
+#include <string>
+
+#include "app/shared/option_values.h"
+#include "app/shared/saved_view.h"
+#include "engine/settings.h"
+
+namespace nacre::app {
+
+struct ViewOptions {
+    SavedView first;       ///< what it shows at first
+    bool restore = false;  ///< go on where the last window was left, instead of `first`
+    InputOptions input;    ///< how molecules are had: cache, network, memory; what they are is `first`'s
+    Size size{1280, 800};
+    std::uint64_t occlusionBytes = RenderSettings{}.occlusion.bytes;
+    DebugView debug = DebugView::none;
+    FrameTuning tuning;
+    DeviceOptions device;
+    std::string stats;  ///< path; may be empty
+};
+
+}  // namespace nacre::app

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "engine/molecule/read.h"
+
+namespace nacre::app {
+
+/// A molecule's place, and how it is read.
+struct InputOptions {
+    std::string path;  ///< a file, "-", "sample:NAME", or "pdb:", "pubchem:", "afdb:" and an identifier
+    std::optional<Format> format;
+    int model = 1;                                ///< 1-based, or kAllModels
+    std::optional<std::string> cache;             ///< folder, or "off"; empty: the usual one (cache_folder.h)
+    bool offline = false;                         ///< downloads from the cache alone
+    std::optional<std::int64_t> memoryMegabytes;  ///< for the molecule, of 2^20 bytes; empty: half of the machine's
+};
+
+}  // namespace nacre::app

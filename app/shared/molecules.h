@@ -1,0 +1,28 @@
+#pragma once
+// From a name to a molecule and its scene, as far as no network is needed.
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "app/shared/input_options.h"
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/scene/representation.h"
+
+namespace nacre::app {
+
+/// A part of the machine's memory, in bytes. @param parts  how many such parts there are
+std::uint64_t memoryShare(unsigned parts);
+
+/// Reads a sample, a file or standard input, whatever else `input.path` looks like.
+/// @param bytes     what the molecule may take
+/// @param readFile  gives a file's bytes, where a path alone does not open it
+/// @throws Error
+Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
+                     const std::function<std::string(const std::string&)>& readFile = {});
+
+/// What is drawn of a molecule, in its style and colours. @throws Error if that is nothing
+Representation sceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawn,
+                       const RepresentationOptions& look);
+
+}  // namespace nacre::app

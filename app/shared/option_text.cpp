@@ -1,0 +1,49 @@
+#include "app/shared/option_text.h"
+
+#include <cstdio>
+
+#include "app/shared/option_values.h"
+#include "app/shared/srgb.h"
+#include "engine/scene/palettes.h"
+
+namespace nacre::app {
+
+const char* styleName(Style style) {
+    switch (style) {
+        case Style::spacefill:
+            return "spacefill";
+        case Style::ballAndStick:
+            return "ball-and-stick";
+        case Style::licorice:
+            return "licorice";
+    }
+    return "";
+}
+
+std::string coloringText(const Coloring& coloring) {
+    return coloring.scheme == ColorScheme::uniform ? colorText(coloring.color)
+                                                   : std::string(colorSchemeName(coloring.scheme));
+}
+
+std::string backgroundText(const std::array<float, 4>& color) {
+    for (const char* name : {"white", "black", "gray", "lightgray", "transparent"})
+        if (color == parseColor(name)) return name;
+    char text[16];
+    std::snprintf(text, sizeof text, color[3] < 1 ? "#%02x%02x%02x%02x" : "#%02x%02x%02x", toByte(color[0]),
+                  toByte(color[1]), toByte(color[2]), toByte(color[3]));
+    return text;
+}
+
+std::pair<std::string, std::string> ruleText(const Rule& rule) {
+    switch (rule.action) {
+        case Rule::Action::show:
+            return {"show", rule.selection.text + "=" + styleName(rule.style)};
+        case Rule::Action::hide:
+            return {"hide", rule.selection.text};
+        case Rule::Action::color:
+            return {"color-by", rule.selection.text + "=" + coloringText(rule.coloring)};
+    }
+    return {};
+}
+
+}  // namespace nacre::app

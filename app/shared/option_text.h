@@ -1,0 +1,22 @@
+#pragma once
+// Values as the options that take them write them: what option_values.h reads.
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include "engine/scene/appearance.h"
+
+namespace nacre::app {
+
+/// "spacefill", "ball-and-stick", "licorice"
+const char* styleName(Style style);
+/// The name of a scheme, or "#rrggbb".
+std::string coloringText(const Coloring& coloring);
+/// A name where there is one that people use, else "#rrggbb", or "#rrggbbaa" if it is not opaque.
+/// @param color  sRGB-coded 0..1, straight alpha
+std::string backgroundText(const std::array<float, 4>& color);
+/// The option without its dashes, and its value: {"show", "ligand=licorice"}.
+std::pair<std::string, std::string> ruleText(const Rule& rule);
+
+}  // namespace nacre::app

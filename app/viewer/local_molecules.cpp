@@ -1,0 +1,14 @@
+#include "app/viewer/local_molecules.h"
+
+#include "app/shared/molecules.h"
+
+namespace nacre::app {
+
+Sources localMolecules(std::function<std::string(const std::string&)> readFile) {
+    return {[readFile = std::move(readFile)](const SavedView& view) {
+                return readLocally(inputOf(view), memoryShare(4), readFile);
+            },
+            sceneOfView};
+}
+
+}  // namespace nacre::app

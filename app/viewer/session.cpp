@@ -1,0 +1,98 @@
+#include "app/viewer/session.h"
+
+#include <utility>
+
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr std::uint64_t kFramesOfWarmUp = 3;  // live, refined, kept
+
+}  // namespace
+
+// --- the screen
+
+void Session::OwnScreen::setScene(const Representation& scene) {
+    if (session_.renderer_) session_.renderer_->setScene(scene);
+}
+
+double Session::OwnScreen::advanceOcclusion(const RenderSettings& settings, double milliseconds) {
+    return session_.renderer_ ? session_.renderer_->advanceOcclusion(settings, milliseconds) : 0;
+}
+
+FrameOutcome Session::OwnScreen::present(const RenderSettings& settings, const WindowFrame& frame) {
+    Renderer* renderer = session_.renderer();
+    if (!renderer) return FrameOutcome::hidden;
+    try {
+        const FrameOutcome outcome = renderer->present(settings, frame);
+        failures_ = 0;
+        return outcome;
+    } catch (const Error& error) {
+        constexpr int kMostFailures = 3;
+        if (!session_.host_.windowMayGo || !renderer->deviceLoss().empty() || ++failures_ > kMostFailures) throw;
+        if (session_.host_.lost) session_.host_.lost(error.what());
+        renderer->releaseWindow();
+        return FrameOutcome::hidden;
+    }
+}
+
+PixelSize Session::OwnScreen::windowSize() const {
+    return session_.renderer_ ? session_.renderer_->windowSize() : PixelSize{1, 1};
+}
+
+std::uint32_t Session::OwnScreen::atomAt(const RenderSettings& settings, double x, double y, double reach) {
+    return session_.renderer_ ? session_.renderer_->atomAt(settings, x, y, reach) : 0;
+}
+
+std::string Session::OwnScreen::deviceLoss() const {
+    return session_.renderer_ ? session_.renderer_->deviceLoss() : std::string();
+}
+
+// --- the session
+
+Session::Session(SessionHost host, Sources sources, const SavedView& first, const ViewerOptions& options,
+                 std::function<void()> wake)
+    : host_(std::move(host)), viewer_(screen_, std::move(sources), first, options, std::move(wake)) {}
+
+void Session::open(double now) {
+    close();
+    DeviceOptions device = host_.device();
+    device.pipelineCache = host_.loadPipelines();
+    renderer_ = std::make_unique<Renderer>(device);
+    renderer_->setScene({});
+    if (host_.prepare) host_.prepare(*renderer_);
+    viewer_.screenLost(now);
+}
+
+void Session::close() { renderer_.reset(); }
+
+double Session::step(double now, const std::function<const Overlay*()>& overlay) {
+    const double wake = viewer_.update(now, overlay);
+    if (viewer_.deviceLost()) {
+        replace(now);
+        return now;
+    }
+    keepPipelines();
+    return wake;
+}
+
+void Session::replace(double now) {
+    const std::string loss = renderer_->deviceLoss();
+    if (now - lostAt_ > kForgottenAfter) losses_ = 0;
+    lostAt_ = now;
+    if (++losses_ > kMostLosses)
+        throw Error("drawing was given up", std::to_string(losses_) + " times within minutes", loss);
+    if (host_.lost) host_.lost(loss);
+    open(now);
+}
+
+/// What the driver compiled for the first refined picture is all that later ones need.
+void Session::keepPipelines() {
+    if (pipelinesKept_ || !renderer_ || renderer_->stats().windowFrames < kFramesOfWarmUp) return;
+    pipelinesKept_ = true;
+    // RenderDoc keeps the driver's data from us, and what was kept before is better.
+    if (host_.keepPipelines && !renderer_->captures()) host_.keepPipelines(renderer_->pipelineCache());
+}
+
+}  // namespace nacre::app

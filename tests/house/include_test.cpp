@@ -1,0 +1,212 @@
+// Dependencies point one way: reads every #include of engine/ and app/, and knows which are allowed. Who adds an arrow
+// adds it to the tables here, and to nobody's surprise.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace nacre::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Include {
+    std::string file;    ///< path from the root: "engine/graph/plan.cpp"
+    std::string header;  ///< as it is written
+    bool system = false;
+};
+
+/// What a folder's files may include of the project besides the folder itself. The longest name that fits a file is
+/// the one that holds. A name that ends in '/' is a folder with all in it; one that ends in "*.h" its headers alone.
+struct Arrows {
+    std::string from;
+    std::vector<std::string> to;
+};
+
+// Plain values that every part of the engine speaks of: no layer.
+const std::vector<std::string> kPlain = {"engine/error.h",   "engine/device_options.h", "engine/debug_view.h",
+                                         "engine/overlay.h", "engine/milliseconds.h",   "engine/settings.h",
+                                         "engine/results.h"};
+
+const std::vector<Arrows> kArrows = {
+    {"engine/molecule/", {}},
+    {"engine/scene/", {"engine/molecule/"}},
+    {"engine/storage/", {}},
+    {"engine/graph/", {}},
+    {"engine/gpu/", {"engine/graph/"}},
+    {"engine/passes/", {"engine/scene/", "engine/gpu/", "engine/graph/", "shaders/", "shaders.h"}},
+    {"engine/occlusion/",
+     {"engine/passes/", "engine/scene/", "engine/gpu/", "engine/graph/", "engine/storage/", "shaders/", "shaders.h"}},
+    {"engine/frame/", {"engine/passes/", "engine/scene/", "engine/gpu/", "engine/graph/"}},
+    // The face tells of molecules and scenes, and one of its headers of plans; its sources are the renderer.
+    {"engine/*.h", {"engine/molecule/", "engine/scene/"}},
+    {"engine/device_plan.h", {"engine/graph/"}},
+    {"engine/", {"engine/"}},
+
+    {"app/shared/", {"engine/*.h", "engine/molecule/", "engine/scene/"}},
+    {"app/download/", {"app/shared/", "engine/*.h", "engine/molecule/", "engine/storage/"}},
+    {"app/viewer/", {"app/shared/", "engine/*.h", "engine/molecule/", "engine/scene/"}},
+    {"app/panel/", {"app/viewer/", "app/shared/", "engine/*.h", "engine/molecule/", "engine/scene/"}},
+    {"app/cli/",
+     {"app/shared/", "app/download/", "app/desktop/view_command.h", "app/desktop/view_options.h", "engine/*.h",
+      "engine/molecule/", "engine/scene/", "nacre_commit.h"}},
+    {"app/cli/plan_", {"app/cli/", "app/shared/", "engine/*.h", "engine/graph/", "engine/frame/"}},
+    {"app/cli/options.cpp", {"app/cli/", "app/shared/", "engine/*.h", "engine/graph/capability_sets.h"}},
+    {"app/desktop/",
+     {"app/viewer/", "app/panel/", "app/download/", "app/shared/", "app/apple/mac/opened_files.h", "engine/*.h",
+      "engine/molecule/", "engine/scene/"}},
+    {"app/android/", {"app/viewer/", "app/panel/", "app/shared/", "engine/*.h", "engine/molecule/", "engine/scene/"}},
+    {"app/apple/", {"app/viewer/", "app/shared/", "engine/*.h", "engine/molecule/", "engine/scene/"}},
+    {"app/apple/mac/", {"app/desktop/view_command.h"}},
+};
+
+// What stands in the way of an arrow that is wanted already. To be emptied, never added to.
+const std::set<std::pair<std::string, std::string>> kKnown = {
+    {"engine/frame/picture.h", "engine/renderer.h"},
+    {"engine/frame/window_frames.h", "engine/renderer.h"},
+    {"engine/occlusion/scene_occlusion.h", "engine/renderer.h"},
+};
+
+/// Libraries that few may know: the beginning of a header's name, and who.
+const std::vector<Arrows> kLibraries = {
+    {"vulkan/vulkan_core.h", {"engine/", "app/"}},  // enums and handles
+    {"vulkan/",
+     {"engine/gpu/", "engine/passes/", "engine/occlusion/", "engine/frame/", "engine/renderer",
+      "app/android/surface.cpp", "app/desktop/window.cpp", "app/apple/ios/metal_surface.mm"}},
+    {"GLFW/", {"app/desktop/window.cpp"}},
+    {"CLI/", {"app/cli/command_parser.cpp"}},
+    {"OpenImageIO/", {"app/shared/image_file.cpp"}},
+    {"curl/", {"app/download/http.cpp"}},
+    {"imgui", {"app/panel/"}},
+    {"gemmi/", {"engine/molecule/"}},
+    {"nlohmann/", {"app/"}},
+};
+
+bool startsWith(const std::string& text, const std::string& beginning) { return text.rfind(beginning, 0) == 0; }
+
+/// Whether a name of the tables stands for a file.
+bool covers(const std::string& name, const std::string& file) {
+    if (name.ends_with("*.h")) {
+        const std::string folder = name.substr(0, name.size() - 3);
+        return startsWith(file, folder) && file.ends_with(".h") && file.find('/', folder.size()) == std::string::npos;
+    }
+    return startsWith(file, name);
+}
+
+/// Characters that a name fixes: the more, the closer it fits.
+std::size_t closeness(const std::string& name) { return name.ends_with("*.h") ? name.size() - 2 : name.size(); }
+
+bool allowedOfProject(const Include& include) {
+    if (std::find(kPlain.begin(), kPlain.end(), include.header) != kPlain.end() && startsWith(include.file, "engine/"))
+        return true;
+    const Arrows* arrows = nullptr;
+    for (const Arrows& a : kArrows)
+        if (covers(a.from, include.file) && (!arrows || closeness(a.from) > closeness(arrows->from))) arrows = &a;
+    if (!arrows) return false;
+    if (arrows->from.ends_with("/") && arrows->from != "engine/" && startsWith(include.header, arrows->from))
+        return true;  // its own folder
+    return std::any_of(arrows->to.begin(), arrows->to.end(),
+                       [&](const std::string& to) { return covers(to, include.header); });
+}
+
+bool allowedOfLibraries(const Include& include) {
+    for (const Arrows& library : kLibraries)
+        if (startsWith(include.header, library.from))
+            return std::any_of(library.to.begin(), library.to.end(),
+                               [&](const std::string& who) { return startsWith(include.file, who); });
+    return true;
+}
+
+/// A folder within one that is named is the same layer: molecule/formats/ and molecule/.
+bool allowed(const Include& include) {
+    return include.system ? allowedOfLibraries(include) : allowedOfProject(include);
+}
+
+std::vector<Include> includesOf(const fs::path& root) {
+    static const std::regex kLine(R"re(^\s*#\s*(?:include|import)\s*(["<])([^">]+)[">])re");
+    std::vector<Include> includes;
+    for (const char* top : {"engine", "app"})
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / top)) {
+            const std::string kind = entry.path().extension().string();
+            if (kind != ".h" && kind != ".cpp" && kind != ".mm") continue;
+            std::ifstream stream(entry.path());
+            for (std::string line; std::getline(stream, line);)
+                if (std::smatch match; std::regex_search(line, match, kLine))
+                    includes.push_back({fs::relative(entry.path(), root).generic_string(), match[2], match[1] == "<"});
+        }
+    return includes;
+}
+
+TEST(House, EveryIncludePointsTheRightWay) {
+    const std::vector<Include> includes = includesOf(NACRE_SOURCE_DIR);
+    ASSERT_GT(includes.size(), 1000u);
+    std::set<std::pair<std::string, std::string>> known = kKnown;
+    for (const Include& include : includes) {
+        const bool excused = known.erase({include.file, include.header}) > 0;
+        EXPECT_TRUE(excused || allowed(include)) << include.file << " includes " << include.header;
+        EXPECT_FALSE(excused && allowed(include)) << include.file << " needs no excuse";
+    }
+    for (const auto& [file, header] : known) ADD_FAILURE() << file << " no longer includes " << header;
+}
+
+TEST(House, WhatPointsTheWrongWayIsNoticed) {
+    const Include wrong[] = {
+        {"engine/molecule/read.cpp", "engine/scene/camera.h"},
+        {"engine/scene/camera.cpp", "engine/gpu/device.h"},
+        {"engine/graph/plan.cpp", "engine/gpu/execute.h"},
+        {"engine/gpu/caps.cpp", "engine/passes/plates.h"},
+        {"engine/frame/picture.h", "engine/occlusion/bake.h"},
+        {"engine/occlusion/bake.cpp", "engine/frame/picture.h"},
+        {"engine/passes/plates.h", "engine/renderer.h"},
+        {"engine/renderer.h", "engine/gpu/device.h"},
+        {"engine/scene/camera.h", "app/shared/srgb.h"},
+        {"app/shared/srgb.h", "app/viewer/viewer.h"},
+        {"app/viewer/viewer.h", "app/panel/panel.h"},
+        {"app/viewer/viewer.h", "app/desktop/window.h"},
+        {"app/cli/main.cpp", "app/viewer/viewer.h"},
+        {"app/cli/stats.cpp", "engine/gpu/device.h"},
+        {"app/desktop/window.h", "app/cli/options.h"},
+        {"app/android/session.h", "app/apple/session.h"},
+        {"app/android/session.h", "app/download/download.h"},
+        {"app/apple/mac/main.mm", "app/cli/options.h"},
+        {"app/download/http.cpp", "engine/renderer/internal.h"},
+        {"engine/unheard/of.h", "app/shared/srgb.h"},
+        {"engine/scene/camera.h", "vulkan/vulkan_raii.hpp", true},
+        {"engine/graph/plan.h", "vulkan/vulkan_raii.hpp", true},
+        {"app/cli/options.cpp", "CLI/CLI.hpp", true},
+        {"app/panel/panel.h", "GLFW/glfw3.h", true},
+        {"engine/renderer.h", "nlohmann/json.hpp", true},
+    };
+    for (const Include& include : wrong) EXPECT_FALSE(allowed(include)) << include.file << " -> " << include.header;
+    const Include right[] = {
+        {"engine/molecule/formats/read_pdb.cpp", "engine/molecule/text.h"},
+        {"engine/molecule/read.cpp", "engine/error.h"},
+        {"engine/renderer.cpp", "engine/gpu/device.h"},
+        {"app/cli/main.cpp", "app/desktop/view_command.h"},
+        {"app/apple/mac/main.mm", "app/desktop/view_command.h"},
+        {"app/cli/stats.cpp", "engine/renderer.h"},
+        {"engine/gpu/device.h", "vulkan/vulkan_raii.hpp", true},
+    };
+    for (const Include& include : right) EXPECT_TRUE(allowed(include)) << include.file << " -> " << include.header;
+}
+
+TEST(House, IncludesAreFoundHoweverTheyAreWritten) {
+    const std::vector<Include> includes = includesOf(NACRE_SOURCE_DIR);
+    const auto has = [&](const std::string& file, const std::string& header, bool system) {
+        return std::any_of(includes.begin(), includes.end(), [&](const Include& i) {
+            return i.file == file && i.header == header && i.system == system;
+        });
+    };
+    EXPECT_TRUE(has("app/cli/main.cpp", "app/cli/commands.h", false));
+    EXPECT_TRUE(has("app/desktop/window.cpp", "GLFW/glfw3.h", true));
+    EXPECT_TRUE(has("app/apple/ios/molecule_controller.mm", "app/apple/session.h", false));
+}
+
+}  // namespace
+}  // namespace nacre::test

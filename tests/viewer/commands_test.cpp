@@ -1,0 +1,37 @@
+#include "app/viewer/commands.h"
+
+#include <gtest/gtest.h>
+
+#include "app/shared/option_text.h"
+#include "app/shared/option_values.h"
+#include "app/viewer/presets.h"
+
+namespace nacre::app {
+namespace {
+
+TEST(Presets, EveryPresetAndChoiceIsOneThatTheSceneTakes) {
+    for (const Preset& preset : presets()) {
+        SavedView view;
+        applyPreset(preset, view);
+        EXPECT_EQ(parseSavedView(savedViewJson(view), preset.name).look, view.look) << preset.name;
+    }
+    for (const char* color : colorChoices()) EXPECT_EQ(coloringText(parseColoring(color)), color);
+    for (const char* color : backgroundChoices()) EXPECT_EQ(backgroundText(parseColor(color)), color);
+}
+
+TEST(Commands, EveryCommandHasAKeyOfItsOwn) {
+    for (const Binding& b : keyBindings()) {
+        EXPECT_EQ(commandOf(b.key), b.command) << b.keys;
+        EXPECT_NE(std::string(b.what), "");
+    }
+    for (int c = 0; c <= static_cast<int>(ViewerCommand::quit); ++c) {
+        bool bound = false;
+        for (const Binding& b : keyBindings()) bound = bound || b.command == static_cast<ViewerCommand>(c);
+        EXPECT_TRUE(bound) << c;
+    }
+    EXPECT_EQ(commandOf({U'?', {true, false}}), ViewerCommand::help);  // wherever the layout has it
+    EXPECT_EQ(commandOf({U'x', {}}), std::nullopt);
+}
+
+}  // namespace
+}  // namespace nacre::app
