@@ -14,8 +14,7 @@ set_tests_properties(apple/syntax PROPERTIES TIMEOUT 300)
 # What the apps do in plain C++, on a window that nobody sees, which SwiftShader has.
 add_executable(test_apple apple/session_test.cpp apple/label_colors_test.cpp)
 target_link_libraries(test_apple PRIVATE GTest::gtest_main nacre_session)
-gtest_discover_tests(test_apple TEST_PREFIX apple/ DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300
-                     ENVIRONMENT "VK_DRIVER_FILES=${swiftshader};VK_ICD_FILENAMES=${swiftshader}")
+nacre_suites(test_apple apple/ ENVIRONMENT ${on_swiftshader})
 
 # The projects and property lists that CMake makes for Apple's systems.
 add_test(NAME apple/project COMMAND python3 ${apple_tests}/project_test.py ${CMAKE_SOURCE_DIR})
