@@ -9,12 +9,11 @@ struct Hit {
     float along;   // cylinders: 0 at a, 1 at b
 };
 
-/// A sphere: view-space centre and radius. Distances are taken from the point of the ray that is closest to the
+/// A sphere: view-space centre and radius. q: planePoint() of the pixel. Distances are taken from the point of the ray that is closest to the
 /// centre, which keeps the digits that the textbook's b*b - 4ac loses.
-Hit sphereHit(vec4 sphere, vec2 fragment) {
+Hit sphereHitThrough(vec4 sphere, vec2 q) {
     Hit hit;
     hit.along = 0.0;
-    precise vec2 q = planePoint(fragment);
     if (kPerspective) {
         precise vec3 ray = vec3(q, -view.origin);
         precise vec3 center = vec3(sphere.xy, sphere.z - view.origin);
@@ -39,10 +38,11 @@ Hit sphereHit(vec4 sphere, vec2 fragment) {
     return hit;
 }
 
+Hit sphereHit(vec4 sphere, vec2 fragment) { return sphereHitThrough(sphere, planePoint(fragment)); }
+
 /// A cylinder with flat caps from a to b (view space), radius r.
-Hit cylinderHit(vec3 a, vec3 b, float r, vec2 fragment) {
+Hit cylinderHitThrough(vec3 a, vec3 b, float r, vec2 q) {
     Hit hit;
-    precise vec2 q = planePoint(fragment);
     precise vec3 origin = kPerspective ? vec3(0.0, 0.0, view.origin) : vec3(q, 0.0);
     precise vec3 ray = kPerspective ? vec3(q, -view.origin) : vec3(0.0, 0.0, -1.0);
     precise vec3 span = b - a;
@@ -72,3 +72,4 @@ Hit cylinderHit(vec3 a, vec3 b, float r, vec2 fragment) {
     hit.along = clamp((fromAxis + rayAxis * tHit) / len, 0.0, 1.0);
     return hit;
 }
+Hit cylinderHit(vec3 a, vec3 b, float r, vec2 fragment) { return cylinderHitThrough(a, b, r, planePoint(fragment)); }

@@ -1,0 +1,154 @@
+#include "engine/scene/tile_lists.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace nacre {
+namespace {
+
+glm::vec3 placed(const glm::vec4* rows, const glm::vec3& p) {
+    return {rows[0].x * p.x + rows[0].y * p.y + rows[0].z * p.z + rows[0].w,
+            rows[1].x * p.x + rows[1].y * p.y + rows[1].z * p.z + rows[1].w,
+            rows[2].x * p.x + rows[2].y * p.y + rows[2].z * p.z + rows[2].w};
+}
+
+/// From the plane z = 0 to the image, whose rows run downwards.
+glm::vec2 pixelOf(const TileView& view, glm::vec2 q) {
+    const glm::vec2 p = glm::vec2(q.x, -q.y) * view.pixels;
+    switch (view.quarterTurns & 3) {
+        case 1:
+            return view.axis + glm::vec2(-p.y, p.x);
+        case 2:
+            return view.axis - p;
+        case 3:
+            return view.axis + glm::vec2(p.y, -p.x);
+        default:
+            return view.axis + p;
+    }
+}
+
+/// A disc on the plane z = 0 that holds a sphere's picture. In perspective about the ellipse that is its image
+/// (shaders/common/outline.glsl).
+struct Disc {
+    glm::vec2 center;
+    float radius;
+};
+Disc discOf(const TileView& view, const glm::vec3& center, float radius) {
+    if (!view.perspective) return {glm::vec2(center), radius};
+    const float E = view.origin, D = E - center.z;
+    const float rho = glm::length(glm::vec2(center));
+    const float under = D * D - radius * radius;
+    const float a = E * radius * std::sqrt(under + rho * rho) / under;
+    return {glm::vec2(center) * (E * D / under), a + 4e-6f * (rho + a) * E / D};
+}
+
+}  // namespace
+
+void TileLists::add(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near) {
+    constexpr float kBin = 1.0f / kBinPixels;
+    // A pixel is met at its centre: that leaves half a pixel of room at the bins' edges for what rounding does.
+    const float x0 = low.x * kBin, y0 = low.y * kBin, x1 = high.x * kBin, y1 = high.y * kBin;
+    if (!(x1 >= 0) || !(y1 >= 0) || !(x0 < static_cast<float>(across_)) || !(y0 < static_cast<float>(down_))) return;
+    Kept k;
+    k.number = number;
+    k.x = static_cast<std::uint16_t>(std::max(x0, 0.0f));
+    k.y = static_cast<std::uint16_t>(std::max(y0, 0.0f));
+    k.endX = static_cast<std::uint16_t>(std::min(x1 + 1.0f, static_cast<float>(across_)));
+    k.endY = static_cast<std::uint16_t>(std::min(y1 + 1.0f, static_cast<float>(down_)));
+    k.step = static_cast<std::uint32_t>(
+        std::clamp((near - view.nearest) * (kDepthSteps / view.range), 0.0f, static_cast<float>(kDepthSteps - 1)));
+    kept_.push_back(k);
+}
+
+void TileLists::addSpheres(const TileView& view, std::span<const Sphere> spheres, const TileCall& call) {
+    for (std::uint32_t i = call.first; i < call.first + call.count; ++i) {
+        const glm::vec3 center = placed(call.rows, spheres[i].center);
+        const Disc disc = discOf(view, center, spheres[i].radius);
+        const glm::vec2 at = pixelOf(view, disc.center);
+        const float reach = disc.radius * view.pixels;
+        add(view, call.number + i, at - reach, at + reach, view.origin - center.z - spheres[i].radius);
+    }
+}
+
+void TileLists::addCylinders(const TileView& view, std::span<const Cylinder> cylinders, const TileCall& call) {
+    for (std::uint32_t i = call.first; i < call.first + call.count; ++i) {
+        const Cylinder& c = cylinders[i];
+        const glm::vec3 a = placed(call.rows, c.a), b = placed(call.rows, c.b);
+        const Disc da = discOf(view, a, c.radius), db = discOf(view, b, c.radius);
+        const glm::vec2 pa = pixelOf(view, da.center), pb = pixelOf(view, db.center);
+        const float ra = da.radius * view.pixels, rb = db.radius * view.pixels;
+        add(view, call.number + i, glm::min(pa - ra, pb - rb), glm::max(pa + ra, pb + rb),
+            view.origin - std::max(a.z, b.z) - c.radius);
+    }
+}
+
+void TileLists::order() {
+    std::array<std::uint32_t, kDepthSteps + 1> at{};
+    for (const Kept& k : kept_) ++at[k.step + 1];
+    for (std::uint32_t i = 1; i <= kDepthSteps; ++i) at[i] += at[i - 1];
+    order_.resize(kept_.size());
+    for (std::uint32_t i = 0; i < kept_.size(); ++i) order_[at[kept_[i].step]++] = i;
+}
+
+void TileLists::count() {
+    offsets_.assign(std::size_t{across_} * down_ + 1, 0);
+    for (const Kept& k : kept_)
+        for (std::uint32_t y = k.y; y < k.endY; ++y) {
+            std::uint32_t* row = offsets_.data() + std::size_t{y} * across_ + 1;
+            for (std::uint32_t x = k.x; x < k.endX; ++x) ++row[x];
+        }
+    for (std::size_t i = 1; i < offsets_.size(); ++i) offsets_[i] += offsets_[i - 1];
+}
+
+void TileLists::listTiles() {
+    slots_.clear();
+    spans_.clear();
+    for (std::uint32_t y = 0; y < down_; ++y)
+        for (std::uint32_t x = 0; x < across_; ++x) {
+            const std::size_t bin = std::size_t{y} * across_ + x;
+            if (offsets_[bin] == offsets_[bin + 1]) continue;
+            const auto left = static_cast<std::uint16_t>(x), top = static_cast<std::uint16_t>(y);
+            if (!spans_.empty() && spans_.back().y == y && spans_.back().endX == x)
+                ++spans_.back().endX;
+            else
+                spans_.push_back({left, top, static_cast<std::uint16_t>(x + 1), static_cast<std::uint16_t>(y + 1),
+                                  static_cast<std::uint32_t>(slots_.size())});
+            for (std::uint32_t i = 0; i < kTilesInBin; ++i)
+                for (std::uint32_t j = 0; j < kTilesInBin; ++j)
+                    slots_.push_back({static_cast<std::uint16_t>(x * kTilesInBin + i),
+                                      static_cast<std::uint16_t>(y * kTilesInBin + j),
+                                      static_cast<std::uint32_t>(slots_.size())});
+        }
+    // A software device gives each thread a run of neighbouring workgroups: dealt out, all have as much to do.
+    constexpr std::size_t kHands = 16;
+    tiles_.clear();
+    for (std::size_t hand = 0; hand < kHands; ++hand)
+        for (std::size_t i = hand; i < slots_.size(); i += kHands) tiles_.push_back(slots_[i]);
+}
+
+void TileLists::build(const TileView& view, std::span<const Sphere> spheres, std::span<const TileCall> sphereCalls,
+                      std::span<const Cylinder> cylinders, std::span<const TileCall> cylinderCalls) {
+    across_ = (view.width + kBinPixels - 1) / kBinPixels;
+    down_ = (view.height + kBinPixels - 1) / kBinPixels;
+    kept_.clear();
+    for (const TileCall& call : sphereCalls) addSpheres(view, spheres, call);
+    for (const TileCall& call : cylinderCalls) addCylinders(view, cylinders, call);
+    order();
+    count();
+    listTiles();
+}
+
+void TileLists::write(std::uint32_t* numbers) {
+    cursors_.assign(offsets_.begin(), offsets_.end());
+    for (const std::uint32_t i : order_) {
+        const Kept& k = kept_[i];
+        for (std::uint32_t y = k.y; y < k.endY; ++y) {
+            std::uint32_t* row = cursors_.data() + std::size_t{y} * across_;
+            for (std::uint32_t x = k.x; x < k.endX; ++x) numbers[row[x]++] = k.number;
+        }
+    }
+}
+
+}  // namespace nacre

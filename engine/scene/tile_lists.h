@@ -1,0 +1,90 @@
+#pragma once
+// Which primitives may show in which part of the picture, in the order of their nearest depth: what the `tiles` path
+// draws from. Conservative: a list may name a primitive that does not show, and never lacks one that does.
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <vector>
+
+#include "engine/scene/representation.h"
+
+namespace nacre {
+
+/// How a picture is looked at, in the numbers that shaders get (ViewConstants in shaders/common/layout.h): Å, pixels.
+struct TileView {
+    std::uint32_t width = 0, height = 0;  ///< pixels of the image
+    bool perspective = false;
+    int quarterTurns = 0;  ///< as in View
+    glm::vec2 axis{};      ///< pixel of the view axis
+    float pixels = 1;      ///< per Å at z = 0
+    float origin = 0;      ///< Z is origin - z; in perspective the eye stands there
+    float nearest = 0;     ///< Z of the nearest depth
+    float range = 1;       ///< from there to the farthest, Å
+};
+
+/// Primitives of a stream at one place.
+struct TileCall {
+    const glm::vec4* rows = nullptr;  ///< three: into view space
+    std::uint32_t first = 0, count = 0;
+    std::uint32_t number = 0;  ///< of the stream's first primitive there
+};
+
+/// Bins of `kBinPixels` a side, row by row from the top left, each with its list, and the tiles of those bins whose
+/// list is not empty. Kept from frame to frame, it allocates nothing once it has seen the largest.
+class TileLists {
+public:
+    static constexpr std::uint32_t kTilePixels = 8;
+    static constexpr std::uint32_t kTilesInBin = 2;
+    static constexpr std::uint32_t kBinPixels = kTilePixels * kTilesInBin;
+    static constexpr std::uint32_t kDepthSteps = 2048;  ///< that the order of a list tells apart
+
+    /// Neighbouring bins of a row that are not empty; `end` is one past.
+    struct Span {
+        std::uint16_t x, y, endX, endY;
+        std::uint32_t slot;  ///< of its first tile
+    };
+    struct Tile {
+        std::uint16_t x, y;
+        std::uint32_t slot;  ///< counted over the bins row by row, in a bin column by column
+    };
+
+    /// Sorts and counts; offsets(), tiles() and spans() are good until the next call.
+    void build(const TileView& view, std::span<const Sphere> spheres, std::span<const TileCall> sphereCalls,
+               std::span<const Cylinder> cylinders, std::span<const TileCall> cylinderCalls);
+
+    std::uint32_t across() const { return across_; }
+    std::uint32_t down() const { return down_; }
+    /// Where each bin's list begins, and where the last one ends.
+    std::span<const std::uint32_t> offsets() const { return offsets_; }
+    std::span<const Tile> tiles() const { return tiles_; }  ///< in the order to draw them
+    std::span<const Span> spans() const { return spans_; }
+    std::size_t kept() const { return kept_.size(); }  ///< primitives in any list
+    std::size_t entries() const { return offsets_.empty() ? 0 : offsets_.back(); }
+    /// Writes the lists, `entries()` numbers.
+    void write(std::uint32_t* numbers);
+
+private:
+    struct Kept {
+        std::uint32_t number;
+        std::uint16_t x, y, endX, endY;  // bins
+        std::uint32_t step;              // of depth
+    };
+
+    void add(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near);
+    void addSpheres(const TileView& view, std::span<const Sphere> spheres, const TileCall& call);
+    void addCylinders(const TileView& view, std::span<const Cylinder> cylinders, const TileCall& call);
+    void order();
+    void count();
+    void listTiles();
+
+    std::uint32_t across_ = 0, down_ = 0;
+    std::vector<Kept> kept_;
+    std::vector<std::uint32_t> order_, offsets_, cursors_;
+    std::vector<Tile> tiles_, slots_;
+    std::vector<Span> spans_;
+};
+
+}  // namespace nacre

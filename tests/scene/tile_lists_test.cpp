@@ -1,0 +1,237 @@
+// Lists of what may show in a part of the picture, against every primitive asked about every pixel.
+
+#include "engine/scene/tile_lists.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <random>
+#include <set>
+
+#include "engine/scene/camera.h"
+
+namespace nacre::test {
+namespace {
+
+constexpr std::uint32_t kBin = TileLists::kBinPixels;
+
+struct Seen {
+    std::vector<Sphere> spheres;
+    std::vector<Cylinder> cylinders;
+    std::vector<glm::vec4> rows;
+    std::vector<TileCall> sphereCalls, cylinderCalls;
+    TileView view;
+};
+
+class Numbers {
+public:
+    explicit Numbers(std::uint32_t seed) : engine_(seed) {}
+    double operator()(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+    glm::dvec3 within(double reach) { return {(*this)(-reach, reach), (*this)(-reach, reach), (*this)(-reach, reach)}; }
+
+private:
+    std::mt19937 engine_;
+};
+
+/// Balls and sticks of many sizes at the places of one to three copies, seen from anywhere, zoomed in or out.
+Seen randomSeen(std::uint32_t seed, bool perspective, int quarterTurns) {
+    Numbers number(seed);
+    Seen s;
+    for (int i = 0; i < 40; ++i)
+        s.spheres.push_back({glm::vec3(number.within(8)), static_cast<float>(std::exp(number(-4, 1)))});
+    for (int i = 0; i < 25; ++i) {
+        const glm::dvec3 a = number.within(8);
+        s.cylinders.push_back(
+            {glm::vec3(a), static_cast<float>(std::exp(number(-4, 0))), glm::vec3(a + number.within(3)), 0});
+    }
+    const int copies = static_cast<int>(number(1, 3.99));
+    for (int c = 0; c < copies; ++c) {
+        const glm::dmat3 turn =
+            glm::mat3_cast(glm::normalize(glm::dquat(number(-1, 1), number(-1, 1), number(-1, 1), number(-1, 1))));
+        const glm::dvec3 shift = number.within(4);
+        for (int i = 0; i < 3; ++i) s.rows.emplace_back(turn[0][i], turn[1][i], turn[2][i], shift[i]);
+    }
+    for (int c = 0; c < copies; ++c) {
+        const auto base = static_cast<std::uint32_t>(65 * c + 1);
+        s.sphereCalls.push_back({&s.rows[static_cast<std::size_t>(3 * c)], 5, 35, base});
+        s.cylinderCalls.push_back({&s.rows[static_cast<std::size_t>(3 * c)], 0, 25, base + 40});
+    }
+    TileView& v = s.view;
+    v.width = static_cast<std::uint32_t>(number(20, 150));
+    v.height = static_cast<std::uint32_t>(number(20, 150));
+    v.perspective = perspective;
+    v.quarterTurns = quarterTurns;
+    v.pixels = static_cast<float>(std::exp(number(-0.5, 3)));
+    v.axis = {static_cast<float>(v.width * number(0, 1)), static_cast<float>(v.height * number(0, 1))};
+    constexpr float kRadius = 24;
+    v.origin = perspective ? kRadius * 3 : kRadius;
+    v.nearest = v.origin - kRadius - 1;
+    v.range = 2 * (kRadius + 1);
+    return s;
+}
+
+/// The ray of a pixel's centre, view space.
+struct Ray {
+    glm::dvec3 origin, direction;
+};
+Ray rayOf(const TileView& v, std::uint32_t x, std::uint32_t y) {
+    const glm::dvec2 p = (glm::dvec2(x + 0.5, y + 0.5) - glm::dvec2(v.axis)) / static_cast<double>(v.pixels);
+    // Undoing the turns of the image, then rows that run downwards.
+    const glm::dvec2 turned[] = {p, {p.y, -p.x}, -p, {-p.y, p.x}};
+    const glm::dvec2 q(turned[v.quarterTurns].x, -turned[v.quarterTurns].y);
+    if (!v.perspective) return {{q, 1000.0}, {0, 0, -1}};
+    return {{0, 0, v.origin}, glm::normalize(glm::dvec3(q, -v.origin))};
+}
+
+glm::dvec3 placed(const glm::vec4* rows, const glm::vec3& p) {
+    const glm::dvec4 from(p, 1.0);
+    return {glm::dot(glm::dvec4(rows[0]), from), glm::dot(glm::dvec4(rows[1]), from),
+            glm::dot(glm::dvec4(rows[2]), from)};
+}
+
+double distanceToSegment(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b) {
+    // Least distance of a line and a segment: t along the segment, clamped, found by its derivative.
+    const glm::dvec3 span = b - a, d = ray.direction;
+    const glm::dvec3 across = span - d * glm::dot(span, d), from = a - ray.origin;
+    const glm::dvec3 off = from - d * glm::dot(from, d);
+    const double t = std::clamp(-glm::dot(off, across) / std::max(glm::dot(across, across), 1e-12), 0.0, 1.0);
+    return glm::length(off + across * t);
+}
+
+std::vector<std::uint32_t> listsOf(TileLists& lists) {
+    std::vector<std::uint32_t> numbers(lists.entries());
+    lists.write(numbers.data());
+    return numbers;
+}
+
+class TileListsTest : public testing::TestWithParam<std::tuple<bool, int>> {};
+
+TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
+    const auto [perspective, turns] = GetParam();
+    TileLists lists;  // used again and again, as by a renderer
+    std::size_t met = 0, listed = 0;
+    for (std::uint32_t seed = 0; seed < 12; ++seed) {
+        const Seen s = randomSeen(seed, perspective, turns);
+        lists.build(s.view, s.spheres, s.sphereCalls, s.cylinders, s.cylinderCalls);
+        const std::vector<std::uint32_t> numbers = listsOf(lists);
+        listed += numbers.size();
+        ASSERT_EQ(lists.across(), (s.view.width + kBin - 1) / kBin);
+        ASSERT_EQ(lists.down(), (s.view.height + kBin - 1) / kBin);
+        std::vector<std::set<std::uint32_t>> ofBin(lists.offsets().size() - 1);
+        for (std::size_t bin = 0; bin < ofBin.size(); ++bin) {
+            const auto from = numbers.begin() + lists.offsets()[bin], to = numbers.begin() + lists.offsets()[bin + 1];
+            ofBin[bin] = {from, to};
+            ASSERT_EQ(ofBin[bin].size(), static_cast<std::size_t>(to - from)) << "an entry twice";
+        }
+        const auto expect = [&](std::uint32_t number, std::uint32_t x, std::uint32_t y) {
+            ++met;
+            EXPECT_TRUE(ofBin[y / kBin * lists.across() + x / kBin].contains(number))
+                << "seed " << seed << ", number " << number << " at " << x << " " << y;
+        };
+        for (std::uint32_t y = seed % 3; y < s.view.height; y += 3)
+            for (std::uint32_t x = seed % 3; x < s.view.width; x += 3) {
+                const Ray ray = rayOf(s.view, x, y);
+                for (const TileCall& call : s.sphereCalls)
+                    for (std::uint32_t i = call.first; i < call.first + call.count; ++i) {
+                        const glm::dvec3 at = placed(call.rows, s.spheres[i].center);
+                        if (distanceToSegment(ray, at, at) < s.spheres[i].radius) expect(call.number + i, x, y);
+                    }
+                for (const TileCall& call : s.cylinderCalls)
+                    for (std::uint32_t i = call.first; i < call.first + call.count; ++i) {
+                        const Cylinder& c = s.cylinders[i];
+                        // With round ends it is larger than it is.
+                        const glm::dvec3 a = placed(call.rows, c.a), b = placed(call.rows, c.b);
+                        if (distanceToSegment(ray, a, b) < c.radius) expect(call.number + i, x, y);
+                    }
+            }
+    }
+    EXPECT_GT(met, 1000u);
+    EXPECT_GT(listed, 300u);
+}
+
+TEST_P(TileListsTest, EveryListGoesFromNearToFar) {
+    const auto [perspective, turns] = GetParam();
+    for (std::uint32_t seed = 100; seed < 110; ++seed) {
+        const Seen s = randomSeen(seed, perspective, turns);
+        TileLists lists;
+        lists.build(s.view, s.spheres, s.sphereCalls, s.cylinders, s.cylinderCalls);
+        const std::vector<std::uint32_t> numbers = listsOf(lists);
+        const auto nearOf = [&](std::uint32_t number) {
+            for (const TileCall& call : s.sphereCalls)
+                if (number >= call.number + call.first && number < call.number + call.first + call.count) {
+                    const Sphere& ball = s.spheres[number - call.number];
+                    return s.view.origin - placed(call.rows, ball.center).z - ball.radius;
+                }
+            for (const TileCall& call : s.cylinderCalls)
+                if (number >= call.number && number < call.number + call.count) {
+                    const Cylinder& c = s.cylinders[number - call.number];
+                    return s.view.origin - std::max(placed(call.rows, c.a).z, placed(call.rows, c.b).z) - c.radius;
+                }
+            ADD_FAILURE() << "no primitive has the number " << number;
+            return 0.0;
+        };
+        const double step = s.view.range / TileLists::kDepthSteps;
+        for (std::size_t bin = 0; bin + 1 < lists.offsets().size(); ++bin)
+            for (std::size_t i = lists.offsets()[bin] + 1; i < lists.offsets()[bin + 1]; ++i)
+                EXPECT_LT(nearOf(numbers[i - 1]), nearOf(numbers[i]) + 1.01 * step);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Views, TileListsTest, testing::Combine(testing::Bool(), testing::Values(0, 1, 2, 3)));
+
+TEST(TileLists, TilesAndSpansAreThoseOfBinsThatAreNotEmpty) {
+    for (std::uint32_t seed = 200; seed < 230; ++seed) {
+        const Seen s = randomSeen(seed, false, 0);
+        TileLists lists;
+        lists.build(s.view, s.spheres, s.sphereCalls, s.cylinders, s.cylinderCalls);
+        std::set<std::pair<std::uint32_t, std::uint32_t>> bins, inSpans;
+        for (std::uint32_t y = 0; y < lists.down(); ++y)
+            for (std::uint32_t x = 0; x < lists.across(); ++x)
+                if (const std::size_t bin = y * lists.across() + x; lists.offsets()[bin] < lists.offsets()[bin + 1])
+                    bins.emplace(x, y);
+        // A pixel's number stands where shading looks for it (shaders/tile_shade.frag).
+        constexpr std::uint32_t kPerBin = TileLists::kTilesInBin;
+        std::set<std::uint32_t> slots;
+        for (const TileLists::Tile& tile : lists.tiles()) {
+            EXPECT_TRUE(slots.insert(tile.slot).second);
+            EXPECT_TRUE(bins.contains({tile.x / kPerBin, tile.y / kPerBin}));
+            const auto span = std::find_if(lists.spans().begin(), lists.spans().end(), [&](const TileLists::Span& p) {
+                return tile.x / kPerBin >= p.x && tile.x / kPerBin < p.endX && tile.y / kPerBin == p.y;
+            });
+            ASSERT_NE(span, lists.spans().end());
+            EXPECT_EQ(tile.slot, span->slot + (tile.x - span->x * kPerBin) * kPerBin + tile.y % kPerBin);
+        }
+        EXPECT_EQ(slots.size(), bins.size() * kPerBin * kPerBin);
+        if (!slots.empty()) {
+            EXPECT_EQ(*slots.rbegin(), slots.size() - 1);
+        }
+        for (const TileLists::Span& span : lists.spans())
+            for (std::uint32_t x = span.x; x < span.endX; ++x) EXPECT_TRUE(inSpans.emplace(x, span.y).second);
+        EXPECT_EQ(inSpans, bins);
+    }
+}
+
+TEST(TileLists, WhatIsOutsideThePictureIsNotKept) {
+    const std::vector<Sphere> spheres = {{{0, 0, 0}, 1}, {{100, 0, 0}, 1}, {{0, -100, 0}, 1}, {{-100, 100, 0}, 1}};
+    const std::vector<glm::vec4> rows = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+    const TileCall call{rows.data(), 0, 4, 1};
+    TileView view;
+    view.width = view.height = 64;
+    view.axis = {32, 32};
+    view.origin = 120;
+    view.range = 240;
+    TileLists lists;
+    lists.build(view, spheres, {&call, 1}, {}, {});
+    EXPECT_EQ(lists.kept(), 1u);
+    EXPECT_EQ(listsOf(lists), std::vector<std::uint32_t>(4, 1));  // about the corner of four bins
+    lists.build(view, {}, {}, {}, {});
+    EXPECT_EQ(lists.kept(), 0u);
+    EXPECT_TRUE(lists.tiles().empty());
+    EXPECT_TRUE(lists.spans().empty());
+}
+
+}  // namespace
+}  // namespace nacre::test
