@@ -1,6 +1,8 @@
 # How each dependency is found. Debian bookworm names stand in tools/packages.txt.
 find_package(Threads REQUIRED)
 find_package(ZLIB REQUIRED)
+find_package(LibLZMA REQUIRED)
+find_package(BZip2 REQUIRED)
 find_package(EXPAT REQUIRED)
 if(ANDROID)
     # The device's loader, by the NDK; headers with Vulkan-Hpp by vcpkg, as the NDK's are of any version.
@@ -28,6 +30,13 @@ find_library(XXHASH_LIBRARY xxhash REQUIRED)
 add_library(xxhash::xxhash INTERFACE IMPORTED)
 target_include_directories(xxhash::xxhash SYSTEM INTERFACE ${XXHASH_INCLUDE_DIR})
 target_link_libraries(xxhash::xxhash INTERFACE ${XXHASH_LIBRARY})
+
+# Debian's libzstd-dev brings no CMake files.
+find_path(ZSTD_INCLUDE_DIR zstd.h REQUIRED)
+find_library(ZSTD_LIBRARY zstd REQUIRED)
+add_library(zstd::zstd INTERFACE IMPORTED)
+target_include_directories(zstd::zstd SYSTEM INTERFACE ${ZSTD_INCLUDE_DIR})
+target_link_libraries(zstd::zstd INTERFACE ${ZSTD_LIBRARY})
 
 # RenderDoc is loaded only when a capture is asked for; without its header there are none.
 if(NOT CMAKE_CROSSCOMPILING)

@@ -1,6 +1,5 @@
 #pragma once
 // What the readers of assemblies share: transforms, operator expressions, and bounds that hostile files meet.
-// Must also compile as C++17.
 
 #include <array>
 #include <cstddef>

@@ -1,5 +1,6 @@
 #pragma once
-// Plain data of one molecule. This header must also compile as C++17 (see read_cif.cpp).
+// Plain data of one molecule. This header, as all that read_mmcif.cpp includes, must also compile as C++17:
+// gemmi's CIF parser does not as C++20 with every compiler.
 
 #include <array>
 #include <cstdint>

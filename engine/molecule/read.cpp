@@ -10,8 +10,8 @@
 
 #include "engine/error.h"
 #include "engine/molecule/bonds/bonds.h"
+#include "engine/molecule/formats/decompress.h"
 #include "engine/molecule/formats/detect.h"
-#include "engine/molecule/formats/inflate.h"
 #include "engine/molecule/formats/readers.h"
 #include "engine/molecule/formats/text_encoding.h"
 #include "engine/molecule/overlay_models.h"
@@ -60,7 +60,7 @@ struct Content {
 };
 
 Content contentOf(const std::string& name, std::string bytes, const ReadOptions& options) {
-    if (isGzip(bytes)) bytes = inflateGzip(name, bytes, options.maxBytes);
+    if (!compressionOf(bytes).empty()) bytes = decompress(name, bytes, options.maxBytes);
     if (startsWith(bytes, "\xEF\xBB\xBF")) bytes.erase(0, 3);
     if (bytes.size() > options.maxBytes) throw tooLarge(name, options.maxBytes);
     if (auto utf8 = utf8FromUtf16(bytes)) bytes = std::move(*utf8);
@@ -141,14 +141,19 @@ struct CloseFile {
     }
 };
 
-std::string readAll(std::FILE* file, const std::string& name, std::size_t maxBytes) {
+/// Grows by what is there, to the limit and no further: a device or a pipe may never end.
+/// @param expected  bytes that are probably there; 0 if that is not known
+std::string readAll(std::FILE* file, const std::string& name, std::size_t maxBytes, std::uintmax_t expected) {
     constexpr std::size_t kChunk = std::size_t{1} << 20;
     std::string bytes;
+    bytes.reserve(static_cast<std::size_t>(std::min<std::uintmax_t>(expected, maxBytes)) + kChunk);
     for (;;) {
         const std::size_t size = bytes.size();
         if (size > maxBytes) throw tooLarge(name, maxBytes);
-        bytes.resize(size + kChunk);
-        const std::size_t got = std::fread(bytes.data() + size, 1, kChunk, file);
+        const std::size_t chunk = std::min(kChunk, maxBytes - size + 1);
+        if (size + chunk > bytes.capacity()) bytes.reserve(std::max(std::min(2 * size, maxBytes + 1), size + chunk));
+        bytes.resize(size + chunk);
+        const std::size_t got = std::fread(bytes.data() + size, 1, chunk, file);
         bytes.resize(size + got);
         if (got == 0) break;
     }
@@ -195,13 +200,15 @@ Molecule readMolecule(const std::string& name, std::string bytes, const ReadOpti
 }
 
 Molecule readMoleculeFile(const std::string& path, const ReadOptions& options) {
-    if (path == "-") return readMolecule("standard input", readAll(stdin, "standard input", options.maxBytes), options);
+    if (path == "-")
+        return readMolecule("standard input", readAll(stdin, "standard input", options.maxBytes, 0), options);
     const std::string shown = printable(path, kMaxMessage);
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) throw Error("cannot read molecule", shown, "it is a folder");
     const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
     if (!file) throw Error("cannot read molecule", shown, std::strerror(errno));
-    return readMolecule(path, readAll(file.get(), shown, options.maxBytes), options);
+    const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+    return readMolecule(path, readAll(file.get(), shown, options.maxBytes, ignored ? 0 : size), options);
 }
 
 }  // namespace nacre

@@ -34,7 +34,8 @@ std::string_view formatName(Format format);
 /// The names of all formats that are read, for messages: "pdb, mmcif, ...".
 std::string formatNames();
 
-/// Reads a molecule and completes its bonds (bonds.h). gz is recognised by content and inflated under maxBytes.
+/// Reads a molecule and completes its bonds (bonds.h). gzip, xz, bzip2 and zstd are recognised by
+/// content and inflated under maxBytes.
 /// @param name  file name for messages and as a hint to the format
 /// @throws Error what, where (line), why
 Molecule readMolecule(const std::string& name, std::string bytes, const ReadOptions& options = {});

@@ -1,5 +1,5 @@
 #pragma once
-// Helices and strands as files list them: from one residue to another. Must also compile as C++17.
+// Helices and strands as files list them: from one residue to another.
 
 #include <cstddef>
 #include <optional>

@@ -71,11 +71,13 @@ std::optional<double> parseNumber(std::string_view text) {
 
 float parseCoordinate(std::string_view text, char axis, const std::string& name, std::uint64_t line, double scale) {
     const auto value = parseNumber(text);
-    if (value && std::abs(*value) <= 1e9) return static_cast<float>(*value * scale);  // false for nan
+    if (value && std::abs(*value * scale) <= kFarthestCoordinate)  // false for nan
+        return static_cast<float>(*value * scale);
     std::string why(1, axis);
     why += " is not a ";
     why += value ? "usable coordinate: '" : "number: '";
-    throw Error("cannot read molecule", name, why + printable(trim(text)) + "'",
+    throw Error("cannot read molecule", name,
+                why + printable(trim(text)) + "'" + (value ? ", which is not within 1e9 Å" : ""),
                 line > 0 ? std::optional<std::uint64_t>(line) : std::nullopt);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the readers of text formats share. Must also compile as C++17.
+// What the readers share. Must also compile as C++17.
 
 #include <array>
 #include <cstddef>
@@ -19,7 +19,10 @@ bool startsWith(std::string_view text, std::string_view start);
 std::optional<std::int64_t> parseInteger(std::string_view text);
 std::optional<double> parseNumber(std::string_view text);
 
-/// A coordinate in Å. @throws Error with the line unless it is a finite number within ±1e9.
+/// What an atom may stand from the origin along an axis, Å: every reader refuses more.
+constexpr double kFarthestCoordinate = 1e9;
+
+/// A coordinate in Å. @throws Error with the line unless it is a number within ±kFarthestCoordinate.
 /// @param axis  'x', 'y' or 'z', for the message
 /// @param line  0 if there is none
 /// @param scale Å in the file's unit

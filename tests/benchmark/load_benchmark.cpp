@@ -13,8 +13,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "engine/molecule/formats/decompress.h"
 #include "engine/molecule/formats/detect.h"
-#include "engine/molecule/formats/inflate.h"
 #include "engine/molecule/formats/readers.h"
 #include "tests/benchmark/gemmi_mmcif.h"
 #include "tests/molecule/bcif_writer.h"
@@ -39,7 +39,7 @@ Input inputOf(const std::string& path) {
     if (!file) throw std::runtime_error("cannot read " + path);
     Input input{std::filesystem::path(path).filename().string(), {std::istreambuf_iterator<char>(file), {}}};
     constexpr std::size_t kMost = std::size_t{1} << 31;
-    if (isGzip(input.bytes)) input.bytes = inflateGzip(path, input.bytes, kMost);
+    if (!compressionOf(input.bytes).empty()) input.bytes = decompress(path, input.bytes, kMost);
     const auto binary = detectBinaryFormat(input.bytes);
     input.format = binary ? *binary : detectFormat(path, input.bytes);
     return input;

@@ -171,7 +171,7 @@ TEST(ReadMmtf, WhatIsWrong) {
     wrong("groupList", packArray({packMap({})}), "its groups have 0 atoms instead of numAtoms");
     wrong("bondAtomList", integers({0, 4}), "bondAtomList refers to an atom");
     wrong("bondAtomList", integers({0, 1, 2}), "impossible number");
-    wrong("xCoordList", encoded(10, 4, 1000, words({1, 2, 3}, 2)), "xCoordList: its packed values are not the 4");
+    wrong("xCoordList", encoded(10, 4, 1000, words({1, 2, 3}, 2)), "xCoordList: its values are not the 4");
     wrong("xCoordList", encoded(10, 4, 0, words({1, 2, 3, 4}, 2)), "x of atom 1 is not a finite number");
     wrong("yCoordList", encoded(1, 4, 0, words({0x7FC00000, 0, 0, 0}, 4)), "y of atom 1 is not a finite number");
     wrong("zCoordList", encoded(9, 4, 1, words({1, 2'000'000'000}, 4)), "not the 4 announced");

@@ -110,7 +110,7 @@ TEST(ReadSdf, WhatIsWrongInV3000) {
     test::expectError("a.sdf", kV3000 + "M  V30 BEGIN ATOM\nM  V30 1 C 0 0 0 0\n", {"inside its ATOM block"});
     test::expectError("a.sdf", kV3000 + "M  V30 BEGIN ATOM\nM  V30 1 C 0 0\n", {"(line 8)", "no atom line"});
     test::expectError("a.sdf", kV3000 + "M  V30 BEGIN ATOM\nM  V30 1 C 0 0 inf 0\n", {"(line 8)", "inf"});
-    test::expectError("a.sdf", kV3000 + "M  V30 BEGIN ATOM\nM  V30 1 C 0 0 0 0\nM  V30 1 C 0 0 0 0\n",
+    test::expectError("a.sdf", kV3000 + "M  V30 BEGIN ATOM\nM  V30 1 C 0 0 0 0\nM  V30 1 C 0 0 0 0\nM  V30 END ATOM\n",
                       {"occurs twice"});
     test::expectError("a.sdf", kV3000 + kV3000Atoms + "M  V30 BEGIN BOND\nM  V30 1 1 7 8\n", {"7 and 8"});
     test::expectError("a.sdf", kV3000 + "something else\n", {"(line 7)", "M  V30"});

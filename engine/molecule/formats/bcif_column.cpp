@@ -50,56 +50,48 @@ std::vector<MsgpackValue> encodingsOf(const MsgpackValue& list) {
     return encodings;
 }
 
-/// @return the size of the values that an encoding yields, if it says so, else the size of the whole column
-std::size_t sizeOf(const MsgpackValue& encoding, std::size_t limit) {
-    return static_cast<std::size_t>(needInteger(encoding, "srcSize", 0, static_cast<std::int64_t>(limit)));
+/// The values that an encoding says it yields are what has to come out.
+IntegersPointer ofSourceSize(IntegersPointer values, const MsgpackValue& encoding) {
+    return exactly(std::move(values), static_cast<std::size_t>(needInteger(encoding, "srcSize", 0, INT32_MAX)));
 }
 
-Integers byteArray(std::string_view bytes, const MsgpackValue& encoding) {
+IntegersPointer byteArray(std::string_view bytes, const MsgpackValue& encoding) {
     static constexpr IntegerType kTypes[] = {{1, true}, {2, true}, {4, true}, {1, false}, {2, false}, {4, false}};
     const auto type = static_cast<std::size_t>(needInteger(encoding, "type", 1, 6));
     return integersFromBytes(bytes, kTypes[type - 1], ByteOrder::little);
 }
 
-/// Undoes one encoding of integers. @param limit no step may yield more values
-void undo(const MsgpackValue& encoding, Integers& values, std::size_t limit) {
+/// Undoes one encoding of integers.
+IntegersPointer undo(const MsgpackValue& encoding, IntegersPointer values) {
     const std::string_view kind = needText(encoding, "kind");
-    if (kind == "Delta") {
-        sumDeltas(values, static_cast<std::int32_t>(needInteger(encoding, "origin", INT32_MIN, INT32_MAX)));
-    } else if (kind == "RunLength") {
-        values = expandRuns(values, sizeOf(encoding, limit));
-    } else if (kind == "IntegerPacking") {
+    if (kind == "Delta")
+        return sumDeltas(std::move(values),
+                         static_cast<std::int32_t>(needInteger(encoding, "origin", INT32_MIN, INT32_MAX)));
+    if (kind == "RunLength") return ofSourceSize(expandRuns(std::move(values)), encoding);
+    if (kind == "IntegerPacking") {
         IntegerType type;
         type.bytes = static_cast<std::size_t>(needInteger(encoding, "byteCount", 1, 2));
-        const MsgpackValue isUnsigned = need(encoding, "isUnsigned");
-        type.isSigned = isUnsigned.integer == 0;
-        values = unpackExtremes(values, type, sizeOf(encoding, values.size()));
-    } else {
-        throw PackedFault("unknown encoding, or out of place: '" + std::string(kind.substr(0, 32)) + "'");
+        type.isSigned = need(encoding, "isUnsigned").integer == 0;
+        return ofSourceSize(unpackExtremes(std::move(values), type), encoding);
     }
+    throw PackedFault("unknown encoding, or out of place: '" + std::string(kind.substr(0, 32)) + "'");
 }
 
 /// @param encodings the last of them ByteArray; those from `first` on are undone
-Integers decodeIntegers(std::string_view bytes, const std::vector<MsgpackValue>& encodings, std::size_t first,
-                        std::size_t limit) {
+IntegersPointer decodeIntegers(std::string_view bytes, const std::vector<MsgpackValue>& encodings, std::size_t first) {
     if (first >= encodings.size() || needText(encodings.back(), "kind") != "ByteArray")
         throw PackedFault("its last encoding is not ByteArray");
-    Integers values = byteArray(bytes, encodings.back());
-    for (std::size_t i = encodings.size() - 1; i-- > first;) undo(encodings[i], values, limit);
+    IntegersPointer values = byteArray(bytes, encodings.back());
+    for (std::size_t i = encodings.size() - 1; i-- > first;) values = undo(encodings[i], std::move(values));
     return values;
 }
 
-void expectSize(std::size_t size, std::size_t rows) {
-    if (size != rows)
-        throw PackedFault("it has " + std::to_string(size) + " values in " + std::to_string(rows) + " rows");
-}
-
 template <typename Float>
-double floatAt(std::string_view bytes, std::size_t index) {
+double takeFloat(std::string_view& bytes) {
     static_assert(sizeof(Float) == 4 || sizeof(Float) == 8);
     std::uint64_t bits = 0;
-    for (std::size_t k = sizeof(Float); k-- > 0;)
-        bits = bits << 8 | static_cast<unsigned char>(bytes[index * sizeof(Float) + k]);
+    for (std::size_t k = sizeof(Float); k-- > 0;) bits = bits << 8 | static_cast<unsigned char>(bytes[k]);
+    bytes.remove_prefix(sizeof(Float));
     if constexpr (sizeof(Float) == 8) {
         double value = 0;
         std::memcpy(&value, &bits, sizeof value);
@@ -114,13 +106,12 @@ double floatAt(std::string_view bytes, std::size_t index) {
 
 }  // namespace
 
-BcifColumn::BcifColumn(const MsgpackValue& column, std::size_t rows) {
+BcifColumn::BcifColumn(const MsgpackValue& column, std::size_t rows, std::size_t mostStrings)
+    : mostStrings_(mostStrings) {
     decode(need(column, "data"), rows);
     const auto mask = column.find("mask");
     if (!mask || mask->is(MsgpackValue::Kind::nothing)) return;
-    const Integers marks = decodeIntegers(needBytes(*mask, "data"), encodingsOf(need(*mask, "encoding")), 0, rows);
-    expectSize(marks.size(), rows);
-    missing_.assign(marks.begin(), marks.end());  // 1 is '.', 2 is '?'
+    missing_ = exactly(decodeIntegers(needBytes(*mask, "data"), encodingsOf(need(*mask, "encoding")), 0), rows);
 }
 
 void BcifColumn::decode(const MsgpackValue& data, std::size_t rows) {
@@ -147,53 +138,66 @@ void BcifColumn::decode(const MsgpackValue& data, std::size_t rows) {
         factor_ = (needNumber(outer, "max") - lowest_) /
                   static_cast<double>(needInteger(outer, "numSteps", 2, INT32_MAX) - 1);
     }
-    integers_ = decodeIntegers(bytes, encodings, kind_ == Kind::integers ? 0 : 1, rows);
-    expectSize(integers_.size(), rows);
+    integers_ = exactly(decodeIntegers(bytes, encodings, kind_ == Kind::integers ? 0 : 1), rows);
 }
 
 void BcifColumn::decodeFloats(std::string_view bytes, std::size_t rows) {
     const std::size_t size = kind_ == Kind::float32 ? 4 : 8;
     if (bytes.size() % size != 0) throw PackedFault("its bytes are no whole number of values");
-    expectSize(bytes.size() / size, rows);
+    if (bytes.size() / size != rows)
+        throw PackedFault("it has " + std::to_string(bytes.size() / size) + " values in " + std::to_string(rows) +
+                          " rows");
     floats_ = bytes;
 }
 
 void BcifColumn::decodeStrings(const MsgpackValue& encoding, std::string_view bytes, std::size_t rows) {
     kind_ = Kind::strings;
-    integers_ = decodeIntegers(bytes, encodingsOf(need(encoding, "dataEncoding")), 0, rows);
-    expectSize(integers_.size(), rows);
-    const std::string_view text = needText(encoding, "stringData");
-    // The strings differ, so that one at most is empty; there is one offset more than strings.
-    const Integers offsets = decodeIntegers(needBytes(encoding, "offsets"),
-                                            encodingsOf(need(encoding, "offsetEncoding")), 0, text.size() + 2);
-    for (std::size_t i = 0; i + 1 < offsets.size(); ++i) {
-        if (offsets[i] < 0 || offsets[i + 1] < offsets[i] || static_cast<std::size_t>(offsets[i + 1]) > text.size())
+    integers_ = exactly(decodeIntegers(bytes, encodingsOf(need(encoding, "dataEncoding")), 0), rows);
+    text_ = needText(encoding, "stringData");
+    const IntegersPointer offsets =
+        decodeIntegers(needBytes(encoding, "offsets"), encodingsOf(need(encoding, "offsetEncoding")), 0);
+    for (std::int32_t offset = 0; offsets->next(offset);) {
+        const std::int64_t last = offsets_.empty() ? 0 : offsets_.back();
+        if (offset < last || static_cast<std::size_t>(offset) > text_.size())
             throw PackedFault("an offset of its strings is out of range");
-        strings_.push_back(
-            text.substr(static_cast<std::size_t>(offsets[i]), static_cast<std::size_t>(offsets[i + 1] - offsets[i])));
+        if (offsets_.size() > mostStrings_)
+            throw PackedFault("it has more than " + std::to_string(mostStrings_) + " different strings");
+        offsets_.push_back(static_cast<std::uint32_t>(offset));
     }
-    for (const std::int32_t index : integers_)
-        if (index < -1 || index >= static_cast<std::int32_t>(strings_.size()))
-            throw PackedFault("it refers to a string that is not there");
 }
 
-MmcifCell BcifColumn::cell(std::size_t row) const {
-    if (!missing_.empty() && missing_[row] != 0) return {};
-    switch (kind_) {
-        case Kind::integers:
-            return MmcifCell(static_cast<double>(integers_[row]));
-        case Kind::fixedPoint:
-            return MmcifCell(static_cast<double>(integers_[row]) / factor_);
-        case Kind::intervals:
-            return MmcifCell(lowest_ + factor_ * static_cast<double>(integers_[row]));
-        case Kind::float32:
-            return MmcifCell(floatAt<float>(floats_, row));
-        case Kind::float64:
-            return MmcifCell(floatAt<double>(floats_, row));
-        case Kind::strings:
-            break;
+std::string_view BcifColumn::string(std::int32_t index) const {
+    const auto at = static_cast<std::size_t>(index);  // a negative one is too large
+    if (at + 1 >= offsets_.size() || index < 0) throw PackedFault("it refers to a string that is not there");
+    return text_.substr(offsets_[at], offsets_[at + 1] - offsets_[at]);
+}
+
+MmcifCell BcifColumn::next() {
+    std::int32_t missing = 0, value = 0;
+    if (missing_) missing_->next(missing);  // throws where the mask is too short, as the values do
+    if (kind_ == Kind::float32 || kind_ == Kind::float64) {
+        const double number = kind_ == Kind::float32 ? takeFloat<float>(floats_) : takeFloat<double>(floats_);
+        return missing == 0 ? MmcifCell(number) : MmcifCell();
     }
-    return integers_[row] < 0 ? MmcifCell() : MmcifCell(strings_[static_cast<std::size_t>(integers_[row])]);
+    integers_->next(value);
+    if (missing != 0) return {};
+    const auto number = static_cast<double>(value);
+    switch (kind_) {
+        case Kind::fixedPoint:
+            return MmcifCell(number / factor_);
+        case Kind::intervals:
+            return MmcifCell(lowest_ + factor_ * number);
+        case Kind::strings:
+            return value == -1 ? MmcifCell() : MmcifCell(string(value));
+        default:
+            return MmcifCell(number);
+    }
+}
+
+void BcifColumn::finish() {
+    std::int32_t value = 0;
+    if (missing_) missing_->next(value);  // throws at one too many
+    if (integers_) integers_->next(value);
 }
 
 }  // namespace nacre

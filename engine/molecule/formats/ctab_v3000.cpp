@@ -1,7 +1,8 @@
-#include <unordered_map>
+#include <vector>
 
 #include "engine/error.h"
 #include "engine/molecule/formats/ctab.h"
+#include "engine/molecule/formats/id_index.h"
 
 namespace nacre {
 
@@ -25,8 +26,10 @@ public:
                 announced = CtabCounts{*atoms, *bonds};
             } else if (words[0] == "BEGIN" && words[1] == "ATOM") {
                 read.atoms += block("ATOM", [this] { readAtom(); });
+                if (IdIndex(ids_).repeats()) fail("a number of an atom occurs twice");
             } else if (words[0] == "BEGIN" && words[1] == "BOND") {
-                read.bonds += block("BOND", [this] { readBond(); });
+                const IdIndex index(ids_);
+                read.bonds += block("BOND", [&] { readBond(index); });
             }
             // What follows the first table (R groups, templates) is not part of the molecule.
             ended = words[0] == "END" && words[1] == "CTAB";
@@ -83,7 +86,7 @@ private:
         const auto index = parseInteger(splitWords(text)[0]);
         type = list ? std::string_view("*") : words[1];
         const std::size_t x = list ? 0 : 2;
-        if (!index || words.count < x + 3) fail("no atom line: '" + printable(line_) + "'");
+        if (!index || *index < 0 || words.count < x + 3) fail("no atom line: '" + printable(line_) + "'");
         glm::vec3 position;
         for (int axis = 0; axis < 3; ++axis)
             position[axis] = parseCoordinate(words[x + static_cast<std::size_t>(axis)], "xyz"[axis], builder_.name(),
@@ -91,29 +94,26 @@ private:
         std::int64_t charge = 0;
         for (std::size_t i = x + 3; i < words.count; ++i)
             if (startsWith(words[i], "CHG=")) charge = parseInteger(words[i].substr(4)).value_or(0);
-        if (!positions_.emplace(*index, builder_.molecule().atoms.size()).second)
-            fail("atom " + std::to_string(*index) + " occurs twice");
+        ids_.push_back(*index);
         addCtabAtom(builder_, type, position, charge, lines_.number());
     }
 
     /// index type atom1 atom2 [KEY=VALUE ...]
-    void readBond() {
+    void readBond(const IdIndex& index) {
         const Words words = splitWords(line_);
         const auto type = parseInteger(words[1]), a = parseInteger(words[2]), b = parseInteger(words[3]);
         if (!type || !a || !b) fail("no bond line: '" + printable(line_) + "'");
-        const auto first = positions_.find(*a), second = positions_.find(*b);
-        if (first == positions_.end() || second == positions_.end())
+        std::uint32_t first = 0, second = 0;
+        if (index.find(*a, first) != IdIndex::Found::one || index.find(*b, second) != IdIndex::Found::one)
             fail("bond between atoms " + std::to_string(*a) + " and " + std::to_string(*b) +
-                 ", of which one is not there");
-        if (const int order = bondOrderOfCtab(*type))
-            builder_.addBond(static_cast<std::int64_t>(first->second), static_cast<std::int64_t>(second->second), order,
-                             lines_.number());
+                 ", of which one is not there, or more than once");
+        if (const int order = bondOrderOfCtab(*type)) builder_.addBond(first, second, order, lines_.number());
     }
 
     MoleculeBuilder& builder_;
     LineReader& lines_;
     std::string line_;
-    std::unordered_map<std::int64_t, std::size_t> positions_;  ///< the file's atom number -> index
+    std::vector<std::int64_t> ids_;  ///< the file's number of each atom
 };
 
 }  // namespace

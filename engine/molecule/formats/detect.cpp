@@ -4,6 +4,7 @@
 #include <array>
 
 #include "engine/error.h"
+#include "engine/molecule/formats/decompress.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -33,15 +34,10 @@ Guess guessBinary(std::string_view head) {
                                                 {"GIF8", "a GIF picture, not a molecule"},
                                                 {"%PDF", "a PDF document, not a molecule"},
                                                 {"PK\x03\x04", "a ZIP archive; unpack it first"},
-                                                {"\xfd"
-                                                 "7zXZ",
-                                                 "xz-compressed; only gzip is supported"},
-                                                {"BZh", "bzip2-compressed; only gzip is supported"},
-                                                {"\x28\xb5\x2f\xfd", "zstd-compressed; only gzip is supported"},
-                                                {"\x1f\x8b", "gzip inside gzip; unpack it first"},
                                                 {"\x7f"
                                                  "ELF",
                                                  "a program, not a molecule"}};
+    if (!compressionOf(head).empty()) return isNot("compressed twice; unpack it first");
     for (const Signature& signature : kSignatures)
         if (startsWith(head, signature.bytes)) return isNot(signature.words);
     if (const auto format = detectBinaryFormat(head)) return is(*format);
@@ -134,12 +130,20 @@ Guess guessByContent(std::string_view text) {
     return guessByLines(head);
 }
 
+/// Without the ending that says how a file is compressed.
+std::string_view uncompressedName(std::string_view name) {
+    for (const std::string_view ending : {".gz", ".xz", ".bz2", ".zst"})
+        if (name.size() > ending.size() && name.substr(name.size() - ending.size()) == ending)
+            return name.substr(0, name.size() - ending.size());
+    return name;
+}
+
 Guess guessByName(const std::string& name) {
-    std::string lower = lowerCase(name);
-    if (lower.size() > 3 && lower.substr(lower.size() - 3) == ".gz") lower.resize(lower.size() - 3);
+    const std::string whole = lowerCase(name);
+    const std::string_view lower = uncompressedName(whole);
     const std::size_t dot = lower.find_last_of("./\\");
     if (dot == std::string::npos || lower[dot] != '.') return {};
-    const std::string ending = lower.substr(dot + 1);
+    const std::string_view ending = lower.substr(dot + 1);
     struct Ending {
         std::string_view ending;
         Format format;

@@ -8,7 +8,7 @@
 
 namespace nacre {
 
-/// The format of a file's text: by its content first, by its name second (an ending .gz is passed over).
+/// The format of a file's text: by its content first, by its name second (an ending such as .gz is passed over).
 /// @throws Error if it is a format that is known but not supported, no molecule at all, or not to be told
 Format detectFormat(const std::string& name, std::string_view text);
 

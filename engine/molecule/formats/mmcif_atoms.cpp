@@ -10,7 +10,8 @@ namespace nacre {
 
 namespace {
 
-constexpr std::size_t kMaxModels = 1'000'000;
+constexpr std::size_t kMaxModels = 100'000;
+constexpr std::size_t kLongestCell = 64;
 
 char firstCharacter(std::string_view text) { return text.empty() || text.front() == ' ' ? '\0' : text.front(); }
 
@@ -68,6 +69,7 @@ MmcifAtoms::MmcifAtoms(MoleculeBuilder& builder, const std::vector<std::string>&
 
 void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
     ++rows_;
+    refuseLongCells(cells, line);
     if (modelIndex(text(cells, model)) != wantedModel_) return;
     Atom atom;
     atom.position = {coordinate(cells, 0, line), coordinate(cells, 1, line), coordinate(cells, 2, line)};
@@ -91,20 +93,33 @@ void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
     countChains(cells);
 }
 
+/// A BinaryCIF file names a text once, however long, and a million rows may refer to it.
+void MmcifAtoms::refuseLongCells(const MmcifCell* cells, std::uint64_t line) const {
+    for (const int place : column_)
+        if (place >= 0 && cells[place].textSize() > kLongestCell)
+            throw Error("cannot read molecule", builder_.name(),
+                        "a value in row " + std::to_string(rows_) + " of _atom_site is longer than " +
+                            std::to_string(kLongestCell) + " bytes",
+                        line > 0 ? std::optional<std::uint64_t>(line) : std::nullopt);
+}
+
 int MmcifAtoms::modelIndex(std::string_view number) {
     if (lastIndex_ > 0 && number == lastModel_) return lastIndex_;
     lastModel_ = std::string(number);
     lastIndex_ = models_.emplace(lastModel_, static_cast<int>(models_.size()) + 1).first->second;
-    if (models_.size() > kMaxModels) throw Error("cannot read molecule", builder_.name(), "it has too many models");
+    if (models_.size() > kMaxModels)
+        throw Error("cannot read molecule", builder_.name(),
+                    "it has more than " + std::to_string(kMaxModels) + " models");
     return lastIndex_;
 }
 
 float MmcifAtoms::coordinate(const MmcifCell* cells, int axis, std::uint64_t line) const {
     const MmcifCell& given = cells[column_[axis]];
-    if (const auto value = given.number(); value && std::abs(*value) <= 1e9) return static_cast<float>(*value);
+    if (const auto value = given.number(); value && std::abs(*value) <= kFarthestCoordinate)
+        return static_cast<float>(*value);
     std::array<char, 32> buffer{};
     const std::string why = std::string("Cartn_") + "xyz"[axis] + " of row " + std::to_string(rows_) +
-                            " of _atom_site is not a finite number: '" +
+                            " of _atom_site is not a finite number within 1e9: '" +
                             (given.missing() ? "?" : printable(given.text(buffer))) + "'";
     throw Error("cannot read molecule", builder_.name(), why,
                 line > 0 ? std::optional<std::uint64_t>(line) : std::nullopt);

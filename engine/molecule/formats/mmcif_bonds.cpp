@@ -1,5 +1,5 @@
 #include <array>
-#include <unordered_map>
+#include <map>
 
 #include "engine/error.h"
 #include "engine/molecule/formats/mmcif_model.h"
@@ -17,7 +17,7 @@ int bondOrder(std::optional<std::string_view> text) {
 }
 
 /// Where to look a residue up: the runs with the same chain, number and insertion code.
-using ResidueIndex = std::unordered_multimap<std::string, std::uint32_t>;
+using ResidueIndex = std::multimap<std::string, std::uint32_t>;  // no hash that a file could aim at
 
 std::string residueKey(std::string_view chain, std::string_view number, std::string_view insertion) {
     std::string key(chain);
@@ -127,7 +127,7 @@ void addComponent(MoleculeBuilder& builder, const MmcifTable& atoms, const Mmcif
         if (!source && complete(axes)) source = &axes;
     if (!source) throw Error("cannot read molecule", builder.name(), "the chemical component has no coordinates");
 
-    std::unordered_map<std::string, std::uint32_t> position;
+    std::map<std::string, std::uint32_t, std::less<>> position;
     for (std::size_t row = 0; row < atoms.rows(); ++row) {
         Atom atom;
         const std::string name(atoms.get(row, {"atom_id"}).value_or(""));
@@ -143,8 +143,8 @@ void addComponent(MoleculeBuilder& builder, const MmcifTable& atoms, const Mmcif
         position.emplace(name, static_cast<std::uint32_t>(row));
     }
     for (std::size_t row = 0; row < bonds.rows(); ++row) {
-        const auto a = position.find(std::string(bonds.get(row, {"atom_id_1"}).value_or("")));
-        const auto b = position.find(std::string(bonds.get(row, {"atom_id_2"}).value_or("")));
+        const auto a = position.find(bonds.get(row, {"atom_id_1"}).value_or(""));
+        const auto b = position.find(bonds.get(row, {"atom_id_2"}).value_or(""));
         if (a == position.end() || b == position.end() || a == b)
             throw Error("cannot read molecule", builder.name(),
                         "row " + std::to_string(row + 1) + " of _chem_comp_bond names atoms that are not there");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 
 #include "engine/error.h"
 #include "engine/molecule/floating_point.h"
@@ -12,7 +13,10 @@ namespace nacre {
 
 namespace {
 
-constexpr std::size_t kMaxKeptCells = std::size_t{1} << 22;
+// Cells of the small categories: a few always, and what goes with the molecule's size, as connections and helices do.
+constexpr std::size_t kFewCells = 100'000, kCellsPerAtom = 4, kMostCells = std::size_t{1} << 22;
+// Their text, where it stands in the file many times by reference: work goes with it.
+constexpr std::size_t kMostRepeatedBytes = std::size_t{64} << 20;
 
 /// A value may end in its standard uncertainty: "1.234(5)".
 std::string_view withoutUncertainty(std::string_view text) {
@@ -56,11 +60,17 @@ std::optional<std::string_view> MmcifTable::get(std::size_t row, std::initialize
     for (const char* name : names)
         for (std::size_t i = 0; i < columns.size(); ++i)
             if (columns[i] == name) {
-                if (const auto& value = cells[row * columns.size() + i]) return *value;
+                if (const auto& value = cells[row * columns.size() + i]; value.data()) return value;
                 break;
             }
     return std::nullopt;
 }
+
+MmcifModel::MmcifModel(const std::string& name, std::string_view document, const ReadOptions& options)
+    : builder_(name, options.maxAtoms),
+      document_(document),
+      options_(options),
+      mostCells_(std::min(kMostCells, kFewCells + kCellsPerAtom * options.maxAtoms)) {}
 
 bool MmcifModel::isKept(std::string_view category) {
     static constexpr std::string_view kKept[] = {"atom_site",
@@ -120,7 +130,7 @@ bool MmcifModel::beginCategory(const std::string& category, const std::vector<st
 }
 
 void MmcifModel::expectRows(std::size_t rows, std::size_t columns) const {
-    if (rows > 0 && columns > (kMaxKeptCells - std::min(cells_, kMaxKeptCells)) / rows)
+    if (rows > 0 && columns > (mostCells_ - std::min(cells_, mostCells_)) / rows)
         throw Error("cannot read molecule", builder_.name(), "a category is too long");
 }
 
@@ -130,10 +140,25 @@ void MmcifModel::addRow(const std::vector<MmcifCell>& cells, std::uint64_t line)
         return;
     }
     cells_ += cells.size();
-    if (cells_ > kMaxKeptCells) throw Error("cannot read molecule", builder_.name(), "a category is too long", line);
+    if (cells_ > mostCells_) throw Error("cannot read molecule", builder_.name(), "a category is too long", line);
+    for (const MmcifCell& cell : cells) {
+        table_->cells.push_back(kept(cell));
+        cellBytes_ += table_->cells.back().size();
+    }
+    if (cellBytes_ > document_.size() + kMostRepeatedBytes)
+        throw Error("cannot read molecule", builder_.name(), "the texts of a category are too long", line);
+}
+
+/// A hostile document may refer to one long text from every cell: it is kept once, where it lies.
+std::string_view MmcifModel::kept(const MmcifCell& cell) {
+    if (cell.missing()) return {};
     std::array<char, 32> buffer{};
-    for (const MmcifCell& cell : cells)
-        table_->cells.push_back(cell.missing() ? std::nullopt : std::optional<std::string>(cell.text(buffer)));
+    const std::string_view text = cell.text(buffer);
+    const std::less_equal<const char*> notAfter;
+    if (notAfter(document_.data(), text.data()) &&
+        notAfter(text.data() + text.size(), document_.data() + document_.size()))
+        return text;
+    return copies_.emplace_back(text);
 }
 
 Molecule MmcifModel::finish(const std::string& format) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <optional>
@@ -25,6 +26,7 @@ public:
     explicit MmcifCell(double number) : number_(number), kind_(Kind::number) {}
 
     bool missing() const { return kind_ == Kind::missing; }
+    std::size_t textSize() const { return text_.size(); }  ///< 0 for numbers
     std::optional<double> number() const;  ///< without the standard uncertainty that text may end in: "1.234(5)"
     std::optional<std::int64_t> integer() const;
     /// The value as text, "" if missing. @param buffer where a number is written; shared with the result
@@ -40,8 +42,8 @@ private:
 /// A small category, kept whole.
 class MmcifTable {
 public:
-    std::vector<std::string> columns;  ///< lower case, without the category
-    std::vector<std::optional<std::string>> cells;
+    std::vector<std::string> columns;     ///< lower case, without the category
+    std::vector<std::string_view> cells;  ///< data() is null where a value is missing
 
     std::size_t rows() const { return columns.empty() ? 0 : cells.size() / columns.size(); }
     /// The value of the first of these columns that has one.
@@ -100,6 +102,7 @@ private:
     float property(const MmcifCell& cell, float otherwise);
     void countChains(const MmcifCell* cells);
     std::uint32_t entityIndex(const MmcifCell& given);
+    void refuseLongCells(const MmcifCell* cells, std::uint64_t line) const;
 
     int column_[columnCount];
     std::array<char, 32> buffers_[columnCount]{};
@@ -117,8 +120,8 @@ private:
 
 class MmcifModel {
 public:
-    MmcifModel(const std::string& name, const ReadOptions& options)
-        : builder_(name, options.maxAtoms), options_(options) {}
+    /// @param document  the file's content, which outlives this; cells that lie in it are not copied
+    MmcifModel(const std::string& name, std::string_view document, const ReadOptions& options);
 
     /// Whether a category, or a column of one, is of any use; names as below. Readers need not give the others.
     static bool isKept(std::string_view category);
@@ -138,12 +141,17 @@ public:
     Molecule finish(const std::string& format);
 
 private:
+    std::string_view kept(const MmcifCell& cell);
+
     MoleculeBuilder builder_;
+    std::string_view document_;
     ReadOptions options_;
+    std::size_t mostCells_;  ///< of all tables
+    std::deque<std::string> copies_;
     std::unique_ptr<MmcifAtoms> atoms_;
     std::map<std::string, MmcifTable> tables_;  ///< the small categories that are kept
     MmcifTable* table_ = nullptr;               ///< the one that rows go to; null: the atoms
-    std::size_t cells_ = 0;
+    std::size_t cells_ = 0, cellBytes_ = 0;
     bool done_ = false;
 };
 

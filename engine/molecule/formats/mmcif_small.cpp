@@ -14,8 +14,6 @@ namespace nacre {
 
 namespace {
 
-constexpr double kMaxCoordinate = 1e9;  // Å
-
 /// A number without its standard uncertainty; empty if there is none.
 std::optional<double> number(const MmcifTable& table, std::size_t row, std::initializer_list<const char*> columns) {
     const auto text = table.get(row, columns);
@@ -148,7 +146,7 @@ void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& table
         Atom atom = readAtom(builder, tables.atoms, row);
         const gemmi::Position position = cell.orthogonalize(*fractional);
         for (int axis = 0; axis < 3; ++axis) {
-            if (!(std::abs(position.at(axis)) <= kMaxCoordinate))
+            if (!(std::abs(position.at(axis)) <= kFarthestCoordinate))
                 throw Error("cannot read molecule", builder.name(),
                             "the position in row " + std::to_string(row + 1) + " of _atom_site is too far away");
             atom.position[axis] = static_cast<float>(position.at(axis));

@@ -13,7 +13,9 @@ namespace {
 constexpr std::size_t kHeader = 12;
 constexpr IntegerType kInt8{1, true}, kInt16{2, true}, kInt32{4, true};
 
-Integers bigEndian(std::string_view bytes, IntegerType type) { return integersFromBytes(bytes, type, ByteOrder::big); }
+IntegersPointer bigEndian(std::string_view bytes, IntegerType type) {
+    return integersFromBytes(bytes, type, ByteOrder::big);
+}
 
 /// Codecs that yield floats: integers to be divided by the parameter.
 bool isDivided(std::int32_t codec) { return codec >= 9 && codec <= 13; }
@@ -47,87 +49,116 @@ MmtfFields::Encoded MmtfFields::encoded(const char* field, std::size_t size) con
     const auto value = root_.find(field);
     if (!value || !value->is(MsgpackValue::Kind::binary) || value->bytes.size() < kHeader)
         fail(std::string(field) + " is missing or is no encoded array");
-    const Integers header = bigEndian(value->bytes.substr(0, kHeader), kInt32);
+    std::int32_t header[3] = {};
+    const IntegersPointer words = bigEndian(value->bytes.substr(0, kHeader), kInt32);
+    for (std::int32_t& word : header) words->next(word);
     if (header[1] < 0 || static_cast<std::size_t>(header[1]) != size)
         fail(std::string(field) + " announces " + std::to_string(header[1]) + " values instead of " +
              std::to_string(size));
     return {header[0], header[2], value->bytes.substr(kHeader)};
 }
 
-Integers MmtfFields::decode(const Encoded& array, std::size_t size) const {
-    Integers values;
-    switch (array.codec) {
-        case 2:
-            return bigEndian(array.data, kInt8);
-        case 3:
-        case 11:
-            return bigEndian(array.data, kInt16);
-        case 4:
-            return bigEndian(array.data, kInt32);
-        case 6:
-        case 7:
-        case 9:
-            return expandRuns(bigEndian(array.data, kInt32), size);
-        case 8:
-            values = expandRuns(bigEndian(array.data, kInt32), size);
-            sumDeltas(values, 0);
-            return values;
-        case 10:
-            values = unpackExtremes(bigEndian(array.data, kInt16), kInt16, size);
-            sumDeltas(values, 0);
-            return values;
-        case 12:
-        case 14:
-            return unpackExtremes(bigEndian(array.data, kInt16), kInt16, size);
-        case 13:
-        case 15:
-            return unpackExtremes(bigEndian(array.data, kInt8), kInt8, size);
-        case 16:
-            return expandRuns(bigEndian(array.data, kInt8), size);
-        default:
-            throw PackedFault("its codec " + std::to_string(array.codec) + " is unknown or yields no numbers");
-    }
-}
-
-Integers MmtfFields::integers(const char* field, std::size_t size) const {
-    const Encoded array = encoded(field, size);
+MmtfIntegers MmtfFields::decode(const char* field, const Encoded& array, std::size_t size) const {
+    const auto values = [&]() -> IntegersPointer {
+        switch (array.codec) {
+            case 2:
+                return bigEndian(array.data, kInt8);
+            case 3:
+            case 11:
+                return bigEndian(array.data, kInt16);
+            case 4:
+                return bigEndian(array.data, kInt32);
+            case 6:
+            case 7:
+            case 9:
+                return expandRuns(bigEndian(array.data, kInt32));
+            case 8:
+                return sumDeltas(expandRuns(bigEndian(array.data, kInt32)), 0);
+            case 10:
+                return sumDeltas(unpackExtremes(bigEndian(array.data, kInt16), kInt16), 0);
+            case 12:
+            case 14:
+                return unpackExtremes(bigEndian(array.data, kInt16), kInt16);
+            case 13:
+            case 15:
+                return unpackExtremes(bigEndian(array.data, kInt8), kInt8);
+            case 16:
+                return expandRuns(bigEndian(array.data, kInt8));
+            default:
+                throw PackedFault("its codec " + std::to_string(array.codec) + " is unknown or yields no numbers");
+        }
+    };
+    MmtfIntegers result;
+    result.fields_ = this;
+    result.field_ = field;
     try {
-        if (isDivided(array.codec)) throw PackedFault("it holds no whole numbers");
-        Integers values = decode(array, size);
-        if (values.size() != size) throw PackedFault("it has " + std::to_string(values.size()) + " values");
-        return values;
+        result.values_ = exactly(values(), size);
     } catch (const PackedFault& fault) {
         fail(std::string(field) + ": " + fault.what());
     }
+    return result;
 }
 
-std::vector<float> MmtfFields::floats(const char* field, std::size_t size) const {
+MmtfIntegers MmtfFields::integers(const char* field, std::size_t size) const {
     const Encoded array = encoded(field, size);
+    if (isDivided(array.codec)) fail(std::string(field) + ": it holds no whole numbers");
+    return decode(field, array, size);
+}
+
+MmtfIntegers MmtfFields::integers(const char* field, std::size_t size, std::int32_t otherwise) const {
+    if (has(field)) return integers(field, size);
+    MmtfIntegers same;
+    same.otherwise_ = otherwise;
+    return same;
+}
+
+MmtfFloats MmtfFields::floats(const char* field, std::size_t size) const {
+    Encoded array = encoded(field, size);
+    MmtfFloats numbers;
+    numbers.bits_ = array.codec == 1;
+    if (isDivided(array.codec)) numbers.divisor_ = array.parameter;  // what is not divided counts as it is
+    if (numbers.bits_) array.codec = 4;
+    numbers.values_ = decode(field, array, size);
+    return numbers;
+}
+
+MmtfFloats MmtfFields::floats(const char* field, std::size_t size, std::int32_t otherwise) const {
+    if (has(field)) return floats(field, size);
+    MmtfFloats same;
+    same.values_.otherwise_ = otherwise;
+    return same;
+}
+
+std::int32_t MmtfIntegers::next() {
+    if (!values_) return otherwise_;
     try {
-        // Codec 1 has the bits of floats; what is not divided counts as it is.
-        const Integers values = array.codec == 1 ? bigEndian(array.data, kInt32) : decode(array, size);
-        if (values.size() != size) throw PackedFault("it has " + std::to_string(values.size()) + " values");
-        std::vector<float> numbers(size);
-        const double divisor = isDivided(array.codec) ? array.parameter : 1;
-        for (std::size_t i = 0; i < size; ++i) numbers[i] = static_cast<float>(values[i] / divisor);
-        if (array.codec == 1 && size > 0) std::memcpy(numbers.data(), values.data(), size * sizeof(float));
-        return numbers;
+        std::int32_t value = 0;
+        if (!values_->next(value)) throw PackedFault("it has too few values");
+        return value;
     } catch (const PackedFault& fault) {
-        fail(std::string(field) + ": " + fault.what());
+        fields_->fail(std::string(field_) + ": " + fault.what());
     }
 }
 
-std::vector<std::string> MmtfFields::names(const char* field, std::size_t size) const {
+float MmtfFloats::next() {
+    const std::int32_t value = values_.next();
+    if (!bits_) return static_cast<float>(value / divisor_);
+    float number = 0;
+    std::memcpy(&number, &value, sizeof number);
+    return number;
+}
+
+std::vector<std::string_view> MmtfFields::names(const char* field, std::size_t size) const {
     const Encoded array = encoded(field, size);
     constexpr std::int32_t kLongest = 64;
     if (array.codec != 5 || array.parameter < 1 || array.parameter > kLongest ||
         array.data.size() != size * static_cast<std::size_t>(array.parameter))
         fail(std::string(field) + " is no array of " + std::to_string(size) + " names");
-    std::vector<std::string> names(size);
+    std::vector<std::string_view> names(size);
     const auto length = static_cast<std::size_t>(array.parameter);
     for (std::size_t i = 0; i < size; ++i) {
         const std::string_view padded = array.data.substr(i * length, length);
-        names[i] = std::string(trim(padded.substr(0, padded.find('\0'))));
+        names[i] = trim(padded.substr(0, padded.find('\0')));
     }
     return names;
 }

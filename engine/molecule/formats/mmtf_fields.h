@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,8 +12,35 @@
 
 namespace nacre {
 
-/// The top level of an MMTF document. Every size is known before an array is unpacked, and is no more than the file
-/// has bytes. Errors name file and field.
+/// An encoded array of integers, value after value. Errors name file and field.
+class MmtfIntegers {
+public:
+    /// @throws Error if there is none left
+    std::int32_t next();
+
+private:
+    friend class MmtfFields;
+    friend class MmtfFloats;
+    const class MmtfFields* fields_ = nullptr;
+    const char* field_ = "";
+    IntegersPointer values_;  ///< null: all are the same
+    std::int32_t otherwise_ = 0;
+};
+
+/// An encoded array of numbers.
+class MmtfFloats {
+public:
+    float next();
+
+private:
+    friend class MmtfFields;
+    MmtfIntegers values_;
+    double divisor_ = 1;
+    bool bits_ = false;  ///< the integers are the bits of floats
+};
+
+/// The top level of an MMTF document. Arrays are streams, so that memory does not follow the sizes that it announces.
+/// Errors name file and field.
 class MmtfFields {
 public:
     MmtfFields(const std::string& name, std::string_view document);
@@ -27,10 +53,15 @@ public:
     MsgpackValue list(const char* field) const { return root_.find(field).value_or(MsgpackValue{}); }
     bool has(const char* field) const;
 
-    /// An array of exactly `size` values. @throws Error if it is missing or is not that
-    std::vector<float> floats(const char* field, std::size_t size) const;
-    Integers integers(const char* field, std::size_t size) const;
-    std::vector<std::string> names(const char* field, std::size_t size) const;
+    /// An array of exactly `size` values. @throws Error if it is missing or says that it is not that; its stream does
+    /// if it is not
+    MmtfFloats floats(const char* field, std::size_t size) const;
+    MmtfIntegers integers(const char* field, std::size_t size) const;
+    /// The same; `otherwise` for each value if the file has no such array.
+    MmtfFloats floats(const char* field, std::size_t size, std::int32_t otherwise) const;
+    MmtfIntegers integers(const char* field, std::size_t size, std::int32_t otherwise) const;
+    /// Names where they lie in the document.
+    std::vector<std::string_view> names(const char* field, std::size_t size) const;
 
     [[noreturn]] void fail(const std::string& why) const;
 
@@ -41,7 +72,7 @@ private:
         std::string_view data;
     };
     Encoded encoded(const char* field, std::size_t size) const;
-    Integers decode(const Encoded& array, std::size_t size) const;
+    MmtfIntegers decode(const char* field, const Encoded& array, std::size_t size) const;
 
     const std::string& name_;
     std::size_t bytes_;

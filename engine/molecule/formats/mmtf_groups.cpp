@@ -13,17 +13,20 @@ namespace {
 using Kind = MsgpackValue::Kind;
 
 constexpr std::size_t kMaxGroups = 100'000;  // the dictionary of residues has some 45,000 entries
+constexpr std::size_t kFewAtoms = 10'000;    // of all groups, that there is always memory for
+constexpr std::size_t kMaxBondsPerAtom = 16;
 
 class GroupReader {
 public:
     GroupReader(const MmtfFields& fields, MoleculeBuilder& builder, const MsgpackValue& group)
         : fields_(fields), builder_(builder), map_(group) {}
 
-    MmtfGroup read() {
+    /// @param room  atoms that may come
+    MmtfGroup read(std::size_t room) {
         MmtfGroup group;
         const auto name = map_.find("groupName");
         group.name = std::string(name ? name->asText().value_or("") : "");
-        readAtoms(group);
+        readAtoms(group, room);
         readBonds(group);
         return group;
     }
@@ -38,11 +41,12 @@ private:
         return *value;
     }
 
-    void readAtoms(MmtfGroup& group) const {
+    void readAtoms(MmtfGroup& group, std::size_t room) const {
         const MsgpackValue names = list("atomNameList"), elements = list("elementList"),
                            charges = list("formalChargeList");
         if (elements.count != names.count || (charges.count != 0 && charges.count != names.count))
             fail("its lists of atoms differ in length");
+        if (names.count > room) fail("the groups have more atoms than there is memory for");
         MsgpackElements name(names), element(elements), charge(charges);
         // MMTF drops the difference between ATOM and HETATM, which is that between standard residues and the others.
         const bool hetero = residueTemplate(Name(group.name)) == nullptr || group.name == "MSE";
@@ -64,6 +68,7 @@ private:
         const MsgpackValue pairs = list("bondAtomList"), orders = list("bondOrderList");
         if (pairs.count % 2 != 0 || (orders.count != 0 && orders.count != pairs.count / 2))
             fail("its lists of bonds differ in length");
+        if (pairs.count / 2 > kMaxBondsPerAtom * group.atoms.size()) fail("more bonds than its atoms could form");
         MsgpackElements ends(pairs), order(orders);
         MsgpackValue first, second, units;
         while (ends.next(first) && ends.next(second)) {
@@ -94,13 +99,15 @@ std::uint8_t mmtfBondOrder(std::int64_t order) {
     return static_cast<std::uint8_t>(std::clamp<std::int64_t>(order, 1, 3));
 }
 
-std::vector<MmtfGroup> readMmtfGroups(const MmtfFields& fields, MoleculeBuilder& builder) {
+std::vector<MmtfGroup> readMmtfGroups(const MmtfFields& fields, MoleculeBuilder& builder, std::size_t mostAtoms) {
     std::vector<MmtfGroup> groups;
+    std::size_t room = mostAtoms + kFewAtoms;
     MsgpackElements elements(fields.list("groupList"));
     for (MsgpackValue group; elements.next(group);) {
         if (groups.size() == kMaxGroups)
             fields.fail("groupList has more than " + std::to_string(kMaxGroups) + " groups");
-        groups.push_back(GroupReader(fields, builder, group).read());
+        groups.push_back(GroupReader(fields, builder, group).read(room));
+        room -= groups.back().atoms.size();
     }
     return groups;
 }

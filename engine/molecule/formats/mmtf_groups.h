@@ -22,7 +22,8 @@ struct MmtfGroup {
 /// Order as Molecule has it. MMTF also knows quadruple bonds, and -1 for a bond of unknown order.
 std::uint8_t mmtfBondOrder(std::int64_t order);
 
+/// @param mostAtoms  that the groups may have together, a few always; a group of more is none that a model could show
 /// @throws Error if a group is malformed
-std::vector<MmtfGroup> readMmtfGroups(const MmtfFields& fields, MoleculeBuilder& builder);
+std::vector<MmtfGroup> readMmtfGroups(const MmtfFields& fields, MoleculeBuilder& builder, std::size_t mostAtoms);
 
 }  // namespace nacre

@@ -15,6 +15,8 @@ namespace nacre {
 namespace {
 
 constexpr std::size_t kMaxWarnings = 20;
+// A file may state a name once and refer to it from every atom, and each of them compares it with the name before.
+constexpr std::size_t kLongestChainName = 64;
 
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -24,6 +26,9 @@ void MoleculeBuilder::addAtom(Atom atom, std::string_view chain, std::int32_t nu
                               std::string_view residue, std::string_view subchain) {
     if (!subchain.data()) subchain = chain;
     if (molecule_.atoms.size() >= maxAtoms_) throw tooManyAtoms(name_, maxAtoms_);
+    if (chain.size() > kLongestChainName || subchain.size() > kLongestChainName)
+        throw Error("cannot read molecule", name_,
+                    "the name of a chain is longer than " + std::to_string(kLongestChainName) + " bytes");
     const Name residueName(residue);
     const auto continues = [&](const Residue& last) {
         return last.number == number && last.insertionCode == insertionCode && last.name == residueName &&
@@ -49,21 +54,19 @@ std::uint32_t MoleculeBuilder::chainIndex(std::string_view chain) {
         const std::uint32_t last = molecule_.residues.back().chain;
         if (molecule_.chains[last].name == chain) return last;
     }
-    const auto [found, added] =
-        chains_.emplace(std::string(chain), static_cast<std::uint32_t>(molecule_.chains.size()));
+    const auto [found, added] = chains_.emplace(chain, static_cast<std::uint32_t>(molecule_.chains.size()));
     if (added) molecule_.chains.push_back({std::string(chain)});
     return found->second;
 }
 
 std::uint32_t MoleculeBuilder::subchainIndex(std::string_view subchain) {
-    const auto [found, added] =
-        subchains_.emplace(std::string(subchain), static_cast<std::uint32_t>(molecule_.subchains.size()));
+    const auto [found, added] = subchains_.emplace(subchain, static_cast<std::uint32_t>(molecule_.subchains.size()));
     if (added) molecule_.subchains.emplace_back(subchain);
     return found->second;
 }
 
 std::optional<std::uint32_t> MoleculeBuilder::subchain(std::string_view name) const {
-    const auto found = subchains_.find(std::string(name));
+    const auto found = subchains_.find(name);
     return found == subchains_.end() ? std::nullopt : std::optional<std::uint32_t>(found->second);
 }
 
@@ -77,6 +80,8 @@ void MoleculeBuilder::addBond(std::int64_t a, std::int64_t b, int order, std::ui
                     where);
     if (a == b)
         throw Error("cannot read molecule", name_, "bond of atom " + std::to_string(a + 1) + " to itself", where);
+    if (molecule_.bonds.size() >= mostBonds())
+        throw Error("cannot read molecule", name_, "it has more bonds than its atoms could form", where);
     Bond bond;
     bond.a = static_cast<std::uint32_t>(std::min(a, b));
     bond.b = static_cast<std::uint32_t>(std::max(a, b));

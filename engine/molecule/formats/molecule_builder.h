@@ -3,10 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 
 #include "engine/molecule/molecule.h"
 
@@ -19,7 +20,7 @@ public:
 
     /// Adds an atom to the residue of the atom before it, or begins another if any of these differ.
     /// @param subchain null: the chain
-    /// @throws Error if there are more than maxAtoms
+    /// @throws Error if there are more than maxAtoms, or the name of a chain is too long for one
     void addAtom(Atom atom, std::string_view chain, std::int32_t number, char insertionCode, std::string_view residue,
                  std::string_view subchain = {});
 
@@ -27,7 +28,8 @@ public:
     std::optional<std::uint32_t> subchain(std::string_view name) const;
 
     /// Adds a bond that the file states; a pair that is there already is passed over.
-    /// @throws Error, with the line, if an index is out of range or both are the same
+    /// @throws Error, with the line, if an index is out of range or both are the same, or there are more bonds than
+    /// maxAtoms could form
     /// @param a, b 0-based
     /// @param line  0 if there is none
     void addBond(std::int64_t a, std::int64_t b, int order, std::uint64_t line);
@@ -39,6 +41,9 @@ public:
 
     void warn(const std::string& sentence);
 
+    /// Bonds that a reader may put aside until it knows all atoms.
+    std::size_t mostBonds() const { return kMostBondsPerAtom * maxAtoms_; }
+
     Molecule& molecule() { return molecule_; }
     const std::string& name() const { return name_; }
 
@@ -46,7 +51,8 @@ public:
     Molecule finish();
 
 private:
-    using Indices = std::unordered_map<std::string, std::uint32_t>;
+    static constexpr std::size_t kMostBondsPerAtom = 8;
+    using Indices = std::map<std::string, std::uint32_t, std::less<>>;  // no hash that a file could aim at
     std::uint32_t chainIndex(std::string_view chain);
     std::uint32_t subchainIndex(std::string_view subchain);
 

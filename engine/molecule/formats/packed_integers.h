@@ -1,17 +1,16 @@
 #pragma once
-// The integer codecs that BinaryCIF (github.com/molstar/BinaryCIF) and MMTF (mmtf.rcsb.org's specification) share.
-// Each takes the size that must come out, known from elsewhere and bounded by the file, before it allocates.
+// The integer codecs that BinaryCIF (github.com/molstar/BinaryCIF) and MMTF (mmtf.rcsb.org's specification) share, as
+// streams: values come out a block at a time, so that a few bytes that stand for millions of values take no memory.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace nacre {
-
-using Integers = std::vector<std::int32_t>;
 
 /// What is wrong with packed data; the reader turns it into an Error that names the file and the field.
 struct PackedFault : std::runtime_error {
@@ -25,17 +24,50 @@ struct IntegerType {
     bool isSigned = true;
 };
 
-/// Array of integers. @throws PackedFault if the size is no whole number of them, or one exceeds 2^31 - 1
-Integers integersFromBytes(std::string_view bytes, IntegerType type, ByteOrder order);
+/// Values one after the other.
+class Integers {
+public:
+    virtual ~Integers() = default;
+    Integers(const Integers&) = delete;
+    Integers& operator=(const Integers&) = delete;
+
+    /// Steps to the next value; false after the last. @throws PackedFault where the data is malformed
+    bool next(std::int32_t& value) {
+        if (at_ == size_) {
+            at_ = 0;
+            size_ = fill(block_.data(), block_.size());
+            if (size_ == 0) return false;
+        }
+        value = block_[at_++];
+        return true;
+    }
+
+protected:
+    Integers() = default;
+    /// Writes the next values, at most `most` of them. @return how many; 0 at the end
+    virtual std::size_t fill(std::int32_t* values, std::size_t most) = 0;
+
+private:
+    std::array<std::int32_t, 256> block_;
+    std::size_t at_ = 0, size_ = 0;
+};
+using IntegersPointer = std::unique_ptr<Integers>;
+
+/// Array of integers, which must outlive the stream. @throws PackedFault if the size is no whole number of them; the
+/// stream does if one exceeds 2^31 - 1
+IntegersPointer integersFromBytes(std::string_view bytes, IntegerType type, ByteOrder order);
 
 /// Sums runs of the type's extreme values with the value after them ("integer packing", "recursive indexing").
-/// @throws PackedFault unless exactly `size` values come out
-Integers unpackExtremes(const Integers& packed, IntegerType type, std::size_t size);
+IntegersPointer unpackExtremes(IntegersPointer packed, IntegerType type);
 
-/// Pairs of value and count. @throws PackedFault unless exactly `size` values come out
-Integers expandRuns(const Integers& runs, std::size_t size);
+/// Pairs of value and count.
+IntegersPointer expandRuns(IntegersPointer runs);
 
-/// Running sums, in place; they wrap at 32 bits, as encoders count on.
-void sumDeltas(Integers& values, std::int32_t origin);
+/// Running sums; they wrap at 32 bits, as encoders count on.
+IntegersPointer sumDeltas(IntegersPointer values, std::int32_t origin);
+
+/// The same values, found to be exactly `size`. The stream throws PackedFault at one more, and at the end if there are
+/// fewer.
+IntegersPointer exactly(IntegersPointer values, std::size_t size);
 
 }  // namespace nacre

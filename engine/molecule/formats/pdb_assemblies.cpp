@@ -1,6 +1,5 @@
 #include "engine/molecule/formats/pdb_assemblies.h"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -62,7 +61,8 @@ void Remark350::addChains(std::string_view list) {
                 biomolecules_.back().fault = fault.what();
                 return;
             }
-            part().chains.emplace_back(chain);
+            part().named = true;
+            if (chain.size() == 1) part().chains += chain;  // no other is a chain of these files
         }
         list.remove_prefix(comma == std::string_view::npos ? list.size() : comma + 1);
     }
@@ -100,13 +100,12 @@ void Remark350::resolve(Molecule& molecule) {
         Assembly assembly{given.id, given.details, {}};
         try {
             for (Part& part : given.parts) {
-                std::sort(part.chains.begin(), part.chains.end());
                 std::vector<std::uint32_t> subchains;
                 const auto count = static_cast<std::uint32_t>(molecule.subchains.size());
                 limits_.spend(0, count);
                 for (std::uint32_t i = 0; i < count; ++i)
-                    if (part.chains.empty() ||
-                        std::binary_search(part.chains.begin(), part.chains.end(), molecule.subchains[i]))
+                    if (!part.named || (molecule.subchains[i].size() == 1 &&
+                                        part.chains.find(molecule.subchains[i]) != std::string::npos))
                         subchains.push_back(i);
                 addPart(assembly, part.transforms, std::move(subchains));
             }

@@ -22,7 +22,8 @@ public:
 
 private:
     struct Part {
-        std::vector<std::string> chains;  ///< empty: all, as old files mean by "NULL"
+        bool named = false;  ///< else all chains are meant, as old files do by "NULL"
+        std::string chains;  ///< one character each
         std::vector<glm::mat4x3> transforms;
     };
     struct Biomolecule {

@@ -4,64 +4,11 @@
 #include <array>
 #include <utility>
 
+#include "engine/molecule/formats/id_index.h"
 #include "engine/molecule/formats/pdb_fields.h"
 
 namespace nacre::pdb {
 namespace {
-
-/// Atoms by serial number: as a table, since files number their atoms one after the other; where one does not, and its
-/// table would be mostly holes, as a sorted list.
-class SerialIndex {
-public:
-    enum class Found { none, one, several };
-
-    explicit SerialIndex(const std::vector<std::int64_t>& serials) {
-        const auto last = std::max_element(serials.begin(), serials.end());
-        const std::int64_t longest = static_cast<std::int64_t>(serials.size()) * 4 + 100'000;
-        if (last != serials.end() && *last < longest)
-            fillTable(serials, static_cast<std::size_t>(std::max<std::int64_t>(*last, 0)) + 1);
-        else
-            sortEntries(serials);
-    }
-
-    Found find(std::int64_t serial, std::uint32_t& atom) const {
-        if (table_.empty()) return findSorted(serial, atom);
-        if (serial < 0 || serial >= static_cast<std::int64_t>(table_.size())) return Found::none;
-        atom = table_[static_cast<std::size_t>(serial)];
-        return atom == kNone ? Found::none : atom == kSeveral ? Found::several : Found::one;
-    }
-
-private:
-    using Entry = std::pair<std::int64_t, std::uint32_t>;
-    static constexpr std::uint32_t kNone = ~0u, kSeveral = kNone - 1;
-
-    void fillTable(const std::vector<std::int64_t>& serials, std::size_t size) {
-        table_.assign(size, kNone);
-        for (std::uint32_t i = 0; i < serials.size(); ++i) {
-            if (serials[i] < 0) continue;
-            std::uint32_t& slot = table_[static_cast<std::size_t>(serials[i])];
-            slot = slot == kNone ? i : kSeveral;
-        }
-    }
-
-    void sortEntries(const std::vector<std::int64_t>& serials) {
-        entries_.reserve(serials.size());
-        for (std::uint32_t i = 0; i < serials.size(); ++i)
-            if (serials[i] >= 0) entries_.emplace_back(serials[i], i);
-        if (!std::is_sorted(entries_.begin(), entries_.end())) std::sort(entries_.begin(), entries_.end());
-    }
-
-    Found findSorted(std::int64_t serial, std::uint32_t& atom) const {
-        const auto [begin, end] = std::equal_range(entries_.begin(), entries_.end(), Entry(serial, 0),
-                                                   [](const Entry& l, const Entry& r) { return l.first < r.first; });
-        if (begin == end) return Found::none;
-        atom = begin->second;
-        return end - begin == 1 ? Found::one : Found::several;
-    }
-
-    std::vector<std::uint32_t> table_;
-    std::vector<Entry> entries_;
-};
 
 /// One kind of ignored record: how many, and where the first is.
 struct Ignored {
@@ -123,7 +70,12 @@ void ConectTable::add(std::string_view line, std::uint64_t lineNumber) {
         const auto known = std::find_if(pairs_.begin() + static_cast<std::ptrdiff_t>(before), pairs_.end(),
                                         [&](const Pair& pair) { return pair.to == *to; });
         if (known == pairs_.end()) {
-            pairs_.push_back({*from, *to, lineNumber, 1});
+            if (pairs_.size() >= mostPairs_) {
+                if (tooMany_++ == 0) firstTooMany_ = lineNumber;
+                continue;
+            }
+            pairs_.push_back({static_cast<std::int32_t>(*from), static_cast<std::int32_t>(*to),
+                              static_cast<std::uint32_t>(lineNumber), 1});
         } else {
             known->order = static_cast<std::uint8_t>(std::min(known->order + 1, 3));
         }
@@ -133,18 +85,18 @@ void ConectTable::add(std::string_view line, std::uint64_t lineNumber) {
 void ConectTable::resolve(const std::vector<std::int64_t>& serials, Molecule& molecule) const {
     molecule.file.conectUniquePairs = 0;
     if (empty()) return;
-    const SerialIndex index(serials);
+    const IdIndex index(serials);
     Ignored dangling;
     Ignored ambiguous;
     std::vector<Bond> bonds;
     for (const Pair& pair : pairs_) {
         std::uint32_t a = 0;
         std::uint32_t b = 0;
-        const SerialIndex::Found foundA = index.find(pair.from, a);
-        const SerialIndex::Found foundB = index.find(pair.to, b);
-        if (foundA == SerialIndex::Found::none || foundB == SerialIndex::Found::none) {
+        const IdIndex::Found foundA = index.find(pair.from, a);
+        const IdIndex::Found foundB = index.find(pair.to, b);
+        if (foundA == IdIndex::Found::none || foundB == IdIndex::Found::none) {
             dangling.note(pair.line);
-        } else if (foundA == SerialIndex::Found::several || foundB == SerialIndex::Found::several) {
+        } else if (foundA == IdIndex::Found::several || foundB == IdIndex::Found::several) {
             ambiguous.note(pair.line);
         } else if (a != b) {
             bonds.push_back({std::min(a, b), std::max(a, b), pair.order, BondSource::file});
@@ -155,6 +107,7 @@ void ConectTable::resolve(const std::vector<std::int64_t>& serials, Molecule& mo
     molecule.bonds.insert(molecule.bonds.end(), bonds.begin(), bonds.end());
     dangling.report(molecule, "bonds to atoms that are not there");
     ambiguous.report(molecule, "bonds to serial numbers that several atoms bear");
+    Ignored{tooMany_, firstTooMany_}.report(molecule, "bonds beyond what its atoms could form");
     Ignored{unreadable_, firstUnreadable_}.report(molecule, "fields that are no serial numbers");
 }
 

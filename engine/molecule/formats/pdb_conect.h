@@ -1,6 +1,7 @@
 #pragma once
 // CONECT records: gathered while the file is scanned, resolved when all atoms are known.
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -12,6 +13,9 @@ namespace nacre::pdb {
 
 class ConectTable {
 public:
+    /// @param maxAtoms  that the molecule may have, which bounds what is gathered
+    explicit ConectTable(std::size_t maxAtoms) : mostPairs_(kPairsPerAtom * maxAtoms + kFewPairs) {}
+
     void add(std::string_view line, std::uint64_t lineNumber);
 
     /// Adds the stated bonds, sets FileSummary::conectUniquePairs and warns of what was ignored.
@@ -21,13 +25,18 @@ public:
     bool empty() const { return pairs_.empty() && unreadable_ == 0; }
 
 private:
+    // Each bond is customarily stated from both sides.
+    static constexpr std::size_t kPairsPerAtom = 16, kFewPairs = 1000;
+
     struct Pair {
-        std::int64_t from;
-        std::int64_t to;
-        std::uint64_t line;
+        std::int32_t from;  // five digits, or hybrid-36, which ends at 87,440,031
+        std::int32_t to;
+        std::uint32_t line;
         std::uint8_t order;
     };
     std::vector<Pair> pairs_;
+    std::size_t mostPairs_, tooMany_ = 0;
+    std::uint64_t firstTooMany_ = 0;
     std::size_t unreadable_ = 0;
     std::uint64_t firstUnreadable_ = 0;
 };

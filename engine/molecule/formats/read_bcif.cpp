@@ -15,8 +15,8 @@ using Kind = MsgpackValue::Kind;
 
 class BcifWalker {
 public:
-    BcifWalker(const std::string& name, std::size_t bytes, MmcifModel& model)
-        : name_(name), bytes_(bytes), model_(model) {}
+    BcifWalker(const std::string& name, std::size_t bytes, std::size_t maxAtoms, MmcifModel& model)
+        : name_(name), bytes_(bytes), mostStrings_(kFewStrings + maxAtoms), model_(model) {}
 
     void document(const MsgpackValue& root) {
         const auto blocks = root.find("dataBlocks");
@@ -64,7 +64,7 @@ private:
         addRows(name, names, values, rows);
     }
 
-    /// A row takes a byte of the file at least: what no real file violates bounds what a hostile one makes us allocate.
+    /// A row takes a byte of the file at least: what no real file violates bounds what a hostile one makes us do.
     std::size_t rowCount(const MsgpackValue& content, const std::string& category) const {
         const auto value = content.find("rowCount");
         const auto rows = value ? value->asInteger() : std::nullopt;
@@ -77,34 +77,34 @@ private:
                  const std::vector<MsgpackValue>& values, std::size_t rows) {
         std::vector<BcifColumn> columns;
         columns.reserve(values.size());
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            try {
-                columns.emplace_back(values[i], rows);
-            } catch (const PackedFault& fault) {
-                fail("column _" + printable(category) + "." + printable(names[i]) + ": " +
-                     printable(fault.what(), 200));
+        std::size_t at = 0;  // the column in work
+        try {
+            for (; at < values.size(); ++at) columns.emplace_back(values[at], rows, mostStrings_);
+            std::vector<MmcifCell> row(columns.size());
+            for (std::size_t i = 0; i < rows; ++i) {
+                for (at = 0; at < columns.size(); ++at) row[at] = columns[at].next();
+                model_.addRow(row, 0);
             }
-        }
-        std::vector<MmcifCell> row(columns.size());
-        for (std::size_t i = 0; i < rows; ++i) {
-            for (std::size_t j = 0; j < columns.size(); ++j) row[j] = columns[j].cell(i);
-            model_.addRow(row, 0);
+            for (at = 0; at < columns.size(); ++at) columns[at].finish();
+        } catch (const PackedFault& fault) {
+            fail("column _" + printable(category) + "." + printable(names[at]) + ": " + printable(fault.what(), 200));
         }
     }
 
     static constexpr std::size_t kMaxColumns = 1000;        // the dictionary's largest category has some 120
     static constexpr std::size_t kMaxRows = 4 * kMaxAtoms;  // all models together
+    static constexpr std::size_t kFewStrings = 100'000;     // different ones in a column that may always be there
 
     const std::string& name_;
-    std::size_t bytes_;
+    std::size_t bytes_, mostStrings_;
     MmcifModel& model_;
 };
 
 }  // namespace
 
 Molecule readBcif(const std::string& name, std::string_view bytes, const ReadOptions& options) {
-    MmcifModel model(name, options);
-    BcifWalker(name, bytes.size(), model).document(parseMsgpack(name, bytes));
+    MmcifModel model(name, bytes, options);
+    BcifWalker(name, bytes.size(), options.maxAtoms, model).document(parseMsgpack(name, bytes));
     return model.finish("bcif");
 }
 

@@ -4,8 +4,9 @@
 #include <expat.h>
 
 #include <exception>
+#include <functional>
+#include <map>
 #include <memory>
-#include <unordered_map>
 #include <vector>
 
 #include "engine/error.h"
@@ -50,15 +51,18 @@ struct CmlAtom {
 };
 
 struct CmlBond {
-    std::string a, b;
-    int order;
-    std::uint64_t line;
+    std::uint32_t a, b;  ///< indices into CmlReader::atomOfId_
+    std::uint8_t order;
+    std::uint32_t line;
 };
 
 class CmlReader {
 public:
     CmlReader(const std::string& name, std::size_t maxAtoms)
-        : name_(name), builder_(name, maxAtoms), parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
+        : name_(name),
+          maxAtoms_(maxAtoms),
+          builder_(name, maxAtoms),
+          parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
         if (!parser_) throw std::bad_alloc();
         XML_SetUserData(parser_.get(), this);
         XML_SetElementHandler(parser_.get(), onStart, onEnd);
@@ -137,7 +141,7 @@ private:
             addAtomArray(attributes);
         } else if (name == "bond") {
             addBond(attributes);
-        } else if (name == "bondArray" && !attributes["atomRef1"].empty()) {
+        } else if (name == "bondArray" && !bondEnds(attributes, 1).empty()) {
             addBondArray(attributes);
         }
     }
@@ -180,8 +184,10 @@ private:
         }
         const auto index = static_cast<std::uint32_t>(builder_.molecule().atoms.size());
         builder_.addAtom(atom, "", outermost_, '\0', "");
-        if (!given.id.empty() && !indexOfId_.emplace(std::string(given.id), index).second)
-            fail("two atoms are called '" + printable(given.id) + "'");
+        if (given.id.empty()) return;
+        std::uint32_t& known = atomOfId_[idIndex(given.id)];
+        if (known != kNoAtom) fail("two atoms are called '" + printable(given.id) + "'");
+        known = index;
     }
 
     /// Atoms as lists of words in the array's own attributes.
@@ -201,15 +207,21 @@ private:
         std::string_view pair = attributes["atomRefs2"];
         if (pair.empty()) pair = attributes["atomRefs"];
         std::string_view a = nextWord(pair), b = nextWord(pair);
-        if (a.empty()) {
-            a = attributes["atomRef1"];
-            b = attributes["atomRef2"];
+        if (b.empty()) {  // one attribute for each atom
+            a = bondEnds(attributes, 1);
+            b = bondEnds(attributes, 2);
         }
         addBond(a, b, attributes["order"]);
     }
 
+    /// The first or second atoms of bonds. Some programs write a plural into the name for one.
+    static std::string_view bondEnds(const Attributes& attributes, int which) {
+        const std::string_view one = attributes[which == 1 ? "atomRef1" : "atomRef2"];
+        return one.empty() ? attributes[which == 1 ? "atomRefs1" : "atomRefs2"] : one;
+    }
+
     void addBondArray(const Attributes& attributes) {
-        std::string_view as = attributes["atomRef1"], bs = attributes["atomRef2"], orders = attributes["order"];
+        std::string_view as = bondEnds(attributes, 1), bs = bondEnds(attributes, 2), orders = attributes["order"];
         while (!trim(as).empty()) {
             const std::string_view a = nextWord(as), b = nextWord(bs);
             addBond(a, b, nextWord(orders));
@@ -219,7 +231,24 @@ private:
     void addBond(std::string_view a, std::string_view b, std::string_view order) {
         if (a.empty() || b.empty()) fail("a bond needs two atoms");
         ++bondCount_;
-        pending_.push_back({std::string(a), std::string(b), orderOf(order), line()});
+        if (pending_.size() >= builder_.mostBonds()) fail("it has more bonds than its atoms could form");
+        pending_.push_back(
+            {idIndex(a), idIndex(b), static_cast<std::uint8_t>(orderOf(order)), static_cast<std::uint32_t>(line())});
+    }
+
+    /// Names are kept once, whether an atom or a bond is the first to mention them.
+    std::uint32_t idIndex(std::string_view id) {
+        const auto known = indexOfId_.find(id);
+        if (known != indexOfId_.end()) return known->second;
+        if (indexOfId_.size() == maxAtoms_) throw tooManyAtoms(name_, maxAtoms_);
+        atomOfId_.push_back(kNoAtom);
+        return indexOfId_.emplace(id, static_cast<std::uint32_t>(indexOfId_.size())).first->second;
+    }
+
+    std::string_view nameOf(std::uint32_t index) const {
+        for (const auto& [name, place] : indexOfId_)
+            if (place == index) return name;
+        return {};
     }
 
     int orderOf(std::string_view order) {
@@ -234,21 +263,23 @@ private:
     /// Bonds may stand before their atoms, so that they wait for the molecule's end.
     void finishMolecule() {
         for (const CmlBond& bond : pending_) {
-            const auto a = indexOfId_.find(bond.a), b = indexOfId_.find(bond.b);
-            if (a == indexOfId_.end() || b == indexOfId_.end()) {
-                const std::string& absent = a == indexOfId_.end() ? bond.a : bond.b;
-                throw Error("cannot read molecule", name_,
-                            "bond to atom '" + printable(absent) + "', which is not there", bond.line);
-            }
-            builder_.addBond(a->second, b->second, bond.order, bond.line);
+            const std::uint32_t a = atomOfId_[bond.a], b = atomOfId_[bond.b];
+            if (a == kNoAtom || b == kNoAtom)
+                throw Error(
+                    "cannot read molecule", name_,
+                    "bond to atom '" + printable(nameOf(a == kNoAtom ? bond.a : bond.b)) + "', which is not there",
+                    bond.line);
+            builder_.addBond(a, b, bond.order, bond.line);
         }
         pending_.clear();
         indexOfId_.clear();
+        atomOfId_.clear();
         std::string& title = builder_.molecule().file.title;
         if (title.empty()) title = printable(trim(title_.empty() ? nameText_ : title_), kLongestTitle);
     }
 
     const std::string& name_;
+    std::size_t maxAtoms_;
     MoleculeBuilder builder_;
     std::unique_ptr<XML_ParserStruct, void (*)(XML_Parser)> parser_;
     std::exception_ptr thrown_;
@@ -257,7 +288,9 @@ private:
     std::int32_t outermost_ = 0;
     bool inName_ = false;
     std::string title_, nameText_;
-    std::unordered_map<std::string, std::uint32_t> indexOfId_;
+    static constexpr std::uint32_t kNoAtom = ~0u;
+    std::map<std::string, std::uint32_t, std::less<>> indexOfId_;  // no hash that a file could aim at
+    std::vector<std::uint32_t> atomOfId_;                          ///< kNoAtom until the atom comes
     std::vector<CmlBond> pending_;
     std::size_t flat_ = 0, oddOrders_ = 0;
 };

@@ -1,6 +1,6 @@
 // GRO (GROMACS): frames of a title, a count, one line of fixed columns per atom and the box; lengths in nm.
 #include "engine/error.h"
-#include "engine/molecule/formats/molecule_builder.h"
+#include "engine/molecule/formats/frames.h"
 #include "engine/molecule/formats/pdb_fields.h"
 #include "engine/molecule/formats/readers.h"
 #include "engine/molecule/text.h"
@@ -20,37 +20,12 @@ public:
         : name_(name), lines_(text), model_(options.model), builder_(name, options.maxAtoms) {}
 
     Molecule run() {
-        std::int64_t frames = 0, atoms = 0;
-        while (const auto count = beginFrame(frames + 1)) {
-            const bool wanted = frames + 1 == model_;
-            if (wanted) {
-                readAtoms(*count);
-                readBox();
-            } else if (!skipFrame(*count)) {
-                builder_.warn("frame " + std::to_string(frames + 1) + " is incomplete");
-                break;
-            }
-            ++frames;
-            atoms += *count;
-        }
-        if (frames == 0) fail("it has no frames", std::nullopt);
-        if (model_ > frames)
-            fail("there is no frame " + std::to_string(model_) + "; the file has " + std::to_string(frames),
-                 std::nullopt);
-        FileSummary& file = builder_.molecule().file;
-        file.format = "gro";
-        file.models = frames;
-        file.totalAtomsAllModels = atoms;
+        readFrames(builder_, "gro", model_, *this);
         return builder_.finish();
     }
 
-private:
-    [[noreturn]] void fail(const std::string& why, std::optional<std::uint64_t> line) const {
-        throw Error("cannot read molecule", name_, why, line);
-    }
-
     /// The number of atoms of the next frame, with its title read; empty at the end of the frames.
-    std::optional<std::int64_t> beginFrame(std::int64_t frame) {
+    std::optional<std::int64_t> begin(std::int64_t frame) {
         if (trim(lines_.rest()).empty()) return std::nullopt;
         lines_.next();
         const std::string_view title = trim(lines_.line());
@@ -70,13 +45,26 @@ private:
         fail("it announces " + printable(announced) + " atoms, but does not have as many", lines_.number());
     }
 
-    void readAtoms(std::int64_t count) {
+    void read(std::int64_t count) {
         for (std::int64_t i = 0; i < count; ++i) {
             if (!lines_.next())
                 fail("it ends after " + std::to_string(i) + " of " + std::to_string(count) + " atoms", lines_.number());
             if (i == 0) width_ = widthOfCoordinates(lines_.line());
             readAtom(lines_.line());
         }
+        readBox();
+    }
+
+    bool skip(std::int64_t count) {
+        for (std::int64_t i = 0; i < count; ++i)
+            if (!lines_.next()) return false;
+        lines_.next();
+        return true;
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& why, std::uint64_t line) const {
+        throw Error("cannot read molecule", name_, why, line);
     }
 
     /// The distance of the decimal points: files may be written with more digits than the usual three.
@@ -128,13 +116,6 @@ private:
         }
         constexpr std::array<glm::vec3, 3> kNone{};  // is written as zeros
         if (box != kNone) builder_.molecule().file.box = box;
-    }
-
-    bool skipFrame(std::int64_t count) {
-        for (std::int64_t i = 0; i < count; ++i)
-            if (!lines_.next()) return false;
-        lines_.next();
-        return true;
     }
 
     const std::string& name_;

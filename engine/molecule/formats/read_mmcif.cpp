@@ -153,7 +153,7 @@ NACRE_CIF_ACTION(field_sep, textDelimiter(in.iterator().line))
 
 /// @throws pegtl::parse_error where the text is no CIF
 Molecule parseCif(const std::string& name, std::string_view text, const ReadOptions& options) {
-    MmcifModel model(name, options);
+    MmcifModel model(name, text, options);
     Walker walker(name, model);
     pegtl::memory_input<> input(text.data(), text.size(), "");
     try {

@@ -1,7 +1,9 @@
-#include <gemmi/json.hpp>
+// mmJSON: the categories of mmCIF as columns, {"data_ID": {"category": {"column": [value, ...], ...}, ...}}.
+#include <algorithm>
 #include <optional>
 
 #include "engine/error.h"
+#include "engine/molecule/formats/json_text.h"
 #include "engine/molecule/formats/mmcif_model.h"
 #include "engine/molecule/formats/readers.h"
 #include "engine/molecule/text.h"
@@ -10,81 +12,105 @@ namespace nacre {
 
 namespace {
 
-// The parser takes up to 32 bytes for each value, and a value may be two bytes of text.
-constexpr std::size_t kMaxText = std::size_t{256} << 20;
+constexpr std::size_t kMaxColumns = 1000;  // the dictionary's largest category has some 120
 
-class JsonWalker {
+class MmjsonReader {
 public:
-    JsonWalker(const std::string& name, MmcifModel& model) : name_(name), model_(model) {}
+    MmjsonReader(const std::string& name, std::string_view text, MmcifModel& model)
+        : name_(name), walk_(name, text), model_(model) {}
 
-    void document(const sajson::document& json) {
-        const sajson::value root = json.get_root();
-        if (root.get_type() != sajson::TYPE_OBJECT || root.get_length() != 1 ||
-            root.get_object_key(0).as_string().substr(0, 5) != "data_" ||
-            root.get_object_value(0).get_type() != sajson::TYPE_OBJECT)
-            fail("this JSON is not mmJSON: its only top-level key should begin with data_");
-        const sajson::value block = root.get_object_value(0);
-        model_.beginBlock();
-        for (std::size_t i = 0; i < block.get_length(); ++i)
-            category(lowerCase(block.get_object_key(i).as_string()), block.get_object_value(i));
+    void run() {
+        std::size_t blocks = 0;
+        if (walk_.peek() != '{') {
+            walk_.skip();
+            notMmjson();
+        }
+        walk_.object([&](const std::string& key) {
+            if (++blocks > 1 || !startsWith(key, "data_") || walk_.peek() != '{') {
+                walk_.skip();
+                notMmjson();
+            }
+            block();
+        });
+        if (blocks != 1) notMmjson();
+        if (walk_.peek() != '\0') walk_.fail("something follows its end");
     }
 
 private:
     [[noreturn]] void fail(const std::string& why) const { throw Error("cannot read molecule", name_, why); }
+    [[noreturn]] void notMmjson() const {
+        fail("this JSON is not mmJSON: its only top-level key should begin with data_");
+    }
 
-    void category(const std::string& name, const sajson::value& content) {
-        if (content.get_type() != sajson::TYPE_OBJECT) fail("the category " + printable(name) + " is not an object");
-        std::vector<std::string> columns;
-        std::vector<sajson::value> arrays;
-        for (std::size_t i = 0; i < content.get_length(); ++i) {
-            columns.push_back(lowerCase(content.get_object_key(i).as_string()));
-            arrays.push_back(content.get_object_value(i));
-            const sajson::value& array = arrays.back();
-            if (array.get_type() != sajson::TYPE_ARRAY || array.get_length() != arrays.front().get_length())
+    void block() {
+        model_.beginBlock();
+        walk_.object([&](const std::string& key) { category(lowerCase(key)); });
+    }
+
+    void category(const std::string& name) {
+        if (walk_.peek() != '{') fail("the category " + printable(name) + " is not an object");
+        std::vector<std::string> names;
+        std::vector<JsonWalk> columns;  // each at the values to come
+        std::optional<std::size_t> rows;
+        walk_.object([&](const std::string& key) {
+            if (names.size() == kMaxColumns) fail("the category " + printable(name) + " has too many columns");
+            names.push_back(lowerCase(key));
+            columns.push_back(walk_);
+            const std::optional<std::size_t> length = passArray();
+            if (!length || rows.value_or(*length) != *length)
                 fail("the columns of the category " + printable(name) + " are not arrays of one length");
-        }
-        if (arrays.empty() || !model_.beginCategory(name, columns, 0)) return;
-        std::vector<std::string> texts(arrays.size());
-        std::vector<MmcifCell> row(arrays.size());
-        for (std::size_t i = 0; i < arrays.front().get_length(); ++i) {
-            for (std::size_t j = 0; j < arrays.size(); ++j) row[j] = cell(arrays[j].get_array_element(i), texts[j]);
+            rows = length;
+        });
+        if (columns.empty() || !model_.beginCategory(name, names, 0)) return;
+        std::vector<std::string> texts(columns.size());
+        std::vector<MmcifCell> row(columns.size());
+        for (std::size_t i = 0; i < *rows; ++i) {
+            for (std::size_t j = 0; j < columns.size(); ++j) {
+                columns[j].expect(i == 0 ? '[' : ',');
+                row[j] = cell(columns[j], texts[j]);
+            }
             model_.addRow(row, 0);
         }
     }
 
-    /// null stands for '?', false for '.'.
-    MmcifCell cell(const sajson::value& value, std::string& text) const {
-        switch (value.get_type()) {
-            case sajson::TYPE_NULL:
-            case sajson::TYPE_FALSE:
-                return {};
-            case sajson::TYPE_DOUBLE:
-            case sajson::TYPE_STRING:
-                text = value.as_string();
-                return std::string_view(text);
-            default:
-                fail("a value is neither text nor number");
+    /// How many values the array has that begins here; empty if there is none.
+    std::optional<std::size_t> passArray() {
+        if (!walk_.accept('[')) {
+            walk_.skip();
+            return std::nullopt;
         }
+        std::size_t length = 0;
+        if (walk_.accept(']')) return length;
+        do {
+            walk_.skip();
+            ++length;
+        } while (walk_.accept(','));
+        walk_.expect(']');
+        return length;
+    }
+
+    /// null stands for '?', false for '.'.
+    MmcifCell cell(JsonWalk& walk, std::string& buffer) const {
+        const char first = walk.peek();
+        if (first == '"') return walk.string(buffer);
+        if (first == 'n' || first == 'f') {
+            walk.word();
+            return {};
+        }
+        if (first == 't' || first == '{' || first == '[') fail("a value is neither text nor number");
+        return walk.number();
     }
 
     const std::string& name_;
+    JsonWalk walk_;
     MmcifModel& model_;
 };
 
 }  // namespace
 
 Molecule readMmjson(const std::string& name, std::string_view text, const ReadOptions& options) {
-    if (text.size() > kMaxText)
-        throw Error("cannot read molecule", name,
-                    "mmJSON of more than " + std::to_string(kMaxText) + " bytes; use mmCIF");
-    std::string buffer(text);  // the parser writes into it
-    const sajson::document json =
-        sajson::parse(sajson::dynamic_allocation(), sajson::mutable_string_view(buffer.size(), buffer.data()));
-    if (!json.is_valid())
-        throw Error("cannot read molecule", name,
-                    "not valid JSON: " + printable(json.get_error_message_as_string(), 200), json.get_error_line());
-    MmcifModel model(name, options);
-    JsonWalker(name, model).document(json);
+    MmcifModel model(name, text, options);
+    MmjsonReader(name, text, model).run();
     return model.finish("mmjson");
 }
 

@@ -1,5 +1,6 @@
 // MMTF, version 1: arrays over all models, chains, residues and atoms, which the counts of one level nest in the next.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/error.h"
@@ -14,15 +15,20 @@ namespace {
 
 using Kind = MsgpackValue::Kind;
 
+constexpr const char* kPositions[3] = {"xCoordList", "yCoordList", "zCoordList"};
+
 class MmtfReader {
 public:
     MmtfReader(const std::string& name, std::string_view bytes, const ReadOptions& options)
-        : fields_(name, bytes), builder_(name, options.maxAtoms), wanted_(static_cast<std::size_t>(options.model)) {}
+        : fields_(name, bytes),
+          builder_(name, options.maxAtoms),
+          maxAtoms_(options.maxAtoms),
+          wanted_(static_cast<std::size_t>(options.model)) {}
 
     Molecule read() {
         checkVersion();
         readCounts();
-        readArrays();
+        openArrays();
         walk();
         addBondsBetweenGroups();
         addAssemblies();
@@ -38,11 +44,11 @@ private:
     }
 
     /// An unencoded list of counts that together are `total`.
-    std::vector<std::size_t> counts(const char* field, std::size_t size, std::size_t total) const {
+    std::vector<std::uint32_t> counts(const char* field, std::size_t size, std::size_t total) const {
         const MsgpackValue list = fields_.list(field);
         if (!list.is(Kind::array) || list.count != size)
             fields_.fail(std::string(field) + " has not the announced length");
-        std::vector<std::size_t> counts;
+        std::vector<std::uint32_t> counts;
         MsgpackElements elements(list);
         std::size_t sum = 0;
         for (MsgpackValue value; elements.next(value);) {
@@ -50,7 +56,7 @@ private:
             if (!count || *count < 0 || static_cast<std::uint64_t>(*count) > total - sum)
                 fields_.fail(std::string(field) + " has an impossible value");
             sum += static_cast<std::size_t>(*count);
-            counts.push_back(static_cast<std::size_t>(*count));
+            counts.push_back(static_cast<std::uint32_t>(*count));
         }
         if (sum != total) fields_.fail(std::string(field) + " does not add up");
         return counts;
@@ -69,53 +75,46 @@ private:
         chainsOfModel_ = counts("chainsPerModel", models_, chains_);
     }
 
-    Integers optionalIntegers(const char* field, std::size_t size) const {
-        return fields_.has(field) ? fields_.integers(field, size) : Integers(size);
-    }
-
-    void readArrays() {
-        types_ = readMmtfGroups(fields_, builder_);
+    void openArrays() {
+        types_ = readMmtfGroups(fields_, builder_, maxAtoms_);
         typeOfGroup_ = fields_.integers("groupTypeList", groups_);
         numbers_ = fields_.integers("groupIdList", groups_);
-        insertions_ = optionalIntegers("insCodeList", groups_);
+        insertions_ = fields_.integers("insCodeList", groups_, 0);
         subchains_ = fields_.names("chainIdList", chains_);
         chainNames_ = fields_.has("chainNameList") ? fields_.names("chainNameList", chains_) : subchains_;
-        x_ = fields_.floats("xCoordList", atoms_);
-        y_ = fields_.floats("yCoordList", atoms_);
-        z_ = fields_.floats("zCoordList", atoms_);
-        temperature_ = fields_.has("bFactorList") ? fields_.floats("bFactorList", atoms_) : std::vector<float>(atoms_);
-        occupancy_ =
-            fields_.has("occupancyList") ? fields_.floats("occupancyList", atoms_) : std::vector<float>(atoms_, 1.0f);
-        alternates_ = optionalIntegers("altLocList", atoms_);
+        for (std::size_t axis = 0; axis < 3; ++axis) positions_[axis] = fields_.floats(kPositions[axis], atoms_);
+        temperature_ = fields_.floats("bFactorList", atoms_, 0);
+        occupancy_ = fields_.floats("occupancyList", atoms_, 1);
+        alternates_ = fields_.integers("altLocList", atoms_, 0);
     }
 
     /// Goes through every model; atoms and bonds are added for the one that is wanted.
     void walk() {
-        std::size_t chain = 0, group = 0;
+        std::size_t chain = 0;
         for (std::size_t model = 1; model <= models_; ++model) {
             const bool taken = model == wanted_;
             if (taken) begin_ = next_;
             for (const std::size_t end = chain + chainsOfModel_[model - 1]; chain < end; ++chain)
-                for (const std::size_t last = group + groupsOfChain_[chain]; group < last; ++group)
-                    addGroup(group, chain, taken);
+                for (std::uint32_t group = 0; group < groupsOfChain_[chain]; ++group) addGroup(chain, taken);
             if (taken) end_ = next_;
         }
         if (next_ != atoms_) fields_.fail("its groups have " + std::to_string(next_) + " atoms instead of numAtoms");
     }
 
-    void addGroup(std::size_t group, std::size_t chain, bool taken) {
-        const auto index = static_cast<std::size_t>(typeOfGroup_[group]);  // a negative one is too large
+    void addGroup(std::size_t chain, bool taken) {
+        const auto index = static_cast<std::size_t>(typeOfGroup_.next());  // a negative one is too large
+        const std::int32_t number = numbers_.next();
+        const char insertion = character(insertions_.next());
         if (index >= types_.size()) fields_.fail("groupTypeList refers to a group that is not there");
         const MmtfGroup& type = types_[index];
         if (type.atoms.size() > atoms_ - next_) fields_.fail("its groups have more atoms than numAtoms");
+        for (std::size_t i = 0; i < type.atoms.size(); ++i) {
+            Atom atom = type.atoms[i];
+            place(atom, next_ + i + 1, taken);
+            if (taken) builder_.addAtom(atom, chainNames_[chain], number, insertion, type.name, subchains_[chain]);
+        }
         if (taken) {
             countBonds(type.bonds.size());
-            for (std::size_t i = 0; i < type.atoms.size(); ++i) {
-                Atom atom = type.atoms[i];
-                place(atom, next_ + i);
-                builder_.addAtom(atom, chainNames_[chain], numbers_[group], character(insertions_[group]), type.name,
-                                 subchains_[chain]);
-            }
             const auto first = static_cast<std::int64_t>(next_ - begin_);
             for (const MmtfGroup::Bond& bond : type.bonds)
                 builder_.addBond(first + bond.a, first + bond.b, bond.order, 0);
@@ -133,31 +132,33 @@ private:
 
     static char character(std::int32_t code) { return code > ' ' && code < 127 ? static_cast<char>(code) : '\0'; }
 
-    void place(Atom& atom, std::size_t index) const {
-        const float position[3] = {x_[index], y_[index], z_[index]};
-        for (int axis = 0; axis < 3; ++axis) {
-            if (!(std::abs(position[axis]) <= 1e9f))
-                fields_.fail(std::string(1, "xyz"[axis]) + " of atom " + std::to_string(index + 1) +
-                             " is not a finite number");
-            atom.position[axis] = position[axis];
+    /// Takes the next value of each array. @param number  of the atom, counted from 1
+    void place(Atom& atom, std::size_t number, bool taken) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const float value = positions_[axis].next();
+            if (taken && !(std::abs(static_cast<double>(value)) <= kFarthestCoordinate))
+                fields_.fail(std::string(1, "xyz"[axis]) + " of atom " + std::to_string(number) +
+                             " is not a finite number within 1e9");
+            atom.position[static_cast<int>(axis)] = value;
         }
         // Not-a-number fails both comparisons, and leaves what an Atom has by itself.
-        if (std::abs(occupancy_[index]) <= 1e9f) atom.occupancy = occupancy_[index];
-        if (std::abs(temperature_[index]) <= 1e9f) atom.temperatureFactor = temperature_[index];
-        atom.alternate = character(alternates_[index]);
+        const float occupancy = occupancy_.next(), temperature = temperature_.next();
+        if (std::abs(occupancy) <= 1e9f) atom.occupancy = occupancy;
+        if (std::abs(temperature) <= 1e9f) atom.temperatureFactor = temperature;
+        atom.alternate = character(alternates_.next());
     }
 
     void addBondsBetweenGroups() {
         if (!fields_.has("bondAtomList")) return;
         const MsgpackValue list = fields_.list("bondAtomList");
         const std::size_t pairs = encodedLength(list) / 2;
-        const Integers ends = fields_.integers("bondAtomList", 2 * pairs);
-        const Integers orders =
-            fields_.has("bondOrderList") ? fields_.integers("bondOrderList", pairs) : Integers(pairs, 1);
+        MmtfIntegers ends = fields_.integers("bondAtomList", 2 * pairs);
+        MmtfIntegers orders = fields_.integers("bondOrderList", pairs, 1);
         bondsOfAll_ += static_cast<std::int64_t>(pairs);
         for (std::size_t i = 0; i < pairs; ++i) {
             // Numbered over all models.
-            const std::int64_t a = ends[2 * i], b = ends[2 * i + 1];
+            const std::int64_t a = ends.next(), b = ends.next();
+            const std::int32_t order = orders.next();
             const auto here = [&](std::int64_t atom) {
                 return atom >= static_cast<std::int64_t>(begin_) && atom < static_cast<std::int64_t>(end_);
             };
@@ -167,7 +168,7 @@ private:
             if (!here(a) || !here(b)) continue;
             countBonds(1);
             const auto begin = static_cast<std::int64_t>(begin_);
-            builder_.addBond(a - begin, b - begin, mmtfBondOrder(orders[i]), 0);
+            builder_.addBond(a - begin, b - begin, mmtfBondOrder(order), 0);
         }
     }
 
@@ -175,7 +176,8 @@ private:
     /// the file has bytes, as everywhere.
     std::size_t encodedLength(const MsgpackValue& list) const {
         if (!list.is(Kind::binary) || list.bytes.size() < 8) fields_.fail("bondAtomList is no encoded array");
-        const std::int32_t length = integersFromBytes(list.bytes.substr(4, 4), {4, true}, ByteOrder::big)[0];
+        std::int32_t length = 0;
+        integersFromBytes(list.bytes.substr(4, 4), {4, true}, ByteOrder::big)->next(length);
         if (length < 0 || length % 2 != 0 || static_cast<std::size_t>(length) > fields_.bytes())
             fields_.fail("bondAtomList announces an impossible number of atoms");
         return static_cast<std::size_t>(length);
@@ -242,13 +244,14 @@ private:
 
     MmtfFields fields_;
     MoleculeBuilder builder_;
-    std::size_t wanted_;
+    std::size_t maxAtoms_, wanted_;
     std::size_t atoms_ = 0, groups_ = 0, chains_ = 0, models_ = 0;
-    std::vector<std::size_t> groupsOfChain_, chainsOfModel_;
+    std::vector<std::uint32_t> groupsOfChain_, chainsOfModel_;
     std::vector<MmtfGroup> types_;
-    Integers typeOfGroup_, numbers_, insertions_, alternates_;
-    std::vector<std::string> subchains_, chainNames_;
-    std::vector<float> x_, y_, z_, temperature_, occupancy_;
+    MmtfIntegers typeOfGroup_, numbers_, insertions_, alternates_;
+    std::vector<std::string_view> subchains_, chainNames_;
+    std::array<MmtfFloats, 3> positions_;
+    MmtfFloats temperature_, occupancy_;
     std::size_t next_ = 0, begin_ = 0, end_ = 0;  ///< the atom to come; those of the wanted model
     std::size_t bonds_ = 0;
     std::int64_t bondsOfAll_ = 0, assemblies_ = 0, mostTransforms_ = 0;

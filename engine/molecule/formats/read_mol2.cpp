@@ -1,13 +1,14 @@
 // MOL2 (Tripos): records of sections that begin with "@<TRIPOS>NAME"; fields between blanks.
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+#include <map>
 #include <vector>
 
 #include "engine/error.h"
 #include "engine/molecule/bonds/residue_templates.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/element.h"
+#include "engine/molecule/formats/id_index.h"
 #include "engine/molecule/formats/molecule_builder.h"
 #include "engine/molecule/formats/readers.h"
 #include "engine/molecule/text.h"
@@ -82,18 +83,19 @@ struct Substructure {
 
 struct Mol2Bond {
     std::int64_t a, b;  ///< as written
-    int order;
-    std::uint64_t line;
+    std::uint32_t line;
+    std::uint8_t order;
 };
 
-int orderOf(std::string_view type) {
-    if (type == "2" || type == "3") return type[0] - '0';
+std::uint8_t orderOf(std::string_view type) {
+    if (type == "2" || type == "3") return static_cast<std::uint8_t>(type[0] - '0');
     return type == "ar" ? 4 : 1;  // single, amide, dummy, unknown
 }
 
 class Mol2Reader {
 public:
-    Mol2Reader(const std::string& name, std::size_t maxAtoms) : name_(name), builder_(name, maxAtoms) {}
+    Mol2Reader(const std::string& name, std::size_t maxAtoms)
+        : name_(name), maxAtoms_(maxAtoms), builder_(name, maxAtoms) {}
 
     Molecule run(std::string_view text, int model) {
         std::int64_t records = 0, atoms = 0, bonds = 0;
@@ -171,6 +173,7 @@ private:
         const auto stated = [](std::string_view word) {
             return std::string(word == "****" ? std::string_view() : word);
         };
+        if (substructures_.size() == maxAtoms_) return;  // each has an atom at least
         if (const auto id = parseInteger(words[0])) substructures_[*id] = {stated(words[6]), stated(words[5])};
     }
 
@@ -186,10 +189,7 @@ private:
                 parseCoordinate(words[2 + axis], "xyz"[axis], name_, lines.number());
         atom.name = Name(words[1]);
         atom.element = elementOf(words[5], lines.number());
-        const auto index = static_cast<std::uint32_t>(builder_.molecule().atoms.size());
-        const auto id = parseInteger(words[0]);
-        idsAreUsable_ = idsAreUsable_ && id && indexOfId_.emplace(*id, index).second;
-        if (!idsAreUsable_) indexOfId_.clear();
+        ids_.push_back(parseInteger(words[0]).value_or(-1));
         addToResidue(atom, parseInteger(words[6]).value_or(1), words[7]);
         const auto charge = parseNumber(words[8]);
         builder_.molecule().partialCharges.push_back(charge && std::abs(*charge) <= 1000 ? static_cast<float>(*charge)
@@ -233,28 +233,37 @@ private:
         const auto a = parseInteger(words[1]), b = parseInteger(words[2]);
         if (!a || !b || words.count < 4)
             fail("a bond line needs a number, two atoms and a type: '" + printable(lines.line()) + "'", lines.number());
-        if (words[3] != "nc") pending_.push_back({*a, *b, orderOf(words[3]), lines.number()});  // "not connected"
+        if (pending_.size() >= builder_.mostBonds())
+            fail("it has more bonds than its atoms could form", lines.number());
+        if (words[3] != "nc")  // "not connected"
+            pending_.push_back({*a, *b, static_cast<std::uint32_t>(lines.number()), orderOf(words[3])});
     }
 
     /// Bonds name atoms by the ids of their lines. PyMOL numbers the lines through all records and the bonds by place,
     /// so that the place counts wherever ids do not resolve.
     void resolveBonds() {
-        const auto known = [this](std::int64_t id) { return indexOfId_.find(id) != indexOfId_.end(); };
-        const bool byId = idsAreUsable_ && std::all_of(pending_.begin(), pending_.end(), [&](const Mol2Bond& bond) {
-                              return known(bond.a) && known(bond.b);
+        const IdIndex index(ids_);
+        const auto atomOf = [&](std::int64_t id) -> std::int64_t {
+            std::uint32_t atom = 0;
+            return index.find(id, atom) == IdIndex::Found::one ? std::int64_t{atom} : -1;
+        };
+        const bool usable =
+            !index.repeats() && std::none_of(ids_.begin(), ids_.end(), [](std::int64_t id) { return id < 0; });
+        const bool byId = usable && std::all_of(pending_.begin(), pending_.end(), [&](const Mol2Bond& bond) {
+                              return atomOf(bond.a) >= 0 && atomOf(bond.b) >= 0;
                           });
         const auto indexOf = [&](std::int64_t id) -> std::int64_t {
-            return byId ? indexOfId_.at(id) : id > 0 ? id - 1 : -1;  // addBond() refuses what lies outside
+            return byId ? atomOf(id) : id > 0 ? id - 1 : -1;  // addBond() refuses what lies outside
         };
         for (const Mol2Bond& bond : pending_) builder_.addBond(indexOf(bond.a), indexOf(bond.b), bond.order, bond.line);
     }
 
     const std::string& name_;
+    std::size_t maxAtoms_;
     MoleculeBuilder builder_;
-    std::unordered_map<std::int64_t, Substructure> substructures_;
-    std::unordered_map<std::int64_t, std::uint32_t> indexOfId_;
+    std::map<std::int64_t, Substructure> substructures_;  // no hash that a file could aim at
+    std::vector<std::int64_t> ids_;                       ///< of the atom lines; -1 where one cannot be used
     std::vector<Mol2Bond> pending_;
-    bool idsAreUsable_ = true;
 };
 
 }  // namespace

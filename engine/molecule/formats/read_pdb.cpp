@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "engine/molecule/formats/pdb_fields.h"
 #include "engine/molecule/formats/readers.h"
 #include "engine/molecule/secondary_structure.h"
+#include "engine/molecule/text.h"
 
 namespace nacre {
 namespace {
@@ -23,8 +25,6 @@ using pdb::trim;
 
 constexpr const char* kCannotRead = "cannot read molecule";
 constexpr std::size_t kLongestTitle = 4096;
-
-bool startsWith(std::string_view line, std::string_view prefix) { return line.substr(0, prefix.size()) == prefix; }
 
 /// Text for people: whatever is no printable ASCII becomes a question mark.
 std::string printable(std::string_view text) {
@@ -67,7 +67,8 @@ public:
           lines_(text),
           wanted_(options.model),
           maxAtoms_(options.maxAtoms),
-          flavour_(flavour) {
+          flavour_(flavour),
+          conect_(options.maxAtoms) {
         chainIndex_.fill(-1);
     }
 
@@ -99,7 +100,7 @@ private:
         } else if (startsWith(line, "TITLE ")) {
             title(line);
         } else if (const auto range = secondaryOfPdbLine(line)) {
-            secondary_.push_back(*range);
+            if (secondary_.size() < maxAtoms_) secondary_.push_back(*range);  // a residue has an atom at least
         } else if (startsWith(line, "REMARK   2 RESOLUTION.")) {
             const std::string_view value = trim(columns(line, 23, 40));  // a number, or NOT APPLICABLE
             if (const auto stated = pdb::number(value.substr(0, value.find(' '))); stated && *stated > 0)
@@ -128,10 +129,12 @@ private:
 
     float coordinate(std::string_view line, std::size_t first, char axis) {
         const std::string_view field = columns(line, first, first + 7);
-        if (const auto value = pdb::number(field)) return static_cast<float>(*value);
+        const auto value = pdb::number(field);
+        if (value && std::abs(*value) <= kFarthestCoordinate) return static_cast<float>(*value);
         const std::string shown = printable(trim(field));
-        const std::string why = shown.empty() ? "has no " + std::string(1, axis) + " coordinate"
-                                              : "\"" + shown + "\" is no " + std::string(1, axis) + " coordinate";
+        std::string why = shown.empty() ? "has no " + std::string(1, axis) + " coordinate"
+                                        : "\"" + shown + "\" is no " + std::string(1, axis) + " coordinate";
+        if (value) why += " within 1e9 Å";
         throw Error(kCannotRead, name_, why, lines_.number());
     }
 
@@ -139,7 +142,7 @@ private:
     float optionalNumber(std::string_view line, std::size_t first, float missing) {
         const std::string_view field = trim(columns(line, first, first + 5));
         if (field.empty()) return missing;
-        if (const auto value = pdb::number(field)) return static_cast<float>(*value);
+        if (const auto value = pdb::number(field); value && std::abs(*value) <= 1e9) return static_cast<float>(*value);
         if (unreadableNumbers_++ == 0) firstUnreadableNumber_ = lines_.number();
         return missing;
     }
@@ -248,8 +251,8 @@ private:
     int wanted_;
     std::size_t maxAtoms_;
     Flavour flavour_;
-    Molecule molecule_;
     pdb::ConectTable conect_;
+    Molecule molecule_;
     pdb::Remark350 remark350_;
     std::vector<std::int64_t> serials_;
     std::vector<SecondaryRange> secondary_;

@@ -24,7 +24,11 @@ struct PqrFields {
 class PqrReader {
 public:
     PqrReader(const std::string& name, std::string_view text, const ReadOptions& options)
-        : name_(name), lines_(text), model_(options.model), builder_(name, options.maxAtoms) {}
+        : name_(name),
+          lines_(text),
+          model_(options.model),
+          builder_(name, options.maxAtoms),
+          conect_(options.maxAtoms) {}
 
     Molecule run() {
         while (lines_.next()) record(lines_.line());

@@ -4,7 +4,7 @@
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"
-#include "engine/molecule/formats/molecule_builder.h"
+#include "engine/molecule/formats/frames.h"
 #include "engine/molecule/formats/readers.h"
 #include "engine/molecule/text.h"
 
@@ -25,35 +25,12 @@ public:
         : name_(name), lines_(text), model_(options.model), builder_(name, options.maxAtoms) {}
 
     Molecule run() {
-        std::int64_t frames = 0, atoms = 0;
-        while (const auto count = beginFrame(frames + 1)) {
-            const bool wanted = ++frames == model_;
-            if (wanted) readAtoms(*count);
-            if (!wanted && !skipAtoms(*count)) {
-                builder_.warn("frame " + std::to_string(frames) + " is incomplete");
-                --frames;
-                break;
-            }
-            atoms += *count;
-        }
-        if (frames == 0) fail("it has no frames", std::nullopt);
-        if (model_ > frames)
-            fail("there is no frame " + std::to_string(model_) + "; the file has " + std::to_string(frames),
-                 std::nullopt);
-        FileSummary& file = builder_.molecule().file;
-        file.format = "xyz";
-        file.models = frames;
-        file.totalAtomsAllModels = atoms;
+        readFrames(builder_, "xyz", model_, *this);
         return builder_.finish();
     }
 
-private:
-    [[noreturn]] void fail(const std::string& why, std::optional<std::uint64_t> line) const {
-        throw Error("cannot read molecule", name_, why, line);
-    }
-
     /// The number of atoms of the next frame, with its comment read; empty at the end of the frames.
-    std::optional<std::int64_t> beginFrame(std::int64_t frame) {
+    std::optional<std::int64_t> begin(std::int64_t frame) {
         while (lines_.next()) {
             if (trim(lines_.line()).empty()) continue;
             const std::string_view text = trim(lines_.line());
@@ -76,7 +53,7 @@ private:
         return std::nullopt;
     }
 
-    void readAtoms(std::int64_t count) {
+    void read(std::int64_t count) {
         builder_.molecule().file.title = printable(trim(comment_), 200);
         const Layout layout = layoutOf(comment_);
         for (std::int64_t i = 0; i < count; ++i) {
@@ -84,6 +61,17 @@ private:
                 fail("it ends after " + std::to_string(i) + " of " + std::to_string(count) + " atoms", lines_.number());
             readAtom(layout);
         }
+    }
+
+    bool skip(std::int64_t count) {
+        for (std::int64_t i = 0; i < count; ++i)
+            if (!lines_.next()) return false;
+        return true;
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& why, std::uint64_t line) const {
+        throw Error("cannot read molecule", name_, why, line);
     }
 
     void readAtom(const Layout& layout) {
@@ -99,12 +87,6 @@ private:
         atom.element = builder_.element(species, line);
         atom.name = Name(atom.element != 0 ? elementSymbol(atom.element) : species);
         builder_.addAtom(atom, "", 1, '\0', "");
-    }
-
-    bool skipAtoms(std::int64_t count) {
-        for (std::int64_t i = 0; i < count; ++i)
-            if (!lines_.next()) return false;
-        return true;
     }
 
     /// Columns by the comment of an extended XYZ file. Without a usable list they are the usual ones.

@@ -13,7 +13,9 @@ constexpr std::uint32_t kReplacement = 0xFFFD;
 bool leads(std::uint32_t unit) { return unit >= 0xD800 && unit < 0xDC00; }
 bool trails(std::uint32_t unit) { return unit >= 0xDC00 && unit < 0xE000; }
 
-void append(std::string& text, std::uint32_t character) {
+}  // namespace
+
+void appendUtf8(std::string& text, std::uint32_t character) {
     const auto byte = [&](std::uint32_t bits) { text.push_back(static_cast<char>(bits)); };
     const auto follow = [&](int shift) { byte(0x80u | ((character >> shift) & 0x3Fu)); };
     if (character < 0x80) return byte(character);
@@ -30,8 +32,6 @@ void append(std::string& text, std::uint32_t character) {
     }
     follow(0);
 }
-
-}  // namespace
 
 std::optional<std::string> utf8FromUtf16(std::string_view text) {
     const bool little = startsWith(text, "\xff\xfe");
@@ -51,7 +51,7 @@ std::optional<std::string> utf8FromUtf16(std::string_view text) {
         } else if (leads(character) || trails(character)) {
             character = kReplacement;
         }
-        append(utf8, character);
+        appendUtf8(utf8, character);
     }
     return utf8;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Text files in other encodings than ASCII and UTF-8.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,5 +12,8 @@ namespace nacre {
 /// What is no character (a lone surrogate, half a unit at the end) becomes U+FFFD.
 /// @param text at most 1.5 times as long when it comes back
 std::optional<std::string> utf8FromUtf16(std::string_view text);
+
+/// Appends a character by its number in Unicode.
+void appendUtf8(std::string& text, std::uint32_t character);
 
 }  // namespace nacre
