@@ -1,5 +1,5 @@
 #pragma once
-// All models of a file as one molecule. Must also compile as C++17.
+// All models of a file as one molecule.
 
 #include <string>
 #include <vector>

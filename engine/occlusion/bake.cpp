@@ -99,18 +99,18 @@ std::vector<std::uint8_t> OcclusionBake::atlasTexels() const {
 OcclusionLayout OcclusionBake::chooseLayout(Representation& representation, std::uint64_t budgetBytes,
                                             OpenTexels& open) {
     const std::size_t spheres = representation.spheres.size(), cylinders = representation.cylinders.size();
-    const PrimitiveGrid grid(representation);
+    const PrimitiveTree tree(representation);
     std::uint64_t least = 0;
     for (const OcclusionLayout& layout : occlusionLayouts(spheres, cylinders, device_.caps().maxImageSize)) {
         // Guessed from a sample first: looking at every texel takes its time.
         least = bytesOf(layout, 0, 0);
         if (least > budgetBytes) continue;
-        const double share = openShare(layout, representation, grid);
+        const double share = openShare(layout, representation, tree);
         const auto guess = static_cast<std::uint64_t>(share * static_cast<double>(layout.texelCount()));
         least = bytesOf(layout, guess, guess / 4);
         if (least > budgetBytes || (layout.sphereEdge > 1 && guess > mostTexels(spheres + cylinders, directions())))
             continue;
-        open = openTexels(layout, representation, grid);
+        open = openTexels(layout, representation, tree);
         least = bytesOf(layout, open.texels.size(), open.words.size());
         if (least <= budgetBytes) return layout;
     }

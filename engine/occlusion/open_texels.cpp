@@ -16,6 +16,9 @@ namespace {
 
 /// Inside by more than rounding, so that surfaces that coincide stay open.
 constexpr float kDeep = 1e-3f;
+/// Of a primitive that are looked at; matter has some forty. A texel inside one beyond them counts as open, which costs
+/// work but changes no light, since no direction reaches it.
+constexpr std::size_t kMostNeighbours = 512;
 constexpr std::uint16_t kBuried = AtlasWord::kNone;
 
 bool inside(const Sphere& s, const glm::vec3& p) {
@@ -92,8 +95,8 @@ std::span<const glm::ivec2> nearSteps() {
 /// Finds the open texels of one primitive after the other, and appends them and their words to a list of its own.
 class Finder {
 public:
-    Finder(const OcclusionLayout& layout, const Representation& r, const PrimitiveGrid& grid)
-        : layout_(layout), r_(r), grid_(grid), normals_(octahedralNormals(layout.sphereEdge)) {
+    Finder(const OcclusionLayout& layout, const Representation& r, const PrimitiveTree& tree)
+        : layout_(layout), r_(r), tree_(tree), normals_(octahedralNormals(layout.sphereEdge)) {
         // What has other copies is somewhere else in the assembly.
         if (r.copies.spheres.size() + r.copies.cylinders.size() <= 1) return;
         for (const auto* runs : {&r.copies.spheres, &r.copies.cylinders})
@@ -136,8 +139,9 @@ public:
 private:
     void collect(std::uint32_t self) {
         around_.clear();
-        grid_.near(self, [&](std::uint32_t item) {
+        tree_.near(self, [&](std::uint32_t item) {
             if (lists_.empty() || lists_[item] == lists_[self]) around_.push_back(item);
+            return around_.size() < kMostNeighbours;
         });
         last_ = 0;
     }
@@ -204,7 +208,7 @@ private:
 
     const OcclusionLayout& layout_;
     const Representation& r_;
-    const PrimitiveGrid& grid_;
+    const PrimitiveTree& tree_;
     std::vector<glm::vec3> normals_;
     std::vector<std::uint32_t> around_;
     std::vector<std::uint16_t> entries_;  // of the patch: less base_, or kBuried
@@ -237,7 +241,7 @@ void append(OpenTexels& all, const OpenTexels& part) {
 
 }  // namespace
 
-OpenTexels openTexels(const OcclusionLayout& layout, const Representation& r, const PrimitiveGrid& grid) {
+OpenTexels openTexels(const OcclusionLayout& layout, const Representation& r, const PrimitiveTree& tree) {
     OpenTexels all;
     const auto spheres = static_cast<std::uint32_t>(r.spheres.size());
     const auto count = spheres + static_cast<std::uint32_t>(r.cylinders.size());
@@ -246,7 +250,7 @@ OpenTexels openTexels(const OcclusionLayout& layout, const Representation& r, co
     const std::uint32_t first = whole ? spheres : 0;
 
     const std::uint32_t parts = std::clamp(std::thread::hardware_concurrency(), 1u, 16u);
-    std::vector<Finder> finders(parts, Finder(layout, r, grid));
+    std::vector<Finder> finders(parts, Finder(layout, r, tree));
     {
         std::vector<std::future<void>> threads;
         for (std::uint32_t part = 0; part < parts; ++part)
@@ -267,10 +271,10 @@ OpenTexels openTexels(const OcclusionLayout& layout, const Representation& r, co
     return all;
 }
 
-double openShare(const OcclusionLayout& layout, const Representation& r, const PrimitiveGrid& grid) {
+double openShare(const OcclusionLayout& layout, const Representation& r, const PrimitiveTree& tree) {
     if (layout.texelCount() == 0 || layout.sphereEdge == 1) return 1.0;
     constexpr std::uint32_t kSample = 500;
-    Finder finder(layout, r, grid);
+    Finder finder(layout, r, tree);
     std::uint64_t texels = 0;
     const auto each = [](std::size_t count) {
         return std::max<std::uint32_t>(1, static_cast<std::uint32_t>(count / kSample));

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/occlusion/atlas_layout.h"
-#include "engine/occlusion/primitive_grid.h"
+#include "engine/occlusion/primitive_tree.h"
 
 namespace nacre {
 
@@ -34,10 +34,10 @@ struct OpenTexels {
     std::vector<std::uint32_t> firstOfSphere;
 };
 
-/// Linear in the number of primitives; uses every core.
-OpenTexels openTexels(const OcclusionLayout& layout, const Representation& representation, const PrimitiveGrid& grid);
+/// Linear in the number of primitives, however they crowd; uses every core.
+OpenTexels openTexels(const OcclusionLayout& layout, const Representation& representation, const PrimitiveTree& tree);
 
 /// Share of the texels that are open, from a sample of the primitives.
-double openShare(const OcclusionLayout& layout, const Representation& representation, const PrimitiveGrid& grid);
+double openShare(const OcclusionLayout& layout, const Representation& representation, const PrimitiveTree& tree);
 
 }  // namespace nacre

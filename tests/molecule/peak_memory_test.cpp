@@ -12,10 +12,10 @@
 
 #include "engine/error.h"
 #include "engine/molecule/memory_bound.h"
-#include "tests/support/temporary_folder.h"
 #include "tests/molecule/bcif_writer.h"
 #include "tests/molecule/gzip_bytes.h"
 #include "tests/molecule/mmtf_writer.h"
+#include "tests/support/temporary_folder.h"
 
 namespace nacre {
 namespace {

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "engine/scene/representation.h"
+
+namespace nacre {
+
+/// Boxes about halves of halves of the spheres (numbered from 0) and cylinders (numbered on from the number of
+/// spheres): which of them come near another one. A grid would do for what matter looks like, but not where all atoms
+/// stand at one point, one of them a billion Å away, or a bond leads there: its cells fill up.
+class PrimitiveTree {
+public:
+    /// n log n in the number of primitives, wherever they are; a coordinate that is no number counts as 0.
+    explicit PrimitiveTree(const Representation& r);
+
+    /// Calls visit(primitive) for other primitives whose ball meets that of `self`, until it returns false or there are
+    /// no more.
+    template <typename Visit>
+    void near(std::uint32_t self, Visit&& visit) const {
+        const Ball mine = balls_[self];
+        std::array<std::uint32_t, 64> waiting;  // a tree over 2^32 balls is 30 deep
+        std::size_t count = 0;
+        waiting[count++] = 0;
+        while (count > 0) {
+            const std::uint32_t at = waiting[--count];
+            const Node& node = nodes_[at];
+            if (apart(node, mine)) continue;
+            if (node.right != 0) {
+                waiting[count++] = node.right;
+                waiting[count++] = at + 1;
+                continue;
+            }
+            for (std::uint32_t i = node.begin; i < node.end; ++i) {
+                const std::uint32_t item = items_[i];
+                const glm::vec3 d = balls_[item].center - mine.center;
+                const float r = balls_[item].radius + mine.radius;
+                if (item != self && d.x * d.x + d.y * d.y + d.z * d.z < r * r && !visit(item)) return;
+            }
+        }
+    }
+
+private:
+    /// A ball about a primitive: Å.
+    struct Ball {
+        glm::vec3 center{};
+        float radius = 0;
+    };
+    struct Node {
+        glm::vec3 low, high;       ///< of the balls in it
+        std::uint32_t begin, end;  ///< of items_
+        std::uint32_t right;       ///< the other half; the first one is the next node. 0: a leaf
+    };
+
+    static bool apart(const Node& node, const Ball& ball) {
+        for (int i = 0; i < 3; ++i)
+            if (ball.center[i] + ball.radius < node.low[i] || ball.center[i] - ball.radius > node.high[i]) return true;
+        return false;
+    }
+    std::uint32_t build(std::uint32_t begin, std::uint32_t end);
+
+    std::vector<Ball> balls_;
+    std::vector<std::uint32_t> items_;  ///< primitives in the order of the tree
+    std::vector<Node> nodes_;
+};
+
+}  // namespace nacre
