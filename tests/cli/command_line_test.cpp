@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/options.h"
 #include "tests/support/run_program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -24,14 +25,49 @@ void expectOneErrorLine(const Outcome& outcome) {
     EXPECT_EQ(outcome.out, "");
 }
 
+TEST(CommandLine, UsedWronglyItExitsWithTwoAndOneLineAndNoFile) {
+    for (const char* arguments : {"", "frob", "render sample:dna -o a.png --frob", "plan --caps voodoo"}) {
+        const TemporaryFolder folder;
+        const Outcome outcome = nacreIn(folder, arguments);
+        EXPECT_EQ(outcome.code, 2);
+        expectOneErrorLine(outcome);
+        EXPECT_EQ(folder.count(), 0u);
+    }
+}
+
+/// Words as a shell takes a line apart that knows single quotes alone.
+std::vector<std::string> shellWords(const std::string& line) {
+    std::vector<std::string> words;
+    bool inWord = false, quoted = false;
+    for (const char c : line) {
+        if (c == ' ' && !quoted) {
+            inWord = false;
+            continue;
+        }
+        if (!inWord) words.emplace_back();
+        inWord = true;
+        if (c == '\'')
+            quoted = !quoted;
+        else
+            words.back() += c;
+    }
+    return words;
+}
+
+/// What main() turns into exit code 2 and one line.
 class WrongUsage : public testing::TestWithParam<const char*> {};
 
-TEST_P(WrongUsage, ExitsWithTwoAndOneLineAndNoFile) {
-    const TemporaryFolder folder;
-    const Outcome outcome = nacreIn(folder, GetParam());
-    EXPECT_EQ(outcome.code, 2);
-    expectOneErrorLine(outcome);
-    EXPECT_EQ(folder.count(), 0u);
+TEST_P(WrongUsage, IsOneLine) {
+    const std::vector<std::string> words = shellWords(std::string("nacre ") + GetParam());
+    std::vector<const char*> pointers;
+    for (const std::string& word : words) pointers.push_back(word.c_str());
+    try {
+        app::parseCommandLine(static_cast<int>(pointers.size()), pointers.data());
+        FAIL() << "was taken";
+    } catch (const app::UsageError& error) {
+        EXPECT_GT(std::string(error.what()).size(), 10u);
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -55,8 +55,9 @@ TEST_P(OcclusionOf, MoleculeIsNearTheRayTraced) {
     EXPECT_LE(std::abs(d.mean), 0.02);
 }
 
-INSTANTIATE_TEST_SUITE_P(Molecules, OcclusionOf, testing::ValuesIn(kSmallOcclusionScenes));
-INSTANTIATE_TEST_SUITE_P(Large, OcclusionOf, testing::ValuesIn(kLargeOcclusionScenes));  // on one driver
+std::string nameOf(const testing::TestParamInfo<OcclusionScene>& test) { return testName(test.param.name); }
+INSTANTIATE_TEST_SUITE_P(Molecules, OcclusionOf, testing::ValuesIn(kSmallOcclusionScenes), nameOf);
+INSTANTIATE_TEST_SUITE_P(Large, OcclusionOf, testing::ValuesIn(kLargeOcclusionScenes), nameOf);  // on one driver
 
 TEST(Occlusion, OfMoreAtomsThanPatchesFitIsOneValueAnAtom) {
     const Representation r = scene("sample:dna", Style::spacefill);

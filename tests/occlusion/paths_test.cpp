@@ -47,7 +47,8 @@ TEST_P(OcclusionOfScene, IsTheSameHoweverTheWorkIsCut) {
     EXPECT_EQ(renderer->layers(settings_).occlusion, atOnce);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, OcclusionOfScene, testing::ValuesIn(kScenes));
+INSTANTIATE_TEST_SUITE_P(Scenes, OcclusionOfScene, testing::ValuesIn(kScenes),
+                         [](const auto& test) { return testName(test.param.name); });
 
 TEST(OcclusionBudget, HoldsWithCoarserPatchesAndSmallerMaps) {
     const Representation r = scene("sample:dna", Style::spacefill);

@@ -143,7 +143,8 @@ INSTANTIATE_TEST_SUITE_P(Assemblies, AssemblyPicture,
                                          Case{"1stp-v5.cif", "1", Style::spacefill, Projection::perspective},
                                          Case{"1stp-v5.cif", "1", Style::licorice, Projection::orthographic},
                                          Case{"1f2n-virus.cif.gz", "3", Style::spacefill, Projection::orthographic, 6},
-                                         Case{"1f2n-virus.cif.gz", "3", Style::spacefill, Projection::perspective, 6}));
+                                         Case{"1f2n-virus.cif.gz", "3", Style::spacefill, Projection::perspective, 6}),
+                         [](const auto& test) { return testName(test.param.file) + std::to_string(test.index); });
 
 }  // namespace
 }  // namespace nacre::test

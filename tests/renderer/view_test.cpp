@@ -24,10 +24,10 @@ RenderSettings oblong(const Representation& r, Projection projection) {
 
 TEST(View, PanningByWholePixelsMovesThePictureByThem) {
     const Representation r = scene("sample:glucose", Style::ballAndStick);
-    for (const Visibility path : kPaths)
+    for (const Visibility path : kPaths) {
+        ValidatedRenderer renderer(path);
+        renderer->setScene(r);
         for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
-            ValidatedRenderer renderer(path);
-            renderer->setScene(r);
             RenderSettings s = oblong(r, projection);
             const LayerPicture still = renderer->layers(s);
             s.view.pan = glm::dvec2(13, -7) / s.view.pixelsPerAngstrom;  // right and down
@@ -42,14 +42,15 @@ TEST(View, PanningByWholePixelsMovesThePictureByThem) {
             EXPECT_GT(covered, 1000u);
             EXPECT_LE(differing, 2u);  // the shift itself is rounded to 24 bits
         }
+    }
 }
 
 TEST(View, ATurnedImageIsThePictureTurnedBitForBit) {
     const Representation r = scene("sample:glucose", Style::ballAndStick);
-    for (const Visibility path : kPaths)
+    for (const Visibility path : kPaths) {
+        ValidatedRenderer renderer(path);
+        renderer->setScene(r);
         for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
-            ValidatedRenderer renderer(path);
-            renderer->setScene(r);
             RenderSettings s = oblong(r, projection);
             s.view.pan = glm::dvec2(13.25, -7.5) / s.view.pixelsPerAngstrom;  // what a float holds exactly, turned too
             const Picture upright = renderer->render(s);
@@ -73,22 +74,24 @@ TEST(View, ATurnedImageIsThePictureTurnedBitForBit) {
                 EXPECT_EQ(differing, 0u) << turns;
             }
         }
+    }
 }
 
 TEST(View, TheAtomUnderAPixelIsThatOfTheLayers) {
     const Representation r = scene("sample:dna", Style::spacefill);
-    for (const Visibility path : kPaths)
+    for (const Visibility path : kPaths) {
+        ValidatedRenderer renderer(path);
+        renderer->setScene(r);
         for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
-            ValidatedRenderer renderer(path);
-            renderer->setScene(r);
             const RenderSettings s = oblong(r, projection);
             const LayerPicture layers = renderer->layers(s);
-            for (int y = 3; y < 110; y += 17)
-                for (int x = 2; x < 150; x += 13)
+            for (int y = 3; y < 110; y += 24)
+                for (int x = 2; x < 150; x += 19)
                     EXPECT_EQ(renderer->atomAt(s, x + 0.5, y + 0.5, 0),
                               layers.id[static_cast<std::size_t>(y * 150 + x)])
                         << x << " " << y;
         }
+    }
 }
 
 TEST(View, AFingerFindsTheNearestAtomWithinItsReach) {
