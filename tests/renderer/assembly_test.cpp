@@ -61,7 +61,7 @@ Representation sceneOf(const Molecule& m, const Case& c, bool instanced) {
     return represent(m, drawnAtoms(m), options);
 }
 
-class AssemblyPicture : public testing::TestWithParam<Case> {};
+class AssemblyPicture : public SharedRenderers<Case> {};
 
 TEST_P(AssemblyPicture, IsTheSameByEveryPath) {
     const Case& c = GetParam();
@@ -72,7 +72,7 @@ TEST_P(AssemblyPicture, IsTheSameByEveryPath) {
     std::vector<Picture> colors;
     for (const Visibility visibility :
          {Visibility::encoded, Visibility::fragdepth, Visibility::deferred, Visibility::rasterOrder}) {
-        ValidatedRenderer renderer(visibility);
+        ValidatedRenderer& renderer = rendererOf(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false}) {
             s.tuning.plates = prepass ? PlateShape::octagon : PlateShape::none;
@@ -102,7 +102,7 @@ TEST_P(AssemblyPicture, IsThatOfItsAtomsWrittenOut) {
     EXPECT_LT(r.spheres.size(), whole.spheres.size());
     // The same view for both: centres differ by rounding.
     RenderSettings s = settings(r, 256, c.projection, {75, -40, 120}, c.zoom);
-    ValidatedRenderer renderer(Visibility::automatic);
+    ValidatedRenderer& renderer = rendererOf(Visibility::automatic);
     renderer->setScene(whole);
     const LayerPicture expected = renderer->layers(s);
     renderer->setScene(r);
@@ -128,7 +128,7 @@ TEST_P(AssemblyPicture, NamesAtomsByTheirPlaceInTheFile) {
     if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA();
     const Molecule m = moleculeOf(c);
     const Representation r = sceneOf(m, c, true);
-    ValidatedRenderer renderer(Visibility::automatic);
+    ValidatedRenderer& renderer = rendererOf(Visibility::automatic);
     renderer->setScene(r);
     const LayerPicture p = renderer->layers(settings(r, 128, c.projection, {10, 20, 30}, c.zoom));
     for (const std::uint32_t id : p.id) ASSERT_LE(id, m.atoms.size());

@@ -17,7 +17,7 @@ struct Case {
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.file; }
 
-class RayCaster : public testing::TestWithParam<Case> {};
+class RayCaster : public SharedRenderers<Case> {};
 
 TEST_P(RayCaster, AgreesWithTheGpu) {
     const Case& c = GetParam();
@@ -26,7 +26,7 @@ TEST_P(RayCaster, AgreesWithTheGpu) {
     // From afar sticks are all edge, and pixels near an edge are not judged: step closer.
     const double zoom = c.style != Style::spacefill && r.radius > 20 ? 8 : 1;
     const RenderSettings s = settings(r, 320, c.projection, {20, 30, 10}, zoom);
-    ValidatedRenderer renderer(c.visibility);
+    ValidatedRenderer& renderer = rendererOf(c.visibility);
     renderer->setScene(r);
     const reference::Comparison comparison =
         reference::compareLayers(reference::castRays(r, s.view), toReference(renderer->layers(s)));

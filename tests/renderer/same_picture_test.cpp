@@ -32,7 +32,7 @@ struct Case {
 
 void PrintTo(const Case& c, std::ostream* out) { *out << c.file; }
 
-class SamePicture : public testing::TestWithParam<Case> {};
+class SamePicture : public SharedRenderers<Case> {};
 
 TEST_P(SamePicture, WhateverThePath) {
     const Case& c = GetParam();
@@ -42,7 +42,7 @@ TEST_P(SamePicture, WhateverThePath) {
     std::vector<LayerPicture> pictures;
     for (const Visibility visibility :
          {Visibility::encoded, Visibility::fragdepth, Visibility::deferred, Visibility::rasterOrder}) {
-        ValidatedRenderer renderer(visibility);
+        ValidatedRenderer& renderer = rendererOf(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false})
             for (const bool merge : {true, false}) {
@@ -62,7 +62,7 @@ TEST_P(SamePicture, WhateverThePlatesAndImpostors) {
     const Representation r = scene(c.file, c.style);
     RenderSettings s = settings(r, 256, c.projection, {33, 190, -70});
     for (const Visibility visibility : {Visibility::encoded, Visibility::fragdepth}) {
-        ValidatedRenderer renderer(visibility);
+        ValidatedRenderer& renderer = rendererOf(visibility);
         renderer->setScene(r);
         s.tuning.plates = PlateShape::none;
         s.tuning.impostor = ImpostorShape::square;
@@ -86,7 +86,7 @@ TEST_P(SamePicture, OfColourToo) {
     std::vector<float> first;
     for (const Visibility visibility :
          {Visibility::encoded, Visibility::fragdepth, Visibility::deferred, Visibility::rasterOrder}) {
-        ValidatedRenderer renderer(visibility);
+        ValidatedRenderer& renderer = rendererOf(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false})
             for (const bool merge : {true, false}) {

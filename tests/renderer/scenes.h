@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
+#include <map>
+#include <memory>
 #include <numeric>
 #include <string>
 
@@ -44,6 +46,21 @@ public:
 
 private:
     Renderer renderer_;
+};
+
+/// Cases that share a renderer for each path, so that the driver compiles its pipelines once and not once a case.
+template <typename Case>
+class SharedRenderers : public testing::TestWithParam<Case> {
+protected:
+    static ValidatedRenderer& rendererOf(Visibility visibility) {
+        std::unique_ptr<ValidatedRenderer>& renderer = renderers_[visibility];
+        if (!renderer) renderer = std::make_unique<ValidatedRenderer>(visibility);
+        return *renderer;
+    }
+    static void TearDownTestSuite() { renderers_.clear(); }
+
+private:
+    static inline std::map<Visibility, std::unique_ptr<ValidatedRenderer>> renderers_;
 };
 
 inline RenderSettings settings(const Representation& r, std::uint32_t size, Projection projection,
