@@ -7,6 +7,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/progress.h"
 #include "app/download/load_molecule.h"
+#include "app/shared/json_text.h"
 #include "app/shared/molecules.h"
 #include "engine/renderer.h"
 
@@ -157,7 +158,7 @@ void benchCommand(const BenchOptions& options, std::ostream& out) {
     report["shapes"] = compareShapes(options, scene, renderers.front());
     report["occlusion"] = compareMaps(frameSettings(options, scene.radius, 0), renderers.front());
     if (options.json)
-        out << report.dump(2) << "\n";
+        out << jsonText(report);
     else
         printTable(report, out);
 }

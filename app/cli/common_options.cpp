@@ -55,13 +55,14 @@ std::string fileName(const std::string& text) {
     return text;
 }
 
-void addInput(CommandSpec& command, InputOptions& input, bool required) {
-    addValue(command, "INPUT", "", "",
-             "A structure file (PDB, mmCIF, mmJSON, BinaryCIF, MMTF, SDF/MOL, XYZ, MOL2, PQR, GRO, PDBQT, CML;\n"
-             "each also .gz), - for standard input, sample:dna, sample:glucose, sample:buckyball, or a download:\n"
-             "pdb:1BNA, pubchem:CID|NAME, afdb:UNIPROT",
-             [&](const std::string& text) { input.path = text; })
-        .required = required;
+namespace {
+
+constexpr const char* kInputHelp =
+    "A structure file (PDB, mmCIF, mmJSON, BinaryCIF, MMTF, SDF/MOL, XYZ, MOL2, PQR, GRO, PDBQT, CML;\n"
+    "each also .gz), - for standard input, sample:dna, sample:glucose, sample:buckyball, or a download:\n"
+    "pdb:1BNA, pubchem:CID|NAME, afdb:UNIPROT";
+
+void addReading(CommandSpec& command, InputOptions& input) {
     addValue(command, "--cache", "DIR|off", "NACRE_CACHE, else ~/.cache/nacre",
              "Where downloads and occlusion are kept", [&](const std::string& text) { input.cache = fileName(text); });
     addFlag(command, "--offline", input.offline, "Take downloads from the cache alone");
@@ -74,6 +75,20 @@ void addInput(CommandSpec& command, InputOptions& input, bool required) {
     });
     addValue(command, "--model", "N|all", "1", "Model, frame or record, counted from 1; all: one over the other",
              [&](const std::string& text) { input.model = parseModel(text); });
+}
+
+}  // namespace
+
+void addInput(CommandSpec& command, InputOptions& input, bool required) {
+    command.add({"INPUT", "", "", kInputHelp, [&](const std::string& text) { input.path = text; }}).required = required;
+    addReading(command, input);
+}
+
+void addInputs(CommandSpec& command, std::vector<std::string>& paths, InputOptions& input) {
+    OptionSpec& option =
+        command.add({"INPUT", "", "", kInputHelp, [&](const std::string& text) { paths.push_back(text); }});
+    option.required = option.repeatable = true;
+    addReading(command, input);
 }
 
 void addSize(CommandSpec& command, const std::string& fallback, Size& size) {

@@ -18,6 +18,8 @@ std::string fileName(const std::string& text);
 
 /// INPUT, and how it is read. @param required  whether INPUT has to be there
 void addInput(CommandSpec& command, InputOptions& input, bool required);
+/// INPUT, as many as there are, and how they are read.
+void addInputs(CommandSpec& command, std::vector<std::string>& paths, InputOptions& input);
 void addSize(CommandSpec& command, const std::string& fallback, Size& size);
 OptionSpec& addDeviceName(CommandSpec& command, DeviceOptions& device);
 void addVisibility(CommandSpec& command, DeviceOptions& device);

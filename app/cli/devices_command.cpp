@@ -1,11 +1,11 @@
 #include <vulkan/vulkan_core.h>
 
-#include <nlohmann/json.hpp>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "app/cli/commands.h"
+#include "app/shared/json_text.h"
 #include "engine/error.h"
 #include "engine/renderer.h"
 #include "nacre_commit.h"
@@ -45,7 +45,7 @@ void devicesCommand(bool json, std::ostream& out) {
                         {"why", devices[i].why},
                         {"encoded_format", devices[i].encodedFormat},
                         {"lazy_memory", devices[i].lazyMemory}});
-    out << list.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+    out << jsonText(list);
 }
 
 void versionCommand(std::ostream& out) {

@@ -14,6 +14,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/progress.h"
 #include "app/download/load_molecule.h"
+#include "app/shared/json_text.h"
+#include "app/shared/messages.h"
+#include "engine/error.h"
 #include "engine/molecule/chain_summary.h"
 #include "engine/molecule/counts.h"
 #include "engine/molecule/element.h"
@@ -152,13 +155,6 @@ Json assemblyList(const Molecule& molecule) {
     return list;
 }
 
-/// A file's own words, made safe for a terminal.
-std::string printable(std::string text) {
-    for (char& c : text)
-        if ((c >= 0 && c < ' ') || c == 127) c = '?';
-    return text;
-}
-
 void line(std::ostream& out, const char* label, const std::string& text) {
     if (!text.empty()) out << "  " << std::left << std::setw(12) << label << printable(text) << '\n';
 }
@@ -266,7 +262,7 @@ Json infoJson(const Molecule& molecule) {
 
 std::string infoText(const std::string& name, const Json& json) {
     std::ostringstream out;
-    out << name << " (" << json["format"].get<std::string>() << ")\n";
+    out << printable(name) << " (" << json["format"].get<std::string>() << ")\n";
     line(out, "title", json.value("title", ""));
     if (json.contains("resolution")) line(out, "resolution", plainNumber(json["resolution"].get<double>()) + " Å");
     line(out, "atoms", std::to_string(json["atoms"].get<std::int64_t>()));
@@ -315,20 +311,37 @@ std::string infoText(const std::string& name, const Json& json) {
     return out.str();
 }
 
-void infoCommand(const InfoOptions& options, std::ostream& out) {
-    Json json = [&] {
-        Progress progress;
-        progress.begin("reading");
-        return infoJson(loadMolecule(options.input, downloadProgress(progress)));
-    }();
+namespace {
+
+Json infoOf(const InputOptions& input) {
+    Progress progress;
+    progress.begin("reading");
+    Json json = infoJson(loadMolecule(input, downloadProgress(progress)));
     std::error_code error;
-    const auto bytes = std::filesystem::file_size(options.input.path, error);
+    const auto bytes = std::filesystem::file_size(input.path, error);
     if (!error) json["bytes"] = bytes;
-    // A title may hold bytes that are no UTF-8; they become U+FFFD instead of an exception.
-    if (options.json)
-        out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-    else
-        out << infoText(options.input.path, json);
+    return json;
+}
+
+}  // namespace
+
+void infoCommand(const InfoOptions& options, std::ostream& out) {
+    const bool several = options.paths.size() > 1;
+    Json list = Json::array();
+    std::optional<Error> failure;  // the last one; those before it are said at once
+    for (const std::string& path : options.paths) try {
+            InputOptions input = options.input;
+            input.path = path;
+            Json json = several ? Json{{"file", path}} : Json::object();
+            json.update(infoOf(input));
+            if (!options.json) out << (list.empty() ? "" : "\n") << infoText(path, json);
+            list.push_back(std::move(json));
+        } catch (const Error& error) {
+            if (failure) sayError(failure->what());
+            failure = error;
+        }
+    if (options.json && !list.empty()) out << jsonText(several ? list : list.front());
+    if (failure) throw *failure;
 }
 
 }  // namespace nacre::app

@@ -8,7 +8,9 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/options.h"
+#include "app/shared/messages.h"
 #include "app/shared/notices.h"
+#include "app/shared/printable.h"
 #ifdef NACRE_DESKTOP
 #include "app/desktop/view_command.h"
 #endif
@@ -18,10 +20,7 @@ namespace nacre::app {
 namespace {
 
 int complain(const std::string& text, int code) {
-    std::string line = text;
-    for (char& c : line)
-        if (c == '\n' || c == '\r') c = ' ';
-    std::cerr << "nacre: error: " << line << std::endl;
+    sayError(text);
     return code;
 }
 
@@ -59,10 +58,25 @@ void run(const CommandLine& line, std::ostream& out) {
     }
 }
 
+/// What a command printed is shown even if it failed then.
+void print(const CommandLine& line) {
+    std::ostringstream out;
+    std::exception_ptr failure;
+    try {
+        run(line, out);
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    const bool own = line.command == Command::help || line.command == Command::notices;
+    std::cout << (own ? out.str() : printableLines(out.str())) << std::flush;
+    if (failure) std::rethrow_exception(failure);
+}
+
 int complete(int argc, char** argv) {
     try {
-        run(parseCommandLine(argc, argv), std::cout);
-        std::cout.flush();
+        const CommandLine line = parseCommandLine(argc, argv);
+        if (line.quiet) beQuiet();
+        print(line);
         if (!std::cout) return complain("cannot write to standard output", 1);
         return 0;
     } catch (const UsageError& error) {

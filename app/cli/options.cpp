@@ -49,8 +49,8 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     CommandSpec render{"render", "Draw a molecule into a picture file", kRenderExamples};
     addRender(render, line.render);
     CommandSpec info{"info", "Say what a structure file holds",
-                     "Examples:\n  nacre info 1bna.pdb\n  nacre info ligands.sdf --model 3 --json"};
-    addInput(info, line.info.input, true);
+                     "Examples:\n  nacre info 1bna.pdb 4hhb.cif.gz\n  nacre info ligands.sdf --model 3 --json"};
+    addInputs(info, line.info.paths, line.info.input);
     addFlag(info, "--json", line.info.json, "As one JSON object");
     CommandSpec bench{"bench", "Time frames and count shaded fragments",
                       "Examples:\n  nacre bench 1bna.pdb\n  nacre bench 1aon.pdb.gz --frames 50 --json"};
@@ -63,14 +63,17 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     addPlan(plan, line.plan);
     CommandSpec devices{"devices", "List the Vulkan devices", "Examples:\n  nacre devices\n  nacre devices --json"};
     addFlag(devices, "--json", line.json, "As a JSON array");
+    std::vector<CommandSpec> commands{render, info, bench, plan, devices};
 #ifdef NACRE_DESKTOP
     CommandSpec view{"view", "Show a molecule in a window", kViewExamples};
     addWindow(view, window);
-    return {render, view, info, bench, plan, devices};
+    commands.insert(commands.begin() + 1, view);
 #else
     static_cast<void>(window);
-    return {render, info, bench, plan, devices};
 #endif
+    for (CommandSpec& command : commands)
+        addFlag(command, "-q,--quiet", line.quiet, "Nothing on standard error but errors");
+    return commands;
 }
 
 Command commandOf(const std::string& name) {
@@ -100,8 +103,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     line.command = version ? Command::version : notices ? Command::notices : commandOf(parsed.name);
     if (line.command == Command::render) checkRender(line.render);
     if (line.command == Command::view) {
-        checkDebug(window);
-        const bool named = takeInput(window);
+        const bool named = checkWindow(window);
         line.view = viewOptionsOf(window);
         line.view.restore = !named;
     }

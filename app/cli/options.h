@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/cli/command_spec.h"
 #include "app/desktop/view_options.h"
@@ -40,11 +41,13 @@ struct RenderOptions {
     DebugView debug = DebugView::none;
     DeviceOptions device;
     std::string output, layers, stats, capture;  ///< paths; all but the first may be empty
+    std::string view;                            ///< path of the saved view; empty: none
     InputOptions savedInput;  ///< of the saved view; `input` once the command line is read, if that has none
 };
 
 struct InfoOptions {
-    InputOptions input;
+    std::vector<std::string> paths;  ///< one or more
+    InputOptions input;              ///< how each of them is read
     bool json = false;
 };
 
@@ -79,7 +82,8 @@ struct CommandLine {
     InfoOptions info;
     BenchOptions bench;
     PlanOptions plan;
-    bool json = false;  ///< devices
+    bool json = false;   ///< devices
+    bool quiet = false;  ///< nothing on standard error but errors
 };
 
 /// @throws UsageError

@@ -1,10 +1,10 @@
 #include "app/cli/picture_options.h"
 
-#include <filesystem>
-
 #include "app/cli/common_options.h"
 #include "app/cli/saved_options.h"
 #include "app/shared/image_file.h"
+#include "app/shared/output_file.h"
+#include "app/shared/view_input.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -42,12 +42,17 @@ void addPixels(CommandSpec& command, RenderOptions& options) {
 /// Goes before the options that it stands for, so that those prevail.
 void addSavedView(CommandSpec& command, RenderOptions& options) {
     addValue(command, "--view", "FILE", "none",
-             "A view that `nacre view` saved: what is seen, and how; options prevail",
-             [&](const std::string& text) { applySavedView(readSavedView(fileName(text)), options); });
+             "A view that `nacre view` saved: what is seen, and how; options prevail", [&](const std::string& text) {
+                 options.view = fileName(text);
+                 applySavedView(readSavedView(text), options);
+             });
+    addFlag(command, "--allow-download", options.input.allowDownload,
+            "Download what a saved view names; otherwise it is taken from the cache alone");
 }
 
 void addFiles(CommandSpec& command, RenderOptions& options) {
-    addValue(command, "-o,--output", "FILE", "", "The picture: .png, .tif, .tiff, .jpg, .jpeg or .exr",
+    addValue(command, "-o,--output", "FILE", "",
+             "The picture: .png, .tif, .tiff, .jpg, .jpeg or .exr; - is PNG to standard output",
              [&](const std::string& text) {
                  if (!isPictureName(text))
                      throw std::invalid_argument(
@@ -55,18 +60,19 @@ void addFiles(CommandSpec& command, RenderOptions& options) {
                  options.output = text;
              })
         .required = true;
-    addValue(command, "--layers", "FILE.exr", "none", "Colour, depth, normal, atom and occlusion of every pixel",
+    addValue(command, "--layers", "FILE.exr", "none",
+             "Colour, depth, normal, atom and occlusion of every pixel; - for standard output",
              [&](const std::string& text) {
-                 if (extensionOf(text) != ".exr")
+                 if (!isStandardOutput(text) && extensionOf(text) != ".exr")
                      throw std::invalid_argument("expected a name that ends in .exr, not '" + text + "'");
                  options.layers = text;
              });
-    addValue(command, "--stats", "FILE.json", "none", "View, counts, times and memory as JSON",
+    addValue(command, "--stats", "FILE.json", "none", "View, counts, times and memory as JSON; - for standard output",
              [&](const std::string& text) { options.stats = fileName(text); });
     addValue(command, "--capture", "FILE.rdc", "none",
-             "The frame and its occlusion bake, for RenderDoc, which has to be installed",
+             "The frame and its occlusion bake, for RenderDoc, which has to be installed; - for standard output",
              [&](const std::string& text) {
-                 if (extensionOf(text) != ".rdc")
+                 if (!isStandardOutput(text) && extensionOf(text) != ".rdc")
                      throw std::invalid_argument("expected a name that ends in .rdc, not '" + text + "'");
                  options.capture = text;
                  options.device.capture = true;
@@ -97,12 +103,33 @@ void addDevice(CommandSpec& command, RenderOptions& options) {
             "Run under the Vulkan validation layer; any message is an error");
 }
 
-bool sameFile(const std::string& a, const std::string& b) {
-    if (a.empty() || b.empty()) return false;
-    std::error_code error;
-    if (std::filesystem::equivalent(a, b, error)) return true;
-    const auto plain = [](const std::string& name) { return std::filesystem::absolute(name).lexically_normal(); };
-    return plain(a) == plain(b);
+/// INPUT, or the one of the saved view. @returns whether there is one
+bool takeInput(RenderOptions& options) {
+    if (!options.input.path.empty()) return true;
+    options.input.path = options.savedInput.path;
+    options.input.format = options.savedInput.format;
+    options.input.model = options.savedInput.model;
+    if (!options.input.path.empty()) options.input.namedBy = options.view;
+    return !options.input.path.empty();
+}
+
+void checkDebug(const RenderOptions& options) {
+    const std::string view = debugViewNames()[static_cast<std::size_t>(options.debug)];
+    if (needsOcclusion(options.debug) && options.occlusion.directions == 0)
+        throw UsageError("--debug " + view + " shows nothing with --occlusion off");
+    if (options.debug != DebugView::none && options.supersample > 1)
+        throw UsageError("--debug " + view + " takes one sample a pixel: leave out --supersample");
+}
+
+void checkFiles(const RenderOptions& options) {
+    const NamedFile files[] = {{"INPUT", filePathOf(options.input)}, {"--view", options.view},
+                               {"--output", options.output, true},   {"--layers", options.layers, true},
+                               {"--stats", options.stats, true},     {"--capture", options.capture, true}};
+    try {
+        checkApart(files);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
 }
 
 }  // namespace
@@ -126,26 +153,11 @@ void addWindow(CommandSpec& command, RenderOptions& first) {
     addSize(command, "1280x800", first.size);
     addShading(command, first);
     addDebug(command, first);
-    addValue(command, "--stats", "FILE", "none", "What the window drew, as JSON, when it is closed",
+    addValue(command, "--stats", "FILE", "none",
+             "What the window drew, as JSON, when it is closed; - for standard output",
              [&](const std::string& text) { first.stats = fileName(text); });
     addDevice(command, first);
     addFlag(command, "--capture", first.device.capture, "Load RenderDoc, so that F12 captures a frame");
-}
-
-bool takeInput(RenderOptions& options) {
-    if (!options.input.path.empty()) return true;
-    options.input.path = options.savedInput.path;
-    options.input.format = options.savedInput.format;
-    options.input.model = options.savedInput.model;
-    return !options.input.path.empty();
-}
-
-void checkDebug(const RenderOptions& options) {
-    const std::string view = debugViewNames()[static_cast<std::size_t>(options.debug)];
-    if (needsOcclusion(options.debug) && options.occlusion.directions == 0)
-        throw UsageError("--debug " + view + " shows nothing with --occlusion off");
-    if (options.debug != DebugView::none && options.supersample > 1)
-        throw UsageError("--debug " + view + " takes one sample a pixel: leave out --supersample");
 }
 
 void checkRender(RenderOptions& options) {
@@ -156,16 +168,14 @@ void checkRender(RenderOptions& options) {
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
     }
-    const std::pair<const char*, const std::string*> files[] = {{"INPUT", &options.input.path},
-                                                                {"--output", &options.output},
-                                                                {"--layers", &options.layers},
-                                                                {"--stats", &options.stats},
-                                                                {"--capture", &options.capture}};
-    for (std::size_t i = 0; i < std::size(files); ++i)
-        for (std::size_t j = i + 1; j < std::size(files); ++j)
-            if (sameFile(*files[i].second, *files[j].second))
-                throw UsageError(std::string(files[i].first) + " and " + files[j].first +
-                                 " are the same file: " + *files[j].second);
+    checkFiles(options);
+}
+
+bool checkWindow(RenderOptions& first) {
+    checkDebug(first);
+    const bool named = takeInput(first);
+    checkFiles(first);
+    return named;
 }
 
 }  // namespace nacre::app

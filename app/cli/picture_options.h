@@ -9,10 +9,9 @@ void addRender(CommandSpec& command, RenderOptions& options);
 /// What a window shows at first is said as for `render`; `size` is the window's.
 void addWindow(CommandSpec& command, RenderOptions& first);
 
-/// INPUT, or the one of the saved view. @returns whether there is one
-bool takeInput(RenderOptions& options);
-/// What no option alone can tell. @throws UsageError
-void checkDebug(const RenderOptions& options);
+/// What no option alone can tell; INPUT is that of the saved view if there is no other. @throws UsageError
 void checkRender(RenderOptions& options);
+/// The same for a window. @returns whether there is an INPUT
+bool checkWindow(RenderOptions& first);
 
 }  // namespace nacre::app

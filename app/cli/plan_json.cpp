@@ -1,6 +1,6 @@
-#include <nlohmann/json.hpp>
 
 #include "app/cli/plan_command.h"
+#include "app/shared/json_text.h"
 
 namespace nacre::app {
 namespace {
@@ -104,7 +104,7 @@ std::string planJson(const PlanReport& report) {
     json["facts"] = Json::array();
     for (const graph::Fact& fact : report.facts)
         json["facts"].push_back({{"what", fact.what}, {"source", fact.source}});
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+    return jsonText(json);
 }
 
 }  // namespace nacre::app

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "app/shared/messages.h"
+
 namespace nacre::app {
 namespace {
 
@@ -26,7 +28,7 @@ std::string progressText(const std::string& work, std::optional<double> share, s
 }
 
 Progress::Progress() {
-    if (isatty(STDERR_FILENO)) thread_ = std::thread([this] { show(); });
+    if (isatty(STDERR_FILENO) && !isQuiet()) thread_ = std::thread([this] { show(); });
 }
 
 Progress::~Progress() {

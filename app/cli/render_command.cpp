@@ -1,6 +1,5 @@
 #include <unistd.h>
 
-#include <iostream>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "app/shared/cache_folder.h"
 #include "app/shared/capture_file.h"
 #include "app/shared/image_file.h"
+#include "app/shared/messages.h"
 #include "app/shared/molecules.h"
 #include "engine/error.h"
 #include "engine/milliseconds.h"
@@ -26,10 +26,10 @@ struct Outputs {
     OutputFile picture;
     std::optional<OutputFile> layers, stats, capture;
 
-    explicit Outputs(const RenderOptions& options) : picture(options.output) {
-        if (!options.layers.empty()) layers.emplace(options.layers);
-        if (!options.stats.empty()) stats.emplace(options.stats);
-        if (!options.capture.empty()) capture.emplace(options.capture);
+    explicit Outputs(const RenderOptions& options) : picture(options.output, ".png") {
+        if (!options.layers.empty()) layers.emplace(options.layers, ".exr");
+        if (!options.stats.empty()) stats.emplace(options.stats, ".json");
+        if (!options.capture.empty()) capture.emplace(options.capture, ".rdc");
     }
 };
 
@@ -58,10 +58,11 @@ bool isCoarse(const OcclusionStats& occlusion) { return occlusion.directions > 0
 /// What the memory budget led to.
 void sayOcclusion(const OcclusionStats& occlusion, const RenderSettings& settings) {
     const std::string patch = std::to_string(occlusion.patchTexels);
-    std::cerr << "nacre: ambient occlusion: "
-              << (occlusion.patchTexels == 1 ? "one value an atom" : patch + " x " + patch + " texels an atom");
-    if (!occlusion.cached) std::cerr << ", depth maps of " << occlusion.mapPixels << " pixels";
-    std::cerr << ", " << (occlusion.bytes >> 20) << " of " << (settings.occlusion.bytes >> 20) << " MB" << std::endl;
+    std::string text = "ambient occlusion: " +
+                       (occlusion.patchTexels == 1 ? "one value an atom" : patch + " x " + patch + " texels an atom");
+    if (!occlusion.cached) text += ", depth maps of " + std::to_string(occlusion.mapPixels) + " pixels";
+    sayNote(text + ", " + std::to_string(occlusion.bytes >> 20) + " of " +
+            std::to_string(settings.occlusion.bytes >> 20) + " MB");
 }
 
 /// Draws the picture once more, by shaders that count.
@@ -81,7 +82,7 @@ Picture drawPicture(Renderer& renderer, const RenderSettings& settings, OutputFi
     if (capture)
         keepCapture(written, *capture);
     else
-        std::cerr << "nacre: captured to " << written << std::endl;
+        sayNote("captured to " + written);
     return picture;
 }
 
@@ -117,7 +118,7 @@ void renderCommand(const RenderOptions& options) {
     run.legends = scene.legends;
     run.warnings = molecule.warnings;
     run.warnings.insert(run.warnings.end(), scene.warnings.begin(), scene.warnings.end());
-    for (const std::string& warning : scene.warnings) std::cerr << "nacre: warning: " << warning << std::endl;
+    for (const std::string& warning : scene.warnings) sayWarning(warning);
     run.sceneMs = millisecondsSince(sceneStart);
 
     Renderer renderer(options.device);

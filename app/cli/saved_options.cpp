@@ -1,5 +1,7 @@
 #include "app/cli/saved_options.h"
 
+#include "app/shared/view_input.h"
+
 namespace nacre::app {
 
 void applySavedView(const SavedView& view, RenderOptions& options) {
@@ -31,7 +33,9 @@ SavedView savedViewOf(const RenderOptions& options) {
 ViewOptions viewOptionsOf(const RenderOptions& options) {
     ViewOptions window;
     window.first = savedViewOf(options);
+    window.first.input = filePathOf(options.input);
     window.input = options.input;
+    window.input.path = window.first.input;
     window.size = options.size;
     window.occlusionBytes = options.occlusion.bytes();
     window.debug = options.debug;

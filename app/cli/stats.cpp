@@ -2,8 +2,7 @@
 
 #include <sys/resource.h>
 
-#include <nlohmann/json.hpp>
-
+#include "app/shared/json_text.h"
 #include "engine/scene/palettes.h"
 
 namespace nacre::app {
@@ -93,7 +92,7 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
                       {"visibility", frame.device.visibility},
                       {"why", frame.device.why},
                       {"encoded_format", frame.device.encodedFormat}};
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return jsonText(json);
 }
 
 }  // namespace nacre::app

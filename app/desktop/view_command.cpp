@@ -6,8 +6,6 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "app/desktop/state_files.h"
 #include "app/desktop/window.h"
@@ -16,6 +14,9 @@
 #include "app/shared/cache_folder.h"
 #include "app/shared/capture_file.h"
 #include "app/shared/image_file.h"
+#include "app/shared/json_text.h"
+#include "app/shared/messages.h"
+#include "app/shared/printable.h"
 #include "app/viewer/session.h"
 #include "engine/error.h"
 
@@ -24,14 +25,19 @@ namespace {
 
 constexpr std::uint32_t kSoftwareSamples = 2;  // a side of a pixel, of a refinement that a CPU draws
 
-Sources sources(const InputOptions& input) {
-    return {[input](const SavedView& view) { return loadMolecule(inputOf(view, input)); }, sceneOfView};
-}
-
 /// A path that means the same from any folder.
 std::string lasting(const std::string& input) {
     if (input.empty() || input.find(':') != std::string::npos || input == "-") return input;
     return std::filesystem::absolute(input).lexically_normal().string();
+}
+
+Sources sources(const InputOptions& first) {
+    return {[first](const SavedView& view) {
+                InputOptions input = inputOf(view, first);
+                if (view.input != lasting(first.path)) input.namedBy.clear();  // opened by hand
+                return loadMolecule(input);
+            },
+            sceneOfView};
 }
 
 class WindowSession {
@@ -57,7 +63,7 @@ public:
                 if (inputAt_ > 0) latencies_.push_back(1000 * (lastShown_ - inputAt_));
             }
             inputAt_ = 0;  // what is not answered by now changed nothing
-            window_.setTitle(viewer().title());
+            window_.setTitle(printable(viewer().title()));
             if (panel_->restless()) viewer().overlayChanged();
             const double next = std::max(panel_->restless() ? now() : wake, lastFrame_ + 0.95 / window_.refreshRate());
             window_.handleEvents(std::isinf(wake) && !panel_->restless() ? wake : next - now());
@@ -91,7 +97,7 @@ private:
         host.loadPipelines = [] { return loadPipelineCache(); };
         host.keepPipelines = savePipelineCache;
         host.prepare = [this](Renderer& renderer) { renderer.setOverlayGlyphs(panel_->glyphs()); };
-        host.lost = [](const std::string& loss) { std::cerr << "nacre: warning: " << loss << std::endl; };
+        host.lost = sayWarning;
         return host;
     }
 
@@ -263,8 +269,8 @@ private:
         json["picked"] = nlohmann::ordered_json::array();
         for (const std::uint32_t pick : viewer().picks()) json["picked"].push_back(pick + 1);
         json["device"] = renderer().stats().device.name;
-        OutputFile file(options_.stats);
-        writeText(file, json.dump(2) + "\n");
+        OutputFile file(options_.stats, ".json");
+        writeText(file, jsonText(json));
     }
 
     ViewOptions options_;

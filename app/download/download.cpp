@@ -105,7 +105,7 @@ Molecule fetch(const DiskCache& cache, const Source& source, const std::string& 
                const DownloadSettings& settings) {
     MemoryBody memory;
     std::optional<PartialFile> file;
-    if (cache.on()) file.emplace(cache, source.cacheName, url);
+    if (cache.on() && cache.makeFolder()) file.emplace(cache, source.cacheName, url);
     get(url, settings.limits, file ? static_cast<HttpBody&>(*file) : memory, settings);
     const std::string bytes = file ? file->content() : std::move(memory.bytes());
     try {
@@ -138,7 +138,7 @@ HttpLimits httpLimits(const Environment& environment) {
 }
 
 Molecule downloadMolecule(const DatabaseId& id, const ReadOptions& options, const DownloadSettings& settings) {
-    const DiskCache cache(settings.cacheFolder, kDownloadCacheBytes);
+    const DiskCache cache(settings.cacheFolder, kDownloadCacheBytes, {"pdb-", "pubchem-", "afdb-"});
     const std::vector<Source> sources = sourcesOf(id, settings.environment);
     for (const Source& source : sources)
         if (auto molecule = readKept(cache, source, options)) return std::move(*molecule);

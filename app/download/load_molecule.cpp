@@ -2,7 +2,9 @@
 
 #include "app/download/download.h"
 #include "app/shared/cache_folder.h"
+#include "app/shared/messages.h"
 #include "app/shared/molecules.h"
+#include "app/shared/view_input.h"
 #include "engine/error.h"
 #include "engine/molecule/memory_bound.h"
 
@@ -17,19 +19,38 @@ Molecule loadDownload(const InputOptions& input, const DatabaseId& id, const std
     if (input.format) throw Error("cannot download", input.path, "a download takes no --format");
     ReadOptions options = readWithin(memoryOf(input));
     options.model = input.model;
+    const bool forbidden = !input.namedBy.empty() && !input.allowDownload;
     DownloadSettings settings;
     settings.cacheFolder = cacheFolder(input.cache, "downloads");
-    settings.offline = input.offline;
+    settings.offline = input.offline || forbidden;
     settings.limits = httpLimits();
     settings.onProgress = onDownload;
-    return downloadMolecule(id, options, settings);
+    try {
+        return downloadMolecule(id, options, settings);
+    } catch (const Error&) {
+        if (!forbidden || input.offline) throw;
+        throw Error("cannot download", input.path,
+                    input.namedBy + " names it, and the cache does not hold it: --allow-download gets it");
+    }
+}
+
+/// A file that a view names.
+Molecule loadNamed(InputOptions input) {
+    if (const std::string notice = outsideNotice(input); !notice.empty()) sayNote(notice);
+    input.path = filePathOf(input);
+    try {
+        return readLocally(input, memoryOf(input));
+    } catch (const Error&) {
+        throw Error("cannot read molecule", input.path,
+                    "it is missing, or not what " + input.namedBy + " says it is (nacre info tells why)");
+    }
 }
 
 }  // namespace
 
 Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload) {
     if (const auto id = parseDatabaseId(input.path)) return loadDownload(input, *id, onDownload);
-    return readLocally(input, memoryOf(input));
+    return input.namedBy.empty() ? readLocally(input, memoryOf(input)) : loadNamed(input);
 }
 
 }  // namespace nacre::app

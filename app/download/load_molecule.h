@@ -8,6 +8,9 @@
 namespace nacre::app {
 
 /// Reads the molecule that INPUT names, downloading it if need be.
+/// One that a saved view names is not downloaded unless that is allowed, only taken from the cache; a file outside of
+/// the view's folder is told on standard error before it is opened; and why a file does not read as a molecule is not
+/// said, since that would quote it.
 /// @param onDownload  called as a download's bytes arrive, with the share that is there, 0..1
 /// @throws Error
 Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload = {});

@@ -8,9 +8,10 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <fstream>
+#include <sstream>
 
 #include "engine/error.h"
+#include "engine/storage/plain_file.h"
 
 namespace nacre::app {
 namespace {
@@ -19,7 +20,7 @@ namespace {
 bool names(const std::string& path, int file) {
     struct stat open {
     }, named{};
-    return fstat(file, &open) == 0 && stat(path.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
+    return fstat(file, &open) == 0 && lstat(path.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
            open.st_ino == named.st_ino;
 }
 
@@ -44,7 +45,7 @@ PartialFile::~PartialFile() {
 void PartialFile::openShared() {
     constexpr int kAttempts = 10;
     for (int attempt = 0; attempt < kAttempts && !shared_; ++attempt) {
-        file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+        file_ = openPlain(path_, O_RDWR | O_CREAT, 0600);
         if (file_ < 0) return;
         const bool locked = flock(file_, LOCK_EX | LOCK_NB) == 0;
         // Whoever held the lock may have made the file the entry since it was opened here.
@@ -59,14 +60,15 @@ void PartialFile::openShared() {
 }
 
 void PartialFile::openOwn() {
-    path_ = cache_.pathOf(".new-" + std::to_string(getpid()) + "-" + name_);
+    path_ = cache_.pathOf(DiskCache::temporaryName());
     tagPath_.clear();
-    file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    file_ = openPlain(path_, O_RDWR | O_CREAT | O_EXCL, 0600);
     if (file_ < 0) fail();
 }
 
 void PartialFile::readTag() {
-    std::ifstream tag(tagPath_, std::ios::binary);
+    constexpr std::uint64_t kLongestTag = 1 << 16;
+    std::istringstream tag(readPlain(tagPath_, kLongestTag).value_or(""));
     std::string url, validator;
     struct stat status {};
     if (!std::getline(tag, url) || !std::getline(tag, validator) || url != url_ || fstat(file_, &status) != 0) return;

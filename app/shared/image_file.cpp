@@ -13,6 +13,7 @@
 
 #include "app/shared/srgb.h"
 #include "engine/error.h"
+#include "engine/storage/plain_file.h"
 
 namespace nacre::app {
 namespace {
@@ -43,8 +44,7 @@ OIIO::ImageSpec specOf(const std::string& path, std::uint32_t width, std::uint32
 /// last has come to the disk, and are content with half a picture on a full one.
 class CheckedFile : public OIIO::Filesystem::IOProxy {
 public:
-    explicit CheckedFile(const std::string& path)
-        : IOProxy(path, Write), file_(::open(path.c_str(), O_RDWR | O_TRUNC | O_CLOEXEC)) {
+    explicit CheckedFile(const std::string& path) : IOProxy(path, Write), file_(openPlain(path, O_RDWR | O_TRUNC)) {
         if (file_ < 0) failure_ = errno;
     }
     ~CheckedFile() override { finish(); }
@@ -106,7 +106,7 @@ void writeRows(OutputFile& file, const OIIO::ImageSpec& spec, const OIIO::TypeDe
         const int failure = target.finish();
         fail(file, failure ? std::strerror(failure) : why);
     };
-    if (!isTiff(file.path()) && !out->set_ioproxy(&target)) stop();
+    if (!isTiff(file.temporary()) && !out->set_ioproxy(&target)) stop();
     if (!out->open(file.temporary(), spec)) stop();
     for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(spec.height); row += kRowsAtOnce) {
         const std::uint32_t end = std::min(row + kRowsAtOnce, static_cast<std::uint32_t>(spec.height));
@@ -114,7 +114,7 @@ void writeRows(OutputFile& file, const OIIO::ImageSpec& spec, const OIIO::TypeDe
             stop();
     }
     if (!out->close() || target.finish() != 0) stop();
-    if (isTiff(file.path()) && !readsBack(file.temporary(), spec))
+    if (isTiff(file.temporary()) && !readsBack(file.temporary(), spec))
         fail(file, "the data could not be written (is the disk full?)");
     file.commit();
 }
@@ -122,11 +122,11 @@ void writeRows(OutputFile& file, const OIIO::ImageSpec& spec, const OIIO::TypeDe
 }  // namespace
 
 bool isPictureName(const std::string& path) {
-    return isExr(path) || isTiff(path) || isJpeg(path) || extensionOf(path) == ".png";
+    return isStandardOutput(path) || isExr(path) || isTiff(path) || isJpeg(path) || extensionOf(path) == ".png";
 }
 
 void writePicture(OutputFile& file, const Picture& picture, bool alpha) {
-    const std::string& path = file.path();
+    const std::string& path = file.temporary();
     const std::size_t width = picture.width;
     if (isExr(path)) {
         OIIO::ImageSpec spec = specOf(path, picture.width, picture.height, 4, OIIO::TypeDesc::HALF);
@@ -159,7 +159,7 @@ void writePicture(OutputFile& file, const Picture& picture, bool alpha) {
 
 void writeLayers(OutputFile& file, const LayerPicture& layers) {
     constexpr std::size_t kChannels = 10;
-    OIIO::ImageSpec spec = specOf(file.path(), layers.width, layers.height, kChannels, OIIO::TypeDesc::FLOAT);
+    OIIO::ImageSpec spec = specOf(file.temporary(), layers.width, layers.height, kChannels, OIIO::TypeDesc::FLOAT);
     spec.channelnames = {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z", "id", "occlusion"};
     spec.alpha_channel = 3;
     spec.z_channel = 4;

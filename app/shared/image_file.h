@@ -8,7 +8,7 @@
 
 namespace nacre::app {
 
-/// Whether a picture can be written under this name: .png .tif .tiff .jpg .jpeg .exr in any case.
+/// Whether a picture can be written under this name: standard output, or .png .tif .tiff .jpg .jpeg .exr in any case.
 bool isPictureName(const std::string& path);
 
 /// PNG, TIFF and JPEG: sRGB, 8 bits; PNG and TIFF with straight alpha if `alpha`, otherwise three channels, over

@@ -12,9 +12,11 @@ namespace nacre::app {
 struct InputOptions {
     std::string path;  ///< a file, "-", "sample:NAME", or "pdb:", "pubchem:", "afdb:" and an identifier
     std::optional<Format> format;
-    int model = 1;                                ///< 1-based, or kAllModels
-    std::optional<std::string> cache;             ///< folder, or "off"; empty: the usual one (cache_folder.h)
-    bool offline = false;                         ///< downloads from the cache alone
+    int model = 1;                     ///< 1-based, or kAllModels
+    std::optional<std::string> cache;  ///< folder, or "off"; empty: the usual one (cache_folder.h)
+    bool offline = false;              ///< downloads from the cache alone
+    std::string namedBy;         ///< a saved view's file that names `path`; empty: the user does. See load_molecule.h
+    bool allowDownload = false;  ///< what a view names may be downloaded
     std::optional<std::int64_t> memoryMegabytes;  ///< for the molecule, of 2^20 bytes; empty: half of the machine's
 };
 

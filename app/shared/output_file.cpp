@@ -1,21 +1,32 @@
 #include "app/shared/output_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
-#include <fstream>
+#include <stdexcept>
 
 #include "engine/error.h"
+#include "engine/storage/plain_file.h"
 
 namespace nacre::app {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::string_view kPrefix = ".nacre-";
+constexpr std::size_t kDigits = 16;
+constexpr std::string_view kCapture = "_capture.rdc";  // what RenderDoc adds
+constexpr std::time_t kAbandonedSeconds = 600;
+constexpr const char* kDiskFull = "the data could not be written (is the disk full?)";
 
 [[noreturn]] void fail(const std::string& path, const std::string& why) { throw Error("cannot write file", path, why); }
 
@@ -47,9 +58,58 @@ void forget(const std::string& temporary) {
         if (temporary == name.data()) name[0] = '\0';
 }
 
+/// ".nacre-0123456789abcdef", and an extension.
+bool isTemporaryName(std::string_view name) {
+    if (!name.starts_with(kPrefix) || name.size() < kPrefix.size() + kDigits) return false;
+    const std::string_view digits = name.substr(kPrefix.size(), kDigits), rest = name.substr(kPrefix.size() + kDigits);
+    return digits.find_first_not_of("0123456789abcdef") == std::string_view::npos &&
+           (rest.empty() || rest[0] == '.' || rest == kCapture);
+}
+
+/// Removes what processes that are gone have left in a folder: files of ours, old, that nobody has locked.
+void sweep(const std::string& folder) {
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? "." : folder, error)) {
+        const std::string path = entry.path().string();
+        if (!isTemporaryName(entry.path().filename().string())) continue;
+        const int file = openPlain(path, O_RDONLY);
+        if (file < 0) continue;
+        struct stat status {};
+        if (fstat(file, &status) == 0 && status.st_uid == geteuid() &&
+            std::time(nullptr) - status.st_mtime > kAbandonedSeconds && flock(file, LOCK_EX | LOCK_NB) == 0)
+            unlink(path.c_str());
+        close(file);
+    }
+}
+
+/// What a name stands for, through all links; of what is not there yet, in the folder where it would be.
+fs::path realPath(const std::string& path) {
+    std::error_code error;
+    const fs::path real = fs::weakly_canonical(fs::absolute(path, error), error);
+    return error ? fs::path(path) : real;
+}
+
+bool sameFile(const std::string& a, const std::string& b) {
+    std::error_code error;
+    // Streams may well share a terminal or /dev/null.
+    if (fs::exists(a, error) && fs::exists(b, error))
+        return fs::equivalent(a, b, error) && fs::is_regular_file(a, error);
+    return realPath(a) == realPath(b);
+}
+
 }  // namespace
 
-OutputFile::OutputFile(const std::string& path) : path_(path), target_(path) {
+bool isStandardOutput(const std::string& path) {
+    return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
+}
+
+OutputFile::OutputFile(const std::string& path, const std::string& extension) : path_(path), target_(path) {
+    if (isStandardOutput(path)) {
+        path_ = "standard output";
+        target_.clear();
+        makeTemporary(fs::temp_directory_path().string(), extension);
+        return;
+    }
     std::error_code ignored;
     if (fs::is_directory(path, ignored)) fail(path, "it is a folder");
     // A link keeps pointing where it does: what it points to is replaced.
@@ -58,24 +118,25 @@ OutputFile::OutputFile(const std::string& path) : path_(path), target_(path) {
         if (!real.empty()) target_ = real.string();
     }
     if (fs::exists(target_, ignored) && !fs::is_regular_file(target_, ignored)) fail(path, "it is not a plain file");
-    const fs::path folder = fs::path(target_).parent_path();
-    for (int attempt = 0;; ++attempt) {
-        const std::string name =
-            ".nacre-" + std::to_string(getpid()) + "-" + std::to_string(attempt) + extensionOf(path);
-        temporary_ = (folder / name).string();
-        const int file = open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (file >= 0) {
-            close(file);
-            remember(temporary_);
-            return;
-        }
-        if (errno != EEXIST || attempt >= 1000) fail(path, std::strerror(errno));
-    }
+    makeTemporary(fs::path(target_).parent_path().string(), extensionOf(path));
+}
+
+void OutputFile::makeTemporary(const std::string& folder, const std::string& extension) {
+    sweep(folder);
+    temporary_ = (fs::path(folder) / (std::string(kPrefix) + unforeseenDigits() + extension)).string();
+    struct stat before {};
+    const bool replaces = !target_.empty() && stat(target_.c_str(), &before) == 0;
+    lock_ = openPlain(temporary_, O_WRONLY | O_CREAT | O_EXCL, target_.empty() ? 0600 : 0666);
+    if (lock_ < 0) fail(path_, std::strerror(errno));
+    flock(lock_, LOCK_EX | LOCK_NB);  // where a file system has no locks, only age tells what was left behind
+    if (replaces) fchmod(lock_, before.st_mode & 0777);
+    remember(temporary_);
 }
 
 OutputFile::~OutputFile() {
-    if (!committed_) unlink(temporary_.c_str());
+    if (!temporary_.empty() && !committed_) unlink(temporary_.c_str());
     forget(temporary_);
+    if (lock_ >= 0) close(lock_);
     if (also_.empty()) return;
     unlink(also_.c_str());
     forget(also_);
@@ -87,10 +148,29 @@ void OutputFile::alsoRemove(const std::string& name) {
 }
 
 void OutputFile::commit() {
+    if (target_.empty()) return copyToStandardOutput();
     std::error_code error;
+    if (fs::is_directory(target_, error)) fail(path_, "it is a folder");
     fs::rename(temporary_, target_, error);
     if (error) fail(path_, error.message());
     committed_ = true;
+}
+
+void OutputFile::copyToStandardOutput() const {
+    const int file = openPlain(temporary_, O_RDONLY);
+    if (file < 0) fail(path_, std::strerror(errno));
+    std::array<char, 1 << 16> buffer{};
+    std::string why;
+    for (ssize_t count; why.empty() && (count = read(file, buffer.data(), buffer.size())) != 0;) {
+        if (count < 0) why = std::strerror(errno);
+        for (ssize_t done = 0; done < count && why.empty();) {
+            const ssize_t written = write(STDOUT_FILENO, buffer.data() + done, static_cast<std::size_t>(count - done));
+            if (written < 0 && errno != EINTR) why = std::strerror(errno);
+            if (written > 0) done += written;
+        }
+    }
+    close(file);
+    if (!why.empty()) fail(path_, why);
 }
 
 std::string extensionOf(const std::string& path) {
@@ -101,11 +181,33 @@ std::string extensionOf(const std::string& path) {
 }
 
 void writeText(OutputFile& file, const std::string& text) {
-    std::ofstream stream(file.temporary(), std::ios::binary | std::ios::trunc);
-    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-    stream.close();
-    if (!stream) fail(file.path(), "the data could not be written (is the disk full?)");
+    const int stream = openPlain(file.temporary(), O_WRONLY | O_TRUNC);
+    bool whole = stream >= 0;
+    for (std::size_t done = 0; whole && done < text.size();) {
+        const ssize_t written = write(stream, text.data() + done, text.size() - done);
+        if (written > 0) done += static_cast<std::size_t>(written);
+        whole = written > 0 || (written < 0 && errno == EINTR);
+    }
+    if (stream >= 0) whole = close(stream) == 0 && whole;
+    if (!whole) fail(file.path(), kDiskFull);
     file.commit();
+}
+
+void checkApart(std::span<const NamedFile> files) {
+    const auto place = [](const NamedFile& file) -> std::string {
+        if (file.path == "-") return file.written ? "/dev/stdout" : "/dev/stdin";
+        return file.path;
+    };
+    for (std::size_t i = 0; i < files.size(); ++i)
+        for (std::size_t j = i + 1; j < files.size(); ++j) {
+            const NamedFile &a = files[i], &b = files[j];
+            if (a.path.empty() || b.path.empty() || (!a.written && !b.written)) continue;
+            const bool both = a.written && b.written;
+            if (both && isStandardOutput(a.path) && isStandardOutput(b.path))
+                throw std::invalid_argument(std::string(a.name) + " and " + b.name + " are both standard output");
+            if (sameFile(place(a), place(b)))
+                throw std::invalid_argument(std::string(a.name) + " and " + b.name + " are the same file: " + b.path);
+        }
 }
 
 }  // namespace nacre::app

@@ -4,8 +4,8 @@
 #include <fstream>
 #include <glm/geometric.hpp>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
+#include "app/shared/json_text.h"
 #include "app/shared/molecules.h"
 #include "app/shared/option_text.h"
 #include "app/shared/option_values.h"
@@ -165,7 +165,7 @@ std::string savedViewJson(const SavedView& view) {
     json["background"] = backgroundText(view.background);
     json["lighting"] = view.lighting ? "on" : "off";
     json["occlusion"] = view.occlusionDirections ? Json(view.occlusionDirections) : Json("off");
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return jsonText(json);
 }
 
 InputOptions inputOf(const SavedView& view, InputOptions options) {

@@ -3,12 +3,11 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <mutex>
 
 #include "app/shared/output_file.h"
 #include "engine/error.h"
+#include "engine/storage/plain_file.h"
 
 namespace nacre::app {
 namespace {
@@ -16,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMagic = 0x31434c5045434e4eull;  // "NNCEPLC1"
-constexpr std::uintmax_t kLargestCache = 256u << 20;
+constexpr std::uint64_t kLargestCache = 256u << 20, kLargestView = 1u << 20;
 
 void write(const std::string& path, const std::string& content) {
     if (path.empty()) return;
@@ -41,9 +40,10 @@ std::uint64_t hashOf(std::string_view bytes) {
 }  // namespace
 
 std::optional<SavedView> loadView(const std::string& path) {
-    if (path.empty()) return std::nullopt;
+    const auto json = readPlain(path, kLargestView);
+    if (!json) return std::nullopt;
     try {
-        return readSavedView(path);
+        return parseSavedView(*json, path);
     } catch (const Error&) {
         return std::nullopt;
     }
@@ -52,11 +52,7 @@ std::optional<SavedView> loadView(const std::string& path) {
 void keepView(const std::string& path, const SavedView& view) { write(path, savedViewJson(view)); }
 
 std::vector<std::byte> loadPipelineCache(const std::string& path) {
-    std::error_code error;
-    const std::uintmax_t size = fs::file_size(path, error);
-    if (error || size < 16 || size > kLargestCache) return {};
-    std::ifstream stream(path, std::ios::binary);
-    const std::string content{std::istreambuf_iterator<char>(stream), {}};
+    const std::string content = readPlain(path, kLargestCache).value_or("");
     if (content.size() < 16) return {};
     std::uint64_t head[2];
     std::memcpy(head, content.data(), sizeof head);

@@ -51,6 +51,16 @@ std::vector<OcclusionLayout> occlusionLayouts(std::size_t spheres, std::size_t c
     return layouts;
 }
 
+bool holdsItsPatches(const OcclusionLayout& l, std::uint32_t mostSide) {
+    const std::uint32_t most = std::min(mostSide, 1u << 16);  // what an address has bits for
+    if (l.width == 0 || l.width > most || l.height > most || l.sphereRows > l.height) return false;
+    const auto fit = [&](std::uint64_t count, std::uint32_t w, std::uint32_t h, std::uint32_t rows) {
+        return w > 0 && h > 0 && w <= l.width && (count + l.width / w - 1) / (l.width / w) * h <= rows;
+    };
+    return fit(l.sphereCount, l.sphereEdge, l.sphereEdge, l.sphereRows) &&
+           fit(l.cylinderCount, l.around, l.along, l.height - l.sphereRows);
+}
+
 void assignPatches(const OcclusionLayout& layout, Representation& r) {
     const auto address = [&](std::size_t i, std::uint32_t w, std::uint32_t h, std::uint32_t top) {
         const auto perRow = static_cast<std::size_t>(layout.width / w);

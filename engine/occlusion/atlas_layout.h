@@ -25,6 +25,10 @@ struct OcclusionLayout {
 /// @param maxSize  largest image side; what does not fit it is left out
 std::vector<OcclusionLayout> occlusionLayouts(std::size_t spheres, std::size_t cylinders, std::uint32_t maxSize);
 
+/// Whether every patch lies within the atlas, spheres' above cylinders', and that has at most `mostSide` texels a side:
+/// so of all layouts above, and to be asked of one that comes from elsewhere.
+bool holdsItsPatches(const OcclusionLayout& layout, std::uint32_t mostSide);
+
 /// Writes the patch addresses into the looks.
 void assignPatches(const OcclusionLayout& layout, Representation& representation);
 

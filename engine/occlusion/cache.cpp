@@ -13,6 +13,7 @@ namespace {
 
 // To be raised by whoever changes what a bake gives: patch sizes, directions, open texels, shaders.
 constexpr std::uint32_t kVersion = 2;
+constexpr std::string_view kPrefix = "occlusion-";  // of files
 
 /// The file: this, the atlas, a bit for each sphere, and the hash of the file's name and all that.
 struct Header {
@@ -79,6 +80,8 @@ XXH128_canonical_t checksum(const std::string& name, std::string_view content) {
 
 }  // namespace
 
+DiskCache occlusionCache(const std::string& folder) { return {folder, kOcclusionCacheBytes, {std::string(kPrefix)}}; }
+
 std::string occlusionCacheName(const Representation& representation, std::string_view how) {
     Hash hash;
     hash.add(kVersion).add(std::uint64_t{how.size()}).add(how.data(), how.size());
@@ -88,7 +91,7 @@ std::string occlusionCacheName(const Representation& representation, std::string
     hash.add(std::bit_cast<std::uint64_t>(representation.radius));
     addCopies(hash, representation.copies);
     const XXH128_canonical_t result = hash.result();
-    std::string name = "occlusion-";
+    std::string name(kPrefix);
     for (const unsigned char byte : result.digest) {
         char hex[3];
         std::snprintf(hex, sizeof hex, "%02x", byte);
@@ -98,7 +101,7 @@ std::string occlusionCacheName(const Representation& representation, std::string
 }
 
 std::optional<FinishedOcclusion> readOcclusion(const DiskCache& cache, const std::string& name,
-                                               const Representation& representation) {
+                                               const Representation& representation, std::uint32_t mostSide) {
     const std::optional<std::string> file = cache.read(name);
     Header header;
     constexpr std::size_t kLeast = sizeof(Header) + sizeof(XXH128_canonical_t);
@@ -108,16 +111,18 @@ std::optional<FinishedOcclusion> readOcclusion(const DiskCache& cache, const std
     if (std::memcmp(expected.digest, file->data() + content.size(), sizeof expected.digest) != 0) return std::nullopt;
     std::memcpy(&header, content.data(), sizeof header);
 
-    const std::uint64_t texels = std::uint64_t{header.width} * header.height;
-    const std::uint64_t bits = (std::uint64_t{header.sphereCount} + 7) / 8;
     const Header fresh;
     if (std::memcmp(header.magic, fresh.magic, sizeof fresh.magic) != 0 || header.version != kVersion ||
-        header.sphereCount != representation.spheres.size() ||
-        header.cylinderCount != representation.cylinders.size() || content.size() != sizeof header + texels + bits)
+        header.sphereCount != representation.spheres.size() || header.cylinderCount != representation.cylinders.size())
         return std::nullopt;
     FinishedOcclusion finished;
     finished.layout = {header.sphereEdge, header.around,     header.along,       header.width,
                        header.height,     header.sphereRows, header.sphereCount, header.cylinderCount};
+    const std::uint64_t texels = std::uint64_t{header.width} * header.height;
+    const std::uint64_t bits = (std::uint64_t{header.sphereCount} + 7) / 8;
+    if (!holdsItsPatches(finished.layout, mostSide) || content.size() != sizeof header + texels + bits ||
+        header.openTexels > finished.layout.texelCount())
+        return std::nullopt;
     const auto* atlas = reinterpret_cast<const std::uint8_t*>(content.data()) + sizeof header;
     finished.atlas.assign(atlas, atlas + texels);
     finished.seenSpheres.resize(header.sphereCount);

@@ -68,10 +68,10 @@ void SceneOcclusion::make(const RenderSettings& settings) {
     bake_.reset();
     passes::OcclusionOptions options{settings.occlusion.directions, settings.occlusion.bytes, settings.occlusion.maps};
     if (options.path == OcclusionMaps::automatic) options.path = automaticMaps(device_.caps(), nearest_);
-    cache_ = {settings.occlusion.cache, kOcclusionCacheBytes};
+    cache_ = occlusionCache(settings.occlusion.cache);
     cacheName_ = cache_.on() ? occlusionCacheName(representation_, howBaked(device_.caps(), options)) : "";
     worthKeeping_ = settings.occlusion.worthKeeping;
-    const auto kept = readOcclusion(cache_, cacheName_, representation_);
+    const auto kept = readOcclusion(cache_, cacheName_, representation_, device_.caps().maxImageSize);
     if (kept)
         bake_ = std::make_unique<passes::OcclusionBake>(device_, executor_, geometry_, pipelines_, scene_,
                                                         representation_, options, *kept);

@@ -1,74 +1,102 @@
 #include "engine/storage/disk_cache.h"
 
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
+#include <cerrno>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <random>
-#include <system_error>
-#include <vector>
+#include <memory>
+
+#include "engine/storage/plain_file.h"
 
 namespace nacre {
 namespace fs = std::filesystem;
 
 namespace {
 
-constexpr auto kUnfinishedFor = std::chrono::hours(24);  // then whoever was writing it has gone
+constexpr std::int64_t kUnfinishedSeconds = 24 * 3600;  // then whoever was writing it has gone
+constexpr std::string_view kTemporary = ".new-";
 
-bool unfinished(const std::string& name) {
-    return name.front() == '.' || (name.size() > 5 && name.compare(name.size() - 5, 5, ".part") == 0);
-}
+// The Cache Directory Tagging Specification, https://bford.info/cachedir/
+constexpr const char* kTagName = "CACHEDIR.TAG";
+constexpr std::string_view kTag =
+    "Signature: 8a477f597d28d172789f06886806bc55\n"
+    "# Nacre keeps here what it can make or download again, and removes what it has not used for long.\n";
 
-/// A name that no other process or thread takes: the random number is a forked process's, too, and the process's number
-/// may be another's on a folder that machines share.
-std::string temporaryName() {
-    static const std::uint64_t process = (std::uint64_t{std::random_device{}()} << 32) | std::random_device{}();
-    static std::atomic<unsigned> count{0};
-    char name[64];
-    std::snprintf(name, sizeof name, ".new-%016llx-%ld-%u", static_cast<unsigned long long>(process),
-                  static_cast<long>(getpid()), count++);
-    return name;
-}
+bool unfinished(std::string_view name) { return name.starts_with(kTemporary) || name.ends_with(".part"); }
 
-struct Entry {
-    fs::path path;
-    std::uint64_t bytes;
-    fs::file_time_type used;
-    bool unfinished;
-};
+/// What the path itself is, be it a link.
+bool statusOf(const std::string& path, struct stat& status) { return lstat(path.c_str(), &status) == 0; }
 
-std::vector<Entry> entriesOf(const std::string& folder) {
-    std::vector<Entry> entries;
-    std::error_code error;
-    for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error)) {
-        std::error_code gone;  // another process may remove it meanwhile
-        const bool plain = i->is_regular_file(gone);
-        const std::uint64_t bytes = plain && !gone ? i->file_size(gone) : 0;
-        const fs::file_time_type used = i->last_write_time(gone);
-        if (plain && !gone) entries.push_back({i->path(), bytes, used, unfinished(i->path().filename().string())});
+bool writeAll(int file, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
     }
-    return entries;
+    return true;
+}
+
+std::vector<std::string> namesIn(const std::string& folder) {
+    struct Close {
+        void operator()(DIR* open) const { closedir(open); }
+    };
+    std::vector<std::string> names;
+    const std::unique_ptr<DIR, Close> open(opendir(folder.c_str()));
+    if (!open) return names;
+    while (const dirent* entry = readdir(open.get()))
+        if (const std::string name = entry->d_name; name != "." && name != "..") names.push_back(name);
+    return names;
 }
 
 }  // namespace
 
+struct DiskCache::File {
+    std::string path;
+    std::uint64_t bytes;
+    std::int64_t used;  ///< seconds
+    std::int64_t nanoseconds;
+    bool unfinished;
+};
+
+std::string DiskCache::temporaryName() { return std::string(kTemporary) + unforeseenDigits(); }
+
 std::string DiskCache::pathOf(std::string_view name) const { return (fs::path(folder_) / name).string(); }
+
+bool DiskCache::isEntry(std::string_view name) const {
+    return name.starts_with(kTemporary) || std::any_of(prefixes_.begin(), prefixes_.end(),
+                                                       [&](const auto& prefix) { return name.starts_with(prefix); });
+}
+
+/// Whether the folder is a cache of ours.
+bool DiskCache::isOwn() const { return readPlain(pathOf(kTagName), kTag.size()) == kTag; }
+
+std::vector<DiskCache::File> DiskCache::files() const {
+    std::vector<File> files;
+    for (const std::string& name : namesIn(folder_)) {
+        struct stat status {};
+        const std::string path = pathOf(name);
+        if (!isEntry(name) || !statusOf(path, status) || !S_ISREG(status.st_mode)) continue;
+#ifdef __APPLE__
+        const timespec used = status.st_mtimespec;
+#else
+        const timespec used = status.st_mtim;
+#endif
+        files.push_back(
+            {path, static_cast<std::uint64_t>(status.st_size), used.tv_sec, used.tv_nsec, unfinished(name)});
+    }
+    return files;
+}
 
 std::optional<std::string> DiskCache::read(std::string_view name) const {
     if (!on()) return std::nullopt;
-    const std::string path = pathOf(name);
-    // The size is the opened file's: another process may put a new one in its place at any moment.
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
-    const auto size = static_cast<std::streamoff>(file.tellg());
-    if (!file || size < 0 || static_cast<std::uint64_t>(size) > maxBytes_) return std::nullopt;
-    std::string bytes(static_cast<std::size_t>(size), '\0');
-    if (!file.seekg(0) || !file.read(bytes.data(), size)) return std::nullopt;
-    std::error_code ignored;
-    fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
+    std::optional<std::string> bytes = readPlain(pathOf(name), maxBytes_);
+    if (bytes) utimensat(AT_FDCWD, pathOf(name).c_str(), nullptr, AT_SYMLINK_NOFOLLOW);
     return bytes;
 }
 
@@ -76,14 +104,16 @@ bool DiskCache::write(std::string_view name, std::span<const std::string_view> p
     std::uint64_t size = 0;
     for (const std::string_view part : parts) size += part.size();
     if (!on() || size > maxBytes_ || !makeFolder()) return false;
-    const std::string temporary = pathOf(temporaryName());
-    std::error_code error;
-    std::ofstream file(temporary, std::ios::binary | std::ios::trunc);
-    for (const std::string_view part : parts) file.write(part.data(), static_cast<std::streamsize>(part.size()));
-    file.close();
-    if (file) fs::rename(temporary, pathOf(name), error);
-    if (!file || error) {
-        fs::remove(temporary, error);
+    const std::string temporary = pathOf(temporaryName()), path = pathOf(name);
+    const int file = openPlain(temporary, O_WRONLY | O_CREAT | O_EXCL, 0600);
+    if (file < 0) return false;
+    bool whole = true;
+    for (const std::string_view part : parts) whole = whole && writeAll(file, part);
+    whole = close(file) == 0 && whole;
+    struct stat before {};
+    const bool free = !statusOf(path, before) || S_ISREG(before.st_mode);
+    if (!whole || !free || std::rename(temporary.c_str(), path.c_str()) != 0) {
+        unlink(temporary.c_str());
         return false;
     }
     trim();
@@ -91,27 +121,44 @@ bool DiskCache::write(std::string_view name, std::span<const std::string_view> p
 }
 
 void DiskCache::remove(std::string_view name) const {
-    std::error_code ignored;
-    if (on()) fs::remove(pathOf(name), ignored);
+    struct stat status {};
+    if (on() && statusOf(pathOf(name), status) && S_ISREG(status.st_mode)) unlink(pathOf(name).c_str());
 }
 
 bool DiskCache::makeFolder() const {
     std::error_code error;
     fs::create_directories(folder_, error);
-    return !error;
+    if (error) return false;
+    if (isOwn()) return true;
+    for (const std::string& name : namesIn(folder_)) {
+        struct stat status {};
+        if (name != kTagName && (!isEntry(name) || !statusOf(pathOf(name), status) || !S_ISREG(status.st_mode)))
+            return false;
+    }
+    const std::string temporary = pathOf(temporaryName());
+    const int file = openPlain(temporary, O_WRONLY | O_CREAT | O_EXCL, 0600);
+    if (file < 0) return false;
+    const bool whole = writeAll(file, kTag);
+    close(file);
+    // Nobody's tag is overwritten: another one there makes this somebody else's cache, unless it is ours by now.
+    const bool made = whole && link(temporary.c_str(), pathOf(kTagName).c_str()) == 0;
+    unlink(temporary.c_str());
+    return made || isOwn();
 }
 
 void DiskCache::trim() const {
-    std::vector<Entry> entries = entriesOf(folder_);
+    if (!on() || !isOwn()) return;
+    std::vector<File> all = files();
     std::uint64_t total = 0;
-    for (const Entry& entry : entries) total += entry.bytes;
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.used < b.used; });
-    const fs::file_time_type now = fs::file_time_type::clock::now();
-    for (const Entry& entry : entries) {
-        const bool stale = entry.unfinished && now - entry.used > kUnfinishedFor;
-        if (entry.unfinished ? !stale : total <= maxBytes_) continue;
-        std::error_code error;
-        if (fs::remove(entry.path, error)) total -= entry.bytes;
+    for (const File& file : all) total += file.bytes;
+    std::sort(all.begin(), all.end(), [](const File& a, const File& b) {
+        return a.used != b.used ? a.used < b.used : a.nanoseconds < b.nanoseconds;
+    });
+    const std::int64_t now = time(nullptr);
+    for (const File& file : all) {
+        const bool stale = file.unfinished && now - file.used > kUnfinishedSeconds;
+        if (file.unfinished ? !stale : total <= maxBytes_) continue;
+        if (unlink(file.path.c_str()) == 0) total -= file.bytes;
     }
 }
 

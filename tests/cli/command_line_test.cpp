@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "render sample:dna -o a.png --visibility best", "render sample:dna -o a.png --prepass 1",
                     "render sample:dna -o a.png --merge no", "render sample:dna -o a.png --capture a.png",
                     "render sample:dna -o a.png --capture a", "render a.rdc -o a.png --capture ./a.rdc", "info",
-                    "info --frob sample:dna", "info sample:dna extra", "devices extra", "--version info sample:dna"));
+                    "info --frob sample:dna", "bench sample:dna extra", "devices extra", "--version info sample:dna"));
 
 struct Failure {
     const char* arguments;

@@ -93,7 +93,7 @@ TEST_F(DownloadCommand, SeveralAtOnceLeaveOneWholeFile) {
         const MeasuredRun done = run.get();
         EXPECT_TRUE(hasAll(done)) << done.err;
     }
-    EXPECT_EQ(std::distance(fs::directory_iterator(entry().parent_path()), {}), 1);
+    EXPECT_EQ(std::distance(fs::directory_iterator(entry().parent_path()), {}), 2);  // and the cache's tag
     const std::size_t asked = server_.requests().size();
     RunOptions offline = options("ok");
     EXPECT_TRUE(hasAll(test::runMeasured({"info", "pdb:1bna", "--json", "--offline"}, offline)));

@@ -84,7 +84,7 @@ protected:
         std::vector<std::string> names;
         if (fs::exists(settings_.cacheFolder))
             for (const auto& entry : fs::directory_iterator(settings_.cacheFolder))
-                names.push_back(entry.path().filename().string());
+                if (entry.path().filename() != "CACHEDIR.TAG") names.push_back(entry.path().filename().string());
         std::sort(names.begin(), names.end());
         return names;
     }

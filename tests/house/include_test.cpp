@@ -50,6 +50,9 @@ const std::vector<Arrows> kArrows = {
     {"engine/", {"engine/"}},
 
     {"app/shared/", {"engine/*.h", "engine/molecule/", "engine/scene/"}},
+    {"app/shared/output_file.cpp", {"app/shared/", "engine/*.h", "engine/storage/"}},
+    {"app/shared/image_file.cpp", {"app/shared/", "engine/*.h", "engine/storage/"}},
+    {"app/viewer/kept_files.cpp", {"app/viewer/", "app/shared/", "engine/*.h", "engine/storage/"}},
     {"app/download/", {"app/shared/", "engine/*.h", "engine/molecule/", "engine/storage/"}},
     {"app/viewer/", {"app/shared/", "engine/*.h", "engine/molecule/", "engine/scene/"}},
     {"app/panel/", {"app/viewer/", "app/shared/", "engine/*.h", "engine/molecule/", "engine/scene/"}},

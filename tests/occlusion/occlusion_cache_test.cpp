@@ -46,7 +46,8 @@ protected:
     std::vector<fs::path> files() const {
         std::vector<fs::path> list;
         if (fs::exists(folder_ / "cache"))
-            for (const auto& entry : fs::directory_iterator(folder_ / "cache")) list.push_back(entry.path());
+            for (const auto& entry : fs::directory_iterator(folder_ / "cache"))
+                if (entry.path().filename() != "CACHEDIR.TAG") list.push_back(entry.path());
         return list;
     }
 

@@ -57,7 +57,7 @@ TEST(OcclusionCacheName, IsOfShapesAndWaysNotOfColours) {
 
 TEST(OcclusionCache, GivesBackEveryBit) {
     const TemporaryFolder folder;
-    const DiskCache cache(folder.path(), kOcclusionCacheBytes);
+    const DiskCache cache(folder.path(), kOcclusionCacheBytes, {"name", "other"});
     const Representation r = twoSpheresAndABond();
     EXPECT_FALSE(readOcclusion(cache, "name", r));
     const FinishedOcclusion bake = someBake();
@@ -75,7 +75,7 @@ TEST(OcclusionCache, GivesBackEveryBit) {
 
 TEST(OcclusionCache, EveryTruncationAndEveryFlippedBitIsFound) {
     const TemporaryFolder folder;
-    const DiskCache cache(folder.path(), kOcclusionCacheBytes);
+    const DiskCache cache(folder.path(), kOcclusionCacheBytes, {"name", "other"});
     const Representation r = twoSpheresAndABond();
     ASSERT_TRUE(writeOcclusion(cache, "name", someBake()));
     const std::string whole = test::contentOf(cache.pathOf("name"));
@@ -93,9 +93,40 @@ TEST(OcclusionCache, EveryTruncationAndEveryFlippedBitIsFound) {
     }
 }
 
+TEST(OcclusionCache, AForgedFileIsAMiss) {
+    const TemporaryFolder folder;
+    const DiskCache cache(folder.path(), kOcclusionCacheBytes, {"name"});
+    const Representation r = twoSpheresAndABond();
+    const std::function<void(FinishedOcclusion&)> forgeries[] = {
+        [](FinishedOcclusion& f) { f.layout.sphereEdge = 0; },
+        [](FinishedOcclusion& f) { f.layout.around = 0; },
+        [](FinishedOcclusion& f) { f.layout.along = 0; },
+        [](FinishedOcclusion& f) { f.layout.sphereEdge = 0xffffffff; },
+        [](FinishedOcclusion& f) { f.layout.sphereEdge = 16; },  // two rows of it do not fit
+        [](FinishedOcclusion& f) { f.layout.around = 20; },      // wider than the atlas
+        [](FinishedOcclusion& f) { f.layout.sphereRows = 5; },
+        [](FinishedOcclusion& f) { f.layout.sphereRows = 0xffffffff; },
+        [](FinishedOcclusion& f) { f.openTexels = 57; },
+        [](FinishedOcclusion& f) {
+            f.layout.width = f.layout.height = 0;
+            f.atlas.clear();
+        },
+        [](FinishedOcclusion& f) {
+            f.layout.width = 0x80000000;  // times two it is nothing in 32 bits
+            f.layout.height = 2;
+            f.atlas.clear();
+        }};
+    for (const auto& forge : forgeries) {
+        FinishedOcclusion bake = someBake();
+        forge(bake);
+        ASSERT_TRUE(writeOcclusion(cache, "name", bake));
+        EXPECT_FALSE(readOcclusion(cache, "name", r)) << (&forge - forgeries);
+    }
+}
+
 TEST(OcclusionCache, AFileUnderAnothersNameIsFound) {
     const TemporaryFolder folder;
-    const DiskCache cache(folder.path(), kOcclusionCacheBytes);
+    const DiskCache cache(folder.path(), kOcclusionCacheBytes, {"name", "other"});
     ASSERT_TRUE(writeOcclusion(cache, "name", someBake()));
     std::filesystem::rename(cache.pathOf("name"), cache.pathOf("other"));
     EXPECT_FALSE(readOcclusion(cache, "other", twoSpheresAndABond()));
@@ -103,7 +134,7 @@ TEST(OcclusionCache, AFileUnderAnothersNameIsFound) {
 
 TEST(OcclusionCache, WhatDoesNotFitTheSceneIsNotTaken) {
     const TemporaryFolder folder;
-    const DiskCache cache(folder.path(), kOcclusionCacheBytes);
+    const DiskCache cache(folder.path(), kOcclusionCacheBytes, {"name", "other"});
     ASSERT_TRUE(writeOcclusion(cache, "name", someBake()));
     Representation other = twoSpheresAndABond();
     other.spheres.push_back({{9, 9, 9}, 1});
