@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/device_options.h"
+#include "engine/devices.h"
 #include "engine/results.h"
 #include "engine/scene/representation.h"
 #include "engine/settings.h"
@@ -82,11 +83,5 @@ private:
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
-
-/// Whether this program was built to capture frames.
-bool capturesBuilt();
-
-/// Every Vulkan device of this machine, in the order that DeviceOptions::device counts them. @throws Error
-std::vector<DeviceInfo> listDevices();
 
 }  // namespace nacre

@@ -1,14 +1,13 @@
 #version 450
 // The impostor polygon of a cylinder: a rectangle along its axis, flat, at the cylinder's nearest depth.
 #extension GL_GOOGLE_include_directive : require
-#include "common/view.glsl"
+#include "common/atlas.glsl"
 #include "common/outline.glsl"
 
 layout(location = 0) in vec4 inA;  // xyz, radius
 layout(location = 1) in vec4 inB;
 #ifdef LOOK
 layout(location = 2) in uvec4 inLook;
-layout(location = 3) in uint inPatch;
 layout(location = 2) flat out uvec4 look;
 layout(location = 3) flat out vec4 axisPatch;  // object-space axis, patch address as bits
 #endif
@@ -32,7 +31,7 @@ void main() {
     endB = vec4(b, 0.0);
 #ifdef LOOK
     look = inLook;
-    axisPatch = vec4(normalize(inB.xyz - inA.xyz), uintBitsToFloat(inPatch));
+    axisPatch = vec4(normalize(inB.xyz - inA.xyz), uintBitsToFloat(cylinderPatch(uint(gl_InstanceIndex))));
 #endif
 #ifdef NUMBER
     // After the copy's spheres.

@@ -16,7 +16,7 @@ layout(set = 0, binding = 1) uniform usampler2D primitives;
 uint primitiveHere() { return texelFetch(primitives, ivec2(gl_FragCoord.xy), 0).x; }
 #endif
 layout(set = 0, binding = 2, std430) readonly buffer Shapes { vec4 shapes[]; };
-layout(set = 0, binding = 3, std430) readonly buffer Looks { uint looks[]; };  // three a sphere, five a cylinder
+layout(set = 0, binding = 3, std430) readonly buffer Looks { uint looks[]; };  // two a sphere, four a cylinder
 layout(set = 0, binding = 4, std430) readonly buffer CopyRows { vec4 copyRows[]; };  // three a copy
 
 void main() {
@@ -34,8 +34,7 @@ void main() {
         vec4 shape = shapes[index];
         precise vec3 center = toView(shape.xyz);
         Hit hit = sphereHit(vec4(center, shape.w), gl_FragCoord.xy);
-        uint look = 3u * index;
-        writeSurface(hit, looks[look], looks[look + 1u], sphereOcclusion(hit, looks[look + 2u]));
+        writeSurface(hit, looks[2u * index], looks[2u * index + 1u], sphereOcclusion(hit, spherePatch(index)));
         return;
     }
     index -= spheres;
@@ -44,8 +43,7 @@ void main() {
     precise vec3 a = toView(shapeA.xyz);
     precise vec3 b = toView(shapeB);
     Hit hit = cylinderHit(a, b, shapeA.w, gl_FragCoord.xy);
-    uint first = 3u * spheres + 5u * index;
-    uint look = first + (hit.along < 0.5 ? 0u : 1u);
-    float occlusion = cylinderOcclusion(hit, normalize(shapeB - shapeA.xyz), looks[first + 4u]);
+    uint look = 2u * spheres + 4u * index + (hit.along < 0.5 ? 0u : 1u);
+    float occlusion = cylinderOcclusion(hit, normalize(shapeB - shapeA.xyz), cylinderPatch(index));
     writeSurface(hit, looks[look], looks[look + 2u], occlusion);
 }

@@ -1,11 +1,12 @@
 # Compiles every stage at build time, validates it, and embeds it as words.
-# nacre_shader(NAME SOURCE [DEFINE...]) makes `inline const std::uint32_t NAME[]` in the header "shaders.h".
+# nacre_shader(NAME SOURCE [DEFINE...]) makes the header NAME.h with `inline const std::uint32_t NAME[]`; the engine's own
+# are declared in "shaders.h" and defined in shaders.cpp, so that no other file reads their words.
 set(NACRE_SHADER_DIR ${CMAKE_BINARY_DIR}/shaders)
 file(MAKE_DIRECTORY ${NACRE_SHADER_DIR})
 file(GLOB NACRE_SHADER_COMMON CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/common/*)
 set(NACRE_SHADER_EMBED ${CMAKE_SOURCE_DIR}/shaders/embed.cmake)
 set(NACRE_SHADER_HEADERS)
-set(NACRE_SHADER_INCLUDES "#pragma once\n#include <cstdint>\nnamespace nacre::shaders {\n")
+set(NACRE_SHADER_NAMES)
 
 function(nacre_shader name source)
     set(input ${CMAKE_SOURCE_DIR}/shaders/${source})
@@ -22,8 +23,7 @@ function(nacre_shader name source)
         COMMENT "Shader ${name}"
         VERBATIM)
     set(NACRE_SHADER_HEADERS ${NACRE_SHADER_HEADERS} ${header} PARENT_SCOPE)
-    string(APPEND NACRE_SHADER_INCLUDES "#include \"${name}.h\"\n")
-    set(NACRE_SHADER_INCLUDES ${NACRE_SHADER_INCLUDES} PARENT_SCOPE)
+    set(NACRE_SHADER_NAMES ${NACRE_SHADER_NAMES} ${name} PARENT_SCOPE)
 endfunction()
 
 # A fragment stage comes twice: as it is, and counting what it shades.
@@ -31,7 +31,7 @@ function(nacre_fragment name source)
     nacre_shader(${name} ${source} ${ARGN})
     nacre_shader(${name}Counting ${source} ${ARGN} COUNT)
     set(NACRE_SHADER_HEADERS ${NACRE_SHADER_HEADERS} PARENT_SCOPE)
-    set(NACRE_SHADER_INCLUDES ${NACRE_SHADER_INCLUDES} PARENT_SCOPE)
+    set(NACRE_SHADER_NAMES ${NACRE_SHADER_NAMES} PARENT_SCOPE)
 endfunction()
 
 nacre_shader(plateVertex plate.vert)
@@ -80,8 +80,17 @@ nacre_shader(occlusionSplatSphere occlusion_splat.comp)
 nacre_shader(occlusionSplatCylinder occlusion_splat.comp CYLINDER)
 nacre_shader(occlusionFinish occlusion_finish.comp)
 
-file(CONFIGURE OUTPUT ${NACRE_SHADER_DIR}/shaders.h CONTENT "${NACRE_SHADER_INCLUDES}}  // namespace nacre::shaders\n")
-add_custom_target(nacre_shader_files DEPENDS ${NACRE_SHADER_HEADERS})
-add_library(nacre_shaders INTERFACE)
-target_include_directories(nacre_shaders INTERFACE ${NACRE_SHADER_DIR})
-add_dependencies(nacre_shaders nacre_shader_files)
+set(declarations "#pragma once\n#include <cstdint>\n#include <span>\nnamespace nacre::shaders {\n")
+set(definitions "#include \"shaders.h\"\nnamespace nacre::shaders {\nnamespace words {\n")
+foreach(name ${NACRE_SHADER_NAMES})
+    string(APPEND declarations "extern const std::span<const std::uint32_t> ${name};\n")
+    string(APPEND definitions "#include \"${name}.h\"\n")
+endforeach()
+string(APPEND definitions "}  // namespace words\n")
+foreach(name ${NACRE_SHADER_NAMES})
+    string(APPEND definitions "constinit const std::span<const std::uint32_t> ${name}(words::${name});\n")
+endforeach()
+file(CONFIGURE OUTPUT ${NACRE_SHADER_DIR}/shaders.h CONTENT "${declarations}}  // namespace nacre::shaders\n")
+file(CONFIGURE OUTPUT ${NACRE_SHADER_DIR}/shaders.cpp CONTENT "${definitions}}  // namespace nacre::shaders\n")
+set_source_files_properties(${NACRE_SHADER_DIR}/shaders.cpp PROPERTIES OBJECT_DEPENDS "${NACRE_SHADER_HEADERS}"
+                            SKIP_PRECOMPILE_HEADERS ON)

@@ -1,13 +1,13 @@
 #version 450
 // The impostor polygon of a sphere: flat, at the sphere's nearest depth, around its silhouette.
 #extension GL_GOOGLE_include_directive : require
-#include "common/view.glsl"
+#include "common/atlas.glsl"
 #include "common/outline.glsl"
 
 layout(location = 0) in vec4 inSphere;
 #ifdef LOOK
-layout(location = 1) in uvec3 inLook;
-layout(location = 1) flat out uvec3 look;
+layout(location = 1) in uvec2 inLook;
+layout(location = 1) flat out uvec3 look;  // colour, atom, patch
 #endif
 layout(location = 0) flat out vec4 sphere;
 #ifdef NUMBER
@@ -20,7 +20,7 @@ void main() {
     float radius = inSphere.w;
     sphere = vec4(center, radius);
 #ifdef LOOK
-    look = inLook;
+    look = uvec3(inLook, spherePatch(uint(gl_InstanceIndex)));
 #endif
 #ifdef NUMBER
     primitive = view.numberBefore + uint(gl_InstanceIndex) + 1u;

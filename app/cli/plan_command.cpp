@@ -22,10 +22,11 @@ void chooseBySet(const PlanOptions& options, PlanReport& report) {
     report.plannedWith = set.plan;
     report.facts = set.facts;
     const bool automatic = options.device.visibility == Visibility::automatic;
-    report.visibility = automatic ? set.visibility : options.device.visibility;
+    const graph::VisibilityChoice choice = graph::chooseVisibility(set.kind, set.plan);
+    report.visibility = automatic ? choice.visibility : options.device.visibility;
     if (report.visibility == Visibility::rasterOrder && !set.plan.rasterOrder)
         throw Error("cannot draw by raster-order", set.plan.name, "it does not read its own attachments in order");
-    report.why = automatic ? set.why : "asked for";
+    report.why = automatic ? choice.why : "asked for";
     report.encoded = formatOf(set.encoded);
     if (options.device.encoded == EncodedDepth::automatic) return;
     // The ladder stands finest first: a device blends its own rung and all coarser ones.
@@ -59,11 +60,8 @@ PlanReport planReport(const PlanOptions& options) {
         chooseByDevice(options, report);
     else
         chooseBySet(options, report);
-    report.frame = screenFrame({report.extent,
-                                nearestOf(report.visibility),
-                                report.encoded,
-                                {VK_FORMAT_R8_UNORM, {1024, 1024}},
-                                kScreenTargets});
+    report.frame = screenFrame(
+        {report.extent, report.visibility, report.encoded, {VK_FORMAT_R8_UNORM, {1024, 1024}}, kScreenTargets});
     for (const graph::Image target : report.frame.targets) report.frame.graph.output(target);
     graph::PlanCaps& caps = report.plannedWith;
     caps.merge = caps.merge && options.merge;
@@ -126,12 +124,6 @@ std::vector<std::string> stageNames(VkPipelineStageFlags stages) {
 std::uint64_t bytesOf(const graph::ImageDecl& image) {
     return std::uint64_t{graph::bytesPerTexel(image.desc.format)} * image.desc.extent.width * image.desc.extent.height *
            image.desc.layers * image.desc.samples;
-}
-
-std::uint32_t tileBytesOf(const graph::Plan& plan) {
-    std::uint32_t most = 0;
-    for (const graph::Step& step : plan.steps) most = std::max(most, step.renderPass.tileBytesPerPixel);
-    return most;
 }
 
 void planCommand(const PlanOptions& options, std::ostream& out) {

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "app/cli/options.h"
-#include "engine/frame/screen_frame.h"
+#include "engine/frame/pass_notes.h"
+#include "engine/frame/screen.h"
 #include "engine/graph/capability_sets.h"
 
 namespace nacre::app {
@@ -48,7 +49,5 @@ std::string nameOf(const graph::Graph& graph, const graph::RenderPassPlan& pass)
 std::vector<std::string> stageNames(VkPipelineStageFlags stages);
 /// Bytes of an image, all its pixels, samples and layers.
 std::uint64_t bytesOf(const graph::ImageDecl& image);
-/// What the tile must hold for a pixel at most, beside hardware depth.
-std::uint32_t tileBytesOf(const graph::Plan& plan);
 
 }  // namespace nacre::app

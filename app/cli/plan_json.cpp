@@ -57,9 +57,9 @@ Json fetchJson(const Fetch& fetch) {
 
 Json passesJson(const PlanReport& report) {
     Json list = Json::array();
-    for (std::size_t p = 0; p < report.frame.passes.size(); ++p) {
-        const ScreenPass& notes = report.frame.passes[p];
-        list.push_back({{"name", report.frame.graph.passes()[p].name},
+    for (const graph::PassDecl& pass : report.frame.graph.passes()) {
+        const PassNotes notes = notesOf(pass);
+        list.push_back({{"name", pass.name},
                         {"depth_test", depthTimingName(notes.depth)},
                         {"depth_test_why", notes.why},
                         {"binning_bytes", fetchJson(notes.binning)},
@@ -89,7 +89,7 @@ std::string planJson(const PlanReport& report) {
               {"merge", report.plannedWith.merge},
               {"render_passes", Json::array()},
               {"passes", passesJson(report)},
-              {"tile_bytes_per_pixel", tileBytesOf(report.plan)},
+              {"tile_bytes_per_pixel", graph::tileBytesPerPixel(report.plan)},
               {"tile_bytes_per_pixel_budget", report.plannedWith.tileBytesPerPixel}};
     for (const graph::Step& step : report.plan.steps)
         json["render_passes"].push_back(renderPassJson(report, step.renderPass));

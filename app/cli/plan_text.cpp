@@ -97,18 +97,18 @@ std::string fetchText(const Fetch& fetch) {
 
 void passesText(std::ostream& out, const PlanReport& report) {
     std::vector<Row> rows{{"pass", "depth test", "binning", "shading"}};
-    const auto& passes = report.frame.graph.passes();
-    for (std::size_t p = 0; p < passes.size(); ++p) {
-        const ScreenPass& notes = report.frame.passes[p];
-        rows.push_back(
-            {passes[p].name, depthTimingName(notes.depth), fetchText(notes.binning), fetchText(notes.shading)});
+    for (const graph::PassDecl& pass : report.frame.graph.passes()) {
+        const PassNotes notes = notesOf(pass);
+        rows.push_back({pass.name, depthTimingName(notes.depth), fetchText(notes.binning), fetchText(notes.shading)});
     }
     out << "bytes fetched for each sphere / cylinder\n";
     table(out, "  ", rows);
-    for (std::size_t p = 0; p < passes.size(); ++p)
-        out << "  " << passes[p].name << '\n'
-            << "    depth: " << report.frame.passes[p].why << '\n'
-            << "    " << report.frame.passes[p].precision << '\n';
+    for (const graph::PassDecl& pass : report.frame.graph.passes()) {
+        const PassNotes notes = notesOf(pass);
+        out << "  " << pass.name << '\n'
+            << "    depth: " << notes.why << '\n'
+            << "    " << notes.precision << '\n';
+    }
     out << '\n';
 }
 

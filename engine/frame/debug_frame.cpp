@@ -6,12 +6,11 @@ namespace nacre {
 namespace {
 
 using graph::Clear;
-using passes::Nearest;
-using passes::Writes;
+using passes::Output;
 
-constexpr ScreenTarget kSurface{"surface", VK_FORMAT_R32G32B32A32_SFLOAT, Writes::surface};
-constexpr ScreenTarget kIdentity{"identity", VK_FORMAT_R32G32_UINT, Writes::identity};
-constexpr ScreenTarget kShaded{"shaded", VK_FORMAT_R8G8B8A8_SRGB, Writes::color};
+constexpr ScreenTarget kSurface{"surface", VK_FORMAT_R32G32B32A32_SFLOAT, Output::surface, "surface layer"};
+constexpr ScreenTarget kIdentity{"identity", VK_FORMAT_R32G32_UINT, Output::identity, "identity layer"};
+constexpr ScreenTarget kShaded{"shaded", VK_FORMAT_R8G8B8A8_SRGB, Output::color, "impostor colour"};
 
 /// What the screen frame draws for a view.
 std::span<const ScreenTarget> drawnFor(DebugView view) {
@@ -29,33 +28,51 @@ std::span<const ScreenTarget> drawnFor(DebugView view) {
     }
 }
 
-/// Adds the passes between the screen frame's and the picture.
-DebugInputs inputsOf(DebugView view, ScreenFrame& frame, graph::Extent extent, const ScreenRecord& record,
-                     const DebugRecord& show) {
-    graph::Graph& g = frame.graph;
-    if (view == DebugView::encoded) return {frame.nearest, {}};
-    if (view == DebugView::patches) return {frame.atlas, {}};
-    if (view == DebugView::plates) {
-        // Once more, for themselves: on some paths the frame's own depth goes on to hold the impostors.
-        const auto plates = g.image("plates", {VK_FORMAT_D32_SFLOAT, extent});
-        auto pass = g.graphics(passes::nameOf(Writes::plates));
-        pass.depth(plates, Clear{1.0f});
-        if (record) pass.record(record(Writes::plates, {frame.atlas, frame.nearest}));
-        return {plates, frame.targets[0], true};
-    }
-    if (view != DebugView::overdraw && view != DebugView::tiles) return {frame.targets[0], {}};
-    const auto counts = g.image("overdraw", {VK_FORMAT_R8_UNORM, extent});
-    auto pass = g.graphics(passes::nameOf(Writes::overdraw));
-    pass.depthTest(frame.depth).color(counts, Clear{0.0f});
-    if (record) pass.record(record(Writes::overdraw, {frame.atlas, frame.nearest}));
-    if (view == DebugView::overdraw) return {counts, {}};
+/// What the view is made of.
+struct Shown {
+    graph::Image source;
+    std::optional<graph::Image> under;
+};
+
+/// The prepass once more, for itself: on some paths the frame's own depth goes on to hold the impostors.
+graph::Image addPlates(ScreenFrame& f, graph::Extent extent, const Recorder& draw) {
+    const auto plates = f.graph.image("plates", {VK_FORMAT_D32_SFLOAT, extent});
+    f.graph.graphics("opaque prepass").depth(plates, Clear{1.0f}).record(draw.plates());
+    return plates;
+}
+
+graph::Image addOverdraw(ScreenFrame& f, graph::Extent extent, const Recorder& draw) {
+    const auto counts = f.graph.image("overdraw", {VK_FORMAT_R8_UNORM, extent});
+    f.graph.graphics("overdraw").depthTest(f.depth).color(counts, Clear{0.0f}).record(draw.overdraw());
+    return counts;
+}
+
+graph::Image addTileMeans(ScreenFrame& f, graph::Extent extent, graph::Image counts, const Recorder& draw) {
     const auto tilesAcross = [](std::uint32_t pixels) { return (pixels + kDebugTile - 1) / kDebugTile; };
     const auto tiles =
-        g.image("tiles", {VK_FORMAT_R32_SFLOAT, {tilesAcross(extent.width), tilesAcross(extent.height)}});
-    auto mean = g.graphics("tile mean");
-    mean.samples(counts).color(tiles);
-    if (show) mean.record(show({counts, {}, false, true}));
-    return {tiles, counts, true};
+        f.graph.image("tiles", {VK_FORMAT_R32_SFLOAT, {tilesAcross(extent.width), tilesAcross(extent.height)}});
+    f.graph.graphics("tile mean").samples(counts).color(tiles).record(draw.tileMean(kDebugTile, counts));
+    return tiles;
+}
+
+/// Adds the passes between the screen frame's and the picture.
+Shown addShown(DebugView view, ScreenFrame& f, graph::Extent extent, const Recorder& draw) {
+    switch (view) {
+        case DebugView::encoded:
+            return {f.nearest, {}};
+        case DebugView::patches:
+            return {f.atlas, {}};
+        case DebugView::plates:
+            return {addPlates(f, extent, draw), f.targets[0]};
+        case DebugView::overdraw:
+            return {addOverdraw(f, extent, draw), {}};
+        case DebugView::tiles: {
+            const graph::Image counts = addOverdraw(f, extent, draw);
+            return {addTileMeans(f, extent, counts, draw), counts};
+        }
+        default:
+            return {f.targets[0], {}};
+    }
 }
 
 }  // namespace
@@ -66,37 +83,32 @@ std::span<const char* const> debugViewNames() {
     return kNames;
 }
 
-Nearest debugNearest(DebugView view, Nearest usual) {
+Visibility debugVisibility(DebugView view, Visibility usual) {
     switch (view) {
         case DebugView::encoded:
-            return Nearest::encoded;
+            return Visibility::encoded;
         case DebugView::overdraw:
         case DebugView::tiles:
         case DebugView::patches:
-            return Nearest::fragdepth;  // the prepass alone
+            return Visibility::fragdepth;  // the prepass alone
         default:
             // A float picture beside the nearest depth would not fit the tile.
-            return usual == Nearest::rasterOrder ? Nearest::fragdepth : usual;
+            return usual == Visibility::rasterOrder ? Visibility::fragdepth : usual;
     }
 }
 
-ScreenFrame debugFrame(DebugView view, const ScreenFrameOptions& options, const ScreenRecord& record,
-                       const DebugRecord& show) {
-    ScreenFrameOptions drawn = options;
+ScreenFrame debugFrame(DebugView view, const ScreenOptions& options, const Recorder& recorder) {
+    ScreenOptions drawn = options;
     drawn.targets = drawnFor(view);
-    ScreenFrame frame = screenFrame(drawn, record);
-    const DebugInputs inputs = inputsOf(view, frame, options.extent, record, show);
+    ScreenFrame frame = screenFrame(drawn, recorder);
+    const Shown shown = addShown(view, frame, options.extent, recorder);
+    frame.targets.clear();
     const ScreenTarget& target = options.targets[0];
-    const graph::ImageDesc desc{target.format, options.extent};
-    const graph::Image picture = target.window ? frame.graph.importImage(target.image, desc, kWindowState, true)
-                                               : frame.graph.image(target.image, desc);
+    const graph::Image picture = frame.add(target, options.extent);
     graph::PassBuilder pass = frame.graph.graphics("debug view");
-    pass.samples(inputs.source);
-    if (inputs.hasUnder) pass.samples(inputs.under);
-    pass.color(picture, target.clear);
-    if (show) pass.record(show(inputs));
-    frame.targets = {picture};
-    frame.passes.clear();
+    pass.samples(shown.source);
+    if (shown.under) pass.samples(*shown.under);
+    pass.color(picture, target.clear).record(recorder.debugView(view, kDebugTile, shown.source, shown.under));
     return frame;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 // From what the device wrote to what a caller gets.
 
-#include "engine/renderer.h"
+#include <array>
+
+#include "engine/results.h"
 
 namespace nacre {
 

@@ -2,11 +2,11 @@
 
 #include "engine/frame/picture.h"
 #include "engine/passes/read_back.h"
+#include "engine/passes/resample.h"
 
 namespace nacre {
 namespace {
 
-using passes::Writes;
 using Quality = WindowFrame::Quality;
 
 constexpr VkFormat kPictureFormat = VK_FORMAT_R8G8B8A8_SRGB;
@@ -20,13 +20,14 @@ graph::Clear clearOf(const std::array<float, 4>& background) {
 
 }  // namespace
 
-WindowFrames::WindowFrames(const gpu::Device& device, gpu::Executor& executor, const SurfaceSource& source)
+WindowFrames::WindowFrames(const gpu::Device& device, gpu::Executor& executor, const SceneFrames& frames,
+                           const SurfaceSource& source)
     : device_(device),
       executor_(executor),
+      frames_(frames),
       swapchain_(device, source.create),
       ring_(device),
-      overlay_(device, executor),
-      resample_(device) {}
+      overlay_(device, executor) {}
 
 void WindowFrames::setGlyphs(const OverlayGlyphs& glyphs) {
     device_->waitIdle();
@@ -57,7 +58,7 @@ graph::Image WindowFrames::addPicture(ScreenFrame& frame, graph::Image picture, 
     const graph::Image window =
         frame.graph.importImage("window", {swapchain_.format(), swapchain_.extent()}, kWindowState, true);
     frame.graph.graphics("resample").samples(picture).color(window).record([=, this](gpu::PassContext& c) {
-        resample_.draw(c, c.view(picture), samples, coded());
+        passes::resample(c, c.view(picture), samples, coded());
     });
     return window;
 }
@@ -71,56 +72,62 @@ void WindowFrames::addOverlay(ScreenFrame& frame, graph::Image window, const Ove
 }
 
 /// The frame but for the overlay. Its last target is the window.
-ScreenFrame WindowFrames::declareFrame(const View& upright, const graph::Clear& clear, const WindowFrame& frame,
-                                       const Declare& declare, gpu::Imports& imports) {
-    View view = upright;
+ScreenFrame WindowFrames::declareFrame(const RenderSettings& settings, const WindowFrame& frame,
+                                       gpu::Imports& imports) {
+    View view = settings.view;
     view.quarterTurns = swapchain_.quarterTurns();
-    if (frame.quality == Quality::live && frame.scale == 1.0 && !coded()) {
-        const ScreenTarget target{"window", swapchain_.format(), Writes::color, clear, true};
-        return declare(view, {&target, 1}, "screen", imports);
+    if (frame.quality == Quality::kept) return declareKept(imports);
+    const graph::Clear clear = clearOf(settings.background);
+    ScreenTarget target{"colour", kPictureFormat, passes::Output::color, "impostor colour", clear};
+    if (frame.quality == Quality::refined) return declareRefined(settings, view, target, frame.samples, imports);
+    if (frame.scale == 1.0 && !coded()) {
+        target = {"window", swapchain_.format(), passes::Output::color, "impostor colour", clear, true};
+        return frames_.declare(settings, view, {&target, 1}, "screen", imports);
     }
-    const graph::ImageDesc keptDesc{kPictureFormat, swapchain_.extent()};
-    const ScreenTarget target{"colour", kPictureFormat, Writes::color, clear};
-    if (frame.quality == Quality::live) {
-        ScreenFrame f = declare(scaled(view, frame.scale), {&target, 1}, "scaled screen", imports);
-        f.targets.push_back(addPicture(f, f.targets[0], frame.scale == 1.0 ? 1 : 0));
-        return f;
+    ScreenFrame f = frames_.declare(settings, scaled(view, frame.scale), {&target, 1}, "scaled screen", imports);
+    f.targets.push_back(addPicture(f, f.targets[0], frame.scale == 1.0 ? 1 : 0));
+    return f;
+}
+
+/// A picture of samples x samples a pixel, whose mean is kept, and shown.
+ScreenFrame WindowFrames::declareRefined(const RenderSettings& settings, const View& view, const ScreenTarget& target,
+                                         std::uint32_t samples, gpu::Imports& imports) {
+    const graph::ImageDesc desc{kPictureFormat, swapchain_.extent()};
+    if (kept_.desc != desc) {
+        executor_.forgetFramebuffers();
+        kept_ =
+            gpu::makeImage(device_, desc, vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled,
+                           false, "refined picture");
     }
-    if (frame.quality == Quality::refined) {
-        if (kept_.desc != keptDesc) {
-            executor_.forgetFramebuffers();
-            kept_ = gpu::makeImage(device_, keptDesc,
-                                   vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled, false,
-                                   "refined picture");
-        }
-        ScreenFrame f = declare(scaled(view, frame.samples), {&target, 1}, "refinement", imports);
-        const graph::Image kept = f.graph.importImage("refined picture", keptDesc, passes::kTextureState, true);
-        const graph::Image colour = f.targets[0];
-        imports.bind(kept, kept_);
-        f.graph.graphics("mean of samples").samples(colour).color(kept).record([=, this](gpu::PassContext& c) {
-            resample_.draw(c, c.view(colour), frame.samples, false);
-        });
-        f.targets.push_back(addPicture(f, kept, 1));
-        return f;
-    }
-    ScreenFrame f{graph::Graph("kept screen"), {}, {}, {}, {}, {}};
-    const graph::Image kept = f.graph.importImage("refined picture", keptDesc, passes::kTextureState);
+    ScreenFrame f = frames_.declare(settings, scaled(view, samples), {&target, 1}, "refinement", imports);
+    const graph::Image kept = f.graph.importImage("refined picture", desc, passes::kTextureState, true);
+    const graph::Image colour = f.targets[0];
+    imports.bind(kept, kept_);
+    f.graph.graphics("mean of samples").samples(colour).color(kept).record([=](gpu::PassContext& c) {
+        passes::resample(c, c.view(colour), samples, false);
+    });
+    f.targets.push_back(addPicture(f, kept, 1));
+    return f;
+}
+
+ScreenFrame WindowFrames::declareKept(gpu::Imports& imports) {
+    ScreenFrame f{graph::Graph("kept screen"), {}, {}, {}, {}};
+    const graph::Image kept =
+        f.graph.importImage("refined picture", {kPictureFormat, swapchain_.extent()}, passes::kTextureState);
     imports.bind(kept, kept_);
     f.targets.push_back(addPicture(f, kept, 1));
     return f;
 }
 
 /// Draws the frame into the image that the slot has.
-void WindowFrames::submit(gpu::FrameSlot& slot, const View& view, const graph::Clear& clear, const WindowFrame& frame,
-                          const Declare& declare) {
+void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, const WindowFrame& frame) {
     gpu::Imports imports;
-    const auto f = std::make_shared<ScreenFrame>(declareFrame(view, clear, frame, declare, imports));
+    const auto f = std::make_shared<ScreenFrame>(declareFrame(settings, frame, imports));
     slot.held = f;
     const graph::Image window = f->targets.back();
     imports.bind(window, swapchain_.image(*slot.image));
     addOverlay(*f, window, frame.overlay, slot);
-    graph::PlanCaps caps = device_.caps().plan;
-    const graph::Plan& plan = plans_.planOf(f->graph, caps);
+    const graph::Plan& plan = plans_.planOf(f->graph, frames_.planCaps(settings.tuning));
     device_.log().begin();
     slot.commands.reset();
     slot.commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
@@ -129,9 +136,8 @@ void WindowFrames::submit(gpu::FrameSlot& slot, const View& view, const graph::C
     ring_.submit(slot, swapchain_.drawn(*slot.image));
 }
 
-FrameOutcome WindowFrames::present(const View& view, const std::array<float, 4>& background, const WindowFrame& frame,
-                                   const Declare& declare) {
-    const graph::Extent wanted{view.width, view.height};
+FrameOutcome WindowFrames::present(const RenderSettings& settings, const WindowFrame& frame) {
+    const graph::Extent wanted{settings.view.width, settings.view.height};
     for (int attempt = 0; attempt < 3; ++attempt) {
         if (!prepare(wanted)) return FrameOutcome::hidden;
         if (swapchain_.upright() != wanted) return FrameOutcome::resized;
@@ -143,7 +149,7 @@ FrameOutcome WindowFrames::present(const View& view, const std::array<float, 4>&
         if (!slot.image) continue;
         const std::uint32_t index = *slot.image;
         if (frame.quality == Quality::refined) keptDrawn_ = false;
-        submit(slot, view, clearOf(background), frame, declare);
+        submit(slot, settings, frame);
         if (frame.quality == Quality::refined) keptDrawn_ = true;
         swapchain_.present(index);
         if (frame.quality == Quality::refined) executor_.forget("refinement");

@@ -114,27 +114,19 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.encoded = encodedFormatOf(device, options.encoded);
     caps.software = software;
 
-    if (options.visibility != Visibility::automatic) {
-        caps.visibility = options.visibility;
-        if (options.visibility == Visibility::rasterOrder && !caps.plan.rasterOrder)
-            throw Error("cannot draw by raster-order", caps.deviceName,
-                        options.capture
-                            ? "RenderDoc hides VK_EXT_rasterization_order_attachment_access: capture another path"
-                            : "VK_EXT_rasterization_order_attachment_access is missing");
-        caps.visibilityReason = "asked for";
-    } else if (molten) {
-        caps.visibility = Visibility::fragdepth;
-        caps.visibilityReason = "MoltenVK leaves the tile between subpasses";
-    } else if (lazy) {
-        caps.visibility = Visibility::encoded;
-        caps.visibilityReason = "lazily allocated memory: a tile-based GPU, where depth must stay fixed-function";
-    } else if (software) {
-        caps.visibility = Visibility::encoded;
-        caps.visibilityReason = "software rasteriser: early tests against plates save more than a second pass costs";
-    } else {
-        caps.visibility = Visibility::fragdepth;
-        caps.visibilityReason = "immediate-mode GPU: no tile memory to keep encoded depth in";
-    }
+    const graph::DeviceKind kind = molten     ? graph::DeviceKind::layered
+                                   : lazy     ? graph::DeviceKind::tiler
+                                   : software ? graph::DeviceKind::software
+                                              : graph::DeviceKind::immediate;
+    const graph::VisibilityChoice choice = graph::chooseVisibility(kind, caps.plan);
+    const bool automatic = options.visibility == Visibility::automatic;
+    caps.visibility = automatic ? choice.visibility : options.visibility;
+    caps.visibilityReason = automatic ? choice.why : "asked for";
+    if (caps.visibility == Visibility::rasterOrder && !caps.plan.rasterOrder)
+        throw Error("cannot draw by raster-order", caps.deviceName,
+                    options.capture
+                        ? "RenderDoc hides VK_EXT_rasterization_order_attachment_access: capture another path"
+                        : "VK_EXT_rasterization_order_attachment_access is missing");
     return caps;
 }
 

@@ -112,10 +112,10 @@ vk::raii::DeviceMemory Device::allocate(const vk::MemoryRequirements& requiremen
     throw Error("out of device memory", what, std::to_string(requirements.size) + " bytes were asked for");
 }
 
-void Device::name(vk::ObjectType type, std::uint64_t handle, const std::string& name) const {
+void Device::name(vk::ObjectType type, std::uint64_t handle, std::string_view name) const {
     if (!debugUtils_) return;
     try {
-        device_.setDebugUtilsObjectNameEXT({type, handle, name.c_str()});
+        device_.setDebugUtilsObjectNameEXT({type, handle, std::string(name).c_str()});
     } catch (const vk::SystemError&) {
         // The object is as good without its name.
     }

@@ -41,9 +41,9 @@ public:
     void release(std::uint64_t bytes) const { *allocated_ -= bytes; }
 
     /// Gives an object its name for capture tools and validation messages.
-    void name(vk::ObjectType type, std::uint64_t handle, const std::string& name) const;
+    void name(vk::ObjectType type, std::uint64_t handle, std::string_view name) const;
     template <typename Handle>
-    void name(const Handle& handle, const std::string& text) const {
+    void name(const Handle& handle, std::string_view text) const {
         name(Handle::objectType, reinterpret_cast<std::uint64_t>(static_cast<typename Handle::NativeType>(handle)),
              text);
     }

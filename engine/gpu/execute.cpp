@@ -30,7 +30,7 @@ std::string workOf(const graph::Graph& graph, const graph::Plan& plan) {
 
 }  // namespace
 
-Executor::Executor(const Device& device) : device_(device), descriptors_(device) {}
+Executor::Executor(const Device& device) : device_(device), pipelines_(device), descriptors_(device) {}
 
 const Image& Executor::own(const std::string& key, const graph::ImageDesc& desc, const graph::PlannedImage& planned) {
     const auto it = images_.find(key);
@@ -118,6 +118,7 @@ void Executor::recordRenderPass(const graph::Graph& graph, const graph::Plan& pl
             context.commands.setViewport(0, vk::Viewport(0, 0, static_cast<float>(pass.extent.width),
                                                          static_cast<float>(pass.extent.height), 0, 1));
             context.commands.setScissor(0, area);
+            context.pass = graph.passes()[p].name;
             if (graph.passes()[p].record) graph.passes()[p].record(context);
             device_.endLabel(context.commands);
         }
@@ -127,7 +128,7 @@ void Executor::recordRenderPass(const graph::Graph& graph, const graph::Plan& pl
 
 void Executor::record(const vk::raii::CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan,
                       const Imports& imports, DescriptorPool& descriptors) {
-    PassContext context{commands, device_, descriptors, {}, 0, 0, {}, false, {}, {}};
+    PassContext context{commands, device_, descriptors, pipelines_, {}, {}, 0, 0, {}, false, {}, {}};
     for (std::uint32_t i = 0; i < graph.images().size(); ++i) {
         const graph::ImageDecl& decl = graph.images()[i];
         ImageRef image;
@@ -160,11 +161,21 @@ void Executor::record(const vk::raii::CommandBuffer& commands, const graph::Grap
         }
         const graph::PassDecl& pass = graph.passes()[step.pass];
         device_.beginLabel(commands, pass.name);
+        context.pass = pass.name;
         if (pass.record) pass.record(context);
         device_.endLabel(commands);
     }
     barriers(commands, plan.after, graph, context);
     device_.endLabel(commands);
+}
+
+void Executor::run(const graph::Graph& graph, const graph::Plan& plan, const Imports& imports) {
+    device_.submitAndWait([&](const vk::raii::CommandBuffer& c) { record(c, graph, plan, imports); });
+    reset();
+}
+
+void Executor::run(const graph::Graph& graph, const Imports& imports) {
+    run(graph, graph::compile(graph, device_.caps().plan), imports);
 }
 
 void Executor::forgetFramebuffers() {

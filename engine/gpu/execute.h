@@ -26,6 +26,8 @@ struct PassContext {
     const vk::raii::CommandBuffer& commands;
     const Device& device;
     DescriptorPool& descriptors;
+    Pipelines& pipelines;
+    std::string_view pass;      ///< its name in the graph
     vk::RenderPass renderPass;  ///< graphics passes
     std::uint32_t subpass = 0;
     std::uint32_t colorCount = 0;  ///< colour attachments of the subpass
@@ -37,6 +39,15 @@ struct PassContext {
     vk::ImageView view(graph::Image image) const { return images[image.index].view; }
     vk::Image image(graph::Image image) const { return images[image.index].handle; }
     vk::Buffer buffer(graph::Buffer buffer) const { return buffers[buffer.index]; }
+    /// A pipeline of this pass: its name, render pass, subpass and number of colour attachments.
+    GraphicsPipeline pipeline() const {
+        GraphicsPipeline p;
+        p.name = pass;
+        p.renderPass = renderPass;
+        p.subpass = subpass;
+        p.colorCount = colorCount;
+        return p;
+    }
 };
 
 class Executor {
@@ -53,6 +64,9 @@ public:
     /// The same, with descriptor sets from a pool of the caller's, for frames that overlap.
     void record(const vk::raii::CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan,
                 const Imports& imports, DescriptorPool& descriptors);
+    /// Compiles a graph, by the device's caps, carries it out and waits until it is done.
+    void run(const graph::Graph& graph, const Imports& imports);
+    void run(const graph::Graph& graph, const graph::Plan& plan, const Imports& imports);
     /// Call when nothing that was recorded is in flight: frees descriptor sets.
     void reset() { descriptors_.reset(); }
     /// Drops every image of this name's graph, so that its memory can be used for something else.
@@ -87,6 +101,7 @@ private:
                           PassContext& context);
 
     const Device& device_;
+    Pipelines pipelines_;
     DescriptorPool descriptors_;
     std::map<std::string, OwnedImage> images_;
     std::list<OwnedRenderPass> renderPasses_;

@@ -1,19 +1,21 @@
 #include "engine/gpu/pipeline.h"
 
-#include <bit>
+#include <algorithm>
+#include <stdexcept>
+
+#include "engine/gpu/resources.h"
 
 namespace nacre::gpu {
 
-void Specialization::set(std::uint32_t id, std::uint32_t value) {
-    entries_.emplace_back(id, static_cast<std::uint32_t>(values_.size() * sizeof(value)), sizeof(value));
-    values_.push_back(value);
+void Specialization::set(int id, std::uint32_t value) {
+    if (count_ == kMost) throw std::logic_error("more specialization constants than a pipeline here has");
+    entries_[count_] = vk::SpecializationMapEntry(static_cast<std::uint32_t>(id),
+                                                  count_ * static_cast<std::uint32_t>(sizeof(value)), sizeof(value));
+    values_[count_++] = value;
 }
 
-void Specialization::set(std::uint32_t id, float value) { set(id, std::bit_cast<std::uint32_t>(value)); }
-
 vk::SpecializationInfo Specialization::info() const {
-    return vk::SpecializationInfo(static_cast<std::uint32_t>(entries_.size()), entries_.data(),
-                                  values_.size() * sizeof(std::uint32_t), values_.data());
+    return vk::SpecializationInfo(count_, entries_.data(), count_ * sizeof(std::uint32_t), values_.data());
 }
 
 namespace {
@@ -44,6 +46,15 @@ vk::raii::ShaderModule makeModule(const Device& device, std::span<const std::uin
     return module;
 }
 
+std::string fullName(const GraphicsPipeline& d) {
+    return std::string(d.name) + (d.detail.empty() ? "" : ", ") + std::string(d.detail);
+}
+
+template <typename T>
+std::uint32_t toCount(std::span<const T> table) {
+    return static_cast<std::uint32_t>(table.size());
+}
+
 /// A pipeline with its name; a driver that cannot make it says no more than that.
 template <typename Make>
 vk::raii::Pipeline named(const Device& device, const std::string& name, Make&& make) {
@@ -59,13 +70,15 @@ vk::raii::Pipeline named(const Device& device, const std::string& name, Make&& m
 }  // namespace
 
 vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d) {
-    const vk::raii::ShaderModule vertex = makeModule(device, d.vertex, d.name + ", vertex shader");
-    const vk::raii::ShaderModule fragment = makeModule(device, d.fragment, d.name + ", fragment shader");
+    const std::string name = fullName(d);
+    const vk::raii::ShaderModule vertex = makeModule(device, d.vertex, name + ", vertex shader");
+    const vk::raii::ShaderModule fragment = makeModule(device, d.fragment, name + ", fragment shader");
     const vk::SpecializationInfo constants = d.constants.info();
     const std::array stages{
         vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eVertex, *vertex, "main", &constants),
         vk::PipelineShaderStageCreateInfo({}, vk::ShaderStageFlagBits::eFragment, *fragment, "main", &constants)};
-    const vk::PipelineVertexInputStateCreateInfo input({}, d.bindings, d.attributes);
+    const vk::PipelineVertexInputStateCreateInfo input({}, toCount(d.streams.bindings), d.streams.bindings.data(),
+                                                       toCount(d.streams.attributes), d.streams.attributes.data());
     const vk::PipelineInputAssemblyStateCreateInfo assembly(
         {}, d.strip ? vk::PrimitiveTopology::eTriangleStrip : vk::PrimitiveTopology::eTriangleList);
     const vk::PipelineViewportStateCreateInfo viewport({}, 1, nullptr, 1, nullptr);
@@ -83,7 +96,7 @@ vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d)
     constexpr vk::DynamicState kDynamic[] = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic({}, kDynamic);
     const vk::raii::PipelineCache* cache = device.caps().cacheMixesRenderPasses ? nullptr : &device.pipelineCache();
-    return named(device, d.name, [&] {
+    return named(device, name, [&] {
         return vk::raii::Pipeline(
             *device, vk::Optional<const vk::raii::PipelineCache>(cache),
             vk::GraphicsPipelineCreateInfo({}, stages, &input, &assembly, nullptr, &viewport, &raster, &samples, &depth,
@@ -91,30 +104,29 @@ vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d)
     });
 }
 
-vk::raii::Pipeline makeComputePipeline(const Device& device, std::span<const std::uint32_t> code,
-                                       const Specialization& constants, vk::PipelineLayout layout,
-                                       const std::string& name) {
-    const vk::raii::ShaderModule module = makeModule(device, code, name + ", shader");
-    const vk::SpecializationInfo info = constants.info();
+vk::raii::Pipeline makePipeline(const Device& device, const ComputePipeline& d) {
+    const std::string name(d.name);
+    const vk::raii::ShaderModule module = makeModule(device, d.code, name + ", shader");
+    const vk::SpecializationInfo info = d.constants.info();
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main", &info);
     return named(device, name, [&] {
-        return vk::raii::Pipeline(*device, device.pipelineCache(), vk::ComputePipelineCreateInfo({}, stage, layout));
+        return vk::raii::Pipeline(*device, device.pipelineCache(), vk::ComputePipelineCreateInfo({}, stage, d.layout));
     });
 }
 
-Layout makeLayout(const Device& device, std::span<const vk::DescriptorType> types, vk::ShaderStageFlags stages,
-                  std::uint32_t pushConstantBytes, const std::string& name, bool counter) {
+Layout makeLayout(const Device& device, const LayoutDescription& d) {
+    const std::string name(d.name);
     std::vector<vk::DescriptorSetLayoutBinding> bindings;
-    for (std::uint32_t i = 0; i < types.size(); ++i) {
+    for (std::uint32_t i = 0; i < d.bindings.size(); ++i) {
         // Input attachments exist in fragment stages only; streams are read by whatever stage asks.
-        bindings.emplace_back(i, types[i], 1, stages & ~vk::ShaderStageFlags(vk::ShaderStageFlagBits::eVertex));
+        bindings.emplace_back(i, d.bindings[i], 1, d.stages & ~vk::ShaderStageFlags(vk::ShaderStageFlagBits::eVertex));
     }
     Layout layout;
     layout.set = vk::raii::DescriptorSetLayout(*device, vk::DescriptorSetLayoutCreateInfo({}, bindings));
     device.name(*layout.set, name + ", set 0");
-    const vk::PushConstantRange range(stages, 0, pushConstantBytes);
+    const vk::PushConstantRange range(d.stages, 0, d.pushConstantBytes);
     std::vector<vk::DescriptorSetLayout> sets{*layout.set};
-    if (counter) {
+    if (d.counter) {
         const vk::DescriptorSetLayoutBinding binding(0, vk::DescriptorType::eStorageBuffer, 1,
                                                      vk::ShaderStageFlagBits::eFragment);
         layout.counterSet = vk::raii::DescriptorSetLayout(*device, vk::DescriptorSetLayoutCreateInfo({}, binding));
@@ -124,6 +136,57 @@ Layout makeLayout(const Device& device, std::span<const vk::DescriptorType> type
     layout.pipeline = vk::raii::PipelineLayout(*device, vk::PipelineLayoutCreateInfo({}, sets, range));
     device.name(*layout.pipeline, name);
     return layout;
+}
+
+namespace {
+
+template <typename T>
+bool sameTable(std::span<const T> a, std::span<const T> b) {
+    return a.data() == b.data() && a.size() == b.size();
+}
+
+/// Names are for people: two pipelines that differ by them alone are the same.
+bool same(const GraphicsPipeline& a, const GraphicsPipeline& b) {
+    return sameTable(a.vertex, b.vertex) && sameTable(a.fragment, b.fragment) && a.constants == b.constants &&
+           sameTable(a.streams.bindings, b.streams.bindings) && sameTable(a.streams.attributes, b.streams.attributes) &&
+           a.layout == b.layout && a.renderPass == b.renderPass && a.subpass == b.subpass &&
+           a.colorCount == b.colorCount && a.colorsWritten == b.colorsWritten && a.depth == b.depth &&
+           a.blend == b.blend && a.ordered == b.ordered && a.strip == b.strip;
+}
+bool same(const ComputePipeline& a, const ComputePipeline& b) {
+    return sameTable(a.code, b.code) && a.constants == b.constants && a.layout == b.layout;
+}
+bool same(const LayoutDescription& a, const LayoutDescription& b) {
+    return std::ranges::equal(a.bindings, b.bindings) && a.stages == b.stages &&
+           a.pushConstantBytes == b.pushConstantBytes && a.counter == b.counter;
+}
+
+/// The pipeline of a description, made if there is none yet.
+template <typename All, typename Description>
+vk::Pipeline found(const Device& device, All& all, const Description& description) {
+    for (const auto& made : all)
+        if (same(made.description, description)) return *made.pipeline;
+    Description kept = description;
+    kept.name = {};
+    all.push_back({kept, makePipeline(device, description)});
+    return *all.back().pipeline;
+}
+
+}  // namespace
+
+vk::Pipeline Pipelines::graphics(const GraphicsPipeline& description) { return found(device_, graphics_, description); }
+vk::Pipeline Pipelines::compute(const ComputePipeline& description) { return found(device_, compute_, description); }
+
+const Layout& Pipelines::layout(const LayoutDescription& description) {
+    for (const MadeLayout& made : layouts_)
+        if (same(made.description, description)) return made.layout;
+    return layouts_.emplace_back(MadeLayout{description, makeLayout(device_, description)}).layout;
+}
+
+vk::Sampler Pipelines::sampler(vk::Filter filter) {
+    if (const auto it = samplers_.find(filter); it != samplers_.end()) return *it->second;
+    const char* name = filter == vk::Filter::eLinear ? "linear" : "nearest";
+    return *samplers_.emplace(filter, makeSampler(device_, filter, name)).first->second;
 }
 
 DescriptorPool::DescriptorPool(const Device& device) : device_(device) {
@@ -136,7 +199,7 @@ DescriptorPool::DescriptorPool(const Device& device) : device_(device) {
     device.name(*pool_, "descriptors");
 }
 
-vk::DescriptorSet DescriptorPool::allocate(const vk::raii::DescriptorSetLayout& layout, const std::string& name) {
+vk::DescriptorSet DescriptorPool::allocate(const vk::raii::DescriptorSetLayout& layout, std::string_view name) {
     const vk::DescriptorSetAllocateInfo info(*pool_, *layout);
     const vk::DescriptorSet set = (**device_).allocateDescriptorSets(info).front();
     device_.name(set, name);

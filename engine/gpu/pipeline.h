@@ -1,43 +1,59 @@
 #pragma once
+// Pipelines, layouts and samplers, each described by a value and made when it is first asked for.
 
 #include <array>
+#include <bit>
 #include <cstdint>
+#include <list>
+#include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/gpu/device.h"
 
 namespace nacre::gpu {
 
-/// Specialization constants, all of 4 bytes: id and bits.
+using ShaderWords = std::span<const std::uint32_t>;
+
+/// Specialization constants, all of 4 bytes: id (shaders/common/layout.h) and bits.
 class Specialization {
 public:
-    void set(std::uint32_t id, std::uint32_t value);
-    void set(std::uint32_t id, int value) { set(id, static_cast<std::uint32_t>(value)); }
-    void set(std::uint32_t id, bool value) { set(id, value ? 1u : 0u); }
-    void set(std::uint32_t id, float value);
+    void set(int id, std::uint32_t value);
+    void set(int id, int value) { set(id, static_cast<std::uint32_t>(value)); }
+    void set(int id, bool value) { set(id, value ? 1u : 0u); }
+    void set(int id, float value) { set(id, std::bit_cast<std::uint32_t>(value)); }
+    /// Points into this.
     vk::SpecializationInfo info() const;
+    friend bool operator==(const Specialization&, const Specialization&) = default;
 
 private:
-    std::vector<vk::SpecializationMapEntry> entries_;
-    std::vector<std::uint32_t> values_;
+    static constexpr std::size_t kMost = 8;
+    std::array<vk::SpecializationMapEntry, kMost> entries_{};
+    std::array<std::uint32_t, kMost> values_{};
+    std::uint32_t count_ = 0;
 };
 
-enum class DepthUse { none, test, write };
-enum class Blend {
+enum class DepthUse : std::uint8_t { none, test, write };
+enum class Blend : std::uint8_t {
     replace,
     minimum,
     add,
     over,  ///< straight alpha, over an opaque picture
 };
 
+/// Streams of a pipeline. Both tables are static: descriptions are compared by their addresses.
+struct VertexStreams {
+    std::span<const vk::VertexInputBindingDescription> bindings;
+    std::span<const vk::VertexInputAttributeDescription> attributes;
+};
+
 struct GraphicsPipeline {
-    std::string name;
-    std::span<const std::uint32_t> vertex, fragment;
+    std::string_view name, detail;  ///< "impostor colour", "spheres": for captures and messages
+    ShaderWords vertex, fragment;
     Specialization constants;  ///< for both stages
-    std::vector<vk::VertexInputBindingDescription> bindings;
-    std::vector<vk::VertexInputAttributeDescription> attributes;
+    VertexStreams streams;
     vk::PipelineLayout layout;
     vk::RenderPass renderPass;
     std::uint32_t subpass = 0;
@@ -49,27 +65,65 @@ struct GraphicsPipeline {
     bool strip = true;     ///< triangle strip, else list
 };
 
-/// A pipeline; viewport and scissor are dynamic.
-vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& description);
-
-vk::raii::Pipeline makeComputePipeline(const Device& device, std::span<const std::uint32_t> code,
-                                       const Specialization& constants, vk::PipelineLayout layout,
-                                       const std::string& name);
+struct ComputePipeline {
+    std::string_view name;
+    ShaderWords code;
+    Specialization constants;
+    vk::PipelineLayout layout;
+};
 
 /// A layout of one set (bindings numbered from 0) and one range of push constants.
+struct LayoutDescription {
+    std::string_view name;
+    std::span<const vk::DescriptorType> bindings;  ///< static
+    vk::ShaderStageFlags stages;
+    std::uint32_t pushConstantBytes = 0;
+    bool counter = false;  ///< set 1: one storage buffer
+};
 struct Layout {
     vk::raii::DescriptorSetLayout set{nullptr};
-    vk::raii::DescriptorSetLayout counterSet{nullptr};  ///< set 1, if asked for: one storage buffer
+    vk::raii::DescriptorSetLayout counterSet{nullptr};
     vk::raii::PipelineLayout pipeline{nullptr};
 };
-Layout makeLayout(const Device& device, std::span<const vk::DescriptorType> bindings, vk::ShaderStageFlags stages,
-                  std::uint32_t pushConstantBytes, const std::string& name, bool counter = false);
+
+/// @throws Error with the pipeline's name. Viewport and scissor are dynamic.
+vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& description);
+vk::raii::Pipeline makePipeline(const Device& device, const ComputePipeline& description);
+Layout makeLayout(const Device& device, const LayoutDescription& description);
+
+/// All that was made so far. A description that compares equal to an earlier one gets the same object.
+class Pipelines {
+public:
+    /// @param device  outlives this
+    explicit Pipelines(const Device& device) : device_(device) {}
+
+    vk::Pipeline graphics(const GraphicsPipeline& description);
+    vk::Pipeline compute(const ComputePipeline& description);
+    const Layout& layout(const LayoutDescription& description);
+    vk::Sampler sampler(vk::Filter filter);
+
+private:
+    template <typename Description>
+    struct Made {
+        Description description;
+        vk::raii::Pipeline pipeline;
+    };
+    struct MadeLayout {
+        LayoutDescription description;
+        Layout layout;
+    };
+    const Device& device_;
+    std::vector<Made<GraphicsPipeline>> graphics_;
+    std::vector<Made<ComputePipeline>> compute_;
+    std::list<MadeLayout> layouts_;  // references to them stay good
+    std::map<vk::Filter, vk::raii::Sampler> samplers_;
+};
 
 /// Descriptor sets that live as long as one recorded frame.
 class DescriptorPool {
 public:
     explicit DescriptorPool(const Device& device);
-    vk::DescriptorSet allocate(const vk::raii::DescriptorSetLayout& layout, const std::string& name = "descriptors");
+    vk::DescriptorSet allocate(const vk::raii::DescriptorSetLayout& layout, std::string_view name);
     void reset();
 
 private:

@@ -64,9 +64,7 @@ PlanCaps plan(const char* name, std::uint32_t tileBytes, bool storeNone) {
 }
 
 std::vector<CapabilitySet> makeSets() {
-    constexpr const char* kTiler = "tile-based GPU: depth stays fixed-function, encoded depth on the tile";
-    constexpr auto kEncoded = Visibility::encoded;
-    constexpr auto kFragdepth = Visibility::fragdepth;
+    constexpr auto kTiler = DeviceKind::tiler;
     constexpr auto kHalf = EncodedDepth::rgba16f;
     constexpr auto kFloat = EncodedDepth::r32f;
     PlanCaps mali = plan("mali", 32, true);
@@ -78,14 +76,13 @@ std::vector<CapabilitySet> makeSets() {
     PlanCaps desktop = plan("desktop", 16, false);
     desktop.transient = false;
     return {
-        {mali, kEncoded, kTiler, kHalf, kMali},
-        {plan("mali-old", 16, false), kEncoded, kTiler, kHalf, kMaliOld},
-        {plan("adreno", 16, true), kEncoded, kTiler, kHalf, kAdreno},
-        {noSubpass, kFragdepth, "no input attachments: one subpass, and no encoded depth in memory", kHalf,
-         kAdrenoNoSubpass},
-        {plan("powervr", 16, false), kEncoded, kTiler, kHalf, kPowerVr},
-        {apple, kFragdepth, "MoltenVK leaves the tile between subpasses", kFloat, kApple},
-        {desktop, kFragdepth, "immediate-mode GPU: no tile memory to keep encoded depth in", kFloat, kDesktop},
+        {mali, kTiler, kHalf, kMali},
+        {plan("mali-old", 16, false), kTiler, kHalf, kMaliOld},
+        {plan("adreno", 16, true), kTiler, kHalf, kAdreno},
+        {noSubpass, kTiler, kHalf, kAdrenoNoSubpass},
+        {plan("powervr", 16, false), kTiler, kHalf, kPowerVr},
+        {apple, DeviceKind::layered, kFloat, kApple},
+        {desktop, DeviceKind::immediate, kFloat, kDesktop},
     };
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "engine/device_options.h"
-#include "engine/graph/plan.h"
+#include "engine/graph/visibility.h"
 
 namespace nacre::graph {
 
@@ -17,9 +17,8 @@ struct Fact {
 
 struct CapabilitySet {
     PlanCaps plan;
-    Visibility visibility{};  ///< what `auto` takes
-    const char* why = "";     ///< of `visibility`
-    EncodedDepth encoded{};   ///< what `auto` takes
+    DeviceKind kind{};
+    EncodedDepth encoded{};  ///< what `auto` takes
     std::span<const Fact> facts;
 };
 

@@ -1,5 +1,7 @@
 #include "engine/graph/plan.h"
 
+#include <algorithm>
+
 #include "engine/graph/plan_internal.h"
 
 namespace nacre::graph {
@@ -45,6 +47,12 @@ Plan compile(const Graph& graph, const PlanCaps& caps) {
     deriveOperations(graph, caps, plan);
     deriveSynchronization(graph, plan);
     return plan;
+}
+
+std::uint32_t tileBytesPerPixel(const Plan& plan) {
+    std::uint32_t most = 0;
+    for (const Step& step : plan.steps) most = std::max(most, step.renderPass.tileBytesPerPixel);
+    return most;
 }
 
 }  // namespace nacre::graph

@@ -111,6 +111,9 @@ struct Plan {
 /// @throws GraphError that names pass and resource
 Plan compile(const Graph& graph, const PlanCaps& caps);
 
+/// What the tile must hold for a pixel at most, beside hardware depth.
+std::uint32_t tileBytesPerPixel(const Plan& plan);
+
 /// The plan as text: render passes, subpasses, attachments, traffic. Stable: tests compare it.
 std::string describe(const Graph& graph, const Plan& plan);
 

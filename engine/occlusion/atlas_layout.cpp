@@ -61,17 +61,4 @@ bool holdsItsPatches(const OcclusionLayout& l, std::uint32_t mostSide) {
            fit(l.cylinderCount, l.around, l.along, l.height - l.sphereRows);
 }
 
-void assignPatches(const OcclusionLayout& layout, Representation& r) {
-    const auto address = [&](std::size_t i, std::uint32_t w, std::uint32_t h, std::uint32_t top) {
-        const auto perRow = static_cast<std::size_t>(layout.width / w);
-        const auto x = static_cast<std::uint32_t>(i % perRow) * w;
-        const auto y = static_cast<std::uint32_t>(i / perRow) * h + top;
-        return x | y << 16;
-    };
-    for (std::size_t i = 0; i < r.sphereLooks.size(); ++i)
-        r.sphereLooks[i].patch = address(i, layout.sphereEdge, layout.sphereEdge, 0);
-    for (std::size_t i = 0; i < r.cylinderLooks.size(); ++i)
-        r.cylinderLooks[i].patch = address(i, layout.around, layout.along, layout.sphereRows);
-}
-
 }  // namespace nacre

@@ -1,10 +1,9 @@
 #pragma once
 // Where every primitive's patch lies in the occlusion atlas, and how large the patches are.
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
-
-#include "engine/scene/representation.h"
 
 namespace nacre {
 
@@ -16,6 +15,9 @@ struct OcclusionLayout {
     std::uint32_t sphereRows = 0;         ///< rows of the atlas that sphere patches take
     std::uint32_t sphereCount = 0, cylinderCount = 0;
 
+    /// Patches in a row of the atlas.
+    std::uint32_t spherePatches() const { return width / sphereEdge; }
+    std::uint32_t cylinderPatches() const { return width / around; }
     /// Texels of all spheres, rounded up to whole words of four.
     std::uint64_t sphereTexels() const { return (std::uint64_t{sphereCount} * sphereEdge * sphereEdge + 3) & ~3ull; }
     std::uint64_t texelCount() const { return sphereTexels() + std::uint64_t{cylinderCount} * around * along; }
@@ -28,8 +30,5 @@ std::vector<OcclusionLayout> occlusionLayouts(std::size_t spheres, std::size_t c
 /// Whether every patch lies within the atlas, spheres' above cylinders', and that has at most `mostSide` texels a side:
 /// so of all layouts above, and to be asked of one that comes from elsewhere.
 bool holdsItsPatches(const OcclusionLayout& layout, std::uint32_t mostSide);
-
-/// Writes the patch addresses into the looks.
-void assignPatches(const OcclusionLayout& layout, Representation& representation);
 
 }  // namespace nacre

@@ -7,11 +7,11 @@
 
 #include "engine/error.h"
 #include "engine/occlusion/directions.h"
+#include "engine/occlusion/pipelines.h"
 #include "engine/passes/read_back.h"
 #include "engine/passes/view_constants.h"
-#include "shaders.h"
 
-namespace nacre::passes {
+namespace nacre::occlusion {
 namespace {
 
 using Usage = vk::BufferUsageFlagBits;
@@ -57,47 +57,41 @@ std::uint32_t batchFor(std::uint32_t directions) { return directions > 4 ? 16 : 
 
 }  // namespace
 
-OcclusionBake::OcclusionBake(const gpu::Device& device, Geometry& geometry, OcclusionPipelines& pipelines,
-                             const SceneBuffers& scene, Representation& representation, const OcclusionOptions& options)
+Bake::Bake(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
+           const BakeOptions& options)
     : device_(device),
-      pipelines_(pipelines),
       scene_(scene),
       directions_(occlusionDirections(options.directions)),
-      maps_(device, geometry, pipelines, scene, representation, options.path, options.budgetBytes / 2) {
+      maps_(device, scene, representation, options.path, options.budgetBytes / 2) {
     OpenTexels open;
     layout_ = chooseLayout(representation, options.budgetBytes - std::min(maps_.bytes(), options.budgetBytes), open);
-    assignPatches(layout_, representation);
     copies_ = occlusionCopies(representation, layout_, open.texels, open.sphereTexels);
     makeBuffers(open);
 }
 
-OcclusionBake::OcclusionBake(const gpu::Device& device, gpu::Executor& executor, Geometry& geometry,
-                             OcclusionPipelines& pipelines, const SceneBuffers& scene, Representation& representation,
-                             const OcclusionOptions& options, const FinishedOcclusion& finished)
+Bake::Bake(const gpu::Device& device, gpu::Executor& executor, const passes::SceneBuffers& scene,
+           const Representation& representation, const BakeOptions& options, const FinishedOcclusion& finished)
     : device_(device),
-      pipelines_(pipelines),
       scene_(scene),
       directions_(occlusionDirections(options.directions)),
-      maps_(device, geometry, pipelines, scene, representation, options.path, 0),
+      maps_(device, scene, representation, options.path, 0),
       layout_(finished.layout),
       texelCount_(finished.openTexels),
       seenSpheres_(finished.seenSpheres),
       done_(options.directions) {
-    assignPatches(layout_, representation);
     maps_.release();
-    atlas_ = makeTexture(device, executor, {VK_FORMAT_R8_UNORM, {layout_.width, layout_.height}}, finished.atlas,
-                         "occlusion atlas");
+    atlas_ = passes::makeTexture(device, executor, {VK_FORMAT_R8_UNORM, {layout_.width, layout_.height}},
+                                 finished.atlas, "occlusion atlas");
     atlasDefined_ = true;
 }
 
-std::vector<std::uint8_t> OcclusionBake::atlasTexels() const {
+std::vector<std::uint8_t> Bake::atlasTexels() const {
     const auto* texels = reinterpret_cast<const std::uint8_t*>(bytes_.mapped);
     return {texels, texels + std::size_t{layout_.width} * layout_.height};
 }
 
 /// The finest patches of which everything fits.
-OcclusionLayout OcclusionBake::chooseLayout(Representation& representation, std::uint64_t budgetBytes,
-                                            OpenTexels& open) {
+OcclusionLayout Bake::chooseLayout(const Representation& representation, std::uint64_t budgetBytes, OpenTexels& open) {
     const std::size_t spheres = representation.spheres.size(), cylinders = representation.cylinders.size();
     const PrimitiveTree tree(representation);
     std::uint64_t least = 0;
@@ -121,7 +115,7 @@ OcclusionLayout OcclusionBake::chooseLayout(Representation& representation, std:
                     "render with --occlusion off)");
 }
 
-void OcclusionBake::makeBuffers(const OpenTexels& open) {
+void Bake::makeBuffers(const OpenTexels& open) {
     texelCount_ = open.texels.size();
     wordCount_ = open.words.size();
     firstOfSphere_ = open.firstOfSphere;
@@ -139,9 +133,9 @@ void OcclusionBake::makeBuffers(const OpenTexels& open) {
                             "occlusion atlas");
 }
 
-std::uint64_t OcclusionBake::bytes() const { return bytesOf(layout_, texelCount_, wordCount_) + maps_.bytes(); }
+std::uint64_t Bake::bytes() const { return bytesOf(layout_, texelCount_, wordCount_) + maps_.bytes(); }
 
-void OcclusionBake::release() {
+void Bake::release() {
     const auto* sums = reinterpret_cast<const float*>(sums_.mapped);
     seenSpheres_.assign(layout_.sphereCount, false);
     for (std::size_t i = 0; i < seenSpheres_.size(); ++i)
@@ -156,9 +150,9 @@ void OcclusionBake::release() {
     firstOfSphere_.clear();
 }
 
-layout::OcclusionConstants OcclusionBake::constants() const {
+layout::OcclusionConstants Bake::constants() const {
     const View view = maps_.view(glm::dmat3(1));
-    const layout::ViewConstants v = viewConstants(view, 0.0f, 0, 0);
+    const layout::ViewConstants v = passes::viewConstants(view, 0.0f, 0, 0);
     layout::OcclusionConstants c{};
     c.mapPixels = static_cast<float>(maps_.pixels());
     c.pixelsPerAngstrom = static_cast<float>(view.pixelsPerAngstrom);
@@ -173,29 +167,28 @@ layout::OcclusionConstants OcclusionBake::constants() const {
     return c;
 }
 
-float OcclusionBake::spreadOfTaps() const {
+float Bake::spreadOfTaps() const {
     // A few sticks among full atoms must not cost these four times the time.
     if (2 * std::uint64_t{layout_.cylinderCount} <= layout_.sphereCount) return 0;
     return static_cast<float>(std::min(2.0 * std::sqrt(128.0 / directions()), 2.5));
 }
 
-vk::DescriptorSet OcclusionBake::accumulationSet(gpu::PassContext& context, graph::Image maps, std::uint32_t group) {
+vk::DescriptorSet Bake::accumulationSet(gpu::PassContext& context, graph::Image maps, std::uint32_t group) {
     const vk::DescriptorSet set =
-        context.descriptors.allocate(pipelines_.accumulateLayout().set, "occlusion accumulation");
+        context.descriptors.allocate(accumulationLayout(context).set, "occlusion accumulation");
     bind(device_, set, 0, Type::eStorageBuffer, *scene_.shapes.handle);
     bind(device_, set, 1, Type::eUniformBuffer, *batchDirections_.handle, group * kGroupBytes, kGroupBytes);
     bind(device_, set, 2, Type::eStorageBuffer, *list_.handle);
     bind(device_, set, 3, Type::eStorageBuffer, *sums_.handle);
-    const vk::DescriptorImageInfo info(pipelines_.sampler(), context.view(maps),
+    const vk::DescriptorImageInfo info(context.pipelines.sampler(vk::Filter::eNearest), context.view(maps),
                                        vk::ImageLayout::eShaderReadOnlyOptimal);
     device_->updateDescriptorSets(vk::WriteDescriptorSet(set, 4, 0, Type::eCombinedImageSampler, info), {});
     return set;
 }
 
-void OcclusionBake::recordAccumulation(gpu::PassContext& context, graph::Image maps, std::uint32_t batch) {
+void Bake::recordAccumulation(gpu::PassContext& context, graph::Image maps, std::uint32_t batch) {
     constexpr auto kCompute = vk::PipelineBindPoint::eCompute;
-    const vk::PipelineLayout pipelineLayout = *pipelines_.accumulateLayout().pipeline;
-    using Texels = OcclusionPipelines::Texels;
+    const vk::PipelineLayout pipelineLayout = *accumulationLayout(context).pipeline;
     const Texels spheres = layout_.sphereEdge == 1 ? Texels::wholeSpheres : Texels::spheres;
     layout::OcclusionConstants c = constants();
     std::vector<vk::DescriptorSet> sets(copies_.groups.size());
@@ -204,8 +197,9 @@ void OcclusionBake::recordAccumulation(gpu::PassContext& context, graph::Image m
         if (!sets[run.group]) sets[run.group] = accumulationSet(context, maps, run.group);
         c.firstEntry = static_cast<std::uint32_t>(run.first);
         c.entries = static_cast<std::uint32_t>(run.count);
-        context.commands.bindPipeline(kCompute, pipelines_.accumulation({run.cylinders ? Texels::cylinders : spheres,
-                                                                         batch, maps_.encoded(), spreadOfTaps()}));
+        context.commands.bindPipeline(kCompute,
+                                      accumulationPipeline(context, {run.cylinders ? Texels::cylinders : spheres, batch,
+                                                                     maps_.encoded(), spreadOfTaps()}));
         context.commands.bindDescriptorSets(kCompute, pipelineLayout, 0, sets[run.group], {});
         context.commands.pushConstants<layout::OcclusionConstants>(pipelineLayout, vk::ShaderStageFlagBits::eCompute, 0,
                                                                    c);
@@ -215,7 +209,7 @@ void OcclusionBake::recordAccumulation(gpu::PassContext& context, graph::Image m
 
 /// The directions of a batch as each group of copies meets them: the copy that a direction asks about is moved to its
 /// place first. Of those that a batch lacks all is zero.
-void OcclusionBake::writeDirections(std::span<const glm::dmat3> frames) {
+void Bake::writeDirections(std::span<const glm::dmat3> frames) {
     auto* direction = reinterpret_cast<layout::Direction*>(batchDirections_.mapped);
     for (const std::vector<glm::dmat4x3>& places : copies_.groups)
         for (std::size_t i = 0; i < DepthMaps::kMostPerBatch; ++i, ++direction) {
@@ -228,7 +222,7 @@ void OcclusionBake::writeDirections(std::span<const glm::dmat3> frames) {
         }
 }
 
-void OcclusionBake::step(gpu::Executor& executor, std::uint32_t most) {
+void Bake::step(gpu::Executor& executor, std::uint32_t most) {
     const std::uint32_t left = static_cast<std::uint32_t>(directions_.size()) - static_cast<std::uint32_t>(done_);
     std::uint32_t count = std::min({left, most, maps_.perBatch()});
     if (count == 0) return;
@@ -245,16 +239,14 @@ void OcclusionBake::step(gpu::Executor& executor, std::uint32_t most) {
     g.compute("occlusion accumulation").samples(maps).writes(sums).record([&](gpu::PassContext& c) {
         recordAccumulation(c, maps, batch);
     });
-    const graph::Plan plan = graph::compile(g, device_.caps().plan);
-    device_.submitAndWait([&](const vk::raii::CommandBuffer& c) { executor.record(c, g, plan, imports); });
-    executor.reset();
+    executor.run(g, imports);
     done_ += static_cast<int>(count);
     asked_ += std::uint64_t{count} * texelCount_;
     if (done_ == kTellsDeepTexels) dropDeepTexels();
 }
 
 /// Takes the texels off the list that no direction has lit so far, and moves the others up.
-void OcclusionBake::dropDeepTexels() {
+void Bake::dropDeepTexels() {
     auto* list = reinterpret_cast<std::uint32_t*>(list_.mapped);
     auto* sums = reinterpret_cast<glm::vec2*>(sums_.mapped);
     std::vector<std::uint32_t> keptBefore(texelCount_ + 1);
@@ -290,20 +282,20 @@ void OcclusionBake::dropDeepTexels() {
     texelCount_ = kept;
 }
 
-void OcclusionBake::finish(gpu::Executor& executor) {
+void Bake::finish(gpu::Executor& executor) {
     graph::Graph g("occlusion finish");
     const auto sums = g.importBuffer("occlusion sums", sums_.size, kComputeBuffer);
     const auto bytes = g.importBuffer("occlusion bytes", bytes_.size, kComputeBuffer);
-    const auto atlas = g.importImage("occlusion atlas", atlas_.desc, kTextureState, !atlasDefined_);
+    const auto atlas = g.importImage("occlusion atlas", atlas_.desc, passes::kTextureState, !atlasDefined_);
     g.compute("occlusion finish").reads(sums).writes(bytes).record([&](gpu::PassContext& c) {
-        const vk::DescriptorSet set = c.descriptors.allocate(pipelines_.finishLayout().set, "occlusion finish");
+        const vk::DescriptorSet set = c.descriptors.allocate(finishLayout(c).set, "occlusion finish");
         bind(device_, set, 0, Type::eStorageBuffer, *sums_.handle);
         bind(device_, set, 1, Type::eStorageBuffer, *words_.handle);
         bind(device_, set, 2, Type::eStorageBuffer, *bytes_.handle);
-        c.commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipelines_.finish());
-        c.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *pipelines_.finishLayout().pipeline, 0, set, {});
-        c.commands.pushConstants<std::uint32_t>(*pipelines_.finishLayout().pipeline, vk::ShaderStageFlagBits::eCompute,
-                                                0, static_cast<std::uint32_t>(wordCount_));
+        c.commands.bindPipeline(vk::PipelineBindPoint::eCompute, finishPipeline(c));
+        c.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *finishLayout(c).pipeline, 0, set, {});
+        c.commands.pushConstants<std::uint32_t>(*finishLayout(c).pipeline, vk::ShaderStageFlagBits::eCompute, 0,
+                                                static_cast<std::uint32_t>(wordCount_));
         dispatch(c.commands, wordCount_);
     });
     g.transfer("occlusion upload").copiesFrom(bytes).copiesTo(atlas).record([&](gpu::PassContext& c) {
@@ -315,10 +307,8 @@ void OcclusionBake::finish(gpu::Executor& executor) {
     imports.bind(sums, sums_);
     imports.bind(bytes, bytes_);
     imports.bind(atlas, atlas_);
-    const graph::Plan plan = graph::compile(g, device_.caps().plan);
-    device_.submitAndWait([&](const vk::raii::CommandBuffer& c) { executor.record(c, g, plan, imports); });
-    executor.reset();
+    executor.run(g, imports);
     atlasDefined_ = true;
 }
 
-}  // namespace nacre::passes
+}  // namespace nacre::occlusion

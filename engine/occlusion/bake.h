@@ -11,29 +11,26 @@
 #include "engine/occlusion/depth_maps.h"
 #include "engine/occlusion/finished_occlusion.h"
 #include "engine/occlusion/open_texels.h"
-#include "engine/occlusion/pipelines.h"
 
-namespace nacre::passes {
+namespace nacre::occlusion {
 
-struct OcclusionOptions {
+struct BakeOptions {
     int directions = 128;
     std::uint64_t budgetBytes = 64ull << 20;  ///< device memory of everything that the bake holds
     OcclusionMaps path = OcclusionMaps::encoded;
 };
 
-class OcclusionBake {
+class Bake {
 public:
     /// Everything that a bake needs; no light is asked for yet, and the atlas says so: all is open.
-    /// Writes the patch addresses into the looks of the representation; both it and `scene` (whose looks are then to be
-    /// uploaded anew) outlive the bake, as do the pipelines.
+    /// Scene and representation outlive the bake.
     /// @throws Error if even one value a sphere does not fit the budget
-    OcclusionBake(const gpu::Device& device, Geometry& geometry, OcclusionPipelines& pipelines,
-                  const SceneBuffers& scene, Representation& representation, const OcclusionOptions& options);
+    Bake(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
+         const BakeOptions& options);
 
     /// A bake that is done: what was left of one with the same options of the same representation.
-    OcclusionBake(const gpu::Device& device, gpu::Executor& executor, Geometry& geometry, OcclusionPipelines& pipelines,
-                  const SceneBuffers& scene, Representation& representation, const OcclusionOptions& options,
-                  const FinishedOcclusion& finished);
+    Bake(const gpu::Device& device, gpu::Executor& executor, const passes::SceneBuffers& scene,
+         const Representation& representation, const BakeOptions& options, const FinishedOcclusion& finished);
 
     /// Renders the depth maps of the next directions, at most one batch, and adds them up.
     /// @param most  directions at most
@@ -58,7 +55,7 @@ public:
     const std::vector<bool>& seenSpheres() const { return seenSpheres_; }
 
 private:
-    OcclusionLayout chooseLayout(Representation& representation, std::uint64_t budgetBytes, OpenTexels& open);
+    OcclusionLayout chooseLayout(const Representation& representation, std::uint64_t budgetBytes, OpenTexels& open);
     void makeBuffers(const OpenTexels& open);
     layout::OcclusionConstants constants() const;
     /// Sticks throw thin shadows, which one tap misses: four stand for the directions between two of the set, which are
@@ -70,8 +67,7 @@ private:
     void writeDirections(std::span<const glm::dmat3> frames);
 
     const gpu::Device& device_;
-    OcclusionPipelines& pipelines_;
-    const SceneBuffers& scene_;
+    const passes::SceneBuffers& scene_;
     std::vector<glm::dmat3> directions_;
     DepthMaps maps_;
     OcclusionLayout layout_;
@@ -86,4 +82,4 @@ private:
     bool atlasDefined_ = false;
 };
 
-}  // namespace nacre::passes
+}  // namespace nacre::occlusion

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/occlusion/pipelines.h"
+#include "engine/passes/depth_encoding.h"
+#include "engine/passes/nearest_depth.h"
+#include "engine/passes/opaque_prepass.h"
 #include "engine/passes/view_constants.h"
-#include "shaders.h"
 
-namespace nacre::passes {
+namespace nacre::occlusion {
 namespace {
 
 // Pixels across the radius of a sphere, of a cylinder: what more than that brings is lost in the patches' own error.
@@ -35,20 +38,11 @@ double wantedResolution(const Representation& r) {
     return sum / static_cast<double>(std::max<std::size_t>(r.spheres.size() + r.cylinders.size(), 1));
 }
 
-Nearest nearestOf(OcclusionMaps path) { return path == OcclusionMaps::encoded ? Nearest::encoded : Nearest::fragdepth; }
-
 }  // namespace
 
-DepthMaps::DepthMaps(const gpu::Device& device, Geometry& geometry, OcclusionPipelines& pipelines,
-                     const SceneBuffers& scene, const Representation& representation, OcclusionMaps path,
-                     std::uint64_t budgetBytes)
-    : device_(device),
-      geometry_(geometry),
-      pipelines_(pipelines),
-      scene_(scene),
-      representation_(representation),
-      path_(path),
-      radius_(representation.radius) {
+DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
+                     OcclusionMaps path, std::uint64_t budgetBytes)
+    : device_(device), scene_(scene), representation_(representation), path_(path), radius_(representation.radius) {
     double sum = 0;
     for (const Sphere& s : representation.spheres) sum += s.radius;
     meanRadius_ = sum / static_cast<double>(std::max<std::size_t>(representation.spheres.size(), 1));
@@ -86,32 +80,34 @@ View DepthMaps::view(const glm::dmat3& frame) const {
 /// Map i of a batch.
 layout::ViewConstants DepthMaps::constants(const glm::dmat3& frame, std::uint32_t i, std::uint32_t across) const {
     const std::uint32_t x = i % across * pixels_, y = i / across * pixels_;
-    return viewConstants(view(frame), device_.caps().snapPixels, x + pixels_ / 2.0, y + pixels_ / 2.0);
+    return passes::viewConstants(view(frame), device_.caps().snapPixels, x + pixels_ / 2.0, y + pixels_ / 2.0);
 }
 
-void DepthMaps::recordRaster(gpu::PassContext& context, std::span<const glm::dmat3> frames, std::uint32_t across,
-                             Writes writes) const {
-    const auto side = static_cast<float>(pixels_);
-    for (std::uint32_t i = 0; i < frames.size(); ++i) {
-        const std::uint32_t x = i % across * pixels_, y = i / across * pixels_;
-        context.commands.setViewport(0, vk::Viewport(static_cast<float>(x), static_cast<float>(y), side, side, 0, 1));
-        context.commands.setScissor(0, vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {pixels_, pixels_}));
-        const PlacedCopies copies = placeCopies(representation_, view(frames[i]));
-        Draw draw{writes, nearestOf(path_)};
-        draw.copies = &copies;
-        draw.radiusPixels = meanRadius_ * pixels_ / (2.0 * radius_);
-        draw.view = constants(frames[i], i, across);
-        geometry_.draw(context, scene_, draw);
-    }
+template <typename Pass>
+graph::Record DepthMaps::eachMap(std::span<const glm::dmat3> frames, std::uint32_t across, Pass&& pass) const {
+    return [=, this](gpu::PassContext& c) {
+        const auto side = static_cast<float>(pixels_);
+        for (std::uint32_t i = 0; i < frames.size(); ++i) {
+            const std::uint32_t x = i % across * pixels_, y = i / across * pixels_;
+            c.commands.setViewport(0, vk::Viewport(static_cast<float>(x), static_cast<float>(y), side, side, 0, 1));
+            c.commands.setScissor(0, vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {pixels_, pixels_}));
+            passes::SceneView scene;
+            scene.buffers = &scene_;
+            scene.copies = passes::placeCopies(representation_, view(frames[i]));
+            scene.radiusPixels = meanRadius_ * pixels_ / (2.0 * radius_);
+            scene.constants = constants(frames[i], i, across);
+            pass(c, scene);
+        }
+    };
 }
 
 /// The views of a batch: all maps of the first copy, then all of the next one.
 /// @returns the calls, the same for every map since each shows the whole molecule
-PlacedCopies DepthMaps::writeViews(std::span<const glm::dmat3> frames, std::uint32_t across) const {
+passes::PlacedCopies DepthMaps::writeViews(std::span<const glm::dmat3> frames, std::uint32_t across) const {
     auto* views = reinterpret_cast<layout::ViewConstants*>(views_.mapped);
-    PlacedCopies placed;
+    passes::PlacedCopies placed;
     for (std::uint32_t i = 0; i < frames.size(); ++i) {
-        placed = placeCopies(representation_, view(frames[i]));
+        placed = passes::placeCopies(representation_, view(frames[i]));
         layout::ViewConstants c = constants(frames[i], i, across);
         for (std::size_t copy = 0; 3 * copy < placed.rows.size(); ++copy) {
             c.row0 = placed.rows[3 * copy];
@@ -125,22 +121,22 @@ PlacedCopies DepthMaps::writeViews(std::span<const glm::dmat3> frames, std::uint
 
 void DepthMaps::recordSplat(gpu::PassContext& context, graph::Buffer maps, std::span<const glm::dmat3> frames,
                             std::uint32_t across) const {
-    const vk::DescriptorSet set = context.descriptors.allocate(pipelines_.splatLayout().set, "depth map splats");
+    const vk::DescriptorSet set = context.descriptors.allocate(splatLayout(context).set, "depth map splats");
     const vk::DescriptorBufferInfo infos[] = {{*scene_.shapes.handle, 0, VK_WHOLE_SIZE},
                                               {*views_.handle, 0, VK_WHOLE_SIZE},
                                               {context.buffer(maps), 0, VK_WHOLE_SIZE}};
     for (std::uint32_t i = 0; i < 3; ++i)
         device_->updateDescriptorSets(
             vk::WriteDescriptorSet(set, i, 0, vk::DescriptorType::eStorageBuffer, {}, infos[i]), {});
-    const vk::PipelineLayout pipelineLayout = *pipelines_.splatLayout().pipeline;
+    const vk::PipelineLayout pipelineLayout = *splatLayout(context).pipeline;
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, pipelineLayout, 0, set, {});
-    const PlacedCopies placed = writeViews(frames, across);
+    const passes::PlacedCopies placed = writeViews(frames, across);
     const auto mapCount = static_cast<std::uint32_t>(frames.size());
     constexpr std::uint32_t kMost = 65535 * kGroup;  // the floor allows 65,535 workgroups a dispatch
-    const auto splat = [&](const std::vector<PlacedCopies::Call>& calls, bool cylinders) {
+    const auto splat = [&](const std::vector<passes::PlacedCopies::Call>& calls, bool cylinders) {
         if (calls.empty()) return;
-        context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, pipelines_.splatting(cylinders));
-        for (const PlacedCopies::Call& call : calls)
+        context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, splatPipeline(context, cylinders));
+        for (const passes::PlacedCopies::Call& call : calls)
             for (std::uint32_t first = call.first, end = first + call.count; first < end; first += kMost) {
                 const layout::SplatConstants c{call.copy * mapCount, first,   std::min(end, first + kMost),
                                                scene_.sphereCount,   pixels_, pixels_ * across};
@@ -177,21 +173,20 @@ graph::Image DepthMaps::declare(graph::Graph& g, gpu::Imports& imports, std::spa
         return maps;
     }
     const auto depth = g.image("depth maps' hardware depth", {VK_FORMAT_D32_SFLOAT, extent});
-    g.graphics("opaque prepass").depth(depth, Clear{1.0f}).record([=, this](gpu::PassContext& c) {
-        recordRaster(c, frames, across, Writes::plates);
-    });
+    g.graphics("opaque prepass").depth(depth, Clear{1.0f}).record(eachMap(frames, across, passes::drawPlates));
     if (path_ == OcclusionMaps::fragdepth) {
-        g.graphics("nearest depth").depth(depth).record([=, this](gpu::PassContext& c) {
-            recordRaster(c, frames, across, Writes::depth);
-        });
+        g.graphics("nearest depth").depth(depth).record(eachMap(frames, across, passes::drawNearestDepth));
         return depth;
     }
-    const auto maps = g.image("depth maps", {device_.caps().encoded.format, extent});
+    const graph::EncodedFormat& encoded = device_.caps().encoded;
+    const auto maps = g.image("depth maps", {encoded.format, extent});
     g.graphics("depth encoding")
         .depthTest(depth)
-        .color(maps, Clear{device_.caps().encoded.farthest})
-        .record([=, this](gpu::PassContext& c) { recordRaster(c, frames, across, Writes::encoded); });
+        .color(maps, Clear{encoded.farthest})
+        .record(eachMap(frames, across, [encoding = passes::Encoding(encoded)](auto& c, const auto& scene) {
+            passes::encodeDepth(c, scene, encoding);
+        }));
     return maps;
 }
 
-}  // namespace nacre::passes
+}  // namespace nacre::occlusion

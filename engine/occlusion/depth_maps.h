@@ -8,11 +8,10 @@
 #include "engine/device_options.h"
 #include "engine/gpu/execute.h"
 #include "engine/gpu/resources.h"
-#include "engine/occlusion/pipelines.h"
-#include "engine/passes/geometry.h"
+#include "engine/passes/scene_view.h"
 #include "engine/scene/camera.h"
 
-namespace nacre::passes {
+namespace nacre::occlusion {
 
 class DepthMaps {
 public:
@@ -21,8 +20,8 @@ public:
     /// @param path  not `automatic`
     /// @param representation  outlives this
     /// @param budgetBytes  device memory for the maps of one batch; they get smaller until at least one fits
-    DepthMaps(const gpu::Device& device, Geometry& geometry, OcclusionPipelines& pipelines, const SceneBuffers& scene,
-              const Representation& representation, OcclusionMaps path, std::uint64_t budgetBytes);
+    DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
+              OcclusionMaps path, std::uint64_t budgetBytes);
 
     /// Sizes of a batch that fit the budget: 1, 4 or 16 maps.
     std::uint32_t perBatch() const { return perBatch_; }
@@ -42,16 +41,15 @@ public:
 
 private:
     layout::ViewConstants constants(const glm::dmat3& frame, std::uint32_t i, std::uint32_t across) const;
-    void recordRaster(gpu::PassContext& context, std::span<const glm::dmat3> frames, std::uint32_t across,
-                      Writes writes) const;
-    PlacedCopies writeViews(std::span<const glm::dmat3> frames, std::uint32_t across) const;
+    /// Draws every map of a batch by a pass over the scene.
+    template <typename Pass>
+    graph::Record eachMap(std::span<const glm::dmat3> frames, std::uint32_t across, Pass&& pass) const;
+    passes::PlacedCopies writeViews(std::span<const glm::dmat3> frames, std::uint32_t across) const;
     void recordSplat(gpu::PassContext& context, graph::Buffer maps, std::span<const glm::dmat3> frames,
                      std::uint32_t across) const;
 
     const gpu::Device& device_;
-    Geometry& geometry_;
-    OcclusionPipelines& pipelines_;
-    const SceneBuffers& scene_;
+    const passes::SceneBuffers& scene_;
     const Representation& representation_;
     OcclusionMaps path_;
     double radius_, meanRadius_ = 0;
@@ -59,4 +57,4 @@ private:
     gpu::Buffer splats_, views_;
 };
 
-}  // namespace nacre::passes
+}  // namespace nacre::occlusion

@@ -1,10 +1,9 @@
 #include "engine/occlusion/pipelines.h"
 
-#include "engine/gpu/resources.h"
-#include "engine/passes/view_constants.h"
 #include "shaders.h"
+#include "shaders/common/layout.h"
 
-namespace nacre::passes {
+namespace nacre::occlusion {
 namespace {
 
 using Type = vk::DescriptorType;
@@ -15,57 +14,54 @@ constexpr Type kThreeBuffers[] = {Type::eStorageBuffer, Type::eStorageBuffer, Ty
 
 }  // namespace
 
-OcclusionPipelines::OcclusionPipelines(const gpu::Device& device)
-    : device_(device),
-      accumulateLayout_(gpu::makeLayout(device, kAccumulate, kCompute, sizeof(layout::OcclusionConstants),
-                                        "occlusion accumulation layout")),
-      finishLayout_(gpu::makeLayout(device, kThreeBuffers, kCompute, sizeof(std::uint32_t), "occlusion finish layout")),
-      splatLayout_(
-          gpu::makeLayout(device, kThreeBuffers, kCompute, sizeof(layout::SplatConstants), "depth splatting layout")),
-      sampler_(gpu::makeSampler(device, vk::Filter::eNearest, "depth maps")) {}
+const gpu::Layout& accumulationLayout(gpu::PassContext& context) {
+    return context.pipelines.layout(
+        {"occlusion accumulation layout", kAccumulate, kCompute, sizeof(layout::OcclusionConstants)});
+}
 
-vk::Pipeline OcclusionPipelines::accumulation(const Accumulation& key) {
-    if (const auto it = accumulations_.find(key); it != accumulations_.end()) return *it->second;
-    const graph::EncodedFormat& encoded = device_.caps().encoded;
-    gpu::Specialization constants;
-    constants.set(layout::kBatchId, key.batch);
-    constants.set(layout::kDepthChannelsId, key.encoded ? encoded.channels : 1);
-    constants.set(layout::kDepthStepsId, key.encoded ? encoded.steps : 0);
-    constants.set(layout::kMapsAcrossId, mapsAcross(key.batch));
-    if (key.spread > 0) {
-        constants.set(layout::kTapsId, 4u);
-        constants.set(layout::kSpreadId, key.spread);
+const gpu::Layout& finishLayout(gpu::PassContext& context) {
+    return context.pipelines.layout({"occlusion finish layout", kThreeBuffers, kCompute, sizeof(std::uint32_t)});
+}
+
+const gpu::Layout& splatLayout(gpu::PassContext& context) {
+    return context.pipelines.layout(
+        {"depth splatting layout", kThreeBuffers, kCompute, sizeof(layout::SplatConstants)});
+}
+
+vk::Pipeline accumulationPipeline(gpu::PassContext& context, const Accumulation& accumulation) {
+    gpu::ComputePipeline d{"occlusion accumulation, spheres",
+                           shaders::occlusionAccumulateSphere,
+                           {},
+                           *accumulationLayout(context).pipeline};
+    if (accumulation.texels == Texels::wholeSpheres) {
+        d.name = "occlusion accumulation, whole spheres";
+        d.code = shaders::occlusionAccumulateWhole;
+    } else if (accumulation.texels == Texels::cylinders) {
+        d.name = "occlusion accumulation, cylinders";
+        d.code = shaders::occlusionAccumulateCylinder;
     }
-    const auto make = [&](std::span<const std::uint32_t> code, const char* name) {
-        return *accumulations_
-                    .emplace(key, gpu::makeComputePipeline(device_, code, constants, *accumulateLayout_.pipeline, name))
-                    .first->second;
-    };
-    switch (key.texels) {
-        case Texels::wholeSpheres:
-            return make(shaders::occlusionAccumulateWhole, "occlusion accumulation, whole spheres");
-        case Texels::cylinders:
-            return make(shaders::occlusionAccumulateCylinder, "occlusion accumulation, cylinders");
-        default:
-            return make(shaders::occlusionAccumulateSphere, "occlusion accumulation, spheres");
+    const graph::EncodedFormat& encoded = context.device.caps().encoded;
+    d.constants.set(layout::kBatchId, accumulation.batch);
+    d.constants.set(layout::kDepthChannelsId, accumulation.encoded ? encoded.channels : 1);
+    d.constants.set(layout::kDepthStepsId, accumulation.encoded ? encoded.steps : 0);
+    d.constants.set(layout::kMapsAcrossId, mapsAcross(accumulation.batch));
+    if (accumulation.spread > 0) {
+        d.constants.set(layout::kTapsId, 4u);
+        d.constants.set(layout::kSpreadId, accumulation.spread);
     }
+    return context.pipelines.compute(d);
 }
 
-vk::Pipeline OcclusionPipelines::finish() {
-    if (!*finish_)
-        finish_ = gpu::makeComputePipeline(device_, shaders::occlusionFinish, {}, *finishLayout_.pipeline,
-                                           "occlusion finish");
-    return *finish_;
+vk::Pipeline finishPipeline(gpu::PassContext& context) {
+    return context.pipelines.compute(
+        {"occlusion finish", shaders::occlusionFinish, {}, *finishLayout(context).pipeline});
 }
 
-vk::Pipeline OcclusionPipelines::splatting(bool cylinders) {
-    vk::raii::Pipeline& pipeline = cylinders ? cylinderSplats_ : sphereSplats_;
-    if (!*pipeline)
-        pipeline = cylinders ? gpu::makeComputePipeline(device_, shaders::occlusionSplatCylinder, {},
-                                                        *splatLayout_.pipeline, "depth splatting, cylinders")
-                             : gpu::makeComputePipeline(device_, shaders::occlusionSplatSphere, {},
-                                                        *splatLayout_.pipeline, "depth splatting, spheres");
-    return *pipeline;
+vk::Pipeline splatPipeline(gpu::PassContext& context, bool cylinders) {
+    const vk::PipelineLayout layout = *splatLayout(context).pipeline;
+    return cylinders
+               ? context.pipelines.compute({"depth splatting, cylinders", shaders::occlusionSplatCylinder, {}, layout})
+               : context.pipelines.compute({"depth splatting, spheres", shaders::occlusionSplatSphere, {}, layout});
 }
 
-}  // namespace nacre::passes
+}  // namespace nacre::occlusion

@@ -4,15 +4,13 @@
 
 #include "engine/occlusion/cache.h"
 
-namespace nacre {
+namespace nacre::occlusion {
 namespace {
 
-using passes::Nearest;
-
 /// The path of the depth maps, if the device is to choose.
-OcclusionMaps automaticMaps(const gpu::Caps& caps, Nearest nearest) {
+OcclusionMaps automaticMaps(const gpu::Caps& caps) {
     if (caps.software) return OcclusionMaps::splat;
-    return nearest == Nearest::encoded ? OcclusionMaps::encoded : OcclusionMaps::fragdepth;
+    return caps.visibility == Visibility::encoded ? OcclusionMaps::encoded : OcclusionMaps::fragdepth;
 }
 
 const char* nameOf(OcclusionMaps maps) {
@@ -31,7 +29,7 @@ std::uint64_t countUnseen(const std::vector<bool>& seen) {
 }
 
 /// What decides a texel beside the scene's shapes.
-std::string howBaked(const gpu::Caps& caps, const passes::OcclusionOptions& options) {
+std::string howBaked(const gpu::Caps& caps, const BakeOptions& options) {
     return std::to_string(options.directions) + " directions, " + std::to_string(options.budgetBytes) + " bytes, " +
            nameOf(options.path) + ", " + std::string(caps.encoded.name) + ", " + caps.deviceName + ", " +
            caps.driverName + ", " + std::to_string(caps.driverVersion) + ", " + std::to_string(caps.maxImageSize);
@@ -55,30 +53,27 @@ void SceneOcclusion::orDrop(Work&& work) {
     }
 }
 
-void SceneOcclusion::begin(const RenderSettings& settings) {
+void SceneOcclusion::begin(const OcclusionSettings& settings) {
     orDrop([&] { make(settings); });
 }
 
-void SceneOcclusion::make(const RenderSettings& settings) {
-    const std::tuple wanted{settings.occlusion.directions, settings.occlusion.bytes, settings.occlusion.maps};
-    if (settings.occlusion.directions == 0 || (bake_ && baked_ == wanted)) return;
+void SceneOcclusion::make(const OcclusionSettings& settings) {
+    const std::tuple wanted{settings.directions, settings.bytes, settings.maps};
+    if (settings.directions == 0 || (bake_ && baked_ == wanted)) return;
     if (representation_.spheres.empty() && representation_.cylinders.empty()) return;  // no atlas of no patches
     const auto start = Clock::now();
     device_->waitIdle();  // frames for the window may still read the streams and the atlas
     bake_.reset();
-    passes::OcclusionOptions options{settings.occlusion.directions, settings.occlusion.bytes, settings.occlusion.maps};
-    if (options.path == OcclusionMaps::automatic) options.path = automaticMaps(device_.caps(), nearest_);
-    cache_ = occlusionCache(settings.occlusion.cache);
+    BakeOptions options{settings.directions, settings.bytes, settings.maps};
+    if (options.path == OcclusionMaps::automatic) options.path = automaticMaps(device_.caps());
+    cache_ = occlusionCache(settings.cache);
     cacheName_ = cache_.on() ? occlusionCacheName(representation_, howBaked(device_.caps(), options)) : "";
-    worthKeeping_ = settings.occlusion.worthKeeping;
+    worthKeeping_ = settings.worthKeeping;
     const auto kept = readOcclusion(cache_, cacheName_, representation_, device_.caps().maxImageSize);
     if (kept)
-        bake_ = std::make_unique<passes::OcclusionBake>(device_, executor_, geometry_, pipelines_, scene_,
-                                                        representation_, options, *kept);
+        bake_ = std::make_unique<Bake>(device_, executor_, scene_, representation_, options, *kept);
     else
-        bake_ =
-            std::make_unique<passes::OcclusionBake>(device_, geometry_, pipelines_, scene_, representation_, options);
-    scene_ = passes::makeSceneBuffers(device_, representation_);  // the looks hold patch addresses now
+        bake_ = std::make_unique<Bake>(device_, scene_, representation_, options);
     if (!kept) bake_->finish(executor_);
     baked_ = wanted;
     directionMilliseconds_ = 0;
@@ -125,6 +120,10 @@ void SceneOcclusion::show(Clock::time_point start) {
     stats_.bakeMilliseconds += millisecondsSince(start);
 }
 
+double SceneOcclusion::share() const {
+    return bake_ ? static_cast<double>(bake_->directionsDone()) / bake_->directions() : 1;
+}
+
 void SceneOcclusion::advance(double milliseconds) {
     if (!bake_) return;
     orDrop([&] {
@@ -144,18 +143,18 @@ void SceneOcclusion::advance(double milliseconds) {
     });
 }
 
-void SceneOcclusion::finish(const RenderSettings& settings) {
+void SceneOcclusion::finish(const OcclusionSettings& settings) {
     begin(settings);
-    if (settings.occlusion.directions == 0 || !bake_ || bake_->directionsDone() == bake_->directions()) return;
+    if (settings.directions == 0 || !bake_ || bake_->directionsDone() == bake_->directions()) return;
     orDrop([&] {
         const auto start = Clock::now();
         while (bake_->directionsDone() < bake_->directions()) {
             bake_->step(executor_);
-            if (settings.occlusion.onProgress)
-                settings.occlusion.onProgress(static_cast<double>(bake_->directionsDone()) / bake_->directions());
+            if (settings.onProgress)
+                settings.onProgress(static_cast<double>(bake_->directionsDone()) / bake_->directions());
         }
         show(start);
     });
 }
 
-}  // namespace nacre
+}  // namespace nacre::occlusion

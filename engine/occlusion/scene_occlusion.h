@@ -6,57 +6,48 @@
 
 #include "engine/milliseconds.h"
 #include "engine/occlusion/bake.h"
-#include "engine/renderer.h"
+#include "engine/results.h"
+#include "engine/settings.h"
 #include "engine/storage/disk_cache.h"
 
-namespace nacre {
+namespace nacre::occlusion {
 
 class SceneOcclusion {
 public:
-    /// All of them outlive this. A bake writes patch addresses into the looks of `representation` and uploads `scene`
-    /// anew; `stats` is told what was chosen and done.
-    SceneOcclusion(const gpu::Device& device, gpu::Executor& executor, passes::Geometry& geometry,
-                   passes::Nearest nearest, Representation& representation, passes::SceneBuffers& scene,
-                   FrameStats& stats)
-        : device_(device),
-          executor_(executor),
-          geometry_(geometry),
-          pipelines_(device),
-          nearest_(nearest),
-          representation_(representation),
-          scene_(scene),
-          stats_(stats) {}
+    /// All of them outlive this. `stats` is told what was chosen and done.
+    SceneOcclusion(const gpu::Device& device, gpu::Executor& executor, const Representation& representation,
+                   const passes::SceneBuffers& scene, FrameStats& stats)
+        : device_(device), executor_(executor), representation_(representation), scene_(scene), stats_(stats) {}
 
     /// Makes the bake that the settings ask for, unless it is there, or there is nothing to bake. One that was kept is
     /// done at once.
-    void begin(const RenderSettings& settings);
+    void begin(const OcclusionSettings& settings);
     /// Works for about `milliseconds`, at least one direction, on the bake that begin() made.
     void advance(double milliseconds);
     /// All of it.
-    void finish(const RenderSettings& settings);
+    void finish(const OcclusionSettings& settings);
     /// The scene is about to change.
     void drop() { bake_.reset(); }
     /// Null: nothing was asked for yet, or there is nothing to bake.
-    const passes::OcclusionBake* bake() const { return bake_.get(); }
+    const Bake* bake() const { return bake_.get(); }
+    /// The share that is done, 0..1; 1 if there is nothing to bake.
+    double share() const;
 
 private:
     /// Does some work on the bake. One that failed half way may have counted directions that it does not know of, and
     /// is dropped: the next begins anew.
     template <typename Work>
     void orDrop(Work&& work);
-    void make(const RenderSettings& settings);
+    void make(const OcclusionSettings& settings);
     void keep(std::vector<std::uint8_t> atlas);
     void show(Clock::time_point start);
 
     const gpu::Device& device_;
     gpu::Executor& executor_;
-    passes::Geometry& geometry_;
-    passes::OcclusionPipelines pipelines_;  // of all bakes
-    passes::Nearest nearest_;
-    Representation& representation_;
-    passes::SceneBuffers& scene_;
+    const Representation& representation_;
+    const passes::SceneBuffers& scene_;
     FrameStats& stats_;
-    std::unique_ptr<passes::OcclusionBake> bake_;
+    std::unique_ptr<Bake> bake_;
     std::tuple<int, std::uint64_t, OcclusionMaps> baked_{};  // directions, budget, maps: of bake_
     double directionMilliseconds_ = 0;                       // that one direction took, lately
     DiskCache cache_;                                        // off: the bake is not to be kept
@@ -64,4 +55,4 @@ private:
     double worthKeeping_ = 0;
 };
 
-}  // namespace nacre
+}  // namespace nacre::occlusion

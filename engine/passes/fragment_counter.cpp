@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <stdexcept>
 
 namespace nacre::passes {
 namespace {
@@ -11,22 +12,22 @@ constexpr vk::DeviceSize kStride = 256;  // the floor's storage buffer offset al
 
 }  // namespace
 
-FragmentCounter::FragmentCounter(const gpu::Device& device, bool enabled) : enabled_(enabled) {
-    if (!enabled) return;
-    buffer_ = gpu::makeBuffer(device, kSlots * kStride, vk::BufferUsageFlagBits::eStorageBuffer, gpu::Access::readback,
-                              "fragment counters");
+FragmentCounter::FragmentCounter(const gpu::Device& device)
+    : buffer_(gpu::makeBuffer(device, kSlots * kStride, vk::BufferUsageFlagBits::eStorageBuffer, gpu::Access::readback,
+                              "fragment counters")) {
     std::memset(buffer_.mapped, 0, buffer_.size);
 }
 
-void FragmentCounter::attach(Draw& draw) {
-    if (!enabled_) return;
-    if (std::find(used_.begin(), used_.end(), draw.writes) == used_.end()) used_.push_back(draw.writes);
-    draw.counter = &buffer_;
-    draw.counterOffset = static_cast<vk::DeviceSize>(draw.writes) * kStride;
+vk::DescriptorBufferInfo FragmentCounter::slot(std::string_view pass) {
+    auto it = std::find(passes_.begin(), passes_.end(), pass);
+    if (it == passes_.end()) {
+        if (passes_.size() == kSlots) throw std::logic_error("more passes than fragment counters");
+        it = passes_.emplace(passes_.end(), pass);
+    }
+    return {*buffer_.handle, static_cast<vk::DeviceSize>(it - passes_.begin()) * kStride, sizeof(std::uint32_t)};
 }
 
 void FragmentCounter::finish(const vk::raii::CommandBuffer& commands) const {
-    if (!enabled_) return;
     const vk::MemoryBarrier barrier(vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead);
     commands.pipelineBarrier(vk::PipelineStageFlagBits::eFragmentShader, vk::PipelineStageFlagBits::eHost, {}, barrier,
                              {}, {});
@@ -34,10 +35,10 @@ void FragmentCounter::finish(const vk::raii::CommandBuffer& commands) const {
 
 std::vector<PassCount> FragmentCounter::counts() const {
     std::vector<PassCount> counts;
-    for (const Writes writes : used_) {
+    for (std::size_t i = 0; i < passes_.size(); ++i) {
         std::uint32_t shaded = 0;
-        std::memcpy(&shaded, buffer_.mapped + static_cast<std::size_t>(writes) * kStride, sizeof(shaded));
-        counts.push_back({nameOf(writes), shaded});
+        std::memcpy(&shaded, buffer_.mapped + i * kStride, sizeof(shaded));
+        counts.push_back({passes_[i], shaded});
     }
     return counts;
 }

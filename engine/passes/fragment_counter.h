@@ -2,28 +2,28 @@
 // Counts the fragments that each pass shades, exactly, by an atomic in the shader. Passes with early tests count what
 // the tests let through; those that write gl_FragDepth count what is rasterised.
 
+#include <string_view>
 #include <vector>
 
-#include "engine/passes/geometry.h"
+#include "engine/gpu/resources.h"
 #include "engine/results.h"
 
 namespace nacre::passes {
 
 class FragmentCounter {
 public:
-    FragmentCounter(const gpu::Device& device, bool enabled);
+    explicit FragmentCounter(const gpu::Device& device);
 
-    /// Makes a draw count, if counting is on. Draws of the same kind add up.
-    void attach(Draw& draw);
+    /// The counter of a pass. Draws of the same pass add up.
+    vk::DescriptorBufferInfo slot(std::string_view pass);
     /// Call behind the last draw.
     void finish(const vk::raii::CommandBuffer& commands) const;
     /// In the order of the frame; call when the commands have run.
     std::vector<PassCount> counts() const;
 
 private:
-    bool enabled_;
     gpu::Buffer buffer_;
-    std::vector<Writes> used_;
+    std::vector<std::string> passes_;
 };
 
 }  // namespace nacre::passes

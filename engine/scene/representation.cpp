@@ -102,7 +102,7 @@ void appendAtoms(const Molecule& molecule, const Appearance& appearance, Represe
         const glm::dvec3 position = glm::dvec3(atom.position) - result.center;
         const float radius = atomRadius(atom.element, appearance.styles[i]);
         result.spheres.push_back({glm::vec3(position), radius});
-        result.sphereLooks.push_back({appearance.colors[i], index + 1, 0});
+        result.sphereLooks.push_back({appearance.colors[i], index + 1});
     }
 }
 
@@ -128,7 +128,7 @@ void appendDashes(const Sphere& a, const Sphere& b, const SphereLook& lookA, con
         result.cylinders.push_back({at(from), kDashRadius, at(from + dashes.length), 0.0f});
         const SphereLook& first = 2 * i + 1 <= dashes.count ? lookA : lookB;
         const SphereLook& second = 2 * i + 1 < dashes.count ? lookA : lookB;
-        result.cylinderLooks.push_back({first.color, second.color, first.atom, second.atom, 0});
+        result.cylinderLooks.push_back({first.color, second.color, first.atom, second.atom});
     }
 }
 
@@ -156,7 +156,7 @@ void appendBonds(const Molecule& molecule, std::span<const Bond> bonds, const Su
             const auto& strand = strands.strands[static_cast<std::size_t>(i)];
             const glm::dvec3 from = start + side * static_cast<double>(strand.offset);
             result.cylinders.push_back({glm::vec3(from), strand.radius, glm::vec3(from + way), 0.0f});
-            result.cylinderLooks.push_back({lookA.color, lookB.color, lookA.atom, lookB.atom, 0});
+            result.cylinderLooks.push_back({lookA.color, lookB.color, lookA.atom, lookB.atom});
         }
     }
 }

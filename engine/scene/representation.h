@@ -18,11 +18,10 @@ struct Sphere {
     glm::vec3 center;  ///< Å, relative to Representation::center
     float radius;      ///< Å
 };
-/// Stream B: what shading reads beside it. 12 bytes.
+/// Stream B: what shading reads beside it. 8 bytes.
 struct SphereLook {
     std::uint32_t color;  ///< sRGB, 8 bits a channel, red in the lowest byte
     std::uint32_t atom;   ///< 1-based position of the atom in its file
-    std::uint32_t patch;  ///< texel x | y << 16 of its patch in the occlusion atlas
 };
 
 /// A cylinder with flat caps from a to b. 32 bytes.
@@ -35,7 +34,6 @@ struct Cylinder {
 struct CylinderLook {
     std::uint32_t colorA, colorB;  ///< of the half next to a and to b
     std::uint32_t atomA, atomB;
-    std::uint32_t patch;
 };
 
 struct Representation {

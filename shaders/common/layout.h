@@ -44,12 +44,12 @@ struct ViewConstants {
     uint primitives;      // in a copy
     float wholeImage;     // 1 if the viewport is the whole image, 0 if it has the view axis in its middle
     vec2 atlasTexel;      // 1 / texels of the atlas
-    float sphereEdge;     // texels across a sphere's patch
-    float around;         // texels around a cylinder's patch
-    float lighting;       // 0 or 1
-    float occlusion;      // 0 or 1
-    float along;          // texels along a cylinder's patch
-    uint spheres;         // of the primitives in a copy
+    uint patchTexels;     // from the lowest byte on: across a sphere's patch, around and along a cylinder's
+    uint spherePatches;   // in a row of the atlas
+    uint cylinderPatches;
+    float lighting;   // 0 or 1
+    float occlusion;  // 0 or 1
+    uint spheres;     // of the primitives in a copy
 };
 
 /// Push constants of the occlusion passes. A batch of depth maps lies side by side in one image, kMapsAcross in a row.
@@ -85,7 +85,7 @@ struct Direction {
 static_assert(sizeof(ViewConstants) == 128, "push constants: 128 bytes at most");
 static_assert(offsetof(ViewConstants, ndcPerAngstrom) == 48 && offsetof(ViewConstants, axisPixel) == 64 &&
               offsetof(ViewConstants, depthStart) == 80 && offsetof(ViewConstants, atlasTexel) == 96 &&
-              offsetof(ViewConstants, lighting) == 112);
+              offsetof(ViewConstants, cylinderPatches) == 112);
 static_assert(sizeof(OcclusionConstants) == 48);
 static_assert(sizeof(Direction) == 48);
 }  // namespace nacre::layout

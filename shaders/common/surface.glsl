@@ -1,4 +1,5 @@
 // From a primitive's hit to what a pass writes: colour, or one of the layers. Outputs by SURFACE or IDENTITY.
+#include "atlas.glsl"
 #include "hit.glsl"
 #include "patch.glsl"
 #include "shading.glsl"
@@ -22,12 +23,12 @@ float patchTexel(uint address, vec2 uv, vec2 texels) {
 }
 float sphereOcclusion(Hit hit, uint patchAddress) {
     if (view.occlusion == 0.0) return 1.0;
-    return patchTexel(patchAddress, octahedralCoordinate(toObject(hit.normal)), vec2(view.sphereEdge));
+    return patchTexel(patchAddress, octahedralCoordinate(toObject(hit.normal)), vec2(sphereEdge()));
 }
 float cylinderOcclusion(Hit hit, vec3 objectAxis, uint patchAddress) {
     if (view.occlusion == 0.0) return 1.0;
     vec2 uv = vec2(angleAbout(objectAxis, toObject(hit.normal)), hit.along);
-    return patchTexel(patchAddress, uv, vec2(view.around, view.along));
+    return patchTexel(patchAddress, uv, vec2(cylinderTexels()));
 }
 
 /// Writes a hit. Occlusion is passed by the caller, who knows the patch.

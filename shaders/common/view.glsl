@@ -1,4 +1,6 @@
 // The view of a geometry pass, and what follows from a pixel alone.
+#ifndef NACRE_VIEW_GLSL
+#define NACRE_VIEW_GLSL
 #extension GL_GOOGLE_include_directive : require
 #include "layout.h"
 #include "turn.glsl"
@@ -45,3 +47,4 @@ vec4 clipPosition(vec2 q, float d) {
     vec2 axis = view.axisPixel * ((kQuarterTurns & 1) == 1 ? perPixel.yx : perPixel) - 1.0;
     return vec4(turned(q * view.ndcPerAngstrom) + axis * view.wholeImage, clamp(d, 0.0, 1.0), 1.0);
 }
+#endif

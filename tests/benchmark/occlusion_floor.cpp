@@ -33,13 +33,14 @@ OcclusionFloor::OcclusionFloor(const gpu::Device& device, std::uint64_t mapBytes
     sums_ = gpu::makeBuffer(device, texels * 8, kStorage, gpu::Access::upload, "floor's sums");
     constexpr Type kBindings[] = {Type::eStorageBuffer, Type::eStorageBuffer};
     layout_ =
-        gpu::makeLayout(device, kBindings, vk::ShaderStageFlagBits::eCompute, sizeof(Push), "occlusion floor layout");
-    pipeline_ = gpu::makeComputePipeline(device, shaders::occlusionFloor, {}, *layout_.pipeline, "occlusion floor");
+        gpu::makeLayout(device, {"occlusion floor layout", kBindings, vk::ShaderStageFlagBits::eCompute, sizeof(Push)});
+    pipeline_ = gpu::makePipeline(
+        device, gpu::ComputePipeline{"occlusion floor", shaders::occlusionFloor, {}, *layout_.pipeline});
 }
 
 void OcclusionFloor::run(std::uint32_t directions) const {
     gpu::DescriptorPool pool(device_);
-    const vk::DescriptorSet set = pool.allocate(layout_.set);
+    const vk::DescriptorSet set = pool.allocate(layout_.set, "occlusion floor");
     const vk::DescriptorBufferInfo infos[] = {{*maps_.handle, 0, VK_WHOLE_SIZE}, {*sums_.handle, 0, VK_WHOLE_SIZE}};
     for (std::uint32_t i = 0; i < 2; ++i)
         device_->updateDescriptorSets(vk::WriteDescriptorSet(set, i, 0, Type::eStorageBuffer, {}, infos[i]), {});

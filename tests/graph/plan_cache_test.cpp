@@ -2,18 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/frame/screen_frame.h"
+#include "engine/frame/screen.h"
 #include "engine/graph/capability_sets.h"
 
 namespace nacre::graph {
 namespace {
 
 /// A frame for a window, with something of the application's drawn on top.
-ScreenFrame windowFrame(passes::Nearest nearest, Extent extent, Clear clear = Clear{1.0f}) {
-    const ScreenTarget target{"window", VK_FORMAT_B8G8R8A8_SRGB, passes::Writes::color, clear, true};
-    ScreenFrameOptions options;
+ScreenFrame windowFrame(Visibility visibility, Extent extent, Clear clear = Clear{1.0f}) {
+    const ScreenTarget target{"window", VK_FORMAT_B8G8R8A8_SRGB, passes::Output::color, "impostor colour", clear, true};
+    ScreenOptions options;
     options.extent = extent;
-    options.nearest = nearest;
+    options.visibility = visibility;
     options.encoded = graph::encodedFormats()[0];
     options.targets = {&target, 1};
     ScreenFrame frame = screenFrame(options);
@@ -24,11 +24,10 @@ ScreenFrame windowFrame(passes::Nearest nearest, Extent extent, Clear clear = Cl
 TEST(PlanCache, AnEqualGraphGetsTheSamePlan) {
     PlanCache cache;
     const PlanCaps caps = capabilitySet("mali").plan;
-    const ScreenFrame a = windowFrame(passes::Nearest::encoded, {64, 48});
+    const ScreenFrame a = windowFrame(Visibility::encoded, {64, 48});
     const Plan* plan = &cache.planOf(a.graph, caps);
     EXPECT_EQ(*plan, compile(a.graph, caps));
-    for (int i = 0; i < 10; ++i)
-        EXPECT_EQ(&cache.planOf(windowFrame(passes::Nearest::encoded, {64, 48}).graph, caps), plan);
+    for (int i = 0; i < 10; ++i) EXPECT_EQ(&cache.planOf(windowFrame(Visibility::encoded, {64, 48}).graph, caps), plan);
     EXPECT_EQ(cache.size(), 1u);
 }
 
@@ -40,28 +39,28 @@ TEST(PlanCache, WhateverDiffersGetsItsOwn) {
         EXPECT_EQ(cache.planOf(graph, caps), compile(graph, caps));
         EXPECT_EQ(cache.size(), before + 1);
     };
-    expectNew(windowFrame(passes::Nearest::encoded, {64, 48}).graph);
-    expectNew(windowFrame(passes::Nearest::encoded, {64, 49}).graph);
-    expectNew(windowFrame(passes::Nearest::fragdepth, {64, 48}).graph);
-    expectNew(windowFrame(passes::Nearest::encoded, {64, 48}, Clear{0.5f}).graph);
-    ScreenFrame output = windowFrame(passes::Nearest::encoded, {64, 48});
+    expectNew(windowFrame(Visibility::encoded, {64, 48}).graph);
+    expectNew(windowFrame(Visibility::encoded, {64, 49}).graph);
+    expectNew(windowFrame(Visibility::fragdepth, {64, 48}).graph);
+    expectNew(windowFrame(Visibility::encoded, {64, 48}, Clear{0.5f}).graph);
+    ScreenFrame output = windowFrame(Visibility::encoded, {64, 48});
     output.graph.output(output.depth);
     expectNew(output.graph);
     caps.merge = false;
-    expectNew(windowFrame(passes::Nearest::encoded, {64, 48}).graph);
+    expectNew(windowFrame(Visibility::encoded, {64, 48}).graph);
 }
 
 TEST(PlanCache, HoldsABoundedNumberOfPlans) {
     PlanCache cache;
     const PlanCaps caps = capabilitySet("desktop").plan;
     for (std::uint32_t width = 1; width < 200; ++width)
-        cache.planOf(windowFrame(passes::Nearest::fragdepth, {width, 48}).graph, caps);
+        cache.planOf(windowFrame(Visibility::fragdepth, {width, 48}).graph, caps);
     EXPECT_LE(cache.size(), 16u);
 }
 
 TEST(WindowFrame, TheOverlayIsDrawnInTheFinalSubpassAndTheDisplayGetsTheImage) {
     for (const char* set : {"mali", "adreno", "powervr"}) {
-        const ScreenFrame frame = windowFrame(passes::Nearest::encoded, {64, 48});
+        const ScreenFrame frame = windowFrame(Visibility::encoded, {64, 48});
         const Plan plan = compile(frame.graph, capabilitySet(set).plan);
         ASSERT_EQ(plan.steps.size(), 1u) << set;
         const RenderPassPlan& pass = plan.steps[0].renderPass;

@@ -324,7 +324,9 @@ TEST(CapabilitySets, AllHaveFactsWithSources) {
     for (const CapabilitySet& set : capabilitySets()) {
         EXPECT_FALSE(set.facts.empty()) << set.plan.name;
         for (const Fact& fact : set.facts) EXPECT_GT(std::string(fact.source).size(), 10u) << fact.what;
-        EXPECT_NE(set.visibility, Visibility::automatic);
+        const VisibilityChoice choice = chooseVisibility(set.kind, set.plan);
+        EXPECT_NE(choice.visibility, Visibility::automatic);
+        EXPECT_NE(choice.why, std::string());
         EXPECT_GE(set.plan.tileBytesPerPixel, 16u);
     }
     EXPECT_THROW(capabilitySet("voodoo"), std::exception);

@@ -109,7 +109,7 @@ public:
         }
         gpu::Executor executor(device);
         plan = compile(d.graph, caps);
-        device.submitAndWait([&](const vk::raii::CommandBuffer& c) { executor.record(c, d.graph, plan, imports); });
+        executor.run(d.graph, plan, imports);
         std::vector<std::uint32_t> result;
         for (const gpu::Buffer& b : memory) {
             const auto* words = reinterpret_cast<const std::uint32_t*>(b.mapped);
@@ -124,7 +124,7 @@ public:
 private:
     gpu::Layout layout(Type last, vk::ShaderStageFlags stages) {
         const Type bindings[] = {Type::eCombinedImageSampler, Type::eCombinedImageSampler, Type::eStorageBuffer, last};
-        return gpu::makeLayout(device, bindings, stages, sizeof(Push), "random layout");
+        return gpu::makeLayout(device, {"random layout", bindings, stages, sizeof(Push)});
     }
     gpu::Buffer buffer(const char* name) {
         using Usage = vk::BufferUsageFlagBits;
@@ -152,7 +152,7 @@ private:
             words = c.buffer(buffers[use.resource]);
             push.reads |= 4;
         }
-        const vk::DescriptorSet set = c.descriptors.allocate(layout.set);
+        const vk::DescriptorSet set = c.descriptors.allocate(layout.set, "random");
         const vk::DescriptorImageInfo colorInfo(*sampler_, color, kTextureLayout),
             depthInfo(*sampler_, depth, kTextureLayout);
         const vk::DescriptorBufferInfo bufferInfo(words, 0, VK_WHOLE_SIZE);
@@ -174,16 +174,12 @@ private:
         device->updateDescriptorSets(
             vk::WriteDescriptorSet(textures, 3, 0, onTile ? Type::eInputAttachment : Type::eCombinedImageSampler, info),
             {});
-        gpu::GraphicsPipeline p;
-        p.name = "random";
+        gpu::GraphicsPipeline p = c.pipeline();
         p.vertex = shaders::randomVert;
         p.colorsWritten = static_cast<std::uint32_t>(std::count_if(
             pass.uses.begin(), pass.uses.end(), [](const RandomUse& use) { return use.verb == Verb::color; }));
         p.fragment = fragmentShader(p.colorsWritten, input != nullptr, c.inputIsSampled);
         p.layout = *layout.pipeline;
-        p.renderPass = c.renderPass;
-        p.subpass = c.subpass;
-        p.colorCount = c.colorCount;
         p.depth = pass.find(Verb::depth)       ? gpu::DepthUse::write
                   : pass.find(Verb::depthTest) ? gpu::DepthUse::test
                                                : gpu::DepthUse::none;
@@ -201,8 +197,8 @@ private:
         const vk::DescriptorSet textures = set(c, compute_, random, pass, images, buffers, push);
         const vk::DescriptorBufferInfo target(c.buffer(buffers[pass.find(Verb::writes)->resource]), 0, VK_WHOLE_SIZE);
         device->updateDescriptorSets(vk::WriteDescriptorSet(textures, 3, 0, Type::eStorageBuffer, {}, target), {});
-        pipelines_.push_back(
-            gpu::makeComputePipeline(device, shaders::randomComp, {}, *compute_.pipeline, "random compute"));
+        pipelines_.push_back(gpu::makePipeline(
+            device, gpu::ComputePipeline{"random compute", shaders::randomComp, {}, *compute_.pipeline}));
         c.commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipelines_.back());
         c.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *compute_.pipeline, 0, textures, {});
         c.commands.pushConstants<Push>(*compute_.pipeline, vk::ShaderStageFlagBits::eCompute, 0, push);

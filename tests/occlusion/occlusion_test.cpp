@@ -15,7 +15,7 @@ namespace {
 Representation loneSphere() {
     Representation r;
     r.spheres = {{{0, 0, 0}, 1.7f}};
-    r.sphereLooks = {{0xffffffff, 1, 0}};
+    r.sphereLooks = {{0xffffffff, 1}};
     r.radius = 1.7;
     r.drawnAtoms = 1;
     return r;

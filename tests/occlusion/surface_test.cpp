@@ -15,7 +15,7 @@ Representation spheres(std::vector<Sphere> list) {
     Representation r;
     r.spheres = std::move(list);
     for (std::uint32_t i = 0; i < r.spheres.size(); ++i) {
-        r.sphereLooks.push_back({0xffffffff, i + 1, 0});
+        r.sphereLooks.push_back({0xffffffff, i + 1});
         r.radius = std::max(r.radius, static_cast<double>(glm::length(r.spheres[i].center) + r.spheres[i].radius));
     }
     r.drawnAtoms = r.spheres.size();

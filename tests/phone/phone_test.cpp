@@ -46,7 +46,7 @@ TEST(Phone, TheValidationLayerKnowsItsLimits) {
     DeviceOptions options;
     options.validate = true;
     const gpu::Device device(options);
-    gpu::makeLayout(device, {}, vk::ShaderStageFlagBits::eVertex, 132, "more than 128 bytes");
+    gpu::makeLayout(device, {"more than 128 bytes", {}, vk::ShaderStageFlagBits::eVertex, 132});
     ASSERT_EQ(device.validationMessages().size(), 1u);
     EXPECT_NE(device.validationMessages()[0].find("VUID-VkPushConstantRange-size-00298"), std::string::npos);
 }

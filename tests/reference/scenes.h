@@ -12,7 +12,7 @@ namespace nacre::reference {
 
 inline void addSphere(Representation& scene, const glm::vec3& center, float radius, std::uint32_t atom) {
     scene.spheres.push_back({center, radius});
-    scene.sphereLooks.push_back({0xffffffffu, atom, 0});
+    scene.sphereLooks.push_back({0xffffffffu, atom});
     const double reach = glm::length(glm::dvec3(center)) + radius;
     if (reach > scene.radius) scene.radius = reach;
 }
@@ -20,7 +20,7 @@ inline void addSphere(Representation& scene, const glm::vec3& center, float radi
 inline void addRod(Representation& scene, const glm::vec3& a, const glm::vec3& b, float radius, std::uint32_t atomA,
                    std::uint32_t atomB) {
     scene.cylinders.push_back({a, radius, b});
-    scene.cylinderLooks.push_back({0xffffffffu, 0xffffffffu, atomA, atomB, 0});
+    scene.cylinderLooks.push_back({0xffffffffu, 0xffffffffu, atomA, atomB});
     for (const glm::vec3& end : {a, b}) {
         const double reach = glm::length(glm::dvec3(end)) + radius;
         if (reach > scene.radius) scene.radius = reach;

@@ -1,9 +1,10 @@
-#include "engine/passes/overlay_pass.h"
+#include "engine/passes/overlay.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "engine/error.h"
+#include "engine/passes/full_screen.h"
 #include "engine/passes/read_back.h"
 #include "shaders.h"
 #include "shaders/common/layout.h"
@@ -12,6 +13,9 @@ namespace nacre::passes {
 namespace {
 
 constexpr vk::DescriptorType kBindings[] = {vk::DescriptorType::eCombinedImageSampler};
+constexpr vk::VertexInputBindingDescription kStreams[] = {{0, sizeof(OverlayVertex), vk::VertexInputRate::eVertex}};
+constexpr vk::VertexInputAttributeDescription kAttributes[] = {
+    {0, 0, vk::Format::eR32G32Sfloat, 0}, {1, 0, vk::Format::eR32G32Sfloat, 8}, {2, 0, vk::Format::eR8G8B8A8Unorm, 16}};
 constexpr vk::ShaderStageFlags kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 
 /// Makes room and copies; buffers grow by half, so that they seldom do.
@@ -51,10 +55,7 @@ vk::Rect2D scissorOf(const OverlayBatch& b, graph::Extent upright, int quarterTu
 }  // namespace
 
 OverlayPass::OverlayPass(const gpu::Device& device, gpu::Executor& executor)
-    : device_(device),
-      sampler_(gpu::makeSampler(device, vk::Filter::eLinear, "glyphs")),
-      layout_(gpu::makeLayout(device, kBindings, kStages, 16, "overlay layout")),
-      glyphs_(makeWhiteTexture(device, executor)) {}
+    : device_(device), glyphs_(makeWhiteTexture(device, executor)) {}
 
 void OverlayPass::setGlyphs(gpu::Executor& executor, const OverlayGlyphs& glyphs) {
     if (std::max(glyphs.width, glyphs.height) > device_.caps().maxImageSize)
@@ -68,42 +69,26 @@ void OverlayPass::upload(gpu::FrameSlot& slot, const Overlay& overlay) const {
     put(device_, slot.indices, overlay.indices, vk::BufferUsageFlagBits::eIndexBuffer, "overlay indices");
 }
 
-vk::Pipeline OverlayPass::pipeline(const gpu::PassContext& context, int quarterTurns, bool coded) {
-    const auto key =
-        std::make_tuple(static_cast<VkRenderPass>(context.renderPass), context.subpass, quarterTurns, coded);
-    if (const auto it = pipelines_.find(key); it != pipelines_.end()) return *it->second;
-    gpu::GraphicsPipeline d;
-    d.name = "overlay";
+void OverlayPass::draw(gpu::PassContext& context, const gpu::FrameSlot& slot, const Overlay& overlay,
+                       graph::Extent upright, int quarterTurns, bool coded) const {
+    const vk::raii::CommandBuffer& commands = context.commands;
+    const std::array<float, 4> scale{2.0f / static_cast<float>(upright.width),
+                                     2.0f / static_cast<float>(upright.height), 0, 0};
+    const gpu::Layout& layout = context.pipelines.layout({"overlay layout", kBindings, kStages, sizeof(scale)});
+    gpu::GraphicsPipeline d = context.pipeline();
     d.vertex = shaders::overlayVertex;
     d.fragment = shaders::overlayFragment;
     d.constants.set(layout::kQuarterTurnsId, quarterTurns);
     d.constants.set(layout::kCodedId, coded);
-    d.bindings = {{0, sizeof(OverlayVertex), vk::VertexInputRate::eVertex}};
-    d.attributes = {{0, 0, vk::Format::eR32G32Sfloat, 0},
-                    {1, 0, vk::Format::eR32G32Sfloat, 8},
-                    {2, 0, vk::Format::eR8G8B8A8Unorm, 16}};
-    d.layout = *layout_.pipeline;
-    d.renderPass = context.renderPass;
-    d.subpass = context.subpass;
-    d.colorCount = context.colorCount;
+    d.streams = {kStreams, kAttributes};
+    d.layout = *layout.pipeline;
     d.colorsWritten = 1;
     d.blend = gpu::Blend::over;
     d.strip = false;
-    return *pipelines_.emplace(key, gpu::makePipeline(device_, d)).first->second;
-}
-
-void OverlayPass::draw(gpu::PassContext& context, const gpu::FrameSlot& slot, const Overlay& overlay,
-                       graph::Extent upright, int quarterTurns, bool coded) {
-    const vk::raii::CommandBuffer& commands = context.commands;
-    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline(context, quarterTurns, coded));
-    const vk::DescriptorSet set = context.descriptors.allocate(layout_.set, "overlay");
-    const vk::DescriptorImageInfo glyphs(*sampler_, *glyphs_.view, vk::ImageLayout::eShaderReadOnlyOptimal);
-    device_->updateDescriptorSets(vk::WriteDescriptorSet(set, 0, 0, vk::DescriptorType::eCombinedImageSampler, glyphs),
-                                  {});
-    commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout_.pipeline, 0, set, {});
-    const std::array<float, 4> scale{2.0f / static_cast<float>(upright.width),
-                                     2.0f / static_cast<float>(upright.height), 0, 0};
-    commands.pushConstants<float>(*layout_.pipeline, kStages, 0, scale);
+    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, context.pipelines.graphics(d));
+    const vk::ImageView glyphs = *glyphs_.view;
+    bindTextures(context, layout, vk::Filter::eLinear, {&glyphs, 1});
+    commands.pushConstants<float>(*layout.pipeline, kStages, 0, scale);
     commands.bindVertexBuffers(0, *slot.vertices.handle, {0});
     commands.bindIndexBuffer(*slot.indices.handle, 0, vk::IndexType::eUint32);
     for (const OverlayBatch& batch : overlay.batches) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <map>
-
 #include "engine/gpu/execute.h"
 #include "engine/gpu/frame_ring.h"
 #include "engine/overlay.h"
@@ -21,16 +19,11 @@ public:
     /// @param upright pixels of the picture as it is seen
     /// @param coded   the target takes sRGB-coded colour
     void draw(gpu::PassContext& context, const gpu::FrameSlot& slot, const Overlay& overlay, graph::Extent upright,
-              int quarterTurns, bool coded);
+              int quarterTurns, bool coded) const;
 
 private:
-    vk::Pipeline pipeline(const gpu::PassContext& context, int quarterTurns, bool coded);
-
     const gpu::Device& device_;
-    vk::raii::Sampler sampler_;
-    gpu::Layout layout_;
     gpu::Image glyphs_;
-    std::map<std::tuple<VkRenderPass, std::uint32_t, int, bool>, vk::raii::Pipeline> pipelines_;
 };
 
 }  // namespace nacre::passes

@@ -1,0 +1,69 @@
+#include "engine/frame/pass_notes.h"
+
+#include <algorithm>
+
+#include "engine/scene/representation.h"
+
+namespace nacre {
+namespace {
+
+constexpr Fetch kPositions{sizeof(Sphere), sizeof(Cylinder)};
+constexpr Fetch kPlates{sizeof(Sphere), 0};
+constexpr Fetch kRecords{sizeof(Sphere) + sizeof(SphereLook), sizeof(Cylinder) + sizeof(CylinderLook)};
+constexpr Fetch kRecordsOfPixel{kRecords.sphere, kRecords.cylinder, true};
+
+constexpr const char* kPrecisionPlates = "fp32: positions; no fragment arithmetic";
+constexpr const char* kPrecisionHit = "fp32: positions, hit, depth (a half tells 0.06 A apart at 100 A)";
+constexpr const char* kPrecisionShade =
+    "fp32: positions, hit, depth, atlas address; fp16 would do: normal, occlusion, light, colour";
+
+/// Depth of a pass that writes the hit's own depth.
+constexpr const char* kConservative =
+    "gl_FragDepth is declared depth_greater: what the polygon hides is rejected early, the hit itself is tested late";
+
+bool has(const graph::PassDecl& pass, graph::Verb verb) {
+    return std::any_of(pass.uses.begin(), pass.uses.end(), [&](const graph::Use& use) { return use.verb == verb; });
+}
+
+}  // namespace
+
+const char* depthTimingName(DepthTiming timing) {
+    switch (timing) {
+        case DepthTiming::none:
+            return "none";
+        case DepthTiming::early:
+            return "early";
+        case DepthTiming::conservative:
+            return "conservative";
+    }
+    return "";
+}
+
+PassNotes notesOf(const graph::PassDecl& pass) {
+    using graph::Verb;
+    const bool shades = has(pass, Verb::samples);  // the occlusion atlas
+    if (has(pass, Verb::depth)) {
+        if (!has(pass, Verb::color))
+            return {DepthTiming::early,
+                    "depth comes from the plate's corners; the shader has no output",
+                    kPlates,
+                    {},
+                    kPrecisionPlates};
+        return {DepthTiming::conservative, kConservative, kPositions, shades ? kRecords : kPositions,
+                shades ? kPrecisionShade : kPrecisionHit};
+    }
+    if (!has(pass, Verb::depthTest))
+        return {DepthTiming::none,
+                "one triangle over the screen; each covered pixel is shaded once",
+                {},
+                kRecordsOfPixel,
+                kPrecisionShade};
+    if (shades)
+        return {DepthTiming::early, "depth is only tested, so that a discard cannot delay it", kPositions, kRecords,
+                kPrecisionShade};
+    return {DepthTiming::early,
+            "depth is only tested; outside the outline MIN's neutral value is written instead of a discard", kPositions,
+            kPositions, kPrecisionHit};
+}
+
+}  // namespace nacre

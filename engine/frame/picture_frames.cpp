@@ -1,0 +1,139 @@
+#include "engine/frame/picture_frames.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/error.h"
+#include "engine/frame/picture.h"
+#include "engine/milliseconds.h"
+#include "engine/passes/read_back.h"
+
+namespace nacre {
+namespace {
+
+using passes::Output;
+
+constexpr ScreenTarget kLayerTargets[] = {{"colour", VK_FORMAT_R32G32B32A32_SFLOAT, Output::color, "impostor colour"},
+                                          {"surface", VK_FORMAT_R32G32B32A32_SFLOAT, Output::surface, "surface layer"},
+                                          {"identity", VK_FORMAT_R32G32_UINT, Output::identity, "identity layer"}};
+
+constexpr ScreenTarget kPickTargets[] = {{"identity", VK_FORMAT_R32G32_UINT, Output::identity, "identity layer"}};
+
+/// Copies of the frame's targets to the host.
+std::vector<gpu::Buffer> addReadBacks(const gpu::Device& device, ScreenFrame& frame,
+                                      std::span<const ScreenTarget> targets, graph::Extent extent,
+                                      gpu::Imports& imports) {
+    std::vector<gpu::Buffer> pixels;
+    pixels.reserve(targets.size());
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const std::string what = std::string(targets[i].image) + " pixels";
+        const std::uint64_t bytes =
+            std::uint64_t{extent.width} * extent.height * graph::bytesPerTexel(targets[i].format);
+        pixels.push_back(
+            gpu::makeBuffer(device, bytes, vk::BufferUsageFlagBits::eTransferDst, gpu::Access::readback, what));
+        const auto buffer = frame.graph.importBuffer(what, bytes);
+        imports.bind(buffer, pixels.back());
+        passes::readBack(frame.graph, frame.targets[i], {targets[i].format, extent}, buffer);
+    }
+    return pixels;
+}
+
+}  // namespace
+
+std::vector<gpu::Buffer> PictureFrames::draw(const RenderSettings& settings, const View& view,
+                                             std::span<const ScreenTarget> targets, bool readBack, const char* name) {
+    std::shared_ptr<passes::FragmentCounter> fragments;
+    if (settings.tuning.countFragments) fragments = std::make_shared<passes::FragmentCounter>(device_);
+    gpu::Imports imports;
+    ScreenFrame frame = frames_.declare(settings, view, targets, name, imports, fragments);
+    std::vector<gpu::Buffer> pixels;
+    if (readBack)
+        pixels = addReadBacks(device_, frame, targets, imageExtent(view), imports);
+    else
+        for (const graph::Image target : frame.targets) frame.graph.output(target);
+    const graph::Plan& plan = planOf(frame.graph, settings.tuning);
+    const auto start = Clock::now();
+    device_.submitAndWait([&](const vk::raii::CommandBuffer& c) {
+        executor_.record(c, frame.graph, plan, imports);
+        if (fragments) fragments->finish(c);
+    });
+    stats_.frameMilliseconds = millisecondsSince(start);
+    executor_.reset();
+    if (fragments) stats_.passes = fragments->counts();
+    tell(plan);
+    return pixels;
+}
+
+const graph::Plan& PictureFrames::planOf(const graph::Graph& graph, const FrameTuning& tuning) {
+    const graph::Plan& plan = plans_.planOf(graph, frames_.planCaps(tuning));
+    if (lastPlan_ != plan) {
+        lastGraph_ = graph.declarations();
+        lastPlan_ = plan;
+        planText_.clear();
+    }
+    return plan;
+}
+
+void PictureFrames::tell(const graph::Plan& plan) {
+    stats_.tileBytesPerPixel = graph::tileBytesPerPixel(plan);
+    stats_.loadedBytes = plan.total.loaded;
+    stats_.storedBytes = plan.total.stored;
+    stats_.deviceBytes = device_.peakAllocatedBytes();
+    stats_.deviceBytesHeld = device_.allocatedBytes();
+}
+
+const std::string& PictureFrames::planText() const {
+    if (planText_.empty()) planText_ = graph::describe(lastGraph_, lastPlan_);
+    return planText_;
+}
+
+Picture PictureFrames::picture(const RenderSettings& settings) {
+    const std::uint32_t n = std::max(settings.supersample, 1u);
+    const View view = scaled(settings.view, n);
+    const std::uint32_t most = device_.caps().maxImageSize;
+    if (std::max(view.width, view.height) > most)
+        throw Error("picture too large", std::to_string(view.width) + "x" + std::to_string(view.height),
+                    "this device draws at most " + std::to_string(most) + " pixels a side, supersampling counted");
+    const auto pixels = draw(settings, view, kScreenTargets, true, "screen");
+    const graph::Extent image = imageExtent(view);
+    return resolvePicture(reinterpret_cast<const std::uint32_t*>(pixels[0].mapped), image.width, image.height, n,
+                          settings.background, stats_.coveredPixels);
+}
+
+LayerPicture PictureFrames::layers(const RenderSettings& settings) {
+    const auto pixels = draw(settings, settings.view, kLayerTargets, true, "screen");
+    return assembleLayers(settings.view.width, settings.view.height, reinterpret_cast<const float*>(pixels[0].mapped),
+                          reinterpret_cast<const float*>(pixels[1].mapped),
+                          reinterpret_cast<const std::uint32_t*>(pixels[2].mapped), settings.background,
+                          stats_.coveredPixels);
+}
+
+void PictureFrames::frame(const RenderSettings& settings) {
+    draw(settings, settings.view, kScreenTargets, false, "screen");
+}
+
+std::uint32_t PictureFrames::atomAt(const RenderSettings& settings, double x, double y, double reach) {
+    // A picture of its own, as large as the reach, about the place. The middle pixel is the one that holds (x, y).
+    const auto side = static_cast<std::uint32_t>(2 * std::ceil(std::clamp(reach, 0.0, 100.0)) + 1);
+    RenderSettings small = settings;
+    small.occlusion.directions = 0;
+    small.tuning.countFragments = false;
+    small.view.pan = -planePointAt(settings.view, std::floor(x) + 0.5, std::floor(y) + 0.5);
+    small.view.width = small.view.height = side;
+    const auto pixels = draw(small, small.view, kPickTargets, true, "pick");
+    const auto* identity = reinterpret_cast<const std::uint32_t*>(pixels[0].mapped);
+    std::uint32_t atom = 0;
+    double nearest = reach * reach + 0.5;
+    for (std::uint32_t j = 0; j < side; ++j)
+        for (std::uint32_t i = 0; i < side; ++i) {
+            const double right = i - (side - 1) / 2.0, down = j - (side - 1) / 2.0;
+            const double distance = right * right + down * down;
+            const std::uint32_t here = identity[2 * (std::size_t{j} * side + i)];
+            if (here == 0 || distance >= nearest) continue;
+            nearest = distance;
+            atom = here;
+        }
+    return atom;
+}
+
+}  // namespace nacre

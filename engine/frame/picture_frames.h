@@ -1,0 +1,42 @@
+#pragma once
+// Frames that the host waits for: pictures, layers, and what lies under a point.
+
+#include "engine/frame/scene_frames.h"
+#include "engine/graph/plan_cache.h"
+
+namespace nacre {
+
+class PictureFrames {
+public:
+    /// All of them outlive this. `stats` is told of the last frame.
+    PictureFrames(const gpu::Device& device, gpu::Executor& executor, const SceneFrames& frames, FrameStats& stats)
+        : device_(device), executor_(executor), frames_(frames), stats_(stats) {}
+
+    /// @throws Error if the picture is larger than the device draws, or memory runs out
+    Picture picture(const RenderSettings& settings);
+    LayerPicture layers(const RenderSettings& settings);
+    /// A frame of which nothing is read back.
+    void frame(const RenderSettings& settings);
+    /// As Renderer::atomAt.
+    std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach);
+
+    /// Plan of the last frame as text.
+    const std::string& planText() const;
+
+private:
+    std::vector<gpu::Buffer> draw(const RenderSettings& settings, const View& view,
+                                  std::span<const ScreenTarget> targets, bool readBack, const char* name);
+    const graph::Plan& planOf(const graph::Graph& graph, const FrameTuning& tuning);
+    void tell(const graph::Plan& plan);
+
+    const gpu::Device& device_;
+    gpu::Executor& executor_;
+    const SceneFrames& frames_;
+    FrameStats& stats_;
+    graph::PlanCache plans_;
+    graph::Graph lastGraph_{"none"};
+    graph::Plan lastPlan_;
+    mutable std::string planText_;  // of both; made when it is asked for
+};
+
+}  // namespace nacre

@@ -1,0 +1,33 @@
+#include "engine/frame/screen.h"
+
+namespace nacre {
+
+void declareRasterOrder(ScreenFrame& f, const ScreenOptions& options, const Recorder& draw) {
+    f.graph.graphics("opaque prepass").depth(f.depth, graph::Clear{1.0f}).record(draw.plates());
+
+    f.nearest = f.graph.image("nearest depth", {VK_FORMAT_R32_SFLOAT, options.extent});
+    if (options.targets.size() == 1) {  // it keeps the nearest depth itself
+        const ScreenTarget& target = options.targets[0];
+        const graph::Image image = f.add(target, options.extent);
+        f.graph.graphics(target.pass)
+            .depthTest(f.depth)
+            .samples(f.atlas)
+            .color(image, target.clear)
+            .ordered(f.nearest, graph::Clear{1.0f})
+            .record(draw.impostorsInOrder(target.output, f.atlas, f.nearest));
+        return;
+    }
+    f.graph.graphics("depth encoding")
+        .depthTest(f.depth)
+        .ordered(f.nearest, graph::Clear{1.0f})
+        .record(draw.encodedDepthInOrder(f.atlas, f.nearest));
+    for (const ScreenTarget& target : options.targets)  // share what the pass before them kept
+        f.graph.graphics(target.pass)
+            .depthTest(f.depth)
+            .samples(f.atlas)
+            .color(f.add(target, options.extent), target.clear)
+            .samples(f.nearest)
+            .record(draw.impostorsAtNearestDepth(target.output, f.atlas, f.nearest));
+}
+
+}  // namespace nacre

@@ -1,0 +1,85 @@
+#include "engine/frame/recorder.h"
+
+#include "engine/passes/debug_view.h"
+#include "engine/passes/deferred_shading.h"
+#include "engine/passes/depth_encoding.h"
+#include "engine/passes/impostor_color.h"
+#include "engine/passes/nearest_primitive.h"
+#include "engine/passes/opaque_prepass.h"
+#include "engine/passes/overdraw.h"
+
+namespace nacre {
+
+using graph::Image;
+using passes::NearestFrom;
+using passes::Output;
+using passes::SceneView;
+using Context = gpu::PassContext;
+
+template <typename Pass>
+graph::Record Recorder::of(Pass pass) const {
+    if (!scene_) return {};
+    return [scene = scene_, pass](Context& c) { pass(c, *scene); };
+}
+
+graph::Record Recorder::plates() const { return of(passes::drawPlates); }
+graph::Record Recorder::nearestPrimitive() const { return of(passes::drawNearestPrimitive); }
+graph::Record Recorder::overdraw() const { return of(passes::drawOverdraw); }
+
+graph::Record Recorder::encodedDepth(const graph::EncodedFormat& format) const {
+    return of([encoding = passes::Encoding(format)](Context& c, const SceneView& scene) {
+        passes::encodeDepth(c, scene, encoding);
+    });
+}
+
+graph::Record Recorder::encodedDepthInOrder(Image atlas, Image nearest) const {
+    return of([=](Context& c, const SceneView& scene) {
+        passes::encodeDepthInOrder(c, scene, c.view(atlas), c.view(nearest));
+    });
+}
+
+graph::Record Recorder::impostorsByDepthBuffer(Output output, Image atlas) const {
+    return of([=](Context& c, const SceneView& scene) {
+        passes::drawImpostorColor(c, scene, output, {NearestFrom::depthBuffer, c.view(atlas), {}}, {}, false);
+    });
+}
+
+graph::Record Recorder::impostorsAtEncodedDepth(Output output, Image atlas, Image nearest,
+                                                const graph::EncodedFormat& format) const {
+    return of([=, encoding = passes::Encoding(format), settles = format.settles()](Context& c, const SceneView& scene) {
+        const auto from = c.inputIsSampled ? NearestFrom::texture : NearestFrom::inputAttachment;
+        passes::drawImpostorColor(c, scene, output, {from, c.view(atlas), c.view(nearest)}, encoding, settles);
+    });
+}
+
+graph::Record Recorder::impostorsAtNearestDepth(Output output, Image atlas, Image nearest) const {
+    return of([=](Context& c, const SceneView& scene) {
+        passes::drawImpostorColor(c, scene, output, {NearestFrom::texture, c.view(atlas), c.view(nearest)}, {}, false);
+    });
+}
+
+graph::Record Recorder::impostorsInOrder(Output output, Image atlas, Image nearest) const {
+    return of([=](Context& c, const SceneView& scene) {
+        passes::drawImpostorColor(c, scene, output, {NearestFrom::ownAttachment, c.view(atlas), c.view(nearest)}, {},
+                                  false);
+    });
+}
+
+graph::Record Recorder::shadedPrimitives(Output output, Image atlas, Image numbers) const {
+    return of([=](Context& c, const SceneView& scene) {
+        const auto from = c.inputIsSampled ? NearestFrom::texture : NearestFrom::inputAttachment;
+        passes::shadeNearestPrimitive(c, scene, output, {from, c.view(atlas), c.view(numbers)});
+    });
+}
+
+graph::Record Recorder::tileMean(std::uint32_t tile, Image source) const {
+    return of([=](Context& c, const SceneView& scene) { passes::drawTileMean(c, scene, tile, c.view(source)); });
+}
+
+graph::Record Recorder::debugView(DebugView what, std::uint32_t tile, Image source, std::optional<Image> under) const {
+    return of([=](Context& c, const SceneView& scene) {
+        passes::drawDebugView(c, scene, what, tile, c.view(source), under ? c.view(*under) : vk::ImageView());
+    });
+}
+
+}  // namespace nacre

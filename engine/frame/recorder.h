@@ -1,0 +1,51 @@
+#pragma once
+// What the passes of a frame record: the scene as one view sees it, drawn by engine/passes.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "engine/debug_view.h"
+#include "engine/graph/encoded_format.h"
+#include "engine/graph/graph.h"
+#include "engine/passes/output.h"
+
+namespace nacre::passes {
+struct SceneView;
+}
+
+namespace nacre {
+
+/// Gives each pass the function that records it. One without a scene gives empty ones: its frame is only looked at.
+class Recorder {
+public:
+    Recorder() = default;
+    explicit Recorder(std::shared_ptr<const passes::SceneView> scene) : scene_(std::move(scene)) {}
+
+    graph::Record plates() const;
+    graph::Record encodedDepth(const graph::EncodedFormat& format) const;
+    graph::Record encodedDepthInOrder(graph::Image atlas, graph::Image nearest) const;
+    graph::Record nearestPrimitive() const;
+
+    graph::Record impostorsByDepthBuffer(passes::Output output, graph::Image atlas) const;
+    /// As `format` encodes it, read as an input attachment or, where it left the tile, a texture.
+    graph::Record impostorsAtEncodedDepth(passes::Output output, graph::Image atlas, graph::Image nearest,
+                                          const graph::EncodedFormat& format) const;
+    /// Depth itself, as a texture.
+    graph::Record impostorsAtNearestDepth(passes::Output output, graph::Image atlas, graph::Image nearest) const;
+    graph::Record impostorsInOrder(passes::Output output, graph::Image atlas, graph::Image nearest) const;
+    graph::Record shadedPrimitives(passes::Output output, graph::Image atlas, graph::Image numbers) const;
+
+    graph::Record overdraw() const;
+    graph::Record tileMean(std::uint32_t tile, graph::Image source) const;
+    graph::Record debugView(DebugView what, std::uint32_t tile, graph::Image source,
+                            std::optional<graph::Image> under) const;
+
+private:
+    template <typename Pass>
+    graph::Record of(Pass pass) const;
+
+    std::shared_ptr<const passes::SceneView> scene_;
+};
+
+}  // namespace nacre

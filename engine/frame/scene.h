@@ -1,0 +1,32 @@
+#pragma once
+// The renderer's scene, and how one view sees it.
+
+#include <memory>
+
+#include "engine/graph/graph.h"
+#include "engine/occlusion/bake.h"
+#include "engine/passes/scene_view.h"
+#include "engine/settings.h"
+
+namespace nacre {
+
+struct Scene {
+    Representation representation;
+    passes::SceneBuffers buffers;
+    double meanRadius = 0;  ///< of the spheres, Å
+};
+
+/// Uploads the streams. @throws Error
+Scene makeScene(const gpu::Device& device, Representation representation);
+
+/// Of the image that holds a view: the view's own, or turned.
+graph::Extent imageExtent(const View& view);
+
+/// The scene as a view sees it. @param scene  outlives what is returned
+/// @param bake  null: without occlusion
+/// @param path  of the frame: `deferred` wants rows of copies on the device
+std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Scene& scene,
+                                             const RenderSettings& settings, const View& view,
+                                             const occlusion::Bake* bake, Visibility path);
+
+}  // namespace nacre

@@ -1,0 +1,45 @@
+#include "engine/frame/scene_frames.h"
+
+#include "engine/frame/debug_frame.h"
+#include "engine/passes/read_back.h"
+
+namespace nacre {
+
+SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, const Scene& scene,
+                         const occlusion::SceneOcclusion& occlusion, FrameStats& stats)
+    : device_(device),
+      scene_(scene),
+      occlusion_(occlusion),
+      stats_(stats),
+      white_(passes::makeWhiteTexture(device, executor)) {}
+
+ScreenFrame SceneFrames::declare(const RenderSettings& settings, const View& view,
+                                 std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
+                                 std::shared_ptr<passes::FragmentCounter> fragments) const {
+    const occlusion::Bake* bake = settings.occlusion.directions > 0 ? occlusion_.bake() : nullptr;
+    const gpu::Image& atlas = bake ? bake->atlas() : white_;
+    // Layers and picks take several targets or another one.
+    const bool picture = targets.size() == 1 && targets[0].output == passes::Output::color;
+    const bool debug = settings.debug != DebugView::none && picture;
+    const Visibility usual = device_.caps().visibility;
+    const Visibility path = debug ? debugVisibility(settings.debug, usual) : usual;
+    const auto seen = viewScene(device_, scene_, settings, view, bake, path);
+    seen->fragments = std::move(fragments);
+    stats_.spheres = seen->copies.sphereCount();
+    stats_.cylinders = seen->copies.cylinderCount();
+    const ScreenOptions options{imageExtent(view), path, device_.caps().encoded, atlas.desc, targets, name};
+    ScreenFrame frame =
+        debug ? debugFrame(settings.debug, options, Recorder(seen)) : screenFrame(options, Recorder(seen));
+    imports.bind(frame.atlas, atlas);
+    return frame;
+}
+
+graph::PlanCaps SceneFrames::planCaps(const FrameTuning& tuning) const {
+    graph::PlanCaps caps = device_.caps().plan;
+    caps.merge = caps.merge && tuning.merge;
+    caps.transient = caps.transient && tuning.transient;
+    caps.storeAll = caps.storeAll || !tuning.transient;
+    return caps;
+}
+
+}  // namespace nacre

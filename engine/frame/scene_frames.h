@@ -1,0 +1,37 @@
+#pragma once
+// Frames of the renderer's scene, for pictures and for the window.
+
+#include "engine/frame/scene.h"
+#include "engine/frame/screen.h"
+#include "engine/gpu/execute.h"
+#include "engine/occlusion/scene_occlusion.h"
+#include "engine/results.h"
+
+namespace nacre {
+
+class SceneFrames {
+public:
+    /// All of them outlive this. `stats` is told what frames submit.
+    SceneFrames(const gpu::Device& device, gpu::Executor& executor, const Scene& scene,
+                const occlusion::SceneOcclusion& occlusion, FrameStats& stats);
+
+    /// Declares a frame, with the occlusion that is there so far and the debug view that the settings ask for, and
+    /// binds what it imports but for a window's image.
+    /// @param name  of the graph, by which its images are kept
+    /// @param fragments  counts them, if not null
+    ScreenFrame declare(const RenderSettings& settings, const View& view, std::span<const ScreenTarget> targets,
+                        const char* name, gpu::Imports& imports,
+                        std::shared_ptr<passes::FragmentCounter> fragments = nullptr) const;
+
+    /// How the device's caps and the settings want such a frame planned.
+    graph::PlanCaps planCaps(const FrameTuning& tuning) const;
+
+private:
+    const gpu::Device& device_;
+    const Scene& scene_;
+    const occlusion::SceneOcclusion& occlusion_;
+    FrameStats& stats_;
+    gpu::Image white_;  // the atlas of scenes without occlusion
+};
+
+}  // namespace nacre

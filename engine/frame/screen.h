@@ -1,0 +1,72 @@
+#pragma once
+// The screen frame, declared: its images and passes. The renderer draws this graph and `nacre plan` prints it.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/device_options.h"
+#include "engine/frame/recorder.h"
+#include "engine/graph/encoded_format.h"
+#include "engine/graph/graph.h"
+
+namespace nacre {
+
+/// A picture that the frame makes.
+struct ScreenTarget {
+    const char* image;
+    VkFormat format;
+    passes::Output output;
+    const char* pass;  ///< name of the pass that makes it
+    graph::Clear clear{0.0f};
+    bool window = false;  ///< it is the window's image, and left to the display
+};
+
+/// State in which a window's image comes and goes.
+constexpr graph::State kWindowState{VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT, 0, VK_IMAGE_LAYOUT_PRESENT_SRC_KHR};
+
+/// What an application shows.
+constexpr ScreenTarget kScreenTargets[] = {
+    {"colour", VK_FORMAT_R8G8B8A8_SRGB, passes::Output::color, "impostor colour"}};
+
+struct ScreenOptions {
+    graph::Extent extent;
+    Visibility visibility = Visibility::encoded;  ///< not `automatic`
+    graph::EncodedFormat encoded;                 ///< of `encoded`
+    graph::ImageDesc atlas{VK_FORMAT_R8_UNORM, {1, 1}};
+    std::span<const ScreenTarget> targets;
+    const char* name = "screen";  ///< images are kept by it: frames of several sizes want several names
+};
+
+struct ScreenFrame {
+    graph::Graph graph{"screen"};
+    graph::Image depth;    ///< hardware depth
+    graph::Image nearest;  ///< encoded depth or primitive numbers; `fragdepth`: depth itself
+    graph::Image atlas;    ///< imported
+    std::vector<graph::Image> targets;
+
+    /// The image of a target. @returns it
+    graph::Image add(const ScreenTarget& target, graph::Extent extent);
+};
+
+/// Declares the frame. Targets are not marked as outputs: what becomes of them is the caller's to declare.
+/// @param recorder  what the passes record; by default nothing: the frame is only looked at
+ScreenFrame screenFrame(const ScreenOptions& options, const Recorder& recorder = {});
+
+// One function a visibility path. Each declares its passes into a frame that has its depth and atlas.
+
+/// The paper's: opaque prepass, encoded depth, impostor colour; three subpasses, and colour alone leaves the tile.
+void declareEncoded(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
+/// Opaque prepass and impostor colour in one subpass; depth is settled by gl_FragDepth.
+void declareFragdepth(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
+/// Numbers of the nearest primitives by gl_FragDepth, then every covered pixel is shaded once.
+void declareDeferred(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
+/// Nearest depth is read and written as an attachment in raster order: no blending, no second pass over the impostors.
+void declareRasterOrder(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
+
+/// The same frame as the paper arranged it on OpenGL ES 2: prepass and depth texture in one framebuffer, then the
+/// picture in another, which samples the full-screen depth texture. Three 8-bit channels encode depth, and 16 bits of
+/// hardware depth are what that interface promises.
+graph::Graph paperFrame(graph::Extent extent);
+
+}  // namespace nacre

@@ -1,0 +1,43 @@
+#include "engine/gpu/device_info.h"
+
+#include "engine/devices.h"
+#include "engine/error.h"
+#include "engine/gpu/capture_hook.h"
+#include "engine/gpu/context.h"
+#include "engine/gpu/device_loss.h"
+#include "engine/gpu/instance.h"
+
+namespace nacre {
+
+DeviceInfo gpu::infoOf(const Caps& caps) {
+    DeviceInfo info;
+    info.name = caps.deviceName;
+    info.driver = caps.driverName;
+    info.type = caps.type;
+    info.apiVersion = std::to_string(VK_API_VERSION_MAJOR(caps.apiVersion)) + "." +
+                      std::to_string(VK_API_VERSION_MINOR(caps.apiVersion)) + "." +
+                      std::to_string(VK_API_VERSION_PATCH(caps.apiVersion));
+    info.visibility = visibilityName(caps.visibility);
+    info.why = caps.visibilityReason;
+    info.encodedFormat = graph::formatName(caps.encoded.format);
+    info.lazyMemory = caps.plan.transient;
+    return info;
+}
+
+bool capturesBuilt() { return gpu::CaptureHook::built(); }
+
+std::vector<DeviceInfo> listDevices() {
+    try {
+        const vk::raii::Context context = gpu::makeContext();
+        gpu::InstanceExtensions found;
+        const vk::raii::Instance instance = gpu::makeInstance(context, false, found);
+        std::vector<DeviceInfo> devices;
+        for (const auto& physical : vk::raii::PhysicalDevices(instance))
+            devices.push_back(gpu::infoOf(gpu::capsOf(physical)));
+        return devices;
+    } catch (const vk::SystemError& failure) {
+        throw Error("cannot list devices", "", gpu::inOneLine(failure.what()));
+    }
+}
+
+}  // namespace nacre

@@ -1,0 +1,22 @@
+#include "engine/graph/visibility.h"
+
+namespace nacre::graph {
+
+VisibilityChoice chooseVisibility(DeviceKind kind, const PlanCaps& caps) {
+    switch (kind) {
+        case DeviceKind::tiler:
+            if (!caps.tileSubpasses)
+                return {Visibility::fragdepth, "no input attachments: one subpass, and no encoded depth in memory"};
+            return {Visibility::encoded, "tile-based GPU: depth stays fixed-function, encoded depth on the tile"};
+        case DeviceKind::layered:
+            return {Visibility::fragdepth, "MoltenVK leaves the tile between subpasses"};
+        case DeviceKind::software:
+            return {Visibility::encoded,
+                    "software rasteriser: early tests against plates save more than a second pass costs"};
+        case DeviceKind::immediate:
+            break;
+    }
+    return {Visibility::fragdepth, "immediate-mode GPU: no tile memory to keep encoded depth in"};
+}
+
+}  // namespace nacre::graph

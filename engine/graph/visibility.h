@@ -1,0 +1,25 @@
+#pragma once
+// Which way to find a pixel's nearest surface suits a device: the one table for real devices and named ones.
+
+#include "engine/device_options.h"
+#include "engine/graph/plan.h"
+
+namespace nacre::graph {
+
+/// What decides how a GPU wants to be fed.
+enum class DeviceKind : std::uint8_t {
+    tiler,      ///< draws tile by tile in memory of its own
+    layered,    ///< Vulkan on another interface (VK_KHR_portability_subset): MoltenVK
+    immediate,  ///< no tile memory
+    software,   ///< a CPU draws: triangles cost more than fragments
+};
+
+struct VisibilityChoice {
+    Visibility visibility{};
+    const char* why = "";
+};
+
+/// What `auto` takes.
+VisibilityChoice chooseVisibility(DeviceKind kind, const PlanCaps& caps);
+
+}  // namespace nacre::graph

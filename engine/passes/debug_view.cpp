@@ -1,0 +1,67 @@
+#include "engine/passes/debug_view.h"
+
+#include "shaders.h"
+
+namespace nacre::passes {
+namespace {
+
+constexpr vk::DescriptorType kBindings[] = {vk::DescriptorType::eCombinedImageSampler,
+                                            vk::DescriptorType::eCombinedImageSampler};
+
+gpu::ShaderWords shaderOf(DebugView view) {
+    switch (view) {
+        case DebugView::none:
+            return {};
+        case DebugView::depth:
+            return shaders::debugDepth;
+        case DebugView::encoded:
+            return shaders::debugEncoded;
+        case DebugView::plates:
+            return shaders::debugPlates;
+        case DebugView::overdraw:
+            return shaders::debugOverdraw;
+        case DebugView::occlusion:
+            return shaders::debugOcclusion;
+        case DebugView::patches:
+            return shaders::debugPatches;
+        case DebugView::id:
+            return shaders::debugId;
+        case DebugView::normals:
+            return shaders::debugNormals;
+        case DebugView::tiles:
+            return shaders::debugTiles;
+    }
+    return {};
+}
+
+void drawShown(gpu::PassContext& context, const SceneView& view, FullScreenPass pass, std::uint32_t tile,
+               std::span<const vk::ImageView> images) {
+    constexpr auto kStages = vk::ShaderStageFlagBits::eFragment;
+    const gpu::Layout& layout =
+        context.pipelines.layout({"debug view layout", kBindings, kStages, sizeof(layout::ViewConstants)});
+    const graph::EncodedFormat& encoded = context.device.caps().encoded;
+    pass.constants.set(layout::kPerspectiveId, view.perspective);
+    pass.constants.set(layout::kDepthChannelsId, encoded.channels);
+    pass.constants.set(layout::kDepthStepsId, encoded.steps);
+    pass.constants.set(layout::kQuarterTurnsId, view.quarterTurns);
+    pass.constants.set(layout::kTileId, tile);
+    bindFullScreen(context, pass, layout);
+    bindTextures(context, layout, vk::Filter::eNearest, images);
+    drawFullScreen(context, layout, kStages, view.constants);
+}
+
+}  // namespace
+
+void drawDebugView(gpu::PassContext& context, const SceneView& view, DebugView what, std::uint32_t tile,
+                   vk::ImageView source, vk::ImageView under) {
+    // Never left unwritten, even where the shader reads one image: lavapipe looks at both.
+    const vk::ImageView images[] = {source, under ? under : source};
+    drawShown(context, view, {shaderOf(what), {}, debugViewNames()[static_cast<std::size_t>(what)]}, tile, images);
+}
+
+void drawTileMean(gpu::PassContext& context, const SceneView& view, std::uint32_t tile, vk::ImageView source) {
+    const vk::ImageView images[] = {source, source};
+    drawShown(context, view, {shaders::tileMean, {}, {}}, tile, images);
+}
+
+}  // namespace nacre::passes

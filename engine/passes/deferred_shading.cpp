@@ -1,0 +1,67 @@
+#include "engine/passes/deferred_shading.h"
+
+#include "engine/passes/full_screen.h"
+#include "shaders.h"
+
+namespace nacre::passes {
+namespace {
+
+using Type = vk::DescriptorType;
+constexpr auto kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
+// Atlas, numbers, shapes, looks, rows of copies.
+constexpr Type kInput[] = {Type::eCombinedImageSampler, Type::eInputAttachment, Type::eStorageBuffer,
+                           Type::eStorageBuffer, Type::eStorageBuffer};
+constexpr Type kTexture[] = {Type::eCombinedImageSampler, Type::eCombinedImageSampler, Type::eStorageBuffer,
+                             Type::eStorageBuffer, Type::eStorageBuffer};
+
+Stage shaderOf(Output output, bool texture) {
+    switch (output) {
+        case Output::surface:
+            return texture ? Stage{shaders::surfaceDeferredSampled, shaders::surfaceDeferredSampledCounting}
+                           : Stage{shaders::surfaceDeferredInput, shaders::surfaceDeferredInputCounting};
+        case Output::identity:
+            return texture ? Stage{shaders::identityDeferredSampled, shaders::identityDeferredSampledCounting}
+                           : Stage{shaders::identityDeferredInput, shaders::identityDeferredInputCounting};
+        default:
+            return texture ? Stage{shaders::colorDeferredSampled, shaders::colorDeferredSampledCounting}
+                           : Stage{shaders::colorDeferredInput, shaders::colorDeferredInputCounting};
+    }
+}
+
+void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout, const Reads& reads) {
+    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
+    constexpr auto kRead = vk::ImageLayout::eShaderReadOnlyOptimal;
+    const bool texture = reads.from == NearestFrom::texture;
+    const vk::DescriptorImageInfo atlas(context.pipelines.sampler(vk::Filter::eLinear), reads.atlas, kRead);
+    const vk::DescriptorImageInfo numbers(texture ? context.pipelines.sampler(vk::Filter::eNearest) : vk::Sampler(),
+                                          reads.nearest, kRead);
+    const vk::DescriptorBufferInfo shapes(*view.buffers->shapes.handle, 0, VK_WHOLE_SIZE),
+        looks(*view.buffers->looks.handle, 0, VK_WHOLE_SIZE), rows(*view.copyRows.handle, 0, VK_WHOLE_SIZE);
+    const vk::WriteDescriptorSet writes[] = {
+        {set, 0, 0, Type::eCombinedImageSampler, atlas},
+        {set, 1, 0, texture ? Type::eCombinedImageSampler : Type::eInputAttachment, numbers},
+        {set, 2, 0, Type::eStorageBuffer, {}, shapes},
+        {set, 3, 0, Type::eStorageBuffer, {}, looks},
+        {set, 4, 0, Type::eStorageBuffer, {}, rows}};
+    context.device->updateDescriptorSets(writes, {});
+    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, set, {});
+}
+
+}  // namespace
+
+void shadeNearestPrimitive(gpu::PassContext& context, const SceneView& view, Output output, const Reads& reads) {
+    if (view.buffers->empty()) return;
+    const bool texture = reads.from == NearestFrom::texture;
+    const gpu::Layout& layout =
+        context.pipelines.layout({"deferred shading layout", texture ? kTexture : kInput, kStages,
+                                  sizeof(layout::ViewConstants), view.fragments != nullptr});
+    FullScreenPass pass{shaderOf(output, texture).of(view), {}, {}};
+    pass.constants.set(layout::kPerspectiveId, view.perspective);
+    pass.constants.set(layout::kQuarterTurnsId, view.quarterTurns);
+    bindFullScreen(context, pass, layout);
+    bindReads(context, view, layout, reads);
+    bindCounter(context, view, layout);
+    drawFullScreen(context, layout, kStages, view.constants);
+}
+
+}  // namespace nacre::passes

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "engine/passes/primitives.h"
+
+namespace nacre::passes {
+
+/// The opaque prepass (paper section 5): depth of flat plates that lie wholly inside their spheres.
+void drawPlates(gpu::PassContext& context, const SceneView& view);
+
+}  // namespace nacre::passes
