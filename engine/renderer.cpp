@@ -11,6 +11,7 @@
 #include "engine/gpu/device_info.h"
 #include "engine/gpu/loss_guard.h"
 #include "engine/milliseconds.h"
+#include "engine/occlusion/scene_occlusion.h"
 
 namespace nacre {
 
@@ -21,7 +22,7 @@ struct Renderer::Impl {
     FrameStats stats;
     Scene scene;
     occlusion::SceneOcclusion occlusion{device, executor, scene.representation, scene.buffers, stats};
-    SceneFrames frames{device, executor, scene, occlusion, stats};
+    SceneFrames frames{device, executor, scene, stats};
     PictureFrames pictures{device, executor, frames, stats};
     std::unique_ptr<WindowFrames> window;
 
@@ -67,14 +68,14 @@ void Renderer::setScene(Representation representation) {
 Picture Renderer::render(const RenderSettings& settings) {
     return impl_->guarded([&] {
         impl_->occlusion.finish(settings.occlusion);
-        return impl_->pictures.picture(settings);
+        return impl_->pictures.picture(settings, impl_->occlusion.atlas());
     });
 }
 
 LayerPicture Renderer::layers(const RenderSettings& settings) {
     return impl_->guarded([&] {
         impl_->occlusion.finish(settings.occlusion);
-        return impl_->pictures.layers(settings);
+        return impl_->pictures.layers(settings, impl_->occlusion.atlas());
     });
 }
 
@@ -82,7 +83,7 @@ double Renderer::drawFrame(const RenderSettings& settings) {
     return impl_->guarded([&] {
         impl_->occlusion.begin(settings.occlusion);
         const auto start = Clock::now();
-        impl_->pictures.frame(settings);
+        impl_->pictures.frame(settings, impl_->occlusion.atlas());
         return millisecondsSince(start);
     });
 }
@@ -98,7 +99,7 @@ double Renderer::advanceOcclusion(const RenderSettings& settings, double millise
 
 FrameOutcome Renderer::present(const RenderSettings& settings, const WindowFrame& frame) {
     return impl_->unlessLost(FrameOutcome::lost, [&] {
-        const FrameOutcome outcome = impl_->window->present(settings, frame);
+        const FrameOutcome outcome = impl_->window->present(settings, impl_->occlusion.atlas(), frame);
         if (outcome == FrameOutcome::shown) ++impl_->stats.windowFrames;
         return outcome;
     });

@@ -105,9 +105,7 @@ void passesText(std::ostream& out, const PlanReport& report) {
     table(out, "  ", rows);
     for (const graph::PassDecl& pass : report.frame.graph.passes()) {
         const PassNotes notes = notesOf(pass);
-        out << "  " << pass.name << '\n'
-            << "    depth: " << notes.why << '\n'
-            << "    " << notes.precision << '\n';
+        out << "  " << pass.name << '\n' << "    depth: " << notes.why << '\n' << "    " << notes.precision << '\n';
     }
     out << '\n';
 }

@@ -40,12 +40,13 @@ std::vector<gpu::Buffer> addReadBacks(const gpu::Device& device, ScreenFrame& fr
 
 }  // namespace
 
-std::vector<gpu::Buffer> PictureFrames::draw(const RenderSettings& settings, const View& view,
-                                             std::span<const ScreenTarget> targets, bool readBack, const char* name) {
+std::vector<gpu::Buffer> PictureFrames::draw(const RenderSettings& settings, const passes::Atlas& atlas,
+                                             const View& view, std::span<const ScreenTarget> targets, bool readBack,
+                                             const char* name) {
     std::shared_ptr<passes::FragmentCounter> fragments;
     if (settings.tuning.countFragments) fragments = std::make_shared<passes::FragmentCounter>(device_);
     gpu::Imports imports;
-    ScreenFrame frame = frames_.declare(settings, view, targets, name, imports, fragments);
+    ScreenFrame frame = frames_.declare(settings, atlas, view, targets, name, imports, fragments);
     std::vector<gpu::Buffer> pixels;
     if (readBack)
         pixels = addReadBacks(device_, frame, targets, imageExtent(view), imports);
@@ -87,29 +88,29 @@ const std::string& PictureFrames::planText() const {
     return planText_;
 }
 
-Picture PictureFrames::picture(const RenderSettings& settings) {
+Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atlas& atlas) {
     const std::uint32_t n = std::max(settings.supersample, 1u);
     const View view = scaled(settings.view, n);
     const std::uint32_t most = device_.caps().maxImageSize;
     if (std::max(view.width, view.height) > most)
         throw Error("picture too large", std::to_string(view.width) + "x" + std::to_string(view.height),
                     "this device draws at most " + std::to_string(most) + " pixels a side, supersampling counted");
-    const auto pixels = draw(settings, view, kScreenTargets, true, "screen");
+    const auto pixels = draw(settings, atlas, view, kScreenTargets, true, "screen");
     const graph::Extent image = imageExtent(view);
     return resolvePicture(reinterpret_cast<const std::uint32_t*>(pixels[0].mapped), image.width, image.height, n,
                           settings.background, stats_.coveredPixels);
 }
 
-LayerPicture PictureFrames::layers(const RenderSettings& settings) {
-    const auto pixels = draw(settings, settings.view, kLayerTargets, true, "screen");
+LayerPicture PictureFrames::layers(const RenderSettings& settings, const passes::Atlas& atlas) {
+    const auto pixels = draw(settings, atlas, settings.view, kLayerTargets, true, "screen");
     return assembleLayers(settings.view.width, settings.view.height, reinterpret_cast<const float*>(pixels[0].mapped),
                           reinterpret_cast<const float*>(pixels[1].mapped),
                           reinterpret_cast<const std::uint32_t*>(pixels[2].mapped), settings.background,
                           stats_.coveredPixels);
 }
 
-void PictureFrames::frame(const RenderSettings& settings) {
-    draw(settings, settings.view, kScreenTargets, false, "screen");
+void PictureFrames::frame(const RenderSettings& settings, const passes::Atlas& atlas) {
+    draw(settings, atlas, settings.view, kScreenTargets, false, "screen");
 }
 
 std::uint32_t PictureFrames::atomAt(const RenderSettings& settings, double x, double y, double reach) {
@@ -120,7 +121,7 @@ std::uint32_t PictureFrames::atomAt(const RenderSettings& settings, double x, do
     small.tuning.countFragments = false;
     small.view.pan = -planePointAt(settings.view, std::floor(x) + 0.5, std::floor(y) + 0.5);
     small.view.width = small.view.height = side;
-    const auto pixels = draw(small, small.view, kPickTargets, true, "pick");
+    const auto pixels = draw(small, {}, small.view, kPickTargets, true, "pick");
     const auto* identity = reinterpret_cast<const std::uint32_t*>(pixels[0].mapped);
     std::uint32_t atom = 0;
     double nearest = reach * reach + 0.5;

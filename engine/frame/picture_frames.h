@@ -13,10 +13,10 @@ public:
         : device_(device), executor_(executor), frames_(frames), stats_(stats) {}
 
     /// @throws Error if the picture is larger than the device draws, or memory runs out
-    Picture picture(const RenderSettings& settings);
-    LayerPicture layers(const RenderSettings& settings);
+    Picture picture(const RenderSettings& settings, const passes::Atlas& atlas);
+    LayerPicture layers(const RenderSettings& settings, const passes::Atlas& atlas);
     /// A frame of which nothing is read back.
-    void frame(const RenderSettings& settings);
+    void frame(const RenderSettings& settings, const passes::Atlas& atlas);
     /// As Renderer::atomAt.
     std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach);
 
@@ -24,7 +24,7 @@ public:
     const std::string& planText() const;
 
 private:
-    std::vector<gpu::Buffer> draw(const RenderSettings& settings, const View& view,
+    std::vector<gpu::Buffer> draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                                   std::span<const ScreenTarget> targets, bool readBack, const char* name);
     const graph::Plan& planOf(const graph::Graph& graph, const FrameTuning& tuning);
     void tell(const graph::Plan& plan);

@@ -7,11 +7,11 @@
 namespace nacre {
 namespace {
 
-void addAtlas(layout::ViewConstants& c, const OcclusionLayout& atlas) {
-    c.atlasTexel = glm::vec2(1.0 / atlas.width, 1.0 / atlas.height);
+void addAtlas(layout::ViewConstants& c, const passes::Atlas& atlas) {
+    c.atlasTexel = glm::vec2(1.0 / atlas.image->desc.extent.width, 1.0 / atlas.image->desc.extent.height);
     c.patchTexels = atlas.sphereEdge | atlas.around << 8 | atlas.along << 16;
-    c.spherePatches = atlas.spherePatches();
-    c.cylinderPatches = atlas.cylinderPatches();
+    c.spherePatches = atlas.spherePatches;
+    c.cylinderPatches = atlas.cylinderPatches;
     c.occlusion = 1;
 }
 
@@ -32,7 +32,7 @@ graph::Extent imageExtent(const View& view) {
 
 std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Scene& scene,
                                              const RenderSettings& settings, const View& view,
-                                             const occlusion::Bake* bake, Visibility path) {
+                                             const passes::Atlas& atlas, Visibility path) {
     auto seen = std::make_shared<passes::SceneView>();
     const graph::Extent image = imageExtent(view);
     layout::ViewConstants& c = seen->constants;
@@ -41,7 +41,7 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     c.spheres = scene.buffers.sphereCount;
     c.primitives = scene.buffers.sphereCount + scene.buffers.cylinderCount;
     c.wholeImage = 1;
-    if (bake) addAtlas(c, bake->layout());
+    if (atlas.image) addAtlas(c, atlas);
     seen->buffers = &scene.buffers;
     seen->copies = passes::placeCopies(scene.representation, view);
     if (path == Visibility::deferred)

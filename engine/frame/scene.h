@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "engine/graph/graph.h"
-#include "engine/occlusion/bake.h"
 #include "engine/passes/scene_view.h"
 #include "engine/settings.h"
 
@@ -23,10 +22,9 @@ Scene makeScene(const gpu::Device& device, Representation representation);
 graph::Extent imageExtent(const View& view);
 
 /// The scene as a view sees it. @param scene  outlives what is returned
-/// @param bake  null: without occlusion
 /// @param path  of the frame: `deferred` wants rows of copies on the device
 std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Scene& scene,
                                              const RenderSettings& settings, const View& view,
-                                             const occlusion::Bake* bake, Visibility path);
+                                             const passes::Atlas& atlas, Visibility path);
 
 }  // namespace nacre

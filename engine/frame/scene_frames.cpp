@@ -5,25 +5,20 @@
 
 namespace nacre {
 
-SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, const Scene& scene,
-                         const occlusion::SceneOcclusion& occlusion, FrameStats& stats)
-    : device_(device),
-      scene_(scene),
-      occlusion_(occlusion),
-      stats_(stats),
-      white_(passes::makeWhiteTexture(device, executor)) {}
+SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, const Scene& scene, FrameStats& stats)
+    : device_(device), scene_(scene), stats_(stats), white_(passes::makeWhiteTexture(device, executor)) {}
 
-ScreenFrame SceneFrames::declare(const RenderSettings& settings, const View& view,
+ScreenFrame SceneFrames::declare(const RenderSettings& settings, const passes::Atlas& baked, const View& view,
                                  std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
                                  std::shared_ptr<passes::FragmentCounter> fragments) const {
-    const occlusion::Bake* bake = settings.occlusion.directions > 0 ? occlusion_.bake() : nullptr;
-    const gpu::Image& atlas = bake ? bake->atlas() : white_;
+    const passes::Atlas used = settings.occlusion.directions > 0 ? baked : passes::Atlas{};
+    const gpu::Image& atlas = used.image ? *used.image : white_;
     // Layers and picks take several targets or another one.
     const bool picture = targets.size() == 1 && targets[0].output == passes::Output::color;
     const bool debug = settings.debug != DebugView::none && picture;
     const Visibility usual = device_.caps().visibility;
     const Visibility path = debug ? debugVisibility(settings.debug, usual) : usual;
-    const auto seen = viewScene(device_, scene_, settings, view, bake, path);
+    const auto seen = viewScene(device_, scene_, settings, view, used, path);
     seen->fragments = std::move(fragments);
     stats_.spheres = seen->copies.sphereCount();
     stats_.cylinders = seen->copies.cylinderCount();

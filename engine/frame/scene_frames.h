@@ -4,7 +4,6 @@
 #include "engine/frame/scene.h"
 #include "engine/frame/screen.h"
 #include "engine/gpu/execute.h"
-#include "engine/occlusion/scene_occlusion.h"
 #include "engine/results.h"
 
 namespace nacre {
@@ -12,15 +11,15 @@ namespace nacre {
 class SceneFrames {
 public:
     /// All of them outlive this. `stats` is told what frames submit.
-    SceneFrames(const gpu::Device& device, gpu::Executor& executor, const Scene& scene,
-                const occlusion::SceneOcclusion& occlusion, FrameStats& stats);
+    SceneFrames(const gpu::Device& device, gpu::Executor& executor, const Scene& scene, FrameStats& stats);
 
-    /// Declares a frame, with the occlusion that is there so far and the debug view that the settings ask for, and
-    /// binds what it imports but for a window's image.
+    /// Declares a frame, with the debug view that the settings ask for, and binds what it imports but for a window's
+    /// image.
+    /// @param atlas  of the occlusion that is there so far; not looked at if the settings ask for none
     /// @param name  of the graph, by which its images are kept
     /// @param fragments  counts them, if not null
-    ScreenFrame declare(const RenderSettings& settings, const View& view, std::span<const ScreenTarget> targets,
-                        const char* name, gpu::Imports& imports,
+    ScreenFrame declare(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
+                        std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
                         std::shared_ptr<passes::FragmentCounter> fragments = nullptr) const;
 
     /// How the device's caps and the settings want such a frame planned.
@@ -29,7 +28,6 @@ public:
 private:
     const gpu::Device& device_;
     const Scene& scene_;
-    const occlusion::SceneOcclusion& occlusion_;
     FrameStats& stats_;
     gpu::Image white_;  // the atlas of scenes without occlusion
 };

@@ -72,26 +72,26 @@ void WindowFrames::addOverlay(ScreenFrame& frame, graph::Image window, const Ove
 }
 
 /// The frame but for the overlay. Its last target is the window.
-ScreenFrame WindowFrames::declareFrame(const RenderSettings& settings, const WindowFrame& frame,
-                                       gpu::Imports& imports) {
+ScreenFrame WindowFrames::declareFrame(const RenderSettings& settings, const passes::Atlas& atlas,
+                                       const WindowFrame& frame, gpu::Imports& imports) {
     View view = settings.view;
     view.quarterTurns = swapchain_.quarterTurns();
     if (frame.quality == Quality::kept) return declareKept(imports);
     const graph::Clear clear = clearOf(settings.background);
     ScreenTarget target{"colour", kPictureFormat, passes::Output::color, "impostor colour", clear};
-    if (frame.quality == Quality::refined) return declareRefined(settings, view, target, frame.samples, imports);
+    if (frame.quality == Quality::refined) return declareRefined(settings, atlas, view, target, frame.samples, imports);
     if (frame.scale == 1.0 && !coded()) {
         target = {"window", swapchain_.format(), passes::Output::color, "impostor colour", clear, true};
-        return frames_.declare(settings, view, {&target, 1}, "screen", imports);
+        return frames_.declare(settings, atlas, view, {&target, 1}, "screen", imports);
     }
-    ScreenFrame f = frames_.declare(settings, scaled(view, frame.scale), {&target, 1}, "scaled screen", imports);
+    ScreenFrame f = frames_.declare(settings, atlas, scaled(view, frame.scale), {&target, 1}, "scaled screen", imports);
     f.targets.push_back(addPicture(f, f.targets[0], frame.scale == 1.0 ? 1 : 0));
     return f;
 }
 
 /// A picture of samples x samples a pixel, whose mean is kept, and shown.
-ScreenFrame WindowFrames::declareRefined(const RenderSettings& settings, const View& view, const ScreenTarget& target,
-                                         std::uint32_t samples, gpu::Imports& imports) {
+ScreenFrame WindowFrames::declareRefined(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
+                                         const ScreenTarget& target, std::uint32_t samples, gpu::Imports& imports) {
     const graph::ImageDesc desc{kPictureFormat, swapchain_.extent()};
     if (kept_.desc != desc) {
         executor_.forgetFramebuffers();
@@ -99,7 +99,7 @@ ScreenFrame WindowFrames::declareRefined(const RenderSettings& settings, const V
             gpu::makeImage(device_, desc, vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled,
                            false, "refined picture");
     }
-    ScreenFrame f = frames_.declare(settings, scaled(view, samples), {&target, 1}, "refinement", imports);
+    ScreenFrame f = frames_.declare(settings, atlas, scaled(view, samples), {&target, 1}, "refinement", imports);
     const graph::Image kept = f.graph.importImage("refined picture", desc, passes::kTextureState, true);
     const graph::Image colour = f.targets[0];
     imports.bind(kept, kept_);
@@ -120,9 +120,10 @@ ScreenFrame WindowFrames::declareKept(gpu::Imports& imports) {
 }
 
 /// Draws the frame into the image that the slot has.
-void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, const WindowFrame& frame) {
+void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
+                          const WindowFrame& frame) {
     gpu::Imports imports;
-    const auto f = std::make_shared<ScreenFrame>(declareFrame(settings, frame, imports));
+    const auto f = std::make_shared<ScreenFrame>(declareFrame(settings, atlas, frame, imports));
     slot.held = f;
     const graph::Image window = f->targets.back();
     imports.bind(window, swapchain_.image(*slot.image));
@@ -136,7 +137,8 @@ void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, 
     ring_.submit(slot, swapchain_.drawn(*slot.image));
 }
 
-FrameOutcome WindowFrames::present(const RenderSettings& settings, const WindowFrame& frame) {
+FrameOutcome WindowFrames::present(const RenderSettings& settings, const passes::Atlas& atlas,
+                                   const WindowFrame& frame) {
     const graph::Extent wanted{settings.view.width, settings.view.height};
     for (int attempt = 0; attempt < 3; ++attempt) {
         if (!prepare(wanted)) return FrameOutcome::hidden;
@@ -149,7 +151,7 @@ FrameOutcome WindowFrames::present(const RenderSettings& settings, const WindowF
         if (!slot.image) continue;
         const std::uint32_t index = *slot.image;
         if (frame.quality == Quality::refined) keptDrawn_ = false;
-        submit(slot, settings, frame);
+        submit(slot, settings, atlas, frame);
         if (frame.quality == Quality::refined) keptDrawn_ = true;
         swapchain_.present(index);
         if (frame.quality == Quality::refined) executor_.forget("refinement");

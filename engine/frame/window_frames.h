@@ -21,17 +21,19 @@ public:
 
     /// @param settings  its view is that of the upright window; one of another size is not drawn, and told by
     ///                  FrameOutcome::resized
-    FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame);
+    FrameOutcome present(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame);
     void setGlyphs(const OverlayGlyphs& glyphs);
     void release();
     graph::Extent size() const { return swapchain_.upright(); }
 
 private:
     bool prepare(graph::Extent wanted);
-    void submit(gpu::FrameSlot& slot, const RenderSettings& settings, const WindowFrame& frame);
-    ScreenFrame declareFrame(const RenderSettings& settings, const WindowFrame& frame, gpu::Imports& imports);
-    ScreenFrame declareRefined(const RenderSettings& settings, const View& view, const ScreenTarget& target,
-                               std::uint32_t samples, gpu::Imports& imports);
+    void submit(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
+                const WindowFrame& frame);
+    ScreenFrame declareFrame(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame,
+                             gpu::Imports& imports);
+    ScreenFrame declareRefined(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
+                               const ScreenTarget& target, std::uint32_t samples, gpu::Imports& imports);
     ScreenFrame declareKept(gpu::Imports& imports);
     graph::Image addPicture(ScreenFrame& frame, graph::Image picture, std::uint32_t samples);
     void addOverlay(ScreenFrame& frame, graph::Image window, const Overlay* overlay, gpu::FrameSlot& slot);

@@ -120,6 +120,13 @@ void SceneOcclusion::show(Clock::time_point start) {
     stats_.bakeMilliseconds += millisecondsSince(start);
 }
 
+passes::Atlas SceneOcclusion::atlas() const {
+    if (!bake_) return {};
+    const OcclusionLayout& layout = bake_->layout();
+    return {&bake_->atlas(), layout.sphereEdge,      layout.around,
+            layout.along,    layout.spherePatches(), layout.cylinderPatches()};
+}
+
 double SceneOcclusion::share() const {
     return bake_ ? static_cast<double>(bake_->directionsDone()) / bake_->directions() : 1;
 }

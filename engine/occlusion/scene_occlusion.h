@@ -30,6 +30,8 @@ public:
     void drop() { bake_.reset(); }
     /// Null: nothing was asked for yet, or there is nothing to bake.
     const Bake* bake() const { return bake_.get(); }
+    /// What is shown of it so far.
+    passes::Atlas atlas() const;
     /// The share that is done, 0..1; 1 if there is nothing to bake.
     double share() const;
 

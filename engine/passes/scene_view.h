@@ -9,6 +9,15 @@
 
 namespace nacre::passes {
 
+/// The occlusion atlas of a scene, and how its patches lie in it. Patches follow each other in rows: those of spheres,
+/// then those of cylinders.
+struct Atlas {
+    const gpu::Image* image = nullptr;  ///< null: the scene has none
+    std::uint32_t sphereEdge = 0;       ///< texels across a sphere's patch
+    std::uint32_t around = 0, along = 0;
+    std::uint32_t spherePatches = 1, cylinderPatches = 1;  ///< in a row
+};
+
 struct SceneView {
     const SceneBuffers* buffers = nullptr;
     layout::ViewConstants constants{};  ///< those of a copy are left 0

@@ -16,9 +16,9 @@ using test::TemporaryFolder;
 Representation twoSpheresAndABond() {
     Representation r;
     r.spheres = {{{0, 0, 0}, 1.5f}, {{1, 2, 3}, 1.2f}};
-    r.sphereLooks = {{0xff0000ff, 1, 0}, {0xff00ff00, 2, 0}};
+    r.sphereLooks = {{0xff0000ff, 1}, {0xff00ff00, 2}};
     r.cylinders = {{{0, 0, 0}, 0.2f, {1, 2, 3}}};
-    r.cylinderLooks = {{0xff0000ff, 0xff00ff00, 1, 2, 0}};
+    r.cylinderLooks = {{0xff0000ff, 0xff00ff00, 1, 2}};
     return r;
 }
 
@@ -35,7 +35,7 @@ TEST(OcclusionCacheName, IsOfShapesAndWaysNotOfColours) {
     const Representation r = twoSpheresAndABond();
     std::set<std::string> names{occlusionCacheName(r, "128 directions")};
     Representation same = r;
-    same.sphereLooks[0] = {0xffffffff, 7, 99};
+    same.sphereLooks[0] = {0xffffffff, 7};
     same.cylinderLooks[0].colorA = 0;
     same.center = {5, 5, 5};
     EXPECT_TRUE(names.contains(occlusionCacheName(same, "128 directions")));
