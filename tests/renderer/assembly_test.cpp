@@ -8,7 +8,7 @@
 namespace nacre::test {
 namespace {
 
-struct Case {
+struct AssemblyCase {
     const char* file;
     const char* assembly;
     Style style;
@@ -16,7 +16,7 @@ struct Case {
     double zoom = 1;
 };
 
-void PrintTo(const Case& c, std::ostream* out) { *out << c.file << " " << c.assembly; }
+void PrintTo(const AssemblyCase& c, std::ostream* out) { *out << c.file << " " << c.assembly; }
 
 /// A buckyball and a glucose about it: two parts, three and two copies, one of them mirrored.
 Molecule twoParts() {
@@ -52,19 +52,21 @@ Molecule twoParts() {
     return m;
 }
 
-Molecule moleculeOf(const Case& c) { return std::string(c.file) == "two parts" ? twoParts() : molecule(c.file); }
+Molecule moleculeOf(const AssemblyCase& c) {
+    return std::string(c.file) == "two parts" ? twoParts() : molecule(c.file);
+}
 
-Representation sceneOf(const Molecule& m, const Case& c, bool instanced) {
+Representation sceneOf(const Molecule& m, const AssemblyCase& c, bool instanced) {
     RepresentationOptions options;
     options.style = c.style;
     if (instanced) options.assembly = c.assembly;
     return represent(m, drawnAtoms(m), options);
 }
 
-class AssemblyPicture : public SharedRenderers<Case> {};
+class AssemblyPicture : public SharedRenderers<AssemblyCase> {};
 
 TEST_P(AssemblyPicture, IsTheSameByEveryPath) {
-    const Case& c = GetParam();
+    const AssemblyCase& c = GetParam();
     if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA();
     const Representation r = sceneOf(moleculeOf(c), c, true);
     RenderSettings s = settings(r, 256, c.projection, {75, -40, 120}, c.zoom);
@@ -91,7 +93,7 @@ TEST_P(AssemblyPicture, IsTheSameByEveryPath) {
 }
 
 TEST_P(AssemblyPicture, IsThatOfItsAtomsWrittenOut) {
-    const Case& c = GetParam();
+    const AssemblyCase& c = GetParam();
     if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA();
     const Molecule m = moleculeOf(c);
     const auto assembly =
@@ -124,7 +126,7 @@ TEST_P(AssemblyPicture, IsThatOfItsAtomsWrittenOut) {
 }
 
 TEST_P(AssemblyPicture, NamesAtomsByTheirPlaceInTheFile) {
-    const Case& c = GetParam();
+    const AssemblyCase& c = GetParam();
     if (std::string(c.file) != "two parts") NACRE_NEEDS_DATA();
     const Molecule m = moleculeOf(c);
     const Representation r = sceneOf(m, c, true);
@@ -137,14 +139,15 @@ TEST_P(AssemblyPicture, NamesAtomsByTheirPlaceInTheFile) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Assemblies, AssemblyPicture,
-                         testing::Values(Case{"two parts", "1", Style::spacefill, Projection::orthographic},
-                                         Case{"two parts", "1", Style::licorice, Projection::perspective},
-                                         Case{"1stp-v5.cif", "1", Style::spacefill, Projection::perspective},
-                                         Case{"1stp-v5.cif", "1", Style::licorice, Projection::orthographic},
-                                         Case{"1f2n-virus.cif.gz", "3", Style::spacefill, Projection::orthographic, 6},
-                                         Case{"1f2n-virus.cif.gz", "3", Style::spacefill, Projection::perspective, 6}),
-                         [](const auto& test) { return testName(test.param.file) + std::to_string(test.index); });
+INSTANTIATE_TEST_SUITE_P(
+    Assemblies, AssemblyPicture,
+    testing::Values(AssemblyCase{"two parts", "1", Style::spacefill, Projection::orthographic},
+                    AssemblyCase{"two parts", "1", Style::licorice, Projection::perspective},
+                    AssemblyCase{"1stp-v5.cif", "1", Style::spacefill, Projection::perspective},
+                    AssemblyCase{"1stp-v5.cif", "1", Style::licorice, Projection::orthographic},
+                    AssemblyCase{"1f2n-virus.cif.gz", "3", Style::spacefill, Projection::orthographic, 6},
+                    AssemblyCase{"1f2n-virus.cif.gz", "3", Style::spacefill, Projection::perspective, 6}),
+    [](const auto& test) { return testName(test.param.file) + std::to_string(test.index); });
 
 }  // namespace
 }  // namespace nacre::test

@@ -11,8 +11,6 @@ namespace nacre::test {
 namespace {
 
 constexpr std::uint32_t kSize = 80;
-constexpr Visibility kPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::deferred,
-                                 Visibility::rasterOrder};
 using Rgb = std::array<int, 3>;
 constexpr Rgb kWhite{255, 255, 255};
 

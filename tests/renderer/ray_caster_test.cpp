@@ -8,19 +8,19 @@
 namespace nacre::test {
 namespace {
 
-struct Case {
+struct RayCase {
     const char* file;
     Style style;
     Projection projection;
     Visibility visibility;
 };
 
-void PrintTo(const Case& c, std::ostream* out) { *out << c.file; }
+void PrintTo(const RayCase& c, std::ostream* out) { *out << c.file; }
 
-class RayCaster : public SharedRenderers<Case> {};
+class RayCaster : public SharedRenderers<RayCase> {};
 
 TEST_P(RayCaster, AgreesWithTheGpu) {
-    const Case& c = GetParam();
+    const RayCase& c = GetParam();
     if (!std::string(c.file).starts_with("sample:")) NACRE_NEEDS_DATA();
     const Representation r = scene(c.file, c.style);
     // From afar sticks are all edge, and pixels near an edge are not judged: step closer.
@@ -41,8 +41,8 @@ TEST_P(RayCaster, AgreesWithTheGpu) {
     EXPECT_EQ(comparison.backgroundFaults, 0u);
 }
 
-std::vector<Case> cases() {
-    std::vector<Case> all;
+std::vector<RayCase> rayCases() {
+    std::vector<RayCase> all;
     for (const char* file :
          {"sample:dna", "sample:glucose", "1bna.pdb", "4hhb.pdb", "neon-pump.pdb", "small/glucose-alpha-3d.sdf"})
         for (const Style style : {Style::spacefill, Style::ballAndStick, Style::licorice})
@@ -52,7 +52,7 @@ std::vector<Case> cases() {
     return all;
 }
 
-std::string caseName(const testing::TestParamInfo<Case>& info) {
+std::string rayCaseName(const testing::TestParamInfo<RayCase>& info) {
     constexpr const char* kStyles[] = {"spacefill", "ball_and_stick", "licorice"};
     std::string name = info.param.file;
     for (char& c : name)
@@ -62,7 +62,7 @@ std::string caseName(const testing::TestParamInfo<Case>& info) {
            (info.param.visibility == Visibility::encoded ? "_encoded" : "_fragdepth");
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, RayCaster, testing::ValuesIn(cases()), caseName);
+INSTANTIATE_TEST_SUITE_P(Scenes, RayCaster, testing::ValuesIn(rayCases()), rayCaseName);
 
 }  // namespace
 }  // namespace nacre::test

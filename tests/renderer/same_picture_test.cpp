@@ -101,8 +101,6 @@ TEST_P(SamePicture, OfColourToo) {
 
 TEST(SamePicture, OfEveryMoleculeThatThereIs) {
     NACRE_NEEDS_DATA();
-    constexpr Visibility kPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::deferred,
-                                     Visibility::rasterOrder};
     std::vector<std::unique_ptr<ValidatedRenderer>> renderers;
     for (const Visibility path : kPaths) renderers.push_back(std::make_unique<ValidatedRenderer>(path));
     std::size_t molecules = 0;

@@ -17,6 +17,10 @@
 
 namespace nacre::test {
 
+/// The paths that rasterise.
+inline constexpr Visibility kPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::deferred,
+                                        Visibility::rasterOrder};
+
 /// A molecule by name: "sample:dna", or a file of the test data (use NACRE_NEEDS_DATA() first).
 inline Molecule molecule(const std::string& name) {
     if (name.starts_with("sample:")) return sampleMolecule(name.substr(7));

@@ -8,9 +8,6 @@
 namespace nacre::test {
 namespace {
 
-constexpr Visibility kPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::deferred,
-                                 Visibility::rasterOrder};
-
 RenderSettings oblong(const Representation& r, Projection projection) {
     Camera camera;
     camera.projection = projection;
