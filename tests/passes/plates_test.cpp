@@ -1,0 +1,77 @@
+#include "engine/passes/plates.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace nacre::passes {
+namespace {
+
+constexpr PlateShape kShapes[] = {PlateShape::square, PlateShape::octagon, PlateShape::dome2, PlateShape::dome3};
+
+TEST(Plates, LieInsideTheirSphereAndLeaveRoomForTheNext) {
+    for (const PlateShape shape : kShapes) {
+        ASSERT_FALSE(platesOf(shape).empty());
+        float outer = 1;
+        for (const Plate& plate : platesOf(shape)) {
+            EXPECT_TRUE(plate.corners == 4 || plate.corners == 8);
+            // Corners on the sphere: all else of the polygon is nearer to the axis, hence inside.
+            EXPECT_GT(plate.rim, 0.0f);
+            EXPECT_LT(plate.rim, outer) << "a plate behind one that is as wide hides nothing more";
+            outer = plate.rim;
+        }
+    }
+    EXPECT_TRUE(platesOf(PlateShape::none).empty());
+}
+
+TEST(Plates, TheOctagonIsTheOriginals) {
+    const auto octagon = platesOf(PlateShape::octagon);
+    ASSERT_EQ(octagon.size(), 1u);
+    EXPECT_EQ(octagon[0].corners, 8u);
+    EXPECT_NEAR(octagon[0].rim, 0.91017 / std::cos(std::numbers::pi / 8), 1e-5);
+    EXPECT_NEAR(std::sqrt(1 - octagon[0].rim * octagon[0].rim), 0.1716, 1e-4);  // radii in front of the centre
+}
+
+TEST(Plates, MoreOfThemHideMoreOfTheSphere) {
+    // The share of the sphere's depth behind the plates, over the disc: corners on circles of radius rim, sides at
+    // rim cos(pi / corners), of which the inscribed circle is taken.
+    const auto hidden = [](PlateShape shape) {
+        double sum = 0;
+        for (double r = 0.005; r < 1; r += 0.01) {
+            double height = -1;  // of the nearest plate over this ring, in radii
+            for (const Plate& plate : platesOf(shape))
+                if (r < plate.rim * std::cos(std::numbers::pi / plate.corners))
+                    height = std::max(height, std::sqrt(1.0 - double{plate.rim} * plate.rim));
+            sum += (height + 1) * r;
+        }
+        return sum;
+    };
+    EXPECT_LT(hidden(PlateShape::square), hidden(PlateShape::octagon));
+    EXPECT_LT(hidden(PlateShape::octagon), hidden(PlateShape::dome2));
+    EXPECT_LT(hidden(PlateShape::dome2), hidden(PlateShape::dome3));
+}
+
+TEST(Plates, WhatIsAskedForIsTaken) {
+    for (const PlateShape shape : kShapes)
+        for (const bool software : {false, true}) EXPECT_EQ(choosePlates(shape, software, 50), shape);
+    EXPECT_EQ(choosePlates(PlateShape::none, false, 50), PlateShape::none);
+    EXPECT_EQ(chooseImpostor(ImpostorShape::square, false, 50, false), ImpostorShape::square);
+}
+
+TEST(Plates, AutomaticOnesFollowDeviceAndSize) {
+    EXPECT_EQ(choosePlates(PlateShape::automatic, true, 50), PlateShape::square);
+    EXPECT_EQ(choosePlates(PlateShape::automatic, false, 50), PlateShape::dome3);
+    EXPECT_EQ(choosePlates(PlateShape::automatic, false, 2), PlateShape::octagon);
+    EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, true, 50, false), ImpostorShape::square);
+    EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, false, 50, false), ImpostorShape::pyramid);
+    EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, false, 2, false), ImpostorShape::octagon);
+}
+
+TEST(Plates, NoPyramidLeansInPerspective) {
+    EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, false, 50, true), ImpostorShape::octagon);
+    EXPECT_EQ(chooseImpostor(ImpostorShape::pyramid, false, 50, true), ImpostorShape::octagon);
+}
+
+}  // namespace
+}  // namespace nacre::passes

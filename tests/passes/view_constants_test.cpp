@@ -1,0 +1,64 @@
+#include "engine/passes/view_constants.h"
+
+#include <gtest/gtest.h>
+
+namespace nacre::passes {
+namespace {
+
+View viewOfSphere(Projection projection) {
+    Camera camera;
+    camera.projection = projection;
+    return viewOf(camera, 10, 200, 100);
+}
+
+layout::ViewConstants constantsOf(const View& view, double snapPixels = 0) {
+    return viewConstants(view, static_cast<float>(snapPixels), view.width / 2.0, view.height / 2.0);
+}
+
+TEST(ViewConstants, TheEdgesOfThePictureAreThoseOfTheClipSpace) {
+    const View view = viewOfSphere(Projection::orthographic);
+    const layout::ViewConstants c = constantsOf(view);
+    // Å from the middle to the right and to the upper edge; Vulkan's y points down.
+    EXPECT_NEAR(view.width / 2 / view.pixelsPerAngstrom * c.ndcPerAngstrom.x, 1, 1e-6);
+    EXPECT_NEAR(view.height / 2 / view.pixelsPerAngstrom * c.ndcPerAngstrom.y, -1, 1e-6);
+    EXPECT_NEAR(c.pixel * view.pixelsPerAngstrom, 1, 1e-6);
+}
+
+TEST(ViewConstants, DepthSpansTheSphereAndAnAngstromBeforeAndBehindIt) {
+    for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+        const View view = viewOfSphere(projection);
+        const layout::ViewConstants c = constantsOf(view);
+        const auto depth = [&](double z) { return (c.origin - z - c.depthStart) * c.perRange; };
+        EXPECT_NEAR(depth(view.radius + 1), 0, 1e-5);
+        EXPECT_NEAR(depth(-view.radius - 1), 1, 1e-5);
+        EXPECT_NEAR(depth(0), 0.5, 1e-5);
+    }
+}
+
+TEST(ViewConstants, DistancesCountFromTheEyeOrFromTheNearestPlane) {
+    const View ortho = viewOfSphere(Projection::orthographic), perspective = viewOfSphere(Projection::perspective);
+    EXPECT_FLOAT_EQ(constantsOf(ortho).origin, static_cast<float>(ortho.radius));
+    EXPECT_FLOAT_EQ(constantsOf(perspective).origin, static_cast<float>(perspective.eyeDistance));
+    EXPECT_GT(perspective.eyeDistance, perspective.radius);
+}
+
+TEST(ViewConstants, PanMovesTheMiddleAndTurnsWithTheImage) {
+    View view = viewOfSphere(Projection::orthographic);
+    view.pan = glm::dvec2(30, 7) / view.pixelsPerAngstrom;  // right and up
+    // Clockwise: right becomes down, up becomes right.
+    const glm::vec2 expected[] = {{130, 43}, {107, 80}, {70, 57}, {93, 20}};
+    for (int turns = 0; turns < 4; ++turns) {
+        view.quarterTurns = turns;
+        const glm::vec2 middle = constantsOf(view).axisPixel;
+        EXPECT_NEAR(middle.x, expected[turns].x, 1e-4) << turns;
+        EXPECT_NEAR(middle.y, expected[turns].y, 1e-4) << turns;
+    }
+}
+
+TEST(ViewConstants, SnappingIsInAngstrom) {
+    const View view = viewOfSphere(Projection::orthographic);
+    EXPECT_NEAR(constantsOf(view, 1.0 / 16).snap * view.pixelsPerAngstrom, 1.0 / 16, 1e-6);
+}
+
+}  // namespace
+}  // namespace nacre::passes
