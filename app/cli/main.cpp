@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/cli/commands.h"
+#include "app/cli/loopback.h"
 #include "app/cli/options.h"
 #include "app/shared/messages.h"
 #include "app/shared/notices.h"
@@ -91,4 +92,9 @@ int complete(int argc, char** argv) {
 }  // namespace
 }  // namespace nacre::app
 
-int main(int argc, char** argv) { return nacre::app::complete(argc, argv); }
+int main(int argc, char** argv) {
+#ifdef NACRE_LOOPBACK
+    nacre::app::listenOnLoopbackAlone();
+#endif
+    return nacre::app::complete(argc, argv);
+}

@@ -27,7 +27,8 @@ void addCamera(CommandSpec& command, RenderOptions& options) {
 void addShading(CommandSpec& command, RenderOptions& options) {
     addOcclusion(command, options.occlusion);
     addValue(command, "--background", "COLOR", "white",
-             "transparent, a basic CSS name, #rgb, #rrggbb or #rrggbbaa (JPEG has no transparency: over white)",
+             "transparent, a colour's name as CSS has it (navy, lightgray), #rgb, #rrggbb or #rrggbbaa\n(JPEG has no "
+             "transparency: over white)",
              [&](const std::string& text) { options.background = parseColor(text); });
     addOnOff(command, "--lighting", options.lighting, "off: base colour times occlusion, nothing else");
 }
@@ -70,7 +71,8 @@ void addFiles(CommandSpec& command, RenderOptions& options) {
     addValue(command, "--stats", "FILE.json", "none", "View, counts, times and memory as JSON; - for standard output",
              [&](const std::string& text) { options.stats = fileName(text); });
     addValue(command, "--capture", "FILE.rdc", "none",
-             "The frame and its occlusion bake, for RenderDoc, which has to be installed; - for standard output",
+             "The frame and its occlusion bake, for RenderDoc, which has to be installed and listens on this machine "
+             "alone;\n- for standard output",
              [&](const std::string& text) {
                  if (!isStandardOutput(text) && extensionOf(text) != ".rdc")
                      throw std::invalid_argument("expected a name that ends in .rdc, not '" + text + "'");
@@ -157,7 +159,8 @@ void addWindow(CommandSpec& command, RenderOptions& first) {
              "What the window drew, as JSON, when it is closed; - for standard output",
              [&](const std::string& text) { first.stats = fileName(text); });
     addDevice(command, first);
-    addFlag(command, "--capture", first.device.capture, "Load RenderDoc, so that F12 captures a frame");
+    addFlag(command, "--capture", first.device.capture,
+            "Load RenderDoc, so that F12 captures a frame; it listens on this machine alone");
 }
 
 void checkRender(RenderOptions& options) {

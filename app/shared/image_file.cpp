@@ -1,122 +1,72 @@
 #include "app/shared/image_file.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <memory>
+#include <array>
 #include <vector>
 
+#include "app/shared/image_codec.h"
 #include "app/shared/srgb.h"
 #include "engine/error.h"
-#include "engine/storage/plain_file.h"
+#ifdef NACRE_IMAGE_MODULE
+#include <dlfcn.h>
+
+#include <filesystem>
+#endif
 
 namespace nacre::app {
 namespace {
-
-constexpr int kJpegQuality = 95;
-constexpr std::uint32_t kRowsAtOnce = 64;  // what is converted at a time, so that memory stays small
 
 bool isExr(const std::string& path) { return extensionOf(path) == ".exr"; }
 bool isTiff(const std::string& path) { return extensionOf(path) == ".tif" || extensionOf(path) == ".tiff"; }
 bool isJpeg(const std::string& path) { return extensionOf(path) == ".jpg" || extensionOf(path) == ".jpeg"; }
 
-[[noreturn]] void fail(const OutputFile& file, const std::string& why) {
-    std::string line = why.empty() ? "OpenImageIO gives no reason" : why;
-    std::replace(line.begin(), line.end(), '\n', ' ');
-    throw Error("cannot write file", file.path(), line);
+[[noreturn]] void fail(const OutputFile& file, std::string why) {
+    std::replace(why.begin(), why.end(), '\n', ' ');
+    throw Error("cannot write file", file.path(), why);
 }
 
-OIIO::ImageSpec specOf(const std::string& path, std::uint32_t width, std::uint32_t height, int channels,
-                       const OIIO::TypeDesc& type) {
-    OIIO::ImageSpec spec(static_cast<int>(width), static_cast<int>(height), channels, type);
-    spec.attribute("Software", "nacre");
-    // OpenImageIO would put in the time of day; equal pictures shall be equal files.
-    if (isExr(path) || isTiff(path)) spec.attribute("DateTime", "1970:01:01 00:00:00");
-    return spec;
+#ifdef NACRE_IMAGE_MODULE
+/// Folders that may hold the module: that of the program, and where it is installed.
+std::vector<std::string> moduleNames() {
+    Dl_info info{};
+    if (!dladdr(reinterpret_cast<const void*>(&isPictureName), &info) || !info.dli_fname) return {};
+    std::error_code error;
+    const std::filesystem::path program = std::filesystem::canonical(info.dli_fname, error).parent_path();
+    return {(program / NACRE_IMAGE_MODULE).string(), (program / NACRE_MODULE_FOLDER / NACRE_IMAGE_MODULE).string()};
 }
 
-/// A file that remembers the first failure. OpenImageIO's writers of PNG and JPEG do not look whether what they wrote
-/// last has come to the disk, and are content with half a picture on a full one.
-class CheckedFile : public OIIO::Filesystem::IOProxy {
-public:
-    explicit CheckedFile(const std::string& path) : IOProxy(path, Write), file_(openPlain(path, O_RDWR | O_TRUNC)) {
-        if (file_ < 0) failure_ = errno;
+WriteImage* codec(const OutputFile& file) {
+    static WriteImage* loaded = nullptr;
+    std::string why = "the program's folder is not known";
+    for (const std::string& name : moduleNames()) {
+        if (loaded) break;
+        // Never unloaded: what it brings along does not expect that.
+        void* library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
+        if (library) loaded = reinterpret_cast<WriteImage*>(dlsym(library, "nacreWriteImage"));
+        if (!loaded && (std::filesystem::exists(name) || why.empty())) why = dlerror();
     }
-    ~CheckedFile() override { finish(); }
-
-    /// Closes the file. @returns errno of the first failure, 0 if there was none
-    int finish() {
-        if (file_ >= 0 && ::close(file_) != 0 && failure_ == 0) failure_ = errno;
-        file_ = -1;
-        return failure_;
-    }
-
-    const char* proxytype() const override { return "checked"; }  // "file" promises a FILE
-    std::size_t write(const void* bytes, std::size_t size) override {
-        const std::size_t written = pwrite(bytes, size, m_pos);
-        m_pos += static_cast<std::int64_t>(written);
-        return written;
-    }
-    std::size_t pwrite(const void* bytes, std::size_t size, std::int64_t offset) override {
-        std::size_t done = 0;
-        while (done < size && failure_ == 0) {
-            const auto at = offset + static_cast<std::int64_t>(done);
-            const ssize_t n = ::pwrite(file_, static_cast<const char*>(bytes) + done, size - done, at);
-            if (n > 0) done += static_cast<std::size_t>(n);
-            if (n == 0) failure_ = ENOSPC;
-            if (n < 0 && errno != EINTR) failure_ = errno;
-        }
-        return done;
-    }
-    std::size_t size() const override {
-        const off_t end = ::lseek(file_, 0, SEEK_END);
-        return end > 0 ? static_cast<std::size_t>(end) : 0;
-    }
-
-private:
-    int file_ = -1;
-    int failure_ = 0;
-};
-
-/// Whether a picture is all there. For TIFF, whose writer does not look either, and needs a file of its own.
-bool readsBack(const std::string& path, const OIIO::ImageSpec& spec) {
-    const std::unique_ptr<OIIO::ImageInput> in = OIIO::ImageInput::open(path);
-    if (!in || in->spec().width != spec.width || in->spec().height != spec.height) return false;
-    for (const char* text : {"Software", "DateTime"})
-        if (in->spec().get_string_attribute(text) != spec.get_string_attribute(text)) return false;
-    std::vector<std::uint8_t> row(spec.scanline_bytes());
-    for (int y = 0; y < spec.height; ++y)
-        if (!in->read_scanlines(0, 0, y, y + 1, 0, 0, spec.nchannels, spec.format, row.data())) return false;
-    return true;
+    if (!loaded) fail(file, "image formats cannot be loaded: " + why);
+    return loaded;
 }
+#else
+WriteImage* codec(const OutputFile&) { return nacreWriteImage; }
+#endif
 
-/// Writes rows as `convert(firstRow, rowCount)` gives them: a pointer to rowCount rows of interleaved channels.
+/// Writes rows as `convert(first, count)` gives them: a pointer to interleaved channels.
 template <class Convert>
-void writeRows(OutputFile& file, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& from, Convert&& convert) {
-    CheckedFile target(file.temporary());  // outlives the writer
-    const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(file.temporary());
-    if (!out) fail(file, OIIO::geterror());
-    const auto stop = [&] {
-        const std::string why = out->geterror();
-        const int failure = target.finish();
-        fail(file, failure ? std::strerror(failure) : why);
+void write(OutputFile& file, ImageRequest request, Convert& convert) {
+    request.path = file.temporary().c_str();
+    request.context = &convert;
+    request.rows = [](void* context, std::uint32_t first, std::uint32_t count) -> const void* {
+        return (*static_cast<Convert*>(context))(first, count);
     };
-    if (!isTiff(file.temporary()) && !out->set_ioproxy(&target)) stop();
-    if (!out->open(file.temporary(), spec)) stop();
-    for (std::uint32_t row = 0; row < static_cast<std::uint32_t>(spec.height); row += kRowsAtOnce) {
-        const std::uint32_t end = std::min(row + kRowsAtOnce, static_cast<std::uint32_t>(spec.height));
-        if (!out->write_scanlines(static_cast<int>(row), static_cast<int>(end), 0, from, convert(row, end - row)))
-            stop();
-    }
-    if (!out->close() || target.finish() != 0) stop();
-    if (isTiff(file.temporary()) && !readsBack(file.temporary(), spec))
-        fail(file, "the data could not be written (is the disk full?)");
+    std::array<char, 1000> why{};
+    if (!codec(file)(&request, why.data(), why.size())) fail(file, why.data());
     file.commit();
+}
+
+ImageRequest requestOf(std::uint32_t width, std::uint32_t height, std::uint32_t channels, Samples samples) {
+    return {nullptr, width, height, channels, samples, nullptr, -1, -1, nullptr, nullptr};
 }
 
 }  // namespace
@@ -129,47 +79,36 @@ void writePicture(OutputFile& file, const Picture& picture, bool alpha) {
     const std::string& path = file.temporary();
     const std::size_t width = picture.width;
     if (isExr(path)) {
-        OIIO::ImageSpec spec = specOf(path, picture.width, picture.height, 4, OIIO::TypeDesc::HALF);
-        spec.channelnames = {"R", "G", "B", "A"};
-        spec.alpha_channel = 3;
-        spec.attribute("compression", "zip");
-        spec.attribute("oiio:ColorSpace", "Linear");
-        writeRows(file, spec, OIIO::TypeDesc::FLOAT,
-                  [&](std::size_t row, std::size_t) { return picture.rgba.data() + row * width * 4; });
-        return;
+        ImageRequest request = requestOf(picture.width, picture.height, 4, Samples::halves);
+        constexpr const char* kNames[] = {"R", "G", "B", "A"};
+        request.channelNames = kNames;
+        request.alphaChannel = 3;
+        auto rows = [&](std::size_t first, std::size_t) { return picture.rgba.data() + first * width * 4; };
+        return write(file, request, rows);
     }
     const bool keepAlpha = alpha && !isJpeg(path);
-    const int channels = keepAlpha ? 4 : 3;
-    OIIO::ImageSpec spec = specOf(path, picture.width, picture.height, channels, OIIO::TypeDesc::UINT8);
-    spec.attribute("oiio:ColorSpace", "sRGB");
-    if (keepAlpha) spec.attribute("oiio:UnassociatedAlpha", 1);
-    if (isJpeg(path)) {
-        spec.attribute("Compression", "jpeg:" + std::to_string(kJpegQuality));
-        spec.attribute("jpeg:subsampling", "4:4:4");  // red atoms on white would bleed otherwise
-    }
-    if (isTiff(path)) spec.attribute("compression", "zip");
-    std::vector<std::uint8_t> bytes(width * kRowsAtOnce * static_cast<std::size_t>(channels));
-    writeRows(file, spec, OIIO::TypeDesc::UINT8, [&](std::size_t row, std::size_t count) {
+    const std::uint32_t channels = keepAlpha ? 4 : 3;
+    std::vector<std::uint8_t> bytes(width * kRowsAtOnce * channels);
+    auto rows = [&](std::size_t first, std::size_t count) {
         for (std::size_t i = 0; i < count * width; ++i)
-            codePixel(picture.rgba.data() + (row * width + i) * 4, keepAlpha,
-                      bytes.data() + i * static_cast<std::size_t>(channels));
+            codePixel(picture.rgba.data() + (first * width + i) * 4, keepAlpha, bytes.data() + i * channels);
         return bytes.data();
-    });
+    };
+    write(file, requestOf(picture.width, picture.height, channels, Samples::bytes), rows);
 }
 
 void writeLayers(OutputFile& file, const LayerPicture& layers) {
-    constexpr std::size_t kChannels = 10;
-    OIIO::ImageSpec spec = specOf(file.temporary(), layers.width, layers.height, kChannels, OIIO::TypeDesc::FLOAT);
-    spec.channelnames = {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z", "id", "occlusion"};
-    spec.alpha_channel = 3;
-    spec.z_channel = 4;
-    spec.attribute("compression", "zip");
-    spec.attribute("oiio:ColorSpace", "Linear");
+    constexpr std::uint32_t kChannels = 10;
+    constexpr const char* kNames[kChannels] = {"R", "G", "B", "A", "Z", "N.X", "N.Y", "N.Z", "id", "occlusion"};
+    ImageRequest request = requestOf(layers.width, layers.height, kChannels, Samples::floats);
+    request.channelNames = kNames;
+    request.alphaChannel = 3;
+    request.depthChannel = 4;
     const std::size_t width = layers.width;
     std::vector<float> values(width * kRowsAtOnce * kChannels);
-    writeRows(file, spec, OIIO::TypeDesc::FLOAT, [&](std::size_t row, std::size_t count) {
+    auto rows = [&](std::size_t first, std::size_t count) {
         for (std::size_t i = 0; i < count * width; ++i) {
-            const std::size_t pixel = row * width + i;
+            const std::size_t pixel = first * width + i;
             float* out = values.data() + i * kChannels;
             std::copy_n(layers.rgba.data() + pixel * 4, 4, out);
             out[4] = layers.z[pixel];
@@ -178,7 +117,8 @@ void writeLayers(OutputFile& file, const LayerPicture& layers) {
             out[9] = layers.occlusion[pixel];
         }
         return values.data();
-    });
+    };
+    write(file, request, rows);
 }
 
 }  // namespace nacre::app

@@ -1,5 +1,5 @@
 #pragma once
-// Pictures to files. Everything that touches OpenImageIO stands here.
+// Pictures to files.
 
 #include <string>
 

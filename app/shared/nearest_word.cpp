@@ -28,7 +28,7 @@ std::size_t edits(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearestWord(std::string_view word, std::span<const std::string> words) {
-    if (word.empty() || word.size() > kLongestWord) return {};
+    if (word.size() <= 2 || word.size() > kLongestWord) return {};
     std::size_t least = word.size() <= 4 ? 1 : 2;
     std::string nearest;
     for (const std::string& candidate : words) {

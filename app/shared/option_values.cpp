@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
+#include <vector>
 
+#include "app/shared/nearest_word.h"
 #include "app/shared/srgb.h"
 #include "engine/molecule/floating_point.h"
 #include "engine/scene/palettes.h"
@@ -12,8 +14,49 @@
 namespace nacre::app {
 namespace {
 
-[[noreturn]] void refuse(std::string_view text, const std::string& wanted) {
-    throw std::invalid_argument("expected " + wanted + ", not '" + std::string(text) + "'");
+/// @param words  of which the nearest is suggested
+[[noreturn]] void refuse(std::string_view text, const std::string& wanted, std::span<const std::string> words = {}) {
+    throw std::invalid_argument("expected " + wanted + ", not '" + std::string(text) + "'" + suggestion(text, words));
+}
+
+std::string lower(std::string_view text) {
+    std::string out(text);
+    for (char& c : out)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return out;
+}
+
+/// What other programs call the same.
+struct Synonym {
+    std::string_view theirs, ours;
+};
+// PyMOL, ChimeraX, Mol*, Jmol and RasMol, VMD.
+constexpr Synonym kStyleSynonyms[] = {{"sticks", "licorice"},
+                                      {"stick", "licorice"},
+                                      {"spheres", "spacefill"},
+                                      {"sphere", "spacefill"},
+                                      {"vdw", "spacefill"},
+                                      {"cpk", "spacefill"},
+                                      {"space-filling", "spacefill"},
+                                      {"spacefilling", "spacefill"},
+                                      {"balls-and-sticks", "ball-and-stick"},
+                                      {"ball+stick", "ball-and-stick"},
+                                      {"ballandstick", "ball-and-stick"},
+                                      {"ball-stick", "ball-and-stick"}};
+constexpr Synonym kColorSynonyms[] = {{"cpk", "element"},          {"elements", "element"},
+                                      {"byelement", "element"},    {"element-symbol", "element"},
+                                      {"heteroatom", "element"},   {"chains", "chain"},
+                                      {"bychain", "chain"},        {"chain-id", "chain"},
+                                      {"spectrum", "rainbow"},     {"sequence-id", "rainbow"},
+                                      {"temperature", "b-factor"}, {"bfactors", "b-factor"},
+                                      {"confidence", "plddt"},     {"hydrophobic", "hydrophobicity"},
+                                      {"byresidue", "residue"}};
+
+std::string_view ours(std::string_view text, std::span<const Synonym> synonyms) {
+    const std::string word = lower(text);
+    for (const Synonym& synonym : synonyms)
+        if (synonym.theirs == word) return synonym.ours;
+    return text;
 }
 
 template <class Number>
@@ -49,6 +92,12 @@ constexpr NamedColor kNamedColors[] = {
     {"lightgreen", 0x90ee90ff},  {"darkgreen", 0x006400ff}, {"darkred", 0x8b0000ff},    {"darkblue", 0x00008bff},
     {"firebrick", 0xb22222ff},   {"crimson", 0xdc143cff},   {"forestgreen", 0x228b22ff}};
 
+std::vector<std::string> colorNames() {
+    std::vector<std::string> names;
+    for (const NamedColor& entry : kNamedColors) names.emplace_back(entry.name);
+    return names;
+}
+
 std::array<float, 4> unpack(std::uint32_t rgba) {
     const auto channel = [&](int shift) { return static_cast<float>(rgba >> shift & 0xff) / 255.0f; };
     return {channel(24), channel(16), channel(8), channel(0)};
@@ -82,12 +131,10 @@ glm::dvec3 parseRotation(std::string_view text) {
 }
 
 std::array<float, 4> parseColor(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    const std::string word = lower(text);
     for (const NamedColor& entry : kNamedColors)
-        if (entry.name == lower) return unpack(entry.rgba);
-    const std::string digits = !lower.empty() && lower[0] == '#' ? lower.substr(1) : std::string();
+        if (entry.name == word) return unpack(entry.rgba);
+    const std::string digits = !word.empty() && word[0] == '#' ? word.substr(1) : std::string();
     std::uint32_t value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
     if (error == std::errc() && end == digits.data() + digits.size()) {
@@ -96,16 +143,16 @@ std::array<float, 4> parseColor(std::string_view text) {
         if (digits.size() == 6) return unpack(value << 8 | 0xffu);
         if (digits.size() == 8) return unpack(value);
     }
-    refuse(text, "'transparent', a basic colour name, #rgb, #rrggbb or #rrggbbaa");
+    refuse(text, "'transparent', a colour's name, #rgb, #rrggbb or #rrggbbaa", colorNames());
 }
 
 Style parseStyle(std::string_view text) {
     constexpr Style kStyles[] = {Style::spacefill, Style::ballAndStick, Style::licorice};
-    return kStyles[parseChoice(text, {"spacefill", "ball-and-stick", "licorice"})];
+    return kStyles[parseChoice(ours(text, kStyleSynonyms), {"spacefill", "ball-and-stick", "licorice"})];
 }
 
 Coloring parseColoring(std::string_view text) {
-    if (const auto scheme = colorSchemeFromName(text)) return *scheme;
+    if (const auto scheme = colorSchemeFromName(ours(text, kColorSynonyms))) return *scheme;
     constexpr const char* kWanted =
         "element, chain, residue, hydrophobicity, charge, secondary-structure, b-factor, plddt, rainbow, occupancy, "
         "entity, a colour's name or #rrggbb";
@@ -113,7 +160,10 @@ Coloring parseColoring(std::string_view text) {
     try {
         color = parseColor(text);
     } catch (const std::invalid_argument&) {
-        refuse(text, kWanted);
+        std::vector<std::string> words = colorNames();
+        for (int s = 0; s < static_cast<int>(ColorScheme::uniform); ++s)
+            words.emplace_back(colorSchemeName(static_cast<ColorScheme>(s)));
+        refuse(text, kWanted, words);
     }
     if (color[3] < 1.0f) throw std::invalid_argument("atoms cannot be transparent: '" + std::string(text) + "'");
     std::uint32_t rgb = 0;
@@ -198,7 +248,7 @@ std::size_t parseChoice(std::string_view text, std::span<const char* const> choi
         list += std::string(index == 0 ? "" : index + 1 == choices.size() ? " or " : ", ") + std::string(choice);
         ++index;
     }
-    refuse(text, list);
+    refuse(text, list, std::vector<std::string>(choices.begin(), choices.end()));
 }
 
 void checkSamples(const Size& size, std::uint32_t supersample) {

@@ -31,7 +31,7 @@ Size parseSize(std::string_view text);
 /// "X,Y,Z" in degrees, finite.
 glm::dvec3 parseRotation(std::string_view text);
 
-/// "transparent", a CSS basic colour name, #rgb, #rrggbb or #rrggbbaa; sRGB-coded 0..1, straight alpha.
+/// "transparent", a colour's name as CSS has it, #rgb, #rrggbb or #rrggbbaa; sRGB-coded 0..1, straight alpha.
 std::array<float, 4> parseColor(std::string_view text);
 
 /// "spacefill", "ball-and-stick" or "licorice".

@@ -5,6 +5,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
 
 #include "app/shared/capture_file.h"
 #include "tests/capture/inspect.h"
@@ -100,6 +103,27 @@ TEST(RenderCapture, TheFrameIsRenderDocsWhereItStartedTheProgram) {
     ASSERT_EQ(std::system(command.c_str()), 0) << contentOf(folder / "log");
     expectBakeAndScreen(inspect(folder / "started_capture.rdc")["submissions"]);
     EXPECT_NE(contentOf(folder / "log").find("captured to " + (folder / "started_capture.rdc")), std::string::npos);
+}
+
+TEST(RenderCapture, RenderDocListensOnThisMachineAlone) {
+    const TemporaryFolder folder;
+    // While the program runs: the sockets that it holds, and all that listen.
+    const std::string command = "cd '" + folder.path() + "' && ('" NACRE_PROGRAM "' " + kRender +
+                                "--capture a.rdc & pid=$!; while kill -0 $pid 2>/dev/null; do "
+                                "ls -l /proc/$pid/fd 2>/dev/null | grep -o 'socket:.[0-9]*'; cat /proc/net/tcp; "
+                                "sleep 0.02; done) >log 2>&1";
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    std::set<std::string> held, listening;  // inodes; addresses
+    std::istringstream log(contentOf(folder / "log"));
+    std::vector<std::vector<std::string>> rows;
+    for (std::string line; std::getline(log, line);) {
+        if (line.starts_with("socket:[")) held.insert(line.substr(8));
+        std::istringstream words(line);
+        rows.emplace_back(std::istream_iterator<std::string>(words), std::istream_iterator<std::string>());
+    }
+    for (const std::vector<std::string>& row : rows)
+        if (row.size() > 9 && row[3] == "0A" && held.contains(row[9])) listening.insert(row[1].substr(0, 8));
+    EXPECT_EQ(listening, std::set<std::string>{"0100007F"});  // 127.0.0.1
 }
 
 TEST(RenderCapture, SaysWhyItCannot) {

@@ -50,7 +50,6 @@ const std::vector<Arrows> kArrows = {
 
     {"app/shared/", {"engine/*.h", "engine/molecule/", "engine/scene/"}},
     {"app/shared/output_file.cpp", {"app/shared/", "engine/*.h", "engine/storage/"}},
-    {"app/shared/image_file.cpp", {"app/shared/", "engine/*.h", "engine/storage/"}},
     {"app/viewer/kept_files.cpp", {"app/viewer/", "app/shared/", "engine/*.h", "engine/storage/"}},
     {"app/download/", {"app/shared/", "engine/*.h", "engine/molecule/", "engine/storage/"}},
     {"app/viewer/", {"app/shared/", "engine/*.h", "engine/molecule/", "engine/scene/"}},
@@ -76,7 +75,7 @@ const std::vector<Arrows> kLibraries = {
       "app/android/surface.cpp", "app/desktop/window.cpp", "app/apple/ios/metal_surface.mm"}},
     {"GLFW/", {"app/desktop/window.cpp"}},
     {"CLI/", {"app/cli/command_parser.cpp"}},
-    {"OpenImageIO/", {"app/shared/image_file.cpp"}},
+    {"OpenImageIO/", {"app/shared/image_codec.cpp"}},
     {"curl/", {"app/download/http.cpp"}},
     {"imgui", {"app/panel/"}},
     {"gemmi/", {"engine/molecule/"}},
