@@ -6,6 +6,7 @@
 #include <exception>
 #include <memory>
 #include <optional>
+#include <string_view>
 
 namespace nacre::app {
 namespace {
@@ -163,6 +164,9 @@ void setOptions(CURL* handle, const std::string& url, const HttpLimits& limits, 
         case CURLE_TOO_MANY_REDIRECTS:
             throw HttpFailure("more than " + std::to_string(limits.redirects) + " redirections", false);
         case CURLE_UNSUPPORTED_PROTOCOL:
+            // Also what libcurl calls an answer without a status line.
+            if (std::string_view(message).find("HTTP/0.9") != std::string_view::npos)
+                throw HttpFailure("the server's answer is no HTTP of our time: it has no status and no headers", false);
             throw HttpFailure("redirected to another protocol, which is not followed", false);
         case CURLE_PARTIAL_FILE:
         case CURLE_RECV_ERROR:

@@ -187,6 +187,43 @@ TEST(CommandLine, HelpShowsExamplesAndEveryOption) {
         EXPECT_NE(help.out.find(option), std::string::npos) << option;
 }
 
+TEST(CommandLine, WhatIsMisspelledOrAskedForOtherwiseIsHelped) {
+    const TemporaryFolder folder;
+    struct Case {
+        const char* arguments;
+        const char* says;
+    };
+    for (const Case& c :
+         {Case{"rendr sample:dna", "did you mean 'render'?"},
+          Case{"render sample:dna -o a.png --sytle licorice", "did you mean '--style'?"},
+          Case{"render sample:dna -o a.png --silhouette on", "nacre render has no option --silhouette (see"},
+          Case{"render sample:dna -o a.png --style spacefil", "did you mean 'spacefill'?"},
+          Case{"render sample:dna -o a.png --color chian", "did you mean 'chain'?"},
+          Case{"4hhb.pdb", "`nacre view 4hhb.pdb` shows it"}}) {
+        const Outcome outcome = nacreIn(folder, c.arguments);
+        EXPECT_EQ(outcome.code, 2) << c.arguments;
+        expectOneErrorLine(outcome);
+        EXPECT_NE(outcome.err.find(c.says), std::string::npos) << outcome.err;
+    }
+    EXPECT_EQ(nacreIn(folder, "help").out, nacreIn(folder, "--help").out);
+    EXPECT_EQ(nacreIn(folder, "help render").out, nacreIn(folder, "render --help").out);
+    EXPECT_EQ(nacreIn(folder, "render sample:glucose -o a.png --style sticks --size 32x32 --occlusion off").code, 0);
+    // A frame that its device cannot draw is the user's mistake.
+    const Outcome plan = nacreIn(folder, "plan --caps powervr --visibility raster-order");
+    EXPECT_EQ(plan.code, 1);
+    expectOneErrorLine(plan);
+}
+
+TEST(CommandLine, TellsLoadsNoImageFormats) {
+    const TemporaryFolder folder;
+    // The loader names every library that it loads.
+    const Outcome outcome = nacreIn(folder, "info sample:glucose", "", "export LD_DEBUG=files");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.err.find("libc.so"), std::string::npos);
+    EXPECT_EQ(outcome.err.find("OpenImageIO"), std::string::npos);
+    EXPECT_EQ(outcome.err.find("nacre_images"), std::string::npos);
+}
+
 TEST(CommandLine, VersionNamesCommitHeadersAndDevice) {
     const TemporaryFolder folder;
     const Outcome outcome = nacreIn(folder, "--version");

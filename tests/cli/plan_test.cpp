@@ -123,7 +123,7 @@ TEST(Plan, RefusesWhatTheDeviceCannotDo) {
     EXPECT_EQ(jsonOf(options)["tile_bytes_per_pixel"], 8);
     options = phone("powervr");
     options.device.visibility = Visibility::rasterOrder;
-    EXPECT_THROW(planReport(options), std::exception);
+    EXPECT_THROW(planReport(options), Error);  // the user's, not the graph's
 }
 
 }  // namespace

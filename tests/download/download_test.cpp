@@ -250,6 +250,7 @@ INSTANTIATE_TEST_SUITE_P(Download, BadAnswer,
                          testing::Values(Answer{"html", "1bna.cif.gz"}, Answer{"empty", "empty"},
                                          Answer{"busy", "status 503 (it is busy"}, Answer{"untrue", "gzip"},
                                          Answer{"circle", "more than 5 redirections"},
+                                         Answer{"no_http", "no HTTP of our time"},
                                          Answer{"to_file", "another protocol"}, Answer{"to_ftp", "another protocol"},
                                          Answer{"to_https", "another protocol"},
                                          Answer{"ok/nowhere", "no such entry"}));

@@ -172,6 +172,10 @@ class Handler(http.server.BaseHTTPRequestHandler):
     def circle(self, rest):
         self.head(302, 0, Location="/circle/" + rest)
 
+    def no_http(self, rest):
+        self.wfile.write(b"This is the text, without a status or a header.\n")
+        self.close_connection = True
+
     def to_file(self, rest):
         self.head(302, 0, Location="file:///etc/hostname")
 
