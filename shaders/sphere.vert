@@ -27,10 +27,10 @@ void main() {
 #endif
     Outline outline = sphereOutline(center, radius);
     bool apex;
-    vec2 e = kCorners == 24 ? pyramidCorner(gl_VertexIndex, apex) : corner(gl_VertexIndex);
+    vec2 e = kCorners == 9 ? pyramidCorner(gl_VertexIndex, apex) : corner(gl_VertexIndex);
     vec2 q = outline.center + outline.axisU * e.x + outline.axisV * e.y;
     // A little nearer than the nearest point, so that rounding never lets the fixed-function test cut into it.
     float front = radius * 1.001;
-    if (kCorners == 24) front = radius * (pyramidHeight(apex) + 2e-3) + 2.0 * view.snap;
+    if (kCorners == 9) front = radius * (pyramidHeight(apex) + 2e-3) + 2.0 * view.snap;
     gl_Position = clipPosition(q, encodedDepth(view.origin - center.z - front));
 }

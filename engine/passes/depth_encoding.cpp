@@ -7,19 +7,23 @@ void encodeDepth(gpu::PassContext& context, const SceneView& view, const Encodin
     PrimitivePass pass;
     pass.encoding = encoding;
     pass.blend = gpu::Blend::minimum;
-    drawImpostors(context, view, pass,
-                  {shaders::geometrySphereVertex, {shaders::encodeSphere, shaders::encodeSphereCounting}},
-                  {shaders::geometryCylinderVertex, {shaders::encodeCylinder, shaders::encodeCylinderCounting}});
+    drawPrimitives(context, view, Primitive::sphere,
+                   {shaders::geometrySphereVertex, {shaders::encodeSphere, shaders::encodeSphereCounting}}, pass);
+    drawPrimitives(context, view, Primitive::cylinder,
+                   {shaders::geometryCylinderVertex, {shaders::encodeCylinder, shaders::encodeCylinderCounting}}, pass);
 }
 
 void encodeDepthInOrder(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas, vk::ImageView nearest) {
     const Reads reads{NearestFrom::ownAttachment, atlas, nearest};
     PrimitivePass pass;
     pass.reads = &reads;
-    drawImpostors(
-        context, view, pass,
-        {shaders::geometrySphereVertex, {shaders::encodeSphereOrdered, shaders::encodeSphereOrderedCounting}},
-        {shaders::geometryCylinderVertex, {shaders::encodeCylinderOrdered, shaders::encodeCylinderOrderedCounting}});
+    drawPrimitives(
+        context, view, Primitive::sphere,
+        {shaders::geometrySphereVertex, {shaders::encodeSphereOrdered, shaders::encodeSphereOrderedCounting}}, pass);
+    drawPrimitives(
+        context, view, Primitive::cylinder,
+        {shaders::geometryCylinderVertex, {shaders::encodeCylinderOrdered, shaders::encodeCylinderOrderedCounting}},
+        pass);
 }
 
 }  // namespace nacre::passes

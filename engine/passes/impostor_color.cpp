@@ -51,8 +51,8 @@ void drawImpostorColor(gpu::PassContext& context, const SceneView& view, Output 
     pass.depth = reads.from == NearestFrom::depthBuffer || settles ? gpu::DepthUse::write : gpu::DepthUse::test;
     pass.colorsWritten = own ? 2 : 1;  // the nearest depth, too
     const Variant& variant = variantOf(output, reads.from, settles);
-    drawImpostors(context, view, pass, {shaders::lookSphereVertex, variant.sphere},
-                  {shaders::lookCylinderVertex, variant.cylinder});
+    drawPrimitives(context, view, Primitive::sphere, {shaders::lookSphereVertex, variant.sphere}, pass);
+    drawPrimitives(context, view, Primitive::cylinder, {shaders::lookCylinderVertex, variant.cylinder}, pass);
 }
 
 }  // namespace nacre::passes

@@ -8,9 +8,11 @@ void drawNearestDepth(gpu::PassContext& context, const SceneView& view) {
     PrimitivePass pass;
     pass.depth = gpu::DepthUse::write;
     pass.colorsWritten = 0;
-    drawImpostors(context, view, pass,
-                  {shaders::geometrySphereVertex, {shaders::nearestSphere, shaders::nearestSphereCounting}},
-                  {shaders::geometryCylinderVertex, {shaders::nearestCylinder, shaders::nearestCylinderCounting}});
+    drawPrimitives(context, view, Primitive::sphere,
+                   {shaders::geometrySphereVertex, {shaders::nearestSphere, shaders::nearestSphereCounting}}, pass);
+    drawPrimitives(context, view, Primitive::cylinder,
+                   {shaders::geometryCylinderVertex, {shaders::nearestCylinder, shaders::nearestCylinderCounting}},
+                   pass);
 }
 
 }  // namespace nacre::passes

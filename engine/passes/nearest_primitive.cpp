@@ -7,9 +7,11 @@ namespace nacre::passes {
 void drawNearestPrimitive(gpu::PassContext& context, const SceneView& view) {
     PrimitivePass pass;
     pass.depth = gpu::DepthUse::write;
-    drawImpostors(context, view, pass,
-                  {shaders::numberSphereVertex, {shaders::identifySphere, shaders::identifySphereCounting}},
-                  {shaders::numberCylinderVertex, {shaders::identifyCylinder, shaders::identifyCylinderCounting}});
+    drawPrimitives(context, view, Primitive::sphere,
+                   {shaders::numberSphereVertex, {shaders::identifySphere, shaders::identifySphereCounting}}, pass);
+    drawPrimitives(context, view, Primitive::cylinder,
+                   {shaders::numberCylinderVertex, {shaders::identifyCylinder, shaders::identifyCylinderCounting}},
+                   pass);
 }
 
 }  // namespace nacre::passes

@@ -6,14 +6,13 @@
 namespace nacre::passes {
 
 void drawPlates(gpu::PassContext& context, const SceneView& view) {
+    const Shaders shaders{shaders::plateVertex, {shaders::plateFragment, shaders::plateFragmentCounting}};
     PrimitivePass pass;
-    pass.shaders = {shaders::plateVertex, {shaders::plateFragment, shaders::plateFragmentCounting}};
     pass.depth = gpu::DepthUse::write;
     pass.colorsWritten = 0;
     for (const Plate& plate : platesOf(choosePlates(view.plates, context.device.caps().software, view.radiusPixels))) {
-        pass.corners = plate.corners;
-        pass.rim = plate.rim;
-        drawSpheres(context, view, pass);
+        pass.plate = &plate;
+        drawPrimitives(context, view, Primitive::sphere, shaders, pass);
     }
 }
 

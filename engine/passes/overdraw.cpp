@@ -7,9 +7,11 @@ namespace nacre::passes {
 void drawOverdraw(gpu::PassContext& context, const SceneView& view) {
     PrimitivePass pass;
     pass.blend = gpu::Blend::add;
-    drawImpostors(context, view, pass,
-                  {shaders::geometrySphereVertex, {shaders::overdrawSphere, shaders::overdrawSphereCounting}},
-                  {shaders::geometryCylinderVertex, {shaders::overdrawCylinder, shaders::overdrawCylinderCounting}});
+    drawPrimitives(context, view, Primitive::sphere,
+                   {shaders::geometrySphereVertex, {shaders::overdrawSphere, shaders::overdrawSphereCounting}}, pass);
+    drawPrimitives(context, view, Primitive::cylinder,
+                   {shaders::geometryCylinderVertex, {shaders::overdrawCylinder, shaders::overdrawCylinderCounting}},
+                   pass);
 }
 
 }  // namespace nacre::passes

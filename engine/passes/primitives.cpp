@@ -1,6 +1,6 @@
 #include "engine/passes/primitives.h"
 
-#include "engine/passes/plates.h"
+#include <algorithm>
 
 namespace nacre::passes {
 namespace {
@@ -50,24 +50,25 @@ const gpu::Layout& layoutOf(gpu::PassContext& context, const SceneView& view, co
                                      sizeof(layout::ViewConstants), view.fragments != nullptr});
 }
 
-vk::Pipeline pipelineOf(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass, bool sphere) {
+vk::Pipeline pipelineOf(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
+                        const Shaders& shaders, bool sphere, std::uint32_t corners) {
     gpu::GraphicsPipeline d = context.pipeline();
     d.detail = sphere ? "spheres" : "cylinders";
-    d.vertex = pass.shaders.vertex;
-    d.fragment = pass.shaders.fragment.of(view);
+    d.vertex = shaders.vertex;
+    d.fragment = shaders.fragment.of(view);
     d.constants.set(layout::kPerspectiveId, view.perspective);
     d.constants.set(layout::kQuarterTurnsId, view.quarterTurns);
     d.constants.set(layout::kDepthChannelsId, pass.encoding.channels);
     d.constants.set(layout::kDepthStepsId, pass.encoding.steps);
-    d.constants.set(layout::kCornersId, pass.corners);
-    if (pass.rim > 0) d.constants.set(layout::kRimId, pass.rim);
+    d.constants.set(layout::kCornersId, corners);
+    if (pass.plate) d.constants.set(layout::kRimId, pass.plate->rim);
     d.streams = streamsOf(sphere, pass.looks);
     d.layout = *layoutOf(context, view, pass).pipeline;
     d.colorsWritten = pass.colorsWritten;
     d.depth = pass.depth;
     d.blend = pass.blend;
     d.ordered = pass.reads && pass.reads->from == NearestFrom::ownAttachment;
-    d.strip = pass.corners != kPyramidCorners;
+    d.strip = corners != kPyramidPoints;
     return context.pipelines.graphics(d);
 }
 
@@ -87,41 +88,18 @@ void bindReads(gpu::PassContext& context, const gpu::Layout& layout, const Reads
     context.commands.bindDescriptorSets(kGraphics, *layout.pipeline, 0, set, {});
 }
 
-/// One call for every copy, which differ by their push constants alone.
-void drawCopies(gpu::PassContext& context, const SceneView& view, vk::PipelineLayout layout,
-                const std::vector<PlacedCopies::Call>& calls, std::uint32_t corners) {
-    layout::ViewConstants constants = view.constants;
-    for (const PlacedCopies::Call& call : calls) {
-        const glm::vec4* rows = &view.copies.rows[3 * std::size_t{call.copy}];
-        constants.row0 = rows[0], constants.row1 = rows[1], constants.row2 = rows[2];
-        constants.numberBefore = call.copy * constants.primitives;
-        context.commands.pushConstants<layout::ViewConstants>(layout, kStages, 0, constants);
-        context.commands.draw(corners, call.count, 0, call.first);
-    }
-}
-
-void draw(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass, bool sphere) {
-    const std::vector<PlacedCopies::Call>& calls = sphere ? view.copies.spheres : view.copies.cylinders;
-    const SceneBuffers& scene = *view.buffers;
-    if (calls.empty() || scene.empty()) return;
-    const gpu::Layout& layout = layoutOf(context, view, pass);
-    context.commands.bindPipeline(kGraphics, pipelineOf(context, view, pass, sphere));
-    if (pass.reads) bindReads(context, layout, *pass.reads);
-    bindCounter(context, view, layout);
-    context.commands.bindVertexBuffers(0, {*scene.shapes.handle, *scene.looks.handle},
-                                       {sphere ? 0 : scene.cylinderOffset, sphere ? 0 : scene.cylinderLookOffset});
-    drawCopies(context, view, *layout.pipeline, calls, pass.corners);
-}
-
-/// Corners of the impostor polygons of spheres.
-std::uint32_t cornersOf(const gpu::PassContext& context, const SceneView& view) {
+/// Corners of the polygon that a primitive is drawn in.
+std::uint32_t cornersOf(const gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
+                        bool sphere) {
+    if (pass.plate) return pass.plate->corners;
+    if (!sphere) return 4;
     switch (chooseImpostor(view.impostor, context.device.caps().software, view.radiusPixels, view.perspective)) {
         case ImpostorShape::square:
             return 4;
         case ImpostorShape::octagon:
             return 8;
         default:
-            return kPyramidCorners;
+            return kPyramidPoints;
     }
 }
 
@@ -135,18 +113,35 @@ void bindCounter(gpu::PassContext& context, const SceneView& view, const gpu::La
     context.commands.bindDescriptorSets(kGraphics, *layout.pipeline, 1, set, {});
 }
 
-void drawSpheres(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass) {
-    draw(context, view, pass, true);
-}
-
-void drawImpostors(gpu::PassContext& context, const SceneView& view, PrimitivePass pass, const Shaders& spheres,
-                   const Shaders& cylinders) {
-    pass.shaders = spheres;
-    pass.corners = cornersOf(context, view);
-    draw(context, view, pass, true);
-    pass.shaders = cylinders;
-    pass.corners = 4;
-    draw(context, view, pass, false);
+void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive primitive, const Shaders& shaders,
+                    const PrimitivePass& pass) {
+    const bool sphere = primitive == Primitive::sphere;
+    const std::vector<PlacedCopies::Call>& calls = sphere ? view.copies.spheres : view.copies.cylinders;
+    const SceneBuffers& scene = *view.buffers;
+    if (calls.empty() || scene.empty()) return;
+    const std::uint32_t corners = cornersOf(context, view, pass, sphere);
+    const gpu::Layout& layout = layoutOf(context, view, pass);
+    const vk::raii::CommandBuffer& commands = context.commands;
+    commands.bindPipeline(kGraphics, pipelineOf(context, view, pass, shaders, sphere, corners));
+    if (pass.reads) bindReads(context, layout, *pass.reads);
+    bindCounter(context, view, layout);
+    commands.bindVertexBuffers(0, {*scene.shapes.handle, *scene.looks.handle},
+                               {sphere ? 0 : scene.cylinderOffset, sphere ? 0 : scene.cylinderLookOffset});
+    if (corners == kPyramidPoints) commands.bindIndexBuffer(*scene.pyramid.handle, 0, vk::IndexType::eUint16);
+    layout::ViewConstants constants = view.constants;
+    for (const PlacedCopies::Call& call : calls) {  // copies differ by their push constants alone
+        const glm::vec4* rows = &view.copies.rows[3 * std::size_t{call.copy}];
+        constants.row0 = rows[0], constants.row1 = rows[1], constants.row2 = rows[2];
+        constants.numberBefore = call.copy * constants.primitives;
+        commands.pushConstants<layout::ViewConstants>(*layout.pipeline, kStages, 0, constants);
+        for (std::uint32_t first = call.first, end = first + call.count; first < end; first += kMostInstances) {
+            const std::uint32_t count = std::min(end - first, kMostInstances);
+            if (corners == kPyramidPoints)
+                commands.drawIndexed(kPyramidIndices, count, 0, 0, first);
+            else
+                commands.draw(corners, count, 0, first);
+        }
+    }
 }
 
 }  // namespace nacre::passes

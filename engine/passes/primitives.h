@@ -3,6 +3,7 @@
 
 #include "engine/gpu/execute.h"
 #include "engine/graph/encoded_format.h"
+#include "engine/passes/plates.h"
 #include "engine/passes/scene_view.h"
 
 namespace nacre::passes {
@@ -42,23 +43,23 @@ struct Shaders {
 
 /// What a pass does to each primitive.
 struct PrimitivePass {
-    Shaders shaders;
     bool looks = false;            ///< stream B is fetched, too
     const Reads* reads = nullptr;  ///< null: none
     Encoding encoding{};
     gpu::DepthUse depth = gpu::DepthUse::test;
     gpu::Blend blend = gpu::Blend::replace;
     std::uint32_t colorsWritten = 1;
-    std::uint32_t corners = 4;  ///< of the polygon; kPyramidCorners: a triangle list
-    float rim = 0;              ///< of plates
+    const Plate* plate = nullptr;  ///< drawn instead of impostors
 };
-constexpr std::uint32_t kPyramidCorners = 24;
 
-/// The scene's spheres, all copies.
-void drawSpheres(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass);
-/// Spheres and cylinders as impostors. The pass's own shaders and corners are not looked at.
-void drawImpostors(gpu::PassContext& context, const SceneView& view, PrimitivePass pass, const Shaders& spheres,
-                   const Shaders& cylinders);
+enum class Primitive : std::uint8_t { sphere, cylinder };
+
+/// Draws the scene's spheres or cylinders, all copies.
+void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive primitive, const Shaders& shaders,
+                    const PrimitivePass& pass);
+
+/// Instances of one call: more make Mali-G71 and some PowerVR lose the device (measured by others: 2^14 to 2^16).
+constexpr std::uint32_t kMostInstances = 512;
 
 /// Binds the counter of this pass as set 1, if the view counts.
 void bindCounter(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout);

@@ -1,5 +1,6 @@
 #include "engine/passes/scene_buffers.h"
 
+#include <array>
 #include <cstring>
 
 namespace nacre::passes {
@@ -19,6 +20,15 @@ gpu::Buffer joined(const gpu::Device& device, const std::vector<A>& first, const
     return buffer;
 }
 
+std::array<std::uint16_t, kPyramidIndices> pyramidIndices() {
+    std::array<std::uint16_t, kPyramidIndices> indices{};
+    for (std::uint16_t facet = 0; facet < 8; ++facet) {
+        indices[3 * facet + 1] = static_cast<std::uint16_t>(facet + 1);
+        indices[3 * facet + 2] = static_cast<std::uint16_t>((facet + 1) % 8 + 1);
+    }
+    return indices;
+}
+
 }  // namespace
 
 SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r) {
@@ -30,6 +40,9 @@ SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r
     scene.cylinderLookOffset = r.spheres.size() * sizeof(SphereLook);
     scene.shapes = joined(device, r.spheres, r.cylinders, "stream A: shapes");
     scene.looks = joined(device, r.sphereLooks, r.cylinderLooks, "stream B: looks");
+    const auto indices = pyramidIndices();
+    scene.pyramid = gpu::makeBuffer(device, std::span<const std::uint16_t>(indices),
+                                    vk::BufferUsageFlagBits::eIndexBuffer, "pyramid indices");
     return scene;
 }
 

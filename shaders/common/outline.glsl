@@ -1,7 +1,7 @@
 // Flat outlines on the plane z = 0 that cover a primitive's picture.
 #include "layout.h"
 
-layout(constant_id = kCornersId) const int kCorners = 8;  // 8: octagon, 4: square, 24: the pyramid's triangles
+layout(constant_id = kCornersId) const int kCorners = 8;  // 8: octagon, 4: square, 9: pyramid
 
 /// Corner of a triangle strip over the polygon circumscribed about the unit circle, no buffers needed.
 vec2 corner(int index) {
@@ -14,11 +14,11 @@ vec2 corner(int index) {
     return vec2(x, (index & 1) == 0 ? -y : y);
 }
 
-/// Corners of the pyramid's triangle list; the apex stands at the origin.
+/// Point of the pyramid: the apex over the origin, then eight corners, which indices join to facets.
 vec2 pyramidCorner(int index, out bool apex) {
-    apex = index % 3 == 0;
+    apex = index == 0;
     if (apex) return vec2(0.0);
-    float angle = (float((index / 3 + index % 3 - 1) % 8) + 0.5) * 0.78539816;
+    float angle = (float(index - 1) + 0.5) * 0.78539816;
     return vec2(cos(angle), sin(angle)) * 1.0823922;  // 1 / cos 22.5 degrees
 }
 // The facets lean against the sphere where it is kLean radii from its axis: at radius rho of the sphere they stand

@@ -111,6 +111,26 @@ TEST(Phone, BakesByEveryKindOfDepthMap) {
         }
 }
 
+// The layer aborts where a phone would lose its device.
+TEST(Phone, DrawsNoMoreInstancesAtOnceThanPhonesTake) {
+    Representation r = scene("sample:dna", Style::ballAndStick);
+    const Representation once = r;
+    r.spheres.insert(r.spheres.end(), once.spheres.begin(), once.spheres.end());
+    r.sphereLooks.insert(r.sphereLooks.end(), once.sphereLooks.begin(), once.sphereLooks.end());
+    ASSERT_GT(r.spheres.size(), 512u);
+    ASSERT_GT(r.cylinders.size(), 512u);
+    for (const Visibility path : kPaths) {
+        ValidatedRenderer renderer(path);
+        renderer->setScene(r);
+        RenderSettings s = settings(r, 64, Projection::orthographic);
+        s.occlusion.directions = 1;
+        s.occlusion.maps = path == Visibility::encoded ? OcclusionMaps::encoded : OcclusionMaps::fragdepth;
+        s.tuning.impostor = path == Visibility::deferred ? ImpostorShape::octagon : ImpostorShape::pyramid;
+        s.tuning.plates = PlateShape::octagon;
+        renderer->render(s);
+    }
+}
+
 TEST(Phone, ShowsEveryDebugViewAndRungOfEncodedDepth) {
     const Representation r = scene("sample:glucose", Style::spacefill);
     for (const EncodedDepth rung :

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -48,6 +49,8 @@ bool molten() {
     X(GetPhysicalDeviceMemoryProperties2)
 #define NACRE_DEVICE_BELOW(X)     \
     X(AllocateMemory)             \
+    X(CmdDraw)                    \
+    X(CmdDrawIndexed)             \
     X(CreateShaderModule)         \
     X(GetImageMemoryRequirements) \
     X(GetImageMemoryRequirements2)
@@ -225,6 +228,28 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateShaderModule(VkDevice of, const VkShaderMod
         if (!file.flush()) std::abort();  // a test that looks at fewer would pass for nothing
     }
     return nextCreateShaderModule(of, info, allocator, shader);
+}
+
+// --- draws
+
+/// Some phones lose the device over large instanced draws (Mali-G71 and some PowerVR, from 2^14 to 2^16 instances on).
+/// This one does at once, so that a test cannot miss it.
+void take(std::uint32_t instances) {
+    if (instances <= 512) return;
+    std::fprintf(stderr, "phone: %u instances in one draw\n", instances);
+    std::abort();
+}
+
+VKAPI_ATTR void VKAPI_CALL CmdDraw(VkCommandBuffer commands, std::uint32_t vertices, std::uint32_t instances,
+                                   std::uint32_t firstVertex, std::uint32_t firstInstance) {
+    take(instances);
+    nextCmdDraw(commands, vertices, instances, firstVertex, firstInstance);
+}
+
+VKAPI_ATTR void VKAPI_CALL CmdDrawIndexed(VkCommandBuffer commands, std::uint32_t indices, std::uint32_t instances,
+                                          std::uint32_t firstIndex, std::int32_t offset, std::uint32_t firstInstance) {
+    take(instances);
+    nextCmdDrawIndexed(commands, indices, instances, firstIndex, offset, firstInstance);
 }
 
 // --- device and loader
