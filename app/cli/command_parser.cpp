@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "app/cli/command_spec.h"
-#include "app/shared/nearest_word.h"
 #include "engine/error.h"
+#include "engine/molecule/nearest_word.h"
 
 namespace nacre::app {
 namespace {

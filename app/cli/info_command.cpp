@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <ostream>
+#include <set>
 #include <sstream>
 
 #include "app/cli/commands.h"
@@ -181,18 +182,22 @@ std::string namesAndCounts(const Json& names) {
 
 /// Chains of the same sequence share an entry.
 void sequences(std::ostream& out, const Json& chains) {
-    std::map<std::string, std::vector<std::string>> namesBySequence;
+    struct Names {
+        std::vector<std::string> inOrder;
+        std::set<std::string> known;
+    };
+    std::map<std::string, Names> namesBySequence;
     std::vector<const Json*> first;
     for (const Json& chain : chains) {
         if (!chain.contains("sequence")) continue;
         auto& names = namesBySequence[chain["sequence"]];
-        if (names.empty()) first.push_back(&chain);
+        if (names.inOrder.empty()) first.push_back(&chain);
         const std::string name = chain["name"].get<std::string>().empty() ? "(blank)" : chain["name"];
-        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);  // once for all models
+        if (names.known.insert(name).second) names.inOrder.push_back(name);  // once for all models
     }
     for (const Json* chain : first) {
         const std::string sequence = (*chain)["sequence"];
-        const auto& names = namesBySequence[sequence];
+        const auto& names = namesBySequence[sequence].inOrder;
         std::string who = names.size() > 1 ? "chains" : "chain";
         for (std::size_t i = 0; i < std::min(names.size(), kMostNames); ++i) who += (i ? ", " : " ") + names[i];
         if (names.size() > kMostNames) who += " and " + std::to_string(names.size() - kMostNames) + " more";

@@ -6,9 +6,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "app/shared/nearest_word.h"
 #include "app/shared/srgb.h"
 #include "engine/molecule/floating_point.h"
+#include "engine/molecule/nearest_word.h"
 #include "engine/scene/palettes.h"
 
 namespace nacre::app {

@@ -15,7 +15,8 @@
 namespace nacre::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;  // sorts its keys, so that many of them are no burden
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::size_t kMostBytes = 1 << 20;
 constexpr std::size_t kMostRules = 1000;
@@ -142,14 +143,14 @@ SavedView readSavedView(const std::string& path) {
 }
 
 std::string savedViewJson(const SavedView& view) {
-    Json json = Json::object();
+    OrderedJson json = OrderedJson::object();
     if (!view.input.empty()) json["input"] = view.input;
     if (view.format) json["format"] = formatName(*view.format);
-    json["model"] = view.model == kAllModels ? Json("all") : Json(view.model);
+    json["model"] = view.model == kAllModels ? OrderedJson("all") : OrderedJson(view.model);
     if (!view.look.assembly.empty()) json["assembly"] = view.look.assembly;
     if (view.look.style) json["style"] = styleName(*view.look.style);
     json["color"] = coloringText(view.look.color);
-    json["rules"] = Json::array();
+    json["rules"] = OrderedJson::array();
     for (const Rule& rule : view.look.rules) {
         const auto [option, value] = ruleText(rule);
         json["rules"].push_back({{option, value}});
@@ -164,7 +165,7 @@ std::string savedViewJson(const SavedView& view) {
     json["pan"] = {view.camera.pan.x, view.camera.pan.y};
     json["background"] = backgroundText(view.background);
     json["lighting"] = view.lighting ? "on" : "off";
-    json["occlusion"] = view.occlusionDirections ? Json(view.occlusionDirections) : Json("off");
+    json["occlusion"] = view.occlusionDirections ? OrderedJson(view.occlusionDirections) : OrderedJson("off");
     return jsonText(json);
 }
 

@@ -30,7 +30,7 @@ glm::mat4x3 toMatrix(const TransformRows& rows);
 class AssemblyLimits {
 public:
     static constexpr std::size_t kMaxAssemblies = 10'000;
-    static constexpr std::size_t kMaxTransforms = std::size_t{1} << 20;  ///< 50 MB of matrices
+    static constexpr std::size_t kMaxTransforms = std::size_t{1} << 16;  ///< 3 MB of matrices
     static constexpr std::size_t kMaxSubchains = std::size_t{1} << 22;   ///< mentions of subchains, 17 MB
 
     /// @throws AssemblyFault if that is more than is left

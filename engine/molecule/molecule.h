@@ -106,8 +106,9 @@ struct FileSummary {
     std::optional<std::int64_t> chainsLabel;        ///< distinct label_asym_id (mmCIF)
     std::optional<std::int64_t> biomtOperators;     ///< REMARK 350 BIOMT1 lines; MMTF: most transforms of an assembly
     std::optional<std::int64_t> assemblies;
-    std::optional<std::int64_t> operators;        ///< _pdbx_struct_oper_list rows
-    std::optional<double> resolution;             ///< Å, as the file states it
+    std::optional<std::int64_t> operators;  ///< _pdbx_struct_oper_list rows
+    std::optional<double> resolution;       ///< Å, as the file states it
+    bool confidence = false;  ///< the file says that it is a prediction whose B factors are confidence (pLDDT)
     std::optional<std::array<glm::vec3, 3>> box;  ///< vectors of the simulation box, Å (GRO)
 };
 

@@ -131,6 +131,12 @@ char aminoAcidLetter(const Name& residueName) {
     return static_cast<char>(info.one_letter_code & ~0x20);
 }
 
+char nucleotideLetter(const Name& residueName) {
+    const gemmi::ResidueInfo info = gemmi::find_tabulated_residue(std::string(residueName.view()));
+    if (!info.is_nucleic_acid() || info.one_letter_code == ' ' || info.one_letter_code == 'X') return '\0';
+    return static_cast<char>(info.one_letter_code & ~0x20);
+}
+
 bool isBackbone(ResidueKind kind, const Name& atomName) {
     if (kind == ResidueKind::protein)
         return isOneOf(atomName, {"N", "CA", "C", "O", "OXT", "OT1", "OT2", "H", "H1", "H2", "H3", "HN", "HA", "HA2",

@@ -22,6 +22,10 @@ std::vector<ResidueKind> residueKinds(const Molecule& molecule);
 /// what is none or has no parent.
 char aminoAcidLetter(const Name& residueName);
 
+/// One-letter code of a nucleotide, modified ones under that of their parent (DNA's as RNA's: "DG" is G); '\0' for what
+/// is none or has no parent.
+char nucleotideLetter(const Name& residueName);
+
 /// Whether an atom of a polymer belongs to its backbone. Protein: N, CA, C, O, the oxygens of the end, and their
 /// hydrogens. Nucleic acid: phosphate and sugar, with their hydrogens. False for the other kinds.
 bool isBackbone(ResidueKind kind, const Name& atomName);

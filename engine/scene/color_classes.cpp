@@ -172,6 +172,10 @@ Classes byConfidence(const Molecule& molecule, std::span<const std::uint32_t> at
         largest = std::max(largest, value);
         return value > 90 ? 0 : value >= 70 ? 1 : value >= 50 ? 2 : 3;
     });
+    if (!molecule.file.confidence)
+        classes.warning =
+            "the file does not say that it is a prediction, so its B factors are no confidence (--color b-factor shows "
+            "them as what they are)";
     if (largest > 100) classes.warning = "some B factors are above 100, so they are no pLDDT";
     if (largest <= 1) classes.warning = "no B factor is above 1, so they are no pLDDT, which goes to 100";
     return classes;

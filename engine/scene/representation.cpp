@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "engine/error.h"
@@ -185,6 +187,33 @@ void addBonds(const Molecule& molecule, const Appearance& appearance, AssemblySc
     appendBonds(molecule, bonds, around, slots, styles, result);
 }
 
+/// Time goes with how often the picture is covered over and over: a large protein covers it some twenty times, a
+/// hundred models of one some six hundred times. A file of atoms at one point, however small, must not run for hours.
+void refuseCrowd(const Representation& r) {
+    constexpr double kMostCovered = 2000;
+    const auto copiesOf = [&](const PrimitiveRun& run) { return static_cast<double>(r.copies.lists[run.list].size()); };
+    const auto area = [](const auto& primitives, std::size_t first, std::size_t count, const auto& areaOf) {
+        double sum = 0;
+        for (std::size_t i = first; i < first + count; ++i) sum += areaOf(primitives[i]);
+        return sum;
+    };
+    const auto disc = [](const Sphere& s) { return std::numbers::pi * static_cast<double>(s.radius) * s.radius; };
+    const auto side = [](const Cylinder& c) { return 2.0 * static_cast<double>(c.radius) * glm::distance(c.a, c.b); };
+    double covered = 0;
+    if (r.copies.transforms.empty())
+        covered = area(r.spheres, 0, r.spheres.size(), disc) + area(r.cylinders, 0, r.cylinders.size(), side);
+    for (const PrimitiveRun& run : r.copies.spheres)
+        covered += copiesOf(run) * area(r.spheres, run.first, run.count, disc);
+    for (const PrimitiveRun& run : r.copies.cylinders)
+        covered += copiesOf(run) * area(r.cylinders, run.first, run.count, side);
+    const double times = covered / (std::numbers::pi * r.radius * r.radius);
+    if (times > kMostCovered)
+        throw Error("cannot draw molecule", "",
+                    "its atoms and bonds lie over one another " + std::to_string(std::llround(times)) +
+                        " times, more than the bound of " + std::to_string(std::llround(kMostCovered)) +
+                        " (draw fewer of them, or as thinner sticks)");
+}
+
 }  // namespace
 
 Representation represent(const Molecule& molecule, std::span<const std::uint32_t> drawn,
@@ -211,6 +240,7 @@ Representation represent(const Molecule& molecule, std::span<const std::uint32_t
     result.drawnAtoms = assembly ? assembly->countCopies(appearance.atoms) : appearance.atoms.size();
     addBonds(molecule, appearance, assembly ? &*assembly : nullptr, result);
     if (assembly) assembly->finish(result);
+    refuseCrowd(result);
     result.legends = std::move(appearance.legends);
     result.warnings = std::move(appearance.warnings);
     return result;

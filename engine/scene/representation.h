@@ -55,7 +55,8 @@ struct Representation {
 /// @param drawn  indices of drawn atoms (drawn_atoms.h), ascending, of which the rules may hide some
 /// Of an assembly, atoms and bonds are stored once, sorted by their copies; a bond is drawn where both its atoms are,
 /// and none joins two copies.
-/// @throws Error if no atom is left, there is no such assembly, or it has 2^32 primitives or more
+/// @throws Error if no atom is left, there is no such assembly, it has 2^32 primitives or more, or they lie over one
+/// another more than 2,000 times
 Representation represent(const Molecule& molecule, std::span<const std::uint32_t> drawn,
                          const RepresentationOptions& options);
 

@@ -168,5 +168,22 @@ TEST(PdbLines, ConectThatLeadsNowhereIsOneWarning) {
     EXPECT_EQ(readText(far + kOxygen + kCarbon + "CONECTzzzzz    1\n").bonds.size(), 0u);
 }
 
+TEST(PdbLines, APredictionSaysSo) {
+    const std::string atom = "ATOM      1  CA  ALA A   1       0.000   0.000   0.000  1.00 90.00           C\n";
+    const auto confident = [&](const std::string& head) { return readMolecule("a.pdb", head + atom).file.confidence; };
+    EXPECT_TRUE(confident("TITLE     ALPHAFOLD MONOMER V2.0 PREDICTION FOR HEMOGLOBIN SUBUNIT BETA (P68871)\n"));
+    EXPECT_FALSE(confident("TITLE     CRYSTAL STRUCTURE SOLVED WITH AN ALPHAFOLD PREDICTION\n"));
+    EXPECT_FALSE(confident(""));
+    const auto confidentCif = [](const std::string& metric) {
+        return readMolecule("a.cif", "data_a\n" + metric +
+                                         "loop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+                                         "_atom_site.Cartn_z\n0 0 0\n")
+            .file.confidence;
+    };
+    EXPECT_TRUE(confidentCif("loop_\n_ma_qa_metric.id\n_ma_qa_metric.name\n_ma_qa_metric.type\n1 confidence pLDDT\n"));
+    EXPECT_FALSE(confidentCif("loop_\n_ma_qa_metric.id\n_ma_qa_metric.name\n_ma_qa_metric.type\n1 energy zscore\n"));
+    EXPECT_FALSE(confidentCif(""));
+}
+
 }  // namespace
 }  // namespace nacre

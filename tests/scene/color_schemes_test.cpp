@@ -52,7 +52,12 @@ TEST(ColorSchemes, NamesGoBothWays) {
 }
 
 TEST(ColorSchemes, PlddtHasFourBandsInThePublishedColours) {
-    const ColoredAtoms result = colored(bValues({98, 90.01f, 90, 70, 69.9f, 50, 49.9f, 0}), ColorScheme::plddt);
+    const auto predicted = [](Molecule molecule) {
+        molecule.file.confidence = true;
+        return molecule;
+    };
+    const Molecule crystal = bValues({98, 90.01f, 90, 70, 69.9f, 50, 49.9f, 0});
+    const ColoredAtoms result = colored(predicted(crystal), ColorScheme::plddt);
     const std::array<std::uint32_t, 4> bands = {packedColor(0x0053d6), packedColor(0x65cbf3), packedColor(0xffdb13),
                                                 packedColor(0xff7d45)};
     const std::vector<std::uint32_t> expected = {bands[0], bands[0], bands[1], bands[1],
@@ -60,8 +65,10 @@ TEST(ColorSchemes, PlddtHasFourBandsInThePublishedColours) {
     EXPECT_EQ(result.colors, expected);
     EXPECT_EQ(result.legend.size(), 4u);
     EXPECT_EQ(result.warning, "");
-    EXPECT_NE(colored(bValues({30, 140}), ColorScheme::plddt).warning, "");
-    EXPECT_NE(colored(bValues({0.3f, 0.9f}), ColorScheme::plddt).warning, "");
+    EXPECT_NE(colored(predicted(bValues({30, 140})), ColorScheme::plddt).warning, "");
+    EXPECT_NE(colored(predicted(bValues({0.3f, 0.9f})), ColorScheme::plddt).warning, "");
+    EXPECT_NE(colored(crystal, ColorScheme::plddt).warning.find("does not say that it is a prediction"),
+              std::string::npos);
 }
 
 TEST(ColorSchemes, BFactorSpreadsFromLowToHighAndOneOutlierDoesNotSpoilIt) {

@@ -1,4 +1,4 @@
-#include "app/shared/nearest_word.h"
+#include "engine/molecule/nearest_word.h"
 
 #include <gtest/gtest.h>
 

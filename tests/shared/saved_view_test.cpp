@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
+
 #include "app/shared/option_values.h"
 #include "engine/error.h"
 
@@ -62,6 +64,14 @@ TEST(SavedView, BadFilesAreRefusedByTheirKey) {
         }
     }
     EXPECT_THROW(readSavedView("/nowhere/v.json"), Error);
+}
+
+TEST(SavedView, ManyKeysAreNoBurden) {
+    std::string text = "{";
+    for (int i = 0; i < 131'000; ++i) text += "\"k" + std::to_string(i) + "\":1,";
+    const std::clock_t begin = std::clock();
+    EXPECT_THROW(parseSavedView(text + "\"zoom\":1}", "a.json"), Error);
+    EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 5);  // of processor time; it took 80
 }
 
 }  // namespace

@@ -126,6 +126,9 @@ public:
         for (const Bond& bond : bonds) {
             ++end_[bond.a + 1];
             ++end_[bond.b + 1];
+            // What has as many bonds already gets no more, so that their lists are short where they are searched.
+            for (const std::uint32_t end : {bond.a, bond.b})
+                if (bondCount_[end] < kMostBondsPerAtom) ++bondCount_[end];
         }
         for (std::size_t i = 1; i < end_.size(); ++i) end_[i] += end_[i - 1];
         // While it fills, an atom's entry is where its next neighbour goes; in the end it is where its list ends.
@@ -140,12 +143,14 @@ public:
         const float squared = glm::dot(line, line);
         const float longest = a.radius + b.radius + kBondTolerance;
         if (squared >= longest * longest || squared <= kShortestBond * kShortestBond) return;
-        if (!admitted(a, b) || bonded(a.atom, b.atom)) return;
-        if (a.group != b.group && (a.flags & b.flags & kTemplated) && shareNeighbour(a.atom, b.atom)) return;
-        if (bondCount_[a.atom] >= kMostBondsPerAtom || bondCount_[b.atom] >= kMostBondsPerAtom) {
+        if (!admitted(a, b)) return;
+        const bool full = bondCount_[a.atom] >= kMostBondsPerAtom || bondCount_[b.atom] >= kMostBondsPerAtom;
+        if (full) {
             ++refused_;
             return;
         }
+        if (bonded(a.atom, b.atom)) return;
+        if (a.group != b.group && (a.flags & b.flags & kTemplated) && shareNeighbour(a.atom, b.atom)) return;
         ++bondCount_[a.atom];
         ++bondCount_[b.atom];
         const bool hydrogen = ((a.flags | b.flags) & kHydrogen) != 0;

@@ -85,6 +85,7 @@ bool MmcifModel::isKept(std::string_view category) {
                                                  "struct_conf",
                                                  "struct_sheet_range",
                                                  "refine",
+                                                 "ma_qa_metric",
                                                  "em_3d_reconstruction",
                                                  "cell",
                                                  "symmetry_equiv",
@@ -196,6 +197,10 @@ Molecule MmcifModel::finish(const std::string& format) {
         const auto value = parseNumber(table.get(0, {column}).value_or(""));
         if (value && *value > 0 && *value < 1e6) file.resolution = *value;
     }
+    const MmcifTable& metrics = tables_["ma_qa_metric"];
+    for (std::size_t row = 0; row < metrics.rows(); ++row)
+        file.confidence = file.confidence || lowerCase(metrics.get(row, {"type"}).value_or("")) == "plddt" ||
+                          lowerCase(metrics.get(row, {"name"}).value_or("")) == "plddt";
     const auto rowsOf = [&](const char* category) -> std::optional<std::int64_t> {
         const MmcifTable& table = tables_[category];
         if (table.columns.empty()) return std::nullopt;

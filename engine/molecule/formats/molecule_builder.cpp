@@ -126,6 +126,8 @@ Molecule MoleculeBuilder::finish() {
     const auto end = std::unique(bonds.begin(), bonds.end(), same);
     if (end != bonds.end()) warn("bonds stated more than once: " + std::to_string(bonds.end() - end));
     bonds.erase(end, bonds.end());
+    if (bonds.size() > kMostBondsPerAtom * molecule_.atoms.size())
+        throw Error("cannot read molecule", name_, "it has more bonds than its atoms could form");
     if (warningsLeftOut_ > 0) molecule_.warnings.push_back("and " + std::to_string(warningsLeftOut_) + " more");
     return std::move(molecule_);
 }

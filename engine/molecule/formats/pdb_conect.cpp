@@ -103,6 +103,11 @@ void ConectTable::resolve(const std::vector<std::int64_t>& serials, Molecule& mo
         }
     }
     bonds = sortedUnique(bonds, serials.size());
+    if (bonds.size() > kMostBondsPerAtom * serials.size()) {
+        molecule.warnings.push_back("ignored all " + std::to_string(bonds.size()) +
+                                    " bonds of CONECT records: more than its atoms could form");
+        return;
+    }
     molecule.file.conectUniquePairs = static_cast<std::int64_t>(bonds.size());
     molecule.bonds.insert(molecule.bonds.end(), bonds.begin(), bonds.end());
     dangling.report(molecule, "bonds to atoms that are not there");

@@ -99,6 +99,7 @@ private:
             if (!sawModelRecord_) endModel();  // files of several structures in a row
         } else if (startsWith(line, "TITLE ")) {
             title(line);
+            noteConfidence(line);
         } else if (const auto range = secondaryOfPdbLine(line)) {
             if (secondary_.size() < maxAtoms_) secondary_.push_back(*range);  // a residue has an atom at least
         } else if (startsWith(line, "REMARK   2 RESOLUTION.")) {
@@ -108,6 +109,14 @@ private:
         } else if (startsWith(line, "REMARK 350")) {
             remark350_.add(line);
         }
+    }
+
+    /// As the databases of predictions begin: "TITLE     ALPHAFOLD MONOMER V2.0 PREDICTION FOR ...". A crystal
+    /// structure may mention AlphaFold as well, but not there.
+    void noteConfidence(std::string_view line) {
+        const std::string text = lowerCase(trim(columns(line, 11, 80)));
+        const bool program = startsWith(text, "alphafold") || startsWith(text, "esmfold");
+        if (program && text.find("prediction") != std::string::npos) molecule_.file.confidence = true;
     }
 
     int modelInProgress() const { return models_ + 1; }

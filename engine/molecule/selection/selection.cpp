@@ -74,6 +74,12 @@ private:
             case SelectionTest::within:
                 stack_.back() = atomsNear(molecule_, stack_.back(), step.distance);
                 break;
+            case SelectionTest::around: {
+                const Set inner = stack_.back();
+                Set& near = stack_.back() = atomsNear(molecule_, inner, step.distance);
+                for (std::size_t i = 0; i < near.size(); ++i) near[i] = near[i] && !inner[i];
+                break;
+            }
             case SelectionTest::byResidue:
                 stack_.back() = wholeResidues(stack_.back());
                 break;
@@ -109,6 +115,10 @@ private:
             case SelectionTest::residueName:
             case SelectionTest::residueNumber:
                 return ofResidues(step);
+            case SelectionTest::secondary:
+                return ofFolds(step);
+            case SelectionTest::sequence:
+                return ofSequences(step);
             default:
                 return ofAtoms(step);
         }
@@ -159,6 +169,62 @@ private:
         });
     }
 
+    Set ofFolds(const SelectionStep& step) {
+        const std::vector<ResidueKind>& known = kinds();
+        return whereResidue([&](std::size_t i) {
+            const SecondaryStructure fold = molecule_.residues[i].secondary;
+            const char* name = fold == SecondaryStructure::helix    ? "HELIX"
+                               : fold == SecondaryStructure::strand ? "STRAND"
+                                                                    : "LOOP";
+            const bool wanted = std::find(step.words.begin(), step.words.end(), name) != step.words.end();
+            return wanted && known[i] == ResidueKind::protein;
+        });
+    }
+
+    /// Residues of polymers in a row, wherever a pattern fits.
+    Set ofSequences(const SelectionStep& step) {
+        const std::vector<ResidueKind>& known = kinds();
+        std::vector<std::string> letters(molecule_.chains.size());
+        std::vector<std::vector<std::uint32_t>> places(molecule_.chains.size());
+        for (std::uint32_t i = 0; i < molecule_.residues.size(); ++i) {
+            if (known[i] != ResidueKind::protein && known[i] != ResidueKind::nucleic) continue;
+            const Residue& residue = molecule_.residues[i];
+            const char letter =
+                known[i] == ResidueKind::protein ? aminoAcidLetter(residue.name) : nucleotideLetter(residue.name);
+            letters[residue.chain] += letter == '\0' ? 'X' : letter;
+            places[residue.chain].push_back(i);
+        }
+        std::vector<bool> wanted(molecule_.residues.size());
+        for (const std::string& pattern : step.words)
+            for (std::size_t chain = 0; chain < letters.size(); ++chain)
+                for (std::size_t at = 0; at + pattern.size() <= letters[chain].size(); ++at) {
+                    const auto fits = [](char p, char letter) { return p == '?' || p == letter; };
+                    if (!std::equal(pattern.begin(), pattern.end(),
+                                    letters[chain].begin() + static_cast<std::ptrdiff_t>(at), fits))
+                        continue;
+                    for (std::size_t k = 0; k < pattern.size(); ++k) wanted[places[chain][at + k]] = true;
+                }
+        return whereResidue([&](std::size_t i) { return wanted[i]; });
+    }
+
+    static bool holds(Comparison comparison, double a, double b) {
+        switch (comparison) {
+            case Comparison::less:
+                return a < b;
+            case Comparison::lessOrEqual:
+                return a <= b;
+            case Comparison::equal:
+                return a == b;
+            case Comparison::notEqual:
+                return a != b;
+            case Comparison::greaterOrEqual:
+                return a >= b;
+            case Comparison::greater:
+                return a > b;
+        }
+        return false;
+    }
+
     Set ofAtoms(const SelectionStep& step) const {
         switch (step.test) {
             case SelectionTest::hydrogen:
@@ -177,6 +243,17 @@ private:
                 for (const std::string& word : step.words) wanted[elementFromSymbol(word)] = true;
                 return whereAtom([&](const Atom& atom) { return wanted[atom.element]; });
             }
+            // The file's number is a float; so is the one that it is compared with, or 0.3 would not equal 0.3.
+            case SelectionTest::temperatureFactor:
+                return whereAtom([&](const Atom& atom) {
+                    return holds(step.comparison, static_cast<double>(atom.temperatureFactor),
+                                 static_cast<double>(static_cast<float>(step.value)));
+                });
+            case SelectionTest::occupancy:
+                return whereAtom([&](const Atom& atom) {
+                    return holds(step.comparison, static_cast<double>(atom.occupancy),
+                                 static_cast<double>(static_cast<float>(step.value)));
+                });
             default:
                 return Set(molecule_.atoms.size(), true);
         }

@@ -4,9 +4,11 @@
 //   selection  alternatives, perhaps followed by `within N of T`: those of all that are near T, as in PyMOL
 //   alternatives  several `or` several ...  (also |)
 //   several       term `and` term ...       (also &)
-//   term       not T (also !), byres T, within N of T, ( selection ), or a test
+//   term       not T (also !), byres T, within N of T, around N of T, ( selection ), or a test
 //   test       chain A+B   resn HEM+ATP   resi 10-20+35   name CA+CB   elem FE   altloc A   model 1
-//              all none protein nucleic polymer ligand water ion backbone sidechain hydrogens hetatm
+//              ss helix+strand+loop   sequence GLN?A   b > 50   occupancy < 1   (also <= >= = !=)
+//              all none protein nucleic polymer ligand water ion backbone sidechain hydrogens hetatm helix strand loop
+//              /A:10-20@CA, as ChimeraX has it: chains, numbers or names of residues, names of atoms, #1 for a model
 //
 // `not`, `byres` and `within N of` apply to the one term that follows. Where that term stands without parentheses
 // and an operator follows, `byres` and `within` are refused as ambiguous, for PyMOL would read on.
@@ -14,8 +16,9 @@
 // Key words and values are the same in capitals and small letters, except for chain names: as in PyMOL.
 // A number of a residue may be negative (also written \-5), and may end in an insertion code (82A). Alone, it means
 // that code and no other; as the end of a range it means all codes: 80-82 holds 82A.
-// `within` means at most N Å, and includes what it is measured from. PyMOL's short forms (c. r. i. n. e. h. br. w. ...)
-// are known too.
+// `within` means at most N Å, and includes what it is measured from; `around` leaves that out. `ss` is what the file
+// says of proteins. `sequence` finds residues of a polymer in a row by their one-letter codes, ? for any. PyMOL's short
+// forms (c. r. i. n. e. h. br. w. ...) are known too.
 
 #include <cstdint>
 #include <string>
@@ -47,7 +50,12 @@ enum class SelectionTest : std::uint8_t {
     element,
     alternate,
     model,
+    secondary,
+    sequence,
+    temperatureFactor,
+    occupancy,
     within,
+    around,
     byResidue,
     negation,
     conjunction,
@@ -61,11 +69,16 @@ struct NumberRange {
     friend bool operator==(const NumberRange&, const NumberRange&) = default;
 };
 
+enum class Comparison : std::uint8_t { less, lessOrEqual, equal, notEqual, greaterOrEqual, greater };
+
 struct SelectionStep {
     SelectionTest test = SelectionTest::all;
-    std::vector<std::string> words;    ///< values of chain, residueName, atomName, element, alternate
-    std::vector<NumberRange> numbers;  ///< of residueNumber and model
-    double distance = 0;               ///< of within, Å
+    /// Values of chain, residueName, atomName, element, alternate, sequence; of secondary "HELIX", "STRAND", "LOOP".
+    std::vector<std::string> words;
+    std::vector<NumberRange> numbers;           ///< of residueNumber and model
+    double distance = 0;                        ///< of within and around, Å
+    Comparison comparison = Comparison::equal;  ///< of temperatureFactor and occupancy, with `value`
+    double value = 0;
     friend bool operator==(const SelectionStep&, const SelectionStep&) = default;
 };
 

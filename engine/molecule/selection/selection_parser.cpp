@@ -3,9 +3,11 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"
+#include "engine/molecule/nearest_word.h"
 #include "engine/molecule/selection/selection.h"
 #include "engine/molecule/text.h"
 
@@ -16,8 +18,9 @@ using enum SelectionTest;
 
 constexpr std::size_t kLongestText = 20'000;
 constexpr int kDeepest = 64;
-constexpr double kFarthest = 10'000;  // Å
-constexpr char kAnyCode = '\x7f';     // after every insertion code
+constexpr double kFarthest = 10'000;         // Å
+constexpr std::string_view kMarks = "#/:@";  // of ChimeraX's specifiers
+constexpr char kAnyCode = '\x7f';            // after every insertion code
 
 struct Keyword {
     std::string_view word;
@@ -68,6 +71,26 @@ constexpr Keyword kKeywords[] = {
     {"altloc", alternate},
     {"alt", alternate},
     {"model", model},
+    {"ss", secondary},
+    {"helix", secondary},
+    {"strand", secondary},
+    {"sheet", secondary},
+    {"loop", secondary},
+    {"coil", secondary},
+    {"sequence", sequence},
+    {"seq", sequence},
+    {"pepseq", sequence},
+    {"ps.", sequence},
+    {"b", temperatureFactor},
+    {"bfactor", temperatureFactor},
+    {"b-factor", temperatureFactor},
+    {"occupancy", occupancy},
+    {"q", occupancy},
+    {"organic", ligand},
+    {"org.", ligand},
+    {"inorganic", ion},
+    {"mainchain", backbone},
+    {"around", around},
     {"within", within},
     {"w.", within},
     {"byres", byResidue},
@@ -116,12 +139,13 @@ private:
 
     void expression() {
         binary(disjunction);
-        if (accept(within)) {
-            SelectionStep step = withinStep();
-            operand("within N of");
+        for (const auto& [near, words] : {std::pair(within, "within N of"), std::pair(around, "around N of")}) {
+            if (!accept(near)) continue;
+            SelectionStep step = distanceStep(near);
+            operand(words);
             result_.steps.push_back(std::move(step));
             push(conjunction);
-            refuseOperator("within N of");
+            refuseOperator(words);
         }
     }
 
@@ -142,9 +166,10 @@ private:
         } else if (accept(byResidue)) {
             operand("byres");
             push(byResidue);
-        } else if (accept(within)) {
-            SelectionStep step = withinStep();
-            operand("within N of");
+        } else if (const auto near = keyword(); near == within || near == around) {
+            accept(*near);
+            SelectionStep step = distanceStep(*near);
+            operand(*near == within ? "within N of" : "around N of");
             result_.steps.push_back(std::move(step));
         } else if (acceptCharacter('(')) {
             expression();
@@ -165,11 +190,11 @@ private:
     /// Where PyMOL and the eye may disagree on how far an operation reaches, the writer has to say.
     void refuseOperator(const char* operation) {
         const auto next = keyword();
-        if (next && (*next == conjunction || *next == disjunction || *next == within))
+        if (next && (*next == conjunction || *next == disjunction || *next == within || *next == around))
             fail("put parentheses around what '" + std::string(operation) + "' applies to, or around both");
     }
 
-    SelectionStep withinStep() {
+    SelectionStep distanceStep(SelectionTest test) {
         skipBlanks();
         const std::size_t begin = position_;
         const std::string_view number = word();
@@ -185,15 +210,18 @@ private:
             expected("'of'");
         }
         SelectionStep step;
-        step.test = within;
+        step.test = test;
         step.distance = *distance;
         return step;
     }
 
     void test() {
+        skipBlanks();
+        if (!atEndHere() && kMarks.find(text_[position_]) != std::string_view::npos) return chimeraSpecifier();
         const auto found = keyword();
+        const std::string word = lowerCase(nextToken());
         if (!found || *found == conjunction || *found == disjunction)
-            expected("a selection such as 'chain A', 'resn HEM' or 'protein'");
+            expected("a selection such as 'chain A', 'resn HEM' or 'protein'", true);
         accept(*found);
         SelectionStep step;
         step.test = *found;
@@ -219,10 +247,112 @@ private:
             case model:
                 numbers(step, "a model number");
                 break;
+            case secondary:
+                if (word == "ss")
+                    folds(step);
+                else
+                    step.words.push_back(foldOf(word));
+                break;
+            case sequence:
+                pattern(step);
+                break;
+            case temperatureFactor:
+            case occupancy:
+                comparison(step);
+                break;
             default:
                 break;
         }
         result_.steps.push_back(std::move(step));
+    }
+
+    /// "#1/A,B:10-20,HEM@CA": parts that all have to hold. A part means what the word does that stands for it.
+    void chimeraSpecifier() {
+        std::string marks;
+        chimera_ = true;
+        while (!atEndHere() && kMarks.find(text_[position_]) != std::string_view::npos) {
+            const char mark = text_[position_];
+            // PyMOL's paths look alike, and mean something else by each place.
+            if (marks.find(mark) != std::string::npos)
+                fail("'" + std::string(1, mark) + "' stands twice in a specifier");
+            marks += mark;
+            ++position_;
+            SelectionStep step;
+            const std::size_t begin = position_;
+            const bool number =
+                begin < text_.size() && (text_[begin] == '-' || (text_[begin] >= '0' && text_[begin] <= '9'));
+            if (mark == '#' || (mark == ':' && number)) {
+                step.test = mark == '#' ? model : residueNumber;
+                numbers(step, mark == '#' ? "a model number" : "a residue number");
+            } else {
+                step.test = mark == '/' ? chain : mark == ':' ? residueName : atomName;
+                values(step, mark == '/' ? "a chain name" : mark == ':' ? "a residue name or number" : "an atom name");
+            }
+            result_.steps.push_back(std::move(step));
+            if (marks.size() > 1) push(conjunction);
+        }
+        chimera_ = false;
+    }
+
+    /// The canonical name of a kind of fold; empty if a word is none.
+    static std::string foldOf(const std::string& word) {
+        if (word == "helix" || word == "h") return "HELIX";
+        if (word == "strand" || word == "sheet" || word == "s" || word == "e") return "STRAND";
+        if (word == "loop" || word == "coil" || word == "l" || word == "c" || word.empty()) return "LOOP";
+        return {};
+    }
+    void folds(SelectionStep& step) {
+        constexpr const char* kWanted = "helix, strand or loop";
+        do {
+            skipBlanks();
+            const std::size_t begin = position_;
+            step.words.push_back(foldOf(lowerCase(listItem(kWanted))));
+            if (!step.words.back().empty()) continue;
+            position_ = begin;
+            expected(kWanted);
+        } while (acceptCharacter('+') || acceptCharacter(','));
+    }
+
+    void pattern(SelectionStep& step) {
+        constexpr const char* kWanted = "one-letter codes of residues in a row, at most 200";
+        do {
+            skipBlanks();
+            const std::size_t begin = position_;
+            step.words.push_back(upperCase(listItem(kWanted)));
+            const std::string& letters = step.words.back();
+            const bool usable =
+                !letters.empty() && letters.size() <= 200 &&
+                std::all_of(letters.begin(), letters.end(), [](char c) { return isLetter(c) || c == '?'; });
+            if (usable) continue;
+            position_ = begin;
+            expected(kWanted);
+        } while (acceptCharacter('+') || acceptCharacter(','));
+    }
+
+    void comparison(SelectionStep& step) {
+        struct Sign {
+            std::string_view text;
+            Comparison meaning;
+        };
+        static constexpr Sign kSigns[] = {{"<=", Comparison::lessOrEqual}, {">=", Comparison::greaterOrEqual},
+                                          {"!=", Comparison::notEqual},    {"==", Comparison::equal},
+                                          {"<", Comparison::less},         {">", Comparison::greater},
+                                          {"=", Comparison::equal}};
+        skipBlanks();
+        const auto sign = std::find_if(std::begin(kSigns), std::end(kSigns), [&](const Sign& known) {
+            return text_.substr(position_, known.text.size()) == known.text;
+        });
+        if (sign == std::end(kSigns)) expected("one of < <= = >= > !=");
+        position_ += sign->text.size();
+        step.comparison = sign->meaning;
+        skipBlanks();
+        const std::size_t begin = position_;
+        const auto number = parseNumber(word());
+        if (!number || !std::isfinite(*number)) {
+            position_ = begin;
+            expected("a number");
+        }
+        step.value = *number;
     }
 
     void values(SelectionStep& step, const char* wanted) {
@@ -306,7 +436,8 @@ private:
     std::size_t wordEnd() const {
         std::size_t end = position_;
         while (end < text_.size() && !isBlank(text_[end]) &&
-               std::string_view("()+,&|!").find(text_[end]) == std::string_view::npos)
+               std::string_view("()+,&|!<>=").find(text_[end]) == std::string_view::npos &&
+               !(chimera_ && kMarks.find(text_[end]) != std::string_view::npos))
             ++end;
         return end;
     }
@@ -346,9 +477,16 @@ private:
 
     // ---- faults ----
 
-    [[noreturn]] void expected(const std::string& wanted) {
+    /// @param keyword  one of the key words may be meant
+    [[noreturn]] void expected(const std::string& wanted, bool keyword = false) {
         skipBlanks();
-        const std::string found = atEndHere() ? "the end" : "'" + printable(nextToken(), 24) + "'";
+        std::string found = atEndHere() ? "the end" : "'" + printable(nextToken(), 24) + "'";
+        if (keyword) {
+            std::vector<std::string> words;
+            for (const Keyword& entry : kKeywords)
+                if (entry.word.size() > 2 && entry.word.back() != '.') words.emplace_back(entry.word);
+            found += suggestion(nextToken(), words);
+        }
         fail("expected " + wanted + ", found " + found);
     }
     [[noreturn]] void fail(const std::string& why) const {
@@ -362,6 +500,7 @@ private:
 
     std::string_view text_;
     std::size_t position_ = 0;
+    bool chimera_ = false;  ///< in a specifier, whose marks end a word
     int depth_ = 0;
     Selection result_;
 };

@@ -1,9 +1,9 @@
-#include "app/shared/nearest_word.h"
+#include "engine/molecule/nearest_word.h"
 
 #include <algorithm>
 #include <vector>
 
-namespace nacre::app {
+namespace nacre {
 namespace {
 
 constexpr std::size_t kLongestWord = 40;
@@ -45,4 +45,4 @@ std::string suggestion(std::string_view word, std::span<const std::string> words
     return nearest.empty() ? nearest : " (did you mean '" + nearest + "'?)";
 }
 
-}  // namespace nacre::app
+}  // namespace nacre
