@@ -98,7 +98,6 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.snapPixels = std::ldexp(1.0f, -static_cast<int>(properties.limits.subPixelPrecisionBits));
     caps.maxImageSize = properties.limits.maxImageDimension2D;
     caps.maxStorageBufferBytes = properties.limits.maxStorageBufferRange;
-    if (properties.limits.timestampComputeAndGraphics) caps.timestampNanoseconds = properties.limits.timestampPeriod;
 
     const bool software = properties.deviceType == vk::PhysicalDeviceType::eCpu;
     const bool molten = hasExtension(device, "VK_KHR_portability_subset");

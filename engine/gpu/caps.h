@@ -18,7 +18,6 @@ struct Caps {
     float snapPixels = 1.0f / 16;  ///< how far the rasteriser may move a vertex
     std::uint32_t maxImageSize = 4096;
     std::uint64_t maxStorageBufferBytes = 1u << 27;
-    float timestampNanoseconds = 0;  ///< 0: no timestamps
     graph::PlanCaps plan;
     graph::EncodedFormat encoded;
     /// Quirk: a pipeline cache is not to be used. SwiftShader looks shaders up in it by the address of the render pass,

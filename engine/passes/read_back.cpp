@@ -33,9 +33,7 @@ gpu::Image makeTexture(const gpu::Device& device, gpu::Executor& executor, const
     gpu::Imports imports;
     imports.bind(target, image);
     imports.bind(source, staging);
-    const graph::Plan plan = graph::compile(g, device.caps().plan);
-    device.submitAndWait([&](const vk::raii::CommandBuffer& c) { executor.record(c, g, plan, imports); });
-    executor.reset();
+    executor.run(g, imports);
     return image;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/fault_layer/hooks.h"
+#include "tests/support/layer_link.h"
 
 namespace nacre::faults {
 namespace {
@@ -41,15 +42,6 @@ void findBelow(Function& function, const char* name) {
     function = reinterpret_cast<Function>(nextInstanceCall(instance, name));
 }
 
-/// The loader's link in a chain of creation structures.
-template <typename Link>
-Link* linkIn(const void* chain, VkStructureType type) {
-    auto* info = static_cast<Link*>(const_cast<void*>(chain));
-    while (info && !(info->sType == type && info->function == VK_LAYER_LINK_INFO))
-        info = static_cast<Link*>(const_cast<void*>(info->pNext));
-    return info;
-}
-
 VKAPI_ATTR VkBool32 VKAPI_CALL listen(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                       const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
     heard(data->pMessage);
@@ -71,9 +63,9 @@ void startListening() {
 VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
                                               VkInstance* made_) {
     readEnvironment();
-    auto* link = linkIn<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
-    nextInstanceCall = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
-    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    const auto* below =
+        test::nextLayer<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
+    nextInstanceCall = below->pfnNextGetInstanceProcAddr;
     if (const auto told = verdict("vkCreateInstance", true, false)) return *told;
     const auto create = reinterpret_cast<PFN_vkCreateInstance>(nextInstanceCall(nullptr, "vkCreateInstance"));
     const VkResult result = create(info, allocator, made_);
@@ -128,10 +120,10 @@ struct Wishes {
 
 VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
                                             const VkAllocationCallbacks* allocator, VkDevice* made_) {
-    auto* link = linkIn<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
-    const PFN_vkGetInstanceProcAddr next = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
-    nextDeviceCall = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
-    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    const auto* below =
+        test::nextLayer<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
+    const PFN_vkGetInstanceProcAddr next = below->pfnNextGetInstanceProcAddr;
+    nextDeviceCall = below->pfnNextGetDeviceProcAddr;
     newDevice();
     if (const auto told = verdict("vkCreateDevice", true, true)) return *told;
     const auto create = reinterpret_cast<PFN_vkCreateDevice>(next(instance, "vkCreateDevice"));

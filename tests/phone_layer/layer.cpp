@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "tests/phone_layer/floor.h"
+#include "tests/support/layer_link.h"
 
 namespace nacre::phone {
 namespace {
@@ -58,20 +59,11 @@ bool molten() {
 NACRE_BELOW(NACRE_DECLARE)
 NACRE_DEVICE_BELOW(NACRE_DECLARE)
 
-/// The loader's link in a chain of creation structures.
-template <typename Link>
-Link* linkIn(const void* chain, VkStructureType type) {
-    auto* info = static_cast<Link*>(const_cast<void*>(chain));
-    while (info && !(info->sType == type && info->function == VK_LAYER_LINK_INFO))
-        info = static_cast<Link*>(const_cast<void*>(info->pNext));
-    return info;
-}
-
 VKAPI_ATTR VkResult VKAPI_CALL CreateInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
                                               VkInstance* made) {
-    auto* link = linkIn<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
-    nextInstanceCall = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
-    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    const auto* below =
+        test::nextLayer<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
+    nextInstanceCall = below->pfnNextGetInstanceProcAddr;
     const auto create = reinterpret_cast<PFN_vkCreateInstance>(nextInstanceCall(nullptr, "vkCreateInstance"));
     const VkResult result = create(info, allocator, made);
     if (result != VK_SUCCESS) return result;
@@ -256,10 +248,10 @@ VKAPI_ATTR void VKAPI_CALL CmdDrawIndexed(VkCommandBuffer commands, std::uint32_
 
 VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice of, const VkDeviceCreateInfo* info,
                                             const VkAllocationCallbacks* allocator, VkDevice* made) {
-    auto* link = linkIn<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
-    const auto instanceCall = link->u.pLayerInfo->pfnNextGetInstanceProcAddr;
-    nextDeviceCall = link->u.pLayerInfo->pfnNextGetDeviceProcAddr;
-    link->u.pLayerInfo = link->u.pLayerInfo->pNext;
+    const auto* below =
+        test::nextLayer<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
+    const auto instanceCall = below->pfnNextGetInstanceProcAddr;
+    nextDeviceCall = below->pfnNextGetDeviceProcAddr;
     // The driver knows nothing of the portability subset.
     std::vector<const char*> extensions(info->ppEnabledExtensionNames,
                                         info->ppEnabledExtensionNames + info->enabledExtensionCount);
