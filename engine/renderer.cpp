@@ -22,7 +22,7 @@ struct Renderer::Impl {
     FrameStats stats;
     Scene scene;
     occlusion::SceneOcclusion occlusion{device, executor, scene.representation, scene.buffers, stats};
-    SceneFrames frames{device, executor, scene, stats};
+    SceneFrames frames = guarded([&] { return SceneFrames(device, executor, scene, stats); });
     PictureFrames pictures{device, executor, frames, stats};
     std::unique_ptr<WindowFrames> window;
 

@@ -9,9 +9,8 @@ namespace {
 
 constexpr Fetch kPositions{sizeof(Sphere), sizeof(Cylinder)};
 constexpr Fetch kPlates{sizeof(Sphere), 0};
-constexpr std::uint32_t kPatch = 4;  // a primitive's address in the occlusion atlas: a stream of the bake's
-constexpr Fetch kRecords{sizeof(Sphere) + sizeof(SphereLook) + kPatch,
-                         sizeof(Cylinder) + sizeof(CylinderLook) + kPatch};
+// Where its patch lies in the occlusion atlas follows from a primitive's number, and is not fetched.
+constexpr Fetch kRecords{sizeof(Sphere) + sizeof(SphereLook), sizeof(Cylinder) + sizeof(CylinderLook)};
 constexpr Fetch kRecordsOfPixel{kRecords.sphere, kRecords.cylinder, true};
 
 constexpr const char* kPrecisionPlates = "fp32: positions; no fragment arithmetic";

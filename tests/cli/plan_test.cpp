@@ -89,8 +89,8 @@ TEST(Plan, SaysOfEveryPassWhatProfilersAsk) {
         EXPECT_EQ(shading["depth_test"], path == Visibility::encoded     ? "early"
                                          : path == Visibility::fragdepth ? "conservative"
                                                                          : "none");
-        EXPECT_EQ(shading["shading_bytes"]["sphere"], 28);
-        EXPECT_EQ(shading["shading_bytes"]["cylinder"], 52);
+        EXPECT_EQ(shading["shading_bytes"]["sphere"], 24);
+        EXPECT_EQ(shading["shading_bytes"]["cylinder"], 48);
         EXPECT_EQ(shading["binning_bytes"]["cylinder"], path == Visibility::deferred ? 0 : 32);
     }
 }
