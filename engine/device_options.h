@@ -16,6 +16,7 @@ enum class Visibility {
     fragdepth,    ///< gl_FragDepth, one subpass
     rasterOrder,  ///< nearest depth read and written as an attachment in raster order, one pass over the impostors
     deferred,     ///< the nearest primitive's number by gl_FragDepth, then every covered pixel shaded once
+    tiles,        ///< the nearest primitive's number by compute, tile by tile; the same shading
 };
 
 /// As the command line spells it.
@@ -31,6 +32,8 @@ inline const char* visibilityName(Visibility visibility) {
             return "deferred";
         case Visibility::rasterOrder:
             return "raster-order";
+        case Visibility::tiles:
+            return "tiles";
     }
     return "";
 }

@@ -21,7 +21,8 @@ struct NamedPath {
 constexpr NamedPath kPaths[] = {{"encoded", Visibility::encoded},
                                 {"fragdepth", Visibility::fragdepth},
                                 {"deferred", Visibility::deferred},
-                                {"raster-order", Visibility::rasterOrder}};
+                                {"raster-order", Visibility::rasterOrder},
+                                {"tiles", Visibility::tiles}};
 struct Variant {
     const char* plates;
     PlateShape plateShape;

@@ -132,13 +132,13 @@ void addOcclusion(CommandSpec& command, OcclusionOptions& occlusion) {
 }
 
 void addVisibility(CommandSpec& command, DeviceOptions& device) {
-    addValue(
-        command, "--visibility", "PATH", "auto", "auto, encoded, fragdepth, deferred or raster-order",
-        [&](const std::string& text) {
-            constexpr Visibility kPaths[] = {Visibility::automatic, Visibility::encoded, Visibility::fragdepth,
-                                             Visibility::deferred, Visibility::rasterOrder};
-            device.visibility = kPaths[parseChoice(text, {"auto", "encoded", "fragdepth", "deferred", "raster-order"})];
-        });
+    addValue(command, "--visibility", "PATH", "auto", "auto, encoded, fragdepth, deferred, raster-order or tiles",
+             [&](const std::string& text) {
+                 constexpr Visibility kPaths[] = {Visibility::automatic, Visibility::encoded,     Visibility::fragdepth,
+                                                  Visibility::deferred,  Visibility::rasterOrder, Visibility::tiles};
+                 device.visibility =
+                     kPaths[parseChoice(text, {"auto", "encoded", "fragdepth", "deferred", "raster-order", "tiles"})];
+             });
     addValue(
         command, "--encoded-format", "FORMAT", "auto",
         "Of encoded depth: auto, r32f, rgba16f, rg16f, a2b10g10r10 or rgba8", [&](const std::string& text) {

@@ -26,6 +26,8 @@ void chooseBySet(const PlanOptions& options, PlanReport& report) {
     report.visibility = automatic ? choice.visibility : options.device.visibility;
     if (report.visibility == Visibility::rasterOrder && !set.plan.rasterOrder)
         throw Error("cannot draw by raster-order", set.plan.name, "it does not read its own attachments in order");
+    if (report.visibility == Visibility::tiles && !set.plan.tiles)
+        throw Error("cannot draw by tiles", set.plan.name, "it is not known whether its subgroups hand values round");
     report.why = automatic ? choice.why : "asked for";
     report.encoded = formatOf(set.encoded);
     if (options.device.encoded == EncodedDepth::automatic) return;
@@ -90,6 +92,8 @@ std::vector<NamedUse> usesOf(const PlanReport& report, const graph::RenderPassPl
         for (const graph::Use& use : g.passes()[p].uses)
             if (use.verb == graph::Verb::samples || (use.verb == graph::Verb::input && report.plan.inputIsSampled[p]))
                 uses.push_back({g.images()[use.resource].name, "texture", false});
+            else if (use.verb == graph::Verb::reads)
+                uses.push_back({g.buffers()[use.resource].name, "buffer", false});
     for (const std::uint32_t a : subpass.colors) uses.push_back({nameAt(a), "write", true});
     return uses;
 }

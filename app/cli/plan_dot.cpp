@@ -33,7 +33,15 @@ public:
              << "  graph [rankdir=LR, fontname=Helvetica, labelloc=t, fontsize=16, nodesep=0.35, ranksep=0.6, label="
              << quoted(title()) << "]\n"
              << "  node [fontname=Helvetica, fontsize=12]\n  edge [fontname=Helvetica, fontsize=10]\n";
-        for (std::size_t s = 0; s < report_.plan.steps.size(); ++s) renderPass(s);
+        for (std::size_t s = 0; s < report_.plan.steps.size(); ++s)
+            if (report_.plan.steps[s].kind == graph::PassKind::graphics)
+                renderPass(s);
+            else
+                computePass(s);
+        for (std::uint32_t b = 0; b < graph_.buffers().size(); ++b)
+            out_ << "  buffer" << b
+                 << " [shape=cylinder, style=filled, fillcolor=\"#f4c7b0\", label=" << quoted(graph_.buffers()[b].name)
+                 << "]\n";
         for (const std::uint32_t image : inMemory_) memoryNode(image);
         out_ << edges_.str() << "}\n";
         return out_.str();
@@ -61,6 +69,16 @@ private:
         const graph::ImageDecl& decl = graph_.images()[image];
         out_ << "  memory" << image
              << " [shape=cylinder, style=filled, fillcolor=\"#f4c7b0\", label=" << quoted(decl.name) << "]\n";
+    }
+
+    void computePass(std::size_t s) {
+        const graph::PassDecl& pass = graph_.passes()[report_.plan.steps[s].pass];
+        out_ << "  pass" << s
+             << " [shape=box, style=\"rounded,filled\", fillcolor=white, label=" << quoted("compute: " + pass.name)
+             << "]\n";
+        for (const graph::Use& use : pass.uses)
+            edge("pass" + std::to_string(s), "buffer" + std::to_string(use.resource),
+                 "store " + megabytes(report_.plan.bufferTraffic[use.resource].stored), "style=bold");
     }
 
     void renderPass(std::size_t s) {
@@ -112,6 +130,9 @@ private:
         for (const std::uint32_t pass : subpass.passes)
             for (const graph::Use& use : graph_.passes()[pass].uses) {
                 const bool sampledInput = use.verb == graph::Verb::input && report_.plan.inputIsSampled[pass];
+                if (use.verb == graph::Verb::reads)
+                    edge("buffer" + std::to_string(use.resource), node,
+                         "load " + megabytes(report_.plan.bufferTraffic[use.resource].loaded), "color=\"#c0392b\"");
                 if (use.verb != graph::Verb::samples && !sampledInput) continue;
                 inMemory_.insert(use.resource);
                 edge("memory" + std::to_string(use.resource), node, "texture", "color=\"#c0392b\", style=dashed");

@@ -69,6 +69,22 @@ Json passesJson(const PlanReport& report) {
     return list;
 }
 
+Json computeJson(const graph::Graph& graph, const graph::PassDecl& pass) {
+    Json json{{"name", pass.name}, {"reads", Json::array()}, {"writes", Json::array()}};
+    for (const graph::Use& use : pass.uses)
+        json[graph::isWrite(use.verb) ? "writes" : "reads"].push_back(graph.buffers()[use.resource].name);
+    return json;
+}
+
+Json buffersJson(const graph::Graph& graph, const graph::Plan& plan) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < graph.buffers().size(); ++i)
+        list.push_back({{"name", graph.buffers()[i].name},
+                        {"loaded", plan.bufferTraffic[i].loaded},
+                        {"stored", plan.bufferTraffic[i].stored}});
+    return list;
+}
+
 Json imagesJson(const graph::Graph& graph, const graph::Plan& plan) {
     Json list = Json::array();
     for (std::size_t i = 0; i < graph.images().size(); ++i)
@@ -87,18 +103,23 @@ std::string planJson(const PlanReport& report) {
               {"why", report.why},
               {"size", {report.extent.width, report.extent.height}},
               {"merge", report.plannedWith.merge},
+              {"compute_passes", Json::array()},
               {"render_passes", Json::array()},
               {"passes", passesJson(report)},
               {"tile_bytes_per_pixel", graph::tileBytesPerPixel(report.plan)},
               {"tile_bytes_per_pixel_budget", report.plannedWith.tileBytesPerPixel}};
     for (const graph::Step& step : report.plan.steps)
-        json["render_passes"].push_back(renderPassJson(report, step.renderPass));
+        if (step.kind == graph::PassKind::graphics)
+            json["render_passes"].push_back(renderPassJson(report, step.renderPass));
+        else
+            json["compute_passes"].push_back(computeJson(report.frame.graph, report.frame.graph.passes()[step.pass]));
     // `unmerged` and `paper` are what those arrangements load and store together.
     json["memory_bytes"] = {{"loaded", report.plan.total.loaded},
                             {"stored", report.plan.total.stored},
                             {"unmerged", report.unmerged.total.loaded + report.unmerged.total.stored},
                             {"paper", report.paper.total.loaded + report.paper.total.stored},
                             {"images", imagesJson(report.frame.graph, report.plan)},
+                            {"buffers", buffersJson(report.frame.graph, report.plan)},
                             {"unmerged_images", imagesJson(report.frame.graph, report.unmerged)},
                             {"paper_images", imagesJson(report.paperGraph, report.paper)}};
     json["facts"] = Json::array();

@@ -78,6 +78,15 @@ void renderPassText(std::ostream& out, const PlanReport& report, const graph::Re
         << " B a pixel for colour and input" << (depth ? ", depth beside them" : "") << "\n\n";
 }
 
+void computeText(std::ostream& out, const PlanReport& report, const graph::PassDecl& pass) {
+    out << "compute: " << pass.name << '\n';
+    std::vector<std::string> reads, writes;
+    for (const graph::Use& use : pass.uses)
+        (graph::isWrite(use.verb) ? writes : reads).push_back(report.frame.graph.buffers()[use.resource].name);
+    table(out, "  ", {{"reads", "writes"}, {list(reads), list(writes)}});
+    out << '\n';
+}
+
 void barriersText(std::ostream& out, const PlanReport& report, const std::vector<graph::Barrier>& barriers) {
     std::vector<Row> rows{{"barrier", "waits for", "before"}};
     for (const graph::Barrier& b : barriers)
@@ -111,7 +120,7 @@ void passesText(std::ostream& out, const PlanReport& report) {
 }
 
 void memoryText(std::ostream& out, const PlanReport& report) {
-    out << "bytes to and from memory a frame, of attachments and of textures that the frame makes\n";
+    out << "bytes to and from memory a frame, of attachments, and of textures and buffers that the frame makes\n";
     std::vector<Row> rows{{"image", "loaded", "stored", "unmerged: loaded", "stored", "paper: loaded", "stored"}};
     const auto cells = [](Row& row, const graph::Traffic& traffic) {
         row.push_back(grouped(traffic.loaded));
@@ -130,6 +139,12 @@ void memoryText(std::ostream& out, const PlanReport& report) {
                 cells(row, report.paper.traffic[p]);
                 shown[p] = true;
             }
+        rows.push_back(row);
+    }
+    for (std::size_t i = 0; i < report.frame.graph.buffers().size(); ++i) {
+        Row row{report.frame.graph.buffers()[i].name};
+        cells(row, report.plan.bufferTraffic[i]);
+        cells(row, report.unmerged.bufferTraffic[i]);
         rows.push_back(row);
     }
     for (std::size_t p = 0; p < paperImages.size(); ++p) {
@@ -155,7 +170,10 @@ std::string planText(const PlanReport& report) {
         << "visibility " << visibilityName(report.visibility) << ": " << report.why << "\n\n";
     for (const graph::Step& step : report.plan.steps) {
         barriersText(out, report, step.before);
-        renderPassText(out, report, step.renderPass);
+        if (step.kind == graph::PassKind::graphics)
+            renderPassText(out, report, step.renderPass);
+        else
+            computeText(out, report, report.frame.graph.passes()[step.pass]);
     }
     passesText(out, report);
     memoryText(out, report);

@@ -43,6 +43,9 @@ const char* depthTimingName(DepthTiming timing) {
 PassNotes notesOf(const graph::PassDecl& pass) {
     using graph::Verb;
     const bool shades = has(pass, Verb::samples);  // the occlusion atlas
+    if (pass.kind == graph::PassKind::compute)
+        return {DepthTiming::none, "the nearest depth of a tile's pixels stays in registers; lists go from near to far",
+                kPositions, kPositions, kPrecisionHit};
     if (has(pass, Verb::depth)) {
         if (!has(pass, Verb::color))
             return {DepthTiming::early,
@@ -55,7 +58,7 @@ PassNotes notesOf(const graph::PassDecl& pass) {
     }
     if (!has(pass, Verb::depthTest))
         return {DepthTiming::none,
-                "one triangle over the screen; each covered pixel is shaded once",
+                "triangles over the screen; each covered pixel is shaded once",
                 {},
                 kRecordsOfPixel,
                 kPrecisionShade};

@@ -7,6 +7,7 @@
 #include "engine/passes/nearest_primitive.h"
 #include "engine/passes/opaque_prepass.h"
 #include "engine/passes/overdraw.h"
+#include "engine/passes/tile_passes.h"
 
 namespace nacre {
 
@@ -70,6 +71,12 @@ graph::Record Recorder::shadedPrimitives(Output output, Image atlas, Image numbe
         const auto from = c.inputIsSampled ? NearestFrom::texture : NearestFrom::inputAttachment;
         passes::shadeNearestPrimitive(c, scene, output, {from, c.view(atlas), c.view(numbers)});
     });
+}
+
+graph::Record Recorder::nearestByTiles() const { return of(passes::findNearestByTiles); }
+
+graph::Record Recorder::shadedTiles(Output output, Image atlas) const {
+    return of([=](Context& c, const SceneView& scene) { passes::shadeTiles(c, scene, output, c.view(atlas)); });
 }
 
 graph::Record Recorder::tileMean(std::uint32_t tile, Image source) const {

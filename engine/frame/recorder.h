@@ -36,6 +36,9 @@ public:
     graph::Record impostorsInOrder(passes::Output output, graph::Image atlas, graph::Image nearest) const;
     graph::Record shadedPrimitives(passes::Output output, graph::Image atlas, graph::Image numbers) const;
 
+    graph::Record nearestByTiles() const;
+    graph::Record shadedTiles(passes::Output output, graph::Image atlas) const;
+
     graph::Record overdraw() const;
     graph::Record tileMean(std::uint32_t tile, graph::Image source) const;
     graph::Record debugView(DebugView what, std::uint32_t tile, graph::Image source,

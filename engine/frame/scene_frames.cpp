@@ -6,7 +6,11 @@
 namespace nacre {
 
 SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, const Scene& scene, FrameStats& stats)
-    : device_(device), scene_(scene), stats_(stats), white_(passes::makeWhiteTexture(device, executor)) {}
+    : device_(device),
+      scene_(scene),
+      stats_(stats),
+      white_(passes::makeWhiteTexture(device, executor)),
+      tiles_(device) {}
 
 ScreenFrame SceneFrames::declare(const RenderSettings& settings, const passes::Atlas& baked, const View& view,
                                  std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
@@ -17,15 +21,21 @@ ScreenFrame SceneFrames::declare(const RenderSettings& settings, const passes::A
     const bool picture = targets.size() == 1 && targets[0].output == passes::Output::color;
     const bool debug = settings.debug != DebugView::none && picture;
     const Visibility usual = device_.caps().visibility;
-    const Visibility path = debug ? debugVisibility(settings.debug, usual) : usual;
+    Visibility path = debug ? debugVisibility(settings.debug, usual) : usual;
     const auto seen = viewScene(device_, scene_, settings, view, used, path);
     seen->fragments = std::move(fragments);
+    const graph::Extent image = imageExtent(view);
+    if (path == Visibility::tiles) {
+        seen->tiles = tiles_.prepare(scene_.representation, *seen, view, image);
+        if (!seen->tiles) path = Visibility::fragdepth;
+    }
     stats_.spheres = seen->copies.sphereCount();
     stats_.cylinders = seen->copies.cylinderCount();
-    const ScreenOptions options{imageExtent(view), path, device_.caps().encoded, atlas.desc, targets, name};
+    const ScreenOptions options{image, path, device_.caps().encoded, atlas.desc, targets, name};
     ScreenFrame frame =
         debug ? debugFrame(settings.debug, options, Recorder(seen)) : screenFrame(options, Recorder(seen));
     imports.bind(frame.atlas, atlas);
+    if (seen->tiles) imports.bind(frame.numbers, seen->tiles->numbers.buffer);
     return frame;
 }
 

@@ -4,6 +4,7 @@
 #include "engine/frame/scene.h"
 #include "engine/frame/screen.h"
 #include "engine/gpu/execute.h"
+#include "engine/passes/tile_frame.h"
 #include "engine/results.h"
 
 namespace nacre {
@@ -30,6 +31,7 @@ private:
     const Scene& scene_;
     FrameStats& stats_;
     gpu::Image white_;  // the atlas of scenes without occlusion
+    mutable passes::TileFrames tiles_;
 };
 
 }  // namespace nacre

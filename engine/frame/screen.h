@@ -40,9 +40,10 @@ struct ScreenOptions {
 
 struct ScreenFrame {
     graph::Graph graph{"screen"};
-    graph::Image depth;    ///< hardware depth
-    graph::Image nearest;  ///< encoded depth or primitive numbers; `fragdepth`: depth itself
-    graph::Image atlas;    ///< imported
+    graph::Image depth;     ///< hardware depth
+    graph::Image nearest;   ///< encoded depth or primitive numbers; `fragdepth`: depth itself
+    graph::Image atlas;     ///< imported
+    graph::Buffer numbers;  ///< imported, of `tiles`
     std::vector<graph::Image> targets;
 
     /// The image of a target. @returns it
@@ -63,6 +64,9 @@ void declareFragdepth(ScreenFrame& frame, const ScreenOptions& options, const Re
 void declareDeferred(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
 /// Nearest depth is read and written as an attachment in raster order: no blending, no second pass over the impostors.
 void declareRasterOrder(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
+/// Numbers of the nearest primitives by compute, tile by tile from lists in order of depth; then every covered pixel is
+/// shaded once. No triangles but those around what may be covered.
+void declareTiles(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
 
 /// The same frame as the paper arranged it on OpenGL ES 2: prepass and depth texture in one framebuffer, then the
 /// picture in another, which samples the full-screen depth texture. Three 8-bit channels encode depth, and 16 bits of

@@ -71,6 +71,26 @@ void applyEnvironment(graph::PlanCaps& plan) {
     }
 }
 
+TileCaps tileCapsOf(const vk::raii::PhysicalDevice& device) {
+    using Subgroups = vk::PhysicalDeviceSubgroupProperties;
+    using Can = vk::SubgroupFeatureFlagBits;
+    const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, Subgroups>();
+    const auto& limits = chain.get<vk::PhysicalDeviceProperties2>().properties.limits;
+    const auto& subgroups = chain.get<Subgroups>();
+    TileCaps caps;
+    caps.lanes = subgroups.subgroupSize;
+    caps.texels = limits.maxTexelBufferElements >= limits.maxStorageBufferRange / sizeof(std::uint32_t);
+    constexpr auto kNeeded = Can::eBasic | Can::eVote | Can::eBallot | Can::eShuffle;
+    if ((subgroups.supportedOperations & kNeeded) != kNeeded ||
+        !(subgroups.supportedStages & vk::ShaderStageFlagBits::eCompute))
+        caps.lacks = "its subgroups do not hand values round";
+    else if (caps.lanes < 4 || caps.lanes > 32 || (caps.lanes & (caps.lanes - 1)) != 0)
+        caps.lacks = "its subgroups have " + std::to_string(caps.lanes) + " lanes, not 4, 8, 16 or 32";
+    else if (!caps.texels && limits.maxFragmentCombinedOutputResources < 5)
+        caps.lacks = "one colour and four storage buffers are too many for its fragment stage";
+    return caps;
+}
+
 }  // namespace
 
 bool readsInRasterOrder(const vk::raii::PhysicalDevice& device) {
@@ -112,6 +132,8 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     applyEnvironment(caps.plan);
     caps.encoded = encodedFormatOf(device, options.encoded);
     caps.software = software;
+    caps.tiles = tileCapsOf(device);
+    caps.plan.tiles = caps.tiles.lacks.empty();
 
     const graph::DeviceKind kind = molten     ? graph::DeviceKind::layered
                                    : lazy     ? graph::DeviceKind::tiler
@@ -126,6 +148,8 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
                     options.capture
                         ? "RenderDoc hides VK_EXT_rasterization_order_attachment_access: capture another path"
                         : "VK_EXT_rasterization_order_attachment_access is missing");
+    if (caps.visibility == Visibility::tiles && !caps.plan.tiles)
+        throw Error("cannot draw by tiles", caps.deviceName, caps.tiles.lacks);
     return caps;
 }
 

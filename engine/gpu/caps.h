@@ -10,6 +10,13 @@
 
 namespace nacre::gpu {
 
+/// Of the path that draws by tiles.
+struct TileCaps {
+    bool texels = false;      ///< texel buffers hold whole streams
+    std::uint32_t lanes = 0;  ///< of a subgroup
+    std::string lacks;        ///< what the path needs and the device has not; empty: nothing
+};
+
 struct Caps {
     std::string deviceName, driverName;
     std::string type;  ///< "discrete", "integrated", "virtual", "software", "other"
@@ -20,6 +27,7 @@ struct Caps {
     std::uint64_t maxStorageBufferBytes = 1u << 27;
     graph::PlanCaps plan;
     graph::EncodedFormat encoded;
+    TileCaps tiles;
     /// Quirk: a pipeline cache is not to be used. SwiftShader looks shaders up in it by the address of the render pass,
     /// and takes those of one that is gone for those of another that was made in its place.
     bool cacheMixesRenderPasses = false;

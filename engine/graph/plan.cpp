@@ -43,6 +43,7 @@ Plan compile(const Graph& graph, const PlanCaps& caps) {
     plan.inputIsSampled.resize(graph.passes().size());
     plan.images.resize(graph.images().size());
     plan.traffic.resize(graph.images().size());
+    plan.bufferTraffic.resize(graph.buffers().size());
     mergePasses(graph, caps, plan);
     deriveOperations(graph, caps, plan);
     deriveSynchronization(graph, plan);

@@ -16,6 +16,7 @@ struct PlanCaps {
     bool tileSubpasses = true;              ///< input attachments between subpasses stay on the tile
     bool transient = true;                  ///< attachments that never leave the tile need no memory
     bool rasterOrder = false;               ///< VK_EXT_rasterization_order_attachment_access
+    bool tiles = false;                     ///< compute can draw by tiles: subgroups hand values round
     bool storeAll = false;                  ///< every attachment is stored, to look at it in a capture
     bool storeNone = false;                 ///< VK_EXT_load_store_op_none: a tested depth buffer is not stored again
     std::uint32_t tileBytesPerPixel = 16;   ///< colour + input attachments of one render pass
@@ -91,7 +92,7 @@ struct PlannedImage {
     friend bool operator==(const PlannedImage&, const PlannedImage&) = default;
 };
 
-/// Bytes of attachments and of whole-image reads per execution.
+/// Bytes of attachments, of whole-image reads and of buffers between passes, per execution.
 struct Traffic {
     std::uint64_t loaded = 0, stored = 0;
     friend bool operator==(const Traffic&, const Traffic&) = default;
@@ -99,11 +100,12 @@ struct Traffic {
 
 struct Plan {
     std::vector<Step> steps;
-    std::vector<Barrier> after;        ///< imported resources go back to their state, outputs to the host
-    std::vector<PlannedImage> images;  ///< by Graph::images()
-    std::vector<Traffic> traffic;      ///< by Graph::images()
-    std::vector<bool> culled;          ///< by Graph::passes()
-    std::vector<bool> inputIsSampled;  ///< by Graph::passes(): its input reads became texture reads
+    std::vector<Barrier> after;          ///< imported resources go back to their state, outputs to the host
+    std::vector<PlannedImage> images;    ///< by Graph::images()
+    std::vector<Traffic> traffic;        ///< by Graph::images()
+    std::vector<Traffic> bufferTraffic;  ///< by Graph::buffers(): what passes hand each other
+    std::vector<bool> culled;            ///< by Graph::passes()
+    std::vector<bool> inputIsSampled;    ///< by Graph::passes(): its input reads became texture reads
     Traffic total;
     friend bool operator==(const Plan&, const Plan&) = default;
 };

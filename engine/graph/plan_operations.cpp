@@ -110,10 +110,27 @@ public:
                 const ImageDecl& decl = graph_.images()[use.resource];
                 if (!decl.imported) plan_.traffic[use.resource].loaded += bytesOf(decl);
             }
-        for (const Traffic& t : plan_.traffic) {
-            plan_.total.loaded += t.loaded;
-            plan_.total.stored += t.stored;
-        }
+        deriveBufferTraffic();
+        for (const std::vector<Traffic>* list : {&plan_.traffic, &plan_.bufferTraffic})
+            for (const Traffic& t : *list) {
+                plan_.total.loaded += t.loaded;
+                plan_.total.stored += t.stored;
+            }
+    }
+
+    /// A buffer by which one pass hands another what it made: all of it goes out once, and in for every reader.
+    void deriveBufferTraffic() {
+        std::vector<bool> written(graph_.buffers().size());
+        for (std::uint32_t p = 0; p < graph_.passes().size(); ++p)
+            for (const Use& use : graph_.passes()[p].uses) {
+                if (plan_.culled[p] || use.isImage) continue;
+                Traffic& traffic = plan_.bufferTraffic[use.resource];
+                const VkDeviceSize size = graph_.buffers()[use.resource].size;
+                if (use.verb == Verb::writes) written[use.resource] = true;
+                if (use.verb != Verb::reads || !written[use.resource]) continue;
+                traffic.loaded += size;
+                traffic.stored = size;
+            }
     }
 
 private:

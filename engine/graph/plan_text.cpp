@@ -44,6 +44,8 @@ void renderPassText(std::ostream& out, const Graph& graph, const Plan& plan, con
             for (const Use& use : graph.passes()[p].uses)
                 if (use.isImage && (use.verb == Verb::samples || (use.verb == Verb::input && plan.inputIsSampled[p])))
                     out << ", " << graph.images()[use.resource].name << " sample";
+                else if (!use.isImage)
+                    out << ", " << graph.buffers()[use.resource].name << " " << verbName(use.verb);
         out << "\n";
     }
     for (const Dependency& d : pass.dependencies)

@@ -11,6 +11,9 @@ VisibilityChoice chooseVisibility(DeviceKind kind, const PlanCaps& caps) {
         case DeviceKind::layered:
             return {Visibility::fragdepth, "MoltenVK leaves the tile between subpasses"};
         case DeviceKind::software:
+            if (caps.tiles)
+                return {Visibility::tiles,
+                        "software rasteriser: a triangle costs it more than a pixel, and compute has none"};
             return {Visibility::encoded,
                     "software rasteriser: early tests against plates save more than a second pass costs"};
         case DeviceKind::immediate:

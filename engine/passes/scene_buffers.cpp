@@ -7,7 +7,8 @@ namespace nacre::passes {
 
 namespace {
 
-constexpr auto kUsage = vk::BufferUsageFlagBits::eVertexBuffer | vk::BufferUsageFlagBits::eStorageBuffer;
+constexpr auto kUsage = vk::BufferUsageFlagBits::eVertexBuffer | vk::BufferUsageFlagBits::eStorageBuffer |
+                        vk::BufferUsageFlagBits::eUniformTexelBuffer;
 
 /// A buffer of two streams, the second behind the first.
 template <typename A, typename B>
@@ -43,6 +44,14 @@ SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r
     const auto indices = pyramidIndices();
     scene.pyramid = gpu::makeBuffer(device, std::span<const std::uint16_t>(indices),
                                     vk::BufferUsageFlagBits::eIndexBuffer, "pyramid indices");
+    if (device.caps().tiles.texels) {
+        const auto view = [&](const gpu::Buffer& buffer, vk::Format format) {
+            return vk::raii::BufferView(*device,
+                                        vk::BufferViewCreateInfo({}, *buffer.handle, format, 0, VK_WHOLE_SIZE));
+        };
+        scene.shapeTexels = view(scene.shapes, vk::Format::eR32G32B32A32Sfloat);
+        scene.lookTexels = view(scene.looks, vk::Format::eR32Uint);
+    }
     return scene;
 }
 

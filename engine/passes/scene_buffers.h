@@ -10,9 +10,10 @@ constexpr std::uint32_t kPyramidPoints = 9, kPyramidIndices = 24;
 
 /// The streams of a representation on the device. Geometry passes fetch stream A alone, shading A and B.
 struct SceneBuffers {
-    gpu::Buffer shapes;   ///< stream A: spheres, then cylinders
-    gpu::Buffer looks;    ///< stream B, likewise
-    gpu::Buffer pyramid;  ///< kPyramidIndices indices, 16 bits each
+    gpu::Buffer shapes;                                              ///< stream A: spheres, then cylinders
+    gpu::Buffer looks;                                               ///< stream B, likewise
+    gpu::Buffer pyramid;                                             ///< kPyramidIndices indices, 16 bits each
+    vk::raii::BufferView shapeTexels{nullptr}, lookTexels{nullptr};  ///< where texel buffers hold whole streams
     std::uint32_t sphereCount = 0, cylinderCount = 0;
     vk::DeviceSize cylinderOffset = 0, cylinderLookOffset = 0;  ///< bytes into shapes and looks
 

@@ -18,11 +18,14 @@ struct Atlas {
     std::uint32_t spherePatches = 1, cylinderPatches = 1;  ///< in a row
 };
 
+struct TileFrame;
+
 struct SceneView {
     const SceneBuffers* buffers = nullptr;
     layout::ViewConstants constants{};  ///< those of a copy are left 0
     PlacedCopies copies;
-    gpu::Buffer copyRows;  ///< copies.rows on the device, for `deferred` shading
+    std::shared_ptr<const TileFrame> tiles;  ///< of the `tiles` path
+    gpu::Buffer copyRows;                    ///< copies.rows on the device, for `deferred` shading
     bool perspective = false;
     int quarterTurns = 0;  ///< as in View
     PlateShape plates = PlateShape::automatic;

@@ -99,6 +99,7 @@ void TileLists::count() {
             std::uint32_t* row = offsets_.data() + std::size_t{y} * across_ + 1;
             for (std::uint32_t x = k.x; x < k.endX; ++x) ++row[x];
         }
+    longest_ = *std::max_element(offsets_.begin(), offsets_.end());
     for (std::size_t i = 1; i < offsets_.size(); ++i) offsets_[i] += offsets_[i - 1];
 }
 

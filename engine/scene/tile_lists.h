@@ -41,6 +41,12 @@ public:
     static constexpr std::uint32_t kBinPixels = kTilePixels * kTilesInBin;
     static constexpr std::uint32_t kDepthSteps = 2048;  ///< that the order of a list tells apart
 
+    /// Pixels of a picture's bins together, whatever they show.
+    static constexpr std::uint64_t pixelsOfBins(std::uint32_t width, std::uint32_t height) {
+        const auto bins = [](std::uint32_t pixels) { return (std::uint64_t{pixels} + kBinPixels - 1) / kBinPixels; };
+        return bins(width) * bins(height) * kBinPixels * kBinPixels;
+    }
+
     /// Neighbouring bins of a row that are not empty; `end` is one past.
     struct Span {
         std::uint16_t x, y, endX, endY;
@@ -63,6 +69,7 @@ public:
     std::span<const Span> spans() const { return spans_; }
     std::size_t kept() const { return kept_.size(); }  ///< primitives in any list
     std::size_t entries() const { return offsets_.empty() ? 0 : offsets_.back(); }
+    std::uint32_t longest() const { return longest_; }  ///< entries of a list
     /// Writes the lists, `entries()` numbers.
     void write(std::uint32_t* numbers);
 
@@ -80,7 +87,7 @@ private:
     void count();
     void listTiles();
 
-    std::uint32_t across_ = 0, down_ = 0;
+    std::uint32_t across_ = 0, down_ = 0, longest_ = 0;
     std::vector<Kept> kept_;
     std::vector<std::uint32_t> order_, offsets_, cursors_;
     std::vector<Tile> tiles_, slots_;

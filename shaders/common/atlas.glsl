@@ -1,5 +1,6 @@
 // Where the patch of a primitive lies in the occlusion atlas: rows of spheres' patches, then rows of cylinders'
 // (engine/occlusion/atlas_layout.h). It follows from the primitive's number, so that no stream says it.
+#include "divide.glsl"
 #include "view.glsl"
 
 uint sphereEdge() { return view.patchTexels & 0xffu; }
@@ -7,10 +8,11 @@ uvec2 cylinderTexels() { return uvec2(view.patchTexels >> 8 & 0xffu, view.patchT
 
 /// First texel of the patch of a sphere, x | y << 16. @param index  within its copy
 uint spherePatch(uint index) {
-    return (index % view.spherePatches | index / view.spherePatches << 16) * sphereEdge();
+    uvec2 at = divided(index, view.spherePatches);
+    return (at.y | at.x << 16) * sphereEdge();
 }
 uint cylinderPatch(uint index) {
     uint top = (view.spheres + view.spherePatches - 1u) / view.spherePatches * sphereEdge();
-    uvec2 at = uvec2(index % view.cylinderPatches, index / view.cylinderPatches) * cylinderTexels();
+    uvec2 at = divided(index, view.cylinderPatches).yx * cylinderTexels();
     return at.x | (at.y + top) << 16;
 }

@@ -26,6 +26,9 @@ const int kBatchId = 9;          // depth maps of a batch
 const int kMapsAcrossId = 10;    // of them in a row of the image
 const int kTapsId = 11;          // pixels of a depth map that are asked for a texel: 1 or 4
 const int kSpreadId = 12;        // float: of four taps, pixels
+const int kCopiesId = 13;        // bool: primitives stand at the places of copies
+const int kLanesId = 14;         // of the subgroup that draws a tile
+const int kTilesInBinId = 15;    // a side, of those that share a list
 
 /// Push constants of every geometry pass. Lengths in Å, view space as in engine/scene/camera.h.
 /// Z is the distance that the layers report: origin - z (orthographic: origin = R, perspective: origin = eye).
@@ -50,6 +53,30 @@ struct ViewConstants {
     float lighting;   // 0 or 1
     float occlusion;  // 0 or 1
     uint spheres;     // of the primitives in a copy
+};
+
+/// Push constants of the passes that draw by tiles. What stands in ViewConstants, too, means the same.
+struct TileConstants {
+    vec4 row0;
+    vec4 row1;
+    vec4 row2;
+    float origin;
+    uint primitives;
+    vec2 axisPixel;
+    float pixel;
+    float depthStart;
+    float perRange;
+    uint spheres;
+    uint across;      // bins in a row
+    uint offsets;     // where the offsets of the bins' lists begin
+    float depthStep;  // of encoded depth, within which a list is in no order
+    float lighting;
+    vec2 atlasTexel;
+    uint patchTexels;
+    uint spherePatches;
+    uint cylinderPatches;
+    float occlusion;
+    vec2 unused;
 };
 
 /// Push constants of the occlusion passes. A batch of depth maps lies side by side in one image, kMapsAcross in a row.
@@ -86,6 +113,8 @@ static_assert(sizeof(ViewConstants) == 128, "push constants: 128 bytes at most")
 static_assert(offsetof(ViewConstants, ndcPerAngstrom) == 48 && offsetof(ViewConstants, axisPixel) == 64 &&
               offsetof(ViewConstants, depthStart) == 80 && offsetof(ViewConstants, atlasTexel) == 96 &&
               offsetof(ViewConstants, cylinderPatches) == 112);
+static_assert(sizeof(TileConstants) == 128 && offsetof(TileConstants, axisPixel) == 56 &&
+              offsetof(TileConstants, atlasTexel) == 96);
 static_assert(sizeof(OcclusionConstants) == 48);
 static_assert(sizeof(Direction) == 48);
 }  // namespace nacre::layout

@@ -10,6 +10,9 @@
 layout(push_constant) uniform Push { SplatConstants splat; };
 layout(set = 0, binding = 1, std430) readonly buffer Views { ViewConstants views[]; };
 ViewConstants view;  // main() fetches it once: in a loop every use of the buffer is a load
+#elif defined(TILES)
+// main() fetches it once: lavapipe 22.3 gathers push constants lane by lane, wherever they are used.
+TileConstants view;
 #else
 layout(push_constant) uniform Push { ViewConstants view; };
 #endif
@@ -41,10 +44,12 @@ float encodedDepth(float Z) {
     precise float d = (Z - view.depthStart) * view.perRange;
     return d;
 }
+#ifndef TILES
 /// Clip position of a point of the plane z = 0 at encoded depth d. w = 1: depth is constant over a polygon.
 vec4 clipPosition(vec2 q, float d) {
     vec2 perPixel = vec2(view.ndcPerAngstrom.x, -view.ndcPerAngstrom.y) * view.pixel;  // NDC
     vec2 axis = view.axisPixel * ((kQuarterTurns & 1) == 1 ? perPixel.yx : perPixel) - 1.0;
     return vec4(turned(q * view.ndcPerAngstrom) + axis * view.wholeImage, clamp(d, 0.0, 1.0), 1.0);
 }
+#endif
 #endif

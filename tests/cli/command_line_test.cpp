@@ -297,7 +297,7 @@ TEST(CommandLine, RenderWritesWholeFilesAndTheStats) {
 TEST(CommandLine, TheSameCommandGivesTheSameBytes) {
     // Again, and with one thread or two, of the driver's and of ours.
     const TemporaryFolder folder;
-    for (const std::string path : {"encoded", "deferred", "raster-order"})
+    for (const std::string path : {"encoded", "deferred", "raster-order", "tiles"})
         for (const std::string type : {"png", "exr", "tif"}) {
             if (type != "png" && path != "encoded") continue;
             std::vector<std::string> pictures, layers;

@@ -115,6 +115,29 @@ TEST(Plan, DotHasABoxForEveryRenderPassAndBalances) {
     EXPECT_EQ(std::count(dot.begin(), dot.end(), '"') % 2, 0);
 }
 
+TEST(Plan, OfTilesTellsTheComputePassAndWhatItHandsOn) {
+    PlanOptions options = phone("");
+    options.device.visibility = Visibility::tiles;
+    const Json json = jsonOf(options);
+    ASSERT_EQ(json["compute_passes"].size(), 1u);
+    EXPECT_EQ(json["compute_passes"][0],
+              (Json{{"name", "nearest primitive"}, {"reads", Json::array()}, {"writes", {"primitive numbers"}}}));
+    ASSERT_EQ(json["render_passes"].size(), 1u);
+    EXPECT_EQ(json["render_passes"][0]["subpasses"][0]["reads"], (Json{"primitive numbers", "occlusion atlas"}));
+    // Whole bins of 16 x 16 pixels.
+    const std::uint64_t numbers =
+        4 * ((options.size.width + 15ull) / 16 * 16) * ((options.size.height + 15ull) / 16 * 16);
+    EXPECT_EQ(json["memory_bytes"]["buffers"][0],
+              (Json{{"name", "primitive numbers"}, {"loaded", numbers}, {"stored", numbers}}));
+    EXPECT_EQ(json["memory_bytes"]["stored"], numbers + 4ull * options.size.width * options.size.height);
+    const std::string text = planText(planReport(options));
+    for (const char* word : {"compute: nearest primitive", "primitive numbers (buffer)", "visibility tiles"})
+        EXPECT_NE(text.find(word), std::string::npos) << text;
+    const std::string dot = planDot(planReport(options));
+    EXPECT_NE(dot.find("compute: nearest primitive"), std::string::npos);
+    EXPECT_EQ(std::count(dot.begin(), dot.end(), '{'), std::count(dot.begin(), dot.end(), '}'));
+}
+
 TEST(Plan, RefusesWhatTheDeviceCannotDo) {
     PlanOptions options = phone("mali");
     options.device.encoded = EncodedDepth::r32f;
@@ -124,6 +147,8 @@ TEST(Plan, RefusesWhatTheDeviceCannotDo) {
     options = phone("powervr");
     options.device.visibility = Visibility::rasterOrder;
     EXPECT_THROW(planReport(options), Error);  // the user's, not the graph's
+    options.device.visibility = Visibility::tiles;
+    EXPECT_THROW(planReport(options), Error);
 }
 
 }  // namespace

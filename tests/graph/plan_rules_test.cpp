@@ -319,6 +319,30 @@ TEST_F(Rules, RasterOrderIsRefusedWhereItIsMissing) {
     EXPECT_EQ(refusal(), "");
 }
 
+TEST_F(Rules, ABufferCountsAsTrafficWhereOnePassHandsItToOthers) {
+    const Buffer handed = g.importBuffer("handed", 1000), given = g.importBuffer("given", 70);
+    const Buffer made = g.importBuffer("made", 5);
+    const Image a = g.image("a", kColor), b = g.image("b", kColor);
+    g.compute("one").reads(given).writes(handed);
+    g.graphics("two").reads(handed).color(a);
+    g.graphics("three").reads(handed).color(b);
+    g.compute("four").writes(made);
+    g.output(a);
+    g.output(b);
+    g.output(made);
+    const Plan plan = compile(g, caps);
+    EXPECT_EQ(plan.bufferTraffic, (std::vector<Traffic>{{2000, 1000}, {0, 0}, {0, 0}}));
+}
+
+TEST(VisibilityChoice, OfASoftwareDeviceIsTilesWhereComputeCanDrawThem) {
+    PlanCaps caps = capabilitySet("desktop").plan;
+    EXPECT_EQ(chooseVisibility(DeviceKind::software, caps).visibility, Visibility::encoded);
+    caps.tiles = true;
+    EXPECT_EQ(chooseVisibility(DeviceKind::software, caps).visibility, Visibility::tiles);
+    EXPECT_EQ(chooseVisibility(DeviceKind::immediate, caps).visibility, Visibility::fragdepth);
+    EXPECT_EQ(chooseVisibility(DeviceKind::tiler, caps).visibility, Visibility::encoded);
+}
+
 TEST(CapabilitySets, AllHaveFactsWithSources) {
     EXPECT_EQ(capabilitySets().size(), 7u);
     for (const CapabilitySet& set : capabilitySets()) {

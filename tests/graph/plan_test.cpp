@@ -22,6 +22,27 @@ Graph frameBy(Visibility visibility) {
     return std::move(frame.graph);
 }
 
+TEST(ScreenPlan, TilesAreAComputePassAndOneThatShades) {
+    const Graph g = frameBy(Visibility::tiles);
+    PlanCaps caps = capabilitySet("desktop").plan;
+    // 112 x 64 numbers, whole bins, go out of the one pass and into the other.
+    EXPECT_EQ(describe(g, compile(g, caps)),
+              "compute nearest primitive\n"
+              "render pass 100x50\n"
+              "  colour  RGBA8 sRGB  clear  store\n"
+              "  subpass 0 impostor colour: colour write, primitive numbers read, occlusion atlas sample\n"
+              "  tile 4 B/px\n"
+              "memory: loaded 28672 B, stored 48672 B\n");
+    const Plan plan = compile(g, caps);
+    ASSERT_EQ(plan.bufferTraffic.size(), 1u);
+    EXPECT_EQ(plan.bufferTraffic[0], (Traffic{28672, 28672}));
+    ASSERT_EQ(plan.steps[1].before.size(), 1u);
+    const Barrier& between = plan.steps[1].before[0];
+    EXPECT_FALSE(between.isImage);
+    EXPECT_EQ(between.from.stages, VkPipelineStageFlags{VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT});
+    EXPECT_EQ(between.to.stages, VkPipelineStageFlags{VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT});
+}
+
 TEST(ScreenPlan, MaliEncodedIsOneRenderPassOfThreeSubpasses) {
     const Graph g = frameBy(Visibility::encoded);
     EXPECT_EQ(describe(g, compile(g, capabilitySet("mali").plan)),

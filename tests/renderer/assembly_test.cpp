@@ -72,8 +72,7 @@ TEST_P(AssemblyPicture, IsTheSameByEveryPath) {
     RenderSettings s = settings(r, 256, c.projection, {75, -40, 120}, c.zoom);
     std::vector<LayerPicture> pictures;
     std::vector<Picture> colors;
-    for (const Visibility visibility :
-         {Visibility::encoded, Visibility::fragdepth, Visibility::deferred, Visibility::rasterOrder}) {
+    for (const Visibility visibility : kPaths) {
         ValidatedRenderer& renderer = rendererOf(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false}) {

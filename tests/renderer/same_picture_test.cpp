@@ -40,8 +40,7 @@ TEST_P(SamePicture, WhateverThePath) {
     const Representation r = scene(c.file, c.style);
     RenderSettings s = settings(r, 256, c.projection, {75, -40, 120});
     std::vector<LayerPicture> pictures;
-    for (const Visibility visibility :
-         {Visibility::encoded, Visibility::fragdepth, Visibility::deferred, Visibility::rasterOrder}) {
+    for (const Visibility visibility : kPaths) {
         ValidatedRenderer& renderer = rendererOf(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false})
@@ -84,8 +83,7 @@ TEST_P(SamePicture, OfColourToo) {
     const Representation r = scene(c.file, c.style);
     RenderSettings s = settings(r, 200, c.projection);
     std::vector<float> first;
-    for (const Visibility visibility :
-         {Visibility::encoded, Visibility::fragdepth, Visibility::deferred, Visibility::rasterOrder}) {
+    for (const Visibility visibility : kPaths) {
         ValidatedRenderer& renderer = rendererOf(visibility);
         renderer->setScene(r);
         for (const bool prepass : {true, false})
@@ -156,8 +154,7 @@ TEST(SamePicture, TransientOrStored) {
 }
 
 TEST(Frame, OfNothingIsTheBackground) {
-    for (const Visibility path :
-         {Visibility::encoded, Visibility::fragdepth, Visibility::deferred, Visibility::rasterOrder})
+    for (const Visibility path : kPaths)
         for (const bool set : {false, true}) {
             ValidatedRenderer renderer(path);
             if (set) renderer->setScene({});

@@ -19,7 +19,7 @@ namespace nacre::test {
 
 /// The paths that rasterise.
 inline constexpr Visibility kPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::deferred,
-                                        Visibility::rasterOrder};
+                                        Visibility::rasterOrder, Visibility::tiles};
 
 /// A molecule by name: "sample:dna", or a file of the test data (use NACRE_NEEDS_DATA() first).
 inline Molecule molecule(const std::string& name) {

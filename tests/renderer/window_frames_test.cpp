@@ -51,8 +51,7 @@ Overlay triangle() {
 TEST(WindowFrames, EveryKindOfFrameByEveryPathIsValid) {
     if (!hasHeadlessSurfaces()) GTEST_SKIP() << "no VK_EXT_headless_surface";
     const Representation r = scene("sample:glucose", Style::ballAndStick);
-    for (const Visibility path :
-         {Visibility::encoded, Visibility::fragdepth, Visibility::deferred, Visibility::rasterOrder}) {
+    for (const Visibility path : kPaths) {
         Renderer renderer(windowOptions(path));
         const Overlay overlay = triangle();
         renderer.setOverlayGlyphs({2, 2, {255, 0, 255, 255}});

@@ -1,0 +1,15 @@
+// Division of whole numbers by way of a float: exact, and a fraction of what a driver makes of / and %.
+#ifndef NACRE_DIVIDE_GLSL
+#define NACRE_DIVIDE_GLSL
+/// Quotient and remainder.
+uvec2 divided(uint number, uint by) {
+    uint quotient = uint(float(number) / float(by));
+    // Each float is right to 24 bits: a second one takes up what the first left of a large quotient, but for one.
+    int rest = int(number - quotient * by);
+    int more = int(floor(float(rest) / float(by)));
+    quotient += uint(more);
+    rest -= more * int(by);
+    int off = rest < 0 ? -1 : rest >= int(by) ? 1 : 0;
+    return uvec2(quotient + uint(off), uint(rest - off * int(by)));
+}
+#endif

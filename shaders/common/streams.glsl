@@ -1,0 +1,44 @@
+// The streams as a shader reads them where it picks primitives itself, by number. TEXELS: texel buffers, which software
+// devices gather a whole vector from at once, where a storage buffer is read lane by lane; else storage buffers, which
+// have no limit of elements.
+//   STREAMS   binding of the first: shapes, rows of the copies, then, with LOOKS, looks: two words a sphere, four a
+//             cylinder
+#include "divide.glsl"
+
+// Whether the scene has copies; without, everything stands at the place of the push constants.
+layout(constant_id = kCopiesId) const bool kCopies = false;
+
+#ifdef TEXELS
+layout(set = 0, binding = STREAMS) uniform samplerBuffer shapeTexels;
+layout(set = 0, binding = STREAMS + 1) uniform samplerBuffer rowTexels;
+vec4 shapeAt(uint i) { return texelFetch(shapeTexels, int(i)); }
+vec4 rowAt(uint i) { return texelFetch(rowTexels, int(i)); }
+#ifdef LOOKS
+layout(set = 0, binding = STREAMS + 2) uniform usamplerBuffer lookTexels;
+uint lookAt(uint i) { return texelFetch(lookTexels, int(i)).x; }
+#endif
+#else
+layout(set = 0, binding = STREAMS, std430) readonly buffer Shapes { vec4 shapes[]; };
+layout(set = 0, binding = STREAMS + 1, std430) readonly buffer Rows { vec4 rows[]; };
+vec4 shapeAt(uint i) { return shapes[i]; }
+vec4 rowAt(uint i) { return rows[i]; }
+#ifdef LOOKS
+layout(set = 0, binding = STREAMS + 2, std430) readonly buffer Looks { uint looks[]; };
+uint lookAt(uint i) { return looks[i]; }
+#endif
+#endif
+
+/// Sets the copy that a number stands for. @returns the primitive in it: spheres first, then cylinders
+uint place(uint number) {
+    if (!kCopies) {
+        copyRow0 = view.row0;
+        copyRow1 = view.row1;
+        copyRow2 = view.row2;
+        return number - 1u;
+    }
+    uvec2 at = divided(number - 1u, view.primitives);
+    copyRow0 = rowAt(3u * at.x);
+    copyRow1 = rowAt(3u * at.x + 1u);
+    copyRow2 = rowAt(3u * at.x + 2u);
+    return at.y;
+}

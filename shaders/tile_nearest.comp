@@ -1,0 +1,146 @@
+#version 450
+// The `tiles` path's visibility: which primitive owns a pixel. One subgroup draws a tile of 8 x 8 pixels: nearest depth
+// and number stay in its registers. It goes through the list of the tile's bin, which is sorted by nearest depth, a
+// chunk of as many entries as it has lanes at a time: each lane fetches one and asks whether it meets the tile; those
+// that do are handed round. It ends where the next entry begins behind the tile's farthest pixel.
+//   TEXELS      as in common/streams.glsl
+//   CYLINDERS   the scene has some
+// A driver that runs a loop's body once before it looks whether to leave (lavapipe 22.3) has the loops that it wants:
+// what a turn too many tests does not win.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_basic : require
+#extension GL_KHR_shader_subgroup_vote : require
+#extension GL_KHR_shader_subgroup_ballot : require
+#extension GL_KHR_shader_subgroup_shuffle : require
+#define TILES
+#define COPY_OF_PIXEL
+#include "common/hit.glsl"
+#define STREAMS 0
+#include "common/streams.glsl"
+
+layout(push_constant) uniform Push { TileConstants push; };
+layout(constant_id = kLanesId) const int kLanes = 8;
+layout(constant_id = kTilesInBinId) const int kTilesInBin = 2;
+layout(local_size_x_id = 14) in;  // kLanes
+const int kTile = 8;
+const int kPixels = kTile * kTile / kLanes;  // of a lane: number i x kLanes + lane of the tile, row by row
+
+#ifdef TEXELS
+layout(set = 0, binding = 2) uniform usamplerBuffer listTexels;
+uint listAt(uint i) { return texelFetch(listTexels, int(i)).x; }
+#else
+layout(set = 0, binding = 2, std430) readonly buffer Lists { uint lists[]; };
+uint listAt(uint i) { return lists[i]; }
+#endif
+layout(set = 0, binding = 3, std430) writeonly buffer Numbers { uint numbers[]; };
+
+vec2 through[kPixels];
+float nearest[kPixels];
+uint number[kPixels];
+
+/// A disc on the plane z = 0 that holds a sphere's picture: about the ellipse of common/outline.glsl in perspective.
+vec3 discOf(vec3 center, float radius) {
+    float room = 0.05 * view.pixel;
+    if (!kPerspective) return vec3(center.xy, radius * 1.005 + room);
+    float D = view.origin - center.z;
+    float rho = length(center.xy);
+    float under = D * D - radius * radius;
+    float reach = view.origin * radius * sqrt(under + rho * rho) / under;
+    return vec3(center.xy * (view.origin * D / under), reach * 1.005 + room);
+}
+
+void keep(int i, Hit hit, uint candidate, bool live) {
+    float depth = encodedDepth(hit.Z);
+    // Of equal depths the last wins, as with a depth test that lets them pass.
+    bool wins = live && hit.inside && (depth < nearest[i] || (depth == nearest[i] && candidate > number[i]));
+    nearest[i] = wins ? depth : nearest[i];
+    number[i] = wins ? candidate : number[i];
+}
+
+/// The lowest bit that is set; 0 if none is.
+uint lowestOf(uint bits) { return bits == 0u ? 0u : (floatBitsToUint(float(bits & (0u - bits))) >> 23) - 127u; }
+vec4 handed(vec4 v, uint from) {
+    return vec4(subgroupShuffle(v.x, from), subgroupShuffle(v.y, from), subgroupShuffle(v.z, from),
+                subgroupShuffle(v.w, from));
+}
+
+void main() {
+    view = push;
+    uint lane = gl_SubgroupInvocationID;
+    // Where rows of workgroups do not come out even, the last tile is drawn again.
+    uint group = min(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, view.offsets / 2u - 1u);
+    uvec2 tile = uvec2(listAt(2u * group), listAt(2u * group + 1u));  // x | y << 16, slot
+    uvec2 corner = uvec2(tile.x & 0xffffu, tile.x >> 16) * uint(kTile);
+    uvec2 bin = corner / uint(kTile * kTilesInBin);
+    uint at = listAt(view.offsets + bin.y * view.across + bin.x);
+    uint end = listAt(view.offsets + bin.y * view.across + bin.x + 1u);
+
+    vec2 first = vec2(corner + uvec2(lane % uint(kTile), lane / uint(kTile))) + 0.5;
+    for (int i = 0; i < kPixels; ++i) {
+        through[i] = planePoint(first + vec2((i * kLanes) % kTile, (i * kLanes) / kTile));
+        nearest[i] = 1.0;
+        number[i] = 0u;
+    }
+    vec2 middle = planePoint(vec2(corner) + float(kTile / 2));
+    float reach = float(kTile / 2) * view.pixel;
+    bool more = true;  // tiles of empty bins are not drawn
+    do {
+        bool mine = at + lane < end;
+        uint entry = listAt(min(at + lane, end - 1u));
+        uint index = place(entry);
+#ifdef CYLINDERS
+        bool cylinder = index >= view.spheres;
+        index = cylinder ? 2u * index - view.spheres : index;
+#endif
+        vec4 shape = shapeAt(index);
+        vec4 a = vec4(toView(shape.xyz), shape.w);
+        vec3 disc = discOf(a.xyz, a.w);
+        float front = a.z;
+        vec2 away = middle - disc.xy;
+        float room = disc.z;
+        vec2 outside = max(abs(away) - reach, 0.0);
+        bool meets = dot(outside, outside) <= room * room;
+#ifdef CYLINDERS
+        vec4 b = vec4(toView(shapeAt(cylinder ? index + 1u : index).xyz), 0.0);
+        vec3 other = discOf(b.xyz, a.w);
+        vec2 along = other.xy - disc.xy;
+        float t = clamp(dot(away, along) / max(dot(along, along), 1e-12), 0.0, 1.0);
+        away -= along * t;
+        room = max(disc.z, other.z) + reach * 1.4143;
+        meets = cylinder ? dot(away, away) <= room * room : meets;
+        front = cylinder ? max(a.z, b.z) : front;
+        uint sticks = subgroupBallot(mine && meets && cylinder).x;
+        bool balls = !cylinder;
+#else
+        const bool balls = true;
+#endif
+        uint bits = subgroupBallot(mine && meets && balls).x;
+        do {
+            uint from = lowestOf(bits);
+            vec4 sphere = handed(a, from);
+            uint candidate = subgroupShuffle(entry, from);
+            bool live = bits != 0u;
+            for (int i = 0; i < kPixels; ++i) keep(i, sphereHitThrough(sphere, through[i]), candidate, live);
+            bits &= bits - 1u;
+        } while (bits != 0u);
+#ifdef CYLINDERS
+        do {
+            uint from = lowestOf(sticks);
+            vec4 endA = handed(a, from), endB = handed(b, from);
+            uint candidate = subgroupShuffle(entry, from);
+            bool live = sticks != 0u;
+            for (int i = 0; i < kPixels; ++i)
+                keep(i, cylinderHitThrough(endA.xyz, endB.xyz, endA.w, through[i]), candidate, live);
+            sticks &= sticks - 1u;
+        } while (sticks != 0u);
+#endif
+        at += uint(kLanes);
+        float farthest = nearest[0];
+        for (int i = 1; i < kPixels; ++i) farthest = max(farthest, nearest[i]);
+        // What follows begins behind the chunk's last entry, up to a step of the order.
+        float next = encodedDepth(view.origin - front - a.w * 1.001) - view.depthStep;
+        more = at < end && !subgroupAll(farthest < subgroupShuffle(next, uint(kLanes - 1)));
+    } while (more);
+    for (int i = 0; i < kPixels; ++i)
+        numbers[tile.y * uint(kTile * kTile) + uint(i * kLanes) + lane] = number[i];
+}

@@ -1,0 +1,81 @@
+#version 450
+// The `tiles` path's shading: each covered pixel once, by the number that tile_nearest.comp kept for it.
+//   TEXELS               as in common/streams.glsl
+//   CYLINDERS            the scene has some
+//   SURFACE / IDENTITY   layers instead of colour
+#extension GL_GOOGLE_include_directive : require
+#define TILES
+#define COPY_OF_PIXEL
+#include "common/surface.glsl"
+#include "common/count.glsl"
+#define STREAMS 2
+#define LOOKS
+#include "common/streams.glsl"
+
+#ifdef TEXELS
+layout(set = 0, binding = 1) uniform usamplerBuffer numberTexels;
+uint numberAt(uint i) { return texelFetch(numberTexels, int(i)).x; }
+#else
+layout(set = 0, binding = 1, std430) readonly buffer Numbers { uint pixelNumbers[]; };
+uint numberAt(uint i) { return pixelNumbers[i]; }
+#endif
+layout(location = 0) flat in vec4 row0;  // all as tile_span.vert has them
+layout(location = 1) flat in vec4 row1;
+layout(location = 2) flat in vec4 row2;
+layout(location = 3) flat in vec4 pixels;
+layout(location = 4) flat in vec4 shading;
+layout(location = 5) flat in uvec4 atlas;
+layout(location = 6) flat in uvec3 numbers;
+layout(constant_id = kTilesInBinId) const int kTilesInBin = 2;
+const uint kTile = 8u;
+
+void fetchView() {
+    view.row0 = row0;
+    view.row1 = row1;
+    view.row2 = row2;
+    view.axisPixel = pixels.xy;
+    view.pixel = pixels.z;
+    view.origin = pixels.w;
+    view.atlasTexel = shading.xy;
+    view.lighting = shading.z;
+    view.occlusion = shading.w;
+    view.patchTexels = atlas.x;
+    view.spherePatches = atlas.y;
+    view.cylinderPatches = atlas.z;
+    view.spheres = atlas.w;
+    view.primitives = numbers.z;
+}
+
+/// Numbers stand tile by tile: along a row of bins, in a bin column by column.
+uint numberHere() {
+    uvec2 pixel = uvec2(gl_FragCoord.xy) - uvec2(numbers.x, 0u);
+    uvec2 tile = pixel / kTile, inTile = pixel % kTile;
+    uint slot = tile.x * uint(kTilesInBin) + tile.y % uint(kTilesInBin);
+    return numberAt(numbers.y + (slot * kTile + inTile.y) * kTile + inTile.x);
+}
+
+void main() {
+    fetchView();
+    uint number = numberHere();
+    if (number == 0u) discard;
+    countFragment();
+    uint index = place(number);
+#ifdef CYLINDERS
+    if (index >= view.spheres) {
+        index -= view.spheres;
+        vec4 shapeA = shapeAt(view.spheres + 2u * index);
+        vec3 shapeB = shapeAt(view.spheres + 2u * index + 1u).xyz;
+        precise vec3 a = toView(shapeA.xyz);
+        precise vec3 b = toView(shapeB);
+        Hit hit = cylinderHit(a, b, shapeA.w, gl_FragCoord.xy);
+        uint look = 2u * view.spheres + 4u * index + (hit.along < 0.5 ? 0u : 1u);
+        float occlusion = cylinderOcclusion(hit, normalize(shapeB - shapeA.xyz), cylinderPatch(index));
+        writeSurface(hit, lookAt(look), lookAt(look + 2u), occlusion);
+        return;
+    }
+#endif
+    vec4 shape = shapeAt(index);
+    precise vec3 center = toView(shape.xyz);
+    Hit hit = sphereHit(vec4(center, shape.w), gl_FragCoord.xy);
+    writeSurface(hit, lookAt(2u * index), lookAt(2u * index + 1u), sphereOcclusion(hit, spherePatch(index)));
+}

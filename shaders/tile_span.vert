@@ -1,0 +1,28 @@
+#version 450
+// A row of bins in which something may show. What shading needs of the view goes along, flat: as push constants of the
+// fragment stage each would be gathered lane by lane for every pixel (lavapipe 22.3).
+#extension GL_GOOGLE_include_directive : require
+#include "common/layout.h"
+
+layout(location = 0) in vec4 span;    // NDC: left, top, right, bottom
+layout(location = 1) in uvec2 place;  // pixel of its left edge, where its numbers begin
+layout(push_constant) uniform Push { TileConstants view; };
+layout(location = 0) flat out vec4 row0;
+layout(location = 1) flat out vec4 row1;
+layout(location = 2) flat out vec4 row2;
+layout(location = 3) flat out vec4 pixels;  // axisPixel, pixel, origin
+layout(location = 4) flat out vec4 shading;  // atlasTexel, lighting, occlusion
+layout(location = 5) flat out uvec4 atlas;  // patchTexels, spherePatches, cylinderPatches, spheres
+layout(location = 6) flat out uvec3 numbers;  // place, primitives
+
+void main() {
+    row0 = view.row0;
+    row1 = view.row1;
+    row2 = view.row2;
+    pixels = vec4(view.axisPixel, view.pixel, view.origin);
+    shading = vec4(view.atlasTexel, view.lighting, view.occlusion);
+    atlas = uvec4(view.patchTexels, view.spherePatches, view.cylinderPatches, view.spheres);
+    numbers = uvec3(place, view.primitives);
+    bool right = (gl_VertexIndex & 1) == 1, bottom = (gl_VertexIndex & 2) == 2;
+    gl_Position = vec4(right ? span.z : span.x, bottom ? span.w : span.y, 0.0, 1.0);
+}
