@@ -1,5 +1,7 @@
 // One picture, however it is made: prepass on and off, merged and unmerged, encoded and fragdepth, bit for bit.
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <memory>
@@ -205,6 +207,37 @@ TEST(Frame, OfEncodedIsOneRenderPassAndOfFragdepthOneSubpass) {
     EXPECT_NE(renderer->planText().find("subpass 0 opaque prepass + impostor colour"), std::string::npos)
         << renderer->planText();
     EXPECT_EQ(renderer->planText().find("subpass 1"), std::string::npos);
+}
+
+/// Specks one behind another in a few pixels of one bin: a list of all of them, gone through to its end.
+Representation specks(std::size_t count) {
+    Representation r;
+    for (std::size_t i = 0; i < count; ++i) {
+        const float along = static_cast<float>(i) / static_cast<float>(count);
+        // The last, and farthest, stands beside the others, so that an end before it would show.
+        const float aside = i + 1 == count ? 0.18f : 0.08f;
+        r.spheres.push_back(
+            {{aside + 0.02f * std::sin(40 * along), aside + 0.02f * std::cos(90 * along), 9 - 18 * along}, 0.02f});
+        r.sphereLooks.push_back({0xff405060u + static_cast<std::uint32_t>(i % 100), static_cast<std::uint32_t>(i + 1)});
+    }
+    r.radius = 10;
+    r.drawnAtoms = count;
+    return r;
+}
+
+TEST(SamePicture, OfAsManyInOnePlaceAsLoopsHaveTurnsAndOfMore) {
+    ValidatedRenderer tiles(Visibility::tiles), fragdepth(Visibility::fragdepth);
+    for (const std::size_t count : {27900u, 28100u}) {
+        const Representation r = specks(count);
+        RenderSettings s = settings(r, 64, Projection::orthographic, {0, 0, 0}, 20);
+        tiles->setScene(r);
+        fragdepth->setScene(r);
+        const LayerPicture a = fragdepth->layers(s), b = tiles->layers(s);
+        EXPECT_EQ(a.id, b.id) << count;
+        EXPECT_EQ(a.z, b.z) << count;
+        EXPECT_EQ(tiles->planText().find("compute nearest primitive") == std::string::npos, count > 28000u);
+        EXPECT_GT(std::count(b.id.begin(), b.id.end(), count), 0);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SamePicture,
