@@ -111,7 +111,8 @@ void addContent(CommandSpec& command, InputOptions& input, bool required, DrawnA
              "spacefill, ball-and-stick or licorice", [&](const std::string& text) { look.style = parseStyle(text); });
     addValue(command, "--color", "SCHEME|COLOR", "element",
              "element, chain, residue, hydrophobicity, charge, secondary-structure, b-factor,\n"
-             "plddt (AlphaFold's bands), rainbow (N to C), occupancy, entity; or a colour as for --background",
+             "plddt (AlphaFold's bands), rainbow (N to C), occupancy, entity; or a colour as for --background;\n"
+             "element:COLOR colours the carbons alone",
              [&](const std::string& text) { look.color = parseColoring(text); });
     addValue(command, "--assembly", "ID", "none: the file's atoms as they are",
              "Biological assembly or unit cell, of those that `nacre info` lists", [&](const std::string& text) {

@@ -25,7 +25,7 @@ inline constexpr const char* kRenderExamples =
     "  nacre render 1bna.pdb -o dna.png --size 1600x1200 --supersample 2\n"
     "  nacre render sample:glucose -o glucose.png --style ball-and-stick --background transparent\n"
     "  nacre render 4hhb.cif.gz -o blood.jpg --color chain --rotate -20,45,0 --projection perspective\n"
-    "  nacre render 4hhb.pdb -o haem.png --color chain --show ligand=ball-and-stick --color-by ligand=element\n"
+    "  nacre render 4hhb.pdb -o haem.png --color chain --show ligand=ball-and-stick --color-by ligand=element:orange\n"
     "  nacre render 3j6r.pdb.gz -o capsid.png --assembly 1 --color chain --occlusion 32\n"
     "  nacre render 1hpv.pdb -o pocket.png --style licorice --show ligand=ball-and-stick \\\n"
     "    --hide 'not byres (within 5 of (ligand))'\n"

@@ -4,7 +4,6 @@
 
 #include "app/shared/option_values.h"
 #include "app/shared/srgb.h"
-#include "engine/scene/palettes.h"
 
 namespace nacre::app {
 
@@ -18,11 +17,6 @@ const char* styleName(Style style) {
             return "licorice";
     }
     return "";
-}
-
-std::string coloringText(const Coloring& coloring) {
-    return coloring.scheme == ColorScheme::uniform ? colorText(coloring.color)
-                                                   : std::string(colorSchemeName(coloring.scheme));
 }
 
 std::string backgroundText(const std::array<float, 4>& color) {

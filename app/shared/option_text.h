@@ -11,8 +11,6 @@ namespace nacre::app {
 
 /// "spacefill", "ball-and-stick", "licorice"
 const char* styleName(Style style);
-/// The name of a scheme, or "#rrggbb".
-std::string coloringText(const Coloring& coloring);
 /// A name where there is one that people use, else "#rrggbb", or "#rrggbbaa" if it is not opaque.
 /// @param color  sRGB-coded 0..1, straight alpha
 std::string backgroundText(const std::array<float, 4>& color);

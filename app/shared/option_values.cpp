@@ -151,24 +151,42 @@ Style parseStyle(std::string_view text) {
     return kStyles[parseChoice(ours(text, kStyleSynonyms), {"spacefill", "ball-and-stick", "licorice"})];
 }
 
-Coloring parseColoring(std::string_view text) {
-    if (const auto scheme = colorSchemeFromName(ours(text, kColorSynonyms))) return *scheme;
-    constexpr const char* kWanted =
-        "element, chain, residue, hydrophobicity, charge, secondary-structure, b-factor, plddt, rainbow, occupancy, "
-        "entity, a colour's name or #rrggbb";
-    std::array<float, 4> color{};
-    try {
-        color = parseColor(text);
-    } catch (const std::invalid_argument&) {
-        std::vector<std::string> words = colorNames();
-        for (int s = 0; s < static_cast<int>(ColorScheme::uniform); ++s)
-            words.emplace_back(colorSchemeName(static_cast<ColorScheme>(s)));
-        refuse(text, kWanted, words);
-    }
+namespace {
+
+/// A colour that atoms can have, packed as the engine's are.
+std::uint32_t parseAtomColor(std::string_view text) {
+    const std::array<float, 4> color = parseColor(text);
     if (color[3] < 1.0f) throw std::invalid_argument("atoms cannot be transparent: '" + std::string(text) + "'");
     std::uint32_t rgb = 0;
     for (std::size_t i = 0; i < 3; ++i) rgb = rgb << 8 | toByte(color[i]);
-    return Coloring::uniform(packedColor(rgb));
+    return packedColor(rgb);
+}
+
+bool isColor(std::string_view text) {
+    try {
+        parseColor(text);
+    } catch (const std::invalid_argument&) {
+        return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+Coloring parseColoring(std::string_view text) {
+    const std::size_t colon = text.find(':');
+    if (colon != std::string_view::npos &&
+        colorSchemeFromName(ours(text.substr(0, colon), kColorSynonyms)) == ColorScheme::element)
+        return Coloring::elementWithCarbons(parseAtomColor(text.substr(colon + 1)));
+    if (const auto scheme = colorSchemeFromName(ours(text, kColorSynonyms))) return *scheme;
+    if (isColor(text)) return Coloring::uniform(parseAtomColor(text));
+    constexpr const char* kWanted =
+        "element, chain, residue, hydrophobicity, charge, secondary-structure, b-factor, plddt, rainbow, occupancy, "
+        "entity, a colour's name, #rrggbb or element:COLOR for carbons in one colour";
+    std::vector<std::string> words = colorNames();
+    for (int s = 0; s < static_cast<int>(ColorScheme::uniform); ++s)
+        words.emplace_back(colorSchemeName(static_cast<ColorScheme>(s)));
+    refuse(text, kWanted, words);
 }
 
 namespace {

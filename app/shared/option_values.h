@@ -37,7 +37,8 @@ std::array<float, 4> parseColor(std::string_view text);
 /// "spacefill", "ball-and-stick" or "licorice".
 Style parseStyle(std::string_view text);
 
-/// The name of a colour scheme, or an opaque colour as parseColor() takes it.
+/// The name of a colour scheme, an opaque colour as parseColor() takes it, or "element:COLOR", whose carbons alone
+/// have the colour.
 Coloring parseColoring(std::string_view text);
 
 /// "SELECTION=STYLE", "SELECTION" and "SELECTION=SCHEME" or "SELECTION=COLOR", divided at the last '='.

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/scene/palettes.h"
-
 namespace nacre {
 namespace {
 
@@ -57,8 +55,7 @@ void color(const Molecule& molecule, const Coloring& coloring, const std::string
     for (const std::uint32_t slot : slots) atoms.push_back(appearance.atoms[slot]);
     ColoredAtoms colored = colorAtoms(molecule, atoms, coloring);
     for (std::size_t i = 0; i < slots.size(); ++i) appearance.colors[slots[i]] = colored.colors[i];
-    const std::string_view name = colorSchemeName(coloring.scheme);
-    const std::string scheme = name.empty() ? colorText(coloring.color) : std::string(name);
+    const std::string scheme = coloringText(coloring);
     if (!colored.warning.empty()) appearance.warnings.push_back("colour by " + scheme + ": " + colored.warning);
     appearance.legends.push_back({selection, scheme, std::move(colored.legend)});
 }

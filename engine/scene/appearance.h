@@ -40,7 +40,7 @@ struct RepresentationOptions {
 /// What the colours of some atoms mean.
 struct Legend {
     std::string selection;  ///< "all", or the text of the rule's selection
-    std::string scheme;     ///< as `--color` takes it; "#rrggbb" for one colour
+    std::string scheme;     ///< coloringText()
     std::vector<LegendEntry> entries;
 };
 

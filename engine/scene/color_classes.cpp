@@ -29,12 +29,15 @@ void sortAtoms(Classes& classes, std::span<const std::uint32_t> atoms, const Cla
     for (const std::uint32_t atom : atoms) classes.ofAtom.push_back(static_cast<std::uint32_t>(classOf(atom)));
 }
 
-Classes byElement(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+/// @param carbon  colour of carbons; 0 for their usual one
+Classes byElement(const Molecule& molecule, std::span<const std::uint32_t> atoms, std::uint32_t carbon) {
+    constexpr std::size_t kCarbon = 6;
     Classes classes;
     for (int i = 0; i < 120; ++i) {
         const auto element = static_cast<Element>(i);
         classes.entries.push_back({i == 0 ? "unknown" : std::string(elementSymbol(element)), elementColor(element)});
     }
+    if (carbon != 0) classes.entries[kCarbon].color = carbon;
     sortAtoms(classes, atoms, [&](std::uint32_t i) {
         const Element element = molecule.atoms[i].element;
         return element < 120 ? element : Element{0};
@@ -190,8 +193,8 @@ Classes byEntity(const Molecule& molecule, std::span<const std::uint32_t> atoms)
     return classes;
 }
 
-Classes classesOf(const Molecule& molecule, std::span<const std::uint32_t> atoms, ColorScheme scheme) {
-    switch (scheme) {
+Classes classesOf(const Molecule& molecule, std::span<const std::uint32_t> atoms, const Coloring& coloring) {
+    switch (coloring.scheme) {
         case ColorScheme::chain:
             return byChain(molecule, atoms);
         case ColorScheme::residue:
@@ -210,14 +213,14 @@ Classes classesOf(const Molecule& molecule, std::span<const std::uint32_t> atoms
         case ColorScheme::entity:
             return byEntity(molecule, atoms);
         default:
-            return byElement(molecule, atoms);
+            return byElement(molecule, atoms, coloring.color);
     }
 }
 
 }  // namespace
 
-ColoredAtoms colorByClass(const Molecule& molecule, std::span<const std::uint32_t> atoms, ColorScheme scheme) {
-    const Classes classes = classesOf(molecule, atoms, scheme);
+ColoredAtoms colorByClass(const Molecule& molecule, std::span<const std::uint32_t> atoms, const Coloring& coloring) {
+    const Classes classes = classesOf(molecule, atoms, coloring);
     ColoredAtoms result;
     result.warning = classes.warning;
     result.colors.reserve(atoms.size());

@@ -134,6 +134,12 @@ std::optional<ColorScheme> colorSchemeFromName(std::string_view name) {
     return std::nullopt;
 }
 
+std::string coloringText(const Coloring& coloring) {
+    const std::string scheme(colorSchemeName(coloring.scheme));
+    if (coloring.color == 0) return scheme;
+    return scheme + (scheme.empty() ? "" : ":") + colorText(coloring.color);
+}
+
 ColoredAtoms colorAtoms(const Molecule& molecule, Atoms atoms, const Coloring& coloring) {
     if (atoms.empty()) return {};
     switch (coloring.scheme) {
@@ -149,7 +155,7 @@ ColoredAtoms colorAtoms(const Molecule& molecule, Atoms atoms, const Coloring& c
                     {{colorText(coloring.color), coloring.color}},
                     ""};
         default:
-            return colorByClass(molecule, atoms, coloring.scheme);
+            return colorByClass(molecule, atoms, coloring);
     }
 }
 

@@ -36,7 +36,7 @@ std::optional<ColorScheme> colorSchemeFromName(std::string_view name);
 /// A scheme, or one colour.
 struct Coloring {
     ColorScheme scheme = ColorScheme::element;
-    std::uint32_t color = 0;  ///< of uniform, packed as in colors.h
+    std::uint32_t color = 0;  ///< packed as in colors.h; of uniform, or of element's carbons: 0 is their usual one
 
     Coloring() = default;
     Coloring(ColorScheme wanted) : scheme(wanted) {}
@@ -45,8 +45,17 @@ struct Coloring {
         coloring.color = color;
         return coloring;
     }
+    /// Carbons in one colour and all else by element, so that ligands are told apart.
+    static Coloring elementWithCarbons(std::uint32_t color) {
+        Coloring coloring(ColorScheme::element);
+        coloring.color = color;
+        return coloring;
+    }
     friend bool operator==(const Coloring&, const Coloring&) = default;
 };
+
+/// As `--color` takes it: "chain", "#rrggbb", "element:#rrggbb".
+std::string coloringText(const Coloring& coloring);
 
 struct LegendEntry {
     std::string label;

@@ -54,6 +54,9 @@ TEST(AppearanceOptions, ColorTakesSchemesAndColours) {
     EXPECT_EQ(orange.scheme, ColorScheme::uniform);
     EXPECT_EQ(orange.color, packedColor(0xffa500));
     EXPECT_FALSE(parsed({"x", "-o", "a.png"}).look.style);
+    const Coloring carbons = parsed({"x", "-o", "a.png", "--color", "CPK:Orange"}).look.color;
+    EXPECT_EQ(carbons, Coloring::elementWithCarbons(packedColor(0xffa500)));
+    EXPECT_EQ(parsed({"x", "-o", "a.png", "--color", coloringText(carbons).c_str()}).look.color, carbons);
 }
 
 TEST(AppearanceOptions, FaultsSayWhere) {
@@ -72,6 +75,9 @@ TEST(AppearanceOptions, FaultsSayWhere) {
     EXPECT_NE(fault("--show", "chain A=ribbon").find("ribbon"), std::string::npos);
     EXPECT_NE(fault("--color-by", "all=").find("rainbow"), std::string::npos);
     EXPECT_NE(fault("--color-by", "all=#12345").find("#rrggbb"), std::string::npos);
+    EXPECT_NE(fault("--color", "element:oragne").find("'orange'?"), std::string::npos);
+    EXPECT_NE(fault("--color", "element:#ff000080").find("transparent"), std::string::npos);
+    EXPECT_NE(fault("--color", "chain:orange").find("element:COLOR"), std::string::npos);
     EXPECT_NE(fault("--color", "#ff000080").find("transparent"), std::string::npos);
 }
 
@@ -113,13 +119,13 @@ TEST(AppearanceOptions, ColoursAndLegendReachPictureAndStats) {
     const TemporaryFolder folder;
     const Outcome outcome = nacreIn(folder,
                                     "render sample:glucose -o a.exr --stats s.json --size 96x96 --occlusion off "
-                                    "--lighting off --color '#ff0000' --color-by 'elem O=blue' --hide hydrogens "
+                                    "--lighting off --color element:red --color-by 'elem O=blue' --hide hydrogens "
                                     "--show 'elem C=licorice' --color-by 'resn QQQ=chain'");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "nacre: warning: nothing to color by 'resn QQQ': the molecule has no such atoms\n");
     const auto stats = nlohmann::json::parse(test::contentOf(folder / "s.json"));
     EXPECT_EQ(stats["legend"].dump(),
-              R"([{"entries":[{"color":"#ff0000","label":"#ff0000"}],"scheme":"#ff0000","selection":"all"},)"
+              R"([{"entries":[{"color":"#ff0000","label":"C"}],"scheme":"element:#ff0000","selection":"all"},)"
               R"({"entries":[{"color":"#0000ff","label":"#0000ff"}],"scheme":"#0000ff","selection":"elem O"}])");
     EXPECT_EQ(stats["warnings"].size(), 1u);
     EXPECT_EQ(stats["atoms"]["drawn"], 12);
@@ -144,7 +150,7 @@ TEST(AppearanceOptions, ColoursAndLegendReachPictureAndStats) {
 
 TEST(AppearanceOptions, TheHelpExamplesOfRulesParse) {
     EXPECT_EQ(parsed({"4hhb.pdb", "-o", "haem.png", "--color", "chain", "--show", "ligand=ball-and-stick", "--color-by",
-                      "ligand=element"})
+                      "ligand=element:orange"})
                   .look.rules.size(),
               2u);
     EXPECT_EQ(parsed({"1hpv.pdb", "-o", "pocket.png", "--style", "licorice", "--show", "ligand=ball-and-stick",

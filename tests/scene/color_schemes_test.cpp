@@ -51,6 +51,21 @@ TEST(ColorSchemes, NamesGoBothWays) {
     EXPECT_FALSE(colorSchemeFromName("red"));
 }
 
+TEST(ColorSchemes, CarbonsAloneTakeAColourAndTheLegendSaysSo) {
+    constexpr std::uint32_t kOrange = packedColor(0xffa500);
+    test::MoleculeText text;
+    text.residue("LIG").atom("C1", "C", {0, 0, 0}).atom("O1", "O", {2, 0, 0}).atom("FE", "Fe", {4, 0, 0});
+    const Coloring coloring = Coloring::elementWithCarbons(kOrange);
+    const ColoredAtoms result = colored(text.molecule, coloring);
+    EXPECT_EQ(result.colors, (std::vector<std::uint32_t>{kOrange, elementColor(8), elementColor(26)}));
+    ASSERT_EQ(labels(result), "C|O|Fe");
+    EXPECT_EQ(result.legend[0].color, kOrange);
+    EXPECT_EQ(coloringText(coloring), "element:#ffa500");
+    EXPECT_EQ(coloringText(ColorScheme::element), "element");
+    EXPECT_EQ(coloringText(Coloring::uniform(kOrange)), "#ffa500");
+    EXPECT_EQ(colored(text.molecule, ColorScheme::element).colors[0], elementColor(6));
+}
+
 TEST(ColorSchemes, PlddtHasFourBandsInThePublishedColours) {
     const auto predicted = [](Molecule molecule) {
         molecule.file.confidence = true;
