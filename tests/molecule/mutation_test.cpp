@@ -7,12 +7,13 @@
 
 #include "tests/molecule/expect_error.h"
 #include "tests/support/test_data.h"
+#include "tests/support/written_files.h"
 
 namespace nacre {
 namespace {
 
-std::string beginningOf(const std::string& name, std::size_t bytes) {
-    std::ifstream file(test::dataFile(name), std::ios::binary);
+std::string beginningOf(const std::string& path, std::size_t bytes = std::string::npos) {
+    std::ifstream file(path, std::ios::binary);
     std::stringstream all;
     all << file.rdbuf();
     return all.str().substr(0, bytes);
@@ -63,39 +64,61 @@ void expectMoleculeOrError(const std::string& name, const std::string& original,
     EXPECT_LT(read, rounds);
 }
 
-struct Case {
-    const char* file;
-    std::size_t bytes;
+/// A file of the data folder.
+struct DataFile {
+    const char* name;
+    std::size_t bytes;  ///< of its beginning
     int rounds;
+};
+
+/// Files of one format: one that the build makes, so that the format is judged everywhere, and those of the data folder
+/// where there is one.
+struct Case {
+    const char* written;
+    std::vector<DataFile> data;
 };
 
 class Mutation : public testing::TestWithParam<Case> {};
 
 TEST_P(Mutation, IsAMoleculeOrAnError) {
-    NACRE_NEEDS_DATA();
+    NACRE_NEEDS_WRITTEN_FILES();
     const Case& given = GetParam();
-    expectMoleculeOrError(given.file, beginningOf(given.file, given.bytes), given.rounds);
+    const std::string path = test::writtenFile(given.written);
+    expectMoleculeOrError(path, beginningOf(path), 500);
+    if (!test::dataFolder()) return;
+    for (const DataFile& file : given.data) {
+        SCOPED_TRACE(file.name);
+        expectMoleculeOrError(file.name, beginningOf(test::dataFile(file.name), file.bytes), file.rounds);
+    }
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, Mutation,
-                         testing::Values(Case{"1pfe.mmjson.json", 1 << 20, 300}, Case{"small/tyr.sdf", 1 << 20, 3000},
-                                         Case{"small/v3000-ngl.sdf", 1 << 20, 3000},
-                                         Case{"small/multi-frame.xyz", 1 << 20, 3000},
-                                         Case{"small/hem-ccd.cif", 1 << 20, 2000}, Case{"1crn.cif", 30000, 1500},
-                                         Case{"1crn.cif.gz", 1 << 20, 1000}, Case{"1en2.pdb", 40000, 1500},
-                                         Case{"small/adrenalin.mol2", 1 << 20, 3000},
-                                         Case{"small/ligs3d-multi.mol2", 1 << 20, 500}, Case{"3pqr.pqr", 30000, 1000},
-                                         Case{"1crn.gro", 1 << 20, 1500}, Case{"small/dxc.pdbqt", 1 << 20, 1000},
-                                         Case{"small/ferrocene.cml", 1 << 20, 3000}, Case{"1j59.bcif.gz", 1 << 20, 300},
-                                         Case{"1crn.mmtf", 1 << 20, 2000}, Case{"1bna.mmtf", 1 << 20, 2000},
-                                         Case{"1stp-v5.cif", 1 << 20, 200},
-                                         Case{"small/core-867861.cif", 1 << 20, 500}),
-                         [](const auto& test) {
-                             std::string name = test.param.file;
-                             for (char& c : name)
-                                 if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-                             return name;
-                         });
+constexpr std::size_t kWhole = 1 << 20;
+
+INSTANTIATE_TEST_SUITE_P(
+    Formats, Mutation,
+    testing::Values(
+        Case{"obabel/glucose.pdb", {{"1en2.pdb", 40000, 1500}}},
+        Case{"gemmi/glucose.cif",
+             {{"small/hem-ccd.cif", kWhole, 2000}, {"1crn.cif", 30000, 1500}, {"1stp-v5.cif", kWhole, 200}}},
+        Case{"gemmi/glucose.cif.gz", {{"1crn.cif.gz", kWhole, 1000}}},
+        Case{"obabel/glucose_core.cif", {{"small/core-867861.cif", kWhole, 500}}},
+        Case{"gemmi/glucose.json", {{"1pfe.mmjson.json", kWhole, 300}}},
+        Case{"own/dna.bcif", {{"1j59.bcif.gz", kWhole, 300}}},
+        Case{"own/dna.mmtf", {{"1crn.mmtf", kWhole, 2000}, {"1bna.mmtf", kWhole, 2000}}},
+        Case{"obabel/glucose.sdf", {{"small/tyr.sdf", kWhole, 3000}}},
+        Case{"rdkit/glucose_v3000.sdf", {{"small/v3000-ngl.sdf", kWhole, 3000}}},
+        Case{"obabel/glucose.mol2", {{"small/adrenalin.mol2", kWhole, 3000}, {"small/ligs3d-multi.mol2", kWhole, 500}}},
+        Case{"obabel/glucose.cml", {{"small/ferrocene.cml", kWhole, 3000}}},
+        Case{"obabel/glucose.gro", {{"1crn.gro", kWhole, 1500}}},
+        Case{"obabel/glucose.pqr", {{"3pqr.pqr", 30000, 1000}}},
+        Case{"obabel/buckyball.pdbqt", {{"small/dxc.pdbqt", kWhole, 1000}}},
+        Case{"rdkit/glucose.xyz", {{"small/multi-frame.xyz", kWhole, 3000}}}),
+    [](const auto& test) {
+        std::string name = test.param.written;
+        for (char& c : name)
+            if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+        return name;
+    });
 
 }  // namespace
 }  // namespace nacre
