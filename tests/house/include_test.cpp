@@ -39,6 +39,7 @@ const std::vector<Arrows> kArrows = {
     {"engine/storage/", {}},
     {"engine/graph/", {}},
     {"engine/gpu/", {"engine/graph/"}},
+    {"engine/gpu/device_plan.cpp", {"engine/device_plan.h", "engine/gpu/", "engine/graph/"}},
     {"engine/passes/", {"engine/scene/", "engine/gpu/", "engine/graph/", "shaders/", "shaders.h"}},
     {"engine/occlusion/",
      {"engine/passes/", "engine/scene/", "engine/gpu/", "engine/graph/", "engine/storage/", "shaders/", "shaders.h"}},

@@ -7,8 +7,7 @@
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"
-#include "engine/molecule/nearest_word.h"
-#include "engine/molecule/selection/selection.h"
+#include "engine/molecule/selection/selection_text.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -18,91 +17,8 @@ using enum SelectionTest;
 
 constexpr std::size_t kLongestText = 20'000;
 constexpr int kDeepest = 64;
-constexpr double kFarthest = 10'000;         // Å
-constexpr std::string_view kMarks = "#/:@";  // of ChimeraX's specifiers
-constexpr char kAnyCode = '\x7f';            // after every insertion code
-
-struct Keyword {
-    std::string_view word;
-    SelectionTest test;
-};
-constexpr Keyword kKeywords[] = {
-    {"all", all},
-    {"*", all},
-    {"none", none},
-    {"protein", protein},
-    {"polymer.protein", protein},
-    {"nucleic", nucleic},
-    {"polymer.nucleic", nucleic},
-    {"polymer", polymer},
-    {"pol.", polymer},
-    {"ligand", ligand},
-    {"ligands", ligand},
-    {"water", water},
-    {"waters", water},
-    {"solvent", water},
-    {"sol.", water},
-    {"ion", ion},
-    {"ions", ion},
-    {"backbone", backbone},
-    {"bb.", backbone},
-    {"sidechain", sidechain},
-    {"sc.", sidechain},
-    {"hydrogen", hydrogen},
-    {"hydrogens", hydrogen},
-    {"hydro", hydrogen},
-    {"h.", hydrogen},
-    {"hetatm", hetatm},
-    {"het", hetatm},
-    {"chain", chain},
-    {"c.", chain},
-    {"resn", residueName},
-    {"resname", residueName},
-    {"r.", residueName},
-    {"resi", residueNumber},
-    {"resid", residueNumber},
-    {"i.", residueNumber},
-    {"name", atomName},
-    {"n.", atomName},
-    {"elem", element},
-    {"element", element},
-    {"symbol", element},
-    {"e.", element},
-    {"altloc", alternate},
-    {"alt", alternate},
-    {"model", model},
-    {"ss", secondary},
-    {"helix", secondary},
-    {"strand", secondary},
-    {"sheet", secondary},
-    {"loop", secondary},
-    {"coil", secondary},
-    {"sequence", sequence},
-    {"seq", sequence},
-    {"pepseq", sequence},
-    {"ps.", sequence},
-    {"b", temperatureFactor},
-    {"bfactor", temperatureFactor},
-    {"b-factor", temperatureFactor},
-    {"occupancy", occupancy},
-    {"q", occupancy},
-    {"organic", ligand},
-    {"org.", ligand},
-    {"inorganic", ion},
-    {"mainchain", backbone},
-    {"around", around},
-    {"within", within},
-    {"w.", within},
-    {"byres", byResidue},
-    {"byresidue", byResidue},
-    {"br.", byResidue},
-    {"not", negation},
-    {"!", negation},
-    {"and", conjunction},
-    {"&", conjunction},
-    {"or", disjunction},
-    {"|", disjunction},
-};
+constexpr double kFarthest = 10'000;  // Å
+constexpr char kAnyCode = '\x7f';     // after every insertion code
 
 std::string upperCase(std::string_view text) {
     std::string upper(text);
@@ -111,12 +27,11 @@ std::string upperCase(std::string_view text) {
     return upper;
 }
 
-bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-class Parser {
+class Parser : SelectionText {
 public:
-    explicit Parser(std::string_view text) : text_(text) {}
+    explicit Parser(std::string_view text) : SelectionText(text) {}
 
     Selection parse() {
         if (text_.size() > kLongestText)
@@ -423,84 +338,12 @@ private:
         ++position_;
     }
 
-    // ---- the text ----
-
-    void skipBlanks() {
-        while (position_ < text_.size() && isBlank(text_[position_])) ++position_;
-    }
-    bool atEndHere() const { return position_ >= text_.size(); }
-    bool atEnd() {
-        skipBlanks();
-        return atEndHere();
-    }
-    std::size_t wordEnd() const {
-        std::size_t end = position_;
-        while (end < text_.size() && !isBlank(text_[end]) &&
-               std::string_view("()+,&|!<>=").find(text_[end]) == std::string_view::npos &&
-               !(chimera_ && kMarks.find(text_[end]) != std::string_view::npos))
-            ++end;
-        return end;
-    }
-    std::string_view word() {
-        const std::size_t begin = position_;
-        position_ = wordEnd();
-        return text_.substr(begin, position_ - begin);
-    }
-    /// The next word or operator as it stands; moves on to it, not past it.
-    std::string_view nextToken() {
-        skipBlanks();
-        if (atEndHere()) return {};
-        const std::size_t end = wordEnd();
-        return text_.substr(position_, end > position_ ? end - position_ : 1);
-    }
-    std::optional<SelectionTest> keyword() {
-        const std::string token = lowerCase(nextToken());
-        for (const Keyword& entry : kKeywords)
-            if (entry.word == token) return entry.test;
-        return std::nullopt;
-    }
-    bool accept(SelectionTest wanted) {
-        if (keyword() != wanted) return false;
-        position_ += nextToken().size();
-        return true;
-    }
-    bool acceptCharacter(char wanted) {
-        if (atEnd() || text_[position_] != wanted) return false;
-        ++position_;
-        return true;
-    }
     void push(SelectionTest operation) {
         SelectionStep step;
         step.test = operation;
         result_.steps.push_back(std::move(step));
     }
 
-    // ---- faults ----
-
-    /// @param keyword  one of the key words may be meant
-    [[noreturn]] void expected(const std::string& wanted, bool keyword = false) {
-        skipBlanks();
-        std::string found = atEndHere() ? "the end" : "'" + printable(nextToken(), 24) + "'";
-        if (keyword) {
-            std::vector<std::string> words;
-            for (const Keyword& entry : kKeywords)
-                if (entry.word.size() > 2 && entry.word.back() != '.') words.emplace_back(entry.word);
-            found += suggestion(nextToken(), words);
-        }
-        fail("expected " + wanted + ", found " + found);
-    }
-    [[noreturn]] void fail(const std::string& why) const {
-        // Columns count characters as people see them, so that bytes within one do not count.
-        std::size_t column = 1;
-        for (std::size_t i = 0; i < position_ && i < text_.size(); ++i)
-            if ((static_cast<unsigned char>(text_[i]) & 0xc0) != 0x80) ++column;
-        throw Error("cannot read selection", "'" + printable(text_, 120) + "'",
-                    "column " + std::to_string(column) + ": " + why);
-    }
-
-    std::string_view text_;
-    std::size_t position_ = 0;
-    bool chimera_ = false;  ///< in a specifier, whose marks end a word
     int depth_ = 0;
     Selection result_;
 };
