@@ -93,5 +93,35 @@ TEST(ScreenPlan, AppleFragdepthIsOneSubpassWithoutInputAttachment) {
               "memory: loaded 0 B, stored 20000 B\n");
 }
 
+TEST(ScreenPlan, DeferredShadesFromNumbersOnTheTile) {
+    const Graph g = frameBy(Visibility::deferred);
+    EXPECT_EQ(describe(g, compile(g, capabilitySet("adreno").plan)),
+              "render pass 100x50\n"
+              "  depth  D32F  clear  -  transient\n"
+              "  primitive number  R32_UINT  clear  -  transient\n"
+              "  colour  RGBA8 sRGB  clear  store\n"
+              "  subpass 0 opaque prepass + nearest primitive: depth write, primitive number write\n"
+              "  subpass 1 impostor colour: primitive number input, colour write, occlusion atlas sample\n"
+              "  dependency 0 -> 1 by region\n"
+              "  tile 8 B/px + depth\n"
+              "memory: loaded 0 B, stored 20000 B\n");
+}
+
+TEST(ScreenPlan, RasterOrderKeepsTheNearestDepthInItsOwnAttachment) {
+    const Graph g = frameBy(Visibility::rasterOrder);
+    EXPECT_EQ(describe(g, compile(g, capabilitySet("mali").plan)),
+              "render pass 100x50\n"
+              "  depth  D32F  clear  -  transient\n"
+              "  colour  RGBA8 sRGB  clear  store\n"
+              "  nearest depth  R32F  clear  -  transient\n"
+              "  subpass 0 opaque prepass: depth write\n"
+              "  subpass 1 impostor colour: depth test, colour write, nearest depth ordered, occlusion atlas sample\n"
+              "  dependency 0 -> 1 by region\n"
+              "  tile 8 B/px + depth\n"
+              "memory: loaded 0 B, stored 20000 B\n");
+    // A device without it is a fault that names the pass.
+    EXPECT_THROW(compile(g, capabilitySet("powervr").plan), GraphError);
+}
+
 }  // namespace
 }  // namespace nacre::graph
