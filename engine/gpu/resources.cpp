@@ -52,6 +52,13 @@ Image makeImage(const Device& device, const graph::ImageDesc& desc, vk::ImageUsa
     return image;
 }
 
+vk::raii::BufferView makeTexelView(const Device& device, const Buffer& buffer, vk::Format format,
+                                   const std::string& name) {
+    vk::raii::BufferView view(*device, vk::BufferViewCreateInfo({}, *buffer.handle, format, 0, VK_WHOLE_SIZE));
+    device.name(*view, name + ", texels");
+    return view;
+}
+
 vk::raii::Sampler makeSampler(const Device& device, vk::Filter filter, const std::string& name) {
     constexpr auto kEdge = vk::SamplerAddressMode::eClampToEdge;
     vk::SamplerCreateInfo info({}, filter, filter, vk::SamplerMipmapMode::eNearest, kEdge, kEdge, kEdge);

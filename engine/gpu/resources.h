@@ -58,6 +58,10 @@ Buffer makeBuffer(const Device& device, std::span<const T> contents, vk::BufferU
     return buffer;
 }
 
+/// A buffer's contents as texels. @param buffer  outlives it, and has a texel buffer's usage
+vk::raii::BufferView makeTexelView(const Device& device, const Buffer& buffer, vk::Format format,
+                                   const std::string& name);
+
 struct Image {
     Memory memory;
     vk::raii::Image handle{nullptr};

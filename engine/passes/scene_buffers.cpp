@@ -45,12 +45,9 @@ SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r
     scene.pyramid = gpu::makeBuffer(device, std::span<const std::uint16_t>(indices),
                                     vk::BufferUsageFlagBits::eIndexBuffer, "pyramid indices");
     if (device.caps().tiles.texels) {
-        const auto view = [&](const gpu::Buffer& buffer, vk::Format format) {
-            return vk::raii::BufferView(*device,
-                                        vk::BufferViewCreateInfo({}, *buffer.handle, format, 0, VK_WHOLE_SIZE));
-        };
-        scene.shapeTexels = view(scene.shapes, vk::Format::eR32G32B32A32Sfloat);
-        scene.lookTexels = view(scene.looks, vk::Format::eR32Uint);
+        constexpr auto kShape = vk::Format::eR32G32B32A32Sfloat, kLook = vk::Format::eR32Uint;
+        scene.shapeTexels = gpu::makeTexelView(device, scene.shapes, kShape, "stream A: shapes");
+        scene.lookTexels = gpu::makeTexelView(device, scene.looks, kLook, "stream B: looks");
     }
     return scene;
 }

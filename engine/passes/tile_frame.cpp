@@ -85,8 +85,7 @@ void TileFrames::reserve(TileBuffer& b, std::size_t bytes, vk::BufferUsageFlags 
     b = {};
     b.buffer = gpu::makeBuffer(device_, room, usage, gpu::Access::upload, name);
     if (device_.caps().tiles.texels && format != vk::Format::eUndefined)
-        b.texels =
-            vk::raii::BufferView(*device_, vk::BufferViewCreateInfo({}, *b.buffer.handle, format, 0, VK_WHOLE_SIZE));
+        b.texels = gpu::makeTexelView(device_, b.buffer, format, name);
 }
 
 void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent image) const {

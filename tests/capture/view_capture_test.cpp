@@ -18,7 +18,7 @@ bool pressF12(XSession& session) {
 }
 
 TEST(ViewCapture, F12CapturesTheNextFrame) {
-    XSession session("sample:glucose --size 400x300 --capture");
+    XSession session("sample:glucose --size 400x300 --visibility encoded --capture");
     const WindowPicture before = session.picture();
     EXPECT_TRUE(pressF12(session));
     session.type("Escape");

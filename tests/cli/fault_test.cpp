@@ -18,9 +18,10 @@ protected:
                                {"VK_INSTANCE_LAYERS", "VK_LAYER_NACRE_faults"},
                                {"NACRE_FAULT", fault},
                                {"NACRE_FAULT_DATA", faultData ? "1" : "0"}};
-        return runMeasured({"render", "sample:glucose", "-o", folder_ / "out.png", "--layers", folder_ / "out.exr",
-                            "--stats", folder_ / "out.json", "--size", "64x64", "--occlusion", "2", "--validate"},
-                           options);
+        return runMeasured(
+            {"render", "sample:glucose", "-o", folder_ / "out.png", "--layers", folder_ / "out.exr", "--stats",
+             folder_ / "out.json", "--size", "64x64", "--occlusion", "2", "--visibility", "encoded", "--validate"},
+            options);
     }
     /// @returns the line
     std::string expectOneLine(const MeasuredRun& run) {
