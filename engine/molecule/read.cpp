@@ -12,6 +12,7 @@
 #include "engine/molecule/bonds/bonds.h"
 #include "engine/molecule/formats/decompress.h"
 #include "engine/molecule/formats/detect.h"
+#include "engine/molecule/formats/mmcif_model_texts.h"
 #include "engine/molecule/formats/readers.h"
 #include "engine/molecule/formats/text_encoding.h"
 #include "engine/molecule/overlay_models.h"
@@ -114,22 +115,63 @@ Molecule readModel(const std::string& name, const Content& content, const ReadOp
     return molecule;
 }
 
-/// Each reader reads one model and steps over the others, so that all of them take as many passes.
+/// The texts of the models of an mmCIF file, if there are as many as the reader found. Most readers step over models
+/// fast; the grammar of CIF does not.
+MmcifModelTexts textsOfModels(const Content& content, std::int64_t models) {
+    if (content.format != Format::mmcif || models < 2) return {};
+    MmcifModelTexts texts = mmcifModelTexts(content.bytes);
+    if (texts.models.size() != static_cast<std::size_t>(models)) texts.models.clear();
+    return texts;
+}
+
+/// The model of `options.model` from its own text. Nothing if that is otherwise than the cut has it, or if something is
+/// to be said of it, since the whole text knows the line.
+std::optional<Molecule> readCutModel(const std::string& name, const MmcifModelTexts& texts,
+                                     const ReadOptions& options) {
+    const std::string_view rows = texts.models[static_cast<std::size_t>(options.model - 1)];
+    ReadOptions first = options;
+    first.model = 1;
+    try {
+        const Content alone{std::string(texts.before).append(rows).append(texts.after), Format::mmcif};
+        Molecule molecule = readModel(name, alone, first);
+        if (molecule.file.models != 1 || !molecule.warnings.empty()) return std::nullopt;
+        for (Chain& chain : molecule.chains) chain.model = options.model;
+        return molecule;
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+void boundPasses(const std::string& name, std::int64_t passes, std::size_t bytes) {
+    if (static_cast<std::uint64_t>(passes) > kMostBytesOfPasses / std::max<std::size_t>(bytes, 1))
+        throw Error("cannot read molecule", name,
+                    "it has too many models for --model all: " + std::to_string(passes) + " times " +
+                        std::to_string(bytes) + " bytes are more than " + std::to_string(kMostBytesOfPasses));
+}
+
+/// Each reader reads one model and steps over the others, so that all of them take as many passes, unless the text of
+/// each can be cut out.
 Molecule readAllModels(const std::string& name, const Content& content, ReadOptions options) {
     options.model = 1;
     std::vector<Molecule> models;
     models.push_back(readModel(name, content, options));
     const FileSummary& file = models.front().file;
     const std::int64_t count = std::max(file.models.value_or(1), file.records.value_or(1));
-    if (static_cast<std::uint64_t>(count) > kMostBytesOfPasses / content.bytes.size())
-        throw Error("cannot read molecule", name,
-                    "it has too many models for --model all: " + std::to_string(count) + " times " +
-                        std::to_string(content.bytes.size()) + " bytes are more than " +
-                        std::to_string(kMostBytesOfPasses));
+    const MmcifModelTexts texts = textsOfModels(content, count);
+    bool cut = !texts.models.empty();
+    boundPasses(name, count, cut ? texts.before.size() + texts.after.size() : content.bytes.size());
     const std::size_t maxAtoms = options.maxAtoms;
     for (options.model = 2; options.model <= count; ++options.model) {
         if (models.back().atoms.size() > options.maxAtoms) throw tooManyAtoms(name + ", all models", maxAtoms);
         options.maxAtoms -= models.back().atoms.size();
+        if (cut) {
+            if (std::optional<Molecule> model = readCutModel(name, texts, options)) {
+                models.push_back(std::move(*model));
+                continue;
+            }
+            cut = false;  // a second time in vain would be twice the work
+            boundPasses(name, count, content.bytes.size());
+        }
         models.push_back(readModel(name, content, options));
     }
     return overlayModels(name, std::move(models), maxAtoms);

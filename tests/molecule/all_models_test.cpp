@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/formats/mmcif_model_texts.h"
 #include "engine/molecule/read.h"
 #include "engine/molecule/selection/selection.h"
 #include "tests/molecule/expect_error.h"
@@ -103,6 +104,68 @@ TEST(AllModels, ChooseConformersWithinEachModel) {
                              atom('A', "0.20") + atom('B', "0.80") + "ENDMDL\n";
     const Molecule all = readMolecule("two.pdb", text, model(kAllModels));
     EXPECT_EQ(drawnAtoms(all), (std::vector<std::uint32_t>{0, 3}));
+}
+
+constexpr const char* kHead =
+    "data_x\n#\n_struct.title 'two words'\n#\nloop_\n_atom_site.group_PDB\n_atom_site.label_atom_id\n"
+    "_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n_atom_site.pdbx_PDB_model_num\n";
+constexpr const char* kTail = "#\n_cell.length_a 1\n#\n";
+
+std::string rowsOf(const std::string& model, const std::string& x) {
+    return "ATOM \"O5'\" " + x + " 0 0 " + model + " \nATOM 'C 5'  " + x + " 1.2 0 " + model + "\n";
+}
+
+/// What the models of a text are cut into, joined by '|'.
+std::string cutOf(const std::string& text) {
+    const MmcifModelTexts texts = mmcifModelTexts(text);
+    std::string models;
+    for (const std::string_view rows : texts.models) models += std::string(rows) + "|";
+    return models;
+}
+
+TEST(ModelsOfMmcif, AreCutWhereTheirNumberChanges) {
+    const std::string first = rowsOf("3", "1"), second = rowsOf("8", "2");
+    const std::string text = kHead + first + second + kTail;
+    EXPECT_EQ(cutOf(text), first + "|" + second + "|");
+    const MmcifModelTexts texts = mmcifModelTexts(text);
+    EXPECT_EQ(texts.before, kHead);
+    EXPECT_EQ(texts.after, kTail);
+    EXPECT_EQ(cutOf(kHead + first + "ATOM C 1 2 3\n8\n"), "");  // a row of two lines
+    EXPECT_EQ(cutOf(kHead + first + ";C\n; 1 2 3 4 5\n"), "");
+    EXPECT_EQ(cutOf("data_x\n_atom_site.Cartn_x 1\n"), "");
+    EXPECT_EQ(cutOf("data_x\nloop_\n_atom_site.Cartn_x\n1\n"), "");
+    EXPECT_EQ(cutOf(""), "");
+}
+
+TEST(ModelsOfMmcif, AreTheSameHoweverTheFileIsWritten) {
+    const std::string first = rowsOf("3", "1"), second = rowsOf("8", "2"), third = rowsOf("9", "3");
+    const std::string usual = kHead + first + second + third + kTail;
+    // Models that take turns, rows over two lines, and what looks like the table in a text of several lines.
+    const std::string turns = kHead + first + second + third + first + kTail;
+    std::string broken = usual, quoted = usual;
+    broken.insert(broken.find("1.2 0 9"), "\n");
+    quoted.insert(7, "_x.y\n;\nloop_\n_atom_site.pdbx_PDB_model_num\n1\n2\n3\n;\n#\n");
+    for (const std::string& text : {usual, turns, broken, quoted}) {
+        const Molecule all = readMolecule("three.cif", text, model(kAllModels));
+        std::size_t atom = 0;
+        for (int number = 1; number <= 3; ++number) {
+            const Molecule one = readMolecule("three.cif", text, model(number));
+            ASSERT_LE(atom + one.atoms.size(), all.atoms.size());
+            for (const Atom& a : one.atoms) {
+                const Atom& b = all.atoms[atom++];
+                EXPECT_EQ(b.position, a.position);
+                EXPECT_EQ(b.name, a.name);
+                EXPECT_EQ(all.chains[all.residues[b.residue].chain].model, number);
+            }
+        }
+        EXPECT_EQ(atom, all.atoms.size()) << text;
+        EXPECT_EQ(all.file.models, 3);
+    }
+}
+
+TEST(ModelsOfMmcif, KeepTheirLinesInErrors) {
+    const std::string text = kHead + rowsOf("1", "1") + rowsOf("2", "far") + kTail;
+    test::expectError("two.cif", text, {"line 14", "Cartn_x of row 3", "'far'"}, model(kAllModels));
 }
 
 TEST(AllModels, ThatWouldTakeForeverAreRefused) {
