@@ -14,6 +14,7 @@
 #include "engine/molecule/read.h"
 #include "engine/molecule/selection/selection.h"
 #include "tests/support/test_data.h"
+#include "tests/support/written_files.h"
 
 namespace nacre {
 namespace {
@@ -41,8 +42,13 @@ std::size_t countOfGemmi(const std::string& path, const std::string& text) {
 class SameAsGemmi : public testing::TestWithParam<Pair> {};
 
 TEST_P(SameAsGemmi, InCount) {
-    NACRE_NEEDS_DATA();
-    const std::string path = test::dataFile(GetParam().file);
+    const bool written = std::string(GetParam().file).rfind("own/", 0) == 0;
+    if (written) {
+        NACRE_NEEDS_WRITTEN_FILES();
+    } else {
+        NACRE_NEEDS_DATA();
+    }
+    const std::string path = written ? test::writtenFile(GetParam().file) : test::dataFile(GetParam().file);
     const std::vector<bool> set = selectAtoms(readMoleculeFile(path), parseSelection(GetParam().ours));
     const std::size_t expected = countOfGemmi(path, GetParam().gemmis);
     EXPECT_GT(expected, 0u) << "the case shows nothing";
@@ -63,7 +69,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Pair{"1bcu-icode.pdb", "chain H and resi 60B-61", "//H/60.B-61.*"},
                     Pair{"1igy.pdb.gz", "chain B and resi 80-90", "//B/80.*-90.*"},
                     Pair{"1aon-groel.pdb.gz", "chain A+N and name CA and resn GLY+ALA", "//A,N/(GLY,ALA)/CA"},
-                    Pair{"nucleosome-1kx5.pdb.gz", "elem P and resi 1-20", "1-20/[P]"}));
+                    Pair{"nucleosome-1kx5.pdb.gz", "elem P and resi 1-20", "1-20/[P]"},
+                    Pair{"own/dna.pdb", "chain A", "//A"}, Pair{"own/dna.pdb", "not chain A", "//!A"},
+                    Pair{"own/dna.pdb", "resn DA+DT and name N*", "(DA,DT)/N1,N3,N6,N7,N9"},
+                    Pair{"own/dna.pdb", "chain B and resi 14-20", "//B/14-20"},
+                    Pair{"own/dna.pdb", "not elem C+N", "[!C,N]"},
+                    Pair{"own/dna.pdb", "elem P and resi 1-20", "1-20/[P]"}));
 
 }  // namespace
 }  // namespace nacre
