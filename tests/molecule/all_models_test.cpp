@@ -10,6 +10,7 @@
 #include "engine/molecule/selection/selection.h"
 #include "tests/molecule/expect_error.h"
 #include "tests/support/test_data.h"
+#include "tests/support/written_files.h"
 
 namespace nacre {
 namespace {
@@ -33,8 +34,13 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.file; }
 class AllModels : public testing::TestWithParam<Case> {};
 
 TEST_P(AllModels, AreTheModelsOneAfterTheOther) {
-    NACRE_NEEDS_DATA();
-    const std::string path = test::dataFile(GetParam().file);
+    const bool written = std::string(GetParam().file).rfind("several/", 0) == 0;
+    if (written) {
+        NACRE_NEEDS_WRITTEN_FILES();
+    } else {
+        NACRE_NEEDS_DATA();
+    }
+    const std::string path = written ? test::writtenFile(GetParam().file) : test::dataFile(GetParam().file);
     const Molecule all = readMoleculeFile(path, model(kAllModels));
     std::size_t atom = 0, bond = 0, residue = 0;
     for (int i = 1; i <= GetParam().models; ++i) {
@@ -82,8 +88,22 @@ INSTANTIATE_TEST_SUITE_P(Files, AllModels,
                          testing::Values(Case{"1l2y.pdb", 38}, Case{"1l2y.cif.gz", 38}, Case{"1l2y.bcif", 38},
                                          Case{"1msh-nmr30.mmtf", 30}, Case{"2koc-rna-nmr.cif.gz", 20},
                                          Case{"md-lysozyme-solvated.gro", 3}, Case{"small/dxc.pdbqt", 9},
-                                         Case{"small/ligs3d-multi.mol2", 10}, Case{"1crn.pdb", 1},
-                                         Case{"1en2.cif", 1}));
+                                         Case{"small/ligs3d-multi.mol2", 10}, Case{"1crn.pdb", 1}, Case{"1en2.cif", 1},
+                                         Case{"several/samples.pdb", 3}, Case{"several/samples.sdf", 3},
+                                         Case{"several/samples.mol2", 3}, Case{"several/samples.xyz", 3}));
+
+TEST(AllModels, OfTheSamplesAreTheSamples) {
+    NACRE_NEEDS_WRITTEN_FILES();
+    for (const char* file : {"several/samples.pdb", "several/samples.sdf", "several/samples.mol2"}) {
+        int number = 0;
+        for (const char* name : {"dna", "glucose", "buckyball"}) {
+            const Molecule one = readMoleculeFile(test::writtenFile(file), model(++number));
+            const Molecule sample = sampleMolecule(name);
+            EXPECT_EQ(one.atoms.size(), sample.atoms.size()) << file << ' ' << name;
+            EXPECT_EQ(one.bonds.size(), sample.bonds.size()) << file << ' ' << name;
+        }
+    }
+}
 
 TEST(AllModels, OfTwoFramesThatLieOnEachOtherAreNotBonded) {
     const std::string frame = "2\nframe\nC 0 0 0\nO 1.2 0 0\n";

@@ -153,6 +153,16 @@ TEST(PdbLines, ConectStatesBondsAndOrders) {
     EXPECT_EQ(bonds("CONECT    1                             2\n").size(), 0u);  // an old hydrogen bond
 }
 
+TEST(PdbLines, ConectInsideAModelIsThatModelsAlone) {
+    const std::string first = "MODEL        1\n" + kCarbon + kOxygen + "ENDMDL\n";
+    const std::string second = "MODEL        2\n" + kCarbon + kOxygen + "CONECT    1    2    2\nENDMDL\n";
+    EXPECT_EQ(readText(first + second).bonds.size(), 0u);
+    EXPECT_EQ(readText(second + first).bonds.size(), 1u);
+    // After all models it is everyone's, and so where the last model has no end.
+    EXPECT_EQ(readText(first + first + "CONECT    1    2\n").bonds.size(), 1u);
+    EXPECT_EQ(readText(first + "MODEL        2\n" + kCarbon + kOxygen + "CONECT    1    2\n").bonds.size(), 1u);
+}
+
 TEST(PdbLines, ConectThatLeadsNowhereIsOneWarning) {
     std::string text = kCarbon + kOxygen;
     for (int i = 0; i < 1000; ++i) text += "CONECT    1  999\nCONECT   xx    1\n";

@@ -2,10 +2,10 @@
 # Usage: write_files.sh WRITE_SAMPLES FOLDER
 # Makes FOLDER: the built-in samples as WRITE_SAMPLES writes them (own/), and as Open Babel, gemmi and RDKit write what
 # they read of that (obabel/, gemmi/, rdkit/). Each is NAME.FORMAT, with NAME the sample's; _v3000.sdf tells the two
-# versions of SDF apart, _core.cif the CIF of small molecules.
+# versions of SDF apart, _core.cif the CIF of small molecules. several/ has all of them in one file.
 set -euo pipefail
 rm -rf "$2"
-mkdir -p "$2"/{own,obabel,gemmi,rdkit}
+mkdir -p "$2"/{own,obabel,gemmi,rdkit,several}
 "$1" "$2/own"
 cd "$2"
 quietly() { "$@" >log 2>&1 || { cat log >&2; exit 1; }; }
@@ -24,6 +24,10 @@ for name in dna glucose buckyball; do
     quietly gemmi convert gemmi/$name.cif gemmi/$name.pdb
     rm own/${name}_core.pdb
     gzip --no-name <gemmi/$name.cif >gemmi/$name.cif.gz
+done
+# All three one after the other, as models, frames or records.
+for format in pdb sdf mol2 xyz; do
+    quietly obabel own/{dna,glucose,buckyball}.pdb -O several/samples.$format
 done
 # Debian's Python, which has Debian's RDKit, whatever else there is.
 quietly /usr/bin/python3 - <<'END'

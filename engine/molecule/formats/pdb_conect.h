@@ -1,6 +1,7 @@
 #pragma once
 // CONECT records: gathered while the file is scanned, resolved when all atoms are known.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -17,6 +18,10 @@ public:
     explicit ConectTable(std::size_t maxAtoms) : mostPairs_(kPairsPerAtom * maxAtoms + kFewPairs) {}
 
     void add(std::string_view line, std::uint64_t lineNumber);
+
+    /// For records that turn out to be of no concern: what was gathered so far, and back to it.
+    std::size_t size() const { return pairs_.size(); }
+    void shrink(std::size_t size) { pairs_.resize(std::min(size, pairs_.size())); }
 
     /// Adds the stated bonds, sets FileSummary::conectUniquePairs and warns of what was ignored.
     /// @param serials  of the molecule's atoms, in order; negative where an atom has none that can be read

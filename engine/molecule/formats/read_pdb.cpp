@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -93,7 +94,12 @@ private:
         } else if (startsWith(line, "MODEL ") || line == "MODEL") {
             sawModelRecord_ = true;
             endModel();
+            conectBefore_ = conect_.size();
         } else if (startsWith(line, "ENDMDL")) {
+            // Some programs number each model's atoms from 1 and state its bonds inside it: they are that model's
+            // alone.
+            if (conectBefore_ && modelInProgress() != wanted_) conect_.shrink(*conectBefore_);
+            conectBefore_.reset();
             endModel();
         } else if (startsWith(line, "END") && trim(line) == "END") {
             if (!sawModelRecord_) endModel();  // files of several structures in a row
@@ -268,6 +274,7 @@ private:
     std::array<int, 256> chainIndex_{};
     std::string_view latestResidue_;
     bool sawModelRecord_ = false;
+    std::optional<std::size_t> conectBefore_;  ///< of conect_, where the model that is open began
     int models_ = 0;
     std::int64_t atomsInModel_ = 0;
     std::int64_t totalAtoms_ = 0;
