@@ -102,7 +102,8 @@ void renderCommand(const RenderOptions& options) {
     Progress progress;
 
     progress.begin("reading");
-    const Molecule molecule = loadMolecule(options.input, downloadProgress(progress));
+    const Molecule molecule =
+        loadMolecule(options.input, downloadProgress(progress), [&](double share) { progress.advance(share); });
     run.atomsRead = molecule.atoms.size();
     run.bondsKnown = molecule.bonds.size();
     run.loadMs = millisecondsSince(start);

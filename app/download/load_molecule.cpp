@@ -15,10 +15,12 @@ std::uint64_t memoryOf(const InputOptions& input) {
     return input.memoryMegabytes ? static_cast<std::uint64_t>(*input.memoryMegabytes) << 20 : memoryShare(2);
 }
 
-Molecule loadDownload(const InputOptions& input, const DatabaseId& id, const std::function<void(double)>& onDownload) {
+Molecule loadDownload(const InputOptions& input, const DatabaseId& id, const std::function<void(double)>& onDownload,
+                      const std::function<void(double)>& onModel) {
     if (input.format) throw Error("cannot download", input.path, "a download takes no --format");
     ReadOptions options = readWithin(memoryOf(input));
     options.model = input.model;
+    options.onModel = onModel;
     const bool forbidden = !input.namedBy.empty() && !input.allowDownload;
     DownloadSettings settings;
     settings.cacheFolder = cacheFolder(input.cache, "downloads");
@@ -35,11 +37,11 @@ Molecule loadDownload(const InputOptions& input, const DatabaseId& id, const std
 }
 
 /// A file that a view names.
-Molecule loadNamed(InputOptions input) {
+Molecule loadNamed(InputOptions input, const std::function<void(double)>& onModel) {
     if (const std::string notice = outsideNotice(input); !notice.empty()) sayNote(notice);
     input.path = filePathOf(input);
     try {
-        return readLocally(input, memoryOf(input));
+        return readLocally(input, memoryOf(input), {}, onModel);
     } catch (const Error&) {
         throw Error("cannot read molecule", input.path,
                     "it is missing, or not what " + input.namedBy + " says it is (nacre info tells why)");
@@ -48,9 +50,10 @@ Molecule loadNamed(InputOptions input) {
 
 }  // namespace
 
-Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload) {
-    if (const auto id = parseDatabaseId(input.path)) return loadDownload(input, *id, onDownload);
-    return input.namedBy.empty() ? readLocally(input, memoryOf(input)) : loadNamed(input);
+Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload,
+                      const std::function<void(double)>& onModel) {
+    if (const auto id = parseDatabaseId(input.path)) return loadDownload(input, *id, onDownload, onModel);
+    return input.namedBy.empty() ? readLocally(input, memoryOf(input), {}, onModel) : loadNamed(input, onModel);
 }
 
 }  // namespace nacre::app

@@ -12,7 +12,9 @@ namespace nacre::app {
 /// the view's folder is told on standard error before it is opened; and why a file does not read as a molecule is not
 /// said, since that would quote it.
 /// @param onDownload  called as a download's bytes arrive, with the share that is there, 0..1
+/// @param onModel  called after each model of `--model all` with the share that is read, 0..1
 /// @throws Error
-Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload = {});
+Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload = {},
+                      const std::function<void(double)>& onModel = {});
 
 }  // namespace nacre::app

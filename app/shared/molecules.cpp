@@ -22,7 +22,8 @@ std::uint64_t memoryShare(unsigned parts) {
 }
 
 Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
-                     const std::function<std::string(const std::string&)>& readFile) {
+                     const std::function<std::string(const std::string&)>& readFile,
+                     const std::function<void(double)>& onModel) {
     if (input.path.starts_with(kSample)) {
         if (input.format) throw Error("cannot read molecule", input.path, "a sample takes no --format");
         if (input.model != 1 && input.model != kAllModels)
@@ -32,6 +33,7 @@ Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
     ReadOptions options = readWithin(bytes);
     options.format = input.format;
     options.model = input.model;
+    options.onModel = onModel;
     return readFile ? readMolecule(input.path, readFile(input.path), options) : readMoleculeFile(input.path, options);
 }
 

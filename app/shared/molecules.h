@@ -17,9 +17,11 @@ std::uint64_t memoryShare(unsigned parts);
 /// Reads a sample, a file or standard input, whatever else `input.path` looks like.
 /// @param bytes     what the molecule may take
 /// @param readFile  gives a file's bytes, where a path alone does not open it
+/// @param onModel   of all models of a file: called after each with the share that is read, 0..1
 /// @throws Error
 Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
-                     const std::function<std::string(const std::string&)>& readFile = {});
+                     const std::function<std::string(const std::string&)>& readFile = {},
+                     const std::function<void(double)>& onModel = {});
 
 /// What is drawn of a molecule, in its style and colours. @throws Error if that is nothing
 Representation sceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawn,

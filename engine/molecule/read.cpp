@@ -161,18 +161,24 @@ Molecule readAllModels(const std::string& name, const Content& content, ReadOpti
     bool cut = !texts.models.empty();
     boundPasses(name, count, cut ? texts.before.size() + texts.after.size() : content.bytes.size());
     const std::size_t maxAtoms = options.maxAtoms;
+    const auto tell = [&] {
+        if (options.onModel) options.onModel(static_cast<double>(models.size()) / static_cast<double>(count));
+    };
+    tell();
     for (options.model = 2; options.model <= count; ++options.model) {
         if (models.back().atoms.size() > options.maxAtoms) throw tooManyAtoms(name + ", all models", maxAtoms);
         options.maxAtoms -= models.back().atoms.size();
         if (cut) {
             if (std::optional<Molecule> model = readCutModel(name, texts, options)) {
                 models.push_back(std::move(*model));
+                tell();
                 continue;
             }
             cut = false;  // a second time in vain would be twice the work
             boundPasses(name, count, content.bytes.size());
         }
         models.push_back(readModel(name, content, options));
+        tell();
     }
     return overlayModels(name, std::move(models), maxAtoms);
 }

@@ -3,6 +3,7 @@
 // Must also compile as C++17.
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +25,7 @@ struct ReadOptions {
     int model = 1;                                ///< 1-based model, frame or record, or kAllModels
     std::size_t maxBytes = std::size_t{1} << 31;  ///< largest text accepted, after inflation
     std::size_t maxAtoms = kMaxAtoms;             ///< of the model that is read; reading ends at one more
+    std::function<void(double)> onModel = {};     ///< of kAllModels: called after each with the share read, 0..1
 };
 
 /// Name of a format as `--format` takes it, one of formatNames(); empty if there is none such.

@@ -183,6 +183,19 @@ TEST(ModelsOfMmcif, AreTheSameHoweverTheFileIsWritten) {
     }
 }
 
+TEST(AllModels, AreToldAsTheyAreRead) {
+    const std::string mmcif = kHead + rowsOf("1", "1") + rowsOf("2", "2") + rowsOf("3", "3") + rowsOf("4", "4") + kTail;
+    const std::string frame = "1\n\nHe 0 0 0\n";
+    for (const auto& [name, text] :
+         {std::pair("four.cif", mmcif), std::pair("four.xyz", frame + frame + frame + frame)}) {
+        std::vector<double> shares;
+        ReadOptions options = model(kAllModels);
+        options.onModel = [&](double share) { shares.push_back(share); };
+        readMolecule(name, text, options);
+        EXPECT_EQ(shares, (std::vector{0.25, 0.5, 0.75, 1.0})) << name;
+    }
+}
+
 TEST(ModelsOfMmcif, KeepTheirLinesInErrors) {
     const std::string text = kHead + rowsOf("1", "1") + rowsOf("2", "far") + kTail;
     test::expectError("two.cif", text, {"line 14", "Cartn_x of row 3", "'far'"}, model(kAllModels));
