@@ -46,8 +46,6 @@ double processorMs() { return static_cast<double>(std::clock()) * 1e3 / CLOCKS_P
 /// The engine's device with one molecule on it, made when first asked for: those that are filtered out cost nothing.
 struct Stage {
     gpu::Device device{DeviceOptions{}};
-    passes::Geometry geometry{device};
-    passes::OcclusionPipelines pipelines{device};
     gpu::Executor executor{device};
     Representation scene;
     passes::SceneBuffers buffers;
@@ -59,11 +57,11 @@ struct Stage {
         buffers = passes::makeSceneBuffers(device, scene);
     }
     OcclusionMaps deviceMaps() const { return device.caps().software ? OcclusionMaps::splat : OcclusionMaps::encoded; }
-    std::unique_ptr<passes::OcclusionBake> bake(int directions, OcclusionMaps maps) {
-        const passes::OcclusionOptions options{directions, 64ull << 20, maps};
-        return std::make_unique<passes::OcclusionBake>(device, geometry, pipelines, buffers, scene, options);
+    std::unique_ptr<occlusion::Bake> bake(int directions, OcclusionMaps maps) {
+        const occlusion::BakeOptions options{directions, 64ull << 20, maps};
+        return std::make_unique<occlusion::Bake>(device, buffers, scene, options);
     }
-    test::OcclusionFloor floor(const passes::OcclusionBake& bake) const {
+    test::OcclusionFloor floor(const occlusion::Bake& bake) const {
         const std::uint64_t pixels = bake.maps().pixels(), perBatch = bake.maps().perBatch();
         return {device, 4 * pixels * pixels * perBatch, static_cast<std::uint32_t>(perBatch), bake.texels()};
     }
@@ -77,7 +75,7 @@ Stage& stageOf(const Subject& subject) {
 }
 
 /// Milliseconds of the floor under a bake, the best of five.
-double floorOf(Stage& stage, const passes::OcclusionBake& bake) {
+double floorOf(Stage& stage, const occlusion::Bake& bake) {
     if (stage.floorMs > 0) return stage.floorMs;
     const test::OcclusionFloor floor = stage.floor(bake);
     for (int i = 0; i < 5; ++i) {
@@ -134,8 +132,7 @@ struct Batch {
         all.resize(kMaps);
         return all;
     }();
-    passes::DepthMaps splats{stage.device, stage.geometry,       stage.pipelines, stage.buffers,
-                             stage.scene,  OcclusionMaps::splat, 32u << 20};
+    occlusion::DepthMaps splats{stage.device, stage.buffers, stage.scene, OcclusionMaps::splat, 32u << 20};
     test::BatchMaps ways{stage.scene, frames, splats.pixels()};
 
     Batch() {
@@ -163,7 +160,7 @@ void splatBatch(benchmark::State& state) {
     for (auto _ : state) {
         graph::Graph g("batch of splats");
         gpu::Imports imports;
-        g.output(batch.splats.declare(g, imports, batch.frames, passes::DepthMaps::kMostPerBatch));
+        g.output(batch.splats.declare(g, imports, batch.frames, occlusion::DepthMaps::kMostPerBatch));
         const graph::Plan plan = graph::compile(g, stage.device.caps().plan);
         stage.device.submitAndWait(
             [&](const vk::raii::CommandBuffer& c) { stage.executor.record(c, g, plan, imports); });
