@@ -11,6 +11,7 @@
 #include <dlfcn.h>
 
 #include <filesystem>
+#include <mutex>
 #endif
 
 namespace nacre::app {
@@ -36,7 +37,9 @@ std::vector<std::string> moduleNames() {
 }
 
 WriteImage* codec(const OutputFile& file) {
+    static std::mutex turn;
     static WriteImage* loaded = nullptr;
+    const std::lock_guard lock(turn);
     std::string why = "the program's folder is not known";
     for (const std::string& name : moduleNames()) {
         if (loaded) break;

@@ -12,6 +12,8 @@
 #include <cstring>
 #include <ctime>
 #include <filesystem>
+#include <mutex>
+#include <set>
 #include <stdexcept>
 
 #include "engine/error.h"
@@ -32,8 +34,9 @@ constexpr const char* kDiskFull = "the data could not be written (is the disk fu
 
 // Temporary names of files that are open, for the signal handler: plain memory, since it may call next to nothing.
 // More than fit are written just the same; only an interrupted run would leave them behind.
-constexpr std::size_t kMostRemembered = 8;
+constexpr std::size_t kMostRemembered = 32;
 std::array<std::array<char, 4096>, kMostRemembered> unfinished{};
+std::mutex unfinishedTurn;  // of those that write to it; the handler only reads
 
 extern "C" void removeUnfinished(int signal) {
     for (const auto& name : unfinished)
@@ -46,6 +49,7 @@ void remember(const std::string& temporary) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
         if (std::signal(signal, removeUnfinished) == SIG_IGN) std::signal(signal, SIG_IGN);  // as under nohup
     std::signal(SIGXFSZ, SIG_IGN);  // over a limit on file sizes, writing fails like on a full disk
+    const std::lock_guard turn(unfinishedTurn);
     for (auto& name : unfinished)
         if (name[0] == '\0' && temporary.size() < name.size()) {
             std::memcpy(name.data(), temporary.c_str(), temporary.size() + 1);
@@ -54,6 +58,7 @@ void remember(const std::string& temporary) {
 }
 
 void forget(const std::string& temporary) {
+    const std::lock_guard turn(unfinishedTurn);
     for (auto& name : unfinished)
         if (temporary == name.data()) name[0] = '\0';
 }
@@ -66,8 +71,19 @@ bool isTemporaryName(std::string_view name) {
            (rest.empty() || rest[0] == '.' || rest == kCapture);
 }
 
+/// Whether a folder is met for the first time. A run that writes many files into one would read it through for each.
+bool isNew(const std::string& folder) {
+    constexpr std::size_t kMost = 4096;
+    static std::mutex turn;
+    static std::set<std::string> met;
+    const std::lock_guard lock(turn);
+    if (met.size() == kMost) met.clear();
+    return met.insert(folder).second;
+}
+
 /// Removes what processes that are gone have left in a folder: files of ours, old, that nobody has locked.
 void sweep(const std::string& folder) {
+    if (!isNew(folder)) return;
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? "." : folder, error)) {
         const std::string path = entry.path().string();

@@ -78,7 +78,7 @@ TEST(OutputFile, SweepsWhatCrashesLeftAndNothingElse) {
                                   ".nacre-0123456789abcdef-notes"};
     for (const char* name : left) put(folder / name);
     for (const char* name : others) put(folder / name);
-    OutputFile inUse(folder / "b.png");
+    OutputFile inUse(folder / "./b.png");         // by another name: the folder itself is read through once a run
     put(folder / ".nacre-fedcba9876543210.png");  // just now
     for (const char* name : left) fs::last_write_time(folder / name, old);
     for (const char* name : others) fs::last_write_time(folder / name, old);

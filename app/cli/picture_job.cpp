@@ -1,0 +1,138 @@
+#include "app/cli/picture_job.h"
+
+#include <unistd.h>
+
+#include <utility>
+#include <vector>
+
+#include "app/download/load_molecule.h"
+#include "app/shared/cache_folder.h"
+#include "app/shared/capture_file.h"
+#include "app/shared/image_file.h"
+#include "app/shared/messages.h"
+#include "app/shared/molecules.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+RenderSettings settingsOf(const RenderOptions& options, const Representation& scene) {
+    RenderSettings settings;
+    settings.view = viewOf(options.camera, scene.radius, options.size.width, options.size.height);
+    settings.supersample = options.supersample;
+    settings.background = options.background;
+    settings.lighting = options.lighting;
+    settings.occlusion.directions = options.occlusion.directions;
+    settings.occlusion.bytes = options.occlusion.bytes();
+    settings.tuning = options.tuning;
+    settings.debug = options.debug;
+    // What is captured is to be seen: the bake, too, is done then.
+    if (options.capture.empty()) settings.occlusion.cache = cacheFolder(options.input.cache, "occlusion");
+    return settings;
+}
+
+/// Patches so small that an atom shows hardly more than one shade.
+bool isCoarse(const OcclusionStats& occlusion) { return occlusion.directions > 0 && occlusion.patchTexels < 8; }
+
+/// What the memory budget led to.
+void sayOcclusion(const OcclusionStats& occlusion, const RenderSettings& settings) {
+    const std::string patch = std::to_string(occlusion.patchTexels);
+    std::string text = "ambient occlusion: " +
+                       (occlusion.patchTexels == 1 ? "one value an atom" : patch + " x " + patch + " texels an atom");
+    if (!occlusion.cached) text += ", depth maps of " + std::to_string(occlusion.mapPixels) + " pixels";
+    sayNote(text + ", " + std::to_string(occlusion.bytes >> 20) + " of " +
+            std::to_string(settings.occlusion.bytes >> 20) + " MB");
+}
+
+/// Draws the picture once more, by shaders that count.
+std::vector<PassCount> countFragments(Renderer& renderer, RenderSettings settings) {
+    settings.tuning.countFragments = true;
+    settings.debug = DebugView::none;
+    renderer.render(settings);
+    return renderer.stats().passes;
+}
+
+void checkValidation(const Renderer& renderer) {
+    const std::vector<std::string>& messages = renderer.validationMessages();
+    if (messages.empty()) return;
+    throw Error("Vulkan validation", renderer.stats().device.name,
+                std::to_string(messages.size()) + " messages, the first: " + messages.front());
+}
+
+}  // namespace
+
+PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& options) {
+    const Clock::time_point start = Clock::now();
+    PreparedPicture prepared;
+    prepared.scene = sceneOf(molecule, options.input.path, options.drawn, options.look);
+    prepared.settings = settingsOf(options, prepared.scene);
+    RunStats& run = prepared.run;
+    run.atomsRead = molecule.atoms.size();
+    run.bondsKnown = molecule.bonds.size();
+    run.center = prepared.scene.center;
+    run.atomsDrawn = prepared.scene.drawnAtoms;
+    run.bondsDrawn = prepared.scene.drawnBonds;
+    run.legends = prepared.scene.legends;
+    run.warnings = molecule.warnings;
+    run.warnings.insert(run.warnings.end(), prepared.scene.warnings.begin(), prepared.scene.warnings.end());
+    run.sceneMs = millisecondsSince(start);
+    return prepared;
+}
+
+PictureJob::PictureJob(const RenderOptions& options, Progress& progress)
+    : options_(options), progress_(progress), pictureFile_(options.output, ".png") {
+    if (!options.layers.empty()) layersFile_.emplace(options.layers, ".exr");
+    if (!options.stats.empty()) statsFile_.emplace(options.stats, ".json");
+    if (!options.capture.empty()) captureFile_.emplace(options.capture, ".rdc");
+}
+
+void PictureJob::prepare() {
+    progress_.begin("reading");
+    const Molecule molecule =
+        loadMolecule(options_.input, downloadProgress(progress_), [&](double share) { progress_.advance(share); });
+    const double loadMs = millisecondsSince(start_);
+    progress_.begin("building the scene");
+    prepared_ = preparePicture(molecule, options_);
+    prepared_.run.loadMs = loadMs;
+    prepared_.settings.occlusion.onProgress = [&](double share) { progress_.advance(share); };
+    for (const std::string& warning : prepared_.scene.warnings) sayWarning(warning);
+}
+
+/// The picture, captured with its bake if a file is given or RenderDoc started this program.
+Picture PictureJob::drawPicture(Renderer& renderer) {
+    if (!captureFile_ && !renderer.startedByRenderDoc()) return renderer.render(prepared_.settings);
+    renderer.beginCapture(captureFile_ ? captureStem(*captureFile_) : "");
+    Picture picture = renderer.render(prepared_.settings);
+    const std::string written = renderer.endCapture();
+    if (captureFile_)
+        keepCapture(written, *captureFile_);
+    else
+        sayNote("captured to " + written);
+    return picture;
+}
+
+void PictureJob::draw(Renderer& renderer) {
+    const RenderSettings& settings = prepared_.settings;
+    renderer.setScene(std::move(prepared_.scene));
+    progress_.begin(settings.occlusion.directions ? "ambient occlusion" : "drawing");
+    picture_ = drawPicture(renderer);
+    prepared_.run.firstPictureMs = millisecondsSince(start_);
+    frame_ = renderer.stats();  // of this picture, before the frames that follow add theirs
+    if (options_.occlusion.megabytes || (isatty(STDERR_FILENO) && isCoarse(frame_.occlusion)))
+        sayOcclusion(frame_.occlusion, settings);
+    if (layersFile_) layers_ = renderer.layers(settings);
+    if (statsFile_) frame_.passes = countFragments(renderer, settings);
+    checkValidation(renderer);
+}
+
+void PictureJob::write() {
+    progress_.begin("writing");
+    if (layersFile_) writeLayers(*layersFile_, *layers_);
+    layers_.reset();
+    writePicture(pictureFile_, picture_, options_.background[3] < 1.0f);
+    if (!statsFile_) return;
+    prepared_.run.totalMs = millisecondsSince(start_);
+    writeText(*statsFile_, statsJson(prepared_.run, prepared_.settings.view, frame_));
+}
+
+}  // namespace nacre::app

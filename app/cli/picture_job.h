@@ -1,0 +1,54 @@
+#pragma once
+// One picture as `nacre render` makes it, in steps that others may share, or run beside the steps of other pictures.
+
+#include <optional>
+#include <string>
+
+#include "app/cli/options.h"
+#include "app/cli/progress.h"
+#include "app/cli/stats.h"
+#include "app/shared/output_file.h"
+#include "engine/milliseconds.h"
+#include "engine/renderer.h"
+
+namespace nacre::app {
+
+/// A molecule as the options want it drawn: all that a renderer needs.
+struct PreparedPicture {
+    Representation scene;
+    RenderSettings settings;
+    RunStats run;  ///< as far as it is known by then
+};
+
+/// Needs no device. @throws Error if nothing of the molecule is drawn
+PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& options);
+
+/// Makes the files that a picture's options ask for. Its steps are called in this order, each on whatever thread.
+class PictureJob {
+public:
+    /// Makes the files at once, so that a folder that cannot be written to is refused before any work.
+    /// @param options, progress  outlive this @throws Error
+    PictureJob(const RenderOptions& options, Progress& progress);
+
+    /// Reads the molecule and builds its scene. @throws Error
+    void prepare();
+    /// Draws all that is asked for: the device's only step. @throws Error
+    void draw(Renderer& renderer);
+    /// Puts the files in their places. @throws Error
+    void write();
+
+private:
+    Picture drawPicture(Renderer& renderer);
+
+    const RenderOptions& options_;
+    Progress& progress_;
+    Clock::time_point start_ = Clock::now();
+    OutputFile pictureFile_;
+    std::optional<OutputFile> layersFile_, statsFile_, captureFile_;
+    PreparedPicture prepared_;
+    Picture picture_;
+    std::optional<LayerPicture> layers_;
+    FrameStats frame_;
+};
+
+}  // namespace nacre::app
