@@ -7,8 +7,10 @@
 namespace nacre {
 namespace {
 
+enum class SummaryKind { aminoAcid, nucleotide, water, ion, ligand };
+
 struct NamedKind {
-    ResidueKind kind;
+    SummaryKind kind;
     char letter;  ///< upper case; 'X' where none is known
 };
 
@@ -34,26 +36,24 @@ bool hasAtom(const Molecule& molecule, const Residue& residue, std::string_view 
 
 NamedKind kindOf(const Molecule& molecule, const Residue& residue) {
     const std::string_view name = residue.name.view();
-    if (isWater(residue.name)) return {ResidueKind::water, 'X'};
-    if (const char letter = protonationState(name)) return {ResidueKind::aminoAcid, letter};
+    if (isWater(residue.name)) return {SummaryKind::water, 'X'};
+    if (const char letter = protonationState(name)) return {SummaryKind::aminoAcid, letter};
     const gemmi::ResidueInfo known = gemmi::find_tabulated_residue(std::string(name));
     const char code = known.one_letter_code;
     const char letter = code >= 'a' && code <= 'z' ? static_cast<char>(code - 'a' + 'A') : code == ' ' ? 'X' : code;
-    if (known.is_water()) return {ResidueKind::water, 'X'};
-    if (known.is_amino_acid()) return {ResidueKind::aminoAcid, letter};
-    if (known.is_nucleic_acid()) return {ResidueKind::nucleotide, letter};
+    if (known.is_water()) return {SummaryKind::water, 'X'};
+    if (known.is_amino_acid()) return {SummaryKind::aminoAcid, letter};
+    if (known.is_nucleic_acid()) return {SummaryKind::nucleotide, letter};
     const bool polymer = known.kind == gemmi::ResidueInfo::UNKNOWN && !molecule.atoms[residue.firstAtom].hetero;
     if (polymer && hasAtom(molecule, residue, "CA") && hasAtom(molecule, residue, "N") &&
         hasAtom(molecule, residue, "C"))
-        return {ResidueKind::aminoAcid, 'X'};
+        return {SummaryKind::aminoAcid, 'X'};
     if (polymer && hasAtom(molecule, residue, "C4'") && hasAtom(molecule, residue, "O3'"))
-        return {ResidueKind::nucleotide, 'X'};
-    return {residue.atomCount == 1 ? ResidueKind::ion : ResidueKind::ligand, 'X'};
+        return {SummaryKind::nucleotide, 'X'};
+    return {residue.atomCount == 1 ? SummaryKind::ion : SummaryKind::ligand, 'X'};
 }
 
 }  // namespace
-
-ResidueKind residueKind(const Molecule& molecule, const Residue& residue) { return kindOf(molecule, residue).kind; }
 
 std::vector<ChainSummary> summariseChains(const Molecule& molecule) {
     std::vector<ChainSummary> chains(molecule.chains.size());
@@ -63,17 +63,17 @@ std::vector<ChainSummary> summariseChains(const Molecule& molecule) {
         const bool alternates = before && before->chain == residue.chain && before->number == residue.number &&
                                 before->insertionCode == residue.insertionCode;
         const NamedKind named = kindOf(molecule, residue);
-        const bool polymer = named.kind == ResidueKind::aminoAcid || named.kind == ResidueKind::nucleotide;
+        const bool polymer = named.kind == SummaryKind::aminoAcid || named.kind == SummaryKind::nucleotide;
         before = &residue;
         if (alternates && polymer) continue;
         ChainSummary& chain = chains[residue.chain];
         if (polymer) chain.sequence += named.letter;
-        chain.aminoAcids += named.kind == ResidueKind::aminoAcid;
-        chain.nucleotides += named.kind == ResidueKind::nucleotide;
-        chain.waters += named.kind == ResidueKind::water;
+        chain.aminoAcids += named.kind == SummaryKind::aminoAcid;
+        chain.nucleotides += named.kind == SummaryKind::nucleotide;
+        chain.waters += named.kind == SummaryKind::water;
         const std::string name(residue.name.view());
-        if (named.kind == ResidueKind::ligand) ++chain.ligands[name];
-        if (named.kind == ResidueKind::ion) ++chain.ions[name];
+        if (named.kind == SummaryKind::ligand) ++chain.ligands[name];
+        if (named.kind == SummaryKind::ion) ++chain.ions[name];
     }
     return chains;
 }

@@ -9,12 +9,6 @@
 
 namespace nacre {
 
-enum class ResidueKind { aminoAcid, nucleotide, water, ion, ligand };
-
-/// By the residue's name (gemmi's table, and the names of protonation states); a residue that no table knows counts as
-/// part of a polymer if it has a polymer's backbone and is no HETATM. One atom alone is an ion.
-ResidueKind residueKind(const Molecule& molecule, const Residue& residue);
-
 struct ChainSummary {
     std::string name;
     std::string sequence;                         ///< one letter a residue; a modified one as its parent, else X
@@ -24,7 +18,10 @@ struct ChainSummary {
     std::map<std::string, std::size_t> ions;
 };
 
-/// One for each of Molecule::chains, in their order. A position where residues alternate counts once, with its first.
+/// One for each of Molecule::chains, in their order. What a residue is goes by its name (gemmi's table, and the names
+/// of protonation states); one that no table knows counts as part of a polymer if it has a polymer's backbone and is no
+/// HETATM, and one atom alone is an ion: bonds, which residue_kind.h asks, need not be known. A position where residues
+/// alternate counts once, with its first.
 std::vector<ChainSummary> summariseChains(const Molecule& molecule);
 
 }  // namespace nacre

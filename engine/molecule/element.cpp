@@ -2,21 +2,21 @@
 
 #include <gemmi/elem.hpp>
 
+#include "engine/molecule/text.h"
+
 namespace nacre {
 namespace {
 
 /// Elements come from files; whatever lies outside the table counts as unknown.
 gemmi::El known(Element element) { return static_cast<gemmi::El>(element <= 119 ? element : 0); }
 
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-
 }  // namespace
 
 Element elementFromSymbol(std::string_view symbol) {
     if (symbol.empty() || symbol.size() > 2) return 0;
     // gemmi's own look-up masks bits and so takes "C1" for "C"; compare letters instead.
-    const char first = upper(symbol[0]);
-    const char second = symbol.size() == 2 ? upper(symbol[1]) : '\0';
+    const char first = upperCase(symbol[0]);
+    const char second = symbol.size() == 2 ? upperCase(symbol[1]) : '\0';
     for (int number = 1; number <= 119; ++number) {
         const char* name = gemmi::element_uppercase_name(static_cast<gemmi::El>(number));
         if (name[0] == first && name[1] == second) return static_cast<Element>(number);

@@ -9,7 +9,7 @@
 namespace nacre {
 namespace {
 
-constexpr std::uint32_t kLeafSize = 8;
+constexpr std::uint32_t kAtomsOfLeaf = 8;
 
 /// Boxes about halves of halves of the points. A grid would do for small distances, but its cells fill up when the
 /// distance is large or when one atom lies far away.
@@ -58,7 +58,7 @@ private:
             high = glm::max(high, points_[i]);
         }
         nodes_.push_back({low, high, begin, end, 0});
-        if (end - begin <= kLeafSize) return index;
+        if (end - begin <= kAtomsOfLeaf) return index;
         const glm::vec3 size = high - low;
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
         const std::uint32_t middle = begin + (end - begin) / 2;

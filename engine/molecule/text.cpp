@@ -9,8 +9,6 @@ namespace nacre {
 
 namespace {
 
-bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
 template <typename Number>
 std::optional<Number> parseWhole(std::string_view text) {
     if (!text.empty() && text.front() == '+') {

@@ -10,6 +10,12 @@
 
 namespace nacre {
 
+/// Letters and capitals of ASCII, whatever the locale.
+inline bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+inline char upperCase(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+/// Whether isspace() of the C locale holds.
+inline bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+/// Without blanks at both ends.
 std::string_view trim(std::string_view text);
 std::string lowerCase(std::string_view text);
 bool startsWith(std::string_view text, std::string_view start);

@@ -7,10 +7,10 @@
 namespace nacre::graph {
 namespace {
 
-constexpr Extent kScreen{100, 50};
-constexpr ImageDesc kColor{VK_FORMAT_R8G8B8A8_UNORM, kScreen};
-constexpr ImageDesc kWide{VK_FORMAT_R16G16B16A16_SFLOAT, kScreen};
-constexpr ImageDesc kDepth{VK_FORMAT_D32_SFLOAT, kScreen};
+constexpr Extent kExtent{100, 50};
+constexpr ImageDesc kColor{VK_FORMAT_R8G8B8A8_UNORM, kExtent};
+constexpr ImageDesc kWide{VK_FORMAT_R16G16B16A16_SFLOAT, kExtent};
+constexpr ImageDesc kDepth{VK_FORMAT_D32_SFLOAT, kExtent};
 constexpr State kTexture{VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT,
                          VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
 
@@ -153,8 +153,8 @@ TEST_F(InputRead, BecomesATextureReadAfterAnotherKindOfPass) {
     EXPECT_TRUE(plan().inputIsSampled[2]);
 }
 TEST_F(InputRead, OfSeveralSamplesCannotBecomeATextureRead) {
-    const Image many = g.image("many", {VK_FORMAT_R8G8B8A8_UNORM, kScreen, 4});
-    const Image result = g.image("result", {VK_FORMAT_R8G8B8A8_UNORM, kScreen, 4});
+    const Image many = g.image("many", {VK_FORMAT_R8G8B8A8_UNORM, kExtent, 4});
+    const Image result = g.image("result", {VK_FORMAT_R8G8B8A8_UNORM, kExtent, 4});
     g.graphics("draw").color(many, Clear{0.0f});
     g.graphics("read").input(many).color(result, Clear{0.0f});
     g.output(result);

@@ -26,12 +26,12 @@ std::ptrdiff_t count(const Molecule& molecule, const char* selection) {
     return std::count(selected.begin(), selected.end(), true);
 }
 
-struct Case {
+struct Overlay {
     const char* file;
     int models;
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.file; }
-class AllModels : public testing::TestWithParam<Case> {};
+void PrintTo(const Overlay& c, std::ostream* out) { *out << c.file; }
+class AllModels : public testing::TestWithParam<Overlay> {};
 
 TEST_P(AllModels, AreTheModelsOneAfterTheOther) {
     const bool written = std::string(GetParam().file).rfind("several/", 0) == 0;
@@ -85,12 +85,13 @@ TEST_P(AllModels, AreTheModelsOneAfterTheOther) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, AllModels,
-                         testing::Values(Case{"1l2y.pdb", 38}, Case{"1l2y.cif.gz", 38}, Case{"1l2y.bcif", 38},
-                                         Case{"1msh-nmr30.mmtf", 30}, Case{"2koc-rna-nmr.cif.gz", 20},
-                                         Case{"md-lysozyme-solvated.gro", 3}, Case{"small/dxc.pdbqt", 9},
-                                         Case{"small/ligs3d-multi.mol2", 10}, Case{"1crn.pdb", 1}, Case{"1en2.cif", 1},
-                                         Case{"several/samples.pdb", 3}, Case{"several/samples.sdf", 3},
-                                         Case{"several/samples.mol2", 3}, Case{"several/samples.xyz", 3}));
+                         testing::Values(Overlay{"1l2y.pdb", 38}, Overlay{"1l2y.cif.gz", 38}, Overlay{"1l2y.bcif", 38},
+                                         Overlay{"1msh-nmr30.mmtf", 30}, Overlay{"2koc-rna-nmr.cif.gz", 20},
+                                         Overlay{"md-lysozyme-solvated.gro", 3}, Overlay{"small/dxc.pdbqt", 9},
+                                         Overlay{"small/ligs3d-multi.mol2", 10}, Overlay{"1crn.pdb", 1},
+                                         Overlay{"1en2.cif", 1}, Overlay{"several/samples.pdb", 3},
+                                         Overlay{"several/samples.sdf", 3}, Overlay{"several/samples.mol2", 3},
+                                         Overlay{"several/samples.xyz", 3}));
 
 TEST(AllModels, OfTheSamplesAreTheSamples) {
     NACRE_NEEDS_WRITTEN_FILES();

@@ -13,28 +13,28 @@
 namespace nacre {
 namespace {
 
-const std::string kWater = "3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n";
+const std::string kUnpacked = "3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n";
 
 TEST(Decompress, GivesBackWhatWasPacked) {
-    const std::string packed = test::gzipBytes(kWater);
+    const std::string packed = test::gzipBytes(kUnpacked);
     ASSERT_EQ(compressionOf(packed), "gzip");
-    EXPECT_EQ(decompress("x", packed, 1000), kWater);
+    EXPECT_EQ(decompress("x", packed, 1000), kUnpacked);
     EXPECT_EQ(readMolecule("water.xyz.gz", packed).atoms.size(), 3u);
 }
 
 TEST(Decompress, PutsMembersTogether) {
-    EXPECT_EQ(decompress("x", test::gzipBytes(kWater) + test::gzipBytes("tail"), 1000), kWater + "tail");
-    EXPECT_EQ(decompress("x", test::gzipBytes(kWater) + std::string(512, '\0'), 1000), kWater);
+    EXPECT_EQ(decompress("x", test::gzipBytes(kUnpacked) + test::gzipBytes("tail"), 1000), kUnpacked + "tail");
+    EXPECT_EQ(decompress("x", test::gzipBytes(kUnpacked) + std::string(512, '\0'), 1000), kUnpacked);
 }
 
 TEST(Decompress, EveryTruncationIsAnError) {
-    const std::string packed = test::gzipBytes(kWater);
+    const std::string packed = test::gzipBytes(kUnpacked);
     for (std::size_t length = 2; length < packed.size(); ++length)
         test::expectError("water.xyz.gz", packed.substr(0, length), {"water.xyz.gz", "truncated"});
 }
 
 TEST(Decompress, AWrongChecksumIsAnError) {
-    std::string packed = test::gzipBytes(kWater);
+    std::string packed = test::gzipBytes(kUnpacked);
     packed[packed.size() - 8] ^= 1;
     test::expectError("water.xyz.gz", packed, {"wrong checksum"});
 }
@@ -53,15 +53,15 @@ TEST(Decompress, ABombIsRefusedEarly) {
 
 TEST(Decompress, TheLimitHoldsForPlainTextToo) {
     ReadOptions options;
-    options.maxBytes = kWater.size();
-    EXPECT_EQ(readMolecule("water.xyz", kWater, options).atoms.size(), 3u);
-    EXPECT_EQ(readMolecule("water.xyz.gz", test::gzipBytes(kWater), options).atoms.size(), 3u);
+    options.maxBytes = kUnpacked.size();
+    EXPECT_EQ(readMolecule("water.xyz", kUnpacked, options).atoms.size(), 3u);
+    EXPECT_EQ(readMolecule("water.xyz.gz", test::gzipBytes(kUnpacked), options).atoms.size(), 3u);
     options.maxBytes -= 1;
-    test::expectError("water.xyz", kWater, {"larger than the limit"}, options);
-    test::expectError("water.xyz.gz", test::gzipBytes(kWater), {"limit"}, options);
+    test::expectError("water.xyz", kUnpacked, {"larger than the limit"}, options);
+    test::expectError("water.xyz.gz", test::gzipBytes(kUnpacked), {"limit"}, options);
 }
 
-TEST(Decompress, WhatIsNamedGzButIsTextReads) { EXPECT_EQ(readMolecule("water.xyz.gz", kWater).atoms.size(), 3u); }
+TEST(Decompress, WhatIsNamedGzButIsTextReads) { EXPECT_EQ(readMolecule("water.xyz.gz", kUnpacked).atoms.size(), 3u); }
 
 struct Packer {
     const char* compression;
@@ -71,17 +71,17 @@ struct Packer {
 class EachCompression : public testing::TestWithParam<Packer> {};
 
 TEST_P(EachCompression, GivesBackWhatWasPacked) {
-    const std::string packed = GetParam().pack(kWater), name = std::string("water.xyz") + GetParam().ending;
+    const std::string packed = GetParam().pack(kUnpacked), name = std::string("water.xyz") + GetParam().ending;
     ASSERT_EQ(compressionOf(packed), GetParam().compression);
-    EXPECT_EQ(decompress("x", packed, 1000), kWater);
-    EXPECT_EQ(decompress("x", packed + GetParam().pack("tail"), 1000), kWater + "tail");
-    EXPECT_EQ(decompress("x", packed + std::string(512, '\0'), 1000), kWater);
+    EXPECT_EQ(decompress("x", packed, 1000), kUnpacked);
+    EXPECT_EQ(decompress("x", packed + GetParam().pack("tail"), 1000), kUnpacked + "tail");
+    EXPECT_EQ(decompress("x", packed + std::string(512, '\0'), 1000), kUnpacked);
     EXPECT_EQ(readMolecule(name, packed).atoms.size(), 3u);
     test::expectError(name, GetParam().pack(packed), {"compressed twice"});
 }
 
 TEST_P(EachCompression, WhatIsDamagedIsAnError) {
-    const std::string packed = GetParam().pack(kWater), name = std::string("water.xyz") + GetParam().ending;
+    const std::string packed = GetParam().pack(kUnpacked), name = std::string("water.xyz") + GetParam().ending;
     for (std::size_t length = 6; length < packed.size(); ++length)
         test::expectError(name, packed.substr(0, length), {name.c_str(), "truncated"});
     std::size_t refused = 0;
@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Decompress, EachCompression,
                          [](const auto& param) { return std::string(param.param.compression); });
 
 TEST(Decompress, CompressedTwiceIsNamed) {
-    test::expectError("water.xyz.gz", test::gzipBytes(test::gzipBytes(kWater)), {"compressed twice"});
+    test::expectError("water.xyz.gz", test::gzipBytes(test::gzipBytes(kUnpacked)), {"compressed twice"});
 }
 
 }  // namespace

@@ -73,16 +73,16 @@ struct DataFile {
 
 /// Files of one format: one that the build makes, so that the format is judged everywhere, and those of the data folder
 /// where there is one.
-struct Case {
+struct Mutated {
     const char* written;
     std::vector<DataFile> data;
 };
 
-class Mutation : public testing::TestWithParam<Case> {};
+class Mutation : public testing::TestWithParam<Mutated> {};
 
 TEST_P(Mutation, IsAMoleculeOrAnError) {
     NACRE_NEEDS_WRITTEN_FILES();
-    const Case& given = GetParam();
+    const Mutated& given = GetParam();
     const std::string path = test::writtenFile(given.written);
     expectMoleculeOrError(path, beginningOf(path), 500);
     if (!test::dataFolder()) return;
@@ -96,23 +96,24 @@ constexpr std::size_t kWhole = 1 << 20;
 
 INSTANTIATE_TEST_SUITE_P(
     Formats, Mutation,
-    testing::Values(
-        Case{"obabel/glucose.pdb", {{"1en2.pdb", 40000, 1500}}},
-        Case{"gemmi/glucose.cif",
-             {{"small/hem-ccd.cif", kWhole, 2000}, {"1crn.cif", 30000, 1500}, {"1stp-v5.cif", kWhole, 200}}},
-        Case{"gemmi/glucose.cif.gz", {{"1crn.cif.gz", kWhole, 1000}}},
-        Case{"obabel/glucose_core.cif", {{"small/core-867861.cif", kWhole, 500}}},
-        Case{"gemmi/glucose.json", {{"1pfe.mmjson.json", kWhole, 300}}},
-        Case{"own/dna.bcif", {{"1j59.bcif.gz", kWhole, 300}}},
-        Case{"own/dna.mmtf", {{"1crn.mmtf", kWhole, 2000}, {"1bna.mmtf", kWhole, 2000}}},
-        Case{"obabel/glucose.sdf", {{"small/tyr.sdf", kWhole, 3000}}},
-        Case{"rdkit/glucose_v3000.sdf", {{"small/v3000-ngl.sdf", kWhole, 3000}}},
-        Case{"obabel/glucose.mol2", {{"small/adrenalin.mol2", kWhole, 3000}, {"small/ligs3d-multi.mol2", kWhole, 500}}},
-        Case{"obabel/glucose.cml", {{"small/ferrocene.cml", kWhole, 3000}}},
-        Case{"obabel/glucose.gro", {{"1crn.gro", kWhole, 1500}}},
-        Case{"obabel/glucose.pqr", {{"3pqr.pqr", 30000, 1000}}},
-        Case{"obabel/buckyball.pdbqt", {{"small/dxc.pdbqt", kWhole, 1000}}},
-        Case{"rdkit/glucose.xyz", {{"small/multi-frame.xyz", kWhole, 3000}}}),
+    testing::Values(Mutated{"obabel/glucose.pdb", {{"1en2.pdb", 40000, 1500}}},
+                    Mutated{
+                        "gemmi/glucose.cif",
+                        {{"small/hem-ccd.cif", kWhole, 2000}, {"1crn.cif", 30000, 1500}, {"1stp-v5.cif", kWhole, 200}}},
+                    Mutated{"gemmi/glucose.cif.gz", {{"1crn.cif.gz", kWhole, 1000}}},
+                    Mutated{"obabel/glucose_core.cif", {{"small/core-867861.cif", kWhole, 500}}},
+                    Mutated{"gemmi/glucose.json", {{"1pfe.mmjson.json", kWhole, 300}}},
+                    Mutated{"own/dna.bcif", {{"1j59.bcif.gz", kWhole, 300}}},
+                    Mutated{"own/dna.mmtf", {{"1crn.mmtf", kWhole, 2000}, {"1bna.mmtf", kWhole, 2000}}},
+                    Mutated{"obabel/glucose.sdf", {{"small/tyr.sdf", kWhole, 3000}}},
+                    Mutated{"rdkit/glucose_v3000.sdf", {{"small/v3000-ngl.sdf", kWhole, 3000}}},
+                    Mutated{"obabel/glucose.mol2",
+                            {{"small/adrenalin.mol2", kWhole, 3000}, {"small/ligs3d-multi.mol2", kWhole, 500}}},
+                    Mutated{"obabel/glucose.cml", {{"small/ferrocene.cml", kWhole, 3000}}},
+                    Mutated{"obabel/glucose.gro", {{"1crn.gro", kWhole, 1500}}},
+                    Mutated{"obabel/glucose.pqr", {{"3pqr.pqr", 30000, 1000}}},
+                    Mutated{"obabel/buckyball.pdbqt", {{"small/dxc.pdbqt", kWhole, 1000}}},
+                    Mutated{"rdkit/glucose.xyz", {{"small/multi-frame.xyz", kWhole, 3000}}}),
     [](const auto& test) {
         std::string name = test.param.written;
         for (char& c : name)

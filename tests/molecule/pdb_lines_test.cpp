@@ -19,7 +19,7 @@ Molecule readText(const std::string& text, int model = 1) {
 const std::string kCarbon = "HETATM    1  C1  LIG A   1       1.000   2.000   3.000  1.00 10.00           C  \n";
 const std::string kOxygen = "HETATM    2  O1  LIG A   1       2.200   2.000   3.000  0.50 20.00           O1-\n";
 
-std::string errorOf(const std::string& text, int model = 1) {
+std::string errorOfLines(const std::string& text, int model = 1) {
     try {
         readText(text, model);
     } catch (const Error& error) {
@@ -107,14 +107,14 @@ TEST(PdbLines, CoordinatesThatAreNoneAreErrorsWithTheirLine) {
     const auto withX = [](const std::string& x) {
         return kCarbon + "HETATM    2  O1  LIG A   1    " + x + "   2.000   3.000\n";
     };
-    EXPECT_EQ(errorOf(withX("     nan")), head + "\"nan\" is no x coordinate");
-    EXPECT_EQ(errorOf(withX("    -inf")), head + "\"-inf\" is no x coordinate");
-    EXPECT_EQ(errorOf(withX("********")), head + "\"********\" is no x coordinate");
-    EXPECT_EQ(errorOf(withX("  1.0 2 ")), head + "\"1.0 2\" is no x coordinate");
-    EXPECT_EQ(errorOf(withX("   1e999")), head + "\"1e999\" is no x coordinate");
-    EXPECT_EQ(errorOf(withX("        ")), head + "has no x coordinate");
-    EXPECT_EQ(errorOf(kCarbon + "HETATM    2  O1  LIG A   1       1.000   2.000\n"), head + "has no z coordinate");
-    EXPECT_EQ(errorOf(withX("   1.5e1")), "no error");
+    EXPECT_EQ(errorOfLines(withX("     nan")), head + "\"nan\" is no x coordinate");
+    EXPECT_EQ(errorOfLines(withX("    -inf")), head + "\"-inf\" is no x coordinate");
+    EXPECT_EQ(errorOfLines(withX("********")), head + "\"********\" is no x coordinate");
+    EXPECT_EQ(errorOfLines(withX("  1.0 2 ")), head + "\"1.0 2\" is no x coordinate");
+    EXPECT_EQ(errorOfLines(withX("   1e999")), head + "\"1e999\" is no x coordinate");
+    EXPECT_EQ(errorOfLines(withX("        ")), head + "has no x coordinate");
+    EXPECT_EQ(errorOfLines(kCarbon + "HETATM    2  O1  LIG A   1       1.000   2.000\n"), head + "has no z coordinate");
+    EXPECT_EQ(errorOfLines(withX("   1.5e1")), "no error");
 }
 
 TEST(PdbLines, EveryLineEndWillDo) {
@@ -137,9 +137,9 @@ TEST(PdbLines, ModelsAreCountedAndChosen) {
     EXPECT_EQ(readText(two, 2).atoms.size(), 2u);
     EXPECT_EQ(readText(two).file.models, 2);
     EXPECT_EQ(readText(two).file.totalAtomsAllModels, 3);
-    EXPECT_EQ(errorOf(two, 3), "cannot read molecule: x.pdb: no model 3: there are 2 models");
-    EXPECT_EQ(errorOf(kCarbon, 2), "cannot read molecule: x.pdb: no model 2: there is 1 model");
-    EXPECT_EQ(errorOf(kCarbon, 0), "cannot read molecule: x.pdb: models count from 1");
+    EXPECT_EQ(errorOfLines(two, 3), "cannot read molecule: x.pdb: no model 3: there are 2 models");
+    EXPECT_EQ(errorOfLines(kCarbon, 2), "cannot read molecule: x.pdb: no model 2: there is 1 model");
+    EXPECT_EQ(errorOfLines(kCarbon, 0), "cannot read molecule: x.pdb: models count from 1");
     EXPECT_EQ(readText(kCarbon + "END\n" + kCarbon + kOxygen + "END\n", 2).atoms.size(), 2u);
 }
 

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <sstream>
@@ -23,7 +24,7 @@ namespace {
 using namespace test;
 
 constexpr std::uint64_t kMemory = std::uint64_t{64} << 20;
-const std::size_t kText = readWithin(kMemory).maxBytes, kAtoms = readWithin(kMemory).maxAtoms;
+const std::size_t kText = readWithin(kMemory).maxBytes, kMostAtoms = readWithin(kMemory).maxAtoms;
 
 /// A line of /proc/self/status, in bytes.
 std::int64_t statusBytes(const std::string& key) {
@@ -72,7 +73,7 @@ std::string times(std::size_t count, const std::function<std::string(std::size_t
     return text;
 }
 
-struct Case {
+struct Bound {
     std::string name;  ///< of the file; what it holds stands before the ending
     std::function<std::string()> bytes;
 };
@@ -111,9 +112,9 @@ std::string bcifSharedText(std::size_t rows, std::size_t length) {
                                    bcifColumn("Cartn_z", bcifPlain({0}))})});
 }
 
-const std::vector<Case>& cases() {
+const std::vector<Bound>& cases() {
     static const std::string atom = "ATOM      1  C   LIG A   1       0.000   0.000   0.000  1.00  0.00           C\n";
-    static const std::vector<Case> list = {
+    static const std::vector<Bound> list = {
         {"atoms.pdb", [] { return filled("", atom); }},
         {"conect.pdb", [] { return filled(atom, "CONECT    1    2    3    4    5\n"); }},
         {"helices.pdb", [] { return filled(atom, "HELIX    1   1 ALA A    1  ALA A    1  1\n"); }},
@@ -232,9 +233,9 @@ TEST(PeakMemory, OfEveryFormatIsBounded) {
     GTEST_SKIP() << "AddressSanitizer's own memory would be measured";
 #endif
     const TemporaryFolder folder;
-    for (const Case& one : cases()) {
+    for (const Bound& one : cases()) {
         SCOPED_TRACE(one.name);
-        const std::string path = folder.path() + "/" + one.name;
+        const std::string path = (std::filesystem::path(folder.path()) / one.name).string();
         {
             const std::string bytes = one.bytes();
             EXPECT_LE(bytes.size(), kText);

@@ -7,7 +7,7 @@ namespace {
 
 std::string cml(const std::string& inside) { return "<?xml version=\"1.0\"?>\n<cml>\n" + inside + "</cml>\n"; }
 
-const std::string kAtoms =
+const std::string kTwoAtoms =
     "<atomArray><atom id=\"a\" elementType=\"C\" x3=\"0\" y3=\"0\" z3=\"0\"/>"
     "<atom id=\"b\" elementType=\"N\" x3=\"1\" y3=\"0.5\" z3=\"-1\" formalCharge=\"-1\"/>"
     "<atom id=\"c\" elementType=\"O\" x3=\"2\" y3=\"0\" z3=\"0\"/></atomArray>";
@@ -16,7 +16,7 @@ TEST(ReadCml, AtomsBondsAndTitle) {
     const Molecule molecule =
         readMolecule("a", cml("<molecule title=\"T &amp; U\"><bondArray><bond atomRefs2=\"a b\" order=\"A\"/>"
                               "<bond atomRefs2=\"c b\" order=\"2\"/></bondArray>" +
-                              kAtoms + "</molecule>"));
+                              kTwoAtoms + "</molecule>"));
     EXPECT_EQ(molecule.file.format, "cml");
     EXPECT_EQ(molecule.file.title, "T & U");
     EXPECT_EQ(molecule.file.records, 1);
@@ -33,8 +33,9 @@ TEST(ReadCml, AtomsBondsAndTitle) {
 
 TEST(ReadCml, Orders) {
     const auto order = [](const std::string& attribute) {
-        const Molecule molecule = readMolecule("a", cml("<molecule>" + kAtoms + "<bondArray><bond atomRefs2=\"a b\" " +
-                                                        attribute + "/></bondArray></molecule>"));
+        const Molecule molecule =
+            readMolecule("a", cml("<molecule>" + kTwoAtoms + "<bondArray><bond atomRefs2=\"a b\" " + attribute +
+                                  "/></bondArray></molecule>"));
         return molecule.warnings.empty() ? int(molecule.bonds[0].order) : -1;
     };
     EXPECT_EQ(order(""), 1);
@@ -53,8 +54,9 @@ TEST(ReadCml, SeveralMoleculesStandTogether) {
     const std::string bond = "<bondArray><bond atomRefs2=\"a c\" order=\"1\"/></bondArray>";
     const std::string inner =
         "<molecule><atomArray><atom id=\"d\" elementType=\"H\" x2=\"5\" y2=\"6\"/></atomArray></molecule>";
-    const Molecule molecule = readMolecule("a", cml("<molecule><name>first</name>" + kAtoms + bond +
-                                                    "</molecule><molecule>" + inner + kAtoms + bond + "</molecule>"));
+    const Molecule molecule =
+        readMolecule("a", cml("<molecule><name>first</name>" + kTwoAtoms + bond + "</molecule><molecule>" + inner +
+                              kTwoAtoms + bond + "</molecule>"));
     EXPECT_EQ(molecule.file.records, 3);
     EXPECT_EQ(molecule.file.title, "first");
     EXPECT_EQ(molecule.atoms.size(), 7u);
@@ -91,15 +93,16 @@ TEST(ReadCml, Faults) {
     test::expectError("a", atom(""), {"(line 5)", "atom 'a' has no coordinates"});
     test::expectError("a", atom("x3=\"0\" y3=\"inf\" z3=\"0\""), {"(line 5)", "y is not a usable coordinate"});
     test::expectError("a", atom("x3=\"0\" y3=\"0\" z3=\"0\" formalCharge=\"99\""), {"(line 5)", "formal charge"});
-    test::expectError("a", inMolecule(kAtoms + "\n<bondArray><bond atomRefs2=\"a z\"/></bondArray>"),
+    test::expectError("a", inMolecule(kTwoAtoms + "\n<bondArray><bond atomRefs2=\"a z\"/></bondArray>"),
                       {"(line 5)", "bond to atom 'z', which is not there"});
-    test::expectError("a", inMolecule(kAtoms + "<bondArray><bond atomRefs2=\"a\"/></bondArray>"), {"needs two atoms"});
-    test::expectError("a", inMolecule(kAtoms + kAtoms), {"two atoms are called 'a'"});
+    test::expectError("a", inMolecule(kTwoAtoms + "<bondArray><bond atomRefs2=\"a\"/></bondArray>"),
+                      {"needs two atoms"});
+    test::expectError("a", inMolecule(kTwoAtoms + kTwoAtoms), {"two atoms are called 'a'"});
     test::expectError("a", "<cml>\n<molecule>\n</cml>", {"(line 3)", "not valid XML: mismatched tag"});
     test::expectError("a", inMolecule(""), {"it has no atoms"});
     ReadOptions second;
     second.model = 2;
-    test::expectError("a", inMolecule(kAtoms), {"read as one"}, second);
+    test::expectError("a", inMolecule(kTwoAtoms), {"read as one"}, second);
 }
 
 TEST(ReadCml, HostileXml) {

@@ -8,12 +8,12 @@ namespace nacre {
 namespace {
 
 const std::string kHeader = "formate\n  test\n\n";
-const std::string kAtoms =
+const std::string kAtomTable =
     "    0.0000    0.0000    0.0000 C   0  0  0  0  0  0\n"
     "    1.2000    0.0000    0.0000 O   0  0  0  0  0  0\n"
     "   -0.6000    1.0392    0.0000 O   0  5  0  0  0  0\n";
 const std::string kBonds = "  1  2  2  0\n  1  3  1  0\n";
-const std::string kTable = kHeader + "  3  2  0  0  0  0  0  0  0  0999 V2000\n" + kAtoms + kBonds;
+const std::string kTable = kHeader + "  3  2  0  0  0  0  0  0  0  0999 V2000\n" + kAtomTable + kBonds;
 const std::string kFormate = kTable + "M  END\n";
 
 const std::string kV3000 =
@@ -97,9 +97,9 @@ TEST(ReadSdf, WhatIsWrongIsSaidWithItsLine) {
     const std::string counts = "  3  2  0  0  0  0  0  0  0  0999 V2000\n";
     test::expectError("a.sdf", "a\nb\n", {"ends before the counts line"});
     test::expectError("a.sdf", kHeader + "        V2000\n", {"(line 4)", "no counts"});
-    test::expectError("a.sdf", kHeader + counts + kAtoms, {"ends before bond 1 of the 2"});
-    test::expectError("a.sdf", kHeader + counts + kAtoms + "  1  1  1\n  1  2  1\n", {"(line 8)", "to itself"});
-    test::expectError("a.sdf", kHeader + counts + kAtoms + "  0  1  1\n  1  2  1\n",
+    test::expectError("a.sdf", kHeader + counts + kAtomTable, {"ends before bond 1 of the 2"});
+    test::expectError("a.sdf", kHeader + counts + kAtomTable + "  1  1  1\n  1  2  1\n", {"(line 8)", "to itself"});
+    test::expectError("a.sdf", kHeader + counts + kAtomTable + "  0  1  1\n  1  2  1\n",
                       {"(line 8)", "atoms 0 and 1 of 3"});
     test::expectError("a.sdf", kHeader + counts + "       nan    0.0000    0.0000 C   0  0\n", {"(line 5)", "nan"});
     test::expectError("a.sdf", kHeader + "999999  0  0  0  0  0  0  0  0999 V2000\n", {"before atom 1 of the 999"});

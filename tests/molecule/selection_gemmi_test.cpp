@@ -19,12 +19,12 @@
 namespace nacre {
 namespace {
 
-struct Pair {
+struct Expressions {
     const char* file;
     const char* ours;
     const char* gemmis;
 };
-void PrintTo(const Pair& pair, std::ostream* out) { *out << pair.file << ": " << pair.ours; }
+void PrintTo(const Expressions& pair, std::ostream* out) { *out << pair.file << ": " << pair.ours; }
 
 std::size_t countOfGemmi(const std::string& path, const std::string& text) {
     gemmi::Structure structure = gemmi::read_pdb(gemmi::MaybeGzipped(path));
@@ -39,7 +39,7 @@ std::size_t countOfGemmi(const std::string& path, const std::string& text) {
     return count;
 }
 
-class SameAsGemmi : public testing::TestWithParam<Pair> {};
+class SameAsGemmi : public testing::TestWithParam<Expressions> {};
 
 TEST_P(SameAsGemmi, InCount) {
     const bool written = std::string(GetParam().file).rfind("own/", 0) == 0;
@@ -57,24 +57,27 @@ TEST_P(SameAsGemmi, InCount) {
 
 INSTANTIATE_TEST_SUITE_P(
     Selection, SameAsGemmi,
-    testing::Values(Pair{"4hhb.pdb", "chain A", "//A"}, Pair{"4hhb.pdb", "chain A+C", "//A,C"},
-                    Pair{"4hhb.pdb", "not chain A", "//!A"}, Pair{"4hhb.pdb", "resn HEM", "(HEM)"},
-                    Pair{"4hhb.pdb", "resn HEM+HIS and name N*", "(HEM,HIS)/N,NA,NB,NC,ND,NE2,ND1"},
-                    Pair{"4hhb.pdb", "name CA", "CA[C]"}, Pair{"4hhb.pdb", "elem FE", "[FE]"},
-                    Pair{"4hhb.pdb", "not elem C+N", "[!C,N]"}, Pair{"4hhb.pdb", "chain B and resi 10-20", "//B/10-20"},
-                    Pair{"4hhb.pdb", "chain B and resi 10 and name CA", "//B/10-10/CA"},
-                    Pair{"3pqr.pdb", "altloc A", "*:A"}, Pair{"3pqr.pdb", "altloc ''", "*:"},
-                    Pair{"1en2.pdb", "altloc A+B", "*:A,B"}, Pair{"1bcu-icode.pdb", "resi 60A", "60.A-60.A"},
-                    Pair{"1bcu-icode.pdb", "resi 60", "60-60"}, Pair{"1bcu-icode.pdb", "resi 60-61", "60.*-61.*"},
-                    Pair{"1bcu-icode.pdb", "chain H and resi 60B-61", "//H/60.B-61.*"},
-                    Pair{"1igy.pdb.gz", "chain B and resi 80-90", "//B/80.*-90.*"},
-                    Pair{"1aon-groel.pdb.gz", "chain A+N and name CA and resn GLY+ALA", "//A,N/(GLY,ALA)/CA"},
-                    Pair{"nucleosome-1kx5.pdb.gz", "elem P and resi 1-20", "1-20/[P]"},
-                    Pair{"own/dna.pdb", "chain A", "//A"}, Pair{"own/dna.pdb", "not chain A", "//!A"},
-                    Pair{"own/dna.pdb", "resn DA+DT and name N*", "(DA,DT)/N1,N3,N6,N7,N9"},
-                    Pair{"own/dna.pdb", "chain B and resi 14-20", "//B/14-20"},
-                    Pair{"own/dna.pdb", "not elem C+N", "[!C,N]"},
-                    Pair{"own/dna.pdb", "elem P and resi 1-20", "1-20/[P]"}));
+    testing::Values(Expressions{"4hhb.pdb", "chain A", "//A"}, Expressions{"4hhb.pdb", "chain A+C", "//A,C"},
+                    Expressions{"4hhb.pdb", "not chain A", "//!A"}, Expressions{"4hhb.pdb", "resn HEM", "(HEM)"},
+                    Expressions{"4hhb.pdb", "resn HEM+HIS and name N*", "(HEM,HIS)/N,NA,NB,NC,ND,NE2,ND1"},
+                    Expressions{"4hhb.pdb", "name CA", "CA[C]"}, Expressions{"4hhb.pdb", "elem FE", "[FE]"},
+                    Expressions{"4hhb.pdb", "not elem C+N", "[!C,N]"},
+                    Expressions{"4hhb.pdb", "chain B and resi 10-20", "//B/10-20"},
+                    Expressions{"4hhb.pdb", "chain B and resi 10 and name CA", "//B/10-10/CA"},
+                    Expressions{"3pqr.pdb", "altloc A", "*:A"}, Expressions{"3pqr.pdb", "altloc ''", "*:"},
+                    Expressions{"1en2.pdb", "altloc A+B", "*:A,B"},
+                    Expressions{"1bcu-icode.pdb", "resi 60A", "60.A-60.A"},
+                    Expressions{"1bcu-icode.pdb", "resi 60", "60-60"},
+                    Expressions{"1bcu-icode.pdb", "resi 60-61", "60.*-61.*"},
+                    Expressions{"1bcu-icode.pdb", "chain H and resi 60B-61", "//H/60.B-61.*"},
+                    Expressions{"1igy.pdb.gz", "chain B and resi 80-90", "//B/80.*-90.*"},
+                    Expressions{"1aon-groel.pdb.gz", "chain A+N and name CA and resn GLY+ALA", "//A,N/(GLY,ALA)/CA"},
+                    Expressions{"nucleosome-1kx5.pdb.gz", "elem P and resi 1-20", "1-20/[P]"},
+                    Expressions{"own/dna.pdb", "chain A", "//A"}, Expressions{"own/dna.pdb", "not chain A", "//!A"},
+                    Expressions{"own/dna.pdb", "resn DA+DT and name N*", "(DA,DT)/N1,N3,N6,N7,N9"},
+                    Expressions{"own/dna.pdb", "chain B and resi 14-20", "//B/14-20"},
+                    Expressions{"own/dna.pdb", "not elem C+N", "[!C,N]"},
+                    Expressions{"own/dna.pdb", "elem P and resi 1-20", "1-20/[P]"}));
 
 }  // namespace
 }  // namespace nacre

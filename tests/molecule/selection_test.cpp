@@ -47,43 +47,44 @@ Molecule mixed() {
     return text.molecule;
 }
 
-struct Case {
+struct Chosen {
     const char* selection;
     const char* names;
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.selection; }
-class Selects : public testing::TestWithParam<Case> {};
+void PrintTo(const Chosen& c, std::ostream* out) { *out << c.selection; }
+class Selects : public testing::TestWithParam<Chosen> {};
 
 TEST_P(Selects, TheseAtoms) { EXPECT_EQ(names(mixed(), GetParam().selection), GetParam().names); }
 
 INSTANTIATE_TEST_SUITE_P(
     Selection, Selects,
-    testing::Values(Case{"chain a", "N82 OG82 "}, Case{"CHAIN a", "N82 OG82 "}, Case{"chain a+Q and name n", "N82 "},
-                    Case{"resn ala", "N-2 CA-2 CB-2 "}, Case{"resname HEM,hoh", "FE101 NA101 C1A101 O103 "},
-                    Case{"resn HEM, HOH and elem o", "O103 "}, Case{"resi -2", "N-2 CA-2 CB-2 "},
-                    Case{"resi \\-2", "N-2 CA-2 CB-2 "}, Case{"resi -5--1", "N-2 CA-2 CB-2 "},
-                    Case{"resi -5-3 and name N", "N-2 N3 "}, Case{"resi -5:3 and name N", "N-2 N3 "},
-                    Case{"resi 82", ""}, Case{"resi 82A", "N82 OG82 "}, Case{"resi 82a", "N82 OG82 "},
-                    Case{"resi 81-82", "N82 OG82 "}, Case{"resi 82B-90", ""}, Case{"resi 80-82A", "N82 OG82 "},
-                    Case{"resi 82-82B", "N82 OG82 "}, Case{"resi 3+102", "N3 CA3 HA23 NA102 "},
-                    Case{"name NA", "NA101 NA102 "}, Case{"name C* and hetatm", "C1A101 "},
-                    Case{"name 'NA' and not ion", "NA101 "}, Case{"elem FE", "FE101 "},
-                    Case{"symbol fe+na", "FE101 NA102 "}, Case{"e. h", "HA23 "},
-                    Case{"protein", "N-2 CA-2 CB-2 N3 CA3 HA23 N82 OG82 "}, Case{"polymer and chain a", "N82 OG82 "},
-                    Case{"nucleic", ""}, Case{"ligand", "FE101 NA101 C1A101 "}, Case{"water", "O103 "},
-                    Case{"solvent", "O103 "}, Case{"ion", "NA102 "}, Case{"backbone", "N-2 CA-2 N3 CA3 HA23 N82 "},
-                    Case{"sidechain", "CB-2 OG82 "}, Case{"hydrogen", "HA23 "}, Case{"hydrogens", "HA23 "},
-                    Case{"h.", "HA23 "}, Case{"altloc A", "CA3 "}, Case{"alt b", "HA23 "},
-                    Case{"altloc '' and resi 3", "N3 "}, Case{"none", ""},
-                    Case{"* & hetatm", "FE101 NA101 C1A101 NA102 O103 "}, Case{"model 1 and ion", "NA102 "},
-                    Case{"model 2", ""}, Case{"model 1-3 and ion", "NA102 "}, Case{"not (protein or hetatm)", ""},
-                    Case{"!protein&!ligand", "NA102 O103 "}, Case{"not not ion", "NA102 "},
-                    Case{"ion or water and none", "NA102 "}, Case{"(ion or water) and none", ""},
-                    Case{"ion|water", "NA102 O103 "}, Case{"within 3 of (elem FE)", "FE101 NA101 C1A101 "},
-                    Case{"within 2.5 of elem FE", "FE101 NA101 "}, Case{"within 0 of ion", "NA102 "},
-                    Case{"within 10000 of none", ""}, Case{"ligand within 2 of (name FE)", "FE101 NA101 "},
-                    Case{"elem C or ion within 3 of ligand", "C1A101 "}, Case{"byres (name OG)", "N82 OG82 "},
-                    Case{"not byres within 9.9 of (chain a)", "FE101 NA101 C1A101 NA102 O103 "}));
+    testing::Values(Chosen{"chain a", "N82 OG82 "}, Chosen{"CHAIN a", "N82 OG82 "},
+                    Chosen{"chain a+Q and name n", "N82 "}, Chosen{"resn ala", "N-2 CA-2 CB-2 "},
+                    Chosen{"resname HEM,hoh", "FE101 NA101 C1A101 O103 "}, Chosen{"resn HEM, HOH and elem o", "O103 "},
+                    Chosen{"resi -2", "N-2 CA-2 CB-2 "}, Chosen{"resi \\-2", "N-2 CA-2 CB-2 "},
+                    Chosen{"resi -5--1", "N-2 CA-2 CB-2 "}, Chosen{"resi -5-3 and name N", "N-2 N3 "},
+                    Chosen{"resi -5:3 and name N", "N-2 N3 "}, Chosen{"resi 82", ""}, Chosen{"resi 82A", "N82 OG82 "},
+                    Chosen{"resi 82a", "N82 OG82 "}, Chosen{"resi 81-82", "N82 OG82 "}, Chosen{"resi 82B-90", ""},
+                    Chosen{"resi 80-82A", "N82 OG82 "}, Chosen{"resi 82-82B", "N82 OG82 "},
+                    Chosen{"resi 3+102", "N3 CA3 HA23 NA102 "}, Chosen{"name NA", "NA101 NA102 "},
+                    Chosen{"name C* and hetatm", "C1A101 "}, Chosen{"name 'NA' and not ion", "NA101 "},
+                    Chosen{"elem FE", "FE101 "}, Chosen{"symbol fe+na", "FE101 NA102 "}, Chosen{"e. h", "HA23 "},
+                    Chosen{"protein", "N-2 CA-2 CB-2 N3 CA3 HA23 N82 OG82 "},
+                    Chosen{"polymer and chain a", "N82 OG82 "}, Chosen{"nucleic", ""},
+                    Chosen{"ligand", "FE101 NA101 C1A101 "}, Chosen{"water", "O103 "}, Chosen{"solvent", "O103 "},
+                    Chosen{"ion", "NA102 "}, Chosen{"backbone", "N-2 CA-2 N3 CA3 HA23 N82 "},
+                    Chosen{"sidechain", "CB-2 OG82 "}, Chosen{"hydrogen", "HA23 "}, Chosen{"hydrogens", "HA23 "},
+                    Chosen{"h.", "HA23 "}, Chosen{"altloc A", "CA3 "}, Chosen{"alt b", "HA23 "},
+                    Chosen{"altloc '' and resi 3", "N3 "}, Chosen{"none", ""},
+                    Chosen{"* & hetatm", "FE101 NA101 C1A101 NA102 O103 "}, Chosen{"model 1 and ion", "NA102 "},
+                    Chosen{"model 2", ""}, Chosen{"model 1-3 and ion", "NA102 "}, Chosen{"not (protein or hetatm)", ""},
+                    Chosen{"!protein&!ligand", "NA102 O103 "}, Chosen{"not not ion", "NA102 "},
+                    Chosen{"ion or water and none", "NA102 "}, Chosen{"(ion or water) and none", ""},
+                    Chosen{"ion|water", "NA102 O103 "}, Chosen{"within 3 of (elem FE)", "FE101 NA101 C1A101 "},
+                    Chosen{"within 2.5 of elem FE", "FE101 NA101 "}, Chosen{"within 0 of ion", "NA102 "},
+                    Chosen{"within 10000 of none", ""}, Chosen{"ligand within 2 of (name FE)", "FE101 NA101 "},
+                    Chosen{"elem C or ion within 3 of ligand", "C1A101 "}, Chosen{"byres (name OG)", "N82 OG82 "},
+                    Chosen{"not byres within 9.9 of (chain a)", "FE101 NA101 C1A101 NA102 O103 "}));
 
 TEST(Selection, ByResidueTakesAllOfWhatItTouches) {
     EXPECT_EQ(names(mixed(), "byres (within 3 of (name CA and resi -2))"), "N-2 CA-2 CB-2 N3 CA3 HA23 ");

@@ -14,7 +14,7 @@ namespace {
 
 using test::WrittenFile;
 
-enum Words : unsigned {
+enum Keeps : unsigned {
     kNames = 1,    ///< atoms and residues have names, residues numbers
     kChains = 2,   ///< residues are in chains
     kHetero = 4,   ///< atoms are told from those of polymers

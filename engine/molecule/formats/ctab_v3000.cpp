@@ -8,7 +8,7 @@ namespace nacre {
 
 namespace {
 
-constexpr std::string_view kPrefix = "M  V30 ";
+constexpr std::string_view kLinePrefix = "M  V30 ";
 
 class TableV3000 {
 public:
@@ -53,9 +53,9 @@ private:
         while (lines_.next()) {
             std::string_view text = lines_.line();
             if (startsWith(text, "M  END")) return false;
-            if (!startsWith(text, kPrefix))
+            if (!startsWith(text, kLinePrefix))
                 fail("expected a line that begins with 'M  V30 ': '" + printable(text) + "'");
-            text.remove_prefix(kPrefix.size());
+            text.remove_prefix(kLinePrefix.size());
             while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
             const bool continues = !text.empty() && text.back() == '-';
             if (continues) text.remove_suffix(1);

@@ -12,8 +12,8 @@ namespace {
 
 using Kind = MsgpackValue::Kind;
 
-constexpr std::size_t kMaxGroups = 100'000;  // the dictionary of residues has some 45,000 entries
-constexpr std::size_t kFewAtoms = 10'000;    // of all groups, that there is always memory for
+constexpr std::size_t kMaxGroups = 100'000;       // the dictionary of residues has some 45,000 entries
+constexpr std::size_t kFewAtomsOfGroup = 10'000;  // of all groups, that there is always memory for
 constexpr std::size_t kMaxBondsPerAtom = 16;
 
 class GroupReader {
@@ -101,7 +101,7 @@ std::uint8_t mmtfBondOrder(std::int64_t order) {
 
 std::vector<MmtfGroup> readMmtfGroups(const MmtfFields& fields, MoleculeBuilder& builder, std::size_t mostAtoms) {
     std::vector<MmtfGroup> groups;
-    std::size_t room = mostAtoms + kFewAtoms;
+    std::size_t room = mostAtoms + kFewAtomsOfGroup;
     MsgpackElements elements(fields.list("groupList"));
     for (MsgpackValue group; elements.next(group);) {
         if (groups.size() == kMaxGroups)

@@ -14,11 +14,9 @@ namespace nacre {
 
 namespace {
 
-constexpr std::size_t kMaxWarnings = 20;
+constexpr std::size_t kMaxWarningsOfReader = 20;
 // A file may state a name once and refer to it from every atom, and each of them compares it with the name before.
 constexpr std::size_t kLongestChainName = 64;
-
-bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 }  // namespace
 
@@ -109,7 +107,7 @@ Element MoleculeBuilder::element(std::string_view symbol, std::uint64_t line) {
 }
 
 void MoleculeBuilder::warn(const std::string& sentence) {
-    if (molecule_.warnings.size() < kMaxWarnings)
+    if (molecule_.warnings.size() < kMaxWarningsOfReader)
         molecule_.warnings.push_back(sentence);
     else
         ++warningsLeftOut_;

@@ -7,14 +7,13 @@
 #include "engine/molecule/bonds/residue_templates.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/floating_point.h"
+#include "engine/molecule/text.h"
 
 namespace nacre::pdb {
 namespace {
 
-bool isBlank(char c) { return c == ' ' || c == '\0' || c == '\t'; }
+bool isSpaceOrNul(char c) { return c == ' ' || c == '\0' || c == '\t'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
-bool isLetter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 /// Plain decimals of the width that PDB columns have, several times faster than the general conversion. Mantissa and
 /// power of ten are exact in double, so the quotient is correctly rounded.
@@ -63,7 +62,7 @@ std::optional<std::int64_t> hybrid36(std::string_view text, std::size_t width) {
     for (const char c : text) {
         const bool fits = isDigit(c) || (lower ? c >= 'a' && c <= 'z' : c >= 'A' && c <= 'Z');
         if (!fits) return std::nullopt;
-        value = value * 36 + (isDigit(c) ? c - '0' : upper(c) - 'A' + 10);
+        value = value * 36 + (isDigit(c) ? c - '0' : upperCase(c) - 'A' + 10);
     }
     return value - 10 * firstLetterPower + decimals + (lower ? 26 * firstLetterPower : 0);
 }
@@ -75,7 +74,7 @@ Element oneLetter(char c) { return isLetter(c) ? elementFromSymbol(std::string_v
 Element inStandardResidue(std::string_view name) {
     const std::size_t first = name.find_first_not_of("0123456789");
     if (first == std::string_view::npos) return 0;
-    if (upper(name[first]) == 'S' && name.size() > first + 1 && upper(name[first + 1]) == 'E')
+    if (upperCase(name[first]) == 'S' && name.size() > first + 1 && upperCase(name[first + 1]) == 'E')
         return elementFromSymbol("SE");
     return oneLetter(name[first]);
 }
@@ -83,7 +82,7 @@ Element inStandardResidue(std::string_view name) {
 /// Whole names that nobody gives to another element, wherever they stand.
 bool isPlainSymbol(std::string_view name) {
     for (const char* symbol : {"SI", "CL", "BR", "FE", "MG", "ZN", "MN", "LI", "AL"})
-        if (name.size() == 2 && upper(name[0]) == symbol[0] && upper(name[1]) == symbol[1]) return true;
+        if (name.size() == 2 && upperCase(name[0]) == symbol[0] && upperCase(name[1]) == symbol[1]) return true;
     return false;
 }
 
@@ -105,13 +104,13 @@ Element byNameColumns(std::string_view field) {
     if (isPlainSymbol(trim(field))) return elementFromSymbol(trim(field));
     const char first = column(field, 1);
     const char second = column(field, 2);
-    if (isBlank(first) || isDigit(first)) return oneLetter(second);
+    if (isSpaceOrNul(first) || isDigit(first)) return oneLetter(second);
     if (!isLetter(first)) return oneLetter(second);
     const Element two = isLetter(second) ? elementFromSymbol(field.substr(0, 2)) : Element{0};
-    const bool full = !isBlank(column(field, 3)) && !isBlank(column(field, 4));
-    const char letter = upper(first);
+    const bool full = !isSpaceOrNul(column(field, 3)) && !isSpaceOrNul(column(field, 4));
+    const char letter = upperCase(first);
     const bool organic = letter == 'H' || letter == 'D' || letter == 'C' || letter == 'N' || letter == 'O';
-    const bool chlorine = letter == 'C' && upper(second) == 'L';
+    const bool chlorine = letter == 'C' && upperCase(second) == 'L';
     if (two != 0 && !(full && organic && !chlorine)) return two;
     return oneLetter(first);
 }
@@ -119,8 +118,8 @@ Element byNameColumns(std::string_view field) {
 }  // namespace
 
 std::string_view trim(std::string_view field) {
-    while (!field.empty() && isBlank(field.front())) field.remove_prefix(1);
-    while (!field.empty() && isBlank(field.back())) field.remove_suffix(1);
+    while (!field.empty() && isSpaceOrNul(field.front())) field.remove_prefix(1);
+    while (!field.empty() && isSpaceOrNul(field.back())) field.remove_suffix(1);
     return field;
 }
 

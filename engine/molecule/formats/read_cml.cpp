@@ -19,7 +19,7 @@ namespace nacre {
 
 namespace {
 
-constexpr int kDeepest = 256;
+constexpr int kDeepestElement = 256;
 constexpr std::size_t kLongestTitle = 200;
 
 /// Attributes as expat hands them out: names and values in turn.
@@ -125,7 +125,8 @@ private:
 
     void start(std::string_view qualified, const Attributes& attributes) {
         const std::string_view name = withoutPrefix(qualified);
-        if (++depth_ > kDeepest) fail("its elements are nested more than " + std::to_string(kDeepest) + " deep");
+        if (++depth_ > kDeepestElement)
+            fail("its elements are nested more than " + std::to_string(kDeepestElement) + " deep");
         inName_ = name == "name" && moleculeDepth_ > 0 && nameText_.empty();
         if (name == "molecule") {
             ++molecules_;

@@ -9,9 +9,9 @@ namespace nacre {
 
 namespace {
 
-constexpr std::size_t kFirstPosition = 20;     // after residue number, residue name, atom name and atom number
-constexpr std::size_t kShortestAtomLine = 26;  // coordinates of two characters, without the last end of line
-constexpr double kAngstrom = 10;               // in a nm
+constexpr std::size_t kFirstPosition = 20;    // after residue number, residue name, atom name and atom number
+constexpr std::size_t kShortestGroLine = 26;  // coordinates of two characters, without the last end of line
+constexpr double kAngstrom = 10;              // in a nm
 constexpr std::int32_t kNumbersWrapAt = 100000;
 
 class GroReader {
@@ -33,7 +33,7 @@ public:
         const std::string_view announced = second ? trim(lines_.line()) : std::string_view();
         const bool digits = !announced.empty() && announced.find_first_not_of("0123456789") == std::string_view::npos;
         const auto count = digits ? parseInteger(announced) : std::nullopt;
-        if (count && *count <= static_cast<std::int64_t>(lines_.rest().size() / kShortestAtomLine + 1)) {
+        if (count && *count <= static_cast<std::int64_t>(lines_.rest().size() / kShortestGroLine + 1)) {
             if (frame == model_) builder_.molecule().file.title = printable(title, 200);
             return count;
         }

@@ -20,15 +20,11 @@
 namespace nacre {
 namespace {
 
-using pdb::column;
-using pdb::columns;
-using pdb::trim;
-
 constexpr const char* kCannotRead = "cannot read molecule";
-constexpr std::size_t kLongestTitle = 4096;
+constexpr std::size_t kLongestJoinedTitle = 4096;
 
 /// Text for people: whatever is no printable ASCII becomes a question mark.
-std::string printable(std::string_view text) {
+std::string asciiOnly(std::string_view text) {
     std::string clean(text);
     for (char& c : clean)
         if (c < ' ' || c > '~') c = '?';
@@ -101,7 +97,7 @@ private:
             if (conectBefore_ && modelInProgress() != wanted_) conect_.shrink(*conectBefore_);
             conectBefore_.reset();
             endModel();
-        } else if (startsWith(line, "END") && trim(line) == "END") {
+        } else if (startsWith(line, "END") && pdb::trim(line) == "END") {
             if (!sawModelRecord_) endModel();  // files of several structures in a row
         } else if (startsWith(line, "TITLE ")) {
             title(line);
@@ -109,7 +105,7 @@ private:
         } else if (const auto range = secondaryOfPdbLine(line)) {
             if (secondary_.size() < maxAtoms_) secondary_.push_back(*range);  // a residue has an atom at least
         } else if (startsWith(line, "REMARK   2 RESOLUTION.")) {
-            const std::string_view value = trim(columns(line, 23, 40));  // a number, or NOT APPLICABLE
+            const std::string_view value = pdb::trim(pdb::columns(line, 23, 40));  // a number, or NOT APPLICABLE
             if (const auto stated = pdb::number(value.substr(0, value.find(' '))); stated && *stated > 0)
                 molecule_.file.resolution = *stated;
         } else if (startsWith(line, "REMARK 350")) {
@@ -120,7 +116,7 @@ private:
     /// As the databases of predictions begin: "TITLE     ALPHAFOLD MONOMER V2.0 PREDICTION FOR ...". A crystal
     /// structure may mention AlphaFold as well, but not there.
     void noteConfidence(std::string_view line) {
-        const std::string text = lowerCase(trim(columns(line, 11, 80)));
+        const std::string text = lowerCase(pdb::trim(pdb::columns(line, 11, 80)));
         const bool program = startsWith(text, "alphafold") || startsWith(text, "esmfold");
         if (program && text.find("prediction") != std::string::npos) molecule_.file.confidence = true;
     }
@@ -135,18 +131,18 @@ private:
     }
 
     void title(std::string_view line) {
-        const std::string_view part = trim(columns(line, 11, 80));
+        const std::string_view part = pdb::trim(pdb::columns(line, 11, 80));
         std::string& text = molecule_.file.title;
-        if (part.empty() || text.size() + part.size() > kLongestTitle) return;
+        if (part.empty() || text.size() + part.size() > kLongestJoinedTitle) return;
         if (!text.empty()) text += ' ';
-        text += printable(part);
+        text += asciiOnly(part);
     }
 
     float coordinate(std::string_view line, std::size_t first, char axis) {
-        const std::string_view field = columns(line, first, first + 7);
+        const std::string_view field = pdb::columns(line, first, first + 7);
         const auto value = pdb::number(field);
         if (value && std::abs(*value) <= kFarthestCoordinate) return static_cast<float>(*value);
-        const std::string shown = printable(trim(field));
+        const std::string shown = asciiOnly(pdb::trim(field));
         std::string why = shown.empty() ? "has no " + std::string(1, axis) + " coordinate"
                                         : "\"" + shown + "\" is no " + std::string(1, axis) + " coordinate";
         if (value) why += " within 1e9 Å";
@@ -155,7 +151,7 @@ private:
 
     /// A number that may be missing; what is there but unreadable counts as missing, with a warning.
     float optionalNumber(std::string_view line, std::size_t first, float missing) {
-        const std::string_view field = trim(columns(line, first, first + 5));
+        const std::string_view field = pdb::trim(pdb::columns(line, first, first + 5));
         if (field.empty()) return missing;
         if (const auto value = pdb::number(field); value && std::abs(*value) <= 1e9) return static_cast<float>(*value);
         if (unreadableNumbers_++ == 0) firstUnreadableNumber_ = lines_.number();
@@ -169,9 +165,9 @@ private:
         atom.position.z = coordinate(line, 47, 'z');
         atom.occupancy = optionalNumber(line, 55, 1);
         atom.temperatureFactor = optionalNumber(line, 61, 0);
-        atom.name = trim(columns(line, 13, 16));
+        atom.name = pdb::trim(pdb::columns(line, 13, 16));
         atom.hetero = line[0] == 'H';
-        const char alternate = column(line, 17);
+        const char alternate = pdb::column(line, 17);
         atom.alternate = alternate == ' ' ? '\0' : alternate;
         atom.residue = residueOf(line);
         elementAndCharge(line, atom);
@@ -188,15 +184,15 @@ private:
             atom.charge = pdb::charge(line);
             return;
         }
-        atom.element = pdb::elementByAutoDockType(columns(line, 78, 80));
-        if (atom.element == 0) atom.element = pdb::elementByName(columns(line, 13, 16), residue);
+        atom.element = pdb::elementByAutoDockType(pdb::columns(line, 78, 80));
+        if (atom.element == 0) atom.element = pdb::elementByName(pdb::columns(line, 13, 16), residue);
         molecule_.partialCharges.push_back(optionalNumber(line, 71, 0));
     }
 
     /// Index of the residue that the line belongs to: the latest, or a new one.
     std::uint32_t residueOf(std::string_view line) {
         // Column 21 is blank by the format; simulation programs put the fourth letter of "TIP3" there.
-        const std::string_view columns18to27 = columns(line, 18, 27);
+        const std::string_view columns18to27 = pdb::columns(line, 18, 27);
         if (molecule_.residues.empty() || columns18to27 != latestResidue_) startResidue(line, columns18to27);
         return static_cast<std::uint32_t>(molecule_.residues.size() - 1);
     }
@@ -204,14 +200,14 @@ private:
     void startResidue(std::string_view line, std::string_view columns18to27) {
         latestResidue_ = columns18to27;
         Residue residue;
-        residue.name = trim(columns(line, 18, 21));
+        residue.name = pdb::trim(pdb::columns(line, 18, 21));
         // Five digits run into the column of the insertion code.
-        const char code = column(line, 27);
-        const bool wide = code >= '0' && code <= '9' && column(line, 23) != ' ';
-        const auto number = pdb::integer(columns(line, 23, wide ? 27 : 26), 4);
+        const char code = pdb::column(line, 27);
+        const bool wide = code >= '0' && code <= '9' && pdb::column(line, 23) != ' ';
+        const auto number = pdb::integer(pdb::columns(line, 23, wide ? 27 : 26), 4);
         residue.number = static_cast<std::int32_t>(number.value_or(0));
         residue.insertionCode = wide || code == ' ' ? '\0' : code;
-        residue.chain = residue.subchain = chainOf(column(line, 22));
+        residue.chain = residue.subchain = chainOf(pdb::column(line, 22));
         residue.firstAtom = static_cast<std::uint32_t>(molecule_.atoms.size());
         molecule_.residues.push_back(residue);
     }
@@ -220,7 +216,7 @@ private:
         int& index = chainIndex_[static_cast<unsigned char>(letter)];
         if (index < 0) {
             index = static_cast<int>(molecule_.chains.size());
-            molecule_.chains.push_back({letter == ' ' ? std::string() : printable({&letter, 1})});
+            molecule_.chains.push_back({letter == ' ' ? std::string() : asciiOnly({&letter, 1})});
             molecule_.subchains.push_back(molecule_.chains.back().name);
         }
         return static_cast<std::uint32_t>(index);

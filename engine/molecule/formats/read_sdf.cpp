@@ -27,13 +27,13 @@ std::uint64_t countLines(std::string_view text) {
     return count;
 }
 
-struct Header {
+struct Heading {
     std::string_view title, counts;
     bool v3000 = false;
 };
 
-Header readHeader(LineReader& lines) {
-    Header header;
+Heading readHeader(LineReader& lines) {
+    Heading header;
     for (int i = 0; i < 4 && lines.next(); ++i) {
         if (i == 0) header.title = trim(lines.line());
         if (i == 3) header.counts = lines.line();
@@ -45,7 +45,7 @@ Header readHeader(LineReader& lines) {
 /// Counts of a record that is not read, for the summary: what it announces, but no more than it has lines for.
 CtabCounts announcedCounts(std::string_view record) {
     LineReader lines(record);
-    const Header header = readHeader(lines);
+    const Heading header = readHeader(lines);
     CtabCounts counts;
     if (!header.v3000) {
         counts = parseCountsV2000(header.counts).value_or(CtabCounts());
@@ -64,7 +64,7 @@ CtabCounts announcedCounts(std::string_view record) {
 
 CtabCounts readRecord(MoleculeBuilder& builder, std::string_view record, std::uint64_t firstLine) {
     LineReader lines(record, firstLine);
-    const Header header = readHeader(lines);
+    const Heading header = readHeader(lines);
     if (lines.number() < firstLine + 3)
         throw Error("cannot read molecule", builder.name(), "it ends before the counts line", lines.number());
     FileSummary& file = builder.molecule().file;

@@ -18,10 +18,10 @@ constexpr double kCarbonOxygen = 1.43;
 constexpr double kCarbonHydrogen = 1.10;
 constexpr double kOxygenHydrogen = 0.97;
 
-constexpr double radians(double degrees) { return degrees * std::numbers::pi / 180; }
-constexpr double kTetrahedral = radians(109.4712206);
-constexpr double kRingAngleAtCarbon = radians(110.0);
-constexpr double kRingAngleAtOxygen = radians(113.5);
+constexpr double fromDegrees(double degrees) { return degrees * std::numbers::pi / 180; }
+constexpr double kTetrahedral = fromDegrees(109.4712206);
+constexpr double kRingAngleAtCarbon = fromDegrees(110.0);
+constexpr double kRingAngleAtOxygen = fromDegrees(113.5);
 
 enum { C1, C2, C3, C4, C5, O5, kRingSize };
 using Ring = std::array<glm::dvec3, kRingSize>;
@@ -42,7 +42,7 @@ Ring chair() {
     Ring ring;
     // 4C1: C4 above and C1 below the plane of the others, seen from the side where the numbering runs clockwise.
     for (int i = 0; i < kRingSize; ++i) {
-        const double angle = radians(-60.0 * i);
+        const double angle = fromDegrees(-60.0 * i);
         ring[i] = {1.45 * std::cos(angle), 1.45 * std::sin(angle), i % 2 == 0 ? -0.25 : 0.25};
     }
     for (int round = 0; round < 2000; ++round) {
@@ -88,7 +88,8 @@ glm::dvec3 extend(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, double length, doubl
 }
 
 /// Position along each hydroxyl's C-O bond where its hydrogen points, as torsion from the ring atom before it.
-constexpr std::array<double, 4> kHydroxylTorsions = {radians(60), radians(180), radians(180), radians(180)};
+constexpr std::array<double, 4> kHydroxylTorsions = {fromDegrees(60), fromDegrees(180), fromDegrees(180),
+                                                     fromDegrees(180)};
 
 struct Hydroxyl {
     glm::dvec3 oxygen;
@@ -132,12 +133,12 @@ Molecule sampleGlucose() {
     const auto h5 = builder.atom("H5", "H", ring[C5] + kCarbonHydrogen * axial);
     const glm::dvec3 carbon = ring[C5] + kCarbonCarbon * equatorial;
     // The gauche-trans rotamer, O5-C5-C6-O6 = +60 degrees, as in the crystal of alpha-D-glucose.
-    const glm::dvec3 oxygen = extend(ring[O5], ring[C5], carbon, kCarbonOxygen, radians(60));
+    const glm::dvec3 oxygen = extend(ring[O5], ring[C5], carbon, kCarbonOxygen, fromDegrees(60));
     const auto c6 = builder.atom("C6", "C", carbon);
     const auto o6 = builder.atom("O6", "O", oxygen);
-    const auto h61 = builder.atom("H61", "H", extend(ring[O5], ring[C5], carbon, kCarbonHydrogen, radians(180)));
-    const auto h62 = builder.atom("H62", "H", extend(ring[O5], ring[C5], carbon, kCarbonHydrogen, radians(-60)));
-    const auto ho6 = builder.atom("HO6", "H", extend(ring[C5], carbon, oxygen, kOxygenHydrogen, radians(180)));
+    const auto h61 = builder.atom("H61", "H", extend(ring[O5], ring[C5], carbon, kCarbonHydrogen, fromDegrees(180)));
+    const auto h62 = builder.atom("H62", "H", extend(ring[O5], ring[C5], carbon, kCarbonHydrogen, fromDegrees(-60)));
+    const auto ho6 = builder.atom("HO6", "H", extend(ring[C5], carbon, oxygen, kOxygenHydrogen, fromDegrees(180)));
     builder.bond(ringAtoms[C5], h5, 1);
     builder.bond(ringAtoms[C5], c6, 1);
     for (const auto atom : {o6, h61, h62}) builder.bond(c6, atom, 1);

@@ -7,20 +7,19 @@
 #include "engine/molecule/element.h"
 #include "engine/molecule/near_atoms.h"
 #include "engine/molecule/residue_kind.h"
+#include "engine/molecule/text.h"
 
 namespace nacre {
 namespace {
 
 using Set = std::vector<bool>;
 
-char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-
 /// Whether a text is that of a pattern, in which * stands for any characters.
 /// @param foldCase  the text's letters count as capitals; the pattern's are capitals
 bool matches(std::string_view pattern, std::string_view text, bool foldCase) {
     std::size_t p = 0, t = 0, star = std::string_view::npos, resume = 0;
     while (t < text.size()) {
-        const char c = foldCase ? upper(text[t]) : text[t];
+        const char c = foldCase ? upperCase(text[t]) : text[t];
         if (p < pattern.size() && pattern[p] == '*') {
             star = p++;
             resume = t;
@@ -44,7 +43,7 @@ bool anyMatches(const std::vector<std::string>& patterns, std::string_view text,
 }
 
 bool anyHolds(const std::vector<NumberRange>& ranges, std::int32_t number, char code) {
-    const auto place = std::tuple(number, upper(code));
+    const auto place = std::tuple(number, upperCase(code));
     return std::any_of(ranges.begin(), ranges.end(), [&](const NumberRange& range) {
         return std::tuple(range.first, range.firstCode) <= place && place <= std::tuple(range.last, range.lastCode);
     });

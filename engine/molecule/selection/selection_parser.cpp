@@ -27,8 +27,6 @@ std::string upperCase(std::string_view text) {
     return upper;
 }
 
-bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
 class Parser : SelectionText {
 public:
     explicit Parser(std::string_view text) : SelectionText(text) {}

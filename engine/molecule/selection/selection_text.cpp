@@ -93,8 +93,6 @@ constexpr Keyword kKeywords[] = {
     {"|", disjunction},
 };
 
-bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
-
 }  // namespace
 
 void SelectionText::skipBlanks() {
