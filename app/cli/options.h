@@ -9,6 +9,7 @@
 
 #include "app/cli/command_spec.h"
 #include "app/desktop/view_options.h"
+#include "app/shared/aim.h"
 #include "app/shared/input_options.h"
 #include "app/shared/option_values.h"
 #include "engine/molecule/drawn_atoms.h"
@@ -32,6 +33,7 @@ struct RenderOptions {
     DrawnAtomsOptions drawn;
     RepresentationOptions look;
     Camera camera;
+    Aim aim;
     Size size;
     std::uint32_t supersample = 1;
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha

@@ -16,9 +16,9 @@
 namespace nacre::app {
 namespace {
 
-RenderSettings settingsOf(const RenderOptions& options, const Representation& scene) {
+RenderSettings settingsOf(const RenderOptions& options, const Camera& camera, const Representation& scene) {
     RenderSettings settings;
-    settings.view = viewOf(options.camera, scene.radius, options.size.width, options.size.height);
+    settings.view = viewOf(camera, scene.radius, options.size.width, options.size.height);
     settings.supersample = options.supersample;
     settings.background = options.background;
     settings.lighting = options.lighting;
@@ -65,8 +65,10 @@ PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& op
     const Clock::time_point start = Clock::now();
     PreparedPicture prepared;
     prepared.scene = sceneOf(molecule, options.input.path, options.drawn, options.look);
-    prepared.settings = settingsOf(options, prepared.scene);
+    const Camera camera = aimed(options.camera, options.aim, molecule, prepared.scene, options.size);
+    prepared.settings = settingsOf(options, camera, prepared.scene);
     RunStats& run = prepared.run;
+    run.zoom = camera.zoom;
     run.atomsRead = molecule.atoms.size();
     run.bondsKnown = molecule.bonds.size();
     run.center = prepared.scene.center;

@@ -11,6 +11,18 @@ namespace nacre::app {
 namespace {
 
 void addCamera(CommandSpec& command, RenderOptions& options) {
+    addValue(command, "--orient", "principal|file", "file, or that of the saved view",
+             "principal: the longest axis across the longer side, the shortest towards the viewer;\nfile: as the "
+             "coordinates stand. --rotate turns it further",
+             [&](const std::string& text) {
+                 options.aim.principal = parseChoice(text, {"principal", "file"}) == 0;
+                 if (!options.aim.principal) options.camera.orientation = glm::dquat(1, 0, 0, 0);
+             });
+    addValue(command, "--look-at", "SEL", "none", "Turn to the viewer the side from which a selection is hidden least",
+             [&](const std::string& text) { options.aim.lookAt = parseSelection(text); });
+    addValue(command, "--zoom-to", "SEL", "none: the whole molecule",
+             "Close in on a selection, with 3 Å around it; --zoom scales that",
+             [&](const std::string& text) { options.aim.zoomTo = parseSelection(text); });
     addValue(command, "--rotate", "X,Y,Z", "0,0,0", "Degrees, right-handed, about the view axes, X first",
              [&](const std::string& text) { options.camera.rotationDegrees = parseRotation(text); });
     addValue(command, "--zoom", "F", "1", "Scales the picture, 0.0001 to 10000",

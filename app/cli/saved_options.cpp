@@ -36,6 +36,7 @@ ViewOptions viewOptionsOf(const RenderOptions& options) {
     window.first.input = filePathOf(options.input);
     window.input = options.input;
     window.input.path = window.first.input;
+    window.aim = options.aim;
     window.size = options.size;
     window.occlusionBytes = options.occlusion.bytes();
     window.debug = options.debug;

@@ -2,6 +2,8 @@
 
 #include <sys/resource.h>
 
+#include <glm/gtc/quaternion.hpp>
+
 #include "app/shared/json_text.h"
 #include "engine/scene/palettes.h"
 
@@ -48,6 +50,7 @@ Json passesOf(const FrameStats& frame) {
 }  // namespace
 
 std::string statsJson(const RunStats& run, const View& view, const FrameStats& frame) {
+    const glm::dquat q = glm::normalize(glm::quat_cast(view.rotation));
     Json json;
     json["view"] = {{"width", view.width},
                     {"height", view.height},
@@ -57,6 +60,8 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
                     {"pixels_per_angstrom", view.pixelsPerAngstrom},
                     {"eye_distance", view.eyeDistance},
                     {"rotation", rowsOf(view.rotation)},
+                    {"orientation", {q.w, q.x, q.y, q.z}},
+                    {"zoom", run.zoom},
                     {"pan", {view.pan.x, view.pan.y}}};
     json["atoms"] = {
         {"read", run.atomsRead}, {"drawn", run.atomsDrawn}, {"submitted", frame.spheres}, {"copies", frame.copies}};

@@ -51,6 +51,7 @@ public:
         session_.open(now());
         if (renderer().stats().device.type == "software") viewer().setMostSamples(kSoftwareSamples);
         viewer().setDebugView(options.debug, now());
+        viewer().aim(options.aim, now());
         resized();
     }
 

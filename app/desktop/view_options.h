@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "app/shared/aim.h"
 #include "app/shared/option_values.h"
 #include "app/shared/saved_view.h"
 #include "engine/settings.h"
@@ -12,6 +13,7 @@ namespace nacre::app {
 
 struct ViewOptions {
     SavedView first;       ///< what it shows at first
+    Aim aim;               ///< and from where
     bool restore = false;  ///< go on where the last window was left, instead of `first`
     InputOptions input;    ///< how molecules are had: cache, network, memory; what they are is `first`'s
     Size size{1280, 800};

@@ -101,6 +101,7 @@ private:
     std::vector<Rectangle> occupied_;
     char selection_[512] = "";
     std::string ruleError_;
+    std::optional<Aim> aim_;  // that a button asked for in this frame
     Overlay overlay_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
 #include "app/panel/panel.h"
 #include "app/panel/panel_style.h"
@@ -123,6 +124,7 @@ void Panel::drawPanel(Viewer& viewer, double now) {
     }
     ImGui::End();
     if (savedViewJson(look) != before) viewer.setLook(look, now);
+    if (aim_) viewer.aim(*std::exchange(aim_, std::nullopt), now);
 }
 
 /// One of the choices: a drop-down list for a mouse, one that unfolds in place for fingers.
@@ -246,6 +248,19 @@ void Panel::drawRuleButtons(SavedView& look, const std::string& selection) {
     if (ImGui::Button("Sticks")) add(parseShow, selection + "=licorice");
     ImGui::SameLine();
     if (ImGui::Button("Red")) add(parseColorBy, selection + "=#e04030");
+    const auto aim = [&](std::optional<Selection> Aim::*which) {
+        try {
+            aim_.emplace();
+            (*aim_).*which = parseSelection(selection);
+            ruleError_.clear();
+        } catch (const std::exception& error) {
+            aim_.reset();
+            ruleError_ = error.what();
+        }
+    };
+    if (ImGui::Button("Look at")) aim(&Aim::lookAt);
+    ImGui::SameLine();
+    if (ImGui::Button("Close in")) aim(&Aim::zoomTo);
 }
 
 void Panel::drawHelp() {

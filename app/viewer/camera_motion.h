@@ -40,6 +40,7 @@ public:
     void fit(double now);
     /// Flies to where everything began.
     void reset(double now);
+    void fly(const Camera& to, double now);
     void setAutoRotation(bool on) { autoRotation_ = on; }
     bool autoRotation() const { return autoRotation_; }
     void setProjection(Projection projection) { camera_.projection = projection; }
@@ -55,7 +56,6 @@ private:
         double start;
     };
     void turn(glm::dvec2 points);
-    void fly(const Camera& to, double now);
 
     Camera camera_;
     bool autoRotation_ = false, gliding_ = false;

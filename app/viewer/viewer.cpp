@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 #include "app/viewer/measurement.h"
 #include "engine/error.h"
@@ -121,6 +122,28 @@ void Viewer::open(const std::string& path, double now) {
     fresh.camera.projection = view_.camera.projection;
     loader_.read(fresh);
     say("reading " + nameOf(path), now);
+}
+
+void Viewer::aim(const Aim& aim, double now) {
+    if (loader_.busy() || !document())
+        aim_ = aim;
+    else
+        takeAim(aim, true, now);
+}
+
+void Viewer::takeAim(const Aim& aim, bool fly, double now) {
+    try {
+        Camera from = motion_.camera();
+        if (aim.zoomTo) from.zoom = 1;
+        const Camera to = aimed(from, aim, *document_.molecule, document_.scene, {size_.width, size_.height});
+        if (fly)
+            motion_.fly(to, now);
+        else
+            motion_.set(to);
+        changed(now);
+    } catch (const Error& error) {
+        say(error.what(), now);
+    }
 }
 
 void Viewer::pause() {
@@ -270,6 +293,7 @@ void Viewer::tookDocument(double now) {
         }
         firstDocument_ = false;
         message_.clear();
+        if (aim_.any()) takeAim(std::exchange(aim_, {}), false, now);
     }
     occlusion_ = view_.occlusionDirections ? 0 : 1;
     occlusionRetry_ = {};

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/shared/aim.h"
 #include "app/viewer/camera_motion.h"
 #include "app/viewer/commands.h"
 #include "app/viewer/events.h"
@@ -55,6 +56,8 @@ public:
     void gesture(const Gesture& gesture, double now) { apply({gesture}, now); }
     void run(ViewerCommand command, double now);
     void open(const std::string& path, double now);
+    /// Flies to where a molecule is seen from as asked; while one is read, that one, once it is there.
+    void aim(const Aim& aim, double now);
     void pause();
     void resume(double now);
     /// Gives up what can be made again: the refined picture's samples from now on, picks stay.
@@ -102,6 +105,8 @@ private:
     void tookDocument(double now);
     double advance(double now);
     bool moveCamera(ViewerCommand command, double now);
+    bool aimCamera(ViewerCommand command, double now);
+    void takeAim(const Aim& aim, bool fly, double now);
     void draw(const FrameSchedule::Next& next, double now, bool moving, const std::function<const Overlay*()>& overlay);
     double occlusionBudget(double now, bool moving);
     std::uint32_t refinedSamples() const;
@@ -122,6 +127,7 @@ private:
     double scale_ = 1;  // pixels a point
     double occlusion_ = 1, lastOcclusion_ = 0, lastBudget_ = 0;
     double handMoved_ = -1e9;
+    Aim aim_;                                         // of the molecule that is being read
     std::vector<std::uint32_t> picks_, picksBefore_;  // atoms, from 0
     DebugView debug_ = DebugView::none;
     std::string message_;

@@ -87,9 +87,25 @@ bool Viewer::moveCamera(ViewerCommand command, double now) {
     }
 }
 
+/// Commands that go by the molecule. @returns whether it was one
+bool Viewer::aimCamera(ViewerCommand command, double now) {
+    using C = ViewerCommand;
+    if (command != C::orient && command != C::lookAt && command != C::zoomTo) return false;
+    if (!document()) return true;
+    // Residues, for one atom alone is no place.
+    std::string picked;
+    for (const std::uint32_t pick : picks_) picked += (picked.empty() ? "byres id " : "+") + std::to_string(pick + 1);
+    Aim aim;
+    aim.principal = command == C::orient;
+    if (command == C::lookAt) aim.lookAt = parseSelection(picked.empty() ? "ligand" : picked);
+    if (command == C::zoomTo) aim.zoomTo = parseSelection(picked.empty() ? "ligand" : picked);
+    takeAim(aim, true, now);
+    return true;
+}
+
 void Viewer::run(ViewerCommand command, double now) {
     using C = ViewerCommand;
-    if (moveCamera(command, now)) return;
+    if (moveCamera(command, now) || aimCamera(command, now)) return;
     SavedView look = view();
     switch (command) {
         case C::spacefill:

@@ -239,6 +239,37 @@ TEST(Viewer, PicksNameAndMeasure) {
     EXPECT_NEAR(b.viewer.annotations().atoms[0].y, 240 - v.y * view.pixelsPerAngstrom, 1e-9);
 }
 
+TEST(Viewer, AimsAtWhatIsPicked) {
+    Bench b;
+    b.viewer.resize({640, 480}, 1, b.now);
+    b.run(2);
+    b.viewer.run(ViewerCommand::orient, b.now);
+    b.run(1);
+    const glm::dquat flat = b.viewer.view().camera.orientation;
+    EXPECT_NE(flat, glm::dquat(1, 0, 0, 0));
+    b.screen.atom = 3;
+    b.viewer.touch({1, TouchPhase::began, {300, 200}}, b.now);
+    b.viewer.touch({1, TouchPhase::ended, {300, 200}}, b.now + 0.05);
+    b.run(1);
+    b.viewer.run(ViewerCommand::zoomTo, b.now);
+    b.run(1);
+    EXPECT_GT(b.viewer.view().camera.zoom, 0.3);
+    EXPECT_NE(b.viewer.view().camera.zoom, 1);
+    EXPECT_EQ(b.viewer.view().camera.orientation, flat);
+    Aim nothing;
+    nothing.lookAt = parseSelection("resn XYZ");
+    b.viewer.aim(nothing, b.now);
+    EXPECT_NE(b.viewer.annotations().message.find("no such atoms"), std::string::npos);
+    // What is aimed at before the molecule is there, is when it is.
+    Aim flatAim;
+    flatAim.principal = true;
+    b.viewer.open("sample:dna", b.now);
+    b.viewer.aim(flatAim, b.now);
+    b.load();
+    EXPECT_NE(b.viewer.view().camera.orientation, glm::dquat(1, 0, 0, 0));
+    EXPECT_EQ(b.viewer.view().camera.zoom, 1);
+}
+
 TEST(Viewer, ADoubleTapFitsAndPicksNothing) {
     Bench b;
     b.run(2);

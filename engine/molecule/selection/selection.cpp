@@ -95,6 +95,8 @@ private:
                 return whereResidue([&](std::size_t i) {
                     return anyHolds(step.numbers, molecule_.chains[molecule_.residues[i].chain].model, '\0');
                 });
+            case SelectionTest::atomNumber:
+                return ofNumbers(step.numbers);
             case SelectionTest::protein:
                 return ofKind({ResidueKind::protein});
             case SelectionTest::nucleic:
@@ -135,6 +137,12 @@ private:
     Set whereAtom(const Holds& holds) const {
         Set set(molecule_.atoms.size());
         for (std::size_t i = 0; i < set.size(); ++i) set[i] = holds(molecule_.atoms[i]);
+        return set;
+    }
+
+    Set ofNumbers(const std::vector<NumberRange>& ranges) const {
+        Set set(molecule_.atoms.size());
+        for (std::size_t i = 0; i < set.size(); ++i) set[i] = anyHolds(ranges, static_cast<std::int32_t>(i) + 1, '\0');
         return set;
     }
 

@@ -7,8 +7,10 @@
 //   term       not T (also !), byres T, within N of T, around N of T, ( selection ), or a test
 //   test       chain A+B   resn HEM+ATP   resi 10-20+35   name CA+CB   elem FE   altloc A   model 1
 //              ss helix+strand+loop   sequence GLN?A   b > 50   occupancy < 1   (also <= >= = !=)
-//              all none protein nucleic polymer ligand water ion backbone sidechain hydrogens hetatm helix strand loop
-//              /A:10-20@CA, as ChimeraX has it: chains, numbers or names of residues, names of atoms, #1 for a model
+//              id 78+92-95   (positions of atoms among all records of the file's drawn model, from 1, as a click says
+//              them) all none protein nucleic polymer ligand water ion backbone sidechain hydrogens hetatm helix strand
+//              loop /A:10-20@CA, as ChimeraX has it: chains, numbers or names of residues, names of atoms, #1 for a
+//              model
 //
 // `not`, `byres` and `within N of` apply to the one term that follows. Where that term stands without parentheses
 // and an operator follows, `byres` and `within` are refused as ambiguous, for PyMOL would read on.
@@ -50,6 +52,7 @@ enum class SelectionTest : std::uint8_t {
     element,
     alternate,
     model,
+    atomNumber,
     secondary,
     sequence,
     temperatureFactor,
@@ -75,7 +78,7 @@ struct SelectionStep {
     SelectionTest test = SelectionTest::all;
     /// Values of chain, residueName, atomName, element, alternate, sequence; of secondary "HELIX", "STRAND", "LOOP".
     std::vector<std::string> words;
-    std::vector<NumberRange> numbers;           ///< of residueNumber and model
+    std::vector<NumberRange> numbers;           ///< of residueNumber, model and atomNumber
     double distance = 0;                        ///< of within and around, Å
     Comparison comparison = Comparison::equal;  ///< of temperatureFactor and occupancy, with `value`
     double value = 0;

@@ -160,6 +160,9 @@ private:
             case model:
                 numbers(step, "a model number");
                 break;
+            case atomNumber:
+                numbers(step, "an atom's number");
+                break;
             case secondary:
                 if (word == "ss")
                     folds(step);

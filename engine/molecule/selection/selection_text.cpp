@@ -60,6 +60,8 @@ constexpr Keyword kKeywords[] = {
     {"altloc", alternate},
     {"alt", alternate},
     {"model", model},
+    {"id", atomNumber},
+    {"serial", atomNumber},
     {"ss", secondary},
     {"helix", secondary},
     {"strand", secondary},

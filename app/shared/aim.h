@@ -1,0 +1,29 @@
+#pragma once
+// Where a picture looks from: what --orient, --look-at and --zoom-to ask, and the camera that follows.
+
+#include <optional>
+
+#include "app/shared/option_values.h"
+#include "engine/molecule/selection/selection.h"
+#include "engine/scene/camera.h"
+#include "engine/scene/representation.h"
+
+namespace nacre::app {
+
+struct Aim {
+    bool principal = false;           ///< principal axes; else the camera's orientation
+    std::optional<Selection> lookAt;  ///< what faces the viewer
+    std::optional<Selection> zoomTo;  ///< what fills the picture
+
+    bool any() const { return principal || lookAt || zoomTo; }
+};
+
+/// The camera, aimed. Its rotation in degrees is applied last, its zoom is that of what is zoomed to.
+/// @throws Error if a selection has no drawn atom
+Camera aimed(const Camera& camera, const Aim& aim, const Molecule& molecule, const Representation& scene,
+             const Size& size);
+
+/// Room around what is zoomed to, Å: a ligand with what touches it.
+constexpr double kZoomMargin = 3;
+
+}  // namespace nacre::app

@@ -1,0 +1,252 @@
+#include "engine/scene/orientation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <numbers>
+#include <tuple>
+#include <utility>
+
+#include "engine/scene/bounds.h"
+
+namespace nacre {
+namespace {
+
+using Balls = std::vector<glm::dvec4>;
+
+/// Variances along the axes, largest first.
+struct Axes {
+    std::array<double, 3> variances{};
+    std::array<glm::dvec3, 3> ways{};
+};
+
+glm::dvec3 meanOf(const Balls& balls) {
+    glm::dvec3 sum(0);
+    for (const glm::dvec4& ball : balls) sum += glm::dvec3(ball);
+    return sum / static_cast<double>(balls.size());
+}
+
+/// Turns a symmetric matrix about the axes until what stands beside its diagonal is gone. C. G. J. Jacobi, Journal für
+/// die reine und angewandte Mathematik 30 (1846) 51.
+Axes axesOf(glm::dmat3 m) {
+    glm::dmat3 turned(1.0);  // its columns become the axes
+    for (int sweep = 0; sweep < 50; ++sweep) {
+        if (m[0][1] * m[0][1] + m[0][2] * m[0][2] + m[1][2] * m[1][2] == 0) break;
+        for (const auto& [i, j] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
+            if (m[i][j] == 0) continue;
+            const double half = (m[j][j] - m[i][i]) / (2 * m[i][j]);
+            const double tangent = (half < 0 ? -1 : 1) / (std::abs(half) + std::hypot(half, 1.0));
+            const double cosine = 1 / std::hypot(tangent, 1.0), sine = tangent * cosine;
+            glm::dmat3 turn(1.0);
+            turn[i][i] = turn[j][j] = cosine;
+            turn[j][i] = sine;
+            turn[i][j] = -sine;
+            m = glm::transpose(turn) * m * turn;
+            m[i][j] = m[j][i] = 0;  // but for rounding
+            turned = turned * turn;
+        }
+    }
+    std::array<int, 3> order{0, 1, 2};
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return m[a][a] > m[b][b]; });
+    Axes axes;
+    for (std::size_t i = 0; i < 3; ++i) {
+        axes.variances[i] = m[order[i]][order[i]];
+        axes.ways[i] = turned[order[i]];
+    }
+    return axes;
+}
+
+Axes principalAxes(const Balls& balls, const glm::dvec3& mean) {
+    glm::dmat3 covariance(0.0);
+    for (const glm::dvec4& ball : balls) {
+        const glm::dvec3 p = glm::dvec3(ball) - mean;
+        covariance += glm::outerProduct(p, p);
+    }
+    return axesOf(covariance / static_cast<double>(balls.size()));
+}
+
+/// The axis in the direction in which the points reach farther.
+glm::dvec3 directed(const glm::dvec3& axis, const Balls& balls, const glm::dvec3& mean) {
+    constexpr double kSkewed = 1e-3;
+    double squares = 0, cubes = 0;
+    for (const glm::dvec4& ball : balls) {
+        const double at = glm::dot(glm::dvec3(ball) - mean, axis);
+        squares += at * at;
+        cubes += at * at * at;
+    }
+    const double count = static_cast<double>(balls.size());
+    const double skewness = squares > 0 ? cubes / count / std::pow(squares / count, 1.5) : 0;
+    if (std::abs(skewness) > kSkewed) return skewness > 0 ? axis : -axis;
+    int largest = 0;
+    for (int i = 1; i < 3; ++i)
+        if (std::abs(axis[i]) > std::abs(axis[largest]) + 1e-6) largest = i;
+    return axis[largest] < 0 ? -axis : axis;
+}
+
+/// The part of the file's axis `wanted`, else of another one, that stands upright on a unit vector.
+glm::dvec3 acrossFrom(const glm::dvec3& unit, int wanted) {
+    for (const int i : {wanted, (wanted + 2) % 3, (wanted + 1) % 3}) {
+        glm::dvec3 file(0);
+        file[i] = 1;
+        const glm::dvec3 across = file - unit * unit[i];
+        if (glm::length(across) > 0.5) return glm::normalize(across);
+    }
+    return {1, 0, 0};  // cannot be: of three axes, one at most is near to the vector
+}
+
+/// Directions evenly over the sphere, by falling z: spherical Fibonacci, as the occlusion has them.
+std::vector<glm::dvec3> directionsAround(std::size_t count) {
+    std::vector<glm::dvec3> ways;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double z = 1 - (2 * static_cast<double>(i) + 1) / static_cast<double>(count);
+        const double turn = 2 * std::numbers::pi * static_cast<double>(i) / std::numbers::phi;
+        const double r = std::sqrt(1 - z * z);
+        ways.emplace_back(r * std::cos(turn), r * std::sin(turn), z);
+    }
+    return ways;
+}
+
+/// For each direction the share of the targets that see out of the molecule by it.
+std::vector<double> openShares(const Balls& targets, const Balls& others, const std::vector<glm::dvec3>& ways) {
+    const auto count = static_cast<double>(ways.size());
+    std::vector<double> open(ways.size());
+    std::vector<bool> blocked;
+    for (const glm::dvec4& target : targets) {
+        blocked.assign(ways.size(), false);
+        for (const glm::dvec4& ball : others) {
+            const glm::dvec3 to = glm::dvec3(ball) - glm::dvec3(target);
+            const double distance = glm::length(to);
+            if (distance < 1e-3) continue;
+            // An atom that touches still leaves open what lies beside it.
+            const double angle = std::asin(std::min(ball.w / distance, 1.0));
+            const double z = std::clamp(to.z / distance, -1.0, 1.0), polar = std::acos(z);
+            const double top = std::cos(std::max(polar - angle, 0.0));
+            const double bottom = std::cos(std::min(polar + angle, std::numbers::pi));
+            const auto place = [&](double height) { return std::clamp((1 - height) * count / 2, 0.0, count); };
+            const auto end = static_cast<std::size_t>(std::ceil(place(bottom)));
+            for (auto i = static_cast<std::size_t>(place(top)); i < std::min(end, ways.size()); ++i)
+                if (glm::dot(ways[i], to) > distance * std::cos(angle)) blocked[i] = true;
+        }
+        for (std::size_t i = 0; i < ways.size(); ++i)
+            open[i] += blocked[i] ? 0 : 1.0 / static_cast<double>(targets.size());
+    }
+    return open;
+}
+
+Balls without(const Balls& all, Balls some) {
+    const auto before = [](const glm::dvec4& a, const glm::dvec4& b) {
+        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+    };
+    std::sort(some.begin(), some.end(), before);
+    Balls rest;
+    for (const glm::dvec4& ball : all)
+        if (!std::binary_search(some.begin(), some.end(), ball, before)) rest.push_back(ball);
+    return rest;
+}
+
+/// Some of many, evenly through the list.
+Balls sampleOf(const Balls& balls, std::size_t most) {
+    Balls some;
+    const std::size_t step = (balls.size() + most - 1) / most;
+    for (std::size_t i = 0; i < balls.size(); i += step) some.push_back(balls[i]);
+    return some;
+}
+
+}  // namespace
+
+std::vector<glm::dvec4> drawnBalls(const Representation& scene) {
+    Balls balls;
+    balls.reserve(scene.drawnAtoms);
+    if (scene.copies.transforms.empty())
+        for (const Sphere& s : scene.spheres) balls.emplace_back(s.center, s.radius);
+    for (const PrimitiveRun& run : scene.copies.spheres)
+        for (const std::uint32_t copy : scene.copies.lists[run.list])
+            for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+                const Sphere& s = scene.spheres[i];
+                balls.emplace_back(scene.copies.transforms[copy] * glm::dvec4(s.center, 1.0), s.radius);
+            }
+    return balls;
+}
+
+std::vector<glm::dvec4> chosenBalls(const Representation& scene, const std::vector<bool>& chosen) {
+    Balls balls;
+    const auto add = [&](std::size_t i, const glm::dmat4x3& place) {
+        const Sphere& s = scene.spheres[i];
+        if (chosen[scene.sphereLooks[i].atom - 1])
+            balls.emplace_back(place * glm::dvec4(s.center, 1.0), static_cast<double>(s.radius));
+    };
+    if (scene.copies.transforms.empty())
+        for (std::size_t i = 0; i < scene.spheres.size(); ++i) add(i, glm::dmat4x3(1.0));
+    for (const PrimitiveRun& run : scene.copies.spheres)
+        for (std::uint32_t i = run.first; i < run.first + run.count; ++i)
+            add(i, scene.copies.transforms[scene.copies.lists[run.list].front()]);
+    return balls;
+}
+
+glm::dquat principalOrientation(const std::vector<glm::dvec4>& balls, bool wide) {
+    constexpr double kAlike = 0.01;  // of the largest variance
+    if (balls.size() < 2) return {1, 0, 0, 0};
+    const glm::dvec3 mean = meanOf(balls);
+    const Axes axes = principalAxes(balls, mean);
+    const auto alike = [&](std::size_t i, std::size_t j) {
+        return axes.variances[i] - axes.variances[j] < kAlike * axes.variances[0];
+    };
+    const bool longIsOne = !alike(0, 1), shortIsOne = !alike(1, 2);
+    if (!longIsOne && !shortIsOne) return {1, 0, 0, 0};
+    glm::dvec3 longest, depth;
+    if (longIsOne) {
+        longest = directed(axes.ways[0], balls, mean);
+        depth = shortIsOne ? directed(axes.ways[2], balls, mean) : acrossFrom(longest, 2);
+    } else {
+        depth = directed(axes.ways[2], balls, mean);
+        longest = acrossFrom(depth, wide ? 0 : 1);
+    }
+    const glm::dvec3 x = wide ? longest : glm::cross(longest, depth);
+    const glm::dvec3 y = wide ? glm::cross(depth, longest) : longest;
+    return glm::normalize(glm::quat_cast(glm::transpose(glm::dmat3(x, y, depth))));
+}
+
+glm::dquat facingOrientation(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,
+                             const glm::dmat3& from) {
+    constexpr std::size_t kDirections = 400, kMostTargets = 48;
+    constexpr double kOutward = 0.15, kSharpness = 12;  // what the way out counts; a cone of about 20 degrees
+    const glm::dvec3 viewer = glm::transpose(from) * glm::dvec3(0, 0, 1);
+    const glm::dvec3 middle = meanOf(target), out = middle - meanOf(all);
+    const glm::dvec3 outward = glm::length(out) > 0.5 ? glm::normalize(out) : viewer;
+    const std::vector<glm::dvec3> ways = directionsAround(kDirections);
+    const std::vector<double> open = openShares(sampleOf(target, kMostTargets), without(all, target), ways);
+    glm::dvec3 best = viewer;
+    double most = -1;
+    for (const glm::dvec3& way : ways) {
+        double sum = 0, weights = 0;  // one slit between two atoms is no opening
+        for (std::size_t i = 0; i < ways.size(); ++i) {
+            const double near = std::pow(std::max(glm::dot(way, ways[i]), 0.0), kSharpness);
+            sum += near * open[i];
+            weights += near;
+        }
+        const double score = sum / weights + kOutward * glm::dot(way, outward);
+        if (score > most) most = score, best = way;
+    }
+    // The shortest turn from where `best` points to now, to the viewer.
+    const glm::dvec3 now = from * best;
+    const glm::dvec3 axis = glm::cross(now, glm::dvec3(0, 0, 1));
+    const double sine = glm::length(axis), angle = std::atan2(sine, now.z);
+    const glm::dquat turn = sine > 1e-9 ? glm::angleAxis(angle, axis / sine)
+                                        : glm::angleAxis(angle, glm::dvec3(0, 1, 0));  // half a turn, or none
+    return glm::normalize(turn * glm::quat_cast(from));
+}
+
+Camera closeUp(Camera camera, const std::vector<glm::dvec4>& target, double radius, double margin, double mostZoom) {
+    const Bounds bounds = boundsOf(target);
+    const View view = viewOf(camera, radius, 1000, 1000);
+    const glm::dvec3 middle = view.rotation * bounds.center;
+    const double magnify =
+        view.projection == Projection::perspective ? view.eyeDistance / (view.eyeDistance - middle.z) : 1.0;
+    camera.pan = -glm::dvec2(middle) * magnify;
+    camera.zoom = std::min(camera.zoom * radius / ((bounds.radius + margin) * magnify), mostZoom);
+    return camera;
+}
+
+}  // namespace nacre

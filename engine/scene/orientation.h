@@ -1,0 +1,42 @@
+#pragma once
+// Views that follow from the molecule: its principal axes, the side from which a part of it is seen best, and the part
+// that a picture closes in on.
+
+#include <cstddef>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <vector>
+
+#include "engine/scene/camera.h"
+#include "engine/scene/representation.h"
+
+namespace nacre {
+
+/// Centres of all drawn atoms in all copies, and their radii; Å, relative to Representation::center.
+std::vector<glm::dvec4> drawnBalls(const Representation& scene);
+
+/// Centres and radii of the drawn atoms of a choice, each where its first copy stands.
+/// @param chosen  one value per atom of the file
+std::vector<glm::dvec4> chosenBalls(const Representation& scene, const std::vector<bool>& chosen);
+
+/// The rotation that lays the principal axes of some points (every point counts the same) along the picture's: the
+/// longest across its longer side, the shortest towards the viewer. Signs are such that the points reach farther from
+/// their mean to the right (of a picture that stands: upwards) and to the viewer; where they are as far both ways, such
+/// that the axis runs along the largest of its components in the file's frame. Axes whose variances differ by less than
+/// 1 % are no axes: there the file's frame decides.
+/// @param wide  the picture is at least as wide as high
+glm::dquat principalOrientation(const std::vector<glm::dvec4>& balls, bool wide);
+
+/// The rotation by the shortest way from `from` that turns to the viewer the side on which the least of the other atoms
+/// stands before the target. Among sides that are about equally open, the one that points out of the molecule prevails.
+/// @param all  of the whole molecule, the target among them
+glm::dquat facingOrientation(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,
+                             const glm::dmat3& from);
+
+/// The camera that has the target in the picture's middle, where its bounding sphere and `margin` Å around it fill the
+/// picture as the molecule's does at zoom 1, then times the camera's zoom (at most `mostZoom`).
+/// @param radius  of the scene, Å
+Camera closeUp(Camera camera, const std::vector<glm::dvec4>& target, double radius, double margin, double mostZoom);
+
+}  // namespace nacre

@@ -1,0 +1,62 @@
+// --orient, --look-at and --zoom-to, in what the program says of its view.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/run_program.h"
+
+namespace nacre::app {
+namespace {
+
+using nlohmann::json;
+using test::nacreIn;
+using test::Outcome;
+using test::TemporaryFolder;
+
+json viewOf(const TemporaryFolder& folder, const std::string& options) {
+    const Outcome outcome =
+        nacreIn(folder, "render -q -o a.png --size 64x48 --occlusion off --stats s.json " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return json::parse(test::contentOf(folder / "s.json"))["view"];
+}
+
+TEST(Aim, ViewsAreToldSoThatTheyCanBeRepeated) {
+    const TemporaryFolder folder;
+    const json file = viewOf(folder, "sample:dna");
+    EXPECT_EQ(file["orientation"], json({1.0, 0.0, 0.0, 0.0}));
+    EXPECT_EQ(file["zoom"], 1.0);
+    const json aimed = viewOf(folder, "sample:dna --orient principal --zoom-to 'chain A and resi 3' --rotate 0,0,10");
+    EXPECT_NE(aimed["rotation"], file["rotation"]);
+    EXPECT_GT(aimed["zoom"], 1.5);
+    // What it says, as a saved view: the same picture.
+    const std::string picture = test::contentOf(folder / "a.png");
+    json view = {{"input", "sample:dna"}};
+    for (const char* key : {"orientation", "zoom", "pan"}) view[key] = aimed[key];
+    std::ofstream(folder / "v.json") << view.dump();
+    const json repeated = viewOf(folder, "--view v.json");
+    EXPECT_EQ(test::contentOf(folder / "a.png"), picture);
+    EXPECT_NEAR(repeated["pixels_per_angstrom"].get<double>(), aimed["pixels_per_angstrom"].get<double>(), 1e-9);
+    // The file's frame again, whatever the view says.
+    EXPECT_EQ(viewOf(folder, "--view v.json --orient file")["orientation"], file["orientation"]);
+    EXPECT_NE(viewOf(folder, "sample:dna --look-at 'chain B and resi 20'")["rotation"], file["rotation"]);
+}
+
+TEST(Aim, NothingToAimAtIsAnError) {
+    const TemporaryFolder folder;
+    const auto fault = [&](const std::string& options) {
+        const Outcome outcome = nacreIn(folder, "render sample:dna -o a.png --size 32x32 " + options);
+        EXPECT_NE(outcome.code, 0);
+        EXPECT_EQ(test::contentOf(folder / "a.png"), "");
+        return outcome.err;
+    };
+    EXPECT_EQ(fault("--look-at ligand"), "nacre: error: cannot look at: ligand: the molecule has no such atoms\n");
+    EXPECT_EQ(fault("--hide 'chain A' --zoom-to 'chain A'"),
+              "nacre: error: cannot zoom to: chain A: none of its atoms is drawn\n");
+    EXPECT_NE(fault("--orient best").find("principal or file, not 'best'"), std::string::npos);
+    EXPECT_NE(fault("--zoom-to 'chain'").find("--zoom-to"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace nacre::app
