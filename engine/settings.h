@@ -8,6 +8,7 @@
 
 #include "engine/debug_view.h"
 #include "engine/device_options.h"
+#include "engine/effects.h"
 #include "engine/overlay.h"
 #include "engine/scene/camera.h"
 
@@ -39,6 +40,7 @@ struct RenderSettings {
     std::uint32_t supersample = 1;                ///< N x N samples a pixel
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha, 0..1
     bool lighting = true;                         ///< off: base colour x occlusion
+    Effects effects;                              ///< layers and picks have no contours
     DebugView debug = DebugView::none;            ///< of pictures and window frames; layers and picks are not concerned
     OcclusionSettings occlusion;
     FrameTuning tuning;

@@ -39,8 +39,8 @@ void main() {
 #endif
     vec3 axis = normalize(b - a);
     // Both ends' silhouettes as spheres of the cylinder's radius: their hull holds the cylinder in any projection.
-    Outline oa = sphereOutline(a, radius);
-    Outline ob = sphereOutline(b, radius);
+    Outline oa = sphereOutline(a, reachOf(a.z, radius));
+    Outline ob = sphereOutline(b, reachOf(b.z, radius));
     vec2 along = ob.center - oa.center;
     float span = length(along);
     vec2 u = span > 1e-6 ? along / span : vec2(1.0, 0.0);

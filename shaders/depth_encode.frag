@@ -16,7 +16,7 @@ layout(location = 0) flat in vec4 sphere;
 layout(location = 0) out vec4 encoded;
 #ifdef ORDERED
 // No blending: the attachment's own value is read in raster order.
-layout(input_attachment_index = 0, set = 0, binding = 1) uniform subpassInput nearest;
+layout(input_attachment_index = 0, set = 0, binding = 2) uniform subpassInput nearest;
 #endif
 
 void main() {
@@ -28,8 +28,8 @@ void main() {
 #endif
 #ifdef ORDERED
     float kept = subpassLoad(nearest).x;
-    encoded = vec4(hit.inside ? min(kept, encodedDepth(hit.Z)) : kept, 0.0, 0.0, 0.0);
+    encoded = vec4(hit.inside ? min(kept, encodedDepth(hit.order)) : kept, 0.0, 0.0, 0.0);
 #else
-    encoded = hit.inside ? encodeDepth(encodedDepth(hit.Z)) : farthestDepth();
+    encoded = hit.inside ? encodeDepth(encodedDepth(hit.order)) : farthestDepth();
 #endif
 }

@@ -20,5 +20,5 @@ void main() {
     Hit hit = sphereHit(sphere, gl_FragCoord.xy);
 #endif
     if (!hit.inside) discard;
-    gl_FragDepth = encodedDepth(hit.Z);
+    gl_FragDepth = encodedDepth(hit.order);
 }

@@ -22,6 +22,6 @@ void main() {
     Hit hit = sphereHit(sphere, gl_FragCoord.xy);
 #endif
     if (!hit.inside) discard;
-    gl_FragDepth = encodedDepth(hit.Z);
+    gl_FragDepth = encodedDepth(hit.order);
     nearestPrimitive = primitive;
 }

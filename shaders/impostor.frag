@@ -26,14 +26,14 @@ layout(depth_greater) out float gl_FragDepth;
 layout(early_fragment_tests) in;
 #endif
 #if defined(INPUT)
-layout(input_attachment_index = 0, set = 0, binding = 1) uniform subpassInput nearest;
+layout(input_attachment_index = 0, set = 0, binding = 2) uniform subpassInput nearest;
 vec4 nearestDepth() { return subpassLoad(nearest); }
 #elif defined(ORDERED)
-layout(input_attachment_index = 0, set = 0, binding = 1) uniform subpassInput nearest;
+layout(input_attachment_index = 0, set = 0, binding = 2) uniform subpassInput nearest;
 layout(location = 1) out vec4 nearestOut;
 vec4 nearestDepth() { return subpassLoad(nearest); }
 #elif defined(SAMPLED)
-layout(set = 0, binding = 1) uniform sampler2D nearest;
+layout(set = 0, binding = 2) uniform sampler2D nearest;
 vec4 nearestDepth() { return texelFetch(nearest, ivec2(gl_FragCoord.xy), 0); }
 #endif
 
@@ -45,7 +45,7 @@ void main() {
     Hit hit = sphereHit(sphere, gl_FragCoord.xy);
 #endif
     if (!hit.inside) discard;
-    float d = encodedDepth(hit.Z);
+    float d = encodedDepth(hit.order);
 #if defined(FRAGDEPTH) || defined(SETTLE)
     gl_FragDepth = d;
 #endif

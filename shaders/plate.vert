@@ -1,6 +1,7 @@
 #version 450
 // The opaque plate of a sphere: an octagon wholly inside it, facing the view plane. Whatever lies behind is hidden
-// by the sphere itself, so plates never change a pixel.
+// by the sphere itself, so plates never change a pixel. Where a plane cuts the scene, plates that it takes away, or that
+// caps may stand behind, are not drawn.
 #extension GL_GOOGLE_include_directive : require
 #include "common/view.glsl"
 #include "common/outline.glsl"
@@ -20,5 +21,6 @@ void main() {
     // may move a corner by the snap margin: draw that much less, or nothing.
     float inset = kCorners == 4 ? 0.70710678 : 0.92387953;
     float reach = max((radius * kRim - view.snap / magnify * 1.5) * inset, 0.0);
+    if (kClip && (Z < view.clipNear + kCapDepth || Z > view.clipFar)) reach = 0.0;
     gl_Position = clipPosition((center.xy + corner(gl_VertexIndex) * reach) * magnify, encodedDepth(Z));
 }

@@ -25,7 +25,7 @@ void main() {
 #ifdef NUMBER
     primitive = view.numberBefore + uint(gl_InstanceIndex) + 1u;
 #endif
-    Outline outline = sphereOutline(center, radius);
+    Outline outline = sphereOutline(center, reachOf(center.z, radius));
     bool apex;
     vec2 e = kCorners == 9 ? pyramidCorner(gl_VertexIndex, apex) : corner(gl_VertexIndex);
     vec2 q = outline.center + outline.axisU * e.x + outline.axisV * e.y;

@@ -50,7 +50,7 @@ vec3 discOf(vec3 center, float radius) {
 }
 
 void keep(int i, Hit hit, uint candidate, bool live) {
-    float depth = encodedDepth(hit.Z);
+    float depth = encodedDepth(hit.order);
     // Of equal depths the last wins, as with a depth test that lets them pass.
     bool wins = live && hit.inside && (depth < nearest[i] || (depth == nearest[i] && candidate > number[i]));
     nearest[i] = wins ? depth : nearest[i];
@@ -94,7 +94,7 @@ void main() {
 #endif
         vec4 shape = shapeAt(index);
         vec4 a = vec4(toView(shape.xyz), shape.w);
-        vec3 disc = discOf(a.xyz, a.w);
+        vec3 disc = discOf(a.xyz, reachOf(a.z, a.w));
         float front = a.z;
         vec2 away = middle - disc.xy;
         float room = disc.z;
@@ -102,7 +102,7 @@ void main() {
         bool meets = dot(outside, outside) <= room * room;
 #ifdef CYLINDERS
         vec4 b = vec4(toView(shapeAt(cylinder ? index + 1u : index).xyz), 0.0);
-        vec3 other = discOf(b.xyz, a.w);
+        vec3 other = discOf(b.xyz, reachOf(b.z, a.w));
         vec2 along = other.xy - disc.xy;
         float t = clamp(dot(away, along) / max(dot(along, along), 1e-12), 0.0, 1.0);
         away -= along * t;

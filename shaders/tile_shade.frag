@@ -8,15 +8,15 @@
 #define COPY_OF_PIXEL
 #include "common/surface.glsl"
 #include "common/count.glsl"
-#define STREAMS 2
+#define STREAMS 3
 #define LOOKS
 #include "common/streams.glsl"
 
 #ifdef TEXELS
-layout(set = 0, binding = 1) uniform usamplerBuffer numberTexels;
+layout(set = 0, binding = 2) uniform usamplerBuffer numberTexels;
 uint numberAt(uint i) { return texelFetch(numberTexels, int(i)).x; }
 #else
-layout(set = 0, binding = 1, std430) readonly buffer Numbers { uint pixelNumbers[]; };
+layout(set = 0, binding = 2, std430) readonly buffer Numbers { uint pixelNumbers[]; };
 uint numberAt(uint i) { return pixelNumbers[i]; }
 #endif
 layout(location = 0) flat in vec4 row0;  // all as tile_span.vert has them
@@ -25,7 +25,7 @@ layout(location = 2) flat in vec4 row2;
 layout(location = 3) flat in vec4 pixels;
 layout(location = 4) flat in vec4 shading;
 layout(location = 5) flat in uvec4 atlas;
-layout(location = 6) flat in uvec3 numbers;
+layout(location = 6) flat in uvec2 numbers;
 layout(constant_id = kTilesInBinId) const int kTilesInBin = 2;
 const uint kTile = 8u;
 
@@ -37,13 +37,14 @@ void fetchView() {
     view.pixel = pixels.z;
     view.origin = pixels.w;
     view.atlasTexel = shading.xy;
-    view.lighting = shading.z;
-    view.occlusion = shading.w;
+    view.clipNear = shading.z;
+    view.clipFar = shading.w;
+    view.contourWidth = 1e9;  // what was chosen and is not inside is on the line
+    view.contourDepth = 0.0;
     view.patchTexels = atlas.x;
-    view.spherePatches = atlas.y;
-    view.cylinderPatches = atlas.z;
-    view.spheres = atlas.w;
-    view.primitives = numbers.z;
+    view.patchesInRow = atlas.y;
+    view.spheres = atlas.z;
+    view.primitives = atlas.w;
 }
 
 /// Numbers stand tile by tile: along a row of bins, in a bin column by column.

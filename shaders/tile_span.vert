@@ -11,18 +11,18 @@ layout(location = 0) flat out vec4 row0;
 layout(location = 1) flat out vec4 row1;
 layout(location = 2) flat out vec4 row2;
 layout(location = 3) flat out vec4 pixels;  // axisPixel, pixel, origin
-layout(location = 4) flat out vec4 shading;  // atlasTexel, lighting, occlusion
-layout(location = 5) flat out uvec4 atlas;  // patchTexels, spherePatches, cylinderPatches, spheres
-layout(location = 6) flat out uvec3 numbers;  // place, primitives
+layout(location = 4) flat out vec4 shading;  // atlasTexel, clipNear, clipFar
+layout(location = 5) flat out uvec4 atlas;  // patchTexels, patchesInRow, spheres, primitives
+layout(location = 6) flat out uvec2 numbers;  // place
 
 void main() {
     row0 = view.row0;
     row1 = view.row1;
     row2 = view.row2;
     pixels = vec4(view.axisPixel, view.pixel, view.origin);
-    shading = vec4(view.atlasTexel, view.lighting, view.occlusion);
-    atlas = uvec4(view.patchTexels, view.spherePatches, view.cylinderPatches, view.spheres);
-    numbers = uvec3(place, view.primitives);
+    shading = vec4(view.atlasTexel, view.clipNear, view.clipFar);
+    atlas = uvec4(view.patchTexels, view.patchesInRow, view.spheres, view.primitives);
+    numbers = place;
     bool right = (gl_VertexIndex & 1) == 1, bottom = (gl_VertexIndex & 2) == 2;
     gl_Position = vec4(right ? span.z : span.x, bottom ? span.w : span.y, 0.0, 1.0);
 }

@@ -38,6 +38,7 @@ struct RenderOptions {
     std::uint32_t supersample = 1;
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha
     bool lighting = true;
+    Effects effects;
     OcclusionOptions occlusion;
     FrameTuning tuning;
     DebugView debug = DebugView::none;

@@ -22,6 +22,7 @@ RenderSettings settingsOf(const RenderOptions& options, const Camera& camera, co
     settings.supersample = options.supersample;
     settings.background = options.background;
     settings.lighting = options.lighting;
+    settings.effects = options.effects;
     settings.occlusion.directions = options.occlusion.directions;
     settings.occlusion.bytes = options.occlusion.bytes();
     settings.tuning = options.tuning;

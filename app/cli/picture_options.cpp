@@ -2,6 +2,7 @@
 
 #include "app/cli/common_options.h"
 #include "app/cli/saved_options.h"
+#include "app/shared/effect_options.h"
 #include "app/shared/image_file.h"
 #include "app/shared/output_file.h"
 #include "app/shared/view_input.h"
@@ -43,6 +44,12 @@ void addShading(CommandSpec& command, RenderOptions& options) {
              "transparency: over white)",
              [&](const std::string& text) { options.background = parseColor(text); });
     addOnOff(command, "--lighting", options.lighting, "off: base colour times occlusion, nothing else");
+    for (const EffectOption& option : effectOptions())
+        addValue(command, std::string("--") + option.name, option.type, option.fallback, option.help,
+                 [&](const std::string& text) { option.set(text, options.effects); });
+    addValue(command, "--slab", "A", "none", "Cuts away what is farther than half of this from the plane of the centre",
+             [&](const std::string& text) { setSlab(text, options.effects); })
+        .excludes = "--clip";
 }
 
 void addPixels(CommandSpec& command, RenderOptions& options) {

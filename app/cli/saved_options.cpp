@@ -13,6 +13,7 @@ void applySavedView(const SavedView& view, RenderOptions& options) {
     options.camera = view.camera;
     options.background = view.background;
     options.lighting = view.lighting;
+    options.effects = view.effects;
     options.occlusion.directions = view.occlusionDirections;
 }
 
@@ -26,6 +27,7 @@ SavedView savedViewOf(const RenderOptions& options) {
     view.camera = options.camera;
     view.background = options.background;
     view.lighting = options.lighting;
+    view.effects = options.effects;
     view.occlusionDirections = options.occlusion.directions;
     return view;
 }

@@ -7,6 +7,11 @@
 
 namespace nacre::app {
 
+std::string numberText(double value) {
+    std::array<char, 32> digits{};
+    return {digits.data(), static_cast<std::size_t>(std::snprintf(digits.data(), digits.size(), "%.12g", value))};
+}
+
 const char* styleName(Style style) {
     switch (style) {
         case Style::spacefill:

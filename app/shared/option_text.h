@@ -9,6 +9,8 @@
 
 namespace nacre::app {
 
+/// A number as people read it: 0.0001, 16384.
+std::string numberText(double value);
 /// "spacefill", "ball-and-stick", "licorice"
 const char* styleName(Style style);
 /// A name where there is one that people use, else "#rrggbb", or "#rrggbbaa" if it is not opaque.

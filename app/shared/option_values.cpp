@@ -2,10 +2,10 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 #include <vector>
 
+#include "app/shared/option_text.h"
 #include "app/shared/srgb.h"
 #include "engine/molecule/floating_point.h"
 #include "engine/molecule/nearest_word.h"
@@ -63,12 +63,6 @@ template <class Number>
 bool parseWhole(std::string_view text, Number& value) {
     const auto [end, error] = fromChars(text.data(), text.data() + text.size(), value);
     return error == std::errc() && end == text.data() + text.size();
-}
-
-/// A number as people read it: 0.0001, 16384.
-std::string plain(double value) {
-    std::array<char, 32> digits{};
-    return {digits.data(), static_cast<std::size_t>(std::snprintf(digits.data(), digits.size(), "%.12g", value))};
 }
 
 struct NamedColor {
@@ -228,7 +222,7 @@ Rule parseColorBy(std::string_view text) {
 double parseNumber(std::string_view text, double low, double high) {
     double value = 0;
     if (!parseWhole(text, value) || !(value >= low && value <= high))
-        refuse(text, "a number from " + plain(low) + " to " + plain(high));
+        refuse(text, "a number from " + numberText(low) + " to " + numberText(high));
     return value;
 }
 

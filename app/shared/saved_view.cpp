@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 
+#include "app/shared/effect_options.h"
 #include "app/shared/json_text.h"
 #include "app/shared/molecules.h"
 #include "app/shared/option_text.h"
@@ -112,6 +113,8 @@ void readKey(const std::string& key, const Json& value, SavedView& view) {
         view.lighting = isOn(value, "on", "off");
     } else if (key == "occlusion") {
         view.occlusionDirections = parseOcclusion(textOf(value));
+    } else if (const EffectOption* option = effectOption(key)) {
+        option->set(textOf(value), view.effects);
     } else {
         throw std::invalid_argument("no such key");
     }
@@ -166,6 +169,8 @@ std::string savedViewJson(const SavedView& view) {
     json["background"] = backgroundText(view.background);
     json["lighting"] = view.lighting ? "on" : "off";
     json["occlusion"] = view.occlusionDirections ? OrderedJson(view.occlusionDirections) : OrderedJson("off");
+    for (const EffectOption& option : effectOptions())
+        if (option.text(view.effects) != option.text({})) json[option.name] = option.text(view.effects);
     return jsonText(json);
 }
 

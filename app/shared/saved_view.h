@@ -5,12 +5,14 @@
 //    "rules": [{"show": "ligand=ball-and-stick"}, {"hide": "chain B"}, {"color-by": "chain A=#ff8000"}],
 //    "water": "hide", "hydrogens": "show", "projection": "ortho", "fov": 30, "zoom": 1.5,
 //    "orientation": [w, x, y, z], "pan": [x, y], "background": "white", "lighting": "on", "occlusion": 128}
+// and those of app/shared/effect_options.h, as they differ from the default.
 // `orientation` is a unit quaternion (v = Q (p - C)), `pan` is in Å. Every key may be left out.
 
 #include <array>
 #include <string>
 
 #include "app/shared/input_options.h"
+#include "engine/effects.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/scene/camera.h"
 #include "engine/scene/representation.h"
@@ -26,6 +28,7 @@ struct SavedView {
     Camera camera;
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha
     bool lighting = true;
+    Effects effects;
     int occlusionDirections = 128;  ///< 0: off
 };
 

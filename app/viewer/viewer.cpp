@@ -233,6 +233,7 @@ RenderSettings Viewer::settings() const {
     s.view = viewOf(motion_.camera(), radius(), size_.width, size_.height);
     s.background = view_.background;
     s.lighting = view_.lighting;
+    s.effects = view_.effects;
     s.occlusion.directions = view_.occlusionDirections;
     s.occlusion.bytes = options_.occlusionBytes;
     s.occlusion.cache = options_.occlusionCache;

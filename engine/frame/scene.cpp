@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/frame/picture.h"
 #include "engine/passes/view_constants.h"
 
 namespace nacre {
@@ -10,12 +11,44 @@ namespace {
 void addAtlas(layout::ViewConstants& c, const passes::Atlas& atlas) {
     c.atlasTexel = glm::vec2(1.0 / atlas.image->desc.extent.width, 1.0 / atlas.image->desc.extent.height);
     c.patchTexels = atlas.sphereEdge | atlas.around << 8 | atlas.along << 16;
-    c.spherePatches = atlas.spherePatches;
-    c.cylinderPatches = atlas.cylinderPatches;
-    c.occlusion = 1;
+    c.patchesInRow = atlas.spherePatches | atlas.cylinderPatches << 16;
+}
+
+/// Planes and lines, in the numbers of the passes.
+void addEffects(layout::ViewConstants& c, const RenderSettings& settings, const View& view) {
+    const Effects& e = settings.effects;
+    constexpr double kFar = 1e30;
+    const double center = view.projection == Projection::perspective ? view.eyeDistance : view.radius;  // its Z
+    c.clipNear = static_cast<float>(std::max(center + e.clip.near, -kFar));
+    c.clipFar = static_cast<float>(std::min(center + e.clip.far, kFar));
+    // `view` may have more pixels than the picture: as many times as wide is the line then.
+    c.contourWidth = static_cast<float>(e.contours.width / settings.view.pixelsPerAngstrom);
+    c.contourDepth = static_cast<float>(e.contours.depth);
+}
+
+glm::vec4 linear(float r, float g, float b, double share) {
+    return {linearFromSrgb(r), linearFromSrgb(g), linearFromSrgb(b), share};
 }
 
 }  // namespace
+
+layout::EffectConstants effectConstants(const RenderSettings& settings) {
+    const Effects& e = settings.effects;
+    const View& view = settings.view;
+    const double center = view.projection == Projection::perspective ? view.eyeDistance : view.radius;
+    const bool automatic = e.fog.range == Fog::Range::automatic;
+    // What stands in front of the centre is clear.
+    const double start = automatic ? 0.0 : e.fog.start, end = automatic ? view.radius : e.fog.end;
+    const auto& [r, g, b, alpha] = settings.background;
+    layout::EffectConstants c{};
+    c.contour = linear(e.contours.color[0], e.contours.color[1], e.contours.color[2], 1);
+    c.fog = alpha > 0 ? linear(r, g, b, e.fog.strength) : linear(1, 1, 1, e.fog.strength);
+    c.fogStart = static_cast<float>(center + start);
+    c.perFog = static_cast<float>(1.0 / std::max(end - start, 1e-6));
+    constexpr double kHatchPixels = 7;
+    c.hatch = static_cast<float>(kHatchPixels / view.pixelsPerAngstrom);
+    return c;
+}
 
 Scene makeScene(const gpu::Device& device, Representation representation) {
     Scene scene{std::move(representation), {}, 0};
@@ -37,11 +70,13 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     const graph::Extent image = imageExtent(view);
     layout::ViewConstants& c = seen->constants;
     c = passes::viewConstants(view, device.caps().snapPixels, image.width / 2.0, image.height / 2.0);
-    c.lighting = settings.lighting ? 1 : 0;
     c.spheres = scene.buffers.sphereCount;
     c.primitives = scene.buffers.sphereCount + scene.buffers.cylinderCount;
-    c.wholeImage = 1;
     if (atlas.image) addAtlas(c, atlas);
+    addEffects(c, settings, view);
+    seen->lighting = settings.lighting;
+    seen->occlusion = settings.occlusion.directions > 0;
+    seen->effects = settings.effects;
     seen->buffers = &scene.buffers;
     seen->copies = passes::placeCopies(scene.representation, view);
     if (path == Visibility::deferred)

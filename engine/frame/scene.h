@@ -21,6 +21,9 @@ Scene makeScene(const gpu::Device& device, Representation representation);
 /// Of the image that holds a view: the view's own, or turned.
 graph::Extent imageExtent(const View& view);
 
+/// What the effects of shading work with, for shaders.
+layout::EffectConstants effectConstants(const RenderSettings& settings);
+
 /// The scene as a view sees it. @param scene  outlives what is returned
 /// @param path  of the frame: `deferred` wants rows of copies on the device
 std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Scene& scene,

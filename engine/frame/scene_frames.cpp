@@ -1,5 +1,7 @@
 #include "engine/frame/scene_frames.h"
 
+#include <cstring>
+
 #include "engine/frame/debug_frame.h"
 #include "engine/passes/read_back.h"
 
@@ -12,18 +14,31 @@ SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, con
       white_(passes::makeWhiteTexture(device, executor)),
       tiles_(device) {}
 
-ScreenFrame SceneFrames::declare(const RenderSettings& settings, const passes::Atlas& baked, const View& view,
+std::shared_ptr<const gpu::Buffer> SceneFrames::effectsOf(const RenderSettings& settings) const {
+    const layout::EffectConstants wanted = effectConstants(settings);
+    if (effects_ && std::memcmp(&wanted, &lastEffects_, sizeof wanted) == 0) return effects_;
+    lastEffects_ = wanted;
+    effects_ = std::make_shared<gpu::Buffer>(
+        gpu::makeBuffer(device_, std::span(&wanted, 1), vk::BufferUsageFlagBits::eUniformBuffer, "effects"));
+    return effects_;
+}
+
+ScreenFrame SceneFrames::declare(const RenderSettings& asked, const passes::Atlas& baked, const View& view,
                                  std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
                                  std::shared_ptr<passes::FragmentCounter> fragments) const {
+    RenderSettings settings = asked;
     const passes::Atlas used = settings.occlusion.directions > 0 ? baked : passes::Atlas{};
     const gpu::Image& atlas = used.image ? *used.image : white_;
     // Layers and picks take several targets or another one.
     const bool picture = targets.size() == 1 && targets[0].output == passes::Output::color;
     const bool debug = settings.debug != DebugView::none && picture;
+    // What tells of a pixel's atom tells nothing of lines about it.
+    if (!picture || debug) settings.effects.contours.width = 0;
     const Visibility usual = device_.caps().visibility;
     Visibility path = debug ? debugVisibility(settings.debug, usual) : usual;
     const auto seen = viewScene(device_, scene_, settings, view, used, path);
     seen->fragments = std::move(fragments);
+    seen->effectConstants = effectsOf(settings);
     const graph::Extent image = imageExtent(view);
     if (path == Visibility::tiles) {
         seen->tiles = tiles_.prepare(scene_.representation, *seen, view, image);

@@ -27,11 +27,16 @@ public:
     graph::PlanCaps planCaps(const FrameTuning& tuning) const;
 
 private:
+    std::shared_ptr<const gpu::Buffer> effectsOf(const RenderSettings& settings) const;
+
     const gpu::Device& device_;
     const Scene& scene_;
     FrameStats& stats_;
     gpu::Image white_;  // the atlas of scenes without occlusion
     mutable passes::TileFrames tiles_;
+    // Frames in flight hold theirs; the last one serves as long as nothing changes.
+    mutable layout::EffectConstants lastEffects_{};
+    mutable std::shared_ptr<const gpu::Buffer> effects_;
 };
 
 }  // namespace nacre

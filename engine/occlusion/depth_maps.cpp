@@ -96,6 +96,7 @@ graph::Record DepthMaps::eachMap(std::span<const glm::dmat3> frames, std::uint32
             scene.copies = passes::placeCopies(representation_, view(frames[i]));
             scene.radiusPixels = meanRadius_ * pixels_ / (2.0 * radius_);
             scene.constants = constants(frames[i], i, across);
+            scene.wholeImage = false;
             pass(c, scene);
         }
     };

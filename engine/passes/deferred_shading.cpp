@@ -8,11 +8,11 @@ namespace {
 
 using Type = vk::DescriptorType;
 constexpr auto kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
-// Atlas, numbers, shapes, looks, rows of copies.
-constexpr Type kInput[] = {Type::eCombinedImageSampler, Type::eInputAttachment, Type::eStorageBuffer,
-                           Type::eStorageBuffer, Type::eStorageBuffer};
-constexpr Type kTexture[] = {Type::eCombinedImageSampler, Type::eCombinedImageSampler, Type::eStorageBuffer,
-                             Type::eStorageBuffer, Type::eStorageBuffer};
+// Atlas, effects, numbers, shapes, looks, rows of copies.
+constexpr Type kInput[] = {Type::eCombinedImageSampler, Type::eUniformBuffer, Type::eInputAttachment,
+                           Type::eStorageBuffer,        Type::eStorageBuffer, Type::eStorageBuffer};
+constexpr Type kTexture[] = {Type::eCombinedImageSampler, Type::eUniformBuffer, Type::eCombinedImageSampler,
+                             Type::eStorageBuffer,        Type::eStorageBuffer, Type::eStorageBuffer};
 
 Stage shaderOf(Output output, bool texture) {
     switch (output) {
@@ -36,13 +36,15 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
     const vk::DescriptorImageInfo numbers(texture ? context.pipelines.sampler(vk::Filter::eNearest) : vk::Sampler(),
                                           reads.nearest, kRead);
     const vk::DescriptorBufferInfo shapes(*view.buffers->shapes.handle, 0, VK_WHOLE_SIZE),
-        looks(*view.buffers->looks.handle, 0, VK_WHOLE_SIZE), rows(*view.copyRows.handle, 0, VK_WHOLE_SIZE);
+        looks(*view.buffers->looks.handle, 0, VK_WHOLE_SIZE), rows(*view.copyRows.handle, 0, VK_WHOLE_SIZE),
+        effects(*view.effectConstants->handle, 0, VK_WHOLE_SIZE);
     const vk::WriteDescriptorSet writes[] = {
         {set, 0, 0, Type::eCombinedImageSampler, atlas},
-        {set, 1, 0, texture ? Type::eCombinedImageSampler : Type::eInputAttachment, numbers},
-        {set, 2, 0, Type::eStorageBuffer, {}, shapes},
-        {set, 3, 0, Type::eStorageBuffer, {}, looks},
-        {set, 4, 0, Type::eStorageBuffer, {}, rows}};
+        {set, 1, 0, Type::eUniformBuffer, {}, effects},
+        {set, 2, 0, texture ? Type::eCombinedImageSampler : Type::eInputAttachment, numbers},
+        {set, 3, 0, Type::eStorageBuffer, {}, shapes},
+        {set, 4, 0, Type::eStorageBuffer, {}, looks},
+        {set, 5, 0, Type::eStorageBuffer, {}, rows}};
     context.device->updateDescriptorSets(writes, {});
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, set, {});
 }
@@ -56,8 +58,8 @@ void shadeNearestPrimitive(gpu::PassContext& context, const SceneView& view, Out
         context.pipelines.layout({"deferred shading layout", texture ? kTexture : kInput, kStages,
                                   sizeof(layout::ViewConstants), view.fragments != nullptr});
     FullScreenPass pass{shaderOf(output, texture).of(view), {}, {}};
-    pass.constants.set(layout::kPerspectiveId, view.perspective);
-    pass.constants.set(layout::kQuarterTurnsId, view.quarterTurns);
+    setGeometryConstants(pass.constants, view);
+    setShadingConstants(pass.constants, view);
     bindFullScreen(context, pass, layout);
     bindReads(context, view, layout, reads);
     bindCounter(context, view, layout);

@@ -27,11 +27,11 @@ gpu::VertexStreams streamsOf(bool sphere, bool looks) {
     return {std::span(kCylinderBindings).first(looks ? 2 : 1), std::span(kCylinderAttributes).first(looks ? 3 : 2)};
 }
 
-/// Set 0 of a pass that reads: the atlas, and what holds the nearest depth.
+/// Set 0 of a pass that reads: the atlas, what effects work with, and what holds the nearest depth.
 std::span<const Type> bindingsOf(const Reads* reads) {
-    static constexpr Type kAtlas[] = {Type::eCombinedImageSampler};
-    static constexpr Type kInput[] = {Type::eCombinedImageSampler, Type::eInputAttachment};
-    static constexpr Type kTexture[] = {Type::eCombinedImageSampler, Type::eCombinedImageSampler};
+    static constexpr Type kAtlas[] = {Type::eCombinedImageSampler, Type::eUniformBuffer};
+    static constexpr Type kInput[] = {Type::eCombinedImageSampler, Type::eUniformBuffer, Type::eInputAttachment};
+    static constexpr Type kTexture[] = {Type::eCombinedImageSampler, Type::eUniformBuffer, Type::eCombinedImageSampler};
     if (!reads) return {};
     switch (reads->from) {
         case NearestFrom::depthBuffer:
@@ -56,8 +56,8 @@ vk::Pipeline pipelineOf(gpu::PassContext& context, const SceneView& view, const 
     d.detail = sphere ? "spheres" : "cylinders";
     d.vertex = shaders.vertex;
     d.fragment = shaders.fragment.of(view);
-    d.constants.set(layout::kPerspectiveId, view.perspective);
-    d.constants.set(layout::kQuarterTurnsId, view.quarterTurns);
+    setGeometryConstants(d.constants, view);
+    if (pass.looks) setShadingConstants(d.constants, view);
     d.constants.set(layout::kDepthChannelsId, pass.encoding.channels);
     d.constants.set(layout::kDepthStepsId, pass.encoding.steps);
     d.constants.set(layout::kCornersId, corners);
@@ -72,7 +72,7 @@ vk::Pipeline pipelineOf(gpu::PassContext& context, const SceneView& view, const 
     return context.pipelines.graphics(d);
 }
 
-void bindReads(gpu::PassContext& context, const gpu::Layout& layout, const Reads& reads) {
+void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout, const Reads& reads) {
     const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
     constexpr auto kRead = vk::ImageLayout::eShaderReadOnlyOptimal;
     const bool texture = reads.from == NearestFrom::texture;
@@ -80,11 +80,13 @@ void bindReads(gpu::PassContext& context, const gpu::Layout& layout, const Reads
     const vk::DescriptorImageInfo nearest(texture ? context.pipelines.sampler(vk::Filter::eNearest) : vk::Sampler(),
                                           reads.nearest,
                                           reads.from == NearestFrom::ownAttachment ? vk::ImageLayout::eGeneral : kRead);
+    const vk::DescriptorBufferInfo effects(*view.effectConstants->handle, 0, VK_WHOLE_SIZE);
     const vk::WriteDescriptorSet writes[] = {
         {set, 0, 0, Type::eCombinedImageSampler, atlas},
-        {set, 1, 0, texture ? Type::eCombinedImageSampler : Type::eInputAttachment, nearest}};
+        {set, 1, 0, Type::eUniformBuffer, {}, effects},
+        {set, 2, 0, texture ? Type::eCombinedImageSampler : Type::eInputAttachment, nearest}};
     context.device->updateDescriptorSets(
-        vk::ArrayProxy<const vk::WriteDescriptorSet>(reads.from == NearestFrom::depthBuffer ? 1 : 2, writes), {});
+        vk::ArrayProxy<const vk::WriteDescriptorSet>(reads.from == NearestFrom::depthBuffer ? 2 : 3, writes), {});
     context.commands.bindDescriptorSets(kGraphics, *layout.pipeline, 0, set, {});
 }
 
@@ -105,6 +107,27 @@ std::uint32_t cornersOf(const gpu::PassContext& context, const SceneView& view, 
 
 }  // namespace
 
+void setGeometryConstants(gpu::Specialization& constants, const SceneView& view) {
+    constants.set(layout::kPerspectiveId, view.perspective);
+    constants.set(layout::kQuarterTurnsId, view.quarterTurns);
+    constants.set(layout::kWholeImageId, view.wholeImage);
+    constants.set(layout::kClipId, view.effects.clip.on());
+    constants.set(layout::kContoursId, view.effects.contours.width > 0 ? view.effects.contours.weights : 0);
+}
+
+void setShadingConstants(gpu::Specialization& constants, const SceneView& view) {
+    const Light& light = view.effects.light;
+    constants.set(layout::kLightingId, view.lighting);
+    constants.set(layout::kOcclusionId, view.occlusion);
+    constants.set(layout::kCapId, static_cast<int>(view.effects.clip.cap));
+    constants.set(layout::kFogId, view.effects.fog.range != Fog::Range::off);
+    constants.set(layout::kAmbientId, static_cast<float>(light.ambient));
+    constants.set(layout::kDirectId, static_cast<float>(light.direct));
+    constants.set(layout::kHighlightId, static_cast<float>(light.highlight));
+    constants.set(layout::kGlossId, static_cast<float>(light.gloss));
+    constants.set(layout::kDeepeningId, static_cast<float>(light.occlusion));
+}
+
 void bindCounter(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout) {
     if (!view.fragments) return;
     const vk::DescriptorSet set = context.descriptors.allocate(layout.counterSet, "fragment counter");
@@ -123,7 +146,7 @@ void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive 
     const gpu::Layout& layout = layoutOf(context, view, pass);
     const vk::raii::CommandBuffer& commands = context.commands;
     commands.bindPipeline(kGraphics, pipelineOf(context, view, pass, shaders, sphere, corners));
-    if (pass.reads) bindReads(context, layout, *pass.reads);
+    if (pass.reads) bindReads(context, view, layout, *pass.reads);
     bindCounter(context, view, layout);
     commands.bindVertexBuffers(0, {*scene.shapes.handle, *scene.looks.handle},
                                {sphere ? 0 : scene.cylinderOffset, sphere ? 0 : scene.cylinderLookOffset});

@@ -61,6 +61,10 @@ void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive 
 /// Instances of one call: more make Mali-G71 and some PowerVR lose the device (measured by others: 2^14 to 2^16).
 constexpr std::uint32_t kMostInstances = 512;
 
+/// What every stage that knows the view must know of it, and, if it shades, of light.
+void setGeometryConstants(gpu::Specialization& constants, const SceneView& view);
+void setShadingConstants(gpu::Specialization& constants, const SceneView& view);
+
 /// Binds the counter of this pass as set 1, if the view counts.
 void bindCounter(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout);
 

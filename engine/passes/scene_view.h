@@ -2,6 +2,7 @@
 // The scene as one view sees it: what every pass of a frame draws with.
 
 #include "engine/device_options.h"
+#include "engine/effects.h"
 #include "engine/passes/fragment_counter.h"
 #include "engine/passes/placed_copies.h"
 #include "engine/passes/scene_buffers.h"
@@ -27,7 +28,11 @@ struct SceneView {
     std::shared_ptr<const TileFrame> tiles;  ///< of the `tiles` path
     gpu::Buffer copyRows;                    ///< copies.rows on the device, for `deferred` shading
     bool perspective = false;
-    int quarterTurns = 0;  ///< as in View
+    int quarterTurns = 0;    ///< as in View
+    bool wholeImage = true;  ///< the viewport is the whole image; else it has the view axis in its middle
+    bool lighting = true, occlusion = false;
+    Effects effects;
+    std::shared_ptr<const gpu::Buffer> effectConstants;  ///< layout::EffectConstants; of passes that shade
     PlateShape plates = PlateShape::automatic;
     ImpostorShape impostor = ImpostorShape::automatic;
     double radiusPixels = 0;                     ///< mean radius of the spheres in the picture

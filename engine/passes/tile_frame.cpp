@@ -25,6 +25,8 @@ TileView tileView(const SceneView& seen, const View& view, graph::Extent image) 
     v.origin = c.origin;
     v.nearest = c.depthStart;
     v.range = 1.0f / c.perRange;
+    if (seen.effects.clip.on()) v.clipNear = c.clipNear, v.clipFar = c.clipFar;
+    v.contour = c.contourWidth;
     return v;
 }
 
@@ -51,12 +53,13 @@ layout::TileConstants constantsOf(const layout::ViewConstants& c, const PlacedCo
     t.across = lists.across();
     t.offsets = static_cast<std::uint32_t>(2 * lists.tiles().size());
     t.depthStep = 2.0f / TileLists::kDepthSteps;
-    t.lighting = c.lighting;
+    t.clipNear = c.clipNear;
     t.atlasTexel = c.atlasTexel;
     t.patchTexels = c.patchTexels;
-    t.spherePatches = c.spherePatches;
-    t.cylinderPatches = c.cylinderPatches;
-    t.occlusion = c.occlusion;
+    t.patchesInRow = c.patchesInRow;
+    t.clipFar = c.clipFar;
+    t.contourWidth = c.contourWidth;
+    t.contourDepth = c.contourDepth;
     return t;
 }
 

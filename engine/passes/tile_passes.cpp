@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "engine/passes/primitives.h"
 #include "engine/passes/tile_frame.h"
 #include "shaders.h"
 
@@ -16,9 +17,10 @@ constexpr Type kTexel = Type::eUniformTexelBuffer, kStorage = Type::eStorageBuff
 // Shapes, rows of copies, lists; numbers, which are written.
 constexpr Type kNearestTexels[] = {kTexel, kTexel, kTexel, kStorage};
 constexpr Type kNearestStorage[] = {kStorage, kStorage, kStorage, kStorage};
-// Atlas, numbers, shapes, rows of copies, looks.
-constexpr Type kShadeTexels[] = {Type::eCombinedImageSampler, kTexel, kTexel, kTexel, kTexel};
-constexpr Type kShadeStorage[] = {Type::eCombinedImageSampler, kStorage, kStorage, kStorage, kStorage};
+// Atlas, effects, numbers, shapes, rows of copies, looks.
+constexpr Type kShadeTexels[] = {Type::eCombinedImageSampler, Type::eUniformBuffer, kTexel, kTexel, kTexel, kTexel};
+constexpr Type kShadeStorage[] = {
+    Type::eCombinedImageSampler, Type::eUniformBuffer, kStorage, kStorage, kStorage, kStorage};
 
 constexpr vk::VertexInputBindingDescription kSpanBindings[] = {
     {0, sizeof(TileSpanVertex), vk::VertexInputRate::eInstance}};
@@ -57,12 +59,14 @@ public:
         write({set_, at_++, 0, 1, kTexel, nullptr, nullptr, &view});
     }
     void read(const TileBuffer& b) { read(b.buffer, b.texels); }
-    void store(const gpu::Buffer& buffer) {
-        const vk::DescriptorBufferInfo info(*buffer.handle, 0, VK_WHOLE_SIZE);
-        write({set_, at_++, 0, 1, kStorage, nullptr, &info});
-    }
+    void store(const gpu::Buffer& buffer) { whole(buffer, kStorage); }
+    void uniform(const gpu::Buffer& buffer) { whole(buffer, Type::eUniformBuffer); }
 
 private:
+    void whole(const gpu::Buffer& buffer, Type type) {
+        const vk::DescriptorBufferInfo info(*buffer.handle, 0, VK_WHOLE_SIZE);
+        write({set_, at_++, 0, 1, type, nullptr, &info});
+    }
     void write(const vk::WriteDescriptorSet& write) { context_.device->updateDescriptorSets(write, {}); }
 
     gpu::PassContext& context_;
@@ -71,8 +75,7 @@ private:
 };
 
 void setView(gpu::Specialization& constants, const SceneView& view) {
-    constants.set(layout::kPerspectiveId, view.perspective);
-    constants.set(layout::kQuarterTurnsId, view.quarterTurns);
+    setGeometryConstants(constants, view);
     constants.set(layout::kCopiesId, view.tiles->copies);
     constants.set(layout::kTilesInBinId, TileLists::kTilesInBin);
 }
@@ -118,6 +121,7 @@ void shadeTiles(gpu::PassContext& context, const SceneView& view, Output output,
     d.vertex = shaders::tileSpanVertex;
     d.fragment = shadeShader(output, texels, scene.cylinderCount > 0).of(view);
     setView(d.constants, view);
+    setShadingConstants(d.constants, view);
     d.streams = {kSpanBindings, kSpanAttributes};
     d.layout = *layout.pipeline;
     d.colorsWritten = 1;
@@ -127,6 +131,7 @@ void shadeTiles(gpu::PassContext& context, const SceneView& view, Output output,
                                         vk::ImageLayout::eShaderReadOnlyOptimal);
     context.device->updateDescriptorSets(vk::WriteDescriptorSet(set, 0, 0, Type::eCombinedImageSampler, image), {});
     Bindings bindings(context, set, 1);
+    bindings.uniform(*view.effectConstants);
     bindings.read(f.numbers);
     bindings.read(scene.shapes, scene.shapeTexels);
     bindings.read(f.rows);

@@ -29,6 +29,12 @@ glm::vec2 pixelOf(const TileView& view, glm::vec2 q) {
     }
 }
 
+/// Of a ball that holds a sphere with its contour line (shaders/common/view.glsl).
+float reachOf(const TileView& view, float z, float radius) {
+    if (!view.perspective) return radius + view.contour;
+    return radius + view.contour * (view.origin - z + radius) / (view.origin - view.contour);
+}
+
 /// A disc on the plane z = 0 that holds a sphere's picture. In perspective about the ellipse that is its image
 /// (shaders/common/outline.glsl).
 struct Disc {
@@ -65,10 +71,12 @@ void TileLists::add(const TileView& view, std::uint32_t number, glm::vec2 low, g
 void TileLists::addSpheres(const TileView& view, std::span<const Sphere> spheres, const TileCall& call) {
     for (std::uint32_t i = call.first; i < call.first + call.count; ++i) {
         const glm::vec3 center = placed(call.rows, spheres[i].center);
-        const Disc disc = discOf(view, center, spheres[i].radius);
+        const float Z = view.origin - center.z, radius = spheres[i].radius;
+        if (Z + radius < view.clipNear || Z - radius > view.clipFar) continue;
+        const Disc disc = discOf(view, center, reachOf(view, center.z, radius));
         const glm::vec2 at = pixelOf(view, disc.center);
         const float reach = disc.radius * view.pixels;
-        add(view, call.number + i, at - reach, at + reach, view.origin - center.z - spheres[i].radius);
+        add(view, call.number + i, at - reach, at + reach, Z - radius);
     }
 }
 
@@ -76,7 +84,8 @@ void TileLists::addCylinders(const TileView& view, std::span<const Cylinder> cyl
     for (std::uint32_t i = call.first; i < call.first + call.count; ++i) {
         const Cylinder& c = cylinders[i];
         const glm::vec3 a = placed(call.rows, c.a), b = placed(call.rows, c.b);
-        const Disc da = discOf(view, a, c.radius), db = discOf(view, b, c.radius);
+        const Disc da = discOf(view, a, reachOf(view, a.z, c.radius)),
+                   db = discOf(view, b, reachOf(view, b.z, c.radius));
         const glm::vec2 pa = pixelOf(view, da.center), pb = pixelOf(view, db.center);
         const float ra = da.radius * view.pixels, rb = db.radius * view.pixels;
         add(view, call.number + i, glm::min(pa - ra, pb - rb), glm::max(pa + ra, pb + rb),

@@ -17,12 +17,14 @@ namespace nacre {
 struct TileView {
     std::uint32_t width = 0, height = 0;  ///< pixels of the image
     bool perspective = false;
-    int quarterTurns = 0;  ///< as in View
-    glm::vec2 axis{};      ///< pixel of the view axis
-    float pixels = 1;      ///< per Å at z = 0
-    float origin = 0;      ///< Z is origin - z; in perspective the eye stands there
-    float nearest = 0;     ///< Z of the nearest depth
-    float range = 1;       ///< from there to the farthest, Å
+    int quarterTurns = 0;                      ///< as in View
+    glm::vec2 axis{};                          ///< pixel of the view axis
+    float pixels = 1;                          ///< per Å at z = 0
+    float origin = 0;                          ///< Z is origin - z; in perspective the eye stands there
+    float nearest = 0;                         ///< Z of the nearest depth
+    float range = 1;                           ///< from there to the farthest, Å
+    float clipNear = -1e30f, clipFar = 1e30f;  ///< Z that planes cut at
+    float contour = 0;                         ///< width of the line about a primitive, Å at z = 0
 };
 
 /// Primitives of a stream at one place.

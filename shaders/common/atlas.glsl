@@ -8,11 +8,12 @@ uvec2 cylinderTexels() { return uvec2(view.patchTexels >> 8 & 0xffu, view.patchT
 
 /// First texel of the patch of a sphere, x | y << 16. @param index  within its copy
 uint spherePatch(uint index) {
-    uvec2 at = divided(index, view.spherePatches);
+    uvec2 at = divided(index, view.patchesInRow & 0xffffu);
     return (at.y | at.x << 16) * sphereEdge();
 }
 uint cylinderPatch(uint index) {
-    uint top = (view.spheres + view.spherePatches - 1u) / view.spherePatches * sphereEdge();
-    uvec2 at = divided(index, view.cylinderPatches).yx * cylinderTexels();
+    uint spherePatches = view.patchesInRow & 0xffffu;
+    uint top = (view.spheres + spherePatches - 1u) / spherePatches * sphereEdge();
+    uvec2 at = divided(index, view.patchesInRow >> 16).yx * cylinderTexels();
     return at.x | (at.y + top) << 16;
 }

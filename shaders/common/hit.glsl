@@ -5,36 +5,98 @@
 struct Hit {
     bool inside;   // the pixel's ray meets the primitive
     float Z;       // distance as ViewConstants defines it, Å
+    float order;   // what hits are compared by: Z; of a cap and of a contour line more
     vec3 normal;   // view space, unit
     float along;   // cylinders: 0 at a, 1 at b
+    bool cap;      // on the near clipping plane, inside of what it cuts
+    bool contour;  // beside the primitive, on the line about it
 };
+
+Hit noHit() { return Hit(false, 0.0, 0.0, vec3(0.0, 0.0, 1.0), 0.0, false, false); }
+
+/// A hit on the skin becomes one on the cap, or none, where a plane cuts it away.
+/// @param deep  how deep the pixel's point of the near plane lies in the primitive: 1 innermost, 0 on its skin
+void cut(inout Hit hit, float deep) {
+    if (deep > 0.0) {
+        hit.inside = hit.cap = true;
+        hit.Z = view.clipNear;
+        precise float order = view.clipNear + kCapDepth * (1.0 - deep);
+        hit.order = order;
+        hit.normal = vec3(0.0, 0.0, 1.0);
+    } else if (hit.Z < view.clipNear) {
+        hit.inside = false;
+    }
+    if (hit.Z > view.clipFar) hit.inside = hit.cap = false;
+}
+
+/// A pixel beside a primitive is on its contour line if it is near enough. The line stands behind the silhouette by so
+/// much that it shows where depth jumps by more, and nowhere else; of three weights, the outer ones stand farther back.
+/// @param outside  distance from the silhouette @param width  of the line there @param Z  of the silhouette
+void drawContour(inout Hit hit, float outside, float width, float Z) {
+    if (hit.inside || !(outside <= width)) return;
+    precise float share = outside / width;
+    precise float jump = view.contourDepth * (kContours < 3 || share < 0.34 ? 1.0 : share < 0.67 ? 3.0 : 9.0);
+    hit.inside = hit.contour = true;
+    hit.Z = Z;
+    // What is clear lies at the end of the range: the line stays before it.
+    precise float behind = Z + jump;
+    hit.order = min(behind, view.depthStart + 0.99999 / view.perRange);
+    hit.normal = vec3(0.0, 0.0, 1.0);
+}
 
 /// A sphere: view-space centre and radius. q: planePoint() of the pixel. Distances are taken from the point of the ray that is closest to the
 /// centre, which keeps the digits that the textbook's b*b - 4ac loses.
 Hit sphereHitThrough(vec4 sphere, vec2 q) {
-    Hit hit;
-    hit.along = 0.0;
+    Hit hit = noHit();
+    float r = sphere.w;
+    precise float outside = 0.0, silhouetteZ = 0.0, scale = 1.0;
     if (kPerspective) {
         precise vec3 ray = vec3(q, -view.origin);
         precise vec3 center = vec3(sphere.xy, sphere.z - view.origin);
         precise float a = dot(ray, ray);
         precise float t0 = dot(ray, center) / a;
         precise vec3 w = ray * t0 - center;
-        precise float h = sphere.w * sphere.w - dot(w, w);
+        precise float h = r * r - dot(w, w);
         hit.inside = h > 0.0;
         precise float s = sqrt(max(h, 0.0) / a);
         precise float t = t0 - s;
         hit.Z = t * view.origin;
-        hit.normal = (w - ray * s) / sphere.w;
+        hit.normal = (w - ray * s) / r;
+        if (kContours > 0) {
+            outside = sqrt(dot(w, w)) - r;
+            silhouetteZ = t0 * view.origin;
+            scale = t0;
+        }
     } else {
         precise vec2 w = q - sphere.xy;
-        precise float h = sphere.w * sphere.w - dot(w, w);
+        precise float h = r * r - dot(w, w);
         hit.inside = h > 0.0;
         precise float s = sqrt(max(h, 0.0));
         precise float z = sphere.z + s;
         hit.Z = view.origin - z;
-        hit.normal = vec3(w, s) / sphere.w;
+        hit.normal = vec3(w, s) / r;
+        if (kContours > 0) {
+            outside = sqrt(dot(w, w)) - r;
+            silhouetteZ = view.origin - sphere.z;
+        }
     }
+    hit.order = hit.Z;
+    if (kClip) {
+        precise float Z = view.origin - sphere.z;
+        precise float behind = clamp(Z, view.clipNear, view.clipFar) - Z;
+        precise vec2 p = q * (kPerspective ? view.clipNear / view.origin : 1.0) - sphere.xy;
+        precise float above = view.clipNear - Z;
+        precise float deep = 1.0 - (dot(p, p) + above * above) / (r * r);
+        cut(hit, deep);
+        if (kContours > 0 && behind != 0.0) {  // the silhouette is the rim of the cut
+            silhouetteZ = Z + behind;
+            scale = kPerspective ? silhouetteZ / view.origin : 1.0;
+            precise vec2 e = q * scale - sphere.xy;
+            precise float rim = r * r - behind * behind;
+            outside = rim > 0.0 ? sqrt(dot(e, e)) - sqrt(rim) : 1e9;
+        }
+    }
+    if (kContours > 0) drawContour(hit, outside, view.contourWidth * scale, silhouetteZ);
     return hit;
 }
 
@@ -42,7 +104,7 @@ Hit sphereHit(vec4 sphere, vec2 fragment) { return sphereHitThrough(sphere, plan
 
 /// A cylinder with flat caps from a to b (view space), radius r.
 Hit cylinderHitThrough(vec3 a, vec3 b, float r, vec2 q) {
-    Hit hit;
+    Hit hit = noHit();
     precise vec3 origin = kPerspective ? vec3(0.0, 0.0, view.origin) : vec3(q, 0.0);
     precise vec3 ray = kPerspective ? vec3(q, -view.origin) : vec3(0.0, 0.0, -1.0);
     precise vec3 span = b - a;
@@ -68,7 +130,26 @@ Hit cylinderHitThrough(vec3 a, vec3 b, float r, vec2 q) {
     precise float tHit = side ? t : tCap;
     hit.inside = side || cap;
     hit.Z = kPerspective ? tHit * view.origin : view.origin + tHit;
+    hit.order = hit.Z;
     hit.normal = side ? (fromSide + raySide * t) / r : (rayAxis > 0.0 ? -axis : axis);
+    if (kClip) {
+        precise float tCut = kPerspective ? view.clipNear / view.origin : view.clipNear - view.origin;
+        precise vec3 wCut = fromSide + raySide * tCut;
+        precise float sCut = fromAxis + rayAxis * tCut;
+        precise float deep = 1.0 - dot(wCut, wCut) / (r * r);
+        cut(hit, sCut >= 0.0 && sCut <= len ? deep : 0.0);
+        if (hit.cap) tHit = tCut;
+    }
+    if (kContours > 0) {
+        precise float Z = kPerspective ? t0 * view.origin : view.origin + t0;
+        precise float s0 = fromAxis + rayAxis * t0;
+        bool along = s0 >= 0.0 && s0 <= len && A > 1e-12 * dot(ray, ray);
+        bool kept = !kClip || (Z >= view.clipNear && Z <= view.clipFar);
+        // Inside of the silhouette nothing was hit but what was cut away.
+        precise float outside = along && kept && h <= 0.0 ? sqrt(dot(w, w)) - r : 1e9;
+        drawContour(hit, outside, view.contourWidth * (kPerspective ? t0 : 1.0), Z);
+        if (hit.contour) tHit = t0;
+    }
     hit.along = clamp((fromAxis + rayAxis * tHit) / len, 0.0, 1.0);
     return hit;
 }

@@ -29,6 +29,18 @@ const int kSpreadId = 12;        // float: of four taps, pixels
 const int kCopiesId = 13;        // bool: primitives stand at the places of copies
 const int kLanesId = 14;         // of the subgroup that draws a tile
 const int kTilesInBinId = 15;    // a side, of those that share a list
+const int kLightingId = 16;      // bool: off, base colour times occlusion
+const int kOcclusionId = 17;     // bool: the atlas is read
+const int kWholeImageId = 18;    // bool: the viewport is the whole image, else it has the view axis in its middle
+const int kClipId = 19;          // bool: two planes cut the scene
+const int kCapId = 20;           // what a cut shows: 0 plain, 1 dark, 2 hatched
+const int kContoursId = 21;      // weights of contour lines: 0 (none), 1 or 3
+const int kFogId = 22;           // bool
+const int kAmbientId = 23;       // float: shares of light, 1 as in common/shading.glsl
+const int kDirectId = 24;        // float
+const int kHighlightId = 25;     // float
+const int kGlossId = 26;         // float: exponent of the highlight
+const int kDeepeningId = 27;     // float: how much of the occlusion counts, 0..1
 
 /// Push constants of every geometry pass. Lengths in Å, view space as in engine/scene/camera.h.
 /// Z is the distance that the layers report: origin - z (orthographic: origin = R, perspective: origin = eye).
@@ -45,14 +57,14 @@ struct ViewConstants {
     float depthStart;     // Z at encoded depth 0
     float perRange;       // 1 / (range of Z)
     uint primitives;      // in a copy
-    float wholeImage;     // 1 if the viewport is the whole image, 0 if it has the view axis in its middle
+    uint spheres;         // of the primitives in a copy
     vec2 atlasTexel;      // 1 / texels of the atlas
     uint patchTexels;     // from the lowest byte on: across a sphere's patch, around and along a cylinder's
-    uint spherePatches;   // in a row of the atlas
-    uint cylinderPatches;
-    float lighting;   // 0 or 1
-    float occlusion;  // 0 or 1
-    uint spheres;     // of the primitives in a copy
+    uint patchesInRow;    // of the atlas: of spheres, from bit 16 on of cylinders
+    float clipNear;       // Z that is cut away, up to this
+    float clipFar;        // and from this on
+    float contourWidth;   // at z = 0
+    float contourDepth;   // Å by which depth jumps behind a contour line
 };
 
 /// Push constants of the passes that draw by tiles. What stands in ViewConstants, too, means the same.
@@ -70,13 +82,24 @@ struct TileConstants {
     uint across;      // bins in a row
     uint offsets;     // where the offsets of the bins' lists begin
     float depthStep;  // of encoded depth, within which a list is in no order
-    float lighting;
+    float clipNear;
     vec2 atlasTexel;
     uint patchTexels;
-    uint spherePatches;
-    uint cylinderPatches;
-    float occlusion;
-    vec2 unused;
+    uint patchesInRow;
+    float clipFar;
+    float contourWidth;
+    float contourDepth;
+    float unused;
+};
+
+/// What the effects of shading work with: a uniform buffer.
+struct EffectConstants {
+    vec4 contour;    // linear colour
+    vec4 fog;        // linear colour, and its share where it ends
+    float fogStart;  // Z
+    float perFog;    // 1 / (Å from its start to its end)
+    float hatch;     // Å on the plane z = 0 from a stroke to the next
+    float unused;
 };
 
 /// Push constants of the occlusion passes. A batch of depth maps lies side by side in one image, kMapsAcross in a row.
@@ -112,9 +135,10 @@ struct Direction {
 static_assert(sizeof(ViewConstants) == 128, "push constants: 128 bytes at most");
 static_assert(offsetof(ViewConstants, ndcPerAngstrom) == 48 && offsetof(ViewConstants, axisPixel) == 64 &&
               offsetof(ViewConstants, depthStart) == 80 && offsetof(ViewConstants, atlasTexel) == 96 &&
-              offsetof(ViewConstants, cylinderPatches) == 112);
+              offsetof(ViewConstants, clipNear) == 112);
 static_assert(sizeof(TileConstants) == 128 && offsetof(TileConstants, axisPixel) == 56 &&
               offsetof(TileConstants, atlasTexel) == 96);
+static_assert(sizeof(EffectConstants) == 48 && offsetof(EffectConstants, fogStart) == 32);
 static_assert(sizeof(OcclusionConstants) == 48);
 static_assert(sizeof(Direction) == 48);
 }  // namespace nacre::layout

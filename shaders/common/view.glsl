@@ -17,6 +17,13 @@ TileConstants view;
 layout(push_constant) uniform Push { ViewConstants view; };
 #endif
 layout(constant_id = kPerspectiveId) const bool kPerspective = false;
+layout(constant_id = kWholeImageId) const bool kWholeImage = true;
+layout(constant_id = kClipId) const bool kClip = false;
+layout(constant_id = kContoursId) const int kContours = 0;
+
+// Caps stand in one plane: what is compared is up to this much deeper, Å, the nearer they are to the skin of what is cut.
+// So the atom that a point lies deepest in shows there, on every path.
+const float kCapDepth = 0.02;
 
 // The copy that is drawn: that of the draw call, or, with COPY_OF_PIXEL, one that the shader looks up.
 #ifdef COPY_OF_PIXEL
@@ -44,12 +51,19 @@ float encodedDepth(float Z) {
     precise float d = (Z - view.depthStart) * view.perRange;
     return d;
 }
+/// Radius of a ball that holds a sphere with its contour line, whatever pixel looks at it. @param z  of the centre
+float reachOf(float z, float radius) {
+    if (kContours == 0) return radius;
+    if (!kPerspective) return radius + view.contourWidth;
+    // The line is as wide as at z = 0 in the picture, so wider in space where it is farther away.
+    return radius + view.contourWidth * (view.origin - z + radius) / (view.origin - view.contourWidth);
+}
 #ifndef TILES
 /// Clip position of a point of the plane z = 0 at encoded depth d. w = 1: depth is constant over a polygon.
 vec4 clipPosition(vec2 q, float d) {
     vec2 perPixel = vec2(view.ndcPerAngstrom.x, -view.ndcPerAngstrom.y) * view.pixel;  // NDC
     vec2 axis = view.axisPixel * ((kQuarterTurns & 1) == 1 ? perPixel.yx : perPixel) - 1.0;
-    return vec4(turned(q * view.ndcPerAngstrom) + axis * view.wholeImage, clamp(d, 0.0, 1.0), 1.0);
+    return vec4(turned(q * view.ndcPerAngstrom) + (kWholeImage ? axis : vec2(0.0)), clamp(d, 0.0, 1.0), 1.0);
 }
 #endif
 #endif

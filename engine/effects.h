@@ -1,0 +1,56 @@
+#pragma once
+// How light and lines show a scene: the same for every pixel, so that nothing but shading and a primitive's hit know of
+// it. What is off costs nothing.
+
+#include <array>
+#include <limits>
+
+namespace nacre {
+
+/// Light that stays with the viewer. Shares are 1 by default.
+struct Light {
+    double ambient = 1;    ///< from all around
+    double direct = 1;     ///< from over the left shoulder
+    double highlight = 1;  ///< 0: no gloss at all
+    double gloss = 42;     ///< exponent of the highlight: the larger, the smaller it is
+    double occlusion = 1;  ///< how much of the ambient occlusion counts, 0..1
+    friend bool operator==(const Light&, const Light&) = default;
+};
+
+/// Lines about whatever stands in front of something else.
+struct Contours {
+    double width = 0;    ///< pixels of the picture; 0: none
+    double depth = 1.5;  ///< Å by which depth jumps at a line
+    int weights = 1;     ///< 3: a third of the width at `depth`, two thirds at 3 times as much, all of it at 9 times
+    std::array<float, 3> color{0, 0, 0};  ///< sRGB-coded
+    friend bool operator==(const Contours&, const Contours&) = default;
+};
+
+/// The scene fades into the background with depth.
+struct Fog {
+    enum class Range { off, automatic, given };
+    Range range = Range::off;
+    double start = 0, end = 0;  ///< Å from the centre, away from the viewer
+    double strength = 0.85;     ///< share of the background at the end and beyond, 0..1
+    friend bool operator==(const Fog&, const Fog&) = default;
+};
+
+/// What lies before `near` or behind `far` is cut away. What the near plane goes through shows a flat cap.
+struct Clip {
+    enum class Cap { plain, dark, hatched };
+    static constexpr double kNone = std::numeric_limits<double>::infinity();
+    double near = -kNone, far = kNone;  ///< Å from the centre, away from the viewer
+    Cap cap = Cap::plain;
+    bool on() const { return near > -kNone || far < kNone; }
+    friend bool operator==(const Clip&, const Clip&) = default;
+};
+
+struct Effects {
+    Light light;
+    Contours contours;
+    Fog fog;
+    Clip clip;
+    friend bool operator==(const Effects&, const Effects&) = default;
+};
+
+}  // namespace nacre
