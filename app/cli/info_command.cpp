@@ -318,10 +318,12 @@ std::string infoText(const std::string& name, const Json& json) {
 
 namespace {
 
-Json infoOf(const InputOptions& input) {
+Json infoOf(const InputOptions& input, bool residues) {
     Progress progress;
     progress.begin("reading");
-    Json json = infoJson(loadMolecule(input, downloadProgress(progress)));
+    const Molecule molecule = loadMolecule(input, downloadProgress(progress));
+    Json json = infoJson(molecule);
+    if (residues) json["residues"] = residueList(molecule);
     std::error_code error;
     const auto bytes = std::filesystem::file_size(input.path, error);
     if (!error) json["bytes"] = bytes;
@@ -338,8 +340,9 @@ void infoCommand(const InfoOptions& options, std::ostream& out) {
             InputOptions input = options.input;
             input.path = path;
             Json json = several ? Json{{"file", path}} : Json::object();
-            json.update(infoOf(input));
+            json.update(infoOf(input, options.residues));
             if (!options.json) out << (list.empty() ? "" : "\n") << infoText(path, json);
+            if (!options.json && options.residues) out << residueText(json["residues"]);
             list.push_back(std::move(json));
         } catch (const Error& error) {
             if (failure) sayError(failure->what());

@@ -51,6 +51,7 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     CommandSpec info{"info", "Say what a structure file holds",
                      "Examples:\n  nacre info 1bna.pdb 4hhb.cif.gz\n  nacre info ligands.sdf --model 3 --json"};
     addInputs(info, line.info.paths, line.info.input);
+    addFlag(info, "--residues", line.info.residues, "Each residue, with helix, strand or coil");
     addFlag(info, "--json", line.info.json, "As one JSON object");
     CommandSpec bench{"bench", "Time frames and count shaded fragments",
                       "Examples:\n  nacre bench 1bna.pdb\n  nacre bench 1aon.pdb.gz --frames 50 --json"};

@@ -51,6 +51,7 @@ struct RenderOptions {
 struct InfoOptions {
     std::vector<std::string> paths;  ///< one or more
     InputOptions input;              ///< how each of them is read
+    bool residues = false;           ///< each of them, with its place in the fold
     bool json = false;
 };
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/molecule/element.h"
+#include "engine/molecule/kabsch_sander.h"
 #include "engine/molecule/residue_kind.h"
 #include "engine/scene/chain_entities.h"
 #include "engine/scene/colors.h"
@@ -151,14 +152,16 @@ Classes bySecondaryStructure(const Molecule& molecule, std::span<const std::uint
                        {"other protein", packedColor(0xe4e2dd)},
                        {"nucleic acid", packedColor(0x66ccee)},
                        {"not in a chain", packedColor(0xa9a59d)}};
+    const std::vector<SecondaryStructure> folds = secondaryStructure(molecule);
     sortAtoms(classes, atoms, [&](std::uint32_t i) {
         const std::uint32_t residue = molecule.atoms[i].residue;
-        const SecondaryStructure secondary = molecule.residues[residue].secondary;
+        const SecondaryStructure secondary = folds[residue];
         if (kinds[residue] == ResidueKind::nucleic) return 3;
         if (kinds[residue] != ResidueKind::protein) return 4;
         return secondary == SecondaryStructure::helix ? 0 : secondary == SecondaryStructure::strand ? 1 : 2;
     });
-    if (!molecule.statesSecondaryStructure) classes.warning = "the file states no helices or strands";
+    if (std::find(kinds.begin(), kinds.end(), ResidueKind::protein) == kinds.end())
+        classes.warning = "there is no protein, whose helices and strands this shows";
     return classes;
 }
 

@@ -19,7 +19,7 @@ enum class ColorScheme {
     residue,             ///< residueColor() of colors.h
     hydrophobicity,      ///< of amino acids, J. Kyte and R. F. Doolittle, J. Mol. Biol. 157 (1982) 105
     charge,              ///< of residues at pH 7, formal charges elsewhere
-    secondaryStructure,  ///< as the file states it
+    secondaryStructure,  ///< as the file states it, else by hydrogen bonds
     bFactor,             ///< from the 2nd to the 98th percentile of the coloured atoms
     plddt,               ///< B factor as AlphaFold's confidence, in its four bands and colours
     rainbow,             ///< along each chain, from N to C or 5' to 3'

@@ -31,6 +31,19 @@ Molecule twoAtoms() {
     return molecule;
 }
 
+TEST(Info, ResiduesWithTheirPlaceInTheFold) {
+    Molecule molecule = twoAtoms();
+    molecule.residues[0].name = Name("ALA");
+    molecule.residues[0].secondary = SecondaryStructure::strand;
+    molecule.residues[1].name = Name("HOH");
+    molecule.statesSecondaryStructure = true;
+    const auto list = residueList(molecule);
+    ASSERT_EQ(list.size(), 2u);
+    EXPECT_EQ(list[0].dump(), R"({"chain":"A","number":-3,"insertion":"","name":"ALA","secondary":"strand"})");
+    EXPECT_EQ(list[1].dump(), R"({"chain":"A","number":0,"insertion":"B","name":"HOH"})");
+    EXPECT_EQ(residueText(list), "  residues\n    A        -3  ALA   strand\n    A        0B  HOH \n");
+}
+
 TEST(Info, CountsWhatTheMoleculeHolds) {
     const auto json = infoJson(twoAtoms());
     EXPECT_EQ(json["format"], "pdb");

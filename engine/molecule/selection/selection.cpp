@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "engine/molecule/element.h"
+#include "engine/molecule/kabsch_sander.h"
 #include "engine/molecule/near_atoms.h"
 #include "engine/molecule/residue_kind.h"
 #include "engine/molecule/text.h"
@@ -178,8 +179,9 @@ private:
 
     Set ofFolds(const SelectionStep& step) {
         const std::vector<ResidueKind>& known = kinds();
+        if (folds_.empty()) folds_ = secondaryStructure(molecule_);
         return whereResidue([&](std::size_t i) {
-            const SecondaryStructure fold = molecule_.residues[i].secondary;
+            const SecondaryStructure fold = folds_[i];
             const char* name = fold == SecondaryStructure::helix    ? "HELIX"
                                : fold == SecondaryStructure::strand ? "STRAND"
                                                                     : "LOOP";
@@ -301,6 +303,7 @@ private:
     const Molecule& molecule_;
     std::vector<Set> stack_;
     std::vector<ResidueKind> kinds_;
+    std::vector<SecondaryStructure> folds_;
 };
 
 }  // namespace
