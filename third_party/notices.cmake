@@ -16,10 +16,12 @@ set(NACRE_PARTS
     "xxHash|BSD-2-Clause|libxxhash-dev|xxhash|https://github.com/Cyan4973/xxHash"
     "JSON for Modern C++|MIT|nlohmann-json3-dev|nlohmann-json|https://github.com/nlohmann/json"
     "OpenImageIO|BSD-3-Clause|libopenimageio-dev|openimageio|https://github.com/AcademySoftwareFoundation/OpenImageIO"
+    "libpng|libpng-2.0|libpng-dev|libpng|http://www.libpng.org"
+    "GIFLIB|MIT|libgif-dev|giflib|https://giflib.sourceforge.net"
     "libcurl|curl|libcurl4-openssl-dev|curl|https://curl.se"
     "CLI11|BSD-3-Clause|libcli11-dev|cli11|https://github.com/CLIUtils/CLI11")
 if(IOS)
-    list(FILTER NACRE_PARTS EXCLUDE REGEX "^(OpenImageIO|libcurl|CLI11)")
+    list(FILTER NACRE_PARTS EXCLUDE REGEX "^(OpenImageIO|libpng|GIFLIB|libcurl|CLI11)")
 endif()
 if(APPLE)
     list(APPEND NACRE_PARTS

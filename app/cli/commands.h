@@ -8,6 +8,7 @@
 namespace nacre::app {
 
 void renderCommand(const RenderOptions& options);
+void movieCommand(const MovieOptions& options);
 void benchCommand(const BenchOptions& options, std::ostream& out);
 void planCommand(const PlanOptions& options, std::ostream& out);
 void infoCommand(const InfoOptions& options, std::ostream& out);

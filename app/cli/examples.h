@@ -7,6 +7,7 @@ inline constexpr const char* kExamples =
     "Examples:\n"
     "  nacre render sample:dna -o dna.png\n"
     "  nacre render pdb:4hhb -o blood.png --color chain\n"
+    "  nacre movie pdb:4hhb -o blood.mp4 --spin y\n"
     "  nacre info 4hhb.cif.gz --json\n"
     "  nacre devices\n"
     "`nacre render --help` lists what can be set.\n"
@@ -20,6 +21,13 @@ inline constexpr const char* kExamples =
     "  NACRE_DOWNLOAD_TIMEOUT=SECONDS  to connect, and without data [30]\n"
     "  NACRE_CA_FILE=FILE    trusted certificates (PEM) instead of the system's\n"
     "  https_proxy, no_proxy  as curl takes them";
+inline constexpr const char* kMovieExamples =
+    "Examples:\n"
+    "  nacre movie 4hhb.cif.gz -o blood.mp4 --spin y --color chain --supersample 2\n"
+    "  nacre movie sample:dna -o dna.gif --rock 30 --size 400x600 --fps 25\n"
+    "  nacre movie 2koc.cif.gz -o ensemble.webm --models --seconds 4 --style licorice\n"
+    "  nacre movie -o flight.mp4 --views whole.json,pocket.json,ligand.json --seconds 8\n"
+    "  nacre movie 1crn.pdb -o frames/ --spin 1,1,0 --seconds 10 --fps 24";
 inline constexpr const char* kRenderExamples =
     "Examples:\n"
     "  nacre render 1bna.pdb -o dna.png --size 1600x1200 --supersample 2\n"

@@ -39,6 +39,9 @@ void run(const CommandLine& line, std::ostream& out) {
         case Command::render:
             renderCommand(line.render);
             break;
+        case Command::movie:
+            movieCommand(line.movie);
+            break;
         case Command::view:
 #ifdef NACRE_DESKTOP
             viewCommand(line.view);

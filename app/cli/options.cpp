@@ -48,6 +48,8 @@ void addPlan(CommandSpec& command, PlanOptions& options) {
 std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     CommandSpec render{"render", "Draw a molecule into a picture file", kRenderExamples};
     addRender(render, line.render);
+    CommandSpec movie{"movie", "Draw a movie: turning, swinging, through models or along saved views", kMovieExamples};
+    addMovie(movie, line.movie);
     CommandSpec info{"info", "Say what a structure file holds",
                      "Examples:\n  nacre info 1bna.pdb 4hhb.cif.gz\n  nacre info ligands.sdf --model 3 --json"};
     addInputs(info, line.info.paths, line.info.input);
@@ -64,7 +66,7 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     addPlan(plan, line.plan);
     CommandSpec devices{"devices", "List the Vulkan devices", "Examples:\n  nacre devices\n  nacre devices --json"};
     addFlag(devices, "--json", line.json, "As a JSON array");
-    std::vector<CommandSpec> commands{render, info, bench, plan, devices};
+    std::vector<CommandSpec> commands{render, movie, info, bench, plan, devices};
 #ifdef NACRE_DESKTOP
     CommandSpec view{"view", "Show a molecule in a window", kViewExamples};
     addWindow(view, window);
@@ -79,11 +81,11 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
 
 Command commandOf(const std::string& name) {
     constexpr std::pair<const char*, Command> kCommands[] = {
-        {"render", Command::render}, {"view", Command::view}, {"info", Command::info},
-        {"bench", Command::bench},   {"plan", Command::plan}, {"devices", Command::devices}};
+        {"render", Command::render}, {"movie", Command::movie}, {"view", Command::view},      {"info", Command::info},
+        {"bench", Command::bench},   {"plan", Command::plan},   {"devices", Command::devices}};
     for (const auto& [word, command] : kCommands)
         if (name == word) return command;
-    throw UsageError("a command is needed: render, view, info, bench, plan or devices");
+    throw UsageError("a command is needed: render, movie, view, info, bench, plan or devices");
 }
 
 }  // namespace
@@ -103,6 +105,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
         throw UsageError("more than one command");
     line.command = version ? Command::version : notices ? Command::notices : commandOf(parsed.name);
     if (line.command == Command::render) checkRender(line.render);
+    if (line.command == Command::movie) checkMovie(line.movie);
     if (line.command == Command::view) {
         const bool named = checkWindow(window);
         line.view = viewOptionsOf(window);

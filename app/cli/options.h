@@ -9,6 +9,7 @@
 
 #include "app/cli/command_spec.h"
 #include "app/desktop/view_options.h"
+#include "app/movie/camera_path.h"
 #include "app/shared/aim.h"
 #include "app/shared/input_options.h"
 #include "app/shared/option_values.h"
@@ -48,6 +49,21 @@ struct RenderOptions {
     InputOptions savedInput;  ///< of the saved view; `input` once the command line is read, if that has none
 };
 
+/// What moves, how long, and how fast.
+struct MovieOptions {
+    RenderOptions picture;
+    std::optional<glm::dvec3> spin;  ///< axis of a turn
+    double turns = 1;
+    std::optional<double> rock;  ///< degrees to either side
+    glm::dvec3 axis{0, 1, 0};    ///< of rock
+    bool models = false;         ///< one after the other
+    std::vector<std::string> views;
+    bool loop = false;              ///< the last view is followed by the first
+    std::optional<double> seconds;  ///< empty: what the motion takes
+    double framesPerSecond = 30;
+    std::optional<Easing> easing;
+};
+
 struct InfoOptions {
     std::vector<std::string> paths;  ///< one or more
     InputOptions input;              ///< how each of them is read
@@ -76,12 +92,13 @@ struct PlanOptions {
     PlanFormat format = PlanFormat::text;
 };
 
-enum class Command { help, version, notices, render, view, info, devices, bench, plan };
+enum class Command { help, version, notices, render, movie, view, info, devices, bench, plan };
 
 struct CommandLine {
     Command command = Command::help;
     std::string help;  ///< what to print for Command::help
     RenderOptions render;
+    MovieOptions movie;
     ViewOptions view;
     InfoOptions info;
     BenchOptions bench;

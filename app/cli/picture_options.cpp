@@ -1,7 +1,9 @@
 #include "app/cli/picture_options.h"
 
 #include "app/cli/common_options.h"
+#include "app/cli/movie_options.h"
 #include "app/cli/saved_options.h"
+#include "app/movie/movie_file.h"
 #include "app/shared/effect_options.h"
 #include "app/shared/image_file.h"
 #include "app/shared/output_file.h"
@@ -166,6 +168,27 @@ void addRender(CommandSpec& command, RenderOptions& options) {
     addDevice(command, options);
 }
 
+void addMovie(CommandSpec& command, MovieOptions& options) {
+    RenderOptions& picture = options.picture;
+    addSavedView(command, picture);
+    addContent(command, picture.input, false, picture.drawn, picture.look);
+    addValue(command, "-o,--output", "FILE|FOLDER/", "",
+             "The movie: .mp4, .webm (both by ffmpeg), .gif, .png (animated); or a folder of PNG frames;\n"
+             "- is an animated PNG to standard output",
+             [&](const std::string& text) {
+                 if (!isMovieName(text))
+                     throw std::invalid_argument(
+                         "expected a name that ends in .mp4, .webm, .gif or .png, or a folder, not '" + text + "'");
+                 picture.output = text;
+             })
+        .required = true;
+    addMotion(command, options);
+    addCamera(command, picture);
+    addShading(command, picture);
+    addPixels(command, picture);
+    addDevice(command, picture);
+}
+
 void addWindow(CommandSpec& command, RenderOptions& first) {
     first.size = {1280, 800};
     addSavedView(command, first);
@@ -191,6 +214,22 @@ void checkRender(RenderOptions& options) {
         throw UsageError(error.what());
     }
     checkFiles(options);
+}
+
+void checkMovie(MovieOptions& options) {
+    RenderOptions& picture = options.picture;
+    if (!options.views.empty() && picture.input.path.empty() && picture.savedInput.path.empty()) {
+        picture.view = options.views.front();
+        picture.savedInput = inputOf(readSavedView(picture.view));
+    }
+    if (!takeInput(picture)) throw UsageError("INPUT is required");
+    checkMotion(options);
+    try {
+        checkSamples(picture.size, picture.supersample);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
+    checkFiles(picture);
 }
 
 bool checkWindow(RenderOptions& first) {

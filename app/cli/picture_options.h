@@ -6,11 +6,14 @@
 namespace nacre::app {
 
 void addRender(CommandSpec& command, RenderOptions& options);
+void addMovie(CommandSpec& command, MovieOptions& options);
 /// What a window shows at first is said as for `render`; `size` is the window's.
 void addWindow(CommandSpec& command, RenderOptions& first);
 
 /// What no option alone can tell; INPUT is that of the saved view if there is no other. @throws UsageError
 void checkRender(RenderOptions& options);
+/// The same for a movie; INPUT may also be that of its first key view. @throws UsageError, Error
+void checkMovie(MovieOptions& options);
 /// The same for a window. @returns whether there is an INPUT
 bool checkWindow(RenderOptions& first);
 

@@ -14,17 +14,27 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kPatience = std::chrono::seconds(1);
 constexpr auto kBetween = std::chrono::milliseconds(200);
 constexpr int kBarWidth = 24;
+constexpr double kTelling = 0.02;  // share from which on the time that is left can be told
+
+/// "0:07", "1:02:33"
+std::string clockText(std::chrono::seconds time) {
+    const auto two = [](std::int64_t n) { return (n < 10 ? "0" : "") + std::to_string(n); };
+    const std::int64_t all = time.count(), hours = all / 3600, minutes = all / 60 % 60;
+    return (hours ? std::to_string(hours) + ":" + two(minutes) : std::to_string(minutes)) + ":" + two(all % 60);
+}
 
 }  // namespace
 
-std::string progressText(const std::string& work, std::optional<double> share, std::chrono::seconds elapsed) {
+std::string progressText(const std::string& work, std::optional<double> share, std::chrono::seconds elapsed,
+                         std::optional<std::chrono::seconds> left) {
     if (!share) return "nacre: " + work + ", " + std::to_string(elapsed.count()) + " s";
     const double done = std::clamp(*share, 0.0, 1.0);
-    const auto full = static_cast<std::size_t>(done * kBarWidth);
+    const int width = left ? kBarWidth / 2 : kBarWidth;
+    const auto full = static_cast<std::size_t>(done * width);
     std::string percent = std::to_string(static_cast<int>(done * 100));
     percent.insert(0, 3 - percent.size(), ' ');
-    return "nacre: " + work + " [" + std::string(full, '#') + std::string(kBarWidth - full, ' ') + "] " + percent +
-           " %";
+    return "nacre: " + work + " [" + std::string(full, '#') + std::string(static_cast<std::size_t>(width) - full, ' ') +
+           "] " + percent + " %" + (left ? ", " + clockText(*left) + " left" : "");
 }
 
 Progress::Progress() {
@@ -45,11 +55,19 @@ void Progress::begin(const std::string& work) {
     const std::lock_guard lock(mutex_);
     work_ = work;
     share_.reset();
+    steady_ = false;
+    began_ = Clock::now();
 }
 
 void Progress::advance(double share) {
     const std::lock_guard lock(mutex_);
     share_ = share;
+}
+
+void Progress::advanceTo(std::uint64_t done, std::uint64_t all) {
+    const std::lock_guard lock(mutex_);
+    share_ = static_cast<double>(done) / static_cast<double>(all);
+    steady_ = true;
 }
 
 std::function<void(double)> downloadProgress(Progress& progress) {
@@ -67,8 +85,11 @@ void Progress::show() {
     if (wake_.wait_for(lock, kPatience, [this] { return ending_; })) return;
     do {
         const auto elapsed = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - start);
+        std::optional<std::chrono::seconds> left;
+        if (steady_ && share_ && *share_ >= kTelling)
+            left = std::chrono::duration_cast<std::chrono::seconds>((Clock::now() - began_) * (1 / *share_ - 1));
         // Carriage return, then "erase to the end of the line", which every terminal since the VT100 knows.
-        std::fprintf(stderr, "\r\x1b[K%s", progressText(work_, share_, elapsed).c_str());
+        std::fprintf(stderr, "\r\x1b[K%s", progressText(work_, share_, elapsed, left).c_str());
         std::fflush(stderr);
     } while (!wake_.wait_for(lock, kBetween, [this] { return ending_; }));
     std::fputs("\r\x1b[K", stderr);

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -12,7 +13,9 @@ namespace nacre::app {
 
 /// One line for a terminal, at most 60 columns: "nacre: ambient occlusion [######        ]  43 %", or without a bar
 /// where the share done (0..1) is not known.
-std::string progressText(const std::string& work, std::optional<double> share, std::chrono::seconds elapsed);
+/// @param left  what is probably left, shown beside a shorter bar
+std::string progressText(const std::string& work, std::optional<double> share, std::chrono::seconds elapsed,
+                         std::optional<std::chrono::seconds> left = {});
 
 /// Says on a terminal what a command is doing once that has taken over a second; leaves an empty line behind.
 class Progress {
@@ -26,6 +29,8 @@ public:
     void begin(const std::string& work);
     /// The share of the current work that is done, 0..1.
     void advance(double share);
+    /// The same of work that takes one like the other, whose end can be told from what is done.
+    void advanceTo(std::uint64_t done, std::uint64_t all);
 
 private:
     void show();
@@ -36,6 +41,8 @@ private:
     bool ending_ = false;
     std::string work_;
     std::optional<double> share_;
+    bool steady_ = false;  // time goes with the share
+    std::chrono::steady_clock::time_point began_;
     std::thread thread_;
 };
 

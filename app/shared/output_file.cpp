@@ -47,7 +47,9 @@ extern "C" void removeUnfinished(int signal) {
 
 void remember(const std::string& temporary) {
     for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-        if (std::signal(signal, removeUnfinished) == SIG_IGN) std::signal(signal, SIG_IGN);  // as under nohup
+        // Ignored it stays, as under nohup; who has a handler sees to the files by ending as usual.
+        if (struct sigaction now{}; sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_DFL)
+            std::signal(signal, removeUnfinished);
     std::signal(SIGXFSZ, SIG_IGN);  // over a limit on file sizes, writing fails like on a full disk
     const std::lock_guard turn(unfinishedTurn);
     for (auto& name : unfinished)

@@ -22,7 +22,14 @@ TEST(ProgressText, HasABarWhereTheShareIsKnown) {
     EXPECT_EQ(progressText("baking", 7.0, 3s), progressText("baking", 1.0, 3s));
 }
 
+TEST(ProgressText, SaysWhatIsLeftWhereThatIsKnown) {
+    EXPECT_EQ(progressText("drawing frames", 0.5, 3s, 7s), "nacre: drawing frames [######      ]  50 %, 0:07 left");
+    EXPECT_EQ(progressText("drawing frames", 0.5, 3s, 3723s),
+              "nacre: drawing frames [######      ]  50 %, 1:02:03 left");
+}
+
 TEST(ProgressText, FitsANarrowTerminal) {
+    EXPECT_LE(progressText("drawing frames", 1.0, 3s, 359999s).size(), 60u);
     EXPECT_LE(progressText("ambient occlusion", 1.0, 3s).size(), 60u);
     EXPECT_LE(progressText("building the scene", std::nullopt, 1000000s).size(), 60u);
 }

@@ -59,6 +59,16 @@ class Pages(unittest.TestCase):
         general = {"--help"}
         self.assertEqual(offered - general, (named | {"--output"}) - general)
 
+    def test_options_of_movies_are_those_of_the_program(self):
+        named = set(re.findall(r"--[a-z][a-z-]+", (SOURCE / "docs/movies.md").read_text()))
+        offered = {}
+        for command in ("render", "movie"):
+            help_text = subprocess.run([PROGRAM, command, "--help"], capture_output=True, text=True, check=True).stdout
+            offered[command] = set(re.findall(r"^  (?:-\w,)?(--[a-z][a-z-]+)", help_text, re.MULTILINE))
+        own = offered["movie"] - offered["render"]
+        self.assertEqual(own - named, set())
+        self.assertEqual(named - offered["movie"] - {"--help"}, set())
+
     def test_examples_name_options_that_exist(self):
         for page in PAGES:
             for line in re.findall(r"^(?:tools/|build/\S+/)?nacre (\w+) (.*)", page.read_text(), re.MULTILINE):

@@ -1,0 +1,99 @@
+#include "app/cli/movie_options.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "app/cli/common_options.h"
+#include "app/movie/movie_file.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr double kSpinSeconds = 6, kRockSeconds = 4, kStretchSeconds = 2, kModelSeconds = 0.1;
+constexpr std::size_t kMostViews = 1000;
+
+std::vector<std::string> parseViews(const std::string& text) {
+    std::vector<std::string> names;
+    for (std::size_t from = 0; from <= text.size();) {
+        const std::size_t comma = std::min(text.find(',', from), text.size());
+        names.push_back(fileName(text.substr(from, comma - from)));
+        from = comma + 1;
+    }
+    if (names.size() < 2) throw std::invalid_argument("expected two views or more, A.json,B.json");
+    if (names.size() > kMostViews) throw std::invalid_argument("more than " + std::to_string(kMostViews) + " views");
+    return names;
+}
+
+/// Whether the last frame leads on to the first.
+bool goesRound(const MovieOptions& options) {
+    if (!options.views.empty()) return options.loop;
+    return options.spin || options.rock;
+}
+
+}  // namespace
+
+void addMotion(CommandSpec& command, MovieOptions& options) {
+    addValue(command, "--spin", "AXIS", "none",
+             "Turn about x, y, z (across, up, to the viewer) or a vector X,Y,Z, right-handed; ends where it began",
+             [&](const std::string& text) { options.spin = parseAxis(text); });
+    addValue(command, "--turns", "N", "1", "Of --spin, -100 to 100; a part of one ends elsewhere",
+             [&](const std::string& text) { options.turns = parseNumber(text, -100, 100); });
+    addValue(command, "--rock", "DEGREES", "none", "Swing to either side and back, up to 180",
+             [&](const std::string& text) { options.rock = parseNumber(text, 0, 180); });
+    addValue(command, "--axis", "AXIS", "y", "Of --rock, as for --spin",
+             [&](const std::string& text) { options.axis = parseAxis(text); });
+    addFlag(command, "--models", options.models, "Through the models, frames or records of INPUT, from the first on");
+    addValue(command, "--views", "A.json,B.json,...", "none",
+             "Along views that `nacre view` saved: turn, move and zoom; what looks otherwise is faded over",
+             [&](const std::string& text) { options.views = parseViews(text); });
+    addFlag(command, "--loop", options.loop, "From the last of --views back to the first");
+    addValue(command, "--easing", "NAME", "smooth for --views that do not loop, else linear",
+             "linear: the same pace throughout; smooth: starts and ends at rest; stops: rests at each view",
+             [&](const std::string& text) {
+                 constexpr Easing kEasings[] = {Easing::linear, Easing::smooth, Easing::stops};
+                 options.easing = kEasings[parseChoice(text, {"linear", "smooth", "stops"})];
+             });
+    addValue(command, "--seconds", "S", "6 for --spin, 4 for --rock, 2 from view to view, 0.1 a model",
+             "How long it takes, to 86400",
+             [&](const std::string& text) { options.seconds = parseNumber(text, 0.001, 86400); });
+    addValue(command, "--fps", "N", "30", "Frames a second, 0.1 to 120 (GIF: 50)", [&](const std::string& text) {
+        options.framesPerSecond = parseNumber(text, kSlowestMovie, kFastestMovie);
+    });
+}
+
+void checkMotion(const MovieOptions& options) {
+    const int cameras = (options.spin ? 1 : 0) + (options.rock ? 1 : 0) + (options.views.empty() ? 0 : 1);
+    if (cameras > 1) throw UsageError("--spin, --rock and --views exclude each other");
+    if (cameras == 0 && !options.models) throw UsageError("nothing moves: --spin, --rock, --views or --models");
+    if (options.loop && options.views.empty()) throw UsageError("--loop is for --views");
+    if (options.models && options.picture.input.model == kAllModels)
+        throw UsageError("--models shows one model after the other: leave out --model all");
+    if (options.models && options.picture.input.path == "-")
+        throw UsageError("--models reads INPUT again and again: a file, not standard input");
+    if (framesOf(options, 1) > kMostMovieFrames)
+        throw UsageError("more than " + std::to_string(kMostMovieFrames) + " frames: --seconds, --fps");
+}
+
+std::uint64_t framesOf(const MovieOptions& options, std::uint64_t models) {
+    const std::size_t views = options.views.size();
+    double seconds = kModelSeconds * static_cast<double>(models);
+    if (options.spin) seconds = kSpinSeconds;
+    if (options.rock) seconds = kRockSeconds;
+    if (views) seconds = kStretchSeconds * static_cast<double>(options.loop ? views : views - 1);
+    seconds = options.seconds.value_or(seconds);
+    return static_cast<std::uint64_t>(std::max(std::llround(seconds * options.framesPerSecond), 1ll));
+}
+
+double timeOf(const MovieOptions& options, std::uint64_t frame, std::uint64_t frames) {
+    const std::uint64_t whole = goesRound(options) ? frames : std::max<std::uint64_t>(frames - 1, 1);
+    return static_cast<double>(frame) / static_cast<double>(whole);
+}
+
+View viewAt(const MovieOptions& options, const View& view, double time) {
+    const double t = eased(options.easing.value_or(Easing::linear), time);
+    if (options.spin) return turned(view, *options.spin, 360 * options.turns * t);
+    if (options.rock) return turned(view, options.axis, *options.rock * std::sin(2 * std::numbers::pi * t));
+    return view;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,61 @@
+#pragma once
+// The pictures of a movie: what is seen at a time, drawn by renderers that are kept from frame to frame.
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "app/cli/movie_options.h"
+#include "app/cli/picture_job.h"
+#include "app/cli/progress.h"
+
+namespace nacre::app {
+
+class MovieScenes {
+public:
+    /// Reads the molecule. @param options, progress  outlive this @throws Error
+    MovieScenes(const MovieOptions& options, Progress& progress);
+    ~MovieScenes();
+
+    std::uint64_t frames() const { return frames_; }
+    /// Of any background that is seen, whether it is less than opaque.
+    bool transparent() const;
+    /// A frame, 0..frames() - 1, in any order. @throws Error
+    Picture draw(std::uint64_t frame);
+    /// Called with the share that is done while occlusion is baked.
+    std::function<void(double)> onBake;
+
+private:
+    /// What is seen in some way: key views that differ only in their cameras have it in common.
+    struct Look {
+        RenderOptions options;
+        std::optional<PreparedPicture> prepared;  ///< less the scene, once that is with the renderer
+        std::unique_ptr<Renderer> renderer;
+        int model = 0;
+    };
+    struct Key {
+        std::size_t look = 0;
+        View view;  ///< its own, untouched
+        Clip clip;
+    };
+
+    void addKeys();
+    Look& ready(std::size_t look, int model);
+    void letGo(std::size_t a, std::size_t b);
+    Picture drawKeys(double place);
+    Picture drawLook(std::size_t look, int model, const View& view, RenderSettings settings);
+    int modelAt(std::uint64_t frame) const;
+
+    const MovieOptions& options_;
+    Progress& progress_;
+    Molecule molecule_;  ///< of the model that was read last
+    int molecules_ = 0;  ///< its number
+    std::vector<Look> looks_;
+    std::vector<Key> keys_;
+    std::optional<CameraPath> path_;
+    std::uint64_t frames_ = 1, models_ = 1;
+    View first_;           ///< of the first model
+    glm::dvec3 center_{};  ///< of it
+};
+
+}  // namespace nacre::app

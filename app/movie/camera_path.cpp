@@ -1,0 +1,148 @@
+#include "app/movie/camera_path.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "app/shared/option_values.h"
+
+namespace nacre::app {
+namespace {
+
+double rest(double t) { return t * t * (3 - 2 * t); }
+
+/// A unit quaternion's rotation as axis times half its angle, and back.
+glm::dvec3 logarithm(const glm::dquat& q) {
+    const glm::dvec3 v(q.x, q.y, q.z);
+    const double sine = glm::length(v);
+    return sine < 1e-12 ? v : v * (std::atan2(sine, q.w) / sine);
+}
+glm::dquat exponential(const glm::dvec3& v) {
+    const double half = glm::length(v);
+    const double share = half < 1e-12 ? 1 : std::sin(half) / half;
+    return {std::cos(half), v.x * share, v.y * share, v.z * share};
+}
+
+/// Spherical interpolation the way that the signs say, be it the longer one.
+glm::dquat between(const glm::dquat& a, const glm::dquat& b, double t) {
+    const glm::dvec3 way = logarithm(glm::conjugate(a) * b);
+    return glm::normalize(a * exponential(way * t));
+}
+
+/// Slope at a point between its two neighbours: none at an extremum, so that the curve does not pass it (after Fritsch
+/// and Carlson 1980, with the harmonic mean).
+double slope(double before, double after) { return before * after <= 0 ? 0 : 2 * before * after / (before + after); }
+
+/// The cubic from b to c at t, with neighbours a and d.
+double curve(double a, double b, double c, double d, bool first, bool last, double t) {
+    const double way = c - b;
+    const double leave = first ? way : slope(b - a, way), arrive = last ? way : slope(way, d - c);
+    const double t2 = t * t, t3 = t2 * t;
+    return b + (t3 - 2 * t2 + t) * leave + (3 * t2 - 2 * t3) * way + (t3 - t2) * arrive;
+}
+
+}  // namespace
+
+double eased(Easing easing, double time) {
+    const double t = std::clamp(time, 0.0, 1.0);
+    return easing == Easing::smooth ? rest(t) : t;
+}
+
+glm::dvec3 parseAxis(std::string_view text) {
+    if (text == "x") return {1, 0, 0};
+    if (text == "y") return {0, 1, 0};
+    if (text == "z") return {0, 0, 1};
+    glm::dvec3 axis(0);
+    try {
+        axis = parseRotation(text);
+    } catch (const std::invalid_argument&) {
+        throw std::invalid_argument("expected x, y, z or a vector X,Y,Z, not '" + std::string(text) + "'");
+    }
+    const double length = glm::length(axis);
+    if (!(length > 1e-9 && length < 1e9)) throw std::invalid_argument("the axis has no direction");
+    return axis / length;
+}
+
+View turned(View view, const glm::dvec3& axis, double degrees) {
+    const bool along = std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)}) == 1.0;
+    const glm::dmat3 turn =
+        along ? rotationMatrix(axis * degrees) : glm::mat3_cast(glm::angleAxis(degrees * std::numbers::pi / 180, axis));
+    if (std::remainder(degrees, 360.0) != 0) view.rotation = turn * view.rotation;
+    return view;
+}
+
+Lens lensOf(const View& view, const glm::dvec3& center) {
+    Lens lens;
+    lens.projection = view.projection;
+    lens.rotation = glm::normalize(glm::quat_cast(view.rotation));
+    lens.focus = center - glm::transpose(view.rotation) * glm::dvec3(view.pan, 0);
+    lens.scale = view.pixelsPerAngstrom;
+    lens.distance = view.eyeDistance;
+    return lens;
+}
+
+View viewThrough(const Lens& lens, View like, const glm::dvec3& center) {
+    like.projection = lens.projection;
+    like.rotation = glm::mat3_cast(lens.rotation);
+    const glm::dvec3 focus = like.rotation * (lens.focus - center);
+    like.pan = -glm::dvec2(focus);
+    like.pixelsPerAngstrom = lens.scale;
+    like.eyeDistance = 0;
+    if (lens.projection == Projection::perspective) {
+        // The eye stands where it is; the plane to which scale refers is now that of another centre.
+        like.eyeDistance = std::max(lens.distance + focus.z, like.radius * 1.02);
+        like.pixelsPerAngstrom = lens.scale * lens.distance / like.eyeDistance;
+    }
+    return like;
+}
+
+CameraPath::CameraPath(std::vector<Lens> lenses, bool closed)
+    : lenses_(std::move(lenses)), closed_(closed && lenses_.size() > 1) {
+    const std::size_t count = lenses_.size();
+    for (std::size_t i = 1; i < count; ++i)  // the shorter way round each time
+        if (glm::dot(lenses_[i - 1].rotation, lenses_[i].rotation) < 0) lenses_[i].rotation = -lenses_[i].rotation;
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::dquat q = lenses_[i].rotation;
+        const auto way = [&](std::size_t to) {
+            glm::dquat other = lenses_[to].rotation;
+            if (glm::dot(q, other) < 0) other = -other;
+            return logarithm(glm::conjugate(q) * other);
+        };
+        const bool first = !closed_ && i == 0, last = !closed_ && i + 1 == count;
+        const glm::dvec3 before = first ? glm::dvec3(0) : way((i + count - 1) % count);
+        const glm::dvec3 after = last ? glm::dvec3(0) : way((i + 1) % count);
+        // Where the motion turns back, or rests, it comes to a stop.
+        glm::dvec3 pace = glm::dot(after, -before) <= 0 ? glm::dvec3(0) : (after - before) / 2.0;
+        if (first) pace = after;
+        if (last) pace = -before;
+        out_.push_back(q * exponential((pace - after) / 2.0));
+        in_.push_back(q * exponential((-pace - before) / 2.0));
+    }
+}
+
+Lens CameraPath::at(double place) const {
+    const std::size_t count = lenses_.size();
+    if (stretches() == 0) return lenses_.front();
+    const auto i = std::min(static_cast<std::size_t>(std::max(place, 0.0)), stretches() - 1);
+    const double t = std::clamp(place - static_cast<double>(i), 0.0, 1.0);
+    const Lens &b = lens(i), &c = lens(i + 1);
+    const bool first = !closed_ && i == 0, last = !closed_ && i + 2 == count;
+    const Lens &a = first ? b : lens(i + count - 1), &d = last ? c : lens(i + 2);
+    const auto along = [&](auto&& value) { return curve(value(a), value(b), value(c), value(d), first, last, t); };
+
+    Lens result = b;
+    const auto facing = [](const glm::dquat& to, const glm::dquat& q) { return glm::dot(to, q) < 0 ? -q : q; };
+    const glm::dquat end = facing(b.rotation, c.rotation);
+    const glm::dquat leave = facing(b.rotation, out_[i]), arrive = facing(end, in_[(i + 1) % count]);
+    result.rotation = between(between(b.rotation, end, t), between(leave, arrive, t), 2 * t * (1 - t));
+    for (int k = 0; k < 3; ++k) result.focus[k] = along([k](const Lens& lens) { return lens.focus[k]; });
+    result.scale = std::exp(along([](const Lens& lens) { return std::log(lens.scale); }));
+    result.distance = along([](const Lens& lens) { return lens.distance; });
+    return result;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,34 @@
+#pragma once
+// A file that is written from front to end, and whose failures do not go unseen.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "app/shared/output_file.h"
+
+namespace nacre::app {
+
+class CheckedStream {
+public:
+    /// @param extension  of a temporary file for standard output @throws Error
+    explicit CheckedStream(const std::string& path, const std::string& extension = {});
+    ~CheckedStream();
+    CheckedStream(const CheckedStream&) = delete;
+    CheckedStream& operator=(const CheckedStream&) = delete;
+
+    /// Appends. @throws Error
+    void write(const void* bytes, std::size_t count);
+    /// Writes over what is there. @throws Error
+    void writeAt(std::uint64_t offset, const void* bytes, std::size_t count);
+    /// Closes it and puts it in its place. @throws Error
+    void commit();
+    const std::string& path() const { return file_.path(); }
+
+private:
+    OutputFile file_;
+    int stream_ = -1;
+    std::uint64_t size_ = 0;
+};
+
+}  // namespace nacre::app

@@ -1,0 +1,240 @@
+// `nacre movie` as a user meets it. What it writes is read by ffmpeg, which nobody here wrote.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <vector>
+
+#include "app/movie/palette.h"
+#include "tests/support/run_program.h"
+
+namespace nacre::app {
+namespace {
+
+using test::contentOf;
+using test::nacreIn;
+using test::Outcome;
+using test::TemporaryFolder;
+
+constexpr std::size_t kFrameBytes = 3 * 64 * 48;
+const std::string kSmall = " --size 64x48 --occlusion 8 --cache off ";
+
+std::string outputOf(const std::string& command) {
+    std::string text;
+    std::FILE* pipe = popen(command.c_str(), "r");
+    if (!pipe) return text;
+    char buffer[4096];
+    for (std::size_t n; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;) text.append(buffer, n);
+    pclose(pipe);
+    return text;
+}
+
+/// Pixels of all frames, three bytes each.
+std::string framesOf(const std::string& path) {
+    return outputOf("ffmpeg -v error -nostdin -i '" + path +
+                    "' -fps_mode passthrough -f rawvideo -pix_fmt rgb24 - 2>&1");
+}
+
+std::string probed(const std::string& path, const std::string& entries) {
+    return outputOf("ffprobe -v error -count_frames -show_entries stream=" + entries +
+                    " -of default=noprint_wrappers=1 '" + path + "' 2>&1");
+}
+
+int largestDifference(const std::string& a, const std::string& b) {
+    int largest = a.size() == b.size() ? 0 : 256;
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        largest = std::max(largest, std::abs(static_cast<unsigned char>(a[i]) - static_cast<unsigned char>(b[i])));
+    return largest;
+}
+
+TEST(Movie, FramesAreTheFilesThatRenderWrites) {
+    const TemporaryFolder folder;
+    const Outcome outcome = nacreIn(folder, "movie sample:glucose -o f/ --spin y --fps 8 --seconds 0.5" + kSmall);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    const TemporaryFolder pictures;
+    for (int i = 0; i < 4; ++i) {
+        const std::string name = std::to_string(i) + ".png";
+        ASSERT_EQ(nacreIn(pictures,
+                          "render sample:glucose -o " + name + " --rotate 0," + std::to_string(90 * i) + ",0" + kSmall)
+                      .code,
+                  0);
+        EXPECT_EQ(contentOf(folder / ("f/frame_0000" + std::to_string(i + 1) + ".png")), contentOf(pictures / name))
+            << i;
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder / "f/frame_00005.png")) << "the last frame leads on to the first";
+}
+
+TEST(Movie, EveryFormatHoldsTheFramesThatWereDrawn) {
+    const TemporaryFolder folder;
+    const std::string motion = "movie sample:glucose --spin x --fps 10 --seconds 0.8" + kSmall + "-o ";
+    ASSERT_EQ(nacreIn(folder, motion + "f/").code, 0);
+    std::string expected;
+    for (int i = 1; i <= 8; ++i) expected += framesOf(folder / ("f/frame_0000" + std::to_string(i) + ".png"));
+    ASSERT_EQ(expected.size(), 8 * kFrameBytes);
+    const struct {
+        const char *name, *codec;
+        int difference;
+    } formats[] = {{"a.png", "apng", 0}, {"a.gif", "gif", 40}, {"a.mp4", "h264", 255}, {"a.webm", "vp9", 255}};
+    for (const auto& format : formats) {
+        const Outcome outcome = nacreIn(folder, motion + format.name);
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        const std::string told = probed(folder / format.name, "codec_name,width,height,r_frame_rate,nb_read_frames");
+        EXPECT_EQ(told, std::string("codec_name=") + format.codec +
+                            "\nwidth=64\nheight=48\nr_frame_rate=10/1\nnb_read_frames=8\n");
+        const std::string frames = framesOf(folder / format.name);
+        ASSERT_EQ(frames.size(), expected.size()) << format.name;
+        EXPECT_LE(largestDifference(frames, expected), format.difference) << format.name;
+        double sum = 0;  // thin sticks lose colour in video, whose colour has half the pixels
+        for (std::size_t i = 0; i < frames.size(); ++i)
+            sum += std::abs(static_cast<unsigned char>(frames[i]) - static_cast<unsigned char>(expected[i]));
+        EXPECT_LT(sum / static_cast<double>(frames.size()), 4) << format.name;
+        // The same once more, to the byte.
+        const std::string first = contentOf(folder / format.name);
+        ASSERT_EQ(nacreIn(folder, motion + format.name).code, 0);
+        EXPECT_TRUE(first == contentOf(folder / format.name)) << format.name << " is not the same twice";
+    }
+    EXPECT_EQ(folder.count(), 5u) << "something is left behind";
+}
+
+TEST(Movie, KeepsTransparencyWhereTheFormatCan) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.png", "a.gif"}) {
+        ASSERT_EQ(nacreIn(folder, std::string("movie sample:glucose --rock 40 --background transparent --fps 5 "
+                                              "--seconds 0.4 -o ") +
+                                      name + kSmall)
+                      .code,
+                  0);
+        const std::string pixels =
+            outputOf("ffmpeg -v error -nostdin -i '" + (folder / name) + "' -f rawvideo -pix_fmt rgba - 2>&1");
+        ASSERT_GE(pixels.size(), 2 * 64 * 48 * 4u) << pixels;
+        EXPECT_EQ(pixels[3], 0) << name << ": the corner is not transparent";
+        int opaque = 0;
+        for (std::size_t i = 3; i < pixels.size(); i += 4) opaque += static_cast<unsigned char>(pixels[i]) == 255;
+        EXPECT_GT(opaque, 100) << name;
+    }
+}
+
+TEST(Movie, KeyViewsAreThePicturesOfTheirFiles) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "a.json") << R"({"input": "sample:glucose", "orientation": [1, 0, 0, 0]})";
+    std::ofstream(folder / "b.json") << R"({"input": "sample:glucose", "orientation": [0.6, 0, 0.8, 0], "zoom": 2,
+        "pan": [0.5, 1], "style": "licorice", "background": "navy"})";
+    for (const char* name : {"a", "b"})
+        ASSERT_EQ(
+            nacreIn(folder, "render --view " + std::string(name) + ".json -o " + name + ".png --size 64x48 --cache off")
+                .code,
+            0);
+    const std::string common = "movie --views a.json,b.json --size 64x48 --cache off --fps 3 --seconds ";
+    ASSERT_EQ(nacreIn(folder, common + "1 -o open/").code, 0);
+    EXPECT_EQ(contentOf(folder / "open/frame_00001.png"), contentOf(folder / "a.png"));
+    EXPECT_EQ(contentOf(folder / "open/frame_00003.png"), contentOf(folder / "b.png")) << "ends at the last view";
+    ASSERT_EQ(nacreIn(folder, common + "1.3333 -o loop/ --loop").code, 0);
+    EXPECT_EQ(contentOf(folder / "loop/frame_00001.png"), contentOf(folder / "a.png"));
+    EXPECT_EQ(contentOf(folder / "loop/frame_00003.png"), contentOf(folder / "b.png"));
+    EXPECT_NE(contentOf(folder / "loop/frame_00004.png"), contentOf(folder / "a.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "loop/frame_00005.png"));
+}
+
+TEST(Movie, GoesThroughModels) {
+    const TemporaryFolder folder;
+    std::ofstream xyz(folder / "m.xyz");
+    for (int model = 0; model < 3; ++model) xyz << "2\nm\nC 0 0 0\nO " << 1.2 + model * 0.2 << " 0 0\n";
+    xyz.close();
+    const Outcome outcome = nacreIn(folder, "movie m.xyz -o f/ --models --fps 10" + kSmall);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(std::filesystem::exists(folder / "f/frame_00003.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "f/frame_00004.png"));
+    EXPECT_NE(contentOf(folder / "f/frame_00001.png"), contentOf(folder / "f/frame_00003.png"));
+}
+
+TEST(Movie, StopsCleanlyAndKeepsWhatIsWhole) {
+    for (const char* name : {"a.gif", "a.png", "a.mp4", "f/"}) {
+        const TemporaryFolder folder;
+        std::string said;
+        for (const char* seconds : {"1", "4", "16", "64"}) {  // until a frame is drawn, however slow the machine
+            said = outputOf("cd '" + folder.path() + "' && timeout --foreground --preserve-status -s INT " + seconds +
+                            " '" NACRE_PROGRAM "' movie sample:dna --spin y --seconds 3000 -o " + name + kSmall +
+                            "2>&1; echo code $?");
+            if (said.find(" of 90000 frames") != std::string::npos) break;
+        }
+        EXPECT_EQ(said.find("nacre: error: stopped: "), 0u) << said;
+        EXPECT_NE(said.find(" of 90000 frames are in it\ncode 1\n"), std::string::npos) << said;
+        const std::string written = name == std::string("f/") ? folder / "f/frame_00001.png" : folder / name;
+        ASSERT_TRUE(std::filesystem::exists(written)) << said;
+        EXPECT_GE(framesOf(written).size(), kFrameBytes) << name;
+        EXPECT_EQ(folder.count(), 1u) << name << ": something is left behind";
+    }
+}
+
+TEST(Movie, RefusesWhatCannotBeInOneLine) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "a.json") << R"({"input": "sample:glucose"})";
+    std::ofstream(folder / "b.json") << R"({"input": "sample:dna"})";
+    const struct {
+        const char* arguments;
+        int code;
+        const char* says;
+    } cases[] = {
+        {"sample:dna -o a.gif", 2, "nothing moves"},
+        {"sample:dna -o a.avi --spin y", 2, ".mp4, .webm, .gif or .png"},
+        {"sample:dna -o a.gif --spin y --rock 20", 2, "exclude each other"},
+        {"sample:dna -o a.gif --spin y --loop", 2, "--loop is for --views"},
+        {"sample:dna -o a.gif --spin 0,0,0", 2, "no direction"},
+        {"sample:dna -o a.gif --spin y --seconds 80000 --fps 100", 2, "more than 100000 frames"},
+        {"sample:dna -o a.gif --spin y --fps 60", 1, "50 frames a second"},
+        {"sample:dna -o a.mp4 --spin y --size 65x48", 1, "even numbers"},
+        {"sample:dna -o a.gif --models", 1, "one alone"},
+        {"- -o a.gif --models", 2, "not standard input"},
+        {"-o a.gif --views a.json", 2, "two views or more"},
+        {"-o a.gif --views a.json,b.json", 1, "another molecule"},
+        {"-o a.gif --views a.json,none.json", 1, "none.json"},
+        {"-o a.gif --spin y", 2, "INPUT is required"},
+        {"sample:dna -o none/there/a.gif --spin y", 1, "No such file"},
+    };
+    for (const auto& c : cases) {
+        const Outcome outcome = nacreIn(folder, std::string("movie ") + c.arguments);
+        EXPECT_EQ(outcome.code, c.code) << c.arguments << outcome.err;
+        EXPECT_NE(outcome.err.find(c.says), std::string::npos) << c.arguments << ": " << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    }
+    EXPECT_EQ(folder.count(), 2u) << "something is left behind";
+    const Outcome outcome = nacreIn(folder, "movie sample:dna -o a.mp4 --spin y", "", "PATH=/nowhere");
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.err.find("Debian's package ffmpeg"), std::string::npos) << outcome.err;
+}
+
+TEST(Palette, KeepsTheBackgroundAndFewColoursExactly) {
+    Palette palette;
+    std::vector<std::uint8_t> few;
+    for (int i = 0; i < 200; ++i) few.insert(few.end(), {static_cast<std::uint8_t>(i), 7, 9});
+    few.insert(few.end(), 3000, 255);
+    palette.count(few);
+    palette.settle();
+    EXPECT_EQ(palette.colors().front(), (Rgb{255, 255, 255}));
+    for (std::size_t i = 0; i < few.size(); i += 3) {
+        const Rgb& c = palette.colors()[palette.place(few.data() + i, 3, 5)];
+        EXPECT_EQ(c, (Rgb{few[i], few[i + 1], few[i + 2]}));
+    }
+}
+
+TEST(Palette, ManyColoursLieNear) {
+    Palette palette;
+    std::vector<std::uint8_t> shades;  // six hues, each from dark to light
+    for (int hue = 1; hue < 7; ++hue)
+        for (int i = 0; i < 250; ++i)
+            for (int k = 0; k < 3; ++k) shades.push_back(static_cast<std::uint8_t>(hue >> k & 1 ? i : i / 3));
+    palette.count(shades);
+    palette.settle();
+    EXPECT_LE(palette.colors().size(), Palette::kMost);
+    for (std::size_t i = 0; i < shades.size(); i += 3)
+        for (std::uint32_t x = 0; x < 8; ++x) {
+            const Rgb& c = palette.colors()[palette.place(shades.data() + i, x, 1)];
+            for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(c[k], shades[i + k], 16);
+        }
+}
+
+}  // namespace
+}  // namespace nacre::app
