@@ -31,8 +31,11 @@ bool isJpeg(const std::string& path) { return extensionOf(path) == ".jpg" || ext
 std::vector<std::string> moduleNames() {
     Dl_info info{};
     if (!dladdr(reinterpret_cast<const void*>(&isPictureName), &info) || !info.dli_fname) return {};
+    // A program that was found along PATH is there under the name that was typed, which leads nowhere.
+    const std::filesystem::path name = info.dli_fname;
     std::error_code error;
-    const std::filesystem::path program = std::filesystem::canonical(info.dli_fname, error).parent_path();
+    const std::filesystem::path program =
+        std::filesystem::canonical(name.has_parent_path() ? name : "/proc/self/exe", error).parent_path();
     return {(program / NACRE_IMAGE_MODULE).string(), (program / NACRE_MODULE_FOLDER / NACRE_IMAGE_MODULE).string()};
 }
 

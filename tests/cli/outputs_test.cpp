@@ -37,6 +37,15 @@ TEST(Outputs, ADashIsStandardOutput) {
     EXPECT_NE(full.err.find("standard output"), std::string::npos) << full.err;
 }
 
+TEST(Outputs, AreWrittenByAProgramThatIsFoundAlongThePath) {
+    const TemporaryFolder folder;
+    const fs::path program = NACRE_PROGRAM;
+    const std::string command = "cd '" + folder.path() + "' && PATH='" + program.parent_path().string() + "' " +
+                                program.filename().string() + " render sample:glucose -o a.png" + kSmall;
+    EXPECT_EQ(std::system(command.c_str()), 0);
+    EXPECT_TRUE(fs::exists(folder / "a.png"));
+}
+
 TEST(Outputs, NothingThatIsReadIsReplaced) {
     const TemporaryFolder folder;
     put(folder / "m.pdb", kAtom);
