@@ -14,12 +14,15 @@
 
 namespace nacre {
 
-/// The ambient occlusion bake of a scene: how much of it, and what it may take. Two bakes with the same first three are
+/// The ambient occlusion bake of a scene: how much of it, and what it may take. Two bakes with the same first four are
 /// the same.
 struct OcclusionSettings {
     int directions = 128;               ///< 0: no occlusion
     std::uint64_t bytes = 64ull << 20;  ///< device memory budget of the bake, atlas and depth maps included
     OcclusionMaps maps = OcclusionMaps::automatic;
+    /// Texels across a sphere's patch, at most, 4 to 32. Small pictures show no more than 12 of them, and a bake's time
+    /// goes with their square; depth maps, too, get no larger than the molecule wants them.
+    std::uint32_t detail = 32;
     std::string cache;         ///< folder that finished bakes are kept in; empty: none are
     double worthKeeping = 50;  ///< milliseconds: bakes that took less are not kept
     /// Called between batches of the bake with the share that is done, above 0 and at most 1.

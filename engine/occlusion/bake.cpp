@@ -62,9 +62,10 @@ Bake::Bake(const gpu::Device& device, const passes::SceneBuffers& scene, const R
     : device_(device),
       scene_(scene),
       directions_(occlusionDirections(options.directions)),
-      maps_(device, scene, representation, options.path, options.budgetBytes / 2) {
+      maps_(device, scene, representation, options.path, options.budgetBytes / 2, options.detail) {
     OpenTexels open;
-    layout_ = chooseLayout(representation, options.budgetBytes - std::min(maps_.bytes(), options.budgetBytes), open);
+    layout_ = chooseLayout(representation, options.budgetBytes - std::min(maps_.bytes(), options.budgetBytes),
+                           options.detail, open);
     copies_ = occlusionCopies(representation, layout_, open.texels, open.sphereTexels);
     makeBuffers(open);
 }
@@ -91,11 +92,13 @@ std::vector<std::uint8_t> Bake::atlasTexels() const {
 }
 
 /// The finest patches of which everything fits.
-OcclusionLayout Bake::chooseLayout(const Representation& representation, std::uint64_t budgetBytes, OpenTexels& open) {
+OcclusionLayout Bake::chooseLayout(const Representation& representation, std::uint64_t budgetBytes,
+                                   std::uint32_t detail, OpenTexels& open) {
     const std::size_t spheres = representation.spheres.size(), cylinders = representation.cylinders.size();
     const PrimitiveTree tree(representation);
     std::uint64_t least = 0;
     for (const OcclusionLayout& layout : occlusionLayouts(spheres, cylinders, device_.caps().maxImageSize)) {
+        if (layout.sphereEdge > detail) continue;
         // Guessed from a sample first: looking at every texel takes its time.
         least = bytesOf(layout, 0, 0);
         if (least > budgetBytes) continue;

@@ -18,6 +18,7 @@ struct BakeOptions {
     int directions = 128;
     std::uint64_t budgetBytes = 64ull << 20;  ///< device memory of everything that the bake holds
     OcclusionMaps path = OcclusionMaps::encoded;
+    std::uint32_t detail = 32;  ///< texels across a sphere's patch, at most
 };
 
 class Bake {
@@ -55,7 +56,8 @@ public:
     const std::vector<bool>& seenSpheres() const { return seenSpheres_; }
 
 private:
-    OcclusionLayout chooseLayout(const Representation& representation, std::uint64_t budgetBytes, OpenTexels& open);
+    OcclusionLayout chooseLayout(const Representation& representation, std::uint64_t budgetBytes, std::uint32_t detail,
+                                 OpenTexels& open);
     void makeBuffers(const OpenTexels& open);
     layout::OcclusionConstants constants() const;
     /// Sticks throw thin shadows, which one tap misses: four stand for the directions between two of the set, which are

@@ -41,7 +41,7 @@ double wantedResolution(const Representation& r) {
 }  // namespace
 
 DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
-                     OcclusionMaps path, std::uint64_t budgetBytes)
+                     OcclusionMaps path, std::uint64_t budgetBytes, std::uint32_t detail)
     : device_(device), scene_(scene), representation_(representation), path_(path), radius_(representation.radius) {
     double sum = 0;
     for (const Sphere& s : representation.spheres) sum += s.radius;
@@ -49,7 +49,8 @@ DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scen
     const double wanted = std::ceil(2.0 * radius_ * wantedResolution(representation) / 8.0) * 8.0;
     const std::uint32_t bytes = bytesPerPixel(path, device.caps().encoded);
     const double fits = std::floor(std::sqrt(static_cast<double>(budgetBytes) / bytes) / 8.0) * 8.0;
-    pixels_ = static_cast<std::uint32_t>(std::max(std::min(std::clamp(wanted, kSmallest, kLargest), fits), 8.0));
+    pixels_ = static_cast<std::uint32_t>(
+        std::max(std::min(std::clamp(wanted, std::min(kSmallest, 4.0 * detail), kLargest), fits), 8.0));
     for (const std::uint32_t batch : {4u, kMostPerBatch})
         if (std::uint64_t{bytes} * pixels_ * pixels_ * batch <= budgetBytes &&
             pixels_ * mapsAcross(batch) <= device.caps().maxImageSize)

@@ -21,7 +21,7 @@ public:
     /// @param representation  outlives this
     /// @param budgetBytes  device memory for the maps of one batch; they get smaller until at least one fits
     DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
-              OcclusionMaps path, std::uint64_t budgetBytes);
+              OcclusionMaps path, std::uint64_t budgetBytes, std::uint32_t detail = 32);
 
     /// Sizes of a batch that fit the budget: 1, 4 or 16 maps.
     std::uint32_t perBatch() const { return perBatch_; }

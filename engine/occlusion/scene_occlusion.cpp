@@ -31,8 +31,9 @@ std::uint64_t countUnseen(const std::vector<bool>& seen) {
 /// What decides a texel beside the scene's shapes.
 std::string howBaked(const gpu::Caps& caps, const BakeOptions& options) {
     return std::to_string(options.directions) + " directions, " + std::to_string(options.budgetBytes) + " bytes, " +
-           nameOf(options.path) + ", " + std::string(caps.encoded.name) + ", " + caps.deviceName + ", " +
-           caps.driverName + ", " + std::to_string(caps.driverVersion) + ", " + std::to_string(caps.maxImageSize);
+           std::to_string(options.detail) + " texels, " + nameOf(options.path) + ", " + std::string(caps.encoded.name) +
+           ", " + caps.deviceName + ", " + caps.driverName + ", " + std::to_string(caps.driverVersion) + ", " +
+           std::to_string(caps.maxImageSize);
 }
 
 }  // namespace
@@ -58,13 +59,13 @@ void SceneOcclusion::begin(const OcclusionSettings& settings) {
 }
 
 void SceneOcclusion::make(const OcclusionSettings& settings) {
-    const std::tuple wanted{settings.directions, settings.bytes, settings.maps};
+    const std::tuple wanted{settings.directions, settings.bytes, settings.maps, settings.detail};
     if (settings.directions == 0 || (bake_ && baked_ == wanted)) return;
     if (representation_.spheres.empty() && representation_.cylinders.empty()) return;  // no atlas of no patches
     const auto start = Clock::now();
     device_->waitIdle();  // frames for the window may still read the streams and the atlas
     bake_.reset();
-    BakeOptions options{settings.directions, settings.bytes, settings.maps};
+    BakeOptions options{settings.directions, settings.bytes, settings.maps, settings.detail};
     if (options.path == OcclusionMaps::automatic) options.path = automaticMaps(device_.caps());
     cache_ = occlusionCache(settings.cache);
     cacheName_ = cache_.on() ? occlusionCacheName(representation_, howBaked(device_.caps(), options)) : "";

@@ -50,10 +50,11 @@ private:
     const passes::SceneBuffers& scene_;
     FrameStats& stats_;
     std::unique_ptr<Bake> bake_;
-    std::tuple<int, std::uint64_t, OcclusionMaps> baked_{};  // directions, budget, maps: of bake_
-    double directionMilliseconds_ = 0;                       // that one direction took, lately
-    DiskCache cache_;                                        // off: the bake is not to be kept
-    std::string cacheName_;                                  // of the bake in it
+    std::tuple<int, std::uint64_t, OcclusionMaps, std::uint32_t>
+        baked_{};                       // directions, budget, maps, detail: of bake_
+    double directionMilliseconds_ = 0;  // that one direction took, lately
+    DiskCache cache_;                   // off: the bake is not to be kept
+    std::string cacheName_;             // of the bake in it
     double worthKeeping_ = 0;
 };
 
