@@ -9,6 +9,8 @@ namespace nacre::app {
 
 void renderCommand(const RenderOptions& options);
 void movieCommand(const MovieOptions& options);
+/// Reports to `out`, line by line. @returns whether all jobs are done
+bool batchCommand(const BatchOptions& options, std::ostream& out);
 void benchCommand(const BenchOptions& options, std::ostream& out);
 void planCommand(const PlanOptions& options, std::ostream& out);
 void infoCommand(const InfoOptions& options, std::ostream& out);

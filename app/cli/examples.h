@@ -44,6 +44,19 @@ inline constexpr const char* kRenderExamples =
     "  ligand, water, ion, backbone, sidechain, hydrogens, hetatm, all, none; and, or, not, ( );\n"
     "  within 5 of (SEL): at most 5 Å away, itself included; byres (SEL): its whole residues";
 
+inline constexpr const char* kBatchExamples =
+    "A job is a line like {\"input\": \"1crn.pdb\", \"output\": \"1crn.png\", \"color\": \"chain\", \"show\": "
+    "[\"ligand=licorice\"]}:\n"
+    "the options of `nacre render` without their dashes. Those of the command line hold for every job before its own.\n"
+    "As a job ends, a line of JSON says how, on standard output:\n"
+    "  {\"job\": 1, \"input\": \"1crn.pdb\", \"output\": \"1crn.png\", \"status\": \"done\", \"ms\": 41.2, \"bytes\": "
+    "40213}\n"
+    "with \"error\" if \"status\" is \"failed\"; \"skipped\" is what --resume left out. One that failed stops no "
+    "other;\n"
+    "the exit status is 1 then.\n"
+    "Examples:\n"
+    "  nacre batch jobs.jsonl --size 256x256 --resume > report.jsonl\n"
+    "  for f in *.pdb; do printf '{\"input\": \"%s\", \"output\": \"%s.png\"}\\n' \"$f\" \"$f\"; done | nacre batch -";
 inline constexpr const char* kViewExamples =
     "Examples:\n"
     "  nacre view 1bna.pdb\n"

@@ -1,5 +1,6 @@
 #include "app/cli/options.h"
 
+#include "app/cli/batch_options.h"
 #include "app/cli/common_options.h"
 #include "app/cli/examples.h"
 #include "app/cli/picture_options.h"
@@ -50,6 +51,8 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     addRender(render, line.render);
     CommandSpec movie{"movie", "Draw a movie: turning, swinging, through models or along saved views", kMovieExamples};
     addMovie(movie, line.movie);
+    CommandSpec batch{"batch", "Draw many molecules, each as its line of a file says", kBatchExamples};
+    addBatch(batch, line.batch);
     CommandSpec info{"info", "Say what a structure file holds",
                      "Examples:\n  nacre info 1bna.pdb 4hhb.cif.gz\n  nacre info ligands.sdf --model 3 --json"};
     addInputs(info, line.info.paths, line.info.input);
@@ -66,11 +69,11 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     addPlan(plan, line.plan);
     CommandSpec devices{"devices", "List the Vulkan devices", "Examples:\n  nacre devices\n  nacre devices --json"};
     addFlag(devices, "--json", line.json, "As a JSON array");
-    std::vector<CommandSpec> commands{render, movie, info, bench, plan, devices};
+    std::vector<CommandSpec> commands{render, movie, batch, info, bench, plan, devices};
 #ifdef NACRE_DESKTOP
     CommandSpec view{"view", "Show a molecule in a window", kViewExamples};
     addWindow(view, window);
-    commands.insert(commands.begin() + 1, view);
+    commands.insert(commands.begin() + 3, view);
 #else
     static_cast<void>(window);
 #endif
@@ -81,11 +84,12 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
 
 Command commandOf(const std::string& name) {
     constexpr std::pair<const char*, Command> kCommands[] = {
-        {"render", Command::render}, {"movie", Command::movie}, {"view", Command::view},      {"info", Command::info},
-        {"bench", Command::bench},   {"plan", Command::plan},   {"devices", Command::devices}};
+        {"render", Command::render}, {"movie", Command::movie},    {"batch", Command::batch},
+        {"view", Command::view},     {"info", Command::info},      {"bench", Command::bench},
+        {"plan", Command::plan},     {"devices", Command::devices}};
     for (const auto& [word, command] : kCommands)
         if (name == word) return command;
-    throw UsageError("a command is needed: render, movie, view, info, bench, plan or devices");
+    throw UsageError("a command is needed: render, movie, batch, view, info, bench, plan or devices");
 }
 
 }  // namespace

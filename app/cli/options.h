@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/cli/command_spec.h"
+#include "app/cli/set_options.h"
 #include "app/desktop/view_options.h"
 #include "app/movie/camera_path.h"
 #include "app/shared/aim.h"
@@ -22,6 +23,7 @@ namespace nacre::app {
 
 struct OcclusionOptions {
     int directions = 128;                   ///< 0 = off
+    std::uint32_t detail = 32;              ///< texels across a sphere's patch, at most
     std::optional<std::int64_t> megabytes;  ///< of 2^20 bytes; RenderSettings has the default
 
     std::uint64_t bytes() const {
@@ -64,6 +66,14 @@ struct MovieOptions {
     std::optional<Easing> easing;
 };
 
+struct BatchOptions {
+    std::string path;                 ///< of the jobs; "-": standard input
+    int parallel = 1;                 ///< jobs in work at once
+    bool resume = false;              ///< jobs whose files are there are done
+    std::vector<OptionValue> common;  ///< of `render`, for every job
+    RenderOptions tried;              ///< what those come to; `device` is the batch's
+};
+
 struct InfoOptions {
     std::vector<std::string> paths;  ///< one or more
     InputOptions input;              ///< how each of them is read
@@ -92,13 +102,14 @@ struct PlanOptions {
     PlanFormat format = PlanFormat::text;
 };
 
-enum class Command { help, version, notices, render, movie, view, info, devices, bench, plan };
+enum class Command { help, version, notices, render, movie, batch, view, info, devices, bench, plan };
 
 struct CommandLine {
     Command command = Command::help;
     std::string help;  ///< what to print for Command::help
     RenderOptions render;
     MovieOptions movie;
+    BatchOptions batch;
     ViewOptions view;
     InfoOptions info;
     BenchOptions bench;

@@ -25,6 +25,7 @@ RenderSettings settingsOf(const RenderOptions& options, const Camera& camera, co
     settings.effects = options.effects;
     settings.occlusion.directions = options.occlusion.directions;
     settings.occlusion.bytes = options.occlusion.bytes();
+    settings.occlusion.detail = options.occlusion.detail;
     settings.tuning = options.tuning;
     settings.debug = options.debug;
     // What is captured is to be seen: the bake, too, is done then.
@@ -98,7 +99,7 @@ void PictureJob::prepare() {
     prepared_ = preparePicture(molecule, options_);
     prepared_.run.loadMs = loadMs;
     prepared_.settings.occlusion.onProgress = [&](double share) { progress_.advance(share); };
-    for (const std::string& warning : prepared_.scene.warnings) sayWarning(warning);
+    warnings_ = prepared_.scene.warnings;
 }
 
 /// The picture, captured with its bake if a file is given or RenderDoc started this program.

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
@@ -37,6 +38,9 @@ public:
     /// Puts the files in their places. @throws Error
     void write();
 
+    /// Of the scene: what is not as it was asked for. Known once it is prepared.
+    const std::vector<std::string>& warnings() const { return warnings_; }
+
 private:
     Picture drawPicture(Renderer& renderer);
 
@@ -46,6 +50,7 @@ private:
     OutputFile pictureFile_;
     std::optional<OutputFile> layersFile_, statsFile_, captureFile_;
     PreparedPicture prepared_;
+    std::vector<std::string> warnings_;
     Picture picture_;
     std::optional<LayerPicture> layers_;
     FrameStats frame_;

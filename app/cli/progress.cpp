@@ -37,8 +37,8 @@ std::string progressText(const std::string& work, std::optional<double> share, s
            "] " + percent + " %" + (left ? ", " + clockText(*left) + " left" : "");
 }
 
-Progress::Progress() {
-    if (isatty(STDERR_FILENO) && !isQuiet()) thread_ = std::thread([this] { show(); });
+Progress::Progress(bool shown) {
+    if (shown && isatty(STDERR_FILENO) && !isQuiet()) thread_ = std::thread([this] { show(); });
 }
 
 Progress::~Progress() {

@@ -20,8 +20,8 @@ std::string progressText(const std::string& work, std::optional<double> share, s
 /// Says on a terminal what a command is doing once that has taken over a second; leaves an empty line behind.
 class Progress {
 public:
-    /// Standard error, if it is a terminal; otherwise nothing is ever shown.
-    Progress();
+    /// Standard error, if it is a terminal; otherwise nothing is ever shown. @param shown  false: nor there
+    explicit Progress(bool shown = true);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;

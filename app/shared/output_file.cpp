@@ -34,7 +34,7 @@ constexpr const char* kDiskFull = "the data could not be written (is the disk fu
 
 // Temporary names of files that are open, for the signal handler: plain memory, since it may call next to nothing.
 // More than fit are written just the same; only an interrupted run would leave them behind.
-constexpr std::size_t kMostRemembered = 32;
+constexpr std::size_t kMostRemembered = 128;
 std::array<std::array<char, 4096>, kMostRemembered> unfinished{};
 std::mutex unfinishedTurn;  // of those that write to it; the handler only reads
 

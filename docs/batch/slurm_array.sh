@@ -1,0 +1,11 @@
+#!/bin/bash
+#SBATCH --array=0-9
+#SBATCH --cpus-per-task=2
+#SBATCH --output=nacre-%A-%a.log
+# Pictures by a Slurm array: sbatch slurm_array.sh jobs.jsonl. Each task takes every tenth line; `sbatch` again
+# afterwards draws what is missing.
+set -euo pipefail
+jobs=$1
+
+awk -v tasks="$SLURM_ARRAY_TASK_COUNT" -v task="$SLURM_ARRAY_TASK_ID" 'NR % tasks == task' "$jobs" |
+    nacre batch - --resume --jobs "${SLURM_CPUS_PER_TASK:-1}" >"${jobs%.jsonl}.$SLURM_ARRAY_TASK_ID.report.jsonl"

@@ -1,0 +1,226 @@
+// nacre batch, as a user meets it.
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "tests/support/measured_run.h"
+#include "tests/support/run_program.h"
+
+namespace nacre::app {
+namespace {
+
+using test::contentOf;
+using test::nacreIn;
+using test::Outcome;
+using test::TemporaryFolder;
+using Json = nlohmann::json;
+
+constexpr const char* kSmall = " --size 32x32 --occlusion 4 --occlusion-detail 8";
+
+void writeJobs(const TemporaryFolder& folder, const std::vector<std::string>& lines) {
+    std::ofstream file(folder / "jobs.jsonl");
+    for (const std::string& line : lines) file << line << '\n';
+}
+
+/// The report, by the job's line.
+std::map<int, Json> reportOf(const std::string& out) {
+    std::map<int, Json> report;
+    std::istringstream lines(out);
+    for (std::string line; std::getline(lines, line);) {
+        const Json told = Json::parse(line);
+        EXPECT_TRUE(report.emplace(told["job"].get<int>(), told).second) << line;
+    }
+    return report;
+}
+
+std::string job(const std::string& input, const std::string& output, const std::string& more = "") {
+    return R"({"input": ")" + input + R"(", "output": ")" + output + "\"" + (more.empty() ? "" : ", " + more) + "}";
+}
+
+TEST(Batch, DrawsWhatRenderDraws) {
+    const TemporaryFolder folder;
+    writeJobs(folder,
+              {job("sample:dna", "a.png", R"("color": "chain", "rotate": [0, 90, 0])"), "",
+               job("sample:glucose", "b.jpg", R"("size": [40, 30], "lighting": false, "style": "licorice")"),
+               job("sample:dna", "c.png", R"("show": ["chain A=licorice"], "hide": "chain B", "offline": true)"),
+               job("sample:glucose", "d.png", R"("rules": [{"color-by": "all=red"}], "layers": "d.exr")")});
+    const Outcome batch = nacreIn(folder, std::string("batch jobs.jsonl --jobs 3") + kSmall);
+    ASSERT_EQ(batch.code, 0) << batch.err << batch.out;
+    const auto report = reportOf(batch.out);
+    ASSERT_EQ(report.size(), 4u);
+    const std::pair<int, const char*> alone[] = {
+        {1, "render sample:dna -o one.png --color chain --rotate 0,90,0"},
+        {3, "render sample:glucose -o one.jpg --size 40x30 --lighting off --style licorice"},
+        {4, "render sample:dna -o one.png --show 'chain A=licorice' --hide 'chain B'"},
+        {5, "render sample:glucose -o one.png --color-by all=red --layers one.exr"}};
+    for (const auto& [line, command] : alone) {
+        const Json& told = report.at(line);
+        EXPECT_EQ(told["status"], "done");
+        EXPECT_GT(told["ms"].get<double>(), 0);
+        const std::string output = told["output"];
+        const bool sized = std::string(command).find("--size") != std::string::npos;
+        const std::string rest = sized ? " --occlusion 4 --occlusion-detail 8" : kSmall;
+        ASSERT_EQ(nacreIn(folder, command + rest).code, 0) << command;
+        const std::string same = contentOf(folder / ("one" + output.substr(1)));
+        EXPECT_EQ(contentOf(folder / output), same) << command;
+        EXPECT_EQ(told["bytes"].get<std::size_t>(), same.size());
+    }
+    EXPECT_EQ(contentOf(folder / "d.exr"), contentOf(folder / "one.exr"));
+}
+
+TEST(Batch, AFailedJobStopsNoOther) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "bad.pdb") << "ATOM  no\n";
+    const std::pair<std::string, std::string> wrong[] = {
+        {job("nosuch.pdb", "a.png"), "cannot read molecule: nosuch.pdb: No such file or directory"},
+        {job("bad.pdb", "b.png"), "bad.pdb (line 1)"},
+        {job("sample:dna", "c.png", R"("siez": "3x3")"), R"(has no option "siez" (did you mean 'size'?))"},
+        {job("sample:dna", "c.png", R"("size": "3by3")"), "size: expected"},
+        {job("sample:dna", "c.png", R"("show": ["chian A=licorice"])"), "show: "},
+        {job("sample:dna", "c.png", R"("offline": "yes")"), R"("offline": expected true or false)"},
+        {job("sample:dna", "c.png", R"("zoom": {"a": 1})"), R"("zoom": expected a text or a number)"},
+        {job("sample:dna", "c.png", R"("device": "0")"), "all jobs are drawn by one device"},
+        {job("sample:dna", "missing/c.png"), "missing/c.png"},
+        {job("sample:dna", "-"), R"("output": a job's files have names)"},
+        {job("-", "c.png"), R"("input": a job's files have names)"},
+        {R"({"input": "sample:dna"})", R"("output" is required)"},
+        {R"({"output": "c.png"})", "INPUT is required"},
+        {"[1, 2]", "no JSON object"},
+        {R"({"input": "sample:dna", )", "no JSON object"}};
+    std::vector<std::string> lines;
+    for (const auto& [line, why] : wrong) lines.push_back(line);
+    lines.push_back(job("sample:glucose", "good.png"));
+    writeJobs(folder, lines);
+    const Outcome batch = nacreIn(folder, std::string("batch jobs.jsonl --jobs 2") + kSmall);
+    EXPECT_EQ(batch.code, 1);
+    EXPECT_NE(batch.err.find("nacre: error: batch: jobs.jsonl: not all jobs are done"), std::string::npos) << batch.err;
+    const auto report = reportOf(batch.out);
+    ASSERT_EQ(report.size(), lines.size());
+    for (std::size_t i = 0; i < std::size(wrong); ++i) {
+        const Json& told = report.at(static_cast<int>(i) + 1);
+        EXPECT_EQ(told["status"], "failed") << told;
+        EXPECT_NE(told["error"].get<std::string>().find(wrong[i].second), std::string::npos) << told;
+    }
+    EXPECT_EQ(report.at(static_cast<int>(lines.size()))["status"], "done");
+    EXPECT_EQ(folder.count(), 3u) << "the jobs, the bad file and the good picture";
+}
+
+TEST(Batch, OptionsOfTheCommandLineHoldForAllAndJobsPrevail) {
+    const TemporaryFolder folder;
+    writeJobs(folder, {job("sample:glucose", "a.png"), job("sample:glucose", "b.png", R"("background": "blue")")});
+    ASSERT_EQ(nacreIn(folder, std::string("batch jobs.jsonl --background red") + kSmall).code, 0);
+    for (const char* color : {"red", "blue"})
+        ASSERT_EQ(
+            nacreIn(folder, std::string("render sample:glucose -o ") + color + ".png --background " + color + kSmall)
+                .code,
+            0);
+    EXPECT_EQ(contentOf(folder / "a.png"), contentOf(folder / "red.png"));
+    EXPECT_EQ(contentOf(folder / "b.png"), contentOf(folder / "blue.png"));
+    EXPECT_EQ(nacreIn(folder, "batch jobs.jsonl --background nocolour").code, 2);
+    EXPECT_EQ(nacreIn(folder, "batch jobs.jsonl --jobs 0").code, 2);
+    EXPECT_EQ(nacreIn(folder, "batch").code, 2);
+}
+
+TEST(Batch, ResumesWhereFilesAreMissing) {
+    const TemporaryFolder folder;
+    writeJobs(folder, {job("sample:glucose", "a.png"), job("sample:glucose", "b.png", R"("stats": "b.json")"),
+                       job("sample:glucose", "c.png")});
+    std::ofstream(folder / "a.png") << "kept";
+    std::ofstream(folder / "b.png") << "its other file is missing";
+    const std::string command = std::string("batch jobs.jsonl --resume") + kSmall;
+    const Outcome first = nacreIn(folder, command);
+    ASSERT_EQ(first.code, 0) << first.err;
+    auto report = reportOf(first.out);
+    EXPECT_EQ(report.at(1)["status"], "skipped");
+    EXPECT_EQ(report.at(2)["status"], "done");
+    EXPECT_EQ(report.at(3)["status"], "done");
+    EXPECT_EQ(contentOf(folder / "a.png"), "kept");
+    EXPECT_EQ(contentOf(folder / "b.png"), contentOf(folder / "c.png"));
+    // All is there: no device is asked for.
+    const Outcome second = nacreIn(folder, command, "", "export VK_DRIVER_FILES=/nowhere VK_ICD_FILENAMES=/nowhere");
+    EXPECT_EQ(second.code, 0) << second.err;
+    for (const auto& [line, told] : reportOf(second.out)) EXPECT_EQ(told["status"], "skipped") << line;
+}
+
+TEST(Batch, RefusesASecondJobOfTheSameOutput) {
+    const TemporaryFolder folder;
+    writeJobs(folder, {job("sample:glucose", "a.png"), job("sample:dna", "a.png")});
+    const Outcome batch = nacreIn(folder, std::string("batch jobs.jsonl --jobs 1") + kSmall);
+    EXPECT_EQ(batch.code, 1);
+    EXPECT_EQ(reportOf(batch.out).at(1)["status"], "done");
+    EXPECT_EQ(reportOf(batch.out).at(2)["status"], "failed");
+}
+
+TEST(Batch, WithoutADeviceIsOneError) {
+    const TemporaryFolder folder;
+    writeJobs(folder, {job("sample:glucose", "a.png"), job("sample:glucose", "b.png")});
+    const Outcome batch =
+        nacreIn(folder, "batch jobs.jsonl", "", "export VK_DRIVER_FILES=/nowhere VK_ICD_FILENAMES=/nowhere");
+    EXPECT_EQ(batch.code, 1);
+    EXPECT_EQ(batch.out, "");
+    EXPECT_EQ(batch.err.rfind("nacre: error: cannot start Vulkan", 0), 0u) << batch.err;
+    EXPECT_EQ(nacreIn(folder, "batch nosuch.jsonl").err,
+              "nacre: error: cannot read jobs: nosuch.jsonl: the file is missing, empty or not readable\n");
+}
+
+TEST(Batch, ReadsStandardInputWhereverItEnds) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "jobs") << job("sample:glucose", "a.png");  // no line end
+    const Outcome batch = nacreIn(folder, std::string("batch -") + kSmall, "<jobs");
+    EXPECT_EQ(batch.code, 0) << batch.err;
+    EXPECT_TRUE(std::filesystem::exists(folder / "a.png"));
+}
+
+// What is killed in the middle leaves whole pictures alone, and the next run makes the others.
+TEST(Batch, IsGoneOnWithAfterItWasKilled) {
+    const TemporaryFolder folder;
+    std::vector<std::string> lines;
+    for (int i = 0; i < 30; ++i) lines.push_back(job("sample:dna", folder / ("p" + std::to_string(i) + ".png")));
+    writeJobs(folder, lines);
+    const std::vector<std::string> command{
+        "batch", folder / "jobs.jsonl", "--resume", "--size", "64x64", "--occlusion", "8", "--jobs", "2"};
+    test::RunOptions options;
+    options.until = [&] { return folder.count() > 5; };
+    const test::MeasuredRun killed = test::runMeasured(command, options);
+    ASSERT_NE(killed.signal, 0) << "it was through before";
+    const std::string expected = contentOf(folder / "p0.png");
+    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+        if (entry.path().extension() != ".png") continue;
+        EXPECT_EQ(entry.path().filename().string()[0], 'p') << entry.path();
+        EXPECT_EQ(contentOf(entry.path().string()), expected) << entry.path();
+    }
+    const test::MeasuredRun second = test::runMeasured(command);
+    EXPECT_EQ(second.code, 0) << second.err;
+    std::set<std::string> statuses;
+    for (const auto& [line, told] : reportOf(second.out)) statuses.insert(told["status"]);
+    EXPECT_EQ(statuses, (std::set<std::string>{"done", "skipped"}));
+    for (int i = 0; i < 30; ++i) EXPECT_EQ(contentOf(folder / ("p" + std::to_string(i) + ".png")), expected) << i;
+    EXPECT_EQ(folder.count(), 31u);
+}
+
+// Pipelines, descriptor sets, images, the driver's caches: hundreds of jobs more take no more memory.
+TEST(Batch, TakesNoMoreMemoryForMoreJobs) {
+    const TemporaryFolder folder;
+    const auto peakOf = [&](int jobs) {
+        std::vector<std::string> lines;
+        for (int i = 0; i < jobs; ++i) {
+            const char* sizes[] = {"16x16", "24x16", "20x30"};
+            const char* styles[] = {"spacefill", "licorice"};
+            lines.push_back(job("sample:glucose", folder / (std::to_string(i) + ".png"),
+                                std::string(R"("size": ")") + sizes[i % 3] + R"(", "style": ")" + styles[i % 2] +
+                                    R"(", "occlusion": )" + std::to_string(2 + i % 4)));
+        }
+        writeJobs(folder, lines);
+        const test::MeasuredRun run = test::runMeasured({"batch", folder / "jobs.jsonl", "--jobs", "2", "-q"});
+        EXPECT_EQ(run.code, 0) << run.err;
+        return run.peakBytes;
+    };
+    const std::int64_t few = peakOf(100), many = peakOf(700);
+    EXPECT_LT((many - few) / 600, 4096) << few << " bytes, then " << many;
+}
+
+}  // namespace
+}  // namespace nacre::app
