@@ -42,5 +42,21 @@ TEST(OcclusionMemory, RefusesWhatIsNoSize) {
             << size;
 }
 
+TEST(OcclusionDetail, BoundsPatchesAndDepthMaps) {
+    const TemporaryFolder folder;
+    const auto bakeWith = [&](const std::string& detail) {
+        const std::string command = "render sample:dna -o a.png --size 64x64 --occlusion 4 --stats s.json";
+        EXPECT_EQ(nacreIn(folder, command + detail).code, 0);
+        return nlohmann::json::parse(contentOf(folder / "s.json"))["occlusion"];
+    };
+    const auto full = bakeWith(""), coarse = bakeWith(" --occlusion-detail 12");
+    EXPECT_EQ(full["patch_texels"], 32);
+    EXPECT_EQ(coarse["patch_texels"], 12);
+    EXPECT_LT(coarse["texels"].get<int>(), full["texels"].get<int>() / 5);
+    EXPECT_LT(coarse["map_pixels"].get<int>(), full["map_pixels"].get<int>());
+    for (const char* detail : {"3", "33", "fine"})
+        EXPECT_EQ(nacreIn(folder, std::string("render sample:dna -o a.png --occlusion-detail ") + detail).code, 2);
+}
+
 }  // namespace
 }  // namespace nacre::app
