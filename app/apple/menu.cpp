@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/shared/looks.h"
 #include "app/shared/option_text.h"
 #include "app/shared/option_values.h"
 #include "app/viewer/presets.h"
@@ -56,6 +57,13 @@ MenuItem backgrounds(const Looks& looks) {
     for (const char* choice : backgroundChoices())
         menu.children.push_back(looks.item(choice, backgroundText(looks.now().background) == choice,
                                            [choice](SavedView& look) { look.background = parseColor(choice); }));
+    return menu;
+}
+
+MenuItem lookMenu(const Looks& looks) {
+    MenuItem menu{"Look", "paintbrush"};
+    for (const Look& look : app::looks())
+        menu.children.push_back(looks.item(look.name, false, [&look](SavedView& view) { applyLook(look, view); }));
     return menu;
 }
 
@@ -136,7 +144,8 @@ std::vector<MenuItem> viewMenu(Viewer& viewer, const std::function<double()>& no
     const auto command = [&](const char* title, const char* symbol, ViewerCommand c, bool checked = false) {
         return MenuItem{title, symbol, checked, [&viewer, now, c] { viewer.run(c, now()); }};
     };
-    std::vector<MenuItem> items = {styles(looks), colors(looks), backgrounds(looks), presetMenu(looks), show(looks)};
+    std::vector<MenuItem> items = {styles(looks),   colors(looks),     backgrounds(looks),
+                                   lookMenu(looks), presetMenu(looks), show(looks)};
     if (viewer.document()) items.push_back(selections(looks, *viewer.document()->molecule));
     items.push_back(
         command("Turn by itself", "arrow.triangle.2.circlepath", ViewerCommand::autoRotate, viewer.autoRotating()));

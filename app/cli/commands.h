@@ -11,6 +11,7 @@ void renderCommand(const RenderOptions& options);
 void movieCommand(const MovieOptions& options);
 /// Reports to `out`, line by line. @returns whether all jobs are done
 bool batchCommand(const BatchOptions& options, std::ostream& out);
+void looksCommand(const LooksOptions& options, std::ostream& out);
 void benchCommand(const BenchOptions& options, std::ostream& out);
 void planCommand(const PlanOptions& options, std::ostream& out);
 void infoCommand(const InfoOptions& options, std::ostream& out);

@@ -45,6 +45,9 @@ void run(const CommandLine& line, std::ostream& out) {
         case Command::batch:
             if (!batchCommand(line.batch, std::cout)) throw Error("batch", line.batch.path, "not all jobs are done");
             break;
+        case Command::looks:
+            looksCommand(line.looks, out);
+            break;
         case Command::view:
 #ifdef NACRE_DESKTOP
             viewCommand(line.view);

@@ -53,6 +53,9 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     addMovie(movie, line.movie);
     CommandSpec batch{"batch", "Draw many molecules, each as its line of a file says", kBatchExamples};
     addBatch(batch, line.batch);
+    CommandSpec looks{"looks", "List the looks, or draw a molecule in each of them",
+                      "Examples:\n  nacre looks\n  nacre looks sample:dna -o sheet.png\n  nacre looks --json"};
+    addLooks(looks, line.looks);
     CommandSpec info{"info", "Say what a structure file holds",
                      "Examples:\n  nacre info 1bna.pdb 4hhb.cif.gz\n  nacre info ligands.sdf --model 3 --json"};
     addInputs(info, line.info.paths, line.info.input);
@@ -69,7 +72,7 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     addPlan(plan, line.plan);
     CommandSpec devices{"devices", "List the Vulkan devices", "Examples:\n  nacre devices\n  nacre devices --json"};
     addFlag(devices, "--json", line.json, "As a JSON array");
-    std::vector<CommandSpec> commands{render, movie, batch, info, bench, plan, devices};
+    std::vector<CommandSpec> commands{render, movie, batch, looks, info, bench, plan, devices};
 #ifdef NACRE_DESKTOP
     CommandSpec view{"view", "Show a molecule in a window", kViewExamples};
     addWindow(view, window);
@@ -84,12 +87,12 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
 
 Command commandOf(const std::string& name) {
     constexpr std::pair<const char*, Command> kCommands[] = {
-        {"render", Command::render}, {"movie", Command::movie},    {"batch", Command::batch},
-        {"view", Command::view},     {"info", Command::info},      {"bench", Command::bench},
-        {"plan", Command::plan},     {"devices", Command::devices}};
+        {"render", Command::render}, {"movie", Command::movie}, {"batch", Command::batch},
+        {"looks", Command::looks},   {"view", Command::view},   {"info", Command::info},
+        {"bench", Command::bench},   {"plan", Command::plan},   {"devices", Command::devices}};
     for (const auto& [word, command] : kCommands)
         if (name == word) return command;
-    throw UsageError("a command is needed: render, movie, batch, view, info, bench, plan or devices");
+    throw UsageError("a command is needed: render, movie, batch, looks, view, info, bench, plan or devices");
 }
 
 }  // namespace
@@ -110,6 +113,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     line.command = version ? Command::version : notices ? Command::notices : commandOf(parsed.name);
     if (line.command == Command::render) checkRender(line.render);
     if (line.command == Command::movie) checkMovie(line.movie);
+    if (line.command == Command::looks) checkLooks(line.looks);
     if (line.command == Command::view) {
         const bool named = checkWindow(window);
         line.view = viewOptionsOf(window);

@@ -92,6 +92,12 @@ struct BenchOptions {
     bool json = false;
 };
 
+struct LooksOptions {
+    RenderOptions picture;  ///< of a cell of the sheet; without an input there is none
+    int columns = 4;
+    bool json = false;
+};
+
 enum class PlanFormat { text, json, dot };
 
 struct PlanOptions {
@@ -102,7 +108,7 @@ struct PlanOptions {
     PlanFormat format = PlanFormat::text;
 };
 
-enum class Command { help, version, notices, render, movie, batch, view, info, devices, bench, plan };
+enum class Command { help, version, notices, render, movie, batch, looks, view, info, devices, bench, plan };
 
 struct CommandLine {
     Command command = Command::help;
@@ -114,6 +120,7 @@ struct CommandLine {
     InfoOptions info;
     BenchOptions bench;
     PlanOptions plan;
+    LooksOptions looks;
     bool json = false;   ///< devices
     bool quiet = false;  ///< nothing on standard error but errors
 };

@@ -6,6 +6,7 @@
 #include "app/movie/movie_file.h"
 #include "app/shared/effect_options.h"
 #include "app/shared/image_file.h"
+#include "app/shared/looks.h"
 #include "app/shared/output_file.h"
 #include "app/shared/view_input.h"
 #include "engine/error.h"
@@ -54,6 +55,12 @@ void addShading(CommandSpec& command, RenderOptions& options) {
         .excludes = "--clip";
 }
 
+void addSupersample(CommandSpec& command, RenderOptions& options) {
+    addValue(command, "--supersample", "N", "1", "N x N samples a pixel, 1 to 8", [&](const std::string& text) {
+        options.supersample = static_cast<std::uint32_t>(parseInteger(text, 1, kMostSupersample));
+    });
+}
+
 void addPixels(CommandSpec& command, RenderOptions& options) {
     addValue(
         command, "--occlusion-detail", "N", "32",
@@ -62,9 +69,15 @@ void addPixels(CommandSpec& command, RenderOptions& options) {
             options.occlusion.detail = static_cast<std::uint32_t>(parseInteger(text, 4, 32));
         });
     addSize(command, "1024x1024", options.size);
-    addValue(command, "--supersample", "N", "1", "N x N samples a pixel, 1 to 8", [&](const std::string& text) {
-        options.supersample = static_cast<std::uint32_t>(parseInteger(text, 1, kMostSupersample));
-    });
+    addSupersample(command, options);
+}
+
+/// Goes behind --view and before the options that it stands for, so that those prevail.
+void addLook(CommandSpec& command, RenderOptions& options) {
+    addValue(command, "--look", "NAME|FILE", "default",
+             "Light, lines, fog and colours that go together, as `nacre looks` lists them, or a JSON file of\nsuch "
+             "options; options prevail",
+             [&](const std::string& text) { takeLook(lookOf(text), options); });
 }
 
 /// Goes before the options that it stands for, so that those prevail.
@@ -78,16 +91,20 @@ void addSavedView(CommandSpec& command, RenderOptions& options) {
             "Download what a saved view names; otherwise it is taken from the cache alone");
 }
 
+OptionSpec& addOutput(CommandSpec& command, RenderOptions& options) {
+    return addValue(
+        command, "-o,--output", "FILE", "",
+        "The picture: .png, .tif, .tiff, .jpg, .jpeg or .exr; - is PNG to standard output",
+        [&](const std::string& text) {
+            if (!isPictureName(text))
+                throw std::invalid_argument(
+                    "expected a name that ends in .png, .tif, .tiff, .jpg, .jpeg or .exr, not '" + text + "'");
+            options.output = text;
+        });
+}
+
 void addFiles(CommandSpec& command, RenderOptions& options) {
-    addValue(command, "-o,--output", "FILE", "",
-             "The picture: .png, .tif, .tiff, .jpg, .jpeg or .exr; - is PNG to standard output",
-             [&](const std::string& text) {
-                 if (!isPictureName(text))
-                     throw std::invalid_argument(
-                         "expected a name that ends in .png, .tif, .tiff, .jpg, .jpeg or .exr, not '" + text + "'");
-                 options.output = text;
-             })
-        .required = true;
+    addOutput(command, options).required = true;
     addValue(command, "--layers", "FILE.exr", "none",
              "Colour, depth, normal, atom and occlusion of every pixel; - for standard output",
              [&](const std::string& text) {
@@ -165,6 +182,7 @@ void checkFiles(const RenderOptions& options) {
 
 void addRender(CommandSpec& command, RenderOptions& options) {
     addSavedView(command, options);
+    addLook(command, options);
     addContent(command, options.input, false, options.drawn, options.look);
     addFiles(command, options);
     addCamera(command, options);
@@ -198,6 +216,7 @@ void addMovie(CommandSpec& command, MovieOptions& options) {
 void addWindow(CommandSpec& command, RenderOptions& first) {
     first.size = {1280, 800};
     addSavedView(command, first);
+    addLook(command, first);
     addContent(command, first.input, false, first.drawn, first.look);
     addCamera(command, first);
     addSize(command, "1280x800", first.size);
@@ -209,6 +228,26 @@ void addWindow(CommandSpec& command, RenderOptions& first) {
     addDevice(command, first);
     addFlag(command, "--capture", first.device.capture,
             "Load RenderDoc, so that F12 captures a frame; it listens on this machine alone");
+}
+
+void addLooks(CommandSpec& command, LooksOptions& options) {
+    RenderOptions& picture = options.picture;
+    picture.size = {384, 384};
+    addContent(command, picture.input, false, picture.drawn, picture.look);
+    addOutput(command, picture).required = false;
+    addCamera(command, picture);
+    addOcclusion(command, picture.occlusion);
+    addSize(command, "384x384", picture.size);
+    addSupersample(command, picture);
+    addValue(command, "--columns", "N", "4", "Looks in a row of the sheet, 1 to 16",
+             [&](const std::string& text) { options.columns = static_cast<int>(parseInteger(text, 1, 16)); });
+    addFlag(command, "--json", options.json, "All looks as one JSON object; each of them is what --look FILE takes");
+    addDevice(command, picture);
+}
+
+void checkLooks(const LooksOptions& options) {
+    const bool input = !options.picture.input.path.empty(), output = !options.picture.output.empty();
+    if (input != output) throw UsageError(input ? "--output is required for a sheet" : "INPUT is required for a sheet");
 }
 
 void checkRender(RenderOptions& options) {

@@ -5,6 +5,11 @@
 
 namespace nacre::app {
 
+/// `nacre looks`.
+void addLooks(CommandSpec& command, LooksOptions& options);
+/// @throws UsageError
+void checkLooks(const LooksOptions& options);
+
 void addRender(CommandSpec& command, RenderOptions& options);
 void addMovie(CommandSpec& command, MovieOptions& options);
 /// What a window shows at first is said as for `render`; `size` is the window's.

@@ -17,6 +17,16 @@ void applySavedView(const SavedView& view, RenderOptions& options) {
     options.occlusion.directions = view.occlusionDirections;
 }
 
+void takeLook(const Look& look, RenderOptions& options) {
+    SavedView view = savedViewOf(options);
+    applyLook(look, view);
+    options.look.color = view.look.color;
+    options.background = view.background;
+    options.lighting = view.lighting;
+    options.effects = view.effects;
+    options.occlusion.directions = view.occlusionDirections;
+}
+
 SavedView savedViewOf(const RenderOptions& options) {
     SavedView view;
     view.input = options.input.path;

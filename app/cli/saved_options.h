@@ -2,12 +2,16 @@
 // Between the options of the command line and a saved view.
 
 #include "app/cli/options.h"
+#include "app/shared/looks.h"
 #include "app/shared/saved_view.h"
 
 namespace nacre::app {
 
 /// Sets what a saved view says. Rules go before those that are there already; its INPUT becomes `savedInput`.
 void applySavedView(const SavedView& view, RenderOptions& options);
+
+/// Sets what a look says, and what it does not say to its default.
+void takeLook(const Look& look, RenderOptions& options);
 
 SavedView savedViewOf(const RenderOptions& options);
 

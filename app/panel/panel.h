@@ -75,6 +75,7 @@ private:
     void drawPanel(Viewer& viewer, double now);
     void drawLook(SavedView& look);
     void drawShown(SavedView& look);
+    void drawEffects(SavedView& look, double radius);
     void drawPresets(SavedView& look);
     bool choose(const char* label, std::span<const char* const> choices, std::string& current);
     void drawRules(SavedView& look, const Molecule* molecule);

@@ -7,6 +7,7 @@
 
 #include "app/panel/panel.h"
 #include "app/panel/panel_style.h"
+#include "app/shared/looks.h"
 #include "app/shared/notices.h"
 #include "app/shared/option_text.h"
 #include "app/shared/option_values.h"
@@ -106,6 +107,7 @@ void Panel::drawPanel(Viewer& viewer, double now) {
     const std::string before = savedViewJson(look);
     drawLook(look);
     drawShown(look);
+    drawEffects(look, viewer.document() ? viewer.document()->scene.radius : 1);
     drawRules(look, viewer.document() ? viewer.document()->molecule.get() : nullptr);
     bool turning = viewer.autoRotating();
     if (ImGui::Checkbox("Turn by itself", &turning)) run_(ViewerCommand::autoRotate);
@@ -165,8 +167,12 @@ void Panel::drawLook(SavedView& look) {
         if (ImGui::RadioButton(label, look.look.style == style)) look.look.style = style;
         if (!forFingers() && label != kStyles[1].first && label != kStyles[3].first) ImGui::SameLine(column);
     }
-    heading("Colours, background, preset");
+    heading("Look, colours, background, preset");
     ImGui::PushItemWidth(-1);
+    std::vector<const char*> names;
+    for (const Look& named : looks()) names.push_back(named.name.c_str());
+    std::string chosen = "Looks";
+    if (choose("##look", names, chosen)) applyLook(lookOf(chosen), look);
     std::string color = coloringText(look.look.color), background = backgroundText(look.background);
     if (choose("##colours", colorChoices(), color)) look.look.color = parseColoring(color);
     if (choose("##background", backgroundChoices(), background)) look.background = parseColor(background);

@@ -122,6 +122,8 @@ void readKey(const std::string& key, const Json& value, SavedView& view) {
 
 }  // namespace
 
+void setViewKey(const std::string& key, const std::string& value, SavedView& view) { readKey(key, value, view); }
+
 SavedView parseSavedView(const std::string& json, const std::string& name) {
     const Json object = Json::parse(json, nullptr, false);
     if (!object.is_object()) throw Error("cannot read view", name, "it is no JSON object");
@@ -136,14 +138,16 @@ SavedView parseSavedView(const std::string& json, const std::string& name) {
     return view;
 }
 
-SavedView readSavedView(const std::string& path) {
+std::string readViewText(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     std::string text;
     for (char c = 0; text.size() <= kMostBytes && file.get(c);) text.push_back(c);
     if (text.empty()) throw Error("cannot read view", path, "the file is missing, empty or not readable");
     if (text.size() > kMostBytes) throw Error("cannot read view", path, "it is larger than a view can be");
-    return parseSavedView(text, path);
+    return text;
 }
+
+SavedView readSavedView(const std::string& path) { return parseSavedView(readViewText(path), path); }
 
 std::string savedViewJson(const SavedView& view) {
     OrderedJson json = OrderedJson::object();

@@ -35,6 +35,10 @@ struct SavedView {
 /// @param name of the file, for messages. @throws Error that names the key
 SavedView parseSavedView(const std::string& json, const std::string& name);
 SavedView readSavedView(const std::string& path);
+/// The file as it is. @throws Error if it is missing, or larger than a view can be
+std::string readViewText(const std::string& path);
+/// One key of the JSON, its value as an option has it. @throws std::invalid_argument, Error
+void setViewKey(const std::string& key, const std::string& value, SavedView& view);
 std::string savedViewJson(const SavedView& view);
 
 /// What a view names, read as it says; everything else as in `options`.

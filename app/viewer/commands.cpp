@@ -34,6 +34,7 @@ constexpr Binding kBindings[] = {
     {C::licorice, key(U'3'), "3", "Licorice"},
     {C::nextColor, key(U'c'), "C", "Next colouring"},
     {C::nextPreset, key(U'n'), "N", "Next preset"},
+    {C::nextLook, key(U'k'), "K", "Next look"},
     {C::nextBackground, key(U'b'), "B", "Next background"},
     {C::water, key(U'w'), "W", "Show or hide water"},
     {C::hydrogens, key(U'h'), "H", "Show or hide hydrogens"},

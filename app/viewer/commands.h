@@ -33,6 +33,7 @@ enum class ViewerCommand {
     licorice,
     nextColor,
     nextPreset,
+    nextLook,
     nextBackground,
     water,
     hydrogens,

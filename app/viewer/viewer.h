@@ -132,7 +132,7 @@ private:
     DebugView debug_ = DebugView::none;
     std::string message_;
     double messageUntil_ = 0;
-    std::size_t preset_ = 0;
+    std::size_t preset_ = 0, lookNumber_ = 0;
     bool deviceLost_ = false, firstDocument_ = true;
     bool sceneThere_ = true;  // the document's scene is on the screen
     Retry sceneRetry_, occlusionRetry_, frameRetry_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/trigonometric.hpp>
 
+#include "app/shared/looks.h"
 #include "app/shared/option_text.h"
 #include "app/shared/option_values.h"
 #include "app/viewer/presets.h"
@@ -125,6 +126,11 @@ void Viewer::run(ViewerCommand command, double now) {
             preset_ = (preset_ + 1) % presets().size();
             applyPreset(presets()[preset_], look);
             say(presets()[preset_].name, now);
+            break;
+        case C::nextLook:
+            lookNumber_ = (lookNumber_ + 1) % looks().size();
+            applyLook(looks()[lookNumber_], look);
+            say("look: " + looks()[lookNumber_].name, now);
             break;
         case C::nextBackground:
             look.background = parseColor(nextOf(backgroundChoices(), backgroundText(look.background)));

@@ -12,7 +12,7 @@ layout(constant_id = kDeepeningId) const float kDeepening = 1.0;
 /// @param base       linear base colour
 /// @param occlusion  0 closed to 1 open, scales all light that arrives
 vec3 shade(vec3 base, vec3 normal, float occlusion) {
-    if (!kLighting) return base * occlusion;
+    if (!kLighting) return base * mix(1.0, occlusion, kDeepening);
     vec3 light = kLight;
     float facing = max(dot(normal, light), 0.0);
     // The sky's share is wrapped a little upwards: what looks up is brighter than what looks down.

@@ -1,0 +1,89 @@
+// `nacre looks`: what there is, or a sheet of a molecule in every look.
+
+#include <algorithm>
+#include <ostream>
+
+#include "app/cli/commands.h"
+#include "app/cli/picture_job.h"
+#include "app/cli/saved_options.h"
+#include "app/download/load_molecule.h"
+#include "app/shared/image_file.h"
+#include "app/shared/json_text.h"
+#include "app/shared/looks.h"
+#include "app/shared/messages.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+/// Cells side by side, rows from the top, with a white line between them.
+class Sheet {
+public:
+    Sheet(const Size& cell, std::size_t cells, std::size_t columns)
+        : cell_(cell), columns_(std::min(cells, columns)), line_(std::max(cell.width / 64, 1u)) {
+        const auto side = [&](std::size_t count, std::uint32_t pixels) {
+            return static_cast<std::uint32_t>(count * (pixels + line_) - line_);
+        };
+        picture_.width = side(columns_, cell.width);
+        picture_.height = side((cells + columns_ - 1) / columns_, cell.height);
+        picture_.rgba.assign(std::size_t{4} * picture_.width * picture_.height, 1.0f);
+    }
+
+    void put(std::size_t index, const Picture& picture) {
+        const std::size_t left = index % columns_ * (cell_.width + line_),
+                          top = index / columns_ * (cell_.height + line_);
+        for (std::size_t y = 0; y < picture.height; ++y)
+            std::copy_n(&picture.rgba[4 * y * picture.width], 4 * picture.width,
+                        &picture_.rgba[4 * ((top + y) * picture_.width + left)]);
+    }
+    const Picture& picture() const { return picture_; }
+
+private:
+    Size cell_;
+    std::size_t columns_;
+    std::uint32_t line_;
+    Picture picture_;
+};
+
+void drawSheet(const LooksOptions& options) {
+    OutputFile file(options.picture.output, ".png");
+    Progress progress;
+    progress.begin("reading");
+    const Molecule molecule =
+        loadMolecule(options.picture.input, downloadProgress(progress), [&](double share) { progress.advance(share); });
+    progress.begin("drawing");
+    Renderer renderer(options.picture.device);
+    Sheet sheet(options.picture.size, looks().size(), static_cast<std::size_t>(options.columns));
+    std::optional<Coloring> drawn;  // of the scene that the renderer has
+    std::size_t done = 0;
+    for (const Look& look : looks()) {
+        RenderOptions one = options.picture;
+        takeLook(look, one);
+        PreparedPicture prepared = preparePicture(molecule, one);
+        if (!drawn)
+            for (const std::string& warning : prepared.scene.warnings) sayWarning(warning);
+        if (drawn != one.look.color) renderer.setScene(std::move(prepared.scene));
+        drawn = one.look.color;
+        sheet.put(done, renderer.render(prepared.settings));
+        progress.advance(static_cast<double>(++done) / static_cast<double>(looks().size()));
+    }
+    writePicture(file, sheet.picture(), false);
+}
+
+}  // namespace
+
+void looksCommand(const LooksOptions& options, std::ostream& out) {
+    if (!options.picture.output.empty()) return drawSheet(options);
+    if (options.json) {
+        nlohmann::ordered_json all;
+        for (const Look& look : looks()) all[look.name] = nlohmann::ordered_json::parse(lookJson(look));
+        out << jsonText(all);
+        return;
+    }
+    std::size_t widest = 0;
+    for (const Look& look : looks()) widest = std::max(widest, look.name.size());
+    for (const Look& look : looks())
+        out << look.name << std::string(widest + 2 - look.name.size(), ' ') << look.about << "\n";
+}
+
+}  // namespace nacre::app
