@@ -28,6 +28,8 @@ struct DeviceInfo {
     std::string visibility, why;     ///< the path that `automatic` takes here, and the reason
     std::string encodedFormat;       ///< "R32F"
     bool lazyMemory = false;
+    std::string capabilitySet;     ///< what a plan for it starts from: "turnip"
+    std::string knownAs, knownBy;  ///< what is known of its driver, and the source; empty where nothing is
 };
 
 struct PassCount {

@@ -27,10 +27,14 @@ std::string describe(const DeviceInfo& device) {
 void devicesCommand(bool json, std::ostream& out) {
     const std::vector<DeviceInfo> devices = listDevices();
     if (!json) {
-        for (std::size_t i = 0; i < devices.size(); ++i)
+        for (std::size_t i = 0; i < devices.size(); ++i) {
             out << i << "  " << describe(devices[i]) << '\n'
                 << "   visibility " << devices[i].visibility << ": " << devices[i].why << "; encoded depth "
                 << devices[i].encodedFormat << "; lazy memory " << (devices[i].lazyMemory ? "yes" : "no") << '\n';
+            if (!devices[i].knownAs.empty())
+                out << "   known as " << devices[i].capabilitySet << ": " << devices[i].knownAs << " ("
+                    << devices[i].knownBy << ")\n";
+        }
         if (devices.empty()) out << "no Vulkan device\n";
         return;
     }
@@ -44,7 +48,10 @@ void devicesCommand(bool json, std::ostream& out) {
                         {"visibility", devices[i].visibility},
                         {"why", devices[i].why},
                         {"encoded_format", devices[i].encodedFormat},
-                        {"lazy_memory", devices[i].lazyMemory}});
+                        {"lazy_memory", devices[i].lazyMemory},
+                        {"capability_set", devices[i].capabilitySet},
+                        {"known_as", devices[i].knownAs},
+                        {"known_by", devices[i].knownBy}});
     out << jsonText(list);
 }
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "engine/error.h"
-#include "engine/graph/capability_sets.h"
+#include "engine/graph/known_drivers.h"
 
 namespace nacre::gpu {
 namespace {
@@ -94,7 +94,9 @@ TileCaps tileCapsOf(const vk::raii::PhysicalDevice& device) {
 }  // namespace
 
 bool readsInRasterOrder(const vk::raii::PhysicalDevice& device) {
-    if (!hasExtension(device, VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME)) return false;
+    if (!hasExtension(device, VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME) &&
+        !hasExtension(device, VK_ARM_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME))  // the same, before
+        return false;
     using Features = vk::PhysicalDeviceRasterizationOrderAttachmentAccessFeaturesEXT;
     return device.getFeatures2<vk::PhysicalDeviceFeatures2, Features>()
         .get<Features>()
@@ -109,37 +111,40 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.type = typeName(properties.deviceType);
     caps.apiVersion = properties.apiVersion;
     caps.driverVersion = properties.driverVersion;
+    graph::DriverIdentity identity;
+    identity.vendor = properties.vendorID;
+    identity.device = caps.deviceName;
+    identity.software = properties.deviceType == vk::PhysicalDeviceType::eCpu;
+    identity.portable = hasExtension(device, "VK_KHR_portability_subset");
+    identity.lazyMemory = hasLazyMemory(device);
     if (hasExtension(device, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME)) {
         const auto driver = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>()
                                 .get<vk::PhysicalDeviceDriverProperties>();
         caps.driverName = std::string(driver.driverName.data()) + " " + driver.driverInfo.data();
         caps.cacheMixesRenderPasses = driver.driverID == vk::DriverId::eGoogleSwiftshader;
+        identity.driver = static_cast<VkDriverId>(driver.driverID);
     }
     caps.snapPixels = std::ldexp(1.0f, -static_cast<int>(properties.limits.subPixelPrecisionBits));
     caps.maxImageSize = properties.limits.maxImageDimension2D;
     caps.maxStorageBufferBytes = properties.limits.maxStorageBufferRange;
 
-    const bool software = properties.deviceType == vk::PhysicalDeviceType::eCpu;
-    const bool molten = hasExtension(device, "VK_KHR_portability_subset");
-    const bool lazy = hasLazyMemory(device);
-    caps.plan = graph::capabilitySetOf(properties.vendorID, molten).plan;
+    const graph::DeviceClass known = graph::classOf(identity);
+    caps.plan = known.set->plan;
+    caps.capabilitySet = known.set->plan.name;
+    if (known.row) caps.knownAs = known.row->fact;
     caps.plan.name = caps.deviceName;
     caps.plan.rasterOrder = readsInRasterOrder(device);
-    caps.plan.transient = lazy;
+    caps.plan.transient = identity.lazyMemory;
     caps.plan.storeNone = hasExtension(device, VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME);
     caps.plan.maxColorAttachments = std::min(properties.limits.maxColorAttachments, 8u);
     caps.plan.maxInputAttachments = std::min(properties.limits.maxPerStageDescriptorInputAttachments, 8u);
     applyEnvironment(caps.plan);
     caps.encoded = encodedFormatOf(device, options.encoded);
-    caps.software = software;
+    caps.software = identity.software;
     caps.tiles = tileCapsOf(device);
     caps.plan.tiles = caps.tiles.lacks.empty();
 
-    const graph::DeviceKind kind = molten     ? graph::DeviceKind::layered
-                                   : lazy     ? graph::DeviceKind::tiler
-                                   : software ? graph::DeviceKind::software
-                                              : graph::DeviceKind::immediate;
-    const graph::VisibilityChoice choice = graph::chooseVisibility(kind, caps.plan);
+    const graph::VisibilityChoice choice = graph::chooseVisibility(known.kind, caps.plan);
     const bool automatic = options.visibility == Visibility::automatic;
     caps.visibility = automatic ? choice.visibility : options.visibility;
     caps.visibilityReason = automatic ? choice.why : "asked for";

@@ -5,6 +5,7 @@
 #include <vulkan/vulkan_raii.hpp>
 
 #include "engine/device_options.h"
+#include "engine/graph/capability_sets.h"
 #include "engine/graph/encoded_format.h"
 #include "engine/graph/plan.h"
 
@@ -34,6 +35,8 @@ struct Caps {
     bool software = false;  ///< a CPU draws: triangles cost more than fragments
     Visibility visibility = Visibility::encoded;
     std::string visibilityReason;
+    std::string capabilitySet;  ///< what the plan's caps started from
+    graph::Fact knownAs{};      ///< what the table of drivers says of it; null where it has no row
 };
 
 /// @param options what the user asked for; `automatic` leaves the choice to the device

@@ -20,7 +20,8 @@ std::vector<const char*> deviceExtensions(const vk::raii::PhysicalDevice& physic
     if (window) wanted.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
     for (const char* name :
          {"VK_KHR_portability_subset", VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME,
-          VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME, VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME})
+          VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME, VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME,
+          VK_ARM_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME})
         if (has(name)) wanted.push_back(name);
     return wanted;
 }

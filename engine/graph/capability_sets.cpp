@@ -50,6 +50,21 @@ constexpr Fact kApple[] = {
     {"an input attachment becomes a plain texture read", "github.com/KhronosGroup/MoltenVK issue 2281"},
     {"256 bits a pixel on the tile (512 from Apple4 on)", "Apple, 'Metal Feature Set Tables'"},
 };
+constexpr const char* kShim = "the command streams that Mesa 25.0.7 writes over its no-op kernel drivers (drm-shim)";
+constexpr Fact kTurnip[] = {
+    {"encoded: three clears, no load, one store a tile; the input attachment is read from GMEM", kShim},
+    {"R32F blends, in fewer instructions than RGBA16F (48 and 117 for a sphere of the encoding on A740)", kShim},
+    {"what writes depth from the fragment shader tests late, whatever it declares", kShim},
+    {"no lazily allocated memory is reported", kShim},
+};
+constexpr Fact kV3dv[] = {
+    {"a job for each subpass: the depth that two share is stored and loaded again", kShim},
+    {"fragdepth, in one subpass, stores colour alone", kShim},
+};
+constexpr Fact kPanvk[] = {
+    {"a framebuffer for each subpass", kShim},
+    {"depth is stored although nobody asks for it", kShim},
+};
 constexpr Fact kDesktop[] = {
     {"no lazily allocated memory, no tile: transient attachments save nothing",
      "VkPhysicalDeviceMemoryProperties of immediate-mode GPUs, vulkan.gpuinfo.org"},
@@ -71,6 +86,14 @@ std::vector<CapabilitySet> makeSets() {
     mali.rasterOrder = true;
     PlanCaps noSubpass = plan("adreno-no-subpass", 16, true);
     noSubpass.tileSubpasses = false;
+    PlanCaps turnip = plan("turnip", 16, true);
+    turnip.transient = false;
+    PlanCaps v3dv = plan("v3dv", 16, false);
+    v3dv.tileSubpasses = false;
+    v3dv.transient = false;
+    PlanCaps panvk = v3dv;
+    panvk.name = "panvk";
+    panvk.storeAll = true;
     PlanCaps apple = plan("apple-moltenvk", 32, false);
     apple.tileSubpasses = false;
     PlanCaps desktop = plan("desktop", 16, false);
@@ -81,6 +104,9 @@ std::vector<CapabilitySet> makeSets() {
         {plan("adreno", 16, true), kTiler, kHalf, kAdreno},
         {noSubpass, kTiler, kHalf, kAdrenoNoSubpass},
         {plan("powervr", 16, false), kTiler, kHalf, kPowerVr},
+        {turnip, kTiler, kFloat, kTurnip},
+        {v3dv, kTiler, kHalf, kV3dv},
+        {panvk, kTiler, kHalf, kPanvk},
         {apple, DeviceKind::layered, kFloat, kApple},
         {desktop, DeviceKind::immediate, kFloat, kDesktop},
     };
@@ -100,20 +126,6 @@ const CapabilitySet& capabilitySet(std::string_view name) {
         names += (names.empty() ? "" : ", ") + set.plan.name;
     }
     throw Error("unknown capability set", std::string(name), "known are " + names);
-}
-
-const CapabilitySet& capabilitySetOf(std::uint32_t vendor, bool portable) {
-    if (portable) return capabilitySet("apple-moltenvk");
-    switch (vendor) {
-        case 0x13B5:
-            return capabilitySet("mali-old");  // Arm; the generation is not told
-        case 0x5143:
-            return capabilitySet("adreno");  // Qualcomm
-        case 0x1010:
-            return capabilitySet("powervr");  // Imagination
-        default:
-            return capabilitySet("desktop");
-    }
 }
 
 }  // namespace nacre::graph

@@ -1,6 +1,7 @@
 #pragma once
 // What is known of well-known GPUs, as data, so that a frame can be judged without owning one. Every vendor quirk that
-// a plan honours stands in capability_sets.cpp, with its source; gpu/caps.cpp starts from these sets for real devices.
+// a plan honours stands in capability_sets.cpp, with its source; real devices start from these sets, by the table in
+// known_drivers.cpp.
 
 #include <span>
 #include <string_view>
@@ -25,10 +26,5 @@ struct CapabilitySet {
 std::span<const CapabilitySet> capabilitySets();
 /// @throws Error that lists the names
 const CapabilitySet& capabilitySet(std::string_view name);
-
-/// The set that a real device is nearest to.
-/// @param vendor     VkPhysicalDeviceProperties::vendorID
-/// @param portable   whether Vulkan is layered on another interface (VK_KHR_portability_subset)
-const CapabilitySet& capabilitySetOf(std::uint32_t vendor, bool portable);
 
 }  // namespace nacre::graph

@@ -6,7 +6,8 @@ VisibilityChoice chooseVisibility(DeviceKind kind, const PlanCaps& caps) {
     switch (kind) {
         case DeviceKind::tiler:
             if (!caps.tileSubpasses)
-                return {Visibility::fragdepth, "no input attachments: one subpass, and no encoded depth in memory"};
+                return {Visibility::fragdepth,
+                        "subpasses do not stay on the tile here: one subpass, and no encoded depth in memory"};
             return {Visibility::encoded, "tile-based GPU: depth stays fixed-function, encoded depth on the tile"};
         case DeviceKind::layered:
             return {Visibility::fragdepth, "MoltenVK leaves the tile between subpasses"};
