@@ -62,8 +62,10 @@ PlanReport planReport(const PlanOptions& options) {
         chooseByDevice(options, report);
     else
         chooseBySet(options, report);
-    report.frame = screenFrame(
-        {report.extent, report.visibility, report.encoded, {VK_FORMAT_R8_UNORM, {1024, 1024}}, kScreenTargets});
+    ScreenOptions screen{report.extent, report.visibility, report.encoded, {VK_FORMAT_R8_UNORM, {1024, 1024}}, {}};
+    screen.targets = kScreenTargets;
+    screen.prepass = graph::platesReject(report.visibility, report.plannedWith);
+    report.frame = screenFrame(screen);
     for (const graph::Image target : report.frame.targets) report.frame.graph.output(target);
     graph::PlanCaps& caps = report.plannedWith;
     caps.merge = caps.merge && options.merge;

@@ -58,7 +58,7 @@ Json fetchJson(const Fetch& fetch) {
 Json passesJson(const PlanReport& report) {
     Json list = Json::array();
     for (const graph::PassDecl& pass : report.frame.graph.passes()) {
-        const PassNotes notes = notesOf(pass);
+        const PassNotes notes = notesOf(pass, report.plannedWith.conservativeDepth);
         list.push_back({{"name", pass.name},
                         {"depth_test", depthTimingName(notes.depth)},
                         {"depth_test_why", notes.why},

@@ -107,13 +107,13 @@ std::string fetchText(const Fetch& fetch) {
 void passesText(std::ostream& out, const PlanReport& report) {
     std::vector<Row> rows{{"pass", "depth test", "binning", "shading"}};
     for (const graph::PassDecl& pass : report.frame.graph.passes()) {
-        const PassNotes notes = notesOf(pass);
+        const PassNotes notes = notesOf(pass, report.plannedWith.conservativeDepth);
         rows.push_back({pass.name, depthTimingName(notes.depth), fetchText(notes.binning), fetchText(notes.shading)});
     }
     out << "bytes fetched for each sphere / cylinder\n";
     table(out, "  ", rows);
     for (const graph::PassDecl& pass : report.frame.graph.passes()) {
-        const PassNotes notes = notesOf(pass);
+        const PassNotes notes = notesOf(pass, report.plannedWith.conservativeDepth);
         out << "  " << pass.name << '\n' << "    depth: " << notes.why << '\n' << "    " << notes.precision << '\n';
     }
     out << '\n';

@@ -100,6 +100,7 @@ Visibility debugVisibility(DebugView view, Visibility usual) {
 ScreenFrame debugFrame(DebugView view, const ScreenOptions& options, const Recorder& recorder) {
     ScreenOptions drawn = options;
     drawn.targets = drawnFor(view);
+    drawn.prepass = true;  // views show it
     ScreenFrame frame = screenFrame(drawn, recorder);
     const Shown shown = addShown(view, frame, options.extent, recorder);
     frame.targets.clear();

@@ -22,6 +22,9 @@ constexpr const char* kPrecisionShade =
 constexpr const char* kConservative =
     "gl_FragDepth is declared depth_greater: what the polygon hides is rejected early, the hit itself is tested late";
 
+constexpr const char* kLate =
+    "gl_FragDepth is declared depth_greater, which this driver does not honour: every fragment is shaded, then tested";
+
 bool has(const graph::PassDecl& pass, graph::Verb verb) {
     return std::any_of(pass.uses.begin(), pass.uses.end(), [&](const graph::Use& use) { return use.verb == verb; });
 }
@@ -36,11 +39,13 @@ const char* depthTimingName(DepthTiming timing) {
             return "early";
         case DepthTiming::conservative:
             return "conservative";
+        case DepthTiming::late:
+            return "late";
     }
     return "";
 }
 
-PassNotes notesOf(const graph::PassDecl& pass) {
+PassNotes notesOf(const graph::PassDecl& pass, bool conservative) {
     using graph::Verb;
     const bool shades = has(pass, Verb::samples);  // the occlusion atlas
     if (pass.kind == graph::PassKind::compute)
@@ -53,8 +58,8 @@ PassNotes notesOf(const graph::PassDecl& pass) {
                     kPlates,
                     {},
                     kPrecisionPlates};
-        return {DepthTiming::conservative, kConservative, kPositions, shades ? kRecords : kPositions,
-                shades ? kPrecisionShade : kPrecisionHit};
+        return {conservative ? DepthTiming::conservative : DepthTiming::late, conservative ? kConservative : kLate,
+                kPositions, shades ? kRecords : kPositions, shades ? kPrecisionShade : kPrecisionHit};
     }
     if (!has(pass, Verb::depthTest))
         return {DepthTiming::none,

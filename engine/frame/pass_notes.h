@@ -14,8 +14,8 @@ struct Fetch {
 };
 
 /// When a pass's depth test runs.
-enum class DepthTiming : std::uint8_t { none, early, conservative };
-/// "none", "early" or "conservative"
+enum class DepthTiming : std::uint8_t { none, early, conservative, late };
+/// "none", "early", "conservative" or "late"
 const char* depthTimingName(DepthTiming timing);
 
 struct PassNotes {
@@ -26,7 +26,8 @@ struct PassNotes {
     const char* precision = "";  ///< what may be 16 bits wide, and what must not
 };
 
-/// @param pass  of the screen frame
-PassNotes notesOf(const graph::PassDecl& pass);
+/// @param pass          of the screen frame
+/// @param conservative  PlanCaps::conservativeDepth
+PassNotes notesOf(const graph::PassDecl& pass, bool conservative);
 
 }  // namespace nacre

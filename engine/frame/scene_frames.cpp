@@ -46,7 +46,11 @@ ScreenFrame SceneFrames::declare(const RenderSettings& asked, const passes::Atla
     }
     stats_.spheres = seen->copies.sphereCount();
     stats_.cylinders = seen->copies.cylinderCount();
-    const ScreenOptions options{image, path, device_.caps().encoded, atlas.desc, targets, name};
+    // Without plates the passes that write depth themselves need no pass before them.
+    const bool plates =
+        seen->plates != PlateShape::none || (path != Visibility::fragdepth && path != Visibility::deferred);
+    const bool prepass = plates && graph::platesReject(path, device_.caps().plan);
+    const ScreenOptions options{image, path, device_.caps().encoded, atlas.desc, targets, prepass, name};
     ScreenFrame frame =
         debug ? debugFrame(settings.debug, options, Recorder(seen)) : screenFrame(options, Recorder(seen));
     imports.bind(frame.atlas, atlas);

@@ -35,6 +35,7 @@ struct ScreenOptions {
     graph::EncodedFormat encoded;                 ///< of `encoded`
     graph::ImageDesc atlas{VK_FORMAT_R8_UNORM, {1, 1}};
     std::span<const ScreenTarget> targets;
+    bool prepass = true;          ///< false: plates would reject nothing on this path (graph::platesReject)
     const char* name = "screen";  ///< images are kept by it: frames of several sizes want several names
 };
 

@@ -23,4 +23,8 @@ VisibilityChoice chooseVisibility(DeviceKind kind, const PlanCaps& caps) {
     return {Visibility::fragdepth, "immediate-mode GPU: no tile memory to keep encoded depth in"};
 }
 
+bool platesReject(Visibility path, const PlanCaps& caps) {
+    return caps.conservativeDepth || (path != Visibility::fragdepth && path != Visibility::deferred);
+}
+
 }  // namespace nacre::graph

@@ -19,6 +19,10 @@ struct VisibilityChoice {
     const char* why = "";
 };
 
+/// Whether plates in the hardware depth buffer reject anything on a path: where impostors write depth themselves, the
+/// test must run before the fragment shader all the same.
+bool platesReject(Visibility path, const PlanCaps& caps);
+
 /// What `auto` takes.
 VisibilityChoice chooseVisibility(DeviceKind kind, const PlanCaps& caps);
 

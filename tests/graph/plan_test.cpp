@@ -10,8 +10,9 @@ namespace {
 
 constexpr Extent kScreen{100, 50};
 /// The screen frame as the renderer declares it.
-Graph frameBy(Visibility visibility) {
+Graph frameBy(Visibility visibility, bool prepass = true) {
     ScreenOptions options;
+    options.prepass = prepass;
     options.extent = kScreen;
     options.visibility = visibility;
     for (const EncodedFormat& format : encodedFormats())
@@ -20,6 +21,23 @@ Graph frameBy(Visibility visibility) {
     ScreenFrame frame = screenFrame(options);
     for (const Image target : frame.targets) frame.graph.output(target);
     return std::move(frame.graph);
+}
+
+TEST(ScreenPlan, PlatesThatRejectNothingAreNotDrawn) {
+    const PlanCaps caps = capabilitySet("v3dv").plan;
+    EXPECT_FALSE(platesReject(Visibility::fragdepth, caps));
+    EXPECT_FALSE(platesReject(Visibility::deferred, caps));
+    EXPECT_TRUE(platesReject(Visibility::encoded, caps));
+    EXPECT_TRUE(platesReject(Visibility::fragdepth, capabilitySet("mali").plan));
+    const Graph g = frameBy(Visibility::fragdepth, false);
+    // As the driver's streams have it: colour alone leaves the tile.
+    EXPECT_EQ(describe(g, compile(g, caps)),
+              "render pass 100x50\n"
+              "  depth  D32F  clear  -\n"
+              "  colour  RGBA8 sRGB  clear  store\n"
+              "  subpass 0 impostor colour: depth write, colour write, occlusion atlas sample\n"
+              "  tile 4 B/px + depth\n"
+              "memory: loaded 0 B, stored 20000 B\n");
 }
 
 TEST(ScreenPlan, TilesAreAComputePassAndOneThatShades) {
