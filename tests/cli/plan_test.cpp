@@ -98,8 +98,11 @@ TEST(Plan, SaysOfEveryPassWhatProfilersAsk) {
 TEST(Plan, TextNamesEveryPassAndImage) {
     for (const graph::CapabilitySet& set : graph::capabilitySets()) {
         const std::string text = planText(planReport(phone(set.plan.name)));
-        for (const char* word : {"opaque prepass", "impostor colour", "colour", "depth", "in all", "paper"})
+        for (const char* word : {"impostor colour", "colour", "depth", "in all", "paper"})
             EXPECT_NE(text.find(word), std::string::npos) << set.plan.name << ": " << word;
+        const bool plates = graph::platesReject(graph::chooseVisibility(set.kind, set.plan).visibility, set.plan);
+        EXPECT_EQ(text.find("opaque prepass") != std::string::npos, plates) << set.plan.name;
+        EXPECT_EQ(text.find("  late  ") != std::string::npos, !plates) << set.plan.name;
         EXPECT_EQ(text.find("  \n"), std::string::npos);
     }
 }
