@@ -1,6 +1,7 @@
 #include "app/cli/common_options.h"
 
 #include "engine/error.h"
+#include "engine/molecule/trajectory/motion.h"
 
 namespace nacre::app {
 namespace {
@@ -79,6 +80,24 @@ void addReading(CommandSpec& command, InputOptions& input) {
 
 }  // namespace
 
+void addTrajectory(CommandSpec& command, TrajectoryOptions& trajectory) {
+    addValue(command, "--trajectory", "FILE", "none",
+             "Where INPUT's atoms are, frame by frame: DCD, XTC, TRR or AMBER NetCDF",
+             [&](const std::string& text) { trajectory.path = fileName(text); });
+    addValue(command, "--frame", "N", "1", "Of --trajectory, counted from 1",
+             [&](const std::string& text) { trajectory.frame = parseInteger(text, 1, std::int64_t{1} << 40); });
+    addFlag(command, "--whole", trajectory.whole,
+            "Put together molecules that the periodic box of --trajectory cut, along their bonds");
+    addValue(command, "--fit-frames", "SEL", "none",
+             "Lay each frame of --trajectory onto the first by these atoms: backbone, name CA",
+             [&](const std::string& text) { trajectory.fit = parseSelection(text); });
+    addValue(command, "--smooth", "N", "1", "Mean of N frames of --trajectory, odd, to 101",
+             [&](const std::string& text) {
+                 trajectory.smooth = parseInteger(text, 1, Motion::kMostSmoothed);
+                 if (trajectory.smooth % 2 == 0) throw std::invalid_argument("expected an odd number");
+             });
+}
+
 void addInput(CommandSpec& command, InputOptions& input, bool required) {
     command.add({"INPUT", "", "", kInputHelp, [&](const std::string& text) { input.path = text; }}).required = required;
     addReading(command, input);
@@ -107,6 +126,7 @@ OptionSpec& addDeviceName(CommandSpec& command, DeviceOptions& device) {
 void addContent(CommandSpec& command, InputOptions& input, bool required, DrawnAtomsOptions& drawn,
                 RepresentationOptions& look) {
     addInput(command, input, required);
+    addTrajectory(command, input.trajectory);
     addValue(command, "--style", "NAME", "spacefill; ball-and-stick under 100 atoms with bonds",
              "spacefill, ball-and-stick or licorice", [&](const std::string& text) { look.style = parseStyle(text); });
     addValue(command, "--color", "SCHEME|COLOR", "element",

@@ -20,6 +20,8 @@ std::string fileName(const std::string& text);
 void addInput(CommandSpec& command, InputOptions& input, bool required);
 /// INPUT, as many as there are, and how they are read.
 void addInputs(CommandSpec& command, std::vector<std::string>& paths, InputOptions& input);
+/// Where the atoms of INPUT are.
+void addTrajectory(CommandSpec& command, TrajectoryOptions& trajectory);
 void addSize(CommandSpec& command, const std::string& fallback, Size& size);
 OptionSpec& addDeviceName(CommandSpec& command, DeviceOptions& device);
 void addVisibility(CommandSpec& command, DeviceOptions& device);

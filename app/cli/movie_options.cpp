@@ -42,7 +42,8 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
              [&](const std::string& text) { options.rock = parseNumber(text, 0, 180); });
     addValue(command, "--axis", "AXIS", "y", "Of --rock, as for --spin",
              [&](const std::string& text) { options.axis = parseAxis(text); });
-    addFlag(command, "--models", options.models, "Through the models, frames or records of INPUT, from the first on");
+    addFlag(command, "--models", options.models,
+            "Through the models, frames or records of INPUT, or the frames of --trajectory");
     addValue(command, "--views", "A.json,B.json,...", "none",
              "Along views that `nacre view` saved: turn, move and zoom; what looks otherwise is faded over",
              [&](const std::string& text) { options.views = parseViews(text); });
@@ -53,7 +54,8 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
                  constexpr Easing kEasings[] = {Easing::linear, Easing::smooth, Easing::stops};
                  options.easing = kEasings[parseChoice(text, {"linear", "smooth", "stops"})];
              });
-    addValue(command, "--seconds", "S", "6 for --spin, 4 for --rock, 2 from view to view, 0.1 a model",
+    addValue(command, "--seconds", "S",
+             "6 for --spin, 4 for --rock, 2 from view to view, 0.1 a model, a frame each of --trajectory",
              "How long it takes, to 86400",
              [&](const std::string& text) { options.seconds = parseNumber(text, 0.001, 86400); });
     addValue(command, "--fps", "N", "30", "Frames a second, 0.1 to 120 (GIF: 50)", [&](const std::string& text) {
@@ -68,7 +70,7 @@ void checkMotion(const MovieOptions& options) {
     if (options.loop && options.views.empty()) throw UsageError("--loop is for --views");
     if (options.models && options.picture.input.model == kAllModels)
         throw UsageError("--models shows one model after the other: leave out --model all");
-    if (options.models && options.picture.input.path == "-")
+    if (options.models && options.picture.input.path == "-" && options.picture.input.trajectory.path.empty())
         throw UsageError("--models reads INPUT again and again: a file, not standard input");
     if (framesOf(options, 1) > kMostMovieFrames)
         throw UsageError("more than " + std::to_string(kMostMovieFrames) + " frames: --seconds, --fps");
@@ -76,7 +78,8 @@ void checkMotion(const MovieOptions& options) {
 
 std::uint64_t framesOf(const MovieOptions& options, std::uint64_t models) {
     const std::size_t views = options.views.size();
-    double seconds = kModelSeconds * static_cast<double>(models);
+    const bool moving = !options.picture.input.trajectory.path.empty();
+    double seconds = static_cast<double>(models) * (moving ? 1 / options.framesPerSecond : kModelSeconds);
     if (options.spin) seconds = kSpinSeconds;
     if (options.rock) seconds = kRockSeconds;
     if (views) seconds = kStretchSeconds * static_cast<double>(options.loop ? views : views - 1);

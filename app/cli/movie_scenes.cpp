@@ -58,7 +58,12 @@ MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : opti
     InputOptions input = options.picture.input;
     molecules_ = input.model;
     molecule_ = loadMolecule(input, downloadProgress(progress_));
-    if (options.models) {
+    if (options.models && !input.trajectory.path.empty()) {
+        motion_ = openMotion(input.trajectory, molecule_);
+        models_ = motion_->frames();
+        molecules_ = 1;
+        movePositions(molecule_, motion_->positions(0));
+    } else if (options.models) {
         const FileSummary& file = molecule_.file;
         models_ =
             static_cast<std::uint64_t>(std::max<std::int64_t>({file.models.value_or(1), file.records.value_or(1), 1}));
@@ -72,13 +77,18 @@ MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : opti
         addKeys();
         return;
     }
-    looks_.push_back({options.picture, {}, nullptr, 0});
+    addLook(options.picture);
     const Look& look = ready(0, molecules_);
     first_ = look.prepared->settings.view;
     center_ = look.prepared->run.center;
 }
 
 MovieScenes::~MovieScenes() = default;
+
+void MovieScenes::addLook(const RenderOptions& options) {
+    looks_.emplace_back();
+    looks_.back().options = options;
+}
 
 void MovieScenes::addKeys() {
     std::vector<Lens> lenses;
@@ -92,7 +102,7 @@ void MovieScenes::addKeys() {
         lenses.push_back(lensOf(key.view, prepared.run.center));
         if (lenses.back().projection != lenses.front().projection)
             throw Error("cannot join views", file, "it is not of the same --projection as the first");
-        if (same == looks_.end()) looks_.push_back({std::move(options), {}, nullptr, 0});
+        if (same == looks_.end()) addLook(options);
         keys_.push_back(key);
     }
     if (options_.models && looks_.size() > 1)
@@ -111,7 +121,11 @@ bool MovieScenes::transparent() const {
 MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     Look& look = looks_[number];
     if (look.renderer && look.model == model) return look;
-    if (molecules_ != model) {
+    if (motion_ && look.moving) {
+        moveTo(look, model);
+        return look;
+    }
+    if (molecules_ != model && !motion_) {
         InputOptions input = options_.picture.input;
         input.model = model;
         molecule_ = loadMolecule(input);
@@ -127,9 +141,21 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     };
     // Occlusion of models that come and go is not worth room on the disk.
     if (options_.models) look.prepared->settings.occlusion.cache.clear();
+    if (motion_) look.moving.emplace(molecule_, drawnAtoms(molecule_, look.options.drawn), look.options.look);
     if (!look.renderer) look.renderer = std::make_unique<Renderer>(look.options.device);
     look.renderer->setScene(std::move(look.prepared->scene));
     return look;
+}
+
+/// Only positions change: what is drawn, and in what colours, is settled.
+void MovieScenes::moveTo(Look& look, int frame) {
+    movePositions(molecule_, motion_->positions(static_cast<std::size_t>(frame - 1)));
+    look.moving->move(molecule_);
+    look.model = frame;
+    look.renderer->setScene(look.moving->scene());
+    View& view = look.prepared->settings.view;
+    view.radius = look.moving->scene().radius;
+    if (view.projection == Projection::perspective) view.eyeDistance = std::max(view.eyeDistance, view.radius * 1.02);
 }
 
 /// Renderers of other looks than these two hold no memory.

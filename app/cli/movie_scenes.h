@@ -8,6 +8,7 @@
 #include "app/cli/movie_options.h"
 #include "app/cli/picture_job.h"
 #include "app/cli/progress.h"
+#include "app/shared/trajectory_input.h"
 
 namespace nacre::app {
 
@@ -32,6 +33,7 @@ private:
         std::optional<PreparedPicture> prepared;  ///< less the scene, once that is with the renderer
         std::unique_ptr<Renderer> renderer;
         int model = 0;
+        std::optional<MovingScene> moving;  ///< of a trajectory
     };
     struct Key {
         std::size_t look = 0;
@@ -39,17 +41,19 @@ private:
         Clip clip;
     };
 
+    void addLook(const RenderOptions& options);
     void addKeys();
     Look& ready(std::size_t look, int model);
     void letGo(std::size_t a, std::size_t b);
     Picture drawKeys(double place);
-    Picture drawLook(std::size_t look, int model, const View& view, RenderSettings settings);
+    void moveTo(Look& look, int frame);
     int modelAt(std::uint64_t frame) const;
 
     const MovieOptions& options_;
     Progress& progress_;
-    Molecule molecule_;  ///< of the model that was read last
-    int molecules_ = 0;  ///< its number
+    Molecule molecule_;               ///< of the model that was read last
+    int molecules_ = 0;               ///< its number
+    std::unique_ptr<Motion> motion_;  ///< through a trajectory, whose frames are the models
     std::vector<Look> looks_;
     std::vector<Key> keys_;
     std::optional<CameraPath> path_;

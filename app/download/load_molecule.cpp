@@ -4,6 +4,7 @@
 #include "app/shared/cache_folder.h"
 #include "app/shared/messages.h"
 #include "app/shared/molecules.h"
+#include "app/shared/trajectory_input.h"
 #include "app/shared/view_input.h"
 #include "engine/error.h"
 #include "engine/molecule/memory_bound.h"
@@ -48,12 +49,19 @@ Molecule loadNamed(InputOptions input, const std::function<void(double)>& onMode
     }
 }
 
+Molecule loadStructure(const InputOptions& input, const std::function<void(double)>& onDownload,
+                       const std::function<void(double)>& onModel) {
+    if (const auto id = parseDatabaseId(input.path)) return loadDownload(input, *id, onDownload, onModel);
+    return input.namedBy.empty() ? readLocally(input, memoryOf(input), {}, onModel) : loadNamed(input, onModel);
+}
+
 }  // namespace
 
 Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload,
                       const std::function<void(double)>& onModel) {
-    if (const auto id = parseDatabaseId(input.path)) return loadDownload(input, *id, onDownload, onModel);
-    return input.namedBy.empty() ? readLocally(input, memoryOf(input), {}, onModel) : loadNamed(input, onModel);
+    Molecule molecule = loadStructure(input, onDownload, onModel);
+    moveToFrame(input.trajectory, molecule);
+    return molecule;
 }
 
 }  // namespace nacre::app

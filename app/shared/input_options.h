@@ -5,8 +5,18 @@
 #include <string>
 
 #include "engine/molecule/read.h"
+#include "engine/molecule/selection/selection.h"
 
 namespace nacre::app {
+
+/// Positions that come from another file than names and bonds.
+struct TrajectoryOptions {
+    std::string path;              ///< empty: none
+    std::int64_t frame = 1;        ///< counted from 1
+    bool whole = false;            ///< molecules that the periodic box cut are put together
+    std::optional<Selection> fit;  ///< by what frames are laid onto the first; empty: they stay
+    std::int64_t smooth = 1;       ///< frames that a position is the mean of, odd
+};
 
 /// A molecule's place, and how it is read.
 struct InputOptions {
@@ -17,6 +27,7 @@ struct InputOptions {
     bool offline = false;              ///< downloads from the cache alone
     std::string namedBy;         ///< a saved view's file that names `path`; empty: the user does. See load_molecule.h
     bool allowDownload = false;  ///< what a view names may be downloaded
+    TrajectoryOptions trajectory;
     std::optional<std::int64_t> memoryMegabytes;  ///< for the molecule, of 2^20 bytes; empty: half of the machine's
 };
 

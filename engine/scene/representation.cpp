@@ -246,4 +246,27 @@ Representation represent(const Molecule& molecule, std::span<const std::uint32_t
     return result;
 }
 
+MovingScene::MovingScene(const Molecule& molecule, std::span<const std::uint32_t> drawn,
+                         const RepresentationOptions& options) {
+    if (!options.assembly.empty()) throw Error("cannot move molecule", "", "the copies of an assembly stand still");
+    scene_ = represent(molecule, drawn, options);
+    appearance_ = appearanceOf(molecule, drawn, options);
+}
+
+void MovingScene::move(const Molecule& molecule) {
+    double radius = 0;
+    for (std::size_t i = 0; i < appearance_.atoms.size(); ++i) {
+        Sphere& sphere = scene_.spheres[i];
+        const glm::dvec3 position = glm::dvec3(molecule.atoms[appearance_.atoms[i]].position) - scene_.center;
+        sphere.center = glm::vec3(position);
+        radius = std::max(radius, glm::length(position) + static_cast<double>(sphere.radius));
+    }
+    scene_.radius = radius;
+    scene_.cylinders.clear();
+    scene_.cylinderLooks.clear();
+    scene_.drawnBonds = 0;
+    addBonds(molecule, appearance_, nullptr, scene_);
+    refuseCrowd(scene_);
+}
+
 }  // namespace nacre

@@ -60,4 +60,21 @@ struct Representation {
 Representation represent(const Molecule& molecule, std::span<const std::uint32_t> drawn,
                          const RepresentationOptions& options);
 
+/// A molecule whose atoms move: chosen, styled and coloured once, as they stand at first, and seen from one place.
+/// Selections by distance hold what they held then.
+class MovingScene {
+public:
+    /// As represent(). @throws Error of an assembly as well: its copies do not move
+    MovingScene(const Molecule& molecule, std::span<const std::uint32_t> drawn, const RepresentationOptions& options);
+
+    /// Its centre stays that of the first positions; its radius is the least that holds every atom.
+    const Representation& scene() const { return scene_; }
+    /// @param molecule  the same, with other positions @throws Error as represent()
+    void move(const Molecule& molecule);
+
+private:
+    Representation scene_;
+    Appearance appearance_;
+};
+
 }  // namespace nacre

@@ -1,0 +1,40 @@
+#include "app/shared/trajectory_input.h"
+
+#include "app/shared/messages.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+
+std::unique_ptr<Motion> openMotion(const TrajectoryOptions& options, const Molecule& molecule) {
+    MotionOptions motion;
+    motion.whole = options.whole;
+    motion.smoothed = static_cast<std::size_t>(options.smooth);
+    if (options.fit) {
+        const std::vector<bool> fitted = selectAtoms(molecule, *options.fit);
+        for (std::uint32_t i = 0; i < fitted.size(); ++i)
+            if (fitted[i]) motion.fitted.push_back(i);
+        if (motion.fitted.size() < 3)
+            throw Error("cannot fit frames", options.path, "--fit-frames selects fewer than three atoms");
+    }
+    auto opened = std::make_unique<Motion>(openTrajectory(options.path), molecule, std::move(motion));
+    if (opened->trajectory().cutOff())
+        sayWarning(options.path + " ends within a frame: the " + std::to_string(opened->frames()) +
+                   " whole ones are read");
+    return opened;
+}
+
+void moveToFrame(const TrajectoryOptions& options, Molecule& molecule) {
+    if (options.path.empty()) return;
+    const std::unique_ptr<Motion> motion = openMotion(options, molecule);
+    if (static_cast<std::uint64_t>(options.frame) > motion->frames())
+        throw Error(
+            "cannot read trajectory", options.path,
+            "there is no frame " + std::to_string(options.frame) + "; it has " + std::to_string(motion->frames()));
+    movePositions(molecule, motion->positions(static_cast<std::size_t>(options.frame - 1)));
+}
+
+void movePositions(Molecule& molecule, const std::vector<glm::vec3>& positions) {
+    for (std::size_t i = 0; i < positions.size(); ++i) molecule.atoms[i].position = positions[i];
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,58 @@
+#pragma once
+// A trajectory as it is to be seen: molecules that the periodic box cut are made whole, each frame is laid onto the
+// first, and shaking is smoothed over neighbouring frames.
+
+#include <deque>
+
+#include "engine/molecule/molecule.h"
+#include "engine/molecule/superpose.h"
+#include "engine/molecule/trajectory/trajectory.h"
+
+namespace nacre {
+
+struct MotionOptions {
+    bool whole = false;                 ///< bonded atoms stand together, wherever the box's faces lie
+    std::vector<std::uint32_t> fitted;  ///< atoms by which frames are laid onto the first; none: they stay
+    std::size_t smoothed = 1;           ///< frames that a position is the mean of, odd; fewer at both ends
+};
+
+class Motion {
+public:
+    static constexpr std::size_t kMostSmoothed = 101;
+
+    /// @param molecule  whose atoms these are: its bonds tell what belongs together
+    /// @throws Error if the numbers of atoms differ
+    Motion(std::unique_ptr<Trajectory> trajectory, const Molecule& molecule, MotionOptions options);
+
+    const Trajectory& trajectory() const { return *trajectory_; }
+    std::size_t frames() const { return trajectory_->frames(); }
+    /// Å. @param frame from 0. One after the other, each costs one frame read. @throws Error
+    std::vector<glm::vec3> positions(std::size_t frame);
+    /// Of the frame asked for last: how far the fitted atoms are from their places in the first frame, Å.
+    double rmsd() const { return rmsd_; }
+
+private:
+    struct Kept {
+        std::size_t frame;
+        std::vector<glm::vec3> positions;
+        double rmsd;
+    };
+    /// An atom that is reached over a bond from one that stands already.
+    struct Step {
+        std::uint32_t from, to;
+    };
+
+    const Kept& laid(std::size_t frame);
+    Kept lay(std::size_t frame);
+    void makeWhole(std::vector<glm::vec3>& positions, const PeriodicBox& box) const;
+    std::vector<glm::dvec3> fittedOf(const std::vector<glm::vec3>& positions) const;
+
+    std::unique_ptr<Trajectory> trajectory_;
+    MotionOptions options_;
+    std::vector<Step> steps_;
+    std::vector<glm::dvec3> first_;  // the fitted atoms in the first frame
+    std::deque<Kept> kept_;
+    double rmsd_ = 0;
+};
+
+}  // namespace nacre

@@ -1,0 +1,127 @@
+// DCD, as CHARMM, NAMD and X-PLOR write it: records of Fortran, each between two copies of its length, in either byte
+// order. Frames have one size, but for the first where some atoms are fixed: that alone has those.
+
+#include <cmath>
+
+#include "engine/molecule/trajectory/trajectory_file.h"
+
+namespace nacre {
+namespace {
+
+class Dcd : public Trajectory {
+public:
+    Dcd(OwnedFile file, bool swapped) : file_(std::move(file)), swapped_(swapped) {
+        name_ = file_->name();
+        format_ = "dcd";
+        readHeader();
+    }
+
+private:
+    /// The number at a place of the header's control block, from 0.
+    std::int32_t control(std::uint64_t i) const {
+        return NumberReader(*file_, 8 + 4 * i, swapped_).next<std::int32_t>();
+    }
+
+    void readHeader() {
+        constexpr std::uint64_t kHeader = 84 + 8;
+        const bool charmm = control(19) != 0;
+        hasCell_ = charmm && control(10) != 0;
+        hasFourth_ = charmm && control(11) != 0;
+        const std::int32_t fixed = control(8);
+        std::uint64_t at = kHeader;
+        at += record(at);  // the title
+        if (record(at) != 4 + 8) file_->fail("its header has no number of atoms");
+        atoms_ = checkedAtoms(*file_, NumberReader(*file_, at + 4, swapped_).next<std::int32_t>());
+        at += 4 + 8;
+        if (fixed < 0 || static_cast<std::size_t>(fixed) >= atoms_)
+            file_->fail("its header has " + std::to_string(fixed) + " fixed atoms of " + std::to_string(atoms_));
+        if (fixed > 0) at += readFree(at, atoms_ - static_cast<std::size_t>(fixed));
+        first_ = at;
+        const std::uint64_t lists = hasFourth_ ? 4 : 3, cell = hasCell_ ? 48 + 8 : 0;
+        firstSize_ = cell + lists * (atoms_ * 4 + 8);
+        frameSize_ = cell + lists * ((free_.empty() ? atoms_ : free_.size()) * 4 + 8);
+        if (!file_->holds(first_, firstSize_)) file_->fail("it has no whole frame");
+        const std::uint64_t rest = file_->size() - first_ - firstSize_;
+        frames_ = 1 + rest / frameSize_;
+        cutOff_ = rest % frameSize_ != 0;
+    }
+
+    std::uint64_t readFree(std::uint64_t at, std::size_t count) {
+        if (record(at) != count * 4 + 8) file_->fail("its list of free atoms has another length than its header says");
+        NumberReader numbers(*file_, at + 4, swapped_);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto atom = numbers.next<std::int32_t>();
+            if (atom < 1 || static_cast<std::size_t>(atom) > atoms_) file_->fail("its list of free atoms names none");
+            free_.push_back(static_cast<std::uint32_t>(atom - 1));
+        }
+        return count * 4 + 8;
+    }
+
+    /// Bytes that a record takes with both its lengths. @throws Error if those differ
+    std::uint64_t record(std::uint64_t at) const {
+        const auto length = NumberReader(*file_, at, swapped_).next<std::uint32_t>();
+        if (!file_->holds(at, std::uint64_t{length} + 8) ||
+            NumberReader(*file_, at + 4 + length, swapped_).next<std::uint32_t>() != length)
+            file_->fail("a record has no end (byte " + std::to_string(at) + ")");
+        return std::uint64_t{length} + 8;
+    }
+
+    void readFrame(std::size_t frame, TrajectoryFrame& result) override {
+        std::uint64_t at = frame == 0 ? first_ : first_ + firstSize_ + (frame - 1) * frameSize_;
+        if (hasCell_) {
+            if (record(at) != 48 + 8) damaged(frame);
+            result.box = cellAt(at + 4);
+            at += 48 + 8;
+        }
+        const bool part = frame > 0 && !free_.empty();
+        if (part) {
+            if (fixedPositions_.empty()) {
+                TrajectoryFrame whole;
+                whole.positions.resize(atoms_);
+                readFrame(0, whole);
+                fixedPositions_ = std::move(whole.positions);
+            }
+            result.positions = fixedPositions_;
+        }
+        const std::size_t count = part ? free_.size() : atoms_;
+        buffer_.resize(count * 4);
+        for (int axis = 0; axis < 3; ++axis) {
+            if (record(at) != count * 4 + 8) damaged(frame);
+            file_->read(at + 4, buffer_);
+            for (std::size_t i = 0; i < count; ++i)
+                result.positions[part ? free_[i] : i][axis] = numberAt<float>(buffer_.data() + 4 * i, swapped_);
+            at += count * 4 + 8;
+        }
+        checkFinite(*file_, frame, result.positions);
+    }
+
+    /// A, gamma, B, beta, alpha, C; angles in degrees, or their cosines (NAMD).
+    std::optional<PeriodicBox> cellAt(std::uint64_t at) const {
+        NumberReader numbers(*file_, at, swapped_);
+        std::array<double, 6> v{};
+        for (double& value : v) value = numbers.next<double>();
+        glm::dvec3 angles(v[4], v[3], v[1]);
+        if (std::abs(angles.x) <= 1 && std::abs(angles.y) <= 1 && std::abs(angles.z) <= 1)
+            for (int k = 0; k < 3; ++k) angles[k] = std::acos(angles[k]) * 57.29577951308232;
+        return boxOf({v[0], v[2], v[5]}, angles);
+    }
+
+    [[noreturn]] void damaged(std::size_t frame) const {
+        file_->fail("frame " + std::to_string(frame + 1) + " is damaged");
+    }
+
+    OwnedFile file_;
+    bool swapped_, hasCell_ = false, hasFourth_ = false;
+    std::vector<std::uint32_t> free_;  // atoms that move; empty: all
+    std::vector<glm::vec3> fixedPositions_;
+    std::uint64_t first_ = 0, firstSize_ = 0, frameSize_ = 0;
+    std::vector<std::byte> buffer_;
+};
+
+}  // namespace
+
+std::unique_ptr<Trajectory> openDcd(OwnedFile file, bool swapped) {
+    return std::make_unique<Dcd>(std::move(file), swapped);
+}
+
+}  // namespace nacre

@@ -1,0 +1,183 @@
+// NetCDF as AMBER writes trajectories (convention AMBER 1.0): classic NetCDF, versions 1, 2 and 5. Only the head is
+// read in general; of the variables, `coordinates`, `cell_lengths` and `cell_angles`. NetCDF's own library would bring
+// HDF5 along, for nothing.
+
+#include <map>
+
+#include "engine/molecule/trajectory/trajectory_file.h"
+
+namespace nacre {
+namespace {
+
+constexpr std::uint32_t kDimensions = 10, kVariables = 11, kAttributes = 12;
+constexpr std::uint64_t kMostEntries = 10'000, kLongestName = 1'000;
+constexpr std::array<std::uint64_t, 12> kTypeBytes = {0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
+constexpr std::uint32_t kFloat = 5, kDouble = 6;
+
+struct NetcdfVariable {
+    std::vector<std::uint64_t> dimensions;
+    std::uint32_t type = 0;
+    std::uint64_t begin = 0;
+    std::uint64_t bytes = 0;  ///< of one record, or of all
+    bool recorded = false;
+};
+
+std::uint64_t fourfold(std::uint64_t bytes) { return (bytes + 3) / 4 * 4; }
+
+class NetcdfHead {
+public:
+    explicit NetcdfHead(const TrajectoryFile& file) : file_(file), numbers_(file, 3, kBigEndianSwapped) {
+        version_ = numbers_.next<std::uint8_t>();
+        if (version_ != 1 && version_ != 2 && version_ != 5) file.fail("its version of NetCDF is not known");
+        records = count();
+        streaming = version_ == 5 ? records == UINT64_MAX : records == UINT32_MAX;
+        readDimensions();
+        skipAttributes();
+        readVariables();
+    }
+
+    std::uint64_t records = 0;
+    bool streaming = false;                 ///< their number is not known
+    std::vector<std::uint64_t> dimensions;  ///< 0: that of records
+    std::map<std::string, NetcdfVariable> variables;
+    std::uint64_t recordBytes = 0;
+
+private:
+    std::uint64_t count() { return version_ == 5 ? numbers_.next<std::uint64_t>() : numbers_.next<std::uint32_t>(); }
+    std::uint64_t entries(std::uint32_t expected) {
+        const auto tag = numbers_.next<std::uint32_t>();
+        const std::uint64_t n = count();
+        if ((tag != expected && !(tag == 0 && n == 0)) || n > kMostEntries) file_.fail("its head is damaged");
+        return n;
+    }
+    std::string name() {
+        const std::uint64_t length = count();
+        if (length > kLongestName) file_.fail("its head is damaged");
+        std::string text(length, '\0');
+        file_.read(numbers_.offset(), std::as_writable_bytes(std::span(text)));
+        numbers_.skip(fourfold(length));
+        return text;
+    }
+    std::uint32_t type() {
+        const auto value = numbers_.next<std::uint32_t>();
+        if (value == 0 || value >= kTypeBytes.size()) file_.fail("its head is damaged");
+        return value;
+    }
+    void readDimensions() {
+        for (std::uint64_t n = entries(kDimensions); n > 0; --n) {
+            name();
+            dimensions.push_back(count());
+        }
+    }
+    void skipAttributes() {
+        for (std::uint64_t n = entries(kAttributes); n > 0; --n) {
+            name();
+            const std::uint64_t bytes = kTypeBytes[type()], values = count();
+            if (values > file_.size()) file_.fail("its head is damaged");
+            numbers_.skip(fourfold(values * bytes));
+        }
+    }
+    void readVariables() {
+        std::size_t recorded = 0;
+        std::uint64_t unpadded = 0;
+        for (std::uint64_t n = entries(kVariables); n > 0; --n) {
+            const std::string variable = name();
+            NetcdfVariable v;
+            const std::uint64_t rank = count();
+            if (rank > kMostEntries) file_.fail("its head is damaged");
+            v.bytes = 1;
+            for (std::uint64_t i = 0; i < rank; ++i) {
+                const std::uint64_t dimension = count();
+                if (dimension >= dimensions.size()) file_.fail("its head is damaged");
+                const std::uint64_t length = dimensions[dimension];
+                v.dimensions.push_back(length);
+                if (i == 0 && length == 0)
+                    v.recorded = true;
+                else if (length > file_.size() || (v.bytes *= length) > file_.size())
+                    file_.fail("its head names more than it holds");
+            }
+            skipAttributes();
+            v.type = type();
+            v.bytes *= kTypeBytes[v.type];
+            count();  // what the head says of its size is too short for large ones
+            v.begin = version_ == 1 ? numbers_.next<std::uint32_t>() : numbers_.next<std::uint64_t>();
+            if (v.recorded) {
+                ++recorded;
+                unpadded = v.bytes;
+                recordBytes += fourfold(v.bytes);
+            }
+            variables[variable] = v;
+        }
+        if (recorded == 1) recordBytes = unpadded;  // a single one is not padded
+    }
+
+    const TrajectoryFile& file_;
+    NumberReader numbers_;
+    int version_ = 0;
+};
+
+class Netcdf : public Trajectory {
+public:
+    explicit Netcdf(OwnedFile file) : file_(std::move(file)) {
+        name_ = file_->name();
+        format_ = "netcdf";
+        const NetcdfHead head(*file_);
+        const auto find = [&](const char* name) {
+            const auto found = head.variables.find(name);
+            return found == head.variables.end() ? NetcdfVariable{} : found->second;
+        };
+        coordinates_ = find("coordinates");
+        lengths_ = find("cell_lengths");
+        angles_ = find("cell_angles");
+        const auto& shape = coordinates_.dimensions;
+        if (!coordinates_.recorded || shape.size() != 3 || shape[2] != 3 ||
+            (coordinates_.type != kFloat && coordinates_.type != kDouble))
+            file_->fail("it has no coordinates as AMBER writes them (frame, atom, spatial)");
+        atoms_ = checkedAtoms(*file_, static_cast<std::int64_t>(shape[1]));
+        recordBytes_ = head.recordBytes;
+        const std::uint64_t first = coordinates_.begin + coordinates_.bytes;
+        std::uint64_t whole = 0;
+        if (file_->holds(0, first)) whole = 1 + (file_->size() - first) / recordBytes_;
+        frames_ = static_cast<std::size_t>(head.streaming ? whole : std::min(whole, head.records));
+        cutOff_ = !head.streaming && whole < head.records;
+        if (!frames_) file_->fail("it has no whole frame");
+        hasCell_ = isCell(lengths_) && isCell(angles_);
+    }
+
+private:
+    static bool isCell(const NetcdfVariable& v) {
+        return v.recorded && v.dimensions.size() == 2 && v.dimensions[1] == 3 &&
+               (v.type == kFloat || v.type == kDouble);
+    }
+    glm::dvec3 threeOf(const NetcdfVariable& v, std::size_t frame) const {
+        NumberReader numbers(*file_, v.begin + frame * recordBytes_, kBigEndianSwapped);
+        glm::dvec3 value;
+        for (int k = 0; k < 3; ++k)
+            value[k] = v.type == kDouble ? numbers.next<double>() : static_cast<double>(numbers.next<float>());
+        return value;
+    }
+
+    void readFrame(std::size_t frame, TrajectoryFrame& result) override {
+        if (hasCell_) result.box = boxOf(threeOf(lengths_, frame), threeOf(angles_, frame));
+        buffer_.resize(coordinates_.bytes);
+        file_->read(coordinates_.begin + frame * recordBytes_, buffer_);
+        for (std::size_t i = 0; i < atoms_ * 3; ++i)
+            result.positions[i / 3][static_cast<int>(i % 3)] =
+                coordinates_.type == kDouble
+                    ? static_cast<float>(numberAt<double>(buffer_.data() + 8 * i, kBigEndianSwapped))
+                    : numberAt<float>(buffer_.data() + 4 * i, kBigEndianSwapped);
+        checkFinite(*file_, frame, result.positions);
+    }
+
+    OwnedFile file_;
+    NetcdfVariable coordinates_, lengths_, angles_;
+    std::uint64_t recordBytes_ = 0;
+    bool hasCell_ = false;
+    std::vector<std::byte> buffer_;
+};
+
+}  // namespace
+
+std::unique_ptr<Trajectory> openNetcdf(OwnedFile file) { return std::make_unique<Netcdf>(std::move(file)); }
+
+}  // namespace nacre

@@ -1,0 +1,112 @@
+// TRR of GROMACS: XDR, nm, in single or double precision; frames may lack positions, and are then stepped over.
+
+#include "engine/molecule/trajectory/trajectory_file.h"
+
+namespace nacre {
+namespace {
+
+/// TrrHead of a frame: the sizes of what follows, in bytes.
+struct TrrHead {
+    std::uint64_t begin = 0, size = 0;  ///< of the data
+    std::uint64_t box = 0, beforePositions = 0, positions = 0;
+    std::int64_t atoms = 0;
+    bool twice = false;  ///< double precision
+};
+
+TrrHead trrHeadAt(const TrajectoryFile& file, std::uint64_t at) {
+    NumberReader numbers(file, at, kBigEndianSwapped);
+    const auto size = [&]() -> std::uint64_t {
+        const auto value = numbers.next<std::int32_t>();
+        if (value < 0) file.fail("a frame's head is damaged (byte " + std::to_string(at) + ")");
+        return static_cast<std::uint64_t>(value);
+    };
+    if (numbers.next<std::int32_t>() != 1993)
+        file.fail("a frame does not begin as one (byte " + std::to_string(at) + ")");
+    numbers.skip(4);  // length of the name with its end
+    numbers.skip((size() + 3) / 4 * 4);
+    TrrHead head;
+    const std::uint64_t records = size() + size();
+    head.box = size();
+    const std::uint64_t tensors = size() + size(), others = size() + size();
+    head.positions = size();
+    const std::uint64_t rest = size() + size();
+    head.atoms = numbers.next<std::int32_t>();
+    numbers.skip(8);  // step, energies
+    head.twice = head.positions ? head.positions == static_cast<std::uint64_t>(head.atoms) * 24 : head.box == 72;
+    numbers.skip(head.twice ? 16 : 8);  // time, lambda
+    if (records + others != 0 || (head.box != 0 && head.box != (head.twice ? 72u : 36u)) ||
+        (head.positions != 0 && head.positions != static_cast<std::uint64_t>(head.atoms) * (head.twice ? 24 : 12)))
+        file.fail("a frame's head is damaged (byte " + std::to_string(at) + ")");
+    head.begin = numbers.offset();
+    head.beforePositions = head.box + tensors;
+    head.size = head.beforePositions + head.positions + rest;
+    return head;
+}
+
+class Trr : public Trajectory {
+public:
+    explicit Trr(OwnedFile file) : file_(std::move(file)) {
+        name_ = file_->name();
+        format_ = "trr";
+        constexpr std::uint64_t kLongestHead = 200;
+        std::uint64_t at = 0;
+        while (at < file_->size()) {
+            if (!file_->holds(at, kLongestHead) && !places_.empty() && !wholeHead(at)) break;
+            const TrrHead head = trrHeadAt(*file_, at);
+            if (!file_->holds(head.begin, head.size)) break;
+            if (head.positions) {
+                const std::size_t atoms = checkedAtoms(*file_, head.atoms);
+                if (atoms_ && atoms != atoms_) file_->fail("its frames have different numbers of atoms");
+                atoms_ = atoms;
+                places_.push_back(at);
+            }
+            at = head.begin + head.size;
+        }
+        cutOff_ = at < file_->size();
+        frames_ = places_.size();
+        if (!frames_) file_->fail("it has no whole frame with positions");
+    }
+
+private:
+    bool wholeHead(std::uint64_t at) const {
+        try {
+            trrHeadAt(*file_, at);
+            return true;
+        } catch (const Error&) {
+            return false;
+        }
+    }
+
+    void readFrame(std::size_t frame, TrajectoryFrame& result) override {
+        const TrrHead head = trrHeadAt(*file_, places_[frame]);
+        if (head.box) {
+            PeriodicBox box;
+            NumberReader numbers(*file_, head.begin, kBigEndianSwapped);
+            bool empty = false;
+            for (glm::vec3& row : box)
+                for (int k = 0; k < 3; ++k)
+                    row[k] =
+                        nanometres(head.twice ? static_cast<float>(numbers.next<double>()) : numbers.next<float>());
+            for (std::size_t k = 0; k < 3; ++k) empty = empty || !(box[k][static_cast<int>(k)] > 0);
+            if (!empty) result.box = box;
+        }
+        buffer_.resize(head.positions);
+        file_->read(head.begin + head.beforePositions, buffer_);
+        for (std::size_t i = 0; i < atoms_ * 3; ++i)
+            result.positions[i / 3][static_cast<int>(i % 3)] =
+                nanometres(head.twice ? static_cast<float>(numberAt<double>(buffer_.data() + 8 * i, kBigEndianSwapped))
+                                      : numberAt<float>(buffer_.data() + 4 * i, kBigEndianSwapped));
+        checkFinite(*file_, frame, result.positions);
+    }
+    static float nanometres(float value) { return value * 10; }
+
+    OwnedFile file_;
+    std::vector<std::uint64_t> places_;
+    std::vector<std::byte> buffer_;
+};
+
+}  // namespace
+
+std::unique_ptr<Trajectory> openTrr(OwnedFile file) { return std::make_unique<Trr>(std::move(file)); }
+
+}  // namespace nacre

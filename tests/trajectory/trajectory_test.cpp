@@ -1,0 +1,288 @@
+// Trajectories as MDTraj writes them, and what MDTraj reads in them; files of our own for what it does not write; and
+// what is damaged.
+
+#include "engine/molecule/trajectory/trajectory.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "engine/error.h"
+#include "engine/molecule/read.h"
+#include "engine/molecule/superpose.h"
+#include "engine/molecule/trajectory/motion.h"
+#include "tests/support/temporary_folder.h"
+
+namespace nacre {
+namespace {
+
+using test::contentOf;
+using test::TemporaryFolder;
+
+/// The folder of what MDTraj wrote, once for all tests.
+const TemporaryFolder& written() {
+    static const TemporaryFolder folder;
+    static const int code = std::system(
+        ("/usr/bin/python3 '" NACRE_SOURCE_DIR "/tests/written/write_trajectories.py' '" + folder.path() + "' 2>&1")
+            .c_str());
+    EXPECT_EQ(code, 0) << "MDTraj (Debian's python3-mdtraj) is missing or failed";
+    return folder;
+}
+
+std::vector<float> numbersOf(const std::string& name) {
+    const std::string bytes = contentOf(written() / (name + ".bin"));
+    std::vector<float> numbers(bytes.size() / 4);
+    std::memcpy(numbers.data(), bytes.data(), numbers.size() * 4);
+    return numbers;
+}
+
+void write(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
+
+/// Compares a trajectory with numbers that MDTraj read; Å.
+void expectSame(const std::string& file, const std::string& name, double tolerance) {
+    const std::unique_ptr<Trajectory> t = openTrajectory(written() / file);
+    const std::vector<float> expected = numbersOf(name);
+    const std::size_t row = 9 + 3 * t->atoms();
+    ASSERT_EQ(expected.size(), row * t->frames()) << file;
+    EXPECT_FALSE(t->cutOff());
+    for (std::size_t frame = t->frames(); frame-- > 0;) {  // in any order
+        const TrajectoryFrame read = t->read(frame);
+        const float* e = expected.data() + frame * row;
+        ASSERT_EQ(read.box.has_value(), e[0] > 0) << file;
+        for (std::size_t k = 0; read.box && k < 9; ++k)
+            EXPECT_NEAR((*read.box)[k / 3][static_cast<int>(k % 3)], e[k], 1e-3) << file << frame << " " << k;
+        for (std::size_t i = 0; i < 3 * t->atoms(); ++i)
+            ASSERT_NEAR(read.positions[i / 3][static_cast<int>(i % 3)], e[9 + i],
+                        tolerance * std::max(1.0f, std::abs(e[9 + i]) / 100))
+                << file << ", frame " << frame << ", number " << i;
+    }
+}
+
+TEST(Trajectory, ReadsWhatMdtrajReads) {
+    expectSame("t.xtc", "xtc", 1e-4);
+    expectSame("t.trr", "trr", 1e-4);
+    expectSame("t.dcd", "dcd", 1e-4);
+    expectSame("t.nc", "nc", 1e-4);
+    expectSame("few.xtc", "few", 1e-4);
+    expectSame("water.xtc", "water", 1e-3);
+}
+
+TEST(Trajectory, SaysWhatItIs) {
+    const char* const formats[][2] = {{"t.xtc", "xtc"}, {"t.trr", "trr"}, {"t.dcd", "dcd"}, {"t.nc", "netcdf"}};
+    for (const auto& [file, format] : formats) {
+        const std::unique_ptr<Trajectory> t = openTrajectory(written() / file);
+        EXPECT_STREQ(t->format(), format);
+        EXPECT_EQ(t->atoms(), 60u);
+        EXPECT_EQ(t->frames(), 5u);
+        EXPECT_THROW(t->read(5), Error);
+    }
+}
+
+// --- files of our own
+
+template <typename Number>
+void put(std::string& bytes, Number value, bool big) {
+    char raw[sizeof value];
+    std::memcpy(raw, &value, sizeof value);
+    if (big) std::reverse(raw, raw + sizeof value);
+    bytes.append(raw, sizeof value);
+}
+
+void putRecord(std::string& bytes, const std::string& content, bool big) {
+    put(bytes, static_cast<std::int32_t>(content.size()), big);
+    bytes += content;
+    put(bytes, static_cast<std::int32_t>(content.size()), big);
+}
+
+/// Four atoms, of which the second and the fourth are fixed; three frames; a cell of NAMD, by cosines.
+std::string dcdWithFixedAtoms(bool big) {
+    std::string bytes, header = "CORD";
+    const std::int32_t control[20] = {0, 1, 1, 3, 0, 0, 0, 0, 2, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 24};
+    for (const std::int32_t value : control) put(header, value, big);
+    putRecord(bytes, header, big);
+    std::string title;
+    put(title, std::int32_t{1}, big);
+    putRecord(bytes, title + std::string(80, ' '), big);
+    std::string atoms, moving;
+    put(atoms, std::int32_t{4}, big);
+    putRecord(bytes, atoms, big);
+    for (const std::int32_t atom : {1, 3}) put(moving, atom, big);
+    putRecord(bytes, moving, big);
+    for (int frame = 0; frame < 3; ++frame) {
+        std::string cell;
+        for (const double value : {10.0, 0.0, 20.0, 0.0, 0.0, 30.0}) put(cell, value, big);
+        putRecord(bytes, cell, big);
+        for (int axis = 0; axis < 3; ++axis) {
+            std::string list;
+            for (int atom = 0; atom < 4; ++atom)
+                if (frame == 0 || atom % 2 == 0) put(list, static_cast<float>(100 * frame + 10 * atom + axis), big);
+            putRecord(bytes, list, big);
+        }
+    }
+    return bytes;
+}
+
+TEST(Trajectory, ReadsDcdOfEitherByteOrderWithFixedAtoms) {
+    const TemporaryFolder folder;
+    for (const bool big : {false, true}) {
+        write(folder / "f.dcd", dcdWithFixedAtoms(big));
+        const std::unique_ptr<Trajectory> t = openTrajectory(folder / "f.dcd");
+        ASSERT_EQ(t->frames(), 3u);
+        for (const std::size_t frame : {2u, 0u, 1u}) {
+            const TrajectoryFrame read = t->read(frame);
+            for (int atom = 0; atom < 4; ++atom) {
+                const float base = static_cast<float>((atom % 2 ? 0 : 100 * static_cast<int>(frame)) + 10 * atom);
+                EXPECT_EQ(read.positions[static_cast<std::size_t>(atom)], glm::vec3(base, base + 1, base + 2));
+            }
+            ASSERT_TRUE(read.box);
+            EXPECT_LT(glm::distance((*read.box)[2], glm::vec3(0, 0, 30)), 1e-4);
+        }
+    }
+}
+
+TEST(Trajectory, LeavesOutAFrameThatIsCutOff) {
+    const TemporaryFolder folder;
+    for (const char* name : {"t.xtc", "t.trr", "t.dcd", "t.nc"}) {
+        std::string bytes = contentOf(written() / name);
+        write(folder / name, bytes.substr(0, bytes.size() - 100));
+        const std::unique_ptr<Trajectory> t = openTrajectory(folder / name);
+        EXPECT_EQ(t->frames(), 4u) << name;
+        EXPECT_TRUE(t->cutOff()) << name;
+    }
+}
+
+/// Opens and reads everything there is. @returns whether it did
+bool readsAll(const std::string& path) {
+    try {
+        const std::unique_ptr<Trajectory> t = openTrajectory(path);
+        for (std::size_t frame = 0; frame < std::min<std::size_t>(t->frames(), 20); ++frame)
+            for (const glm::vec3& p : t->read(frame).positions)
+                EXPECT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+        return true;
+    } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+        return false;
+    }
+}
+
+TEST(Trajectory, DamagedFilesAreErrorsAndNothingElse) {
+    const TemporaryFolder folder;
+    std::mt19937 random(5);
+    for (const char* name : {"t.xtc", "t.trr", "t.dcd", "t.nc", "few.xtc"}) {
+        const std::string whole = contentOf(written() / name);
+        for (std::size_t length = 0; length < 500; length += 7) {
+            write(folder / name, whole.substr(0, length));
+            readsAll(folder / name);
+        }
+        int refused = 0;
+        for (int round = 0; round < 200; ++round) {
+            std::string bytes = whole;
+            for (int i = 0; i < 3; ++i) {
+                const std::size_t range = round % 2 ? bytes.size() : std::min<std::size_t>(bytes.size(), 400);
+                bytes[random() % range] = static_cast<char>(round % 3 ? random() : (random() % 2 ? 0xff : 0x7f));
+            }
+            write(folder / name, bytes);
+            refused += readsAll(folder / name) ? 0 : 1;
+        }
+        EXPECT_GT(refused, 25) << name << ": mutations that change nothing test nothing";
+    }
+}
+
+TEST(Trajectory, RefusesPositionsThatAreNone) {
+    const TemporaryFolder folder;
+    std::string bytes = contentOf(written() / "t.dcd");
+    const float nan = NAN;
+    std::memcpy(bytes.data() + bytes.size() - 8, &nan, 4);  // the last of the last frame
+    write(folder / "n.dcd", bytes);
+    const std::unique_ptr<Trajectory> t = openTrajectory(folder / "n.dcd");
+    t->read(3);
+    EXPECT_THROW(t->read(4), Error);
+}
+
+TEST(Trajectory, IsToldFromOtherFiles) {
+    const TemporaryFolder folder;
+    write(folder / "a", "");
+    write(folder / "b", "ATOM      1  N   MET A   1");
+    for (const char* name : {"a", "b", "none", "."}) EXPECT_THROW(openTrajectory(folder / name), Error) << name;
+}
+
+// --- motions
+
+Molecule chains() { return readMoleculeFile(written() / "t.xyz"); }
+
+TEST(Motion, LaysFramesAsMdtrajDoes) {
+    const Molecule molecule = chains();
+    MotionOptions options;
+    for (std::uint32_t i = 0; i < 20; ++i) options.fitted.push_back(i);
+    Motion motion(openTrajectory(written() / "t.trr"), molecule, options);
+    const std::vector<float> laid = numbersOf("laid"), rmsd = numbersOf("rmsd");
+    ASSERT_EQ(rmsd.size(), 5u);
+    for (std::size_t frame = 5; frame-- > 0;) {
+        const std::vector<glm::vec3> positions = motion.positions(frame);
+        EXPECT_NEAR(motion.rmsd(), 10 * rmsd[frame], 2e-3) << frame;
+        for (std::size_t i = 0; i < 180; ++i)
+            ASSERT_NEAR(positions[i / 3][static_cast<int>(i % 3)], laid[frame * 189 + 9 + i], 2e-3)
+                << frame << " " << i;
+    }
+}
+
+TEST(Motion, MakesMoleculesWhole) {
+    const Molecule molecule = chains();
+    ASSERT_EQ(molecule.bonds.size(), 57u);
+    const std::unique_ptr<Trajectory> before = openTrajectory(written() / "t.trr");
+    const auto longest = [&](const std::vector<glm::vec3>& p) {
+        float length = 0;
+        for (const Bond& bond : molecule.bonds) length = std::max(length, glm::distance(p[bond.a], p[bond.b]));
+        return length;
+    };
+    Motion cut(openTrajectory(written() / "cut.trr"), molecule, {});
+    MotionOptions options;
+    options.whole = true;
+    Motion whole(openTrajectory(written() / "cut.trr"), molecule, options);
+    for (std::size_t frame = 0; frame < 5; ++frame) {
+        EXPECT_GT(longest(cut.positions(frame)), 10) << "nothing was cut";
+        const std::vector<glm::vec3> expected = before->read(frame).positions, made = whole.positions(frame);
+        for (const Bond& bond : molecule.bonds)
+            EXPECT_LT(glm::distance(made[bond.b] - made[bond.a], expected[bond.b] - expected[bond.a]), 1e-3);
+    }
+}
+
+TEST(Motion, SmoothsOverNeighbouringFrames) {
+    const Molecule molecule = chains();
+    MotionOptions options;
+    options.smoothed = 3;
+    Motion motion(openTrajectory(written() / "t.trr"), molecule, options);
+    const std::unique_ptr<Trajectory> t = openTrajectory(written() / "t.trr");
+    const auto mean = [&](std::size_t from, std::size_t to, std::size_t atom) {
+        glm::vec3 sum(0);
+        for (std::size_t i = from; i <= to; ++i) sum += t->read(i).positions[atom];
+        return sum / static_cast<float>(to - from + 1);
+    };
+    EXPECT_LT(glm::distance(motion.positions(2)[7], mean(1, 3, 7)), 1e-4);
+    EXPECT_LT(glm::distance(motion.positions(0)[7], mean(0, 1, 7)), 1e-4);
+    EXPECT_LT(glm::distance(motion.positions(4)[7], mean(3, 4, 7)), 1e-4);
+}
+
+TEST(Motion, WantsTheSameAtoms) { EXPECT_THROW(Motion(openTrajectory(written() / "few.xtc"), chains(), {}), Error); }
+
+TEST(Superpose, UndoesAMotionAndTakesNoMirrorImage) {
+    std::vector<glm::dvec3> fixed, moving, mirrored;
+    for (int i = 0; i < 9; ++i) fixed.emplace_back(i, i * i % 5, i * i * i % 7);
+    const double c = std::cos(1.1), s = std::sin(1.1);
+    for (const glm::dvec3& p : fixed) {
+        moving.emplace_back(c * p.x - s * p.y + 3, s * p.x + c * p.y - 4, p.z + 5);
+        mirrored.emplace_back(-p.x, p.y, p.z);
+    }
+    const Superposition onto = superpose(fixed, moving);
+    EXPECT_LT(onto.rmsd, 1e-6);
+    for (std::size_t i = 0; i < fixed.size(); ++i) EXPECT_LT(glm::distance(onto(moving[i]), fixed[i]), 1e-6);
+    EXPECT_GT(superpose(fixed, mirrored).rmsd, 0.5);
+    EXPECT_NEAR(glm::determinant(superpose(fixed, mirrored).rotation), 1, 1e-9);
+}
+
+}  // namespace
+}  // namespace nacre
