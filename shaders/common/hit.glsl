@@ -61,7 +61,7 @@ Hit sphereHitThrough(vec4 sphere, vec2 q) {
         precise float s = sqrt(max(h, 0.0) / a);
         precise float t = t0 - s;
         hit.Z = t * view.origin;
-        hit.normal = (w - ray * s) / r;
+        hit.normal = (w - ray * s) * (1.0 / r);
         if (kContours > 0) {
             outside = sqrt(dot(w, w)) - r;
             silhouetteZ = t0 * view.origin;
@@ -74,7 +74,7 @@ Hit sphereHitThrough(vec4 sphere, vec2 q) {
         precise float s = sqrt(max(h, 0.0));
         precise float z = sphere.z + s;
         hit.Z = view.origin - z;
-        hit.normal = vec3(w, s) / r;
+        hit.normal = vec3(w, s) * (1.0 / r);
         if (kContours > 0) {
             outside = sqrt(dot(w, w)) - r;
             silhouetteZ = view.origin - sphere.z;

@@ -3,7 +3,7 @@
 
 /// Octahedral map of a unit vector to [0, 1]^2 (Meyer et al. 2010, "On Floating-Point Normal Vectors").
 vec2 octahedralCoordinate(vec3 n) {
-    vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));
+    vec2 p = n.xy * (1.0 / (abs(n.x) + abs(n.y) + abs(n.z)));
     if (n.z < 0.0) p = (1.0 - abs(p.yx)) * vec2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
     return p * 0.5 + 0.5;
 }

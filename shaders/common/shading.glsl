@@ -9,6 +9,13 @@ layout(constant_id = kHighlightId) const float kHighlight = 1.0;
 layout(constant_id = kGlossId) const float kGloss = 42.0;
 layout(constant_id = kDeepeningId) const float kDeepening = 1.0;
 
+/// x to the power of kGloss, multiplied out for the usual one.
+float glossy(float x) {
+    if (kGloss != 42.0) return pow(x, kGloss);
+    float x2 = x * x, x4 = x2 * x2, x8 = x4 * x4, x16 = x8 * x8;
+    return x16 * x16 * (x8 * x2);
+}
+
 /// @param base       linear base colour
 /// @param occlusion  0 closed to 1 open, scales all light that arrives
 vec3 shade(vec3 base, vec3 normal, float occlusion) {
@@ -16,11 +23,11 @@ vec3 shade(vec3 base, vec3 normal, float occlusion) {
     vec3 light = kLight;
     float facing = max(dot(normal, light), 0.0);
     // The sky's share is wrapped a little upwards: what looks up is brighter than what looks down.
-    float sky = 0.5 + 0.5 * normal.y;
-    vec3 ambient = mix(vec3(0.54, 0.52, 0.52), vec3(0.70, 0.73, 0.77), sky) * kAmbient;
+    const vec3 down = vec3(0.54, 0.52, 0.52), up = vec3(0.70, 0.73, 0.77);
+    vec3 ambient = (0.5 * (down + up) + 0.5 * (up - down) * normal.y) * kAmbient;
     vec3 half_ = normalize(light + vec3(0.0, 0.0, 1.0));
-    float highlight = kHighlight == 0.0 ? 0.0 : pow(max(dot(normal, half_), 0.0), kGloss) * 0.16 * kHighlight;
+    float highlight = kHighlight == 0.0 ? 0.0 : glossy(max(dot(normal, half_), 0.0)) * 0.16 * kHighlight;
     // Clefts darken a little faster than light falls off in them, as the eye expects of depth.
-    float open = mix(1.0, occlusion * mix(occlusion, 1.0, 0.55), kDeepening);
+    float open = mix(1.0, occlusion * (0.45 * occlusion + 0.55), kDeepening);
     return open * (base * (ambient + facing * 0.74 * kDirect) + vec3(highlight));
 }

@@ -1,7 +1,15 @@
-// IEC 61966-2-1: sRGB-coded colour and linear light, both 0..1.
+// sRGB-coded colour and linear light, both 0..1 (IEC 61966-2-1). The curves are polynomials fitted by Remez' exchange:
+// pow() of three channels is a fifth of a software device's shading.
+
+/// Within 1.2e-4 of the value, and exact at 0 and 1.
 vec3 linearFromSrgb(vec3 c) {
-    return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
+    vec3 curve = ((((((-0.116626214 * c + 0.401858704) * c - 0.618510216) * c + 0.805984839) * c + 0.491395899) * c +
+                   0.0350388936) * c + 0.000858094134);
+    return mix(c * (1.0 / 12.92), curve, greaterThan(c, vec3(0.04045)));
 }
+/// Within 0.06 / 255: coding what linearFromSrgb() gives of a byte gives that byte.
 vec3 srgbFromLinear(vec3 c) {
-    return mix(c * 12.92, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+    vec3 root = sqrt(sqrt(c));
+    vec3 curve = ((-0.136823474 * root + 0.952571316) * root + 0.255799066) * root - 0.0717616691;
+    return mix(c * 12.92, curve, greaterThan(c, vec3(0.0031308)));
 }
