@@ -3,7 +3,7 @@
 //   DEPTH NORMALS      of the surface layer            ID OCCLUSION   of the identity layer
 //   ENCODED            the encoded depth attachment    PLATES         the prepass's depth, over the shaded picture
 //   OVERDRAW TILES     fragments added up              PATCHES        the occlusion atlas
-// The target codes what it gets as sRGB: linearFromSrgb() undoes that where a number is to be seen as it is.
+// What is written is coded as sRGB, by the target or, with kCoded, here: linearFromSrgb() undoes that where a number is to be seen as it is.
 #extension GL_GOOGLE_include_directive : require
 #include "common/view.glsl"
 #include "common/encoding.glsl"
@@ -19,6 +19,7 @@ layout(set = 0, binding = 1) uniform sampler2D under;
 #endif
 layout(location = 0) out vec4 color;
 layout(constant_id = kTileId) const int kTile = 16;
+layout(constant_id = kCodedId) const bool kCoded = false;
 
 /// Fragments in a pixel: every doubling is a step from indigo (1) over teal, green, yellow (8), orange to red (32).
 vec3 heat(float fragments) {
@@ -66,6 +67,7 @@ void main() {
 #elif defined(PLATES)
     vec4 picture = texelFetch(under, pixel, 0);
     if (picture.a == 0.0) discard;
+    if (kCoded) picture.rgb = linearFromSrgb(picture.rgb);
     bool plate = texelFetch(source, pixel, 0).x < 1.0;
     color = vec4(plate ? picture.rgb : mix(picture.rgb, vec3(1.0), 0.6), 1.0);
 #elif defined(OVERDRAW)
@@ -86,4 +88,5 @@ void main() {
     if (any(lessThan(texel, vec2(0.0))) || any(greaterThanEqual(texel, size))) discard;
     color = vec4(vec3(texelFetch(source, ivec2(texel), 0).x), 1.0);
 #endif
+    if (kCoded) color.rgb = srgbFromLinear(color.rgb);
 }

@@ -5,6 +5,7 @@
 // that do are handed round. It ends where the next entry begins behind the tile's farthest pixel.
 //   TEXELS      as in common/streams.glsl
 //   CYLINDERS   the scene has some
+//   SHADED      what is written of a pixel is not its number, but its colour, sRGB-coded, and row by row
 // A driver that runs a loop's body once before it looks whether to leave (lavapipe 22.3) has the loops that it wants:
 // what a turn too many tests does not win.
 #extension GL_GOOGLE_include_directive : require
@@ -14,9 +15,17 @@
 #extension GL_KHR_shader_subgroup_shuffle : require
 #define TILES
 #define COPY_OF_PIXEL
-#include "common/hit.glsl"
 #define STREAMS 0
+#define LOOKS 4
+#define ATLAS 5
+#define EFFECTS 6
+#ifdef SHADED
+#include "common/numbered.glsl"
+#else
+#undef LOOKS
+#include "common/hit.glsl"
 #include "common/streams.glsl"
+#endif
 
 layout(push_constant) uniform Push { TileConstants push; };
 layout(constant_id = kLanesId) const int kLanes = 8;
@@ -63,6 +72,16 @@ vec4 handed(vec4 v, uint from) {
     return vec4(subgroupShuffle(v.x, from), subgroupShuffle(v.y, from), subgroupShuffle(v.z, from),
                 subgroupShuffle(v.w, from));
 }
+
+#ifdef SHADED
+/// 0 where nothing is seen.
+uint colorAt(uint seenNumber, vec2 pixel) {
+    vec2 q = planePoint(pixel);
+    Seen seen = seenOf(max(seenNumber, 1u), q);
+    vec3 color = colorOf(seen.hit, lookAt(seen.look), seen.occlusion, q);
+    return seenNumber == 0u ? 0u : packUnorm4x8(vec4(color, 1.0));
+}
+#endif
 
 void main() {
     view = push;
@@ -141,6 +160,21 @@ void main() {
         float next = encodedDepth(view.origin - front - a.w * 1.001) - view.depthStep;
         more = at < end && !subgroupAll(farthest < subgroupShuffle(next, uint(kLanes - 1)));
     } while (more);
+#ifdef SHADED
+    uint pitch = view.across * uint(kTile * kTilesInBin);
+    uint here = (corner.y + lane / uint(kTile)) * pitch + corner.x + lane % uint(kTile);
+    view.contourWidth = 1e9;  // what was chosen and is not inside is on the line
+    view.contourDepth = 0.0;
+    // A turn a pixel, unrolled by no compiler: they move up to the first register, which costs less than the code.
+    uint i = 0u;
+    do {
+        uint seen = number[0];
+        for (int k = 0; k + 1 < kPixels; ++k) number[k] = number[k + 1];
+        uvec2 on = uvec2(i * uint(kLanes)) / uvec2(1u, kTile) % uint(kTile);
+        numbers[here + on.y * pitch + on.x] = colorAt(seen, first + vec2(on));
+    } while (++i < uint(kPixels));
+#else
     for (int i = 0; i < kPixels; ++i)
         numbers[tile.y * uint(kTile * kTile) + uint(i * kLanes) + lane] = number[i];
+#endif
 }

@@ -6,11 +6,11 @@
 #extension GL_GOOGLE_include_directive : require
 #define TILES
 #define COPY_OF_PIXEL
+#define STREAMS 3
+#define LOOKS 5
+#include "common/numbered.glsl"
 #include "common/surface.glsl"
 #include "common/count.glsl"
-#define STREAMS 3
-#define LOOKS
-#include "common/streams.glsl"
 
 #ifdef TEXELS
 layout(set = 0, binding = 2) uniform usamplerBuffer numberTexels;
@@ -60,23 +60,6 @@ void main() {
     uint number = numberHere();
     if (number == 0u) discard;
     countFragment();
-    uint index = place(number);
-#ifdef CYLINDERS
-    if (index >= view.spheres) {
-        index -= view.spheres;
-        vec4 shapeA = shapeAt(view.spheres + 2u * index);
-        vec3 shapeB = shapeAt(view.spheres + 2u * index + 1u).xyz;
-        precise vec3 a = toView(shapeA.xyz);
-        precise vec3 b = toView(shapeB);
-        Hit hit = cylinderHit(a, b, shapeA.w, gl_FragCoord.xy);
-        uint look = 2u * view.spheres + 4u * index + (hit.along < 0.5 ? 0u : 1u);
-        float occlusion = cylinderOcclusion(hit, normalize(shapeB - shapeA.xyz), cylinderPatch(index));
-        writeSurface(hit, lookAt(look), lookAt(look + 2u), occlusion);
-        return;
-    }
-#endif
-    vec4 shape = shapeAt(index);
-    precise vec3 center = toView(shape.xyz);
-    Hit hit = sphereHit(vec4(center, shape.w), gl_FragCoord.xy);
-    writeSurface(hit, lookAt(2u * index), lookAt(2u * index + 1u), sphereOcclusion(hit, spherePatch(index)));
+    Seen seen = seenOf(number, planePoint(gl_FragCoord.xy));
+    writeSurface(seen.hit, lookAt(seen.look), lookAt(seen.atom), seen.occlusion);
 }

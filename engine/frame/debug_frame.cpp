@@ -11,9 +11,10 @@ using passes::Output;
 constexpr ScreenTarget kSurface{"surface", VK_FORMAT_R32G32B32A32_SFLOAT, Output::surface, "surface layer"};
 constexpr ScreenTarget kIdentity{"identity", VK_FORMAT_R32G32_UINT, Output::identity, "identity layer"};
 constexpr ScreenTarget kShaded{"shaded", VK_FORMAT_R8G8B8A8_SRGB, Output::color, "impostor colour"};
+constexpr ScreenTarget kCodedShaded{"shaded", VK_FORMAT_R8G8B8A8_UNORM, Output::color, "impostor colour"};
 
 /// What the screen frame draws for a view.
-std::span<const ScreenTarget> drawnFor(DebugView view) {
+std::span<const ScreenTarget> drawnFor(DebugView view, bool coded) {
     switch (view) {
         case DebugView::depth:
         case DebugView::normals:
@@ -22,7 +23,7 @@ std::span<const ScreenTarget> drawnFor(DebugView view) {
         case DebugView::occlusion:
             return {&kIdentity, 1};
         case DebugView::plates:
-            return {&kShaded, 1};
+            return {coded ? &kCodedShaded : &kShaded, 1};
         default:
             return {};
     }
@@ -99,7 +100,7 @@ Visibility debugVisibility(DebugView view, Visibility usual) {
 
 ScreenFrame debugFrame(DebugView view, const ScreenOptions& options, const Recorder& recorder) {
     ScreenOptions drawn = options;
-    drawn.targets = drawnFor(view);
+    drawn.targets = drawnFor(view, options.targets[0].format == VK_FORMAT_R8G8B8A8_UNORM);
     drawn.prepass = true;  // views show it
     ScreenFrame frame = screenFrame(drawn, recorder);
     const Shown shown = addShown(view, frame, options.extent, recorder);

@@ -40,6 +40,10 @@ std::vector<gpu::Buffer> addReadBacks(const gpu::Device& device, ScreenFrame& fr
 
 }  // namespace
 
+std::span<const ScreenTarget> PictureFrames::pictureTargets() const {
+    return device_.caps().tiles.shade ? kCodedTargets : kScreenTargets;
+}
+
 std::vector<gpu::Buffer> PictureFrames::draw(const RenderSettings& settings, const passes::Atlas& atlas,
                                              const View& view, std::span<const ScreenTarget> targets, bool readBack,
                                              const char* name) {
@@ -95,7 +99,7 @@ Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atl
     if (std::max(view.width, view.height) > most)
         throw Error("picture too large", std::to_string(view.width) + "x" + std::to_string(view.height),
                     "this device draws at most " + std::to_string(most) + " pixels a side, supersampling counted");
-    const auto pixels = draw(settings, atlas, view, kScreenTargets, true, "screen");
+    const auto pixels = draw(settings, atlas, view, pictureTargets(), true, "screen");
     const graph::Extent image = imageExtent(view);
     return resolvePicture(reinterpret_cast<const std::uint32_t*>(pixels[0].mapped), image.width, image.height, n,
                           settings.background, stats_.coveredPixels);
@@ -110,7 +114,7 @@ LayerPicture PictureFrames::layers(const RenderSettings& settings, const passes:
 }
 
 void PictureFrames::frame(const RenderSettings& settings, const passes::Atlas& atlas) {
-    draw(settings, atlas, settings.view, kScreenTargets, false, "screen");
+    draw(settings, atlas, settings.view, pictureTargets(), false, "screen");
 }
 
 std::uint32_t PictureFrames::atomAt(const RenderSettings& settings, double x, double y, double reach) {

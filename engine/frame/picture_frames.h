@@ -24,6 +24,7 @@ public:
     const std::string& planText() const;
 
 private:
+    std::span<const ScreenTarget> pictureTargets() const;
     std::vector<gpu::Buffer> draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                                   std::span<const ScreenTarget> targets, bool readBack, const char* name);
     const graph::Plan& planOf(const graph::Graph& graph, const FrameTuning& tuning);

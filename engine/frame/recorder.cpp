@@ -73,10 +73,20 @@ graph::Record Recorder::shadedPrimitives(Output output, Image atlas, Image numbe
     });
 }
 
-graph::Record Recorder::nearestByTiles() const { return of(passes::findNearestByTiles); }
+graph::Record Recorder::nearestByTiles() const {
+    return of([](Context& c, const SceneView& scene) { passes::findNearestByTiles(c, scene, {}); });
+}
 
 graph::Record Recorder::shadedTiles(Output output, Image atlas) const {
     return of([=](Context& c, const SceneView& scene) { passes::shadeTiles(c, scene, output, c.view(atlas)); });
+}
+
+graph::Record Recorder::colorsByTiles(Image atlas) const {
+    return of([=](Context& c, const SceneView& scene) { passes::findNearestByTiles(c, scene, c.view(atlas)); });
+}
+
+graph::Record Recorder::copiedColors(graph::Buffer colors, Image image, graph::Extent extent) const {
+    return of([=](Context& c, const SceneView& scene) { passes::copyColors(c, scene, colors, image, extent); });
 }
 
 graph::Record Recorder::tileMean(std::uint32_t tile, Image source) const {

@@ -38,6 +38,9 @@ public:
 
     graph::Record nearestByTiles() const;
     graph::Record shadedTiles(passes::Output output, graph::Image atlas) const;
+    /// Both in one, and what makes a picture of the colours.
+    graph::Record colorsByTiles(graph::Image atlas) const;
+    graph::Record copiedColors(graph::Buffer colors, graph::Image image, graph::Extent extent) const;
 
     graph::Record overdraw() const;
     graph::Record tileMean(std::uint32_t tile, graph::Image source) const;

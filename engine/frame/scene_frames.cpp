@@ -37,11 +37,13 @@ ScreenFrame SceneFrames::declare(const RenderSettings& asked, const passes::Atla
     const Visibility usual = device_.caps().visibility;
     Visibility path = debug ? debugVisibility(settings.debug, usual) : usual;
     const auto seen = viewScene(device_, scene_, settings, view, used, path);
+    seen->coded = picture && targets[0].format == VK_FORMAT_R8G8B8A8_UNORM;
     seen->fragments = std::move(fragments);
     seen->effectConstants = effectsOf(settings);
     const graph::Extent image = imageExtent(view);
     if (path == Visibility::tiles) {
-        seen->tiles = tiles_.prepare(scene_.representation, *seen, view, image);
+        const bool shaded = seen->coded && !debug && !seen->fragments && device_.caps().tiles.shade;
+        seen->tiles = tiles_.prepare(scene_.representation, *seen, view, image, shaded);
         if (!seen->tiles) path = Visibility::fragdepth;
     }
     stats_.spheres = seen->copies.sphereCount();
@@ -50,7 +52,8 @@ ScreenFrame SceneFrames::declare(const RenderSettings& asked, const passes::Atla
     const bool plates =
         seen->plates != PlateShape::none || (path != Visibility::fragdepth && path != Visibility::deferred);
     const bool prepass = plates && graph::platesReject(path, device_.caps().plan);
-    const ScreenOptions options{image, path, device_.caps().encoded, atlas.desc, targets, prepass, name};
+    ScreenOptions options{image, path, device_.caps().encoded, atlas.desc, targets, prepass, name};
+    options.shadedByTiles = seen->tiles && seen->tiles->shaded;
     ScreenFrame frame =
         debug ? debugFrame(settings.debug, options, Recorder(seen)) : screenFrame(options, Recorder(seen));
     imports.bind(frame.atlas, atlas);

@@ -28,6 +28,9 @@ constexpr graph::State kWindowState{VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BI
 /// What an application shows.
 constexpr ScreenTarget kScreenTargets[] = {
     {"colour", VK_FORMAT_R8G8B8A8_SRGB, passes::Output::color, "impostor colour"}};
+/// The same where shaders code colour as sRGB themselves: the same bytes, whatever writes them.
+constexpr ScreenTarget kCodedTargets[] = {
+    {"colour", VK_FORMAT_R8G8B8A8_UNORM, passes::Output::color, "impostor colour"}};
 
 struct ScreenOptions {
     graph::Extent extent;
@@ -37,6 +40,7 @@ struct ScreenOptions {
     std::span<const ScreenTarget> targets;
     bool prepass = true;          ///< false: plates would reject nothing on this path (graph::platesReject)
     const char* name = "screen";  ///< images are kept by it: frames of several sizes want several names
+    bool shadedByTiles = false;   ///< `tiles`: compute shades, too; the target takes coded colour
 };
 
 struct ScreenFrame {
@@ -44,7 +48,7 @@ struct ScreenFrame {
     graph::Image depth;     ///< hardware depth
     graph::Image nearest;   ///< encoded depth or primitive numbers; `fragdepth`: depth itself
     graph::Image atlas;     ///< imported
-    graph::Buffer numbers;  ///< imported, of `tiles`
+    graph::Buffer numbers;  ///< imported, of `tiles`: numbers of primitives, or their colours
     std::vector<graph::Image> targets;
 
     /// The image of a target. @returns it

@@ -142,6 +142,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.encoded = encodedFormatOf(device, options.encoded);
     caps.software = identity.software;
     caps.tiles = tileCapsOf(device);
+    caps.tiles.shade = caps.software && caps.tiles.texels;
     caps.plan.tiles = caps.tiles.lacks.empty();
 
     const graph::VisibilityChoice choice = graph::chooseVisibility(known.kind, caps.plan);

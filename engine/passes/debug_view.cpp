@@ -45,6 +45,7 @@ void drawShown(gpu::PassContext& context, const SceneView& view, FullScreenPass 
     pass.constants.set(layout::kDepthStepsId, encoded.steps);
     pass.constants.set(layout::kQuarterTurnsId, view.quarterTurns);
     pass.constants.set(layout::kTileId, tile);
+    pass.constants.set(layout::kCodedId, view.coded);
     bindFullScreen(context, pass, layout);
     bindTextures(context, layout, vk::Filter::eNearest, images);
     drawFullScreen(context, layout, kStages, view.constants);

@@ -126,6 +126,7 @@ void setShadingConstants(gpu::Specialization& constants, const SceneView& view) 
     constants.set(layout::kHighlightId, static_cast<float>(light.highlight));
     constants.set(layout::kGlossId, static_cast<float>(light.gloss));
     constants.set(layout::kDeepeningId, static_cast<float>(light.occlusion));
+    constants.set(layout::kCodedId, view.coded);
 }
 
 void bindCounter(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout) {

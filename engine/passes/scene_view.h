@@ -27,6 +27,7 @@ struct SceneView {
     PlacedCopies copies;
     std::shared_ptr<const TileFrame> tiles;  ///< of the `tiles` path
     gpu::Buffer copyRows;                    ///< copies.rows on the device, for `deferred` shading
+    bool coded = false;                      ///< colour is written sRGB-coded, else linear
     bool perspective = false;
     int quarterTurns = 0;    ///< as in View
     bool wholeImage = true;  ///< the viewport is the whole image; else it has the view axis in its middle

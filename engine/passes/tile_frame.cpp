@@ -66,7 +66,7 @@ layout::TileConstants constantsOf(const layout::ViewConstants& c, const PlacedCo
 }  // namespace
 
 std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, const SceneView& seen, const View& view,
-                                                     graph::Extent image) {
+                                                     graph::Extent image, bool shaded) {
     auto free = std::find_if(frames_.begin(), frames_.end(), [](const auto& frame) { return frame.use_count() == 1; });
     if (free == frames_.end()) free = frames_.insert(free, std::make_shared<TileFrame>());
     TileFrame& frame = **free;
@@ -76,7 +76,9 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     if (frame.lists.longest() > kLongestList) return nullptr;
     frame.copies = !r.copies.transforms.empty();
     frame.constants = constantsOf(seen.constants, seen.copies, frame.lists);
+    frame.shaded = shaded;
     upload(frame, seen.copies, image);
+    clearColors(frame);
     return *free;
 }
 
@@ -91,14 +93,37 @@ void TileFrames::reserve(TileBuffer& b, std::size_t bytes, vk::BufferUsageFlags 
         b.texels = gpu::makeTexelView(device_, b.buffer, format, name);
 }
 
+/// Tiles are drawn where something may show. Elsewhere the colours of the frame before go.
+void TileFrames::clearColors(TileFrame& f) {
+    constexpr std::size_t kBin = TileLists::kBinPixels;
+    const TileLists& lists = f.lists;
+    const std::size_t pitch = lists.across() * kBin;
+    auto* colors = reinterpret_cast<std::uint32_t*>(f.numbers.buffer.mapped);
+    if (!f.shaded || f.coloredAcross != lists.across()) {
+        f.colored.clear();
+        f.coloredAcross = f.shaded ? lists.across() : 0;
+        if (f.shaded) std::memset(colors, 0, f.numbers.buffer.size);
+    }
+    for (const TileLists::Span& s : f.colored)
+        for (std::size_t x = s.x; x < s.endX; ++x) {
+            const std::size_t bin = s.y * std::size_t{lists.across()} + x;
+            if (s.y < lists.down() && lists.offsets()[bin] != lists.offsets()[bin + 1]) continue;
+            for (std::size_t y = s.y * kBin; y < (s.y + 1) * kBin; ++y)
+                std::fill_n(colors + y * pitch + x * kBin, kBin, 0u);
+        }
+    if (f.shaded) f.colored.assign(lists.spans().begin(), lists.spans().end());
+}
+
 void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent image) const {
     TileLists& lists = f.lists;
     const std::size_t tiles = 2 * lists.tiles().size(), offsets = lists.offsets().size();
     const std::size_t rowBytes = copies.rows.size() * sizeof(glm::vec4);
     reserve(f.words, 4 * (tiles + offsets + lists.entries()), kRead, vk::Format::eR32Uint, "lists of tiles");
     reserve(f.rows, rowBytes, kRead, vk::Format::eR32G32B32A32Sfloat, "copies");
-    reserve(f.numbers, 4 * TileLists::pixelsOfBins(image.width, image.height), kRead, vk::Format::eR32Uint,
-            "primitive numbers");
+    const vk::Buffer before = *f.numbers.buffer.handle;
+    reserve(f.numbers, 4 * TileLists::pixelsOfBins(image.width, image.height), kRead | Usage::eTransferSrc,
+            vk::Format::eR32Uint, "primitive numbers");
+    if (*f.numbers.buffer.handle != before) f.coloredAcross = 0;
     reserve(f.spans, lists.spans().size() * sizeof(TileSpanVertex), Usage::eVertexBuffer, vk::Format::eUndefined,
             "rows of tiles");
 

@@ -17,6 +17,9 @@ constexpr Type kTexel = Type::eUniformTexelBuffer, kStorage = Type::eStorageBuff
 // Shapes, rows of copies, lists; numbers, which are written.
 constexpr Type kNearestTexels[] = {kTexel, kTexel, kTexel, kStorage};
 constexpr Type kNearestStorage[] = {kStorage, kStorage, kStorage, kStorage};
+// Where it shades: looks, atlas and effects, too.
+constexpr Type kNearestShaded[] = {
+    kTexel, kTexel, kTexel, kStorage, kTexel, Type::eCombinedImageSampler, Type::eUniformBuffer};
 // Atlas, effects, numbers, shapes, rows of copies, looks.
 constexpr Type kShadeTexels[] = {Type::eCombinedImageSampler, Type::eUniformBuffer, kTexel, kTexel, kTexel, kTexel};
 constexpr Type kShadeStorage[] = {
@@ -32,7 +35,10 @@ constexpr vk::VertexInputAttributeDescription kSpanAttributes[] = {
     (texels ? (cylinders ? shaders::name##TexelsCylinders##counting : shaders::name##TexelsSpheres##counting) \
             : (cylinders ? shaders::name##StorageCylinders##counting : shaders::name##StorageSpheres##counting))
 
-gpu::ShaderWords nearestShader(bool texels, bool cylinders) { return NACRE_TILE_STAGE(tileNearest, ); }
+gpu::ShaderWords nearestShader(bool texels, bool cylinders, bool shaded) {
+    if (shaded) return cylinders ? shaders::tileShadedCylinders : shaders::tileShadedSpheres;
+    return NACRE_TILE_STAGE(tileNearest, );
+}
 
 Stage shadeShader(Output output, bool texels, bool cylinders) {
     switch (output) {
@@ -59,6 +65,10 @@ public:
         write({set_, at_++, 0, 1, kTexel, nullptr, nullptr, &view});
     }
     void read(const TileBuffer& b) { read(b.buffer, b.texels); }
+    void sample(vk::Sampler sampler, vk::ImageView image) {
+        const vk::DescriptorImageInfo info(sampler, image, vk::ImageLayout::eShaderReadOnlyOptimal);
+        write({set_, at_++, 0, 1, Type::eCombinedImageSampler, &info});
+    }
     void store(const gpu::Buffer& buffer) { whole(buffer, kStorage); }
     void uniform(const gpu::Buffer& buffer) { whole(buffer, Type::eUniformBuffer); }
 
@@ -82,16 +92,20 @@ void setView(gpu::Specialization& constants, const SceneView& view) {
 
 }  // namespace
 
-void findNearestByTiles(gpu::PassContext& context, const SceneView& view) {
+void findNearestByTiles(gpu::PassContext& context, const SceneView& view, std::optional<vk::ImageView> atlas) {
     const TileFrame& f = *view.tiles;
     const SceneBuffers& scene = *view.buffers;
     const gpu::TileCaps& caps = context.device.caps().tiles;
     if (f.lists.tiles().empty()) return;
+    const std::span<const Type> types = atlas         ? std::span<const Type>(kNearestShaded)
+                                        : caps.texels ? kNearestTexels
+                                                      : kNearestStorage;
     const gpu::Layout& layout =
-        context.pipelines.layout({"nearest primitive by tiles", caps.texels ? kNearestTexels : kNearestStorage,
-                                  kCompute, sizeof(layout::TileConstants)});
-    gpu::ComputePipeline d{context.pass, nearestShader(caps.texels, scene.cylinderCount > 0), {}, *layout.pipeline};
+        context.pipelines.layout({"nearest primitive by tiles", types, kCompute, sizeof(layout::TileConstants)});
+    const gpu::ShaderWords code = nearestShader(caps.texels, scene.cylinderCount > 0, atlas.has_value());
+    gpu::ComputePipeline d{context.pass, code, {}, *layout.pipeline};
     setView(d.constants, view);
+    if (atlas) setShadingConstants(d.constants, view);
     d.constants.set(layout::kLanesId, caps.lanes);
     context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, context.pipelines.compute(d));
     const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
@@ -100,6 +114,11 @@ void findNearestByTiles(gpu::PassContext& context, const SceneView& view) {
     bindings.read(f.rows);
     bindings.read(f.words);
     bindings.store(f.numbers.buffer);
+    if (atlas) {
+        bindings.read(scene.looks, scene.lookTexels);
+        bindings.sample(context.pipelines.sampler(vk::Filter::eLinear), *atlas);
+        bindings.uniform(*view.effectConstants);
+    }
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline, 0, set, {});
     context.commands.pushConstants<layout::TileConstants>(*layout.pipeline, kCompute, 0, f.constants);
     // The floor's limit of workgroups in a row.
@@ -127,10 +146,8 @@ void shadeTiles(gpu::PassContext& context, const SceneView& view, Output output,
     d.colorsWritten = 1;
     context.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, context.pipelines.graphics(d));
     const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
-    const vk::DescriptorImageInfo image(context.pipelines.sampler(vk::Filter::eLinear), atlas,
-                                        vk::ImageLayout::eShaderReadOnlyOptimal);
-    context.device->updateDescriptorSets(vk::WriteDescriptorSet(set, 0, 0, Type::eCombinedImageSampler, image), {});
-    Bindings bindings(context, set, 1);
+    Bindings bindings(context, set, 0);
+    bindings.sample(context.pipelines.sampler(vk::Filter::eLinear), atlas);
     bindings.uniform(*view.effectConstants);
     bindings.read(f.numbers);
     bindings.read(scene.shapes, scene.shapeTexels);
@@ -141,6 +158,15 @@ void shadeTiles(gpu::PassContext& context, const SceneView& view, Output output,
     context.commands.pushConstants<layout::TileConstants>(*layout.pipeline, kDraw, 0, f.constants);
     context.commands.bindVertexBuffers(0, {*f.spans.buffer.handle}, {0});
     context.commands.draw(4, static_cast<std::uint32_t>(f.lists.spans().size()), 0, 0);
+}
+
+void copyColors(gpu::PassContext& context, const SceneView& view, graph::Buffer colors, graph::Image image,
+                graph::Extent extent) {
+    const std::uint32_t pitch = view.tiles->lists.across() * TileLists::kBinPixels;
+    const vk::BufferImageCopy all(0, pitch, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {},
+                                  {extent.width, extent.height, 1});
+    context.commands.copyBufferToImage(context.buffer(colors), context.image(image),
+                                       vk::ImageLayout::eTransferDstOptimal, all);
 }
 
 }  // namespace nacre::passes

@@ -1,14 +1,21 @@
 #pragma once
 
+#include <optional>
+
 #include "engine/passes/output.h"
 #include "engine/passes/primitives.h"
 
 namespace nacre::passes {
 
 /// Compute: writes TileFrame::numbers of the view's tiles that are not empty, one workgroup each.
-void findNearestByTiles(gpu::PassContext& context, const SceneView& view);
+/// @param atlas  where it shades, too: what it writes then are colours, row by row of the bins, 0 where nothing is seen
+void findNearestByTiles(gpu::PassContext& context, const SceneView& view, std::optional<vk::ImageView> atlas);
 
 /// Shades every pixel that has a number there, once.
 void shadeTiles(gpu::PassContext& context, const SceneView& view, Output output, vk::ImageView atlas);
+
+/// Transfer: the picture of what findNearestByTiles() has shaded.
+void copyColors(gpu::PassContext& context, const SceneView& view, graph::Buffer colors, graph::Image image,
+                graph::Extent extent);
 
 }  // namespace nacre::passes

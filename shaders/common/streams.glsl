@@ -1,8 +1,8 @@
 // The streams as a shader reads them where it picks primitives itself, by number. TEXELS: texel buffers, which software
 // devices gather a whole vector from at once, where a storage buffer is read lane by lane; else storage buffers, which
 // have no limit of elements.
-//   STREAMS   binding of the first: shapes, rows of the copies, then, with LOOKS, looks: two words a sphere, four a
-//             cylinder
+//   STREAMS   binding of the first: shapes, then rows of the copies
+//   LOOKS     binding of the looks, where they are read: two words a sphere, four a cylinder
 #include "divide.glsl"
 
 // Whether the scene has copies; without, everything stands at the place of the push constants.
@@ -14,7 +14,7 @@ layout(set = 0, binding = STREAMS + 1) uniform samplerBuffer rowTexels;
 vec4 shapeAt(uint i) { return texelFetch(shapeTexels, int(i)); }
 vec4 rowAt(uint i) { return texelFetch(rowTexels, int(i)); }
 #ifdef LOOKS
-layout(set = 0, binding = STREAMS + 2) uniform usamplerBuffer lookTexels;
+layout(set = 0, binding = LOOKS) uniform usamplerBuffer lookTexels;
 uint lookAt(uint i) { return texelFetch(lookTexels, int(i)).x; }
 #endif
 #else
@@ -23,7 +23,7 @@ layout(set = 0, binding = STREAMS + 1, std430) readonly buffer Rows { vec4 rows[
 vec4 shapeAt(uint i) { return shapes[i]; }
 vec4 rowAt(uint i) { return rows[i]; }
 #ifdef LOOKS
-layout(set = 0, binding = STREAMS + 2, std430) readonly buffer Looks { uint looks[]; };
+layout(set = 0, binding = LOOKS, std430) readonly buffer Looks { uint looks[]; };
 uint lookAt(uint i) { return looks[i]; }
 #endif
 #endif

@@ -99,6 +99,23 @@ TEST_P(SamePicture, OfColourToo) {
     }
 }
 
+TEST(SamePicture, WhateverWasDrawnBefore) {
+    // Buffers of a frame are used again: nothing of what they held may show, whatever size and place that had.
+    const Representation r = scene("sample:dna", Style::spacefill), small = scene("sample:glucose", Style::spacefill);
+    ValidatedRenderer used(Visibility::tiles);
+    for (const auto& [size, zoom] : {std::pair{200u, 0.4}, {200u, 2.0}, {200u, 0.3}, {120u, 1.0}, {200u, 0.3}}) {
+        const RenderSettings s = settings(r, size, Projection::orthographic, {20, 30, 10}, zoom);
+        ValidatedRenderer fresh(Visibility::tiles);
+        used->setScene(r);
+        fresh->setScene(r);
+        const Picture picture = used->render(s);
+        EXPECT_EQ(picture.rgba, fresh->render(s).rgba) << size << " at " << zoom;
+        EXPECT_EQ(used->layers(s).id, fresh->layers(s).id) << size << " at " << zoom;
+        used->setScene(small);
+        used->render(s);
+    }
+}
+
 TEST(SamePicture, OfEveryMoleculeThatThereIs) {
     NACRE_NEEDS_DATA();
     std::vector<std::unique_ptr<ValidatedRenderer>> renderers;

@@ -1,0 +1,38 @@
+// What is seen at a pixel whose primitive is known by its number, for shaders that draw by tiles.
+//   CYLINDERS   the scene has some
+#include "color.glsl"
+#include "streams.glsl"
+
+struct Seen {
+    Hit hit;
+    uint look;  // of the atom: where its colour stands in the looks
+    uint atom;  // likewise
+    float occlusion;
+};
+
+/// @param number  of a primitive, counted from 1. @param q  planePoint() of the pixel
+Seen seenOf(uint number, vec2 q) {
+    Seen seen;
+    uint index = place(number);
+#ifdef CYLINDERS
+    if (index >= view.spheres) {
+        index -= view.spheres;
+        vec4 shapeA = shapeAt(view.spheres + 2u * index);
+        vec3 shapeB = shapeAt(view.spheres + 2u * index + 1u).xyz;
+        precise vec3 a = toView(shapeA.xyz);
+        precise vec3 b = toView(shapeB);
+        seen.hit = cylinderHitThrough(a, b, shapeA.w, q);
+        seen.look = 2u * view.spheres + 4u * index + (seen.hit.along < 0.5 ? 0u : 1u);
+        seen.atom = seen.look + 2u;
+        seen.occlusion = cylinderOcclusion(seen.hit, normalize(shapeB - shapeA.xyz), cylinderPatch(index));
+        return seen;
+    }
+#endif
+    vec4 shape = shapeAt(index);
+    precise vec3 center = toView(shape.xyz);
+    seen.hit = sphereHitThrough(vec4(center, shape.w), q);
+    seen.look = 2u * index;
+    seen.atom = seen.look + 1u;
+    seen.occlusion = sphereOcclusion(seen.hit, spherePatch(index));
+    return seen;
+}
