@@ -19,6 +19,7 @@
 #define LOOKS 4
 #define ATLAS 5
 #define EFFECTS 6
+#define CELLS 7
 #ifdef SHADED
 #include "common/numbered.glsl"
 #else

@@ -73,6 +73,7 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     c.spheres = scene.buffers.sphereCount;
     c.primitives = scene.buffers.sphereCount + scene.buffers.cylinderCount;
     if (atlas.image) addAtlas(c, atlas);
+    seen->occlusionCells = atlas.cells;
     addEffects(c, settings, view);
     seen->lighting = settings.lighting;
     seen->occlusion = settings.occlusion.directions > 0;

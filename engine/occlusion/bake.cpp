@@ -62,7 +62,8 @@ Bake::Bake(const gpu::Device& device, const passes::SceneBuffers& scene, const R
     : device_(device),
       scene_(scene),
       directions_(occlusionDirections(options.directions)),
-      maps_(device, scene, representation, options.path, options.budgetBytes / 2, options.detail) {
+      maps_(device, scene, representation, options.path, options.budgetBytes / 2, options.detail),
+      budgetBytes_(options.budgetBytes) {
     OpenTexels open;
     layout_ = chooseLayout(representation, options.budgetBytes - std::min(maps_.bytes(), options.budgetBytes),
                            options.detail, open);
@@ -79,8 +80,10 @@ Bake::Bake(const gpu::Device& device, gpu::Executor& executor, const passes::Sce
       layout_(finished.layout),
       texelCount_(finished.openTexels),
       seenSpheres_(finished.seenSpheres),
-      done_(options.directions) {
+      done_(options.directions),
+      budgetBytes_(options.budgetBytes) {
     maps_.release();
+    makeCells(finished.atlas);
     atlas_ = passes::makeTexture(device, executor, {VK_FORMAT_R8_UNORM, {layout_.width, layout_.height}},
                                  finished.atlas, "occlusion atlas");
     atlasDefined_ = true;
@@ -149,8 +152,35 @@ void Bake::release() {
     list_ = {};
     words_ = {};
     sums_ = {};
+    makeCells({reinterpret_cast<const std::uint8_t*>(bytes_.mapped), std::size_t{layout_.width} * layout_.height});
     bytes_ = {};
     firstOfSphere_.clear();
+}
+
+/// What lies between four texels of a patch, as one word: those of spheres row by row, then those of cylinders.
+void Bake::makeCells(std::span<const std::uint8_t> texels) {
+    const OcclusionLayout& l = layout_;
+    if (!device_.caps().tiles.shade || l.sphereEdge < 2) return;
+    const std::uint64_t cells = std::uint64_t{l.sphereCount} * (l.sphereEdge - 1) * (l.sphereEdge - 1) +
+                                std::uint64_t{l.cylinderCount} * (l.around - 1) * (l.along - 1);
+    const std::uint64_t bytes = cells * sizeof(std::uint32_t);
+    if (bytes + 2 * texels.size() > budgetBytes_ || bytes > device_.caps().maxStorageBufferBytes) return;
+    cells_ = gpu::makeBuffer(device_, bytes, Usage::eUniformTexelBuffer, gpu::Access::upload, "occlusion cells");
+    cellTexels_ = gpu::makeTexelView(device_, cells_, vk::Format::eR32Uint, "occlusion cells");
+    auto* cell = reinterpret_cast<std::uint32_t*>(cells_.mapped);
+    const auto add = [&](std::uint32_t patch, std::uint32_t inRow, std::uint32_t top, std::uint32_t across,
+                         std::uint32_t down) {
+        const std::uint8_t* corner =
+            texels.data() + (top + std::size_t{patch / inRow} * down) * l.width + std::size_t{patch % inRow} * across;
+        for (std::uint32_t y = 0; y + 1 < down; ++y)
+            for (std::uint32_t x = 0; x + 1 < across; ++x) {
+                const std::uint8_t *here = corner + std::size_t{y} * l.width + x, *below = here + l.width;
+                *cell++ = here[0] | std::uint32_t{here[1]} << 8 | std::uint32_t{below[0]} << 16 |
+                          std::uint32_t{below[1]} << 24;
+            }
+    };
+    for (std::uint32_t i = 0; i < l.sphereCount; ++i) add(i, l.spherePatches(), 0, l.sphereEdge, l.sphereEdge);
+    for (std::uint32_t i = 0; i < l.cylinderCount; ++i) add(i, l.cylinderPatches(), l.sphereRows, l.around, l.along);
 }
 
 layout::OcclusionConstants Bake::constants() const {

@@ -3,6 +3,7 @@
 // followed by one dispatch over the atlas texels that light can reach.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/gpu/execute.h"
@@ -40,6 +41,8 @@ public:
     void finish(gpu::Executor& executor);
 
     const gpu::Image& atlas() const { return atlas_; }
+    /// Of the finished atlas, where shaders interpolate it themselves and it fits the budget; else null.
+    vk::BufferView cells() const { return *cellTexels_; }
     const OcclusionLayout& layout() const { return layout_; }
     const DepthMaps& maps() const { return maps_; }
     int directionsDone() const { return done_; }
@@ -64,6 +67,7 @@ private:
     /// the farther apart the fewer they are. @returns pixels; 0: one tap
     float spreadOfTaps() const;
     void dropDeepTexels();
+    void makeCells(std::span<const std::uint8_t> texels);
     void recordAccumulation(gpu::PassContext& context, graph::Image maps, std::uint32_t batch);
     vk::DescriptorSet accumulationSet(gpu::PassContext& context, graph::Image maps, std::uint32_t group);
     void writeDirections(std::span<const glm::dmat3> frames);
@@ -81,6 +85,9 @@ private:
     std::uint64_t asked_ = 0;
     gpu::Buffer batchDirections_, list_, sums_, words_, bytes_;
     gpu::Image atlas_;
+    std::uint64_t budgetBytes_ = 0;
+    gpu::Buffer cells_;
+    vk::raii::BufferView cellTexels_{nullptr};
     bool atlasDefined_ = false;
 };
 

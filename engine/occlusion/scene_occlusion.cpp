@@ -124,8 +124,8 @@ void SceneOcclusion::show(Clock::time_point start) {
 passes::Atlas SceneOcclusion::atlas() const {
     if (!bake_) return {};
     const OcclusionLayout& layout = bake_->layout();
-    return {&bake_->atlas(), layout.sphereEdge,      layout.around,
-            layout.along,    layout.spherePatches(), layout.cylinderPatches()};
+    return {&bake_->atlas(),        layout.sphereEdge,        layout.around, layout.along,
+            layout.spherePatches(), layout.cylinderPatches(), bake_->cells()};
 }
 
 double SceneOcclusion::share() const {

@@ -127,6 +127,7 @@ void setShadingConstants(gpu::Specialization& constants, const SceneView& view) 
     constants.set(layout::kGlossId, static_cast<float>(light.gloss));
     constants.set(layout::kDeepeningId, static_cast<float>(light.occlusion));
     constants.set(layout::kCodedId, view.coded);
+    constants.set(layout::kCellsId, static_cast<bool>(view.occlusionCells));
 }
 
 void bindCounter(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout) {

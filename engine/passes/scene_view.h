@@ -17,6 +17,7 @@ struct Atlas {
     std::uint32_t sphereEdge = 0;       ///< texels across a sphere's patch
     std::uint32_t around = 0, along = 0;
     std::uint32_t spherePatches = 1, cylinderPatches = 1;  ///< in a row
+    vk::BufferView cells;  ///< a word for what lies between four texels; null: the device interpolates
 };
 
 struct TileFrame;
@@ -32,6 +33,7 @@ struct SceneView {
     int quarterTurns = 0;    ///< as in View
     bool wholeImage = true;  ///< the viewport is the whole image; else it has the view axis in its middle
     bool lighting = true, occlusion = false;
+    vk::BufferView occlusionCells;  ///< Atlas::cells
     Effects effects;
     std::shared_ptr<const gpu::Buffer> effectConstants;  ///< layout::EffectConstants; of passes that shade
     PlateShape plates = PlateShape::automatic;

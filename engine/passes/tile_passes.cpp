@@ -17,9 +17,9 @@ constexpr Type kTexel = Type::eUniformTexelBuffer, kStorage = Type::eStorageBuff
 // Shapes, rows of copies, lists; numbers, which are written.
 constexpr Type kNearestTexels[] = {kTexel, kTexel, kTexel, kStorage};
 constexpr Type kNearestStorage[] = {kStorage, kStorage, kStorage, kStorage};
-// Where it shades: looks, atlas and effects, too.
+// Where it shades: looks, atlas, effects and cells of the atlas, too.
 constexpr Type kNearestShaded[] = {
-    kTexel, kTexel, kTexel, kStorage, kTexel, Type::eCombinedImageSampler, Type::eUniformBuffer};
+    kTexel, kTexel, kTexel, kStorage, kTexel, Type::eCombinedImageSampler, Type::eUniformBuffer, kTexel};
 // Atlas, effects, numbers, shapes, rows of copies, looks.
 constexpr Type kShadeTexels[] = {Type::eCombinedImageSampler, Type::eUniformBuffer, kTexel, kTexel, kTexel, kTexel};
 constexpr Type kShadeStorage[] = {
@@ -64,6 +64,7 @@ public:
         const vk::BufferView view = *texels;
         write({set_, at_++, 0, 1, kTexel, nullptr, nullptr, &view});
     }
+    void read(vk::BufferView view) { write({set_, at_++, 0, 1, kTexel, nullptr, nullptr, &view}); }
     void read(const TileBuffer& b) { read(b.buffer, b.texels); }
     void sample(vk::Sampler sampler, vk::ImageView image) {
         const vk::DescriptorImageInfo info(sampler, image, vk::ImageLayout::eShaderReadOnlyOptimal);
@@ -118,6 +119,8 @@ void findNearestByTiles(gpu::PassContext& context, const SceneView& view, std::o
         bindings.read(scene.looks, scene.lookTexels);
         bindings.sample(context.pipelines.sampler(vk::Filter::eLinear), *atlas);
         bindings.uniform(*view.effectConstants);
+        // Never left unwritten, even where the shader reads none: lavapipe looks at it.
+        bindings.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
     }
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline, 0, set, {});
     context.commands.pushConstants<layout::TileConstants>(*layout.pipeline, kCompute, 0, f.constants);

@@ -1,5 +1,6 @@
 // From a primitive's hit to what shows there.
 //   ATLAS, EFFECTS   bindings, unless they are 0 and 1
+//   CELLS            binding of the occlusion's cells, where they are read
 #ifndef NACRE_COLOR_GLSL
 #define NACRE_COLOR_GLSL
 #include "atlas.glsl"
@@ -15,6 +16,7 @@
 layout(set = 0, binding = ATLAS) uniform sampler2D occlusionAtlas;
 layout(set = 0, binding = EFFECTS, std140) uniform Effects { EffectConstants effects; };
 layout(constant_id = kOcclusionId) const bool kOcclusion = true;
+layout(constant_id = kCellsId) const bool kCells = false;
 layout(constant_id = kCapId) const int kCap = 0;
 layout(constant_id = kFogId) const bool kFog = false;
 // The target takes sRGB-coded colour as it is; otherwise linear light.
@@ -22,18 +24,67 @@ layout(constant_id = kCodedId) const bool kCoded = false;
 
 vec3 linearColor(uint srgb) { return linearFromSrgb(unpackUnorm4x8(srgb).rgb); }
 
+/// A cell lies between four texels of a patch.
+struct Cell {
+    vec2 first;  // of the texels
+    vec2 share;  // of the others
+};
+Cell cellOf(vec2 uv, vec2 texels) {
+    precise vec2 at = uv * (texels - 1.0);
+    vec2 first = clamp(floor(at), vec2(0.0), texels - 2.0);
+    return Cell(first, at - first);
+}
+/// @param texels  0..255: as they are, right of it, below, and below that
+float between(vec4 texels, vec2 share) {
+    precise vec2 across = texels.xz + (texels.yw - texels.xz) * share.x;
+    precise float texel = (across.x + (across.y - across.x) * share.y) * (1.0 / 255.0);
+    return texel;
+}
+
 float patchTexel(uint address, vec2 uv, vec2 texels) {
     vec2 corner = vec2(address & 0xffffu, address >> 16);
-    return textureLod(occlusionAtlas, (corner + 0.5 + uv * (texels - 1.0)) * view.atlasTexel, 0.0).r;
+    if (!kCells) return textureLod(occlusionAtlas, (corner + 0.5 + uv * (texels - 1.0)) * view.atlasTexel, 0.0).r;
+    Cell cell = cellOf(uv, texels);
+    ivec2 at = ivec2(corner + cell.first);
+    vec4 four = vec4(texelFetch(occlusionAtlas, at, 0).r, texelFetch(occlusionAtlas, at + ivec2(1, 0), 0).r,
+                     texelFetch(occlusionAtlas, at + ivec2(0, 1), 0).r, texelFetch(occlusionAtlas, at + 1, 0).r);
+    return between(floor(four * 255.0 + 0.5), cell.share);
+}
+#ifdef CELLS
+/// A word a cell, with its four texels: what software devices gather in the time of one.
+layout(set = 0, binding = CELLS) uniform usamplerBuffer cellTexels;
+float cellTexel(uint firstCell, vec2 uv, vec2 texels) {
+    Cell cell = cellOf(uv, texels);
+    uint four = texelFetch(cellTexels, int(firstCell + uint(cell.first.y * (texels.x - 1.0) + cell.first.x))).x;
+    return between(vec4(four & 0xffu, four >> 8 & 0xffu, four >> 16 & 0xffu, four >> 24), cell.share);
+}
+uint sphereCells() { return (sphereEdge() - 1u) * (sphereEdge() - 1u); }
+float sphereTexel(uint index, vec2 uv) {
+    vec2 texels = vec2(sphereEdge());
+    return kCells ? cellTexel(index * sphereCells(), uv, texels) : patchTexel(spherePatch(index), uv, texels);
+}
+float cylinderTexel(uint index, vec2 uv) {
+    uvec2 texels = cylinderTexels();
+    uint cells = (texels.x - 1u) * (texels.y - 1u);
+    if (kCells) return cellTexel(view.spheres * sphereCells() + index * cells, uv, vec2(texels));
+    return patchTexel(cylinderPatch(index), uv, vec2(texels));
+}
+#else
+float sphereTexel(uint index, vec2 uv) { return patchTexel(spherePatch(index), uv, vec2(sphereEdge())); }
+float cylinderTexel(uint index, vec2 uv) { return patchTexel(cylinderPatch(index), uv, vec2(cylinderTexels())); }
+#endif
+
+bool shadesOcclusion(Hit hit) { return kOcclusion && !hit.cap && !hit.contour; }
+vec2 sphereCoordinate(Hit hit) { return octahedralCoordinate(toObject(hit.normal)); }
+vec2 cylinderCoordinate(Hit hit, vec3 objectAxis) {
+    return vec2(angleAbout(objectAxis, toObject(hit.normal)), hit.along);
 }
 float sphereOcclusion(Hit hit, uint patchAddress) {
-    if (!kOcclusion || hit.cap || hit.contour) return 1.0;
-    return patchTexel(patchAddress, octahedralCoordinate(toObject(hit.normal)), vec2(sphereEdge()));
+    return shadesOcclusion(hit) ? patchTexel(patchAddress, sphereCoordinate(hit), vec2(sphereEdge())) : 1.0;
 }
 float cylinderOcclusion(Hit hit, vec3 objectAxis, uint patchAddress) {
-    if (!kOcclusion || hit.cap || hit.contour) return 1.0;
-    vec2 uv = vec2(angleAbout(objectAxis, toObject(hit.normal)), hit.along);
-    return patchTexel(patchAddress, uv, vec2(cylinderTexels()));
+    if (!shadesOcclusion(hit)) return 1.0;
+    return patchTexel(patchAddress, cylinderCoordinate(hit, objectAxis), vec2(cylinderTexels()));
 }
 
 /// Occlusion is baked for the whole scene. Where a plane cuts it, light falls in that the bake knows nothing of: what lay

@@ -41,6 +41,7 @@ const int kDirectId = 24;        // float
 const int kHighlightId = 25;     // float
 const int kGlossId = 26;         // float: exponent of the highlight
 const int kDeepeningId = 27;     // float: how much of the occlusion counts, 0..1
+const int kCellsId = 28;         // bool: shaders interpolate occlusion themselves, as its cells are
 
 /// Push constants of every geometry pass. Lengths in Å, view space as in engine/scene/camera.h.
 /// Z is the distance that the layers report: origin - z (orthographic: origin = R, perspective: origin = eye).

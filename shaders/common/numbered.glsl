@@ -24,7 +24,9 @@ Seen seenOf(uint number, vec2 q) {
         seen.hit = cylinderHitThrough(a, b, shapeA.w, q);
         seen.look = 2u * view.spheres + 4u * index + (seen.hit.along < 0.5 ? 0u : 1u);
         seen.atom = seen.look + 2u;
-        seen.occlusion = cylinderOcclusion(seen.hit, normalize(shapeB - shapeA.xyz), cylinderPatch(index));
+        vec3 axis = normalize(shapeB - shapeA.xyz);
+        seen.occlusion =
+            shadesOcclusion(seen.hit) ? cylinderTexel(index, cylinderCoordinate(seen.hit, axis)) : 1.0;
         return seen;
     }
 #endif
@@ -33,6 +35,6 @@ Seen seenOf(uint number, vec2 q) {
     seen.hit = sphereHitThrough(vec4(center, shape.w), q);
     seen.look = 2u * index;
     seen.atom = seen.look + 1u;
-    seen.occlusion = sphereOcclusion(seen.hit, spherePatch(index));
+    seen.occlusion = shadesOcclusion(seen.hit) ? sphereTexel(index, sphereCoordinate(seen.hit)) : 1.0;
     return seen;
 }

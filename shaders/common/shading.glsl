@@ -1,4 +1,5 @@
-// Light. All in linear light; directions in view space, so that it stays with the viewer.
+// Light. All in linear light; directions in view space, so that it stays with the viewer. `precise`, as what a compiler
+// makes of sums and products differs from shader to shader.
 
 const vec3 kLight = normalize(vec3(-0.35, 0.55, 0.76));  // over the viewer's left shoulder
 
@@ -12,8 +13,9 @@ layout(constant_id = kDeepeningId) const float kDeepening = 1.0;
 /// x to the power of kGloss, multiplied out for the usual one.
 float glossy(float x) {
     if (kGloss != 42.0) return pow(x, kGloss);
-    float x2 = x * x, x4 = x2 * x2, x8 = x4 * x4, x16 = x8 * x8;
-    return x16 * x16 * (x8 * x2);
+    precise float x2 = x * x, x4 = x2 * x2, x8 = x4 * x4, x16 = x8 * x8;
+    precise float x42 = x16 * x16 * (x8 * x2);
+    return x42;
 }
 
 /// @param base       linear base colour
@@ -21,13 +23,14 @@ float glossy(float x) {
 vec3 shade(vec3 base, vec3 normal, float occlusion) {
     if (!kLighting) return base * mix(1.0, occlusion, kDeepening);
     vec3 light = kLight;
-    float facing = max(dot(normal, light), 0.0);
+    precise float facing = max(dot(normal, light), 0.0);
     // The sky's share is wrapped a little upwards: what looks up is brighter than what looks down.
     const vec3 down = vec3(0.54, 0.52, 0.52), up = vec3(0.70, 0.73, 0.77);
-    vec3 ambient = (0.5 * (down + up) + 0.5 * (up - down) * normal.y) * kAmbient;
+    precise vec3 ambient = (0.5 * (down + up) + 0.5 * (up - down) * normal.y) * kAmbient;
     vec3 half_ = normalize(light + vec3(0.0, 0.0, 1.0));
-    float highlight = kHighlight == 0.0 ? 0.0 : glossy(max(dot(normal, half_), 0.0)) * 0.16 * kHighlight;
+    precise float highlight = kHighlight == 0.0 ? 0.0 : glossy(max(dot(normal, half_), 0.0)) * 0.16 * kHighlight;
     // Clefts darken a little faster than light falls off in them, as the eye expects of depth.
-    float open = mix(1.0, occlusion * (0.45 * occlusion + 0.55), kDeepening);
-    return open * (base * (ambient + facing * 0.74 * kDirect) + vec3(highlight));
+    precise float open = mix(1.0, occlusion * (0.45 * occlusion + 0.55), kDeepening);
+    precise vec3 lit = open * (base * (ambient + facing * (0.74 * kDirect)) + vec3(highlight));
+    return lit;
 }
