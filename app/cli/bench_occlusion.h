@@ -11,7 +11,7 @@ namespace nacre::app {
 
 using Json = nlohmann::ordered_json;
 
-/// {"min", "median"} of times; at least one.
+/// {"min", "median", "p99"} of times; at least one.
 Json timesJson(std::vector<double> samples);
 
 /// Times the whole bake by every path of its depth maps, each in turn within a round, so that the machine's moods meet

@@ -21,8 +21,23 @@ std::string capabilitySetNames() {
 void addBench(CommandSpec& command, BenchOptions& options) {
     addContent(command, options.input, true, options.drawn, options.look);
     addSize(command, "640x960", options.size);
-    addValue(command, "--frames", "N", "20", "Timed frames a path, 1 to 10000",
+    addValue(command, "--rotate", "X,Y,Z", "0,0,0", "Degrees of the first frame; each next one turns by 5 about Y",
+             [&](const std::string& text) { options.camera.rotationDegrees = parseRotation(text); });
+    addValue(command, "--zoom", "F", "1", "Scales the picture, 0.0001 to 10000",
+             [&](const std::string& text) { options.camera.zoom = parseNumber(text, kSmallestZoom, kLargestZoom); });
+    addValue(command, "--projection", "NAME", "ortho", "ortho or perspective", [&](const std::string& text) {
+        options.camera.projection =
+            parseChoice(text, {"ortho", "perspective"}) == 0 ? Projection::orthographic : Projection::perspective;
+    });
+    addValue(command, "--frames", "N", "20", "Timed frames a path, 1 to 10000; as many as 5 seconds of all paths hold",
              [&](const std::string& text) { options.frames = static_cast<int>(parseInteger(text, 1, 10000)); });
+    addValue(command, "--only", "PART", "everything", "frames (by path), shapes (of plates and impostors) or bake",
+             [&](const std::string& text) {
+                 constexpr BenchOptions::Part kParts[] = {BenchOptions::Part::frames, BenchOptions::Part::shapes,
+                                                          BenchOptions::Part::bake};
+                 options.only = kParts[parseChoice(text, {"frames", "shapes", "bake"})];
+             });
+    addVisibility(command, options.device);
     addOcclusion(command, options.occlusion);
     addDeviceName(command, options.device);
     addFlag(command, "--json", options.json, "As one JSON object");
@@ -62,7 +77,8 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     addFlag(info, "--residues", line.info.residues, "Each residue, with helix, strand or coil");
     addFlag(info, "--json", line.info.json, "As one JSON object");
     CommandSpec bench{"bench", "Time frames and count shaded fragments",
-                      "Examples:\n  nacre bench 1bna.pdb\n  nacre bench 1aon.pdb.gz --frames 50 --json"};
+                      "Examples:\n  nacre bench 1bna.pdb\n  nacre bench 1aon.pdb.gz --frames 50 --json\n"
+                      "  nacre bench 4hhb.cif.gz --only frames --visibility tiles --zoom 10"};
     addBench(bench, line.bench);
     CommandSpec plan{"plan", "Show what a frame becomes on a GPU: render passes and memory traffic",
                      "Examples:\n"

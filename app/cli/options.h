@@ -82,11 +82,14 @@ struct InfoOptions {
 };
 
 struct BenchOptions {
+    enum class Part { all, frames, shapes, bake };
     InputOptions input;
     DrawnAtomsOptions drawn;
     RepresentationOptions look;
     Size size{640, 960};
+    Camera camera;  ///< of the first frame
     int frames = 20;
+    Part only = Part::all;
     OcclusionOptions occlusion;
     DeviceOptions device;
     bool json = false;
