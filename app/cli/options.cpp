@@ -1,8 +1,12 @@
 #include "app/cli/options.h"
 
+#include <algorithm>
+#include <string_view>
+
 #include "app/cli/batch_options.h"
 #include "app/cli/common_options.h"
 #include "app/cli/examples.h"
+#include "app/cli/option_words.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/saved_options.h"
 #include "engine/error.h"
@@ -88,7 +92,17 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     addPlan(plan, line.plan);
     CommandSpec devices{"devices", "List the Vulkan devices", "Examples:\n  nacre devices\n  nacre devices --json"};
     addFlag(devices, "--json", line.json, "As a JSON array");
-    std::vector<CommandSpec> commands{render, movie, batch, looks, info, bench, plan, devices};
+    CommandSpec completion{"completion", "Print a shell's completion",
+                           "Examples:\n  source <(nacre completion bash)\n  nacre completion fish | source"};
+    completion
+        .add({"SHELL", "", "", "bash, zsh or fish",
+              [&](const std::string& text) {
+                  parseChoice(text, {"bash", "zsh", "fish"});
+                  line.shell = text;
+              }})
+        .required = true;
+    CommandSpec man{"man", "Print the manual page", "Examples:\n  nacre man | man -l -"};
+    std::vector<CommandSpec> commands{render, movie, batch, looks, info, bench, plan, devices, completion, man};
 #ifdef NACRE_DESKTOP
     CommandSpec view{"view", "Show a molecule in a window", kViewExamples};
     addWindow(view, window);
@@ -103,9 +117,10 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
 
 Command commandOf(const std::string& name) {
     constexpr std::pair<const char*, Command> kCommands[] = {
-        {"render", Command::render}, {"movie", Command::movie}, {"batch", Command::batch},
-        {"looks", Command::looks},   {"view", Command::view},   {"info", Command::info},
-        {"bench", Command::bench},   {"plan", Command::plan},   {"devices", Command::devices}};
+        {"render", Command::render},   {"movie", Command::movie}, {"batch", Command::batch},
+        {"looks", Command::looks},     {"view", Command::view},   {"info", Command::info},
+        {"bench", Command::bench},     {"plan", Command::plan},   {"devices", Command::devices},
+        {"completion", Command::help}, {"man", Command::help}};
     for (const auto& [word, command] : kCommands)
         if (name == word) return command;
     throw UsageError("a command is needed: render, movie, batch, looks, view, info, bench, plan or devices");
@@ -121,12 +136,19 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     addFlag(program, "--version", version, "Commit, Vulkan headers, device and driver");
     addFlag(program, "--notices", notices, "Licences of Nacre and of the parts that it is made of");
     const std::vector<CommandSpec> commands = commandsOf(line, window);
+    const bool isHelp = argc > 2 && std::string_view(argv[1]) == "help";
+    if (isHelp && std::none_of(commands.begin(), commands.end(), [&](const auto& c) { return c.name == argv[2]; })) {
+        line.help = helpTopic(argv[2], commands);
+        return line;
+    }
     const ParsedCommand parsed = parseCommands(program, commands, argc, argv);
     line.help = parsed.help;
     if (!line.help.empty()) return line;
     if ((parsed.name.empty() ? 0 : 1) + (version ? 1 : 0) + (notices ? 1 : 0) > 1)
         throw UsageError("more than one command");
     line.command = version ? Command::version : notices ? Command::notices : commandOf(parsed.name);
+    if (parsed.name == "completion") line.help = completionScript(line.shell, program, commands);
+    if (parsed.name == "man") line.help = manualPage(program, commands);
     if (line.command == Command::render) checkRender(line.render);
     if (line.command == Command::movie) checkMovie(line.movie);
     if (line.command == Command::looks) checkLooks(line.looks);

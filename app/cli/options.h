@@ -125,6 +125,7 @@ struct CommandLine {
     PlanOptions plan;
     LooksOptions looks;
     bool json = false;   ///< devices
+    std::string shell;   ///< whose completion is asked for
     bool quiet = false;  ///< nothing on standard error but errors
 };
 

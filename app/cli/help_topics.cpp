@@ -1,0 +1,96 @@
+// `nacre help TOPIC`: what concerns several options at once, with those options' own words.
+
+#include <algorithm>
+#include <array>
+
+#include "app/cli/option_words.h"
+#include "engine/molecule/nearest_word.h"
+
+namespace nacre::app {
+namespace {
+
+struct Topic {
+    const char* name;
+    const char* text;
+    std::array<const char*, 10> options;  ///< of `render`, which say what stands there of them
+};
+
+constexpr Topic kTopics[] = {
+    {"selections",
+     "A selection names atoms. Options that take one are written SEL.\n\n"
+     "  chain A+B   resn HEM+ATP   resi 10-20+35   name CA+CB   elem FE   altloc A   model 1\n"
+     "  protein  nucleic  polymer  ligand  water  ion  backbone  sidechain  hydrogens  hetatm  all  none\n"
+     "  b > 50   occupancy < 1   ss helix   sequence GLN?A   /A:10-20@CA (as in ChimeraX)\n"
+     "  and   or   not   ( )\n"
+     "  within 5 of (SEL)   at most 5 Å away, itself included; around 5 of (SEL): itself not\n"
+     "  byres (SEL)         its whole residues\n\n"
+     "Rules apply in the order they stand in, the last one prevails:\n"
+     "  nacre render 1hpv.pdb -o a.png --style licorice --hide water --show ligand=spacefill\n",
+     {"--show", "--hide", "--color-by"}},
+    {"colors",
+     "A colour is a scheme, which gives each atom its own, or one colour: a CSS name (navy, lightgray), #rgb, "
+     "#rrggbb,\n"
+     "and for backgrounds #rrggbbaa. element:COLOR has its carbons in the colour and the rest by element.\n",
+     {"--color", "--color-by", "--palette", "--background", "--legend"}},
+    {"formats",
+     "Structure files are told apart by their content first, and by their ending; each may be compressed (gzip, xz,\n"
+     "bzip2, zstd). INPUT may also be a sample that is built in, or a download. Pictures are told by their ending.\n",
+     {"INPUT", "--format", "--model", "--assembly", "--output", "--layers", "--offline", "--cache"}},
+    {"views",
+     "At zoom 1 the molecule's sphere fills 95 % of the shorter side. Rotations are right-handed, about the view's "
+     "axes:\n"
+     "x to the right, y up, z to the viewer. `Shift S` in the window saves a view, a small JSON; `render --view` and\n"
+     "`movie --views` draw it. Its keys are the options' names. What it names as its molecule is found beside it, "
+     "too.\n",
+     {"--view", "--rotate", "--zoom", "--projection", "--fov", "--orient", "--look-at", "--zoom-to", "--size",
+      "--allow-download"}},
+    {"light",
+     "Ambient occlusion is baked once for a molecule and its style, and kept on disk if that took long.\n",
+     {"--occlusion", "--occlusion-detail", "--occlusion-memory", "--lighting", "--fog", "--contours", "--halos",
+      "--shadow", "--supersample", "--cache"}},
+    {"devices",
+     "Any Vulkan driver will do, Mesa's lavapipe among them, which needs no GPU. `nacre devices` lists what is "
+     "there.\n",
+     {"--device", "--visibility", "--encoded-format", "--prepass", "--merge", "--transient", "--validate",
+      "--capture"}},
+};
+
+/// An option as it stands in --help, wrapped by hand already.
+std::string described(const OptionSpec& option) {
+    std::string text = "  " + option.names + (option.type.empty() ? "" : " " + option.type);
+    if (!option.fallback.empty()) text += " [" + option.fallback + "]";
+    text += "\n      ";
+    for (const char c : option.help) text += c == '\n' ? std::string("\n      ") : std::string(1, c);
+    return text + "\n";
+}
+
+}  // namespace
+
+std::vector<std::string> helpTopicNames() {
+    std::vector<std::string> names;
+    for (const Topic& topic : kTopics) names.emplace_back(topic.name);
+    return names;
+}
+
+std::string helpTopic(const std::string& name, std::span<const CommandSpec> commands) {
+    const std::string spelt = name == "colours" || name == "colour" || name == "color" ? "colors" : name;
+    const auto topic =
+        std::find_if(std::begin(kTopics), std::end(kTopics), [&](const Topic& t) { return spelt == t.name; });
+    if (topic == std::end(kTopics)) {
+        std::vector<std::string> known = helpTopicNames();
+        std::string list;
+        for (const std::string& one : known) list += (list.empty() ? "" : ", ") + one;
+        for (const CommandSpec& command : commands) known.push_back(command.name);
+        throw UsageError("there is no help on '" + name + "'" + suggestion(name, known) + ": topics are " + list +
+                         ", and every command");
+    }
+    std::string text = topic->text;
+    const auto render =
+        std::find_if(commands.begin(), commands.end(), [](const CommandSpec& c) { return c.name == "render"; });
+    for (const char* wanted : topic->options)
+        for (const OptionSpec& option : render->options)
+            if (wanted && option.longName() == wanted) text += "\n" + described(option);
+    return text;
+}
+
+}  // namespace nacre::app
