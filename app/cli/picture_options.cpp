@@ -155,6 +155,7 @@ bool takeInput(RenderOptions& options) {
     options.input.path = options.savedInput.path;
     options.input.format = options.savedInput.format;
     options.input.model = options.savedInput.model;
+    options.input.hash = options.savedInput.hash;
     if (!options.input.path.empty()) options.input.namedBy = options.view;
     return !options.input.path.empty();
 }

@@ -17,6 +17,7 @@
 #include "app/shared/json_text.h"
 #include "app/shared/messages.h"
 #include "app/shared/printable.h"
+#include "app/shared/view_input.h"
 #include "app/viewer/session.h"
 #include "engine/error.h"
 
@@ -224,7 +225,9 @@ private:
                 settings.supersample = viewer().mostSamples();
                 writePicture(file, renderer().render(settings), false);
             } else {
-                writeText(file, savedViewJson(viewer().view()));
+                SavedView view = viewer().view();
+                view.hash = fileHash(view.input);
+                writeText(file, savedViewJson(view));
             }
             viewer().say("saved " + path, now());
         } catch (const Error& error) {

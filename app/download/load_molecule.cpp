@@ -1,5 +1,7 @@
 #include "app/download/load_molecule.h"
 
+#include <filesystem>
+
 #include "app/download/download.h"
 #include "app/shared/cache_folder.h"
 #include "app/shared/messages.h"
@@ -37,10 +39,20 @@ Molecule loadDownload(const InputOptions& input, const DatabaseId& id, const std
     }
 }
 
+bool isPlain(const std::string& path) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(path, error);
+}
+
 /// A file that a view names.
 Molecule loadNamed(InputOptions input, const std::function<void(double)>& onModel) {
     if (const std::string notice = outsideNotice(input); !notice.empty()) sayNote(notice);
+    const std::string named = (std::filesystem::path(input.namedBy).parent_path() / input.path).string();
     input.path = filePathOf(input);
+    if (input.path != named && isPlain(input.path))
+        sayNote(input.namedBy + " names a file that is gone; this one has its content: " + input.path);
+    else if (!input.hash.empty() && isPlain(input.path) && fileHash(input.path) != input.hash)
+        sayNote(input.path + " is not as it was when " + input.namedBy + " was saved");
     try {
         return readLocally(input, memoryOf(input), {}, onModel);
     } catch (const Error&) {

@@ -26,6 +26,7 @@ struct InputOptions {
     std::optional<std::string> cache;  ///< folder, or "off"; empty: the usual one (cache_folder.h)
     bool offline = false;              ///< downloads from the cache alone
     std::string namedBy;         ///< a saved view's file that names `path`; empty: the user does. See load_molecule.h
+    std::string hash;            ///< of its content, as that view states it; empty: it does not. See fileHash()
     bool allowDownload = false;  ///< what a view names may be downloaded
     TrajectoryOptions trajectory;
     std::optional<std::int64_t> memoryMegabytes;  ///< for the molecule, of 2^20 bytes; empty: half of the machine's

@@ -79,6 +79,8 @@ std::optional<Format> parseFormat(const std::string& name) {
 void readKey(const std::string& key, const Json& value, SavedView& view) {
     if (key == "input") {
         view.input = textOf(value);
+    } else if (key == "hash") {
+        view.hash = textOf(value);
     } else if (key == "format") {
         view.format = parseFormat(textOf(value));
     } else if (key == "model") {
@@ -152,6 +154,7 @@ SavedView readSavedView(const std::string& path) { return parseSavedView(readVie
 std::string savedViewJson(const SavedView& view) {
     OrderedJson json = OrderedJson::object();
     if (!view.input.empty()) json["input"] = view.input;
+    if (!view.hash.empty()) json["hash"] = view.hash;
     if (view.format) json["format"] = formatName(*view.format);
     json["model"] = view.model == kAllModels ? OrderedJson("all") : OrderedJson(view.model);
     if (!view.look.assembly.empty()) json["assembly"] = view.look.assembly;
@@ -180,6 +183,7 @@ std::string savedViewJson(const SavedView& view) {
 
 InputOptions inputOf(const SavedView& view, InputOptions options) {
     options.path = view.input;
+    options.hash = view.hash;
     options.format = view.format;
     options.model = view.model;
     return options;

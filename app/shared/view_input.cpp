@@ -1,7 +1,12 @@
 #include "app/shared/view_input.h"
 
+#include <xxhash.h>
+
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
 
 namespace nacre::app {
 namespace fs = std::filesystem;
@@ -17,11 +22,51 @@ fs::path real(const fs::path& path) {
     return error ? path : found;
 }
 
+constexpr int kMostNeighbours = 1000;  // that are looked at beside a view
+
+/// The file beside a view whose content is the one that the view was saved with; its own name is tried first.
+fs::path beside(const fs::path& folder, const fs::path& name, const std::string& hash) {
+    if (fileHash((folder / name).string()) == hash) return folder / name;
+    std::error_code error;
+    int seen = 0;
+    for (fs::directory_iterator entry(folder.empty() ? "." : folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        if (++seen > kMostNeighbours) break;
+        const std::uintmax_t bytes = entry->is_regular_file(error) ? entry->file_size(error) : 0;
+        if (!error && hash.starts_with(std::to_string(bytes) + "-") && fileHash(entry->path().string()) == hash)
+            return folder / entry->path().filename();
+    }
+    return {};
+}
+
 }  // namespace
+
+std::string fileHash(const std::string& path) {
+    std::error_code error;
+    if (!fs::is_regular_file(path, error)) return {};
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (!file) return {};
+    const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(), XXH3_freeState);
+    XXH3_64bits_reset(state.get());
+    std::array<char, 1 << 16> buffer{};
+    std::uint64_t bytes = 0;
+    for (std::size_t count; (count = std::fread(buffer.data(), 1, buffer.size(), file.get())) > 0; bytes += count)
+        XXH3_64bits_update(state.get(), buffer.data(), count);
+    if (std::ferror(file.get())) return {};
+    std::array<char, 17> digits{};
+    std::snprintf(digits.data(), digits.size(), "%016llx",
+                  static_cast<unsigned long long>(XXH3_64bits_digest(state.get())));
+    return std::to_string(bytes) + "-" + digits.data();
+}
 
 std::string filePathOf(const InputOptions& input) {
     if (input.namedBy.empty() || !isFile(input.path)) return input.path;
-    return (fs::path(input.namedBy).parent_path() / input.path).string();  // an absolute one stays
+    const fs::path folder = fs::path(input.namedBy).parent_path(),
+                   named = folder / input.path;  // an absolute one stays
+    std::error_code error;
+    if (input.hash.empty() || fs::exists(named, error)) return named.string();
+    const fs::path moved = beside(folder, fs::path(input.path).filename(), input.hash);
+    return moved.empty() ? named.string() : moved.string();
 }
 
 std::string outsideNotice(const InputOptions& input) {

@@ -9,8 +9,13 @@
 namespace nacre::app {
 
 /// The file that INPUT names; "-" and samples and downloads as they are. A path that a view names starts from the
-/// view's folder.
+/// view's folder. If nothing is there, and the view states the file's hash, it is the file beside the view that has
+/// it, by whatever name.
 std::string filePathOf(const InputOptions& input);
+
+/// What a file's content is known by: its length in bytes and its XXH3, "49842-1f0c...". Empty for what is no plain
+/// file or cannot be read.
+std::string fileHash(const std::string& path);
 
 /// What to say before a file that a view names outside of its own folder is opened; otherwise empty.
 std::string outsideNotice(const InputOptions& input);

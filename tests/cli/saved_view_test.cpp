@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/cli/saved_options.h"
+#include "app/shared/view_input.h"
 #include "tests/support/run_program.h"
 
 namespace nacre {
@@ -62,6 +63,48 @@ TEST(SavedView, WithoutAnInputOrAReadableFileNothingIsDrawn) {
     EXPECT_NE(bad.err.find("zoom"), std::string::npos) << bad.err;
     EXPECT_EQ(nacreIn(folder, "render sample:dna --view none.json -o a.png").code, 2);
     EXPECT_EQ(folder.count(), 2u);
+}
+
+// A view and its file that were moved together, or sent to someone: the file is found by what it holds.
+TEST(SavedView, FindsItsFileBesideItByItsHash) {
+    const TemporaryFolder folder;
+    const auto put = [&](const char* name, const char* element) {
+        std::ofstream(folder / name) << "ATOM      1  X   GLY A   1       0.000   0.000   0.000  1.00  0.00           "
+                                     << element << "\nEND\n";
+    };
+    const auto view = [&](const std::string& input, const std::string& hash) {
+        std::ofstream(folder / "v.json") << "{\"input\": \"" << input << "\", \"hash\": \"" << hash
+                                         << "\", \"occlusion\": \"off\"}";
+    };
+    const auto draw = [&] { return nacreIn(folder, "render --view v.json -o a.png --size 16x16"); };
+    put("carbon.pdb", "C");
+    const std::string carbon = app::fileHash(folder / "carbon.pdb");
+    EXPECT_EQ(carbon.substr(0, carbon.find('-')), "83") << carbon;
+    put("oxygen.pdb", "O");
+    EXPECT_NE(app::fileHash(folder / "oxygen.pdb"), carbon);
+    ASSERT_EQ(nacreIn(folder, "render carbon.pdb -o c.png --size 16x16 --occlusion off").code, 0);
+    const std::string picture = contentOf(folder / "c.png");
+
+    view("/nowhere/at/all/carbon.pdb", carbon);
+    test::Outcome outcome = draw();
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(contentOf(folder / "a.png"), picture);
+    EXPECT_NE(outcome.err.find("this one has its content: carbon.pdb"), std::string::npos) << outcome.err;
+
+    view("elsewhere/other-name.pdb", carbon);  // by another name, beside one as long
+    outcome = draw();
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(contentOf(folder / "a.png"), picture);
+
+    view("/nowhere/at/all/oxygen.pdb", carbon + "0");  // the name alone is not enough
+    outcome = draw();
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.err.find("/nowhere/at/all/oxygen.pdb"), std::string::npos) << outcome.err;
+
+    view("oxygen.pdb", carbon);
+    outcome = draw();
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("oxygen.pdb is not as it was when v.json was saved"), std::string::npos) << outcome.err;
 }
 
 TEST(SavedView, OptionsBecomeAViewThatMeansThem) {
