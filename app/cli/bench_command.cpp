@@ -18,10 +18,10 @@
 namespace nacre::app {
 namespace {
 
-constexpr Visibility kPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::deferred,
-                                 Visibility::rasterOrder, Visibility::tiles};
+constexpr Visibility kTimedPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::deferred,
+                                      Visibility::rasterOrder, Visibility::tiles};
 // Milliseconds of a part after which no further round of it begins.
-constexpr double kEnough = 5'000;
+constexpr double kPartMilliseconds = 5'000;
 
 struct Variant {
     const char* plates;
@@ -59,12 +59,12 @@ struct Timed {
     std::vector<double> samples;
 };
 
-/// Renderers that show the scene by the paths that were asked for, baked and drawn once. A path that the device lacks is
-/// told in `lacks`, unless it is the one that was asked for.
+/// Renderers that show the scene by the paths that were asked for, baked and drawn once. A path that the device lacks
+/// is told in `lacks`, unless it is the one that was asked for.
 std::vector<Timed> timedPaths(const BenchOptions& options, const Representation& scene, Json& lacks) {
     std::vector<Timed> timed;
     const bool all = options.device.visibility == Visibility::automatic;
-    for (const Visibility path : kPaths) {
+    for (const Visibility path : kTimedPaths) {
         if (!all && path != options.device.visibility) continue;
         DeviceOptions device = options.device;
         device.visibility = path;
@@ -85,8 +85,8 @@ std::vector<Timed> timedPaths(const BenchOptions& options, const Representation&
 /// the machine's moods meet all of them.
 void timeFrames(const BenchOptions& options, double radius, std::vector<Timed>& timed, Progress& progress) {
     double spent = 0;
-    for (int frame = -3; frame < options.frames && (frame < 3 || spent < kEnough); ++frame) {
-        progress.advance(std::max({frame / static_cast<double>(options.frames), spent / kEnough, 0.0}));
+    for (int frame = -3; frame < options.frames && (frame < 3 || spent < kPartMilliseconds); ++frame) {
+        progress.advance(std::max({frame / static_cast<double>(options.frames), spent / kPartMilliseconds, 0.0}));
         for (Timed& t : timed) {
             const double ms = t.renderer->drawFrame(frameSettings(options, radius, std::max(frame, 0)));
             if (frame >= 0) t.samples.push_back(ms);
@@ -143,14 +143,14 @@ void tellOfFirstFrame(const BenchOptions& options, const Representation& scene, 
     least.render(settings);
     std::vector<double> whole, floor;
     double spent = 0;
-    for (int frame = -2; frame < options.frames && (frame < 3 || spent < kEnough / 2); ++frame) {
+    for (int frame = -2; frame < options.frames && (frame < 3 || spent < kPartMilliseconds / 2); ++frame) {
         const double a = timed.renderer->drawFrame(settings), b = least.drawFrame(settings);
         if (frame >= 0) whole.push_back(a), floor.push_back(b);
         spent += a + b;
     }
-    report["floor"] = {{"frame", timesJson(floor)},
-                       {"ratio", *std::min_element(whole.begin(), whole.end()) /
-                                     *std::min_element(floor.begin(), floor.end())}};
+    report["floor"] = {
+        {"frame", timesJson(floor)},
+        {"ratio", *std::min_element(whole.begin(), whole.end()) / *std::min_element(floor.begin(), floor.end())}};
 }
 
 /// Shaded fragments of each pass of the encoded path, and its frame times, for every shape of plates and impostors.
@@ -174,7 +174,7 @@ Json compareShapes(const BenchOptions& options, const Representation& scene, Ren
     // In turns, so that the machine's moods meet all of them.
     std::vector<std::vector<double>> samples(std::size(kVariants));
     double spent = 0;
-    for (int frame = -1; frame < options.frames && (frame < 2 || spent < kEnough); ++frame)
+    for (int frame = -1; frame < options.frames && (frame < 2 || spent < kPartMilliseconds); ++frame)
         for (std::size_t i = 0; i < std::size(kVariants); ++i) {
             RenderSettings settings = frameSettings(options, scene.radius, std::max(frame, 0));
             settings.tuning.plates = kVariants[i].plateShape;
@@ -209,14 +209,17 @@ void printShapes(const Json& shapes, std::ostream& out) {
     double off = 0;
     for (const Json& row : shapes) {
         const double visible = std::max(row["visible"].get<double>(), 1.0);
-        const auto shaded = [&](std::size_t pass) {
-            return row["passes"][pass]["shaded_fragments"].get<double>() / visible;
+        const auto shaded = [&](std::string_view name) {
+            for (const Json& pass : row["passes"])
+                if (pass["name"] == name) return pass["shaded_fragments"].get<double>() / visible;
+            return 0.0;  // a prepass of no plates is none
         };
-        const double costly = shaded(1) + shaded(2);
+        const double prepass = shaded("opaque prepass"), encoding = shaded("depth encoding"),
+                     color = shaded("impostor colour"), costly = encoding + color;
         if (off == 0) off = costly;
         out << std::left << std::setw(12) << row["plates"].get<std::string>() << std::setw(8)
-            << row["impostor"].get<std::string>() << std::right << std::setw(7) << shaded(0) << std::setw(10)
-            << shaded(1) << std::setw(8) << shaded(2) << std::setw(8) << off / costly << std::setw(14)
+            << row["impostor"].get<std::string>() << std::right << std::setw(7) << prepass << std::setw(10) << encoding
+            << std::setw(8) << color << std::setw(8) << off / costly << std::setw(14)
             << row["frame"]["min"].get<double>() << "\n";
     }
 }
