@@ -26,6 +26,7 @@ void main() {
     uint primitives = view.primitives;
     uint copy = (number - 1u) / primitives;
     uint index = (number - 1u) % primitives;
+    copyIndex = copy;
     copyRow0 = copyRows[3u * copy];
     copyRow1 = copyRows[3u * copy + 1u];
     copyRow2 = copyRows[3u * copy + 2u];

@@ -130,10 +130,15 @@ void addContent(CommandSpec& command, InputOptions& input, bool required, DrawnA
     addValue(command, "--style", "NAME", "spacefill; ball-and-stick under 100 atoms with bonds",
              "spacefill, ball-and-stick or licorice", [&](const std::string& text) { look.style = parseStyle(text); });
     addValue(command, "--color", "SCHEME|COLOR", "element",
-             "element, chain, residue, hydrophobicity, charge, secondary-structure, b-factor,\n"
-             "plddt (AlphaFold's bands), rainbow (N to C), occupancy, entity; or a colour as for --background;\n"
-             "element:COLOR colours the carbons alone",
+             "element, chain, chain-carbons (the rest by element), copy (of an assembly), entity, residue,\n"
+             "hydrophobicity, charge, secondary-structure, b-factor, plddt (AlphaFold's bands), rainbow (N to C),\n"
+             "occupancy; or a colour as for --background; element:COLOR colours the carbons alone;\n"
+             "b-factor:10..60:viridis gives the ends of the colours and their palette, chain:muted a palette",
              [&](const std::string& text) { look.color = parseColoring(text); });
+    addValue(
+        command, "--palette", "NAME", "by the scheme",
+        "Colours of kinds (chains, copies, entities): " + paletteNames(false) + ";\nof numbers: " + paletteNames(true),
+        [&](const std::string& text) { look.palette = parsePalette(text); });
     addValue(command, "--assembly", "ID", "none: the file's atoms as they are",
              "Biological assembly or unit cell, of those that `nacre info` lists", [&](const std::string& text) {
                  if (text.empty()) throw std::invalid_argument("expected an assembly's identifier");

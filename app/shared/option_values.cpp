@@ -43,13 +43,26 @@ constexpr Synonym kStyleSynonyms[] = {{"sticks", "licorice"},
                                       {"ball+stick", "ball-and-stick"},
                                       {"ballandstick", "ball-and-stick"},
                                       {"ball-stick", "ball-and-stick"}};
-constexpr Synonym kColorSynonyms[] = {{"cpk", "element"},          {"elements", "element"},
-                                      {"byelement", "element"},    {"element-symbol", "element"},
-                                      {"heteroatom", "element"},   {"chains", "chain"},
-                                      {"bychain", "chain"},        {"chain-id", "chain"},
-                                      {"spectrum", "rainbow"},     {"sequence-id", "rainbow"},
-                                      {"temperature", "b-factor"}, {"bfactors", "b-factor"},
-                                      {"confidence", "plddt"},     {"hydrophobic", "hydrophobicity"},
+constexpr Synonym kColorSynonyms[] = {{"cpk", "element"},
+                                      {"elements", "element"},
+                                      {"byelement", "element"},
+                                      {"element-symbol", "element"},
+                                      {"heteroatom", "element"},
+                                      {"chains", "chain"},
+                                      {"cbc", "chain-carbons"},
+                                      {"carbons-by-chain", "chain-carbons"},
+                                      {"byhetero", "chain-carbons"},
+                                      {"by-copy", "copy"},
+                                      {"operator-name", "copy"},
+                                      {"symmetry", "copy"},
+                                      {"bychain", "chain"},
+                                      {"chain-id", "chain"},
+                                      {"spectrum", "rainbow"},
+                                      {"sequence-id", "rainbow"},
+                                      {"temperature", "b-factor"},
+                                      {"bfactors", "b-factor"},
+                                      {"confidence", "plddt"},
+                                      {"hydrophobic", "hydrophobicity"},
                                       {"byresidue", "residue"}};
 
 std::string_view ours(std::string_view text, std::span<const Synonym> synonyms) {
@@ -167,16 +180,82 @@ bool isColor(std::string_view text) {
 
 }  // namespace
 
+namespace {
+
+/// "LOW..HIGH", two numbers that differ.
+std::optional<ColorRange> parseRange(std::string_view text) {
+    const std::size_t dots = text.find("..");
+    if (dots == std::string_view::npos) return std::nullopt;
+    ColorRange range;
+    if (!parseWhole(text.substr(0, dots), range.first) || !parseWhole(text.substr(dots + 2), range.last) ||
+        !std::isfinite(range.first) || !std::isfinite(range.last) || range.first == range.last)
+        refuse(text, "FROM..TO, two numbers that differ, as 10..60");
+    return range;
+}
+
+/// What stands behind a scheme's name: its range, its palette, or the colour of its carbons.
+void parseColoringPart(std::string_view text, Coloring& coloring) {
+    const std::string name(colorSchemeName(coloring.scheme));
+    const PaletteUse use = paletteUse(coloring.scheme);
+    if (const auto range = parseRange(text)) {
+        if (!takesRange(coloring.scheme))
+            throw std::invalid_argument("'" + name + "' takes no range; b-factor and occupancy do");
+        coloring.range = range;
+    } else if (const auto palette = paletteFromName(lower(text))) {
+        if (use != (isRamp(*palette) ? PaletteUse::ramp : PaletteUse::kinds))
+            throw std::invalid_argument("'" + name + "' takes no palette" +
+                                        (use == PaletteUse::none   ? std::string()
+                                         : use == PaletteUse::ramp ? " of kinds: one of " + paletteNames(true)
+                                                                   : " of numbers: one of " + paletteNames(false)));
+        coloring.palette = *palette;
+    } else if (coloring.scheme == ColorScheme::element) {
+        coloring.color = parseAtomColor(text);
+    } else if (use != PaletteUse::none) {
+        std::vector<std::string> words;
+        for (const Palette p : allPalettes()) words.emplace_back(paletteName(p));
+        refuse(text,
+               (takesRange(coloring.scheme) ? "a range as 10..60 or " : "") + std::string("one of ") +
+                   paletteNames(use == PaletteUse::ramp) + " behind '" + name + ":'",
+               words);
+    } else {
+        throw std::invalid_argument("'" + name + "' takes nothing behind it, not '" + std::string(text) +
+                                    "' (element:COLOR has a colour for carbons)");
+    }
+}
+
+}  // namespace
+
+std::string paletteNames(bool ramps) {
+    std::string names;
+    for (const Palette palette : allPalettes())
+        if (isRamp(palette) == ramps) names += (names.empty() ? "" : ", ") + std::string(paletteName(palette));
+    return names;
+}
+
+Palette parsePalette(std::string_view text) {
+    if (const auto palette = paletteFromName(lower(text))) return *palette;
+    std::vector<std::string> words;
+    for (const Palette palette : allPalettes()) words.emplace_back(paletteName(palette));
+    refuse(text, "one of " + paletteNames(false) + " for kinds, or " + paletteNames(true) + " for numbers", words);
+}
+
 Coloring parseColoring(std::string_view text) {
-    const std::size_t colon = text.find(':');
-    if (colon != std::string_view::npos &&
-        colorSchemeFromName(ours(text.substr(0, colon), kColorSynonyms)) == ColorScheme::element)
-        return Coloring::elementWithCarbons(parseAtomColor(text.substr(colon + 1)));
-    if (const auto scheme = colorSchemeFromName(ours(text, kColorSynonyms))) return *scheme;
+    std::string_view rest = text;
+    const auto part = [&] {
+        const std::size_t colon = rest.find(':');
+        const std::string_view first = rest.substr(0, colon);
+        rest = colon == std::string_view::npos ? std::string_view() : rest.substr(colon + 1);
+        return first;
+    };
+    if (const auto scheme = colorSchemeFromName(ours(part(), kColorSynonyms)); scheme && !text.ends_with(':')) {
+        Coloring coloring(*scheme);
+        while (!rest.empty()) parseColoringPart(part(), coloring);
+        return coloring;
+    }
     if (isColor(text)) return Coloring::uniform(parseAtomColor(text));
     constexpr const char* kWanted =
-        "element, chain, residue, hydrophobicity, charge, secondary-structure, b-factor, plddt, rainbow, occupancy, "
-        "entity, a colour's name, #rrggbb or element:COLOR for carbons in one colour";
+        "element, chain, chain-carbons, copy, residue, hydrophobicity, charge, secondary-structure, b-factor, plddt, "
+        "rainbow, occupancy, entity, a colour's name, #rrggbb or element:COLOR for carbons in one colour";
     std::vector<std::string> words = colorNames();
     for (int s = 0; s < static_cast<int>(ColorScheme::uniform); ++s)
         words.emplace_back(colorSchemeName(static_cast<ColorScheme>(s)));

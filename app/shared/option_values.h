@@ -37,8 +37,13 @@ std::array<float, 4> parseColor(std::string_view text);
 /// "spacefill", "ball-and-stick" or "licorice".
 Style parseStyle(std::string_view text);
 
+/// The name of a palette.
+Palette parsePalette(std::string_view text);
+/// Their names, with commas. @param ramps  those of numbers, else those of kinds
+std::string paletteNames(bool ramps);
+
 /// The name of a colour scheme, an opaque colour as parseColor() takes it, or "element:COLOR", whose carbons alone
-/// have the colour.
+/// have the colour; behind the name of a scheme that has them, its range and its palette: "b-factor:10..60:viridis".
 Coloring parseColoring(std::string_view text);
 
 /// "SELECTION=STYLE", "SELECTION" and "SELECTION=SCHEME" or "SELECTION=COLOR", divided at the last '='.

@@ -28,15 +28,17 @@ std::span<const Preset> presets() {
 
 void applyPreset(const Preset& preset, SavedView& view) {
     const std::string assembly = view.look.assembly;
+    const Palette palette = view.look.palette;
     view.look = preset.look;
     view.look.assembly = assembly;
+    view.look.palette = palette;
     view.background = preset.background;
 }
 
 std::span<const char* const> colorChoices() {
-    static constexpr const char* kChoices[] = {"element", "chain",     "residue",       "entity",
-                                               "rainbow", "charge",    "b-factor",      "secondary-structure",
-                                               "plddt",   "occupancy", "hydrophobicity"};
+    static constexpr const char* kChoices[] = {
+        "element", "chain",    "chain-carbons",       "copy",  "residue",   "entity",        "rainbow",
+        "charge",  "b-factor", "secondary-structure", "plddt", "occupancy", "hydrophobicity"};
     return kChoices;
 }
 

@@ -32,7 +32,7 @@ glm::vec4 linear(float r, float g, float b, double share) {
 
 }  // namespace
 
-layout::EffectConstants effectConstants(const RenderSettings& settings) {
+layout::EffectConstants effectConstants(const RenderSettings& settings, const std::vector<std::uint32_t>& copyColors) {
     const Effects& e = settings.effects;
     const View& view = settings.view;
     const double center = view.projection == Projection::perspective ? view.eyeDistance : view.radius;
@@ -47,6 +47,11 @@ layout::EffectConstants effectConstants(const RenderSettings& settings) {
     c.perFog = static_cast<float>(1.0 / std::max(end - start, 1e-6));
     constexpr double kHatchPixels = 7;
     c.hatch = static_cast<float>(kHatchPixels / view.pixelsPerAngstrom);
+    static_assert(kMostCopyColors == layout::kMostCopyColors);
+    for (std::size_t i = 0; i < copyColors.size(); ++i) {
+        const auto channel = [&](int shift) { return static_cast<float>(copyColors[i] >> shift & 0xff) / 255.0f; };
+        c.copyColors[i] = linear(channel(0), channel(8), channel(16), 1);
+    }
     return c;
 }
 
@@ -78,6 +83,7 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     seen->lighting = settings.lighting;
     seen->occlusion = settings.occlusion.directions > 0;
     seen->effects = settings.effects;
+    seen->copyColors = static_cast<int>(scene.representation.copies.colors.size());
     seen->buffers = &scene.buffers;
     seen->copies = passes::placeCopies(scene.representation, view);
     if (path == Visibility::deferred)

@@ -22,7 +22,7 @@ Scene makeScene(const gpu::Device& device, Representation representation);
 graph::Extent imageExtent(const View& view);
 
 /// What the effects of shading work with, for shaders.
-layout::EffectConstants effectConstants(const RenderSettings& settings);
+layout::EffectConstants effectConstants(const RenderSettings& settings, const std::vector<std::uint32_t>& copyColors);
 
 /// The scene as a view sees it. @param scene  outlives what is returned
 /// @param path  of the frame: `deferred` wants rows of copies on the device

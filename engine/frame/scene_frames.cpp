@@ -15,7 +15,7 @@ SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, con
       tiles_(device) {}
 
 std::shared_ptr<const gpu::Buffer> SceneFrames::effectsOf(const RenderSettings& settings) const {
-    const layout::EffectConstants wanted = effectConstants(settings);
+    const layout::EffectConstants wanted = effectConstants(settings, scene_.representation.copies.colors);
     if (effects_ && std::memcmp(&wanted, &lastEffects_, sizeof wanted) == 0) return effects_;
     lastEffects_ = wanted;
     effects_ = std::make_shared<gpu::Buffer>(

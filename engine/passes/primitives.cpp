@@ -120,6 +120,7 @@ void setShadingConstants(gpu::Specialization& constants, const SceneView& view) 
     constants.set(layout::kLightingId, view.lighting);
     constants.set(layout::kOcclusionId, view.occlusion);
     constants.set(layout::kCapId, static_cast<int>(view.effects.clip.cap));
+    constants.set(layout::kCopyColorsId, view.copyColors);
     constants.set(layout::kFogId, view.effects.fog.range != Fog::Range::off);
     constants.set(layout::kAmbientId, static_cast<float>(light.ambient));
     constants.set(layout::kDirectId, static_cast<float>(light.direct));

@@ -35,6 +35,7 @@ struct SceneView {
     bool lighting = true, occlusion = false;
     vk::BufferView occlusionCells;  ///< Atlas::cells
     Effects effects;
+    int copyColors = 0;                                  ///< that copies take in turn
     std::shared_ptr<const gpu::Buffer> effectConstants;  ///< layout::EffectConstants; of passes that shade
     PlateShape plates = PlateShape::automatic;
     ImpostorShape impostor = ImpostorShape::automatic;

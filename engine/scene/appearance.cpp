@@ -47,6 +47,14 @@ Settled settle(const Molecule& molecule, std::span<const std::uint32_t> drawn, c
     return settled;
 }
 
+/// A colouring in the palette for all, if it takes one of that kind and names none itself.
+Coloring withPalette(Coloring coloring, Palette palette) {
+    const PaletteUse use = paletteUse(coloring.scheme);
+    const bool fits = palette != Palette::automatic && use == (isRamp(palette) ? PaletteUse::ramp : PaletteUse::kinds);
+    if (fits && coloring.palette == Palette::automatic) coloring.palette = palette;
+    return coloring;
+}
+
 /// Colours the atoms that one colouring settles, and adds its legend.
 void color(const Molecule& molecule, const Coloring& coloring, const std::string& selection,
            const std::vector<std::uint32_t>& slots, Appearance& appearance) {
@@ -54,10 +62,13 @@ void color(const Molecule& molecule, const Coloring& coloring, const std::string
     atoms.reserve(slots.size());
     for (const std::uint32_t slot : slots) atoms.push_back(appearance.atoms[slot]);
     ColoredAtoms colored = colorAtoms(molecule, atoms, coloring);
-    for (std::size_t i = 0; i < slots.size(); ++i) appearance.colors[slots[i]] = colored.colors[i];
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        appearance.colors[slots[i]] = colored.colors[i];
+        appearance.byCopy[slots[i]] = coloring.scheme == ColorScheme::copy;
+    }
     const std::string scheme = coloringText(coloring);
     if (!colored.warning.empty()) appearance.warnings.push_back("colour by " + scheme + ": " + colored.warning);
-    appearance.legends.push_back({selection, scheme, std::move(colored.legend)});
+    appearance.legends.push_back({selection, scheme, std::move(colored.legend), colored.ramp, colored.stops});
 }
 
 }  // namespace
@@ -79,12 +90,12 @@ Appearance appearanceOf(const Molecule& molecule, std::span<const std::uint32_t>
         if (!settled.hidden[i])
             appearance.styles.push_back(settled.style[i] == kBase ? base : rules[settled.style[i] - 1].style);
     appearance.colors.resize(appearance.atoms.size());
+    appearance.byCopy.resize(appearance.atoms.size());
     for (std::size_t i = 0; i < slotsOfColoring.size(); ++i) {
         if (slotsOfColoring[i].empty()) continue;
-        if (i == kBase)
-            color(molecule, options.color, "all", slotsOfColoring[i], appearance);
-        else
-            color(molecule, rules[i - 1].coloring, rules[i - 1].selection.text, slotsOfColoring[i], appearance);
+        const Coloring& coloring = i == kBase ? options.color : rules[i - 1].coloring;
+        color(molecule, withPalette(coloring, options.palette), i == kBase ? "all" : rules[i - 1].selection.text,
+              slotsOfColoring[i], appearance);
     }
     return appearance;
 }

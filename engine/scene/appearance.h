@@ -33,7 +33,8 @@ struct RepresentationOptions {
     std::optional<Style> style;  ///< empty: defaultStyle() of the atoms that the rules leave
     Coloring color = ColorScheme::element;
     std::vector<Rule> rules = {};
-    std::string assembly = {};  ///< identifier of one that the file states; empty: its atoms as they are
+    std::string assembly = {};             ///< identifier of one that the file states; empty: its atoms as they are
+    Palette palette = Palette::automatic;  ///< of the schemes that have one and name none, where it is of their kind
     friend bool operator==(const RepresentationOptions&, const RepresentationOptions&) = default;
 };
 
@@ -42,12 +43,15 @@ struct Legend {
     std::string selection;  ///< "all", or the text of the rule's selection
     std::string scheme;     ///< coloringText()
     std::vector<LegendEntry> entries;
+    Palette ramp = Palette::automatic;  ///< along which the first `stops` entries stand, evenly
+    std::size_t stops = 0;              ///< the other entries are kinds
 };
 
 struct Appearance {
     std::vector<std::uint32_t> atoms;  ///< those that are seen, ascending
     std::vector<Style> styles;         ///< same length as atoms
     std::vector<std::uint32_t> colors;
+    std::vector<bool> byCopy;           ///< same length as atoms: its colour is that of its copy
     std::vector<Legend> legends;        ///< of every colouring that is seen somewhere
     std::vector<std::string> warnings;  ///< rules that match nothing, schemes that the file has no data for
 };

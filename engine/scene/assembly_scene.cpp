@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "engine/error.h"
+#include "engine/scene/colors.h"
 
 namespace nacre {
 namespace {
@@ -51,6 +52,13 @@ std::vector<std::uint32_t> orderBy(std::size_t size, const ListOf& listOf) {
     return order;
 }
 
+/// Of "copy" or "copy:muted".
+Palette paletteOf(std::string_view scheme) {
+    const std::size_t colon = scheme.find(':');
+    const auto named = colon == std::string_view::npos ? std::nullopt : paletteFromName(scheme.substr(colon + 1));
+    return named.value_or(kChainPalette);
+}
+
 /// A transform of the file's frame, of points relative to a centre.
 glm::dmat4x3 about(const glm::dmat4x3& transform, const glm::dvec3& center) {
     glm::dmat4x3 moved = transform;
@@ -83,11 +91,52 @@ std::span<const std::uint32_t> AssemblyScene::place(std::span<const std::uint32_
     return atoms_;
 }
 
+/// Copies in an order in which those of one colour stand far apart.
+void AssemblyScene::spread(std::size_t colors) {
+    glm::dvec3 middle(0);
+    for (const std::uint32_t atom : atoms_)
+        middle += glm::dvec3(molecule_.atoms[atom].position) / static_cast<double>(atoms_.size());
+    std::vector<glm::dvec3> centers;
+    for (const glm::dmat4x3& transform : placement_.transforms) centers.push_back(transform * glm::dvec4(middle, 1.0));
+    const std::vector<std::uint32_t> order = spreadCopies(centers, colors);
+    placement_.transforms = inOrder(placement_.transforms, order);
+    std::vector<std::uint32_t> places(order.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) places[order[i]] = i;
+    for (std::vector<std::uint32_t>& list : placement_.lists) {
+        for (std::uint32_t& copy : list) copy = places[copy];
+        std::sort(list.begin(), list.end());
+    }
+}
+
+void AssemblyScene::colorByCopy(Appearance& appearance) {
+    if (std::find(appearance.byCopy.begin(), appearance.byCopy.end(), true) == appearance.byCopy.end()) return;
+    const std::size_t count = placement_.transforms.size();
+    for (std::size_t i = 0; i < appearance.atoms.size(); ++i)
+        if (appearance.byCopy[i]) appearance.colors[i] = kCopyTint;
+    for (Legend& legend : appearance.legends) {
+        if (!legend.scheme.starts_with(colorSchemeName(ColorScheme::copy))) continue;
+        if (copyColors_.empty()) {
+            const Palette palette = paletteOf(legend.scheme);
+            for (std::size_t i = 0; i < std::min({count, 2 * kindCount(palette), kMostCopyColors}); ++i)
+                copyColors_.push_back(kindColor(i, palette));
+            if (count > copyColors_.size()) spread(copyColors_.size());
+        }
+        legend.entries.clear();
+        for (std::size_t i = 0; i < copyColors_.size() && count <= copyColors_.size(); ++i)
+            legend.entries.push_back({"copy " + std::to_string(i + 1), copyColors_[i]});
+        if (count > copyColors_.size())
+            legend.entries.push_back(
+                {std::to_string(count) + " copies in " + std::to_string(copyColors_.size()) + " colours",
+                 copyColors_.front()});
+    }
+}
+
 void AssemblyScene::sortByCopies(Appearance& appearance) const {
     const auto order = orderBy(appearance.atoms.size(), [&](std::size_t i) { return listOf(appearance.atoms[i]); });
     appearance.atoms = inOrder(appearance.atoms, order);
     appearance.styles = inOrder(appearance.styles, order);
     appearance.colors = inOrder(appearance.colors, order);
+    appearance.byCopy = inOrder(appearance.byCopy, order);
 }
 
 void AssemblyScene::sortByCopies(std::vector<Bond>& bonds) {
@@ -166,6 +215,7 @@ void AssemblyScene::finish(Representation& r) {
             });
         });
     copies.lists = placement_.lists;
+    copies.colors = copyColors_;
     r.drawnBonds = bondsOfCopies_;
 }
 

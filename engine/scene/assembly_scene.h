@@ -21,6 +21,9 @@ public:
     /// Those of some atoms that the assembly has. The span lives as long as this.
     /// @throws Error if that is none
     std::span<const std::uint32_t> place(std::span<const std::uint32_t> atoms);
+    /// Atoms that are coloured by copy become tints of it, and the legend says which colour is which copy's. Where
+    /// several palettes are asked for, the first holds.
+    void colorByCopy(Appearance& appearance);
     /// Atoms of the same copies come to stand together; otherwise they keep their order.
     void sortByCopies(Appearance& appearance) const;
     /// The same for bonds, less those whose atoms are never drawn together.
@@ -36,6 +39,7 @@ public:
 private:
     std::uint32_t listOf(std::uint32_t atom) const;
     std::uint32_t commonListOf(std::uint32_t atomA, std::uint32_t atomB);
+    void spread(std::size_t colors);
     void checkNumber(std::size_t primitives) const;
 
     const Molecule& molecule_;
@@ -44,6 +48,7 @@ private:
     std::vector<std::uint32_t> atoms_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> common_;  ///< lists that were asked for
     std::size_t bondsOfCopies_ = 0;
+    std::vector<std::uint32_t> copyColors_;
 };
 
 }  // namespace nacre

@@ -46,7 +46,7 @@ Classes byElement(const Molecule& molecule, std::span<const std::uint32_t> atoms
     return classes;
 }
 
-Classes byChain(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+Classes byChain(const Molecule& molecule, std::span<const std::uint32_t> atoms, Palette palette) {
     // A chain looks the same in every model. Chains of one model that share a name are told apart by their order.
     std::map<std::pair<int, std::string_view>, int> namesakes;
     std::map<std::pair<std::string_view, int>, std::uint32_t> known;
@@ -56,11 +56,24 @@ Classes byChain(const Molecule& molecule, std::span<const std::uint32_t> atoms) 
         const auto next = static_cast<std::uint32_t>(classes.entries.size());
         const int namesake = namesakes[{chain.model, chain.name}]++;
         const auto [found, added] = known.emplace(std::pair(std::string_view(chain.name), namesake), next);
-        if (added) classes.entries.push_back({chain.name.empty() ? "(no name)" : chain.name, chainColor(next)});
+        if (added) classes.entries.push_back({chain.name.empty() ? "(no name)" : chain.name, kindColor(next, palette)});
         ofChain.push_back(found->second);
     }
     sortAtoms(classes, atoms,
               [&](std::uint32_t i) { return ofChain[molecule.residues[molecule.atoms[i].residue].chain]; });
+    return classes;
+}
+
+/// Where there are no chains to tell apart, carbons keep a colour of their own all the same.
+Classes byChainCarbons(const Molecule& molecule, std::span<const std::uint32_t> atoms, Palette palette) {
+    constexpr Element kCarbon = 6;
+    const Classes elements = byElement(molecule, atoms, 0);
+    Classes classes = byChain(molecule, atoms, palette);
+    const auto chains = static_cast<std::uint32_t>(classes.entries.size());
+    for (LegendEntry& entry : classes.entries) entry.label = "C of chain " + entry.label;
+    classes.entries.insert(classes.entries.end(), elements.entries.begin(), elements.entries.end());
+    for (std::size_t i = 0; i < atoms.size(); ++i)
+        if (molecule.atoms[atoms[i]].element != kCarbon) classes.ofAtom[i] = chains + elements.ofAtom[i];
     return classes;
 }
 
@@ -91,7 +104,7 @@ constexpr Hydropathy kHydropathies[] = {{'I', 4.5f},  {'V', 4.2f},  {'L', 3.8f},
                                         {'W', -0.9f}, {'Y', -1.3f}, {'P', -1.6f}, {'H', -3.2f}, {'E', -3.5f},
                                         {'Q', -3.5f}, {'D', -3.5f}, {'N', -3.5f}, {'K', -3.9f}, {'R', -4.5f}};
 
-Classes byHydrophobicity(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+Classes byHydrophobicity(const Molecule& molecule, std::span<const std::uint32_t> atoms, Palette ramp) {
     bool any = false;
     Classes classes = byResidueName(molecule, atoms, [&](const Name& name) {
         const char letter = aminoAcidLetter(name);
@@ -102,7 +115,7 @@ Classes byHydrophobicity(const Molecule& molecule, std::span<const std::uint32_t
             std::string label = std::string(name.view()) + (tenths < 0 ? " -" : " ") +
                                 std::to_string(std::abs(tenths) / 10) + "." + std::to_string(std::abs(tenths) % 10);
             const double place = (static_cast<double>(entry.value) + 4.5) / 9.0;
-            return LegendEntry{std::move(label), paletteColor(Palette::lipophilicity, place)};
+            return LegendEntry{std::move(label), paletteColor(ramp, place)};
         }
         return LegendEntry{"not an amino acid", kOther};
     });
@@ -187,26 +200,29 @@ Classes byConfidence(const Molecule& molecule, std::span<const std::uint32_t> at
     return classes;
 }
 
-Classes byEntity(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+Classes byEntity(const Molecule& molecule, std::span<const std::uint32_t> atoms, Palette palette) {
     const ResidueEntities entities = residueEntities(molecule);
     Classes classes;
     for (std::size_t i = 0; i < entities.labels.size(); ++i)
-        classes.entries.push_back({entities.labels[i], kindColor(i)});
+        classes.entries.push_back({entities.labels[i], kindColor(i, palette)});
     sortAtoms(classes, atoms, [&](std::uint32_t i) { return entities.ofResidue[molecule.atoms[i].residue]; });
     return classes;
 }
 
 Classes classesOf(const Molecule& molecule, std::span<const std::uint32_t> atoms, const Coloring& coloring) {
+    const auto palette = [&](Palette own) { return coloring.palette == Palette::automatic ? own : coloring.palette; };
     switch (coloring.scheme) {
         case ColorScheme::chain:
-            return byChain(molecule, atoms);
+            return byChain(molecule, atoms, palette(kChainPalette));
+        case ColorScheme::chainCarbons:
+            return byChainCarbons(molecule, atoms, palette(kChainPalette));
         case ColorScheme::residue:
             return byResidueName(molecule, atoms, [](const Name& name) {
                 const std::string_view text = name.view();
                 return LegendEntry{text.empty() ? "(no name)" : std::string(text), residueColor(text)};
             });
         case ColorScheme::hydrophobicity:
-            return byHydrophobicity(molecule, atoms);
+            return byHydrophobicity(molecule, atoms, palette(Palette::lipophilicity));
         case ColorScheme::charge:
             return byCharge(molecule, atoms);
         case ColorScheme::secondaryStructure:
@@ -214,7 +230,7 @@ Classes classesOf(const Molecule& molecule, std::span<const std::uint32_t> atoms
         case ColorScheme::plddt:
             return byConfidence(molecule, atoms);
         case ColorScheme::entity:
-            return byEntity(molecule, atoms);
+            return byEntity(molecule, atoms, palette(Palette::okabeIto));
         default:
             return byElement(molecule, atoms, coloring.color);
     }

@@ -1,11 +1,16 @@
 #include "engine/scene/color_schemes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <limits>
+#include <utility>
 
 #include "engine/molecule/residue_kind.h"
 #include "engine/molecule/text.h"
 #include "engine/scene/color_classes.h"
+#include "engine/scene/colors.h"
 #include "engine/scene/palettes.h"
 
 namespace nacre {
@@ -23,6 +28,8 @@ struct SchemeName {
 // The first name of a scheme is the one it goes by.
 constexpr SchemeName kNames[] = {{"element", ColorScheme::element},
                                  {"chain", ColorScheme::chain},
+                                 {"chain-carbons", ColorScheme::chainCarbons},
+                                 {"copy", ColorScheme::copy},
                                  {"residue", ColorScheme::residue},
                                  {"hydrophobicity", ColorScheme::hydrophobicity},
                                  {"residue-type", ColorScheme::hydrophobicity},
@@ -46,47 +53,71 @@ std::string shortNumber(double value) {
     return text;
 }
 
-/// Colours by a number of each atom, the palette spread from `low` to `high`.
+/// Twelve digits at most: as it was written.
+std::string exactNumber(double value) {
+    std::array<char, 32> digits{};
+    return {digits.data(), static_cast<std::size_t>(std::snprintf(digits.data(), digits.size(), "%.12g", value))};
+}
+
+/// The palette that a colouring asks for, else the scheme's own.
+Palette rampOf(const Coloring& coloring, Palette own) {
+    return coloring.palette == Palette::automatic ? own : coloring.palette;
+}
+
+/// Colours by a number of each atom, the ramp spread over the range.
 template <typename Value>
-ColoredAtoms byNumber(Atoms atoms, Palette palette, double low, double high, const Value& valueOf) {
+ColoredAtoms byNumber(Atoms atoms, Palette ramp, const ColorRange& range, const Value& valueOf) {
     ColoredAtoms result;
+    result.ramp = ramp;
     result.colors.reserve(atoms.size());
-    const double span = high - low;
-    const auto place = [&](double value) { return span > 0 ? (value - low) / span : 0.5; };
-    for (const std::uint32_t atom : atoms) result.colors.push_back(paletteColor(palette, place(valueOf(atom))));
-    const int stops = span > 0 ? kStops : 1;
-    for (int i = 0; i < stops; ++i) {
-        const double value = low + span * i / (kStops - 1);
-        result.legend.push_back({shortNumber(value), paletteColor(palette, place(value))});
+    const double span = range.last - range.first;
+    const auto place = [&](double value) { return span != 0 ? (value - range.first) / span : 0.5; };
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    for (const std::uint32_t atom : atoms) {
+        const double value = valueOf(atom);
+        lowest = std::min(lowest, value);
+        highest = std::max(highest, value);
+        result.colors.push_back(paletteColor(ramp, place(value)));
     }
+    const int stops = span != 0 ? kStops : 1;
+    for (int i = 0; i < stops; ++i) {
+        const double value = range.first + span * i / (kStops - 1);
+        result.legend.push_back({shortNumber(value), paletteColor(ramp, place(value))});
+    }
+    if (stops == 1) return result;
+    result.stops = kStops;
+    // An end that is passed stands for all beyond it.
+    LegendEntry& low = span > 0 ? result.legend.front() : result.legend.back();
+    LegendEntry& high = span > 0 ? result.legend.back() : result.legend.front();
+    if (lowest < std::min(range.first, range.last)) low.label += " or less";
+    if (highest > std::max(range.first, range.last)) high.label += " or more";
     return result;
 }
 
-ColoredAtoms byBFactor(const Molecule& molecule, Atoms atoms) {
+/// From the 2nd to the 98th percentile: one atom that moves freely would leave a single colour for the rest.
+ColorRange usualRange(std::vector<double> values) {
+    const auto percentile = [&](std::size_t percent) {
+        const auto at = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * percent / 100);
+        std::nth_element(values.begin(), at, values.end());
+        return *at;
+    };
+    return {percentile(2), percentile(98)};
+}
+
+ColoredAtoms byBFactor(const Molecule& molecule, Atoms atoms, const Coloring& coloring) {
     const auto valueOf = [&](std::uint32_t atom) {
         return static_cast<double>(molecule.atoms[atom].temperatureFactor);
     };
     std::vector<double> values;
     values.reserve(atoms.size());
     for (const std::uint32_t atom : atoms) values.push_back(valueOf(atom));
-    // One atom that moves freely would leave a single colour for the rest.
-    const auto percentile = [&](std::size_t percent) {
-        const auto at = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) * percent / 100);
-        std::nth_element(values.begin(), at, values.end());
-        return *at;
-    };
-    const double low = percentile(2), high = percentile(98);
-    ColoredAtoms result = byNumber(atoms, Palette::sunset, low, high, valueOf);
-    if (!(high > low)) {
-        result.warning = "nearly all B factors are " + shortNumber(low);
-    } else {
-        result.legend.front().label += " or less";
-        result.legend.back().label += " or more";
-    }
+    const ColorRange range = coloring.range ? *coloring.range : usualRange(std::move(values));
+    ColoredAtoms result = byNumber(atoms, rampOf(coloring, Palette::sunset), range, valueOf);
+    if (range.first == range.last) result.warning = "nearly all B factors are " + shortNumber(range.first);
     return result;
 }
 
-ColoredAtoms byRainbow(const Molecule& molecule, Atoms atoms) {
+ColoredAtoms byRainbow(const Molecule& molecule, Atoms atoms, Palette ramp) {
     const std::vector<ResidueKind> kinds = residueKinds(molecule);
     const auto inPolymer = [&](std::size_t residue) {
         return kinds[residue] == ResidueKind::protein || kinds[residue] == ResidueKind::nucleic;
@@ -95,6 +126,7 @@ ColoredAtoms byRainbow(const Molecule& molecule, Atoms atoms) {
     for (std::size_t i = 0; i < positions.size(); ++i)
         if (inPolymer(i)) positions[i] = lengths[molecule.residues[i].chain]++;
     ColoredAtoms result;
+    result.ramp = ramp;
     result.colors.reserve(atoms.size());
     bool any = false, outside = false;
     for (const std::uint32_t atom : atoms) {
@@ -108,14 +140,24 @@ ColoredAtoms byRainbow(const Molecule& molecule, Atoms atoms) {
         const std::size_t length = lengths[molecule.residues[residue].chain];
         const double place =
             static_cast<double>(positions[residue]) / static_cast<double>(std::max<std::size_t>(length, 2) - 1);
-        result.colors.push_back(paletteColor(Palette::rainbow, place));
+        result.colors.push_back(paletteColor(ramp, place));
     }
     constexpr std::string_view kLabels[kStops] = {"N or 5' end", "a quarter along", "middle", "three quarters along",
                                                   "C or 3' end"};
     for (int i = 0; any && i < kStops; ++i)
-        result.legend.push_back({std::string(kLabels[i]), paletteColor(Palette::rainbow, i / double(kStops - 1))});
+        result.legend.push_back({std::string(kLabels[i]), paletteColor(ramp, i / double(kStops - 1))});
+    result.stops = result.legend.size();
     if (outside) result.legend.push_back({"not in a chain", kOutside});
     if (!any) result.warning = "there is no protein or nucleic acid to colour along";
+    return result;
+}
+
+/// Of one copy there is only one colour; what an assembly makes of it is assembly_scene.cpp's.
+ColoredAtoms byCopy(Atoms atoms, const Coloring& coloring) {
+    const std::uint32_t first = kindColor(0, rampOf(coloring, kChainPalette));
+    ColoredAtoms result;
+    result.colors.assign(atoms.size(), first);
+    result.legend.push_back({"copy 1", first});
     return result;
 }
 
@@ -134,25 +176,51 @@ std::optional<ColorScheme> colorSchemeFromName(std::string_view name) {
     return std::nullopt;
 }
 
+PaletteUse paletteUse(ColorScheme scheme) {
+    switch (scheme) {
+        case ColorScheme::chain:
+        case ColorScheme::chainCarbons:
+        case ColorScheme::copy:
+        case ColorScheme::entity:
+            return PaletteUse::kinds;
+        case ColorScheme::hydrophobicity:
+        case ColorScheme::bFactor:
+        case ColorScheme::rainbow:
+        case ColorScheme::occupancy:
+            return PaletteUse::ramp;
+        default:
+            return PaletteUse::none;
+    }
+}
+
+bool takesRange(ColorScheme scheme) { return scheme == ColorScheme::bFactor || scheme == ColorScheme::occupancy; }
+
 std::string coloringText(const Coloring& coloring) {
-    const std::string scheme(colorSchemeName(coloring.scheme));
-    if (coloring.color == 0) return scheme;
-    return scheme + (scheme.empty() ? "" : ":") + colorText(coloring.color);
+    std::string text(colorSchemeName(coloring.scheme));
+    const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ":") + part; };
+    if (coloring.color != 0) add(colorText(coloring.color));
+    if (coloring.range) add(exactNumber(coloring.range->first) + ".." + exactNumber(coloring.range->last));
+    if (coloring.palette != Palette::automatic) add(std::string(paletteName(coloring.palette)));
+    return text;
 }
 
 ColoredAtoms colorAtoms(const Molecule& molecule, Atoms atoms, const Coloring& coloring) {
     if (atoms.empty()) return {};
     switch (coloring.scheme) {
         case ColorScheme::bFactor:
-            return byBFactor(molecule, atoms);
+            return byBFactor(molecule, atoms, coloring);
         case ColorScheme::occupancy:
-            return byNumber(atoms, Palette::viridis, 0, 1,
+            return byNumber(atoms, rampOf(coloring, Palette::viridis), coloring.range.value_or(ColorRange{0, 1}),
                             [&](std::uint32_t atom) { return static_cast<double>(molecule.atoms[atom].occupancy); });
         case ColorScheme::rainbow:
-            return byRainbow(molecule, atoms);
+            return byRainbow(molecule, atoms, rampOf(coloring, Palette::rainbow));
+        case ColorScheme::copy:
+            return byCopy(atoms, coloring);
         case ColorScheme::uniform:
             return {std::vector<std::uint32_t>(atoms.size(), coloring.color),
                     {{colorText(coloring.color), coloring.color}},
+                    Palette::automatic,
+                    0,
                     ""};
         default:
             return colorByClass(molecule, atoms, coloring);

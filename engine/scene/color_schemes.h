@@ -10,12 +10,15 @@
 #include <vector>
 
 #include "engine/molecule/molecule.h"
+#include "engine/scene/palettes.h"
 
 namespace nacre {
 
 enum class ColorScheme {
     element,
     chain,
+    chainCarbons,        ///< carbons by chain, all else by element
+    copy,                ///< of an assembly
     residue,             ///< residueColor() of colors.h
     hydrophobicity,      ///< of amino acids, J. Kyte and R. F. Doolittle, J. Mol. Biol. 157 (1982) 105
     charge,              ///< of residues at pH 7, formal charges elsewhere
@@ -28,15 +31,29 @@ enum class ColorScheme {
     uniform,             ///< one colour
 };
 
+/// What the palette of a scheme is of.
+enum class PaletteUse : std::uint8_t { none, kinds, ramp };
+PaletteUse paletteUse(ColorScheme scheme);
+/// Whether the ends of its ramp can be given.
+bool takesRange(ColorScheme scheme);
+
 /// The name that `--color` takes ("b-factor"); empty for uniform.
 std::string_view colorSchemeName(ColorScheme scheme);
 /// The scheme of such a name; also knows "ss", "bfactor", "b", "residue-type" and "secondary-structure".
 std::optional<ColorScheme> colorSchemeFromName(std::string_view name);
 
+/// Values at the ends of a ramp; the first may be the larger one.
+struct ColorRange {
+    double first = 0, last = 1;
+    friend bool operator==(const ColorRange&, const ColorRange&) = default;
+};
+
 /// A scheme, or one colour.
 struct Coloring {
     ColorScheme scheme = ColorScheme::element;
     std::uint32_t color = 0;  ///< packed as in colors.h; of uniform, or of element's carbons: 0 is their usual one
+    Palette palette = Palette::automatic;
+    std::optional<ColorRange> range = {};  ///< of a ramp; empty: what the scheme finds
 
     Coloring() = default;
     Coloring(ColorScheme wanted) : scheme(wanted) {}
@@ -54,7 +71,7 @@ struct Coloring {
     friend bool operator==(const Coloring&, const Coloring&) = default;
 };
 
-/// As `--color` takes it: "chain", "#rrggbb", "element:#rrggbb".
+/// As `--color` takes it: "chain", "#rrggbb", "element:#rrggbb", "b-factor:10..60:viridis".
 std::string coloringText(const Coloring& coloring);
 
 struct LegendEntry {
@@ -65,6 +82,8 @@ struct LegendEntry {
 struct ColoredAtoms {
     std::vector<std::uint32_t> colors;  ///< same length as the atoms
     std::vector<LegendEntry> legend;    ///< of kinds, those that occur; of numbers, five along the palette
+    Palette ramp = Palette::automatic;  ///< along which the first `stops` entries stand
+    std::size_t stops = 0;              ///< entries from end to end of the ramp; what follows are kinds
     std::string warning;                ///< why the colours say little here; empty if they do
 };
 

@@ -30,10 +30,6 @@ constexpr std::array<std::uint32_t, 120> kElements = {
     0xd55c4e, 0xb06a58, 0x7c7280, 0xa068b0, 0xa87848, 0x80605c, 0x5090a0,  // Lr-Og
     0xe6e4f0};                                                             // deuterium
 
-// Neighbours in the list differ in hue and in lightness, for two and three chains are what people mostly have.
-constexpr std::array<std::uint32_t, 8> kChains = {0x77aadd, 0xee8866, 0x44bb99, 0xeedd88,
-                                                  0xffaabb, 0x99ddff, 0xbbcc33, 0xaaaa00};
-
 struct NamedColor {
     std::string_view name;
     std::uint32_t rgb;
@@ -55,11 +51,6 @@ constexpr std::uint32_t kOtherResidue = 0xc4beb4;
 }  // namespace
 
 std::uint32_t elementColor(Element element) { return packedColor(kElements[element < kElements.size() ? element : 0]); }
-
-std::uint32_t chainColor(std::size_t chain) {
-    const std::uint32_t color = packedColor(kChains[chain % kChains.size()]);
-    return chain / kChains.size() % 2 == 1 ? darkerColor(color) : color;
-}
 
 std::uint32_t residueColor(std::string_view name) {
     const auto* found = std::find_if(std::begin(kResidues), std::end(kResidues),

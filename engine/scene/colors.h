@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "engine/molecule/molecule.h"
+#include "engine/scene/palettes.h"
 
 namespace nacre {
 
@@ -13,9 +14,13 @@ namespace nacre {
 /// element is pink.
 std::uint32_t elementColor(Element element);
 
-/// Colour of the nth chain: eight tones that colour-blind people tell apart (hues of Paul Tol's "light" scheme,
-/// SRON/EPS/TN/09-002, 2021), then the same darker; repeats after sixteen.
-std::uint32_t chainColor(std::size_t chain);
+/// What tells chains and copies apart where no palette is asked for.
+constexpr Palette kChainPalette = Palette::distinct;
+inline std::uint32_t chainColor(std::size_t chain) { return kindColor(chain, kChainPalette); }
+
+/// A colour that is only a tint of the copy's that an atom stands in: white, so the copy's own.
+constexpr std::uint32_t kCopyTint = 0xfeffffffu;
+constexpr bool isCopyTint(std::uint32_t color) { return color >> 24 != 0xff; }
 
 /// Colour of a residue by its kind: amino acids in families (acid, base, polar, aromatic, aliphatic, sulphur),
 /// nucleotides by base, water; everything else is warm grey.

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
 #include <map>
 
 #include "engine/error.h"
@@ -102,6 +104,27 @@ std::uint32_t commonList(std::vector<std::vector<std::uint32_t>>& lists, std::ui
     std::set_intersection(lists[a].begin(), lists[a].end(), lists[b].begin(), lists[b].end(),
                           std::back_inserter(common));
     return common.empty() ? Placement::kNowhere : listIndex(lists, std::move(common));
+}
+
+std::vector<std::uint32_t> spreadCopies(const std::vector<glm::dvec3>& centers, std::size_t colors) {
+    const std::size_t count = centers.size();
+    std::vector<std::uint32_t> order;
+    std::vector<bool> used(count);
+    // Squared distance from each copy to the nearest that has a colour already.
+    std::vector<double> apart(count * colors, std::numeric_limits<double>::infinity());
+    for (std::size_t turn = 0; turn < count; ++turn) {
+        const std::size_t color = turn % colors;
+        std::size_t best = count;
+        for (std::size_t i = 0; i < count; ++i)
+            if (!used[i] && (best == count || apart[i * colors + color] > apart[best * colors + color])) best = i;
+        used[best] = true;
+        order.push_back(static_cast<std::uint32_t>(best));
+        for (std::size_t i = 0; i < count; ++i) {
+            const glm::dvec3 way = centers[i] - centers[best];
+            apart[i * colors + color] = std::min(apart[i * colors + color], glm::dot(way, way));
+        }
+    }
+    return order;
 }
 
 }  // namespace nacre

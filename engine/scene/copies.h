@@ -24,7 +24,17 @@ struct Copies {
     std::vector<glm::dmat4x3> transforms;           ///< p -> transform * vec4(p, 1); no two the same
     std::vector<std::vector<std::uint32_t>> lists;  ///< of transforms, ascending; no two the same
     std::vector<PrimitiveRun> spheres, cylinders;   ///< in the order of the primitives; together all of them
+    /// Packed as in colors.h, at most kMostCopyColors: that copies take in turn, where a primitive's colour is only a
+    /// tint of it (isCopyTint). Empty: all copies look the same.
+    std::vector<std::uint32_t> colors;
 };
+
+/// As many as shaders hold (shaders/common/layout.h).
+constexpr std::size_t kMostCopyColors = 16;
+
+/// An order of copies in which those that take the same of `colors` colours in turn stand far from one another.
+/// @param centers  where each copy is
+std::vector<std::uint32_t> spreadCopies(const std::vector<glm::dvec3>& centers, std::size_t colors);
 
 /// Where an assembly puts a molecule's subchains.
 struct Placement {

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <limits>
 #include <numbers>
 #include <tuple>
 #include <utility>
@@ -247,6 +249,40 @@ Camera closeUp(Camera camera, const std::vector<glm::dvec4>& target, double radi
     camera.pan = -glm::dvec2(middle) * magnify;
     camera.zoom = std::min(camera.zoom * radius / ((bounds.radius + margin) * magnify), mostZoom);
     return camera;
+}
+
+Camera fitted(Camera camera, const std::vector<glm::dvec4>& balls, double radius, std::uint32_t width,
+              std::uint32_t height, double mostZoom) {
+    constexpr double kFill = 0.95;
+    const View view = viewOf(camera, radius, width, height);
+    glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
+    for (const glm::dvec4& ball : balls) {
+        const glm::dvec3 v = view.rotation * glm::dvec3(ball);
+        const double magnify =
+            view.projection == Projection::perspective ? view.eyeDistance / (view.eyeDistance - v.z) : 1.0;
+        low = glm::min(low, (glm::dvec2(v) - ball.w) * magnify);
+        high = glm::max(high, (glm::dvec2(v) + ball.w) * magnify);
+    }
+    if (balls.empty()) return camera;
+    const glm::dvec2 extent = glm::max(high - low, glm::dvec2(1e-6));
+    camera.pan = -(low + high) / 2.0;
+    const double more = std::min(width / extent.x, height / extent.y) * kFill / view.pixelsPerAngstrom;
+    camera.zoom = std::min(camera.zoom * more * camera.zoom, mostZoom);
+    return camera;
+}
+
+double hiddenShare(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,
+                   const glm::dmat3& rotation) {
+    const Balls others = without(all, target);
+    std::size_t hidden = 0;
+    for (const glm::dvec4& ball : target) {
+        const glm::dvec3 at = rotation * glm::dvec3(ball);
+        hidden += std::any_of(others.begin(), others.end(), [&](const glm::dvec4& other) {
+            const glm::dvec3 way = rotation * glm::dvec3(other) - at;
+            return way.x * way.x + way.y * way.y < other.w * other.w && way.z > ball.w;
+        });
+    }
+    return target.empty() ? 0 : static_cast<double>(hidden) / static_cast<double>(target.size());
 }
 
 }  // namespace nacre

@@ -1,10 +1,13 @@
 #pragma once
 // Colours for numbers and for kinds, chosen so that people with any colour vision tell them apart. Colours are packed
-// as in colors.h.
+// as in colors.h. What any two colours of a palette are apart for whom is measured by tests/scene/palettes_test.cpp.
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace nacre {
 
@@ -16,19 +19,40 @@ constexpr std::uint32_t packedColor(std::uint32_t rgb) {
 /// "#rrggbb" of a packed colour.
 std::string colorText(std::uint32_t color);
 
-enum class Palette {
-    sunset,         ///< blue over pale yellow to red: P. Tol, "Colour schemes", SRON/EPS/TN/09-002 (2021), "sunset"
-    viridis,        ///< dark violet to yellow: matplotlib's "viridis" (S. van der Walt and N. Smith, 2015, CC0)
+enum class Palette : std::uint8_t {
+    automatic,  ///< that of the scheme
+    // Of kinds. "Tol": P. Tol, "Colour schemes", SRON/EPS/TN/09-002 (2021).
+    distinct,  ///< our own: a search for eight tones whose smallest CIEDE2000 distance is largest, whoever looks
+    light,     ///< Tol
+    okabeIto,  ///< M. Okabe and K. Ito, "Color Universal Design" (2008), without its black, lightened for shading
+    bright,    ///< Tol
+    vibrant,   ///< Tol
+    muted,     ///< Tol
+    // Of numbers: ramps.
+    viridis,        ///< dark violet to yellow: matplotlib's (S. van der Walt and N. Smith, 2015, CC0)
+    plasma,         ///< dark blue over red to yellow: likewise
+    sunset,         ///< blue over pale yellow to red: Tol
+    blueWhiteRed,   ///< our own, as crystallographers draw B factors
     rainbow,        ///< blue over green and yellow to red: Tol's "smooth rainbow", from its blue to its red
     lipophilicity,  ///< dark cyan over white to dark goldenrod (CSS colour names), as ChimeraX shows lipophilicity
+    grays,          ///< dark to light
 };
 
-/// Colour at 0..1 along a palette; what lies outside counts as the end, NaN as the begin.
-std::uint32_t paletteColor(Palette palette, double at);
+/// "okabe-ito"; empty for automatic.
+std::string_view paletteName(Palette palette);
+std::optional<Palette> paletteFromName(std::string_view name);
+/// Whether it is of numbers.
+bool isRamp(Palette palette);
+/// All but automatic, in their order.
+std::span<const Palette> allPalettes();
 
-/// The nth of kinds: M. Okabe and K. Ito, "Color Universal Design" (2008), without its black, lightened a little for
-/// shaded spheres; then the same darker; repeats after fourteen.
-std::uint32_t kindColor(std::size_t kind);
+/// Colour at 0..1 along a ramp; what lies outside counts as the end, NaN as the begin.
+std::uint32_t paletteColor(Palette ramp, double at);
+
+/// Colours of a palette of kinds before it repeats in darker tones.
+std::size_t kindCount(Palette kinds);
+/// The nth of kinds: those of the palette, then the same darker, then all over again.
+std::uint32_t kindColor(std::size_t kind, Palette kinds = Palette::okabeIto);
 
 /// The same colour at three quarters of its sRGB values.
 std::uint32_t darkerColor(std::uint32_t color);

@@ -225,7 +225,12 @@ Representation represent(const Molecule& molecule, std::span<const std::uint32_t
     }
     Appearance appearance = appearanceOf(molecule, drawn, options);
     if (appearance.atoms.empty()) throw Error("cannot draw molecule", "", "no atom is left to draw");
-    if (assembly) assembly->sortByCopies(appearance);
+    if (assembly) {
+        assembly->colorByCopy(appearance);
+        assembly->sortByCopies(appearance);
+    } else if (std::find(appearance.byCopy.begin(), appearance.byCopy.end(), true) != appearance.byCopy.end()) {
+        appearance.warnings.push_back("colour by copy: there is one copy without an assembly (--assembly)");
+    }
     std::vector<glm::dvec4> balls;
     balls.reserve(appearance.atoms.size());
     for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {

@@ -22,7 +22,8 @@ layout(constant_id = kFogId) const bool kFog = false;
 // The target takes sRGB-coded colour as it is; otherwise linear light.
 layout(constant_id = kCodedId) const bool kCoded = false;
 
-vec3 linearColor(uint srgb) { return linearFromSrgb(unpackUnorm4x8(srgb).rgb); }
+#include "copy_color.glsl"
+vec3 linearColor(uint srgb) { return colorInCopy(linearFromSrgb(unpackUnorm4x8(srgb).rgb), srgb); }
 
 /// A cell lies between four texels of a patch.
 struct Cell {

@@ -43,6 +43,11 @@ const int kGlossId = 26;         // float: exponent of the highlight
 const int kDeepeningId = 27;     // float: how much of the occlusion counts, 0..1
 const int kCellsId = 28;         // bool: shaders interpolate occlusion themselves, as its cells are
 
+const int kCopyColorsId = 32;  // colours that the copies of an assembly take in turn; 0: they all look the same
+
+/// Colours that copies take in turn, at most.
+const int kMostCopyColors = 16;
+
 /// Push constants of every geometry pass. Lengths in Å, view space as in engine/scene/camera.h.
 /// Z is the distance that the layers report: origin - z (orthographic: origin = R, perspective: origin = eye).
 struct ViewConstants {
@@ -101,6 +106,7 @@ struct EffectConstants {
     float perFog;    // 1 / (Å from its start to its end)
     float hatch;     // Å on the plane z = 0 from a stroke to the next
     float unused;
+    vec4 copyColors[kMostCopyColors];  // linear
 };
 
 /// Push constants of the occlusion passes. A batch of depth maps lies side by side in one image, kMapsAcross in a row.
@@ -139,7 +145,7 @@ static_assert(offsetof(ViewConstants, ndcPerAngstrom) == 48 && offsetof(ViewCons
               offsetof(ViewConstants, clipNear) == 112);
 static_assert(sizeof(TileConstants) == 128 && offsetof(TileConstants, axisPixel) == 56 &&
               offsetof(TileConstants, atlasTexel) == 96);
-static_assert(sizeof(EffectConstants) == 48 && offsetof(EffectConstants, fogStart) == 32);
+static_assert(sizeof(EffectConstants) == 48 + 16 * kMostCopyColors && offsetof(EffectConstants, fogStart) == 32);
 static_assert(sizeof(OcclusionConstants) == 48);
 static_assert(sizeof(Direction) == 48);
 }  // namespace nacre::layout

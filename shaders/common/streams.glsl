@@ -37,6 +37,7 @@ uint place(uint number) {
         return number - 1u;
     }
     uvec2 at = divided(number - 1u, view.primitives);
+    copyIndex = at.x;
     copyRow0 = rowAt(3u * at.x);
     copyRow1 = rowAt(3u * at.x + 1u);
     copyRow2 = rowAt(3u * at.x + 2u);

@@ -28,6 +28,7 @@ const float kCapDepth = 0.02;
 // The copy that is drawn: that of the draw call, or, with COPY_OF_PIXEL, one that the shader looks up.
 #ifdef COPY_OF_PIXEL
 vec4 copyRow0, copyRow1, copyRow2;
+uint copyIndex = 0u;
 #else
 #define copyRow0 view.row0
 #define copyRow1 view.row1

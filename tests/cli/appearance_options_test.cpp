@@ -77,7 +77,7 @@ TEST(AppearanceOptions, FaultsSayWhere) {
     EXPECT_NE(fault("--color-by", "all=#12345").find("#rrggbb"), std::string::npos);
     EXPECT_NE(fault("--color", "element:oragne").find("'orange'?"), std::string::npos);
     EXPECT_NE(fault("--color", "element:#ff000080").find("transparent"), std::string::npos);
-    EXPECT_NE(fault("--color", "chain:orange").find("element:COLOR"), std::string::npos);
+    EXPECT_NE(fault("--color", "chain:orange").find("one of distinct"), std::string::npos);
     EXPECT_NE(fault("--color", "#ff000080").find("transparent"), std::string::npos);
 }
 

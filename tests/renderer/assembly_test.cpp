@@ -1,7 +1,10 @@
 // Assemblies drawn by instancing: the same picture by every path, and the one that their atoms written out give.
 
+#include <array>
 #include <cmath>
+#include <set>
 
+#include "engine/scene/colors.h"
 #include "tests/renderer/scenes.h"
 #include "tests/support/written_out.h"
 
@@ -137,6 +140,82 @@ TEST_P(AssemblyPicture, NamesAtomsByTheirPlaceInTheFile) {
         EXPECT_EQ(renderer->stats().spheres, r.drawnAtoms);
     }
 }
+
+/// The same scene with each copy stored for itself, in its colour.
+Representation copiesStored(const Representation& r) {
+    Representation all = r;
+    all.copies = {};
+    all.spheres.clear();
+    all.sphereLooks.clear();
+    all.cylinders.clear();
+    all.cylinderLooks.clear();
+    const std::vector<std::uint32_t>& colors = r.copies.colors;
+    const auto colored = [&](std::uint32_t color, std::uint32_t copy) {
+        return isCopyTint(color) ? colors[copy % colors.size()] : color;
+    };
+    const auto at = [&](std::uint32_t copy, const glm::vec3& p) {
+        return glm::vec3(r.copies.transforms[copy] * glm::dvec4(p, 1.0));
+    };
+    for (const PrimitiveRun& run : r.copies.spheres)
+        for (const std::uint32_t copy : r.copies.lists[run.list])
+            for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+                all.spheres.push_back({at(copy, r.spheres[i].center), r.spheres[i].radius});
+                all.sphereLooks.push_back({colored(r.sphereLooks[i].color, copy), r.sphereLooks[i].atom});
+            }
+    for (const PrimitiveRun& run : r.copies.cylinders)
+        for (const std::uint32_t copy : r.copies.lists[run.list])
+            for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+                const Cylinder& c = r.cylinders[i];
+                const CylinderLook& look = r.cylinderLooks[i];
+                all.cylinders.push_back({at(copy, c.a), c.radius, at(copy, c.b), 0});
+                all.cylinderLooks.push_back(
+                    {colored(look.colorA, copy), colored(look.colorB, copy), look.atomA, look.atomB});
+            }
+    return all;
+}
+
+class CopyColors : public SharedRenderers<Style> {};
+
+TEST_P(CopyColors, EachCopyHasItsColourOnEveryPath) {
+    const Molecule m = twoParts();
+    RepresentationOptions options;
+    options.style = GetParam();
+    options.assembly = "1";
+    options.color = ColorScheme::copy;
+    options.rules = {Rule{Rule::Action::color, parseSelection("elem O"), {}, ColorScheme::element}};
+    const Representation r = represent(m, drawnAtoms(m), options);
+    ASSERT_EQ(r.copies.colors.size(), 4u);  // of two parts with three and two copies, of which one stands alike
+    RenderSettings s = settings(r, 256, Projection::orthographic, {75, -40, 120});
+    s.occlusion.directions = 0;
+    s.lighting = false;
+    ValidatedRenderer& usual = rendererOf(Visibility::automatic);
+    usual->setScene(copiesStored(r));
+    const Picture expected = usual->render(s);
+    std::vector<Picture> pictures;
+    for (const Visibility visibility : kPaths) {
+        ValidatedRenderer& renderer = rendererOf(visibility);
+        renderer->setScene(r);
+        pictures.push_back(renderer->render(s));
+        EXPECT_EQ(pictures.front().rgba, pictures.back().rgba) << static_cast<int>(visibility);
+    }
+    // Rounding may settle a pixel on an edge otherwise.
+    std::size_t differ = 0, covered = 0;
+    std::set<std::array<float, 3>> colors;
+    for (std::size_t i = 0; i < expected.rgba.size(); i += 4) {
+        const auto rgb = [&](const Picture& p) { return std::array{p.rgba[i], p.rgba[i + 1], p.rgba[i + 2]}; };
+        bool same = true;
+        for (std::size_t c = 0; c < 3; ++c) same = same && std::abs(rgb(expected)[c] - rgb(pictures[0])[c]) < 0.01f;
+        differ += !same;
+        covered += rgb(expected) != std::array{1.0f, 1.0f, 1.0f};
+        colors.insert(rgb(expected));
+    }
+    EXPECT_GT(covered, 5000u);
+    EXPECT_LE(differ * 200, covered);
+    EXPECT_GE(colors.size(), 5u);  // background, copies, oxygen
+}
+
+INSTANTIATE_TEST_SUITE_P(Styles, CopyColors, testing::Values(Style::spacefill, Style::licorice),
+                         [](const auto& test) { return test.param == Style::spacefill ? "spacefill" : "licorice"; });
 
 INSTANTIATE_TEST_SUITE_P(
     Assemblies, AssemblyPicture,

@@ -11,6 +11,7 @@
 #include "engine/molecule/read.h"
 #include "engine/scene/colors.h"
 #include "engine/scene/palettes.h"
+#include "engine/scene/representation.h"
 #include "tests/molecule/build_molecule.h"
 #include "tests/support/test_data.h"
 
@@ -175,44 +176,71 @@ TEST(ColorSchemes, ChainsResiduesAndOneColour) {
     EXPECT_EQ(one.colors.back(), packedColor(0x123456));
 }
 
-double linear(std::uint32_t color, int channel) {
-    const double coded = (color >> (8 * channel) & 0xff) / 255.0;
-    return coded <= 0.04045 ? coded / 12.92 : std::pow((coded + 0.055) / 1.055, 2.4);
+TEST(ColorSchemes, CarbonsByChainAndTheRestByElement) {
+    const Molecule dna = sampleMolecule("dna");
+    const ColoredAtoms result = colored(dna, ColorScheme::chainCarbons);
+    const ColoredAtoms chains = colored(dna, ColorScheme::chain), elements = colored(dna, ColorScheme::element);
+    for (std::size_t i = 0; i < dna.atoms.size(); ++i)
+        ASSERT_EQ(result.colors[i], dna.atoms[i].element == 6 ? chains.colors[i] : elements.colors[i]) << i;
+    EXPECT_EQ(labels(result), "C of chain A|C of chain B|N|O|P");
 }
 
-/// What remains for people without the long-wave (red) cones or the middle-wave (green) ones: F. Viénot, H. Brettel,
-/// J. D. Mollon, Color Res. Appl. 24 (1999) 243, in the linear-RGB form of that paper.
-std::array<double, 3> seenWithout(bool red, std::uint32_t color) {
-    const double r = linear(color, 0), g = linear(color, 1), b = linear(color, 2);
-    const double l = 17.8824 * r + 43.5161 * g + 4.11935 * b, m = 3.45565 * r + 27.1554 * g + 3.86714 * b;
-    const double s = 0.0299566 * r + 0.184309 * g + 1.46709 * b;
-    return red ? std::array{2.02344 * m - 2.52581 * s, m, s} : std::array{l, 0.494207 * l + 1.24827 * s, s};
+TEST(ColorSchemes, RangesAndPalettesAreThoseAskedFor) {
+    const Molecule molecule = bValues({0, 10, 35, 60, 99});
+    Coloring coloring(ColorScheme::bFactor);
+    coloring.range = ColorRange{10, 60};
+    coloring.palette = Palette::viridis;
+    EXPECT_EQ(coloringText(coloring), "b-factor:10..60:viridis");
+    const ColoredAtoms result = colored(molecule, coloring);
+    const double places[] = {0, 0, 0.5, 1, 1};
+    for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(result.colors[i], paletteColor(Palette::viridis, places[i]));
+    EXPECT_EQ(labels(result), "10 or less|22.5|35|47.5|60 or more");
+    EXPECT_EQ(result.stops, 5u);
+    coloring.range = ColorRange{60, 10};  // the other way round
+    EXPECT_EQ(colored(molecule, coloring).colors[4], paletteColor(Palette::viridis, 0));
+    EXPECT_EQ(labels(colored(molecule, coloring)), "60 or more|47.5|35|22.5|10 or less");
+    coloring.range = ColorRange{-5, 99};  // nothing lies beyond
+    EXPECT_EQ(labels(colored(molecule, coloring)).find("or"), std::string::npos);
+    Coloring chain(ColorScheme::chain);
+    chain.palette = Palette::muted;
+    EXPECT_EQ(colored(sampleMolecule("dna"), chain).colors[0], kindColor(0, Palette::muted));
 }
 
-TEST(ColorSchemes, KindsStayApartForColourBlindPeople) {
-    for (const bool red : {true, false})
-        for (std::size_t i = 0; i < 7; ++i)
-            for (std::size_t j = i + 1; j < 7; ++j) {
-                const auto a = seenWithout(red, kindColor(i)), b = seenWithout(red, kindColor(j));
-                double apart = 0;
-                for (std::size_t k = 0; k < 3; ++k) apart = std::max(apart, std::abs(std::log(a[k] / b[k])));
-                EXPECT_GT(apart, 0.2) << i << " and " << j;
-            }
-    std::set<std::uint32_t> different;
-    for (std::size_t i = 0; i < 14; ++i) different.insert(kindColor(i));
-    EXPECT_EQ(different.size(), 14u);
-    EXPECT_EQ(kindColor(14), kindColor(0));
-}
-
-TEST(ColorSchemes, PalettesEndWhereTheyShould) {
-    for (const Palette palette : {Palette::sunset, Palette::viridis, Palette::rainbow, Palette::lipophilicity}) {
-        EXPECT_EQ(paletteColor(palette, -1), paletteColor(palette, 0));
-        EXPECT_EQ(paletteColor(palette, 2), paletteColor(palette, 1));
-        EXPECT_EQ(paletteColor(palette, std::nan("")), paletteColor(palette, 0));
-        EXPECT_NE(paletteColor(palette, 0), paletteColor(palette, 1));
+TEST(ColorSchemes, CopiesOfAnAssemblyTakeTheirColoursInTurn) {
+    Molecule m = sampleMolecule("glucose");
+    m.subchains = {"A"};
+    AssemblyPart part{{}, {0}};
+    for (int i = 0; i < 20; ++i) {
+        glm::mat4x3 place(1.0f);
+        place[3] = {20.0f * static_cast<float>(i), 0, 0};
+        part.transforms.push_back(place);
     }
-    EXPECT_EQ(colorText(paletteColor(Palette::lipophilicity, 0.5)), "#ffffff");
-    EXPECT_EQ(colorText(paletteColor(Palette::lipophilicity, 0.75)), "#dcc385");
+    m.assemblies = {{"1", "", {part}}};
+    std::vector<std::uint32_t> atoms(m.atoms.size());
+    std::iota(atoms.begin(), atoms.end(), 0u);
+    RepresentationOptions options;
+    options.color = ColorScheme::copy;
+    const Representation alone = represent(m, atoms, options);
+    EXPECT_EQ(alone.sphereLooks[0].color, chainColor(0));
+    EXPECT_NE(alone.warnings.at(0).find("--assembly"), std::string::npos);
+    options.assembly = "1";
+    options.palette = Palette::bright;
+    const Representation r = represent(m, atoms, options);
+    ASSERT_EQ(r.copies.colors.size(), 14u);
+    EXPECT_EQ(r.copies.colors[3], kindColor(3, Palette::bright));
+    for (const SphereLook& look : r.sphereLooks) EXPECT_TRUE(isCopyTint(look.color));
+    EXPECT_EQ(r.legends.at(0).scheme, "copy:bright");
+    EXPECT_EQ(r.legends[0].entries.at(0).label, "20 copies in 14 colours");
+    // Nobody is lost, and neighbours differ.
+    std::set<int> places;
+    for (std::size_t i = 0; i < 20; ++i) {
+        places.insert(static_cast<int>(std::lround(r.copies.transforms[i][3].x / 20)));
+        for (std::size_t j = 0; j < i; ++j)
+            if (i % 14 == j % 14) {
+                EXPECT_GT(std::abs(r.copies.transforms[i][3].x - r.copies.transforms[j][3].x), 30);
+            }
+    }
+    EXPECT_EQ(places.size(), 20u);
 }
 
 }  // namespace
