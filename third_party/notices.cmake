@@ -15,13 +15,15 @@ set(NACRE_PARTS
     "Expat|MIT|libexpat1-dev|expat|https://github.com/libexpat/libexpat"
     "xxHash|BSD-2-Clause|libxxhash-dev|xxhash|https://github.com/Cyan4973/xxHash"
     "JSON for Modern C++|MIT|nlohmann-json3-dev|nlohmann-json|https://github.com/nlohmann/json"
+    "DejaVu fonts|Bitstream Vera|fonts-dejavu-core||https://dejavu-fonts.github.io"
+    "FreeType|FTL|libfreetype-dev|freetype|https://freetype.org"
     "OpenImageIO|BSD-3-Clause|libopenimageio-dev|openimageio|https://github.com/AcademySoftwareFoundation/OpenImageIO"
     "libpng|libpng-2.0|libpng-dev|libpng|http://www.libpng.org"
     "GIFLIB|MIT|libgif-dev|giflib|https://giflib.sourceforge.net"
     "libcurl|curl|libcurl4-openssl-dev|curl|https://curl.se"
     "CLI11|BSD-3-Clause|libcli11-dev|cli11|https://github.com/CLIUtils/CLI11")
 if(IOS)
-    list(FILTER NACRE_PARTS EXCLUDE REGEX "^(OpenImageIO|libpng|GIFLIB|libcurl|CLI11)")
+    list(FILTER NACRE_PARTS EXCLUDE REGEX "^(DejaVu fonts|FreeType|OpenImageIO|libpng|GIFLIB|libcurl|CLI11)")
 endif()
 if(APPLE)
     list(APPEND NACRE_PARTS
@@ -31,8 +33,7 @@ if(NACRE_DESKTOP)
     list(APPEND NACRE_PARTS
         "GLFW|zlib|libglfw3-dev|glfw3|https://www.glfw.org"
         "Dear ImGui|MIT|libimgui-dev|imgui|https://github.com/ocornut/imgui"
-        "stb|MIT or public domain|libstb-dev|stb|https://github.com/nothings/stb"
-        "DejaVu fonts|Bitstream Vera|fonts-dejavu-core||https://dejavu-fonts.github.io")
+        "stb|MIT or public domain|libstb-dev|stb|https://github.com/nothings/stb")
 endif()
 
 function(nacre_notices target)

@@ -20,7 +20,7 @@ bool sameLook(const RenderOptions& a, const RenderOptions& b) {
     effects.clip.near = a.effects.clip.near;
     effects.clip.far = a.effects.clip.far;
     return a.effects == effects && a.look == b.look && a.drawn == b.drawn && a.lighting == b.lighting &&
-           a.background == b.background && a.occlusion.directions == b.occlusion.directions;
+           a.background == b.background && a.words == b.words && a.occlusion.directions == b.occlusion.directions;
 }
 
 /// The options as a key view changes them. @throws Error if it is of another molecule
@@ -164,6 +164,12 @@ void MovieScenes::letGo(std::size_t a, std::size_t b) {
         if (i != a && i != b) looks_[i].renderer.reset();
 }
 
+Picture MovieScenes::pictureOf(Look& look, const RenderSettings& settings) const {
+    Picture picture = look.renderer->render(settings);
+    addWords(*look.prepared, look.options, settings.view, picture);
+    return picture;
+}
+
 Picture MovieScenes::drawKeys(double place) {
     const auto from = std::min(static_cast<std::size_t>(place), path_->stretches() - 1);
     double share = place - static_cast<double>(from);
@@ -187,7 +193,7 @@ Picture MovieScenes::drawKeys(double place) {
                 viewThrough(path_->at(static_cast<double>(from) + share), settings.view, look.prepared->run.center);
             moveClip(clip, a.clip, b.clip, share, settings.view.radius);
         }
-        return look.renderer->render(settings);
+        return pictureOf(look, settings);
     };
     if (a.look == b.look || share == 0) return draw(a.look);
     if (share == 1) return draw(b.look);
@@ -213,7 +219,7 @@ Picture MovieScenes::draw(std::uint64_t frame) {
     if (center != center_ || view.pixelsPerAngstrom != first_.pixelsPerAngstrom)  // every model from the same place
         view = viewThrough(lensOf(first_, center_), view, center);
     view = viewAt(options_, view, time);
-    return look.renderer->render(settings);
+    return pictureOf(look, settings);
 }
 
 }  // namespace nacre::app

@@ -45,6 +45,7 @@ private:
     void addKeys();
     Look& ready(std::size_t look, int model);
     void letGo(std::size_t a, std::size_t b);
+    Picture pictureOf(Look& look, const RenderSettings& settings) const;
     Picture drawKeys(double place);
     void moveTo(Look& look, int frame);
     int modelAt(std::uint64_t frame) const;

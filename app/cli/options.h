@@ -14,6 +14,7 @@
 #include "app/shared/aim.h"
 #include "app/shared/input_options.h"
 #include "app/shared/option_values.h"
+#include "app/shared/words.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/scene/camera.h"
 #include "engine/scene/representation.h"
@@ -37,6 +38,7 @@ struct RenderOptions {
     RepresentationOptions look;
     Camera camera;
     Aim aim;
+    Words words;
     Size size;
     std::uint32_t supersample = 1;
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha

@@ -8,9 +8,11 @@
 #include "app/download/load_molecule.h"
 #include "app/shared/cache_folder.h"
 #include "app/shared/capture_file.h"
+#include "app/shared/effect_options.h"
 #include "app/shared/image_file.h"
 #include "app/shared/messages.h"
 #include "app/shared/molecules.h"
+#include "app/shared/word_painter.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -67,10 +69,13 @@ PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& op
     const Clock::time_point start = Clock::now();
     PreparedPicture prepared;
     prepared.scene = sceneOf(molecule, options.input.path, options.drawn, options.look);
-    const Camera camera = aimed(options.camera, options.aim, molecule, prepared.scene, options.size);
-    prepared.settings = settingsOf(options, camera, prepared.scene);
+    const Aimed aim = aimed(options.camera, options.aim, molecule, prepared.scene, options.size);
+    prepared.settings = settingsOf(options, aim.camera, prepared.scene);
+    if (aim.clipNear) prepared.settings.effects.clip.near = *aim.clipNear;
     RunStats& run = prepared.run;
-    run.zoom = camera.zoom;
+    run.zoom = aim.camera.zoom;
+    run.clip = effectOption("clip")->text(prepared.settings.effects);
+    if (options.debug == DebugView::none) prepared.words = placeWords(options.words, molecule, prepared.scene);
     run.atomsRead = molecule.atoms.size();
     run.bondsKnown = molecule.bonds.size();
     run.center = prepared.scene.center;
@@ -81,6 +86,13 @@ PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& op
     run.warnings.insert(run.warnings.end(), prepared.scene.warnings.begin(), prepared.scene.warnings.end());
     run.sceneMs = millisecondsSince(start);
     return prepared;
+}
+
+std::size_t addWords(const PreparedPicture& prepared, const RenderOptions& options, const View& view,
+                     Picture& picture) {
+    if (!prepared.words.any()) return 0;
+    return WordPainter().paint(prepared.words, view, options.words.size, options.words.color, options.background,
+                               picture);
 }
 
 PictureJob::PictureJob(const RenderOptions& options, Progress& progress)
@@ -133,6 +145,9 @@ void PictureJob::write() {
     progress_.begin("writing");
     if (layersFile_) writeLayers(*layersFile_, *layers_);
     layers_.reset();
+    if (const std::size_t crowded = addWords(prepared_, options_, prepared_.settings.view, picture_))
+        sayWarning(std::to_string(crowded) + (crowded == 1 ? " label" : " labels") +
+                   " found no room in the picture (smaller --text-size, or fewer)");
     writePicture(pictureFile_, picture_, options_.background[3] < 1.0f);
     if (!statsFile_) return;
     prepared_.run.totalMs = millisecondsSince(start_);

@@ -18,11 +18,15 @@ namespace nacre::app {
 struct PreparedPicture {
     Representation scene;
     RenderSettings settings;
+    PlacedWords words;
     RunStats run;  ///< as far as it is known by then
 };
 
 /// Needs no device. @throws Error if nothing of the molecule is drawn
 PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& options);
+
+/// Writes the words into a picture in its full size. @returns the labels that found no room
+std::size_t addWords(const PreparedPicture& prepared, const RenderOptions& options, const View& view, Picture& picture);
 
 /// Makes the files that a picture's options ask for. Its steps are called in this order, each on whatever thread.
 class PictureJob {

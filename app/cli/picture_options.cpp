@@ -16,17 +16,20 @@ namespace {
 
 void addCamera(CommandSpec& command, RenderOptions& options) {
     addValue(command, "--orient", "principal|file", "file, or that of the saved view",
-             "principal: the longest axis across the longer side, the shortest towards the viewer;\nfile: as the "
-             "coordinates stand. --rotate turns it further",
+             "principal: the longest axis across the longer side, the shortest towards the viewer,\nas large as fits; "
+             "file: as "
+             "the coordinates stand. --rotate turns it further",
              [&](const std::string& text) {
                  options.aim.principal = parseChoice(text, {"principal", "file"}) == 0;
                  if (!options.aim.principal) options.camera.orientation = glm::dquat(1, 0, 0, 0);
              });
     addValue(command, "--look-at", "SEL", "none", "Turn to the viewer the side from which a selection is hidden least",
              [&](const std::string& text) { options.aim.lookAt = parseSelection(text); });
-    addValue(command, "--zoom-to", "SEL", "none: the whole molecule",
-             "Close in on a selection, with 3 Å around it; --zoom scales that",
-             [&](const std::string& text) { options.aim.zoomTo = parseSelection(text); });
+    addValue(
+        command, "--zoom-to", "SEL", "none: the whole molecule",
+        "Close in on a selection, with 3 Å around it, and cut away what hides it (unless --clip is given);\n--zoom "
+        "scales that",
+        [&](const std::string& text) { options.aim.zoomTo = parseSelection(text); });
     addValue(command, "--rotate", "X,Y,Z", "0,0,0", "Degrees, right-handed, about the view axes, X first",
              [&](const std::string& text) { options.camera.rotationDegrees = parseRotation(text); });
     addValue(command, "--zoom", "F", "1", "Scales the picture, 0.0001 to 10000",
@@ -49,9 +52,15 @@ void addShading(CommandSpec& command, RenderOptions& options) {
     addOnOff(command, "--lighting", options.lighting, "off: base colour times occlusion, nothing else");
     for (const EffectOption& option : effectOptions())
         addValue(command, std::string("--") + option.name, option.type, option.fallback, option.help,
-                 [&](const std::string& text) { option.set(text, options.effects); });
+                 [&](const std::string& text) {
+                     option.set(text, options.effects);
+                     if (option.name == std::string_view("clip")) options.aim.mayClip = false;
+                 });
     addValue(command, "--slab", "A", "none", "Cuts away what is farther than half of this from the plane of the centre",
-             [&](const std::string& text) { setSlab(text, options.effects); })
+             [&](const std::string& text) {
+                 setSlab(text, options.effects);
+                 options.aim.mayClip = false;
+             })
         .excludes = "--clip";
 }
 
@@ -78,6 +87,39 @@ void addLook(CommandSpec& command, RenderOptions& options) {
              "Light, lines, fog and colours that go together, as `nacre looks` lists them, or a JSON file of\nsuch "
              "options; options prevail",
              [&](const std::string& text) { takeLook(lookOf(text), options); });
+}
+
+void addWords(CommandSpec& command, Words& words) {
+    addValue(
+        command, "--label", "SEL=TEXT", "",
+        "Label a selection; {residue}, {number}, {letter}, {chain}, {atom}, {element}, ... in the text, one label\n"
+        "for each of what they name; _ lowers, ^ raises, \\alpha is a letter; repeatable",
+        [&](const std::string& text) {
+            if (words.labels.size() == kMostWordOptions) throw std::invalid_argument("more than 1000 of them");
+            words.labels.push_back(parseLabel(text));
+        })
+        .repeatable = true;
+    addValue(command, "--measure", "A,B[,C[,D]]", "",
+             "Distance, angle or torsion of atoms, each a selection or an atom's number; repeatable",
+             [&](const std::string& text) {
+                 if (words.measures.size() == kMostWordOptions) throw std::invalid_argument("more than 1000 of them");
+                 words.measures.push_back(parseMeasure(text));
+             })
+        .repeatable = true;
+    addValue(command, "--title", "TEXT", "none", "Above the molecule; marked up as a label's text is",
+             [&](const std::string& text) { words.title = parseTitle(text); });
+    addValue(command, "--scale-bar", "angstrom|nm|off", "off",
+             "A length at the lower right; in perspective, on the plane of the molecule's centre",
+             [&](const std::string& text) { words.scaleBar = parseScaleBar(text); });
+    addValue(command, "--legend", "on|off", "off", "What the colours mean, at the upper right",
+             [&](const std::string& text) {
+                 words.legend = parseChoice(text, {"on", "off"}) == 0;
+             });
+    addValue(command, "--text-size", "PIXELS", "a 42nd of the shorter side", "Size of letters (an em), 4 to 2000",
+             [&](const std::string& text) { words.size = parseNumber(text, 4, 2000); });
+    addValue(command, "--text-color", "COLOR", "dark or light, against the background",
+             "An opaque colour as for --background; a halo keeps it readable on atoms",
+             [&](const std::string& text) { words.color = parseInk(text); });
 }
 
 /// Goes before the options that it stands for, so that those prevail.
@@ -188,6 +230,7 @@ void addRender(CommandSpec& command, RenderOptions& options) {
     addFiles(command, options);
     addCamera(command, options);
     addShading(command, options);
+    addWords(command, options.words);
     addPixels(command, options);
     addDebug(command, options);
     addDevice(command, options);
@@ -210,6 +253,7 @@ void addMovie(CommandSpec& command, MovieOptions& options) {
     addMotion(command, options);
     addCamera(command, picture);
     addShading(command, picture);
+    addWords(command, picture.words);
     addPixels(command, picture);
     addDevice(command, picture);
 }
@@ -222,6 +266,7 @@ void addWindow(CommandSpec& command, RenderOptions& first) {
     addCamera(command, first);
     addSize(command, "1280x800", first.size);
     addShading(command, first);
+    addWords(command, first.words);
     addDebug(command, first);
     addValue(command, "--stats", "FILE", "none",
              "What the window drew, as JSON, when it is closed; - for standard output",

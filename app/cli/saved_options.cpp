@@ -11,6 +11,11 @@ void applySavedView(const SavedView& view, RenderOptions& options) {
     options.look.rules.insert(options.look.rules.end(), rules.begin(), rules.end());
     options.drawn = view.drawn;
     options.camera = view.camera;
+    const std::vector<Label> labels = options.words.labels;
+    const std::vector<Measure> measures = options.words.measures;
+    options.words = view.words;
+    options.words.labels.insert(options.words.labels.end(), labels.begin(), labels.end());
+    options.words.measures.insert(options.words.measures.end(), measures.begin(), measures.end());
     options.background = view.background;
     options.lighting = view.lighting;
     options.effects = view.effects;
@@ -35,6 +40,7 @@ SavedView savedViewOf(const RenderOptions& options) {
     view.look = options.look;
     view.drawn = options.drawn;
     view.camera = options.camera;
+    view.words = options.words;
     view.background = options.background;
     view.lighting = options.lighting;
     view.effects = options.effects;

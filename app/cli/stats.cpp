@@ -62,6 +62,7 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
                     {"rotation", rowsOf(view.rotation)},
                     {"orientation", {q.w, q.x, q.y, q.z}},
                     {"zoom", run.zoom},
+                    {"clip", run.clip},
                     {"pan", {view.pan.x, view.pan.y}}};
     json["atoms"] = {
         {"read", run.atomsRead}, {"drawn", run.atomsDrawn}, {"submitted", frame.spheres}, {"copies", frame.copies}};

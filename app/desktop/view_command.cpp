@@ -18,6 +18,7 @@
 #include "app/shared/messages.h"
 #include "app/shared/printable.h"
 #include "app/shared/view_input.h"
+#include "app/shared/word_painter.h"
 #include "app/viewer/session.h"
 #include "engine/error.h"
 
@@ -223,9 +224,14 @@ private:
             if (picture) {
                 RenderSettings settings = viewer().settings();
                 settings.supersample = viewer().mostSamples();
-                writePicture(file, renderer().render(settings), false);
+                const SavedView view = viewer().savedView();
+                const Document& document = *viewer().document();
+                Picture drawn = renderer().render(settings);
+                WordPainter().paint(placeWords(view.words, *document.molecule, document.scene), settings.view,
+                                    viewer().textSize(), view.words.color, view.background, drawn);
+                writePicture(file, drawn, false);
             } else {
-                SavedView view = viewer().view();
+                SavedView view = viewer().savedView();
                 view.hash = fileHash(view.input);
                 writeText(file, savedViewJson(view));
             }

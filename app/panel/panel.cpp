@@ -163,6 +163,7 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     if (!open_ && !help_ && forFingers()) drawMenuButton();
     if (help_) drawHelp();
     scroll_ = 0;
+    drawWords(viewer);
     drawAnnotations(viewer.annotations());
     ImGui::Render();
     if (ImGui::IsAnyItemActive()) restless_ = std::max(restless_, 1);

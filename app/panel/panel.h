@@ -81,6 +81,7 @@ private:
     void drawRules(SavedView& look, const Molecule* molecule);
     void drawRuleButtons(SavedView& look, const std::string& selection);
     void drawHelp();
+    void drawWords(const Viewer& viewer);
     void drawAnnotations(const Annotations& annotations);
     void drawStatus(const std::string& text, float bottom, bool strong);
     void followFinger();

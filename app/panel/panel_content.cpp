@@ -195,6 +195,10 @@ void Panel::drawShown(SavedView& look) {
     ImGui::Checkbox("Water", &look.drawn.water);
     ImGui::SameLine(column);
     ImGui::Checkbox("Hydrogens", &look.drawn.hydrogens);
+    ImGui::Checkbox("Legend", &look.words.legend);
+    ImGui::SameLine(column);
+    bool bar = look.words.scaleBar != ScaleBar::off;
+    if (ImGui::Checkbox("Scale bar", &bar)) look.words.scaleBar = bar ? ScaleBar::angstrom : ScaleBar::off;
     ImGui::Checkbox("Light", &look.lighting);
     ImGui::SameLine(column);
     bool occlusion = look.occlusionDirections > 0;
@@ -229,6 +233,10 @@ void Panel::drawRules(SavedView& look, const Molecule* molecule) {
         ImGui::TextWrapped("%s", ruleError_.c_str());
         ImGui::PopStyleColor();
     }
+    for (const Label& label : look.words.labels) ImGui::TextWrapped("label %s", labelText(label).c_str());
+    for (const Measure& measure : look.words.measures) ImGui::TextWrapped("measure %s", measure.text.c_str());
+    if (!look.words.labels.empty() || !look.words.measures.empty())
+        if (ImGui::Button("Forget labels")) look.words.labels.clear(), look.words.measures.clear();
     std::vector<Rule>& rules = look.look.rules;
     if (rules.empty()) return;
     for (const Rule& rule : rules) {
@@ -264,6 +272,15 @@ void Panel::drawRuleButtons(SavedView& look, const std::string& selection) {
             ruleError_ = error.what();
         }
     };
+    if (ImGui::Button("Label")) {
+        try {
+            look.words.labels.push_back(parseLabel(selection + "={residue} {number}"));
+            ruleError_.clear();
+        } catch (const std::exception& error) {
+            ruleError_ = error.what();
+        }
+    }
+    ImGui::SameLine();
     if (ImGui::Button("Look at")) aim(&Aim::lookAt);
     ImGui::SameLine();
     if (ImGui::Button("Close in")) aim(&Aim::zoomTo);

@@ -1,22 +1,81 @@
 // Marks on picked atoms, and the lines of text below.
 
+#include <cfloat>
+#include <cmath>
+
 #include "app/panel/panel.h"
 #include "app/panel/panel_style.h"
+#include "app/shared/word_layout.h"
 
 namespace nacre::app {
 
+namespace {
+
+ImVec2 place(const glm::dvec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
+
+/// The halo is the text itself, a little to all sides.
+void drawText(ImDrawList& list, const TextMark& mark, std::uint32_t color, std::uint32_t halo, float haloWidth) {
+    const float size = static_cast<float>(mark.size) * kFontSizeOfEm;
+    ImFont* font = fontOf(size);
+    // One that is as large as asked for stands on whole pixels, and is as sharp as the panel.
+    ImVec2 at = place(mark.at);
+    at.y -= font->Ascent * size / font->FontSize;
+    at = ImVec2(std::round(at.x), std::round(at.y));
+    constexpr float kWays[][2] = {{1, 0},       {-1, 0},       {0, 1},        {0, -1},
+                                  {0.7f, 0.7f}, {-0.7f, 0.7f}, {0.7f, -0.7f}, {-0.7f, -0.7f}};
+    for (const auto& [x, y] : kWays)
+        list.AddText(font, size, ImVec2(at.x + x * haloWidth, at.y + y * haloWidth), (halo & 0xffffff) | 0x90000000,
+                     mark.text.c_str());
+    list.AddText(font, size, at, color, mark.text.c_str());
+}
+
+}  // namespace
+
+/// Labels, measurements, legend and the like: what a saved picture has, too.
+void Panel::drawWords(const Viewer& viewer) {
+    const PlacedWords& words = viewer.words();
+    if (!words.any()) return;
+    const Marks marks =
+        layOut(words, viewer.settings().view, viewer.textSize(), viewer.view().words.color, viewer.view().background,
+               [](const std::string& text, double em) {
+                   const float size = static_cast<float>(em) * kFontSizeOfEm;
+                   return static_cast<double>(fontOf(size)->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x);
+               });
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const auto haloWidth = static_cast<float>(marks.haloWidth);
+    const ImU32 halo = (marks.halo & 0xffffff) | 0xd8000000;
+    for (const bool ink : {false, true})
+        for (const LineMark& line : marks.lines)
+            for (std::size_t i = 1; i < line.points.size(); ++i)
+                list.AddLine(place(line.points[i - 1]), place(line.points[i]), ink ? marks.color : halo,
+                             static_cast<float>(line.width) + (ink ? 0 : 1.6f * haloWidth));
+    for (const DiscMark& disc : marks.discs) {
+        const auto radius = static_cast<float>(disc.radius);
+        list.AddCircleFilled(place(disc.at), radius + 0.8f * haloWidth, halo, 32);
+        list.AddCircleFilled(place(disc.at), radius, disc.color ? disc.color : marks.color, 32);
+    }
+    for (const RampMark& ramp : marks.ramps) {
+        const auto steps = static_cast<double>(ramp.colors.size() - 1);
+        for (std::size_t i = 0; i + 1 < ramp.colors.size(); ++i) {
+            const auto y = [&](std::size_t k) {
+                return std::round(ramp.low.y + (ramp.high.y - ramp.low.y) * static_cast<double>(k) / steps);
+            };
+            list.AddRectFilled(place({ramp.low.x, y(i)}), place({ramp.high.x, y(i + 1)}), ramp.colors[i]);
+        }
+    }
+    for (const TextMark& text : marks.texts) drawText(list, text, marks.color, marks.halo, haloWidth);
+}
+
 void Panel::drawAnnotations(const Annotations& a) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();  // beneath panel and help
-    const auto place = [&](const glm::dvec2& p) {
-        return ImVec2(static_cast<float>(p.x) * scale(), static_cast<float>(p.y) * scale());
-    };
+    const auto placeOf = [&](const glm::dvec2& points) { return place(points * pixelsPerPoint_); };
     for (std::size_t i = 1; i < a.atoms.size(); ++i) {
-        list.AddLine(place(a.atoms[i - 1]), place(a.atoms[i]), kMarkEdge, 5 * scale());
-        list.AddLine(place(a.atoms[i - 1]), place(a.atoms[i]), kMark, 2 * scale());
+        list.AddLine(placeOf(a.atoms[i - 1]), placeOf(a.atoms[i]), kMarkEdge, 5 * scale());
+        list.AddLine(placeOf(a.atoms[i - 1]), placeOf(a.atoms[i]), kMark, 2 * scale());
     }
     for (const glm::dvec2& atom : a.atoms) {
-        list.AddCircle(place(atom), 8 * scale(), kMarkEdge, 24, 5 * scale());
-        list.AddCircle(place(atom), 8 * scale(), kMark, 24, 2 * scale());
+        list.AddCircle(placeOf(atom), 8 * scale(), kMarkEdge, 24, 5 * scale());
+        list.AddCircle(placeOf(atom), 8 * scale(), kMark, 24, 2 * scale());
     }
     float bottom = ImGui::GetIO().DisplaySize.y - insets_.bottom - 14 * scale();
     const float line = ImGui::GetTextLineHeight() + 20 * scale();

@@ -1,29 +1,35 @@
 #include "app/panel/panel_style.h"
 
-#include <filesystem>
-#include <system_error>
+#include <cmath>
+
+#include "app/shared/font.h"
 
 namespace nacre::app {
 namespace {
 
 constexpr float kTextPoints = 15;
-constexpr const char* kFonts[] = {
-    "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
-    "/usr/share/fonts/TTF/DejaVuSans.ttf", "/system/fonts/Roboto-Regular.ttf", "/system/fonts/DroidSans.ttf"};
+// Latin, Greek, dashes and primes, raised and lowered digits, arrows, the minus sign.
+constexpr ImWchar kGlyphs[] = {0x20,   0xff,   0x370,  0x3ff,  0x2010, 0x2044, 0x2070, 0x209c,
+                               0x2190, 0x2193, 0x2212, 0x2212, 0xfffd, 0xfffd, 0};
 
 }  // namespace
 
 void addPanelFont(float pixelsPerPoint) {
     ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
-    for (const char* font : kFonts) {
-        std::error_code ignored;
-        if (!std::filesystem::exists(font, ignored)) continue;
-        fonts.AddFontFromFileTTF(font, kTextPoints * pixelsPerPoint);
-        return;
+    const std::span<const std::byte> file = fontFile();
+    for (const float share : {1.0f, 0.68f, 1.45f}) {
+        ImFontConfig own;
+        own.FontDataOwnedByAtlas = false;  // nor is it written to
+        fonts.AddFontFromMemoryTTF(const_cast<std::byte*>(file.data()), static_cast<int>(file.size()),
+                                   kTextPoints * share * pixelsPerPoint, &own, kGlyphs);
     }
-    ImFontConfig own;  // Dear ImGui's
-    own.SizePixels = kTextPoints * pixelsPerPoint;
-    fonts.AddFontDefault(&own);
+}
+
+ImFont* fontOf(float size) {
+    ImFont* best = nullptr;
+    for (ImFont* font : ImGui::GetIO().Fonts->Fonts)
+        if (!best || std::abs(font->FontSize - size) < std::abs(best->FontSize - size)) best = font;
+    return best;
 }
 
 void setPanelStyle(float pixelsPerPoint, bool fingers) {

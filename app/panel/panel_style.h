@@ -13,8 +13,12 @@ inline constexpr ImU32 kMark = IM_COL32(255, 190, 30, 255), kMarkEdge = IM_COL32
 /// Height of a widget that a finger hits, in points.
 inline constexpr float kFingerPoints = 48;
 
-/// Adds the font to the current context.
+/// Adds the font to the current context, in the sizes of text, of sub- and superscripts, and of a title.
 void addPanelFont(float pixelsPerPoint);
+/// Of those sizes the one that is nearest to some pixels of ImFont::FontSize.
+ImFont* fontOf(float size);
+/// FontSize of an em: Dear ImGui counts from the highest to the lowest of DejaVu Sans.
+inline constexpr float kFontSizeOfEm = 1.164f;
 
 /// Sets sizes and colours of the current context.
 void setPanelStyle(float pixelsPerPoint, bool fingers);

@@ -15,13 +15,20 @@ struct Aim {
     std::optional<Selection> lookAt;  ///< what faces the viewer
     std::optional<Selection> zoomTo;  ///< what fills the picture
 
+    bool mayClip = true;  ///< what hides it is cut away
+
     bool any() const { return principal || lookAt || zoomTo; }
+};
+
+struct Aimed {
+    Camera camera;
+    std::optional<double> clipNear;  ///< Å from the centre away from the viewer, where what hides the target is cut
 };
 
 /// The camera, aimed. Its rotation in degrees is applied last, its zoom is that of what is zoomed to.
 /// @throws Error if a selection has no drawn atom
-Camera aimed(const Camera& camera, const Aim& aim, const Molecule& molecule, const Representation& scene,
-             const Size& size);
+Aimed aimed(const Camera& camera, const Aim& aim, const Molecule& molecule, const Representation& scene,
+            const Size& size);
 
 /// Room around what is zoomed to, Å: a ligand with what touches it.
 constexpr double kZoomMargin = 3;

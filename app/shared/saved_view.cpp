@@ -76,6 +76,45 @@ std::optional<Format> parseFormat(const std::string& name) {
     return format;
 }
 
+/// Texts of an option that may be given many times.
+template <typename Value>
+void readList(const Json& list, std::vector<Value>& values, Value (*parse)(std::string_view)) {
+    if (!list.is_array() || list.size() > kMostWordOptions)
+        throw std::invalid_argument("expected a list of at most " + std::to_string(kMostWordOptions) + " texts");
+    for (const Json& text : list) values.push_back(parse(textOf(text)));
+}
+
+/// @returns whether the key is one of words
+bool readWords(const std::string& key, const Json& value, Words& words) {
+    if (key == "labels")
+        readList(value, words.labels, parseLabel);
+    else if (key == "measures")
+        readList(value, words.measures, parseMeasure);
+    else if (key == "title")
+        words.title = parseTitle(textOf(value));
+    else if (key == "scale-bar")
+        words.scaleBar = parseScaleBar(textOf(value));
+    else if (key == "legend")
+        words.legend = isOn(value, "on", "off");
+    else if (key == "text-size")
+        words.size = parseNumber(textOf(value), 4, 2000);
+    else if (key == "text-color")
+        words.color = parseInk(textOf(value));
+    else
+        return false;
+    return true;
+}
+
+void addWords(const Words& words, OrderedJson& json) {
+    for (const Label& label : words.labels) json["labels"].push_back(labelText(label));
+    for (const Measure& measure : words.measures) json["measures"].push_back(measure.text);
+    if (!words.title.empty()) json["title"] = words.title;
+    if (words.scaleBar != ScaleBar::off) json["scale-bar"] = scaleBarText(words.scaleBar);
+    if (words.legend) json["legend"] = "on";
+    if (words.size > 0) json["text-size"] = words.size;
+    if (words.color) json["text-color"] = backgroundText({(*words.color)[0], (*words.color)[1], (*words.color)[2], 1});
+}
+
 void readKey(const std::string& key, const Json& value, SavedView& view) {
     if (key == "input") {
         view.input = textOf(value);
@@ -91,6 +130,8 @@ void readKey(const std::string& key, const Json& value, SavedView& view) {
         view.look.style = parseStyle(textOf(value));
     } else if (key == "color") {
         view.look.color = parseColoring(textOf(value));
+    } else if (key == "palette") {
+        view.look.palette = parsePalette(textOf(value));
     } else if (key == "rules") {
         readRules(value, view);
     } else if (key == "water") {
@@ -117,7 +158,7 @@ void readKey(const std::string& key, const Json& value, SavedView& view) {
         view.occlusionDirections = parseOcclusion(textOf(value));
     } else if (const EffectOption* option = effectOption(key)) {
         option->set(textOf(value), view.effects);
-    } else {
+    } else if (!readWords(key, value, view.words)) {
         throw std::invalid_argument("no such key");
     }
 }
@@ -160,6 +201,7 @@ std::string savedViewJson(const SavedView& view) {
     if (!view.look.assembly.empty()) json["assembly"] = view.look.assembly;
     if (view.look.style) json["style"] = styleName(*view.look.style);
     json["color"] = coloringText(view.look.color);
+    if (view.look.palette != Palette::automatic) json["palette"] = paletteName(view.look.palette);
     json["rules"] = OrderedJson::array();
     for (const Rule& rule : view.look.rules) {
         const auto [option, value] = ruleText(rule);
@@ -178,6 +220,7 @@ std::string savedViewJson(const SavedView& view) {
     json["occlusion"] = view.occlusionDirections ? OrderedJson(view.occlusionDirections) : OrderedJson("off");
     for (const EffectOption& option : effectOptions())
         if (option.text(view.effects) != option.text({})) json[option.name] = option.text(view.effects);
+    addWords(view.words, json);
     return jsonText(json);
 }
 

@@ -7,12 +7,15 @@
 //    "water": "hide", "hydrogens": "show", "projection": "ortho", "fov": 30, "zoom": 1.5,
 //    "orientation": [w, x, y, z], "pan": [x, y], "background": "white", "lighting": "on", "occlusion": 128}
 // and those of app/shared/effect_options.h, as they differ from the default.
+// and, where there are words: "labels": ["ligand={residue}"], "measures": ["78,92"], "title": "B-DNA",
+//   "scale-bar": "nm", "legend": "on", "text-size": 24, "text-color": "#202020"; "palette": "muted".
 // `orientation` is a unit quaternion (v = Q (p - C)), `pan` is in Å. Every key may be left out.
 
 #include <array>
 #include <string>
 
 #include "app/shared/input_options.h"
+#include "app/shared/words.h"
 #include "engine/effects.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/scene/camera.h"
@@ -28,6 +31,7 @@ struct SavedView {
     DrawnAtomsOptions drawn;
     RepresentationOptions look;
     Camera camera;
+    Words words;
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha
     bool lighting = true;
     Effects effects;

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "app/viewer/measurement.h"
+#include "app/shared/measurement.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -81,6 +81,7 @@ void Viewer::apply(const std::vector<Gesture>& gestures, double now) {
             case Gesture::Kind::doubleTap:
                 picks_ = picksBefore_;  // its first tap was no pick
                 motion_.fit(now);
+                unclip();
                 schedule_.overlayChanged();
                 break;
             case Gesture::Kind::released:
@@ -118,6 +119,9 @@ void Viewer::open(const std::string& path, double now) {
     fresh.model = 1;
     fresh.look.assembly.clear();
     fresh.look.rules.clear();
+    fresh.words.labels.clear();
+    fresh.words.measures.clear();
+    fresh.words.title.clear();
     fresh.camera = {};
     fresh.camera.projection = view_.camera.projection;
     loader_.read(fresh);
@@ -131,15 +135,22 @@ void Viewer::aim(const Aim& aim, double now) {
         takeAim(aim, true, now);
 }
 
+/// What a close-up cut away comes back.
+void Viewer::unclip() {
+    if (std::exchange(clipped_, false)) view_.effects.clip.near = -Clip::kNone;
+}
+
 void Viewer::takeAim(const Aim& aim, bool fly, double now) {
     try {
         Camera from = motion_.camera();
-        if (aim.zoomTo) from.zoom = 1;
-        const Camera to = aimed(from, aim, *document_.molecule, document_.scene, {size_.width, size_.height});
+        if (aim.zoomTo || aim.principal) from.zoom = 1;
+        const Aimed to = aimed(from, aim, *document_.molecule, document_.scene, {size_.width, size_.height});
         if (fly)
-            motion_.fly(to, now);
+            motion_.fly(to.camera, now);
         else
-            motion_.set(to);
+            motion_.set(to.camera);
+        if (to.clipNear || (aim.zoomTo && clipped_)) view_.effects.clip.near = to.clipNear.value_or(-Clip::kNone);
+        clipped_ = to.clipNear.has_value();
         changed(now);
     } catch (const Error& error) {
         say(error.what(), now);
@@ -213,12 +224,40 @@ void Viewer::setLook(const SavedView& look, double now) {
     view_.camera = before.camera;
     motion_.setProjection(look.camera.projection);
     changed(now);
+    // What cannot be said of this molecule is not kept.
+    if (look.words != before.words && !putWords(now)) view_.words = before.words;
     const bool scene = look.look != before.look || look.drawn != before.drawn;
     if (scene && document_.molecule) loader_.build(view(), document_.molecule);
     if (look.occlusionDirections != before.occlusionDirections) occlusion_ = look.occlusionDirections ? 0 : 1;
 }
 
+/// Finds the places of the words. @returns whether all of them have one
+bool Viewer::putWords(double now) {
+    if (!document()) return true;
+    schedule_.overlayChanged();
+    try {
+        placedWords_ = placeWords(view_.words, *document_.molecule, document_.scene);
+        return true;
+    } catch (const Error& error) {
+        say(error.what(), now);
+        return false;
+    }
+}
+
 // --- state
+
+SavedView Viewer::savedView() const {
+    SavedView saved = view();
+    if (picks_.size() < 2) return saved;
+    std::string atoms;
+    for (const std::uint32_t pick : picks_) atoms += (atoms.empty() ? "" : ",") + std::to_string(pick + 1);
+    const Measure measure = parseMeasure(atoms);
+    std::vector<Measure>& kept = saved.words.measures;
+    if (std::find(kept.begin(), kept.end(), measure) == kept.end()) kept.push_back(measure);
+    return saved;
+}
+
+double Viewer::textSize() const { return (view_.words.size > 0 ? view_.words.size : kWordPoints) * scale_; }
 
 std::string Viewer::title() const {
     std::string title = document() ? nameOf(document_.view.input) : "";
@@ -290,12 +329,14 @@ void Viewer::tookDocument(double now) {
         view_.look.assembly = document_.view.look.assembly;
         if (!firstDocument_) {
             view_.look.rules = document_.view.look.rules;
+            view_.words = document_.view.words;
             motion_.set(document_.view.camera);
         }
         firstDocument_ = false;
         message_.clear();
         if (aim_.any()) takeAim(std::exchange(aim_, {}), false, now);
     }
+    putWords(now);
     occlusion_ = view_.occlusionDirections ? 0 : 1;
     occlusionRetry_ = {};
     if (!document_.scene.warnings.empty()) say(document_.scene.warnings.front(), now);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/shared/aim.h"
+#include "app/shared/words.h"
 #include "app/viewer/camera_motion.h"
 #include "app/viewer/commands.h"
 #include "app/viewer/events.h"
@@ -30,6 +31,9 @@ struct Annotations {
     std::string measurement;        ///< what they measure
     std::string message;            ///< of the last command, or of what went wrong
 };
+
+/// Points of the words in a window, and of an em of the panel's font of 15 points.
+constexpr double kWordPoints = 15 / 1.164;
 
 struct ViewerOptions {
     std::uint32_t mostSamples = 4;             ///< a side of a pixel, of the refinement
@@ -79,6 +83,12 @@ public:
     void waitForLoading() const { loader_.wait(); }
     const Document* document() const { return document_.molecule ? &document_ : nullptr; }
     double occlusion() const { return occlusion_; }
+    /// The view as it is saved: what the picked atoms measure stays.
+    SavedView savedView() const;
+    /// Labels, legend and the like, where they stand in the document.
+    const PlacedWords& words() const { return placedWords_; }
+    /// Pixels of an em of them.
+    double textSize() const;
     /// Picked atoms, from 0, in their order.
     const std::vector<std::uint32_t>& picks() const { return picks_; }
     bool autoRotating() const { return motion_.autoRotation(); }
@@ -99,6 +109,7 @@ private:
     void apply(const std::vector<Gesture>& gestures, double now);
     void pick(glm::dvec2 at, double now);
     void putScene(double now);
+    bool putWords(double now);
     void advanceOcclusion(double now, bool moving);
     void failed(const std::exception& error, Retry& retry, double now);
     bool noticeLoss();
@@ -106,6 +117,7 @@ private:
     double advance(double now);
     bool moveCamera(ViewerCommand command, double now);
     bool aimCamera(ViewerCommand command, double now);
+    void unclip();
     void takeAim(const Aim& aim, bool fly, double now);
     void draw(const FrameSchedule::Next& next, double now, bool moving, const std::function<const Overlay*()>& overlay);
     double occlusionBudget(double now, bool moving);
@@ -119,6 +131,7 @@ private:
     Loader loader_;
     mutable SavedView view_;  // its camera is that of motion_
     Document document_;
+    PlacedWords placedWords_;
     CameraMotion motion_;
     TouchGestures touches_;
     MouseGestures mouse_;
@@ -127,6 +140,7 @@ private:
     double scale_ = 1;  // pixels a point
     double occlusion_ = 1, lastOcclusion_ = 0, lastBudget_ = 0;
     double handMoved_ = -1e9;
+    bool clipped_ = false;                            // by a close-up
     Aim aim_;                                         // of the molecule that is being read
     std::vector<std::uint32_t> picks_, picksBefore_;  // atoms, from 0
     DebugView debug_ = DebugView::none;

@@ -73,9 +73,11 @@ bool Viewer::moveCamera(ViewerCommand command, double now) {
             return true;
         case C::fit:
             motion_.fit(now);
+            unclip();
             return true;
         case C::reset:
             motion_.reset(now);
+            unclip();
             return true;
         case C::autoRotate: {
             const bool on = !motion_.autoRotation();
@@ -158,6 +160,16 @@ void Viewer::run(ViewerCommand command, double now) {
             setDebugView(static_cast<DebugView>(next), now);
             return say(std::string("debug view: ") + debugViewNames()[next], now);
         }
+        case C::keepMeasurement:
+            look = savedView();
+            picks_.clear();
+            break;
+        case C::legend:
+            look.words.legend = !look.words.legend;
+            break;
+        case C::scaleBar:
+            look.words.scaleBar = static_cast<ScaleBar>((static_cast<int>(look.words.scaleBar) + 1) % 3);
+            break;
         case C::clearPicks:
             picks_.clear();
             message_.clear();

@@ -80,6 +80,7 @@ const std::vector<Arrows> kLibraries = {
     {"OpenImageIO/", {"app/shared/image_codec.cpp"}},
     {"png.h", {"app/movie/animated_png.cpp"}},
     {"gif_lib.h", {"app/movie/gif.cpp"}},
+    {"ft2build.h", {"app/shared/word_painter.cpp"}},
     {"curl/", {"app/download/http.cpp"}},
     {"imgui", {"app/panel/"}},
     {"gemmi/", {"engine/molecule/"}},

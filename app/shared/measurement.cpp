@@ -1,11 +1,11 @@
-#include "app/viewer/measurement.h"
+#include "app/shared/measurement.h"
 
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "app/viewer/element_names.h"
+#include "app/shared/element_names.h"
 
 namespace nacre::app {
 namespace {
@@ -31,17 +31,22 @@ double torsionOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, 
     return glm::degrees(std::atan2(glm::length(v) * glm::dot(u, right), glm::dot(left, right)));
 }
 
-std::string measurementText(std::span<const glm::dvec3> p) {
+std::string measuredValue(std::span<const glm::dvec3> p) {
     switch (p.size()) {
         case 2:
-            return formatted("distance %.2f Å", distanceOf(p[0], p[1]));
+            return formatted("%.2f Å", distanceOf(p[0], p[1]));
         case 3:
-            return formatted("angle %.1f°", angleOf(p[0], p[1], p[2]));
+            return formatted("%.1f°", angleOf(p[0], p[1], p[2]));
         case 4:
-            return formatted("torsion %.1f°", torsionOf(p[0], p[1], p[2], p[3]));
+            return formatted("%.1f°", torsionOf(p[0], p[1], p[2], p[3]));
         default:
             return "";
     }
+}
+
+std::string measurementText(std::span<const glm::dvec3> p) {
+    constexpr const char* kNames[] = {"distance ", "angle ", "torsion "};
+    return p.size() < 2 || p.size() > 4 ? "" : kNames[p.size() - 2] + measuredValue(p);
 }
 
 std::string atomText(const Molecule& molecule, std::uint32_t index) {

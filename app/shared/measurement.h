@@ -18,6 +18,9 @@ double torsionOf(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, 
 /// "distance 3.21 Å", "angle 109.5°" or "torsion -60.0°" of two to four atoms; empty for fewer.
 std::string measurementText(std::span<const glm::dvec3> places);
 
+/// The same without its name: "3.21 Å".
+std::string measuredValue(std::span<const glm::dvec3> places);
+
 /// Element, name, residue, chain and number: "Oxygen O6, residue DG 4, chain A, atom 78".
 /// @param atom index into Molecule::atoms
 std::string atomText(const Molecule& molecule, std::uint32_t atom);

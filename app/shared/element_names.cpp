@@ -1,4 +1,4 @@
-#include "app/viewer/element_names.h"
+#include "app/shared/element_names.h"
 
 #include <iterator>
 

@@ -1,10 +1,10 @@
-#include "app/viewer/measurement.h"
+#include "app/shared/measurement.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "app/viewer/element_names.h"
+#include "app/shared/element_names.h"
 #include "engine/molecule/read.h"
 
 namespace nacre::app {

@@ -1,0 +1,60 @@
+#pragma once
+// Words in a picture: which marks of ink stand where, so that they do not overlap. Knows no font but by its widths, and
+// nothing of who draws the marks: painter (files) and panel (window) draw the same.
+
+#include <cstdint>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <string>
+#include <vector>
+
+#include "app/shared/words.h"
+#include "engine/scene/camera.h"
+
+namespace nacre::app {
+
+/// Width of a text, UTF-8, in pixels. @param size  of an em, pixels
+using TextWidth = std::function<double(const std::string& text, double size)>;
+
+// All in pixels of the picture, from its top left, y down.
+
+struct TextMark {
+    glm::dvec2 at{};  ///< left end of the baseline
+    double size = 0;  ///< of an em
+    std::string text;
+};
+struct LineMark {
+    std::vector<glm::dvec2> points;
+    double width = 1;
+};
+struct DiscMark {
+    glm::dvec2 at{};
+    double radius = 0;
+    std::uint32_t color = 0;  ///< packed; 0: that of the words
+};
+/// A rectangle, its colours from top to bottom.
+struct RampMark {
+    glm::dvec2 low{}, high{};
+    std::vector<std::uint32_t> colors;
+};
+
+struct Marks {
+    std::vector<LineMark> lines;  ///< drawn in this order, each kind over the one before
+    std::vector<DiscMark> discs;
+    std::vector<RampMark> ramps;
+    std::vector<TextMark> texts;
+    std::uint32_t color = 0xff000000, halo = 0xffffffff;  ///< packed
+    double haloWidth = 2;
+    std::size_t crowded = 0;  ///< labels that found no room and were left out
+};
+
+/// Pixels of an em where none are asked for.
+double usualTextSize(std::uint32_t width, std::uint32_t height);
+
+/// @param size        pixels of an em; 0: usualTextSize()
+/// @param color       of the ink, sRGB-coded; empty: against the background, under a halo of the opposite
+/// @param background  sRGB-coded, straight alpha
+Marks layOut(const PlacedWords& words, const View& view, double size, const std::optional<std::array<float, 3>>& color,
+             const std::array<float, 4>& background, const TextWidth& widthOf);
+
+}  // namespace nacre::app

@@ -1,0 +1,38 @@
+#pragma once
+// Draws the marks of word_layout.h into pictures, by FreeType: text from the outlines of its glyphs, and everything
+// else by the same rasteriser, at whatever size.
+
+#include <memory>
+
+#include "app/shared/word_layout.h"
+#include "engine/results.h"
+
+namespace nacre::app {
+
+/// Not for several threads at once.
+class WordPainter {
+public:
+    /// @throws Error if the font cannot be read
+    WordPainter();
+    ~WordPainter();
+    WordPainter(const WordPainter&) = delete;
+
+    /// Pixels, with kerning; a character that the font lacks is as wide as its box.
+    double widthOf(const std::string& text, double size) const;
+
+    /// Draws what of the marks lies in some rows of a picture.
+    /// @param rgba   linear light, premultiplied; 4 a pixel; `rows` rows of `width` pixels
+    /// @param first  row of the picture that `rgba` begins with
+    void paint(const Marks& marks, float* rgba, std::uint32_t width, std::uint32_t first, std::uint32_t rows) const;
+
+    /// Lays words out over a whole picture, and draws them. @returns the labels that found no room
+    std::size_t paint(const PlacedWords& words, const View& view, double size,
+                      const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background,
+                      Picture& picture) const;
+
+private:
+    struct Face;
+    std::unique_ptr<Face> face_;
+};
+
+}  // namespace nacre::app

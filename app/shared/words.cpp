@@ -1,0 +1,387 @@
+#include "app/shared/words.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+
+#include "app/shared/measurement.h"
+#include "app/shared/option_values.h"
+#include "engine/error.h"
+#include "engine/molecule/element.h"
+#include "engine/molecule/nearest_word.h"
+#include "engine/molecule/residue_kind.h"
+
+namespace nacre::app {
+namespace {
+
+enum class Scope { selection, chain, residue, atom };
+
+struct Field {
+    std::string_view name;
+    Scope scope;
+};
+constexpr Field kFields[] = {{"residue", Scope::residue}, {"letter", Scope::residue}, {"number", Scope::residue},
+                             {"chain", Scope::chain},     {"model", Scope::chain},    {"atom", Scope::atom},
+                             {"element", Scope::atom},    {"id", Scope::atom},        {"altloc", Scope::atom},
+                             {"b-factor", Scope::atom},   {"occupancy", Scope::atom}};
+
+/// Calls plain(text) and field(entry) for the pieces of a label. Braces of markup, as in _{12}, are plain.
+template <typename Plain, typename OnField>
+void eachPiece(std::string_view text, const Plain& plain, const OnField& field) {
+    std::size_t from = 0;
+    const auto pass = [&](std::size_t to) {
+        if (to > from) plain(text.substr(from, to - from));
+    };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '\\') {
+            ++i;
+            continue;
+        }
+        if (text[i] != '{') continue;
+        const bool group = i > 0 && (text[i - 1] == '_' || text[i - 1] == '^');  // of markup, if it is no field
+        const std::size_t close = text.find('}', i);
+        if (close == std::string_view::npos)
+            throw std::invalid_argument("a brace is not closed in '" + std::string(text) + "'");
+        const std::string_view name = text.substr(i + 1, close - i - 1);
+        const Field* known = std::find_if(std::begin(kFields), std::end(kFields),
+                                          [&](const Field& entry) { return entry.name == name; });
+        if (known == std::end(kFields) && group) continue;
+        if (known == std::end(kFields)) {
+            std::vector<std::string> words;
+            std::string list;
+            for (const Field& entry : kFields) {
+                words.emplace_back(entry.name);
+                list += (list.empty() ? "{" : ", {") + words.back() + "}";
+            }
+            throw std::invalid_argument("expected one of " + list + ", not '{" + std::string(name) + "}'" +
+                                        suggestion(name, words));
+        }
+        // A field that is raised or lowered stays in its braces.
+        pass(group ? i + 1 : i);
+        field(*known);
+        from = group ? close : close + 1;
+        i = close;
+    }
+    pass(text.size());
+}
+
+Scope scopeOf(std::string_view text) {
+    Scope scope = Scope::selection;
+    eachPiece(
+        text, [](std::string_view) {}, [&](const Field& field) { scope = std::max(scope, field.scope); });
+    return scope;
+}
+
+/// A value as it stands in the file, safe from being read as markup; primes are primes.
+std::string plainValue(std::string_view value) {
+    std::string text;
+    for (const char c : value) {
+        if (c == '\'') {
+            text += "′";
+        } else if (c == '"') {
+            text += "″";
+        } else {
+            if (c == '_' || c == '^' || c == '\\' || c == '{' || c == '}') text += '\\';
+            text += c;
+        }
+    }
+    return text;
+}
+
+std::string titled(std::string_view symbol) {
+    std::string text(symbol);
+    for (std::size_t i = 1; i < text.size(); ++i)
+        text[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[i])));
+    return text;
+}
+
+std::string fieldValue(std::string_view name, const Molecule& molecule, std::uint32_t index) {
+    const Atom& atom = molecule.atoms[index];
+    const Residue& residue = molecule.residues[atom.residue];
+    const Chain& chain = molecule.chains[residue.chain];
+    if (name == "residue") return plainValue(residue.name.view());
+    if (name == "number")
+        return std::to_string(residue.number) + (residue.insertionCode ? std::string(1, residue.insertionCode) : "");
+    if (name == "letter") {
+        const char amino = aminoAcidLetter(residue.name);
+        const char letter = amino ? amino : nucleotideLetter(residue.name);
+        return letter ? std::string(1, letter) : plainValue(residue.name.view());
+    }
+    if (name == "chain") return plainValue(chain.name);
+    if (name == "model") return std::to_string(chain.model);
+    if (name == "atom") return plainValue(atom.name.view());
+    if (name == "element") return plainValue(titled(elementSymbol(atom.element)));
+    if (name == "id") return std::to_string(index + 1);
+    if (name == "altloc") return atom.alternate ? plainValue(std::string_view(&atom.alternate, 1)) : "";
+    const double value = static_cast<double>(name == "b-factor" ? atom.temperatureFactor : atom.occupancy);
+    char text[32];
+    std::snprintf(text, sizeof text, name == "b-factor" ? "%.1f" : "%.2f", value);
+    return text;
+}
+
+std::string filledIn(std::string_view text, const Molecule& molecule, std::uint32_t atom) {
+    std::string filled;
+    eachPiece(
+        text, [&](std::string_view plain) { filled += plain; },
+        [&](const Field& field) { filled += fieldValue(field.name, molecule, atom); });
+    return filled;
+}
+
+/// The drawn atoms and where they stand: of an assembly, in its first copy.
+struct DrawnAtoms {
+    struct Place {
+        glm::dvec3 at{};
+        double radius = -1;  ///< negative: not drawn
+    };
+    std::vector<Place> places;  ///< by atom
+
+    DrawnAtoms(const Molecule& molecule, const Representation& scene) : places(molecule.atoms.size()) {
+        const auto put = [&](std::size_t i, const glm::dmat4x3& transform) {
+            places[scene.sphereLooks[i].atom - 1] = {transform * glm::dvec4(scene.spheres[i].center, 1.0),
+                                                     static_cast<double>(scene.spheres[i].radius)};
+        };
+        if (scene.copies.transforms.empty())
+            for (std::size_t i = 0; i < scene.spheres.size(); ++i) put(i, glm::dmat4x3(1.0));
+        for (const PrimitiveRun& run : scene.copies.spheres)
+            for (std::size_t i = run.first; i < run.first + run.count; ++i)
+                put(i, scene.copies.transforms[scene.copies.lists[run.list].front()]);
+    }
+};
+
+std::vector<std::uint32_t> drawnOf(const Selection& selection, const Molecule& molecule, const DrawnAtoms& drawn,
+                                   const char* what) {
+    const std::vector<bool> chosen = selectAtoms(molecule, selection);
+    std::vector<std::uint32_t> atoms;
+    for (std::uint32_t i = 0; i < chosen.size(); ++i)
+        if (chosen[i] && drawn.places[i].radius >= 0) atoms.push_back(i);
+    if (!atoms.empty()) return atoms;
+    const bool any = std::find(chosen.begin(), chosen.end(), true) != chosen.end();
+    throw Error(what, selection.text, any ? "none of its atoms is drawn" : "the molecule has no such atoms");
+}
+
+void placeLabel(const Label& label, const Molecule& molecule, const DrawnAtoms& drawn, PlacedWords& placed) {
+    const Scope scope = scopeOf(label.text);
+    // Atoms of one label, in the file's order of the first of each.
+    std::map<std::uint32_t, std::size_t> groupOf;
+    std::vector<std::vector<std::uint32_t>> groups;
+    for (const std::uint32_t atom : drawnOf(label.selection, molecule, drawn, "cannot label")) {
+        const std::uint32_t residue = molecule.atoms[atom].residue;
+        const std::uint32_t key = scope == Scope::atom      ? atom
+                                  : scope == Scope::residue ? residue
+                                  : scope == Scope::chain   ? molecule.residues[residue].chain
+                                                            : 0;
+        const auto [found, added] = groupOf.emplace(key, groups.size());
+        if (added) groups.emplace_back();
+        groups[found->second].push_back(atom);
+    }
+    if (placed.labels.size() + groups.size() > kMostLabels)
+        throw Error("cannot label", label.selection.text,
+                    std::to_string(placed.labels.size() + groups.size()) + " labels are more than the bound of " +
+                        std::to_string(kMostLabels) + " (select fewer atoms, or name residues or chains)");
+    for (const std::vector<std::uint32_t>& group : groups) {
+        PlacedLabel one;
+        for (const std::uint32_t atom : group) one.at += drawn.places[atom].at / static_cast<double>(group.size());
+        one.ofAtom = group.size() == 1;
+        one.radius = drawn.places[group.front()].radius;
+        one.text = filledIn(label.text, molecule, group.front());
+        placed.labels.push_back(std::move(one));
+    }
+}
+
+void placeMeasure(const Measure& measure, const Molecule& molecule, const DrawnAtoms& drawn, PlacedWords& placed) {
+    PlacedMeasure result;
+    for (const Selection& point : measure.points) {
+        const std::vector<std::uint32_t> atoms = drawnOf(point, molecule, drawn, "cannot measure");
+        if (atoms.size() > 1)
+            throw Error("cannot measure", point.text,
+                        "it has " + std::to_string(atoms.size()) + " drawn atoms, where one is needed (name CA, say)");
+        result.points.push_back(drawn.places[atoms.front()].at);
+    }
+    result.text = measuredValue(result.points);
+    placed.measures.push_back(std::move(result));
+}
+
+struct Letter {
+    std::string_view name, letter;
+};
+constexpr Letter kLetters[] = {
+    {"alpha", "α"}, {"beta", "β"},    {"gamma", "γ"},   {"delta", "δ"},  {"epsilon", "ε"}, {"zeta", "ζ"},
+    {"eta", "η"},   {"theta", "θ"},   {"iota", "ι"},    {"kappa", "κ"},  {"lambda", "λ"},  {"mu", "μ"},
+    {"nu", "ν"},    {"xi", "ξ"},      {"omicron", "ο"}, {"pi", "π"},     {"rho", "ρ"},     {"sigma", "σ"},
+    {"tau", "τ"},   {"upsilon", "υ"}, {"phi", "φ"},     {"chi", "χ"},    {"psi", "ψ"},     {"omega", "ω"},
+    {"Gamma", "Γ"}, {"Delta", "Δ"},   {"Theta", "Θ"},   {"Lambda", "Λ"}, {"Xi", "Ξ"},      {"Pi", "Π"},
+    {"Sigma", "Σ"}, {"Phi", "Φ"},     {"Psi", "Ψ"},     {"Omega", "Ω"},  {"AA", "Å"},      {"deg", "°"},
+    {"prime", "′"}, {"to", "→"},      {"cdot", "·"},    {"pm", "±"},     {"times", "×"}};
+
+bool isAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// Bytes of the character that begins at a place.
+std::size_t characterBytes(std::string_view text, std::size_t at) {
+    std::size_t bytes = 1;
+    while (at + bytes < text.size() && (static_cast<unsigned char>(text[at + bytes]) & 0xc0) == 0x80) ++bytes;
+    return bytes;
+}
+
+class MarkupReader {
+public:
+    explicit MarkupReader(std::string_view text) : text_(text) {}
+    std::vector<TextRun> read() {
+        while (at_ < text_.size()) {
+            if (text_[at_] != '_' && text_[at_] != '^') {
+                add(character(), 0);
+                continue;
+            }
+            const int level = text_[at_++] == '^' ? 1 : -1;
+            if (at_ >= text_.size()) fail("nothing follows its last sign");
+            if (text_[at_] != '{') {
+                add(character(), level);
+                continue;
+            }
+            ++at_;
+            while (at_ < text_.size() && text_[at_] != '}') add(character(), level);
+            if (at_ >= text_.size()) fail("a brace is not closed");
+            ++at_;
+        }
+        return std::move(runs_);
+    }
+
+private:
+    [[noreturn]] void fail(const std::string& why) const {
+        throw std::invalid_argument("'" + std::string(text_) + "': " + why);
+    }
+    std::string character() {
+        if (text_[at_] != '\\') {
+            const std::size_t bytes = characterBytes(text_, at_);
+            at_ += bytes;
+            return std::string(text_.substr(at_ - bytes, bytes));
+        }
+        if (++at_ >= text_.size()) fail("nothing follows its last sign");
+        if (!isAsciiLetter(text_[at_])) return std::string(1, text_[at_++]);
+        std::size_t end = at_;
+        while (end < text_.size() && isAsciiLetter(text_[end])) ++end;
+        const std::string_view name = text_.substr(at_, end - at_);
+        // "\alphaH" is a letter and another one.
+        const Letter* longest = nullptr;
+        std::vector<std::string> words;
+        for (const Letter& letter : kLetters) {
+            words.emplace_back(letter.name);
+            if (name.starts_with(letter.name) && (!longest || letter.name.size() > longest->name.size()))
+                longest = &letter;
+        }
+        if (longest) {
+            at_ += longest->name.size();
+            return std::string(longest->letter);
+        }
+        fail("there is no letter '\\" + std::string(name) + "'" + suggestion(name, words));
+    }
+    void add(const std::string& character, int level) {
+        if (runs_.empty() || runs_.back().level != level) runs_.push_back({"", level});
+        runs_.back().text += character;
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+    std::vector<TextRun> runs_;
+};
+
+/// The text without its fields, for a look at its markup.
+void checkMarkup(std::string_view text) {
+    std::string plain;
+    eachPiece(
+        text, [&](std::string_view piece) { plain += piece; }, [&](const Field&) { plain += 'x'; });
+    runsOf(plain);
+}
+
+}  // namespace
+
+std::vector<TextRun> runsOf(std::string_view text) { return MarkupReader(text).read(); }
+
+Label parseLabel(std::string_view text) {
+    std::optional<Error> first;
+    for (std::size_t sign = text.find('='); sign != std::string_view::npos; sign = text.find('=', sign + 1)) {
+        Label label;
+        try {
+            label.selection = parseSelection(text.substr(0, sign));
+        } catch (const Error& error) {
+            if (!first) first = error;
+            continue;  // perhaps the sign belongs to the selection
+        }
+        label.text = text.substr(sign + 1);
+        if (label.text.empty()) throw std::invalid_argument("there is no text behind '" + label.selection.text + "='");
+        checkMarkup(label.text);
+        return label;
+    }
+    if (first) throw *first;
+    throw std::invalid_argument("expected SELECTION=TEXT, not '" + std::string(text) + "'");
+}
+
+std::string labelText(const Label& label) { return label.selection.text + "=" + label.text; }
+
+Measure parseMeasure(std::string_view text) {
+    Measure measure;
+    measure.text = text;
+    std::size_t from = 0;
+    int depth = 0;
+    char quote = '\0';
+    const auto add = [&](std::size_t to) {
+        std::string part(text.substr(from, to - from));
+        const bool number =
+            !part.empty() && std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
+        measure.points.push_back(parseSelection(number ? "id " + part : part));
+        from = to + 1;
+    };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quote != '\0') {
+            if (c == quote) quote = '\0';
+        } else if (c == '"' || (c == '\'' && (i == 0 || text[i - 1] == ' '))) {
+            quote = c;
+        } else if (c == '(' || c == ')') {
+            depth += c == '(' ? 1 : -1;
+        } else if (c == ',' && depth == 0) {
+            add(i);
+        }
+    }
+    add(text.size());
+    if (measure.points.size() < 2 || measure.points.size() > 4)
+        throw std::invalid_argument(
+            "expected two atoms for a distance, three for an angle or four for a torsion, with commas between, not '" +
+            std::string(text) + "'");
+    return measure;
+}
+
+ScaleBar parseScaleBar(std::string_view text) {
+    if (text == "A" || text == "Å" || text == "on") return ScaleBar::angstrom;
+    return static_cast<ScaleBar>(parseChoice(text, {"off", "angstrom", "nm"}));
+}
+
+const char* scaleBarText(ScaleBar bar) {
+    return bar == ScaleBar::off ? "off" : bar == ScaleBar::angstrom ? "angstrom" : "nm";
+}
+
+std::string parseTitle(std::string_view text) {
+    runsOf(text);
+    return std::string(text);
+}
+
+std::array<float, 3> parseInk(std::string_view text) {
+    const std::array<float, 4> color = parseColor(text);
+    if (color[3] < 1) throw std::invalid_argument("words cannot be transparent: '" + std::string(text) + "'");
+    return {color[0], color[1], color[2]};
+}
+
+PlacedWords placeWords(const Words& words, const Molecule& molecule, const Representation& scene) {
+    PlacedWords placed;
+    placed.title = words.title;
+    placed.scaleBar = words.scaleBar;
+    if (words.legend) placed.legends = scene.legends;
+    if (words.labels.empty() && words.measures.empty()) return placed;
+    const DrawnAtoms drawn(molecule, scene);
+    for (const Label& label : words.labels) placeLabel(label, molecule, drawn, placed);
+    for (const Measure& measure : words.measures) placeMeasure(measure, molecule, drawn, placed);
+    return placed;
+}
+
+}  // namespace nacre::app

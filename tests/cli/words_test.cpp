@@ -1,0 +1,109 @@
+// --label, --measure, --title, --scale-bar and --legend, and colours by options, in pictures that the program draws.
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "tests/support/run_program.h"
+
+namespace nacre::app {
+namespace {
+
+using test::nacreIn;
+using test::Outcome;
+using test::TemporaryFolder;
+
+std::vector<float> pixelsOf(const std::string& path) {
+    const auto input = OIIO::ImageInput::open(path);
+    if (!input) return {};
+    const OIIO::ImageSpec& spec = input->spec();
+    std::vector<float> pixels(static_cast<std::size_t>(spec.width * spec.height * spec.nchannels));
+    input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data());
+    return pixels;
+}
+
+std::size_t differing(const std::vector<float>& a, const std::vector<float>& b) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.size() && a.size() == b.size(); ++i) count += std::abs(a[i] - b[i]) > 0.02f;
+    return count;
+}
+
+constexpr const char* kBase = "render sample:glucose --size 200x160 --occlusion off ";
+
+TEST(WordOptions, EachPutsInkIntoThePictureAndAViewKeepsIt) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(nacreIn(folder, std::string(kBase) + "-o plain.png").code, 0);
+    const std::vector<float> plain = pixelsOf(folder / "plain.png");
+    const std::pair<const char*, const char*> options[] = {
+        {"--label 'elem O={element}_{id}'", R"("labels": ["elem O={element}_{id}"])"},
+        {"--measure 1,2,3", R"("measures": ["1,2,3"])"},
+        {"--title 'Glucose, \\alpha'", R"("title": "Glucose, \\alpha")"},
+        {"--scale-bar nm", R"("scale-bar": "nm")"},
+        {"--legend on --text-color red --text-size 15", R"("legend": "on", "text-color": "#ff0000", "text-size": 15)"}};
+    for (const auto& [option, keys] : options) {
+        const Outcome outcome = nacreIn(folder, std::string(kBase) + "-o a.png " + option);
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(outcome.err, "");
+        EXPECT_GT(differing(plain, pixelsOf(folder / "a.png")), 100u) << option;
+        std::ofstream(folder / "v.json") << "{\"input\": \"sample:glucose\", " << keys << "}";
+        ASSERT_EQ(nacreIn(folder, "render --view v.json --size 200x160 --occlusion off -o b.png").code, 0) << keys;
+        EXPECT_TRUE(test::contentOf(folder / "a.png") == test::contentOf(folder / "b.png")) << keys;
+    }
+}
+
+TEST(WordOptions, LayersAndDebugViewsHaveNoWords) {
+    const TemporaryFolder folder;
+    for (const char* title : {"", "--title TITLE --legend on"})
+        ASSERT_EQ(nacreIn(folder, std::string(kBase) + "--debug overdraw -o " + (*title ? "b" : "a") +
+                                      ".png --layers " + (*title ? "b" : "a") + ".exr " + title)
+                      .code,
+                  0);
+    EXPECT_TRUE(test::contentOf(folder / "a.png") == test::contentOf(folder / "b.png"));
+    EXPECT_TRUE(test::contentOf(folder / "a.exr") == test::contentOf(folder / "b.exr"));
+}
+
+TEST(WordOptions, FaultsAreOneLine) {
+    const TemporaryFolder folder;
+    const auto fault = [&](const std::string& options) {
+        const Outcome outcome = nacreIn(folder, std::string(kBase) + "-o a.png " + options);
+        EXPECT_NE(outcome.code, 0) << options;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        return outcome.err;
+    };
+    EXPECT_NE(fault("--label 'all={foo}'").find("not '{foo}'"), std::string::npos);
+    EXPECT_NE(fault("--label 'resn XYZ=x'").find("cannot label: resn XYZ: the molecule has no such atoms"),
+              std::string::npos);
+    EXPECT_NE(fault("--measure 1,99").find("the molecule has no such atoms"), std::string::npos);
+    EXPECT_NE(fault("--measure 1").find("two atoms"), std::string::npos);
+    EXPECT_NE(fault("--title '\\alpa'").find("'alpha'"), std::string::npos);
+    EXPECT_NE(fault("--color b-factor:5").find("10..60"), std::string::npos);
+    EXPECT_NE(fault("--color b-factor:5..5").find("two numbers that differ"), std::string::npos);
+    EXPECT_NE(fault("--color chain:1..2").find("takes no range"), std::string::npos);
+    EXPECT_NE(fault("--color chain:viridis").find("of numbers"), std::string::npos);
+    EXPECT_NE(fault("--color b-factor:muted").find("of kinds"), std::string::npos);
+    EXPECT_NE(fault("--color charge:muted").find("takes no palette"), std::string::npos);
+    EXPECT_NE(fault("--palette mutd").find("'muted'?"), std::string::npos);
+}
+
+TEST(ColorOptions, SchemesPalettesAndRangesReachTheLegend) {
+    const TemporaryFolder folder;
+    const auto legend = [&](const std::string& options) {
+        const Outcome outcome =
+            nacreIn(folder, "render -q sample:dna --size 48x48 --occlusion off -o a.png --stats s.json " + options);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return nlohmann::json::parse(test::contentOf(folder / "s.json"))["legend"][0];
+    };
+    EXPECT_EQ(legend("--color cbc")["scheme"], "chain-carbons");
+    EXPECT_EQ(legend("--color chain --palette okabe-ito")["scheme"], "chain:okabe-ito");
+    EXPECT_EQ(legend("--color chain --palette okabe-ito")["entries"][0]["color"], "#56b4e9");
+    EXPECT_EQ(legend("--color chain --palette viridis")["scheme"], "chain");  // a ramp is not for kinds
+    EXPECT_EQ(legend("--color chain:light --palette muted")["scheme"], "chain:light");
+    EXPECT_EQ(legend("--color b-factor:0..50 --palette plasma")["scheme"], "b-factor:0..50:plasma");
+}
+
+}  // namespace
+}  // namespace nacre::app
