@@ -27,7 +27,7 @@ void take(const OptionSpec& option, const std::string& text) {
     }
 }
 
-/// An option has one value, always: CLI11's of many values swallow the INPUT.
+/// An option has one value, or two, always: CLI11's of many values swallow the INPUT.
 CLI::Option* addOption(CLI::App& app, const OptionSpec& option) {
     if (option.flag())
         return app.add_flag_callback(
@@ -39,6 +39,19 @@ CLI::Option* addOption(CLI::App& app, const OptionSpec& option) {
                 for (const std::string& text : all) take(option, text);
             },
             option.help);
+    if (option.pair)  // exactly two each time, so that these, too, leave the INPUT alone
+        return app
+            .add_option_function<std::vector<std::string>>(
+                option.names,
+                [&option](const std::vector<std::string>& two) {
+                    if (two.size() != 2) throw CLI::ValidationError(option.longName(), "takes two values");
+                    take(option, two[0] + "\n" + two[1]);
+                },
+                option.help)
+            ->expected(2)
+            ->allow_extra_args(false)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+            ->trigger_on_parse();
     CLI::Option* added = app.add_option_function<std::string>(
         option.names, [&option](const std::string& text) { take(option, text); }, option.help);
     if (option.repeatable) added->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)->trigger_on_parse();

@@ -1,5 +1,6 @@
 #include "app/cli/common_options.h"
 
+#include "app/shared/several_inputs.h"
 #include "engine/error.h"
 #include "engine/molecule/trajectory/motion.h"
 
@@ -61,7 +62,8 @@ namespace {
 constexpr const char* kInputHelp =
     "A structure file (PDB, mmCIF, mmJSON, BinaryCIF, MMTF, SDF/MOL, XYZ, MOL2, PQR, GRO, PDBQT, CML;\n"
     "each also .gz), - for standard input, sample:dna, sample:glucose, sample:buckyball, or a download:\n"
-    "pdb:1BNA, pubchem:CID|NAME, afdb:UNIPROT";
+    "pdb:1BNA, pubchem:CID|NAME, afdb:UNIPROT. Several are one picture: NAME=INPUT names one for\n"
+    "selections, /NAME; else its file's name does";
 
 void addReading(CommandSpec& command, InputOptions& input) {
     addValue(command, "--cache", "DIR|off", "NACRE_CACHE, else ~/.cache/nacre",
@@ -99,7 +101,10 @@ void addTrajectory(CommandSpec& command, TrajectoryOptions& trajectory) {
 }
 
 void addInput(CommandSpec& command, InputOptions& input, bool required) {
-    command.add({"INPUT", "", "", kInputHelp, [&](const std::string& text) { input.path = text; }}).required = required;
+    OptionSpec& option =
+        command.add({"INPUT", "", "", kInputHelp, [&](const std::string& text) { addInput(input, text); }});
+    option.required = required;
+    option.repeatable = true;
     addReading(command, input);
 }
 
@@ -127,6 +132,14 @@ void addContent(CommandSpec& command, InputOptions& input, bool required, DrawnA
                 RepresentationOptions& look) {
     addInput(command, input, required);
     addTrajectory(command, input.trajectory);
+    addValue(command, "--fit", "SEL SEL", "none",
+             "Lay one INPUT onto another: atoms of the one that moves, then those they go to,\n"
+             "paired by sequence and name; says the RMSD; repeatable",
+             [&](const std::string& text) {
+                 const std::size_t end = text.find('\n');
+                 input.fits.push_back({parseSelection(text.substr(0, end)), parseSelection(text.substr(end + 1))});
+             })
+        .pair = true;
     addValue(command, "--style", "NAME", "spacefill; ball-and-stick under 100 atoms with bonds",
              "spacefill, ball-and-stick or licorice", [&](const std::string& text) { look.style = parseStyle(text); });
     addValue(command, "--color", "SCHEME|COLOR", "element",

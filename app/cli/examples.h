@@ -41,6 +41,7 @@ inline constexpr const char* kRenderExamples =
     "    --label ligand=amprenavir --measure 1519,1525 --scale-bar angstrom\n"
     "  nacre render 1hpv.pdb -o pocket.png --style licorice --show ligand=ball-and-stick \\\n"
     "    --hide 'not byres (within 5 of (ligand))'\n"
+    "  nacre render open=4ake.cif closed=1ake.cif -o pair.png --fit '/closed and name CA' '/open and name CA'\n"
     "  nacre render 1crn.pdb -o crambin.png --capture crambin.rdc\n"
     "  zcat 1crn.pdb.gz | nacre render - --format pdb -o crambin.exr --layers layers.exr --stats stats.json\n"
     "Selections (SEL), as in PyMOL:\n"

@@ -1,5 +1,7 @@
 #include "app/cli/picture_options.h"
 
+#include <algorithm>
+
 #include "app/cli/common_options.h"
 #include "app/cli/movie_options.h"
 #include "app/cli/saved_options.h"
@@ -8,6 +10,7 @@
 #include "app/shared/image_file.h"
 #include "app/shared/looks.h"
 #include "app/shared/output_file.h"
+#include "app/shared/several_inputs.h"
 #include "app/shared/view_input.h"
 #include "engine/error.h"
 
@@ -202,6 +205,27 @@ bool takeInput(RenderOptions& options) {
     return !options.input.path.empty();
 }
 
+/// What names of several INPUTs mean, and that options fit them. @throws UsageError
+void checkInputs(RenderOptions& options) {
+    InputOptions& input = options.input;
+    if (input.further.empty()) {
+        if (!input.fits.empty()) throw UsageError("--fit lays one INPUT onto another: name two");
+        return;
+    }
+    if (!options.look.assembly.empty()) throw UsageError("--assembly is for one INPUT");
+    const auto standardInputs = std::count_if(input.further.begin(), input.further.end(),
+                                              [](const FurtherInput& further) { return further.path == "-"; });
+    if (standardInputs + (input.path == "-" ? 1 : 0) > 1) throw UsageError("standard input is one INPUT alone");
+    for (Rule& rule : options.look.rules) nameInputs(input, rule.selection);
+    for (FitOptions& fit : input.fits) {
+        nameInputs(input, fit.moving);
+        nameInputs(input, fit.fixed);
+    }
+    for (std::optional<Selection>* selection : {&options.aim.lookAt, &options.aim.zoomTo})
+        if (*selection) nameInputs(input, **selection);
+    colorApart(input, options.look);
+}
+
 void checkDebug(const RenderOptions& options) {
     const std::string view = debugViewNames()[static_cast<std::size_t>(options.debug)];
     if (needsOcclusion(options.debug) && options.occlusion.directions == 0)
@@ -211,9 +235,11 @@ void checkDebug(const RenderOptions& options) {
 }
 
 void checkFiles(const RenderOptions& options) {
-    const NamedFile files[] = {{"INPUT", filePathOf(options.input)}, {"--view", options.view},
-                               {"--output", options.output, true},   {"--layers", options.layers, true},
-                               {"--stats", options.stats, true},     {"--capture", options.capture, true}};
+    std::vector<NamedFile> files{{"INPUT", filePathOf(options.input)}, {"--view", options.view},
+                                 {"--output", options.output, true},   {"--layers", options.layers, true},
+                                 {"--stats", options.stats, true},     {"--capture", options.capture, true}};
+    files.push_back({"--trajectory", options.input.trajectory.path});
+    for (const FurtherInput& further : options.input.further) files.push_back({"INPUT", further.path});
     try {
         checkApart(files);
     } catch (const std::invalid_argument& error) {
@@ -298,6 +324,7 @@ void checkLooks(const LooksOptions& options) {
 
 void checkRender(RenderOptions& options) {
     if (!takeInput(options)) throw UsageError("INPUT is required");
+    checkInputs(options);
     checkDebug(options);
     try {
         checkSamples(options.size, options.supersample);
@@ -314,6 +341,9 @@ void checkMovie(MovieOptions& options) {
         picture.savedInput = inputOf(readSavedView(picture.view));
     }
     if (!takeInput(picture)) throw UsageError("INPUT is required");
+    if (!picture.input.further.empty() && (options.models || !options.views.empty()))
+        throw UsageError("--models and --views are for one INPUT");
+    checkInputs(picture);
     checkMotion(options);
     try {
         checkSamples(picture.size, picture.supersample);
@@ -326,6 +356,7 @@ void checkMovie(MovieOptions& options) {
 bool checkWindow(RenderOptions& first) {
     checkDebug(first);
     const bool named = takeInput(first);
+    if (!first.input.further.empty() || !first.input.fits.empty()) throw UsageError("a window shows one INPUT");
     checkFiles(first);
     return named;
 }

@@ -6,6 +6,7 @@
 #include "app/shared/cache_folder.h"
 #include "app/shared/messages.h"
 #include "app/shared/molecules.h"
+#include "app/shared/several_inputs.h"
 #include "app/shared/trajectory_input.h"
 #include "app/shared/view_input.h"
 #include "engine/error.h"
@@ -73,7 +74,18 @@ Molecule loadMolecule(const InputOptions& input, const std::function<void(double
                       const std::function<void(double)>& onModel) {
     Molecule molecule = loadStructure(input, onDownload, onModel);
     moveToFrame(input.trajectory, molecule);
-    return molecule;
+    if (input.further.empty() && !input.fits.empty())
+        throw Error("cannot fit", input.path, "one INPUT is laid onto another: name two");
+    if (input.further.empty()) return molecule;
+    std::vector<Molecule> molecules;
+    molecules.push_back(std::move(molecule));
+    InputOptions next = input;
+    next.namedBy.clear();  // the user names them all
+    for (const FurtherInput& further : input.further) {
+        next.path = further.path;
+        molecules.push_back(loadStructure(next, onDownload, onModel));
+    }
+    return joinInputs(input, std::move(molecules), sayNote);
 }
 
 }  // namespace nacre::app

@@ -9,6 +9,7 @@ namespace nacre::app {
 
 /// Reads the molecule that INPUT names, downloading it if need be.
 /// Its atoms stand where the frame of its trajectory, if it has one, puts them.
+/// Further inputs are read like it, and all are one molecule then (several_inputs.h).
 /// One that a saved view names is not downloaded unless that is allowed, only taken from the cache; a file outside of
 /// the view's folder is told on standard error before it is opened; and why a file does not read as a molecule is not
 /// said, since that would quote it.

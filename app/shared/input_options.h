@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/molecule/read.h"
 #include "engine/molecule/selection/selection.h"
@@ -18,6 +19,17 @@ struct TrajectoryOptions {
     std::int64_t smooth = 1;       ///< frames that a position is the mean of, odd
 };
 
+/// Another molecule in the same picture.
+struct FurtherInput {
+    std::string name;  ///< for selections; empty: by its path
+    std::string path;  ///< as that of InputOptions
+};
+
+/// The INPUT of some atoms is laid onto others with them.
+struct FitOptions {
+    Selection moving, fixed;
+};
+
 /// A molecule's place, and how it is read.
 struct InputOptions {
     std::string path;  ///< a file, "-", "sample:NAME", or "pdb:", "pubchem:", "afdb:" and an identifier
@@ -29,6 +41,9 @@ struct InputOptions {
     std::string hash;            ///< of its content, as that view states it; empty: it does not. See fileHash()
     bool allowDownload = false;  ///< what a view names may be downloaded
     TrajectoryOptions trajectory;
+    std::string name;                   ///< for selections, where there are further inputs; empty: by its path
+    std::vector<FurtherInput> further;  ///< read as this one is
+    std::vector<FitOptions> fits;       ///< one after the other
     std::optional<std::int64_t> memoryMegabytes;  ///< for the molecule, of 2^20 bytes; empty: half of the machine's
 };
 

@@ -1,0 +1,32 @@
+#pragma once
+// Several molecules in one picture: names for them, and one laid onto another.
+
+#include <functional>
+
+#include "app/shared/input_options.h"
+#include "engine/scene/appearance.h"
+
+namespace nacre::app {
+
+constexpr std::size_t kMostInputs = 100;
+
+/// "NAME=INPUT", or INPUT, whose name is then that of the file: "receptor=a.pdb", "1crn.cif.gz" is named 1crn.
+/// A name has letters, digits, - and _. Adds it to what is read. @throws std::invalid_argument
+void addInput(InputOptions& input, const std::string& text);
+
+/// Of the INPUTs, in their order; each differs from those before it.
+std::vector<std::string> inputNames(const InputOptions& input);
+
+/// `/ligand`, which the grammar takes for a chain, means the INPUT of that name. INPUTs are told apart as models.
+void nameInputs(const InputOptions& input, Selection& selection);
+
+/// Where nothing else is asked for, each INPUT but the first has carbons of a colour of its own.
+void colorApart(const InputOptions& input, RepresentationOptions& look);
+
+/// One molecule of those that were read, in the order of the INPUTs, fitted as the options say.
+/// @param tell  what each fit came to, in a line
+/// @throws Error if a fit has fewer than three pairs of atoms, or moves what it stays on
+Molecule joinInputs(const InputOptions& input, std::vector<Molecule> molecules,
+                    const std::function<void(const std::string&)>& tell);
+
+}  // namespace nacre::app

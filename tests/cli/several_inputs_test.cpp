@@ -1,0 +1,141 @@
+// Several INPUTs in one picture: names, fits, colours.
+
+#include "app/shared/several_inputs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "engine/error.h"
+#include "tests/support/run_program.h"
+#include "tests/support/test_data.h"
+
+namespace nacre::app {
+namespace {
+
+using test::contentOf;
+using test::nacreIn;
+using test::Outcome;
+using test::TemporaryFolder;
+
+const std::string kSmall = " -o a.png --size 64x64 --occlusion off --cache off";
+
+TEST(SeveralInputs, HaveNames) {
+    InputOptions input;
+    for (const char* text : {"receptor=a.pdb", "data/1crn.cif.gz", "sample:dna", "1crn.pdb", "-"})
+        addInput(input, text);
+    EXPECT_EQ(input.path, "a.pdb");
+    EXPECT_EQ(input.further[0].path, "data/1crn.cif.gz");
+    EXPECT_EQ(inputNames(input), (std::vector<std::string>{"receptor", "1crn", "dna", "1crn_2", "input"}));
+    Selection selection = parseSelection("/receptor or (/dna+input and chain A)");
+    nameInputs(input, selection);
+    EXPECT_EQ(selection.steps[0].test, SelectionTest::model);
+    EXPECT_EQ(selection.steps[0].numbers[0].first, 1);
+    EXPECT_EQ(selection.steps[1].numbers[1].first, 5);
+    EXPECT_EQ(selection.steps[2].test, SelectionTest::chain) << "a chain stays one";
+}
+
+TEST(SeveralInputs, AreOnePicture) {
+    const TemporaryFolder folder;
+    const Outcome both = nacreIn(folder, "render sample:glucose a=sample:buckyball --stats s.json" + kSmall);
+    ASSERT_EQ(both.code, 0) << both.err;
+    EXPECT_NE(contentOf(folder / "s.json").find("\"read\": 84"), std::string::npos) << contentOf(folder / "s.json");
+    const std::string together = contentOf(folder / "a.png");
+    ASSERT_EQ(
+        nacreIn(folder, "render sample:glucose a=sample:buckyball --hide /a --style ball-and-stick" + kSmall).code, 0);
+    const std::string hidden = contentOf(folder / "a.png");
+    EXPECT_NE(hidden, together);
+    ASSERT_EQ(nacreIn(folder, "render sample:glucose --style ball-and-stick" + kSmall).code, 0);
+    EXPECT_EQ(contentOf(folder / "a.png"), hidden) << "what is named is what is hidden";
+}
+
+TEST(SeveralInputs, AreColouredApartUnlessAsked) {
+    const TemporaryFolder folder;
+    const std::string two = "render sample:buckyball b=sample:buckyball";
+    ASSERT_EQ(nacreIn(folder, two + " --hide /buckyball" + kSmall).code, 0);
+    const std::string apart = contentOf(folder / "a.png");
+    ASSERT_EQ(nacreIn(folder, two + " --hide /b" + kSmall).code, 0);
+    EXPECT_NE(contentOf(folder / "a.png"), apart) << "the second has carbons of its own colour";
+    ASSERT_EQ(nacreIn(folder, two + " --hide /buckyball --color white" + kSmall).code, 0);
+    const std::string white = contentOf(folder / "a.png");
+    ASSERT_EQ(nacreIn(folder, two + " --hide /b --color white" + kSmall).code, 0);
+    EXPECT_EQ(contentOf(folder / "a.png"), white);
+}
+
+/// A chain of eight atoms, turned, shifted, and with every second residue bent by a tenth of an Å.
+std::string turned(double angle, double bend) {
+    std::string text;
+    for (int i = 0; i < 8; ++i) {
+        const double x = 3.0 * i, y = i * i % 5 + (i % 2 ? bend : 0), z = i * i * i % 7;
+        char line[90];
+        std::snprintf(line, sizeof line, "ATOM  %5d  CA  %s A%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\n", i + 1,
+                      i % 3 ? "ALA" : "GLY", i + 1, std::cos(angle) * x - std::sin(angle) * y + 5,
+                      std::sin(angle) * x + std::cos(angle) * y - 9, z + 2);
+        text += line;
+    }
+    return text + "END\n";
+}
+
+TEST(SeveralInputs, AreLaidOntoEachOther) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "a.pdb") << turned(0, 0);
+    std::ofstream(folder / "b.pdb") << turned(1.2, 0);
+    const Outcome same = nacreIn(folder, "render a.pdb b.pdb --fit /b /a --color white" + kSmall);
+    ASSERT_EQ(same.code, 0) << same.err;
+    EXPECT_EQ(same.err, "nacre: fit of /b onto /a: 8 pairs of atoms, RMSD 0.000 Å\n");
+    const std::string together = contentOf(folder / "a.png");
+    ASSERT_EQ(nacreIn(folder, "render a.pdb --color white" + kSmall).code, 0);
+    // Both are where the first is; they differ by what a PDB file rounds.
+    EXPECT_NEAR(static_cast<double>(contentOf(folder / "a.png").size()), static_cast<double>(together.size()), 200);
+    std::ofstream(folder / "c.pdb") << turned(0.7, 0.5);
+    const Outcome bent = nacreIn(folder, "render --fit /c /a a.pdb c.pdb --fit 'name CA and /a' /c" + kSmall);
+    ASSERT_EQ(bent.code, 0) << bent.err;
+    // By numpy's SVD (Kabsch's way) from the same numbers.
+    EXPECT_NE(bent.err.find("8 pairs of atoms, RMSD 0.242 Å"), std::string::npos) << bent.err;
+}
+
+TEST(SeveralInputs, FitWhatGemmiAndNumpyFit) {
+    NACRE_NEEDS_DATA();
+    const TemporaryFolder folder;
+    const std::string file = test::dataFile("4hhb.pdb");
+    const auto fit = [&](const std::string& moving, const std::string& fixed) {
+        return nacreIn(folder, "render a=" + file + " b=" + file + " --fit '/b and chain " + moving +
+                                   " and name CA' '/a and chain " + fixed + " and name CA'" + kSmall)
+            .err;
+    };
+    // By numpy's SVD over the same CA atoms; B and A by gemmi's alignment of their sequences, as in matched_atoms.h.
+    EXPECT_NE(fit("C", "A").find("141 pairs of atoms, RMSD 0.297 Å"), std::string::npos) << fit("C", "A");
+    EXPECT_NE(fit("D", "B").find("146 pairs of atoms, RMSD 0.364 Å"), std::string::npos) << fit("D", "B");
+}
+
+TEST(SeveralInputs, RefuseWhatCannotBeInOneLine) {
+    const TemporaryFolder folder;
+    const struct {
+        const char* arguments;
+        int code;
+        const char* says;
+    } cases[] = {
+        {"render sample:dna --fit /a /b", 2, "name two"},
+        {"render sample:dna b=sample:dna --fit /b", 2, "--fit"},
+        {"render sample:dna b=sample:dna --fit '/b or /dna' /dna", 1, "several INPUTs"},
+        {"render sample:dna b=sample:dna --fit '/b and chain A' '/b and chain B'", 1, "same INPUT"},
+        {"render sample:dna b=sample:glucose --fit '/b and name C1' /dna", 1, "fewer than three"},
+        {"render sample:dna b=sample:glucose --fit '/b and chain Q' /dna", 1, "no atoms"},
+        {"render sample:dna none.pdb", 1, "none.pdb"},
+        {"render - -", 2, "standard input"},
+        {"render sample:dna b=sample:dna --assembly 1", 2, "--assembly is for one INPUT"},
+        {"movie sample:dna b=sample:dna --models", 2, "one INPUT"},
+    };
+    for (const auto& c : cases) {
+        const std::string output = std::string(c.arguments).rfind("movie", 0) == 0 ? " -o m.gif" : kSmall;
+        const Outcome outcome = nacreIn(folder, c.arguments + output);
+        EXPECT_EQ(outcome.code, c.code) << c.arguments << outcome.err;
+        EXPECT_NE(outcome.err.find(c.says), std::string::npos) << c.arguments << ": " << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    }
+    EXPECT_EQ(folder.count(), 0u);
+}
+
+}  // namespace
+}  // namespace nacre::app
