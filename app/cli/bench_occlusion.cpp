@@ -11,7 +11,7 @@ namespace {
 constexpr OcclusionMaps kMaps[] = {OcclusionMaps::encoded, OcclusionMaps::fragdepth, OcclusionMaps::splat};
 // Rounds at most, and milliseconds after which no further round begins.
 constexpr int kRounds = 5;
-constexpr double kEnough = 3'000;
+constexpr double kEnoughBaking = 3'000;
 
 }  // namespace
 
@@ -28,7 +28,7 @@ Json compareMaps(RenderSettings settings, Renderer& renderer) {
     std::array<std::vector<double>, std::size(kMaps)> samples;
     std::array<OcclusionStats, std::size(kMaps)> stats;
     double spent = 0;
-    for (int round = 0; round < kRounds && spent < kEnough; ++round)
+    for (int round = 0; round < kRounds && spent < kEnoughBaking; ++round)
         for (std::size_t i = 0; i < std::size(kMaps); ++i) {
             settings.occlusion.maps = kMaps[i];  // another path than the last one's: baked anew
             renderer.render(settings);
