@@ -76,7 +76,7 @@ void CameraMotion::zoom(double factor, glm::dvec2 at, double radius, const Viewp
 }
 
 void CameraMotion::touch() {
-    autoRotation_ = gliding_ = false;
+    autoRotation_ = gliding_ = rocking_ = false;
     flight_.reset();
     velocity_ = {};
 }
@@ -106,6 +106,11 @@ void CameraMotion::reset(double now) {
     fly(to, now);
 }
 
+void CameraMotion::setRocking(bool on) {
+    rocking_ = on;
+    swing_ = 0;
+}
+
 bool CameraMotion::advance(double now) {
     const double passed = lastAdvance_ ? std::max(now - *lastAdvance_, 0.0) : 0.0;
     lastAdvance_ = now;
@@ -123,6 +128,12 @@ bool CameraMotion::advance(double now) {
     }
     if (autoRotation_) {
         turn({kAutoDegreesPerSecond / kDegreesPerPoint * passed, 0});
+        return true;
+    }
+    if (rocking_) {
+        const auto angle = [](double time) { return kRockDegrees * std::sin(glm::radians(360 * time / kRockSeconds)); };
+        turn({(angle(swing_ + passed) - angle(swing_)) / kDegreesPerPoint, 0});
+        swing_ = std::fmod(swing_ + passed, kRockSeconds);
         return true;
     }
     if (!gliding_) return false;

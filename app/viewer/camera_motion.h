@@ -17,6 +17,7 @@ class CameraMotion {
 public:
     static constexpr double kDegreesPerPoint = 1.0;
     static constexpr double kAutoDegreesPerSecond = 30.0;
+    static constexpr double kRockDegrees = 20, kRockSeconds = 4;  ///< to either side; there and back
     static constexpr double kInertiaSeconds = 0.325;  ///< in which a let-go rotation slows down to 1/e
     static constexpr double kStillPointsPerSecond = 6;
     static constexpr double kFlightSeconds = 0.3;
@@ -43,12 +44,15 @@ public:
     void fly(const Camera& to, double now);
     void setAutoRotation(bool on) { autoRotation_ = on; }
     bool autoRotation() const { return autoRotation_; }
+    /// Swings about the upright of the window, to the right first.
+    void setRocking(bool on);
+    bool rocking() const { return rocking_; }
     void setProjection(Projection projection) { camera_.projection = projection; }
 
     /// Brings the camera to a time. @returns whether it moved
     bool advance(double now);
     /// Whether it moves by itself.
-    bool moving() const { return autoRotation_ || flight_ || gliding_; }
+    bool moving() const { return autoRotation_ || rocking_ || flight_ || gliding_; }
 
 private:
     struct Flight {
@@ -58,7 +62,8 @@ private:
     void turn(glm::dvec2 points);
 
     Camera camera_;
-    bool autoRotation_ = false, gliding_ = false;
+    bool autoRotation_ = false, gliding_ = false, rocking_ = false;
+    double swing_ = 0;  // of rocking: seconds into it
     std::optional<Flight> flight_;
     glm::dvec2 velocity_{};  // points a second
     double lastDrag_ = 0;

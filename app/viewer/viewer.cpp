@@ -15,6 +15,7 @@ namespace {
 constexpr double kHandSeconds = 0.1;  // a hand that rests this long no longer moves the picture
 constexpr double kFingerPoints = 12;  // what a pick may miss by
 constexpr double kMessageSeconds = 4;
+constexpr double kModelSeconds = 0.1;  // each, where the file is read as fast
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 std::string nameOf(const std::string& input) {
@@ -320,6 +321,9 @@ void Viewer::tookDocument(double now) {
         sceneThere_ = false;                               // on the next device
     }
     const bool another = document->molecule != document_.molecule;
+    // Another model of the same file: the camera stays in the hand that turns it.
+    const bool step = another && document_.molecule && document->view.input == document_.view.input &&
+                      document->view.model != document_.view.model;
     document_ = std::move(*document);
     if (another) {
         picks_.clear();
@@ -327,13 +331,16 @@ void Viewer::tookDocument(double now) {
         view_.format = document_.view.format;
         view_.model = document_.view.model;
         view_.look.assembly = document_.view.look.assembly;
-        if (!firstDocument_) {
+        if (!firstDocument_ && !step) {
             view_.look.rules = document_.view.look.rules;
             view_.words = document_.view.words;
             motion_.set(document_.view.camera);
         }
         firstDocument_ = false;
-        message_.clear();
+        if (!step) {
+            message_.clear();
+            playing_ = false;
+        }
         if (aim_.any()) takeAim(std::exchange(aim_, {}), false, now);
     }
     putWords(now);
@@ -347,11 +354,16 @@ void Viewer::tookDocument(double now) {
 double Viewer::advance(double now) {
     apply(touches_.tick(now), now);
     if (motion_.advance(now)) changed(now);
+    if (playing_ && document() && !loader_.busy() && now >= nextModel_) {
+        nextModel_ = now + kModelSeconds;
+        stepModel(1, now);
+    }
     if (!message_.empty() && now >= messageUntil_) {
         message_.clear();
         schedule_.overlayChanged();
     }
     double due = message_.empty() ? kNever : messageUntil_;
+    if (playing_ && !loader_.busy()) due = std::min(due, nextModel_);
     if (const auto wake = touches_.wake()) due = std::min(due, *wake);
     return due;
 }

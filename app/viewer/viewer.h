@@ -91,6 +91,7 @@ public:
     double textSize() const;
     /// Picked atoms, from 0, in their order.
     const std::vector<std::uint32_t>& picks() const { return picks_; }
+    bool playing() const { return playing_; }
     bool autoRotating() const { return motion_.autoRotation(); }
     DebugView debugView() const { return debug_; }
     void setDebugView(DebugView view, double now);
@@ -115,6 +116,8 @@ private:
     bool noticeLoss();
     void tookDocument(double now);
     double advance(double now);
+    int models() const;
+    void stepModel(int step, double now);
     bool moveCamera(ViewerCommand command, double now);
     bool aimCamera(ViewerCommand command, double now);
     void unclip();
@@ -147,6 +150,8 @@ private:
     std::string message_;
     double messageUntil_ = 0;
     std::size_t preset_ = 0, lookNumber_ = 0;
+    bool playing_ = false;   // through the models
+    double nextModel_ = 0;   // when the next is due
     bool deviceLost_ = false, firstDocument_ = true;
     bool sceneThere_ = true;  // the document's scene is on the screen
     Retry sceneRetry_, occlusionRetry_, frameRetry_;

@@ -79,6 +79,12 @@ bool Viewer::moveCamera(ViewerCommand command, double now) {
             motion_.reset(now);
             unclip();
             return true;
+        case C::rock: {
+            const bool on = !motion_.rocking();
+            motion_.touch();
+            motion_.setRocking(on);
+            return true;
+        }
         case C::autoRotate: {
             const bool on = !motion_.autoRotation();
             motion_.touch();
@@ -104,6 +110,21 @@ bool Viewer::aimCamera(ViewerCommand command, double now) {
     if (command == C::zoomTo) aim.zoomTo = parseSelection(picked.empty() ? "ligand" : picked);
     takeAim(aim, true, now);
     return true;
+}
+
+int Viewer::models() const {
+    if (!document_.molecule) return 0;
+    const FileSummary& file = document_.molecule->file;
+    return static_cast<int>(std::max(file.models.value_or(1), file.records.value_or(1)));
+}
+
+/// Goes round from the last to the first.
+void Viewer::stepModel(int step, double now) {
+    if (models() < 2) return say("it has one model alone", now);
+    SavedView next = view();
+    next.model = next.model == kAllModels ? 1 : (next.model - 1 + step + models()) % models() + 1;
+    loader_.read(next);
+    say("model " + std::to_string(next.model) + " of " + std::to_string(models()), now);
 }
 
 void Viewer::run(ViewerCommand command, double now) {
@@ -170,6 +191,14 @@ void Viewer::run(ViewerCommand command, double now) {
         case C::scaleBar:
             look.words.scaleBar = static_cast<ScaleBar>((static_cast<int>(look.words.scaleBar) + 1) % 3);
             break;
+        case C::nextModel:
+        case C::previousModel:
+            playing_ = false;
+            return stepModel(command == C::nextModel ? 1 : -1, now);
+        case C::playModels:
+            playing_ = !playing_ && models() > 1;
+            nextModel_ = now;
+            return models() > 1 ? changed(now) : say("it has one model alone", now);
         case C::clearPicks:
             picks_.clear();
             message_.clear();

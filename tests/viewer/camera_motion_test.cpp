@@ -96,6 +96,28 @@ TEST(CameraMotion, AHandThatRestsBeforeItLetsGoLeavesThePictureAlone) {
     EXPECT_FALSE(motion.advance(0.6));
 }
 
+TEST(CameraMotion, RocksToEitherSideAndBack) {
+    CameraMotion motion;
+    motion.advance(0);
+    motion.setRocking(true);
+    EXPECT_TRUE(motion.moving());
+    const auto angle = [&] {
+        const glm::dquat q = motion.camera().orientation;
+        return glm::degrees(2 * std::atan2(q.y, q.w));
+    };
+    double least = 0, most = 0;
+    for (int i = 1; i <= 400; ++i) {
+        motion.advance(i * CameraMotion::kRockSeconds / 400);
+        least = std::min(least, angle());
+        most = std::max(most, angle());
+    }
+    EXPECT_NEAR(most, CameraMotion::kRockDegrees, 0.1);
+    EXPECT_NEAR(least, -CameraMotion::kRockDegrees, 0.1);
+    EXPECT_NEAR(angle(), 0, 1e-9) << "a swing ends where it began";
+    motion.touch();
+    EXPECT_FALSE(motion.moving());
+}
+
 TEST(CameraMotion, AutoRotationIsThirtyDegreesASecondAndStopsOnTouch) {
     CameraMotion motion;
     motion.advance(1.0);

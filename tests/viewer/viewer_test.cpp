@@ -160,6 +160,53 @@ TEST(Viewer, TurnsByItselfUntilTouched) {
     EXPECT_FALSE(b.viewer.autoRotating());
 }
 
+/// Three models of two atoms, as a source of files would have them.
+Molecule threeModels(const SavedView& view) {
+    ReadOptions options;
+    options.model = view.model;
+    return readMolecule("m.xyz", "2\n\nC 0 0 0\nO 1.2 0 0\n2\n\nC 0 0 0\nO 1.3 0 0\n2\n\nC 0 0 0\nO 1.4 0 0\n", options);
+}
+
+TEST(Viewer, StepsThroughModelsAndPlaysThem) {
+    CountingScreen screen;
+    double now = 0;
+    SavedView first;
+    first.input = "m.xyz";
+    Viewer viewer(screen,
+                  {threeModels, [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m), v.look); }},
+                  first, {});
+    viewer.resize({640, 480}, 1, now);
+    const auto run = [&](double seconds) {
+        for (const double end = now + seconds; now < end; now += 1.0 / 60) {
+            viewer.waitForLoading();
+            viewer.update(now);
+        }
+    };
+    run(1);
+    viewer.run(ViewerCommand::rotateLeft, now);
+    const glm::dquat turned = viewer.view().camera.orientation;
+    viewer.run(ViewerCommand::nextModel, now);
+    run(0.2);
+    EXPECT_EQ(viewer.view().model, 2);
+    EXPECT_EQ(viewer.document()->molecule->atoms[1].position.x, 1.3f);
+    EXPECT_EQ(viewer.view().camera.orientation, turned) << "the camera stays";
+    viewer.run(ViewerCommand::previousModel, now);
+    run(0.2);
+    viewer.run(ViewerCommand::previousModel, now);
+    run(0.2);
+    EXPECT_EQ(viewer.view().model, 3) << "the one before the first is the last";
+    viewer.run(ViewerCommand::playModels, now);
+    const int scenes = screen.scenes;
+    run(2);
+    EXPECT_NEAR(screen.scenes - scenes, 18, 4) << "ten a second, or as fast as they are read";
+    EXPECT_TRUE(viewer.playing());
+    viewer.run(ViewerCommand::playModels, now);
+    run(0.3);
+    const int stopped = screen.scenes;
+    run(1);
+    EXPECT_EQ(screen.scenes, stopped);
+}
+
 TEST(Viewer, ResolutionDropsWhileFramesAreLateAndReturnsAtRest) {
     Bench b;
     b.run(2);
