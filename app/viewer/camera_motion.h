@@ -18,7 +18,7 @@ public:
     static constexpr double kDegreesPerPoint = 1.0;
     static constexpr double kAutoDegreesPerSecond = 30.0;
     static constexpr double kRockDegrees = 20, kRockSeconds = 4;  ///< to either side; there and back
-    static constexpr double kInertiaSeconds = 0.325;  ///< in which a let-go rotation slows down to 1/e
+    static constexpr double kInertiaSeconds = 0.325;              ///< in which a let-go rotation slows down to 1/e
     static constexpr double kStillPointsPerSecond = 6;
     static constexpr double kFlightSeconds = 0.3;
 

@@ -150,8 +150,8 @@ private:
     std::string message_;
     double messageUntil_ = 0;
     std::size_t preset_ = 0, lookNumber_ = 0;
-    bool playing_ = false;   // through the models
-    double nextModel_ = 0;   // when the next is due
+    bool playing_ = false;  // through the models
+    double nextModel_ = 0;  // when the next is due
     bool deviceLost_ = false, firstDocument_ = true;
     bool sceneThere_ = true;  // the document's scene is on the screen
     Retry sceneRetry_, occlusionRetry_, frameRetry_;

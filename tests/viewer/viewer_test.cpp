@@ -164,7 +164,8 @@ TEST(Viewer, TurnsByItselfUntilTouched) {
 Molecule threeModels(const SavedView& view) {
     ReadOptions options;
     options.model = view.model;
-    return readMolecule("m.xyz", "2\n\nC 0 0 0\nO 1.2 0 0\n2\n\nC 0 0 0\nO 1.3 0 0\n2\n\nC 0 0 0\nO 1.4 0 0\n", options);
+    return readMolecule("m.xyz", "2\n\nC 0 0 0\nO 1.2 0 0\n2\n\nC 0 0 0\nO 1.3 0 0\n2\n\nC 0 0 0\nO 1.4 0 0\n",
+                        options);
 }
 
 TEST(Viewer, StepsThroughModelsAndPlaysThem) {
@@ -172,9 +173,10 @@ TEST(Viewer, StepsThroughModelsAndPlaysThem) {
     double now = 0;
     SavedView first;
     first.input = "m.xyz";
-    Viewer viewer(screen,
-                  {threeModels, [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m), v.look); }},
-                  first, {});
+    Viewer viewer(
+        screen,
+        {threeModels, [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m), v.look); }}, first,
+        {});
     viewer.resize({640, 480}, 1, now);
     const auto run = [&](double seconds) {
         for (const double end = now + seconds; now < end; now += 1.0 / 60) {
