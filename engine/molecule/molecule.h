@@ -7,6 +7,7 @@
 #include <glm/mat4x3.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -112,6 +113,14 @@ struct FileSummary {
     std::optional<std::array<glm::vec3, 3>> box;  ///< vectors of the simulation box, Å (GRO)
 };
 
+struct Molecule;
+
+/// Another model of a molecule's file. other_models.h makes a molecule of it.
+struct OtherModel {
+    std::vector<glm::vec3> positions;       ///< of the molecule's own atoms, Å, if it has the same; else none
+    std::shared_ptr<const Molecule> whole;  ///< if it has other atoms
+};
+
 /// One model of one file, or all of them: every atom record in the file's order, so that an atom's 1-based position is
 /// its id.
 struct Molecule {
@@ -128,6 +137,8 @@ struct Molecule {
     std::vector<float> partialCharges;      ///< by atom, elementary charges; empty if the format has none
     std::vector<float> radii;               ///< by atom, Å, as PQR states them; empty otherwise
     std::vector<std::string> warnings;      ///< what was read leniently, one sentence each, bounded in number
+    std::vector<OtherModel> others;  ///< if they were asked for: the file's other models, for a camera that all share
+    std::string othersMissing;       ///< why they are not there though there are some; empty: they are, or none is
     FileSummary file;
 };
 

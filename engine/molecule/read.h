@@ -25,6 +25,7 @@ struct ReadOptions {
     int model = 1;                                ///< 1-based model, frame or record, or kAllModels
     std::size_t maxBytes = std::size_t{1} << 31;  ///< largest text accepted, after inflation
     std::size_t maxAtoms = kMaxAtoms;             ///< of the model that is read; reading ends at one more
+    bool others = false;                          ///< with the places of the file's other models: Molecule::others
     std::function<void(double)> onModel = {};     ///< of kAllModels: called after each with the share read, 0..1
 };
 

@@ -50,11 +50,11 @@ Molecule readAlone(const Input& input) {
         case Format::pdb:
             return readPdb(input.name, input.bytes, {});
         case Format::mmcif:
-            return readMmcif(input.name, input.bytes, {});
+            return std::move(readMmcif(input.name, input.bytes, {}).front());
         case Format::bcif:
-            return readBcif(input.name, input.bytes, {});
+            return std::move(readBcif(input.name, input.bytes, {}).front());
         case Format::mmtf:
-            return readMmtf(input.name, input.bytes, {});
+            return std::move(readMmtf(input.name, input.bytes, {}).front());
         default:
             throw std::runtime_error(input.name + ": no such format here");
     }

@@ -5,7 +5,8 @@
 #include <algorithm>
 
 #include "engine/molecule/drawn_atoms.h"
-#include "engine/molecule/formats/mmcif_model_texts.h"
+#include "engine/molecule/formats/model_texts.h"
+#include "engine/molecule/other_models.h"
 #include "engine/molecule/read.h"
 #include "engine/molecule/selection/selection.h"
 #include "tests/molecule/expect_error.h"
@@ -136,26 +137,84 @@ std::string rowsOf(const std::string& model, const std::string& x) {
     return "ATOM \"O5'\" " + x + " 0 0 " + model + " \nATOM 'C 5'  " + x + " 1.2 0 " + model + "\n";
 }
 
-/// What the models of a text are cut into, joined by '|'.
-std::string cutOf(const std::string& text) {
-    const MmcifModelTexts texts = mmcifModelTexts(text);
-    std::string models;
-    for (const std::string_view rows : texts.models) models += std::string(rows) + "|";
-    return models;
+/// What a text is cut into, parts divided by '|': before, models, after.
+std::string cutOf(Format format, const std::string& text) {
+    const ModelTexts texts = modelTexts(format, text);
+    std::string parts(texts.before);
+    for (const std::string_view model : texts.models) parts += "|" + std::string(model);
+    return parts + "|" + std::string(texts.after);
 }
 
-TEST(ModelsOfMmcif, AreCutWhereTheirNumberChanges) {
-    const std::string first = rowsOf("3", "1"), second = rowsOf("8", "2");
-    const std::string text = kHead + first + second + kTail;
-    EXPECT_EQ(cutOf(text), first + "|" + second + "|");
-    const MmcifModelTexts texts = mmcifModelTexts(text);
-    EXPECT_EQ(texts.before, kHead);
-    EXPECT_EQ(texts.after, kTail);
-    EXPECT_EQ(cutOf(kHead + first + "ATOM C 1 2 3\n8\n"), "");  // a row of two lines
-    EXPECT_EQ(cutOf(kHead + first + ";C\n; 1 2 3 4 5\n"), "");
-    EXPECT_EQ(cutOf("data_x\n_atom_site.Cartn_x 1\n"), "");
-    EXPECT_EQ(cutOf("data_x\nloop_\n_atom_site.Cartn_x\n1\n"), "");
-    EXPECT_EQ(cutOf(""), "");
+constexpr const char* kAtom = "ATOM      1  CA  GLY A   1       1.000   2.000   3.000  1.00  0.00           C\n";
+
+TEST(ModelTexts, OfPdbEndAtEndmdl) {
+    const std::string atom = kAtom, one = "MODEL 1\n" + atom + "ENDMDL\n", two = "MODEL 2\n" + atom + "ENDMDL\n";
+    for (const Format format : {Format::pdb, Format::pdbqt, Format::pqr}) {
+        EXPECT_EQ(cutOf(format, "TITLE x\n" + one + two + "CONECT    1    2\nEND\n"),
+                  "TITLE x\n|" + one + "|" + two + "|CONECT    1    2\nEND\n");
+        EXPECT_EQ(cutOf(format, one + "MODEL 7\nENDMDL\n" + two), "|" + one + "|" + two + "|");  // none has no atoms
+        EXPECT_EQ(cutOf(format, one + "\n" + two), "|" + one + "|" + two + "|");
+        EXPECT_EQ(cutOf(format, atom + one), "|");        // who is first
+        EXPECT_EQ(cutOf(format, one + atom + two), "|");  // and whose is this
+        EXPECT_EQ(cutOf(format, one + "TER\n" + two), "|");
+        EXPECT_EQ(cutOf(format, "MODEL 1\n" + atom + two), "|");  // never ended
+        EXPECT_EQ(cutOf(format, ""), "|");
+    }
+}
+
+TEST(ModelTexts, OfPdbEndAtEnd) {
+    const std::string frame = std::string(kAtom) + "END\n";
+    EXPECT_EQ(cutOf(Format::pdb, "CRYST1\n" + frame + frame), "CRYST1\n|" + frame + "|" + frame + "|");
+    EXPECT_EQ(cutOf(Format::pdb, frame + "HELIX 1\n" + frame), "|");
+    EXPECT_EQ(cutOf(Format::pdb, frame + "CONECT    1    2\n" + frame), "|");
+}
+
+TEST(ModelTexts, OfFramesGoByTheirCounts) {
+    const std::string xyz = "1\nno atom\nHe 0 0 0\n", gro = "title\n1\n    1GLY     CA    1   0.1   0.2   0.3\n1 1 1\n";
+    EXPECT_EQ(cutOf(Format::xyz, xyz + "\n" + xyz), "|" + xyz + "|\n" + xyz + "|");
+    EXPECT_EQ(cutOf(Format::xyz, xyz + "2\n\nHe 0 0 0\n"), "|" + xyz + "|");
+    EXPECT_EQ(cutOf(Format::xyz, xyz + "99999999999999999999\n\n"), "|" + xyz + "|");
+    EXPECT_EQ(cutOf(Format::gro, gro + gro), "|" + gro + "|" + gro + "|");
+    EXPECT_EQ(cutOf(Format::gro, gro + "title\nmany\n"), "|" + gro + "|");
+}
+
+TEST(ModelTexts, OfRecordsGoByTheirMarks) {
+    EXPECT_EQ(cutOf(Format::sdf, "a\n$$$$\nb\n$$$$\n\n"), "|a\n$$$$\n|b\n$$$$\n|");
+    const std::string record = "@<TRIPOS>MOLECULE\nx\n";
+    EXPECT_EQ(cutOf(Format::mol2, "# made by\n" + record + record), "|" + record + "|" + record + "|");
+}
+
+TEST(AllModels, OfTheLineFormatsAreTheSameHoweverTheyAreRead) {
+    // Each model from its own text, or from the whole where that cannot be cut: a line that breaks the cut.
+    const auto pdb = [](const std::string& between) {
+        std::string text = "HELIX    1   1 GLY A    1  GLY A    1  1                                   1\n";
+        for (int i = 1; i <= 3; ++i) {
+            std::string atom = kAtom;
+            atom.replace(35, 1, std::to_string(i));
+            text += "MODEL        " + std::to_string(i) + "\n" + atom + "ENDMDL\n" + between;
+        }
+        return text + "END\n";
+    };
+    const Molecule cut = readMolecule("three.pdb", pdb(""), model(kAllModels));
+    const Molecule whole = readMolecule("three.pdb", pdb("TER\n"), model(kAllModels));
+    ASSERT_EQ(cut.atoms.size(), 3u);
+    ASSERT_EQ(whole.atoms.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(cut.atoms[i].position, whole.atoms[i].position);
+        EXPECT_EQ(cut.residues[i].secondary, SecondaryStructure::helix);
+        EXPECT_EQ(whole.residues[i].secondary, SecondaryStructure::helix);
+        EXPECT_EQ(cut.chains[i].model, static_cast<int>(i) + 1);
+    }
+}
+
+TEST(AllModels, ThatAreToBeWarnedOfAreReadAllTheSame) {
+    // Each has an element that nobody knows: the second is looked up in the whole for its line, not all hundred.
+    std::string text;
+    for (int i = 0; i < 100; ++i) text += "1\n\nXx 0 0 " + std::to_string(i) + "\n";
+    const Molecule all = readMolecule("hundred.xyz", text, model(kAllModels));
+    EXPECT_EQ(all.atoms.size(), 100u);
+    ASSERT_EQ(all.warnings.size(), 2u);
+    EXPECT_NE(all.warnings[1].find("line 6"), std::string::npos) << all.warnings[1];
 }
 
 TEST(ModelsOfMmcif, AreTheSameHoweverTheFileIsWritten) {
@@ -202,10 +261,80 @@ TEST(ModelsOfMmcif, KeepTheirLinesInErrors) {
     test::expectError("two.cif", text, {"line 14", "Cartn_x of row 3", "'far'"}, model(kAllModels));
 }
 
+TEST(AllModels, AreReadInOnePass) {
+    std::string frames, models, records;
+    for (int i = 0; i < 20'000; ++i) {
+        frames += "1\n\nHe 0 0 0\n";
+        models += "MODEL     " + std::to_string(i) + "\n" + kAtom + "ENDMDL\n";
+    }
+    EXPECT_EQ(readMolecule("many.xyz", frames, model(kAllModels)).atoms.size(), 20'000u);
+    EXPECT_EQ(readMolecule("many.pdb", models, model(kAllModels)).atoms.size(), 20'000u);
+}
+
 TEST(AllModels, ThatWouldTakeForeverAreRefused) {
-    std::string frames;
-    for (int i = 0; i < 100'000; ++i) frames += "1\n\nHe 0 0 0\n";
-    test::expectError("many.xyz", frames, {"too many models for --model all"}, model(kAllModels));
+    std::string text;  // what cannot be cut takes a pass each
+    for (int i = 0; i < 20'000; ++i) text += "MODEL     " + std::to_string(i) + "\n" + kAtom + "ENDMDL\nTER\n";
+    test::expectError("many.pdb", text, {"too many models to read them all"}, model(kAllModels));
+}
+
+ReadOptions withOthers(int number) {
+    ReadOptions options = model(number);
+    options.others = true;
+    return options;
+}
+
+TEST(OtherModels, AreWhereTheyAre) {
+    std::string text;
+    for (int i = 0; i < 4; ++i) text += "2\n\nHe 0 0 " + std::to_string(i) + "\nNe 5 0 " + std::to_string(i) + "\n";
+    const Molecule molecule = readMolecule("four.xyz", text, withOthers(2));
+    ASSERT_EQ(molecule.others.size(), 3u);
+    for (const std::size_t i : {0u, 1u, 2u}) {
+        ASSERT_EQ(molecule.others[i].positions.size(), 2u);
+        EXPECT_EQ(molecule.others[i].positions[1], glm::vec3(5, 0, i < 1 ? i : i + 1));
+    }
+    EXPECT_TRUE(readMolecule("four.xyz", text, model(2)).others.empty());
+    EXPECT_TRUE(readMolecule("one.xyz", "1\n\nHe 0 0 0\n", withOthers(1)).others.empty());
+}
+
+TEST(OtherModels, OfOtherAtomsAreKeptWhole) {
+    const std::string text = "1\n\nHe 0 0 0\n2\n\nHe 0 0 1\nNe 0 0 2\n";
+    const Molecule molecule = readMolecule("two.xyz", text, withOthers(1));
+    ASSERT_EQ(molecule.others.size(), 1u);
+    ASSERT_TRUE(molecule.others[0].whole);
+    Molecule placed;
+    place(molecule, molecule.others[0], placed);
+    ASSERT_EQ(placed.atoms.size(), 2u);
+    EXPECT_EQ(placed.atoms[1].element, 10);
+}
+
+std::string sdfOf(const char* element, const char* x) {
+    return std::string("m\n\n\n  1  0  0  0  0  0            999 V2000\n    ") + x + "    0.0000    0.0000 " + element +
+           "   0  0\nM  END\n$$$$\n";
+}
+
+TEST(OtherModels, ArePosesOfOneMoleculeAndNotOtherMolecules) {
+    const std::string poses = sdfOf("C", "1.0000") + sdfOf("C", "4.0000");
+    EXPECT_EQ(readMolecule("poses.sdf", poses, withOthers(1)).others.size(), 1u);
+    EXPECT_TRUE(readMolecule("two.sdf", poses + sdfOf("N", "9.0000"), withOthers(1)).others.empty());
+}
+
+TEST(OtherModels, ThatCannotBeReadAreMissedAndTheModelIsRead) {
+    const std::string text = "1\n\nHe 0 0 0\n1\n\nHe 0 0 far\n";
+    const Molecule molecule = readMolecule("two.xyz", text, withOthers(1));
+    EXPECT_EQ(molecule.atoms.size(), 1u);
+    EXPECT_TRUE(molecule.others.empty());
+    EXPECT_NE(molecule.othersMissing.find("far"), std::string::npos) << molecule.othersMissing;
+}
+
+TEST(OtherModels, AreNotKeptBeyondTheMemoryBound) {
+    std::string text;
+    for (int i = 0; i < 100; ++i) text += "2\n\nHe 0 0 0\nHe 0 0 1\n";
+    ReadOptions options = withOthers(1);
+    options.maxAtoms = 2;
+    const Molecule molecule = readMolecule("many.xyz", text, options);
+    EXPECT_EQ(molecule.atoms.size(), 2u);
+    EXPECT_TRUE(molecule.others.empty());
+    EXPECT_NE(molecule.othersMissing, "");
 }
 
 }  // namespace

@@ -163,6 +163,17 @@ TEST(PdbLines, ConectInsideAModelIsThatModelsAlone) {
     EXPECT_EQ(readText(first + "MODEL        2\n" + kCarbon + kOxygen + "CONECT    1    2\n").bonds.size(), 1u);
 }
 
+TEST(PdbLines, ConectBetweenTwoEndsIsThatStructuresAlone) {
+    // Files of several structures in a row, each numbered from 1.
+    const std::string one = kCarbon + kOxygen + "CONECT    1    2    2\nEND\n", two = kCarbon + kOxygen + "END\n";
+    ReadOptions second;
+    second.model = 2;
+    EXPECT_EQ(readMolecule("m.pdb", one + two).file.conectUniquePairs, 1);
+    EXPECT_EQ(readMolecule("m.pdb", one + two, second).file.conectUniquePairs, 0);
+    EXPECT_EQ(readMolecule("m.pdb", two + one).file.conectUniquePairs, 0);
+    EXPECT_EQ(readMolecule("m.pdb", two + one, second).file.conectUniquePairs, 1);
+}
+
 TEST(PdbLines, ConectThatLeadsNowhereIsOneWarning) {
     std::string text = kCarbon + kOxygen;
     for (int i = 0; i < 1000; ++i) text += "CONECT    1  999\nCONECT   xx    1\n";

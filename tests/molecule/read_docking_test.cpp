@@ -53,6 +53,23 @@ TEST(ReadPqr, Elements) {
     EXPECT_EQ(element("ATOM      1  NA  HEM     1       1.000   1.000   1.000  1.0000 1.8680\n"), 7);
 }
 
+TEST(ReadPqr, ConectInsideAModelIsThatModelsAlone) {
+    const std::string a = "ATOM 1 CA LIG A 12 0 0 0 0.1 2.0\n", b = "ATOM 2 CB LIG A 12 9 0 0 0.1 2.0\n",
+                      c = "ATOM 3 CG LIG A 12 18 0 0 0.1 2.0\n";
+    const std::string text =
+        "MODEL 1\n" + a + b + c + "CONECT    1    2\nENDMDL\nMODEL 2\n" + a + b + c + "CONECT    2    3\nENDMDL\n";
+    ReadOptions second;
+    second.model = 2;
+    for (const auto& [options, first] : {std::pair(ReadOptions(), 0u), std::pair(second, 1u)}) {
+        const Molecule molecule = readMolecule("a.pqr", text, options);
+        ASSERT_EQ(molecule.bonds.size(), 1u);
+        EXPECT_EQ(molecule.bonds[0].a, first);
+        EXPECT_EQ(molecule.file.conectUniquePairs, 1);
+        // After the models they are everyone's.
+        EXPECT_EQ(readMolecule("a.pqr", text + "CONECT    1    3\n", options).bonds.size(), 2u);
+    }
+}
+
 TEST(ReadPqr, ModelsConectAndFaults) {
     const std::string atom = "ATOM      1  CA  LIG A  12     -68.369 -25.337  40.428 -0.3200 2.0000\n";
     const std::string other = "ATOM      2  CB  LIG A  12     -67.369 -25.337  40.428  0.3200 2.0000\n";

@@ -4,6 +4,7 @@
 #include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/mmcif_model.h"
+#include "engine/molecule/formats/readers.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -54,8 +55,9 @@ bool MmcifAtoms::isKept(std::string_view column) {
     return std::any_of(kNames.begin(), kNames.end(), [&](const char* name) { return column == name; });
 }
 
-MmcifAtoms::MmcifAtoms(MoleculeBuilder& builder, const std::vector<std::string>& columns, int wantedModel)
-    : builder_(builder), wantedModel_(wantedModel) {
+MmcifAtoms::MmcifAtoms(std::deque<MoleculeBuilder>& builders, const std::vector<std::string>& columns,
+                       const ReadOptions& options)
+    : builders_(builders), wantedModel_(options.model), maxAtoms_(options.maxAtoms) {
     for (int which = 0; which < columnCount; ++which) {
         column_[which] = -1;
         for (std::size_t i = columns.size(); i-- > 0;)
@@ -63,31 +65,35 @@ MmcifAtoms::MmcifAtoms(MoleculeBuilder& builder, const std::vector<std::string>&
     }
     for (int axis = 0; axis < 3; ++axis)
         if (column_[axis] < 0)
-            throw Error("cannot read molecule", builder_.name(),
+            throw Error("cannot read molecule", name(),
                         std::string("the column _atom_site.Cartn_") + "xyz"[axis] + " is missing");
 }
 
 void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
     ++rows_;
     refuseLongCells(cells, line);
-    if (modelIndex(text(cells, model)) != wantedModel_) return;
+    const int index = modelIndex(text(cells, model));
+    if (wantedModel_ != kAllModels && index != wantedModel_) return;
+    if (atoms_++ == maxAtoms_)
+        throw tooManyAtoms(name() + (wantedModel_ == kAllModels ? ", all models" : ""), maxAtoms_);
+    MoleculeBuilder& builder = builderOf(index);
     Atom atom;
     atom.position = {coordinate(cells, 0, line), coordinate(cells, 1, line), coordinate(cells, 2, line)};
     const std::string_view name = text(cells, authAtom, labelAtom), residue = text(cells, authComp, labelComp);
     const std::string_view type = text(cells, symbol);
     atom.name = Name(name);
-    atom.element = builder_.element(cell(cells, symbol).missing() ? elementOfName(name, residue) : type, line);
+    atom.element = builder.element(cell(cells, symbol).missing() ? elementOfName(name, residue) : type, line);
     atom.alternate = firstCharacter(text(cells, alternate));
     atom.hetero = text(cells, group) == "HETATM";
     atom.charge = formalCharge(cell(cells, charge));
-    atom.occupancy = property(cell(cells, occupancy), 1.0f);
-    atom.temperatureFactor = property(cell(cells, temperature), 0.0f);
+    atom.occupancy = property(cell(cells, occupancy), 1.0f, builder);
+    atom.temperatureFactor = property(cell(cells, temperature), 0.0f, builder);
     const auto number = cell(cells, cell(cells, authSeq).missing() ? labelSeq : authSeq).integer();
     const bool fits = number && *number >= INT32_MIN && *number <= INT32_MAX;
-    builder_.addAtom(atom, text(cells, authAsym, labelAsym), fits ? static_cast<std::int32_t>(*number) : 0,
-                     firstCharacter(text(cells, insertion)), residue, text(cells, labelAsym, authAsym));
+    builder.addAtom(atom, text(cells, authAsym, labelAsym), fits ? static_cast<std::int32_t>(*number) : 0,
+                    firstCharacter(text(cells, insertion)), residue, text(cells, labelAsym, authAsym));
     if (column_[entity] >= 0) {
-        Residue& last = builder_.molecule().residues.back();
+        Residue& last = builder.molecule().residues.back();
         if (last.atomCount == 1) last.entity = entityIndex(cell(cells, entity));
     }
     countChains(cells);
@@ -97,10 +103,16 @@ void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
 void MmcifAtoms::refuseLongCells(const MmcifCell* cells, std::uint64_t line) const {
     for (const int place : column_)
         if (place >= 0 && cells[place].textSize() > kLongestCell)
-            throw Error("cannot read molecule", builder_.name(),
+            throw Error("cannot read molecule", name(),
                         "a value in row " + std::to_string(rows_) + " of _atom_site is longer than " +
                             std::to_string(kLongestCell) + " bytes",
                         line > 0 ? std::optional<std::uint64_t>(line) : std::nullopt);
+}
+
+MoleculeBuilder& MmcifAtoms::builderOf(int index) {
+    if (wantedModel_ != kAllModels) return builders_.front();
+    while (builders_.size() < static_cast<std::size_t>(index)) builders_.emplace_back(name(), maxAtoms_);
+    return builders_[static_cast<std::size_t>(index) - 1];
 }
 
 int MmcifAtoms::modelIndex(std::string_view number) {
@@ -108,8 +120,7 @@ int MmcifAtoms::modelIndex(std::string_view number) {
     lastModel_ = std::string(number);
     lastIndex_ = models_.emplace(lastModel_, static_cast<int>(models_.size()) + 1).first->second;
     if (models_.size() > kMaxModels)
-        throw Error("cannot read molecule", builder_.name(),
-                    "it has more than " + std::to_string(kMaxModels) + " models");
+        throw Error("cannot read molecule", name(), "it has more than " + std::to_string(kMaxModels) + " models");
     return lastIndex_;
 }
 
@@ -121,17 +132,16 @@ float MmcifAtoms::coordinate(const MmcifCell* cells, int axis, std::uint64_t lin
     const std::string why = std::string("Cartn_") + "xyz"[axis] + " of row " + std::to_string(rows_) +
                             " of _atom_site is not a finite number within 1e9: '" +
                             (given.missing() ? "?" : printable(given.text(buffer))) + "'";
-    throw Error("cannot read molecule", builder_.name(), why,
-                line > 0 ? std::optional<std::uint64_t>(line) : std::nullopt);
+    throw Error("cannot read molecule", name(), why, line > 0 ? std::optional<std::uint64_t>(line) : std::nullopt);
 }
 
-float MmcifAtoms::property(const MmcifCell& given, float otherwise) {
+float MmcifAtoms::property(const MmcifCell& given, float otherwise, MoleculeBuilder& builder) {
     if (given.missing()) return otherwise;
     const auto value = given.number();
     if (value && std::abs(*value) <= 1e9) return static_cast<float>(*value);
     std::array<char, 32> buffer{};
     if (badProperties_++ == 0)
-        builder_.warn("occupancy or B factor is not a number: '" + printable(given.text(buffer)) + "'");
+        builder.warn("occupancy or B factor is not a number: '" + printable(given.text(buffer)) + "'");
     return otherwise;
 }
 
@@ -149,15 +159,14 @@ std::uint32_t MmcifAtoms::entityIndex(const MmcifCell& given) {
     if (given.missing()) return 0;
     const std::string_view identifier = given.text(buffers_[entity]);
     if (const auto known = entities_.find(identifier); known != entities_.end()) return known->second;
-    std::vector<std::string>& names = builder_.molecule().entities;
-    names.emplace_back(identifier);
-    return entities_.emplace(identifier, static_cast<std::uint32_t>(names.size())).first->second;
+    entityNames_.emplace_back(identifier);
+    return entities_.emplace(identifier, static_cast<std::uint32_t>(entityNames_.size())).first->second;
 }
 
 void MmcifAtoms::summarise(FileSummary& file) const {
     const auto models = static_cast<std::int64_t>(models_.size());
     if (rows_ > 0 && wantedModel_ > models)
-        throw Error("cannot read molecule", builder_.name(),
+        throw Error("cannot read molecule", name(),
                     "there is no model " + std::to_string(wantedModel_) + "; the file has " + std::to_string(models));
     file.models = models;
     file.totalAtomsAllModels = rows_;

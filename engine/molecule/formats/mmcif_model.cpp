@@ -15,6 +15,7 @@ namespace {
 
 // Cells of the small categories: a few always, and what goes with the molecule's size, as connections and helices do.
 constexpr std::size_t kFewCells = 100'000, kCellsPerAtom = 4, kMostCells = std::size_t{1} << 22;
+constexpr std::size_t kMostCellsOfModels = std::size_t{1} << 28;  // that all models together look at
 // Their text, where it stands in the file many times by reference: work goes with it.
 constexpr std::size_t kMostRepeatedBytes = std::size_t{64} << 20;
 
@@ -67,10 +68,11 @@ std::optional<std::string_view> MmcifTable::get(std::size_t row, std::initialize
 }
 
 MmcifModel::MmcifModel(const std::string& name, std::string_view document, const ReadOptions& options)
-    : builder_(name, options.maxAtoms),
-      document_(document),
+    : document_(document),
       options_(options),
-      mostCells_(std::min(kMostCells, kFewCells + kCellsPerAtom * options.maxAtoms)) {}
+      mostCells_(std::min(kMostCells, kFewCells + kCellsPerAtom * options.maxAtoms)) {
+    builders_.emplace_back(name, options.maxAtoms);
+}
 
 bool MmcifModel::isKept(std::string_view category) {
     static constexpr std::string_view kKept[] = {"atom_site",
@@ -117,8 +119,8 @@ bool MmcifModel::beginCategory(const std::string& category, const std::vector<st
     if (done_) return false;
     const bool fractional = hasColumn(columns, "fract_") && !hasColumn(columns, "cartn_");
     if (category == "atom_site" && !fractional) {
-        if (atoms_) throw Error("cannot read molecule", builder_.name(), "_atom_site occurs twice", line);
-        atoms_ = std::make_unique<MmcifAtoms>(builder_, columns, options_.model);
+        if (atoms_) throw Error("cannot read molecule", builders_.front().name(), "_atom_site occurs twice", line);
+        atoms_ = std::make_unique<MmcifAtoms>(builders_, columns, options_);
         table_ = nullptr;
         return true;
     }
@@ -132,7 +134,7 @@ bool MmcifModel::beginCategory(const std::string& category, const std::vector<st
 
 void MmcifModel::expectRows(std::size_t rows, std::size_t columns) const {
     if (rows > 0 && columns > (mostCells_ - std::min(cells_, mostCells_)) / rows)
-        throw Error("cannot read molecule", builder_.name(), "a category is too long");
+        throw Error("cannot read molecule", builders_.front().name(), "a category is too long");
 }
 
 void MmcifModel::addRow(const std::vector<MmcifCell>& cells, std::uint64_t line) {
@@ -141,13 +143,14 @@ void MmcifModel::addRow(const std::vector<MmcifCell>& cells, std::uint64_t line)
         return;
     }
     cells_ += cells.size();
-    if (cells_ > mostCells_) throw Error("cannot read molecule", builder_.name(), "a category is too long", line);
+    if (cells_ > mostCells_)
+        throw Error("cannot read molecule", builders_.front().name(), "a category is too long", line);
     for (const MmcifCell& cell : cells) {
         table_->cells.push_back(kept(cell));
         cellBytes_ += table_->cells.back().size();
     }
     if (cellBytes_ > document_.size() + kMostRepeatedBytes)
-        throw Error("cannot read molecule", builder_.name(), "the texts of a category are too long", line);
+        throw Error("cannot read molecule", builders_.front().name(), "the texts of a category are too long", line);
 }
 
 /// A hostile document may refer to one long text from every cell: it is kept once, where it lies.
@@ -162,33 +165,56 @@ std::string_view MmcifModel::kept(const MmcifCell& cell) {
     return copies_.emplace_back(text);
 }
 
-Molecule MmcifModel::finish(const std::string& format) {
-    FileSummary& file = builder_.molecule().file;
+/// What the small categories say of each model.
+void MmcifModel::finishModels(FileSummary& file) {
+    atoms_->summarise(file);
+    // Each model looks at all of these.
+    if (builders_.size() > kMostCellsOfModels / std::max<std::size_t>(cells_, 1))
+        throw Error("cannot read molecule", builders_.front().name(),
+                    "it has too many models for its connections and helices");
+    for (MoleculeBuilder& builder : builders_) {
+        builder.molecule().entities = atoms_->entities();
+        addStructConnBonds(builder, tables_["struct_conn"]);
+        addSecondaryStructure(builder, tables_["struct_conf"], tables_["struct_sheet_range"]);
+    }
+    addMmcifAssemblies(builders_.front(), tables_["pdbx_struct_assembly"], tables_["pdbx_struct_assembly_gen"],
+                       tables_["pdbx_struct_oper_list"]);
+}
+
+std::vector<Molecule> MmcifModel::finish(const std::string& format) {
+    MoleculeBuilder& builder = builders_.front();
+    FileSummary& file = builder.molecule().file;
     file.format = format;
     const char* titleOf = "chem_comp";
     if (atoms_) {
         titleOf = "struct";
-        atoms_->summarise(file);
-        addStructConnBonds(builder_, tables_["struct_conn"]);
-        addSecondaryStructure(builder_, tables_["struct_conf"], tables_["struct_sheet_range"]);
-        addMmcifAssemblies(builder_, tables_["pdbx_struct_assembly"], tables_["pdbx_struct_assembly_gen"],
-                           tables_["pdbx_struct_oper_list"]);
+        finishModels(file);
     } else if (tables_["chem_comp_atom"].rows() > 0) {
-        if (options_.model != 1)
-            throw Error("cannot read molecule", builder_.name(), "a chemical component has only model 1");
-        addComponent(builder_, tables_["chem_comp_atom"], tables_["chem_comp_bond"]);
+        if (options_.model > 1)
+            throw Error("cannot read molecule", builder.name(), "a chemical component has only model 1");
+        addComponent(builder, tables_["chem_comp_atom"], tables_["chem_comp_bond"]);
         file.format = format + "-chem_comp";
     } else if (tables_["atom_site"].rows() > 0) {
-        if (options_.model != 1)
-            throw Error("cannot read molecule", builder_.name(), "a small-molecule CIF has only model 1");
+        if (options_.model > 1)
+            throw Error("cannot read molecule", builder.name(), "a small-molecule CIF has only model 1");
         titleOf = "chemical";
         const bool old = tables_["symmetry_equiv"].rows() > 0;
         addSmallMolecule(
-            builder_, {tables_["atom_site"], tables_["cell"], tables_[old ? "symmetry_equiv" : "space_group_symop"]});
+            builder, {tables_["atom_site"], tables_["cell"], tables_[old ? "symmetry_equiv" : "space_group_symop"]});
         file.format = "cif-core";
     } else {
-        throw Error("cannot read molecule", builder_.name(), "it has no _atom_site rows, so no atoms");
+        throw Error("cannot read molecule", builder.name(), "it has no _atom_site rows, so no atoms");
     }
+    summarise(file, titleOf);
+    std::vector<Molecule> models;
+    for (MoleculeBuilder& each : builders_) {
+        if (&each != &builder) each.molecule().file = models.front().file;
+        models.push_back(each.finish());
+    }
+    return models;
+}
+
+void MmcifModel::summarise(FileSummary& file, const char* titleOf) {
     setTitle(file, tables_[titleOf]);
     for (const auto& [category, column] :
          {std::pair("refine", "ls_d_res_high"), std::pair("em_3d_reconstruction", "resolution")}) {
@@ -208,7 +234,6 @@ Molecule MmcifModel::finish(const std::string& format) {
     };
     file.assemblies = rowsOf("pdbx_struct_assembly");
     file.operators = rowsOf("pdbx_struct_oper_list");
-    return builder_.finish();
 }
 
 }  // namespace nacre

@@ -50,17 +50,20 @@ public:
     std::optional<std::string_view> get(std::size_t row, std::initializer_list<const char*> names) const;
 };
 
-/// Rows of _atom_site.
+/// Rows of _atom_site, to the model that is wanted, or to all of them.
 class MmcifAtoms {
 public:
+    /// @param builders  one; more are added as models begin, if kAllModels are wanted
     /// @throws Error naming the coordinate column that is missing
-    MmcifAtoms(MoleculeBuilder& builder, const std::vector<std::string>& columns, int model);
+    MmcifAtoms(std::deque<MoleculeBuilder>& builders, const std::vector<std::string>& columns,
+               const ReadOptions& options);
     /// Whether a column (lower case) is of any use.
     static bool isKept(std::string_view column);
     /// @param line 0 if unknown
     void addRow(const MmcifCell* cells, std::uint64_t line);
     /// @throws Error if the model that was asked for is not there
     void summarise(FileSummary& file) const;
+    const std::vector<std::string>& entities() const { return entityNames_; }
 
 private:
     enum Column {
@@ -97,17 +100,21 @@ private:
         return text(cells, cell(cells, first).missing() ? second : first);
     }
 
+    const std::string& name() const { return builders_.front().name(); }
+    MoleculeBuilder& builderOf(int index);
     int modelIndex(std::string_view number);
     float coordinate(const MmcifCell* cells, int axis, std::uint64_t line) const;
-    float property(const MmcifCell& cell, float otherwise);
+    float property(const MmcifCell& cell, float otherwise, MoleculeBuilder& builder);
     void countChains(const MmcifCell* cells);
     std::uint32_t entityIndex(const MmcifCell& given);
     void refuseLongCells(const MmcifCell* cells, std::uint64_t line) const;
 
     int column_[columnCount];
     std::array<char, 32> buffers_[columnCount]{};
-    MoleculeBuilder& builder_;
+    std::deque<MoleculeBuilder>& builders_;
     int wantedModel_;
+    std::size_t maxAtoms_;  ///< of all models that are kept
+    std::size_t atoms_ = 0;
     std::map<std::string, int, std::less<>> models_;  ///< pdbx_PDB_model_num -> 1-based position
     std::string lastModel_;
     int lastIndex_ = 0;
@@ -116,6 +123,7 @@ private:
     std::map<std::string, bool, std::less<>> authChains_, labelChains_;
     std::string lastAuth_, lastLabel_;
     std::map<std::string, std::uint32_t, std::less<>> entities_;  ///< label_entity_id -> 1-based position
+    std::vector<std::string> entityNames_;
 };
 
 class MmcifModel {
@@ -137,13 +145,15 @@ public:
     void expectRows(std::size_t rows, std::size_t columns) const;
 
     /// @param format "mmcif", "mmjson" or "bcif"
-    /// @throws Error if there are no atoms
-    Molecule finish(const std::string& format);
+    /// One molecule, or all models. @throws Error if there are no atoms
+    std::vector<Molecule> finish(const std::string& format);
 
 private:
     std::string_view kept(const MmcifCell& cell);
+    void finishModels(FileSummary& file);
+    void summarise(FileSummary& file, const char* titleOf);
 
-    MoleculeBuilder builder_;
+    std::deque<MoleculeBuilder> builders_;  ///< of all models, or of one
     std::string_view document_;
     ReadOptions options_;
     std::size_t mostCells_;  ///< of all tables

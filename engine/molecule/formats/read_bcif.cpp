@@ -102,7 +102,7 @@ private:
 
 }  // namespace
 
-Molecule readBcif(const std::string& name, std::string_view bytes, const ReadOptions& options) {
+std::vector<Molecule> readBcif(const std::string& name, std::string_view bytes, const ReadOptions& options) {
     MmcifModel model(name, bytes, options);
     BcifWalker(name, bytes.size(), options.maxAtoms, model).document(parseMsgpack(name, bytes));
     return model.finish("bcif");

@@ -152,7 +152,7 @@ NACRE_CIF_ACTION(field_sep, textDelimiter(in.iterator().line))
 #undef NACRE_CIF_ACTION
 
 /// @throws pegtl::parse_error where the text is no CIF
-Molecule parseCif(const std::string& name, std::string_view text, const ReadOptions& options) {
+std::vector<Molecule> parseCif(const std::string& name, std::string_view text, const ReadOptions& options) {
     MmcifModel model(name, text, options);
     Walker walker(name, model);
     pegtl::memory_input<> input(text.data(), text.size(), "");
@@ -168,7 +168,7 @@ Molecule parseCif(const std::string& name, std::string_view text, const ReadOpti
 
 }  // namespace
 
-Molecule readMmcif(const std::string& name, std::string_view text, const ReadOptions& options) {
+std::vector<Molecule> readMmcif(const std::string& name, std::string_view text, const ReadOptions& options) {
     try {
         return parseCif(name, text, options);
     } catch (const pegtl::parse_error&) {
@@ -183,9 +183,9 @@ Molecule readMmcif(const std::string& name, std::string_view text, const ReadOpt
         ++foreign;
     }
     try {
-        Molecule molecule = parseCif(name, replaced, options);
-        molecule.warnings.push_back("bytes that CIF does not allow, read as '?': " + std::to_string(foreign));
-        return molecule;
+        std::vector<Molecule> models = parseCif(name, replaced, options);
+        models.front().warnings.push_back("bytes that CIF does not allow, read as '?': " + std::to_string(foreign));
+        return models;
     } catch (const pegtl::parse_error& fault) {
         std::string why = "not valid CIF: " + printable(fault.message(), 200);
         if (fault.message() == "parse error") why += "; perhaps a quote or a text field before it is not closed";

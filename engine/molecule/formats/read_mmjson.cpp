@@ -108,7 +108,7 @@ private:
 
 }  // namespace
 
-Molecule readMmjson(const std::string& name, std::string_view text, const ReadOptions& options) {
+std::vector<Molecule> readMmjson(const std::string& name, std::string_view text, const ReadOptions& options) {
     MmcifModel model(name, text, options);
     MmjsonReader(name, text, model).run();
     return model.finish("mmjson");

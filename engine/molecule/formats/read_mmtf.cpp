@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 
 #include "engine/error.h"
 #include "engine/molecule/assemblies.h"
@@ -20,12 +21,11 @@ constexpr const char* kPositions[3] = {"xCoordList", "yCoordList", "zCoordList"}
 class MmtfReader {
 public:
     MmtfReader(const std::string& name, std::string_view bytes, const ReadOptions& options)
-        : fields_(name, bytes),
-          builder_(name, options.maxAtoms),
-          maxAtoms_(options.maxAtoms),
-          wanted_(static_cast<std::size_t>(options.model)) {}
+        : fields_(name, bytes), maxAtoms_(options.maxAtoms), wanted_(static_cast<std::size_t>(options.model)) {
+        builders_.emplace_back(name, options.maxAtoms);
+    }
 
-    Molecule read() {
+    std::vector<Molecule> read() {
         checkVersion();
         readCounts();
         openArrays();
@@ -33,7 +33,15 @@ public:
         addBondsBetweenGroups();
         addAssemblies();
         summarise();
-        return builder_.finish();
+        std::vector<Molecule> models;
+        for (std::size_t i = 0; i < builders_.size(); ++i) {
+            if (i > 0) {
+                builders_[i].molecule().file = models.front().file;
+                builders_[i].molecule().file.chainsLabel = static_cast<std::int64_t>(chainsOfModel_[i]);
+            }
+            models.push_back(builders_[i].finish());
+        }
+        return models;
     }
 
 private:
@@ -76,7 +84,7 @@ private:
     }
 
     void openArrays() {
-        types_ = readMmtfGroups(fields_, builder_, maxAtoms_);
+        types_ = readMmtfGroups(fields_, builders_.front(), maxAtoms_);
         typeOfGroup_ = fields_.integers("groupTypeList", groups_);
         numbers_ = fields_.integers("groupIdList", groups_);
         insertions_ = fields_.integers("insCodeList", groups_, 0);
@@ -88,15 +96,18 @@ private:
         alternates_ = fields_.integers("altLocList", atoms_, 0);
     }
 
-    /// Goes through every model; atoms and bonds are added for the one that is wanted.
+    /// Goes through every model; atoms and bonds are added for those that are wanted.
     void walk() {
         std::size_t chain = 0;
         for (std::size_t model = 1; model <= models_; ++model) {
-            const bool taken = model == wanted_;
-            if (taken) begin_ = next_;
+            const bool all = wanted_ == kAllModels, taken = all || model == wanted_;
+            if (all && model > 1) builders_.emplace_back(builders_.front().name(), maxAtoms_);
+            if (taken) begins_.push_back(next_);
             for (const std::size_t end = chain + chainsOfModel_[model - 1]; chain < end; ++chain)
                 for (std::uint32_t group = 0; group < groupsOfChain_[chain]; ++group) addGroup(chain, taken);
-            if (taken) end_ = next_;
+            if (!taken) continue;
+            if (all && next_ == begins_.back()) fields_.fail("model " + std::to_string(model) + " has no atoms");
+            end_ = next_;
         }
         if (next_ != atoms_) fields_.fail("its groups have " + std::to_string(next_) + " atoms instead of numAtoms");
     }
@@ -108,16 +119,19 @@ private:
         if (index >= types_.size()) fields_.fail("groupTypeList refers to a group that is not there");
         const MmtfGroup& type = types_[index];
         if (type.atoms.size() > atoms_ - next_) fields_.fail("its groups have more atoms than numAtoms");
+        if (taken && next_ + type.atoms.size() - begins_.front() > maxAtoms_)
+            throw tooManyAtoms(builders_.front().name() + (wanted_ == kAllModels ? ", all models" : ""), maxAtoms_);
+        MoleculeBuilder& builder = builders_.back();
         for (std::size_t i = 0; i < type.atoms.size(); ++i) {
             Atom atom = type.atoms[i];
             place(atom, next_ + i + 1, taken);
-            if (taken) builder_.addAtom(atom, chainNames_[chain], number, insertion, type.name, subchains_[chain]);
+            if (taken) builder.addAtom(atom, chainNames_[chain], number, insertion, type.name, subchains_[chain]);
         }
         if (taken) {
             countBonds(type.bonds.size());
-            const auto first = static_cast<std::int64_t>(next_ - begin_);
+            const auto first = static_cast<std::int64_t>(next_ - begins_.back());
             for (const MmtfGroup::Bond& bond : type.bonds)
-                builder_.addBond(first + bond.a, first + bond.b, bond.order, 0);
+                builder.addBond(first + bond.a, first + bond.b, bond.order, 0);
         }
         bondsOfAll_ += static_cast<std::int64_t>(type.bonds.size());
         next_ += type.atoms.size();
@@ -159,17 +173,22 @@ private:
             // Numbered over all models.
             const std::int64_t a = ends.next(), b = ends.next();
             const std::int32_t order = orders.next();
-            const auto here = [&](std::int64_t atom) {
-                return atom >= static_cast<std::int64_t>(begin_) && atom < static_cast<std::int64_t>(end_);
-            };
             const auto total = static_cast<std::int64_t>(atoms_);
             if (a < 0 || b < 0 || a >= total || b >= total || a == b)
                 fields_.fail("bondAtomList refers to an atom that is not there, or bonds one to itself");
-            if (!here(a) || !here(b)) continue;
+            const std::size_t model = modelOf(static_cast<std::size_t>(a));
+            if (model == builders_.size() || model != modelOf(static_cast<std::size_t>(b))) continue;
             countBonds(1);
-            const auto begin = static_cast<std::int64_t>(begin_);
-            builder_.addBond(a - begin, b - begin, mmtfBondOrder(order), 0);
+            const auto begin = static_cast<std::int64_t>(begins_[model]);
+            builders_[model].addBond(a - begin, b - begin, mmtfBondOrder(order), 0);
         }
+    }
+
+    /// Of those that are read, the one that an atom of the file belongs to; their number if it is in none.
+    std::size_t modelOf(std::size_t atom) const {
+        const auto after = std::upper_bound(begins_.begin(), begins_.end(), atom);
+        if (after == begins_.begin() || atom >= end_) return builders_.size();
+        return static_cast<std::size_t>(after - begins_.begin()) - 1;
     }
 
     /// How many values an encoded array announces: of bonds between groups there is no count elsewhere. No more than
@@ -192,13 +211,13 @@ private:
             const std::string number = std::to_string(assemblies_);
             Assembly assembly{std::string(named ? named->asText().value_or(number) : number), "", {}};
             try {
-                if (builder_.molecule().assemblies.size() == AssemblyLimits::kMaxAssemblies)
+                if (builders_.front().molecule().assemblies.size() == AssemblyLimits::kMaxAssemblies)
                     throw AssemblyFault("there are more than " + std::to_string(AssemblyLimits::kMaxAssemblies));
                 addTransforms(assembly, given, limits);
                 if (assembly.parts.empty()) throw AssemblyFault("it places no chain that is here");
-                builder_.molecule().assemblies.push_back(std::move(assembly));
+                builders_.front().molecule().assemblies.push_back(std::move(assembly));
             } catch (const AssemblyFault& fault) {
-                builder_.warn("assembly " + printable(assembly.id) + " is left out: " + fault.what());
+                builders_.front().warn("assembly " + printable(assembly.id) + " is left out: " + fault.what());
             }
         }
     }
@@ -220,7 +239,7 @@ private:
                 const auto chain = value.asInteger();
                 if (!chain || *chain < 0 || static_cast<std::size_t>(*chain) >= chains_)
                     throw AssemblyFault("it names a chain that is not there");
-                if (const auto index = builder_.subchain(subchains_[static_cast<std::size_t>(*chain)]))
+                if (const auto index = builders_.front().subchain(subchains_[static_cast<std::size_t>(*chain)]))
                     subchains.push_back(*index);
             }
             addPart(assembly, {toMatrix(rows)}, std::move(subchains));
@@ -229,21 +248,21 @@ private:
     }
 
     void summarise() {
-        FileSummary& file = builder_.molecule().file;
+        FileSummary& file = builders_.front().molecule().file;
         file.format = "mmtf";
         file.title = fields_.text("title");
         file.models = static_cast<std::int64_t>(models_);
         file.totalAtomsAllModels = static_cast<std::int64_t>(atoms_);
         file.bonds = static_cast<std::int64_t>(bonds_);
         file.bondsAllModels = bondsOfAll_;
-        file.chainsLabel = static_cast<std::int64_t>(chainsOfModel_[wanted_ - 1]);
+        file.chainsLabel = static_cast<std::int64_t>(chainsOfModel_[std::max<std::size_t>(wanted_, 1) - 1]);
         if (assemblies_ == 0) return;
         file.assemblies = assemblies_;
         file.biomtOperators = mostTransforms_;
     }
 
     MmtfFields fields_;
-    MoleculeBuilder builder_;
+    std::deque<MoleculeBuilder> builders_;  ///< of the models that are read
     std::size_t maxAtoms_, wanted_;
     std::size_t atoms_ = 0, groups_ = 0, chains_ = 0, models_ = 0;
     std::vector<std::uint32_t> groupsOfChain_, chainsOfModel_;
@@ -252,14 +271,15 @@ private:
     std::vector<std::string_view> subchains_, chainNames_;
     std::array<MmtfFloats, 3> positions_;
     MmtfFloats temperature_, occupancy_;
-    std::size_t next_ = 0, begin_ = 0, end_ = 0;  ///< the atom to come; those of the wanted model
+    std::vector<std::size_t> begins_;  ///< first atoms of the models that are read
+    std::size_t next_ = 0, end_ = 0;   ///< the atom to come; after the last of those models
     std::size_t bonds_ = 0;
     std::int64_t bondsOfAll_ = 0, assemblies_ = 0, mostTransforms_ = 0;
 };
 
 }  // namespace
 
-Molecule readMmtf(const std::string& name, std::string_view bytes, const ReadOptions& options) {
+std::vector<Molecule> readMmtf(const std::string& name, std::string_view bytes, const ReadOptions& options) {
     return MmtfReader(name, bytes, options).read();
 }
 

@@ -98,7 +98,7 @@ private:
             conectBefore_.reset();
             endModel();
         } else if (startsWith(line, "END") && pdb::trim(line) == "END") {
-            if (!sawModelRecord_) endModel();  // files of several structures in a row
+            if (!sawModelRecord_) endStructure();
         } else if (startsWith(line, "TITLE ")) {
             title(line);
             noteConfidence(line);
@@ -119,6 +119,13 @@ private:
         const std::string text = lowerCase(pdb::trim(pdb::columns(line, 11, 80)));
         const bool program = startsWith(text, "alphafold") || startsWith(text, "esmfold");
         if (program && text.find("prediction") != std::string::npos) molecule_.file.confidence = true;
+    }
+
+    /// Files of several structures in a row: what stands between two ENDs is one of them, with its CONECT records.
+    void endStructure() {
+        if (atomsInModel_ > 0 && modelInProgress() != wanted_) conect_.shrink(conectOfStructure_);
+        if (atomsInModel_ > 0) conectOfStructure_ = conect_.size();
+        endModel();
     }
 
     int modelInProgress() const { return models_ + 1; }
@@ -271,6 +278,7 @@ private:
     std::string_view latestResidue_;
     bool sawModelRecord_ = false;
     std::optional<std::size_t> conectBefore_;  ///< of conect_, where the model that is open began
+    std::size_t conectOfStructure_ = 0;        ///< the same, where END divides structures
     int models_ = 0;
     std::int64_t atomsInModel_ = 0;
     std::int64_t totalAtoms_ = 0;

@@ -55,7 +55,13 @@ private:
             ++atomsInModel_;
         } else if (startsWith(line, "CONECT")) {
             conect_.add(line, lines_.number());
-        } else if (startsWith(line, "MODEL") || startsWith(line, "ENDMDL")) {
+        } else if (startsWith(line, "MODEL")) {
+            endModel();
+            conectBefore_ = conect_.size();
+        } else if (startsWith(line, "ENDMDL")) {
+            // Bonds that are stated inside a model are that model's alone.
+            if (conectBefore_ && models_ + 1 != model_) conect_.shrink(*conectBefore_);
+            conectBefore_.reset();
             endModel();
         }
     }
@@ -148,6 +154,7 @@ private:
     MoleculeBuilder builder_;
     pdb::ConectTable conect_;
     std::vector<std::int64_t> serials_;
+    std::optional<std::size_t> conectBefore_;  ///< of conect_, where the model that is open began
     std::int64_t models_ = 0, atomsInModel_ = 0, totalAtoms_ = 0;
     std::size_t unknownElements_ = 0;
 };

@@ -1,0 +1,107 @@
+#include "engine/molecule/other_models.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace nacre {
+namespace {
+
+// Of the 700 bytes that memory_bound.h allows an atom.
+constexpr std::size_t kBytesPerAtom = 48;
+
+/// Whether two molecules are the same but for where their atoms are.
+bool sameButForPlaces(const Molecule& a, const Molecule& b) {
+    const auto sameAtom = [](const Atom& x, const Atom& y) {
+        return x.element == y.element && x.residue == y.residue && x.name == y.name && x.alternate == y.alternate &&
+               x.hetero == y.hetero && x.occupancy == y.occupancy && x.temperatureFactor == y.temperatureFactor;
+    };
+    const auto sameResidue = [](const Residue& x, const Residue& y) {
+        return x.name == y.name && x.number == y.number && x.insertionCode == y.insertionCode && x.chain == y.chain &&
+               x.subchain == y.subchain && x.firstAtom == y.firstAtom && x.secondary == y.secondary &&
+               x.entity == y.entity;
+    };
+    const auto sameChain = [](const Chain& x, const Chain& y) { return x.name == y.name; };
+    return std::equal(a.atoms.begin(), a.atoms.end(), b.atoms.begin(), b.atoms.end(), sameAtom) &&
+           std::equal(a.residues.begin(), a.residues.end(), b.residues.begin(), b.residues.end(), sameResidue) &&
+           std::equal(a.chains.begin(), a.chains.end(), b.chains.begin(), b.chains.end(), sameChain) &&
+           a.subchains == b.subchains;
+}
+
+/// The records of a file (SDF, MOL2) may be poses of one molecule, or so many molecules.
+bool sameElements(const Molecule& a, const Molecule& b) {
+    return std::equal(a.atoms.begin(), a.atoms.end(), b.atoms.begin(), b.atoms.end(),
+                      [](const Atom& x, const Atom& y) { return x.element == y.element; });
+}
+
+/// Assemblies of one molecule for another, whose subchains have other numbers.
+std::vector<Assembly> assembliesFor(const Molecule& to, const Molecule& from) {
+    std::map<std::string, std::uint32_t> places;
+    for (std::uint32_t i = 0; i < to.subchains.size(); ++i) places.emplace(to.subchains[i], i);
+    std::vector<Assembly> assemblies = from.assemblies;
+    for (Assembly& assembly : assemblies)
+        for (AssemblyPart& part : assembly.parts) {
+            std::vector<std::uint32_t> subchains;
+            for (const std::uint32_t i : part.subchains)
+                if (const auto found = places.find(from.subchains[i]); found != places.end())
+                    subchains.push_back(found->second);
+            std::sort(subchains.begin(), subchains.end());
+            part.subchains = std::move(subchains);
+        }
+    return assemblies;
+}
+
+}  // namespace
+
+OtherModels::OtherModels(Molecule& own, std::size_t maxAtoms) : own_(own), mostBytes_(kBytesPerAtom * maxAtoms) {}
+
+void OtherModels::add(Molecule model) {
+    OtherModel other;
+    if (sameButForPlaces(own_, model)) {
+        other.positions.reserve(model.atoms.size());
+        for (const Atom& atom : model.atoms) other.positions.push_back(atom.position);
+        bytes_ += model.atoms.size() * sizeof(glm::vec3);
+    } else if (own_.file.records && !sameElements(own_, model)) {
+        own_.others.clear();  // another molecule: no camera is theirs together
+        wanted_ = false;
+        return;
+    } else {
+        bytes_ += model.atoms.size() * sizeof(Atom) + model.residues.size() * sizeof(Residue);
+        Molecule whole;
+        whole.atoms = std::move(model.atoms);
+        whole.residues = std::move(model.residues);
+        whole.chains = std::move(model.chains);
+        whole.subchains = std::move(model.subchains);
+        whole.entities = std::move(model.entities);
+        whole.statesSecondaryStructure = model.statesSecondaryStructure;
+        other.whole = std::make_shared<const Molecule>(std::move(whole));
+    }
+    if (bytes_ > mostBytes_) {
+        own_.others.clear();
+        own_.othersMissing = "all models together have too many atoms";
+        wanted_ = false;
+        return;
+    }
+    own_.others.push_back(std::move(other));
+}
+
+void place(const Molecule& molecule, const OtherModel& other, Molecule& placed) {
+    if (other.whole) {
+        placed = *other.whole;
+        if (!molecule.assemblies.empty()) placed.assemblies = assembliesFor(placed, molecule);
+        return;
+    }
+    // A copy with everything but the other models, and what takes room and says nothing of places.
+    placed.atoms = molecule.atoms;
+    placed.residues = molecule.residues;
+    placed.chains = molecule.chains;
+    placed.subchains = molecule.subchains;
+    placed.entities = molecule.entities;
+    placed.assemblies = molecule.assemblies;
+    placed.statesSecondaryStructure = molecule.statesSecondaryStructure;
+    for (std::size_t i = 0; i < other.positions.size(); ++i) placed.atoms[i].position = other.positions[i];
+}
+
+}  // namespace nacre
