@@ -158,6 +158,16 @@ void addContent(CommandSpec& command, InputOptions& input, bool required, DrawnA
                  look.assembly = text;
              });
     addRules(command, look.rules);
+    addValue(command, "--camera", "all|model", "all",
+             "Of a file with several models: one camera for all of them, or each model's own",
+             [&](const std::string& text) {
+                 look.ownFrame = parseChoice(text, {"all", "model"}) == 1;
+             });
+    addValue(command, "--occlusion-models", "own|all", "own",
+             "Of models drawn together: what darkens an atom, its own model or all of them",
+             [&](const std::string& text) {
+                 look.modelsOcclude = parseChoice(text, {"own", "all"}) == 1;
+             });
     showHide(command, "--water", drawn.water, "Water molecules");
     showHide(command, "--hydrogens", drawn.hydrogens, "Hydrogen atoms");
 }

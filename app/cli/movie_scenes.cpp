@@ -128,6 +128,7 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     if (molecules_ != model && !motion_) {
         InputOptions input = options_.picture.input;
         input.model = model;
+        input.alone = true;  // the first one's camera is that of all
         molecule_ = loadMolecule(input);
         molecules_ = model;
     }

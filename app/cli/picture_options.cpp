@@ -196,6 +196,7 @@ void addDevice(CommandSpec& command, RenderOptions& options) {
 
 /// INPUT, or the one of the saved view. @returns whether there is one
 bool takeInput(RenderOptions& options) {
+    options.input.alone = options.look.ownFrame;
     if (!options.input.path.empty()) return true;
     options.input.path = options.savedInput.path;
     options.input.format = options.savedInput.format;

@@ -72,20 +72,25 @@ Molecule loadStructure(const InputOptions& input, const std::function<void(doubl
 
 Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload,
                       const std::function<void(double)>& onModel) {
-    Molecule molecule = loadStructure(input, onDownload, onModel);
+    InputOptions structure = input;
+    // What moves is not where other models are, and several molecules are no models of one file.
+    structure.alone = input.alone || !input.trajectory.path.empty() || !input.further.empty();
+    Molecule molecule = loadStructure(structure, onDownload, onModel);
     moveToFrame(input.trajectory, molecule);
     if (input.further.empty() && !input.fits.empty())
         throw Error("cannot fit", input.path, "one INPUT is laid onto another: name two");
     if (input.further.empty()) return molecule;
     std::vector<Molecule> molecules;
     molecules.push_back(std::move(molecule));
-    InputOptions next = input;
+    InputOptions next = structure;
     next.namedBy.clear();  // the user names them all
     for (const FurtherInput& further : input.further) {
         next.path = further.path;
         molecules.push_back(loadStructure(next, onDownload, onModel));
     }
-    return joinInputs(input, std::move(molecules), sayNote);
+    Molecule joined = joinInputs(input, std::move(molecules), sayNote);
+    joined.modelsAreInputs = true;
+    return joined;
 }
 
 }  // namespace nacre::app

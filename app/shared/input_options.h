@@ -35,6 +35,7 @@ struct InputOptions {
     std::string path;  ///< a file, "-", "sample:NAME", or "pdb:", "pubchem:", "afdb:" and an identifier
     std::optional<Format> format;
     int model = 1;                     ///< 1-based, or kAllModels
+    bool alone = false;                ///< without the places of the file's other models
     std::optional<std::string> cache;  ///< folder, or "off"; empty: the usual one (cache_folder.h)
     bool offline = false;              ///< downloads from the cache alone
     std::string namedBy;         ///< a saved view's file that names `path`; empty: the user does. See load_molecule.h

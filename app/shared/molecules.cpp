@@ -6,6 +6,7 @@
 
 #include "engine/error.h"
 #include "engine/molecule/memory_bound.h"
+#include "engine/scene/shared_frame.h"
 
 namespace nacre::app {
 namespace {
@@ -34,6 +35,7 @@ Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
     options.format = input.format;
     options.model = input.model;
     options.onModel = onModel;
+    options.others = !input.alone;
     return readFile ? readMolecule(input.path, readFile(input.path), options) : readMoleculeFile(input.path, options);
 }
 
@@ -44,7 +46,10 @@ Representation sceneOf(const Molecule& molecule, const std::string& name, const 
         throw Error("cannot draw molecule", name,
                     "none of its " + std::to_string(molecule.atoms.size()) +
                         " atoms is drawn: they are water or hydrogens, which are hidden");
-    return represent(molecule, drawn, look);
+    Representation scene = represent(molecule, drawn, look, sharedFrame(molecule, drawnOptions, look));
+    if (!look.ownFrame && !molecule.othersMissing.empty())
+        scene.warnings.push_back("the camera is this model's own, not that of all models: " + molecule.othersMissing);
+    return scene;
 }
 
 }  // namespace nacre::app

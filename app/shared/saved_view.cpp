@@ -124,6 +124,10 @@ void readKey(const std::string& key, const Json& value, SavedView& view) {
         view.format = parseFormat(textOf(value));
     } else if (key == "model") {
         view.model = parseModel(textOf(value));
+    } else if (key == "camera") {
+        view.look.ownFrame = !isOn(value, "all", "model");
+    } else if (key == "occlusion-models") {
+        view.look.modelsOcclude = !isOn(value, "own", "all");
     } else if (key == "assembly") {
         view.look.assembly = textOf(value);
     } else if (key == "style") {
@@ -198,6 +202,8 @@ std::string savedViewJson(const SavedView& view) {
     if (!view.hash.empty()) json["hash"] = view.hash;
     if (view.format) json["format"] = formatName(*view.format);
     json["model"] = view.model == kAllModels ? OrderedJson("all") : OrderedJson(view.model);
+    if (view.look.ownFrame) json["camera"] = "model";
+    if (view.look.modelsOcclude) json["occlusion-models"] = "all";
     if (!view.look.assembly.empty()) json["assembly"] = view.look.assembly;
     if (view.look.style) json["style"] = styleName(*view.look.style);
     json["color"] = coloringText(view.look.color);
@@ -229,6 +235,7 @@ InputOptions inputOf(const SavedView& view, InputOptions options) {
     options.hash = view.hash;
     options.format = view.format;
     options.model = view.model;
+    options.alone = view.look.ownFrame;
     return options;
 }
 

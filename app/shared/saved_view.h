@@ -1,8 +1,8 @@
 #pragma once
 // All that a picture depends on besides its size, as a small JSON that viewer and `nacre render --view` share. Its keys
 // are the names of the options of `nacre render`, its values what those take, and two more for what a hand can turn:
-//   {"input": "1bna.pdb", "hash": "87642-c3a1...", "format": "pdb", "model": 1, "assembly": "1", "style": "licorice",
-//   "color": "chain",
+//   {"input": "1bna.pdb", "hash": "87642-c3a1...", "format": "pdb", "model": 1, "camera": "all",
+//    "occlusion-models": "own", "assembly": "1", "style": "licorice", "color": "chain",
 //    "rules": [{"show": "ligand=ball-and-stick"}, {"hide": "chain B"}, {"color-by": "chain A=#ff8000"}],
 //    "water": "hide", "hydrogens": "show", "projection": "ortho", "fov": 30, "zoom": 1.5,
 //    "orientation": [w, x, y, z], "pan": [x, y], "background": "white", "lighting": "on", "occlusion": 128}

@@ -137,6 +137,7 @@ struct Molecule {
     std::vector<float> partialCharges;      ///< by atom, elementary charges; empty if the format has none
     std::vector<float> radii;               ///< by atom, Å, as PQR states them; empty otherwise
     std::vector<std::string> warnings;      ///< what was read leniently, one sentence each, bounded in number
+    bool modelsAreInputs = false;           ///< what chains call models are several molecules that stand together
     std::vector<OtherModel> others;  ///< if they were asked for: the file's other models, for a camera that all share
     std::string othersMissing;       ///< why they are not there though there are some; empty: they are, or none is
     FileSummary file;

@@ -63,11 +63,12 @@ Bake::Bake(const gpu::Device& device, const passes::SceneBuffers& scene, const R
       scene_(scene),
       directions_(occlusionDirections(options.directions)),
       maps_(device, scene, representation, options.path, options.budgetBytes / 2, options.detail),
+      doneOf_(maps_.models(), 0),
       budgetBytes_(options.budgetBytes) {
     OpenTexels open;
     layout_ = chooseLayout(representation, options.budgetBytes - std::min(maps_.bytes(), options.budgetBytes),
                            options.detail, open);
-    copies_ = occlusionCopies(representation, layout_, open.texels, open.sphereTexels);
+    copies_ = occlusionCopies(representation, layout_, open.texels);
     makeBuffers(open);
 }
 
@@ -80,7 +81,7 @@ Bake::Bake(const gpu::Device& device, gpu::Executor& executor, const passes::Sce
       layout_(finished.layout),
       texelCount_(finished.openTexels),
       seenSpheres_(finished.seenSpheres),
-      done_(options.directions),
+      doneOf_(1, options.directions),
       budgetBytes_(options.budgetBytes) {
     maps_.release();
     makeCells(finished.atlas);
@@ -137,6 +138,20 @@ void Bake::makeBuffers(const OpenTexels& open) {
     atlas_ = gpu::makeImage(device_, {VK_FORMAT_R8_UNORM, {layout_.width, layout_.height}},
                             vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, false,
                             "occlusion atlas");
+}
+
+int Bake::directionsDone() const { return *std::min_element(doneOf_.begin(), doneOf_.end()); }
+
+std::uint64_t Bake::mapsDone() const {
+    std::uint64_t sum = 0;
+    for (const int done : doneOf_) sum += static_cast<std::uint64_t>(done);
+    return sum;
+}
+
+std::size_t Bake::texelsOf(std::uint32_t model) const {
+    std::size_t sum = 0;
+    for (const OcclusionCopies::Run& run : copies_.runs) sum += run.model == model ? run.count : 0;
+    return sum;
 }
 
 std::uint64_t Bake::bytes() const { return bytesOf(layout_, texelCount_, wordCount_) + maps_.bytes(); }
@@ -219,14 +234,14 @@ vk::DescriptorSet Bake::accumulationSet(gpu::PassContext& context, graph::Image 
     return set;
 }
 
-void Bake::recordAccumulation(gpu::PassContext& context, graph::Image maps, std::uint32_t batch) {
+void Bake::recordAccumulation(gpu::PassContext& context, graph::Image maps, std::uint32_t batch, std::uint32_t model) {
     constexpr auto kCompute = vk::PipelineBindPoint::eCompute;
     const vk::PipelineLayout pipelineLayout = *accumulationLayout(context).pipeline;
     const Texels spheres = layout_.sphereEdge == 1 ? Texels::wholeSpheres : Texels::spheres;
     layout::OcclusionConstants c = constants();
     std::vector<vk::DescriptorSet> sets(copies_.groups.size());
     for (const OcclusionCopies::Run& run : copies_.runs) {
-        if (run.count == 0) continue;
+        if (run.count == 0 || run.model != model) continue;
         if (!sets[run.group]) sets[run.group] = accumulationSet(context, maps, run.group);
         c.firstEntry = static_cast<std::uint32_t>(run.first);
         c.entries = static_cast<std::uint32_t>(run.count);
@@ -242,13 +257,14 @@ void Bake::recordAccumulation(gpu::PassContext& context, graph::Image maps, std:
 
 /// The directions of a batch as each group of copies meets them: the copy that a direction asks about is moved to its
 /// place first. Of those that a batch lacks all is zero.
-void Bake::writeDirections(std::span<const glm::dmat3> frames) {
+/// @param first  number of the batch's first direction
+void Bake::writeDirections(std::span<const glm::dmat3> frames, int first) {
     auto* direction = reinterpret_cast<layout::Direction*>(batchDirections_.mapped);
     for (const std::vector<glm::dmat4x3>& places : copies_.groups)
         for (std::size_t i = 0; i < DepthMaps::kMostPerBatch; ++i, ++direction) {
             *direction = {};
             if (i >= frames.size()) continue;
-            const glm::dmat4x3& place = places[(static_cast<std::size_t>(done_) + i) % places.size()];
+            const glm::dmat4x3& place = places[(static_cast<std::size_t>(first) + i) % places.size()];
             const glm::dmat3 rows = glm::transpose(frames[i] * glm::dmat3(place[0], place[1], place[2]));
             const glm::dvec3 shift = frames[i] * place[3];
             *direction = {glm::vec4(rows[0], shift.x), glm::vec4(rows[1], shift.y), glm::vec4(rows[2], shift.z)};
@@ -256,26 +272,29 @@ void Bake::writeDirections(std::span<const glm::dmat3> frames) {
 }
 
 void Bake::step(gpu::Executor& executor, std::uint32_t most) {
-    const std::uint32_t left = static_cast<std::uint32_t>(directions_.size()) - static_cast<std::uint32_t>(done_);
+    const auto behind = std::min_element(doneOf_.begin(), doneOf_.end());
+    const auto model = static_cast<std::uint32_t>(behind - doneOf_.begin());
+    const int done = *behind;
+    const std::uint32_t left = static_cast<std::uint32_t>(directions_.size()) - static_cast<std::uint32_t>(done);
     std::uint32_t count = std::min({left, most, maps_.perBatch()});
     if (count == 0) return;
     // However the directions are dealt out: deep texels are dropped after the same one, and the sums come out the same.
-    if (done_ < kTellsDeepTexels) count = std::min(count, static_cast<std::uint32_t>(kTellsDeepTexels - done_));
+    if (done < kTellsDeepTexels) count = std::min(count, static_cast<std::uint32_t>(kTellsDeepTexels - done));
     const std::uint32_t batch = batchFor(count);
-    const std::span frames(directions_.data() + done_, count);
-    writeDirections(frames);
+    const std::span frames(directions_.data() + done, count);
+    writeDirections(frames, done);
     graph::Graph g("occlusion");
     gpu::Imports imports;
     const auto sums = g.importBuffer("occlusion sums", sums_.size, kComputeBuffer);
     imports.bind(sums, sums_);
-    const graph::Image maps = maps_.declare(g, imports, frames, batch);
+    const graph::Image maps = maps_.declare(g, imports, frames, batch, model);
     g.compute("occlusion accumulation").samples(maps).writes(sums).record([&](gpu::PassContext& c) {
-        recordAccumulation(c, maps, batch);
+        recordAccumulation(c, maps, batch, model);
     });
     executor.run(g, imports);
-    done_ += static_cast<int>(count);
-    asked_ += std::uint64_t{count} * texelCount_;
-    if (done_ == kTellsDeepTexels) dropDeepTexels();
+    asked_ += std::uint64_t{count} * texelsOf(model);
+    *behind += static_cast<int>(count);
+    if (done < kTellsDeepTexels && directionsDone() == kTellsDeepTexels) dropDeepTexels();
 }
 
 /// Takes the texels off the list that no direction has lit so far, and moves the others up.

@@ -34,7 +34,8 @@ public:
     Bake(const gpu::Device& device, gpu::Executor& executor, const passes::SceneBuffers& scene,
          const Representation& representation, const BakeOptions& options, const FinishedOcclusion& finished);
 
-    /// Renders the depth maps of the next directions, at most one batch, and adds them up.
+    /// Renders the depth maps of the next directions, at most one batch, and adds them up; those of one model, where
+    /// models do not occlude each other: of that which is farthest behind.
     /// @param most  directions at most
     void step(gpu::Executor& executor, std::uint32_t most = DepthMaps::kMostPerBatch);
     /// Sums -> atlas, for the directions done so far.
@@ -45,8 +46,13 @@ public:
     vk::BufferView cells() const { return *cellTexels_; }
     const OcclusionLayout& layout() const { return layout_; }
     const DepthMaps& maps() const { return maps_; }
-    int directionsDone() const { return done_; }
+    /// Those that every model has had.
+    int directionsDone() const;
     int directions() const { return static_cast<int>(directions_.size()); }
+    /// Directions of all models together: those that were taken, and all that there are.
+    std::uint64_t mapsDone() const;
+    std::uint64_t mapsInAll() const { return doneOf_.size() * directions_.size(); }
+    bool complete() const { return mapsDone() == mapsInAll(); }
     std::uint64_t bytes() const;
     std::size_t texels() const { return texelCount_; }
     /// Texels times directions that were asked so far: the bake's work.
@@ -68,9 +74,10 @@ private:
     float spreadOfTaps() const;
     void dropDeepTexels();
     void makeCells(std::span<const std::uint8_t> texels);
-    void recordAccumulation(gpu::PassContext& context, graph::Image maps, std::uint32_t batch);
+    void recordAccumulation(gpu::PassContext& context, graph::Image maps, std::uint32_t batch, std::uint32_t model);
     vk::DescriptorSet accumulationSet(gpu::PassContext& context, graph::Image maps, std::uint32_t group);
-    void writeDirections(std::span<const glm::dmat3> frames);
+    void writeDirections(std::span<const glm::dmat3> frames, int first);
+    std::size_t texelsOf(std::uint32_t model) const;
 
     const gpu::Device& device_;
     const passes::SceneBuffers& scene_;
@@ -81,7 +88,7 @@ private:
     std::size_t texelCount_ = 0, wordCount_ = 0;  // of the list, of the atlas
     std::vector<std::uint32_t> firstOfSphere_;
     std::vector<bool> seenSpheres_;
-    int done_ = 0;
+    std::vector<int> doneOf_;  // directions, by model
     std::uint64_t asked_ = 0;
     gpu::Buffer batchDirections_, list_, sums_, words_, bytes_;
     gpu::Image atlas_;

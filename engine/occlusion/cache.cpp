@@ -90,6 +90,8 @@ std::string occlusionCacheName(const Representation& representation, std::string
     hash.add(representation.cylinders.data(), representation.cylinders.size() * sizeof(Cylinder));
     hash.add(std::bit_cast<std::uint64_t>(representation.radius));
     addCopies(hash, representation.copies);
+    for (const auto* runs : {&representation.sphereModels, &representation.cylinderModels})
+        for (const ModelRun& run : *runs) hash.add(run.first).add(run.count).add(run.model);
     const XXH128_canonical_t result = hash.result();
     std::string name(kPrefix);
     for (const unsigned char byte : result.digest) {

@@ -17,44 +17,75 @@ std::vector<glm::dmat4x3> picked(const Copies& copies, const std::vector<std::ui
     return transforms;
 }
 
-/// The entries whose texels lie from one linear index up to another.
-OcclusionCopies::Run entries(std::span<const std::uint32_t> texels, std::uint64_t from, std::uint64_t to,
-                             bool cylinders, std::uint32_t group) {
-    const auto at = [&](std::uint64_t texel) {
-        return static_cast<std::size_t>(std::lower_bound(texels.begin(), texels.end(), texel) - texels.begin());
-    };
-    return {at(from), at(to) - at(from), cylinders, group};
-}
+/// One kind of primitives, and where their texels lie.
+struct Kind {
+    const std::vector<PrimitiveRun>& copies;
+    const std::vector<ModelRun>& models;
+    std::size_t count;
+    std::uint64_t firstTexel, texelsEach;
+    bool cylinders;
+};
+
+/// The entries of a list of texels, for each list of copies and each model of a kind.
+class Runs {
+public:
+    Runs(std::span<const std::uint32_t> texels, std::vector<OcclusionCopies::Run>& runs)
+        : texels_(texels), runs_(runs) {}
+
+    /// @param groups  whether each list of copies has a group of its own
+    void add(const Kind& kind, bool groups) {
+        if (!groups) return addModels(kind, 0, kind.count, 0);
+        for (const PrimitiveRun& run : kind.copies) addModels(kind, run.first, run.first + run.count, run.list);
+    }
+
+private:
+    void addModels(const Kind& kind, std::uint64_t begin, std::uint64_t end, std::uint32_t group) {
+        if (kind.models.empty()) return addRun(kind, begin, end, group, 0);
+        for (const ModelRun& model : kind.models) {
+            const std::uint64_t from = std::max<std::uint64_t>(begin, model.first);
+            const std::uint64_t to = std::min(end, std::uint64_t{model.first} + model.count);
+            if (from < to) addRun(kind, from, to, group, model.model);
+        }
+    }
+    void addRun(const Kind& kind, std::uint64_t begin, std::uint64_t end, std::uint32_t group, std::uint32_t model) {
+        const auto at = [&](std::uint64_t primitive) {
+            const std::uint64_t texel = kind.firstTexel + primitive * kind.texelsEach;
+            return static_cast<std::size_t>(std::lower_bound(texels_.begin(), texels_.end(), texel) - texels_.begin());
+        };
+        runs_.push_back({at(begin), at(end) - at(begin), kind.cylinders, group, model});
+    }
+
+    std::span<const std::uint32_t> texels_;
+    std::vector<OcclusionCopies::Run>& runs_;
+};
 
 }  // namespace
 
 OcclusionCopies occlusionCopies(const Representation& r, const OcclusionLayout& layout,
-                                std::span<const std::uint32_t> texels, std::size_t sphereTexels) {
+                                std::span<const std::uint32_t> texels) {
     OcclusionCopies result;
     const Copies& copies = r.copies;
     std::set<std::uint32_t> lists;
     for (const auto* runs : {&copies.spheres, &copies.cylinders})
         for (const PrimitiveRun& run : *runs) lists.insert(run.list);
-    if (lists.size() <= 1) {
-        if (lists.empty()) result.groups = {{glm::dmat4x3(1.0)}};
-        for (const std::uint32_t list : lists)
-            result.groups = {picked(copies, representativeCopies(copies.transforms, copies.lists[list], r.radius))};
-        result.runs = {{0, sphereTexels, false, 0}, {sphereTexels, texels.size() - sphereTexels, true, 0}};
-        return result;
-    }
-    if (copies.lists.size() > kMostGroups)
+    const bool groups = lists.size() > 1;
+    if (lists.empty()) {
+        result.groups = {{glm::dmat4x3(1.0)}};
+    } else if (!groups) {
+        const std::vector<std::uint32_t>& list = copies.lists[*lists.begin()];
+        result.groups = {picked(copies, representativeCopies(copies.transforms, list, r.radius))};
+    } else if (copies.lists.size() > kMostGroups) {
         throw Error("cannot bake ambient occlusion", "",
                     "the assembly has more than " + std::to_string(kMostGroups) +
                         " parts with copies of their own (render with --occlusion off)");
-    for (const std::vector<std::uint32_t>& list : copies.lists) result.groups.push_back(picked(copies, list));
-    const auto add = [&](const std::vector<PrimitiveRun>& runs, std::uint64_t base, std::uint64_t each,
-                         bool cylinders) {
-        for (const PrimitiveRun& run : runs)
-            result.runs.push_back(
-                entries(texels, base + run.first * each, base + (run.first + run.count) * each, cylinders, run.list));
-    };
-    add(copies.spheres, 0, std::uint64_t{layout.sphereEdge} * layout.sphereEdge, false);
-    add(copies.cylinders, layout.sphereTexels(), std::uint64_t{layout.around} * layout.along, true);
+    } else {
+        for (const std::vector<std::uint32_t>& list : copies.lists) result.groups.push_back(picked(copies, list));
+    }
+    Runs runs(texels, result.runs);
+    const std::uint64_t ofSphere = std::uint64_t{layout.sphereEdge} * layout.sphereEdge;
+    runs.add({copies.spheres, r.sphereModels, r.spheres.size(), 0, ofSphere, false}, groups);
+    const std::uint64_t ofCylinder = std::uint64_t{layout.around} * layout.along;
+    runs.add({copies.cylinders, r.cylinderModels, r.cylinders.size(), layout.sphereTexels(), ofCylinder, true}, groups);
     return result;
 }
 

@@ -18,16 +18,17 @@ struct OcclusionCopies {
         std::size_t first = 0, count = 0;
         bool cylinders = false;
         std::uint32_t group = 0;
+        std::uint32_t model = 0;
     };
     /// Places that direction after direction takes in turn, so that a patch shows their mean. Copies that see the same
     /// as another one are left out, where all primitives have the same copies: of a capsid's sixty one is left.
     std::vector<std::vector<glm::dmat4x3>> groups;
-    std::vector<Run> runs;
+    std::vector<Run> runs;  ///< one model after the other within each list of copies
 };
 
-/// @param texels  in linear order, as OpenTexels has them; the first `sphereTexels` belong to spheres
+/// @param texels  in linear order, as OpenTexels has them
 /// @throws Error if more than 100 parts of the assembly have copies of their own
 OcclusionCopies occlusionCopies(const Representation& representation, const OcclusionLayout& layout,
-                                std::span<const std::uint32_t> texels, std::size_t sphereTexels);
+                                std::span<const std::uint32_t> texels);
 
 }  // namespace nacre

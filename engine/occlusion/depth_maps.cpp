@@ -30,6 +30,19 @@ std::uint32_t bytesPerPixel(OcclusionMaps path, const graph::EncodedFormat& enco
     }
 }
 
+/// Those parts of calls that lie in a model's runs.
+std::vector<passes::PlacedCopies::Call> within(const std::vector<passes::PlacedCopies::Call>& calls,
+                                               const std::vector<ModelRun>& runs) {
+    std::vector<passes::PlacedCopies::Call> parts;
+    for (const passes::PlacedCopies::Call& call : calls)
+        for (const ModelRun& run : runs) {
+            const std::uint32_t first = std::max(call.first, run.first);
+            const std::uint32_t end = std::min(call.first + call.count, run.first + run.count);
+            if (first < end) parts.push_back({call.copy, first, end - first});
+        }
+    return parts;
+}
+
 /// Pixels per Å that the primitives want on the average.
 double wantedResolution(const Representation& r) {
     double sum = 0;
@@ -43,6 +56,15 @@ double wantedResolution(const Representation& r) {
 DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
                      OcclusionMaps path, std::uint64_t budgetBytes, std::uint32_t detail)
     : device_(device), scene_(scene), representation_(representation), path_(path), radius_(representation.radius) {
+    const auto dealOut = [&](const std::vector<ModelRun>& runs, std::vector<ModelRun> Runs::*kind) {
+        for (const ModelRun& run : runs) {
+            if (run.model >= runs_.size()) runs_.resize(run.model + 1);
+            (runs_[run.model].*kind).push_back(run);
+        }
+    };
+    dealOut(representation.sphereModels, &Runs::spheres);
+    dealOut(representation.cylinderModels, &Runs::cylinders);
+    if (runs_.empty()) runs_.emplace_back();
     double sum = 0;
     for (const Sphere& s : representation.spheres) sum += s.radius;
     meanRadius_ = sum / static_cast<double>(std::max<std::size_t>(representation.spheres.size(), 1));
@@ -84,8 +106,18 @@ layout::ViewConstants DepthMaps::constants(const glm::dmat3& frame, std::uint32_
     return passes::viewConstants(view(frame), device_.caps().snapPixels, x + pixels_ / 2.0, y + pixels_ / 2.0);
 }
 
+/// What one map of a model shows.
+passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t model) const {
+    passes::PlacedCopies all = passes::placeCopies(representation_, view(frame));
+    if (runs_.size() == 1) return all;
+    all.spheres = within(all.spheres, runs_[model].spheres);
+    all.cylinders = within(all.cylinders, runs_[model].cylinders);
+    return all;
+}
+
 template <typename Pass>
-graph::Record DepthMaps::eachMap(std::span<const glm::dmat3> frames, std::uint32_t across, Pass&& pass) const {
+graph::Record DepthMaps::eachMap(std::span<const glm::dmat3> frames, std::uint32_t across, std::uint32_t model,
+                                 Pass&& pass) const {
     return [=, this](gpu::PassContext& c) {
         const auto side = static_cast<float>(pixels_);
         for (std::uint32_t i = 0; i < frames.size(); ++i) {
@@ -94,7 +126,7 @@ graph::Record DepthMaps::eachMap(std::span<const glm::dmat3> frames, std::uint32
             c.commands.setScissor(0, vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {pixels_, pixels_}));
             passes::SceneView scene;
             scene.buffers = &scene_;
-            scene.copies = passes::placeCopies(representation_, view(frames[i]));
+            scene.copies = placed(frames[i], model);
             scene.radiusPixels = meanRadius_ * pixels_ / (2.0 * radius_);
             scene.constants = constants(frames[i], i, across);
             scene.wholeImage = false;
@@ -104,25 +136,26 @@ graph::Record DepthMaps::eachMap(std::span<const glm::dmat3> frames, std::uint32
 }
 
 /// The views of a batch: all maps of the first copy, then all of the next one.
-/// @returns the calls, the same for every map since each shows the whole molecule
-passes::PlacedCopies DepthMaps::writeViews(std::span<const glm::dmat3> frames, std::uint32_t across) const {
+/// @returns the calls, the same for every map since each shows the whole model
+passes::PlacedCopies DepthMaps::writeViews(std::span<const glm::dmat3> frames, std::uint32_t across,
+                                           std::uint32_t model) const {
     auto* views = reinterpret_cast<layout::ViewConstants*>(views_.mapped);
-    passes::PlacedCopies placed;
+    passes::PlacedCopies shown;
     for (std::uint32_t i = 0; i < frames.size(); ++i) {
-        placed = passes::placeCopies(representation_, view(frames[i]));
+        shown = placed(frames[i], model);
         layout::ViewConstants c = constants(frames[i], i, across);
-        for (std::size_t copy = 0; 3 * copy < placed.rows.size(); ++copy) {
-            c.row0 = placed.rows[3 * copy];
-            c.row1 = placed.rows[3 * copy + 1];
-            c.row2 = placed.rows[3 * copy + 2];
+        for (std::size_t copy = 0; 3 * copy < shown.rows.size(); ++copy) {
+            c.row0 = shown.rows[3 * copy];
+            c.row1 = shown.rows[3 * copy + 1];
+            c.row2 = shown.rows[3 * copy + 2];
             views[copy * frames.size() + i] = c;
         }
     }
-    return placed;
+    return shown;
 }
 
 void DepthMaps::recordSplat(gpu::PassContext& context, graph::Buffer maps, std::span<const glm::dmat3> frames,
-                            std::uint32_t across) const {
+                            std::uint32_t across, std::uint32_t model) const {
     const vk::DescriptorSet set = context.descriptors.allocate(splatLayout(context).set, "depth map splats");
     const vk::DescriptorBufferInfo infos[] = {{*scene_.shapes.handle, 0, VK_WHOLE_SIZE},
                                               {*views_.handle, 0, VK_WHOLE_SIZE},
@@ -132,7 +165,7 @@ void DepthMaps::recordSplat(gpu::PassContext& context, graph::Buffer maps, std::
             vk::WriteDescriptorSet(set, i, 0, vk::DescriptorType::eStorageBuffer, {}, infos[i]), {});
     const vk::PipelineLayout pipelineLayout = *splatLayout(context).pipeline;
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, pipelineLayout, 0, set, {});
-    const passes::PlacedCopies placed = writeViews(frames, across);
+    const passes::PlacedCopies shown = writeViews(frames, across, model);
     const auto mapCount = static_cast<std::uint32_t>(frames.size());
     constexpr std::uint32_t kMost = 65535 * kGroup;  // the floor allows 65,535 workgroups a dispatch
     const auto splat = [&](const std::vector<passes::PlacedCopies::Call>& calls, bool cylinders) {
@@ -147,12 +180,12 @@ void DepthMaps::recordSplat(gpu::PassContext& context, graph::Buffer maps, std::
                 context.commands.dispatch((c.end - c.first + kGroup - 1) / kGroup, mapCount, 1);
             }
     };
-    splat(placed.spheres, false);
-    splat(placed.cylinders, true);
+    splat(shown.spheres, false);
+    splat(shown.cylinders, true);
 }
 
 graph::Image DepthMaps::declare(graph::Graph& g, gpu::Imports& imports, std::span<const glm::dmat3> frames,
-                                std::uint32_t batch) {
+                                std::uint32_t batch, std::uint32_t model) {
     using graph::Clear;
     const std::uint32_t across = mapsAcross(batch);
     const graph::Extent extent{pixels_ * across, pixels_ * across};
@@ -165,7 +198,7 @@ graph::Image DepthMaps::declare(graph::Graph& g, gpu::Imports& imports, std::spa
             c.commands.fillBuffer(c.buffer(splats), 0, used, 0x3f800000);  // 1.0f
         });
         g.compute("depth splatting").writes(splats).record([=, this](gpu::PassContext& c) {
-            recordSplat(c, splats, frames, across);
+            recordSplat(c, splats, frames, across, model);
         });
         g.transfer("depth maps to texture").copiesFrom(splats).copiesTo(maps).record([=](gpu::PassContext& c) {
             const vk::BufferImageCopy all(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {},
@@ -175,9 +208,9 @@ graph::Image DepthMaps::declare(graph::Graph& g, gpu::Imports& imports, std::spa
         return maps;
     }
     const auto depth = g.image("depth maps' hardware depth", {VK_FORMAT_D32_SFLOAT, extent});
-    g.graphics("opaque prepass").depth(depth, Clear{1.0f}).record(eachMap(frames, across, passes::drawPlates));
+    g.graphics("opaque prepass").depth(depth, Clear{1.0f}).record(eachMap(frames, across, model, passes::drawPlates));
     if (path_ == OcclusionMaps::fragdepth) {
-        g.graphics("nearest depth").depth(depth).record(eachMap(frames, across, passes::drawNearestDepth));
+        g.graphics("nearest depth").depth(depth).record(eachMap(frames, across, model, passes::drawNearestDepth));
         return depth;
     }
     const graph::EncodedFormat& encoded = device_.caps().encoded;
@@ -185,7 +218,7 @@ graph::Image DepthMaps::declare(graph::Graph& g, gpu::Imports& imports, std::spa
     g.graphics("depth encoding")
         .depthTest(depth)
         .color(maps, Clear{encoded.farthest})
-        .record(eachMap(frames, across, [encoding = passes::Encoding(encoded)](auto& c, const auto& scene) {
+        .record(eachMap(frames, across, model, [encoding = passes::Encoding(encoded)](auto& c, const auto& scene) {
             passes::encodeDepth(c, scene, encoding);
         }));
     return maps;

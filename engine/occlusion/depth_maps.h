@@ -28,10 +28,13 @@ public:
     std::uint32_t pixels() const { return pixels_; }
     std::uint64_t bytes() const;
 
-    /// Declares the passes that draw a batch, all rotations of `frames`, at most `batch` (1, 4 or 16).
+    /// Models that do not occlude each other, each with maps of its own; 1: all that is drawn is on every map.
+    std::uint32_t models() const { return static_cast<std::uint32_t>(runs_.size()); }
+
+    /// Declares the passes that draw a batch of a model, all rotations of `frames`, at most `batch` (1, 4 or 16).
     /// @param frames  kept until the graph has run
     graph::Image declare(graph::Graph& g, gpu::Imports& imports, std::span<const glm::dmat3> frames,
-                         std::uint32_t batch);
+                         std::uint32_t batch, std::uint32_t model);
     /// Whether the maps hold encoded depth, not depth itself.
     bool encoded() const { return path_ == OcclusionMaps::encoded; }
     /// Drops the memory of the maps.
@@ -40,13 +43,20 @@ public:
     View view(const glm::dmat3& frame) const;
 
 private:
+    /// What is drawn of a model.
+    struct Runs {
+        std::vector<ModelRun> spheres, cylinders;
+    };
+    passes::PlacedCopies placed(const glm::dmat3& frame, std::uint32_t model) const;
     layout::ViewConstants constants(const glm::dmat3& frame, std::uint32_t i, std::uint32_t across) const;
     /// Draws every map of a batch by a pass over the scene.
     template <typename Pass>
-    graph::Record eachMap(std::span<const glm::dmat3> frames, std::uint32_t across, Pass&& pass) const;
-    passes::PlacedCopies writeViews(std::span<const glm::dmat3> frames, std::uint32_t across) const;
+    graph::Record eachMap(std::span<const glm::dmat3> frames, std::uint32_t across, std::uint32_t model,
+                          Pass&& pass) const;
+    passes::PlacedCopies writeViews(std::span<const glm::dmat3> frames, std::uint32_t across,
+                                    std::uint32_t model) const;
     void recordSplat(gpu::PassContext& context, graph::Buffer maps, std::span<const glm::dmat3> frames,
-                     std::uint32_t across) const;
+                     std::uint32_t across, std::uint32_t model) const;
 
     const gpu::Device& device_;
     const passes::SceneBuffers& scene_;
@@ -54,6 +64,7 @@ private:
     OcclusionMaps path_;
     double radius_, meanRadius_ = 0;
     std::uint32_t pixels_ = 0, perBatch_ = 1;
+    std::vector<Runs> runs_;  // by model
     gpu::Buffer splats_, views_;
 };
 

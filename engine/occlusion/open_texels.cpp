@@ -96,12 +96,7 @@ std::span<const glm::ivec2> nearSteps() {
 class Finder {
 public:
     Finder(const OcclusionLayout& layout, const Representation& r, const PrimitiveTree& tree)
-        : layout_(layout), r_(r), tree_(tree), normals_(octahedralNormals(layout.sphereEdge)) {
-        // What has other copies is somewhere else in the assembly.
-        if (r.copies.spheres.size() + r.copies.cylinders.size() <= 1) return;
-        for (const auto* runs : {&r.copies.spheres, &r.copies.cylinders})
-            for (const PrimitiveRun& run : *runs) lists_.insert(lists_.end(), run.count, run.list);
-    }
+        : layout_(layout), r_(r), tree_(tree), normals_(octahedralNormals(layout.sphereEdge)) {}
 
     void sphere(std::uint32_t i) {
         const Sphere& s = r_.spheres[i];
@@ -140,7 +135,7 @@ private:
     void collect(std::uint32_t self) {
         around_.clear();
         tree_.near(self, [&](std::uint32_t item) {
-            if (lists_.empty() || lists_[item] == lists_[self]) around_.push_back(item);
+            around_.push_back(item);
             return around_.size() < kMostNeighbours;
         });
         last_ = 0;
@@ -213,7 +208,6 @@ private:
     std::vector<std::uint32_t> around_;
     std::vector<std::uint16_t> entries_;  // of the patch: less base_, or kBuried
     std::uint32_t base_ = 0;
-    std::vector<std::uint32_t> lists_;  ///< of copies, by primitive; empty if all have the same
     std::size_t last_ = 0;
 };
 

@@ -12,6 +12,24 @@ namespace {
 
 constexpr std::uint32_t kLeafSize = 8;
 
+/// For each primitive a number that those have in common which may come near each other; empty if all may.
+std::vector<std::uint64_t> companies(const Representation& r) {
+    const bool lists = r.copies.spheres.size() + r.copies.cylinders.size() > 1;
+    if (!lists && r.sphereModels.empty()) return {};
+    std::vector<std::uint64_t> companies(r.spheres.size() + r.cylinders.size(), 0);
+    const auto add = [&](std::size_t base, const auto& runs, const auto& numberOf) {
+        for (const auto& run : runs)
+            for (std::uint32_t i = 0; i < run.count; ++i) companies[base + run.first + i] += numberOf(run);
+    };
+    const auto list = [](const PrimitiveRun& run) { return std::uint64_t{run.list} << 32; };
+    const auto model = [](const ModelRun& run) { return std::uint64_t{run.model}; };
+    add(0, r.copies.spheres, list);
+    add(r.spheres.size(), r.copies.cylinders, list);
+    add(0, r.sphereModels, model);
+    add(r.spheres.size(), r.cylinderModels, model);
+    return companies;
+}
+
 float finite(float value) { return std::isfinite(value) ? value : 0.0f; }
 
 }  // namespace
@@ -28,7 +46,22 @@ PrimitiveTree::PrimitiveTree(const Representation& r) {
     items_.resize(balls_.size());
     std::iota(items_.begin(), items_.end(), 0u);
     nodes_.reserve(balls_.size() / 2 + 1);
-    build(0, static_cast<std::uint32_t>(balls_.size()));
+    const auto count = static_cast<std::uint32_t>(balls_.size());
+    const std::vector<std::uint64_t> company = companies(r);
+    if (company.empty()) {
+        build(0, count);
+        return;
+    }
+    std::stable_sort(items_.begin(), items_.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return company[a] < company[b]; });
+    roots_.resize(count);
+    for (std::uint32_t begin = 0, end = 0; begin < count; begin = end) {
+        const std::uint64_t of = company[items_[begin]];
+        while (end < count && company[items_[end]] == of) ++end;
+        const std::vector<std::uint32_t> members(items_.begin() + begin, items_.begin() + end);
+        const std::uint32_t root = build(begin, end);
+        for (const std::uint32_t item : members) roots_[item] = root;
+    }
 }
 
 std::uint32_t PrimitiveTree::build(std::uint32_t begin, std::uint32_t end) {

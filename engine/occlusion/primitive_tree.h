@@ -10,8 +10,10 @@
 namespace nacre {
 
 /// Boxes about halves of halves of the spheres (numbered from 0) and cylinders (numbered on from the number of
-/// spheres): which of them come near another one. A grid would do for what matter looks like, but not where all atoms
-/// stand at one point, one of them a billion Å away, or a bond leads there: its cells fill up.
+/// spheres): which of them come near another one. What has other copies is somewhere else in the assembly, and another
+/// model, where models do not occlude each other, is not there: each has a tree of its own. A grid would do for what
+/// matter looks like, but not where all atoms stand at one point, one of them a billion Å away, or a bond leads there:
+/// its cells fill up.
 class PrimitiveTree {
 public:
     /// n log n in the number of primitives, wherever they are; a coordinate that is no number counts as 0.
@@ -24,7 +26,7 @@ public:
         const Ball mine = balls_[self];
         std::array<std::uint32_t, 64> waiting;  // a tree over 2^32 balls is 30 deep
         std::size_t count = 0;
-        waiting[count++] = 0;
+        waiting[count++] = roots_.empty() ? 0 : roots_[self];
         while (count > 0) {
             const std::uint32_t at = waiting[--count];
             const Node& node = nodes_[at];
@@ -65,6 +67,7 @@ private:
     std::vector<Ball> balls_;
     std::vector<std::uint32_t> items_;  ///< primitives in the order of the tree
     std::vector<Node> nodes_;
+    std::vector<std::uint32_t> roots_;  ///< by primitive; empty: all are in one tree
 };
 
 }  // namespace nacre

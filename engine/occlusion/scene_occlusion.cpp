@@ -108,7 +108,7 @@ void SceneOcclusion::show(Clock::time_point start) {
     bake_->finish(executor_);
     stats_.occlusion.done = bake_->directionsDone();
     stats_.occlusion.asked = bake_->asked();
-    if (bake_->directionsDone() == bake_->directions()) {
+    if (bake_->complete()) {
         executor_.forget("occlusion");
         std::vector<std::uint8_t> atlas;
         if (cache_.on()) atlas = bake_->atlasTexels();
@@ -129,37 +129,36 @@ passes::Atlas SceneOcclusion::atlas() const {
 }
 
 double SceneOcclusion::share() const {
-    return bake_ ? static_cast<double>(bake_->directionsDone()) / bake_->directions() : 1;
+    return bake_ ? static_cast<double>(bake_->mapsDone()) / static_cast<double>(bake_->mapsInAll()) : 1;
 }
 
 void SceneOcclusion::advance(double milliseconds) {
     if (!bake_) return;
     orDrop([&] {
         const auto start = Clock::now();
-        const int before = bake_->directionsDone();
-        while (bake_->directionsDone() < bake_->directions()) {
+        const std::uint64_t before = bake_->mapsDone();
+        while (!bake_->complete()) {
             const double left = milliseconds - millisecondsSince(start);
-            const int done = bake_->directionsDone();
+            const std::uint64_t done = bake_->mapsDone();
             if (done > before && left < directionMilliseconds_) break;
             // As many as fit the time that is left, by what the last ones took.
             const double fit = directionMilliseconds_ > 0 ? left / directionMilliseconds_ : 1;
             const auto stepStart = Clock::now();
             bake_->step(executor_, static_cast<std::uint32_t>(std::clamp(fit, 1.0, 16.0)));
-            directionMilliseconds_ = millisecondsSince(stepStart) / (bake_->directionsDone() - done);
+            directionMilliseconds_ = millisecondsSince(stepStart) / static_cast<double>(bake_->mapsDone() - done);
         }
-        if (bake_->directionsDone() > before) show(start);
+        if (bake_->mapsDone() > before) show(start);
     });
 }
 
 void SceneOcclusion::finish(const OcclusionSettings& settings) {
     begin(settings);
-    if (settings.directions == 0 || !bake_ || bake_->directionsDone() == bake_->directions()) return;
+    if (settings.directions == 0 || !bake_ || bake_->complete()) return;
     orDrop([&] {
         const auto start = Clock::now();
-        while (bake_->directionsDone() < bake_->directions()) {
+        while (!bake_->complete()) {
             bake_->step(executor_);
-            if (settings.onProgress)
-                settings.onProgress(static_cast<double>(bake_->directionsDone()) / bake_->directions());
+            if (settings.onProgress) settings.onProgress(share());
         }
         show(start);
     });

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "engine/molecule/element.h"
+
 namespace nacre {
 namespace {
 
-constexpr std::size_t kFewAtoms = 100;  // under this a molecule with bonds reads best as ball-and-stick
+constexpr std::size_t kFewDrawn = 100;  // under this a molecule with bonds reads best as ball-and-stick
+constexpr float kBallShare = 0.25f;     // of the van der Waals radius, ball-and-stick
 constexpr std::uint32_t kBase = 0;      // the style and colour for all; rule i is i + 1
 
 /// Which rule settles each drawn atom's style and colour.
@@ -84,11 +87,12 @@ Appearance appearanceOf(const Molecule& molecule, std::span<const std::uint32_t>
         slotsOfColoring[settled.color[i]].push_back(static_cast<std::uint32_t>(appearance.atoms.size()));
         appearance.atoms.push_back(drawn[i]);
     }
-    const Style base = options.style.value_or(defaultStyle(molecule, appearance.atoms));
+    appearance.style = options.style.value_or(defaultStyle(molecule, appearance.atoms));
     appearance.styles.reserve(appearance.atoms.size());
     for (std::size_t i = 0; i < drawn.size(); ++i)
         if (!settled.hidden[i])
-            appearance.styles.push_back(settled.style[i] == kBase ? base : rules[settled.style[i] - 1].style);
+            appearance.styles.push_back(settled.style[i] == kBase ? appearance.style
+                                                                  : rules[settled.style[i] - 1].style);
     appearance.colors.resize(appearance.atoms.size());
     appearance.byCopy.resize(appearance.atoms.size());
     for (std::size_t i = 0; i < slotsOfColoring.size(); ++i) {
@@ -100,8 +104,20 @@ Appearance appearanceOf(const Molecule& molecule, std::span<const std::uint32_t>
     return appearance;
 }
 
+float drawnRadius(Element element, Style style) {
+    switch (style) {
+        case Style::ballAndStick:
+            return kBallShare * vanDerWaalsRadius(element);
+        case Style::licorice:
+            return kLicoriceRadius;
+        case Style::spacefill:
+            break;
+    }
+    return vanDerWaalsRadius(element);
+}
+
 Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn) {
-    if (drawn.size() >= kFewAtoms) return Style::spacefill;
+    if (drawn.size() >= kFewDrawn) return Style::spacefill;
     const auto isDrawn = [&](std::uint32_t atom) { return std::binary_search(drawn.begin(), drawn.end(), atom); };
     const bool bonded = std::any_of(molecule.bonds.begin(), molecule.bonds.end(), [&](const Bond& bond) {
         return isDrawn(bond.a) && isDrawn(bond.b) && molecule.atoms[bond.a].position != molecule.atoms[bond.b].position;

@@ -35,6 +35,8 @@ struct RepresentationOptions {
     std::vector<Rule> rules = {};
     std::string assembly = {};             ///< identifier of one that the file states; empty: its atoms as they are
     Palette palette = Palette::automatic;  ///< of the schemes that have one and name none, where it is of their kind
+    bool ownFrame = false;                 ///< the camera is this model's own, not one for all models of its file
+    bool modelsOcclude = false;            ///< models that are drawn together darken each other
     friend bool operator==(const RepresentationOptions&, const RepresentationOptions&) = default;
 };
 
@@ -49,6 +51,7 @@ struct Legend {
 
 struct Appearance {
     std::vector<std::uint32_t> atoms;  ///< those that are seen, ascending
+    Style style = Style::spacefill;    ///< of those that no rule gives one
     std::vector<Style> styles;         ///< same length as atoms
     std::vector<std::uint32_t> colors;
     std::vector<bool> byCopy;           ///< same length as atoms: its colour is that of its copy
@@ -60,6 +63,10 @@ struct Appearance {
 /// @param drawn  indices of drawn atoms (drawn_atoms.h), ascending
 Appearance appearanceOf(const Molecule& molecule, std::span<const std::uint32_t> drawn,
                         const RepresentationOptions& options);
+
+constexpr float kLicoriceRadius = 0.25f;  ///< Å, of atoms and bonds
+/// Of an atom's sphere, Å.
+float drawnRadius(Element element, Style style);
 
 /// The style where none is asked for: ball-and-stick under 100 drawn atoms with bonds, else spacefill.
 Style defaultStyle(const Molecule& molecule, std::span<const std::uint32_t> drawn);

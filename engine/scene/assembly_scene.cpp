@@ -160,23 +160,25 @@ std::size_t AssemblyScene::countCopies(std::span<const std::uint32_t> atoms) con
     return count;
 }
 
+void AssemblyScene::eachBall(const Appearance& appearance, std::span<const glm::dvec4> balls,
+                             const std::function<void(const glm::dvec3&, double)>& visit) const {
+    eachRun(
+        balls.size(), [&](std::size_t i) { return listOf(appearance.atoms[i]); },
+        [&](std::uint32_t list, std::size_t first, std::size_t count) {
+            for (const std::uint32_t copy : placement_.lists[list]) {
+                const glm::dmat4x3& transform = placement_.transforms[copy];
+                for (const glm::dvec4& ball : balls.subspan(first, count))
+                    visit(transform * glm::dvec4(glm::dvec3(ball), 1.0), ball.w);
+            }
+        });
+}
+
 Bounds AssemblyScene::bounds(const Appearance& appearance, std::span<const glm::dvec4> balls) const {
     checkNumber(balls.size());
-    const auto each = [&](const auto& visit) {
-        eachRun(
-            balls.size(), [&](std::size_t i) { return listOf(appearance.atoms[i]); },
-            [&](std::uint32_t list, std::size_t first, std::size_t count) {
-                for (const std::uint32_t copy : placement_.lists[list]) {
-                    const glm::dmat4x3& transform = placement_.transforms[copy];
-                    for (const glm::dvec4& ball : balls.subspan(first, count))
-                        visit(transform * glm::dvec4(glm::dvec3(ball), 1.0), ball.w);
-                }
-            });
-    };
     Box box;
-    each([&](const glm::dvec3& center, double) { box.add(center); });
+    eachBall(appearance, balls, [&](const glm::dvec3& center, double) { box.add(center); });
     Bounds bounds{box.center(), 0};
-    each([&](const glm::dvec3& center, double radius) {
+    eachBall(appearance, balls, [&](const glm::dvec3& center, double radius) {
         bounds.radius = std::max(bounds.radius, glm::length(center - bounds.center) + radius);
     });
     return bounds;

@@ -2,6 +2,7 @@
 // What an assembly changes in making a representation. Used by representation.cpp.
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec4.hpp>
 #include <map>
 #include <span>
@@ -28,6 +29,9 @@ public:
     void sortByCopies(Appearance& appearance) const;
     /// The same for bonds, less those whose atoms are never drawn together.
     void sortByCopies(std::vector<Bond>& bonds);
+    /// Visits the balls (centre and radius in the file's frame) of sorted atoms, in all their copies.
+    void eachBall(const Appearance& appearance, std::span<const glm::dvec4> balls,
+                  const std::function<void(const glm::dvec3&, double)>& visit) const;
     /// Of the balls (centre and radius in the file's frame) in the order of sorted atoms, in all their copies.
     /// @throws Error if they are too many
     Bounds bounds(const Appearance& appearance, std::span<const glm::dvec4> balls) const;

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <optional>
 
@@ -18,22 +19,8 @@
 namespace nacre {
 namespace {
 
-constexpr float kBallShare = 0.25f;       // of the van der Waals radius, ball-and-stick
-constexpr float kLicoriceRadius = 0.25f;  // Å, atoms and bonds
-constexpr double kShortestBond = 1e-3;    // Å; below it the ends coincide and there is no direction to draw
+constexpr double kShortestBond = 1e-3;  // Å; below it the ends coincide and there is no direction to draw
 constexpr std::uint32_t kNotDrawn = std::numeric_limits<std::uint32_t>::max();
-
-float atomRadius(Element element, Style style) {
-    switch (style) {
-        case Style::ballAndStick:
-            return kBallShare * vanDerWaalsRadius(element);
-        case Style::licorice:
-            return kLicoriceRadius;
-        case Style::spacefill:
-            break;
-    }
-    return vanDerWaalsRadius(element);
-}
 
 /// Position of each atom in the list of drawn ones, or kNotDrawn.
 std::vector<std::uint32_t> drawnSlots(const Molecule& molecule, std::span<const std::uint32_t> drawn) {
@@ -102,7 +89,7 @@ void appendAtoms(const Molecule& molecule, const Appearance& appearance, Represe
         const std::uint32_t index = appearance.atoms[i];
         const Atom& atom = molecule.atoms[index];
         const glm::dvec3 position = glm::dvec3(atom.position) - result.center;
-        const float radius = atomRadius(atom.element, appearance.styles[i]);
+        const float radius = drawnRadius(atom.element, appearance.styles[i]);
         result.spheres.push_back({glm::vec3(position), radius});
         result.sphereLooks.push_back({appearance.colors[i], index + 1});
     }
@@ -187,10 +174,40 @@ void addBonds(const Molecule& molecule, const Appearance& appearance, AssemblySc
     appendBonds(molecule, bonds, around, slots, styles, result);
 }
 
+/// The runs of primitives of one model. @param modelOf  by primitive
+template <typename ModelOf>
+std::vector<ModelRun> modelRuns(std::size_t count, const std::map<int, std::uint32_t>& numbers,
+                                const ModelOf& modelOf) {
+    std::vector<ModelRun> runs;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t model = numbers.at(modelOf(i));
+        if (runs.empty() || runs.back().model != model) runs.push_back({i, 0, model});
+        ++runs.back().count;
+    }
+    return runs;
+}
+
+/// Notes what belongs to which model, if there are several.
+void separateModels(const Molecule& molecule, Representation& result) {
+    const auto modelOf = [&](std::uint32_t atom) {
+        return molecule.chains[molecule.residues[molecule.atoms[atom - 1].residue].chain].model;
+    };
+    std::map<int, std::uint32_t> numbers;
+    for (const SphereLook& look : result.sphereLooks) numbers.emplace(modelOf(look.atom), 0);
+    if (numbers.size() < 2) return;
+    std::uint32_t next = 0;
+    for (auto& [model, number] : numbers) number = next++;
+    result.sphereModels =
+        modelRuns(result.spheres.size(), numbers, [&](std::size_t i) { return modelOf(result.sphereLooks[i].atom); });
+    result.cylinderModels = modelRuns(result.cylinders.size(), numbers,
+                                      [&](std::size_t i) { return modelOf(result.cylinderLooks[i].atomA); });
+}
+
 /// Time goes with how often the picture is covered over and over: a large protein covers it some twenty times, a
-/// hundred models of one some six hundred times. A file of atoms at one point, however small, must not run for hours.
+/// thousand models of a small one three thousand times. A file of atoms at one point, however small, must not run for
+/// hours; at this bound a picture takes lavapipe a minute of processor time, and a bake as much.
 void refuseCrowd(const Representation& r) {
-    constexpr double kMostCovered = 2000;
+    constexpr double kMostCovered = 10'000;
     const auto copiesOf = [&](const PrimitiveRun& run) { return static_cast<double>(r.copies.lists[run.list].size()); };
     const auto area = [](const auto& primitives, std::size_t first, std::size_t count, const auto& areaOf) {
         double sum = 0;
@@ -217,7 +234,7 @@ void refuseCrowd(const Representation& r) {
 }  // namespace
 
 Representation represent(const Molecule& molecule, std::span<const std::uint32_t> drawn,
-                         const RepresentationOptions& options) {
+                         const RepresentationOptions& options, const std::optional<Bounds>& frame) {
     std::optional<AssemblyScene> assembly;
     if (!options.assembly.empty()) {
         assembly.emplace(molecule, options.assembly);
@@ -235,16 +252,17 @@ Representation represent(const Molecule& molecule, std::span<const std::uint32_t
     balls.reserve(appearance.atoms.size());
     for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {
         const Atom& atom = molecule.atoms[appearance.atoms[i]];
-        balls.emplace_back(atom.position, atomRadius(atom.element, appearance.styles[i]));
+        balls.emplace_back(atom.position, drawnRadius(atom.element, appearance.styles[i]));
     }
     Representation result;
-    const Bounds bounds = assembly ? assembly->bounds(appearance, balls) : boundsOf(balls);
+    const Bounds bounds = frame ? *frame : assembly ? assembly->bounds(appearance, balls) : boundsOf(balls);
     result.center = bounds.center;
     result.radius = bounds.radius;
     appendAtoms(molecule, appearance, result);
     result.drawnAtoms = assembly ? assembly->countCopies(appearance.atoms) : appearance.atoms.size();
     addBonds(molecule, appearance, assembly ? &*assembly : nullptr, result);
     if (assembly) assembly->finish(result);
+    if (!options.modelsOcclude && !molecule.modelsAreInputs) separateModels(molecule, result);
     refuseCrowd(result);
     result.legends = std::move(appearance.legends);
     result.warnings = std::move(appearance.warnings);

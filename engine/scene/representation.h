@@ -9,6 +9,7 @@
 
 #include "engine/molecule/molecule.h"
 #include "engine/scene/appearance.h"
+#include "engine/scene/bounds.h"
 #include "engine/scene/copies.h"
 
 namespace nacre {
@@ -36,14 +37,25 @@ struct CylinderLook {
     std::uint32_t atomA, atomB;
 };
 
+/// Neighbouring spheres, or neighbouring cylinders, of one of several models.
+struct ModelRun {
+    std::uint32_t first = 0, count = 0;
+    std::uint32_t model = 0;  ///< from 0
+};
+
 struct Representation {
     std::vector<Sphere> spheres;
     std::vector<SphereLook> sphereLooks;  ///< same length as spheres
     std::vector<Cylinder> cylinders;
     std::vector<CylinderLook> cylinderLooks;  ///< same length as cylinders
     Copies copies;                            ///< of an assembly; relative to center, too
-    glm::dvec3 center{};  ///< middle of the axis-aligned box of the drawn atoms' centres, Å, in the file's frame
-    double radius = 0;    ///< max(|p - center| + r) over drawn spheres, Å
+    /// Models that are drawn together and do not occlude each other, in the order of the primitives; together all of
+    /// them. Empty: whatever is drawn occludes.
+    std::vector<ModelRun> sphereModels, cylinderModels;
+    /// Middle of the axis-aligned box of the drawn atoms' centres, Å, in the file's frame; of those of all models of
+    /// the file, if they share a camera.
+    glm::dvec3 center{};
+    double radius = 0;           ///< max(|p - center| + r) over the same spheres, Å
     std::size_t drawnAtoms = 0;  ///< of all copies
     std::size_t drawnBonds = 0;
     std::vector<Legend> legends;        ///< what the colours mean
@@ -55,10 +67,11 @@ struct Representation {
 /// @param drawn  indices of drawn atoms (drawn_atoms.h), ascending, of which the rules may hide some
 /// Of an assembly, atoms and bonds are stored once, sorted by their copies; a bond is drawn where both its atoms are,
 /// and none joins two copies.
+/// @param frame  the view's center and radius (shared_frame.h), which hold all that is drawn; empty: just that
 /// @throws Error if no atom is left, there is no such assembly, it has 2^32 primitives or more, or they lie over one
-/// another more than 2,000 times
+/// another more than 10,000 times
 Representation represent(const Molecule& molecule, std::span<const std::uint32_t> drawn,
-                         const RepresentationOptions& options);
+                         const RepresentationOptions& options, const std::optional<Bounds>& frame = {});
 
 /// A molecule whose atoms move: chosen, styled and coloured once, as they stand at first, and seen from one place.
 /// Selections by distance hold what they held then.

@@ -136,6 +136,26 @@ TEST(Outputs, QuietKeepsWarningsBackAndErrorsNot) {
     EXPECT_NE(nacreIn(folder, "info none.pdb -q").err, "");
 }
 
+TEST(Outputs, OneCameraIsForAllModelsUnlessAsked) {
+    const TemporaryFolder folder;
+    put(folder / "two.xyz", "2\n\nHe 0 0 0\nNe 2 0 0\n2\n\nHe 10 0 0\nNe 12 0 0\n");
+    const auto centerOf = [&](const std::string& options, const std::string& input = "two.xyz") {
+        const Outcome drawn = nacreIn(folder, "render " + input + " -o a.png --stats s.json " + options + kSmall,
+                                      input == "-" ? "<two.xyz" : "");
+        EXPECT_EQ(drawn.code, 0) << drawn.err;
+        return nlohmann::json::parse(contentOf(folder / "s.json"))["view"]["center"].dump();
+    };
+    for (const char* options : {"", "--model 2", "--model all", "--model 2 --camera all"})
+        EXPECT_EQ(centerOf(options), "[6.0,0.0,0.0]") << options;
+    EXPECT_EQ(centerOf("--format xyz --model 2", "-"), "[6.0,0.0,0.0]");
+    EXPECT_EQ(centerOf("--camera model"), "[1.0,0.0,0.0]");
+    EXPECT_EQ(centerOf("--model 2 --camera model"), "[11.0,0.0,0.0]");
+    // A view keeps what was asked for.
+    put(folder / "view.json", R"({"input": "two.xyz", "model": 2, "camera": "model", "occlusion-models": "all"})");
+    EXPECT_EQ(centerOf("--view view.json", ""), "[11.0,0.0,0.0]");
+    EXPECT_NE(nacreIn(folder, std::string("render two.xyz -o a.png --camera both") + kSmall).code, 0);
+}
+
 TEST(Outputs, AViewFromSomebodyElseFetchesNothingAndQuotesNothing) {
     const TemporaryFolder folder;
     fs::create_directory(folder / "view");

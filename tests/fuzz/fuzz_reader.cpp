@@ -61,6 +61,10 @@ bool read(const std::string& bytes, int model) {
     try {
         const nacre::Molecule molecule = nacre::readMolecule("input", bytes, options);
         check(molecule);
+        for (const nacre::OtherModel& other : molecule.others) {
+            require(other.whole || other.positions.size() == molecule.atoms.size(), "has another model of other atoms");
+            if (other.whole) check(*other.whole);
+        }
         if (renderer) draw(molecule, bytes.size());
         return molecule.file.models.value_or(1) > model || molecule.file.records.value_or(1) > model;
     } catch (const nacre::Error&) {
@@ -95,6 +99,10 @@ extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
 
 extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t size) {
     const std::string bytes(reinterpret_cast<const char*>(data), size);
-    if (read(bytes, 1)) read(bytes, 2);
+    options.others = true;
+    if (!read(bytes, 1)) return 0;
+    options.others = false;
+    read(bytes, 2);
+    read(bytes, nacre::kAllModels);
     return 0;
 }

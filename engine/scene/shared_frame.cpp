@@ -1,0 +1,106 @@
+#include "engine/scene/shared_frame.h"
+
+#include <algorithm>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "engine/error.h"
+#include "engine/molecule/other_models.h"
+#include "engine/scene/assembly_scene.h"
+
+namespace nacre {
+namespace {
+
+using VisitBall = std::function<void(const glm::dvec3&, double)>;
+
+std::vector<glm::dvec4> ballsOf(const Molecule& molecule, const Appearance& appearance) {
+    std::vector<glm::dvec4> balls;
+    balls.reserve(appearance.atoms.size());
+    for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {
+        const Atom& atom = molecule.atoms[appearance.atoms[i]];
+        balls.emplace_back(atom.position, drawnRadius(atom.element, appearance.styles[i]));
+    }
+    return balls;
+}
+
+/// Visits what is drawn of a model.
+void eachBall(const Molecule& model, const DrawnAtomsOptions& drawnOptions, const RepresentationOptions& options,
+              const VisitBall& visit) {
+    const std::vector<std::uint32_t> all = drawnAtoms(model, drawnOptions);
+    std::span<const std::uint32_t> drawn = all;
+    std::optional<AssemblyScene> assembly;
+    if (!options.assembly.empty()) {
+        assembly.emplace(model, options.assembly);
+        drawn = assembly->place(drawn);
+    }
+    Appearance appearance = appearanceOf(model, drawn, options);
+    if (assembly) assembly->sortByCopies(appearance);
+    const std::vector<glm::dvec4> balls = ballsOf(model, appearance);
+    if (assembly) return assembly->eachBall(appearance, balls, visit);
+    for (const glm::dvec4& ball : balls) visit(glm::dvec3(ball), ball.w);
+}
+
+/// The balls of the models of a file, as often as they are asked for.
+class ModelBalls {
+public:
+    ModelBalls(const Molecule& molecule, const DrawnAtomsOptions& drawn, const RepresentationOptions& options)
+        : molecule_(molecule), drawn_(drawn), options_(options) {
+        const std::vector<std::uint32_t> all = drawnAtoms(molecule, drawn);
+        std::span<const std::uint32_t> placed = all;
+        std::optional<AssemblyScene> assembly;
+        if (!options.assembly.empty()) {
+            assembly.emplace(molecule, options.assembly);
+            placed = assembly->place(placed);
+        }
+        Appearance own = appearanceOf(molecule, placed, options);
+        options_.style = own.style;  // models share that, too
+        options_.color = ColorScheme::element;
+        std::erase_if(options_.rules, [](const Rule& rule) { return rule.action == Rule::Action::color; });
+        simple_ = options_.rules.empty() && options_.assembly.empty();
+        balls_ = ballsOf(molecule, own);
+        atoms_ = std::move(own.atoms);
+    }
+
+    void eachBall(const VisitBall& visit) const {
+        nacre::eachBall(molecule_, drawn_, options_, visit);
+        Molecule placed;
+        for (const OtherModel& other : molecule_.others) {
+            if (simple_ && !other.whole) {
+                for (std::size_t i = 0; i < atoms_.size(); ++i) visit(other.positions[atoms_[i]], balls_[i].w);
+                continue;
+            }
+            place(molecule_, other, placed);
+            try {
+                nacre::eachBall(placed, drawn_, options_, visit);
+            } catch (const Error&) {
+                // Nothing is left of it in the assembly.
+            }
+        }
+    }
+
+private:
+    const Molecule& molecule_;
+    DrawnAtomsOptions drawn_;
+    RepresentationOptions options_;
+    bool simple_ = false;  // whatever model it is, the same atoms are drawn
+    std::vector<std::uint32_t> atoms_;
+    std::vector<glm::dvec4> balls_;
+};
+
+}  // namespace
+
+std::optional<Bounds> sharedFrame(const Molecule& molecule, const DrawnAtomsOptions& drawn,
+                                  const RepresentationOptions& options) {
+    if (molecule.others.empty() || options.ownFrame) return std::nullopt;
+    const ModelBalls models(molecule, drawn, options);
+    Box box;
+    models.eachBall([&](const glm::dvec3& center, double) { box.add(center); });
+    Bounds bounds{box.center(), 0};
+    models.eachBall([&](const glm::dvec3& center, double radius) {
+        bounds.radius = std::max(bounds.radius, glm::length(center - bounds.center) + radius);
+    });
+    return bounds;
+}
+
+}  // namespace nacre
