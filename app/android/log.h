@@ -2,9 +2,15 @@
 
 #include <android/log.h>
 
+#include <string_view>
+
+#include "app/shared/printable.h"
+
 namespace nacre::app {
 
-/// A line in the device's log.
-inline void logError(const char* text) { __android_log_print(ANDROID_LOG_ERROR, "nacre", "%s", text); }
+/// A line in the device's log, which people read in terminals.
+inline void logError(std::string_view text) {
+    __android_log_print(ANDROID_LOG_ERROR, "nacre", "%s", printable(text).c_str());
+}
 
 }  // namespace nacre::app

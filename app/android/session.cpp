@@ -40,7 +40,7 @@ SessionHost AndroidSession::host() {
     host.loadPipelines = [this] { return loadPipelineCache(files_.pipelines); };
     host.keepPipelines = [this](const std::vector<std::byte>& data) { keepPipelineCache(files_.pipelines, data); };
     host.prepare = [this](Renderer& renderer) { renderer.setOverlayGlyphs(panel_->glyphs()); };
-    host.lost = [](const std::string& why) { logError(why.c_str()); };
+    host.lost = [](const std::string& why) { logError(why); };
     host.windowMayGo = true;
     return host;
 }
@@ -162,7 +162,7 @@ void AndroidSession::back() {
 void AndroidSession::open(const std::string& path) { viewer().open(path, steadySeconds()); }
 
 void AndroidSession::say(const std::string& text) {
-    logError(text.c_str());
+    logError(text);
     viewer().say(text, steadySeconds());
 }
 
