@@ -3,6 +3,7 @@
 #include "app/desktop/view_command.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -33,11 +34,19 @@ std::string lasting(const std::string& input) {
     return std::filesystem::absolute(input).lexically_normal().string();
 }
 
+/// What a saved view names is downloaded if the user says so.
 Sources sources(const InputOptions& first) {
-    return {[first](const SavedView& view) {
+    const auto allowed = std::make_shared<std::atomic<bool>>(first.allowDownload);
+    return {[first, allowed](const SavedView& view) {
                 InputOptions input = inputOf(view, first);
                 if (view.input != lasting(first.path)) input.namedBy.clear();  // opened by hand
-                return loadMolecule(input);
+                input.allowDownload = *allowed;
+                try {
+                    return loadMolecule(input);
+                } catch (const DownloadForbidden&) {
+                    throw Question("This view downloads " + printable(input.path), "Download",
+                                   [allowed] { *allowed = true; });
+                }
             },
             sceneOfView};
 }

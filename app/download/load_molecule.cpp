@@ -25,6 +25,7 @@ Molecule loadDownload(const InputOptions& input, const DatabaseId& id, const std
     ReadOptions options = readWithin(memoryOf(input));
     options.model = input.model;
     options.onModel = onModel;
+    options.others = !input.alone;
     const bool forbidden = !input.namedBy.empty() && !input.allowDownload;
     DownloadSettings settings;
     settings.cacheFolder = cacheFolder(input.cache, "downloads");
@@ -35,8 +36,8 @@ Molecule loadDownload(const InputOptions& input, const DatabaseId& id, const std
         return downloadMolecule(id, options, settings);
     } catch (const Error&) {
         if (!forbidden || input.offline) throw;
-        throw Error("cannot download", input.path,
-                    input.namedBy + " names it, and the cache does not hold it: --allow-download gets it");
+        throw DownloadForbidden("cannot download", input.path,
+                                input.namedBy + " names it, and the cache does not hold it: --allow-download gets it");
     }
 }
 

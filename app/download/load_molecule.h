@@ -3,9 +3,16 @@
 #include <functional>
 
 #include "app/shared/input_options.h"
+#include "engine/error.h"
 #include "engine/molecule/molecule.h"
 
 namespace nacre::app {
+
+/// What a saved view names would have to be downloaded, and that is not allowed.
+class DownloadForbidden : public Error {
+public:
+    using Error::Error;
+};
 
 /// Reads the molecule that INPUT names, downloading it if need be.
 /// Its atoms stand where the frame of its trajectory, if it has one, puts them.
@@ -15,7 +22,7 @@ namespace nacre::app {
 /// said, since that would quote it.
 /// @param onDownload  called as a download's bytes arrive, with the share that is there, 0..1
 /// @param onModel  called after each model of `--model all` with the share that is read, 0..1
-/// @throws Error
+/// @throws Error, DownloadForbidden
 Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload = {},
                       const std::function<void(double)>& onModel = {});
 

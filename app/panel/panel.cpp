@@ -162,6 +162,7 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     if (open_ && !(help_ && forFingers())) drawPanel(viewer, now);
     if (!open_ && !help_ && forFingers()) drawMenuButton();
     if (help_) drawHelp();
+    if (viewer.question()) drawQuestion(viewer, now);
     scroll_ = 0;
     drawWords(viewer);
     drawAnnotations(viewer.annotations());

@@ -82,6 +82,7 @@ private:
     void drawRuleButtons(SavedView& look, const std::string& selection);
     void drawHelp();
     void drawWords(const Viewer& viewer);
+    void drawQuestion(Viewer& viewer, double now);
     void drawAnnotations(const Annotations& annotations);
     void drawStatus(const std::string& text, float bottom, bool strong);
     void followFinger();

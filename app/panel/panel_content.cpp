@@ -17,7 +17,7 @@ namespace nacre::app {
 namespace {
 
 constexpr float kPanelPoints = 268, kFingerPanelPoints = 320, kColumnPoints = 132, kFingerColumnPoints = 152;
-constexpr float kFingerHelpPoints = 112;
+constexpr float kFingerHelpPoints = 112, kQuestionPoints = 340;
 constexpr int kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                        ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
 
@@ -99,9 +99,10 @@ void Panel::drawPanel(Viewer& viewer, double now) {
                                      : std::filesystem::path(input).filename().string().c_str());
         ImGui::TextDisabled("%zu atoms, %zu bonds drawn", document->scene.drawnAtoms, document->scene.drawnBonds);
     } else {
-        ImGui::TextWrapped("%s", viewer.loading() ? "Reading ..."
-                                 : forFingers()   ? "Open a structure from the file manager"
-                                                  : "Drop a structure file here");
+        ImGui::TextWrapped("%s", viewer.loading()    ? "Reading ..."
+                                 : viewer.question() ? "Nothing is read yet"
+                                 : forFingers()      ? "Open a structure from the file manager"
+                                                     : "Drop a structure file here");
     }
     SavedView look = viewer.view();
     const std::string before = savedViewJson(look);
@@ -284,6 +285,31 @@ void Panel::drawRuleButtons(SavedView& look, const std::string& selection) {
     if (ImGui::Button("Look at")) aim(&Aim::lookAt);
     ImGui::SameLine();
     if (ImGui::Button("Close in")) aim(&Aim::zoomTo);
+}
+
+/// In the middle of the window, over everything else.
+void Panel::drawQuestion(Viewer& viewer, double now) {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const float width = std::min(kQuestionPoints * scale(), std::max(display.x - 24 * scale(), 1.0f));
+    ImGui::SetNextWindowPos(ImVec2(display.x / 2, display.y / 2), ImGuiCond_Always, ImVec2(0.5f, 0.5f));
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(width, display.y));
+    ImGui::SetNextWindowFocus();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(scale(), 1.0f));  // it may lie over the panel
+    ImGui::PushStyleColor(ImGuiCol_Border, kFaint);
+    beginWindow("Question", 0);
+    ImGui::TextWrapped("%s", viewer.question()->what());
+    ImGui::Spacing();
+    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    std::optional<bool> answer;
+    if (ImGui::Button(viewer.question()->yes().c_str(), ImVec2(half, 0))) answer = true;
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", ImVec2(half, 0))) answer = false;
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+    if (!answer) return;
+    viewer.answer(*answer, now);
+    restless_ = 2;
 }
 
 void Panel::drawHelp() {

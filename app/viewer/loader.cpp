@@ -17,6 +17,7 @@ Loader::~Loader() {
 /// The document is there before anyone is woken: whoever looks for it then finds it.
 void Loader::launch(Job job) {
     if (thread_.joinable()) thread_.join();
+    last_ = job.view;
     std::promise<Document> promise;
     running_ = promise.get_future();
     thread_ = std::thread([this, job = std::move(job), promise = std::move(promise)]() mutable {

@@ -5,12 +5,29 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "app/shared/saved_view.h"
 #include "engine/molecule/molecule.h"
 
 namespace nacre::app {
+
+/// Thrown by Sources::read where a user has to say whether it may go on.
+class Question : public std::runtime_error {
+public:
+    /// @param text  one sentence  @param yes  what the button says that goes on
+    /// @param accept  called before the same view is read once more; the viewer's thread
+    Question(const std::string& text, std::string yes, std::function<void()> accept)
+        : std::runtime_error(text), yes_(std::move(yes)), accept_(std::move(accept)) {}
+    const std::string& yes() const { return yes_; }
+    void accept() const { accept_(); }
+
+private:
+    std::string yes_;
+    std::function<void()> accept_;
+};
 
 /// How a shell gets at molecules. Called on the loader's thread. @throws Error
 struct Sources {
@@ -38,6 +55,8 @@ public:
     /// Starts with a molecule that is there, seen in another way.
     void build(const SavedView& view, std::shared_ptr<const Molecule> molecule) { start(view, std::move(molecule)); }
     bool busy() const { return running_.valid(); }
+    /// The view that was read or built last.
+    const SavedView& view() const { return last_; }
     /// The document when it is ready. @throws what reading or building threw
     std::optional<Document> take();
     /// Waits until take() has something, if anything is under way.
@@ -54,6 +73,7 @@ private:
 
     Sources sources_;
     std::function<void()> wake_;
+    SavedView last_;
     std::optional<Job> next_;
     std::future<Document> running_;
     std::thread thread_;

@@ -114,6 +114,7 @@ void Viewer::pick(glm::dvec2 at, double now) {
 }
 
 void Viewer::open(const std::string& path, double now) {
+    question_.reset();
     SavedView fresh = view();
     fresh.input = path;
     fresh.format.reset();
@@ -156,6 +157,17 @@ void Viewer::takeAim(const Aim& aim, bool fly, double now) {
     } catch (const Error& error) {
         say(error.what(), now);
     }
+}
+
+void Viewer::answer(bool yes, double now) {
+    if (!question_) return;
+    const Question question = *question_;
+    question_.reset();
+    schedule_.overlayChanged();
+    if (!yes) return say("not opened", now);
+    question.accept();
+    loader_.read(asked_);
+    say("reading " + nameOf(asked_.input), now);
 }
 
 void Viewer::pause() {
@@ -308,11 +320,16 @@ void Viewer::tookDocument(double now) {
     std::optional<Document> document;
     try {
         document = loader_.take();
+    } catch (const Question& question) {
+        question_ = question;
+        asked_ = loader_.view();
+        return schedule_.overlayChanged();
     } catch (const std::exception& error) {
         say(error.what(), now);
         return;
     }
     if (!document) return;
+    question_.reset();
     try {
         screen_.setScene(document->scene);
         sceneThere_ = true;

@@ -7,6 +7,7 @@
 // leaves the one before. A device that is lost is the shell's to replace.
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -89,6 +90,9 @@ public:
     const PlacedWords& words() const { return placedWords_; }
     /// Pixels of an em of them.
     double textSize() const;
+    /// What the user has to answer before the molecule is read; null: nothing.
+    const Question* question() const { return question_ ? &*question_ : nullptr; }
+    void answer(bool yes, double now);
     /// Picked atoms, from 0, in their order.
     const std::vector<std::uint32_t>& picks() const { return picks_; }
     bool playing() const { return playing_; }
@@ -147,6 +151,8 @@ private:
     Aim aim_;                                         // of the molecule that is being read
     std::vector<std::uint32_t> picks_, picksBefore_;  // atoms, from 0
     DebugView debug_ = DebugView::none;
+    std::optional<Question> question_;
+    SavedView asked_;  // what question_ is about
     std::string message_;
     double messageUntil_ = 0;
     std::size_t preset_ = 0, lookNumber_ = 0;

@@ -200,6 +200,7 @@ void Viewer::run(ViewerCommand command, double now) {
             nextModel_ = now;
             return models() > 1 ? changed(now) : say("it has one model alone", now);
         case C::clearPicks:
+            if (question_) return answer(false, now);
             picks_.clear();
             message_.clear();
             return schedule_.overlayChanged();

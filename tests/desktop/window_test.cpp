@@ -10,6 +10,7 @@
 
 #include "tests/desktop/x_session.h"
 #include "tests/support/run_program.h"
+#include "tests/support/structure_server.h"
 #include "tests/support/test_data.h"
 
 namespace nacre::test {
@@ -101,6 +102,33 @@ TEST(Window, ShowsWhatRenderDrawsAndThenRests) {
     EXPECT_EQ(session.quit(), 0) << session.errors();
     EXPECT_GE(session.stats()["seconds_since_last_frame"].get<double>(), 2.0);  // the last may have come late
     EXPECT_EQ(session.stats()["occlusion"], 1.0);
+}
+
+TEST(Window, AsksBeforeItDownloadsWhatAViewNames) {
+    const StructureServer server;
+    server.serve("1xyz.cif.gz",
+                 "data_x\nloop_\n_atom_site.label_atom_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+                 "_atom_site.Cartn_z\nCA 0 0 0\nCB 1.5 0 0\n");
+    const TemporaryFolder folder;
+    std::ofstream(folder / "sent.json") << R"({"input": "pdb:1xyz", "style": "licorice"})";
+    setenv("NACRE_PDB_URL", server.base("ok").c_str(), 1);
+    XSession session("--view '" + (folder / "sent.json") + "' --size 600x400");
+    unsetenv("NACRE_PDB_URL");
+    EXPECT_EQ(session.title(), "Nacre");
+    EXPECT_EQ(server.requests().size(), 0u);
+    const WindowPicture question = session.picture();
+    session.click(380, 212);  // Cancel
+    EXPECT_TRUE(session.waitUntil([&] { return session.picture() != question; }));
+    EXPECT_EQ(server.requests().size(), 0u);
+    EXPECT_EQ(session.quit(), 0) << session.errors();
+
+    setenv("NACRE_PDB_URL", server.base("ok").c_str(), 1);
+    XSession again("--view '" + (folder / "sent.json") + "' --size 600x400");
+    unsetenv("NACRE_PDB_URL");
+    again.click(220, 212);  // Download
+    EXPECT_TRUE(again.waitForTitle("1xyz")) << again.title();
+    EXPECT_GT(server.requests().size(), 0u);
+    EXPECT_EQ(again.quit(), 0) << again.errors();
 }
 
 TEST(Window, KeepsOcclusionForTheNextTime) {

@@ -117,6 +117,39 @@ TEST(Viewer, ConvergesRefinesOnceAndThenDrawsNothing) {
     EXPECT_TRUE(std::isinf(b.step()));
 }
 
+TEST(Viewer, AQuestionIsAnsweredBeforeAnythingIsRead) {
+    for (const bool yes : {true, false}) {
+        bool allowed = false;
+        CountingScreen screen;
+        Sources asking = sources();
+        asking.read = [&allowed](const SavedView& v) {
+            if (!allowed && v.input == "sample:glucose") throw Question("May it?", "Do it", [&] { allowed = true; });
+            return sampleMolecule(v.input.substr(7));
+        };
+        Viewer viewer(screen, asking, Bench::viewOf("sample:glucose"), {});
+        viewer.resize({640, 480}, 1, 100);
+        viewer.waitForLoading();
+        viewer.update(101);
+        ASSERT_TRUE(viewer.question());
+        EXPECT_STREQ(viewer.question()->what(), "May it?");
+        EXPECT_EQ(viewer.question()->yes(), "Do it");
+        EXPECT_FALSE(viewer.document());
+        if (yes)
+            viewer.answer(true, 102);
+        else
+            viewer.run(ViewerCommand::clearPicks, 102);  // Esc is a no
+        EXPECT_FALSE(viewer.question());
+        viewer.waitForLoading();
+        viewer.update(103);
+        EXPECT_EQ(viewer.document() != nullptr, yes);
+        EXPECT_EQ(allowed, yes);
+        viewer.open("sample:dna", 104);  // another file is no question
+        viewer.waitForLoading();
+        viewer.update(105);
+        EXPECT_EQ(viewer.document()->view.input, "sample:dna");
+    }
+}
+
 TEST(Viewer, EveryChangeIsDrawnAndRefinedOnce) {
     Bench b;
     b.run(2);
