@@ -120,8 +120,9 @@ TEST(ReadCml, AtomsOfABondInAttributesOfTheirOwn) {
         "<atomArray><atom id='a' elementType='C' x3='0' y3='0' z3='0'/><atom id='b' elementType='O' x3='1.2' y3='0' "
         "z3='0'/></atomArray>";
     for (const char* bond :
-         {"<bond atomRefs2='a b' order='2'/>", "<bond atomRefs1='a' atomRefs2='b' order='2'/>",
-          "<bond atomRef1='a' atomRef2='b' order='2'/>", "<bondArray atomRefs1='a' atomRefs2='b' order='2'/>"}) {
+         {"<bond atomRefs2='a b' order='2'/>", "<bond atomsRefs2='a b' order='2'/>",
+          "<bond atomRefs1='a' atomRefs2='b' order='2'/>", "<bond atomRef1='a' atomRef2='b' order='2'/>",
+          "<bondArray atomRefs1='a' atomRefs2='b' order='2'/>"}) {
         const Molecule molecule =
             readMolecule("a.cml", "<cml><molecule>" + atoms + "<bondArray>" + bond + "</bondArray></molecule></cml>");
         ASSERT_EQ(molecule.bonds.size(), 1u) << bond;

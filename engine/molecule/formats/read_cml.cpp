@@ -205,8 +205,10 @@ private:
     }
 
     void addBond(const Attributes& attributes) {
-        std::string_view pair = attributes["atomRefs2"];
-        if (pair.empty()) pair = attributes["atomRefs"];
+        std::string_view pair;
+        for (const char* name :
+             {"atomRefs2", "atomsRefs2", "atomRefs"})  // the first is CML's, the others are written, too
+            if (pair.empty()) pair = attributes[name];
         std::string_view a = nextWord(pair), b = nextWord(pair);
         if (b.empty()) {  // one attribute for each atom
             a = bondEnds(attributes, 1);
