@@ -54,8 +54,10 @@ struct OcclusionStats {
 struct FrameStats {
     DeviceInfo device;                         ///< with the path and reason in force
     double bakeMilliseconds = 0;               ///< ambient occlusion, from streams to atlas
-    double frameMilliseconds = 0;              ///< one frame, submission to completion, without read-back conversion
-    std::uint64_t coveredPixels = 0;           ///< of the last picture
+    double frameMilliseconds = 0;              ///< the last picture's frames, submission to completion
+    std::uint64_t coveredPixels = 0;           ///< of the last picture; of N x N samples a pixel, samples
+    std::uint32_t samples = 1;                 ///< a pixel of the last picture has at most
+    std::uint32_t frames = 1;                  ///< that the last picture is the mean of
     std::vector<PassCount> passes;             ///< of the last frame that counted
     std::uint64_t spheres = 0, cylinders = 0;  ///< submitted for the last picture, in all copies
     std::uint64_t copies = 1;                  ///< of an assembly

@@ -39,8 +39,12 @@ struct FrameTuning {
 };
 
 struct RenderSettings {
+    /// Of a picture: kEdgeSamples where a pixel shows an edge, one elsewhere. Debug views have one everywhere.
+    static constexpr std::uint32_t kEdges = 0;
+    static constexpr std::uint32_t kEdgeSamples = 16;
+
     View view;
-    std::uint32_t supersample = 1;                ///< N x N samples a pixel
+    std::uint32_t supersample = kEdges;           ///< N x N samples a pixel, or kEdges
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha, 0..1
     bool lighting = true;                         ///< off: base colour x occlusion
     Effects effects;                              ///< layers and picks have no contours

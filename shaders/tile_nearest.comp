@@ -75,6 +75,9 @@ vec4 handed(vec4 v, uint from) {
 }
 
 #ifdef SHADED
+layout(set = 0, binding = 8, std430) writeonly buffer TileNumbers { uint tileNumbers[]; };
+layout(constant_id = kNumberedId) const bool kNumbered = false;
+
 /// 0 where nothing is seen.
 uint colorAt(uint seenNumber, vec2 pixel) {
     vec2 q = planePoint(pixel);
@@ -162,6 +165,9 @@ void main() {
         more = at < end && !subgroupAll(farthest < subgroupShuffle(next, uint(kLanes - 1)));
     } while (more);
 #ifdef SHADED
+    if (kNumbered)
+        for (int i = 0; i < kPixels; ++i)
+            tileNumbers[tile.y * uint(kTile * kTile) + uint(i * kLanes) + lane] = number[i];
     uint pitch = view.across * uint(kTile * kTilesInBin);
     uint here = (corner.y + lane / uint(kTile)) * pitch + corner.x + lane % uint(kTile);
     view.contourWidth = 1e9;  // what was chosen and is not inside is on the line

@@ -11,6 +11,7 @@
 #include "common/numbered.glsl"
 #include "common/surface.glsl"
 #include "common/count.glsl"
+#include "common/tile_place.glsl"
 
 #ifdef TEXELS
 layout(set = 0, binding = 2) uniform usamplerBuffer numberTexels;
@@ -25,9 +26,6 @@ layout(location = 2) flat in vec4 row2;
 layout(location = 3) flat in vec4 pixels;
 layout(location = 4) flat in vec4 shading;
 layout(location = 5) flat in uvec4 atlas;
-layout(location = 6) flat in uvec2 numbers;
-layout(constant_id = kTilesInBinId) const int kTilesInBin = 2;
-const uint kTile = 8u;
 
 void fetchView() {
     view.row0 = row0;
@@ -47,17 +45,9 @@ void fetchView() {
     view.primitives = atlas.w;
 }
 
-/// Numbers stand tile by tile: along a row of bins, in a bin column by column.
-uint numberHere() {
-    uvec2 pixel = uvec2(gl_FragCoord.xy) - uvec2(numbers.x, 0u);
-    uvec2 tile = pixel / kTile, inTile = pixel % kTile;
-    uint slot = tile.x * uint(kTilesInBin) + tile.y % uint(kTilesInBin);
-    return numberAt(numbers.y + (slot * kTile + inTile.y) * kTile + inTile.x);
-}
-
 void main() {
     fetchView();
-    uint number = numberHere();
+    uint number = numberAt(placeHere());
     if (number == 0u) discard;
     countFragment();
     Seen seen = seenOf(number, planePoint(gl_FragCoord.xy));

@@ -1,27 +1,32 @@
 #version 450
 // A row of bins in which something may show. What shading needs of the view goes along, flat: as push constants of the
 // fragment stage each would be gathered lane by lane for every pixel (lavapipe 22.3).
+//   PLACE   where its numbers stand goes along, and nothing else
 #extension GL_GOOGLE_include_directive : require
 #include "common/layout.h"
 
 layout(location = 0) in vec4 span;    // NDC: left, top, right, bottom
 layout(location = 1) in uvec2 place;  // pixel of its left edge, where its numbers begin
 layout(push_constant) uniform Push { TileConstants view; };
+#ifndef PLACE
 layout(location = 0) flat out vec4 row0;
 layout(location = 1) flat out vec4 row1;
 layout(location = 2) flat out vec4 row2;
 layout(location = 3) flat out vec4 pixels;  // axisPixel, pixel, origin
 layout(location = 4) flat out vec4 shading;  // atlasTexel, clipNear, clipFar
 layout(location = 5) flat out uvec4 atlas;  // patchTexels, patchesInRow, spheres, primitives
+#endif
 layout(location = 6) flat out uvec2 numbers;  // place
 
 void main() {
+#ifndef PLACE
     row0 = view.row0;
     row1 = view.row1;
     row2 = view.row2;
     pixels = vec4(view.axisPixel, view.pixel, view.origin);
     shading = vec4(view.atlasTexel, view.clipNear, view.clipFar);
     atlas = uvec4(view.patchTexels, view.patchesInRow, view.spheres, view.primitives);
+#endif
     numbers = place;
     bool right = (gl_VertexIndex & 1) == 1, bottom = (gl_VertexIndex & 2) == 2;
     gl_Position = vec4(right ? span.z : span.x, bottom ? span.w : span.y, 0.0, 1.0);

@@ -59,6 +59,10 @@ void addPlan(CommandSpec& command, PlanOptions& options) {
     addDeviceName(command, options.device).excludes = "--caps";
     addVisibility(command, options.device);
     addSize(command, "1024x1024", options.size);
+    addValue(command, "--supersample", "auto|1", "1",
+             "auto: the frames of a picture, 16 samples where a pixel shows an edge", [&](const std::string& text) {
+                 options.edges = parseChoice(text, {"auto", "1"}) == 0;
+             });
     addOnOff(command, "--merge", options.merge, "Passes as subpasses of one render pass");
     const auto format = [&](PlanFormat value) { return [&, value](const std::string&) { options.format = value; }; };
     command.add({"--json", "", "", "As one JSON object", format(PlanFormat::json)});

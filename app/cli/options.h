@@ -40,7 +40,7 @@ struct RenderOptions {
     Aim aim;
     Words words;
     Size size;
-    std::uint32_t supersample = 1;
+    std::uint32_t supersample = RenderSettings::kEdges;
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha
     bool lighting = true;
     Effects effects;
@@ -109,6 +109,7 @@ struct PlanOptions {
     std::string caps;  ///< name of a capability set; empty: the real device
     DeviceOptions device;
     Size size;
+    bool edges = false;  ///< as a picture's are drawn
     bool merge = true;
     PlanFormat format = PlanFormat::text;
 };

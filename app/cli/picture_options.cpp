@@ -68,9 +68,9 @@ void addShading(CommandSpec& command, RenderOptions& options) {
 }
 
 void addSupersample(CommandSpec& command, RenderOptions& options) {
-    addValue(command, "--supersample", "N", "1", "N x N samples a pixel, 1 to 8", [&](const std::string& text) {
-        options.supersample = static_cast<std::uint32_t>(parseInteger(text, 1, kMostSupersample));
-    });
+    addValue(command, "--supersample", "auto|N", "auto",
+             "N x N samples a pixel, 1 to 8; auto: 16 where a pixel shows an edge, one elsewhere",
+             [&](const std::string& text) { options.supersample = parseSupersample(text); });
 }
 
 void addPixels(CommandSpec& command, RenderOptions& options) {

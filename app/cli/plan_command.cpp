@@ -65,6 +65,8 @@ PlanReport planReport(const PlanOptions& options) {
     ScreenOptions screen{report.extent, report.visibility, report.encoded, {VK_FORMAT_R8_UNORM, {1024, 1024}}, {}};
     screen.targets = kScreenTargets;
     screen.prepass = graph::platesReject(report.visibility, report.plannedWith);
+    screen.edges = options.edges && report.visibility == Visibility::tiles;
+    if (options.edges && !screen.edges) report.frames = RenderSettings::kEdgeSamples;
     report.frame = screenFrame(screen);
     for (const graph::Image target : report.frame.targets) report.frame.graph.output(target);
     graph::PlanCaps& caps = report.plannedWith;
@@ -98,6 +100,10 @@ std::vector<NamedUse> usesOf(const PlanReport& report, const graph::RenderPassPl
                 uses.push_back({g.buffers()[use.resource].name, "buffer", false});
     for (const std::uint32_t a : subpass.colors) uses.push_back({nameAt(a), "write", true});
     return uses;
+}
+
+const std::string& resourceName(const graph::Graph& graph, const graph::Use& use) {
+    return use.isImage ? graph.images()[use.resource].name : graph.buffers()[use.resource].name;
 }
 
 std::string nameOf(const graph::Graph& graph, const graph::Subpass& subpass) { return joined(graph, subpass.passes); }

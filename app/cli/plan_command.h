@@ -24,6 +24,7 @@ struct PlanReport {
     graph::Plan plan, unmerged;
     graph::Graph paperGraph;
     graph::Plan paper;
+    std::uint32_t frames = 1;  ///< that a picture is the mean of
 };
 
 /// @throws Error if there is no such device, or it cannot encode depth as asked for
@@ -42,6 +43,8 @@ struct NamedUse {
 };
 std::vector<NamedUse> usesOf(const PlanReport& report, const graph::RenderPassPlan& pass,
                              const graph::Subpass& subpass);
+/// Of what a pass uses.
+const std::string& resourceName(const graph::Graph& graph, const graph::Use& use);
 /// "opaque prepass + depth encoding"
 std::string nameOf(const graph::Graph& graph, const graph::Subpass& subpass);
 std::string nameOf(const graph::Graph& graph, const graph::RenderPassPlan& pass);

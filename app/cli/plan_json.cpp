@@ -72,7 +72,7 @@ Json passesJson(const PlanReport& report) {
 Json computeJson(const graph::Graph& graph, const graph::PassDecl& pass) {
     Json json{{"name", pass.name}, {"reads", Json::array()}, {"writes", Json::array()}};
     for (const graph::Use& use : pass.uses)
-        json[graph::isWrite(use.verb) ? "writes" : "reads"].push_back(graph.buffers()[use.resource].name);
+        json[graph::isWrite(use.verb) ? "writes" : "reads"].push_back(resourceName(graph, use));
     return json;
 }
 
@@ -102,6 +102,7 @@ std::string planJson(const PlanReport& report) {
               {"visibility", visibilityName(report.visibility)},
               {"why", report.why},
               {"size", {report.extent.width, report.extent.height}},
+              {"frames", report.frames},
               {"merge", report.plannedWith.merge},
               {"compute_passes", Json::array()},
               {"render_passes", Json::array()},

@@ -82,7 +82,7 @@ void computeText(std::ostream& out, const PlanReport& report, const graph::PassD
     out << "compute: " << pass.name << '\n';
     std::vector<std::string> reads, writes;
     for (const graph::Use& use : pass.uses)
-        (graph::isWrite(use.verb) ? writes : reads).push_back(report.frame.graph.buffers()[use.resource].name);
+        (graph::isWrite(use.verb) ? writes : reads).push_back(resourceName(report.frame.graph, use));
     table(out, "  ", {{"reads", "writes"}, {list(reads), list(writes)}});
     out << '\n';
 }
@@ -167,7 +167,9 @@ void memoryText(std::ostream& out, const PlanReport& report) {
 std::string planText(const PlanReport& report) {
     std::ostringstream out;
     out << report.caps << ", " << report.extent.width << "x" << report.extent.height << '\n'
-        << "visibility " << visibilityName(report.visibility) << ": " << report.why << "\n\n";
+        << "visibility " << visibilityName(report.visibility) << ": " << report.why << "\n";
+    if (report.frames > 1) out << "a picture is the mean of " << report.frames << " such frames\n";
+    out << '\n';
     for (const graph::Step& step : report.plan.steps) {
         barriersText(out, report, step.before);
         if (step.kind == graph::PassKind::graphics)

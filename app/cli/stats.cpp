@@ -76,6 +76,7 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
                      {"frame", frame.frameMilliseconds},
                      {"total", run.totalMs}};
     json["covered_pixels"] = frame.coveredPixels;
+    json["antialiasing"] = {{"samples", frame.samples}, {"frames", frame.frames}};
     json["passes"] = passesOf(frame);
     const OcclusionStats& occlusion = frame.occlusion;
     json["occlusion"] = {{"directions", occlusion.directions},

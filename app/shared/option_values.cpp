@@ -1,5 +1,6 @@
 #include "app/shared/option_values.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 #include "engine/molecule/floating_point.h"
 #include "engine/molecule/nearest_word.h"
 #include "engine/scene/palettes.h"
+#include "engine/settings.h"
 
 namespace nacre::app {
 namespace {
@@ -342,7 +344,16 @@ std::size_t parseChoice(std::string_view text, std::span<const char* const> choi
     refuse(text, list, std::vector<std::string>(choices.begin(), choices.end()));
 }
 
+std::uint32_t parseSupersample(std::string_view text) {
+    if (text == "auto") return RenderSettings::kEdges;
+    std::uint32_t value = 0;
+    if (!parseWhole(text, value) || value < 1 || value > kMostSupersample)
+        refuse(text, "'auto' or a whole number from 1 to " + std::to_string(kMostSupersample));
+    return value;
+}
+
 void checkSamples(const Size& size, std::uint32_t supersample) {
+    supersample = std::max(supersample, 1u);  // samples of edges need no pixels of their own
     const std::uint64_t samples = std::uint64_t{size.width} * size.height * supersample * supersample;
     if (samples > kMostSamples)
         throw std::invalid_argument("--size times --supersample squared is " + std::to_string(samples) +

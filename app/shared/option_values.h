@@ -67,7 +67,10 @@ int parseOcclusion(std::string_view text);
 std::size_t parseChoice(std::string_view text, std::span<const char* const> choices);
 std::size_t parseChoice(std::string_view text, std::initializer_list<const char*> choices);
 
-/// Refuses more than kMostSamples.
+/// "auto" is RenderSettings::kEdges; otherwise 1 to kMostSupersample.
+std::uint32_t parseSupersample(std::string_view text);
+
+/// Refuses more than kMostSamples. @param supersample  as parseSupersample() gives it
 void checkSamples(const Size& size, std::uint32_t supersample);
 
 }  // namespace nacre::app

@@ -48,6 +48,11 @@ const char* depthTimingName(DepthTiming timing) {
 PassNotes notesOf(const graph::PassDecl& pass, bool conservative) {
     using graph::Verb;
     const bool shades = has(pass, Verb::samples);  // the occlusion atlas
+    if (pass.kind == graph::PassKind::compute && shades)
+        return {DepthTiming::none,
+                "the nearest depths of an edge pixel's samples stay in registers; each primitive that they see is "
+                "shaded once",
+                kPositions, kRecordsOfPixel, kPrecisionShade};
     if (pass.kind == graph::PassKind::compute)
         return {DepthTiming::none, "the nearest depth of a tile's pixels stays in registers; lists go from near to far",
                 kPositions, kPositions, kPrecisionHit};
@@ -61,6 +66,12 @@ PassNotes notesOf(const graph::PassDecl& pass, bool conservative) {
         return {conservative ? DepthTiming::conservative : DepthTiming::late, conservative ? kConservative : kLate,
                 kPositions, shades ? kRecords : kPositions, shades ? kPrecisionShade : kPrecisionHit};
     }
+    if (!has(pass, Verb::depthTest) && !shades && !has(pass, Verb::input))
+        return {DepthTiming::none,
+                "edge pixels, which are shaded by now, are laid over the picture",
+                {},
+                {},
+                "fp16: linear colour, coverage"};
     if (!has(pass, Verb::depthTest))
         return {DepthTiming::none,
                 "triangles over the screen; each covered pixel is shaded once",

@@ -31,20 +31,35 @@ Picture resolvePicture(const std::uint32_t* pixels, std::uint32_t width, std::ui
     for (std::uint32_t y = 0; y < picture.height; ++y)
         for (std::uint32_t x = 0; x < picture.width; ++x) {
             float sum[3] = {0, 0, 0};
-            std::uint32_t hits = 0;
+            std::uint32_t alphas = 0;
             for (std::uint32_t j = 0; j < n; ++j)
                 for (std::uint32_t i = 0; i < n; ++i) {
                     const std::uint32_t p = pixels[(std::size_t{y} * n + j) * width + std::size_t{x} * n + i];
                     if (p >> 24 == 0) continue;
-                    ++hits;
+                    ++covered;
+                    alphas += p >> 24;
                     for (int c = 0; c < 3; ++c) sum[c] += linear[p >> (8 * c) & 0xff];
                 }
-            covered += hits;
-            const float alpha = static_cast<float>(hits) * share;
+            const float alpha = static_cast<float>(alphas) * (share / 255.0f);
             for (std::size_t c = 0; c < 3; ++c) picture.rgba.push_back(sum[c] * share + (1 - alpha) * behind[c]);
             picture.rgba.push_back(alpha + (1 - alpha) * behind[3]);
         }
     return picture;
+}
+
+void PictureMean::add(Picture picture) {
+    if (count_++ == 0) {
+        sum_ = std::move(picture);
+        return;
+    }
+    for (std::size_t i = 0; i < sum_.rgba.size(); ++i) sum_.rgba[i] += picture.rgba[i];
+}
+
+Picture PictureMean::take() {
+    const float share = 1.0f / static_cast<float>(count_);
+    for (float& value : sum_.rgba) value *= share;
+    count_ = 0;
+    return std::move(sum_);
 }
 
 LayerPicture assembleLayers(std::uint32_t width, std::uint32_t height, const float* color, const float* surface,

@@ -11,10 +11,21 @@ namespace nacre {
 float linearFromSrgb(float coded);
 
 /// Averages n x n samples in linear light and lays the result over a background.
-/// @param pixels  width x height, RGBA8 with sRGB-coded colour, alpha 0 or 255
-/// @param covered receives the number of samples that the molecule covers
+/// @param pixels  width x height, RGBA8, premultiplied with sRGB-coded colour
+/// @param covered receives the number of samples that the molecule covers, be it in part
 Picture resolvePicture(const std::uint32_t* pixels, std::uint32_t width, std::uint32_t height, std::uint32_t n,
                        const std::array<float, 4>& background, std::uint64_t& covered);
+
+/// A picture's mean, which grows sum by sum.
+class PictureMean {
+public:
+    void add(Picture picture);
+    Picture take();
+
+private:
+    Picture sum_;
+    std::uint32_t count_ = 0;
+};
 
 /// @param color    RGBA, linear, alpha 0 or 1; @param surface normal and Z; @param identity atom and occlusion's bits
 LayerPicture assembleLayers(std::uint32_t width, std::uint32_t height, const float* color, const float* surface,

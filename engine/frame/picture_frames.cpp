@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/error.h"
+#include "engine/frame/edge_samples.h"
 #include "engine/frame/picture.h"
 #include "engine/milliseconds.h"
 #include "engine/passes/read_back.h"
@@ -38,22 +39,36 @@ std::vector<gpu::Buffer> addReadBacks(const gpu::Device& device, ScreenFrame& fr
     return pixels;
 }
 
+/// Debug views show what single samples are made of.
+bool wantsEdges(const RenderSettings& settings) {
+    return settings.supersample == RenderSettings::kEdges && settings.debug == DebugView::none;
+}
+
+void addCounts(std::vector<PassCount>& sum, const std::vector<PassCount>& counts) {
+    sum.resize(counts.size());
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        sum[i].name = counts[i].name;
+        sum[i].shadedFragments += counts[i].shadedFragments;
+    }
+}
+
 }  // namespace
 
 std::span<const ScreenTarget> PictureFrames::pictureTargets() const {
     return device_.caps().tiles.shade ? kCodedTargets : kScreenTargets;
 }
 
-std::vector<gpu::Buffer> PictureFrames::draw(const RenderSettings& settings, const passes::Atlas& atlas,
-                                             const View& view, std::span<const ScreenTarget> targets, bool readBack,
-                                             const char* name) {
+PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
+                                         std::span<const ScreenTarget> targets, bool readBack, const char* name,
+                                         bool edges) {
     std::shared_ptr<passes::FragmentCounter> fragments;
     if (settings.tuning.countFragments) fragments = std::make_shared<passes::FragmentCounter>(device_);
     gpu::Imports imports;
-    ScreenFrame frame = frames_.declare(settings, atlas, view, targets, name, imports, fragments);
-    std::vector<gpu::Buffer> pixels;
+    ScreenFrame frame = frames_.declare(settings, atlas, view, targets, name, imports, fragments, edges);
+    Drawn drawn;
+    drawn.edges = frame.edges.has_value();
     if (readBack)
-        pixels = addReadBacks(device_, frame, targets, imageExtent(view), imports);
+        drawn.pixels = addReadBacks(device_, frame, targets, imageExtent(view), imports);
     else
         for (const graph::Image target : frame.targets) frame.graph.output(target);
     const graph::Plan& plan = planOf(frame.graph, settings.tuning);
@@ -66,7 +81,7 @@ std::vector<gpu::Buffer> PictureFrames::draw(const RenderSettings& settings, con
     executor_.reset();
     if (fragments) stats_.passes = fragments->counts();
     tell(plan);
-    return pixels;
+    return drawn;
 }
 
 const graph::Plan& PictureFrames::planOf(const graph::Graph& graph, const FrameTuning& tuning) {
@@ -92,21 +107,60 @@ const std::string& PictureFrames::planText() const {
     return planText_;
 }
 
-Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atlas& atlas) {
-    const std::uint32_t n = std::max(settings.supersample, 1u);
-    const View view = scaled(settings.view, n);
+/// @throws Error if the device draws no such view
+void PictureFrames::checkSize(const View& view) const {
     const std::uint32_t most = device_.caps().maxImageSize;
     if (std::max(view.width, view.height) > most)
         throw Error("picture too large", std::to_string(view.width) + "x" + std::to_string(view.height),
                     "this device draws at most " + std::to_string(most) + " pixels a side, supersampling counted");
-    const auto pixels = draw(settings, atlas, view, pictureTargets(), true, "screen");
+}
+
+/// @param n  the view has n x n pixels for each of the picture
+Picture PictureFrames::resolved(const Drawn& drawn, const RenderSettings& settings, const View& view, std::uint32_t n) {
     const graph::Extent image = imageExtent(view);
-    return resolvePicture(reinterpret_cast<const std::uint32_t*>(pixels[0].mapped), image.width, image.height, n,
+    return resolvePicture(reinterpret_cast<const std::uint32_t*>(drawn.pixels[0].mapped), image.width, image.height, n,
                           settings.background, stats_.coveredPixels);
 }
 
+Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atlas& atlas) {
+    stats_.frames = 1;
+    if (!wantsEdges(settings)) return sampledPicture(settings, atlas, std::max(settings.supersample, 1u));
+    stats_.samples = RenderSettings::kEdgeSamples;
+    if (!frames_.drawsEdges()) return meanOfFrames(settings, atlas);
+    checkSize(settings.view);
+    const Drawn drawn = draw(settings, atlas, settings.view, pictureTargets(), true, "screen", true);
+    if (!drawn.edges) return meanOfFrames(settings, atlas);  // a list was too long
+    return resolved(drawn, settings, settings.view, 1);
+}
+
+/// N x N samples a pixel, in one frame.
+Picture PictureFrames::sampledPicture(const RenderSettings& settings, const passes::Atlas& atlas, std::uint32_t n) {
+    const View view = scaled(settings.view, n);
+    checkSize(view);
+    stats_.samples = n * n;
+    return resolved(draw(settings, atlas, view, pictureTargets(), true, "screen"), settings, view, n);
+}
+
+/// A frame for each sample, whose pixels look through that.
+Picture PictureFrames::meanOfFrames(const RenderSettings& settings, const passes::Atlas& atlas) {
+    checkSize(settings.view);
+    PictureMean mean;
+    double milliseconds = 0;
+    std::vector<PassCount> passes;
+    for (std::uint32_t i = 0; i < RenderSettings::kEdgeSamples; ++i) {
+        const View view = throughSample(settings.view, i);
+        mean.add(resolved(draw(settings, atlas, view, pictureTargets(), true, "screen"), settings, view, 1));
+        milliseconds += stats_.frameMilliseconds;
+        addCounts(passes, stats_.passes);
+    }
+    stats_.frames = RenderSettings::kEdgeSamples;
+    stats_.frameMilliseconds = milliseconds;
+    stats_.passes = passes;
+    return mean.take();
+}
+
 LayerPicture PictureFrames::layers(const RenderSettings& settings, const passes::Atlas& atlas) {
-    const auto pixels = draw(settings, atlas, settings.view, kLayerTargets, true, "screen");
+    const auto pixels = draw(settings, atlas, settings.view, kLayerTargets, true, "screen").pixels;
     return assembleLayers(settings.view.width, settings.view.height, reinterpret_cast<const float*>(pixels[0].mapped),
                           reinterpret_cast<const float*>(pixels[1].mapped),
                           reinterpret_cast<const std::uint32_t*>(pixels[2].mapped), settings.background,
@@ -114,7 +168,7 @@ LayerPicture PictureFrames::layers(const RenderSettings& settings, const passes:
 }
 
 void PictureFrames::frame(const RenderSettings& settings, const passes::Atlas& atlas) {
-    draw(settings, atlas, settings.view, pictureTargets(), false, "screen");
+    draw(settings, atlas, settings.view, pictureTargets(), false, "screen", wantsEdges(settings));
 }
 
 std::uint32_t PictureFrames::atomAt(const RenderSettings& settings, double x, double y, double reach) {
@@ -125,7 +179,7 @@ std::uint32_t PictureFrames::atomAt(const RenderSettings& settings, double x, do
     small.tuning.countFragments = false;
     small.view.pan = -planePointAt(settings.view, std::floor(x) + 0.5, std::floor(y) + 0.5);
     small.view.width = small.view.height = side;
-    const auto pixels = draw(small, {}, small.view, kPickTargets, true, "pick");
+    const auto pixels = draw(small, {}, small.view, kPickTargets, true, "pick").pixels;
     const auto* identity = reinterpret_cast<const std::uint32_t*>(pixels[0].mapped);
     std::uint32_t atom = 0;
     double nearest = reach * reach + 0.5;

@@ -15,7 +15,7 @@ public:
     /// @throws Error if the picture is larger than the device draws, or memory runs out
     Picture picture(const RenderSettings& settings, const passes::Atlas& atlas);
     LayerPicture layers(const RenderSettings& settings, const passes::Atlas& atlas);
-    /// A frame of which nothing is read back.
+    /// A frame of which nothing is read back. Of RenderSettings::kEdges, one that draws edges if one can.
     void frame(const RenderSettings& settings, const passes::Atlas& atlas);
     /// As Renderer::atomAt.
     std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach);
@@ -25,8 +25,17 @@ public:
 
 private:
     std::span<const ScreenTarget> pictureTargets() const;
-    std::vector<gpu::Buffer> draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
-                                  std::span<const ScreenTarget> targets, bool readBack, const char* name);
+    /// What a frame left.
+    struct Drawn {
+        std::vector<gpu::Buffer> pixels;  ///< of each target, if they were to be read back
+        bool edges = false;               ///< drawn from kEdgeSamples
+    };
+    Drawn draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
+               std::span<const ScreenTarget> targets, bool readBack, const char* name, bool edges = false);
+    void checkSize(const View& view) const;
+    Picture resolved(const Drawn& drawn, const RenderSettings& settings, const View& view, std::uint32_t n);
+    Picture sampledPicture(const RenderSettings& settings, const passes::Atlas& atlas, std::uint32_t n);
+    Picture meanOfFrames(const RenderSettings& settings, const passes::Atlas& atlas);
     const graph::Plan& planOf(const graph::Graph& graph, const FrameTuning& tuning);
     void tell(const graph::Plan& plan);
 

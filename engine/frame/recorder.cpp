@@ -7,6 +7,7 @@
 #include "engine/passes/nearest_primitive.h"
 #include "engine/passes/opaque_prepass.h"
 #include "engine/passes/overdraw.h"
+#include "engine/passes/tile_edges.h"
 #include "engine/passes/tile_passes.h"
 
 namespace nacre {
@@ -87,6 +88,14 @@ graph::Record Recorder::colorsByTiles(Image atlas) const {
 
 graph::Record Recorder::copiedColors(graph::Buffer colors, Image image, graph::Extent extent) const {
     return of([=](Context& c, const SceneView& scene) { passes::copyColors(c, scene, colors, image, extent); });
+}
+
+graph::Record Recorder::edgesByTiles(Image atlas) const {
+    return of([=](Context& c, const SceneView& scene) { passes::drawEdgesByTiles(c, scene, c.view(atlas)); });
+}
+
+graph::Record Recorder::edgeColors(const graph::Clear& clear) const {
+    return of([=](Context& c, const SceneView& scene) { passes::drawEdgeColors(c, scene, clear); });
 }
 
 graph::Record Recorder::tileMean(std::uint32_t tile, Image source) const {

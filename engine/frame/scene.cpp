@@ -56,10 +56,17 @@ layout::EffectConstants effectConstants(const RenderSettings& settings, const st
 }
 
 Scene makeScene(const gpu::Device& device, Representation representation) {
-    Scene scene{std::move(representation), {}, 0};
+    Scene scene{std::move(representation), {}, 0, 1e9};
     scene.buffers = passes::makeSceneBuffers(device, scene.representation);
     double sum = 0;
-    for (const Sphere& s : scene.representation.spheres) sum += s.radius;
+    const auto smallest = [&](float radius) {
+        scene.smallestRadius = std::min(scene.smallestRadius, static_cast<double>(radius));
+    };
+    for (const Sphere& s : scene.representation.spheres) {
+        sum += s.radius;
+        smallest(s.radius);
+    }
+    for (const Cylinder& c : scene.representation.cylinders) smallest(c.radius);
     scene.meanRadius = sum / static_cast<double>(std::max<std::size_t>(scene.representation.spheres.size(), 1));
     return scene;
 }
@@ -94,6 +101,10 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     seen->plates = settings.tuning.plates;
     seen->impostor = settings.tuning.impostor;
     seen->radiusPixels = scene.meanRadius * view.pixelsPerAngstrom;
+    const double farthest = seen->perspective ? view.eyeDistance / (view.eyeDistance + view.radius) : 1;
+    seen->smallestPixels = scene.smallestRadius * view.pixelsPerAngstrom * farthest;
+    const Contours& contours = settings.effects.contours;
+    if (contours.width > 0) seen->smallestPixels = std::min(seen->smallestPixels, 0.75 * contours.width);
     return seen;
 }
 

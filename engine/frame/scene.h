@@ -12,7 +12,8 @@ namespace nacre {
 struct Scene {
     Representation representation;
     passes::SceneBuffers buffers;
-    double meanRadius = 0;  ///< of the spheres, Å
+    double meanRadius = 0;      ///< of the spheres, Å
+    double smallestRadius = 0;  ///< of spheres and cylinders, Å
 };
 
 /// Uploads the streams. @throws Error

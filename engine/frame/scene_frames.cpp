@@ -25,7 +25,7 @@ std::shared_ptr<const gpu::Buffer> SceneFrames::effectsOf(const RenderSettings& 
 
 ScreenFrame SceneFrames::declare(const RenderSettings& asked, const passes::Atlas& baked, const View& view,
                                  std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
-                                 std::shared_ptr<passes::FragmentCounter> fragments) const {
+                                 std::shared_ptr<passes::FragmentCounter> fragments, bool edges) const {
     RenderSettings settings = asked;
     const passes::Atlas used = settings.occlusion.directions > 0 ? baked : passes::Atlas{};
     const gpu::Image& atlas = used.image ? *used.image : white_;
@@ -43,7 +43,8 @@ ScreenFrame SceneFrames::declare(const RenderSettings& asked, const passes::Atla
     const graph::Extent image = imageExtent(view);
     if (path == Visibility::tiles) {
         const bool shaded = seen->coded && !debug && !seen->fragments && device_.caps().tiles.shade;
-        seen->tiles = tiles_.prepare(scene_.representation, *seen, view, image, shaded);
+        seen->tiles =
+            tiles_.prepare(scene_.representation, *seen, view, image, {shaded, edges && drawsEdges() && !debug});
         if (!seen->tiles) path = Visibility::fragdepth;
     }
     stats_.spheres = seen->copies.sphereCount();
@@ -54,10 +55,12 @@ ScreenFrame SceneFrames::declare(const RenderSettings& asked, const passes::Atla
     const bool prepass = plates && graph::platesReject(path, device_.caps().plan);
     ScreenOptions options{image, path, device_.caps().encoded, atlas.desc, targets, prepass, name};
     options.shadedByTiles = seen->tiles && seen->tiles->shaded;
+    options.edges = seen->tiles && seen->tiles->edges.drawn;
     ScreenFrame frame =
         debug ? debugFrame(settings.debug, options, Recorder(seen)) : screenFrame(options, Recorder(seen));
     imports.bind(frame.atlas, atlas);
     if (seen->tiles) imports.bind(frame.numbers, seen->tiles->numbers.buffer);
+    if (frame.edges) imports.bind(*frame.edges, seen->tiles->edgeBuffer().buffer);
     return frame;
 }
 

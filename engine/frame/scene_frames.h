@@ -19,9 +19,15 @@ public:
     /// @param atlas  of the occlusion that is there so far; not looked at if the settings ask for none
     /// @param name  of the graph, by which its images are kept
     /// @param fragments  counts them, if not null
+    /// @param edges  whether they are to be drawn from kEdgeSamples; the frame tells whether they are
     ScreenFrame declare(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                         std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
-                        std::shared_ptr<passes::FragmentCounter> fragments = nullptr) const;
+                        std::shared_ptr<passes::FragmentCounter> fragments = nullptr, bool edges = false) const;
+
+    /// Whether one frame can draw edges from more samples than what lies between them; else it takes many frames.
+    bool drawsEdges() const {
+        return device_.caps().visibility == Visibility::tiles && device_.caps().tiles.drawsEdges;
+    }
 
     /// How the device's caps and the settings want such a frame planned.
     graph::PlanCaps planCaps(const FrameTuning& tuning) const;

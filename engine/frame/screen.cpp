@@ -12,7 +12,7 @@ graph::Image ScreenFrame::add(const ScreenTarget& target, graph::Extent extent) 
 }
 
 ScreenFrame screenFrame(const ScreenOptions& options, const Recorder& recorder) {
-    ScreenFrame frame{graph::Graph(options.name), {}, {}, {}, {}, {}};
+    ScreenFrame frame{graph::Graph(options.name), {}, {}, {}, {}, {}, {}};
     frame.depth = frame.nearest = frame.graph.image("depth", {VK_FORMAT_D32_SFLOAT, options.extent});
     frame.atlas = frame.graph.importImage(
         "occlusion atlas", options.atlas,

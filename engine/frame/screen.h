@@ -41,14 +41,16 @@ struct ScreenOptions {
     bool prepass = true;          ///< false: plates would reject nothing on this path (graph::platesReject)
     const char* name = "screen";  ///< images are kept by it: frames of several sizes want several names
     bool shadedByTiles = false;   ///< `tiles`: compute shades, too; the target takes coded colour
+    bool edges = false;           ///< of `tiles`: they are drawn from more samples than one
 };
 
 struct ScreenFrame {
     graph::Graph graph{"screen"};
-    graph::Image depth;     ///< hardware depth
-    graph::Image nearest;   ///< encoded depth or primitive numbers; `fragdepth`: depth itself
-    graph::Image atlas;     ///< imported
-    graph::Buffer numbers;  ///< imported, of `tiles`: numbers of primitives, or their colours
+    graph::Image depth;                  ///< hardware depth
+    graph::Image nearest;                ///< encoded depth or primitive numbers; `fragdepth`: depth itself
+    graph::Image atlas;                  ///< imported
+    graph::Buffer numbers;               ///< imported, of `tiles`: numbers of primitives, or their colours
+    std::optional<graph::Buffer> edges;  ///< imported, of `tiles`: what they need beside that
     std::vector<graph::Image> targets;
 
     /// The image of a target. @returns it
@@ -70,7 +72,7 @@ void declareDeferred(ScreenFrame& frame, const ScreenOptions& options, const Rec
 /// Nearest depth is read and written as an attachment in raster order: no blending, no second pass over the impostors.
 void declareRasterOrder(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
 /// Numbers of the nearest primitives by compute, tile by tile from lists in order of depth; then every covered pixel is
-/// shaded once. No triangles but those around what may be covered.
+/// shaded once. No triangles but those around what may be covered. Edges: what their samples see, from the same lists.
 void declareTiles(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
 
 /// The same frame as the paper arranged it on OpenGL ES 2: prepass and depth texture in one framebuffer, then the

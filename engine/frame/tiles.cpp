@@ -3,32 +3,61 @@
 
 namespace nacre {
 
-void declareTiles(ScreenFrame& f, const ScreenOptions& options, const Recorder& draw) {
-    const std::uint64_t bytes =
-        sizeof(std::uint32_t) * TileLists::pixelsOfBins(options.extent.width, options.extent.height);
-    if (options.shadedByTiles) {
-        const ScreenTarget& target = options.targets[0];
-        f.numbers = f.graph.importBuffer("colours of tiles", bytes);
-        f.graph.compute("nearest primitive, shaded")
+namespace {
+
+/// The buffers of pixels go by the tiles of bins.
+graph::Buffer addPixels(ScreenFrame& f, const ScreenOptions& options, const char* name, std::uint64_t bytes) {
+    return f.graph.importBuffer(name, bytes * TileLists::pixelsOfBins(options.extent.width, options.extent.height));
+}
+
+/// Colours stand in a buffer row by row, and are laid over there; a copy makes a picture of it.
+void declareShadedTiles(ScreenFrame& f, const ScreenOptions& options, const Recorder& draw) {
+    const ScreenTarget& target = options.targets[0];
+    f.numbers = addPixels(f, options, "colours of tiles", sizeof(std::uint32_t));
+    if (options.edges) f.edges = addPixels(f, options, "primitive numbers", sizeof(std::uint32_t));
+    graph::PassBuilder nearest = f.graph.compute("nearest primitive, shaded");
+    nearest.samples(f.atlas).writes(f.numbers);
+    if (options.edges) nearest.writes(*f.edges);
+    nearest.record(draw.colorsByTiles(f.atlas));
+    if (options.edges)
+        f.graph.compute("edge samples")
+            .reads(*f.edges)
             .samples(f.atlas)
             .writes(f.numbers)
-            .record(draw.colorsByTiles(f.atlas));
-        const graph::Image picture = f.add(target, options.extent);
-        f.graph.transfer(target.pass)
-            .copiesFrom(f.numbers)
-            .copiesTo(picture)
-            .record(draw.copiedColors(f.numbers, picture, options.extent));
-        return;
-    }
-    f.numbers = f.graph.importBuffer("primitive numbers", bytes);
+            .record(draw.edgesByTiles(f.atlas));
+    const graph::Image picture = f.add(target, options.extent);
+    f.graph.transfer(target.pass)
+        .copiesFrom(f.numbers)
+        .copiesTo(picture)
+        .record(draw.copiedColors(f.numbers, picture, options.extent));
+}
+
+}  // namespace
+
+void declareTiles(ScreenFrame& f, const ScreenOptions& options, const Recorder& draw) {
+    if (options.shadedByTiles) return declareShadedTiles(f, options, draw);
+    f.numbers = addPixels(f, options, "primitive numbers", sizeof(std::uint32_t));
     f.graph.compute("nearest primitive").writes(f.numbers).record(draw.nearestByTiles());
 
+    if (options.edges) {
+        f.edges = addPixels(f, options, "edge colours", 2 * sizeof(std::uint32_t));
+        f.graph.compute("edge samples")
+            .reads(f.numbers)
+            .samples(f.atlas)
+            .writes(*f.edges)
+            .record(draw.edgesByTiles(f.atlas));
+    }
     for (const ScreenTarget& target : options.targets)
         f.graph.graphics(target.pass)
             .reads(f.numbers)
             .samples(f.atlas)
             .color(f.add(target, options.extent), target.clear)
             .record(draw.shadedTiles(target.output, f.atlas));
+    if (options.edges)
+        f.graph.graphics("edge colour")
+            .reads(*f.edges)
+            .color(f.targets[0])
+            .record(draw.edgeColors(options.targets[0].clear));
 }
 
 }  // namespace nacre

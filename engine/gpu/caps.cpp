@@ -80,6 +80,8 @@ TileCaps tileCapsOf(const vk::raii::PhysicalDevice& device) {
     TileCaps caps;
     caps.lanes = subgroups.subgroupSize;
     caps.texels = limits.maxTexelBufferElements >= limits.maxStorageBufferRange / sizeof(std::uint32_t);
+    // Shapes, rows of copies, looks, lists, numbers, tiles of bins; and what is written.
+    caps.drawsEdges = caps.texels || limits.maxPerStageDescriptorStorageBuffers >= 7;
     constexpr auto kNeeded = Can::eBasic | Can::eVote | Can::eBallot | Can::eShuffle;
     if ((subgroups.supportedOperations & kNeeded) != kNeeded ||
         !(subgroups.supportedStages & vk::ShaderStageFlagBits::eCompute))

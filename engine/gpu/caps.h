@@ -16,6 +16,7 @@ struct TileCaps {
     bool texels = false;      ///< texel buffers hold whole streams
     std::uint32_t lanes = 0;  ///< of a subgroup
     bool shade = false;       ///< compute shades faster than fragments are drawn
+    bool drawsEdges = false;  ///< from the lists, too
     std::string lacks;        ///< what the path needs and the device has not; empty: nothing
 };
 

@@ -127,8 +127,8 @@ Layout makeLayout(const Device& device, const LayoutDescription& d) {
     const vk::PushConstantRange range(d.stages, 0, d.pushConstantBytes);
     std::vector<vk::DescriptorSetLayout> sets{*layout.set};
     if (d.counter) {
-        const vk::DescriptorSetLayoutBinding binding(0, vk::DescriptorType::eStorageBuffer, 1,
-                                                     vk::ShaderStageFlagBits::eFragment);
+        constexpr auto kCounting = vk::ShaderStageFlagBits::eFragment | vk::ShaderStageFlagBits::eCompute;
+        const vk::DescriptorSetLayoutBinding binding(0, vk::DescriptorType::eStorageBuffer, 1, d.stages & kCounting);
         layout.counterSet = vk::raii::DescriptorSetLayout(*device, vk::DescriptorSetLayoutCreateInfo({}, binding));
         device.name(*layout.counterSet, name + ", set 1");
         sets.push_back(*layout.counterSet);

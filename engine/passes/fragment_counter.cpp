@@ -29,8 +29,8 @@ vk::DescriptorBufferInfo FragmentCounter::slot(std::string_view pass) {
 
 void FragmentCounter::finish(const vk::raii::CommandBuffer& commands) const {
     const vk::MemoryBarrier barrier(vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eHostRead);
-    commands.pipelineBarrier(vk::PipelineStageFlagBits::eFragmentShader, vk::PipelineStageFlagBits::eHost, {}, barrier,
-                             {}, {});
+    commands.pipelineBarrier(vk::PipelineStageFlagBits::eFragmentShader | vk::PipelineStageFlagBits::eComputeShader,
+                             vk::PipelineStageFlagBits::eHost, {}, barrier, {}, {});
 }
 
 std::vector<PassCount> FragmentCounter::counts() const {

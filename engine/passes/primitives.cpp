@@ -131,12 +131,13 @@ void setShadingConstants(gpu::Specialization& constants, const SceneView& view) 
     constants.set(layout::kCellsId, static_cast<bool>(view.occlusionCells));
 }
 
-void bindCounter(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout) {
+void bindCounter(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout,
+                 vk::PipelineBindPoint point) {
     if (!view.fragments) return;
     const vk::DescriptorSet set = context.descriptors.allocate(layout.counterSet, "fragment counter");
     const vk::DescriptorBufferInfo slot = view.fragments->slot(context.pass);
     context.device->updateDescriptorSets(vk::WriteDescriptorSet(set, 0, 0, Type::eStorageBuffer, {}, slot), {});
-    context.commands.bindDescriptorSets(kGraphics, *layout.pipeline, 1, set, {});
+    context.commands.bindDescriptorSets(point, *layout.pipeline, 1, set, {});
 }
 
 void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive primitive, const Shaders& shaders,

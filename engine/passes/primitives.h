@@ -66,6 +66,7 @@ void setGeometryConstants(gpu::Specialization& constants, const SceneView& view)
 void setShadingConstants(gpu::Specialization& constants, const SceneView& view);
 
 /// Binds the counter of this pass as set 1, if the view counts.
-void bindCounter(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout);
+void bindCounter(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout,
+                 vk::PipelineBindPoint point = vk::PipelineBindPoint::eGraphics);
 
 }  // namespace nacre::passes

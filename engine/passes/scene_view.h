@@ -40,6 +40,7 @@ struct SceneView {
     PlateShape plates = PlateShape::automatic;
     ImpostorShape impostor = ImpostorShape::automatic;
     double radiusPixels = 0;                     ///< mean radius of the spheres in the picture
+    double smallestPixels = 0;                   ///< half the width of the narrowest primitive or line in the picture
     std::shared_ptr<FragmentCounter> fragments;  ///< null: none are counted
 };
 

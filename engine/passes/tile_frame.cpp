@@ -12,6 +12,11 @@ constexpr auto kRead = Usage::eStorageBuffer | Usage::eUniformTexelBuffer;
 /// Turns of all loops that lavapipe 22.3 grants an invocation are 65,535; it then leaves them and says nothing. One
 /// goes by every entry, and as many again by the chunks.
 constexpr std::uint32_t kLongestList = 28000;
+/// The same where edges are drawn: a tile may be gone through eight times.
+constexpr std::uint32_t kLongestListOfEdges = 6000;
+
+/// Half a width in pixels below which a primitive may be seen by none of the pixels about it.
+constexpr double kSmallPixels = 0.75;
 
 TileView tileView(const SceneView& seen, const View& view, graph::Extent image) {
     const layout::ViewConstants& c = seen.constants;
@@ -66,7 +71,7 @@ layout::TileConstants constantsOf(const layout::ViewConstants& c, const PlacedCo
 }  // namespace
 
 std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, const SceneView& seen, const View& view,
-                                                     graph::Extent image, bool shaded) {
+                                                     graph::Extent image, TileWork work) {
     auto free = std::find_if(frames_.begin(), frames_.end(), [](const auto& frame) { return frame.use_count() == 1; });
     if (free == frames_.end()) free = frames_.insert(free, std::make_shared<TileFrame>());
     TileFrame& frame = **free;
@@ -76,9 +81,12 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     if (frame.lists.longest() > kLongestList) return nullptr;
     frame.copies = !r.copies.transforms.empty();
     frame.constants = constantsOf(seen.constants, seen.copies, frame.lists);
-    frame.shaded = shaded;
+    frame.shaded = work.shaded;
     upload(frame, seen.copies, image);
     clearColors(frame);
+    frame.edges.drawn = work.edges && frame.lists.longest() <= kLongestListOfEdges;
+    frame.edges.everywhere = seen.smallestPixels < kSmallPixels;
+    if (frame.edges.drawn) uploadEdges(frame, image);
     return *free;
 }
 
@@ -142,6 +150,24 @@ void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent 
     for (const TileLists::Span& s : lists.spans())
         *spans++ = {glm::vec4(glm::vec2(s.x, s.y) * ndc, glm::vec2(s.endX, s.endY) * ndc) - 1.0f,
                     s.x * TileLists::kBinPixels, s.slot * TileLists::kTilePixels * TileLists::kTilePixels};
+}
+
+void TileFrames::uploadEdges(TileFrame& f, graph::Extent image) const {
+    const TileLists& lists = f.lists;
+    const std::size_t across = lists.across() + 2, bins = across * (lists.down() + 2);
+    reserve(f.edges.slots, 4 * bins, kRead, vk::Format::eR32Uint, "tiles of bins");
+    if (f.shaded)
+        reserve(f.edges.numbers, 4 * TileLists::pixelsOfBins(image.width, image.height), kRead, vk::Format::eR32Uint,
+                "primitive numbers");
+    else
+        reserve(f.edges.colors, 8 * TileLists::pixelsOfBins(image.width, image.height), kRead, vk::Format::eR32G32Uint,
+                "edge colours");
+    auto* slots = reinterpret_cast<std::uint32_t*>(f.edges.slots.buffer.mapped);
+    std::fill_n(slots, bins, layout::kNoEdge);
+    constexpr std::uint32_t kTilesOfBin = TileLists::kTilesInBin * TileLists::kTilesInBin;
+    for (const TileLists::Span& s : lists.spans())
+        for (std::uint32_t x = s.x; x < s.endX; ++x)
+            slots[(s.y + 1) * across + x + 1] = s.slot + (x - s.x) * kTilesOfBin;
 }
 
 }  // namespace nacre::passes

@@ -17,6 +17,21 @@ struct TileBuffer {
     vk::raii::BufferView texels{nullptr};
 };
 
+/// What the edges of a frame are drawn with, if they are.
+struct TileEdges {
+    bool drawn = false;
+    bool everywhere = false;  ///< primitives are so small that one may stand between the middles of pixels
+    TileBuffer slots;         ///< of the bins' first tiles, with a rim of bins without any
+    TileBuffer numbers;       ///< as TileFrame's, where those are colours, among which those of edges are, then
+    TileBuffer colors;        ///< else: tile by tile as the numbers, linear, premultiplied halves; kNoEdge elsewhere
+};
+
+/// What is asked of a frame.
+struct TileWork {
+    bool shaded = false;  ///< compute shades, too
+    bool edges = false;   ///< edges are drawn; none are where a list is longer than their loops
+};
+
 struct TileFrame {
     TileLists lists;
     layout::TileConstants constants{};
@@ -28,6 +43,10 @@ struct TileFrame {
     TileBuffer spans;                      ///< TileLists::spans() as vertices
     std::vector<TileLists::Span> colored;  ///< where `numbers` may hold colours of the frame before
     std::uint32_t coloredAcross = 0;       ///< bins in a row of those
+    TileEdges edges;
+
+    /// What is made for the edges' sake.
+    const TileBuffer& edgeBuffer() const { return shaded ? edges.numbers : edges.colors; }
 };
 
 /// Rows of bins as shaders/tile_span.vert reads them.
@@ -42,13 +61,13 @@ public:
     explicit TileFrames(const gpu::Device& device) : device_(device) {}
 
     /// Lists what a view may see, and uploads that. @returns null if a list is longer than the device's loops
-    /// @param shaded  compute shades, too
     std::shared_ptr<const TileFrame> prepare(const Representation& representation, const SceneView& seen,
-                                             const View& view, graph::Extent image, bool shaded);
+                                             const View& view, graph::Extent image, TileWork work);
 
 private:
     static void clearColors(TileFrame& frame);
     void upload(TileFrame& frame, const PlacedCopies& copies, graph::Extent image) const;
+    void uploadEdges(TileFrame& frame, graph::Extent image) const;
     void reserve(TileBuffer& buffer, std::size_t bytes, vk::BufferUsageFlags usage, vk::Format format,
                  const char* name) const;
 

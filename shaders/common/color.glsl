@@ -98,11 +98,12 @@ float capShade(vec2 q) {
     if (kCap == 0) return 1.0;
     // Strokes from lower left to upper right, as draughtsmen hatch a section. They stay with the picture.
     float stroke = fract((q.x - q.y) * 0.70710678 / effects.hatch);
-    return abs(stroke - 0.5) < 0.15 ? 0.45 : 1.0;
+    float inside = (0.15 - abs(stroke - 0.5)) * effects.hatch / view.pixel;  // of its edge, pixels
+    return mix(1.0, 0.45, clamp(inside + 0.5, 0.0, 1.0));
 }
 
-/// As the target takes it. @param q  planePoint() of the pixel
-vec3 colorOf(Hit hit, uint colorBits, float occlusion, vec2 q) {
+/// In linear light. @param q  planePoint() of the pixel
+vec3 lightOf(Hit hit, uint colorBits, float occlusion, vec2 q) {
     vec3 lit = shade(linearColor(colorBits), hit.normal, kClip && !hit.cap ? opened(occlusion) : occlusion);
     if (kClip && hit.cap) lit *= capShade(q);
     if (kContours > 0 && hit.contour) lit = effects.contour.rgb;
@@ -110,6 +111,10 @@ vec3 colorOf(Hit hit, uint colorBits, float occlusion, vec2 q) {
         float share = clamp((hit.Z - effects.fogStart) * effects.perFog, 0.0, 1.0);
         lit = mix(lit, effects.fog.rgb, share * effects.fog.a);
     }
-    return kCoded ? srgbFromLinear(clamp(lit, 0.0, 1.0)) : lit;
+    return lit;
+}
+vec3 asTargetTakesIt(vec3 lit) { return kCoded ? srgbFromLinear(clamp(lit, 0.0, 1.0)) : lit; }
+vec3 colorOf(Hit hit, uint colorBits, float occlusion, vec2 q) {
+    return asTargetTakesIt(lightOf(hit, colorBits, occlusion, q));
 }
 #endif

@@ -42,6 +42,17 @@ const int kHighlightId = 25;     // float
 const int kGlossId = 26;         // float: exponent of the highlight
 const int kDeepeningId = 27;     // float: how much of the occlusion counts, 0..1
 const int kCellsId = 28;         // bool: shaders interpolate occlusion themselves, as its cells are
+const int kEverywhereId = 60;    // bool: every pixel is drawn as an edge
+const int kClearId = 61;         // float, four of them: what a picture is cleared to, linear and premultiplied
+const int kNumberedId = 65;      // bool: what shades by tiles writes numbers, too
+const int kRowsId = 66;          // bool: edges are coded words, row by row
+
+/// Rows of the samples of an edge pixel, 0..15, four bits each: sample i stands in column i. A search for the order of
+/// rows that errs least about the share of a pixel that lies on one side of a straight line.
+const uint kSampleRowsLow = 0x04BF851Cu;
+const uint kSampleRowsHigh = 0x92E63DA7u;
+/// In place of an edge pixel's colour: it is none.
+const uint kNoEdge = 0xffffffffu;
 
 const int kCopyColorsId = 32;  // colours that the copies of an assembly take in turn; 0: they all look the same
 

@@ -20,7 +20,8 @@ using Names = std::vector<std::string>;
 
 // 40 directions are three batches, since deep texels are looked for after the 32nd. A transparent background, so that
 // the picture is the colour target's very bytes.
-const std::string kRender = "render sample:glucose -o a.png --size 96x80 --occlusion 40 --background transparent ";
+const std::string kPicture = "render sample:glucose -o a.png --size 96x80 --occlusion 40 --background transparent ";
+const std::string kRender = kPicture + "--supersample 1 ";
 
 std::vector<std::uint8_t> bytesOf(const std::string& path) {
     OIIO::ImageSpec config;
@@ -88,8 +89,9 @@ TEST(RenderCapture, ShowsTheBakeAndOneRenderPassAndReplaysToThePicture) {
 
 TEST(RenderCapture, EveryResourceOfEveryPathHasAName) {
     const TemporaryFolder folder;
-    for (const char* path : {"fragdepth --merge off", "tiles", "deferred --supersample 2 --layers l.exr"}) {
-        const Outcome outcome = nacreIn(folder, kRender + "--capture a.rdc --visibility " + path);
+    for (const char* path :
+         {"fragdepth --merge off --supersample 1", "tiles", "deferred --supersample 2 --layers l.exr"}) {
+        const Outcome outcome = nacreIn(folder, kPicture + "--capture a.rdc --visibility " + path);
         ASSERT_EQ(outcome.code, 0) << path << ": " << outcome.err;
         EXPECT_EQ(inspect(folder / "a.rdc")["unnamed"], nlohmann::json::array()) << path;
     }

@@ -117,10 +117,11 @@ TEST(AppearanceOptions, HiddenAtomsAreNotInThePicture) {
 
 TEST(AppearanceOptions, ColoursAndLegendReachPictureAndStats) {
     const TemporaryFolder folder;
-    const Outcome outcome = nacreIn(folder,
-                                    "render sample:glucose -o a.exr --stats s.json --size 96x96 --occlusion off "
-                                    "--lighting off --color element:red --color-by 'elem O=blue' --hide hydrogens "
-                                    "--show 'elem C=licorice' --color-by 'resn QQQ=chain'");
+    const Outcome outcome =
+        nacreIn(folder,
+                "render sample:glucose -o a.exr --stats s.json --size 96x96 --supersample 1 --occlusion off "
+                "--lighting off --color element:red --color-by 'elem O=blue' --hide hydrogens "
+                "--show 'elem C=licorice' --color-by 'resn QQQ=chain'");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "nacre: warning: nothing to color by 'resn QQQ': the molecule has no such atoms\n");
     const auto stats = nlohmann::json::parse(test::contentOf(folder / "s.json"));

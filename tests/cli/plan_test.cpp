@@ -141,6 +141,25 @@ TEST(Plan, OfTilesTellsTheComputePassAndWhatItHandsOn) {
     EXPECT_EQ(std::count(dot.begin(), dot.end(), '{'), std::count(dot.begin(), dot.end(), '}'));
 }
 
+TEST(Plan, OfAPictureTellsHowItsEdgesAreDrawn) {
+    PlanOptions options = phone("");
+    options.device.visibility = Visibility::tiles;
+    options.edges = true;
+    const Json json = jsonOf(options);
+    EXPECT_EQ(json["frames"], 1);
+    ASSERT_EQ(json["compute_passes"].size(), 2u);
+    EXPECT_EQ(json["compute_passes"][1], (Json{{"name", "edge samples"},
+                                               {"reads", {"primitive numbers", "occlusion atlas"}},
+                                               {"writes", {"edge colours"}}}));
+    ASSERT_EQ(json["render_passes"].size(), 1u);
+    ASSERT_EQ(json["render_passes"][0]["subpasses"].size(), 1u);
+    EXPECT_EQ(json["render_passes"][0]["subpasses"][0]["name"], "impostor colour + edge colour");
+    EXPECT_EQ(planText(planReport(options)).find("the mean of"), std::string::npos);
+    options.device.visibility = Visibility::encoded;
+    EXPECT_EQ(jsonOf(options)["frames"], 16);
+    EXPECT_NE(planText(planReport(options)).find("a picture is the mean of 16 such frames"), std::string::npos);
+}
+
 TEST(Plan, RefusesWhatTheDeviceCannotDo) {
     PlanOptions options = phone("mali");
     options.device.encoded = EncodedDepth::r32f;

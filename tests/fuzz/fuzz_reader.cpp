@@ -49,6 +49,7 @@ void draw(const nacre::Molecule& molecule, std::size_t choice) {
     if (choice / 3 % 2 && !molecule.assemblies.empty()) look.assembly = molecule.assemblies.front().id;
     nacre::Representation scene = nacre::represent(molecule, drawn, look);
     nacre::RenderSettings settings;
+    settings.supersample = 1;
     settings.view = nacre::viewOf({}, scene.radius, 24, 24);
     settings.occlusion.directions = 1;
     renderer->setScene(std::move(scene));

@@ -10,9 +10,10 @@ namespace {
 
 constexpr Extent kScreen{100, 50};
 /// The screen frame as the renderer declares it.
-Graph frameBy(Visibility visibility, bool prepass = true) {
+Graph frameBy(Visibility visibility, bool prepass = true, bool edges = false) {
     ScreenOptions options;
     options.prepass = prepass;
+    options.edges = edges;
     options.extent = kScreen;
     options.visibility = visibility;
     for (const EncodedFormat& format : encodedFormats())
@@ -59,6 +60,20 @@ TEST(ScreenPlan, TilesAreAComputePassAndOneThatShades) {
     EXPECT_FALSE(between.isImage);
     EXPECT_EQ(between.from.stages, VkPipelineStageFlags{VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT});
     EXPECT_EQ(between.to.stages, VkPipelineStageFlags{VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT});
+}
+
+TEST(ScreenPlan, EdgesByTilesAreAComputePassAndAPassOfTheSameSubpass) {
+    const Graph g = frameBy(Visibility::tiles, true, true);
+    EXPECT_EQ(
+        describe(g, compile(g, capabilitySet("desktop").plan)),
+        "compute nearest primitive\n"
+        "compute edge samples\n"
+        "render pass 100x50\n"
+        "  colour  RGBA8 sRGB  clear  store\n"
+        "  subpass 0 impostor colour + edge colour: colour write, primitive numbers read, occlusion atlas sample, "
+        "edge colours read\n"
+        "  tile 4 B/px\n"
+        "memory: loaded 114688 B, stored 106016 B\n");
 }
 
 TEST(ScreenPlan, MaliEncodedIsOneRenderPassOfThreeSubpasses) {

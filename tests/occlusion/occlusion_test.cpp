@@ -48,6 +48,7 @@ TEST_P(OcclusionOf, MoleculeIsNearTheRayTraced) {
     renderer->setScene(r);
     const auto points = tracePoints(*renderer.operator->(), r, 2000, 1024);
     RenderSettings s;
+    s.supersample = 1;
     s.occlusion.directions = 128;
     const Difference d = bakedDifference(*renderer.operator->(), r, s, points);
     std::cout << "RMS " << d.rootMeanSquare << ", mean " << d.mean << ", worst " << d.worst << "\n";

@@ -83,6 +83,7 @@ TEST(OcclusionContacts, LetNoLightIn) {
         renderer->setScene(r);
         const auto points = tracePoints(*renderer.operator->(), r, 4000, 400);
         RenderSettings settings;
+        settings.supersample = 1;
         settings.occlusion.directions = 256;
         std::vector<TracedPoint> dark;
         std::copy_if(points.begin(), points.end(), std::back_inserter(dark),

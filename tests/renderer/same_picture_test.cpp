@@ -197,6 +197,7 @@ TEST(Frame, OfNothingIsTheBackground) {
             ValidatedRenderer renderer(path);
             if (set) renderer->setScene({});
             RenderSettings s;
+            s.supersample = 1;
             s.view = viewOf({}, 1, 40, 30);
             s.background = {1, 0, 0, 1};
             s.occlusion.directions = 8;

@@ -76,6 +76,7 @@ inline RenderSettings settings(const Representation& r, std::uint32_t size, Proj
     RenderSettings s;
     s.view = viewOf(camera, r.radius, size, size);
     s.occlusion.directions = 0;
+    s.supersample = 1;
     return s;
 }
 

@@ -14,6 +14,7 @@ RenderSettings oblong(const Representation& r, Projection projection) {
     camera.rotationDegrees = {20, 30, 10};
     camera.zoom = 1.3;
     RenderSettings s;
+    s.supersample = 1;
     s.view = viewOf(camera, r.radius, 150, 110);
     s.occlusion.directions = 0;
     return s;

@@ -1,0 +1,75 @@
+#pragma once
+// What the passes that draw by tiles have in common: how they bind what they read, and how many workgroups there are.
+
+#include <algorithm>
+
+#include "engine/gpu/execute.h"
+#include "engine/passes/primitives.h"
+#include "engine/passes/tile_frame.h"
+
+namespace nacre::passes {
+
+constexpr auto kTexel = vk::DescriptorType::eUniformTexelBuffer, kStorage = vk::DescriptorType::eStorageBuffer;
+
+/// The variants of a stage by where its data is and what the scene has.
+#define NACRE_TILE_STAGE(name, counting)                                                                      \
+    (texels ? (cylinders ? shaders::name##TexelsCylinders##counting : shaders::name##TexelsSpheres##counting) \
+            : (cylinders ? shaders::name##StorageCylinders##counting : shaders::name##StorageSpheres##counting))
+
+/// Sets one binding after another.
+class TileBindings {
+public:
+    TileBindings(gpu::PassContext& context, vk::DescriptorSet set, std::uint32_t first)
+        : context_(context), set_(set), at_(first) {}
+
+    /// As the device reads streams: texels, or storage.
+    void read(const gpu::Buffer& buffer, const vk::raii::BufferView& texels) {
+        if (!*texels) return store(buffer);
+        const vk::BufferView view = *texels;
+        write({set_, at_++, 0, 1, kTexel, nullptr, nullptr, &view});
+    }
+    void read(vk::BufferView view) { write({set_, at_++, 0, 1, kTexel, nullptr, nullptr, &view}); }
+    void read(const TileBuffer& b) { read(b.buffer, b.texels); }
+    void store(const gpu::Buffer& buffer) { whole(buffer, kStorage); }
+    void uniform(const gpu::Buffer& buffer) { whole(buffer, vk::DescriptorType::eUniformBuffer); }
+    void sample(vk::ImageView texture) {
+        const vk::DescriptorImageInfo image(context_.pipelines.sampler(vk::Filter::eLinear), texture,
+                                            vk::ImageLayout::eShaderReadOnlyOptimal);
+        write({set_, at_++, 0, 1, vk::DescriptorType::eCombinedImageSampler, &image});
+    }
+
+private:
+    void whole(const gpu::Buffer& buffer, vk::DescriptorType type) {
+        const vk::DescriptorBufferInfo info(*buffer.handle, 0, VK_WHOLE_SIZE);
+        write({set_, at_++, 0, 1, type, nullptr, &info});
+    }
+    void write(const vk::WriteDescriptorSet& write) { context_.device->updateDescriptorSets(write, {}); }
+
+    gpu::PassContext& context_;
+    vk::DescriptorSet set_;
+    std::uint32_t at_;
+};
+
+inline void setTileView(gpu::Specialization& constants, const SceneView& view) {
+    setGeometryConstants(constants, view);
+    constants.set(layout::kCopiesId, view.tiles->copies);
+    constants.set(layout::kTilesInBinId, TileLists::kTilesInBin);
+}
+
+/// A workgroup a tile.
+inline void dispatchTiles(gpu::PassContext& context, const TileFrame& frame) {
+    constexpr std::uint32_t kRow = 65535;  // the floor's limit of workgroups in a row
+    const auto tiles = static_cast<std::uint32_t>(frame.lists.tiles().size());
+    context.commands.dispatch(std::min(tiles, kRow), (tiles + kRow - 1) / kRow, 1);
+}
+
+/// Binds the rows of bins, and draws them.
+inline void drawSpans(gpu::PassContext& context, const TileFrame& frame) {
+    context.commands.bindVertexBuffers(0, {*frame.spans.buffer.handle}, {0});
+    context.commands.draw(4, static_cast<std::uint32_t>(frame.lists.spans().size()), 0, 0);
+}
+
+/// The vertex stream of drawSpans().
+gpu::VertexStreams spanStreams();
+
+}  // namespace nacre::passes

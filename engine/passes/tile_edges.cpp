@@ -1,0 +1,102 @@
+#include "engine/passes/tile_edges.h"
+
+#include "engine/passes/tile_bindings.h"
+#include "shaders.h"
+
+namespace nacre::passes {
+namespace {
+
+using Type = vk::DescriptorType;
+constexpr auto kCompute = vk::ShaderStageFlagBits::eCompute;
+constexpr vk::ShaderStageFlags kDraw = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
+
+// Atlas, effects; shapes, rows of copies, looks; lists, numbers, tiles of bins; colours, which are written; cells of
+// the atlas.
+constexpr Type kSampleTexels[] = {Type::eCombinedImageSampler,
+                                  Type::eUniformBuffer,
+                                  kTexel,
+                                  kTexel,
+                                  kTexel,
+                                  kTexel,
+                                  kTexel,
+                                  kTexel,
+                                  kStorage,
+                                  kTexel};
+constexpr Type kSampleStorage[] = {Type::eCombinedImageSampler,
+                                   Type::eUniformBuffer,
+                                   kStorage,
+                                   kStorage,
+                                   kStorage,
+                                   kStorage,
+                                   kStorage,
+                                   kStorage,
+                                   kStorage};
+constexpr Type kColorTexels[] = {kTexel};
+constexpr Type kColorStorage[] = {kStorage};
+
+Stage sampleStage(bool texels, bool cylinders) {
+    return {NACRE_TILE_STAGE(tileEdges, ), NACRE_TILE_STAGE(tileEdges, Counting)};
+}
+
+}  // namespace
+
+void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas) {
+    const TileFrame& f = *view.tiles;
+    const SceneBuffers& scene = *view.buffers;
+    const gpu::TileCaps& caps = context.device.caps().tiles;
+    if (f.lists.tiles().empty()) return;
+    const std::span<const Type> types = caps.texels ? std::span<const Type>(kSampleTexels) : kSampleStorage;
+    const gpu::Layout& layout = context.pipelines.layout(
+        {"edges by tiles", types, kCompute, sizeof(layout::TileConstants), view.fragments != nullptr});
+    const Stage stage = sampleStage(caps.texels, scene.cylinderCount > 0);
+    gpu::ComputePipeline d{context.pass, stage.of(view), {}, *layout.pipeline};
+    setTileView(d.constants, view);
+    setShadingConstants(d.constants, view);
+    d.constants.set(layout::kLanesId, caps.lanes);
+    d.constants.set(layout::kEverywhereId, f.edges.everywhere);
+    d.constants.set(layout::kRowsId, f.shaded);
+    context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, context.pipelines.compute(d));
+    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
+    TileBindings bindings(context, set, 0);
+    bindings.sample(atlas);
+    bindings.uniform(*view.effectConstants);
+    bindings.read(scene.shapes, scene.shapeTexels);
+    bindings.read(f.rows);
+    bindings.read(scene.looks, scene.lookTexels);
+    bindings.read(f.words);
+    bindings.read(f.shaded ? f.edges.numbers : f.numbers);
+    bindings.read(f.edges.slots);
+    bindings.store(f.shaded ? f.numbers.buffer : f.edges.colors.buffer);
+    // Never left unwritten, even where the shader reads none: lavapipe looks at it.
+    if (caps.texels) bindings.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
+    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline, 0, set, {});
+    bindCounter(context, view, layout, vk::PipelineBindPoint::eCompute);
+    context.commands.pushConstants<layout::TileConstants>(*layout.pipeline, kCompute, 0, f.constants);
+    dispatchTiles(context, f);
+}
+
+void drawEdgeColors(gpu::PassContext& context, const SceneView& view, const graph::Clear& clear) {
+    const TileFrame& f = *view.tiles;
+    const bool texels = context.device.caps().tiles.texels;
+    if (f.lists.spans().empty()) return;
+    const gpu::Layout& layout = context.pipelines.layout(
+        {"edge colours", texels ? kColorTexels : kColorStorage, kDraw, sizeof(layout::TileConstants)});
+    gpu::GraphicsPipeline d = context.pipeline();
+    d.detail = "tiles";
+    d.vertex = shaders::tilePlaceVertex;
+    d.fragment = texels ? shaders::edgeColorTexels : shaders::edgeColorStorage;
+    d.constants.set(layout::kTilesInBinId, TileLists::kTilesInBin);
+    d.constants.set(layout::kCodedId, view.coded);
+    for (int i = 0; i < 4; ++i) d.constants.set(layout::kClearId + i, clear.value[static_cast<std::size_t>(i)]);
+    d.streams = spanStreams();
+    d.layout = *layout.pipeline;
+    d.colorsWritten = 1;
+    context.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, context.pipelines.graphics(d));
+    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
+    TileBindings(context, set, 0).read(f.edges.colors);
+    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, set, {});
+    context.commands.pushConstants<layout::TileConstants>(*layout.pipeline, kDraw, 0, f.constants);
+    drawSpans(context, f);
+}
+
+}  // namespace nacre::passes

@@ -1,0 +1,10 @@
+// Where the samples of a pixel stand that are more than one. Each has a row and a column of 16 of its own.
+#include "layout.h"
+
+const int kSamples = 16;
+
+/// From the pixel's corner, pixels.
+vec2 sampleAt(int i) {
+    uint row = (i < 8 ? kSampleRowsLow : kSampleRowsHigh) >> uint(4 * (i & 7)) & 15u;
+    return (vec2(i, row) + 0.5) / float(kSamples);
+}

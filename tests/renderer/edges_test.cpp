@@ -1,0 +1,154 @@
+// Antialiasing as it is by default: what a picture of 8 x 8 samples a pixel shows, nearly, by one frame of the `tiles`
+// path and by the mean of many on the others.
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/renderer/scenes.h"
+
+namespace nacre::test {
+namespace {
+
+float coded(float linear) {
+    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
+}
+
+/// Peak signal-to-noise ratio in dB, of sRGB-coded colour and of coverage.
+double likeness(const Picture& a, const Picture& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.rgba.size(); ++i) {
+        const double d = i % 4 == 3 ? a.rgba[i] - b.rgba[i] : coded(a.rgba[i]) - coded(b.rgba[i]);
+        sum += d * d;
+    }
+    return 10 * std::log10(static_cast<double>(a.rgba.size()) / sum);
+}
+
+struct Case {
+    const char* file;
+    Style style;
+    Projection projection;
+    double contours = 0;
+    bool clip = false;
+};
+void PrintTo(const Case& c, std::ostream* out) {
+    *out << c.file << " style " << static_cast<int>(c.style) << " projection " << static_cast<int>(c.projection)
+         << (c.contours > 0 ? " contours" : "") << (c.clip ? " clip" : "");
+}
+
+class Edges : public SharedRenderers<Case> {
+protected:
+    static RenderSettings wanted(const Representation& r, std::uint32_t size) {
+        const Case& c = GetParam();
+        RenderSettings s = settings(r, size, c.projection, {75, -40, 120});
+        s.background = {0, 0, 0, 0};
+        s.effects.contours.width = c.contours;
+        if (c.clip) s.effects.clip.near = 0, s.effects.clip.cap = Clip::Cap::hatched;
+        return s;
+    }
+};
+
+TEST_P(Edges, LookAsIfEveryPixelHadManySamples) {
+    if (!std::string(GetParam().file).starts_with("sample:")) NACRE_NEEDS_DATA();
+    const Representation r = scene(GetParam().file, GetParam().style);
+    RenderSettings s = wanted(r, 160);
+    for (const Visibility path : {Visibility::tiles, Visibility::fragdepth}) {
+        SCOPED_TRACE(static_cast<int>(path));
+        ValidatedRenderer& renderer = rendererOf(path);
+        renderer->setScene(r);
+        s.supersample = 8;
+        const Picture truth = renderer->render(s);
+        s.supersample = 1;
+        EXPECT_LT(likeness(renderer->render(s), truth), 33);
+        EXPECT_EQ(renderer->stats().samples, 1u);
+        s.supersample = RenderSettings::kEdges;
+        const Picture picture = renderer->render(s);
+        EXPECT_GT(likeness(picture, truth), 38);
+        EXPECT_EQ(renderer->stats().samples, 16u);
+        EXPECT_EQ(renderer->stats().frames, path == Visibility::tiles ? 1u : 16u);
+        float worst = 0;  // of coverage
+        for (std::size_t i = 3; i < picture.rgba.size(); i += 4)
+            worst = std::max(worst, std::abs(picture.rgba[i] - truth.rgba[i]));
+        EXPECT_LT(worst, 0.2f);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Edges,
+                         testing::Values(Case{"sample:dna", Style::spacefill, Projection::orthographic},
+                                         Case{"sample:dna", Style::licorice, Projection::perspective},
+                                         Case{"sample:glucose", Style::ballAndStick, Projection::orthographic},
+                                         Case{"sample:buckyball", Style::ballAndStick, Projection::perspective, 3},
+                                         Case{"sample:glucose", Style::spacefill, Projection::perspective, 2, true},
+                                         Case{"1bna.pdb", Style::spacefill, Projection::orthographic},
+                                         Case{"1crn.pdb", Style::licorice, Projection::orthographic},
+                                         Case{"4hhb.pdb", Style::spacefill, Projection::orthographic}),
+                         [](const auto& test) { return testName(test.param.file) + "_" + std::to_string(test.index); });
+
+/// Where sticks are thinner than a pixel, no pixel beside one need have it in its middle.
+TEST(EdgesOf, SticksThinnerThanAPixel) {
+    const Representation r = scene("sample:dna", Style::licorice);
+    ValidatedRenderer renderer(Visibility::tiles);
+    renderer->setScene(r);
+    RenderSettings s = settings(r, 48, Projection::orthographic);
+    s.supersample = 8;
+    const Picture truth = renderer->render(s);
+    s.supersample = RenderSettings::kEdges;
+    EXPECT_GT(likeness(renderer->render(s), truth), 36);
+}
+
+/// Whose sides are no whole tiles.
+TEST(EdgesOf, OddPictures) {
+    const Representation r = scene("sample:dna", Style::spacefill);
+    ValidatedRenderer renderer(Visibility::tiles);
+    renderer->setScene(r);
+    Camera camera;
+    camera.pan = {1.3, -0.7};
+    RenderSettings s = settings(r, 64, Projection::orthographic);
+    s.view = viewOf(camera, r.radius, 131, 77);
+    s.supersample = 8;
+    const Picture truth = renderer->render(s);
+    s.supersample = RenderSettings::kEdges;
+    EXPECT_GT(likeness(renderer->render(s), truth), 38);
+}
+
+TEST(EdgesOf, ListsThatAreTooLongAreTheMeanOfFrames) {
+    Representation r;
+    for (int i = 0; i < 7000; ++i) {
+        r.spheres.push_back({{0, 0, 0.001f * static_cast<float>(i)}, 1});
+        r.sphereLooks.push_back({0xff4060c0u, static_cast<std::uint32_t>(i + 1)});
+    }
+    r.radius = 9;
+    ValidatedRenderer renderer(Visibility::tiles);
+    renderer->setScene(r);
+    RenderSettings s = settings(r, 48, Projection::orthographic);
+    s.supersample = 4;
+    const Picture truth = renderer->render(s);
+    s.supersample = RenderSettings::kEdges;
+    EXPECT_GT(likeness(renderer->render(s), truth), 38);
+    EXPECT_EQ(renderer->stats().frames, 16u);
+}
+
+TEST(EdgesOf, PicturesAreCounted) {
+    const Representation r = scene("sample:dna", Style::spacefill);
+    RenderSettings s = settings(r, 96, Projection::orthographic);
+    s.supersample = RenderSettings::kEdges;
+    s.tuning.countFragments = true;
+    const auto countOf = [&](Visibility path, const std::string& pass) {
+        ValidatedRenderer renderer(path);
+        renderer->setScene(r);
+        renderer->render(s);
+        for (const PassCount& count : renderer->stats().passes)
+            if (count.name == pass) return count.shadedFragments;
+        return std::uint64_t{0};
+    };
+    const std::uint64_t covered = countOf(Visibility::tiles, "impostor colour");
+    const std::uint64_t edges = countOf(Visibility::tiles, "edge samples");
+    EXPECT_GT(covered, 2000u);
+    EXPECT_GT(edges, covered / 4);
+    EXPECT_LT(edges, covered * 3);
+    // A frame for each sample shades what it covers.
+    EXPECT_NEAR(static_cast<double>(countOf(Visibility::deferred, "impostor colour")) / 16.0,
+                static_cast<double>(covered), 0.02 * static_cast<double>(covered));
+}
+
+}  // namespace
+}  // namespace nacre::test
