@@ -22,6 +22,9 @@ set(NACRE_PARTS
     "GIFLIB|MIT|libgif-dev|giflib|https://giflib.sourceforge.net"
     "libcurl|curl|libcurl4-openssl-dev|curl|https://curl.se"
     "CLI11|BSD-3-Clause|libcli11-dev|cli11|https://github.com/CLIUtils/CLI11")
+if(pybind11_FOUND)
+    list(APPEND NACRE_PARTS "pybind11|BSD-3-Clause|pybind11-dev|pybind11|https://github.com/pybind/pybind11")
+endif()
 if(IOS)
     list(FILTER NACRE_PARTS EXCLUDE REGEX "^(DejaVu fonts|FreeType|OpenImageIO|libpng|GIFLIB|libcurl|CLI11)")
 endif()

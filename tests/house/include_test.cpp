@@ -61,6 +61,9 @@ const std::vector<Arrows> kArrows = {
       "engine/*.h", "engine/molecule/", "engine/scene/", "nacre_commit.h"}},
     {"app/cli/plan_", {"app/cli/", "app/shared/", "engine/*.h", "engine/graph/", "engine/frame/"}},
     {"app/cli/options.cpp", {"app/cli/", "app/shared/", "engine/*.h", "engine/graph/capability_sets.h"}},
+    {"app/python/",
+     {"app/cli/command_spec.h", "app/cli/common_options.h", "app/cli/picture_job.h", "app/cli/picture_options.h",
+      "app/cli/set_options.h", "app/download/", "app/shared/", "engine/*.h", "engine/molecule/", "engine/scene/"}},
     {"app/desktop/",
      {"app/viewer/", "app/panel/", "app/download/", "app/shared/", "app/apple/mac/opened_files.h", "engine/*.h",
       "engine/molecule/", "engine/scene/"}},
@@ -85,6 +88,7 @@ const std::vector<Arrows> kLibraries = {
     {"imgui", {"app/panel/"}},
     {"gemmi/", {"engine/molecule/"}},
     {"nlohmann/", {"app/"}},
+    {"pybind11/", {"app/python/module.cpp"}},
 };
 
 bool startsWith(const std::string& text, const std::string& beginning) { return text.rfind(beginning, 0) == 0; }

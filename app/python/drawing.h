@@ -1,0 +1,44 @@
+#pragma once
+// What the Python module draws with: the command line's options, and one renderer for all threads.
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/molecule/molecule.h"
+#include "engine/results.h"
+
+namespace nacre::python {
+
+/// A molecule and the name that messages give it. Nothing changes it, so threads may share it.
+struct Structure {
+    std::shared_ptr<const Molecule> molecule;
+    std::string name;
+};
+
+struct Drawing {
+    Picture picture;
+    bool opaque = true;                 ///< its background
+    std::vector<std::string> warnings;  ///< of the scene
+};
+
+/// A file, a sample or a download, as `nacre render INPUT`. @param options  JSON: format, model, offline and their like
+/// @throws app::UsageError, Error
+Structure openInput(const std::string& input, const std::string& options);
+/// A file's bytes. @param name  for messages, and a hint to the format
+Structure openBytes(const std::string& name, std::string bytes, const std::string& options);
+
+/// Draws by the one renderer, after whoever draws just now. @param options  JSON, keys as those of `nacre render`
+/// @throws app::UsageError, Error
+Drawing draw(const Structure& structure, const std::string& options);
+LayerPicture drawLayers(const Structure& structure, const std::string& options, std::vector<std::string>& warnings);
+
+/// Draws, and writes the picture as `nacre render -o` does; layers, too, if `options` name a file for them.
+/// @returns warnings of the scene
+std::vector<std::string> save(const Structure& structure, const std::string& path, const std::string& options);
+
+/// The options of `nacre render` that draw() takes: names with '_', and the first sentence of their help.
+std::vector<std::pair<std::string, std::string>> optionNames();
+
+}  // namespace nacre::python

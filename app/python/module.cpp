@@ -1,0 +1,268 @@
+// nacre._nacre: what the package nacre is made of. Arrays go in and out; everything that takes time lets go of the GIL.
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "app/cli/command_spec.h"
+#include "app/python/drawing.h"
+#include "app/shared/srgb.h"
+#include "engine/error.h"
+#include "engine/molecule/bonds/bonds.h"
+#include "engine/molecule/element.h"
+
+namespace py = pybind11;
+
+namespace nacre::python {
+namespace {
+
+using Floats = py::array_t<float, py::array::c_style | py::array::forcecast>;
+using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+
+template <typename T>
+py::array_t<T> arrayOf(const std::vector<T>& values, std::vector<py::ssize_t> shape) {
+    py::array_t<T> array(std::move(shape));
+    std::memcpy(array.mutable_data(), values.data(), values.size() * sizeof(T));
+    return array;
+}
+
+/// One value of each atom. @param value  of (atom, its residue)
+template <typename T, typename Value>
+py::array_t<T> ofAtoms(const Molecule& m, Value&& value) {
+    py::array_t<T> array(static_cast<py::ssize_t>(m.atoms.size()));
+    T* out = array.mutable_data();
+    for (const Atom& atom : m.atoms) *out++ = static_cast<T>(value(atom));
+    return array;
+}
+
+/// Texts of at most eight bytes, as numpy's fixed-width bytes: Python makes text of them.
+template <typename Value>
+py::array namesOf(const Molecule& m, Value&& value) {
+    constexpr std::size_t kWidth = 8;
+    py::array array(py::dtype("S8"), static_cast<py::ssize_t>(m.atoms.size()));
+    char* out = static_cast<char*>(array.mutable_data());
+    std::memset(out, 0, m.atoms.size() * kWidth);
+    for (const Atom& atom : m.atoms) {
+        const std::string_view text = value(atom);
+        std::memcpy(out, text.data(), std::min(text.size(), kWidth));
+        out += kWidth;
+    }
+    return array;
+}
+
+py::dict atomsOf(const Structure& structure) {
+    const Molecule& m = *structure.molecule;
+    py::array_t<float> positions({static_cast<py::ssize_t>(m.atoms.size()), py::ssize_t{3}});
+    float* out = positions.mutable_data();
+    for (const Atom& atom : m.atoms)
+        for (int i = 0; i < 3; ++i) *out++ = atom.position[i];
+    const auto residue = [&](const Atom& atom) -> const Residue& { return m.residues[atom.residue]; };
+    py::dict atoms;
+    atoms["position"] = positions;
+    atoms["element"] = namesOf(m, [](const Atom& a) { return elementSymbol(a.element); });
+    atoms["name"] = namesOf(m, [](const Atom& a) { return a.name.view(); });
+    atoms["residue_name"] = namesOf(m, [&](const Atom& a) { return residue(a).name.view(); });
+    atoms["residue_number"] = ofAtoms<std::int32_t>(m, [&](const Atom& a) { return residue(a).number; });
+    atoms["chain"] = namesOf(m, [&](const Atom& a) -> std::string_view { return m.chains[residue(a).chain].name; });
+    atoms["model"] = ofAtoms<std::int32_t>(m, [&](const Atom& a) { return m.chains[residue(a).chain].model; });
+    atoms["b_factor"] = ofAtoms<float>(m, [](const Atom& a) { return a.temperatureFactor; });
+    atoms["occupancy"] = ofAtoms<float>(m, [](const Atom& a) { return a.occupancy; });
+    atoms["charge"] = ofAtoms<std::int8_t>(m, [](const Atom& a) { return a.charge; });
+    atoms["hetero"] = ofAtoms<bool>(m, [](const Atom& a) { return a.hetero; });
+    return atoms;
+}
+
+py::array_t<std::uint32_t> bondsOf(const Structure& structure) {
+    std::vector<std::uint32_t> rows;
+    for (const Bond& bond : structure.molecule->bonds) rows.insert(rows.end(), {bond.a, bond.b, bond.order});
+    const auto count = static_cast<py::ssize_t>(structure.molecule->bonds.size());
+    return arrayOf(rows, {count, 3});
+}
+
+[[noreturn]] void refuse(const std::string& what) { throw app::UsageError("from_arrays(): " + what); }
+
+void addBonds(Molecule& m, const Integers& bonds) {
+    if (bonds.size() == 0) return;
+    if (bonds.ndim() != 2 || (bonds.shape(1) != 2 && bonds.shape(1) != 3))
+        refuse("bonds has rows (a, b) or (a, b, order)");
+    const auto count = static_cast<std::int64_t>(m.atoms.size());
+    for (py::ssize_t i = 0; i < bonds.shape(0); ++i) {
+        const std::int64_t a = bonds.at(i, 0), b = bonds.at(i, 1), order = bonds.shape(1) == 3 ? bonds.at(i, 2) : 1;
+        const std::string row = "bonds, row " + std::to_string(i) + ": ";
+        if (std::min(a, b) < 0 || std::max(a, b) >= count)
+            refuse(row + "there are atoms 0 to " + std::to_string(count - 1));
+        if (a == b) refuse(row + "an atom is bonded to itself");
+        if (order < 1 || order > 4) refuse(row + "an order is 1, 2, 3 or 4 (aromatic)");
+        Bond bond;
+        bond.a = static_cast<std::uint32_t>(std::min(a, b));
+        bond.b = static_cast<std::uint32_t>(std::max(a, b));
+        bond.order = static_cast<std::uint8_t>(order);
+        m.bonds.push_back(bond);
+    }
+    const auto place = [](const Bond& x) { return std::pair(x.a, x.b); };
+    std::sort(m.bonds.begin(), m.bonds.end(), [&](const Bond& x, const Bond& y) { return place(x) < place(y); });
+    const auto same = [&](const Bond& x, const Bond& y) { return place(x) == place(y); };
+    m.bonds.erase(std::unique(m.bonds.begin(), m.bonds.end(), same), m.bonds.end());
+}
+
+/// What from_arrays() knows of each atom beside position and element; what is not known is empty.
+struct AtomColumns {
+    std::vector<std::string> names, residueNames, chains;
+    std::vector<std::int32_t> residueNumbers;
+    std::vector<float> temperatureFactors, occupancies;
+};
+
+template <typename T>
+T entryOf(const std::vector<T>& column, std::size_t i, const T& otherwise) {
+    return column.empty() ? otherwise : column[i];
+}
+
+template <typename T>
+void checkLength(const std::vector<T>& column, std::size_t count, const char* name) {
+    if (!column.empty() && column.size() != count)
+        refuse(std::string(name) + " has " + std::to_string(column.size()) + " entries for " + std::to_string(count) +
+               " atoms");
+}
+
+/// Begins a chain or a residue where its name or number changes.
+void place(Molecule& m, const std::string& chain, const std::string& residueName, std::int32_t number) {
+    const bool newChain = m.chains.empty() || m.chains.back().name != chain;
+    if (newChain) {
+        m.chains.push_back({chain, 1});
+        m.subchains.push_back(chain);
+    }
+    if (newChain || m.residues.back().number != number || m.residues.back().name != Name(residueName)) {
+        Residue residue;
+        residue.name = Name(residueName);
+        residue.number = number;
+        residue.chain = residue.subchain = static_cast<std::uint32_t>(m.chains.size() - 1);
+        residue.firstAtom = static_cast<std::uint32_t>(m.atoms.size());
+        m.residues.push_back(residue);
+    }
+    ++m.residues.back().atomCount;
+}
+
+Structure fromArrays(const Floats& positions, const std::vector<std::string>& elements,
+                     const std::optional<Integers>& bonds, const AtomColumns& columns, const std::string& name) {
+    if (positions.ndim() != 2 || positions.shape(1) != 3) refuse("positions has rows (x, y, z)");
+    const auto count = static_cast<std::size_t>(positions.shape(0));
+    if (count == 0) refuse("there are no atoms");
+    if (elements.size() != count)
+        refuse("elements has " + std::to_string(elements.size()) + " entries for " + std::to_string(count) + " atoms");
+    checkLength(columns.names, count, "names");
+    checkLength(columns.residueNames, count, "residue_names");
+    checkLength(columns.chains, count, "chains");
+    checkLength(columns.residueNumbers, count, "residue_numbers");
+    checkLength(columns.temperatureFactors, count, "b_factors");
+    checkLength(columns.occupancies, count, "occupancies");
+    Molecule m;
+    m.file.format = "arrays";
+    for (std::size_t i = 0; i < count; ++i) {
+        Atom atom;
+        for (int k = 0; k < 3; ++k) atom.position[k] = positions.at(static_cast<py::ssize_t>(i), k);
+        if (!(std::abs(atom.position.x) < 1e6f && std::abs(atom.position.y) < 1e6f && std::abs(atom.position.z) < 1e6f))
+            refuse("positions, row " + std::to_string(i) + ": not within 1,000,000 A");
+        atom.element = elementFromSymbol(elements[i]);
+        if (atom.element == 0 && elements[i] != "X")
+            refuse("elements, entry " + std::to_string(i) + ": there is no element '" + elements[i] + "'");
+        atom.name = Name(entryOf(columns.names, i, elements[i]));
+        atom.temperatureFactor = entryOf(columns.temperatureFactors, i, 0.0f);
+        atom.occupancy = entryOf(columns.occupancies, i, 1.0f);
+        place(m, entryOf(columns.chains, i, std::string()), entryOf(columns.residueNames, i, std::string()),
+              entryOf(columns.residueNumbers, i, 0));
+        atom.residue = static_cast<std::uint32_t>(m.residues.size() - 1);
+        m.atoms.push_back(atom);
+    }
+    if (bonds)
+        addBonds(m, *bonds);
+    else
+        perceiveBonds(m);
+    return {std::make_shared<const Molecule>(std::move(m)), name};
+}
+
+/// Rows of sRGB bytes with straight alpha, as a PNG has them.
+py::array_t<std::uint8_t> bytesOf(const Picture& picture) {
+    py::array_t<std::uint8_t> array(
+        {static_cast<py::ssize_t>(picture.height), static_cast<py::ssize_t>(picture.width), py::ssize_t{4}});
+    std::uint8_t* out = array.mutable_data();
+    const std::size_t pixels = std::size_t{picture.width} * picture.height;
+    const py::gil_scoped_release others;
+    for (std::size_t i = 0; i < pixels; ++i) app::codePixel(picture.rgba.data() + 4 * i, true, out + 4 * i);
+    return array;
+}
+
+py::dict layersOf(const LayerPicture& l) {
+    const auto height = static_cast<py::ssize_t>(l.height), width = static_cast<py::ssize_t>(l.width);
+    py::dict layers;
+    layers["rgba"] = arrayOf(l.rgba, {height, width, 4});
+    layers["z"] = arrayOf(l.z, {height, width});
+    layers["normal"] = arrayOf(l.normal, {height, width, 3});
+    layers["id"] = arrayOf(l.id, {height, width});
+    layers["occlusion"] = arrayOf(l.occlusion, {height, width});
+    return layers;
+}
+
+/// Runs something without the GIL.
+template <typename Work>
+auto freely(Work&& work) {
+    const py::gil_scoped_release others;
+    return work();
+}
+
+}  // namespace
+}  // namespace nacre::python
+
+PYBIND11_MODULE(_nacre, m) {
+    using namespace nacre::python;
+    static py::exception<nacre::Error> error(m, "Error", PyExc_RuntimeError);
+    static py::exception<nacre::app::UsageError> usage(m, "UsageError", PyExc_ValueError);
+    py::register_exception_translator([](std::exception_ptr failure) {
+        try {
+            if (failure) std::rethrow_exception(failure);
+        } catch (const nacre::app::UsageError& e) {
+            usage(e.what());
+        } catch (const nacre::Error& e) {
+            error(e.what());
+        }
+    });
+    py::class_<Structure>(m, "Structure")
+        .def_property_readonly("name", [](const Structure& s) { return s.name; })
+        .def_property_readonly("title", [](const Structure& s) { return py::bytes(s.molecule->file.title); })
+        .def_property_readonly("format", [](const Structure& s) { return s.molecule->file.format; })
+        .def_property_readonly("warnings", [](const Structure& s) { return s.molecule->warnings; })
+        .def("__len__", [](const Structure& s) { return s.molecule->atoms.size(); })
+        .def("atoms", &atomsOf)
+        .def("bonds", &bondsOf);
+    m.def("open_input", [](const std::string& input, const std::string& options) {
+        return freely([&] { return openInput(input, options); });
+    });
+    m.def("open_bytes", [](const std::string& name, const py::bytes& bytes, const std::string& options) {
+        std::string text = bytes;
+        return freely([&] { return openBytes(name, std::move(text), options); });
+    });
+    m.def("from_arrays",
+          [](const Floats& positions, const std::vector<std::string>& elements, const std::optional<Integers>& bonds,
+             const std::vector<std::string>& names, const std::vector<std::string>& residueNames,
+             const std::vector<std::int32_t>& residueNumbers, const std::vector<std::string>& chains,
+             const std::vector<float>& temperatureFactors, const std::vector<float>& occupancies,
+             const std::string& name) {
+              return fromArrays(positions, elements, bonds,
+                                {names, residueNames, chains, residueNumbers, temperatureFactors, occupancies}, name);
+          });
+    m.def("render", [](const Structure& s, const std::string& options) {
+        const Drawing drawing = freely([&] { return draw(s, options); });
+        return std::pair(bytesOf(drawing.picture), drawing.warnings);
+    });
+    m.def("layers", [](const Structure& s, const std::string& options) {
+        std::vector<std::string> warnings;
+        const nacre::LayerPicture layers = freely([&] { return drawLayers(s, options, warnings); });
+        return std::pair(layersOf(layers), warnings);
+    });
+    m.def("save", [](const Structure& s, const std::string& path, const std::string& options) {
+        return freely([&] { return save(s, path, options); });
+    });
+    m.def("option_names", &optionNames);
+}

@@ -1,0 +1,236 @@
+"""The Python module, as a user meets it; gemmi's, Biopython's and the command line's answers are what it is held to."""
+import os
+import pathlib
+import subprocess
+import sys
+import threading
+import time
+import warnings
+
+import numpy as np
+import pytest
+
+import nacre
+
+PROGRAM = os.environ["NACRE_PROGRAM"]
+STRUCTURES = pathlib.Path(os.environ["NACRE_WRITTEN_FILES"])
+SMALL = {"size": (48, 32), "occlusion": 4, "occlusion_detail": 8, "cache": "off"}
+PDB = b"ATOM      1  CA  GLY A   7       1.000   2.000   3.000  0.50 12.00           C\nEND\n"
+
+
+@pytest.fixture(scope="module")
+def dna():
+    return nacre.open("sample:dna")
+
+
+def png(path):
+    Image = pytest.importorskip("PIL.Image")
+    return np.asarray(Image.open(path).convert("RGBA"))
+
+
+def command_line(*arguments):
+    subprocess.run([PROGRAM, "render", *map(str, arguments)], check=True, capture_output=True)
+
+
+def test_renders_what_the_command_line_renders(dna, tmp_path):
+    options = {**SMALL, "color": "chain", "rotate": (0, 90, 0), "show": ["chain A=licorice"], "background": "transparent"}
+    command_line("sample:dna", "-o", tmp_path / "a.png", "--size", "48x32", "--occlusion", 4, "--occlusion-detail", 8,
+                 "--color", "chain", "--rotate", "0,90,0", "--show", "chain A=licorice", "--background", "transparent")
+    picture = dna.render(**options)
+    assert picture.shape == (32, 48, 4) and picture.dtype == np.uint8
+    np.testing.assert_array_equal(picture, png(tmp_path / "a.png"))
+    dna.save(tmp_path / "b.png", **options)
+    assert (tmp_path / "b.png").read_bytes() == (tmp_path / "a.png").read_bytes()
+
+
+def test_words_are_written(dna, tmp_path):
+    command_line("sample:dna", "-o", tmp_path / "a.png", "--size", "96x64", "--occlusion", "off", "--title", "DNA")
+    picture = dna.render(size=(96, 64), occlusion="off", title="DNA")
+    np.testing.assert_array_equal(picture, png(tmp_path / "a.png"))
+    assert not np.array_equal(picture, dna.render(size=(96, 64), occlusion="off"))
+
+
+def test_options_change_one_after_the_other(dna):
+    """The renderer keeps its scene while the view alone changes, and no longer."""
+    first = dna.render(**SMALL)
+    turned = dna.render(rotate=(0, 90, 0), **SMALL)
+    licorice = dna.render(style="licorice", **SMALL)
+    assert not np.array_equal(first, turned) and not np.array_equal(first, licorice)
+    np.testing.assert_array_equal(first, dna.render(**SMALL))
+    np.testing.assert_array_equal(turned, dna.render(rotate="0,90,0", **SMALL))
+    other = nacre.open("sample:glucose").render(**SMALL)
+    assert not np.array_equal(first, other)
+    np.testing.assert_array_equal(first, nacre.open("sample:dna").render(**SMALL))
+
+
+def test_layers(dna):
+    layers = dna.layers(style="spacefill", **SMALL)
+    assert {name: (values.shape, values.dtype.name) for name, values in layers.items()} == {
+        "rgba": ((32, 48, 4), "float32"), "z": ((32, 48), "float32"), "normal": ((32, 48, 3), "float32"),
+        "id": ((32, 48), "uint32"), "occlusion": ((32, 48), "float32")}
+    hit = layers["id"] > 0
+    assert 50 < hit.sum() < hit.size and layers["id"].max() <= len(dna)
+    np.testing.assert_array_equal(np.isinf(layers["z"]), ~hit)
+    np.testing.assert_allclose(np.linalg.norm(layers["normal"][hit], axis=1), 1, atol=1e-4)
+    assert 0 <= layers["occlusion"].min() < layers["occlusion"].max() <= 1
+
+
+def test_notebooks_see_a_picture(dna):
+    assert nacre.open("sample:glucose")._repr_png_().startswith(b"\x89PNG")
+    assert repr(dna).startswith("<nacre.Structure 'sample:dna': 486 atoms, ")
+
+
+def test_atoms_are_gemmis():
+    gemmi = pytest.importorskip("gemmi")
+    path = STRUCTURES / "gemmi/dna.pdb"
+    ours, theirs = nacre.open(path), gemmi.read_structure(str(path))
+    atoms = [(a, r, c) for c in theirs[0] for r in c for a in r]
+    assert len(ours) == len(atoms)
+    table = ours.atoms
+    np.testing.assert_allclose(table["position"], [a.pos.tolist() for a, _, _ in atoms], atol=1e-3)
+    assert table["element"].tolist() == [a.element.name for a, _, _ in atoms]
+    assert table["name"].tolist() == [a.name for a, _, _ in atoms]
+    assert table["residue_name"].tolist() == [r.name for _, r, _ in atoms]
+    assert table["residue_number"].tolist() == [r.seqid.num for _, r, _ in atoms]
+    assert table["chain"].tolist() == [c.name for _, _, c in atoms]
+    np.testing.assert_allclose(table["b_factor"], [a.b_iso for a, _, _ in atoms], atol=1e-2)
+    np.testing.assert_array_equal(nacre.from_gemmi(theirs).render(**SMALL), ours.render(**SMALL))
+
+
+def test_from_biopython():
+    PDB = pytest.importorskip("Bio.PDB")
+    path = STRUCTURES / "gemmi/dna.pdb"
+    entity = PDB.PDBParser(QUIET=True).get_structure("dna", str(path))
+    np.testing.assert_array_equal(nacre.from_biopython(entity).render(**SMALL), nacre.open(path).render(**SMALL))
+
+
+def test_from_arrays(dna):
+    a = dna.atoms
+    columns = dict(names=a["name"], residue_names=a["residue_name"], residue_numbers=a["residue_number"],
+                   chains=a["chain"], b_factors=a["b_factor"], occupancies=a["occupancy"])
+    copy = nacre.from_arrays(a["position"], a["element"], **columns)
+    np.testing.assert_array_equal(copy.bonds, dna.bonds)
+    for key in ("name", "residue_name", "residue_number", "chain"):
+        np.testing.assert_array_equal(copy.atoms[key], a[key])
+    np.testing.assert_array_equal(copy.render(color="chain", **SMALL), dna.render(color="chain", **SMALL))
+    water = nacre.from_arrays([[0, 0, 0], [0.96, 0, 0], [-0.24, 0.93, 0]], [8, 1, 1])
+    assert water.bonds[:, :2].tolist() == [[0, 1], [0, 2]]
+    assert nacre.from_arrays([[0, 0, 0], [1.2, 0, 0]], ["C", "O"], [[1, 0, 2]]).bonds.tolist() == [[0, 1, 2]]
+    assert len(nacre.from_arrays([[0, 0, 0], [1.2, 0, 0]], ["C", "O"], []).bonds) == 0
+
+
+def test_open_takes_bytes_in_any_format():
+    import gzip
+    for source, more in ((PDB, {}), (gzip.compress(PDB), {"name": "a.pdb.gz"}), (bytearray(PDB), {"format": "pdb"})):
+        atom = nacre.open(source, **more).atoms
+        assert atom["position"].tolist() == [[1, 2, 3]]
+        assert (atom["name"][0], atom["residue_number"][0], atom["b_factor"][0], atom["occupancy"][0]) == ("CA", 7, 12, 0.5)
+
+
+@pytest.mark.parametrize("call, kind, words", [
+    (lambda s: nacre.open("nosuch.pdb"), nacre.Error, "cannot read molecule: nosuch.pdb: No such file or directory"),
+    (lambda s: nacre.open(b"ATOM  no\n", name="bad.pdb"), nacre.Error, "bad.pdb (line 1)"),
+    (lambda s: nacre.open("-"), nacre.UsageError, "no standard input"),
+    (lambda s: nacre.open("sample:dna", size="3x3"), nacre.UsageError, 'open() takes no "size"'),
+    (lambda s: s.render(siez=(3, 3)), nacre.UsageError, "(did you mean 'size'?)"),
+    (lambda s: s.render(size="3by3"), nacre.UsageError, "size: expected"),
+    (lambda s: s.render(size=(100000, 1)), nacre.UsageError, "size: "),
+    (lambda s: s.render(background="navi"), nacre.UsageError, "navy"),
+    (lambda s: s.render(hide="chian A"), nacre.UsageError, "chain"),
+    (lambda s: s.render(style=object()), nacre.UsageError, "not JSON serializable"),
+    (lambda s: s.render(zoom=float("nan")), nacre.UsageError, "options: "),
+    (lambda s: s.render(output="a.png"), nacre.UsageError, 'takes no "output"'),
+    (lambda s: s.render(model=2), nacre.UsageError, "is for open()"),
+    (lambda s: s.render(trajectory="a.dcd"), nacre.UsageError, "is for open()"),
+    (lambda s: nacre.open(PDB, trajectory="a.dcd"), nacre.UsageError, "not its bytes"),
+    (lambda s: s.render(device="no such device"), nacre.Error, "no such device"),
+    (lambda s: s.save("a.gif"), nacre.UsageError, "save() takes a name"),
+    (lambda s: s.save("/nowhere/a.png", **SMALL), nacre.Error, "/nowhere/a.png"),
+    (lambda s: nacre.from_arrays([], []), nacre.UsageError, "positions"),
+    (lambda s: nacre.from_arrays([[0, 0, 0]], ["Qq"]), nacre.UsageError, "no element 'Qq'"),
+    (lambda s: nacre.from_arrays([[0, 0, float("nan")]], ["C"]), nacre.UsageError, "row 0"),
+    (lambda s: nacre.from_arrays([[0, 0, 0]], ["C", "C"]), nacre.UsageError, "2 entries for 1 atoms"),
+    (lambda s: nacre.from_arrays([[0, 0, 0]], ["C"], [[0, 1]]), nacre.UsageError, "atoms 0 to 0"),
+    (lambda s: nacre.from_arrays([[0, 0, 0]], ["C"], [[0.5, 1]]), nacre.UsageError, "whole numbers"),
+    (lambda s: nacre.from_arrays([[0, 0, 0]], ["C"], names=["a", "b"]), nacre.UsageError, "names has 2 entries"),
+])
+def test_errors_have_the_same_words(dna, call, kind, words):
+    with pytest.raises(kind) as failure:
+        call(dna)
+    assert words in str(failure.value)
+
+
+def test_after_an_error_it_draws_on(dna):
+    before = dna.render(**SMALL)
+    with pytest.raises(nacre.Error):
+        dna.render(device="no such device", **SMALL)
+    np.testing.assert_array_equal(dna.render(**SMALL), before)
+
+
+def test_warnings_are_pythons(dna):
+    with pytest.warns(UserWarning, match="chain Z"):
+        dna.render(show="chain Z=licorice", **SMALL)
+
+
+def test_arrays_cannot_be_written_to(dna):
+    with pytest.raises(ValueError):
+        dna.atoms["position"][0] = 0
+
+
+def test_threads_draw_what_one_draws(dna):
+    structures = [dna, nacre.open("sample:glucose"), nacre.open("sample:buckyball")]
+    alone = [s.render(**SMALL) for s in structures]
+    wrong = []
+
+    def work(k):
+        for i in range(6):
+            n = (i + k) % 3
+            if not np.array_equal(structures[n].render(**SMALL), alone[n]):
+                wrong.append((k, n))
+    threads = [threading.Thread(target=work, args=(k,)) for k in range(4)]
+    for t in threads:
+        t.start()
+    for t in threads:
+        t.join()
+    assert wrong == []
+
+
+def test_others_run_while_it_draws(dna):
+    """A thread counts on while another draws: the GIL is free."""
+    count, done = 0, threading.Event()
+
+    def counting():
+        nonlocal count
+        while not done.is_set():
+            count += 1
+            time.sleep(0)
+    thread = threading.Thread(target=counting)
+    thread.start()
+    before = count
+    nacre.open("sample:buckyball").render(size=(256, 256), occlusion=256, cache="off", supersample=2)
+    during = count - before
+    done.set()
+    thread.join()
+    assert during > 100
+
+
+def test_options_are_the_command_lines():
+    def names_of(command):
+        text = subprocess.run([PROGRAM, command, "--help"], capture_output=True, text=True, check=True).stdout
+        return {line.split()[0].split(",")[-1][2:].replace("-", "_") for line in text.splitlines() if line.startswith("  -")}
+    names = names_of("render")
+    files = {"output", "layers", "stats", "capture", "view", "allow_download", "fit", "help", "quiet"}
+    reading = names_of("info") | {"trajectory", "frame", "whole", "fit_frames", "smooth"}
+    ours = set(nacre.options())
+    assert ours <= names and names - ours <= files | reading
+    assert {"size", "color", "show", "occlusion"} <= ours
+
+
+def test_stubs_name_what_there_is(tmp_path):
+    mypy = pytest.importorskip("mypy.api")
+    program = tmp_path / "use.py"
+    program.write_text("import nacre\ns = nacre.open('a.pdb', model=2)\np = s.render(size=(3, 4), color='chain')\n"
+                       "reveal_type(p.shape)\nd = s.layers()['z']\nb: bytes = s._repr_png_()\nx: str = s.save('a.png')\n")
+    out, _, _ = mypy.run([str(program), "--no-incremental", "--cache-dir", str(tmp_path), "--ignore-missing-imports"])
+    errors = [line for line in out.splitlines() if "error" in line and "Found" not in line]
+    assert len(errors) == 1 and "save" in errors[0], out
