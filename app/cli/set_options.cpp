@@ -46,6 +46,14 @@ void addValue(std::vector<OptionValue>& values, const Json& value, const OptionS
     if (option.flag()) {
         if (!value.is_boolean()) refuse(name, "expected true or false");
         if (value.get<bool>()) values.push_back({name, ""});
+    } else if (option.pair) {
+        // ["SEL", "SEL"], or a list of such.
+        if (value.is_array() && !value.empty() && value[0].is_array()) {
+            for (const Json& two : value) addValue(values, two, option);
+            return;
+        }
+        if (!value.is_array() || value.size() != 2) refuse(name, "expected two values");
+        values.push_back({name, textOf(value[0], option) + "\n" + textOf(value[1], option)});
     } else if (option.repeatable && value.is_array()) {
         for (const Json& one : value) values.push_back({name, textOf(one, option)});
     } else {
@@ -116,10 +124,10 @@ void setOptions(const CommandSpec& command, std::span<const OptionValue> values)
     checkTogether(command, values);
     for (const OptionValue& value : values) {
         const OptionSpec& option = optionOf(value.name, command);
-        if (option.repeatable) set(option, value.value);
+        if (option.repeatable || option.pair) set(option, value.value);
     }
     for (const OptionSpec& option : command.options) {
-        if (option.repeatable) continue;
+        if (option.repeatable || option.pair) continue;
         const auto last = std::find_if(values.rbegin(), values.rend(),
                                        [name = plainName(option)](const OptionValue& v) { return v.name == name; });
         if (last != values.rend()) set(option, last->value);

@@ -20,8 +20,8 @@ std::string plainName(const OptionSpec& option);
 
 /// What a JSON object says of a command's options. Its keys are their names, '_' standing for '-'; values are texts,
 /// numbers, of flags and on|off booleans, of a size, an angle and their like also lists of numbers, and of what may be
-/// repeated lists. "rules" is a list as saved views have it: [{"show": "ligand=licorice"}, {"hide": "chain B"}].
-/// null stands for what is left out. @throws UsageError
+/// repeated lists, of what takes two values those. "rules" is a list as saved views have it: [{"show":
+/// "ligand=licorice"}, {"hide": "chain B"}]. null stands for what is left out. @throws UsageError
 std::vector<OptionValue> optionValuesOf(const std::string& json, const CommandSpec& command);
 
 /// Sets options as one command line with all of these would; of what may not be repeated the last one holds.

@@ -71,6 +71,23 @@ TEST(Batch, DrawsWhatRenderDraws) {
     EXPECT_EQ(contentOf(folder / "d.exr"), contentOf(folder / "one.exr"));
 }
 
+TEST(Batch, TakesSeveralInputsAndWhatFitsThem) {
+    const TemporaryFolder folder;
+    writeJobs(folder, {R"({"input": ["a=sample:dna", "b=sample:dna"], "fit": ["/b and name P", "/a and name P"],)"
+                       R"( "rotate": [0, 30, 0], "output": "a.png"})",
+                       job("sample:dna", "b.png", R"("fit": "all")")});
+    const Outcome batch = nacreIn(folder, std::string("batch jobs.jsonl") + kSmall);
+    const auto report = reportOf(batch.out);
+    EXPECT_EQ(report.at(1)["status"], "done") << report.at(1);
+    EXPECT_NE(report.at(2)["error"].get<std::string>().find("expected two values"), std::string::npos);
+    ASSERT_EQ(nacreIn(folder, std::string("render a=sample:dna b=sample:dna --fit '/b and name P' '/a and name P' "
+                                          "--rotate 0,30,0 -o one.png") +
+                                  kSmall)
+                  .code,
+              0);
+    EXPECT_EQ(contentOf(folder / "a.png"), contentOf(folder / "one.png"));
+}
+
 TEST(Batch, AFailedJobStopsNoOther) {
     const TemporaryFolder folder;
     std::ofstream(folder / "bad.pdb") << "ATOM  no\n";
