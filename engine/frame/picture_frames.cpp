@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "engine/error.h"
-#include "engine/frame/edge_samples.h"
 #include "engine/frame/picture.h"
 #include "engine/milliseconds.h"
+#include "engine/passes/edge_samples.h"
 #include "engine/passes/read_back.h"
 
 namespace nacre {
