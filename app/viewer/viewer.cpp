@@ -274,6 +274,7 @@ double Viewer::textSize() const { return (view_.words.size > 0 ? view_.words.siz
 
 std::string Viewer::title() const {
     std::string title = document() ? nameOf(document_.view.input) : "";
+    if (question_) title = "question";
     if (loader_.busy()) title += title.empty() ? "reading" : ", building";
     if (document() && occlusion_ < 1)
         title += ", occlusion " + std::to_string(static_cast<int>(100 * occlusion_)) + " %";

@@ -114,7 +114,7 @@ TEST(Window, AsksBeforeItDownloadsWhatAViewNames) {
     setenv("NACRE_PDB_URL", server.base("ok").c_str(), 1);
     XSession session("--view '" + (folder / "sent.json") + "' --size 600x400");
     unsetenv("NACRE_PDB_URL");
-    EXPECT_EQ(session.title(), "Nacre");
+    EXPECT_EQ(session.title(), "question - Nacre");
     EXPECT_EQ(server.requests().size(), 0u);
     const WindowPicture question = session.picture();
     session.click(380, 212);  // Cancel
