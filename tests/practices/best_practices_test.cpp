@@ -74,6 +74,12 @@ constexpr Allowed kOfLayers[] = {
     {"AllocateMemory-ReuseAllocations", "NVIDIA: buffers that layers are read from go with them", kNvidia, true},
 };
 
+constexpr Allowed kOfSamples[] = {
+    {"Pipeline-SortAndBind", "AMD, NVIDIA: a picture of many samples is many frames, each with its pipelines", kAmd},
+    {"AllocateMemory-ReuseAllocations", "NVIDIA: what the samples are added up in goes with the picture", kNvidia,
+     true},
+};
+
 using Said = std::map<std::string, std::string>;  // ids, and the first message of each
 
 constexpr const char* kPractices =
@@ -81,7 +87,7 @@ constexpr const char* kPractices =
     "VALIDATION_CHECK_ENABLE_VENDOR_SPECIFIC_ARM,VALIDATION_CHECK_ENABLE_VENDOR_SPECIFIC_AMD,"
     "VALIDATION_CHECK_ENABLE_VENDOR_SPECIFIC_IMG,VALIDATION_CHECK_ENABLE_VENDOR_SPECIFIC_NVIDIA";
 
-/// Draws, and adds what the layer says.
+/// Draws, and adds what the layer says. @param arguments  how many samples, then options
 void draw(const std::string& arguments, Said& said, const std::string& enables = kPractices) {
     const TemporaryFolder folder, settings;
     std::ofstream(settings / "vk_layer_settings.txt")
@@ -91,7 +97,8 @@ void draw(const std::string& arguments, Said& said, const std::string& enables =
            "khronos_validation.log_filename = "
         << (settings / "log") << "\nkhronos_validation.enables = " << enables << "\n";
     setenv("VK_LAYER_SETTINGS_PATH", settings.path().c_str(), 1);
-    const Outcome outcome = nacreIn(folder, "render sample:glucose -o a.png --size 256x256 --cache off " + arguments);
+    const Outcome outcome =
+        nacreIn(folder, "render sample:glucose -o a.png --size 256x256 --cache off --supersample " + arguments);
     unsetenv("VK_LAYER_SETTINGS_PATH");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const std::string text = contentOf(settings / "log");
@@ -117,19 +124,25 @@ void expectAllowed(Said said, const std::vector<std::span<const Allowed>>& lists
 TEST(BestPractices, OfTheFrameByEveryPath) {
     Said said;
     for (const char* path : {"encoded", "fragdepth", "deferred"})
-        draw(std::string("--occlusion off --visibility ") + path, said);
+        draw(std::string("1 --occlusion off --visibility ") + path, said);
     expectAllowed(said, {kAlways});
+}
+
+TEST(BestPractices, OfAnAntialiasedPicture) {
+    Said said;
+    draw("auto --occlusion off --visibility encoded", said);
+    expectAllowed(said, {kAlways, kOfSamples});
 }
 
 TEST(BestPractices, OfTheBake) {
     Said said;
-    draw("--occlusion 40", said);
+    draw("1 --occlusion 40", said);
     expectAllowed(said, {kAlways, kOfBakes});
 }
 
 TEST(BestPractices, OfTheLayers) {
     Said said;
-    draw("--occlusion off --layers l.exr", said);
+    draw("1 --occlusion off --layers l.exr", said);
     expectAllowed(said, {kAlways, kOfLayers});
 }
 
@@ -140,7 +153,7 @@ TEST(BestPractices, GpuAssistedValidationFindsNothing) {
     setenv("VK_INSTANCE_LAYERS", "VK_LAYER_KHRONOS_validation", 1);
     for (const char* path : {"encoded", "deferred"}) {
         Said said;
-        draw(std::string("--occlusion 20 --layers l.exr --stats s.json --visibility ") + path, said,
+        draw(std::string("auto --occlusion 20 --layers l.exr --stats s.json --visibility ") + path, said,
              "VK_VALIDATION_FEATURE_ENABLE_GPU_ASSISTED_EXT");
         expectAllowed(said, {});
     }
