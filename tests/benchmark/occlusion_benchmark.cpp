@@ -160,7 +160,7 @@ void splatBatch(benchmark::State& state) {
     for (auto _ : state) {
         graph::Graph g("batch of splats");
         gpu::Imports imports;
-        g.output(batch.splats.declare(g, imports, batch.frames, occlusion::DepthMaps::kMostPerBatch));
+        g.output(batch.splats.declare(g, imports, batch.frames, occlusion::DepthMaps::kMostPerBatch, 0));
         const graph::Plan plan = graph::compile(g, stage.device.caps().plan);
         stage.device.submitAndWait(
             [&](const vk::raii::CommandBuffer& c) { stage.executor.record(c, g, plan, imports); });
