@@ -7,7 +7,7 @@ set(NACRE_INCLUDE_DIR ${CMAKE_INSTALL_INCLUDEDIR}/nacre)
 
 set_target_properties(nacre_molecule PROPERTIES EXPORT_NAME molecule)
 set_target_properties(nacre_graph PROPERTIES EXPORT_NAME graph)
-file(GLOB headers CONFIGURE_DEPENDS engine/molecule/*.h engine/molecule/samples/*.h engine/molecule/selection/*.h engine/scene/*.h)
+file(GLOB headers CONFIGURE_DEPENDS engine/molecule/*.h engine/molecule/samples/*.h engine/molecule/selection/*.h engine/mesh/*.h engine/scene/*.h)
 target_sources(nacre_molecule PUBLIC FILE_SET HEADERS BASE_DIRS ${CMAKE_SOURCE_DIR}
                FILES ${headers} ${CMAKE_SOURCE_DIR}/engine/error.h)
 set(headers debug_view device_options devices effects overlay renderer results settings)

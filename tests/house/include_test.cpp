@@ -35,7 +35,8 @@ const std::vector<std::string> kPlain = {"engine/error.h",   "engine/device_opti
 
 const std::vector<Arrows> kArrows = {
     {"engine/molecule/", {}},
-    {"engine/scene/", {"engine/molecule/"}},
+    {"engine/mesh/", {"engine/molecule/"}},
+    {"engine/scene/", {"engine/mesh/", "engine/molecule/"}},
     {"engine/storage/", {}},
     {"engine/graph/", {}},
     {"engine/gpu/", {"engine/graph/"}},
