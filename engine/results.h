@@ -28,6 +28,7 @@ struct DeviceInfo {
     std::string visibility, why;     ///< the path that `automatic` takes here, and the reason
     std::string encodedFormat;       ///< "R32F"
     bool lazyMemory = false;
+    bool timestamps = false;       ///< passes can be timed
     std::string capabilitySet;     ///< what a plan for it starts from: "turnip"
     std::string knownAs, knownBy;  ///< what is known of its driver, and the source; empty where nothing is
 };
@@ -35,6 +36,13 @@ struct DeviceInfo {
 struct PassCount {
     std::string name;
     std::uint64_t shadedFragments = 0;
+};
+
+/// What the device itself took for a render pass, a dispatch or a copy. Passes that share a render pass are timed as
+/// one: what a tiler does within it is its own affair.
+struct PassTime {
+    std::string name;  ///< of its passes: "opaque prepass + impostor colour"
+    double milliseconds = 0;
 };
 
 /// What the occlusion bake chose, and how far it is.
@@ -59,6 +67,7 @@ struct FrameStats {
     std::uint32_t samples = 1;                 ///< a pixel of the last picture has at most
     std::uint32_t frames = 1;                  ///< that the last picture is the mean of
     std::vector<PassCount> passes;             ///< of the last frame that counted
+    std::vector<PassTime> passTimes;           ///< of the last frame that was timed; none if the device cannot
     std::uint64_t spheres = 0, cylinders = 0;  ///< submitted for the last picture, in all copies
     std::uint64_t copies = 1;                  ///< of an assembly
     OcclusionStats occlusion;

@@ -34,6 +34,7 @@ struct FrameTuning {
     PlateShape plates = PlateShape::automatic;  ///< of the opaque prepass
     ImpostorShape impostor = ImpostorShape::automatic;
     bool countFragments = false;  ///< fill FrameStats::passes (slower)
+    bool timePasses = false;      ///< fill FrameStats::passTimes; software devices finish each pass for it
     bool transient = true;        ///< what a tile alone needs has no memory, where the device can; off: all is stored
     bool merge = true;            ///< neighbouring passes share a render pass
 };

@@ -95,16 +95,37 @@ void timeFrames(const BenchOptions& options, double radius, std::vector<Timed>& 
     }
 }
 
-Json pathsJson(const std::vector<Timed>& timed) {
+/// What the device takes for each pass of the first frame, by its own clock: of some frames more, since the stamps cost
+/// time themselves. None where the device has no clock.
+Json passTimesJson(const RenderSettings& settings, Renderer& renderer) {
+    constexpr int kTimedFrames = 5;
+    RenderSettings timed = settings;
+    timed.tuning.timePasses = true;
+    std::vector<std::vector<double>> samples;
+    for (int frame = 0; frame < kTimedFrames; ++frame) {
+        renderer.drawFrame(timed);
+        const std::vector<PassTime>& times = renderer.stats().passTimes;
+        samples.resize(times.size());
+        for (std::size_t i = 0; i < times.size(); ++i) samples[i].push_back(times[i].milliseconds);
+    }
+    Json passes = Json::array();
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        passes.push_back({{"name", renderer.stats().passTimes[i].name}, {"ms", timesJson(samples[i])}});
+    return passes;
+}
+
+Json pathsJson(const BenchOptions& options, double radius, const std::vector<Timed>& timed) {
     Json paths = Json::array();
     for (const Timed& t : timed) {
+        const Json passes = passTimesJson(frameSettings(options, radius, 0), *t.renderer);
         const FrameStats& stats = t.renderer->stats();
         paths.push_back({{"visibility", visibilityName(t.path)},
                          {"frame", timesJson(t.samples)},
                          {"frames", t.samples.size()},
                          {"bake", stats.bakeMilliseconds},
                          {"tile_bytes_per_pixel", stats.tileBytesPerPixel},
-                         {"memory_bytes", {{"loaded", stats.loadedBytes}, {"stored", stats.storedBytes}}}});
+                         {"memory_bytes", {{"loaded", stats.loadedBytes}, {"stored", stats.storedBytes}}},
+                         {"passes", passes}});
     }
     return paths;
 }
@@ -194,6 +215,10 @@ void printPaths(const Json& report, std::ostream& out) {
             << path["frame"]["min"].get<double>() << std::setw(9) << path["frame"]["median"].get<double>()
             << std::setw(9) << path["frame"]["p99"].get<double>() << std::setw(12) << path["bake"].get<double>()
             << std::setw(11) << path["tile_bytes_per_pixel"].get<std::uint32_t>() << "\n";
+    for (const Json& path : report["paths"])
+        for (const Json& pass : path["passes"])
+            out << path["visibility"].get<std::string>() << ", " << pass["name"].get<std::string>() << ": "
+                << pass["ms"]["median"].get<double>() << " ms on the device\n";
     for (const Json& path : report["lacks"]) out << path["why"].get<std::string>() << "\n";
     out << report["covered_pixels"] << " pixels covered";
     if (report.contains("floor"))
@@ -239,7 +264,7 @@ void addFrames(const BenchOptions& options, const Representation& scene, Json& r
     std::vector<Timed> timed = timedPaths(options, scene, lacks);
     progress.begin("timing frames");
     timeFrames(options, scene.radius, timed, progress);
-    report["paths"] = pathsJson(timed);
+    report["paths"] = pathsJson(options, scene.radius, timed);
     report["lacks"] = lacks;
     // The path that a user gets.
     const Visibility used = options.device.visibility == Visibility::automatic ? planOf(options.device).visibility

@@ -30,7 +30,8 @@ void devicesCommand(bool json, std::ostream& out) {
         for (std::size_t i = 0; i < devices.size(); ++i) {
             out << i << "  " << describe(devices[i]) << '\n'
                 << "   visibility " << devices[i].visibility << ": " << devices[i].why << "; encoded depth "
-                << devices[i].encodedFormat << "; lazy memory " << (devices[i].lazyMemory ? "yes" : "no") << '\n';
+                << devices[i].encodedFormat << "; lazy memory " << (devices[i].lazyMemory ? "yes" : "no")
+                << "; timestamps " << (devices[i].timestamps ? "yes" : "no") << '\n';
             if (!devices[i].knownAs.empty())
                 out << "   known as " << devices[i].capabilitySet << ": " << devices[i].knownAs << " ("
                     << devices[i].knownBy << ")\n";
@@ -49,6 +50,7 @@ void devicesCommand(bool json, std::ostream& out) {
                         {"why", devices[i].why},
                         {"encoded_format", devices[i].encodedFormat},
                         {"lazy_memory", devices[i].lazyMemory},
+                        {"timestamps", devices[i].timestamps},
                         {"capability_set", devices[i].capabilitySet},
                         {"known_as", devices[i].knownAs},
                         {"known_by", devices[i].knownBy}});

@@ -48,12 +48,16 @@ void sayOcclusion(const OcclusionStats& occlusion, const RenderSettings& setting
             std::to_string(settings.occlusion.bytes >> 20) + " MB");
 }
 
-/// Draws the picture once more, by shaders that count.
-std::vector<PassCount> countFragments(Renderer& renderer, RenderSettings settings) {
-    settings.tuning.countFragments = true;
+/// Draws the picture twice more: timed, since the first has compiled what it needs; and by shaders that count.
+void tellOfPasses(Renderer& renderer, RenderSettings settings, FrameStats& frame) {
     settings.debug = DebugView::none;
+    settings.tuning.timePasses = true;
     renderer.render(settings);
-    return renderer.stats().passes;
+    frame.passTimes = renderer.stats().passTimes;
+    settings.tuning.timePasses = false;
+    settings.tuning.countFragments = true;
+    renderer.render(settings);
+    frame.passes = renderer.stats().passes;
 }
 
 void checkValidation(const Renderer& renderer) {
@@ -137,7 +141,7 @@ void PictureJob::draw(Renderer& renderer) {
     if (options_.occlusion.megabytes || (isatty(STDERR_FILENO) && isCoarse(frame_.occlusion)))
         sayOcclusion(frame_.occlusion, settings);
     if (layersFile_) layers_ = renderer.layers(settings);
-    if (statsFile_) frame_.passes = countFragments(renderer, settings);
+    if (statsFile_) tellOfPasses(renderer, settings, frame_);
     checkValidation(renderer);
 }
 

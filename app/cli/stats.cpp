@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/shared/json_text.h"
@@ -40,14 +41,22 @@ Json legendJson(const std::vector<Legend>& legends) {
     return list;
 }
 
-Json passesOf(const FrameStats& frame) {
+}  // namespace
+
+Json passesJson(const std::vector<PassCount>& counts, const std::vector<PassTime>& times) {
     Json passes = Json::array();
-    for (const PassCount& pass : frame.passes)
+    for (const PassCount& pass : counts)
         passes.push_back({{"name", pass.name}, {"shaded_fragments", pass.shadedFragments}});
+    for (const PassTime& time : times) {
+        const auto it =
+            std::find_if(passes.begin(), passes.end(), [&](const Json& p) { return p["name"] == time.name; });
+        if (it != passes.end())
+            (*it)["ms"] = time.milliseconds;
+        else
+            passes.push_back({{"name", time.name}, {"ms", time.milliseconds}});
+    }
     return passes;
 }
-
-}  // namespace
 
 std::string statsJson(const RunStats& run, const View& view, const FrameStats& frame) {
     const glm::dquat q = glm::normalize(glm::quat_cast(view.rotation));
@@ -77,7 +86,7 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
                      {"total", run.totalMs}};
     json["covered_pixels"] = frame.coveredPixels;
     json["antialiasing"] = {{"samples", frame.samples}, {"frames", frame.frames}};
-    json["passes"] = passesOf(frame);
+    json["passes"] = passesJson(frame.passes, frame.passTimes);
     const OcclusionStats& occlusion = frame.occlusion;
     json["occlusion"] = {{"directions", occlusion.directions},
                          {"cached", occlusion.cached},

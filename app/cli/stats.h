@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,11 @@ struct RunStats {
     double firstPictureMs = 0;          ///< from the command's start to the first picture in memory
     double totalMs = 0;                 ///< from the command's start until only this file is left to write
 };
+
+/// A frame's passes. Counted ones have `shaded_fragments`. `ms` is what the device took: of a pass that is alone in its
+/// render pass in its own entry; passes that share one have an entry of their own beside theirs, by their names joined.
+/// What has `ms` adds up to the frame.
+nlohmann::ordered_json passesJson(const std::vector<PassCount>& counts, const std::vector<PassTime>& times);
 
 /// JSON text; the keys are stable: snake_case, times in milliseconds, bytes as whole numbers.
 std::string statsJson(const RunStats& run, const View& view, const FrameStats& frame);

@@ -44,6 +44,14 @@ bool wantsEdges(const RenderSettings& settings) {
     return settings.supersample == RenderSettings::kEdges && settings.debug == DebugView::none;
 }
 
+void addTimes(std::vector<PassTime>& sum, const std::vector<PassTime>& times) {
+    sum.resize(times.size());
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        sum[i].name = times[i].name;
+        sum[i].milliseconds += times[i].milliseconds;
+    }
+}
+
 void addCounts(std::vector<PassCount>& sum, const std::vector<PassCount>& counts) {
     sum.resize(counts.size());
     for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -74,12 +82,13 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
     const graph::Plan& plan = planOf(frame.graph, settings.tuning);
     const auto start = Clock::now();
     device_.submitAndWait([&](const vk::raii::CommandBuffer& c) {
-        executor_.record(c, frame.graph, plan, imports);
+        executor_.record(c, frame.graph, plan, imports, settings.tuning.timePasses ? &timer_ : nullptr);
         if (fragments) fragments->finish(c);
     });
     stats_.frameMilliseconds = millisecondsSince(start);
     executor_.reset();
     if (fragments) stats_.passes = fragments->counts();
+    if (settings.tuning.timePasses) stats_.passTimes = timer_.times();
     tell(plan);
     return drawn;
 }
@@ -147,15 +156,18 @@ Picture PictureFrames::meanOfFrames(const RenderSettings& settings, const passes
     PictureMean mean;
     double milliseconds = 0;
     std::vector<PassCount> passes;
+    std::vector<PassTime> times;
     for (std::uint32_t i = 0; i < RenderSettings::kEdgeSamples; ++i) {
         const View view = throughSample(settings.view, i);
         mean.add(resolved(draw(settings, atlas, view, pictureTargets(), true, "screen"), settings, view, 1));
         milliseconds += stats_.frameMilliseconds;
         addCounts(passes, stats_.passes);
+        addTimes(times, stats_.passTimes);
     }
     stats_.frames = RenderSettings::kEdgeSamples;
     stats_.frameMilliseconds = milliseconds;
     stats_.passes = passes;
+    stats_.passTimes = times;
     return mean.take();
 }
 

@@ -43,6 +43,7 @@ private:
     gpu::Executor& executor_;
     const SceneFrames& frames_;
     FrameStats& stats_;
+    gpu::Timer timer_{device_};
     graph::PlanCache plans_;
     graph::Graph lastGraph_{"none"};
     graph::Plan lastPlan_;

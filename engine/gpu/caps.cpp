@@ -95,6 +95,15 @@ TileCaps tileCapsOf(const vk::raii::PhysicalDevice& device) {
 
 }  // namespace
 
+std::uint32_t graphicsAndCompute(const vk::raii::PhysicalDevice& physical) {
+    constexpr vk::QueueFlags kWanted = vk::QueueFlagBits::eGraphics | vk::QueueFlagBits::eCompute;
+    const auto families = physical.getQueueFamilyProperties();
+    for (std::uint32_t i = 0; i < families.size(); ++i)
+        if ((families[i].queueFlags & kWanted) == kWanted) return i;
+    throw Error("unsuitable device", physical.getProperties().deviceName.data(),
+                "no queue does both graphics and compute");
+}
+
 bool readsInRasterOrder(const vk::raii::PhysicalDevice& device) {
     if (!hasExtension(device, VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME) &&
         !hasExtension(device, VK_ARM_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME))  // the same, before
@@ -128,6 +137,8 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     }
     caps.snapPixels = std::ldexp(1.0f, -static_cast<int>(properties.limits.subPixelPrecisionBits));
     caps.maxImageSize = properties.limits.maxImageDimension2D;
+    caps.timestampBits = device.getQueueFamilyProperties()[graphicsAndCompute(device)].timestampValidBits;
+    caps.nanosecondsPerTick = properties.limits.timestampPeriod;
     caps.maxStorageBufferBytes = properties.limits.maxStorageBufferRange;
 
     const graph::DeviceClass known = graph::classOf(identity);

@@ -26,15 +26,6 @@ std::vector<const char*> deviceExtensions(const vk::raii::PhysicalDevice& physic
     return wanted;
 }
 
-std::uint32_t graphicsAndCompute(const vk::raii::PhysicalDevice& physical) {
-    constexpr vk::QueueFlags kWanted = vk::QueueFlagBits::eGraphics | vk::QueueFlagBits::eCompute;
-    const auto families = physical.getQueueFamilyProperties();
-    for (std::uint32_t i = 0; i < families.size(); ++i)
-        if ((families[i].queueFlags & kWanted) == kWanted) return i;
-    throw Error("unsuitable device", physical.getProperties().deviceName.data(),
-                "no queue does both graphics and compute");
-}
-
 }  // namespace
 
 Device::Device(const DeviceOptions& options) {

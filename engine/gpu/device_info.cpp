@@ -21,6 +21,7 @@ DeviceInfo gpu::infoOf(const Caps& caps) {
     info.why = caps.visibilityReason;
     info.encodedFormat = graph::formatName(caps.encoded.format);
     info.lazyMemory = caps.plan.transient;
+    info.timestamps = caps.timestampBits > 0;
     info.capabilitySet = caps.capabilitySet;
     if (caps.knownAs.what) info.knownAs = caps.knownAs.what, info.knownBy = caps.knownAs.source;
     return info;

@@ -28,6 +28,14 @@ std::string workOf(const graph::Graph& graph, const graph::Plan& plan) {
     return graph.name() + text;
 }
 
+/// "opaque prepass + depth encoding"
+std::string nameOf(const graph::Graph& graph, const graph::RenderPassPlan& pass) {
+    std::string name;
+    for (const graph::Subpass& subpass : pass.subpasses)
+        for (const std::uint32_t p : subpass.passes) name += (name.empty() ? "" : " + ") + graph.passes()[p].name;
+    return name;
+}
+
 }  // namespace
 
 Executor::Executor(const Device& device) : device_(device), pipelines_(device), descriptors_(device) {}
@@ -93,9 +101,7 @@ void Executor::barriers(const vk::raii::CommandBuffer& commands, const std::vect
 
 void Executor::recordRenderPass(const graph::Graph& graph, const graph::Plan& plan, const graph::RenderPassPlan& pass,
                                 PassContext& context) {
-    std::string name;
-    for (const graph::Subpass& subpass : pass.subpasses)
-        for (const std::uint32_t p : subpass.passes) name += (name.empty() ? "" : " + ") + graph.passes()[p].name;
+    const std::string name = nameOf(graph, pass);
     OwnedRenderPass& owned = renderPass(pass, name);
     std::vector<vk::ClearValue> clears;
     for (const graph::Attachment& a : pass.attachments)
@@ -127,7 +133,7 @@ void Executor::recordRenderPass(const graph::Graph& graph, const graph::Plan& pl
 }
 
 void Executor::record(const vk::raii::CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan,
-                      const Imports& imports, DescriptorPool& descriptors) {
+                      const Imports& imports, DescriptorPool& descriptors, Timer* timer) {
     PassContext context{commands, device_, descriptors, pipelines_, {}, {}, 0, 0, {}, false, {}, {}};
     for (std::uint32_t i = 0; i < graph.images().size(); ++i) {
         const graph::ImageDecl& decl = graph.images()[i];
@@ -153,10 +159,12 @@ void Executor::record(const vk::raii::CommandBuffer& commands, const graph::Grap
     device_.name(*commands, graph.name());  // here, since RenderDoc keeps names given while a buffer is recorded
     device_.log().record(workOf(graph, plan));
     device_.beginLabel(commands, graph.name());
+    if (timer) timer->begin(commands);
     for (const graph::Step& step : plan.steps) {
         barriers(commands, step.before, graph, context);
         if (step.kind == graph::PassKind::graphics) {
             recordRenderPass(graph, plan, step.renderPass, context);
+            if (timer) timer->lap(commands, nameOf(graph, step.renderPass));
             continue;
         }
         const graph::PassDecl& pass = graph.passes()[step.pass];
@@ -164,6 +172,7 @@ void Executor::record(const vk::raii::CommandBuffer& commands, const graph::Grap
         context.pass = pass.name;
         if (pass.record) pass.record(context);
         device_.endLabel(commands);
+        if (timer) timer->lap(commands, pass.name);
     }
     barriers(commands, plan.after, graph, context);
     device_.endLabel(commands);

@@ -7,6 +7,7 @@
 
 #include "engine/gpu/pipeline.h"
 #include "engine/gpu/resources.h"
+#include "engine/gpu/timer.h"
 #include "engine/graph/plan.h"
 
 namespace nacre::gpu {
@@ -57,13 +58,14 @@ public:
     /// Records the plan of a graph. Images of the same graph and name are kept from one execution to the next.
     /// For commands that are waited for before the next ones are recorded: their descriptor sets last until then.
     void record(const vk::raii::CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan,
-                const Imports& imports) {
+                const Imports& imports, Timer* timer = nullptr) {
         reset();  // what failed half way may have left some
-        record(commands, graph, plan, imports, descriptors_);
+        record(commands, graph, plan, imports, descriptors_, timer);
     }
     /// The same, with descriptor sets from a pool of the caller's, for frames that overlap.
+    /// @param timer  not null: takes a lap for each render pass, dispatch and copy
     void record(const vk::raii::CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan,
-                const Imports& imports, DescriptorPool& descriptors);
+                const Imports& imports, DescriptorPool& descriptors, Timer* timer = nullptr);
     /// Compiles a graph, by the device's caps, carries it out and waits until it is done.
     void run(const graph::Graph& graph, const Imports& imports);
     void run(const graph::Graph& graph, const graph::Plan& plan, const Imports& imports);

@@ -25,6 +25,8 @@ TEST(Bench, FramesOfEveryPathAndTheFloorOfTheOneInUse) {
         EXPECT_EQ(path["frames"], 2);
         EXPECT_GT(path["frame"]["min"], 0);
         EXPECT_LE(path["frame"]["min"], path["frame"]["p99"]);
+        ASSERT_FALSE(path["passes"].empty());  // both drivers have a clock
+        for (const auto& pass : path["passes"]) EXPECT_LE(pass["ms"]["min"], pass["ms"]["median"]) << pass;
         if (path["visibility"] == report["device"]["visibility"]) {
             EXPECT_EQ(path["frame"], report["times"]["frame"]);
         }

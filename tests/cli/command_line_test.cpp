@@ -288,10 +288,14 @@ TEST(CommandLine, RenderWritesWholeFilesAndTheStats) {
     EXPECT_GT(stats["memory"]["resident_peak"], 1000000);
     EXPECT_NE(stats["device"]["name"], "");
     ASSERT_FALSE(stats["passes"].empty());
+    double ms = 0;
     for (const auto& pass : stats["passes"]) {
         EXPECT_NE(pass["name"], "");
-        EXPECT_GT(pass["shaded_fragments"], 0) << pass;
+        EXPECT_TRUE(pass.contains("ms") || pass.contains("shaded_fragments")) << pass;
+        EXPECT_GT(pass.value("shaded_fragments", 1), 0) << pass;
+        ms += pass.value("ms", 0.0);
     }
+    EXPECT_GT(ms, 0);
 }
 
 TEST(CommandLine, TheSameCommandGivesTheSameBytes) {

@@ -95,6 +95,8 @@ struct Hook<Tag, void(VKAPI_PTR*)(Parent, Handle, const VkAllocationCallbacks*)>
     X(BeginCommandBuffer, runsOut, nullptr)                      \
     X(EndCommandBuffer, runsOut, nullptr)                        \
     X(ResetCommandBuffer, runsOut, nullptr)                      \
+    X(CreateQueryPool, runsOut, "QueryPool")                     \
+    X(DestroyQueryPool, other, "QueryPool")                      \
     X(CreateFence, runsOut, "Fence")                             \
     X(DestroyFence, other, "Fence")                              \
     X(ResetFences, runsOut, nullptr)                             \
