@@ -45,10 +45,17 @@ struct Clip {
     friend bool operator==(const Clip&, const Clip&) = default;
 };
 
+/// What stands between a place and the light over the left shoulder takes its light: one depth map a frame.
+struct Shadow {
+    double strength = 0;  ///< share of the direct light, 0..1; 0: no map is drawn
+    friend bool operator==(const Shadow&, const Shadow&) = default;
+};
+
 struct Effects {
     Light light;
     Contours contours;
     Fog fog;
+    Shadow shadow;
     Clip clip;
     friend bool operator==(const Effects&, const Effects&) = default;
 };

@@ -60,6 +60,7 @@ void main() {
     bool first = (gl_VertexIndex & 1) == 0;
     bool second = (gl_VertexIndex & 2) == 0;
     vec2 q = u * (first ? low : high) + v * (second ? left : right);
+    if (isCutOff(0.5 * (a + b))) q = oa.center;
     float front = max(a.z, b.z) + radius * sqrt(max(1.0 - axis.z * axis.z, 0.0));
     gl_Position = clipPosition(q, encodedDepth(view.origin - front - radius * 1e-3));
 }

@@ -9,15 +9,15 @@
 #include "common/count.glsl"
 
 #ifdef INPUT
-layout(input_attachment_index = 0, set = 0, binding = 2) uniform usubpassInput primitives;
+layout(input_attachment_index = 0, set = 0, binding = 3) uniform usubpassInput primitives;
 uint primitiveHere() { return subpassLoad(primitives).x; }
 #else
-layout(set = 0, binding = 2) uniform usampler2D primitives;
+layout(set = 0, binding = 3) uniform usampler2D primitives;
 uint primitiveHere() { return texelFetch(primitives, ivec2(gl_FragCoord.xy), 0).x; }
 #endif
-layout(set = 0, binding = 3, std430) readonly buffer Shapes { vec4 shapes[]; };
-layout(set = 0, binding = 4, std430) readonly buffer Looks { uint looks[]; };  // two a sphere, four a cylinder
-layout(set = 0, binding = 5, std430) readonly buffer CopyRows { vec4 copyRows[]; };  // three a copy
+layout(set = 0, binding = 4, std430) readonly buffer Shapes { vec4 shapes[]; };
+layout(set = 0, binding = 5, std430) readonly buffer Looks { uint looks[]; };  // two a sphere, four a cylinder
+layout(set = 0, binding = 6, std430) readonly buffer CopyRows { vec4 copyRows[]; };  // three a copy
 
 void main() {
     uint number = primitiveHere();

@@ -16,7 +16,7 @@ layout(location = 0) flat in vec4 sphere;
 layout(location = 0) out vec4 encoded;
 #ifdef ORDERED
 // No blending: the attachment's own value is read in raster order.
-layout(input_attachment_index = 0, set = 0, binding = 2) uniform subpassInput nearest;
+layout(input_attachment_index = 0, set = 0, binding = 3) uniform subpassInput nearest;
 #endif
 
 void main() {

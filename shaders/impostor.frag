@@ -26,14 +26,14 @@ layout(depth_greater) out float gl_FragDepth;
 layout(early_fragment_tests) in;
 #endif
 #if defined(INPUT)
-layout(input_attachment_index = 0, set = 0, binding = 2) uniform subpassInput nearest;
+layout(input_attachment_index = 0, set = 0, binding = 3) uniform subpassInput nearest;
 vec4 nearestDepth() { return subpassLoad(nearest); }
 #elif defined(ORDERED)
-layout(input_attachment_index = 0, set = 0, binding = 2) uniform subpassInput nearest;
+layout(input_attachment_index = 0, set = 0, binding = 3) uniform subpassInput nearest;
 layout(location = 1) out vec4 nearestOut;
 vec4 nearestDepth() { return subpassLoad(nearest); }
 #elif defined(SAMPLED)
-layout(set = 0, binding = 2) uniform sampler2D nearest;
+layout(set = 0, binding = 3) uniform sampler2D nearest;
 vec4 nearestDepth() { return texelFetch(nearest, ivec2(gl_FragCoord.xy), 0); }
 #endif
 

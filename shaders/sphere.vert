@@ -32,5 +32,6 @@ void main() {
     // A little nearer than the nearest point, so that rounding never lets the fixed-function test cut into it.
     float front = radius * 1.001;
     if (kCorners == 9) front = radius * (pyramidHeight(apex) + 2e-3) + 2.0 * view.snap;
+    if (isCutOff(center)) q = outline.center;
     gl_Position = clipPosition(q, encodedDepth(view.origin - center.z - front));
 }

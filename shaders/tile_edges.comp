@@ -14,8 +14,9 @@
 #define COPY_OF_PIXEL
 #define STREAMS 2
 #define LOOKS 4
+#define SHADOW 9
 #ifdef TEXELS
-#define CELLS 9
+#define CELLS 10
 #endif
 #include "common/numbered.glsl"
 #include "common/tile_lists.glsl"
@@ -48,11 +49,11 @@ const uint kNone = 0xffffffffu;
 // What a sample sees of a primitive, beside its number.
 const uint kSecondHalf = 0x80000000u;
 const uint kContour = 0x40000000u;
-const uint kCut = 0x20000000u;
+const uint kCutFace = 0x20000000u;
 const uint kNumber = 0x1fffffffu;
 uint sightOf(Hit hit, uint number) {
     return number | (hit.along >= 0.5 ? kSecondHalf : 0u) | (kContours > 0 && hit.contour ? kContour : 0u) |
-           (kClip && hit.cap ? kCut : 0u);
+           (kClip && hit.cap ? kCutFace : 0u);
 }
 const bool kPlain = !kClip && kContours == 0;
 

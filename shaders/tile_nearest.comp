@@ -20,6 +20,7 @@
 #define ATLAS 5
 #define EFFECTS 6
 #define CELLS 7
+#define SHADOW 9
 #ifdef SHADED
 #include "common/numbered.glsl"
 #else

@@ -6,18 +6,18 @@
 #extension GL_GOOGLE_include_directive : require
 #define TILES
 #define COPY_OF_PIXEL
-#define STREAMS 3
-#define LOOKS 5
+#define STREAMS 4
+#define LOOKS 6
 #include "common/numbered.glsl"
 #include "common/surface.glsl"
 #include "common/count.glsl"
 #include "common/tile_place.glsl"
 
 #ifdef TEXELS
-layout(set = 0, binding = 2) uniform usamplerBuffer numberTexels;
+layout(set = 0, binding = 3) uniform usamplerBuffer numberTexels;
 uint numberAt(uint i) { return texelFetch(numberTexels, int(i)).x; }
 #else
-layout(set = 0, binding = 2, std430) readonly buffer Numbers { uint pixelNumbers[]; };
+layout(set = 0, binding = 3, std430) readonly buffer Numbers { uint pixelNumbers[]; };
 uint numberAt(uint i) { return pixelNumbers[i]; }
 #endif
 layout(location = 0) flat in vec4 row0;  // all as tile_span.vert has them

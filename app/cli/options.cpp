@@ -64,6 +64,8 @@ void addPlan(CommandSpec& command, PlanOptions& options) {
                  options.edges = parseChoice(text, {"auto", "1"}) == 0;
              });
     addOnOff(command, "--merge", options.merge, "Passes as subpasses of one render pass");
+    addFlag(command, "--shadow", options.shadow,
+            "With the map of what the light sees, as `nacre render --shadow` draws it");
     const auto format = [&](PlanFormat value) { return [&, value](const std::string&) { options.format = value; }; };
     command.add({"--json", "", "", "As one JSON object", format(PlanFormat::json)});
     command.add({"--dot", "", "", "As a Graphviz graph", format(PlanFormat::dot)}).excludes = "--json";

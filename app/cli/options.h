@@ -111,6 +111,7 @@ struct PlanOptions {
     Size size;
     bool edges = false;  ///< as a picture's are drawn
     bool merge = true;
+    bool shadow = false;
     PlanFormat format = PlanFormat::text;
 };
 

@@ -67,6 +67,8 @@ PlanReport planReport(const PlanOptions& options) {
     screen.prepass = graph::platesReject(report.visibility, report.plannedWith);
     screen.edges = options.edges && report.visibility == Visibility::tiles;
     if (options.edges && !screen.edges) report.frames = RenderSettings::kEdgeSamples;
+    constexpr std::uint32_t kShadowPixels = 1024;  // of all but the largest scenes
+    screen.shadowPixels = options.shadow ? kShadowPixels : 0;
     report.frame = screenFrame(screen);
     for (const graph::Image target : report.frame.targets) report.frame.graph.output(target);
     graph::PlanCaps& caps = report.plannedWith;

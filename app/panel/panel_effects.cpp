@@ -60,6 +60,7 @@ void Panel::drawEffects(SavedView& look, double radius) {
     if (ImGui::CollapsingHeader("Light, lines, fog")) {
         slide("##ambient", e.light.ambient, 0, 2, "light all around %.2f");
         slide("##direct", e.light.direct, 0, 2, "light from a side %.2f");
+        slide("##shadow", e.shadow.strength, 0, 1, e.shadow.strength > 0 ? "shadow %.2f" : "no shadow");
         slide("##highlight", e.light.highlight, 0, 6, "highlight %.2f");
         slide("##deepening", e.light.occlusion, 0, 1, "occlusion %.2f");
         slideLines(e);

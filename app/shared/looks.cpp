@@ -44,8 +44,13 @@ std::span<const Look> looks() {
     static const std::vector<Look> kLooks{
         {"default", "calm colours, soft light, ambient occlusion", {}},
         {"qutemol",
-         "on grey, deep clefts: after QuteMol (Tarini, Cignoni, Montani 2006)",
-         {{"background", "#808080"}, {"ambient", "0.9"}, {"direct", "0.9"}, {"highlight", "0.7"}, {"gloss", "24"}}},
+         "on grey, deep clefts, a shadow: after QuteMol (Tarini, Cignoni, Montani 2006)",
+         {{"background", "#808080"},
+          {"ambient", "0.9"},
+          {"direct", "0.9"},
+          {"highlight", "0.7"},
+          {"gloss", "24"},
+          {"shadow", "0.7"}}},
         {"illustrative",
          "flat colours by chain, lines of three weights: after Goodsell's Illustrate",
          {{"color", "chain"},
@@ -77,6 +82,7 @@ std::span<const Look> looks() {
           {"ambient", "0.45"},
           {"direct", "1.5"},
           {"highlight", "1.3"},
+          {"shadow", "0.6"},
           {"fog", "auto"},
           {"fog-strength", "0.9"}}},
     };

@@ -16,9 +16,7 @@ void declareDeferred(ScreenFrame& f, const ScreenOptions& options, const Recorde
         .record(draw.nearestPrimitive());
 
     for (const ScreenTarget& target : options.targets)
-        f.graph.graphics(target.pass)
-            .input(f.nearest)
-            .samples(f.atlas)
+        f.lit(f.graph.graphics(target.pass).input(f.nearest))
             .color(f.add(target, options.extent), target.clear)
             .record(draw.shadedPrimitives(target.output, f.atlas, f.nearest));
 }

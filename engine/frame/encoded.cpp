@@ -17,7 +17,7 @@ void declareEncoded(ScreenFrame& f, const ScreenOptions& options, const Recorder
         graph::PassBuilder shading = f.graph.graphics(target.pass);
         // Coarse encodings leave ties, which the depth buffer settles.
         format.settles() ? shading.depth(f.depth) : shading.depthTest(f.depth);
-        shading.input(f.nearest).samples(f.atlas).color(image, target.clear);
+        f.lit(shading.input(f.nearest)).color(image, target.clear);
         shading.record(draw.impostorsAtEncodedDepth(target.output, f.atlas, f.nearest, format));
     }
 }

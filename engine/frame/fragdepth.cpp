@@ -10,9 +10,7 @@ void declareFragdepth(ScreenFrame& f, const ScreenOptions& options, const Record
     std::optional<graph::Clear> clear;
     if (!options.prepass) clear = graph::Clear{1.0f};
     for (const ScreenTarget& target : options.targets) {
-        f.graph.graphics(target.pass)
-            .depth(f.depth, clear)
-            .samples(f.atlas)
+        f.lit(f.graph.graphics(target.pass).depth(f.depth, clear))
             .color(f.add(target, options.extent), target.clear)
             .record(draw.impostorsByDepthBuffer(target.output, f.atlas));
         clear.reset();

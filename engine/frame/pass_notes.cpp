@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/frame/screen.h"
 #include "engine/scene/representation.h"
 
 namespace nacre {
@@ -57,6 +58,8 @@ PassNotes notesOf(const graph::PassDecl& pass, bool conservative) {
         return {DepthTiming::none, "the nearest depth of a tile's pixels stays in registers; lists go from near to far",
                 kPositions, kPositions, kPrecisionHit};
     if (has(pass, Verb::depth)) {
+        if (pass.name == kShadowPass)
+            return {DepthTiming::conservative, kConservative, kPositions, kPositions, kPrecisionHit};
         if (!has(pass, Verb::color))
             return {DepthTiming::early,
                     "depth comes from the plate's corners; the shader has no output",

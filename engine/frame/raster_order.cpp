@@ -9,9 +9,7 @@ void declareRasterOrder(ScreenFrame& f, const ScreenOptions& options, const Reco
     if (options.targets.size() == 1) {  // it keeps the nearest depth itself
         const ScreenTarget& target = options.targets[0];
         const graph::Image image = f.add(target, options.extent);
-        f.graph.graphics(target.pass)
-            .depthTest(f.depth)
-            .samples(f.atlas)
+        f.lit(f.graph.graphics(target.pass).depthTest(f.depth))
             .color(image, target.clear)
             .ordered(f.nearest, graph::Clear{1.0f})
             .record(draw.impostorsInOrder(target.output, f.atlas, f.nearest));
@@ -22,9 +20,7 @@ void declareRasterOrder(ScreenFrame& f, const ScreenOptions& options, const Reco
         .ordered(f.nearest, graph::Clear{1.0f})
         .record(draw.encodedDepthInOrder(f.atlas, f.nearest));
     for (const ScreenTarget& target : options.targets)  // share what the pass before them kept
-        f.graph.graphics(target.pass)
-            .depthTest(f.depth)
-            .samples(f.atlas)
+        f.lit(f.graph.graphics(target.pass).depthTest(f.depth))
             .color(f.add(target, options.extent), target.clear)
             .samples(f.nearest)
             .record(draw.impostorsAtNearestDepth(target.output, f.atlas, f.nearest));

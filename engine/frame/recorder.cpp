@@ -4,6 +4,7 @@
 #include "engine/passes/deferred_shading.h"
 #include "engine/passes/depth_encoding.h"
 #include "engine/passes/impostor_color.h"
+#include "engine/passes/nearest_depth.h"
 #include "engine/passes/nearest_primitive.h"
 #include "engine/passes/opaque_prepass.h"
 #include "engine/passes/overdraw.h"
@@ -25,6 +26,9 @@ graph::Record Recorder::of(Pass pass) const {
 }
 
 graph::Record Recorder::plates() const { return of(passes::drawPlates); }
+graph::Record Recorder::shadowMap() const {
+    return of([](Context& c, const SceneView& scene) { passes::drawNearestDepth(c, *scene.light); });
+}
 graph::Record Recorder::nearestPrimitive() const { return of(passes::drawNearestPrimitive); }
 graph::Record Recorder::overdraw() const { return of(passes::drawOverdraw); }
 

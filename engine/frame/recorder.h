@@ -23,6 +23,7 @@ public:
     explicit Recorder(std::shared_ptr<const passes::SceneView> scene) : scene_(std::move(scene)) {}
 
     graph::Record plates() const;
+    graph::Record shadowMap() const;
     graph::Record encodedDepth(const graph::EncodedFormat& format) const;
     graph::Record encodedDepthInOrder(graph::Image atlas, graph::Image nearest) const;
     graph::Record nearestPrimitive() const;

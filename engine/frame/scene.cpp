@@ -1,6 +1,8 @@
 #include "engine/frame/scene.h"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "engine/frame/picture.h"
 #include "engine/passes/view_constants.h"
@@ -30,7 +32,70 @@ glm::vec4 linear(float r, float g, float b, double share) {
     return {linearFromSrgb(r), linearFromSrgb(g), linearFromSrgb(b), share};
 }
 
+/// The scene from the light: the frame in which +z points to it.
+View lightView(const RenderSettings& settings, const View& view) {
+    const glm::dvec3 w = glm::normalize(glm::dvec3(layout::kLightX, layout::kLightY, layout::kLightZ));
+    const glm::dvec3 u = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), w)), v = glm::cross(w, u);
+    View light;
+    light.width = light.height = shadowPixels(settings);
+    light.rotation = glm::transpose(glm::dmat3(u, v, w)) * view.rotation;
+    light.radius = view.radius;
+    constexpr double kRoom = 0.5;  // Å: bonds may stand out a little
+    light.pixelsPerAngstrom = light.width / (2.0 * (view.radius + kRoom));
+    return light;
+}
+
+/// From view space to the light's map: u, v and depth as dot products with (x, y, z, 1).
+void addShadow(layout::EffectConstants& c, const RenderSettings& settings) {
+    const View light = lightView(settings, settings.view);
+    if (light.width == 0) return;
+    const layout::ViewConstants seen = passes::viewConstants(light, 0, light.width / 2.0, light.height / 2.0);
+    const glm::dmat3 turn = light.rotation * glm::transpose(settings.view.rotation);  // from view space
+    const double perMap = light.pixelsPerAngstrom / light.width;
+    const auto row = [&](int i, double scale, double shift) {
+        return glm::vec4(turn[0][i] * scale, turn[1][i] * scale, turn[2][i] * scale, shift);
+    };
+    c.shadowU = row(0, perMap, 0.5);
+    c.shadowV = row(1, -perMap, 0.5);
+    c.shadowW = row(2, -seen.perRange, (seen.origin - seen.depthStart) * seen.perRange);
+    constexpr double kSoft = 0.45, kLift = 0.12;  // Å
+    const double texel = 1.0 / light.pixelsPerAngstrom;
+    c.shadowSpread = static_cast<float>(std::max(kSoft, 1.5 * texel) * perMap);
+    c.shadowSlope = static_cast<float>(std::max(kSoft, 1.5 * texel)) * seen.perRange;
+    c.shadowBias = static_cast<float>(kLift + 2.0 * texel);
+    c.shadow = static_cast<float>(settings.effects.shadow.strength);
+}
+
+/// What the light sees of a scene. Where planes cut, what stands before the near one by its middle is left out.
+std::shared_ptr<passes::SceneView> lightScene(const gpu::Device& device, const Scene& scene,
+                                              const RenderSettings& settings, const View& view) {
+    const View light = lightView(settings, view);
+    auto seen = std::make_shared<passes::SceneView>();
+    layout::ViewConstants& c = seen->constants;
+    c = passes::viewConstants(light, device.caps().snapPixels, light.width / 2.0, light.height / 2.0);
+    const Clip& clip = settings.effects.clip;
+    if (clip.near > -Clip::kNone) {
+        const glm::dvec3 viewer = light.rotation * glm::transpose(view.rotation) * glm::dvec3(0, 0, 1);
+        c.clipNear = static_cast<float>(viewer.x);
+        c.clipFar = static_cast<float>(viewer.y);
+        c.contourWidth = static_cast<float>(viewer.z);
+        c.contourDepth = static_cast<float>(-clip.near);
+        seen->cut = true;
+    }
+    seen->buffers = &scene.buffers;
+    seen->copies = passes::placeCopies(scene.representation, light);
+    seen->impostor = settings.tuning.impostor;
+    seen->radiusPixels = scene.meanRadius * light.pixelsPerAngstrom;
+    return seen;
+}
+
 }  // namespace
+
+std::uint32_t shadowPixels(const RenderSettings& settings) {
+    if (settings.effects.shadow.strength <= 0 || !settings.lighting) return 0;
+    constexpr double kLarge = 80;  // Å
+    return settings.view.radius > kLarge ? 2048 : 1024;
+}
 
 layout::EffectConstants effectConstants(const RenderSettings& settings, const std::vector<std::uint32_t>& copyColors) {
     const Effects& e = settings.effects;
@@ -52,6 +117,7 @@ layout::EffectConstants effectConstants(const RenderSettings& settings, const st
         const auto channel = [&](int shift) { return static_cast<float>(copyColors[i] >> shift & 0xff) / 255.0f; };
         c.copyColors[i] = linear(channel(0), channel(8), channel(16), 1);
     }
+    addShadow(c, settings);
     return c;
 }
 
@@ -91,6 +157,7 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     seen->occlusion = settings.occlusion.directions > 0;
     seen->effects = settings.effects;
     seen->copyColors = static_cast<int>(scene.representation.copies.colors.size());
+    if (shadowPixels(settings) > 0) seen->light = lightScene(device, scene, settings, view);
     seen->buffers = &scene.buffers;
     seen->copies = passes::placeCopies(scene.representation, view);
     if (path == Visibility::deferred)

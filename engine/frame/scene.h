@@ -25,6 +25,9 @@ graph::Extent imageExtent(const View& view);
 /// What the effects of shading work with, for shaders.
 layout::EffectConstants effectConstants(const RenderSettings& settings, const std::vector<std::uint32_t>& copyColors);
 
+/// Pixels across the map of what the light sees of a scene; 0 if the settings ask for no shadows.
+std::uint32_t shadowPixels(const RenderSettings& settings);
+
 /// The scene as a view sees it. @param scene  outlives what is returned
 /// @param path  of the frame: `deferred` wants rows of copies on the device
 std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Scene& scene,

@@ -1,5 +1,6 @@
 #include "engine/frame/scene_frames.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "engine/frame/debug_frame.h"
@@ -34,6 +35,9 @@ ScreenFrame SceneFrames::declare(const RenderSettings& asked, const passes::Atla
     const bool debug = settings.debug != DebugView::none && picture;
     // What tells of a pixel's atom tells nothing of lines about it.
     if (!picture || debug) settings.effects.contours.width = 0;
+    const bool color = std::any_of(targets.begin(), targets.end(),
+                                   [](const ScreenTarget& t) { return t.output == passes::Output::color; });
+    if (debug || !color) settings.effects.shadow = {};
     const Visibility usual = device_.caps().visibility;
     Visibility path = debug ? debugVisibility(settings.debug, usual) : usual;
     const auto seen = viewScene(device_, scene_, settings, view, used, path);
@@ -56,8 +60,10 @@ ScreenFrame SceneFrames::declare(const RenderSettings& asked, const passes::Atla
     ScreenOptions options{image, path, device_.caps().encoded, atlas.desc, targets, prepass, name};
     options.shadedByTiles = seen->tiles && seen->tiles->shaded;
     options.edges = seen->tiles && seen->tiles->edges.drawn;
+    options.shadowPixels = shadowPixels(settings);
     ScreenFrame frame =
         debug ? debugFrame(settings.debug, options, Recorder(seen)) : screenFrame(options, Recorder(seen));
+    seen->shadow = frame.shadow;
     imports.bind(frame.atlas, atlas);
     if (seen->tiles) imports.bind(frame.numbers, seen->tiles->numbers.buffer);
     if (frame.edges) imports.bind(*frame.edges, seen->tiles->edgeBuffer().buffer);

@@ -11,12 +11,22 @@ graph::Image ScreenFrame::add(const ScreenTarget& target, graph::Extent extent) 
     return targets.back();
 }
 
+graph::PassBuilder& ScreenFrame::lit(graph::PassBuilder& pass) const {
+    pass.samples(atlas);
+    return shadow ? pass.samples(*shadow) : pass;
+}
+
 ScreenFrame screenFrame(const ScreenOptions& options, const Recorder& recorder) {
-    ScreenFrame frame{graph::Graph(options.name), {}, {}, {}, {}, {}, {}};
+    ScreenFrame frame{graph::Graph(options.name), {}, {}, {}, {}, {}, {}, {}};
     frame.depth = frame.nearest = frame.graph.image("depth", {VK_FORMAT_D32_SFLOAT, options.extent});
     frame.atlas = frame.graph.importImage(
         "occlusion atlas", options.atlas,
         {VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL});
+    if (options.shadowPixels > 0) {
+        const std::uint32_t side = options.shadowPixels;
+        frame.shadow = frame.graph.image("shadow map", {VK_FORMAT_D32_SFLOAT, {side, side}});
+        frame.graph.graphics(kShadowPass).depth(*frame.shadow, Clear{1.0f}).record(recorder.shadowMap());
+    }
     switch (options.visibility) {
         case Visibility::fragdepth:
             declareFragdepth(frame, options, recorder);

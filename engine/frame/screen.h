@@ -1,6 +1,7 @@
 #pragma once
 // The screen frame, declared: its images and passes. The renderer draws this graph and `nacre plan` prints it.
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,16 +33,20 @@ constexpr ScreenTarget kScreenTargets[] = {
 constexpr ScreenTarget kCodedTargets[] = {
     {"colour", VK_FORMAT_R8G8B8A8_UNORM, passes::Output::color, "impostor colour"}};
 
+/// The pass that draws what the light sees.
+constexpr const char* kShadowPass = "shadow map";
+
 struct ScreenOptions {
     graph::Extent extent;
     Visibility visibility = Visibility::encoded;  ///< not `automatic`
     graph::EncodedFormat encoded;                 ///< of `encoded`
     graph::ImageDesc atlas{VK_FORMAT_R8_UNORM, {1, 1}};
     std::span<const ScreenTarget> targets;
-    bool prepass = true;          ///< false: plates would reject nothing on this path (graph::platesReject)
-    const char* name = "screen";  ///< images are kept by it: frames of several sizes want several names
-    bool shadedByTiles = false;   ///< `tiles`: compute shades, too; the target takes coded colour
-    bool edges = false;           ///< of `tiles`: they are drawn from more samples than one
+    bool prepass = true;             ///< false: plates would reject nothing on this path (graph::platesReject)
+    const char* name = "screen";     ///< images are kept by it: frames of several sizes want several names
+    bool shadedByTiles = false;      ///< `tiles`: compute shades, too; the target takes coded colour
+    bool edges = false;              ///< of `tiles`: they are drawn from more samples than one
+    std::uint32_t shadowPixels = 0;  ///< across the map of what the light sees; 0: there are no shadows
 };
 
 struct ScreenFrame {
@@ -51,8 +56,11 @@ struct ScreenFrame {
     graph::Image atlas;                  ///< imported
     graph::Buffer numbers;               ///< imported, of `tiles`: numbers of primitives, or their colours
     std::optional<graph::Buffer> edges;  ///< imported, of `tiles`: what they need beside that
+    std::optional<graph::Image> shadow;  ///< what the light sees
     std::vector<graph::Image> targets;
 
+    /// A pass that shades samples what light is told by. @returns the pass
+    graph::PassBuilder& lit(graph::PassBuilder& pass) const;
     /// The image of a target. @returns it
     graph::Image add(const ScreenTarget& target, graph::Extent extent);
 };

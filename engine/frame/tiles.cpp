@@ -16,15 +16,11 @@ void declareShadedTiles(ScreenFrame& f, const ScreenOptions& options, const Reco
     f.numbers = addPixels(f, options, "colours of tiles", sizeof(std::uint32_t));
     if (options.edges) f.edges = addPixels(f, options, "primitive numbers", sizeof(std::uint32_t));
     graph::PassBuilder nearest = f.graph.compute("nearest primitive, shaded");
-    nearest.samples(f.atlas).writes(f.numbers);
+    f.lit(nearest).writes(f.numbers);
     if (options.edges) nearest.writes(*f.edges);
     nearest.record(draw.colorsByTiles(f.atlas));
     if (options.edges)
-        f.graph.compute("edge samples")
-            .reads(*f.edges)
-            .samples(f.atlas)
-            .writes(f.numbers)
-            .record(draw.edgesByTiles(f.atlas));
+        f.lit(f.graph.compute("edge samples").reads(*f.edges)).writes(f.numbers).record(draw.edgesByTiles(f.atlas));
     const graph::Image picture = f.add(target, options.extent);
     f.graph.transfer(target.pass)
         .copiesFrom(f.numbers)
@@ -41,16 +37,10 @@ void declareTiles(ScreenFrame& f, const ScreenOptions& options, const Recorder& 
 
     if (options.edges) {
         f.edges = addPixels(f, options, "edge colours", 2 * sizeof(std::uint32_t));
-        f.graph.compute("edge samples")
-            .reads(f.numbers)
-            .samples(f.atlas)
-            .writes(*f.edges)
-            .record(draw.edgesByTiles(f.atlas));
+        f.lit(f.graph.compute("edge samples").reads(f.numbers)).writes(*f.edges).record(draw.edgesByTiles(f.atlas));
     }
     for (const ScreenTarget& target : options.targets)
-        f.graph.graphics(target.pass)
-            .reads(f.numbers)
-            .samples(f.atlas)
+        f.lit(f.graph.graphics(target.pass).reads(f.numbers))
             .color(f.add(target, options.extent), target.clear)
             .record(draw.shadedTiles(target.output, f.atlas));
     if (options.edges)

@@ -111,7 +111,7 @@ ScreenFrame WindowFrames::declareRefined(const RenderSettings& settings, const p
 }
 
 ScreenFrame WindowFrames::declareKept(gpu::Imports& imports) {
-    ScreenFrame f{graph::Graph("kept screen"), {}, {}, {}, {}, {}, {}};
+    ScreenFrame f{graph::Graph("kept screen"), {}, {}, {}, {}, {}, {}, {}};
     const graph::Image kept =
         f.graph.importImage("refined picture", {kPictureFormat, swapchain_.extent()}, passes::kTextureState);
     imports.bind(kept, kept_);

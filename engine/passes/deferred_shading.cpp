@@ -8,11 +8,11 @@ namespace {
 
 using Type = vk::DescriptorType;
 constexpr auto kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
-// Atlas, effects, numbers, shapes, looks, rows of copies.
-constexpr Type kInput[] = {Type::eCombinedImageSampler, Type::eUniformBuffer, Type::eInputAttachment,
-                           Type::eStorageBuffer,        Type::eStorageBuffer, Type::eStorageBuffer};
-constexpr Type kTexture[] = {Type::eCombinedImageSampler, Type::eUniformBuffer, Type::eCombinedImageSampler,
-                             Type::eStorageBuffer,        Type::eStorageBuffer, Type::eStorageBuffer};
+// Atlas, effects, shadow map, numbers, shapes, looks, rows of copies.
+constexpr Type kSampled = Type::eCombinedImageSampler, kStorage = Type::eStorageBuffer;
+constexpr Type kInput[] = {kSampled, Type::eUniformBuffer, kSampled, Type::eInputAttachment, kStorage, kStorage,
+                           kStorage};
+constexpr Type kTexture[] = {kSampled, Type::eUniformBuffer, kSampled, kSampled, kStorage, kStorage, kStorage};
 
 Stage shaderOf(Output output, bool texture) {
     switch (output) {
@@ -38,13 +38,15 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
     const vk::DescriptorBufferInfo shapes(*view.buffers->shapes.handle, 0, VK_WHOLE_SIZE),
         looks(*view.buffers->looks.handle, 0, VK_WHOLE_SIZE), rows(*view.copyRows.handle, 0, VK_WHOLE_SIZE),
         effects(*view.effectConstants->handle, 0, VK_WHOLE_SIZE);
+    const vk::DescriptorImageInfo shadow = shadowOf(context, view, reads.atlas);
     const vk::WriteDescriptorSet writes[] = {
         {set, 0, 0, Type::eCombinedImageSampler, atlas},
         {set, 1, 0, Type::eUniformBuffer, {}, effects},
-        {set, 2, 0, texture ? Type::eCombinedImageSampler : Type::eInputAttachment, numbers},
-        {set, 3, 0, Type::eStorageBuffer, {}, shapes},
-        {set, 4, 0, Type::eStorageBuffer, {}, looks},
-        {set, 5, 0, Type::eStorageBuffer, {}, rows}};
+        {set, 2, 0, Type::eCombinedImageSampler, shadow},
+        {set, 3, 0, texture ? Type::eCombinedImageSampler : Type::eInputAttachment, numbers},
+        {set, 4, 0, Type::eStorageBuffer, {}, shapes},
+        {set, 5, 0, Type::eStorageBuffer, {}, looks},
+        {set, 6, 0, Type::eStorageBuffer, {}, rows}};
     context.device->updateDescriptorSets(writes, {});
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, set, {});
 }

@@ -27,11 +27,12 @@ gpu::VertexStreams streamsOf(bool sphere, bool looks) {
     return {std::span(kCylinderBindings).first(looks ? 2 : 1), std::span(kCylinderAttributes).first(looks ? 3 : 2)};
 }
 
-/// Set 0 of a pass that reads: the atlas, what effects work with, and what holds the nearest depth.
+/// Set 0 of a pass that reads: the atlas, what effects work with, the shadow map, and what holds the nearest depth.
 std::span<const Type> bindingsOf(const Reads* reads) {
-    static constexpr Type kAtlas[] = {Type::eCombinedImageSampler, Type::eUniformBuffer};
-    static constexpr Type kInput[] = {Type::eCombinedImageSampler, Type::eUniformBuffer, Type::eInputAttachment};
-    static constexpr Type kTexture[] = {Type::eCombinedImageSampler, Type::eUniformBuffer, Type::eCombinedImageSampler};
+    static constexpr Type kSampled = Type::eCombinedImageSampler;
+    static constexpr Type kAtlas[] = {kSampled, Type::eUniformBuffer, kSampled};
+    static constexpr Type kInput[] = {kSampled, Type::eUniformBuffer, kSampled, Type::eInputAttachment};
+    static constexpr Type kTexture[] = {kSampled, Type::eUniformBuffer, kSampled, kSampled};
     if (!reads) return {};
     switch (reads->from) {
         case NearestFrom::depthBuffer:
@@ -80,13 +81,15 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
     const vk::DescriptorImageInfo nearest(texture ? context.pipelines.sampler(vk::Filter::eNearest) : vk::Sampler(),
                                           reads.nearest,
                                           reads.from == NearestFrom::ownAttachment ? vk::ImageLayout::eGeneral : kRead);
+    const vk::DescriptorImageInfo shadow = shadowOf(context, view, reads.atlas);
     const vk::DescriptorBufferInfo effects(*view.effectConstants->handle, 0, VK_WHOLE_SIZE);
     const vk::WriteDescriptorSet writes[] = {
         {set, 0, 0, Type::eCombinedImageSampler, atlas},
         {set, 1, 0, Type::eUniformBuffer, {}, effects},
-        {set, 2, 0, texture ? Type::eCombinedImageSampler : Type::eInputAttachment, nearest}};
+        {set, 2, 0, Type::eCombinedImageSampler, shadow},
+        {set, 3, 0, texture ? Type::eCombinedImageSampler : Type::eInputAttachment, nearest}};
     context.device->updateDescriptorSets(
-        vk::ArrayProxy<const vk::WriteDescriptorSet>(reads.from == NearestFrom::depthBuffer ? 2 : 3, writes), {});
+        vk::ArrayProxy<const vk::WriteDescriptorSet>(reads.from == NearestFrom::depthBuffer ? 3 : 4, writes), {});
     context.commands.bindDescriptorSets(kGraphics, *layout.pipeline, 0, set, {});
 }
 
@@ -107,10 +110,16 @@ std::uint32_t cornersOf(const gpu::PassContext& context, const SceneView& view, 
 
 }  // namespace
 
+vk::DescriptorImageInfo shadowOf(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas) {
+    return {context.pipelines.sampler(vk::Filter::eNearest), view.shadow ? context.view(*view.shadow) : atlas,
+            vk::ImageLayout::eShaderReadOnlyOptimal};
+}
+
 void setGeometryConstants(gpu::Specialization& constants, const SceneView& view) {
     constants.set(layout::kPerspectiveId, view.perspective);
     constants.set(layout::kQuarterTurnsId, view.quarterTurns);
     constants.set(layout::kWholeImageId, view.wholeImage);
+    constants.set(layout::kCutId, view.cut);
     constants.set(layout::kClipId, view.effects.clip.on());
     constants.set(layout::kContoursId, view.effects.contours.width > 0 ? view.effects.contours.weights : 0);
 }
@@ -122,6 +131,7 @@ void setShadingConstants(gpu::Specialization& constants, const SceneView& view) 
     constants.set(layout::kCapId, static_cast<int>(view.effects.clip.cap));
     constants.set(layout::kCopyColorsId, view.copyColors);
     constants.set(layout::kFogId, view.effects.fog.range != Fog::Range::off);
+    constants.set(layout::kShadowId, view.light != nullptr);
     constants.set(layout::kAmbientId, static_cast<float>(light.ambient));
     constants.set(layout::kDirectId, static_cast<float>(light.direct));
     constants.set(layout::kHighlightId, static_cast<float>(light.highlight));

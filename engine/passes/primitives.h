@@ -65,6 +65,9 @@ constexpr std::uint32_t kMostInstances = 512;
 void setGeometryConstants(gpu::Specialization& constants, const SceneView& view);
 void setShadingConstants(gpu::Specialization& constants, const SceneView& view);
 
+/// The shadow map, or what stands for it where there is none.
+vk::DescriptorImageInfo shadowOf(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas);
+
 /// Binds the counter of this pass as set 1, if the view counts.
 void bindCounter(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout,
                  vk::PipelineBindPoint point = vk::PipelineBindPoint::eGraphics);

@@ -1,6 +1,8 @@
 #pragma once
 // The scene as one view sees it: what every pass of a frame draws with.
 
+#include <optional>
+
 #include "engine/device_options.h"
 #include "engine/effects.h"
 #include "engine/passes/fragment_counter.h"
@@ -35,7 +37,10 @@ struct SceneView {
     bool lighting = true, occlusion = false;
     vk::BufferView occlusionCells;  ///< Atlas::cells
     Effects effects;
-    int copyColors = 0;                                  ///< that copies take in turn
+    int copyColors = 0;                  ///< that copies take in turn
+    bool cut = false;                    ///< of a light's view: its planes' numbers are one plane, which cuts off
+    std::shared_ptr<SceneView> light;    ///< what the shadow map shows; null: there is none
+    std::optional<graph::Image> shadow;  ///< it
     std::shared_ptr<const gpu::Buffer> effectConstants;  ///< layout::EffectConstants; of passes that shade
     PlateShape plates = PlateShape::automatic;
     ImpostorShape impostor = ImpostorShape::automatic;

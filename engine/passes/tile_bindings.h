@@ -33,8 +33,9 @@ public:
     void store(const gpu::Buffer& buffer) { whole(buffer, kStorage); }
     void uniform(const gpu::Buffer& buffer) { whole(buffer, vk::DescriptorType::eUniformBuffer); }
     void sample(vk::ImageView texture) {
-        const vk::DescriptorImageInfo image(context_.pipelines.sampler(vk::Filter::eLinear), texture,
-                                            vk::ImageLayout::eShaderReadOnlyOptimal);
+        sample({context_.pipelines.sampler(vk::Filter::eLinear), texture, vk::ImageLayout::eShaderReadOnlyOptimal});
+    }
+    void sample(const vk::DescriptorImageInfo& image) {
         write({set_, at_++, 0, 1, vk::DescriptorType::eCombinedImageSampler, &image});
     }
 

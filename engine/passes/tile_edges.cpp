@@ -10,8 +10,8 @@ using Type = vk::DescriptorType;
 constexpr auto kCompute = vk::ShaderStageFlagBits::eCompute;
 constexpr vk::ShaderStageFlags kDraw = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 
-// Atlas, effects; shapes, rows of copies, looks; lists, numbers, tiles of bins; colours, which are written; cells of
-// the atlas.
+// Atlas, effects; shapes, rows of copies, looks; lists, numbers, tiles of bins; colours, which are written; shadow map;
+// cells of the atlas.
 constexpr Type kSampleTexels[] = {Type::eCombinedImageSampler,
                                   Type::eUniformBuffer,
                                   kTexel,
@@ -21,6 +21,7 @@ constexpr Type kSampleTexels[] = {Type::eCombinedImageSampler,
                                   kTexel,
                                   kTexel,
                                   kStorage,
+                                  Type::eCombinedImageSampler,
                                   kTexel};
 constexpr Type kSampleStorage[] = {Type::eCombinedImageSampler,
                                    Type::eUniformBuffer,
@@ -30,7 +31,8 @@ constexpr Type kSampleStorage[] = {Type::eCombinedImageSampler,
                                    kStorage,
                                    kStorage,
                                    kStorage,
-                                   kStorage};
+                                   kStorage,
+                                   Type::eCombinedImageSampler};
 constexpr Type kColorTexels[] = {kTexel};
 constexpr Type kColorStorage[] = {kStorage};
 
@@ -67,6 +69,7 @@ void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::Imag
     bindings.read(f.shaded ? f.edges.numbers : f.numbers);
     bindings.read(f.edges.slots);
     bindings.store(f.shaded ? f.numbers.buffer : f.edges.colors.buffer);
+    bindings.sample(shadowOf(context, view, atlas));
     // Never left unwritten, even where the shader reads none: lavapipe looks at it.
     if (caps.texels) bindings.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline, 0, set, {});

@@ -16,13 +16,13 @@ constexpr vk::ShaderStageFlags kDraw = vk::ShaderStageFlagBits::eVertex | vk::Sh
 // Shapes, rows of copies, lists; numbers, which are written.
 constexpr Type kNearestTexels[] = {kTexel, kTexel, kTexel, kStorage};
 constexpr Type kNearestStorage[] = {kStorage, kStorage, kStorage, kStorage};
-// Where it shades: looks, atlas, effects and cells of the atlas, too, and numbers beside the colours.
-constexpr Type kNearestShaded[] = {
-    kTexel, kTexel, kTexel, kStorage, kTexel, Type::eCombinedImageSampler, Type::eUniformBuffer, kTexel, kStorage};
-// Atlas, effects, numbers, shapes, rows of copies, looks.
-constexpr Type kShadeTexels[] = {Type::eCombinedImageSampler, Type::eUniformBuffer, kTexel, kTexel, kTexel, kTexel};
-constexpr Type kShadeStorage[] = {
-    Type::eCombinedImageSampler, Type::eUniformBuffer, kStorage, kStorage, kStorage, kStorage};
+// Where it shades: looks, atlas, effects and cells of the atlas, too, numbers beside the colours, and the shadow map.
+constexpr Type kSampled = Type::eCombinedImageSampler;
+constexpr Type kNearestShaded[] = {kTexel, kTexel,   kTexel,  kStorage, kTexel, kSampled, Type::eUniformBuffer,
+                                   kTexel, kStorage, kSampled};
+// Atlas, effects, shadow map, numbers, shapes, rows of copies, looks.
+constexpr Type kShadeTexels[] = {kSampled, Type::eUniformBuffer, kSampled, kTexel, kTexel, kTexel, kTexel};
+constexpr Type kShadeStorage[] = {kSampled, Type::eUniformBuffer, kSampled, kStorage, kStorage, kStorage, kStorage};
 
 constexpr vk::VertexInputBindingDescription kSpanBindings[] = {
     {0, sizeof(TileSpanVertex), vk::VertexInputRate::eInstance}};
@@ -80,6 +80,7 @@ void findNearestByTiles(gpu::PassContext& context, const SceneView& view, std::o
         // Never left unwritten, even where the shader reads none: lavapipe looks at it.
         bindings.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
         bindings.store(f.edges.drawn ? f.edges.numbers.buffer : f.numbers.buffer);
+        bindings.sample(shadowOf(context, view, *atlas));
     }
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline, 0, set, {});
     context.commands.pushConstants<layout::TileConstants>(*layout.pipeline, kCompute, 0, f.constants);
@@ -108,6 +109,7 @@ void shadeTiles(gpu::PassContext& context, const SceneView& view, Output output,
     TileBindings bindings(context, set, 0);
     bindings.sample(atlas);
     bindings.uniform(*view.effectConstants);
+    bindings.sample(shadowOf(context, view, atlas));
     bindings.read(f.numbers);
     bindings.read(scene.shapes, scene.shapeTexels);
     bindings.read(f.rows);

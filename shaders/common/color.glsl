@@ -1,5 +1,5 @@
 // From a primitive's hit to what shows there.
-//   ATLAS, EFFECTS   bindings, unless they are 0 and 1
+//   ATLAS, EFFECTS, SHADOW   bindings, unless they are 0, 1 and 2
 //   CELLS            binding of the occlusion's cells, where they are read
 #ifndef NACRE_COLOR_GLSL
 #define NACRE_COLOR_GLSL
@@ -12,13 +12,18 @@
 #define ATLAS 0
 #define EFFECTS 1
 #endif
+#ifndef SHADOW
+#define SHADOW 2
+#endif
 
 layout(set = 0, binding = ATLAS) uniform sampler2D occlusionAtlas;
 layout(set = 0, binding = EFFECTS, std140) uniform Effects { EffectConstants effects; };
+layout(set = 0, binding = SHADOW) uniform sampler2D shadowMap;
 layout(constant_id = kOcclusionId) const bool kOcclusion = true;
 layout(constant_id = kCellsId) const bool kCells = false;
 layout(constant_id = kCapId) const int kCap = 0;
 layout(constant_id = kFogId) const bool kFog = false;
+layout(constant_id = kShadowId) const bool kShadow = false;
 // The target takes sRGB-coded colour as it is; otherwise linear light.
 layout(constant_id = kCodedId) const bool kCoded = false;
 
@@ -90,7 +95,31 @@ float cylinderOcclusion(Hit hit, vec3 objectAxis, uint patchAddress) {
 
 /// Occlusion is baked for the whole scene. Where a plane cuts it, light falls in that the bake knows nothing of: what lay
 /// in the dark is lifted, and stays darker than what lay less so.
-float opened(float occlusion) { return mix(sqrt(occlusion), 1.0, 0.2); }
+float opened(float occlusion) { return mix(sqrt(occlusion), 1.0, 0.35); }
+
+/// Share of the direct light that reaches a hit: taps on a disc, in a sunflower's order, ask the light's depth map. What
+/// the near plane cuts stands in the open. @param q  planePoint() of the pixel
+float sunlight(Hit hit, vec2 q) {
+    if (!kShadow || hit.cap) return 1.0;
+    precise vec2 seen = q * (kPerspective ? hit.Z / view.origin : 1.0);
+    precise vec3 p = vec3(seen, view.origin - hit.Z) + hit.normal * effects.shadowBias;
+    precise float u = dot(effects.shadowU.xyz, p) + effects.shadowU.w;
+    precise float v = dot(effects.shadowV.xyz, p) + effects.shadowV.w;
+    precise float depth = dot(effects.shadowW.xyz, p) + effects.shadowW.w;
+    // A surface that leans from the light must not shadow itself: what it rises within the soft edge is let through.
+    precise float facing = clamp(dot(hit.normal, kLight), 0.01, 1.0);
+    precise float slope = min(sqrt(1.0 - facing * facing) / facing, 2.5);
+    precise float own = depth - slope * effects.shadowSlope;
+    const int kTaps = 16;
+    float taken = 0.0;
+    for (int i = 0; i < kTaps; ++i) {
+        float angle = float(i) * 2.39996323, reach = sqrt((float(i) + 0.5) / float(kTaps));
+        precise vec2 at = vec2(u, v) + vec2(cos(angle), sin(angle)) * reach * effects.shadowSpread;
+        if (own > textureLod(shadowMap, at, 0.0).r) taken += 1.0 / float(kTaps);
+    }
+    precise float sun = 1.0 - effects.shadow * taken;
+    return sun;
+}
 
 /// How bright a cap is beside what it cuts. @param q  planePoint() of the pixel
 float capShade(vec2 q) {
@@ -104,7 +133,8 @@ float capShade(vec2 q) {
 
 /// In linear light. @param q  planePoint() of the pixel
 vec3 lightOf(Hit hit, uint colorBits, float occlusion, vec2 q) {
-    vec3 lit = shade(linearColor(colorBits), hit.normal, kClip && !hit.cap ? opened(occlusion) : occlusion);
+    vec3 lit = shade(linearColor(colorBits), hit.normal, kClip && !hit.cap ? opened(occlusion) : occlusion,
+                     sunlight(hit, q));
     if (kClip && hit.cap) lit *= capShade(q);
     if (kContours > 0 && hit.contour) lit = effects.contour.rgb;
     if (kFog) {

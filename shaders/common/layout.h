@@ -42,6 +42,8 @@ const int kHighlightId = 25;     // float
 const int kGlossId = 26;         // float: exponent of the highlight
 const int kDeepeningId = 27;     // float: how much of the occlusion counts, 0..1
 const int kCellsId = 28;         // bool: shaders interpolate occlusion themselves, as its cells are
+const int kShadowId = 29;        // bool: the light's depth map is asked
+const int kCutId = 30;           // bool: what a plane cuts off casts no shadow
 const int kEverywhereId = 60;    // bool: every pixel is drawn as an edge
 const int kClearId = 61;         // float, four of them: what a picture is cleared to, linear and premultiplied
 const int kNumberedId = 65;      // bool: what shades by tiles writes numbers, too
@@ -111,14 +113,22 @@ struct TileConstants {
 
 /// What the effects of shading work with: a uniform buffer.
 struct EffectConstants {
-    vec4 contour;    // linear colour
-    vec4 fog;        // linear colour, and its share where it ends
-    float fogStart;  // Z
-    float perFog;    // 1 / (Å from its start to its end)
-    float hatch;     // Å on the plane z = 0 from a stroke to the next
+    vec4 contour;                    // linear colour
+    vec4 fog;                        // linear colour, and its share where it ends
+    float fogStart;                  // Z
+    float perFog;                    // 1 / (Å from its start to its end)
+    float hatch;                     // Å on the plane z = 0 from a stroke to the next
+    float shadow;                    // share of the light that it takes, 0..1
+    vec4 shadowU, shadowV, shadowW;  // (x, y, z, 1) of view space -> place in the light's depth map 0..1, depth there
+    float shadowSpread;              // of a shadow's soft edge, in widths of the map
+    float shadowBias;                // Å that a point is lifted from its surface
+    float shadowSlope;               // depth that a surface of slope 1 rises within the soft edge
     float unused;
     vec4 copyColors[kMostCopyColors];  // linear
 };
+
+// Towards the light, view space: over the viewer's left shoulder. Not yet of unit length.
+const float kLightX = -0.35f, kLightY = 0.55f, kLightZ = 0.76f;
 
 /// Push constants of the occlusion passes. A batch of depth maps lies side by side in one image, kMapsAcross in a row.
 struct OcclusionConstants {
@@ -156,7 +166,8 @@ static_assert(offsetof(ViewConstants, ndcPerAngstrom) == 48 && offsetof(ViewCons
               offsetof(ViewConstants, clipNear) == 112);
 static_assert(sizeof(TileConstants) == 128 && offsetof(TileConstants, axisPixel) == 56 &&
               offsetof(TileConstants, atlasTexel) == 96);
-static_assert(sizeof(EffectConstants) == 48 + 16 * kMostCopyColors && offsetof(EffectConstants, fogStart) == 32);
+static_assert(sizeof(EffectConstants) == 112 + 16 * kMostCopyColors && offsetof(EffectConstants, fogStart) == 32 &&
+              offsetof(EffectConstants, shadowSpread) == 96);
 static_assert(sizeof(OcclusionConstants) == 48);
 static_assert(sizeof(Direction) == 48);
 }  // namespace nacre::layout

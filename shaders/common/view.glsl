@@ -19,6 +19,7 @@ layout(push_constant) uniform Push { ViewConstants view; };
 layout(constant_id = kPerspectiveId) const bool kPerspective = false;
 layout(constant_id = kWholeImageId) const bool kWholeImage = true;
 layout(constant_id = kClipId) const bool kClip = false;
+layout(constant_id = kCutId) const bool kCut = false;
 layout(constant_id = kContoursId) const int kContours = 0;
 
 // Caps stand in one plane: what is compared is up to this much deeper, Å, the nearer they are to the skin of what is cut.
@@ -52,6 +53,12 @@ float encodedDepth(float Z) {
     precise float d = (Z - view.depthStart) * view.perRange;
     return d;
 }
+#if !defined(TILES) && !defined(SPLAT)
+/// Whether a light's view leaves a primitive out: beyond the plane that its clipping numbers are then.
+bool isCutOff(vec3 center) {
+    return kCut && dot(vec3(view.clipNear, view.clipFar, view.contourWidth), center) > view.contourDepth;
+}
+#endif
 /// Radius of a ball that holds a sphere with its contour line, whatever pixel looks at it. @param z  of the centre
 float reachOf(float z, float radius) {
     if (kContours == 0) return radius;

@@ -42,6 +42,20 @@ TEST(Plan, OfMaliIsOneRenderPassWhoseTrafficIsTheColourAlone) {
     EXPECT_EQ(json["tile_bytes_per_pixel"], 12);
 }
 
+TEST(Plan, AShadowIsAMapThatLeavesTheTileAndNothingElseDoes) {
+    PlanOptions options = phone("mali");
+    options.shadow = true;
+    const Json json = jsonOf(options);
+    ASSERT_EQ(json["render_passes"].size(), 2u);
+    EXPECT_EQ(json["render_passes"][0]["subpasses"][0]["writes"], Json({"shadow map"}));
+    EXPECT_EQ(json["render_passes"][1]["subpasses"][2]["reads"],
+              Json({"depth", "encoded depth", "occlusion atlas", "shadow map"}));
+    constexpr std::uint64_t kMap = 1024 * 1024 * 4;
+    EXPECT_EQ(json["memory_bytes"]["loaded"], kMap);
+    EXPECT_EQ(json["memory_bytes"]["stored"], kPixels * 4 + kMap);
+    EXPECT_EQ(json["tile_bytes_per_pixel"], 12);
+}
+
 TEST(Plan, OfAppleIsOneSubpassWithoutInputAttachment) {
     const Json json = jsonOf(phone("apple-moltenvk"));
     ASSERT_EQ(json["render_passes"].size(), 1u);

@@ -29,10 +29,11 @@ struct Case {
     Projection projection;
     double contours = 0;
     bool clip = false;
+    double shadow = 0;
 };
 void PrintTo(const Case& c, std::ostream* out) {
     *out << c.file << " style " << static_cast<int>(c.style) << " projection " << static_cast<int>(c.projection)
-         << (c.contours > 0 ? " contours" : "") << (c.clip ? " clip" : "");
+         << (c.contours > 0 ? " contours" : "") << (c.clip ? " clip" : "") << (c.shadow > 0 ? " shadow" : "");
 }
 
 class Edges : public SharedRenderers<Case> {
@@ -42,6 +43,7 @@ protected:
         RenderSettings s = settings(r, size, c.projection, {75, -40, 120});
         s.background = {0, 0, 0, 0};
         s.effects.contours.width = c.contours;
+        s.effects.shadow.strength = c.shadow;
         if (c.clip) s.effects.clip.near = 0, s.effects.clip.cap = Clip::Cap::hatched;
         return s;
     }
@@ -74,6 +76,7 @@ TEST_P(Edges, LookAsIfEveryPixelHadManySamples) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Edges,
                          testing::Values(Case{"sample:dna", Style::spacefill, Projection::orthographic},
+                                         Case{"sample:dna", Style::spacefill, Projection::perspective, 0, false, 1},
                                          Case{"sample:dna", Style::licorice, Projection::perspective},
                                          Case{"sample:glucose", Style::ballAndStick, Projection::orthographic},
                                          Case{"sample:buckyball", Style::ballAndStick, Projection::perspective, 3},

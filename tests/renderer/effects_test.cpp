@@ -27,6 +27,7 @@ protected:
         s.effects.clip = {-0.1 * r.radius, 0.5 * r.radius, Clip::Cap::hatched};
         s.effects.contours = {2.5, 0.8, 3, {0.1f, 0, 0.3f}};
         s.effects.fog.range = Fog::Range::automatic;
+        s.effects.shadow.strength = 0.8;
         return s;
     }
 };
@@ -195,6 +196,53 @@ TEST_P(Effect, FogTakesColourToTheBackgroundInProportionToDepth) {
         for (std::size_t c = 0; c < 3; ++c)
             ASSERT_NEAR(fog.rgba[4 * i + c], std::lerp(clear.rgba[4 * i + c], c == 1 ? 1.0 : 0.0, share), 1e-4);
     }
+}
+
+TEST_P(Effect, ShadowsFallWhereARayToTheLightIsBlocked) {
+    if (GetParam().style != Style::spacefill) return;  // thinner than a shadow's soft edge
+    const Representation r = scene(GetParam().molecule, GetParam().style);
+    RenderSettings s = settings(r, 128, GetParam().projection, {40, -70, 15});
+    s.effects.light.ambient = s.effects.light.highlight = 0;
+    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    renderer->setScene(r);
+    const LayerPicture bare = renderer->layers(s);
+    s.effects.shadow.strength = 1;
+    const LayerPicture shadowed = renderer->layers(s);
+    const glm::dvec3 light = glm::normalize(glm::dvec3(-0.35, 0.55, 0.76));
+    /// Whether a ball stands between a place and the light if all were larger by `more` Å.
+    const auto blocked = [&](const glm::dvec3& place, std::uint32_t own, double more) {
+        for (std::size_t i = 0; i < r.spheres.size(); ++i) {
+            if (r.sphereLooks[i].atom == own) continue;
+            const glm::dvec3 to = s.view.rotation * glm::dvec3(r.spheres[i].center) - place;
+            const double along = glm::dot(to, light), reach = r.spheres[i].radius + more;
+            if (reach > 0 && along > 0 && glm::dot(to, to) - along * along < reach * reach) return true;
+        }
+        return false;
+    };
+    // Edges are soft: what is nearer to one is not judged.
+    constexpr double kSoft = 0.7;
+    int dark = 0, bright = 0, wrong = 0;
+    for (std::uint32_t y = 0; y < bare.height; ++y)
+        for (std::uint32_t x = 0; x < bare.width; ++x) {
+            const std::size_t at = std::size_t{y} * bare.width + x;
+            const glm::dvec3 normal(bare.normal[3 * at], bare.normal[3 * at + 1], bare.normal[3 * at + 2]);
+            if (bare.id[at] == 0 || glm::dot(normal, light) < 0.5) continue;
+            const reference::Line line = reference::pixelLine(s.view, x, y);
+            const glm::dvec3 place = line.origin + line.direction * (bare.z[at] / -line.direction.z);
+            double share = 0;
+            for (std::size_t c = 0; c < 3; ++c)
+                share = std::max(share, double{shadowed.rgba[4 * at + c] / bare.rgba[4 * at + c]});
+            if (blocked(place, bare.id[at], -kSoft)) {
+                ++dark;
+                wrong += share > 0.01;
+            } else if (!blocked(place, bare.id[at], kSoft)) {
+                ++bright;
+                wrong += share < 0.99;
+            }
+        }
+    EXPECT_GT(dark, 200);
+    EXPECT_GT(bright, 300);
+    EXPECT_LE(wrong, (dark + bright) / 30) << dark << " and " << bright;
 }
 
 INSTANTIATE_TEST_SUITE_P(

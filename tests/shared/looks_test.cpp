@@ -77,11 +77,22 @@ TEST(Looks, WhatIsNoneIsRefused) {
 }
 
 TEST(EffectOptions, WhatEachSaysIsWhatItReads) {
-    const std::pair<const char*, const char*> cases[] = {
-        {"contours", "1.5"}, {"contour-depth", "3"}, {"contour-weights", "3"}, {"contour-color", "#102030"},
-        {"fog", "-5,20.5"},  {"fog", "auto"},        {"fog-strength", "0.3"},  {"ambient", "0.5"},
-        {"direct", "2"},     {"highlight", "0"},     {"gloss", "100"},         {"occlusion-strength", "0.25"},
-        {"clip", "-3.25"},   {"clip", "-3,4"},       {"cap", "hatched"}};
+    const std::pair<const char*, const char*> cases[] = {{"contours", "1.5"},
+                                                         {"contour-depth", "3"},
+                                                         {"contour-weights", "3"},
+                                                         {"contour-color", "#102030"},
+                                                         {"fog", "-5,20.5"},
+                                                         {"fog", "auto"},
+                                                         {"fog-strength", "0.3"},
+                                                         {"ambient", "0.5"},
+                                                         {"shadow", "0.75"},
+                                                         {"direct", "2"},
+                                                         {"highlight", "0"},
+                                                         {"gloss", "100"},
+                                                         {"occlusion-strength", "0.25"},
+                                                         {"clip", "-3.25"},
+                                                         {"clip", "-3,4"},
+                                                         {"cap", "hatched"}};
     std::set<std::string> met;
     for (const auto& [name, value] : cases) {
         const EffectOption* option = effectOption(name);
@@ -100,11 +111,23 @@ TEST(EffectOptions, WhatEachSaysIsWhatItReads) {
 }
 
 TEST(EffectOptions, NonsenseIsRefused) {
-    const std::pair<const char*, const char*> cases[] = {
-        {"contours", "0"}, {"contours", "on"}, {"contours", "65"}, {"contour-weights", "2"},
-        {"fog", "3"},      {"fog", "5,5"},     {"fog", "1,2,3"},   {"fog-strength", "1.1"},
-        {"clip", "4,1"},   {"clip", ""},       {"clip", "nan"},    {"contour-color", "transparent"},
-        {"cap", "round"},  {"gloss", "0"},     {"ambient", "-1"},  {"occlusion-strength", "2"}};
+    const std::pair<const char*, const char*> cases[] = {{"contours", "0"},
+                                                         {"contours", "on"},
+                                                         {"contours", "65"},
+                                                         {"contour-weights", "2"},
+                                                         {"fog", "3"},
+                                                         {"fog", "5,5"},
+                                                         {"fog", "1,2,3"},
+                                                         {"fog-strength", "1.1"},
+                                                         {"clip", "4,1"},
+                                                         {"clip", ""},
+                                                         {"clip", "nan"},
+                                                         {"contour-color", "transparent"},
+                                                         {"cap", "round"},
+                                                         {"shadow", "2"},
+                                                         {"gloss", "0"},
+                                                         {"ambient", "-1"},
+                                                         {"occlusion-strength", "2"}};
     for (const auto& [name, value] : cases) {
         Effects e;
         EXPECT_THROW(effectOption(name)->set(value, e), std::invalid_argument) << name << " " << value;
