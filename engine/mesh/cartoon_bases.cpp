@@ -1,0 +1,192 @@
+#include "engine/mesh/cartoon_bases.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "engine/mesh/cartoon_trace.h"
+#include "engine/mesh/solids.h"
+#include "engine/mesh/unit_vectors.h"
+#include "engine/molecule/drawn_atoms.h"
+
+namespace nacre {
+namespace {
+
+constexpr double kRungRadius = 0.25;         // Å
+constexpr double kPlateHalfThickness = 0.2;  // Å
+constexpr double kPlateMargin = 0.15;        // Å, by which a plate is larger than its ring of atoms
+constexpr double kDisulfideRadius = 0.2;     // Å
+constexpr double kLongestRingBond = 2.5;     // Å
+constexpr double kLeastRingBond = 0.5;       // Å
+constexpr double kFarthestBase = 15;         // Å, of a base from its ribbon
+constexpr Element kSulfur = 16;
+
+/// The outline of a purine; a pyrimidine's is its first four and its last two.
+enum BaseAtom { kBaseN1, kBaseC2, kBaseN3, kBaseC4, kBaseN9, kBaseC8, kBaseN7, kBaseC5, kBaseC6, kBaseC1, kBaseAtoms };
+constexpr std::array<std::string_view, kBaseAtoms> kBaseNames{"N1", "C2", "N3", "C4", "N9",
+                                                              "C8", "N7", "C5", "C6", "C1'"};
+
+/// Atoms of a residue at one position, by name, of the conformer that is drawn.
+struct Base {
+    std::array<std::uint32_t, kBaseAtoms> atoms{};
+    bool has(BaseAtom name) const { return atoms[name] != kNoAtom; }
+};
+
+/// The index among places of the residue of each atom record's position; places.size() if it is none.
+class PlaceOfAtom {
+public:
+    PlaceOfAtom(const Molecule& molecule, std::span<const RibbonPlace> places)
+        : molecule_(molecule), positions_(residuePositions(molecule)), places_(places) {}
+
+    std::size_t operator()(std::uint32_t atom) const {
+        const std::uint32_t residue = positions_[molecule_.atoms[atom].residue];
+        const auto found = std::lower_bound(places_.begin(), places_.end(), residue,
+                                            [](const RibbonPlace& p, std::uint32_t r) { return p.residue < r; });
+        const bool there = found != places_.end() && found->residue == residue;
+        return there ? static_cast<std::size_t>(found - places_.begin()) : places_.size();
+    }
+
+private:
+    const Molecule& molecule_;
+    std::vector<std::uint32_t> positions_;
+    std::span<const RibbonPlace> places_;
+};
+
+bool finitePlace(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+std::vector<Base> basesOf(const Molecule& molecule, std::span<const RibbonPlace> places) {
+    std::vector<Base> bases(places.size());
+    for (Base& base : bases) base.atoms.fill(kNoAtom);
+    const PlaceOfAtom placeOf(molecule, places);
+    for (const std::uint32_t index : drawnAtoms(molecule)) {
+        const Atom& atom = molecule.atoms[index];
+        Name name = atom.name;
+        std::replace(name.bytes.begin(), name.bytes.end(), '*', '\'');
+        const auto found = std::find(kBaseNames.begin(), kBaseNames.end(), name.view());
+        if (found == kBaseNames.end() || !finitePlace(atom.position)) continue;
+        const std::size_t place = placeOf(index);
+        if (place == places.size()) continue;
+        std::uint32_t& slot = bases[place].atoms[static_cast<std::size_t>(found - kBaseNames.begin())];
+        if (slot == kNoAtom) slot = index;
+    }
+    return bases;
+}
+
+class BaseDrawer {
+public:
+    BaseDrawer(Mesh& mesh, const Molecule& molecule, const glm::dvec3& origin, int sides)
+        : mesh_(mesh), molecule_(molecule), origin_(origin), sides_(sides) {}
+
+    void draw(const Base& base, const RibbonPlace& ribbon, BaseForm form) {
+        const bool purine = base.has(kBaseN9);
+        // Pseudouridine hangs by its C5.
+        const BaseAtom root = purine ? kBaseN9 : nearestToSugar(base);
+        const BaseAtom end = purine ? kBaseN1 : kBaseN3;
+        const glm::dvec3 from = ribbon.place - origin_;
+        if (form == BaseForm::plates && base.has(kBaseC1) && plate(base, purine)) {
+            rod(from, kBaseC1, base);
+            addRod(mesh_, place(base, kBaseC1), place(base, root), kRungRadius, base.atoms[kBaseC1],
+                   base.atoms[kBaseC1], sides_);
+            return;
+        }
+        for (const BaseAtom name : {end, root, kBaseC1})
+            if (base.has(name)) return rod(from, name, base);
+    }
+
+private:
+    glm::dvec3 place(const Base& base, BaseAtom name) const {
+        return glm::dvec3(molecule_.atoms[base.atoms[name]].position) - origin_;
+    }
+
+    BaseAtom nearestToSugar(const Base& base) const {
+        if (!base.has(kBaseC1) || !base.has(kBaseC5) || !base.has(kBaseN1)) return kBaseN1;
+        const glm::dvec3 sugar = place(base, kBaseC1);
+        return glm::distance(place(base, kBaseC5), sugar) < glm::distance(place(base, kBaseN1), sugar) ? kBaseC5
+                                                                                                       : kBaseN1;
+    }
+
+    void rod(const glm::dvec3& from, BaseAtom to, const Base& base) {
+        if (glm::distance(from, place(base, to)) > kFarthestBase) return;
+        addRod(mesh_, from, place(base, to), kRungRadius, base.atoms[to], base.atoms[to], sides_);
+    }
+
+    /// False if an atom is missing or the ring is none.
+    bool plate(const Base& base, bool purine) {
+        static constexpr std::array kPurine{kBaseN1, kBaseC2, kBaseN3, kBaseC4, kBaseN9,
+                                            kBaseC8, kBaseN7, kBaseC5, kBaseC6};
+        static constexpr std::array kPyrimidine{kBaseN1, kBaseC2, kBaseN3, kBaseC4, kBaseC5, kBaseC6};
+        static const std::vector<std::vector<std::uint32_t>> kPurineFans{{3, 7, 8, 0, 1, 2}, {3, 4, 5, 6, 7}};
+        static const std::vector<std::vector<std::uint32_t>> kPyrimidineFans{{0, 1, 2, 3, 4, 5}};
+        const std::span<const BaseAtom> names = purine ? std::span<const BaseAtom>(kPurine) : kPyrimidine;
+        std::vector<glm::dvec3> outline;
+        for (const BaseAtom name : names) {
+            if (!base.has(name)) return false;
+            outline.push_back(place(base, name));
+        }
+        glm::dvec3 area{}, middle{};
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const glm::dvec3 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+            const double bond = glm::distance(a, b);
+            if (bond < kLeastRingBond || bond > kLongestRingBond) return false;
+            area += glm::cross(a - outline[0], b - outline[0]) / 2.0;
+            middle += a / static_cast<double>(outline.size());
+        }
+        const glm::dvec3 normal = unitOr(area, {});
+        if (glm::length(area) < 2) return false;  // a benzene ring has 5.1 Å^2
+        for (glm::dvec3& p : outline) p = middle + across(p - middle, normal) * (1 + kPlateMargin / 1.4);
+        addPlate(mesh_, outline, normal, kPlateHalfThickness, purine ? kPurineFans : kPyrimidineFans,
+                 base.atoms[kBaseC4]);
+        return true;
+    }
+
+    Mesh& mesh_;
+    const Molecule& molecule_;
+    glm::dvec3 origin_;
+    int sides_;
+};
+
+}  // namespace
+
+void addBases(Mesh& mesh, const Molecule& molecule, std::span<const RibbonPlace> places, BaseForm form,
+              const glm::dvec3& origin, int sides) {
+    if (form == BaseForm::none || places.empty()) return;
+    const std::vector<Base> bases = basesOf(molecule, places);
+    BaseDrawer drawer(mesh, molecule, origin, sides);
+    for (std::size_t i = 0; i < places.size(); ++i) drawer.draw(bases[i], places[i], form);
+}
+
+void addDisulfides(Mesh& mesh, const Molecule& molecule, std::span<const RibbonPlace> places, const glm::dvec3& origin,
+                   int sides) {
+    if (places.empty()) return;
+    const PlaceOfAtom placeOf(molecule, places);
+    std::vector<std::uint32_t> betas;  // CB of each place, found when the first bridge is
+    for (const Bond& bond : molecule.bonds) {
+        const Atom &a = molecule.atoms[bond.a], &b = molecule.atoms[bond.b];
+        if (a.element != kSulfur || b.element != kSulfur || !finitePlace(a.position) || !finitePlace(b.position))
+            continue;
+        const std::size_t placeA = placeOf(bond.a), placeB = placeOf(bond.b);
+        if (placeA == places.size() || placeB == places.size() || placeA == placeB) continue;
+        if (betas.empty()) {
+            betas.assign(places.size(), kNoAtom);
+            for (const std::uint32_t index : drawnAtoms(molecule))
+                if (molecule.atoms[index].name == Name("CB") && finitePlace(molecule.atoms[index].position))
+                    if (const std::size_t place = placeOf(index); place != places.size()) betas[place] = index;
+        }
+        const auto at = [&](std::uint32_t atom) { return glm::dvec3(molecule.atoms[atom].position) - origin; };
+        addRod(mesh, at(bond.a), at(bond.b), kDisulfideRadius, bond.a, bond.b, sides);
+        for (const auto& [sulfur, place] : {std::pair{bond.a, placeA}, std::pair{bond.b, placeB}}) {
+            const glm::dvec3 ribbon = places[place].place - origin;
+            const std::uint32_t beta = betas[place];
+            if (beta == kNoAtom) {
+                addRod(mesh, at(sulfur), ribbon, kDisulfideRadius, sulfur, sulfur, sides);
+                continue;
+            }
+            addRod(mesh, at(sulfur), at(beta), kDisulfideRadius, sulfur, beta, sides);
+            addRod(mesh, at(beta), ribbon, kDisulfideRadius, beta, beta, sides);
+        }
+    }
+}
+
+}  // namespace nacre

@@ -1,0 +1,196 @@
+#include "engine/mesh/cartoon_trace.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <string_view>
+
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/residue_kind.h"
+
+namespace nacre {
+namespace {
+
+constexpr double kLongestChainBond = 2.5;     // Å: C-N and O3'-P
+constexpr double kFarthestAlphaCarbon = 5;    // where there are only these; trans 3.8, cis 2.9
+constexpr double kFarthestPhosphate = 8.5;    // where there are only these; 5.5 to 7.5
+constexpr double kFarthestBondedGuides = 12;  // however short the bond is: then atoms are not where they belong
+constexpr double kNearestGuides = 0.5;        // residues upon one another have no direction
+
+enum GuideName {
+    kGuideN,
+    kGuideCa,
+    kGuideC,
+    kGuideO,
+    kGuideP,
+    kGuideO5,
+    kGuideC5,
+    kGuideC4,
+    kGuideC3,
+    kGuideO3,
+    kGuideNames
+};
+constexpr std::array<std::string_view, kGuideNames> kGuideAtoms{"N",   "CA",  "C",   "O",   "P",
+                                                                "O5'", "C5'", "C4'", "C3'", "O3'"};
+
+/// A residue of a polymer with the atoms that matter here.
+struct Guided {
+    std::uint32_t residue = 0;
+    bool nucleic = false;
+    std::array<std::uint32_t, kGuideNames> atoms{};
+    std::uint32_t guide = kNoAtom;
+};
+
+bool isFinite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+
+int guideNameOf(const Name& name) {
+    Name plain = name;
+    std::replace(plain.bytes.begin(), plain.bytes.end(), '*', '\'');  // as files before 2007 have it
+    const auto found = std::find(kGuideAtoms.begin(), kGuideAtoms.end(), plain.view());
+    return static_cast<int>(found - kGuideAtoms.begin());
+}
+
+/// Residues with a guide atom, in the file's order.
+std::vector<Guided> guidedResidues(const Molecule& molecule) {
+    const std::vector<std::uint32_t> first = residuePositions(molecule);
+    const std::vector<ResidueKind> kinds = residueKinds(molecule);
+    std::vector<Guided> guided(molecule.residues.size());
+    for (std::uint32_t r = 0; r < guided.size(); ++r) {
+        guided[r].residue = r;
+        guided[r].atoms.fill(kNoAtom);
+    }
+    for (const std::uint32_t index : drawnAtoms(molecule)) {
+        const Atom& atom = molecule.atoms[index];
+        const ResidueKind kind = kinds[atom.residue];
+        if ((kind != ResidueKind::protein && kind != ResidueKind::nucleic) || !isFinite(atom.position)) continue;
+        const int name = guideNameOf(atom.name);
+        if (name == kGuideNames) continue;
+        Guided& residue = guided[first[atom.residue]];
+        residue.nucleic = kind == ResidueKind::nucleic;
+        std::uint32_t& place = residue.atoms[static_cast<std::size_t>(name)];
+        if (place == kNoAtom) place = index;
+    }
+    for (Guided& residue : guided) {
+        if (!residue.nucleic) residue.guide = residue.atoms[kGuideCa];
+        for (int name = kGuideP; residue.nucleic && residue.guide == kNoAtom && name <= kGuideC3; ++name)
+            residue.guide = residue.atoms[static_cast<std::size_t>(name)];
+    }
+    std::erase_if(guided, [](const Guided& residue) { return residue.guide == kNoAtom; });
+    return guided;
+}
+
+class ChainLinks {
+public:
+    explicit ChainLinks(const Molecule& molecule) : molecule_(molecule) {}
+
+    /// Whether the chain goes on from one residue to the next.
+    bool joined(const Guided& a, const Guided& b) const {
+        if (a.nucleic != b.nucleic || molecule_.residues[a.residue].chain != molecule_.residues[b.residue].chain)
+            return false;
+        const double guides = distance(a.guide, b.guide);
+        const std::uint32_t end = a.atoms[a.nucleic ? kGuideO3 : kGuideC],
+                            begin = b.atoms[a.nucleic ? kGuideP : kGuideN];
+        if (guides < kNearestGuides) return false;
+        if (end != kNoAtom && begin != kNoAtom)
+            return distance(end, begin) <= kLongestChainBond && guides <= kFarthestBondedGuides;
+        return guides <= (a.nucleic ? kFarthestPhosphate : kFarthestAlphaCarbon);
+    }
+
+private:
+    double distance(std::uint32_t a, std::uint32_t b) const {
+        return glm::distance(glm::dvec3(molecule_.atoms[a].position), glm::dvec3(molecule_.atoms[b].position));
+    }
+
+    const Molecule& molecule_;
+};
+
+/// From C to O; 0 if one is missing.
+glm::dvec3 carbonylOf(const Molecule& molecule, const Guided& residue) {
+    const std::uint32_t c = residue.atoms[kGuideC], o = residue.atoms[kGuideO];
+    if (c == kNoAtom || o == kNoAtom) return {};
+    return glm::dvec3(molecule.atoms[o].position) - glm::dvec3(molecule.atoms[c].position);
+}
+
+/// A point behind the last phosphate, so that the last nucleotide has a piece of the curve as well; and a lone amino
+/// acid goes from its N to its C.
+void addEnds(const Molecule& molecule, const Guided& last, Trace& trace) {
+    const auto place = [&](GuideName name) { return glm::dvec3(molecule.atoms[last.atoms[name]].position); };
+    if (trace.nucleic) {
+        for (const GuideName name : {kGuideO3, kGuideC3, kGuideC4}) {
+            if (last.atoms[name] == kNoAtom || glm::distance(place(name), trace.points.back()) < kNearestGuides)
+                continue;
+            trace.points.push_back(place(name));
+            trace.shift = 0;
+            return;
+        }
+    } else if (trace.points.size() == 1 && last.atoms[kGuideN] != kNoAtom && last.atoms[kGuideC] != kNoAtom) {
+        const glm::dvec3 middle = trace.points[0];
+        if (glm::distance(place(kGuideN), middle) < kNearestGuides ||
+            glm::distance(place(kGuideC), middle) < kNearestGuides)
+            return;
+        trace.points = {place(kGuideN), middle, place(kGuideC)};
+        trace.shift = 0;  // all of it is the residue's: who is behind the last one is the last one
+    }
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> residuePositions(const Molecule& molecule) {
+    std::vector<std::uint32_t> first(molecule.residues.size());
+    for (std::uint32_t i = 0; i < first.size(); ++i) {
+        first[i] = i;
+        if (i == 0) continue;
+        const Residue &a = molecule.residues[i - 1], &b = molecule.residues[i];
+        if (a.chain == b.chain && a.number == b.number && a.insertionCode == b.insertionCode) first[i] = first[i - 1];
+    }
+    return first;
+}
+
+std::vector<Trace> cartoonTraces(const Molecule& molecule, std::span<const std::uint32_t> atoms,
+                                 std::span<const SecondaryStructure> secondary) {
+    std::vector<bool> chosen(molecule.atoms.size());
+    for (const std::uint32_t atom : atoms) chosen[atom] = true;
+    const std::vector<Guided> guided = guidedResidues(molecule);
+    const ChainLinks links(molecule);
+    std::vector<Trace> traces;
+    for (std::size_t i = 0; i < guided.size(); ++i) {
+        const Guided& residue = guided[i];
+        if (i == 0 || !links.joined(guided[i - 1], residue)) {
+            if (i > 0) addEnds(molecule, guided[i - 1], traces.back());
+            traces.emplace_back().nucleic = residue.nucleic;
+        }
+        Trace& trace = traces.back();
+        const Atom& guide = molecule.atoms[residue.guide];
+        trace.points.emplace_back(guide.position);
+        trace.atoms.push_back(residue.guide);
+        trace.residues.push_back(residue.residue);
+        trace.kinds.push_back(residue.nucleic || residue.residue >= secondary.size() ? SecondaryStructure::none
+                                                                                     : secondary[residue.residue]);
+        trace.shown.push_back(chosen[residue.guide]);
+        trace.temperatures.push_back(std::isfinite(guide.temperatureFactor) ? guide.temperatureFactor : 0.0);
+        trace.carbonyls.push_back(residue.nucleic ? glm::dvec3() : carbonylOf(molecule, residue));
+    }
+    if (!guided.empty()) addEnds(molecule, guided.back(), traces.back());
+    std::erase_if(traces, [](const Trace& trace) {
+        return std::none_of(trace.shown.begin(), trace.shown.end(), [](bool shown) { return shown; });
+    });
+    return traces;
+}
+
+std::vector<FoldRun> foldRuns(const Trace& trace) {
+    std::vector<FoldRun> runs;
+    for (std::uint32_t i = 0; i < trace.kinds.size(); ++i) {
+        if (!runs.empty() && runs.back().kind == trace.kinds[i] && runs.back().last + 1 == i)
+            runs.back().last = i;
+        else
+            runs.push_back({trace.kinds[i], i, i});
+    }
+    std::erase_if(runs, [](const FoldRun& run) {
+        const std::uint32_t length = run.last - run.first + 1;
+        return run.kind == SecondaryStructure::none || length < (run.kind == SecondaryStructure::helix ? 3u : 2u);
+    });
+    return runs;
+}
+
+}  // namespace nacre

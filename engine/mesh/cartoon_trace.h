@@ -1,0 +1,48 @@
+#pragma once
+// What a cartoon follows: the residues of each unbroken stretch of a chain, and the points that guide the curve.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "engine/mesh/cartoon.h"
+#include "engine/molecule/molecule.h"
+
+namespace nacre {
+
+constexpr std::uint32_t kNoAtom = 0xffffffffu;
+
+/// A helix or a strand: residues from first to last of a trace.
+struct FoldRun {
+    SecondaryStructure kind = SecondaryStructure::none;
+    std::uint32_t first = 0, last = 0;
+};
+
+/// An unbroken stretch of a chain. Parameter u of its curve is i at point i.
+struct Trace {
+    bool nucleic = false;
+    /// Residue i owns the curve from i - shift to i + 1 - shift: half of the way to its neighbours, or, where points
+    /// are phosphates, the way to the next.
+    double shift = 0.5;
+    std::vector<glm::dvec3> points;       ///< Å, in the file's frame; of a nucleic acid one more, at its 3' end
+    std::vector<std::uint32_t> atoms;     ///< of each residue: its guide atom, whose colour and number it has
+    std::vector<std::uint32_t> residues;  ///< index into the molecule's residues, of the first at the position
+    std::vector<SecondaryStructure> kinds;
+    std::vector<bool> shown;
+    std::vector<double> temperatures;   ///< B factor of the guide atoms, Å^2
+    std::vector<glm::dvec3> carbonyls;  ///< from C to O; 0 where these are missing
+};
+
+/// @param atoms, secondary  as cartoon() takes them
+std::vector<Trace> cartoonTraces(const Molecule& molecule, std::span<const std::uint32_t> atoms,
+                                 std::span<const SecondaryStructure> secondary);
+
+/// Helices of at least three and strands of at least two residues.
+std::vector<FoldRun> foldRuns(const Trace& trace);
+
+/// The first residue record of the position (chain, number, insertion code) of each: where residues alternate, several
+/// stand in a row.
+std::vector<std::uint32_t> residuePositions(const Molecule& molecule);
+
+}  // namespace nacre

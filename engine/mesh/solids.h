@@ -1,0 +1,32 @@
+#pragma once
+// Closed solids of triangles: rods, balls and prisms. All positions in one frame, relative to one origin.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "engine/mesh/mesh.h"
+
+namespace nacre {
+
+/// A vertex of a mesh. @return its index
+std::uint32_t addVertex(Mesh& mesh, const glm::dvec3& position, const glm::dvec3& normal, std::uint32_t atom);
+
+/// Appends another mesh of the same origin.
+void append(Mesh& mesh, const Mesh& other);
+
+/// A rod with round ends; the half next to a belongs to atomA. A ball if both ends are at the same place.
+/// @param sides  vertices around it, at least 4, even
+void addRod(Mesh& mesh, const glm::dvec3& a, const glm::dvec3& b, double radius, std::uint32_t atomA,
+            std::uint32_t atomB, int sides);
+
+/// A ball of rings of latitude. @param sides  vertices around it, at least 4, even
+void addBall(Mesh& mesh, const glm::dvec3& center, double radius, std::uint32_t atom, int sides);
+
+/// A plate: an outline of points, thickened to both sides along a unit normal, about which it runs counter-clockwise.
+/// @param fans  the outline as convex polygons: indices of its points, counter-clockwise
+void addPlate(Mesh& mesh, std::span<const glm::dvec3> outline, const glm::dvec3& normal, double halfThickness,
+              std::span<const std::vector<std::uint32_t>> fans, std::uint32_t atom);
+
+}  // namespace nacre
