@@ -203,7 +203,8 @@ private:
         std::vector<Ladder> all;
         // Where a ladder ends now: it may go on with the next residue alone, so those of older ones are passed over.
         std::size_t firstOpen = 0;
-        for (const auto& [i, j] : pairs) {
+        for (const auto& pair : pairs) {
+            const auto i = pair.first, j = pair.second;  // a lambda of Clang 14 takes no structured binding
             if (j < i + 3) continue;
             const BridgeKind kind = bridge(i, j);
             if (kind == BridgeKind::none) continue;
