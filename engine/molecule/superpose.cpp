@@ -3,12 +3,80 @@
 #include <algorithm>
 #include <cmath>
 #include <gemmi/qcp.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <vector>
 
 namespace nacre {
+namespace {
+
+glm::dvec3 middle(std::span<const glm::dvec3> points, std::size_t count) {
+    glm::dvec3 sum{};
+    for (std::size_t i = 0; i < count; ++i) sum += points[i];
+    return sum / static_cast<double>(std::max<std::size_t>(count, 1));
+}
+
+/// The shortest turn that takes one unit vector to another.
+glm::dmat3 turnFromTo(const glm::dvec3& from, const glm::dvec3& to) {
+    const glm::dvec3 axis = glm::cross(from, to);
+    const double sine = glm::length(axis), angle = std::atan2(sine, glm::dot(from, to));
+    if (sine > 1e-12) return glm::mat3_cast(glm::angleAxis(angle, axis / sine));
+    if (angle < 1) return glm::dmat3(1.0);
+    const glm::dvec3 aside = std::abs(from.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    return glm::mat3_cast(glm::angleAxis(angle, glm::normalize(glm::cross(from, aside))));
+}
+
+double rmsdOf(const Superposition& s, std::span<const glm::dvec3> fixed, std::span<const glm::dvec3> moving,
+              std::size_t count) {
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::dvec3 d = s(moving[i]) - fixed[i];
+        sum += glm::dot(d, d);
+    }
+    return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(count, 1)));
+}
+
+/// From the middle to the point farthest from it.
+glm::dvec3 farthestFrom(const glm::dvec3& middle, std::span<const glm::dvec3> points, std::size_t count) {
+    glm::dvec3 farthest{};
+    for (std::size_t i = 0; i < count; ++i)
+        if (glm::length(points[i] - middle) > glm::length(farthest)) farthest = points[i] - middle;
+    return farthest;
+}
+
+/// On a line, or at one place, within a ten thousandth of their extent.
+bool onALine(std::span<const glm::dvec3> points, std::size_t count) {
+    const glm::dvec3 m = middle(points, count), line = farthestFrom(m, points, count);
+    const double length = glm::length(line);
+    for (std::size_t i = 0; i < count; ++i)
+        if (glm::length(glm::cross(points[i] - m, line)) > 1e-4 * length * length) return false;
+    return true;
+}
+
+/// Points on a line determine no turn about it: of all best motions the one that turns least.
+Superposition superposeLines(std::span<const glm::dvec3> fixed, std::span<const glm::dvec3> moving, std::size_t count) {
+    const glm::dvec3 a = middle(fixed, count), b = middle(moving, count);
+    const bool fixedLine = onALine(fixed, count);
+    const glm::dvec3 line = fixedLine ? farthestFrom(a, fixed, count) : farthestFrom(b, moving, count);
+    glm::dvec3 other{};
+    for (std::size_t i = 0; i < count; ++i)
+        other +=
+            fixedLine ? glm::dot(fixed[i] - a, line) * (moving[i] - b) : glm::dot(moving[i] - b, line) * (fixed[i] - a);
+    Superposition s;
+    if (glm::length(other) > 0)
+        s.rotation = fixedLine ? turnFromTo(glm::normalize(other), glm::normalize(line))
+                               : turnFromTo(glm::normalize(line), glm::normalize(other));
+    s.shift = a - s.rotation * b;
+    s.rmsd = rmsdOf(s, fixed, moving, count);
+    return s;
+}
+
+}  // namespace
 
 Superposition superpose(std::span<const glm::dvec3> fixed, std::span<const glm::dvec3> moving) {
     const std::size_t count = std::min(fixed.size(), moving.size());
+    // The polynomial has no answer for them, or any.
+    if (onALine(fixed, count) || onALine(moving, count)) return superposeLines(fixed, moving, count);
     const auto positions = [&](std::span<const glm::dvec3> points) {
         std::vector<gemmi::Position> list;
         list.reserve(count);
@@ -21,12 +89,7 @@ Superposition superpose(std::span<const glm::dvec3> fixed, std::span<const glm::
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column) s.rotation[column][row] = result.transform.mat[row][column];
     s.shift = {result.transform.vec.x, result.transform.vec.y, result.transform.vec.z};
-    double sum = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const glm::dvec3 d = s(moving[i]) - fixed[i];
-        sum += d.x * d.x + d.y * d.y + d.z * d.z;
-    }
-    s.rmsd = std::sqrt(sum / static_cast<double>(std::max<std::size_t>(count, 1)));
+    s.rmsd = rmsdOf(s, fixed, moving, count);
     return s;
 }
 

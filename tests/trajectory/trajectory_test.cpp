@@ -284,5 +284,43 @@ TEST(Superpose, UndoesAMotionAndTakesNoMirrorImage) {
     EXPECT_NEAR(glm::determinant(superpose(fixed, mirrored).rotation), 1, 1e-9);
 }
 
+// Which no quaternion is the one answer for.
+TEST(Superpose, LaysLinesAndPointsOntoEachOther) {
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    const auto vector = [&] { return glm::dvec3(normal(random), normal(random), normal(random)); };
+    for (int trial = 0; trial < 300; ++trial) {
+        // On a line, in a plane, at one place, two points; laid along another line, the opposite one, or an axis.
+        const int kind = trial % 5, count = kind == 3 ? 2 : 6;
+        glm::dvec3 a = glm::normalize(vector()), b = trial % 3 ? glm::normalize(vector()) : -a;
+        if (trial % 7 == 0) a = {0, 1, 0};
+        const glm::dvec3 at = 10.0 * vector(), to = 10.0 * vector();
+        std::vector<glm::dvec3> fixed, moving;
+        for (int i = 0; i < count; ++i) {
+            const double along = kind == 2 ? 0.0 : i * i;
+            fixed.push_back(at + along * a);
+            moving.push_back(to + along * b);
+            if (kind != 1) continue;
+            fixed.back() += double(i % 2) * glm::normalize(glm::cross(a, glm::dvec3(0.3, 0.2, 0.9)));
+            moving.back() += double(i % 2) * glm::normalize(glm::cross(b, glm::dvec3(0.1, 0.8, -0.6)));
+        }
+        const Superposition onto = superpose(fixed, moving);
+        ASSERT_LT(onto.rmsd, 1e-5) << trial;
+        for (int i = 0; i < count; ++i) ASSERT_LT(glm::distance(onto(moving[i]), fixed[i]), 1e-5) << trial;
+        ASSERT_NEAR(glm::determinant(onto.rotation), 1, 1e-6) << trial;
+    }
+}
+
+TEST(Superpose, LaysALineBestOntoWhatIsNone) {
+    const std::vector<glm::dvec3> bent{{0, 0, 0}, {1, 0.5, 0}, {2, -0.5, 0}, {3, 0, 0}},
+        line{{0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {0, 3, 0}};
+    // By arithmetic: the best line through the bent one has the direction of sum(t p), t = -1.5, -0.5, 0.5, 1.5.
+    const glm::dvec3 along = glm::normalize(-1.5 * bent[0] - 0.5 * bent[1] + 0.5 * bent[2] + 1.5 * bent[3]);
+    const Superposition onto = superpose(bent, line), back = superpose(line, bent);
+    EXPECT_LT(glm::distance(onto(line[3]) - onto(line[0]), 3.0 * along), 1e-9);
+    EXPECT_NEAR(onto.rmsd, back.rmsd, 1e-9);
+    EXPECT_NEAR(glm::determinant(back.rotation), 1, 1e-9);
+}
+
 }  // namespace
 }  // namespace nacre
