@@ -25,8 +25,8 @@ using app::OptionValue;
 using app::RenderOptions;
 
 /// Of the command line alone: a structure is there already, and files are save()'s.
-constexpr std::array<std::string_view, 8> kNotHere = {"input",   "output", "layers",         "stats",
-                                                      "capture", "view",   "allow-download", "fit"};
+constexpr std::array<std::string_view, 7> kNotHere = {"input",   "output", "layers",        "stats",
+                                                      "capture", "view",   "allow-download"};
 /// What turns or frames the same scene, or shades it: the occlusion that is baked stays.
 constexpr std::array<std::string_view, 8> kOfTheCamera = {"rotate", "zoom",        "projection", "fov",
                                                           "size",   "supersample", "background", "lighting"};
@@ -42,7 +42,7 @@ bool isOfReading(const std::string& name) {
         app::CommandSpec command{"read", "", ""};
         app::addInput(command, input, false);
         app::addTrajectory(command, input.trajectory);
-        std::vector<std::string> list;
+        std::vector<std::string> list = {"fit"};
         for (const app::OptionSpec& option : command.options) list.push_back(app::plainName(option));
         return list;
     }();
@@ -66,11 +66,11 @@ Request requestOf(const Structure& structure, const std::string& json) {
             throw app::UsageError("\"" + value.name + "\" is for open()");
         if (!isOne(value.name, kOfTheCamera)) request.scene += value.name + "=" + value.value + "\n";
     }
-    values.push_back({"input", structure.name});
+    for (const std::string& input : structure.inputs) values.push_back({"input", input});
     values.push_back({"output", "picture.png"});  // never made
     app::setOptions(render, values);
-    app::checkSamples(request.options.size, request.options.supersample);
     request.options.output.clear();
+    app::checkRender(request.options);
     return request;
 }
 
@@ -118,28 +118,34 @@ Shared& shared() {
 }
 
 /// How open() reads. @throws app::UsageError
-app::InputOptions readingOf(const std::string& input, const std::string& json) {
+app::InputOptions readingOf(const std::vector<std::string>& inputs, const std::string& json) {
     RenderOptions options;
     app::CommandSpec render{"render", "", ""};
     app::addRender(render, options);
     std::vector<OptionValue> values = app::optionValuesOf(json, render);
     for (const OptionValue& value : values)
         if (!isOfReading(value.name)) throw app::UsageError("open() takes no \"" + value.name + "\"");
-    values.push_back({"input", input});
+    for (const std::string& input : inputs) values.push_back({"input", input});
     values.push_back({"output", "picture.png"});  // never made
     app::setOptions(render, values);
+    options.output.clear();
+    app::checkRender(options);
     return options.input;
 }
 
 }  // namespace
 
-Structure openInput(const std::string& input, const std::string& options) {
-    if (input == "-") throw app::UsageError("open() reads no standard input: hand over its bytes");
-    return {std::make_shared<const Molecule>(app::loadMolecule(readingOf(input, options))), input};
+Structure openInputs(const std::vector<std::string>& inputs, const std::string& options) {
+    if (inputs.empty()) throw app::UsageError("open() needs an input");
+    const app::InputOptions input = readingOf(inputs, options);
+    const auto standard = [](const auto& one) { return one.path == "-"; };
+    if (standard(input) || std::any_of(input.further.begin(), input.further.end(), standard))
+        throw app::UsageError("open() reads no standard input: hand over its bytes");
+    return {std::make_shared<const Molecule>(app::loadMolecule(input)), inputs};
 }
 
 Structure openBytes(const std::string& name, std::string bytes, const std::string& options) {
-    const app::InputOptions input = readingOf(name.empty() ? "bytes" : name, options);
+    const app::InputOptions input = readingOf({name.empty() ? "bytes" : name}, options);
     if (!input.trajectory.path.empty())
         throw app::UsageError("\"trajectory\" goes with a structure's path, not its bytes");
     const std::uint64_t most =
@@ -147,7 +153,7 @@ Structure openBytes(const std::string& name, std::string bytes, const std::strin
     ReadOptions reading = readWithin(most);
     reading.format = input.format;
     reading.model = input.model;
-    return {std::make_shared<const Molecule>(readMolecule(input.path, std::move(bytes), reading)), input.path};
+    return {std::make_shared<const Molecule>(readMolecule(input.path, std::move(bytes), reading)), {input.path}};
 }
 
 Drawing draw(const Structure& structure, const std::string& options) {

@@ -11,10 +11,11 @@
 
 namespace nacre::python {
 
-/// A molecule and the name that messages give it. Nothing changes it, so threads may share it.
+/// A molecule and what it was opened as, which selections and messages name. Nothing changes it, so threads may share
+/// it.
 struct Structure {
     std::shared_ptr<const Molecule> molecule;
-    std::string name;
+    std::vector<std::string> inputs;  ///< one, or several that are drawn together
 };
 
 struct Drawing {
@@ -23,9 +24,9 @@ struct Drawing {
     std::vector<std::string> warnings;  ///< of the scene
 };
 
-/// A file, a sample or a download, as `nacre render INPUT`. @param options  JSON: format, model, offline and their like
+/// Files, samples or downloads, as `nacre render INPUT...`. @param options  JSON: format, model, fit and their like
 /// @throws app::UsageError, Error
-Structure openInput(const std::string& input, const std::string& options);
+Structure openInputs(const std::vector<std::string>& inputs, const std::string& options);
 /// A file's bytes. @param name  for messages, and a hint to the format
 Structure openBytes(const std::string& name, std::string bytes, const std::string& options);
 

@@ -180,7 +180,7 @@ Structure fromArrays(const Floats& positions, const std::vector<std::string>& el
         addBonds(m, *bonds);
     else
         perceiveBonds(m);
-    return {std::make_shared<const Molecule>(std::move(m)), name};
+    return {std::make_shared<const Molecule>(std::move(m)), {name}};
 }
 
 /// Rows of sRGB bytes with straight alpha, as a PNG has them.
@@ -229,15 +229,15 @@ PYBIND11_MODULE(_nacre, m) {
         }
     });
     py::class_<Structure>(m, "Structure")
-        .def_property_readonly("name", [](const Structure& s) { return s.name; })
+        .def_property_readonly("name", [](const Structure& s) { return s.inputs.front(); })
         .def_property_readonly("title", [](const Structure& s) { return py::bytes(s.molecule->file.title); })
         .def_property_readonly("format", [](const Structure& s) { return s.molecule->file.format; })
         .def_property_readonly("warnings", [](const Structure& s) { return s.molecule->warnings; })
         .def("__len__", [](const Structure& s) { return s.molecule->atoms.size(); })
         .def("atoms", &atomsOf)
         .def("bonds", &bondsOf);
-    m.def("open_input", [](const std::string& input, const std::string& options) {
-        return freely([&] { return openInput(input, options); });
+    m.def("open_inputs", [](const std::vector<std::string>& inputs, const std::string& options) {
+        return freely([&] { return openInputs(inputs, options); });
     });
     m.def("open_bytes", [](const std::string& name, const py::bytes& bytes, const std::string& options) {
         std::string text = bytes;

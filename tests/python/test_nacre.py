@@ -50,6 +50,28 @@ def test_words_are_written(dna, tmp_path):
     assert not np.array_equal(picture, dna.render(size=(96, 64), occlusion="off"))
 
 
+def test_several_inputs_are_drawn_together(dna, tmp_path):
+    inputs = ["duplex=sample:dna", "sugar=sample:glucose"]
+    rules = {"show": ["/sugar=licorice"], "rotate": (0, 90, 0)}
+    command_line(*inputs, "-o", tmp_path / "a.png", "--size", "48x32", "--occlusion", 4, "--occlusion-detail", 8,
+                 "--rotate", "0,90,0", "--show", "/sugar=licorice")
+    pair = nacre.open(inputs)
+    assert len(pair) == len(dna) + len(nacre.open("sample:glucose"))
+    np.testing.assert_array_equal(pair.render(**SMALL, **rules), png(tmp_path / "a.png"))
+
+
+def test_one_input_is_laid_onto_another(tmp_path):
+    shifted = PDB[:30] + b"   5.000" + PDB[38:]
+    atoms = [PDB[:6] + b"%5d" % (i + 1) + PDB[11:22] + b"%4d" % (i + 1) + PDB[26:38] + b"%8.3f" % (3.0 * i * i) + PDB[46:-4]
+             for i in range(4)]
+    (tmp_path / "a.pdb").write_bytes(b"".join(atoms))
+    (tmp_path / "b.pdb").write_bytes(b"".join(a[:30] + shifted[30:38] + a[38:] for a in atoms))
+    paths = [tmp_path / "a.pdb", tmp_path / "b.pdb"]
+    apart, laid = nacre.open(paths), nacre.open(paths, fit=("/b", "/a"))
+    np.testing.assert_allclose(apart.atoms["position"][4:, 0], 5)
+    np.testing.assert_allclose(laid.atoms["position"][4:], laid.atoms["position"][:4], atol=1e-3)
+
+
 def test_options_change_one_after_the_other(dna):
     """The renderer keeps its scene while the view alone changes, and no longer."""
     first = dna.render(**SMALL)
@@ -131,6 +153,11 @@ def test_open_takes_bytes_in_any_format():
     (lambda s: nacre.open("nosuch.pdb"), nacre.Error, "cannot read molecule: nosuch.pdb: No such file or directory"),
     (lambda s: nacre.open(b"ATOM  no\n", name="bad.pdb"), nacre.Error, "bad.pdb (line 1)"),
     (lambda s: nacre.open("-"), nacre.UsageError, "no standard input"),
+    (lambda s: nacre.open(["sample:dna", "-"]), nacre.UsageError, "no standard input"),
+    (lambda s: nacre.open([]), nacre.UsageError, "needs an input"),
+    (lambda s: nacre.open([PDB, "sample:dna"]), nacre.UsageError, "takes bytes alone"),
+    (lambda s: nacre.open("sample:dna", fit=("/a", "/b")), nacre.UsageError, "name two"),
+    (lambda s: s.render(fit=("/a", "/b")), nacre.UsageError, "is for open()"),
     (lambda s: nacre.open("sample:dna", size="3x3"), nacre.UsageError, 'open() takes no "size"'),
     (lambda s: s.render(siez=(3, 3)), nacre.UsageError, "(did you mean 'size'?)"),
     (lambda s: s.render(size="3by3"), nacre.UsageError, "size: expected"),

@@ -152,14 +152,18 @@ _open = __builtins__["open"] if isinstance(__builtins__, dict) else __builtins__
 
 def open(source, *, name="", **options):  # noqa: A001: nacre.open, as PIL's Image.open
     """Reads a structure: a path, "sample:dna", "pdb:1BNA" or another INPUT of `nacre render`, or a file's bytes, in any
-    format that is read, compressed or not.
+    format that is read, compressed or not. A list of those but bytes is drawn together, each with a name for
+    selections: open(["receptor=a.pdb", "ligand=b.sdf"], fit=("/ligand", "/receptor")) lays one onto the other.
 
     name: of bytes, for messages and as a hint to their format ("1crn.pdb"). options: those of `nacre info`: format, model (a
     number from 1, or "all"), trajectory, frame, memory, offline, cache and more.
     """
     if isinstance(source, (bytes, bytearray, memoryview)):
         return Structure(_nacre.open_bytes(name, bytes(source), _text(options)))
-    return Structure(_nacre.open_input(_os.fspath(source), _text(options)))
+    sources = [source] if isinstance(source, (str, _os.PathLike)) else list(source)
+    if any(isinstance(one, (bytes, bytearray, memoryview)) for one in sources):
+        raise UsageError("open() takes bytes alone, not in a list: write them to a file")
+    return Structure(_nacre.open_inputs([_os.fspath(one) for one in sources], _text(options)))
 
 
 def from_arrays(positions, elements, bonds=None, *, names=(), residue_names=(), residue_numbers=(), chains=(),
