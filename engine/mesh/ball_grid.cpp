@@ -1,0 +1,67 @@
+#include "engine/mesh/ball_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace nacre {
+namespace {
+
+constexpr double kMostCells = 4e6;  // far-apart atoms have larger ones
+
+}  // namespace
+
+BallGrid::BallGrid(const std::vector<SurfaceBall>& balls, double margin) {
+    double largest = 0;
+    glm::dvec3 high{};
+    if (!balls.empty()) low_ = high = balls[0].center;
+    for (const SurfaceBall& ball : balls) {
+        largest = std::max(largest, ball.radius + margin);
+        low_ = glm::min(low_, ball.center);
+        high = glm::max(high, ball.center);
+    }
+    cell_ = std::max(2 * largest, 1.0);
+    const auto numberOf = [&] {
+        const glm::dvec3 n = glm::floor((high - low_) / cell_) + 1.0;
+        return n.x * n.y * n.z;
+    };
+    while (numberOf() > kMostCells) cell_ *= 1.26;
+    cells_ = glm::ivec3(glm::floor((high - low_) / cell_)) + 1;
+    sortIntoCells(balls);
+
+    offsets_.reserve(balls.size() + 1);
+    offsets_.push_back(0);
+    std::vector<std::pair<double, std::uint32_t>> found;
+    for (std::uint32_t i = 0; i < balls.size(); ++i) {
+        found.clear();
+        near(balls[i].center, balls[i].radius + margin + largest, [&](std::uint32_t other) {
+            const double distance = glm::distance(balls[i].center, balls[other].center);
+            if (other != i && distance < balls[i].radius + balls[other].radius + 2 * margin)
+                found.emplace_back(distance, other);
+        });
+        std::sort(found.begin(), found.end());
+        for (const auto& [distance, other] : found) neighbours_.push_back(other);
+        offsets_.push_back(neighbours_.size());
+    }
+}
+
+glm::ivec3 BallGrid::cellAt(const glm::dvec3& place) const {
+    return glm::ivec3(glm::clamp(glm::floor((place - low_) / cell_), glm::dvec3(0), glm::dvec3(cells_ - 1)));
+}
+
+void BallGrid::sortIntoCells(const std::vector<SurfaceBall>& balls) {
+    const auto number = [&](const SurfaceBall& ball) {
+        const glm::ivec3 c = cellAt(ball.center);
+        return (static_cast<std::size_t>(c.z) * cells_.y + c.y) * cells_.x + c.x;
+    };
+    cellStarts_.assign(static_cast<std::size_t>(cells_.x) * cells_.y * cells_.z + 1, 0);
+    for (const SurfaceBall& ball : balls) ++cellStarts_[number(ball) + 1];
+    for (std::size_t i = 1; i < cellStarts_.size(); ++i) cellStarts_[i] += cellStarts_[i - 1];
+    sorted_.resize(balls.size());
+    std::vector<std::uint32_t> places(cellStarts_.begin(), cellStarts_.end() - 1);
+    for (std::uint32_t i = 0; i < balls.size(); ++i) sorted_[places[number(balls[i])]++] = i;
+}
+
+}  // namespace nacre

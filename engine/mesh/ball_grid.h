@@ -1,0 +1,47 @@
+#pragma once
+// Which balls are near.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "engine/mesh/surface_field.h"
+
+namespace nacre {
+
+/// Balls in cells of space, and the neighbours of each.
+class BallGrid {
+public:
+    /// @param margin  Å, added to every radius
+    BallGrid(const std::vector<SurfaceBall>& balls, double margin);
+
+    /// Those that overlap a ball, the nearest first.
+    std::span<const std::uint32_t> neighbours(std::uint32_t ball) const {
+        return {neighbours_.data() + offsets_[ball], neighbours_.data() + offsets_[ball + 1]};
+    }
+
+    /// Visits the numbers of all balls whose centres may be within `distance` of a place, in a fixed order.
+    template <typename Visit>
+    void near(const glm::dvec3& place, double distance, const Visit& visit) const {
+        const glm::ivec3 low = cellAt(place - distance), high = cellAt(place + distance);
+        for (int z = low.z; z <= high.z; ++z)
+            for (int y = low.y; y <= high.y; ++y) {
+                const std::size_t row = (static_cast<std::size_t>(z) * cells_.y + y) * cells_.x;
+                for (std::uint32_t i = cellStarts_[row + low.x]; i < cellStarts_[row + high.x + 1]; ++i)
+                    visit(sorted_[i]);
+            }
+    }
+
+private:
+    glm::ivec3 cellAt(const glm::dvec3& place) const;
+    void sortIntoCells(const std::vector<SurfaceBall>& balls);
+
+    glm::dvec3 low_{};
+    double cell_ = 1;
+    glm::ivec3 cells_{1};
+    std::vector<std::uint32_t> cellStarts_, sorted_, neighbours_;
+    std::vector<std::size_t> offsets_;
+};
+
+}  // namespace nacre

@@ -1,0 +1,397 @@
+#include "engine/mesh/probe_field.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "engine/mesh/ball_grid.h"
+#include "engine/mesh/parallel.h"
+#include "engine/mesh/unit_vectors.h"
+
+namespace nacre {
+namespace {
+
+using glm::dvec3;
+
+constexpr double kTouch = 1e-9;  // Å: what touches a sphere is not inside it
+constexpr double kSlack = 0.05;  // Å^2, so that nothing is lost between a circle's wedge and its neighbours
+constexpr double kNowhere = 1e9;
+constexpr float kDeepInside = 1e3f;  // of nodes that no place of the probe is near
+
+/// Angles of a circle that no other ball covers, from 0 to 2 pi; `begin` may be below 0.
+struct OpenArc {
+    double begin = 0, end = 0;
+};
+
+/// Where two spheres meet, or what of it is open.
+struct ProbeCircle {
+    std::uint32_t a = 0, b = 0;  ///< balls
+    dvec3 center{}, axis{}, x{}, y{};
+    double radius = 0;
+    std::vector<OpenArc> arcs;
+
+    dvec3 at(double angle) const { return center + (x * std::cos(angle) + y * std::sin(angle)) * radius; }
+};
+
+/// An open point of three spheres.
+struct ProbePoint {
+    std::uint32_t a = 0, b = 0, c = 0;  ///< balls
+    dvec3 place{};
+};
+
+/// What a ball covers of a circle.
+struct CoveredArc {
+    double begin = 0, end = 0;
+    std::uint32_t by = 0;
+};
+
+class ProbeField : public SurfaceField {
+public:
+    ProbeField(const std::vector<SurfaceBall>& balls, double probe, double step, unsigned threads)
+        : balls_(balls),
+          probe_(probe),
+          reach_(probe + step * 1.001),
+          outside_(probe < step * 1.001 ? step * 1.001 : 0),
+          grid_(balls, probe) {
+        findCircles(threads);
+    }
+
+    std::vector<std::array<dvec3, 2>> reaches() const override {
+        std::vector<std::array<dvec3, 2>> boxes;
+        for (const SurfaceBall& ball : balls_) {
+            const double reach = ball.radius + probe_ + outside_;
+            boxes.push_back({ball.center - reach, ball.center + reach});
+        }
+        for (const ProbeCircle& circle : circles_) {
+            const dvec3 half = circle.radius * glm::sqrt(glm::max(1.0 - circle.axis * circle.axis, dvec3(0)));
+            const dvec3 &a = balls_[circle.a].center, &b = balls_[circle.b].center;
+            boxes.push_back(
+                {glm::min(glm::min(a, b), circle.center - half), glm::max(glm::max(a, b), circle.center + half)});
+        }
+        for (const ProbePoint& point : points_) boxes.push_back({point.place - reach_, point.place + reach_});
+        return boxes;
+    }
+
+    void fill(const GridBlock& block, std::span<const std::uint32_t> sources, std::vector<float>& values,
+              std::vector<std::uint32_t>& origins) const override {
+        // First who is inside a ball at all, then how far it is out of them.
+        std::fill(values.begin(), values.end(), static_cast<float>(-probe_ - outside_));
+        std::fill(origins.begin(), origins.end(), kNoSource);
+        for (const std::uint32_t source : sources)
+            if (source < balls_.size()) fillBall(block, source, values, origins);
+        for (const std::uint32_t source : sources) {
+            if (source < balls_.size()) {
+                if (open_[source]) nearBall(block, source, values, origins);
+            } else if (source < balls_.size() + circles_.size()) {
+                nearCircle(block, source, values, origins);
+            } else {
+                nearPoint(block, source, values, origins);
+            }
+        }
+    }
+
+    SurfacePoint cross(const Node& inside, const Node& outside) const override {
+        double a = 0, b = 1, atA = inside.value, atB = outside.value;
+        Nearest nearest;
+        dvec3 place{};
+        for (int round = 0; round < 3; ++round) {
+            const double share = std::clamp(a + (b - a) * (atA > atB ? atA / (atA - atB) : 0.5), 0.02, 0.98);
+            place = inside.place + (outside.place - inside.place) * share;
+            nearest = nearer(nearestOf(inside.origin, place), nearestOf(outside.origin, place));
+            const double value = nearest.distance - probe_;
+            if (value > 0)
+                a = share, atA = value;
+            else
+                b = share, atB = value;
+        }
+        SurfacePoint point;
+        point.place = place;
+        const dvec3 outwards = unitOr(outside.place - inside.place, dvec3(0, 0, 1));
+        point.normal = nearest.normal == dvec3() ? unitOr(nearest.place - place, outwards) : nearest.normal;
+        point.atom = owner(inside.origin != kNoSource ? inside.origin : outside.origin, place);
+        return point;
+    }
+
+private:
+    struct Nearest {
+        dvec3 place{};
+        dvec3 normal{};              ///< of a ball
+        double distance = kNowhere;  ///< Å; of what is outside a ball below 0
+    };
+
+    /// Inside, the nearer of two; what is outside a ball knows nothing of the inside.
+    static const Nearest& nearer(const Nearest& a, const Nearest& b) {
+        if (a.distance == kNowhere || b.distance == kNowhere) return a.distance == kNowhere ? b : a;
+        const bool first = a.distance < b.distance;
+        return first == (std::min(a.distance, b.distance) >= 0) ? a : b;
+    }
+
+    /// The place of the probe next to a point, by one source, however open it is there.
+    Nearest nearestOf(std::uint32_t source, const dvec3& place) const {
+        if (source == kNoSource) return {};
+        dvec3 found;
+        if (source < balls_.size()) {
+            const SurfaceBall& ball = balls_[source];
+            const double reach = ball.radius + probe_;
+            found = ball.center + unitOr(place - ball.center, dvec3(0, 0, 1)) * reach;
+            return {found, unitOr(place - ball.center, dvec3(0, 0, 1)), reach - glm::distance(place, ball.center)};
+        } else if (source < balls_.size() + circles_.size()) {
+            const ProbeCircle& circle = circles_[source - balls_.size()];
+            found = circle.center + unitOr(across(place - circle.center, circle.axis), circle.x) * circle.radius;
+        } else {
+            found = points_[source - balls_.size() - circles_.size()].place;
+        }
+        return {found, {}, glm::distance(found, place)};
+    }
+
+    std::uint32_t owner(std::uint32_t source, const dvec3& place) const {
+        if (source == kNoSource) return balls_[0].atom;
+        if (source < balls_.size()) return balls_[source].atom;
+        std::array<std::uint32_t, 3> of{};
+        if (source < balls_.size() + circles_.size()) {
+            const ProbeCircle& circle = circles_[source - balls_.size()];
+            of = {circle.a, circle.b, circle.b};
+        } else {
+            const ProbePoint& point = points_[source - balls_.size() - circles_.size()];
+            of = {point.a, point.b, point.c};
+        }
+        const auto height = [&](std::uint32_t ball) {
+            return glm::distance(balls_[ball].center, place) - balls_[ball].radius;
+        };
+        return balls_[*std::min_element(of.begin(), of.end(), [&](auto a, auto b) { return height(a) < height(b); })]
+            .atom;
+    }
+
+    double reachOf(std::uint32_t ball) const { return balls_[ball].radius + probe_; }
+
+    template <typename Visit>
+    static void eachNode(const GridBlock& block, const NodeRange& range, const Visit& visit) {
+        for (int z = range.first.z; z <= range.last.z; ++z)
+            for (int y = range.first.y; y <= range.last.y; ++y) {
+                std::size_t index = block.index({range.first.x, y, z});
+                for (int x = range.first.x; x <= range.last.x; ++x, ++index)
+                    visit(index, dvec3(x * block.step, y * block.step, z * block.step));
+            }
+    }
+
+    void fillBall(const GridBlock& block, std::uint32_t number, std::vector<float>& values,
+                  std::vector<std::uint32_t>& origins) const {
+        const SurfaceBall& ball = balls_[number];
+        const double reach = reachOf(number), to = reach + outside_;
+        eachNode(block, {block, ball.center - to, ball.center + to}, [&](std::size_t i, const dvec3& place) {
+            const dvec3 way = place - ball.center;
+            const double squared = glm::dot(way, way);
+            if (squared < reach * reach) {
+                values[i] = kDeepInside;
+                origins[i] = kNoSource;
+            } else if (squared < to * to) {
+                const float value = static_cast<float>(reach - std::sqrt(squared) - probe_);
+                if (value <= values[i]) return;
+                values[i] = value;
+                origins[i] = number;
+            }
+        });
+    }
+
+    /// Takes a distance if it is the least yet.
+    void take(std::size_t i, double distance, std::uint32_t source, std::vector<float>& values,
+              std::vector<std::uint32_t>& origins) const {
+        const float value = static_cast<float>(distance - probe_);
+        if (value >= values[i]) return;
+        values[i] = value;
+        origins[i] = source;
+    }
+
+    void nearBall(const GridBlock& block, std::uint32_t number, std::vector<float>& values,
+                  std::vector<std::uint32_t>& origins) const {
+        const SurfaceBall& ball = balls_[number];
+        const double reach = reachOf(number), least = std::max(reach - reach_, 0.0);
+        const std::span<const std::uint32_t> neighbours = grid_.neighbours(number);
+        std::size_t last = 0;  // who was in the way of the node before is likely to be again
+        eachNode(block, {block, ball.center - reach, ball.center + reach}, [&](std::size_t i, const dvec3& place) {
+            const dvec3 way = place - ball.center;
+            const double squared = glm::dot(way, way);
+            if (squared >= reach * reach || squared < least * least) return;
+            const double length = std::sqrt(squared);
+            if (static_cast<float>(reach - length - probe_) >= values[i]) return;
+            const dvec3 found = ball.center + unitOr(way, dvec3(0, 0, 1)) * reach;
+            if (last < neighbours.size() && covers(neighbours[last], found)) return;
+            for (std::size_t n = 0; n < neighbours.size(); ++n)
+                if (covers(neighbours[n], found)) {
+                    last = n;
+                    return;
+                }
+            take(i, reach - length, number, values, origins);
+        });
+    }
+
+    bool covers(std::uint32_t ball, const dvec3& place) const {
+        const dvec3 way = place - balls_[ball].center;
+        const double reach = reachOf(ball) - kTouch;
+        return glm::dot(way, way) < reach * reach;
+    }
+
+    /// A node's nearest place is on a circle only if it lies between the ways from there to the two centres.
+    void nearCircle(const GridBlock& block, std::uint32_t source, std::vector<float>& values,
+                    std::vector<std::uint32_t>& origins) const {
+        const ProbeCircle& circle = circles_[source - balls_.size()];
+        const dvec3 half = circle.radius * glm::sqrt(glm::max(1.0 - circle.axis * circle.axis, dvec3(0)));
+        const dvec3 &a = balls_[circle.a].center, &b = balls_[circle.b].center;
+        const double heightA = glm::dot(a - circle.center, circle.axis),
+                     heightB = glm::dot(b - circle.center, circle.axis);
+        const NodeRange range(block, glm::min(glm::min(a, b), circle.center - half),
+                              glm::max(glm::max(a, b), circle.center + half));
+        eachNode(block, range, [&](std::size_t i, const dvec3& place) {
+            const dvec3 way = place - circle.center;
+            const double height = glm::dot(way, circle.axis);
+            const double out = std::sqrt(std::max(glm::dot(way, way) - height * height, 0.0));
+            const double inwards = circle.radius - out;
+            const double squared = inwards * inwards + height * height;
+            // The wedge's sides, from (radius, 0) to (0, heightA) and (0, heightB), A being below.
+            if (inwards < 0 || squared > reach_ * reach_ || height * circle.radius < heightA * inwards - kSlack ||
+                height * circle.radius > heightB * inwards + kSlack)
+                return;
+            if (static_cast<float>(std::sqrt(squared) - probe_) >= values[i]) return;
+            if (isOpen(circle, std::atan2(glm::dot(way, circle.y), glm::dot(way, circle.x))))
+                take(i, std::sqrt(squared), source, values, origins);
+        });
+    }
+
+    static bool isOpen(const ProbeCircle& circle, double angle) {
+        constexpr double kTurn = 2 * std::numbers::pi;
+        for (const OpenArc& arc : circle.arcs)
+            for (const double turned : {angle, angle + kTurn, angle - kTurn})
+                if (turned >= arc.begin && turned <= arc.end) return true;
+        return false;
+    }
+
+    void nearPoint(const GridBlock& block, std::uint32_t source, std::vector<float>& values,
+                   std::vector<std::uint32_t>& origins) const {
+        const dvec3& point = points_[source - balls_.size() - circles_.size()].place;
+        eachNode(block, {block, point - reach_, point + reach_}, [&](std::size_t i, const dvec3& place) {
+            const dvec3 way = place - point;
+            const double squared = glm::dot(way, way);
+            if (squared <= reach_ * reach_) take(i, std::sqrt(squared), source, values, origins);
+        });
+    }
+
+    /// Circles of each ball with those of higher numbers, and the ends of their arcs.
+    void findCircles(unsigned threads) {
+        struct Found {
+            std::vector<ProbeCircle> circles;
+            std::vector<ProbePoint> points;
+        };
+        open_.assign(balls_.size(), 0);
+        std::vector<Found> found((balls_.size() + kTogether - 1) / kTogether);
+        std::vector<std::atomic<char>> open(balls_.size());
+        inParallel(found.size(), threads, [&](std::size_t part) {
+            const std::size_t end = std::min(balls_.size(), (part + 1) * kTogether);
+            for (std::size_t a = part * kTogether; a < end; ++a) {
+                const auto neighbours = grid_.neighbours(static_cast<std::uint32_t>(a));
+                for (const std::uint32_t b : neighbours) {
+                    if (b < a) continue;
+                    ProbeCircle circle;
+                    if (!circleOf(static_cast<std::uint32_t>(a), b, circle)) continue;
+                    if (!openArcs(circle, found[part].points)) continue;
+                    open[a] = open[b] = 1;
+                    found[part].circles.push_back(std::move(circle));
+                }
+            }
+        });
+        for (std::uint32_t i = 0; i < balls_.size(); ++i) open_[i] = open[i] || isAlone(i);
+        for (Found& part : found) {
+            std::move(part.circles.begin(), part.circles.end(), std::back_inserter(circles_));
+            points_.insert(points_.end(), part.points.begin(), part.points.end());
+        }
+    }
+
+    /// Of a ball without open circles: whether all of it is open, not covered.
+    bool isAlone(std::uint32_t ball) const {
+        const dvec3 place = balls_[ball].center + dvec3(0, 0, reachOf(ball));
+        const auto neighbours = grid_.neighbours(ball);
+        return std::none_of(neighbours.begin(), neighbours.end(), [&](auto other) { return covers(other, place); });
+    }
+
+    /// False if the spheres do not meet.
+    bool circleOf(std::uint32_t a, std::uint32_t b, ProbeCircle& circle) const {
+        const dvec3 way = balls_[b].center - balls_[a].center;
+        const double distance = glm::length(way), ra = reachOf(a), rb = reachOf(b);
+        if (distance < kTouch) return false;
+        const double height = (distance * distance + ra * ra - rb * rb) / (2 * distance);
+        const double squared = ra * ra - height * height;
+        if (squared <= kTouch) return false;
+        circle.a = a;
+        circle.b = b;
+        circle.axis = way / distance;
+        circle.center = balls_[a].center + circle.axis * height;
+        circle.radius = std::sqrt(squared);
+        circle.x = anyAcross(circle.axis);
+        circle.y = glm::cross(circle.axis, circle.x);
+        return true;
+    }
+
+    /// What no third ball covers. Adds the arcs' ends: each will be found on all three circles, or on as many as can
+    /// tell where more than three spheres meet.
+    /// @return false if nothing is open
+    bool openArcs(ProbeCircle& circle, std::vector<ProbePoint>& points) const {
+        constexpr double kTurn = 2 * std::numbers::pi;
+        std::vector<CoveredArc> covered;
+        for (const std::uint32_t other : grid_.neighbours(circle.a)) {
+            if (other == circle.b) continue;
+            const dvec3 way = balls_[other].center - circle.center;
+            const double x = glm::dot(way, circle.x), y = glm::dot(way, circle.y), reach = reachOf(other);
+            const double most = std::hypot(x, y);
+            const double least =
+                (glm::dot(way, way) + circle.radius * circle.radius - reach * reach) / (2 * circle.radius);
+            if (least >= most - kTouch) continue;
+            if (least <= -most) return false;
+            const double middle = std::atan2(y, x), half = std::acos(std::clamp(least / most, -1.0, 1.0));
+            double begin = middle - half;
+            if (begin < 0) begin += kTurn;
+            covered.push_back({begin, begin + 2 * half, other});
+        }
+        if (covered.empty()) {
+            circle.arcs.push_back({0, kTurn});
+            return true;
+        }
+        std::sort(covered.begin(), covered.end(),
+                  [](const CoveredArc& a, const CoveredArc& b) { return a.begin < b.begin; });
+        // Behind the one that reaches farthest over the end of the turn.
+        std::size_t farthest = 0;
+        for (std::size_t i = 0; i < covered.size(); ++i)
+            if (covered[i].end > covered[farthest].end) farthest = i;
+        double end = covered[farthest].end - kTurn;
+        std::uint32_t by = covered[farthest].by;
+        for (const CoveredArc& arc : covered) {
+            if (arc.begin > end) {
+                circle.arcs.push_back({end, arc.begin});
+                points.push_back({circle.a, circle.b, by, circle.at(end)});
+                points.push_back({circle.a, circle.b, arc.by, circle.at(arc.begin)});
+            }
+            if (arc.end > end) end = arc.end, by = arc.by;
+        }
+        return !circle.arcs.empty();
+    }
+
+    static constexpr std::size_t kTogether = 64;  // balls
+
+    const std::vector<SurfaceBall>& balls_;
+    double probe_, reach_;
+    double outside_;  ///< Å, to which distances are known beyond the probe's places, of probes smaller than a cell
+    BallGrid grid_;
+    std::vector<char> open_;
+    std::vector<ProbeCircle> circles_;
+    std::vector<ProbePoint> points_;
+};
+
+}  // namespace
+
+std::unique_ptr<SurfaceField> probeField(const std::vector<SurfaceBall>& balls, double probe, double step,
+                                         unsigned threads) {
+    return std::make_unique<ProbeField>(balls, probe, step, threads);
+}
+
+}  // namespace nacre

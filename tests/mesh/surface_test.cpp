@@ -1,0 +1,246 @@
+#include "engine/mesh/surface.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <set>
+#include <string>
+
+#include "engine/error.h"
+#include "engine/mesh/marching_cubes.h"
+#include "engine/mesh/mesh_measures.h"
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/element.h"
+#include "engine/molecule/read.h"
+#include "tests/mesh/mesh_checks.h"
+#include "tests/molecule/build_molecule.h"
+#include "tests/support/test_data.h"
+
+namespace nacre {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+Molecule carbons(const std::vector<glm::vec3>& places) {
+    test::MoleculeText text;
+    text.residue("LIG");
+    for (const glm::vec3& place : places) text.atom("C", "C", place);
+    return text.molecule;
+}
+
+Mesh surfaceOf(const Molecule& molecule, const SurfaceOptions& options = {}) {
+    return surface(molecule, drawnAtoms(molecule), options, {});
+}
+
+SurfaceOptions at(double resolution, double probe = 1.4, SurfaceKind kind = SurfaceKind::solventExcluded) {
+    SurfaceOptions options;
+    options.resolution = resolution;
+    options.probe = probe;
+    options.kind = kind;
+    return options;
+}
+
+void expectMeasures(const Mesh& mesh, double area, double volume, double share) {
+    const MeshMeasures measures = measure(mesh);
+    EXPECT_NEAR(measures.area, area, share * area);
+    EXPECT_NEAR(measures.volume, volume, share * volume);
+}
+
+TEST(Surface, EveryCellIsCutSoThatItsFacesAgree) {
+    // Around each face of each cell, what leaves one cell enters the other: no edge of a triangle that lies within a
+    // face is used twice in the same sense.
+    for (std::size_t inside = 0; inside < 256; ++inside) {
+        std::size_t crossed = 0;
+        for (const CellEdge& edge : cellEdges()) crossed += (inside >> edge.from & 1) != (inside >> edge.to & 1);
+        std::set<int> used;
+        for (const CellTriangle& triangle : cellTriangles()[inside])
+            for (const std::uint8_t e : triangle) {
+                const CellEdge edge = cellEdges()[e];
+                EXPECT_NE(inside >> edge.from & 1, inside >> edge.to & 1);
+                used.insert(e);
+            }
+        EXPECT_EQ(used.size(), crossed) << inside;
+    }
+}
+
+TEST(Surface, AnAtomIsASphere) {
+    const Molecule molecule = carbons({{10, -20, 30}});
+    const double r = vanDerWaalsRadius(6);
+    for (const double probe : {0.0, 1.4, 3.0}) {
+        const Mesh mesh = surfaceOf(molecule, at(0.15, probe));
+        test::expectSound(mesh, 1);
+        expectMeasures(mesh, 4 * kPi * r * r, 4 * kPi * r * r * r / 3, 0.005);
+        for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+            const glm::vec3 way = mesh.positions[i] - molecule.atoms[0].position;
+            ASSERT_NEAR(glm::length(way), r, 1e-3);
+            ASSERT_GT(glm::dot(glm::normalize(way), mesh.normals[i]), 0.99999f);
+        }
+    }
+    const double large = r + 1.4;
+    expectMeasures(surfaceOf(molecule, at(0.15, 1.4, SurfaceKind::solventAccessible)), 4 * kPi * large * large,
+                   4 * kPi * large * large * large / 3, 0.005);
+    expectMeasures(surfaceOf(molecule, at(0.15, 0, SurfaceKind::gaussian)), 4 * kPi * r * r, 4 * kPi * r * r * r / 3,
+                   0.005);
+}
+
+/// Two carbons `apart` along x, and a probe that rolls around between them: a body of revolution of two parts of
+/// spheres and one of a torus.
+void expectPair(double apart, double probe) {
+    const double r = vanDerWaalsRadius(6), reach = r + probe, half = apart / 2;
+    const double ring = std::sqrt(reach * reach - half * half), contact = half * probe / reach;
+    ASSERT_GT(ring, probe);  // else the torus meets itself
+    const double phi = std::asin(half / reach);
+    const double area =
+        2 * 2 * kPi * r * r * (1 + half / reach) + 2 * 2 * kPi * probe * (ring * phi - probe * std::sin(phi));
+    double volume = 0;
+    constexpr int kSlices = 20000;
+    for (int i = 0; i < kSlices; ++i) {
+        const double x = (i + 0.5) / kSlices * (half + r);
+        const double y = x < contact ? ring - std::sqrt(probe * probe - x * x)
+                                     : std::sqrt(std::max(r * r - (x - half) * (x - half), 0.0));
+        volume += 2 * kPi * y * y * (half + r) / kSlices;
+    }
+    const float x = static_cast<float>(half);
+    const Mesh mesh = surfaceOf(carbons({{-x, 0, 0}, {x, 0, 0}}), at(0.15, probe));
+    SCOPED_TRACE(std::to_string(apart) + " Å, probe " + std::to_string(probe));
+    test::expectSound(mesh, 2);
+    expectMeasures(mesh, area, volume, 0.005);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        if (std::abs(mesh.positions[i].x) > 0.05f) {
+            EXPECT_EQ(mesh.atoms[i], mesh.positions[i].x > 0 ? 1u : 0u);
+        }
+}
+
+TEST(Surface, TheProbeRollsBetweenTwoAtoms) {
+    for (const double apart : {0.8, 1.5, 2.5, 3.6}) expectPair(apart, 1.4);
+    expectPair(3.0, 2.5);
+}
+
+TEST(Surface, TheProbeStopsBetweenThreeAtoms) {
+    // Corners of a triangle of 4.4 Å: the probe touches all three, from either side, and cannot pass. In the middle
+    // the surface is where that probe is nearest: 1.4 Å below its centre.
+    const double side = 4.4, reach = vanDerWaalsRadius(6) + 1.4;
+    const double out = side / std::sqrt(3.0), height = std::sqrt(reach * reach - out * out);
+    ASSERT_GT(height, 1.4);
+    std::vector<glm::vec3> places;
+    for (int i = 0; i < 3; ++i)
+        places.emplace_back(out * std::cos(2 * kPi * i / 3), out * std::sin(2 * kPi * i / 3), 0);
+    const Mesh mesh = surfaceOf(carbons(places), at(0.1));
+    test::expectSound(mesh, 3);
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const glm::dvec3 p(mesh.positions[i]);
+        if (std::hypot(p.x, p.y) > 0.2) continue;
+        ++found;
+        const glm::dvec3 center(0, 0, p.z > 0 ? height : -height);
+        EXPECT_NEAR(glm::distance(p, center), 1.4, 2e-3);
+        EXPECT_GT(glm::dot(glm::normalize(center - p), glm::dvec3(mesh.normals[i])), 0.9999);
+    }
+    EXPECT_GT(found, 5u);
+}
+
+TEST(Surface, CavitiesAreKeptOrDropped) {
+    // A ball of carbons of radius 3.55 Å: within it there is room for a water, and no way in.
+    const Molecule ball = sampleMolecule("buckyball");
+    SurfaceOptions options = at(0.3);
+    const Mesh both = surfaceOf(ball, options);
+    options.cavities = false;
+    const Mesh outer = surfaceOf(ball, options);
+    test::expectSound(both, ball.atoms.size());
+    test::expectSound(outer, ball.atoms.size());
+    const auto parts = [](const Mesh& mesh) {
+        const auto of = meshParts(mesh);
+        return *std::max_element(of.begin(), of.end()) + 1;
+    };
+    EXPECT_EQ(parts(both), 2u);
+    EXPECT_EQ(parts(outer), 1u);
+    EXPECT_GT(measure(outer).volume, measure(both).volume + 10);
+    for (const glm::vec3& p : outer.positions) EXPECT_GT(glm::length(p), 4);
+}
+
+TEST(Surface, ThreadsAndPlacesChangeNothing) {
+    Molecule dna = sampleMolecule("dna");
+    SurfaceOptions one = at(0.7), four = at(0.7);
+    one.threads = 1;
+    four.threads = 4;
+    const Mesh a = surfaceOf(dna, one), b = surfaceOf(dna, four);
+    EXPECT_EQ(a.positions, b.positions);
+    EXPECT_EQ(a.triangles, b.triangles);
+    EXPECT_EQ(a.atoms, b.atoms);
+    test::expectSound(a, dna.atoms.size());
+    // Vertices of neighbouring blocks are one: nothing stands twice at a place.
+    const auto welded = test::weldedVertices(a);
+    std::size_t twice = 0;
+    for (std::uint32_t i = 0; i < welded.size(); ++i) twice += welded[i] != i;
+    EXPECT_EQ(twice, 0u);
+    // Relative to its atoms the grid stays, wherever they are.
+    for (Atom& atom : dna.atoms) atom.position += glm::vec3(512, -256, 64);
+    const Mesh moved = surface(dna, drawnAtoms(dna), one, {512, -256, 64});
+    EXPECT_EQ(moved.triangles.size(), a.triangles.size());
+    EXPECT_NEAR(measure(moved).volume, measure(a).volume, 1e-3 * measure(a).volume);
+}
+
+// Crambin's (1CRN) with radii C 1.70, N 1.55, O 1.52, S 1.80 and a probe of 1.4 Å, by programs that are not ours:
+// `freesasa -L -O -n 1000` (2.1.2, Debian's; Lee and Richards), and SciPy 1.10's exact distance transform from the
+// nodes outside, counted and cut by scikit-image's marching cubes on grids of 0.2, 0.15 and 0.1 Å (volumes 4804, 4769,
+// 4725, areas 2290.5, 2293.3, 2300.4), and drawn on in a straight line to no grid at all.
+constexpr double kFreesasaArea = 2971.30, kEdtVolume = 4647, kEdtArea = 2309;
+
+TEST(Surface, CrambinsIsWhatOthersFind) {
+    NACRE_NEEDS_DATA();
+    const Molecule crambin = readMoleculeFile(test::dataFile("1crn.pdb"));
+    // That of the probe's centre has creases, which cells cut off: what is missing goes with their size, and is known
+    // from two sizes.
+    const auto accessible = [&](double resolution) {
+        return measure(surfaceOf(crambin, at(resolution, 1.4, SurfaceKind::solventAccessible))).area;
+    };
+    EXPECT_NEAR(2 * accessible(0.2) - accessible(0.4), kFreesasaArea, 0.002 * kFreesasaArea);
+    const Mesh excluded = surfaceOf(crambin, at(0.3));
+    EXPECT_NEAR(measure(excluded).volume, kEdtVolume, 0.01 * kEdtVolume);
+    EXPECT_NEAR(measure(excluded).area, kEdtArea, 0.01 * kEdtArea);
+    test::expectSound(excluded, crambin.atoms.size());
+    // As it comes, without a word about the grid.
+    expectMeasures(surfaceOf(crambin), kEdtArea, kEdtVolume, 0.01);
+}
+
+TEST(Surface, WhatCannotBeMadeIsNot) {
+    EXPECT_TRUE(surfaceOf(Molecule()).triangles.empty());
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const Mesh one = surfaceOf(carbons({{nan, 0, 0}, {1, 2, 3}}));
+    test::expectSound(one, 2);
+    EXPECT_FALSE(one.triangles.empty());
+    // Atoms upon one another, in a line, on a square of which four spheres meet at points, and far apart.
+    const std::vector<std::vector<glm::vec3>> odd = {{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}},
+                                                     {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}},
+                                                     {{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {3, 3, 0}},
+                                                     {{0, 0, 0}, {1e5f, 0, 0}, {0, -1e5f, 1e5f}}};
+    for (const auto& places : odd)
+        for (const double probe : {0.0, 1.4, 10.0})
+            for (const SurfaceKind kind : {SurfaceKind::solventExcluded, SurfaceKind::gaussian}) {
+                const Mesh mesh = surfaceOf(carbons(places), at(0.5, probe, kind));
+                if (probe > 0) test::expectSound(mesh, places.size());
+                EXPECT_EQ(test::openEdges(mesh), 0u);  // in the crevices of bare spheres triangles may look inwards
+                EXPECT_FALSE(mesh.triangles.empty());
+                for (const glm::vec3& p : mesh.positions) {
+                    float nearest = 1e9f;
+                    for (const glm::vec3& place : places) nearest = std::min(nearest, glm::distance(p, place));
+                    ASSERT_LT(nearest, 2.8f);  // no spike
+                }
+            }
+    // Too much is refused before it is made.
+    std::vector<glm::vec3> many;
+    for (int i = 0; i < 200'000; ++i) many.emplace_back(4 * (i % 60), 4 * (i / 60 % 60), 4 * (i / 3600));
+    EXPECT_THROW(surfaceOf(carbons(many), at(0.1)), Error);
+}
+
+TEST(Surface, ResolutionGoesWithTheAtoms) {
+    EXPECT_EQ(surfaceResolution(10), 0.4);
+    EXPECT_GT(surfaceResolution(60'000), 0.6);
+    EXPECT_EQ(surfaceResolution(10'000'000), kCoarsestSurface);
+}
+
+}  // namespace
+}  // namespace nacre
