@@ -60,16 +60,17 @@ struct OcclusionStats {
 };
 
 struct FrameStats {
-    DeviceInfo device;                         ///< with the path and reason in force
-    double bakeMilliseconds = 0;               ///< ambient occlusion, from streams to atlas
-    double frameMilliseconds = 0;              ///< the last picture's frames, submission to completion
-    std::uint64_t coveredPixels = 0;           ///< of the last picture; of N x N samples a pixel, samples
-    std::uint32_t samples = 1;                 ///< a pixel of the last picture has at most
-    std::uint32_t frames = 1;                  ///< that the last picture is the mean of
-    std::vector<PassCount> passes;             ///< of the last frame that counted
-    std::vector<PassTime> passTimes;           ///< of the last frame that was timed; none if the device cannot
-    std::uint64_t spheres = 0, cylinders = 0;  ///< submitted for the last picture, in all copies
-    std::uint64_t copies = 1;                  ///< of an assembly
+    DeviceInfo device;                ///< with the path and reason in force
+    double bakeMilliseconds = 0;      ///< ambient occlusion, from streams to atlas
+    double frameMilliseconds = 0;     ///< the last picture's frames, submission to completion
+    std::uint64_t coveredPixels = 0;  ///< of the last picture; of N x N samples a pixel, samples
+    std::uint32_t samples = 1;        ///< a pixel of the last picture has at most
+    std::uint32_t frames = 1;         ///< that the last picture is the mean of
+    std::vector<PassCount> passes;    ///< of the last frame that counted
+    std::vector<PassTime> passTimes;  ///< of the last frame that was timed; none if the device cannot
+    /// Submitted for the last picture, in all copies.
+    std::uint64_t spheres = 0, cylinders = 0, triangles = 0;
+    std::uint64_t copies = 1;  ///< of an assembly
     OcclusionStats occlusion;
     std::uint64_t deviceBytes = 0;      ///< peak device memory
     std::uint64_t deviceBytesHeld = 0;  ///< after the last picture

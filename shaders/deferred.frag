@@ -6,6 +6,7 @@
 #extension GL_GOOGLE_include_directive : require
 #define COPY_OF_PIXEL
 #include "common/surface.glsl"
+#include "common/mesh.glsl"
 #include "common/count.glsl"
 
 #ifdef INPUT
@@ -15,8 +16,9 @@ uint primitiveHere() { return subpassLoad(primitives).x; }
 layout(set = 0, binding = 3) uniform usampler2D primitives;
 uint primitiveHere() { return texelFetch(primitives, ivec2(gl_FragCoord.xy), 0).x; }
 #endif
-layout(set = 0, binding = 4, std430) readonly buffer Shapes { vec4 shapes[]; };
-layout(set = 0, binding = 5, std430) readonly buffer Looks { uint looks[]; };  // two a sphere, four a cylinder
+layout(set = 0, binding = 4, std430) readonly buffer Shapes { uvec4 shapes[]; };
+vec4 shapeAt(uint i) { return uintBitsToFloat(shapes[i]); }
+layout(set = 0, binding = 5, std430) readonly buffer Looks { uint looks[]; };  // two a sphere, four a cylinder, two for vertices that look the same
 layout(set = 0, binding = 6, std430) readonly buffer CopyRows { vec4 copyRows[]; };  // three a copy
 
 void main() {
@@ -32,15 +34,27 @@ void main() {
     copyRow2 = copyRows[3u * copy + 2u];
     uint spheres = view.spheres;
     if (index < spheres) {
-        vec4 shape = shapes[index];
+        vec4 shape = shapeAt(index);
         precise vec3 center = toView(shape.xyz);
         Hit hit = sphereHit(vec4(center, shape.w), gl_FragCoord.xy);
         writeSurface(hit, looks[2u * index], looks[2u * index + 1u], sphereOcclusion(hit, spherePatch(index)));
         return;
     }
     index -= spheres;
-    vec4 shapeA = shapes[spheres + 2u * index];
-    vec3 shapeB = shapes[spheres + 2u * index + 1u].xyz;
+    if (index >= view.cylinders) {
+        uvec4 record = shapes[spheres + view.cylinders + index];
+        uvec4 v[3] = uvec4[](shapes[record.x], shapes[record.y], shapes[record.z]);
+        float step = uintBitsToFloat(record.w);
+        Hit hit = triangleHitThrough(cornerOf(v[0], step), cornerOf(v[1], step), cornerOf(v[2], step),
+                                     joinsOf(v[0].w, v[1].w, v[2].w), planePoint(gl_FragCoord.xy));
+        smoothNormal(hit, uvec3(v[0].z, v[1].z, v[2].z));
+        uint look = v[hit.corner].w;
+        writeSurface(hit, looks[look], looks[look + 1u],
+                     meshOcclusion(hit, record.xyz - (view.primitives + view.cylinders)));
+        return;
+    }
+    vec4 shapeA = shapeAt(spheres + 2u * index);
+    vec3 shapeB = shapeAt(spheres + 2u * index + 1u).xyz;
     precise vec3 a = toView(shapeA.xyz);
     precise vec3 b = toView(shapeB);
     Hit hit = cylinderHit(a, b, shapeA.w, gl_FragCoord.xy);

@@ -2,17 +2,11 @@
 // Depth encoding: the hit's depth as a colour, kept by a MIN blend. A pixel outside writes the blend's neutral
 // value instead of discarding, so that nothing stands in the way of early depth tests.
 #extension GL_GOOGLE_include_directive : require
-#include "common/hit.glsl"
+#include "common/primitive.glsl"
 #include "common/count.glsl"
 #include "common/encoding.glsl"
 
 layout(early_fragment_tests) in;
-#ifdef CYLINDER
-layout(location = 0) flat in vec4 endA;
-layout(location = 1) flat in vec4 endB;
-#else
-layout(location = 0) flat in vec4 sphere;
-#endif
 layout(location = 0) out vec4 encoded;
 #ifdef ORDERED
 // No blending: the attachment's own value is read in raster order.
@@ -21,11 +15,7 @@ layout(input_attachment_index = 0, set = 0, binding = 3) uniform subpassInput ne
 
 void main() {
     countFragment();
-#ifdef CYLINDER
-    Hit hit = cylinderHit(endA.xyz, endB.xyz, endA.w, gl_FragCoord.xy);
-#else
-    Hit hit = sphereHit(sphere, gl_FragCoord.xy);
-#endif
+    Hit hit = primitiveHit();
 #ifdef ORDERED
     float kept = subpassLoad(nearest).x;
     encoded = vec4(hit.inside ? min(kept, encodedDepth(hit.order)) : kept, 0.0, 0.0, 0.0);

@@ -4,10 +4,16 @@
 #include "common/count.glsl"
 
 layout(early_fragment_tests) in;
-#ifdef CYLINDER
+#if defined(CYLINDER)
 layout(location = 0) flat in vec4 endA;
 layout(location = 1) flat in vec4 endB;
 float radius() { return max(endA.w, endB.w); }
+#elif defined(TRIANGLE)
+layout(location = 0) flat in vec3 cornerA;
+layout(location = 1) flat in vec3 cornerB;
+layout(location = 2) flat in vec3 cornerC;
+layout(location = 3) flat in uint joins;
+float radius() { return cornerA.z + cornerB.z + cornerC.z == 0.125 && joins > 7u ? 0.0 : 1.0; }
 #else
 layout(location = 0) flat in vec4 sphere;
 float radius() { return sphere.w; }

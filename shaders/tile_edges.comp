@@ -50,9 +50,10 @@ const uint kNone = 0xffffffffu;
 const uint kSecondHalf = 0x80000000u;
 const uint kContour = 0x40000000u;
 const uint kCutFace = 0x20000000u;
-const uint kNumber = 0x1fffffffu;
+const uint kThirdCorner = 0x10000000u;
+const uint kNumber = 0x0fffffffu;
 uint sightOf(Hit hit, uint number) {
-    return number | (hit.along >= 0.5 ? kSecondHalf : 0u) | (kContours > 0 && hit.contour ? kContour : 0u) |
+    return number | (hit.along >= 0.5 || hit.corner == 1u ? kSecondHalf : 0u) | (hit.corner == 2u ? kThirdCorner : 0u) | (kContours > 0 && hit.contour ? kContour : 0u) |
            (kClip && hit.cap ? kCutFace : 0u);
 }
 const bool kPlain = !kClip && kContours == 0;
@@ -83,6 +84,12 @@ bool looksChange(uint number, vec2 middle) {
     for (int i = 0; i < 4; ++i) {
         vec2 q = planePoint(middle + vec2(i & 1, i >> 1) - 0.5);
         uint sight = 0u;
+#ifdef TRIANGLES
+        if (isTriangle(index)) {
+            Facet f = facetOf(index);
+            sight = sightOf(facetHitThrough(f, q), number);
+        } else
+#endif
 #ifdef CYLINDERS
         if (index >= view.spheres) {
             uint at = 2u * index - view.spheres;
@@ -186,7 +193,7 @@ void sampleEdges(uint at, uint end, uint lane, vec2 low, vec2 high) {
     do {
         bool mine = at + lane < end;
         Entry e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
-        uint balls = subgroupBallot(mine && e.meets && !e.cylinder).x;
+        uint balls = subgroupBallot(mine && e.meets && !e.cylinder && !e.facet).x;
         do {
             uint from = lowestOf(balls);
             keepSphere(handed(e.a, from), subgroupShuffle(e.number, from), balls != 0u);
@@ -205,6 +212,20 @@ void sampleEdges(uint at, uint end, uint lane, vec2 low, vec2 high) {
             }
             sticks &= sticks - 1u;
         } while (sticks != 0u);
+#endif
+#ifdef TRIANGLES
+        uint facets = subgroupBallot(mine && e.meets && e.facet).x;
+        do {
+            uint from = lowestOf(facets);
+            vec3 ca = handedCorner(e.a.xyz, from), cb = handedCorner(e.b.xyz, from), cc = handedCorner(e.c, from);
+            uint number = subgroupShuffle(e.number, from), joins = subgroupShuffle(e.joins, from);
+            bool live = facets != 0u;
+            for (int i = 0; i < kSamples; ++i) {
+                Hit hit = triangleHitThrough(ca, cb, cc, joins, planePoint(corner + sampleAt(i)));
+                keep(i, live && hit.inside, hit.order, sightOf(hit, number));
+            }
+            facets &= facets - 1u;
+        } while (facets != 0u);
 #endif
         at += uint(kLanes);
         float farthest = nearest[0];

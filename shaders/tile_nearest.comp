@@ -4,7 +4,7 @@
 // chunk of as many entries as it has lanes at a time: each lane fetches one and asks whether it meets the tile; those
 // that do are handed round. It ends where the next entry begins behind the tile's farthest pixel.
 //   TEXELS      as in common/streams.glsl
-//   CYLINDERS   the scene has some
+//   CYLINDERS, TRIANGLES   the scene has some
 //   SHADED      what is written of a pixel is not its number, but its colour, sRGB-coded, and row by row
 // A driver that runs a loop's body once before it looks whether to leave (lavapipe 22.3) has the loops that it wants:
 // what a turn too many tests does not win.
@@ -60,6 +60,10 @@ vec3 discOf(vec3 center, float radius) {
     return vec3(center.xy * (view.origin * D / under), reach * 1.005 + room);
 }
 
+#ifdef TRIANGLES
+#include "common/tile_facets.glsl"
+#endif
+
 void keep(int i, Hit hit, uint candidate, bool live) {
     float depth = encodedDepth(hit.order);
     // Of equal depths the last wins, as with a depth test that lets them pass.
@@ -112,6 +116,15 @@ void main() {
         bool mine = at + lane < end;
         uint entry = listAt(min(at + lane, end - 1u));
         uint index = place(entry);
+        bool plain = mine;
+#ifdef TRIANGLES
+        bool facet = isTriangle(index);
+        Facet f = facetOf(facet ? index : view.spheres + view.cylinders);
+        vec3 ca = cornerOf(f.a, f.step), cb = cornerOf(f.b, f.step), cc = cornerOf(f.c, f.step);
+        uint facets = subgroupBallot(mine && facet && facetMeets(ca, cb, cc, middle, vec2(reach))).x;
+        index = facet ? 0u : index;
+        plain = mine && !facet;
+#endif
 #ifdef CYLINDERS
         bool cylinder = index >= view.spheres;
         index = cylinder ? 2u * index - view.spheres : index;
@@ -133,12 +146,12 @@ void main() {
         room = max(disc.z, other.z) + reach * 1.4143;
         meets = cylinder ? dot(away, away) <= room * room : meets;
         front = cylinder ? max(a.z, b.z) : front;
-        uint sticks = subgroupBallot(mine && meets && cylinder).x;
+        uint sticks = subgroupBallot(plain && meets && cylinder).x;
         bool balls = !cylinder;
 #else
         const bool balls = true;
 #endif
-        uint bits = subgroupBallot(mine && meets && balls).x;
+        uint bits = subgroupBallot(plain && meets && balls).x;
         do {
             uint from = lowestOf(bits);
             vec4 sphere = handed(a, from);
@@ -158,11 +171,25 @@ void main() {
             sticks &= sticks - 1u;
         } while (sticks != 0u);
 #endif
+#ifdef TRIANGLES
+        do {
+            uint from = lowestOf(facets);
+            vec3 a = handedCorner(ca, from), b = handedCorner(cb, from), c = handedCorner(cc, from);
+            uint candidate = subgroupShuffle(entry, from);
+            bool live = facets != 0u;
+            for (int i = 0; i < kPixels; ++i) keep(i, triangleHitThrough(a, b, c, 0u, through[i]), candidate, live);
+            facets &= facets - 1u;
+        } while (facets != 0u);
+#endif
         at += uint(kLanes);
         float farthest = nearest[0];
         for (int i = 1; i < kPixels; ++i) farthest = max(farthest, nearest[i]);
         // What follows begins behind the chunk's last entry, up to a step of the order.
-        float next = encodedDepth(view.origin - front - a.w * 1.001) - view.depthStep;
+        float begins = view.origin - front - a.w * 1.001;
+#ifdef TRIANGLES
+        begins = facet ? facetBegins(ca, cb, cc) : begins;
+#endif
+        float next = encodedDepth(begins) - view.depthStep;
         more = at < end && !subgroupAll(farthest < subgroupShuffle(next, uint(kLanes - 1)));
     } while (more);
 #ifdef SHADED

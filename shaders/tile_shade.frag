@@ -1,7 +1,7 @@
 #version 450
 // The `tiles` path's shading: each covered pixel once, by the number that tile_nearest.comp kept for it.
 //   TEXELS               as in common/streams.glsl
-//   CYLINDERS            the scene has some
+//   CYLINDERS, TRIANGLES   the scene has some
 //   SURFACE / IDENTITY   layers instead of colour
 #extension GL_GOOGLE_include_directive : require
 #define TILES
@@ -26,6 +26,7 @@ layout(location = 2) flat in vec4 row2;
 layout(location = 3) flat in vec4 pixels;
 layout(location = 4) flat in vec4 shading;
 layout(location = 5) flat in uvec4 atlas;
+layout(location = 7) flat in uint cylinders;
 
 void fetchView() {
     view.row0 = row0;
@@ -43,6 +44,7 @@ void fetchView() {
     view.patchesInRow = atlas.y;
     view.spheres = atlas.z;
     view.primitives = atlas.w;
+    view.cylinders = cylinders;
 }
 
 void main() {

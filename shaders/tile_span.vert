@@ -15,6 +15,7 @@ layout(location = 2) flat out vec4 row2;
 layout(location = 3) flat out vec4 pixels;  // axisPixel, pixel, origin
 layout(location = 4) flat out vec4 shading;  // atlasTexel, clipNear, clipFar
 layout(location = 5) flat out uvec4 atlas;  // patchTexels, patchesInRow, spheres, primitives
+layout(location = 7) flat out uint cylinders;
 #endif
 layout(location = 6) flat out uvec2 numbers;  // place
 
@@ -26,6 +27,7 @@ void main() {
     pixels = vec4(view.axisPixel, view.pixel, view.origin);
     shading = vec4(view.atlasTexel, view.clipNear, view.clipFar);
     atlas = uvec4(view.patchTexels, view.patchesInRow, view.spheres, view.primitives);
+    cylinders = view.cylinders;
 #endif
     numbers = place;
     bool right = (gl_VertexIndex & 1) == 1, bottom = (gl_VertexIndex & 2) == 2;

@@ -149,7 +149,8 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     layout::ViewConstants& c = seen->constants;
     c = passes::viewConstants(view, device.caps().snapPixels, image.width / 2.0, image.height / 2.0);
     c.spheres = scene.buffers.sphereCount;
-    c.primitives = scene.buffers.sphereCount + scene.buffers.cylinderCount;
+    c.cylinders = scene.buffers.cylinderCount;
+    c.primitives = scene.buffers.primitives();
     if (atlas.image) addAtlas(c, atlas);
     seen->occlusionCells = atlas.cells;
     addEffects(c, settings, view);

@@ -53,6 +53,7 @@ ScreenFrame SceneFrames::declare(const RenderSettings& asked, const passes::Atla
     }
     stats_.spheres = seen->copies.sphereCount();
     stats_.cylinders = seen->copies.cylinderCount();
+    stats_.triangles = seen->copies.triangleCount();
     // Without plates the passes that write depth themselves need no pass before them.
     const bool plates =
         seen->plates != PlateShape::none || (path != Visibility::fragdepth && path != Visibility::deferred);

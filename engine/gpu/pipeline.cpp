@@ -118,8 +118,9 @@ Layout makeLayout(const Device& device, const LayoutDescription& d) {
     const std::string name(d.name);
     std::vector<vk::DescriptorSetLayoutBinding> bindings;
     for (std::uint32_t i = 0; i < d.bindings.size(); ++i) {
-        // Input attachments exist in fragment stages only; streams are read by whatever stage asks.
-        bindings.emplace_back(i, d.bindings[i], 1, d.stages & ~vk::ShaderStageFlags(vk::ShaderStageFlagBits::eVertex));
+        constexpr vk::ShaderStageFlags kVertex = vk::ShaderStageFlagBits::eVertex;
+        const bool ofVertices = i + d.ofVertices >= d.bindings.size();
+        bindings.emplace_back(i, d.bindings[i], 1, ofVertices ? kVertex : d.stages & ~kVertex);
     }
     Layout layout;
     layout.set = vk::raii::DescriptorSetLayout(*device, vk::DescriptorSetLayoutCreateInfo({}, bindings));
@@ -158,7 +159,7 @@ bool same(const ComputePipeline& a, const ComputePipeline& b) {
 }
 bool same(const LayoutDescription& a, const LayoutDescription& b) {
     return std::ranges::equal(a.bindings, b.bindings) && a.stages == b.stages &&
-           a.pushConstantBytes == b.pushConstantBytes && a.counter == b.counter;
+           a.pushConstantBytes == b.pushConstantBytes && a.counter == b.counter && a.ofVertices == b.ofVertices;
 }
 
 /// The pipeline of a description, made if there is none yet.

@@ -78,7 +78,8 @@ struct LayoutDescription {
     std::span<const vk::DescriptorType> bindings;  ///< static
     vk::ShaderStageFlags stages;
     std::uint32_t pushConstantBytes = 0;
-    bool counter = false;  ///< set 1: one storage buffer
+    bool counter = false;          ///< set 1: one storage buffer
+    std::uint32_t ofVertices = 0;  ///< so many of the last bindings are read by the vertex stage, and by no other
 };
 struct Layout {
     vk::raii::DescriptorSetLayout set{nullptr};

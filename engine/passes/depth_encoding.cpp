@@ -11,6 +11,8 @@ void encodeDepth(gpu::PassContext& context, const SceneView& view, const Encodin
                    {shaders::geometrySphereVertex, {shaders::encodeSphere, shaders::encodeSphereCounting}}, pass);
     drawPrimitives(context, view, Primitive::cylinder,
                    {shaders::geometryCylinderVertex, {shaders::encodeCylinder, shaders::encodeCylinderCounting}}, pass);
+    drawPrimitives(context, view, Primitive::triangle,
+                   {shaders::geometryTriangleVertex, {shaders::encodeTriangle, shaders::encodeTriangleCounting}}, pass);
 }
 
 void encodeDepthInOrder(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas, vk::ImageView nearest) {
@@ -24,6 +26,10 @@ void encodeDepthInOrder(gpu::PassContext& context, const SceneView& view, vk::Im
         context, view, Primitive::cylinder,
         {shaders::geometryCylinderVertex, {shaders::encodeCylinderOrdered, shaders::encodeCylinderOrderedCounting}},
         pass);
+    drawPrimitives(context, view, Primitive::triangle,
+                   {shaders::geometryTriangleReadsVertex,
+                    {shaders::encodeTriangleOrdered, shaders::encodeTriangleOrderedCounting}},
+                   pass);
 }
 
 }  // namespace nacre::passes

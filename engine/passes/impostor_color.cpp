@@ -5,17 +5,18 @@
 namespace nacre::passes {
 namespace {
 
-/// A variant of shaders/impostor.frag for spheres and for cylinders.
+/// A variant of shaders/impostor.frag for each kind of primitives.
 struct Variant {
-    Stage sphere, cylinder;
+    Stage sphere, cylinder, triangle;
 };
 
 // The counting variant of a stage has the same name with "Counting" behind it.
-#define NACRE_VARIANT(output, path)                                                    \
-    Variant {                                                                          \
-        {shaders::output##Sphere##path, shaders::output##Sphere##path##Counting}, {    \
-            shaders::output##Cylinder##path, shaders::output##Cylinder##path##Counting \
-        }                                                                              \
+#define NACRE_VARIANT(output, path)                                                         \
+    Variant {                                                                               \
+        {shaders::output##Sphere##path, shaders::output##Sphere##path##Counting},           \
+            {shaders::output##Cylinder##path, shaders::output##Cylinder##path##Counting}, { \
+            shaders::output##Triangle##path, shaders::output##Triangle##path##Counting      \
+        }                                                                                   \
     }
 #define NACRE_VARIANTS(path) \
     { NACRE_VARIANT(color, path), NACRE_VARIANT(surface, path), NACRE_VARIANT(identity, path) }
@@ -53,6 +54,7 @@ void drawImpostorColor(gpu::PassContext& context, const SceneView& view, Output 
     const Variant& variant = variantOf(output, reads.from, settles);
     drawPrimitives(context, view, Primitive::sphere, {shaders::lookSphereVertex, variant.sphere}, pass);
     drawPrimitives(context, view, Primitive::cylinder, {shaders::lookCylinderVertex, variant.cylinder}, pass);
+    drawPrimitives(context, view, Primitive::triangle, {shaders::lookTriangleVertex, variant.triangle}, pass);
 }
 
 }  // namespace nacre::passes

@@ -13,6 +13,9 @@ void drawNearestDepth(gpu::PassContext& context, const SceneView& view) {
     drawPrimitives(context, view, Primitive::cylinder,
                    {shaders::geometryCylinderVertex, {shaders::nearestCylinder, shaders::nearestCylinderCounting}},
                    pass);
+    drawPrimitives(context, view, Primitive::triangle,
+                   {shaders::geometryTriangleVertex, {shaders::nearestTriangle, shaders::nearestTriangleCounting}},
+                   pass);
 }
 
 }  // namespace nacre::passes

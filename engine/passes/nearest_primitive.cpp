@@ -12,6 +12,9 @@ void drawNearestPrimitive(gpu::PassContext& context, const SceneView& view) {
     drawPrimitives(context, view, Primitive::cylinder,
                    {shaders::numberCylinderVertex, {shaders::identifyCylinder, shaders::identifyCylinderCounting}},
                    pass);
+    drawPrimitives(context, view, Primitive::triangle,
+                   {shaders::numberTriangleVertex, {shaders::identifyTriangle, shaders::identifyTriangleCounting}},
+                   pass);
 }
 
 }  // namespace nacre::passes

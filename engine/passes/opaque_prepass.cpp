@@ -10,6 +10,9 @@ void drawPlates(gpu::PassContext& context, const SceneView& view) {
     PrimitivePass pass;
     pass.depth = gpu::DepthUse::write;
     pass.colorsWritten = 0;
+    if (view.plates != PlateShape::none)
+        drawPrimitives(context, view, Primitive::triangle,
+                       {shaders::plateTriangleVertex, {shaders::plateFragment, shaders::plateFragmentCounting}}, pass);
     for (const Plate& plate : platesOf(choosePlates(view.plates, context.device.caps().software, view.radiusPixels))) {
         pass.plate = &plate;
         drawPrimitives(context, view, Primitive::sphere, shaders, pass);

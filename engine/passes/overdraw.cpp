@@ -12,6 +12,9 @@ void drawOverdraw(gpu::PassContext& context, const SceneView& view) {
     drawPrimitives(context, view, Primitive::cylinder,
                    {shaders::geometryCylinderVertex, {shaders::overdrawCylinder, shaders::overdrawCylinderCounting}},
                    pass);
+    drawPrimitives(context, view, Primitive::triangle,
+                   {shaders::geometryTriangleVertex, {shaders::overdrawTriangle, shaders::overdrawTriangleCounting}},
+                   pass);
 }
 
 }  // namespace nacre::passes

@@ -48,6 +48,7 @@ void addCalls(const Copies& copies, const std::vector<PrimitiveRun>& runs, const
 
 std::uint64_t PlacedCopies::sphereCount() const { return total(spheres); }
 std::uint64_t PlacedCopies::cylinderCount() const { return total(cylinders); }
+std::uint64_t PlacedCopies::triangleCount() const { return total(triangles); }
 
 PlacedCopies placeCopies(const Representation& r, const View& view) {
     PlacedCopies placed;
@@ -55,12 +56,14 @@ PlacedCopies placeCopies(const Representation& r, const View& view) {
         addRows(view, glm::dmat4x3(1.0), placed.rows);
         placed.spheres = {{0, 0, static_cast<std::uint32_t>(r.spheres.size())}};
         if (!r.cylinders.empty()) placed.cylinders = {{0, 0, static_cast<std::uint32_t>(r.cylinders.size())}};
+        if (!r.triangles.empty()) placed.triangles = {{0, 0, static_cast<std::uint32_t>(r.triangles.size())}};
         return placed;
     }
     placed.rows.reserve(3 * r.copies.transforms.size());
     for (const glm::dmat4x3& transform : r.copies.transforms) addRows(view, transform, placed.rows);
     addCalls(r.copies, r.copies.spheres, view, placed.spheres);
     addCalls(r.copies, r.copies.cylinders, view, placed.cylinders);
+    addCalls(r.copies, r.copies.triangles, view, placed.triangles);
     return placed;
 }
 

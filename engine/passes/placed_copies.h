@@ -17,11 +17,12 @@ struct PlacedCopies {
         std::uint32_t first = 0, count = 0;
     };
     std::vector<glm::vec4> rows;  ///< three a transform: into view space, as ViewConstants has them
-    std::vector<Call> spheres, cylinders;
+    std::vector<Call> spheres, cylinders, triangles;
 
     /// Of all calls together.
     std::uint64_t sphereCount() const;
     std::uint64_t cylinderCount() const;
+    std::uint64_t triangleCount() const;
 };
 
 /// Rotations and shifts are composed in double precision. Runs whose bounding sphere lies outside the picture are left

@@ -20,9 +20,10 @@ constexpr vk::VertexInputBindingDescription kCylinderBindings[] = {{0, sizeof(Cy
 constexpr vk::VertexInputAttributeDescription kCylinderAttributes[] = {
     {0, 0, kVec4, 0}, {1, 0, kVec4, 16}, {2, 1, vk::Format::eR32G32B32A32Uint, 0}};
 
-/// Streams A and B, or A alone.
-gpu::VertexStreams streamsOf(bool sphere, bool looks) {
-    if (sphere)
+/// Streams A and B, or A alone. Those of triangles are fetched by their numbers.
+gpu::VertexStreams streamsOf(Primitive primitive, bool looks) {
+    if (primitive == Primitive::triangle) return {};
+    if (primitive == Primitive::sphere)
         return {std::span(kSphereBindings).first(looks ? 2 : 1), std::span(kSphereAttributes).first(looks ? 2 : 1)};
     return {std::span(kCylinderBindings).first(looks ? 2 : 1), std::span(kCylinderAttributes).first(looks ? 3 : 2)};
 }
@@ -45,16 +46,31 @@ std::span<const Type> bindingsOf(const Reads* reads) {
     }
     return kInput;
 }
+/// The same with the streams that the vertex stage of triangles reads. They have the same places whatever is read.
+std::span<const Type> triangleBindingsOf(const Reads* reads) {
+    static constexpr Type kAlone[] = {Type::eStorageBuffer, Type::eStorageBuffer};
+    static constexpr Type kSampled = Type::eCombinedImageSampler, kStorage = Type::eStorageBuffer;
+    static constexpr Type kInput[] = {kSampled, Type::eUniformBuffer, kSampled, Type::eInputAttachment, kStorage,
+                                      kStorage};
+    static constexpr Type kTexture[] = {kSampled, Type::eUniformBuffer, kSampled, kSampled, kStorage, kStorage};
+    if (!reads) return kAlone;
+    const bool input = reads->from == NearestFrom::inputAttachment || reads->from == NearestFrom::ownAttachment;
+    return input ? kInput : kTexture;
+}
 
-const gpu::Layout& layoutOf(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass) {
-    return context.pipelines.layout({pass.reads ? "shading layout" : "geometry layout", bindingsOf(pass.reads), kStages,
-                                     sizeof(layout::ViewConstants), view.fragments != nullptr});
+const gpu::Layout& layoutOf(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
+                            Primitive primitive) {
+    const bool triangles = primitive == Primitive::triangle;
+    return context.pipelines.layout({pass.reads ? "shading layout" : "geometry layout",
+                                     triangles ? triangleBindingsOf(pass.reads) : bindingsOf(pass.reads), kStages,
+                                     sizeof(layout::ViewConstants), view.fragments != nullptr, triangles ? 2u : 0u});
 }
 
 vk::Pipeline pipelineOf(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
-                        const Shaders& shaders, bool sphere, std::uint32_t corners) {
+                        const Shaders& shaders, Primitive primitive, std::uint32_t corners) {
     gpu::GraphicsPipeline d = context.pipeline();
-    d.detail = sphere ? "spheres" : "cylinders";
+    constexpr const char* kNames[] = {"spheres", "cylinders", "triangles"};
+    d.detail = kNames[static_cast<std::size_t>(primitive)];
     d.vertex = shaders.vertex;
     d.fragment = shaders.fragment.of(view);
     setGeometryConstants(d.constants, view);
@@ -63,23 +79,24 @@ vk::Pipeline pipelineOf(gpu::PassContext& context, const SceneView& view, const 
     d.constants.set(layout::kDepthStepsId, pass.encoding.steps);
     d.constants.set(layout::kCornersId, corners);
     if (pass.plate) d.constants.set(layout::kRimId, pass.plate->rim);
-    d.streams = streamsOf(sphere, pass.looks);
-    d.layout = *layoutOf(context, view, pass).pipeline;
+    d.streams = streamsOf(primitive, pass.looks);
+    d.layout = *layoutOf(context, view, pass, primitive).pipeline;
     d.colorsWritten = pass.colorsWritten;
     d.depth = pass.depth;
     d.blend = pass.blend;
     d.ordered = pass.reads && pass.reads->from == NearestFrom::ownAttachment;
-    d.strip = corners != kPyramidPoints;
+    d.strip = corners != kPyramidPoints && primitive != Primitive::triangle;
     return context.pipelines.graphics(d);
 }
 
-void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout, const Reads& reads) {
-    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
+void writeReads(gpu::PassContext& context, const SceneView& view, vk::DescriptorSet set, const Reads& reads,
+                bool complete) {
     constexpr auto kRead = vk::ImageLayout::eShaderReadOnlyOptimal;
-    const bool texture = reads.from == NearestFrom::texture;
+    // A set of triangles has the fourth binding even where nothing is read there.
+    const bool texture = reads.from == NearestFrom::texture || (complete && reads.from == NearestFrom::depthBuffer);
     const vk::DescriptorImageInfo atlas(context.pipelines.sampler(vk::Filter::eLinear), reads.atlas, kRead);
     const vk::DescriptorImageInfo nearest(texture ? context.pipelines.sampler(vk::Filter::eNearest) : vk::Sampler(),
-                                          reads.nearest,
+                                          reads.nearest ? reads.nearest : reads.atlas,
                                           reads.from == NearestFrom::ownAttachment ? vk::ImageLayout::eGeneral : kRead);
     const vk::DescriptorImageInfo shadow = shadowOf(context, view, reads.atlas);
     const vk::DescriptorBufferInfo effects(*view.effectConstants->handle, 0, VK_WHOLE_SIZE);
@@ -88,16 +105,34 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
         {set, 1, 0, Type::eUniformBuffer, {}, effects},
         {set, 2, 0, Type::eCombinedImageSampler, shadow},
         {set, 3, 0, texture ? Type::eCombinedImageSampler : Type::eInputAttachment, nearest}};
-    context.device->updateDescriptorSets(
-        vk::ArrayProxy<const vk::WriteDescriptorSet>(reads.from == NearestFrom::depthBuffer ? 3 : 4, writes), {});
+    const bool three = reads.from == NearestFrom::depthBuffer && !complete;
+    context.device->updateDescriptorSets(vk::ArrayProxy<const vk::WriteDescriptorSet>(three ? 3 : 4, writes), {});
+}
+
+/// Set 0: what the pass reads, and the streams of triangles.
+void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout, const Reads* reads,
+               Primitive primitive) {
+    const bool triangles = primitive == Primitive::triangle;
+    if (!reads && !triangles) return;
+    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
+    if (reads) writeReads(context, view, set, *reads, triangles);
+    if (triangles) {
+        const std::uint32_t first = reads ? 4 : 0;
+        const vk::DescriptorBufferInfo shapes(*view.buffers->shapes.handle, 0, VK_WHOLE_SIZE),
+            looks(*view.buffers->looks.handle, 0, VK_WHOLE_SIZE);
+        const vk::WriteDescriptorSet writes[] = {{set, first, 0, Type::eStorageBuffer, {}, shapes},
+                                                 {set, first + 1, 0, Type::eStorageBuffer, {}, looks}};
+        context.device->updateDescriptorSets(writes, {});
+    }
     context.commands.bindDescriptorSets(kGraphics, *layout.pipeline, 0, set, {});
 }
 
 /// Corners of the polygon that a primitive is drawn in.
 std::uint32_t cornersOf(const gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
-                        bool sphere) {
+                        Primitive primitive) {
+    if (primitive == Primitive::triangle) return 3;
     if (pass.plate) return pass.plate->corners;
-    if (!sphere) return 4;
+    if (primitive != Primitive::sphere) return 4;
     switch (chooseImpostor(view.impostor, context.device.caps().software, view.radiusPixels, view.perspective)) {
         case ImpostorShape::square:
             return 4;
@@ -152,18 +187,21 @@ void bindCounter(gpu::PassContext& context, const SceneView& view, const gpu::La
 
 void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive primitive, const Shaders& shaders,
                     const PrimitivePass& pass) {
-    const bool sphere = primitive == Primitive::sphere;
-    const std::vector<PlacedCopies::Call>& calls = sphere ? view.copies.spheres : view.copies.cylinders;
+    const bool sphere = primitive == Primitive::sphere, triangle = primitive == Primitive::triangle;
+    const std::vector<PlacedCopies::Call>& calls = sphere     ? view.copies.spheres
+                                                   : triangle ? view.copies.triangles
+                                                              : view.copies.cylinders;
     const SceneBuffers& scene = *view.buffers;
     if (calls.empty() || scene.empty()) return;
-    const std::uint32_t corners = cornersOf(context, view, pass, sphere);
-    const gpu::Layout& layout = layoutOf(context, view, pass);
+    const std::uint32_t corners = cornersOf(context, view, pass, primitive);
+    const gpu::Layout& layout = layoutOf(context, view, pass, primitive);
     const vk::raii::CommandBuffer& commands = context.commands;
-    commands.bindPipeline(kGraphics, pipelineOf(context, view, pass, shaders, sphere, corners));
-    if (pass.reads) bindReads(context, view, layout, *pass.reads);
+    commands.bindPipeline(kGraphics, pipelineOf(context, view, pass, shaders, primitive, corners));
+    bindReads(context, view, layout, pass.reads, primitive);
     bindCounter(context, view, layout);
-    commands.bindVertexBuffers(0, {*scene.shapes.handle, *scene.looks.handle},
-                               {sphere ? 0 : scene.cylinderOffset, sphere ? 0 : scene.cylinderLookOffset});
+    if (!triangle)
+        commands.bindVertexBuffers(0, {*scene.shapes.handle, *scene.looks.handle},
+                                   {sphere ? 0 : scene.cylinderOffset, sphere ? 0 : scene.cylinderLookOffset});
     if (corners == kPyramidPoints) commands.bindIndexBuffer(*scene.pyramid.handle, 0, vk::IndexType::eUint16);
     layout::ViewConstants constants = view.constants;
     for (const PlacedCopies::Call& call : calls) {  // copies differ by their push constants alone
@@ -171,6 +209,10 @@ void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive 
         constants.row0 = rows[0], constants.row1 = rows[1], constants.row2 = rows[2];
         constants.numberBefore = call.copy * constants.primitives;
         commands.pushConstants<layout::ViewConstants>(*layout.pipeline, kStages, 0, constants);
+        if (triangle) {
+            commands.draw(3 * call.count, 1, 3 * call.first, 0);
+            continue;
+        }
         for (std::uint32_t first = call.first, end = first + call.count; first < end; first += kMostInstances) {
             const std::uint32_t count = std::min(end - first, kMostInstances);
             if (corners == kPyramidPoints)

@@ -1,5 +1,5 @@
 #pragma once
-// What the passes over the scene's spheres and cylinders have in common: streams, copies, sets and the draws.
+// What the passes over the scene's primitives have in common: streams, copies, sets and the draws.
 
 #include "engine/gpu/execute.h"
 #include "engine/graph/encoded_format.h"
@@ -52,9 +52,9 @@ struct PrimitivePass {
     const Plate* plate = nullptr;  ///< drawn instead of impostors
 };
 
-enum class Primitive : std::uint8_t { sphere, cylinder };
+enum class Primitive : std::uint8_t { sphere, cylinder, triangle };
 
-/// Draws the scene's spheres or cylinders, all copies.
+/// Draws the scene's primitives of a kind, all copies.
 void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive primitive, const Shaders& shaders,
                     const PrimitivePass& pass);
 

@@ -10,15 +10,32 @@ namespace {
 constexpr auto kUsage = vk::BufferUsageFlagBits::eVertexBuffer | vk::BufferUsageFlagBits::eStorageBuffer |
                         vk::BufferUsageFlagBits::eUniformTexelBuffer;
 
-/// A buffer of two streams, the second behind the first.
-template <typename A, typename B>
-gpu::Buffer joined(const gpu::Device& device, const std::vector<A>& first, const std::vector<B>& second,
-                   const std::string& name) {
-    const std::size_t bytes = first.size() * sizeof(A), more = second.size() * sizeof(B);
-    gpu::Buffer buffer = gpu::makeBuffer(device, bytes + more, kUsage, gpu::Access::upload, name);
-    if (bytes) std::memcpy(buffer.mapped, first.data(), bytes);
-    if (more) std::memcpy(buffer.mapped + bytes, second.data(), more);
+/// A buffer of streams one behind another.
+template <typename... Streams>
+gpu::Buffer joined(const gpu::Device& device, const std::string& name, const Streams&... streams) {
+    const auto bytesOf = [](const auto& stream) { return stream.size() * sizeof(stream[0]); };
+    gpu::Buffer buffer = gpu::makeBuffer(device, (bytesOf(streams) + ...), kUsage, gpu::Access::upload, name);
+    std::byte* at = buffer.mapped;
+    const auto put = [&](const auto& stream) {
+        if (!stream.empty()) std::memcpy(at, stream.data(), bytesOf(stream));
+        at += bytesOf(stream);
+    };
+    (put(streams), ...);
     return buffer;
+}
+
+/// Triangles and vertices as the device has them: they name places in the joined streams.
+std::vector<Triangle> placedTriangles(const Representation& r) {
+    const auto first = static_cast<std::uint32_t>(r.spheres.size() + 2 * r.cylinders.size() + r.triangles.size());
+    std::vector<Triangle> triangles = r.triangles;
+    for (Triangle& t : triangles) t.a += first, t.b += first, t.c += first;
+    return triangles;
+}
+std::vector<MeshVertex> placedVertices(const Representation& r) {
+    const auto first = static_cast<std::uint32_t>(2 * r.spheres.size() + 4 * r.cylinders.size());
+    std::vector<MeshVertex> vertices = r.meshVertices;
+    for (MeshVertex& v : vertices) v.look = first + 2 * v.look;
+    return vertices;
 }
 
 std::array<std::uint16_t, kPyramidIndices> pyramidIndices() {
@@ -36,16 +53,17 @@ SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r
     SceneBuffers scene;
     scene.sphereCount = static_cast<std::uint32_t>(r.spheres.size());
     scene.cylinderCount = static_cast<std::uint32_t>(r.cylinders.size());
+    scene.triangleCount = static_cast<std::uint32_t>(r.triangles.size());
     if (scene.empty()) return scene;
     scene.cylinderOffset = r.spheres.size() * sizeof(Sphere);
     scene.cylinderLookOffset = r.spheres.size() * sizeof(SphereLook);
-    scene.shapes = joined(device, r.spheres, r.cylinders, "stream A: shapes");
-    scene.looks = joined(device, r.sphereLooks, r.cylinderLooks, "stream B: looks");
+    scene.shapes = joined(device, "stream A: shapes", r.spheres, r.cylinders, placedTriangles(r), placedVertices(r));
+    scene.looks = joined(device, "stream B: looks", r.sphereLooks, r.cylinderLooks, r.meshLooks);
     const auto indices = pyramidIndices();
     scene.pyramid = gpu::makeBuffer(device, std::span<const std::uint16_t>(indices),
                                     vk::BufferUsageFlagBits::eIndexBuffer, "pyramid indices");
     if (device.caps().tiles.texels) {
-        constexpr auto kShape = vk::Format::eR32G32B32A32Sfloat, kLook = vk::Format::eR32Uint;
+        constexpr auto kShape = vk::Format::eR32G32B32A32Uint, kLook = vk::Format::eR32Uint;
         scene.shapeTexels = gpu::makeTexelView(device, scene.shapes, kShape, "stream A: shapes");
         scene.lookTexels = gpu::makeTexelView(device, scene.looks, kLook, "stream B: looks");
     }

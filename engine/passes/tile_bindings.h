@@ -11,10 +11,21 @@ namespace nacre::passes {
 
 constexpr auto kTexel = vk::DescriptorType::eUniformTexelBuffer, kStorage = vk::DescriptorType::eStorageBuffer;
 
-/// The variants of a stage by where its data is and what the scene has.
-#define NACRE_TILE_STAGE(name, counting)                                                                      \
-    (texels ? (cylinders ? shaders::name##TexelsCylinders##counting : shaders::name##TexelsSpheres##counting) \
-            : (cylinders ? shaders::name##StorageCylinders##counting : shaders::name##StorageSpheres##counting))
+/// What a scene has: spheres alone, cylinders beside them, or triangles beside both.
+enum class TileScene : std::uint8_t { spheres, cylinders, triangles };
+inline TileScene tileScene(const SceneBuffers& scene) {
+    return scene.triangleCount > 0   ? TileScene::triangles
+           : scene.cylinderCount > 0 ? TileScene::cylinders
+                                     : TileScene::spheres;
+}
+
+/// The variants of a stage by what the scene has, and by where its data is.
+#define NACRE_TILE_SCENE(name, counting)                                  \
+    (scene == TileScene::triangles   ? shaders::name##Triangles##counting \
+     : scene == TileScene::cylinders ? shaders::name##Cylinders##counting \
+                                     : shaders::name##Spheres##counting)
+#define NACRE_TILE_STAGE(name, counting) \
+    (texels ? NACRE_TILE_SCENE(name##Texels, counting) : NACRE_TILE_SCENE(name##Storage, counting))
 
 /// Sets one binding after another.
 class TileBindings {

@@ -36,7 +36,7 @@ constexpr Type kSampleStorage[] = {Type::eCombinedImageSampler,
 constexpr Type kColorTexels[] = {kTexel};
 constexpr Type kColorStorage[] = {kStorage};
 
-Stage sampleStage(bool texels, bool cylinders) {
+Stage sampleStage(bool texels, TileScene scene) {
     return {NACRE_TILE_STAGE(tileEdges, ), NACRE_TILE_STAGE(tileEdges, Counting)};
 }
 
@@ -50,7 +50,7 @@ void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::Imag
     const std::span<const Type> types = caps.texels ? std::span<const Type>(kSampleTexels) : kSampleStorage;
     const gpu::Layout& layout = context.pipelines.layout(
         {"edges by tiles", types, kCompute, sizeof(layout::TileConstants), view.fragments != nullptr});
-    const Stage stage = sampleStage(caps.texels, scene.cylinderCount > 0);
+    const Stage stage = sampleStage(caps.texels, tileScene(scene));
     gpu::ComputePipeline d{context.pass, stage.of(view), {}, *layout.pipeline};
     setTileView(d.constants, view);
     setShadingConstants(d.constants, view);

@@ -65,6 +65,7 @@ layout::TileConstants constantsOf(const layout::ViewConstants& c, const PlacedCo
     t.clipFar = c.clipFar;
     t.contourWidth = c.contourWidth;
     t.contourDepth = c.contourDepth;
+    t.cylinders = c.cylinders;
     return t;
 }
 
@@ -77,7 +78,10 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     TileFrame& frame = **free;
     const std::vector<TileCall> spheres = callsOf(seen, seen.copies.spheres, 0);
     const std::vector<TileCall> cylinders = callsOf(seen, seen.copies.cylinders, seen.constants.spheres);
-    frame.lists.build(tileView(seen, view, image), r.spheres, spheres, r.cylinders, cylinders);
+    const std::vector<TileCall> triangles =
+        callsOf(seen, seen.copies.triangles, seen.constants.spheres + seen.constants.cylinders);
+    frame.lists.build(tileView(seen, view, image),
+                      {r.spheres, spheres, r.cylinders, cylinders, r.triangles, r.meshVertices, triangles});
     if (frame.lists.longest() > kLongestList) return nullptr;
     frame.copies = !r.copies.transforms.empty();
     frame.constants = constantsOf(seen.constants, seen.copies, frame.lists);

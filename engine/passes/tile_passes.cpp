@@ -29,12 +29,12 @@ constexpr vk::VertexInputBindingDescription kSpanBindings[] = {
 constexpr vk::VertexInputAttributeDescription kSpanAttributes[] = {
     {0, 0, vk::Format::eR32G32B32A32Sfloat, 0}, {1, 0, vk::Format::eR32G32Uint, offsetof(TileSpanVertex, left)}};
 
-gpu::ShaderWords nearestShader(bool texels, bool cylinders, bool shaded) {
-    if (shaded) return cylinders ? shaders::tileShadedCylinders : shaders::tileShadedSpheres;
+gpu::ShaderWords nearestShader(bool texels, TileScene scene, bool shaded) {
+    if (shaded) return NACRE_TILE_SCENE(tileShaded, );
     return NACRE_TILE_STAGE(tileNearest, );
 }
 
-Stage shadeShader(Output output, bool texels, bool cylinders) {
+Stage shadeShader(Output output, bool texels, TileScene scene) {
     switch (output) {
         case Output::surface:
             return {NACRE_TILE_STAGE(tileSurface, ), NACRE_TILE_STAGE(tileSurface, Counting)};
@@ -60,7 +60,7 @@ void findNearestByTiles(gpu::PassContext& context, const SceneView& view, std::o
                                                       : kNearestStorage;
     const gpu::Layout& layout =
         context.pipelines.layout({"nearest primitive by tiles", types, kCompute, sizeof(layout::TileConstants)});
-    const gpu::ShaderWords code = nearestShader(caps.texels, scene.cylinderCount > 0, atlas.has_value());
+    const gpu::ShaderWords code = nearestShader(caps.texels, tileScene(scene), atlas.has_value());
     gpu::ComputePipeline d{context.pass, code, {}, *layout.pipeline};
     setTileView(d.constants, view);
     if (atlas) setShadingConstants(d.constants, view);
@@ -98,7 +98,7 @@ void shadeTiles(gpu::PassContext& context, const SceneView& view, Output output,
     gpu::GraphicsPipeline d = context.pipeline();
     d.detail = "tiles";
     d.vertex = shaders::tileSpanVertex;
-    d.fragment = shadeShader(output, texels, scene.cylinderCount > 0).of(view);
+    d.fragment = shadeShader(output, texels, tileScene(scene)).of(view);
     setTileView(d.constants, view);
     setShadingConstants(d.constants, view);
     d.streams = spanStreams();

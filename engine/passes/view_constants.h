@@ -15,8 +15,7 @@ inline layout::ViewConstants viewConstants(const View& view, float snapPixels, d
     constexpr double kRoom = 1.0;
     const double range = 2.0 * (view.radius + kRoom);
     layout::ViewConstants c{};
-    c.ndcPerAngstrom =
-        glm::vec2(2.0 * view.pixelsPerAngstrom / view.width, -2.0 * view.pixelsPerAngstrom / view.height);
+    c.extent = view.width | view.height << 16;
     c.origin = static_cast<float>(origin);
     const double right = view.pan.x * view.pixelsPerAngstrom, down = -view.pan.y * view.pixelsPerAngstrom;
     constexpr double kTurned[4][4] = {{1, 0, 0, 1}, {0, -1, 1, 0}, {-1, 0, 0, -1}, {0, 1, -1, 0}};

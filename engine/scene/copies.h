@@ -11,7 +11,7 @@
 
 namespace nacre {
 
-/// Neighbouring spheres, or neighbouring cylinders, that have the same copies.
+/// Neighbouring spheres, neighbouring cylinders, or neighbouring triangles, that have the same copies.
 struct PrimitiveRun {
     std::uint32_t first = 0, count = 0;
     std::uint32_t list = 0;  ///< index into Copies::lists
@@ -23,7 +23,8 @@ struct PrimitiveRun {
 struct Copies {
     std::vector<glm::dmat4x3> transforms;           ///< p -> transform * vec4(p, 1); no two the same
     std::vector<std::vector<std::uint32_t>> lists;  ///< of transforms, ascending; no two the same
-    std::vector<PrimitiveRun> spheres, cylinders;   ///< in the order of the primitives; together all of them
+    /// In the order of the primitives; together all of them.
+    std::vector<PrimitiveRun> spheres, cylinders, triangles;
     /// Packed as in colors.h, at most kMostCopyColors: that copies take in turn, where a primitive's colour is only a
     /// tint of it (isCopyTint). Empty: all copies look the same.
     std::vector<std::uint32_t> colors;

@@ -11,6 +11,7 @@
 #include "engine/scene/appearance.h"
 #include "engine/scene/bounds.h"
 #include "engine/scene/copies.h"
+#include "engine/scene/mesh_streams.h"
 
 namespace nacre {
 
@@ -37,7 +38,7 @@ struct CylinderLook {
     std::uint32_t atomA, atomB;
 };
 
-/// Neighbouring spheres, or neighbouring cylinders, of one of several models.
+/// Neighbouring spheres, neighbouring cylinders, or neighbouring triangles, of one of several models.
 struct ModelRun {
     std::uint32_t first = 0, count = 0;
     std::uint32_t model = 0;  ///< from 0
@@ -48,14 +49,17 @@ struct Representation {
     std::vector<SphereLook> sphereLooks;  ///< same length as spheres
     std::vector<Cylinder> cylinders;
     std::vector<CylinderLook> cylinderLooks;  ///< same length as cylinders
-    Copies copies;                            ///< of an assembly; relative to center, too
+    std::vector<Triangle> triangles;          ///< of cartoons and surfaces
+    std::vector<MeshVertex> meshVertices;
+    std::vector<SphereLook> meshLooks;  ///< that vertices share
+    Copies copies;                      ///< of an assembly; relative to center, too
     /// Models that are drawn together and do not occlude each other, in the order of the primitives; together all of
     /// them. Empty: whatever is drawn occludes.
-    std::vector<ModelRun> sphereModels, cylinderModels;
+    std::vector<ModelRun> sphereModels, cylinderModels, triangleModels;
     /// Middle of the axis-aligned box of the drawn atoms' centres, Å, in the file's frame; of those of all models of
     /// the file, if they share a camera.
     glm::dvec3 center{};
-    double radius = 0;           ///< max(|p - center| + r) over the same spheres, Å
+    double radius = 0;           ///< max(|p - center| + r) over the same spheres, and the meshes' vertices, Å
     std::size_t drawnAtoms = 0;  ///< of all copies
     std::size_t drawnBonds = 0;
     std::vector<Legend> legends;        ///< what the colours mean

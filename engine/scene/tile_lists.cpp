@@ -93,6 +93,41 @@ void TileLists::addCylinders(const TileView& view, std::span<const Cylinder> cyl
     }
 }
 
+/// Where the vertices of some triangles are seen, pixels, and their Z.
+void TileLists::placeCorners(const TileView& view, std::span<const Triangle> triangles,
+                             std::span<const MeshVertex> vertices, const glm::vec4* rows) {
+    std::uint32_t first = UINT32_MAX, end = 0;
+    for (const Triangle& t : triangles) {
+        first = std::min({first, t.a, t.b, t.c});
+        end = std::max({end, t.a + 1, t.b + 1, t.c + 1});
+    }
+    corners_.resize(vertices.size());
+    for (std::uint32_t i = first; i < end; ++i) {
+        const glm::vec3 p = placed(rows, positionOf(vertices[i], triangles.front().step));
+        const float Z = view.origin - p.z;
+        const glm::vec2 q = view.perspective ? glm::vec2(p) * (view.origin / Z) : glm::vec2(p);
+        corners_[i] = glm::vec3(pixelOf(view, q), Z);
+    }
+}
+
+void TileLists::addTriangles(const TileView& view, const TileScenery& s, const TileCall& call) {
+    const float outside = view.contour * view.pixels;
+    constexpr float kRoom = 1e-3f;  // Å, for what rounding does to Z
+    for (std::uint32_t first = call.first, end = first; end < call.first + call.count; first = end) {
+        // Those of a mesh stand together, and are in the same step.
+        const float step = s.triangles[first].step;
+        while (end < call.first + call.count && s.triangles[end].step == step) ++end;
+        placeCorners(view, s.triangles.subspan(first, end - first), s.vertices, call.rows);
+        for (std::uint32_t i = first; i < end; ++i) {
+            const Triangle& t = s.triangles[i];
+            const glm::vec3 &a = corners_[t.a], &b = corners_[t.b], &c = corners_[t.c];
+            const glm::vec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
+            if (high.z + kRoom < view.clipNear || low.z - kRoom > view.clipFar) continue;
+            add(view, call.number + i, glm::vec2(low) - outside, glm::vec2(high) + outside, low.z - kRoom);
+        }
+    }
+}
+
 void TileLists::order() {
     std::array<std::uint32_t, kDepthSteps + 1> at{};
     for (const Kept& k : kept_) ++at[k.step + 1];
@@ -138,13 +173,13 @@ void TileLists::listTiles() {
         for (std::size_t i = hand; i < slots_.size(); i += kHands) tiles_.push_back(slots_[i]);
 }
 
-void TileLists::build(const TileView& view, std::span<const Sphere> spheres, std::span<const TileCall> sphereCalls,
-                      std::span<const Cylinder> cylinders, std::span<const TileCall> cylinderCalls) {
+void TileLists::build(const TileView& view, const TileScenery& s) {
     across_ = (view.width + kBinPixels - 1) / kBinPixels;
     down_ = (view.height + kBinPixels - 1) / kBinPixels;
     kept_.clear();
-    for (const TileCall& call : sphereCalls) addSpheres(view, spheres, call);
-    for (const TileCall& call : cylinderCalls) addCylinders(view, cylinders, call);
+    for (const TileCall& call : s.sphereCalls) addSpheres(view, s.spheres, call);
+    for (const TileCall& call : s.cylinderCalls) addCylinders(view, s.cylinders, call);
+    for (const TileCall& call : s.triangleCalls) addTriangles(view, s, call);
     order();
     count();
     listTiles();

@@ -34,6 +34,17 @@ struct TileCall {
     std::uint32_t number = 0;  ///< of the stream's first primitive there
 };
 
+/// All that a view is asked about.
+struct TileScenery {
+    std::span<const Sphere> spheres;
+    std::span<const TileCall> sphereCalls;
+    std::span<const Cylinder> cylinders;
+    std::span<const TileCall> cylinderCalls;
+    std::span<const Triangle> triangles = {};
+    std::span<const MeshVertex> vertices = {};
+    std::span<const TileCall> triangleCalls = {};
+};
+
 /// Bins of `kBinPixels` a side, row by row from the top left, each with its list, and the tiles of those bins whose
 /// list is not empty. Kept from frame to frame, it allocates nothing once it has seen the largest.
 class TileLists {
@@ -60,8 +71,7 @@ public:
     };
 
     /// Sorts and counts; offsets(), tiles() and spans() are good until the next call.
-    void build(const TileView& view, std::span<const Sphere> spheres, std::span<const TileCall> sphereCalls,
-               std::span<const Cylinder> cylinders, std::span<const TileCall> cylinderCalls);
+    void build(const TileView& view, const TileScenery& scenery);
 
     std::uint32_t across() const { return across_; }
     std::uint32_t down() const { return down_; }
@@ -85,6 +95,9 @@ private:
     void add(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near);
     void addSpheres(const TileView& view, std::span<const Sphere> spheres, const TileCall& call);
     void addCylinders(const TileView& view, std::span<const Cylinder> cylinders, const TileCall& call);
+    void placeCorners(const TileView& view, std::span<const Triangle> triangles, std::span<const MeshVertex> vertices,
+                      const glm::vec4* rows);
+    void addTriangles(const TileView& view, const TileScenery& scenery, const TileCall& call);
     void order();
     void count();
     void listTiles();
@@ -94,6 +107,7 @@ private:
     std::vector<std::uint32_t> order_, offsets_, cursors_;
     std::vector<Tile> tiles_, slots_;
     std::vector<Span> spans_;
+    std::vector<glm::vec3> corners_;  // pixel and Z of each vertex, at the place of a call
 };
 
 }  // namespace nacre

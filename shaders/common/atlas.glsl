@@ -1,5 +1,5 @@
-// Where the patch of a primitive lies in the occlusion atlas: rows of spheres' patches, then rows of cylinders'
-// (engine/occlusion/atlas_layout.h). It follows from the primitive's number, so that no stream says it.
+// Where the patch of a primitive lies in the occlusion atlas: rows of spheres' patches, then rows of cylinders',
+// then the vertices of meshes, two texels each (engine/occlusion/atlas_layout.h). It follows from the primitive's number, so that no stream says it.
 #include "divide.glsl"
 #include "view.glsl"
 
@@ -16,4 +16,13 @@ uint cylinderPatch(uint index) {
     uint top = (view.spheres + spherePatches - 1u) / spherePatches * sphereEdge();
     uvec2 at = divided(index, view.patchesInRow >> 16).yx * cylinderTexels();
     return at.x | (at.y + top) << 16;
+}
+
+/// Where a vertex's texel stands. @param side  0 the outer one, 1 the inner one
+ivec2 vertexPlace(uint vertex, uint side) {
+    uint spherePatches = view.patchesInRow & 0xffffu, cylinderPatches = view.patchesInRow >> 16;
+    uint top = (view.spheres + spherePatches - 1u) / spherePatches * sphereEdge() +
+               (view.cylinders + cylinderPatches - 1u) / cylinderPatches * cylinderTexels().y;
+    uvec2 at = divided(2u * vertex + side, uint(1.0 / view.atlasTexel.x + 0.5));
+    return ivec2(at.y, at.x + top);
 }

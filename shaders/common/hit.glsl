@@ -1,5 +1,7 @@
 // THE arithmetic of visibility: the hit of a pixel on a primitive's record. Every pass and every path calls these
 // functions on gl_FragCoord and flat records, so that all of them get the same bits.
+#ifndef NACRE_HIT_GLSL
+#define NACRE_HIT_GLSL
 #include "view.glsl"
 
 struct Hit {
@@ -10,9 +12,14 @@ struct Hit {
     float along;   // cylinders: 0 at a, 1 at b
     bool cap;      // on the near clipping plane, inside of what it cuts
     bool contour;  // beside the primitive, on the line about it
+    vec3 shares;   // triangles: of the corners, together 1
+    uint corner;   // triangles: the first of those that look the same and together have the largest share
+    bool back;     // triangles: seen from behind
 };
 
-Hit noHit() { return Hit(false, 0.0, 0.0, vec3(0.0, 0.0, 1.0), 0.0, false, false); }
+Hit noHit() {
+    return Hit(false, 0.0, 0.0, vec3(0.0, 0.0, 1.0), 0.0, false, false, vec3(0.0), 0u, false);
+}
 
 /// A hit on the skin becomes one on the cap, or none, where a plane cuts it away.
 /// @param deep  how deep the pixel's point of the near plane lies in the primitive: 1 innermost, 0 on its skin
@@ -154,3 +161,75 @@ Hit cylinderHitThrough(vec3 a, vec3 b, float r, vec2 q) {
     return hit;
 }
 Hit cylinderHit(vec3 a, vec3 b, float r, vec2 fragment) { return cylinderHitThrough(a, b, r, planePoint(fragment)); }
+
+/// A corner of a triangle as the picture has it: where it stands on the plane z = 0, and its Z, or, in perspective, 1 / Z,
+/// which is linear there.
+vec3 projected(vec3 p) {
+    precise float Z = view.origin - p.z;
+    if (!kPerspective) return vec3(p.xy, Z);
+    precise float nearness = 1.0 / Z;
+    precise vec2 at = p.xy * (view.origin * nearness);
+    return vec3(at, nearness);
+}
+/// Twice the area between the pixel and an edge, from two corners as the pixel sees them. The two triangles of an edge get
+/// the same number but for its sign, whatever is rounded: so every pixel on it is in one of them, or in both.
+float edgeSide(vec2 from, vec2 to) {
+    precise float side = from.x * to.y - from.y * to.x;
+    return side;
+}
+/// The place on an edge that is nearest to the pixel: its distance, and what it has of the second corner.
+vec2 nearestOnEdge(vec2 from, vec2 to) {
+    precise vec2 way = to - from;
+    precise float share = clamp(-dot(from, way) / max(dot(way, way), 1e-20), 0.0, 1.0);
+    precise vec2 at = from + way * share;
+    precise float distance = sqrt(dot(at, at));
+    return vec2(distance, share);
+}
+
+/// A triangle by its corners as projected() gives them. Depth is that of its plane, as a mean of its corners': a hit never
+/// lies before or behind all of them, however the triangle is tilted.
+/// Where the near plane cuts a mesh, one looks onto its inner side: that shows as the cap, in its own depth.
+/// @param joins  which corners look the same: 1 a and b, 2 b and c, 4 c and a
+Hit triangleHitThrough(vec3 a, vec3 b, vec3 c, uint joins, vec2 q) {
+    Hit hit = noHit();
+    precise vec2 pa = a.xy - q, pb = b.xy - q, pc = c.xy - q;
+    precise float ofA = edgeSide(pb, pc), ofB = edgeSide(pc, pa), ofC = edgeSide(pa, pb);
+    precise float sum = ofA + ofB + ofC;
+    hit.inside = (min(ofA, min(ofB, ofC)) >= 0.0 || max(ofA, max(ofB, ofC)) <= 0.0) && sum != 0.0;
+    hit.back = sum < 0.0;
+    precise float unit = 1.0 / (sum == 0.0 ? 1.0 : sum);
+    precise vec3 shares = vec3(ofA, ofB, ofC) * unit;
+    precise float along = shares.x * a.z + shares.y * b.z + shares.z * c.z;
+    if (kPerspective) {
+        precise float Z = 1.0 / along;
+        precise vec3 inSpace = vec3(shares.x * a.z, shares.y * b.z, shares.z * c.z) * Z;
+        hit.Z = Z;
+        hit.shares = inSpace;
+    } else {
+        hit.Z = along;
+        hit.shares = shares;
+    }
+    bool within = hit.inside;
+    if (kClip) {
+        hit.inside = hit.inside && hit.Z >= view.clipNear && hit.Z <= view.clipFar;
+        hit.cap = hit.inside && hit.back && view.clipNear > -1e29;
+    }
+    hit.order = hit.Z;
+    if (kContours > 0 && !within) {
+        vec2 ab = nearestOnEdge(pa, pb), bc = nearestOnEdge(pb, pc), ca = nearestOnEdge(pc, pa);
+        bool first = ab.x <= bc.x && ab.x <= ca.x, second = !first && bc.x <= ca.x;
+        float share = first ? ab.y : second ? bc.y : ca.y;
+        hit.shares = first    ? vec3(1.0 - share, share, 0.0)
+                     : second ? vec3(0.0, 1.0 - share, share)
+                              : vec3(share, 0.0, 1.0 - share);
+        precise float on = hit.shares.x * a.z + hit.shares.y * b.z + hit.shares.z * c.z;
+        precise float Z = kPerspective ? 1.0 / on : on;
+        bool kept = !kClip || (Z >= view.clipNear && Z <= view.clipFar);
+        drawContour(hit, kept ? min(ab.x, min(bc.x, ca.x)) : 1e9, view.contourWidth, Z);
+    }
+    vec3 joined = vec3(joins & 1u, joins >> 1 & 1u, joins >> 2);  // a and b, b and c, c and a
+    precise vec3 alike = hit.shares + joined * hit.shares.yzx + joined.zxy * hit.shares.zxy;
+    hit.corner = alike.x >= max(alike.y, alike.z) ? 0u : alike.y >= alike.z ? 1u : 2u;
+    return hit;
+}
+#endif

@@ -67,23 +67,24 @@ struct ViewConstants {
     vec4 row0;  // the copy that is drawn, xyz: a row of its rotation into view space, w: of its shift
     vec4 row1;
     vec4 row2;
-    vec2 ndcPerAngstrom;  // on the plane z = 0; y is negative, since Vulkan's y points down
-    float origin;         // of Z
-    uint numberBefore;    // that of the copy's first primitive: primitives are counted from 1 over all copies
-    vec2 axisPixel;       // where the view axis meets the framebuffer, pixels
-    float pixel;          // across, at z = 0
-    float snap;           // how far the rasteriser may move a vertex, at z = 0
-    float depthStart;     // Z at encoded depth 0
-    float perRange;       // 1 / (range of Z)
-    uint primitives;      // in a copy
-    uint spheres;         // of the primitives in a copy
-    vec2 atlasTexel;      // 1 / texels of the atlas
-    uint patchTexels;     // from the lowest byte on: across a sphere's patch, around and along a cylinder's
-    uint patchesInRow;    // of the atlas: of spheres, from bit 16 on of cylinders
-    float clipNear;       // Z that is cut away, up to this
-    float clipFar;        // and from this on
-    float contourWidth;   // at z = 0
-    float contourDepth;   // Å by which depth jumps behind a contour line
+    uint extent;         // of the upright view: width, from bit 16 on height, pixels
+    uint cylinders;      // of the primitives in a copy, after the spheres and before the triangles
+    float origin;        // of Z
+    uint numberBefore;   // that of the copy's first primitive: primitives are counted from 1 over all copies
+    vec2 axisPixel;      // where the view axis meets the framebuffer, pixels
+    float pixel;         // across, at z = 0
+    float snap;          // how far the rasteriser may move a vertex, at z = 0
+    float depthStart;    // Z at encoded depth 0
+    float perRange;      // 1 / (range of Z)
+    uint primitives;     // in a copy
+    uint spheres;        // of the primitives in a copy
+    vec2 atlasTexel;     // 1 / texels of the atlas
+    uint patchTexels;    // from the lowest byte on: across a sphere's patch, around and along a cylinder's
+    uint patchesInRow;   // of the atlas: of spheres, from bit 16 on of cylinders
+    float clipNear;      // Z that is cut away, up to this
+    float clipFar;       // and from this on
+    float contourWidth;  // at z = 0
+    float contourDepth;  // Å by which depth jumps behind a contour line
 };
 
 /// Push constants of the passes that draw by tiles. What stands in ViewConstants, too, means the same.
@@ -108,7 +109,7 @@ struct TileConstants {
     float clipFar;
     float contourWidth;
     float contourDepth;
-    float unused;
+    uint cylinders;
 };
 
 /// What the effects of shading work with: a uniform buffer.
@@ -161,7 +162,7 @@ struct Direction {
 
 #ifdef __cplusplus
 static_assert(sizeof(ViewConstants) == 128, "push constants: 128 bytes at most");
-static_assert(offsetof(ViewConstants, ndcPerAngstrom) == 48 && offsetof(ViewConstants, axisPixel) == 64 &&
+static_assert(offsetof(ViewConstants, extent) == 48 && offsetof(ViewConstants, axisPixel) == 64 &&
               offsetof(ViewConstants, depthStart) == 80 && offsetof(ViewConstants, atlasTexel) == 96 &&
               offsetof(ViewConstants, clipNear) == 112);
 static_assert(sizeof(TileConstants) == 128 && offsetof(TileConstants, axisPixel) == 56 &&

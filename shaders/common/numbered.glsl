@@ -1,5 +1,5 @@
 // What is seen at a pixel whose primitive is known by its number, for shaders that draw by tiles.
-//   CYLINDERS   the scene has some
+//   CYLINDERS, TRIANGLES   the scene has some
 #include "color.glsl"
 #include "streams.glsl"
 
@@ -14,6 +14,17 @@ struct Seen {
 Seen seenOf(uint number, vec2 q) {
     Seen seen;
     uint index = place(number);
+#ifdef TRIANGLES
+    if (isTriangle(index)) {
+        Facet f = facetOf(index);
+        seen.hit = facetHitThrough(f, q);
+        smoothNormal(seen.hit, uvec3(f.a.z, f.b.z, f.c.z));
+        seen.look = seen.hit.corner == 0u ? f.a.w : seen.hit.corner == 1u ? f.b.w : f.c.w;
+        seen.atom = seen.look + 1u;
+        seen.occlusion = meshOcclusion(seen.hit, f.vertices);
+        return seen;
+    }
+#endif
 #ifdef CYLINDERS
     if (index >= view.spheres) {
         index -= view.spheres;

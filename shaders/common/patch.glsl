@@ -1,5 +1,7 @@
 // Patches of the occlusion atlas. The texels of a patch stand on its corners and edges too, so that bilinear
 // interpolation inside a patch needs no gutter and meets itself where the map is folded or wrapped.
+#ifndef NACRE_PATCH_GLSL
+#define NACRE_PATCH_GLSL
 
 /// Octahedral map of a unit vector to [0, 1]^2 (Meyer et al. 2010, "On Floating-Point Normal Vectors").
 vec2 octahedralCoordinate(vec3 n) {
@@ -36,3 +38,4 @@ vec3 directionAbout(vec3 w, float around) {
     float angle = (around - 0.5) * kTwoPi;
     return u * cos(angle) + v * sin(angle);
 }
+#endif

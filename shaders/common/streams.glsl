@@ -9,23 +9,47 @@
 layout(constant_id = kCopiesId) const bool kCopies = false;
 
 #ifdef TEXELS
-layout(set = 0, binding = STREAMS) uniform samplerBuffer shapeTexels;
+layout(set = 0, binding = STREAMS) uniform usamplerBuffer shapeTexels;
 layout(set = 0, binding = STREAMS + 1) uniform samplerBuffer rowTexels;
-vec4 shapeAt(uint i) { return texelFetch(shapeTexels, int(i)); }
+uvec4 shapeBits(uint i) { return texelFetch(shapeTexels, int(i)); }
 vec4 rowAt(uint i) { return texelFetch(rowTexels, int(i)); }
 #ifdef LOOKS
 layout(set = 0, binding = LOOKS) uniform usamplerBuffer lookTexels;
 uint lookAt(uint i) { return texelFetch(lookTexels, int(i)).x; }
 #endif
 #else
-layout(set = 0, binding = STREAMS, std430) readonly buffer Shapes { vec4 shapes[]; };
+layout(set = 0, binding = STREAMS, std430) readonly buffer Shapes { uvec4 shapes[]; };
 layout(set = 0, binding = STREAMS + 1, std430) readonly buffer Rows { vec4 rows[]; };
-vec4 shapeAt(uint i) { return shapes[i]; }
+uvec4 shapeBits(uint i) { return shapes[i]; }
 vec4 rowAt(uint i) { return rows[i]; }
 #ifdef LOOKS
 layout(set = 0, binding = LOOKS, std430) readonly buffer Looks { uint looks[]; };
 uint lookAt(uint i) { return looks[i]; }
 #endif
+#endif
+
+vec4 shapeAt(uint i) { return uintBitsToFloat(shapeBits(i)); }
+
+#ifdef TRIANGLES
+#include "mesh.glsl"
+
+/// A triangle by its vertices.
+struct Facet {
+    uvec4 a, b, c;
+    uvec3 vertices;  // their numbers
+    float step;      // that they are in
+};
+Hit facetHitThrough(Facet f, vec2 q) {
+    return triangleHitThrough(cornerOf(f.a, f.step), cornerOf(f.b, f.step), cornerOf(f.c, f.step),
+                              joinsOf(f.a.w, f.b.w, f.c.w), q);
+}
+/// @param index  of the primitive in its copy: their records stand one behind another after those of cylinders, two each
+Facet facetOf(uint index) {
+    uvec4 record = shapeBits(index + view.cylinders);
+    return Facet(shapeBits(record.x), shapeBits(record.y), shapeBits(record.z),
+                 record.xyz - (view.primitives + view.cylinders), uintBitsToFloat(record.w));
+}
+bool isTriangle(uint index) { return index >= view.spheres + view.cylinders; }
 #endif
 
 /// Sets the copy that a number stands for. @returns the primitive in it: spheres first, then cylinders

@@ -24,12 +24,18 @@ vec4 handed(vec4 v, uint from) {
                 subgroupShuffle(v.w, from));
 }
 
+#ifdef TRIANGLES
+#include "tile_facets.glsl"
+#endif
+
 /// A primitive of a list.
 struct Entry {
     uint number;
-    bool cylinder;
+    bool cylinder, facet;
     bool meets;  // a rectangle
-    vec4 a, b;   // view space: centre and radius; a cylinder's ends
+    vec4 a, b;   // view space: centre and radius; a cylinder's ends; a triangle's corners, as they are projected
+    vec3 c;
+    uint joins;  // of a triangle's corners
     float next;  // encoded depth before which nothing of the following chunk begins, as the chunk's last lane has it
 };
 
@@ -38,7 +44,14 @@ Entry entryAt(uint number, vec2 middle, vec2 reach) {
     Entry e;
     e.number = number;
     uint index = place(number);
-    e.cylinder = false;
+    e.cylinder = e.facet = false;
+    e.c = vec3(0.0);
+    e.joins = 0u;
+#ifdef TRIANGLES
+    e.facet = isTriangle(index);
+    Facet f = facetOf(e.facet ? index : view.spheres + view.cylinders);
+    index = e.facet ? 0u : index;
+#endif
 #ifdef CYLINDERS
     e.cylinder = index >= view.spheres;
     index = e.cylinder ? 2u * index - view.spheres : index;
@@ -62,7 +75,18 @@ Entry entryAt(uint number, vec2 middle, vec2 reach) {
 #else
     e.b = vec4(0.0);
 #endif
+    float begins = view.origin - front - e.a.w * 1.001;
+#ifdef TRIANGLES
+    if (e.facet) {
+        e.a = vec4(cornerOf(f.a, f.step), 0.0);
+        e.b = vec4(cornerOf(f.b, f.step), 0.0);
+        e.c = cornerOf(f.c, f.step);
+        e.joins = joinsOf(f.a.w, f.b.w, f.c.w);
+        e.meets = facetMeets(e.a.xyz, e.b.xyz, e.c, middle, reach);
+        begins = facetBegins(e.a.xyz, e.b.xyz, e.c);
+    }
+#endif
     // What follows begins behind the chunk's last entry, up to a step of the order.
-    e.next = encodedDepth(view.origin - front - e.a.w * 1.001) - view.depthStep;
+    e.next = encodedDepth(begins) - view.depthStep;
     return e;
 }

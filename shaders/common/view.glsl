@@ -69,9 +69,9 @@ float reachOf(float z, float radius) {
 #ifndef TILES
 /// Clip position of a point of the plane z = 0 at encoded depth d. w = 1: depth is constant over a polygon.
 vec4 clipPosition(vec2 q, float d) {
-    vec2 perPixel = vec2(view.ndcPerAngstrom.x, -view.ndcPerAngstrom.y) * view.pixel;  // NDC
+    vec2 perPixel = 2.0 / vec2(view.extent & 0xffffu, view.extent >> 16);  // NDC
     vec2 axis = view.axisPixel * ((kQuarterTurns & 1) == 1 ? perPixel.yx : perPixel) - 1.0;
-    return vec4(turned(q * view.ndcPerAngstrom) + (kWholeImage ? axis : vec2(0.0)), clamp(d, 0.0, 1.0), 1.0);
+    return vec4(turned(vec2(q.x, -q.y) / view.pixel * perPixel) + (kWholeImage ? axis : vec2(0.0)), clamp(d, 0.0, 1.0), 1.0);
 }
 #endif
 #endif

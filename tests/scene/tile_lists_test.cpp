@@ -23,7 +23,13 @@ struct Seen {
     std::vector<Cylinder> cylinders;
     std::vector<glm::vec4> rows;
     std::vector<TileCall> sphereCalls, cylinderCalls;
+    Representation mesh;
+    std::vector<TileCall> triangleCalls;
     TileView view;
+
+    TileScenery scenery() const {
+        return {spheres, sphereCalls, cylinders, cylinderCalls, mesh.triangles, mesh.meshVertices, triangleCalls};
+    }
 };
 
 class Numbers {
@@ -36,7 +42,23 @@ private:
     std::mt19937 engine_;
 };
 
-/// Balls and sticks of many sizes at the places of one to three copies, seen from anywhere, zoomed in or out.
+/// Two meshes of triangles large and small, in two steps.
+void addTriangles(Numbers& number, Seen& s) {
+    for (const double reach : {8.0, 2.5}) {
+        Mesh mesh;
+        for (std::uint32_t i = 0; i < 20; ++i) {
+            mesh.positions.push_back(glm::vec3(number.within(reach)));
+            mesh.normals.emplace_back(0, 0, 1);
+            mesh.atoms.push_back(0);
+            if (i >= 2) mesh.triangles.emplace_back(i, i - 1, i - 2);
+        }
+        appendMesh(
+            mesh, glm::dvec3(0), [](std::uint32_t) { return SphereLook{}; }, s.mesh);
+    }
+}
+
+/// Balls, sticks and triangles of many sizes at the places of one to three copies, seen from anywhere, zoomed in or
+/// out.
 Seen randomSeen(std::uint32_t seed, bool perspective, int quarterTurns) {
     Numbers number(seed);
     Seen s;
@@ -47,6 +69,7 @@ Seen randomSeen(std::uint32_t seed, bool perspective, int quarterTurns) {
         s.cylinders.push_back(
             {glm::vec3(a), static_cast<float>(std::exp(number(-4, 0))), glm::vec3(a + number.within(3)), 0});
     }
+    addTriangles(number, s);
     const int copies = static_cast<int>(number(1, 3.99));
     for (int c = 0; c < copies; ++c) {
         const glm::dmat3 turn =
@@ -55,9 +78,10 @@ Seen randomSeen(std::uint32_t seed, bool perspective, int quarterTurns) {
         for (int i = 0; i < 3; ++i) s.rows.emplace_back(turn[0][i], turn[1][i], turn[2][i], shift[i]);
     }
     for (int c = 0; c < copies; ++c) {
-        const auto base = static_cast<std::uint32_t>(65 * c + 1);
+        const auto base = static_cast<std::uint32_t>(200 * c + 1);
         s.sphereCalls.push_back({&s.rows[static_cast<std::size_t>(3 * c)], 5, 35, base});
         s.cylinderCalls.push_back({&s.rows[static_cast<std::size_t>(3 * c)], 0, 25, base + 40});
+        s.triangleCalls.push_back({&s.rows[static_cast<std::size_t>(3 * c)], 3, 30, base + 65});
     }
     TileView& v = s.view;
     v.width = static_cast<std::uint32_t>(number(20, 150));
@@ -101,6 +125,18 @@ double distanceToSegment(const Ray& ray, const glm::dvec3& a, const glm::dvec3& 
     return glm::length(off + across * t);
 }
 
+/// A ray runs on the same side of all three edges of what it meets.
+bool meets(const Ray& ray, const glm::vec4* rows, const Representation& mesh, std::size_t triangle) {
+    const Triangle& t = mesh.triangles[triangle];
+    const auto from = [&](std::uint32_t i) {
+        return placed(rows, positionOf(mesh.meshVertices[i], t.step)) - ray.origin;
+    };
+    const glm::dvec3 a = from(t.a), b = from(t.b), c = from(t.c);
+    const double ab = glm::dot(ray.direction, glm::cross(a, b)), bc = glm::dot(ray.direction, glm::cross(b, c)),
+                 ca = glm::dot(ray.direction, glm::cross(c, a));
+    return (ab > 0 && bc > 0 && ca > 0) || (ab < 0 && bc < 0 && ca < 0);
+}
+
 std::vector<std::uint32_t> listsOf(TileLists& lists) {
     std::vector<std::uint32_t> numbers(lists.entries());
     lists.write(numbers.data());
@@ -115,7 +151,7 @@ TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
     std::size_t met = 0, listed = 0;
     for (std::uint32_t seed = 0; seed < 12; ++seed) {
         const Seen s = randomSeen(seed, perspective, turns);
-        lists.build(s.view, s.spheres, s.sphereCalls, s.cylinders, s.cylinderCalls);
+        lists.build(s.view, s.scenery());
         const std::vector<std::uint32_t> numbers = listsOf(lists);
         listed += numbers.size();
         ASSERT_EQ(lists.across(), (s.view.width + kBin - 1) / kBin);
@@ -146,6 +182,9 @@ TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
                         const glm::dvec3 a = placed(call.rows, c.a), b = placed(call.rows, c.b);
                         if (distanceToSegment(ray, a, b) < c.radius) expect(call.number + i, x, y);
                     }
+                for (const TileCall& call : s.triangleCalls)
+                    for (std::uint32_t i = call.first; i < call.first + call.count; ++i)
+                        if (meets(ray, call.rows, s.mesh, i)) expect(call.number + i, x, y);
             }
     }
     EXPECT_GT(met, 1000u);
@@ -157,7 +196,7 @@ TEST_P(TileListsTest, EveryListGoesFromNearToFar) {
     for (std::uint32_t seed = 100; seed < 110; ++seed) {
         const Seen s = randomSeen(seed, perspective, turns);
         TileLists lists;
-        lists.build(s.view, s.spheres, s.sphereCalls, s.cylinders, s.cylinderCalls);
+        lists.build(s.view, s.scenery());
         const std::vector<std::uint32_t> numbers = listsOf(lists);
         const auto nearOf = [&](std::uint32_t number) {
             for (const TileCall& call : s.sphereCalls)
@@ -169,6 +208,14 @@ TEST_P(TileListsTest, EveryListGoesFromNearToFar) {
                 if (number >= call.number && number < call.number + call.count) {
                     const Cylinder& c = s.cylinders[number - call.number];
                     return s.view.origin - std::max(placed(call.rows, c.a).z, placed(call.rows, c.b).z) - c.radius;
+                }
+            for (const TileCall& call : s.triangleCalls)
+                if (number >= call.number + call.first && number < call.number + call.first + call.count) {
+                    const Triangle& t = s.mesh.triangles[number - call.number];
+                    const auto z = [&](std::uint32_t k) {
+                        return placed(call.rows, positionOf(s.mesh.meshVertices[k], t.step)).z;
+                    };
+                    return s.view.origin - std::max({z(t.a), z(t.b), z(t.c)});
                 }
             ADD_FAILURE() << "no primitive has the number " << number;
             return 0.0;
@@ -186,7 +233,7 @@ TEST(TileLists, TilesAndSpansAreThoseOfBinsThatAreNotEmpty) {
     for (std::uint32_t seed = 200; seed < 230; ++seed) {
         const Seen s = randomSeen(seed, false, 0);
         TileLists lists;
-        lists.build(s.view, s.spheres, s.sphereCalls, s.cylinders, s.cylinderCalls);
+        lists.build(s.view, s.scenery());
         std::set<std::pair<std::uint32_t, std::uint32_t>> bins, inSpans;
         for (std::uint32_t y = 0; y < lists.down(); ++y)
             for (std::uint32_t x = 0; x < lists.across(); ++x)
@@ -224,10 +271,10 @@ TEST(TileLists, WhatIsOutsideThePictureIsNotKept) {
     view.origin = 120;
     view.range = 240;
     TileLists lists;
-    lists.build(view, spheres, {&call, 1}, {}, {});
+    lists.build(view, {spheres, {&call, 1}, {}, {}});
     EXPECT_EQ(lists.kept(), 1u);
     EXPECT_EQ(listsOf(lists), std::vector<std::uint32_t>(4, 1));  // about the corner of four bins
-    lists.build(view, {}, {}, {}, {});
+    lists.build(view, {});
     EXPECT_EQ(lists.kept(), 0u);
     EXPECT_TRUE(lists.tiles().empty());
     EXPECT_TRUE(lists.spans().empty());

@@ -1,0 +1,43 @@
+#pragma once
+// Meshes as streams: quantised vertices, triangles that name them, and the looks that vertices share.
+
+#include <cstdint>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "engine/mesh/mesh.h"
+#include "engine/scene/appearance.h"
+
+namespace nacre {
+
+struct Representation;
+struct SphereLook;
+
+/// A vertex as shaders read it (shaders/common/mesh.glsl). 16 bytes.
+struct MeshVertex {
+    /// Position in steps of its triangles, plus 2^20, 21 bits each: x, then the lower 11 bits of z, in `xz`; y, then
+    /// the upper 10 bits of z, in `yz`.
+    std::uint32_t xz = 0, yz = 0;
+    std::uint32_t normal = 0;  ///< octahedral map (shaders/common/patch.glsl), x and y as 16-bit fractions of [0, 1]
+    std::uint32_t look = 0;    ///< index into Representation::meshLooks
+};
+
+/// Three vertices, counter-clockwise seen from outside. 16 bytes.
+struct Triangle {
+    std::uint32_t a = 0, b = 0, c = 0;  ///< indices into Representation::meshVertices
+    float step = 1;                     ///< Å: a power of two, so that a position is exactly what its bits say
+};
+
+/// Where a vertex stands, as shaders have it. Å
+glm::vec3 positionOf(const MeshVertex& vertex, float step);
+glm::vec3 normalOf(const MeshVertex& vertex);
+
+/// Adds a mesh to the streams. What is not finite or has no area is left out; the others' neighbours stay joined.
+/// @param shift   Å, added to every position: from the mesh's origin to that of the representation
+/// @param lookOf  colour and number of an atom, asked once for each atom of the mesh
+/// @throws std::invalid_argument if the mesh's lists do not fit each other
+void appendMesh(const Mesh& mesh, const glm::dvec3& shift, const std::function<SphereLook(std::uint32_t)>& lookOf,
+                Representation& representation);
+
+}  // namespace nacre

@@ -1,0 +1,33 @@
+// Meshes as the streams have them (engine/scene/mesh_streams.h), and how a triangle's corners meet the view.
+#ifndef NACRE_MESH_GLSL
+#define NACRE_MESH_GLSL
+#include "hit.glsl"
+#include "patch.glsl"
+
+/// Of a vertex, in the steps of its triangle: whole numbers below 2^21 times a power of two, so exact.
+vec3 vertexPosition(uvec4 vertex, float step) {
+    uvec3 at = uvec3(vertex.xy & 0x1fffffu, vertex.x >> 21 | vertex.y >> 21 << 11);
+    return (vec3(at) - 1048576.0) * step;
+}
+vec3 vertexNormal(uint packed) {
+    return octahedralNormal(vec2(packed & 0xffffu, packed >> 16) * (1.0 / 65535.0));
+}
+/// As triangleHitThrough() takes it.
+vec3 cornerOf(uvec4 vertex, float step) { return projected(toView(vertexPosition(vertex, step))); }
+
+/// Which corners look the same, as triangleHitThrough() takes it.
+uint joinsOf(uint lookA, uint lookB, uint lookC) {
+    return uint(lookA == lookB) | uint(lookB == lookC) << 1 | uint(lookC == lookA) << 2;
+}
+
+/// Gives a hit the normal that its triangle's vertices have there, towards the viewer. @param packed  of the vertices
+void smoothNormal(inout Hit hit, uvec3 packed) {
+    precise vec3 n = vertexNormal(packed.x) * hit.shares.x + vertexNormal(packed.y) * hit.shares.y +
+                     vertexNormal(packed.z) * hit.shares.z;
+    precise vec3 v = vec3(dot(copyRow0.xyz, n), dot(copyRow1.xyz, n), dot(copyRow2.xyz, n));
+    precise float square = dot(v, v);
+    if (hit.cap || hit.contour || square == 0.0) return;
+    precise vec3 unit = v * ((hit.back ? -1.0 : 1.0) * inversesqrt(square));
+    hit.normal = unit;
+}
+#endif

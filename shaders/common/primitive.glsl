@@ -1,0 +1,18 @@
+// The primitive of a fragment, as the vertex stage of its kind hands it over, flat.
+//   CYLINDER, TRIANGLE   its kind; otherwise a sphere
+#include "hit.glsl"
+
+#if defined(CYLINDER)
+layout(location = 0) flat in vec4 endA;  // view space, radius
+layout(location = 1) flat in vec4 endB;
+Hit primitiveHit() { return cylinderHit(endA.xyz, endB.xyz, endA.w, gl_FragCoord.xy); }
+#elif defined(TRIANGLE)
+layout(location = 0) flat in vec3 cornerA;  // projected()
+layout(location = 1) flat in vec3 cornerB;
+layout(location = 2) flat in vec3 cornerC;
+layout(location = 3) flat in uint joins;
+Hit primitiveHit() { return triangleHitThrough(cornerA, cornerB, cornerC, joins, planePoint(gl_FragCoord.xy)); }
+#else
+layout(location = 0) flat in vec4 sphere;  // view space, radius
+Hit primitiveHit() { return sphereHit(sphere, gl_FragCoord.xy); }
+#endif

@@ -1,0 +1,23 @@
+// Triangles in the lists of the `tiles` path, by their corners as projected() gives them.
+
+vec3 handedCorner(vec3 v, uint from) {
+    return vec3(subgroupShuffle(v.x, from), subgroupShuffle(v.y, from), subgroupShuffle(v.z, from));
+}
+
+/// Z before which nothing of it lies.
+float facetBegins(vec3 a, vec3 b, vec3 c) {
+    if (!kPerspective) return min(a.z, min(b.z, c.z)) - 1e-3;
+    return 0.99999 / max(a.z, max(b.z, c.z)) - 1e-3;
+}
+
+/// Whether it may be seen in a rectangle on the plane z = 0. No, if the rectangle lies beside its box, or beyond an edge.
+bool facetMeets(vec3 a, vec3 b, vec3 c, vec2 middle, vec2 reach) {
+    vec2 room = reach + 0.05 * view.pixel + (kContours > 0 ? view.contourWidth : 0.0);
+    vec2 low = min(a.xy, min(b.xy, c.xy)) - room, high = max(a.xy, max(b.xy, c.xy)) + room;
+    bool meets = all(lessThanEqual(low, middle)) && all(greaterThanEqual(high, middle));
+    vec2 pa = a.xy - middle, pb = b.xy - middle, pc = c.xy - middle;
+    vec3 sides = vec3(edgeSide(pb, pc), edgeSide(pc, pa), edgeSide(pa, pb));
+    vec3 spans = vec3(dot(abs(pc - pb).yx, room), dot(abs(pa - pc).yx, room), dot(abs(pb - pa).yx, room));
+    sides *= sides.x + sides.y + sides.z < 0.0 ? -1.0 : 1.0;
+    return meets && all(greaterThanEqual(sides, -spans));
+}

@@ -1,0 +1,100 @@
+#version 450
+// A polygon of three corners about a triangle, flat, at its nearest depth; or, as a plate, inside of it and at its
+// farthest. No instances: three vertices in a row are a triangle, which is fetched by its number.
+//   READS    the fragment stage reads images: the streams come after those in the set
+//   LOOK     what shading needs goes along
+//   NUMBER   the primitive's number goes along
+//   PLATE    what is drawn certainly lies in the triangle's picture, behind it
+#extension GL_GOOGLE_include_directive : require
+#include "common/mesh.glsl"
+
+#ifdef READS
+#define FIRST 4
+#else
+#define FIRST 0
+#endif
+layout(set = 0, binding = FIRST, std430) readonly buffer Shapes { uvec4 shapes[]; };
+#ifdef LOOK
+layout(set = 0, binding = FIRST + 1, std430) readonly buffer Looks { uint looks[]; };
+layout(location = 5) flat out uvec3 normals;  // packed, object space
+layout(location = 6) flat out uvec3 colors;
+layout(location = 7) flat out uvec3 atoms;
+layout(location = 8) flat out uvec3 vertices;  // numbers of the vertices in their stream
+#endif
+#ifdef NUMBER
+layout(location = 4) flat out uint primitive;
+#endif
+#ifndef PLATE
+layout(location = 0) flat out vec3 cornerA;
+layout(location = 1) flat out vec3 cornerB;
+layout(location = 2) flat out vec3 cornerC;
+layout(location = 3) flat out uint joins;
+#endif
+invariant gl_Position;
+
+float farZ(vec3 a, vec3 b, vec3 c) {
+    return kPerspective ? 1.0 / min(a.z, min(b.z, c.z)) : max(a.z, max(b.z, c.z));
+}
+float nearZ(vec3 a, vec3 b, vec3 c) {
+    return kPerspective ? 1.0 / max(a.z, max(b.z, c.z)) : min(a.z, min(b.z, c.z));
+}
+
+/// The corner that lies between two edges when both are moved by `room`, outwards. @param turn  1 or -1: which way round
+vec2 moved(vec2 before, vec2 at, vec2 behind, float turn, float room) {
+    vec2 in_ = normalize(at - before), out_ = normalize(behind - at);
+    vec2 n = vec2(in_.y, -in_.x) * turn, m = vec2(out_.y, -out_.x) * turn;
+    return at + (n + m) * (room / max(1.0 + dot(n, m), 1e-6));
+}
+
+void main() {
+    uint triangle = uint(gl_VertexIndex) / 3u;
+    int corner = gl_VertexIndex % 3;
+    uvec4 record = shapes[view.spheres + 2u * view.cylinders + triangle];
+    uvec4 v[3] = uvec4[](shapes[record.x], shapes[record.y], shapes[record.z]);
+    float step = uintBitsToFloat(record.w);
+    vec3 a = cornerOf(v[0], step), b = cornerOf(v[1], step), c = cornerOf(v[2], step);
+#ifndef PLATE
+    cornerA = a;
+    cornerB = b;
+    cornerC = c;
+    joins = joinsOf(v[0].w, v[1].w, v[2].w);
+#endif
+#ifdef LOOK
+    normals = uvec3(v[0].z, v[1].z, v[2].z);
+    colors = uvec3(looks[v[0].w], looks[v[1].w], looks[v[2].w]);
+    atoms = uvec3(looks[v[0].w + 1u], looks[v[1].w + 1u], looks[v[2].w + 1u]);
+    vertices = record.xyz - (view.primitives + view.cylinders);
+#endif
+#ifdef NUMBER
+    // After the copy's spheres and cylinders.
+    primitive = view.numberBefore + view.spheres + view.cylinders + triangle + 1u;
+#endif
+    vec2 before = corner == 0 ? c.xy : corner == 1 ? a.xy : b.xy;
+    vec2 at = corner == 0 ? a.xy : corner == 1 ? b.xy : c.xy;
+    vec2 behind = corner == 0 ? b.xy : corner == 1 ? c.xy : a.xy;
+    float area = edgeSide(b.xy - a.xy, c.xy - a.xy);
+    float turn = area < 0.0 ? -1.0 : 1.0;
+    float around = length(b.xy - a.xy) + length(c.xy - b.xy) + length(a.xy - c.xy);
+    float inner = abs(area) / max(around, 1e-20);  // radius of the circle inside
+    // The rasteriser may move a corner by the snap margin, and the floats above are right to some 1e-6 of the picture.
+    float margin = 1.5 * view.snap + 4e-6 * (length(a.xy) + around);
+#ifdef PLATE
+    float Z = farZ(a, b, c), front = nearZ(a, b, c);
+    bool drawn = inner > 2.0 * margin && inner > 1e-3 * around;
+    if (kClip && (front < view.clipNear + kCapDepth || Z > view.clipFar)) drawn = false;
+    vec2 q = drawn ? moved(before, at, behind, turn, -margin) : a.xy;
+    gl_Position = clipPosition(q, encodedDepth(Z + 1e-4 * (Z - view.depthStart)) + 1e-6);
+#else
+    margin += view.contourWidth * float(kContours > 0);
+    vec2 q = moved(before, at, behind, turn, margin);
+    if (inner < 1e-2 * around) {
+        // A splinter: the corners moved out would lie far off. Half of a box twice as large holds all of it.
+        vec2 low = min(a.xy, min(b.xy, c.xy)) - margin, size = max(a.xy, max(b.xy, c.xy)) + margin - low;
+        q = low + 2.001 * size * vec2(corner == 1, corner == 2);
+    }
+    vec3 middle = vertexPosition(v[0], step) + vertexPosition(v[1], step) + vertexPosition(v[2], step);
+    if (isCutOff(toView(middle / 3.0))) q = a.xy;
+    float room = 1e-4 * (1.0 + abs(view.origin));
+    gl_Position = clipPosition(q, encodedDepth(nearZ(a, b, c) - room));
+#endif
+}
