@@ -87,6 +87,7 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
     });
     stats_.frameMilliseconds = millisecondsSince(start);
     executor_.reset();
+    for (const gpu::Buffer& pixels : drawn.pixels) pixels.invalidate();
     if (fragments) stats_.passes = fragments->counts();
     if (settings.tuning.timePasses) stats_.passTimes = timer_.times();
     tell(plan);

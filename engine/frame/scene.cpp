@@ -143,7 +143,7 @@ graph::Extent imageExtent(const View& view) {
 
 std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Scene& scene,
                                              const RenderSettings& settings, const View& view,
-                                             const passes::Atlas& atlas, Visibility path) {
+                                             const passes::Atlas& atlas) {
     auto seen = std::make_shared<passes::SceneView>();
     const graph::Extent image = imageExtent(view);
     layout::ViewConstants& c = seen->constants;
@@ -161,9 +161,6 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     if (shadowPixels(settings) > 0) seen->light = lightScene(device, scene, settings, view);
     seen->buffers = &scene.buffers;
     seen->copies = passes::placeCopies(scene.representation, view);
-    if (path == Visibility::deferred)
-        seen->copyRows = gpu::makeBuffer(device, std::span(std::as_const(seen->copies.rows)),
-                                         vk::BufferUsageFlagBits::eStorageBuffer, "copies");
     seen->perspective = view.projection == Projection::perspective;
     seen->quarterTurns = view.quarterTurns;
     seen->plates = settings.tuning.plates;

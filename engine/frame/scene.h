@@ -29,9 +29,8 @@ layout::EffectConstants effectConstants(const RenderSettings& settings, const st
 std::uint32_t shadowPixels(const RenderSettings& settings);
 
 /// The scene as a view sees it. @param scene  outlives what is returned
-/// @param path  of the frame: `deferred` wants rows of copies on the device
 std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Scene& scene,
                                              const RenderSettings& settings, const View& view,
-                                             const passes::Atlas& atlas, Visibility path);
+                                             const passes::Atlas& atlas);
 
 }  // namespace nacre

@@ -13,15 +13,15 @@ SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, con
       scene_(scene),
       stats_(stats),
       white_(passes::makeWhiteTexture(device, executor)),
-      tiles_(device) {}
+      tiles_(device),
+      effectBuffers_(device, vk::BufferUsageFlagBits::eUniformBuffer, "effects"),
+      copyRows_(device, vk::BufferUsageFlagBits::eStorageBuffer, "copies") {}
 
 std::shared_ptr<const gpu::Buffer> SceneFrames::effectsOf(const RenderSettings& settings) const {
     const layout::EffectConstants wanted = effectConstants(settings, scene_.representation.copies.colors);
     if (effects_ && std::memcmp(&wanted, &lastEffects_, sizeof wanted) == 0) return effects_;
     lastEffects_ = wanted;
-    effects_ = std::make_shared<gpu::Buffer>(
-        gpu::makeBuffer(device_, std::span(&wanted, 1), vk::BufferUsageFlagBits::eUniformBuffer, "effects"));
-    return effects_;
+    return effects_ = effectBuffers_.upload(std::as_bytes(std::span(&wanted, 1)));
 }
 
 ScreenFrame SceneFrames::declare(const RenderSettings& asked, const passes::Atlas& baked, const View& view,
@@ -40,10 +40,12 @@ ScreenFrame SceneFrames::declare(const RenderSettings& asked, const passes::Atla
     if (debug || !color) settings.effects.shadow = {};
     const Visibility usual = device_.caps().visibility;
     Visibility path = debug ? debugVisibility(settings.debug, usual) : usual;
-    const auto seen = viewScene(device_, scene_, settings, view, used, path);
+    const auto seen = viewScene(device_, scene_, settings, view, used);
     seen->coded = picture && targets[0].format == VK_FORMAT_R8G8B8A8_UNORM;
     seen->fragments = std::move(fragments);
     seen->effectConstants = effectsOf(settings);
+    if (path == Visibility::deferred)
+        seen->copyRows = copyRows_.upload(std::as_bytes(std::span(std::as_const(seen->copies.rows))));
     const graph::Extent image = imageExtent(view);
     if (path == Visibility::tiles) {
         const bool shaded = seen->coded && !debug && !seen->fragments && device_.caps().tiles.shade;

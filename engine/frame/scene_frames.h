@@ -4,6 +4,7 @@
 #include "engine/frame/scene.h"
 #include "engine/frame/screen.h"
 #include "engine/gpu/execute.h"
+#include "engine/gpu/frame_buffers.h"
 #include "engine/passes/tile_frame.h"
 #include "engine/results.h"
 
@@ -43,6 +44,7 @@ private:
     // Frames in flight hold theirs; the last one serves as long as nothing changes.
     mutable layout::EffectConstants lastEffects_{};
     mutable std::shared_ptr<const gpu::Buffer> effects_;
+    mutable gpu::FrameBuffers effectBuffers_, copyRows_;
 };
 
 }  // namespace nacre

@@ -83,10 +83,11 @@ void Device::createDevice(const DeviceOptions& options) {
                                   vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient, queueFamily_));
 }
 
-vk::raii::DeviceMemory Device::allocate(const vk::MemoryRequirements& requirements, vk::MemoryPropertyFlags required,
-                                        vk::MemoryPropertyFlags wanted, const std::string& what) const {
+Device::Allocation Device::allocate(const vk::MemoryRequirements& requirements,
+                                    std::initializer_list<vk::MemoryPropertyFlags> choices,
+                                    const std::string& what) const {
     const auto memory = physical_.getMemoryProperties();
-    for (const vk::MemoryPropertyFlags properties : {required | wanted, required}) {
+    for (const vk::MemoryPropertyFlags properties : choices) {
         for (std::uint32_t type = 0; type < memory.memoryTypeCount; ++type) {
             if (!(requirements.memoryTypeBits & (1u << type))) continue;
             if ((memory.memoryTypes[type].propertyFlags & properties) != properties) continue;
@@ -95,7 +96,7 @@ vk::raii::DeviceMemory Device::allocate(const vk::MemoryRequirements& requiremen
                 name(*allocation, "memory of " + what);
                 *allocated_ += requirements.size;
                 *peakAllocated_ = std::max(*peakAllocated_, *allocated_);
-                return allocation;
+                return {std::move(allocation), memory.memoryTypes[type].propertyFlags};
             } catch (const vk::SystemError&) {
                 continue;  // this heap is full; another type may have room
             }

@@ -31,10 +31,15 @@ public:
     const Caps& caps() const { return caps_; }
     CaptureHook& capture() { return capture_; }
 
-    /// Allocates memory for requirements, from the first type that has all wanted properties, else all required.
-    /// @throws Error if no type has the required properties or memory has run out
-    vk::raii::DeviceMemory allocate(const vk::MemoryRequirements& requirements, vk::MemoryPropertyFlags required,
-                                    vk::MemoryPropertyFlags wanted, const std::string& what) const;
+    struct Allocation {
+        vk::raii::DeviceMemory memory;
+        vk::MemoryPropertyFlags properties;
+    };
+    /// Allocates memory for requirements, from the first type that has all properties of the first choice, else of the
+    /// next one.
+    /// @throws Error if no type has the properties of any choice or memory has run out
+    Allocation allocate(const vk::MemoryRequirements& requirements,
+                        std::initializer_list<vk::MemoryPropertyFlags> choices, const std::string& what) const;
     /// Device memory allocated so far and still held, bytes.
     std::uint64_t allocatedBytes() const { return *allocated_; }
     std::uint64_t peakAllocatedBytes() const { return *peakAllocated_; }

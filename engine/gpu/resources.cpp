@@ -12,15 +12,28 @@ Buffer makeBuffer(const Device& device, vk::DeviceSize size, vk::BufferUsageFlag
     buffer.size = std::max<vk::DeviceSize>(size, 16);
     buffer.handle = vk::raii::Buffer(*device, vk::BufferCreateInfo({}, buffer.size, usage));
     const auto requirements = buffer.handle.getMemoryRequirements();
-    const vk::MemoryPropertyFlags wanted = access == Access::upload ? vk::MemoryPropertyFlags(Property::eDeviceLocal)
-                                                                    : vk::MemoryPropertyFlags(Property::eHostCached);
-    buffer.memory =
-        Memory(device, device.allocate(requirements, Property::eHostVisible | Property::eHostCoherent, wanted, name),
-               requirements.size);
+    const auto coherent = Property::eHostVisible | Property::eHostCoherent;
+    const auto cached = Property::eHostVisible | Property::eHostCached;
+    // Every device has coherent memory that the host sees.
+    Device::Allocation allocation =
+        access == Access::upload
+            ? device.allocate(requirements, {coherent | Property::eDeviceLocal, coherent}, name)
+            : device.allocate(requirements, {coherent | Property::eHostCached, cached, coherent}, name);
+    buffer.coherent = static_cast<bool>(allocation.properties & Property::eHostCoherent);
+    buffer.memory = Memory(device, std::move(allocation.memory), requirements.size);
     buffer.handle.bindMemory(**buffer.memory, 0);
     buffer.mapped = static_cast<std::byte*>((*buffer.memory).mapMemory(0, VK_WHOLE_SIZE));
     device.name(*buffer.handle, name);
     return buffer;
+}
+
+// All of it: so no range has to be rounded to the size of the caches' atoms.
+void Buffer::invalidate() const {
+    if (!coherent) (**memory.device()).invalidateMappedMemoryRanges(vk::MappedMemoryRange(**memory, 0, VK_WHOLE_SIZE));
+}
+
+void Buffer::flush() const {
+    if (!coherent) (**memory.device()).flushMappedMemoryRanges(vk::MappedMemoryRange(**memory, 0, VK_WHOLE_SIZE));
 }
 
 Image makeImage(const Device& device, const graph::ImageDesc& desc, vk::ImageUsageFlags usage, bool transient,
@@ -34,8 +47,9 @@ Image makeImage(const Device& device, const graph::ImageDesc& desc, vk::ImageUsa
                             static_cast<vk::SampleCountFlagBits>(desc.samples), vk::ImageTiling::eOptimal, usage));
     const auto requirements = image.handle.getMemoryRequirements();
     const vk::MemoryPropertyFlags lazy = transient ? Property::eLazilyAllocated : vk::MemoryPropertyFlagBits{};
-    image.memory =
-        Memory(device, device.allocate(requirements, {}, Property::eDeviceLocal | lazy, name), requirements.size);
+    image.memory = Memory(
+        device, device.allocate(requirements, {Property::eDeviceLocal | lazy, Property::eDeviceLocal, {}}, name).memory,
+        requirements.size);
     image.handle.bindMemory(**image.memory, 0);
     const auto aspect =
         graph::isDepthFormat(desc.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;

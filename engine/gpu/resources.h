@@ -28,6 +28,7 @@ public:
         if (device_) device_->release(bytes_);
     }
     const vk::raii::DeviceMemory& operator*() const { return memory_; }
+    const Device* device() const { return device_; }
 
 private:
     const Device* device_ = nullptr;
@@ -35,15 +36,26 @@ private:
     std::uint64_t bytes_ = 0;
 };
 
-/// A buffer that the host can write and read through `mapped` (coherent). Device-local too where memory is shared.
+/// A buffer that the host can write and read through `mapped`. Device-local too where memory is shared.
 struct Buffer {
     Memory memory;
     vk::raii::Buffer handle{nullptr};
     std::byte* mapped = nullptr;
     vk::DeviceSize size = 0;
+    bool coherent = true;  ///< else what one side writes is the other's to see by flush() and invalidate() alone
+
+    /// The host is about to read what the device wrote, and is done with. Behind a barrier to the host.
+    void invalidate() const;
+    /// The host wrote what the device is about to read.
+    void flush() const;
 };
 
-enum class Access { upload, readback };
+/// Who reads. Memory that the host caches not is slow to read from, on Arm's phones by far; what it only writes is
+/// best kept where caches do not get in the way.
+enum class Access {
+    upload,    ///< the device: coherent
+    readback,  ///< the host, too: cached, and coherent where there is such memory
+};
 
 /// @param size bytes; 0 makes a buffer of the smallest size, so that empty streams can be bound
 Buffer makeBuffer(const Device& device, vk::DeviceSize size, vk::BufferUsageFlags usage, Access access,

@@ -259,9 +259,13 @@ private:
             const BufferDecl& decl = graph_.buffers()[i];
             if (!decl.output && leftOtherwise(buffers_[i], decl.imported))
                 plan_.after.push_back({false, i, buffers_[i].before(), decl.imported});
-            if (decl.output)
-                plan_.after.push_back(
-                    {false, i, buffers_[i].before(), {VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT, {}}});
+            if (!decl.output) continue;
+            State to{VK_PIPELINE_STAGE_HOST_BIT, VK_ACCESS_HOST_READ_BIT, {}};
+            if (leftOtherwise(buffers_[i], decl.imported)) {  // the next graph's, too, if that says so
+                to.access |= decl.imported.access;
+                if (decl.imported.access) to.stages |= decl.imported.stages;
+            }
+            plan_.after.push_back({false, i, buffers_[i].before(), to});
         }
     }
 

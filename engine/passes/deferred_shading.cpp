@@ -36,7 +36,7 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
     const vk::DescriptorImageInfo numbers(texture ? context.pipelines.sampler(vk::Filter::eNearest) : vk::Sampler(),
                                           reads.nearest, kRead);
     const vk::DescriptorBufferInfo shapes(*view.buffers->shapes.handle, 0, VK_WHOLE_SIZE),
-        looks(*view.buffers->looks.handle, 0, VK_WHOLE_SIZE), rows(*view.copyRows.handle, 0, VK_WHOLE_SIZE),
+        looks(*view.buffers->looks.handle, 0, VK_WHOLE_SIZE), rows(*view.copyRows->handle, 0, VK_WHOLE_SIZE),
         effects(*view.effectConstants->handle, 0, VK_WHOLE_SIZE);
     const vk::DescriptorImageInfo shadow = shadowOf(context, view, reads.atlas);
     const vk::WriteDescriptorSet writes[] = {

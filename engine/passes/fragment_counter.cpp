@@ -16,6 +16,7 @@ FragmentCounter::FragmentCounter(const gpu::Device& device)
     : buffer_(gpu::makeBuffer(device, kSlots * kStride, vk::BufferUsageFlagBits::eStorageBuffer, gpu::Access::readback,
                               "fragment counters")) {
     std::memset(buffer_.mapped, 0, buffer_.size);
+    buffer_.flush();
 }
 
 vk::DescriptorBufferInfo FragmentCounter::slot(std::string_view pass) {
@@ -35,6 +36,7 @@ void FragmentCounter::finish(const vk::raii::CommandBuffer& commands) const {
 
 std::vector<PassCount> FragmentCounter::counts() const {
     std::vector<PassCount> counts;
+    buffer_.invalidate();
     for (std::size_t i = 0; i < passes_.size(); ++i) {
         std::uint32_t shaded = 0;
         std::memcpy(&shaded, buffer_.mapped + i * kStride, sizeof(shaded));

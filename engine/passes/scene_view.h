@@ -28,9 +28,9 @@ struct SceneView {
     const SceneBuffers* buffers = nullptr;
     layout::ViewConstants constants{};  ///< those of a copy are left 0
     PlacedCopies copies;
-    std::shared_ptr<const TileFrame> tiles;  ///< of the `tiles` path
-    gpu::Buffer copyRows;                    ///< copies.rows on the device, for `deferred` shading
-    bool coded = false;                      ///< colour is written sRGB-coded, else linear
+    std::shared_ptr<const TileFrame> tiles;       ///< of the `tiles` path
+    std::shared_ptr<const gpu::Buffer> copyRows;  ///< copies.rows on the device, for `deferred` shading
+    bool coded = false;                           ///< colour is written sRGB-coded, else linear
     bool perspective = false;
     int quarterTurns = 0;    ///< as in View
     bool wholeImage = true;  ///< the viewport is the whole image; else it has the view axis in its middle

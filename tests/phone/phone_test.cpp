@@ -1,10 +1,12 @@
 // Everything that the renderer does, on the least phone and on the least iPhone (tests/phone_layer), under validation:
 // a message is a limit, a format or a feature that they lack.
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "engine/error.h"
 #include "engine/gpu/pipeline.h"
+#include "engine/gpu/resources.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {
@@ -84,6 +86,7 @@ TEST(Phone, DrawsEveryPathAndStyleAlike) {
                 renderer->render(s);
                 const LayerPicture layers = renderer->layers(s);
                 if (ids.empty()) ids = layers.id;
+                EXPECT_TRUE(std::any_of(ids.begin(), ids.end(), [](std::uint32_t id) { return id > 0; }));
                 EXPECT_EQ(layers.id, ids);
                 EXPECT_EQ(renderer->atomAt(s, 48.5, 48.5, 0), ids[48 * 96 + 48]);
                 // Nothing leaves the tile and comes back, on the path that the phone takes.
@@ -94,6 +97,31 @@ TEST(Phone, DrawsEveryPathAndStyleAlike) {
                 renderer->render(s);
             }
         }
+}
+
+// What the host reads it caches, and must invalidate; the layer shows it nothing else, and aborts where no barrier made
+// what the device wrote available to it.
+TEST(Phone, TheHostReadsFromMemoryThatItCaches) {
+    DeviceOptions options;
+    options.validate = true;
+    const gpu::Device device(options);
+    constexpr auto kUsage = vk::BufferUsageFlagBits::eTransferDst;
+    const gpu::Buffer read = gpu::makeBuffer(device, 256, kUsage, gpu::Access::readback, "read by the host");
+    const gpu::Buffer written = gpu::makeBuffer(device, 256, kUsage, gpu::Access::upload, "written by the host");
+    EXPECT_FALSE(read.coherent);
+    EXPECT_TRUE(written.coherent);
+    device.submitAndWait([&](const vk::raii::CommandBuffer& commands) {
+        commands.fillBuffer(*read.handle, 0, 256, 0x01010101);
+        const vk::BufferMemoryBarrier barrier(vk::AccessFlagBits::eTransferWrite, vk::AccessFlagBits::eHostRead,
+                                              VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED, *read.handle, 0,
+                                              VK_WHOLE_SIZE);
+        commands.pipelineBarrier(vk::PipelineStageFlagBits::eTransfer, vk::PipelineStageFlagBits::eHost, {}, {},
+                                 barrier, {});
+    });
+    EXPECT_EQ(read.mapped[0], std::byte{0});  // without this the other tests would prove nothing
+    read.invalidate();
+    EXPECT_EQ(read.mapped[255], std::byte{1});
+    EXPECT_TRUE(device.validationMessages().empty());
 }
 
 TEST(Phone, BakesByEveryKindOfDepthMap) {

@@ -1,7 +1,9 @@
 // A Vulkan layer that makes a software driver report what the least phone does: limits, features, formats, extensions,
-// and a lazily allocated memory type, as tile-based GPUs have. Under the validation layer a program that asks for more
-// is told. The environment variable NACRE_PHONE names the phone: "android" (of Arm's make) or "moltenvk";
-// NACRE_PHONE_SHADERS may name a folder that takes every shader which the program hands over, as 1.spv, 2.spv, ...
+// and the memory types of tile-based GPUs: one that the host sees coherently and does not cache, one that it caches and
+// must invalidate, one that is lazily allocated. What the host may not see yet, it does not see here. Under the
+// validation layer a program that asks for more is told. The environment variable NACRE_PHONE names the phone:
+// "android" (of Arm's make) or "moltenvk"; NACRE_PHONE_SHADERS may name a folder that takes every shader which the
+// program hands over, as 1.spv, 2.spv, ...
 
 #define VK_ENABLE_BETA_EXTENSIONS
 #include <vulkan/vk_layer.h>
@@ -13,6 +15,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,7 +33,7 @@ VkInstance instance = VK_NULL_HANDLE;
 VkDevice device = VK_NULL_HANDLE;
 PFN_vkGetInstanceProcAddr nextInstanceCall = nullptr;
 PFN_vkGetDeviceProcAddr nextDeviceCall = nullptr;
-std::uint32_t lazyType = 0;  // index of the memory type that is added; 0: none is
+std::uint32_t cachedType = 0, lazyType = 0;  // indices of the memory types that are added
 
 bool molten() {
     const char* phone = std::getenv("NACRE_PHONE");
@@ -48,13 +52,30 @@ bool molten() {
     X(GetPhysicalDeviceFormatProperties2) \
     X(GetPhysicalDeviceMemoryProperties)  \
     X(GetPhysicalDeviceMemoryProperties2)
-#define NACRE_DEVICE_BELOW(X)     \
-    X(AllocateMemory)             \
-    X(CmdDraw)                    \
-    X(CmdDrawIndexed)             \
-    X(CreateShaderModule)         \
-    X(GetImageMemoryRequirements) \
-    X(GetImageMemoryRequirements2)
+#define NACRE_DEVICE_BELOW(X)       \
+    X(AllocateMemory)               \
+    X(CmdDraw)                      \
+    X(CmdDrawIndexed)               \
+    X(CreateShaderModule)           \
+    X(GetImageMemoryRequirements)   \
+    X(GetImageMemoryRequirements2)  \
+    X(GetBufferMemoryRequirements)  \
+    X(BindBufferMemory)             \
+    X(MapMemory)                    \
+    X(FreeMemory)                   \
+    X(FlushMappedMemoryRanges)      \
+    X(InvalidateMappedMemoryRanges) \
+    X(CmdPipelineBarrier)
+/// Memory that the host caches.
+struct Cache {
+    std::uint8_t* device = nullptr;
+    std::vector<std::uint8_t> host;
+    VkBuffer buffer = VK_NULL_HANDLE;
+};
+std::map<VkDeviceMemory, Cache> caches;
+std::set<VkBuffer> toHost;  // a barrier was recorded that makes what is written to them available to the host
+bool allToHost = false;     // or one of all memory
+
 #define NACRE_DECLARE(name) PFN_vk##name next##name = nullptr;
 NACRE_BELOW(NACRE_DECLARE)
 NACRE_DEVICE_BELOW(NACRE_DECLARE)
@@ -173,40 +194,114 @@ VKAPI_ATTR VkResult VKAPI_CALL EnumerateDeviceExtensionProperties(VkPhysicalDevi
     return room < kept.size() ? VK_INCOMPLETE : VK_SUCCESS;
 }
 
-// --- lazily allocated memory
+// --- memory
 
-void addLazyType(VkPhysicalDeviceMemoryProperties& p) {
+void addTypes(VkPhysicalDeviceMemoryProperties& p) {
+    p.memoryTypes[0].propertyFlags = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
+                                     VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    cachedType = p.memoryTypeCount++;
+    p.memoryTypes[cachedType] = {
+        VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_CACHED_BIT,
+        0};
     lazyType = p.memoryTypeCount++;
     p.memoryTypes[lazyType] = {VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT, 0};
 }
 
 VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceMemoryProperties(VkPhysicalDevice of, VkPhysicalDeviceMemoryProperties* p) {
     nextGetPhysicalDeviceMemoryProperties(of, p);
-    addLazyType(*p);
+    addTypes(*p);
 }
 
 VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceMemoryProperties2(VkPhysicalDevice of,
                                                               VkPhysicalDeviceMemoryProperties2* p) {
     nextGetPhysicalDeviceMemoryProperties2(of, p);
-    addLazyType(p->memoryProperties);
+    addTypes(p->memoryProperties);
 }
 
 VKAPI_ATTR void VKAPI_CALL GetImageMemoryRequirements(VkDevice of, VkImage image, VkMemoryRequirements* r) {
     nextGetImageMemoryRequirements(of, image, r);
-    r->memoryTypeBits |= 1u << lazyType;
+    r->memoryTypeBits |= 1u << cachedType | 1u << lazyType;
+}
+
+VKAPI_ATTR void VKAPI_CALL GetBufferMemoryRequirements(VkDevice of, VkBuffer buffer, VkMemoryRequirements* r) {
+    nextGetBufferMemoryRequirements(of, buffer, r);
+    r->memoryTypeBits |= 1u << cachedType;
 }
 
 VKAPI_ATTR void VKAPI_CALL GetImageMemoryRequirements2(VkDevice of, const VkImageMemoryRequirementsInfo2* info,
                                                        VkMemoryRequirements2* r) {
     nextGetImageMemoryRequirements2(of, info, r);
-    r->memoryRequirements.memoryTypeBits |= 1u << lazyType;
+    r->memoryRequirements.memoryTypeBits |= 1u << cachedType | 1u << lazyType;
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL AllocateMemory(VkDevice of, const VkMemoryAllocateInfo* info,
                                               const VkAllocationCallbacks* allocator, VkDeviceMemory* memory) {
     VkMemoryAllocateInfo real = *info;
-    if (real.memoryTypeIndex == lazyType) real.memoryTypeIndex = 0;
-    return nextAllocateMemory(of, &real, allocator, memory);
+    const bool cached = real.memoryTypeIndex == cachedType;
+    if (cached || real.memoryTypeIndex == lazyType) real.memoryTypeIndex = 0;
+    const VkResult result = nextAllocateMemory(of, &real, allocator, memory);
+    if (result == VK_SUCCESS && cached)
+        caches[*memory] = {nullptr, std::vector<std::uint8_t>(info->allocationSize), {}};
+    return result;
+}
+
+/// The host sees a copy of cached memory, which is brought up to date when it is flushed or invalidated.
+VKAPI_ATTR VkResult VKAPI_CALL MapMemory(VkDevice of, VkDeviceMemory memory, VkDeviceSize offset, VkDeviceSize size,
+                                         VkMemoryMapFlags flags, void** data) {
+    const VkResult result = nextMapMemory(of, memory, offset, size, flags, data);
+    const auto it = caches.find(memory);
+    if (result != VK_SUCCESS || it == caches.end()) return result;
+    if (offset != 0) std::abort();  // nobody does
+    it->second.device = static_cast<std::uint8_t*>(*data);
+    *data = it->second.host.data();
+    return result;
+}
+
+VKAPI_ATTR void VKAPI_CALL FreeMemory(VkDevice of, VkDeviceMemory memory, const VkAllocationCallbacks* allocator) {
+    caches.erase(memory);
+    nextFreeMemory(of, memory, allocator);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL BindBufferMemory(VkDevice of, VkBuffer buffer, VkDeviceMemory memory,
+                                                VkDeviceSize offset) {
+    if (const auto it = caches.find(memory); it != caches.end()) it->second.buffer = buffer;
+    return nextBindBufferMemory(of, buffer, memory, offset);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL FlushMappedMemoryRanges(VkDevice of, std::uint32_t count,
+                                                       const VkMappedMemoryRange* ranges) {
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (const auto it = caches.find(ranges[i].memory); it != caches.end())
+            std::copy(it->second.host.begin(), it->second.host.end(), it->second.device);
+    return nextFlushMappedMemoryRanges(of, count, ranges);
+}
+
+/// Only what a barrier made available to the host is there to be seen.
+VKAPI_ATTR VkResult VKAPI_CALL InvalidateMappedMemoryRanges(VkDevice of, std::uint32_t count,
+                                                            const VkMappedMemoryRange* ranges) {
+    for (std::uint32_t i = 0; i < count; ++i)
+        if (const auto it = caches.find(ranges[i].memory); it != caches.end()) {
+            if (!toHost.count(it->second.buffer) && !allToHost) {
+                std::fprintf(stderr, "phone: the host reads a buffer without a barrier to it\n");
+                std::abort();
+            }
+            std::copy_n(it->second.device, it->second.host.size(), it->second.host.begin());
+        }
+    return nextInvalidateMappedMemoryRanges(of, count, ranges);
+}
+
+VKAPI_ATTR void VKAPI_CALL CmdPipelineBarrier(VkCommandBuffer commands, VkPipelineStageFlags from,
+                                              VkPipelineStageFlags to, VkDependencyFlags flags,
+                                              std::uint32_t memoryCount, const VkMemoryBarrier* memory,
+                                              std::uint32_t bufferCount, const VkBufferMemoryBarrier* buffers,
+                                              std::uint32_t imageCount, const VkImageMemoryBarrier* images) {
+    if (to & VK_PIPELINE_STAGE_HOST_BIT) {
+        for (std::uint32_t i = 0; i < memoryCount; ++i)
+            allToHost = allToHost || (memory[i].dstAccessMask & VK_ACCESS_HOST_READ_BIT);
+        for (std::uint32_t i = 0; i < bufferCount; ++i)
+            if (buffers[i].dstAccessMask & VK_ACCESS_HOST_READ_BIT) toHost.insert(buffers[i].buffer);
+    }
+    nextCmdPipelineBarrier(commands, from, to, flags, memoryCount, memory, bufferCount, buffers, imageCount, images);
 }
 
 // --- shaders
