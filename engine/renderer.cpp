@@ -97,6 +97,11 @@ double Renderer::advanceOcclusion(const RenderSettings& settings, double millise
     });
 }
 
+double Renderer::advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) {
+    if (settings.occlusion.directions == 0) return 1;
+    return impl_->unlessLost(0.0, [&] { return impl_->occlusion.advanceBeside(settings.occlusion, pace); });
+}
+
 FrameOutcome Renderer::present(const RenderSettings& settings, const WindowFrame& frame) {
     return impl_->unlessLost(FrameOutcome::lost, [&] {
         const FrameOutcome outcome = impl_->window->present(settings, impl_->occlusion.atlas(), frame);

@@ -30,6 +30,10 @@ public:
     /// what is done so far; pictures and layers finish it first.
     /// @returns the share that is done, 0..1
     double advanceOcclusion(const RenderSettings& settings, double milliseconds = 4.0);
+    /// The same beside a window's frames: never waits, neither for the device nor for what the host must find out
+    /// first. Call it for every frame, and every millisecond or so while there is none to draw: each call lets the
+    /// device begin with the next part if it is done with the last.
+    double advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace);
     /// For each sphere of the scene whether any direction of the bake saw any of it; empty before the bake is done.
     std::vector<bool> seenSpheres() const;
 

@@ -29,6 +29,13 @@ struct OcclusionSettings {
     std::function<void(double)> onProgress;
 };
 
+/// What a bake beside a window's frames may take of the device.
+struct OcclusionPace {
+    double sliceMilliseconds = 4;  ///< of one submission: so long a frame behind it waits at most
+    double showMilliseconds = 0;   ///< of work, at least, from one change of what frames show to the next
+    bool mustFit = false;          ///< nothing is submitted if even the least there is takes longer than a slice
+};
+
 /// How a frame is drawn. None of this changes the picture.
 struct FrameTuning {
     PlateShape plates = PlateShape::automatic;  ///< of the opaque prepass

@@ -69,7 +69,8 @@ public:
     void loop() {
         while (!window_.closing()) {
             const double wake = session_.step(now(), [this] { return panel_->draw(viewer(), window_.size(), now()); });
-            if (renderer().stats().windowFrames != shown_) {
+            const bool shown = renderer().stats().windowFrames != shown_;
+            if (shown) {
                 shown_ = renderer().stats().windowFrames;
                 lastShown_ = now();
                 if (inputAt_ > 0) latencies_.push_back(1000 * (lastShown_ - inputAt_));
@@ -77,7 +78,9 @@ public:
             inputAt_ = 0;  // what is not answered by now changed nothing
             window_.setTitle(printable(viewer().title()));
             if (panel_->restless()) viewer().overlayChanged();
-            const double next = std::max(panel_->restless() ? now() : wake, lastFrame_ + 0.95 / window_.refreshRate());
+            // Frames come as often as the display's; looks at what is baked beside them may come more often.
+            const double soonest = shown ? lastFrame_ + 0.95 / window_.refreshRate() : now();
+            const double next = std::max(panel_->restless() ? now() : wake, soonest);
             window_.handleEvents(std::isinf(wake) && !panel_->restless() ? wake : next - now());
             lastFrame_ = now();
         }

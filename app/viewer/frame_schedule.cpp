@@ -40,7 +40,7 @@ FrameSchedule::Next FrameSchedule::next(double now, bool moving, double occlusio
         next.draw = Draw::refine;
     } else {
         if (overlayChanged_) next.draw = Draw::live;
-        next.wake = occlusion < 1 ? now : lastChange_ + kSettleSeconds;
+        next.wake = occlusion < 1 ? now + kBakeSeconds : lastChange_ + kSettleSeconds;
     }
     return next;
 }

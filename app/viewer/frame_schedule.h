@@ -33,6 +33,7 @@ enum class Draw {
 class FrameSchedule {
 public:
     static constexpr double kSettleSeconds = 0.15;  ///< from the last change to the refinement
+    static constexpr double kBakeSeconds = 0.001;   ///< from one look at what the device bakes to the next
 
     void pictureChanged(double now);
     void overlayChanged() { overlayChanged_ = true; }

@@ -9,7 +9,7 @@ class Screen {
 public:
     virtual ~Screen() = default;
     virtual void setScene(const Representation& scene) = 0;
-    virtual double advanceOcclusion(const RenderSettings& settings, double milliseconds) = 0;
+    virtual double advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) = 0;
     virtual FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame) = 0;
     virtual PixelSize windowSize() const = 0;
     virtual std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach) = 0;

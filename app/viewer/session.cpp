@@ -17,8 +17,8 @@ void Session::OwnScreen::setScene(const Representation& scene) {
     if (session_.renderer_) session_.renderer_->setScene(scene);
 }
 
-double Session::OwnScreen::advanceOcclusion(const RenderSettings& settings, double milliseconds) {
-    return session_.renderer_ ? session_.renderer_->advanceOcclusion(settings, milliseconds) : 0;
+double Session::OwnScreen::advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) {
+    return session_.renderer_ ? session_.renderer_->advanceOcclusion(settings, pace) : 0;
 }
 
 FrameOutcome Session::OwnScreen::present(const RenderSettings& settings, const WindowFrame& frame) {

@@ -59,7 +59,7 @@ private:
     public:
         explicit OwnScreen(Session& session) : session_(session) {}
         void setScene(const Representation& scene) override;
-        double advanceOcclusion(const RenderSettings& settings, double milliseconds) override;
+        double advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) override;
         FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame) override;
         PixelSize windowSize() const override;
         std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach) override;

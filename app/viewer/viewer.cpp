@@ -392,15 +392,6 @@ std::uint32_t Viewer::refinedSamples() const {
     return n;
 }
 
-/// While nothing moves, as long as all the rest of a frame takes: drawing unfinished pictures never costs more than
-/// finishing them.
-double Viewer::occlusionBudget(double now, bool moving) {
-    const double rest = (now - lastOcclusion_) * 1000 - lastBudget_;
-    lastOcclusion_ = now;
-    lastBudget_ = moving ? options_.movingMilliseconds : std::clamp(rest, options_.restingMilliseconds, 250.0);
-    return lastBudget_;
-}
-
 double Viewer::update(double now, const std::function<const Overlay*()>& overlay) {
     tookDocument(now);
     const double due = advance(now);
@@ -424,7 +415,11 @@ double Viewer::update(double now, const std::function<const Overlay*()>& overlay
 
 void Viewer::advanceOcclusion(double now, bool moving) {
     try {
-        occlusion_ = screen_.advanceOcclusion(settings(), occlusionBudget(now, moving));
+        // At rest every change of it draws a frame, which is not to cost more than the work that it shows.
+        constexpr double kShown = 50;
+        const OcclusionPace pace = moving ? OcclusionPace{options_.movingMilliseconds, 0, true}
+                                          : OcclusionPace{options_.restingMilliseconds, kShown, false};
+        occlusion_ = screen_.advanceOcclusion(settings(), pace);
         occlusionRetry_.succeeded();
         noticeLoss();
     } catch (const Error& error) {

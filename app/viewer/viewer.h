@@ -39,7 +39,7 @@ constexpr double kWordPoints = 15 / 1.164;
 struct ViewerOptions {
     std::uint32_t mostSamples = 4;             ///< a side of a pixel, of the refinement
     double movingMilliseconds = 4;             ///< of occlusion a frame while something moves
-    double restingMilliseconds = 50;           ///< at least, while nothing does
+    double restingMilliseconds = 8;            ///< of one submission of it while nothing does: a touch waits so long
     std::uint64_t refinedPixels = 1ull << 24;  ///< samples of a refinement at most
     std::uint64_t occlusionBytes = RenderSettings{}.occlusion.bytes;
     std::string occlusionCache;  ///< folder of finished bakes; empty: none are kept
@@ -127,7 +127,6 @@ private:
     void unclip();
     void takeAim(const Aim& aim, bool fly, double now);
     void draw(const FrameSchedule::Next& next, double now, bool moving, const std::function<const Overlay*()>& overlay);
-    double occlusionBudget(double now, bool moving);
     std::uint32_t refinedSamples() const;
     Viewport viewport() const { return {size_.width / scale_, size_.height / scale_}; }
     double radius() const { return document_.molecule ? document_.scene.radius : 1.0; }
@@ -145,7 +144,7 @@ private:
     FrameSchedule schedule_;
     PixelSize size_{1, 1};
     double scale_ = 1;  // pixels a point
-    double occlusion_ = 1, lastOcclusion_ = 0, lastBudget_ = 0;
+    double occlusion_ = 1;
     double handMoved_ = -1e9;
     bool clipped_ = false;                            // by a close-up
     Aim aim_;                                         // of the molecule that is being read

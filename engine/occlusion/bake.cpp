@@ -20,6 +20,11 @@ constexpr std::uint32_t kGroup = 64;            // local_size_x
 constexpr std::uint32_t kGroupsPerRow = 32768;  // of a dispatch; the floor allows 65,535
 constexpr std::uint64_t kBytesPerTexel = 2;     // of the atlas: the texel, and the byte that is copied into it
 constexpr std::uint64_t kBytesPerOpen = 4 + 8;  // list entry, sums
+// A primitive on a map, in units: some forty vertices and as many fragments, against a texture read and its arithmetic.
+constexpr double kUnitsOfInstance = 20;
+// Parts of a direction are no smaller: a submission costs time of its own.
+constexpr std::uint64_t kLeastInstances = 256;
+constexpr std::size_t kLeastTexels = 8192;
 // So many directions tell which texels lie so deep that no light will come to matter: they stay dark, unasked.
 constexpr int kTellsDeepTexels = 32;
 
@@ -55,21 +60,61 @@ void dispatch(const vk::raii::CommandBuffer& commands, std::uint64_t invocations
 
 std::uint32_t batchFor(std::uint32_t directions) { return directions > 4 ? 16 : directions > 1 ? 4 : 1; }
 
+/// The finest patches of which everything fits.
+BakePreparation prepared(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
+                         std::uint64_t mapBytes, const std::stop_token& stop) {
+    const std::uint64_t budgetBytes = options.budgetBytes - std::min(mapBytes, options.budgetBytes);
+    const std::size_t spheres = representation.spheres.size(), cylinders = representation.cylinders.size();
+    const PrimitiveTree tree(representation);
+    BakePreparation result;
+    std::uint64_t least = 0;
+    for (const OcclusionLayout& layout : occlusionLayouts(spheres, cylinders, caps.maxImageSize)) {
+        if (stop.stop_requested()) return result;
+        if (layout.sphereEdge > options.detail) continue;
+        // Guessed from a sample first: looking at every texel takes its time.
+        least = bytesOf(layout, 0, 0);
+        if (least > budgetBytes) continue;
+        const double share = openShare(layout, representation, tree);
+        const auto guess = static_cast<std::uint64_t>(share * static_cast<double>(layout.texelCount()));
+        least = bytesOf(layout, guess, guess / 4);
+        if (least > budgetBytes ||
+            (layout.sphereEdge > 1 && guess > mostTexels(spheres + cylinders, options.directions)))
+            continue;
+        result.open = openTexels(layout, representation, tree, stop);
+        least = bytesOf(layout, result.open.texels.size(), result.open.words.size());
+        if (least > budgetBytes) continue;
+        result.layout = layout;
+        return result;
+    }
+    throw Error("not enough memory for ambient occlusion", "",
+                std::to_string(spheres + cylinders) + " primitives need " + std::to_string((least >> 20) + 1) +
+                    " MB beside " + std::to_string(mapBytes >> 20) + " MB of depth maps, and " +
+                    std::to_string(budgetBytes >> 20) + " MB are left of the budget (raise --occlusion-memory, or " +
+                    "render with --occlusion off)");
+}
+
 }  // namespace
 
+BakePreparation prepareBake(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
+                            const std::stop_token& stop) {
+    const std::uint64_t maps =
+        DepthMapSizes(caps, representation, options.path, options.budgetBytes / 2, options.detail).bytes();
+    BakePreparation result = prepared(caps, representation, options, maps, stop);
+    if (!stop.stop_requested()) result.copies = occlusionCopies(representation, result.layout, result.open.texels);
+    return result;
+}
+
 Bake::Bake(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
-           const BakeOptions& options)
+           const BakeOptions& options, BakePreparation&& preparation)
     : device_(device),
       scene_(scene),
       directions_(occlusionDirections(options.directions)),
       maps_(device, scene, representation, options.path, options.budgetBytes / 2, options.detail),
+      layout_(preparation.layout),
+      copies_(std::move(preparation.copies)),
       doneOf_(maps_.models(), 0),
       budgetBytes_(options.budgetBytes) {
-    OpenTexels open;
-    layout_ = chooseLayout(representation, options.budgetBytes - std::min(maps_.bytes(), options.budgetBytes),
-                           options.detail, open);
-    copies_ = occlusionCopies(representation, layout_, open.texels);
-    makeBuffers(open);
+    makeBuffers(preparation.open);
 }
 
 Bake::Bake(const gpu::Device& device, gpu::Executor& executor, const passes::SceneBuffers& scene,
@@ -91,35 +136,9 @@ Bake::Bake(const gpu::Device& device, gpu::Executor& executor, const passes::Sce
 }
 
 std::vector<std::uint8_t> Bake::atlasTexels() const {
+    bytes_.invalidate();
     const auto* texels = reinterpret_cast<const std::uint8_t*>(bytes_.mapped);
     return {texels, texels + std::size_t{layout_.width} * layout_.height};
-}
-
-/// The finest patches of which everything fits.
-OcclusionLayout Bake::chooseLayout(const Representation& representation, std::uint64_t budgetBytes,
-                                   std::uint32_t detail, OpenTexels& open) {
-    const std::size_t spheres = representation.spheres.size(), cylinders = representation.cylinders.size();
-    const PrimitiveTree tree(representation);
-    std::uint64_t least = 0;
-    for (const OcclusionLayout& layout : occlusionLayouts(spheres, cylinders, device_.caps().maxImageSize)) {
-        if (layout.sphereEdge > detail) continue;
-        // Guessed from a sample first: looking at every texel takes its time.
-        least = bytesOf(layout, 0, 0);
-        if (least > budgetBytes) continue;
-        const double share = openShare(layout, representation, tree);
-        const auto guess = static_cast<std::uint64_t>(share * static_cast<double>(layout.texelCount()));
-        least = bytesOf(layout, guess, guess / 4);
-        if (least > budgetBytes || (layout.sphereEdge > 1 && guess > mostTexels(spheres + cylinders, directions())))
-            continue;
-        open = openTexels(layout, representation, tree);
-        least = bytesOf(layout, open.texels.size(), open.words.size());
-        if (least <= budgetBytes) return layout;
-    }
-    throw Error("not enough memory for ambient occlusion", "",
-                std::to_string(spheres + cylinders) + " primitives need " + std::to_string((least >> 20) + 1) +
-                    " MB beside " + std::to_string(maps_.bytes() >> 20) + " MB of depth maps, and " +
-                    std::to_string(budgetBytes >> 20) + " MB are left of the budget (raise --occlusion-memory, or " +
-                    "render with --occlusion off)");
 }
 
 void Bake::makeBuffers(const OpenTexels& open) {
@@ -128,13 +147,21 @@ void Bake::makeBuffers(const OpenTexels& open) {
     firstOfSphere_ = open.firstOfSphere;
     batchDirections_ = gpu::makeBuffer(device_, kGroupBytes * copies_.groups.size(), Usage::eUniformBuffer,
                                        gpu::Access::upload, "occlusion directions");
-    list_ = gpu::makeBuffer(device_, std::span(open.texels), Usage::eStorageBuffer, "occlusion texels");
-    words_ = gpu::makeBuffer(device_, std::span(open.words), Usage::eStorageBuffer, "occlusion words");
-    sums_ = gpu::makeBuffer(device_, texelCount_ * 8, Usage::eStorageBuffer, gpu::Access::upload, "occlusion sums");
+    // The host reads all four: the first three to drop deep texels, the last to keep the atlas on disk.
+    const auto shared = [&](std::uint64_t bytes, vk::BufferUsageFlags usage, const char* name) {
+        return gpu::makeBuffer(device_, bytes, usage, gpu::Access::readback, name);
+    };
+    const std::size_t listBytes = texelCount_ * sizeof(std::uint32_t), wordBytes = wordCount_ * sizeof(AtlasWord);
+    list_ = shared(listBytes, Usage::eStorageBuffer, "occlusion texels");
+    if (listBytes) std::memcpy(list_.mapped, open.texels.data(), listBytes);
+    words_ = shared(wordBytes, Usage::eStorageBuffer, "occlusion words");
+    if (wordBytes) std::memcpy(words_.mapped, open.words.data(), wordBytes);
+    sums_ = shared(texelCount_ * 8, Usage::eStorageBuffer, "occlusion sums");
     std::memset(sums_.mapped, 0, sums_.size);
-    bytes_ = gpu::makeBuffer(device_, std::uint64_t{layout_.width} * layout_.height,
-                             Usage::eStorageBuffer | Usage::eTransferSrc, gpu::Access::upload, "occlusion bytes");
+    bytes_ = shared(std::uint64_t{layout_.width} * layout_.height, Usage::eStorageBuffer | Usage::eTransferSrc,
+                    "occlusion bytes");
     std::memset(bytes_.mapped, 0, bytes_.size);
+    for (const gpu::Buffer* buffer : {&list_, &words_, &sums_, &bytes_}) buffer->flush();
     atlas_ = gpu::makeImage(device_, {VK_FORMAT_R8_UNORM, {layout_.width, layout_.height}},
                             vk::ImageUsageFlagBits::eSampled | vk::ImageUsageFlagBits::eTransferDst, false,
                             "occlusion atlas");
@@ -157,6 +184,8 @@ std::size_t Bake::texelsOf(std::uint32_t model) const {
 std::uint64_t Bake::bytes() const { return bytesOf(layout_, texelCount_, wordCount_) + maps_.bytes(); }
 
 void Bake::release() {
+    sums_.invalidate();
+    bytes_.invalidate();
     const auto* sums = reinterpret_cast<const float*>(sums_.mapped);
     seenSpheres_.assign(layout_.sphereCount, false);
     for (std::size_t i = 0; i < seenSpheres_.size(); ++i)
@@ -234,24 +263,30 @@ vk::DescriptorSet Bake::accumulationSet(gpu::PassContext& context, graph::Image 
     return set;
 }
 
-void Bake::recordAccumulation(gpu::PassContext& context, graph::Image maps, std::uint32_t batch, std::uint32_t model) {
+void Bake::recordAccumulation(gpu::PassContext& context, graph::Image maps, std::uint32_t batch, std::uint32_t model,
+                              std::size_t first, std::size_t end) {
     constexpr auto kCompute = vk::PipelineBindPoint::eCompute;
     const vk::PipelineLayout pipelineLayout = *accumulationLayout(context).pipeline;
     const Texels spheres = layout_.sphereEdge == 1 ? Texels::wholeSpheres : Texels::spheres;
     layout::OcclusionConstants c = constants();
     std::vector<vk::DescriptorSet> sets(copies_.groups.size());
+    std::size_t at = 0;  // of the model's texels
     for (const OcclusionCopies::Run& run : copies_.runs) {
-        if (run.count == 0 || run.model != model) continue;
+        if (run.model != model) continue;
+        const std::size_t from = std::clamp(first, at, at + run.count) - at;
+        const std::size_t to = std::clamp(end, at, at + run.count) - at;
+        at += run.count;
+        if (from == to) continue;
         if (!sets[run.group]) sets[run.group] = accumulationSet(context, maps, run.group);
-        c.firstEntry = static_cast<std::uint32_t>(run.first);
-        c.entries = static_cast<std::uint32_t>(run.count);
+        c.firstEntry = static_cast<std::uint32_t>(run.first + from);
+        c.entries = static_cast<std::uint32_t>(to - from);
         context.commands.bindPipeline(kCompute,
                                       accumulationPipeline(context, {run.cylinders ? Texels::cylinders : spheres, batch,
                                                                      maps_.encoded(), spreadOfTaps()}));
         context.commands.bindDescriptorSets(kCompute, pipelineLayout, 0, sets[run.group], {});
         context.commands.pushConstants<layout::OcclusionConstants>(pipelineLayout, vk::ShaderStageFlagBits::eCompute, 0,
                                                                    c);
-        dispatch(context.commands, run.count);
+        dispatch(context.commands, to - from);
     }
 }
 
@@ -272,33 +307,96 @@ void Bake::writeDirections(std::span<const glm::dmat3> frames, int first) {
 }
 
 void Bake::step(gpu::Executor& executor, std::uint32_t most) {
+    do {
+        graph::Graph g("occlusion");
+        gpu::Imports imports;
+        if (declareSlice(g, imports, {most}) == 0) return;
+        executor.run(g, imports);
+        sliceDone();
+    } while (work_);
+}
+
+/// Directions that nobody has begun. None are left: of none.
+Bake::Work Bake::nextWork(const Allowance& allowance) const {
     const auto behind = std::min_element(doneOf_.begin(), doneOf_.end());
-    const auto model = static_cast<std::uint32_t>(behind - doneOf_.begin());
-    const int done = *behind;
-    const std::uint32_t left = static_cast<std::uint32_t>(directions_.size()) - static_cast<std::uint32_t>(done);
-    std::uint32_t count = std::min({left, most, maps_.perBatch()});
-    if (count == 0) return;
+    Work work;
+    work.model = static_cast<std::uint32_t>(behind - doneOf_.begin());
+    work.first = *behind;
+    work.instances = maps_.instances(work.model);
+    work.texels = texelsOf(work.model);
+    const double each = static_cast<double>(work.instances) * kUnitsOfInstance + static_cast<double>(work.texels);
+    const std::uint32_t left = static_cast<std::uint32_t>(directions()) - static_cast<std::uint32_t>(work.first);
+    const double fit = std::clamp(allowance.units / std::max(each, 1.0), 1.0, double{DepthMaps::kMostPerBatch});
+    work.count = std::min({left, allowance.directions, maps_.perBatch(), static_cast<std::uint32_t>(fit)});
     // However the directions are dealt out: deep texels are dropped after the same one, and the sums come out the same.
-    if (done < kTellsDeepTexels) count = std::min(count, static_cast<std::uint32_t>(kTellsDeepTexels - done));
-    const std::uint32_t batch = batchFor(count);
-    const std::span frames(directions_.data() + done, count);
-    writeDirections(frames, done);
-    graph::Graph g("occlusion");
-    gpu::Imports imports;
+    if (work.first < kTellsDeepTexels)
+        work.count = std::min(work.count, static_cast<std::uint32_t>(kTellsDeepTexels - work.first));
+    return work;
+}
+
+double Bake::declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowance& allowance) {
+    if (!work_) {
+        const Work next = nextWork(allowance);
+        if (next.count == 0) return 0;
+        work_ = next;
+        writeDirections(std::span(directions_.data() + next.first, next.count), next.first);
+    }
+    Work& w = *work_;
+    const std::uint32_t batch = batchFor(w.count);
+    const std::span<const glm::dmat3> frames(directions_.data() + w.first, w.count);
     const auto sums = g.importBuffer("occlusion sums", sums_.size, kComputeBuffer);
     imports.bind(sums, sums_);
-    const graph::Image maps = maps_.declare(g, imports, frames, batch, model);
-    g.compute("occlusion accumulation").samples(maps).writes(sums).record([&](gpu::PassContext& c) {
-        recordAccumulation(c, maps, batch, model);
-    });
-    executor.run(g, imports);
-    asked_ += std::uint64_t{count} * texelsOf(model);
-    *behind += static_cast<int>(count);
-    if (done < kTellsDeepTexels && directionsDone() == kTellsDeepTexels) dropDeepTexels();
+    const auto accumulate = [&](graph::Image maps) {
+        g.compute("occlusion accumulation")
+            .samples(maps)
+            .writes(sums)
+            .record([=, this, model = w.model, first = w.asked, end = w.askedThen](gpu::PassContext& c) {
+                recordAccumulation(c, maps, batch, model, first, end);
+            });
+        g.output(sums);  // the host drops deep texels by them
+    };
+    const double drawing = static_cast<double>(w.instances) * kUnitsOfInstance;
+    const double whole = w.count * (drawing + static_cast<double>(w.texels));
+    if (w.drawn == 0 && (w.count > 1 || whole <= allowance.units)) {
+        w.drawnThen = w.instances;
+        w.askedThen = w.texels;
+        accumulate(maps_.declare(g, imports, frames, batch, w.model));
+        return std::max(whole, 1.0);
+    }
+    // Parts of one direction: first all primitives are drawn, then all texels asked.
+    if (w.drawn < w.instances) {
+        const auto most = static_cast<std::uint64_t>(allowance.units / kUnitsOfInstance);
+        w.drawnThen = std::min(w.drawn + std::max(most, kLeastInstances), w.instances);
+        w.askedThen = 0;
+        maps_.declarePart(g, imports, frames, w.model, w.drawn, w.drawnThen);
+        return static_cast<double>(w.drawnThen - w.drawn) * kUnitsOfInstance;
+    }
+    w.askedThen = std::min(w.asked + std::max(static_cast<std::size_t>(allowance.units), kLeastTexels), w.texels);
+    accumulate(maps_.drawnParts(g, imports));
+    return static_cast<double>(std::max<std::size_t>(w.askedThen - w.asked, 1));
+}
+
+double Bake::leastUnits() const {
+    if (complete()) return 0;
+    const Work w = work_ ? *work_ : nextWork({1});
+    const double draw = static_cast<double>(std::min(kLeastInstances, w.instances - w.drawn)) * kUnitsOfInstance;
+    return draw > 0 ? draw : static_cast<double>(std::min(kLeastTexels, w.texels - w.asked));
+}
+
+void Bake::sliceDone() {
+    work_->drawn = work_->drawnThen;
+    work_->asked = work_->askedThen;
+    if (work_->drawn < work_->instances || work_->asked < work_->texels) return;
+    const Work w = *work_;
+    work_.reset();
+    asked_ += std::uint64_t{w.count} * w.texels;
+    doneOf_[w.model] += static_cast<int>(w.count);
+    if (w.first < kTellsDeepTexels && directionsDone() == kTellsDeepTexels) dropDeepTexels();
 }
 
 /// Takes the texels off the list that no direction has lit so far, and moves the others up.
 void Bake::dropDeepTexels() {
+    sums_.invalidate();  // the other two only the host writes
     auto* list = reinterpret_cast<std::uint32_t*>(list_.mapped);
     auto* sums = reinterpret_cast<glm::vec2*>(sums_.mapped);
     std::vector<std::uint32_t> keptBefore(texelCount_ + 1);
@@ -332,14 +430,21 @@ void Bake::dropDeepTexels() {
         run.count = end - run.first;
     }
     texelCount_ = kept;
+    for (const gpu::Buffer* buffer : {&list_, &sums_, &words_}) buffer->flush();
 }
 
 void Bake::finish(gpu::Executor& executor) {
     graph::Graph g("occlusion finish");
+    gpu::Imports imports;
+    declareFinish(g, imports);
+    executor.run(g, imports);
+}
+
+void Bake::declareFinish(graph::Graph& g, gpu::Imports& imports) {
     const auto sums = g.importBuffer("occlusion sums", sums_.size, kComputeBuffer);
     const auto bytes = g.importBuffer("occlusion bytes", bytes_.size, kComputeBuffer);
     const auto atlas = g.importImage("occlusion atlas", atlas_.desc, passes::kTextureState, !atlasDefined_);
-    g.compute("occlusion finish").reads(sums).writes(bytes).record([&](gpu::PassContext& c) {
+    g.compute("occlusion finish").reads(sums).writes(bytes).record([this](gpu::PassContext& c) {
         const vk::DescriptorSet set = c.descriptors.allocate(finishLayout(c).set, "occlusion finish");
         bind(device_, set, 0, Type::eStorageBuffer, *sums_.handle);
         bind(device_, set, 1, Type::eStorageBuffer, *words_.handle);
@@ -350,16 +455,15 @@ void Bake::finish(gpu::Executor& executor) {
                                                 static_cast<std::uint32_t>(wordCount_));
         dispatch(c.commands, wordCount_);
     });
-    g.transfer("occlusion upload").copiesFrom(bytes).copiesTo(atlas).record([&](gpu::PassContext& c) {
+    g.transfer("occlusion upload").copiesFrom(bytes).copiesTo(atlas).record([=, this](gpu::PassContext& c) {
         const vk::BufferImageCopy all(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {},
                                       {layout_.width, layout_.height, 1});
         c.commands.copyBufferToImage(c.buffer(bytes), c.image(atlas), vk::ImageLayout::eTransferDstOptimal, all);
     });
-    gpu::Imports imports;
+    g.output(bytes);  // the host keeps them
     imports.bind(sums, sums_);
     imports.bind(bytes, bytes_);
     imports.bind(atlas, atlas_);
-    executor.run(g, imports);
     atlasDefined_ = true;
 }
 

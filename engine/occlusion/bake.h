@@ -3,7 +3,10 @@
 // followed by one dispatch over the atlas texels that light can reach.
 
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "engine/gpu/execute.h"
@@ -22,13 +25,34 @@ struct BakeOptions {
     std::uint32_t detail = 32;  ///< texels across a sphere's patch, at most
 };
 
+/// What a bake needs to know before it starts, and what takes the host its time.
+struct BakePreparation {
+    OcclusionLayout layout;
+    OpenTexels open;
+    OcclusionCopies copies;
+};
+
+/// For any thread. @param stop  what is prepared is of no use once it is asked for: returns early, with anything
+/// @throws Error if even one value a sphere does not fit the budget
+BakePreparation prepareBake(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
+                            const std::stop_token& stop = {});
+
+/// What one submission takes on at most. A unit is a texel that is asked about a direction.
+struct Allowance {
+    std::uint32_t directions = DepthMaps::kMostPerBatch;
+    double units = std::numeric_limits<double>::infinity();
+};
+
 class Bake {
 public:
     /// Everything that a bake needs; no light is asked for yet, and the atlas says so: all is open.
     /// Scene and representation outlive the bake.
-    /// @throws Error if even one value a sphere does not fit the budget
+    /// @throws Error as prepareBake
     Bake(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
-         const BakeOptions& options);
+         const BakeOptions& options)
+        : Bake(device, scene, representation, options, prepareBake(device.caps(), representation, options)) {}
+    Bake(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
+         const BakeOptions& options, BakePreparation&& preparation);
 
     /// A bake that is done: what was left of one with the same options of the same representation.
     Bake(const gpu::Device& device, gpu::Executor& executor, const passes::SceneBuffers& scene,
@@ -41,7 +65,22 @@ public:
     /// Sums -> atlas, for the directions done so far.
     void finish(gpu::Executor& executor);
 
+    // The same for who submits himself, in parts that a submission can take.
+    /// Declares the next part: of as many directions as are allowed or, where not even one is, some of its primitives
+    /// or texels. It is to run before anything else of the bake is called, and sliceDone() then.
+    /// @returns its units; 0: nothing is left
+    double declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowance& allowance);
+    /// What was declared has run.
+    void sliceDone();
+    /// Units of the least part that is left.
+    double leastUnits() const;
+    /// Whether all directions that were begun are added up.
+    bool betweenSteps() const { return !work_; }
+    void declareFinish(graph::Graph& g, gpu::Imports& imports);
+
     const gpu::Image& atlas() const { return atlas_; }
+    /// Whether the atlas holds anything, or will by what was submitted.
+    bool shows() const { return atlasDefined_; }
     /// Of the finished atlas, where shaders interpolate it themselves and it fits the budget; else null.
     vk::BufferView cells() const { return *cellTexels_; }
     const OcclusionLayout& layout() const { return layout_; }
@@ -65,8 +104,17 @@ public:
     const std::vector<bool>& seenSpheres() const { return seenSpheres_; }
 
 private:
-    OcclusionLayout chooseLayout(const Representation& representation, std::uint64_t budgetBytes, std::uint32_t detail,
-                                 OpenTexels& open);
+    /// Directions that are under way, and how far they are.
+    struct Work {
+        std::uint32_t model = 0;
+        int first = 0;  ///< direction
+        std::uint32_t count = 0;
+        std::uint64_t instances = 0, drawn = 0;  ///< on each map
+        std::size_t texels = 0, asked = 0;
+        std::uint64_t drawnThen = 0;  ///< when the slice has run
+        std::size_t askedThen = 0;
+    };
+    Work nextWork(const Allowance& allowance) const;
     void makeBuffers(const OpenTexels& open);
     layout::OcclusionConstants constants() const;
     /// Sticks throw thin shadows, which one tap misses: four stand for the directions between two of the set, which are
@@ -74,7 +122,9 @@ private:
     float spreadOfTaps() const;
     void dropDeepTexels();
     void makeCells(std::span<const std::uint8_t> texels);
-    void recordAccumulation(gpu::PassContext& context, graph::Image maps, std::uint32_t batch, std::uint32_t model);
+    /// @param first, end  of the model's texels
+    void recordAccumulation(gpu::PassContext& context, graph::Image maps, std::uint32_t batch, std::uint32_t model,
+                            std::size_t first, std::size_t end);
     vk::DescriptorSet accumulationSet(gpu::PassContext& context, graph::Image maps, std::uint32_t group);
     void writeDirections(std::span<const glm::dmat3> frames, int first);
     std::size_t texelsOf(std::uint32_t model) const;
@@ -90,6 +140,7 @@ private:
     std::vector<bool> seenSpheres_;
     std::vector<int> doneOf_;  // directions, by model
     std::uint64_t asked_ = 0;
+    std::optional<Work> work_;
     gpu::Buffer batchDirections_, list_, sums_, words_, bytes_;
     gpu::Image atlas_;
     std::uint64_t budgetBytes_ = 0;

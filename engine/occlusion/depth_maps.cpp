@@ -16,6 +16,8 @@ namespace {
 constexpr double kPixelsPerSphere = 2.7, kPixelsPerCylinder = 1.5;
 constexpr double kSmallest = 128, kLargest = 2048;
 constexpr std::uint32_t kGroup = 64;  // local_size_x
+/// Between the graphs of a direction that is drawn in parts.
+const graph::State kPartState = graph::stateOf(graph::Verb::samples, graph::PassKind::compute);
 constexpr graph::State kSplatState{
     VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
 
@@ -43,6 +45,20 @@ std::vector<passes::PlacedCopies::Call> within(const std::vector<passes::PlacedC
     return parts;
 }
 
+/// Those instances of calls that lie between two; `at` counts on.
+std::vector<passes::PlacedCopies::Call> between(const std::vector<passes::PlacedCopies::Call>& calls,
+                                                std::uint64_t first, std::uint64_t end, std::uint64_t& at) {
+    std::vector<passes::PlacedCopies::Call> parts;
+    for (const passes::PlacedCopies::Call& call : calls) {
+        const std::uint64_t from = std::clamp(first, at, at + call.count), to = std::clamp(end, at, at + call.count);
+        if (from < to)
+            parts.push_back(
+                {call.copy, call.first + static_cast<std::uint32_t>(from - at), static_cast<std::uint32_t>(to - from)});
+        at += call.count;
+    }
+    return parts;
+}
+
 /// Pixels per Å that the primitives want on the average.
 double wantedResolution(const Representation& r) {
     double sum = 0;
@@ -53,9 +69,27 @@ double wantedResolution(const Representation& r) {
 
 }  // namespace
 
+DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& representation, OcclusionMaps path,
+                             std::uint64_t budgetBytes, std::uint32_t detail)
+    : bytesPerPixel(occlusion::bytesPerPixel(path, caps.encoded)) {
+    const double wanted = std::ceil(2.0 * representation.radius * wantedResolution(representation) / 8.0) * 8.0;
+    const double fits = std::floor(std::sqrt(static_cast<double>(budgetBytes) / bytesPerPixel) / 8.0) * 8.0;
+    pixels = static_cast<std::uint32_t>(
+        std::max(std::min(std::clamp(wanted, std::min(kSmallest, 4.0 * detail), kLargest), fits), 8.0));
+    for (const std::uint32_t batch : {4u, DepthMaps::kMostPerBatch})
+        if (std::uint64_t{bytesPerPixel} * pixels * pixels * batch <= budgetBytes &&
+            pixels * mapsAcross(batch) <= caps.maxImageSize)
+            perBatch = batch;
+}
+
 DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
                      OcclusionMaps path, std::uint64_t budgetBytes, std::uint32_t detail)
-    : device_(device), scene_(scene), representation_(representation), path_(path), radius_(representation.radius) {
+    : device_(device),
+      scene_(scene),
+      representation_(representation),
+      path_(path),
+      sizes_(device.caps(), representation, path, budgetBytes, detail),
+      radius_(representation.radius) {
     const auto dealOut = [&](const std::vector<ModelRun>& runs, std::vector<ModelRun> Runs::*kind) {
         for (const ModelRun& run : runs) {
             if (run.model >= runs_.size()) runs_.resize(run.model + 1);
@@ -68,66 +102,63 @@ DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scen
     double sum = 0;
     for (const Sphere& s : representation.spheres) sum += s.radius;
     meanRadius_ = sum / static_cast<double>(std::max<std::size_t>(representation.spheres.size(), 1));
-    const double wanted = std::ceil(2.0 * radius_ * wantedResolution(representation) / 8.0) * 8.0;
-    const std::uint32_t bytes = bytesPerPixel(path, device.caps().encoded);
-    const double fits = std::floor(std::sqrt(static_cast<double>(budgetBytes) / bytes) / 8.0) * 8.0;
-    pixels_ = static_cast<std::uint32_t>(
-        std::max(std::min(std::clamp(wanted, std::min(kSmallest, 4.0 * detail), kLargest), fits), 8.0));
-    for (const std::uint32_t batch : {4u, kMostPerBatch})
-        if (std::uint64_t{bytes} * pixels_ * pixels_ * batch <= budgetBytes &&
-            pixels_ * mapsAcross(batch) <= device.caps().maxImageSize)
-            perBatch_ = batch;
     if (path != OcclusionMaps::splat) return;
     using Usage = vk::BufferUsageFlagBits;
-    splats_ = gpu::makeBuffer(device, std::uint64_t{4} * pixels_ * pixels_ * perBatch_,
+    splats_ = gpu::makeBuffer(device, std::uint64_t{4} * pixels() * pixels() * perBatch(),
                               Usage::eStorageBuffer | Usage::eTransferDst | Usage::eTransferSrc, gpu::Access::upload,
                               "depth maps' splats");
     const std::size_t copies = std::max<std::size_t>(representation.copies.transforms.size(), 1);
-    views_ = gpu::makeBuffer(device, sizeof(layout::ViewConstants) * perBatch_ * copies, Usage::eStorageBuffer,
+    views_ = gpu::makeBuffer(device, sizeof(layout::ViewConstants) * perBatch() * copies, Usage::eStorageBuffer,
                              gpu::Access::upload, "depth maps' views");
-}
-
-std::uint64_t DepthMaps::bytes() const {
-    return std::uint64_t{bytesPerPixel(path_, device_.caps().encoded)} * pixels_ * pixels_ * perBatch_;
 }
 
 View DepthMaps::view(const glm::dmat3& frame) const {
     View view;
-    view.width = view.height = pixels_;
+    view.width = view.height = pixels();
     view.rotation = frame;
     view.radius = radius_;
-    view.pixelsPerAngstrom = pixels_ / (2.0 * radius_);
+    view.pixelsPerAngstrom = pixels() / (2.0 * radius_);
     return view;
 }
 
 /// Map i of a batch.
 layout::ViewConstants DepthMaps::constants(const glm::dmat3& frame, std::uint32_t i, std::uint32_t across) const {
-    const std::uint32_t x = i % across * pixels_, y = i / across * pixels_;
-    return passes::viewConstants(view(frame), device_.caps().snapPixels, x + pixels_ / 2.0, y + pixels_ / 2.0);
+    const std::uint32_t x = i % across * pixels(), y = i / across * pixels();
+    return passes::viewConstants(view(frame), device_.caps().snapPixels, x + pixels() / 2.0, y + pixels() / 2.0);
 }
 
 /// What one map of a model shows.
-passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t model) const {
+passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t model, MapPart part) const {
     passes::PlacedCopies all = passes::placeCopies(representation_, view(frame));
-    if (runs_.size() == 1) return all;
-    all.spheres = within(all.spheres, runs_[model].spheres);
-    all.cylinders = within(all.cylinders, runs_[model].cylinders);
+    if (runs_.size() > 1) {
+        all.spheres = within(all.spheres, runs_[model].spheres);
+        all.cylinders = within(all.cylinders, runs_[model].cylinders);
+    }
+    if (part.first == 0 && part.end == MapPart().end) return all;
+    std::uint64_t at = 0;
+    all.spheres = between(all.spheres, part.first, part.end, at);
+    all.cylinders = between(all.cylinders, part.first, part.end, at);
     return all;
+}
+
+std::uint64_t DepthMaps::instances(std::uint32_t model) const {
+    const passes::PlacedCopies all = placed(glm::dmat3(1), model);
+    return all.sphereCount() + all.cylinderCount();
 }
 
 template <typename Pass>
 graph::Record DepthMaps::eachMap(std::span<const glm::dmat3> frames, std::uint32_t across, std::uint32_t model,
-                                 Pass&& pass) const {
+                                 MapPart part, Pass&& pass) const {
     return [=, this](gpu::PassContext& c) {
-        const auto side = static_cast<float>(pixels_);
+        const auto side = static_cast<float>(pixels());
         for (std::uint32_t i = 0; i < frames.size(); ++i) {
-            const std::uint32_t x = i % across * pixels_, y = i / across * pixels_;
+            const std::uint32_t x = i % across * pixels(), y = i / across * pixels();
             c.commands.setViewport(0, vk::Viewport(static_cast<float>(x), static_cast<float>(y), side, side, 0, 1));
-            c.commands.setScissor(0, vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {pixels_, pixels_}));
+            c.commands.setScissor(0, vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {pixels(), pixels()}));
             passes::SceneView scene;
             scene.buffers = &scene_;
-            scene.copies = placed(frames[i], model);
-            scene.radiusPixels = meanRadius_ * pixels_ / (2.0 * radius_);
+            scene.copies = placed(frames[i], model, part);
+            scene.radiusPixels = meanRadius_ * pixels() / (2.0 * radius_);
             scene.constants = constants(frames[i], i, across);
             scene.wholeImage = false;
             pass(c, scene);
@@ -138,11 +169,11 @@ graph::Record DepthMaps::eachMap(std::span<const glm::dmat3> frames, std::uint32
 /// The views of a batch: all maps of the first copy, then all of the next one.
 /// @returns the calls, the same for every map since each shows the whole model
 passes::PlacedCopies DepthMaps::writeViews(std::span<const glm::dmat3> frames, std::uint32_t across,
-                                           std::uint32_t model) const {
+                                           std::uint32_t model, MapPart part) const {
     auto* views = reinterpret_cast<layout::ViewConstants*>(views_.mapped);
     passes::PlacedCopies shown;
     for (std::uint32_t i = 0; i < frames.size(); ++i) {
-        shown = placed(frames[i], model);
+        shown = placed(frames[i], model, part);
         layout::ViewConstants c = constants(frames[i], i, across);
         for (std::size_t copy = 0; 3 * copy < shown.rows.size(); ++copy) {
             c.row0 = shown.rows[3 * copy];
@@ -155,7 +186,7 @@ passes::PlacedCopies DepthMaps::writeViews(std::span<const glm::dmat3> frames, s
 }
 
 void DepthMaps::recordSplat(gpu::PassContext& context, graph::Buffer maps, std::span<const glm::dmat3> frames,
-                            std::uint32_t across, std::uint32_t model) const {
+                            std::uint32_t across, std::uint32_t model, MapPart part) const {
     const vk::DescriptorSet set = context.descriptors.allocate(splatLayout(context).set, "depth map splats");
     const vk::DescriptorBufferInfo infos[] = {{*scene_.shapes.handle, 0, VK_WHOLE_SIZE},
                                               {*views_.handle, 0, VK_WHOLE_SIZE},
@@ -165,7 +196,7 @@ void DepthMaps::recordSplat(gpu::PassContext& context, graph::Buffer maps, std::
             vk::WriteDescriptorSet(set, i, 0, vk::DescriptorType::eStorageBuffer, {}, infos[i]), {});
     const vk::PipelineLayout pipelineLayout = *splatLayout(context).pipeline;
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, pipelineLayout, 0, set, {});
-    const passes::PlacedCopies shown = writeViews(frames, across, model);
+    const passes::PlacedCopies shown = writeViews(frames, across, model, part);
     const auto mapCount = static_cast<std::uint32_t>(frames.size());
     constexpr std::uint32_t kMost = 65535 * kGroup;  // the floor allows 65,535 workgroups a dispatch
     const auto splat = [&](const std::vector<passes::PlacedCopies::Call>& calls, bool cylinders) {
@@ -173,8 +204,8 @@ void DepthMaps::recordSplat(gpu::PassContext& context, graph::Buffer maps, std::
         context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, splatPipeline(context, cylinders));
         for (const passes::PlacedCopies::Call& call : calls)
             for (std::uint32_t first = call.first, end = first + call.count; first < end; first += kMost) {
-                const layout::SplatConstants c{call.copy * mapCount, first,   std::min(end, first + kMost),
-                                               scene_.sphereCount,   pixels_, pixels_ * across};
+                const layout::SplatConstants c{call.copy * mapCount, first,    std::min(end, first + kMost),
+                                               scene_.sphereCount,   pixels(), pixels() * across};
                 context.commands.pushConstants<layout::SplatConstants>(pipelineLayout,
                                                                        vk::ShaderStageFlagBits::eCompute, 0, c);
                 context.commands.dispatch((c.end - c.first + kGroup - 1) / kGroup, mapCount, 1);
@@ -184,44 +215,102 @@ void DepthMaps::recordSplat(gpu::PassContext& context, graph::Buffer maps, std::
     splat(shown.cylinders, true);
 }
 
-graph::Image DepthMaps::declare(graph::Graph& g, gpu::Imports& imports, std::span<const glm::dmat3> frames,
-                                std::uint32_t batch, std::uint32_t model) {
-    using graph::Clear;
-    const std::uint32_t across = mapsAcross(batch);
-    const graph::Extent extent{pixels_ * across, pixels_ * across};
-    if (path_ == OcclusionMaps::splat) {
-        const auto splats = g.importBuffer("depth maps' splats", splats_.size, kSplatState);
-        imports.bind(splats, splats_);
-        const auto maps = g.image("depth maps", {VK_FORMAT_R32_SFLOAT, extent});
-        const vk::DeviceSize used = std::uint64_t{4} * extent.width * extent.height;
+/// @param last  nothing is splatted after this part: it becomes a texture
+void DepthMaps::declareSplats(graph::Graph& g, gpu::Imports& imports, graph::Image maps,
+                              std::span<const glm::dmat3> frames, std::uint32_t across, std::uint32_t model,
+                              MapPart part, bool last) {
+    const graph::Extent extent{pixels() * across, pixels() * across};
+    const auto splats = g.importBuffer("depth maps' splats", splats_.size, kSplatState);
+    imports.bind(splats, splats_);
+    const vk::DeviceSize used = std::uint64_t{4} * extent.width * extent.height;
+    if (part.first == 0)
         g.transfer("clear depth maps").copiesTo(splats).record([=](gpu::PassContext& c) {
             c.commands.fillBuffer(c.buffer(splats), 0, used, 0x3f800000);  // 1.0f
         });
-        g.compute("depth splatting").writes(splats).record([=, this](gpu::PassContext& c) {
-            recordSplat(c, splats, frames, across, model);
-        });
-        g.transfer("depth maps to texture").copiesFrom(splats).copiesTo(maps).record([=](gpu::PassContext& c) {
-            const vk::BufferImageCopy all(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {},
-                                          {extent.width, extent.height, 1});
-            c.commands.copyBufferToImage(c.buffer(splats), c.image(maps), vk::ImageLayout::eTransferDstOptimal, all);
-        });
+    g.compute("depth splatting").writes(splats).record([=, this](gpu::PassContext& c) {
+        recordSplat(c, splats, frames, across, model, part);
+    });
+    if (!last) return;
+    g.transfer("depth maps to texture").copiesFrom(splats).copiesTo(maps).record([=](gpu::PassContext& c) {
+        const vk::BufferImageCopy all(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {},
+                                      {extent.width, extent.height, 1});
+        c.commands.copyBufferToImage(c.buffer(splats), c.image(maps), vk::ImageLayout::eTransferDstOptimal, all);
+    });
+}
+
+/// @param maps  none: hardware depth is what they hold
+void DepthMaps::declareDrawn(graph::Graph& g, graph::Image depth, std::optional<graph::Image> maps,
+                             std::span<const glm::dmat3> frames, std::uint32_t across, std::uint32_t model,
+                             MapPart part) const {
+    std::optional<graph::Clear> clear, clearMaps;
+    const graph::EncodedFormat& encoded = device_.caps().encoded;
+    if (part.first == 0) clear = graph::Clear{1.0f}, clearMaps = graph::Clear{encoded.farthest};
+    g.graphics("opaque prepass").depth(depth, clear).record(eachMap(frames, across, model, part, passes::drawPlates));
+    if (!maps) {
+        g.graphics("nearest depth").depth(depth).record(eachMap(frames, across, model, part, passes::drawNearestDepth));
+        return;
+    }
+    g.graphics("depth encoding")
+        .depthTest(depth)
+        .color(*maps, clearMaps)
+        .record(
+            eachMap(frames, across, model, part, [encoding = passes::Encoding(encoded)](auto& c, const auto& scene) {
+                passes::encodeDepth(c, scene, encoding);
+            }));
+}
+
+graph::Image DepthMaps::declare(graph::Graph& g, gpu::Imports& imports, std::span<const glm::dmat3> frames,
+                                std::uint32_t batch, std::uint32_t model) {
+    const std::uint32_t across = mapsAcross(batch);
+    const graph::Extent extent{pixels() * across, pixels() * across};
+    if (path_ == OcclusionMaps::splat) {
+        const auto maps = g.image("depth maps", {VK_FORMAT_R32_SFLOAT, extent});
+        declareSplats(g, imports, maps, frames, across, model, {}, true);
         return maps;
     }
     const auto depth = g.image("depth maps' hardware depth", {VK_FORMAT_D32_SFLOAT, extent});
-    g.graphics("opaque prepass").depth(depth, Clear{1.0f}).record(eachMap(frames, across, model, passes::drawPlates));
+    std::optional<graph::Image> maps;
+    if (encoded()) maps = g.image("depth maps", {device_.caps().encoded.format, extent});
+    declareDrawn(g, depth, maps, frames, across, model, {});
+    return maps.value_or(depth);
+}
+
+void DepthMaps::makePartImages() {
+    using Usage = vk::ImageUsageFlagBits;
+    if (*partMap_.handle) return;
+    const graph::Extent extent{pixels(), pixels()};
+    const auto depth = Usage::eDepthStencilAttachment | Usage::eSampled;
     if (path_ == OcclusionMaps::fragdepth) {
-        g.graphics("nearest depth").depth(depth).record(eachMap(frames, across, model, passes::drawNearestDepth));
-        return depth;
+        partMap_ = gpu::makeImage(device_, {VK_FORMAT_D32_SFLOAT, extent}, depth, false, "depth map in parts");
+        return;
     }
-    const graph::EncodedFormat& encoded = device_.caps().encoded;
-    const auto maps = g.image("depth maps", {encoded.format, extent});
-    g.graphics("depth encoding")
-        .depthTest(depth)
-        .color(maps, Clear{encoded.farthest})
-        .record(eachMap(frames, across, model, [encoding = passes::Encoding(encoded)](auto& c, const auto& scene) {
-            passes::encodeDepth(c, scene, encoding);
-        }));
-    return maps;
+    const VkFormat format = encoded() ? device_.caps().encoded.format : VK_FORMAT_R32_SFLOAT;
+    const auto written = encoded() ? Usage::eColorAttachment : Usage::eTransferDst;
+    partMap_ = gpu::makeImage(device_, {format, extent}, written | Usage::eSampled, false, "depth map in parts");
+    if (encoded())
+        partDepth_ = gpu::makeImage(device_, {VK_FORMAT_D32_SFLOAT, extent}, depth, false, "its hardware depth");
+}
+
+void DepthMaps::declarePart(graph::Graph& g, gpu::Imports& imports, std::span<const glm::dmat3> frame,
+                            std::uint32_t model, std::uint64_t first, std::uint64_t end) {
+    makePartImages();
+    const MapPart part{first, end};
+    const bool last = end == instances(model), begins = path_ == OcclusionMaps::splat || first == 0;
+    if (path_ == OcclusionMaps::splat && !last) return declareSplats(g, imports, {}, frame, 1, model, part, last);
+    const auto map = g.importImage("depth map in parts", partMap_.desc, kPartState, begins);
+    imports.bind(map, partMap_);
+    if (path_ == OcclusionMaps::splat) return declareSplats(g, imports, map, frame, 1, model, part, last);
+    if (!encoded()) return declareDrawn(g, map, {}, frame, 1, model, part);
+    const auto depth = g.importImage("its hardware depth", partDepth_.desc,
+                                     graph::stateOf(graph::Verb::depth, graph::PassKind::graphics), begins);
+    imports.bind(depth, partDepth_);
+    declareDrawn(g, depth, map, frame, 1, model, part);
+}
+
+graph::Image DepthMaps::drawnParts(graph::Graph& g, gpu::Imports& imports) const {
+    const auto map = g.importImage("depth map in parts", partMap_.desc, kPartState);
+    imports.bind(map, partMap_);
+    return map;
 }
 
 }  // namespace nacre::occlusion

@@ -235,7 +235,8 @@ void append(OpenTexels& all, const OpenTexels& part) {
 
 }  // namespace
 
-OpenTexels openTexels(const OcclusionLayout& layout, const Representation& r, const PrimitiveTree& tree) {
+OpenTexels openTexels(const OcclusionLayout& layout, const Representation& r, const PrimitiveTree& tree,
+                      const std::stop_token& stop) {
     OpenTexels all;
     const auto spheres = static_cast<std::uint32_t>(r.spheres.size());
     const auto count = spheres + static_cast<std::uint32_t>(r.cylinders.size());
@@ -252,7 +253,7 @@ OpenTexels openTexels(const OcclusionLayout& layout, const Representation& r, co
                 const auto bound = [&](std::uint32_t n) {
                     return first + static_cast<std::uint32_t>(std::uint64_t{count - first} * n / parts);
                 };
-                for (std::uint32_t i = bound(part); i < bound(part + 1); ++i)
+                for (std::uint32_t i = bound(part); i < bound(part + 1) && !stop.stop_requested(); ++i)
                     if (i < spheres)
                         finders[part].sphere(i);
                     else

@@ -2,6 +2,7 @@
 // Which texels of the occlusion atlas light can reach, and what the others take.
 
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "engine/occlusion/atlas_layout.h"
@@ -35,7 +36,9 @@ struct OpenTexels {
 };
 
 /// Linear in the number of primitives, however they crowd; uses every core.
-OpenTexels openTexels(const OcclusionLayout& layout, const Representation& representation, const PrimitiveTree& tree);
+/// @param stop  what is found is of no use once it is asked for: returns early, with less
+OpenTexels openTexels(const OcclusionLayout& layout, const Representation& representation, const PrimitiveTree& tree,
+                      const std::stop_token& stop = {});
 
 /// Share of the texels that are open, from a sample of the primitives.
 double openShare(const OcclusionLayout& layout, const Representation& representation, const PrimitiveTree& tree);

@@ -7,6 +7,9 @@
 namespace nacre::occlusion {
 namespace {
 
+/// Of one submission while somebody waits for the whole: some phones stop what takes seconds, all of them stutter.
+constexpr double kWaitedMilliseconds = 30;
+
 /// The path of the depth maps, if the device is to choose.
 OcclusionMaps automaticMaps(const gpu::Caps& caps) {
     if (caps.software) return OcclusionMaps::splat;
@@ -44,6 +47,8 @@ void SceneOcclusion::orDrop(Work&& work) {
         work();
     } catch (...) {
         device_.settle();
+        forgetPreparation();
+        submission_.reset();
         bake_.reset();
         try {
             executor_.forget("occlusion");
@@ -55,35 +60,66 @@ void SceneOcclusion::orDrop(Work&& work) {
 }
 
 void SceneOcclusion::begin(const OcclusionSettings& settings) {
-    orDrop([&] { make(settings); });
+    orDrop([&] {
+        prepare(settings);
+        if (preparing_.valid()) make();
+        if (bake_ && !bake_->shows()) finishFlight(), bake_->finish(executor_);
+    });
 }
 
-void SceneOcclusion::make(const OcclusionSettings& settings) {
-    const std::tuple wanted{settings.directions, settings.bytes, settings.maps, settings.detail};
-    if (settings.directions == 0 || (bake_ && baked_ == wanted)) return;
+void SceneOcclusion::prepare(const OcclusionSettings& settings) {
+    const Wanted wanted{settings.directions, settings.bytes, settings.maps, settings.detail};
+    if (settings.directions == 0 || ((bake_ || preparing_.valid()) && baked_ == wanted)) return;
     if (representation_.spheres.empty() && representation_.cylinders.empty()) return;  // no atlas of no patches
-    const auto start = Clock::now();
-    device_->waitIdle();  // frames for the window may still read the streams and the atlas
-    bake_.reset();
-    BakeOptions options{settings.directions, settings.bytes, settings.maps, settings.detail};
-    if (options.path == OcclusionMaps::automatic) options.path = automaticMaps(device_.caps());
-    cache_ = occlusionCache(settings.cache);
-    cacheName_ = cache_.on() ? occlusionCacheName(representation_, howBaked(device_.caps(), options)) : "";
-    worthKeeping_ = settings.worthKeeping;
-    const auto kept = readOcclusion(cache_, cacheName_, representation_, device_.caps().maxImageSize);
-    if (kept)
-        bake_ = std::make_unique<Bake>(device_, executor_, scene_, representation_, options, *kept);
-    else
-        bake_ = std::make_unique<Bake>(device_, scene_, representation_, options);
-    if (!kept) bake_->finish(executor_);
+    if (bake_) device_->waitIdle();  // frames for the window may still read its atlas
+    drop();
+    began_ = Clock::now();
     baked_ = wanted;
-    directionMilliseconds_ = 0;
-    stats_.bakeMilliseconds = millisecondsSince(start);
+    options_ = {settings.directions, settings.bytes, settings.maps, settings.detail};
+    if (options_.path == OcclusionMaps::automatic) options_.path = automaticMaps(device_.caps());
+    cache_ = occlusionCache(settings.cache);
+    worthKeeping_ = settings.worthKeeping;
+    stopPreparing_.emplace();
+    preparing_ =
+        std::async(std::launch::async, [this, options = options_, cache = cache_, stop = stopPreparing_->get_token()] {
+            Prepared p;
+            if (cache.on()) p.cacheName = occlusionCacheName(representation_, howBaked(device_.caps(), options));
+            p.kept = readOcclusion(cache, p.cacheName, representation_, device_.caps().maxImageSize);
+            if (!p.kept) p.bake = prepareBake(device_.caps(), representation_, options, stop);
+            return p;
+        });
+}
+
+void SceneOcclusion::forgetPreparation() {
+    if (stopPreparing_) stopPreparing_->request_stop();
+    if (preparing_.valid()) preparing_.wait();
+    preparing_ = {};
+}
+
+void SceneOcclusion::drop() {
+    forgetPreparation();
+    if (submission_ && submission_->pending()) device_.settle();
+    submission_.reset();
+    submittedUnits_ = unshown_ = shown_ = 0;
+    bake_.reset();
+}
+
+void SceneOcclusion::make() {
+    Prepared p = preparing_.get();
+    cacheName_ = p.cacheName;
+    const bool kept = p.kept.has_value();
+    const std::uint64_t atlasBytes = kept ? p.kept->atlas.size() : 0;
+    if (kept)
+        bake_ = std::make_unique<Bake>(device_, executor_, scene_, representation_, options_, *p.kept);
+    else
+        bake_ = std::make_unique<Bake>(device_, scene_, representation_, options_, std::move(p.bake));
+    shown_ = kept ? 1 : 0;
+    stats_.bakeMilliseconds = millisecondsSince(began_);
     stats_.occlusion = {bake_->directions(),
                         0,
                         bake_->layout().sphereEdge,
                         bake_->texels(),
-                        nameOf(options.path),
+                        nameOf(options_.path),
                         bake_->maps().pixels(),
                         bake_->maps().perBatch(),
                         bake_->bytes(),
@@ -92,8 +128,8 @@ void SceneOcclusion::make(const OcclusionSettings& settings) {
     stats_.occlusion.cached = true;
     stats_.occlusion.done = bake_->directions();
     stats_.occlusion.mapPixels = stats_.occlusion.mapsPerBatch = 0;  // none were drawn
-    stats_.occlusion.bytes = kept->atlas.size();
-    stats_.occlusion.neverSeen = countUnseen(kept->seenSpheres);
+    stats_.occlusion.bytes = atlasBytes;
+    stats_.occlusion.neverSeen = countUnseen(bake_->seenSpheres());
 }
 
 /// Keeps the finished bake_ on disk, if it took long enough.
@@ -103,26 +139,28 @@ void SceneOcclusion::keep(std::vector<std::uint8_t> atlas) {
                    {bake_->layout(), std::move(atlas), bake_->seenSpheres(), stats_.occlusion.texels});
 }
 
-/// Shows what is done so far; when that is all, drops what only the bake_ needs.
+/// Drops what only the bake needs, when all of it is shown.
+void SceneOcclusion::wrapUp() {
+    executor_.forget("occlusion");
+    std::vector<std::uint8_t> atlas;
+    if (cache_.on()) atlas = bake_->atlasTexels();
+    bake_->release();
+    stats_.occlusion.neverSeen = countUnseen(bake_->seenSpheres());
+    keep(std::move(atlas));
+}
+
+/// Shows what is done so far.
 void SceneOcclusion::show(Clock::time_point start) {
     bake_->finish(executor_);
+    shown_ = share();
     stats_.occlusion.done = bake_->directionsDone();
     stats_.occlusion.asked = bake_->asked();
-    if (bake_->complete()) {
-        executor_.forget("occlusion");
-        std::vector<std::uint8_t> atlas;
-        if (cache_.on()) atlas = bake_->atlasTexels();
-        bake_->release();
-        stats_.occlusion.neverSeen = countUnseen(bake_->seenSpheres());
-        stats_.bakeMilliseconds += millisecondsSince(start);
-        keep(std::move(atlas));
-        return;
-    }
     stats_.bakeMilliseconds += millisecondsSince(start);
+    if (bake_->complete()) wrapUp();
 }
 
 passes::Atlas SceneOcclusion::atlas() const {
-    if (!bake_) return {};
+    if (!bake_ || !bake_->shows()) return {};
     const OcclusionLayout& layout = bake_->layout();
     return {&bake_->atlas(),        layout.sphereEdge,        layout.around, layout.along,
             layout.spherePatches(), layout.cylinderPatches(), bake_->cells()};
@@ -132,20 +170,47 @@ double SceneOcclusion::share() const {
     return bake_ ? static_cast<double>(bake_->mapsDone()) / static_cast<double>(bake_->mapsInAll()) : 1;
 }
 
+/// What the device is done with in so long. A processor has nobody who stops it.
+Allowance SceneOcclusion::allowed(double milliseconds) const {
+    return {DepthMaps::kMostPerBatch, milliseconds * unitsPerMillisecond_};
+}
+
+void SceneOcclusion::learn(double units, double milliseconds) {
+    if (milliseconds <= 0) return;
+    const double rate = units / milliseconds;
+    // One that was slow for once is believed at once, one that was fast by and by.
+    unitsPerMillisecond_ = std::min(rate, unitsPerMillisecond_ + 0.5 * std::max(rate - unitsPerMillisecond_, 0.0));
+}
+
+void SceneOcclusion::runSlice(const Allowance& allowance) {
+    graph::Graph g("occlusion");
+    gpu::Imports imports;
+    const double units = bake_->declareSlice(g, imports, allowance);
+    const graph::Plan plan = graph::compile(g, device_.caps().plan);
+    // From outside a first submission takes what the driver's compiler does, too. Software devices finish each pass for
+    // a stamp, and what they are told to do they do as it comes.
+    const bool timed = !device_.caps().software;
+    if (timed && !timer_) timer_ = std::make_unique<gpu::Timer>(device_);
+    const auto start = Clock::now();
+    device_.submitAndWait([&](const vk::raii::CommandBuffer& c) {
+        executor_.record(c, g, plan, imports, timed ? timer_.get() : nullptr);
+    });
+    executor_.reset();
+    const double took = millisecondsSince(start);
+    learn(units, timed ? timer_->milliseconds().value_or(took) : took);
+    bake_->sliceDone();
+}
+
 void SceneOcclusion::advance(double milliseconds) {
     if (!bake_) return;
     orDrop([&] {
+        finishFlight();
         const auto start = Clock::now();
         const std::uint64_t before = bake_->mapsDone();
         while (!bake_->complete()) {
             const double left = milliseconds - millisecondsSince(start);
-            const std::uint64_t done = bake_->mapsDone();
-            if (done > before && left < directionMilliseconds_) break;
-            // As many as fit the time that is left, by what the last ones took.
-            const double fit = directionMilliseconds_ > 0 ? left / directionMilliseconds_ : 1;
-            const auto stepStart = Clock::now();
-            bake_->step(executor_, static_cast<std::uint32_t>(std::clamp(fit, 1.0, 16.0)));
-            directionMilliseconds_ = millisecondsSince(stepStart) / static_cast<double>(bake_->mapsDone() - done);
+            if (bake_->mapsDone() > before && bake_->betweenSteps() && left <= 0) break;
+            runSlice(allowed(std::max(left, 0.0)));
         }
         if (bake_->mapsDone() > before) show(start);
     });
@@ -153,15 +218,94 @@ void SceneOcclusion::advance(double milliseconds) {
 
 void SceneOcclusion::finish(const OcclusionSettings& settings) {
     begin(settings);
-    if (settings.directions == 0 || !bake_ || bake_->complete()) return;
+    if (settings.directions == 0 || !bake_) return;
     orDrop([&] {
+        finishFlight();
+        if (shown_ == 1) return;
         const auto start = Clock::now();
         while (!bake_->complete()) {
-            bake_->step(executor_);
-            if (settings.onProgress) settings.onProgress(share());
+            runSlice(device_.caps().software ? Allowance() : allowed(kWaitedMilliseconds));
+            if (settings.onProgress && bake_->betweenSteps()) settings.onProgress(share());
         }
         show(start);
     });
+}
+
+// --- beside frames
+
+double SceneOcclusion::advanceBeside(const OcclusionSettings& settings, const OcclusionPace& pace) {
+    orDrop([&] {
+        prepare(settings);
+        if (preparing_.valid()) {
+            if (preparing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) make();
+            return;  // the next call begins with it
+        }
+        if (!bake_ || shown_ == 1) return;
+        if (submission_ && submission_->pending()) {
+            if (!submission_->done()) return;
+            collect();
+        }
+        if (shown_ < 1) submit(pace);
+    });
+    return bake_ ? shown_ : preparing_.valid() ? 0 : 1;
+}
+
+/// Submits what frames are to show, if there is enough of it, and the next part of the bake, if it may.
+void SceneOcclusion::submit(const OcclusionPace& pace) {
+    const bool showing =
+        bake_->betweenSteps() && share() > shown_ && (bake_->complete() || unshown_ >= pace.showMilliseconds);
+    const Allowance allowance = allowed(pace.sliceMilliseconds);
+    const bool working = !bake_->complete() && (!pace.mustFit || bake_->leastUnits() <= allowance.units);
+    if (!showing && !working) return;
+    if (!submission_) submission_ = std::make_unique<gpu::Submission>(device_, "occlusion");
+    submittedAt_ = Clock::now();
+    const double share = this->share();
+    submission_->submit([&](const vk::raii::CommandBuffer& commands) {
+        const auto record = [&](const graph::Graph& g, const gpu::Imports& imports, gpu::Timer* timer) {
+            const graph::Plan plan = graph::compile(g, device_.caps().plan);
+            executor_.record(commands, g, plan, imports, submission_->descriptors(), timer);
+        };
+        if (showing) {
+            graph::Graph g("occlusion finish");
+            gpu::Imports imports;
+            bake_->declareFinish(g, imports);
+            record(g, imports, nullptr);
+        }
+        if (!working) return;
+        graph::Graph g("occlusion");
+        gpu::Imports imports;
+        submittedUnits_ = bake_->declareSlice(g, imports, allowance);
+        record(g, imports, &submission_->timer());
+    });
+    if (!showing) return;
+    // Frames that are submitted from here on see it. All is shown when it is known to be done.
+    shown_ = bake_->complete() ? shown_ : share;
+    unshown_ = 0;
+    stats_.occlusion.done = bake_->directionsDone();
+    stats_.occlusion.asked = bake_->asked();
+}
+
+/// What was submitted is done.
+void SceneOcclusion::collect() {
+    const double waited = millisecondsSince(submittedAt_);
+    if (submittedUnits_ > 0) {
+        const double took = submission_->timer().milliseconds().value_or(waited);
+        learn(std::exchange(submittedUnits_, 0.0), took);
+        unshown_ += took;
+        stats_.bakeMilliseconds += took;
+        bake_->sliceDone();
+        return;
+    }
+    if (!bake_->complete()) return;
+    shown_ = 1;
+    wrapUp();
+}
+
+/// Waits for what is in flight beside frames.
+void SceneOcclusion::finishFlight() {
+    if (!submission_ || !submission_->pending()) return;
+    submission_->wait();
+    collect();
 }
 
 }  // namespace nacre::occlusion

@@ -1,9 +1,13 @@
 #pragma once
 // The occlusion of the renderer's scene: which bake the settings ask for, how far it is, what is kept of it on disk.
 
+#include <future>
 #include <memory>
+#include <optional>
+#include <stop_token>
 #include <tuple>
 
+#include "engine/gpu/submission.h"
 #include "engine/milliseconds.h"
 #include "engine/occlusion/bake.h"
 #include "engine/results.h"
@@ -18,6 +22,7 @@ public:
     SceneOcclusion(const gpu::Device& device, gpu::Executor& executor, const Representation& representation,
                    const passes::SceneBuffers& scene, FrameStats& stats)
         : device_(device), executor_(executor), representation_(representation), scene_(scene), stats_(stats) {}
+    ~SceneOcclusion() { drop(); }
 
     /// Makes the bake that the settings ask for, unless it is there, or there is nothing to bake. One that was kept is
     /// done at once.
@@ -26,8 +31,10 @@ public:
     void advance(double milliseconds);
     /// All of it.
     void finish(const OcclusionSettings& settings);
-    /// The scene is about to change.
-    void drop() { bake_.reset(); }
+    /// As Renderer::advanceOcclusion beside frames. @returns the share that is shown
+    double advanceBeside(const OcclusionSettings& settings, const OcclusionPace& pace);
+    /// The scene is about to change. Waits for what is in flight.
+    void drop();
     /// Null: nothing was asked for yet, or there is nothing to bake.
     const Bake* bake() const { return bake_.get(); }
     /// What is shown of it so far.
@@ -40,7 +47,25 @@ private:
     /// is dropped: the next begins anew.
     template <typename Work>
     void orDrop(Work&& work);
-    void make(const OcclusionSettings& settings);
+    /// What a thread of its own finds out of a bake before it can begin.
+    struct Prepared {
+        std::string cacheName;
+        std::optional<FinishedOcclusion> kept;
+        BakePreparation bake;
+    };
+    using Wanted = std::tuple<int, std::uint64_t, OcclusionMaps, std::uint32_t>;
+    /// Begins to prepare what the settings ask for, unless it is there, or on its way, or there is nothing to bake.
+    void prepare(const OcclusionSettings& settings);
+    /// Makes the bake when it is prepared.
+    void make();
+    void forgetPreparation();
+    void runSlice(const Allowance& allowance);
+    void submit(const OcclusionPace& pace);
+    void finishFlight();
+    void collect();
+    void wrapUp();
+    Allowance allowed(double milliseconds) const;
+    void learn(double units, double milliseconds);
     void keep(std::vector<std::uint8_t> atlas);
     void show(Clock::time_point start);
 
@@ -50,12 +75,23 @@ private:
     const passes::SceneBuffers& scene_;
     FrameStats& stats_;
     std::unique_ptr<Bake> bake_;
-    std::tuple<int, std::uint64_t, OcclusionMaps, std::uint32_t>
-        baked_{};                       // directions, budget, maps, detail: of bake_
-    double directionMilliseconds_ = 0;  // that one direction took, lately
-    DiskCache cache_;                   // off: the bake is not to be kept
-    std::string cacheName_;             // of the bake in it
+    Wanted baked_{};         // directions, budget, maps, detail: of bake_, or of what is being prepared
+    DiskCache cache_;        // off: the bake is not to be kept
+    std::string cacheName_;  // of the bake in it
     double worthKeeping_ = 0;
+
+    std::optional<std::stop_source> stopPreparing_;
+    std::future<Prepared> preparing_;
+    BakeOptions options_;  // of what is being prepared
+    Clock::time_point began_;
+
+    double unitsPerMillisecond_ = 50'000;          // that the device takes on, lately; first a small phone's
+    std::unique_ptr<gpu::Submission> submission_;  // beside frames
+    std::unique_ptr<gpu::Timer> timer_;            // of what is waited for
+    double submittedUnits_ = 0;                    // of the bake in it; 0: none
+    Clock::time_point submittedAt_;
+    double unshown_ = 0;  // milliseconds of work that frames do not show yet
+    double shown_ = 0;    // the share that they show
 };
 
 }  // namespace nacre::occlusion

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "app/apple/menu.h"
 #include "engine/error.h"
@@ -51,12 +53,14 @@ public:
 
     /// As the display link does: steps until nothing is due for `quiet` seconds.
     void run(MoleculeSession& session, double quiet = 5) {
-        for (int steps = 0; steps < 2000; ++steps) {
+        for (int steps = 0; steps < 20'000; ++steps) {
             const double wake = session.step(now);
             if (session.viewer().loading())
                 session.viewer().waitForLoading();
             else if (wake > now + quiet)
                 return;
+            // The device bakes beside the frames, in its own time.
+            std::this_thread::sleep_for(std::chrono::microseconds(500));
             now = std::max(now + 1.0 / 60, std::isfinite(wake) ? wake : now);
         }
         ADD_FAILURE() << "it never rests";

@@ -1,7 +1,9 @@
 #pragma once
 // The viewer in a window that nobody sees, by a clock of its own: what a shell does, without one.
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "app/viewer/session.h"
 #include "tests/faults/fault_run.h"
@@ -36,7 +38,7 @@ public:
     void anew() { viewer().screenLost(now_); }
 
     /// Until nothing is left to be drawn. @returns whether that came
-    bool rest(int mostUpdates = 500) {
+    bool rest(int mostUpdates = 5'000) {
         for (int i = 0; i < mostUpdates; ++i) {
             const int devices = devices_;
             const double wake = session_.step(now_, [this] { return &overlay_; });
@@ -47,6 +49,8 @@ public:
                 continue;
             }
             if (std::isinf(wake)) return viewer().document() && viewer().occlusion() == 1;
+            // The device bakes beside the frames, in its own time.
+            std::this_thread::sleep_for(std::chrono::microseconds(500));
             now_ = std::max(now_ + 1.0 / 60, wake);
         }
         return false;

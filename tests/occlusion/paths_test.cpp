@@ -1,5 +1,8 @@
 // What the occlusion of a scene must not depend on: the path of the depth maps, and how the work is cut.
 
+#include <chrono>
+#include <thread>
+
 #include "tests/occlusion/scenes.h"
 
 namespace nacre::test {
@@ -45,6 +48,60 @@ TEST_P(OcclusionOfScene, IsTheSameHoweverTheWorkIsCut) {
     }
     EXPECT_EQ(share, 1);
     EXPECT_EQ(renderer->layers(settings_).occlusion, atOnce);
+}
+
+TEST_P(OcclusionOfScene, IsTheSameBesideFramesAndInTheSmallestParts) {
+    for (const OcclusionMaps maps : {OcclusionMaps::splat, OcclusionMaps::fragdepth, OcclusionMaps::encoded}) {
+        settings_.occlusion.directions = 3;
+        const std::vector<float> atOnce = baked(maps);
+        ValidatedRenderer renderer(Visibility::automatic);
+        renderer->setScene(scene_);
+        double share = 0;
+        for (int call = 0; share < 1; ++call) {
+            ASSERT_LT(call, 100'000);
+            // The least that a submission takes on; each change of what is shown, or many at once.
+            const double next = renderer->advanceOcclusion(settings_, OcclusionPace{0, call % 2 ? 0.0 : 1.0, false});
+            ASSERT_GE(next, share);
+            share = next;
+            std::this_thread::sleep_for(std::chrono::microseconds(200));
+        }
+        EXPECT_EQ(renderer->stats().occlusion.done, 3);
+        EXPECT_EQ(renderer->layers(settings_).occlusion, atOnce);
+    }
+}
+
+TEST(OcclusionBesideFrames, BeginsWithNothingThatDoesNotFit) {
+    ValidatedRenderer renderer(Visibility::automatic);
+    const Representation r = scene("sample:glucose", Style::spacefill);
+    renderer->setScene(r);
+    RenderSettings s = settings(r, 64, Projection::orthographic);
+    s.occlusion.directions = 8;
+    for (int call = 0; call < 200; ++call) {
+        ASSERT_EQ(renderer->advanceOcclusion(s, OcclusionPace{1e-6, 0, true}), 0);
+        std::this_thread::sleep_for(std::chrono::microseconds(200));
+    }
+    EXPECT_EQ(renderer->stats().occlusion.done, 0);
+    // Whoever waits for it gets it.
+    renderer->render(s);
+    EXPECT_EQ(renderer->stats().occlusion.done, 8);
+    EXPECT_EQ(renderer->advanceOcclusion(s, OcclusionPace{1e-6, 0, true}), 1);
+}
+
+TEST(OcclusionBesideFrames, EndsWithTheSceneWhereverItStands) {
+    const Representation r = scene("sample:dna", Style::ballAndStick),
+                         other = scene("sample:glucose", Style::spacefill);
+    for (int calls = 0; calls < 12; ++calls) {
+        ValidatedRenderer renderer(Visibility::automatic);
+        renderer->setScene(r);
+        RenderSettings s = settings(r, 64, Projection::orthographic);
+        s.occlusion.directions = 4;
+        for (int call = 0; call < calls; ++call) {
+            renderer->advanceOcclusion(s, OcclusionPace{});
+            if (call == 3) renderer->render(s);  // waits for what is in flight, and for the rest
+        }
+        renderer->setScene(other);
+        renderer->render(settings(other, 64, Projection::orthographic));
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, OcclusionOfScene, testing::ValuesIn(kScenes),

@@ -38,7 +38,7 @@ public:
         ++scenes;
         occlusion = 0;
     }
-    double advanceOcclusion(const RenderSettings&, double) override {
+    double advanceOcclusion(const RenderSettings&, const OcclusionPace&) override {
         mayFail();
         return occlusion = std::min(occlusion + 0.125, 1.0);
     }

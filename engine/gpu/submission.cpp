@@ -1,0 +1,52 @@
+#include "engine/gpu/submission.h"
+
+#include "engine/error.h"
+
+namespace nacre::gpu {
+
+Submission::Submission(const Device& device, const std::string& name)
+    : device_(device),
+      pool_(*device, vk::CommandPoolCreateInfo(
+                         vk::CommandPoolCreateFlagBits::eResetCommandBuffer | vk::CommandPoolCreateFlagBits::eTransient,
+                         device.queueFamily())),
+      fence_(*device, vk::FenceCreateInfo()),
+      descriptors_(device),
+      timer_(device) {
+    vk::raii::CommandBuffers buffers(*device, {*pool_, vk::CommandBufferLevel::ePrimary, 1});
+    commands_ = std::move(buffers[0]);
+    device.name(*pool_, name);
+    device.name(*fence_, name + " is done");
+}
+
+Submission::~Submission() {
+    if (pending_) device_.settle();
+}
+
+const vk::raii::CommandBuffer& Submission::begin() {
+    descriptors_.reset();
+    device_.log().begin();
+    commands_.reset();
+    commands_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    return commands_;
+}
+
+void Submission::end() {
+    commands_.end();
+    device_->resetFences(*fence_);
+    device_.log().submitted();
+    device_.queue().submit(vk::SubmitInfo({}, {}, *commands_), *fence_);
+    pending_ = true;
+}
+
+bool Submission::done() {
+    if (pending_ && fence_.getStatus() == vk::Result::eSuccess) pending_ = false;
+    return !pending_;
+}
+
+void Submission::wait() {
+    if (pending_ && device_->waitForFences(*fence_, true, UINT64_MAX) != vk::Result::eSuccess)
+        throw Error("the device stopped", device_.caps().deviceName, "waiting for a submission failed");
+    pending_ = false;
+}
+
+}  // namespace nacre::gpu
