@@ -10,10 +10,9 @@
 namespace nacre::app {
 namespace {
 
-constexpr std::pair<const char*, std::optional<Style>> kStyles[] = {{"By size", std::nullopt},
-                                                                    {"Space-filling", Style::spacefill},
-                                                                    {"Ball and stick", Style::ballAndStick},
-                                                                    {"Licorice", Style::licorice}};
+constexpr std::pair<const char*, std::optional<Style>> kStyles[] = {
+    {"By size", std::nullopt},     {"Space-filling", Style::spacefill}, {"Ball and stick", Style::ballAndStick},
+    {"Licorice", Style::licorice}, {"Cartoon", Style::cartoon},         {"Surface", Style::surface}};
 constexpr std::size_t kMostChains = 24;
 
 /// Makes items that change the look; each starts from the look that is there when it is chosen.

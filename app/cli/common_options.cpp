@@ -1,5 +1,6 @@
 #include "app/cli/common_options.h"
 
+#include "app/shared/mesh_options.h"
 #include "app/shared/several_inputs.h"
 #include "engine/error.h"
 #include "engine/molecule/trajectory/motion.h"
@@ -141,8 +142,9 @@ void addContent(CommandSpec& command, InputOptions& input, bool required, DrawnA
              })
         .pair = true;
     addValue(command, "--style", "NAME", "spacefill; ball-and-stick under 100 atoms with bonds",
-             "spacefill, ball-and-stick or licorice", [&](const std::string& text) { look.style = parseStyle(text); });
-    addValue(command, "--color", "SCHEME|COLOR", "element",
+             "spacefill, ball-and-stick, licorice, cartoon (with ligands as licorice) or surface",
+             [&](const std::string& text) { setStyle(parseStyle(text), look); });
+    addValue(command, "--color", "SCHEME|COLOR", "element; chain-carbons of cartoons",
              "element, chain, chain-carbons (the rest by element), copy (of an assembly), entity, residue,\n"
              "hydrophobicity, charge, secondary-structure, b-factor, plddt (AlphaFold's bands), rainbow (N to C),\n"
              "occupancy; or a colour as for --background; element:COLOR colours the carbons alone;\n"
@@ -168,6 +170,9 @@ void addContent(CommandSpec& command, InputOptions& input, bool required, DrawnA
              [&](const std::string& text) {
                  look.modelsOcclude = parseChoice(text, {"own", "all"}) == 1;
              });
+    for (const MeshOption& option : meshOptions())
+        addValue(command, std::string("--") + option.name, option.type, option.fallback, option.help,
+                 [&look, &option](const std::string& text) { option.set(text, look); });
     showHide(command, "--water", drawn.water, "Water molecules");
     showHide(command, "--hydrogens", drawn.hydrogens, "Hydrogen atoms");
 }

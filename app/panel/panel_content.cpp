@@ -8,6 +8,7 @@
 #include "app/panel/panel.h"
 #include "app/panel/panel_style.h"
 #include "app/shared/looks.h"
+#include "app/shared/mesh_options.h"
 #include "app/shared/notices.h"
 #include "app/shared/option_text.h"
 #include "app/shared/option_values.h"
@@ -160,13 +161,16 @@ bool Panel::choose(const char* label, std::span<const char* const> choices, std:
 void Panel::drawLook(SavedView& look) {
     const float column = (forFingers() ? kFingerColumnPoints : kColumnPoints) * scale();
     heading("Style");
-    constexpr std::pair<const char*, std::optional<Style>> kStyles[] = {{"By size", std::nullopt},
-                                                                        {"Space-filling", Style::spacefill},
-                                                                        {"Ball and stick", Style::ballAndStick},
-                                                                        {"Licorice", Style::licorice}};
+    constexpr std::pair<const char*, std::optional<Style>> kStyles[] = {
+        {"By size", std::nullopt},     {"Space-filling", Style::spacefill}, {"Ball and stick", Style::ballAndStick},
+        {"Licorice", Style::licorice}, {"Cartoon", Style::cartoon},         {"Surface", Style::surface}};
     for (const auto& [label, style] : kStyles) {
-        if (ImGui::RadioButton(label, look.look.style == style)) look.look.style = style;
-        if (!forFingers() && label != kStyles[1].first && label != kStyles[3].first) ImGui::SameLine(column);
+        if (ImGui::RadioButton(label, look.look.style == style)) {
+            look.look.style.reset();
+            if (style) setStyle(*style, look.look);
+        }
+        const bool endsRow = label == kStyles[1].first || label == kStyles[3].first || label == kStyles[5].first;
+        if (!forFingers() && !endsRow) ImGui::SameLine(column);
     }
     heading("Look, colours, background, preset");
     ImGui::PushItemWidth(-1);

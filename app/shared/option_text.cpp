@@ -20,6 +20,10 @@ const char* styleName(Style style) {
             return "ball-and-stick";
         case Style::licorice:
             return "licorice";
+        case Style::cartoon:
+            return "cartoon";
+        case Style::surface:
+            return "surface";
     }
     return "";
 }

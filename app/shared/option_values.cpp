@@ -44,7 +44,14 @@ constexpr Synonym kStyleSynonyms[] = {{"sticks", "licorice"},
                                       {"balls-and-sticks", "ball-and-stick"},
                                       {"ball+stick", "ball-and-stick"},
                                       {"ballandstick", "ball-and-stick"},
-                                      {"ball-stick", "ball-and-stick"}};
+                                      {"ball-stick", "ball-and-stick"},
+                                      {"cartoons", "cartoon"},
+                                      {"ribbon", "cartoon"},
+                                      {"ribbons", "cartoon"},
+                                      {"newcartoon", "cartoon"},
+                                      {"molecular-surface", "surface"},
+                                      {"surf", "surface"},
+                                      {"quicksurf", "surface"}};
 constexpr Synonym kColorSynonyms[] = {{"cpk", "element"},
                                       {"elements", "element"},
                                       {"byelement", "element"},
@@ -156,8 +163,10 @@ std::array<float, 4> parseColor(std::string_view text) {
 }
 
 Style parseStyle(std::string_view text) {
-    constexpr Style kStyles[] = {Style::spacefill, Style::ballAndStick, Style::licorice};
-    return kStyles[parseChoice(ours(text, kStyleSynonyms), {"spacefill", "ball-and-stick", "licorice"})];
+    constexpr Style kStyles[] = {Style::spacefill, Style::ballAndStick, Style::licorice, Style::cartoon,
+                                 Style::surface};
+    return kStyles[parseChoice(ours(text, kStyleSynonyms),
+                               {"spacefill", "ball-and-stick", "licorice", "cartoon", "surface"})];
 }
 
 namespace {

@@ -7,6 +7,7 @@
 
 #include "app/shared/effect_options.h"
 #include "app/shared/json_text.h"
+#include "app/shared/mesh_options.h"
 #include "app/shared/molecules.h"
 #include "app/shared/option_text.h"
 #include "app/shared/option_values.h"
@@ -162,6 +163,8 @@ void readKey(const std::string& key, const Json& value, SavedView& view) {
         view.occlusionDirections = parseOcclusion(textOf(value));
     } else if (const EffectOption* option = effectOption(key)) {
         option->set(textOf(value), view.effects);
+    } else if (const MeshOption* mesh = meshOption(key)) {
+        mesh->set(textOf(value), view.look);
     } else if (!readWords(key, value, view.words)) {
         throw std::invalid_argument("no such key");
     }
@@ -208,6 +211,8 @@ std::string savedViewJson(const SavedView& view) {
     if (view.look.style) json["style"] = styleName(*view.look.style);
     json["color"] = coloringText(view.look.color);
     if (view.look.palette != Palette::automatic) json["palette"] = paletteName(view.look.palette);
+    for (const MeshOption& option : meshOptions())
+        if (option.text(view.look) != option.text({})) json[option.name] = option.text(view.look);
     json["rules"] = OrderedJson::array();
     for (const Rule& rule : view.look.rules) {
         const auto [option, value] = ruleText(rule);

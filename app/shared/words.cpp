@@ -147,6 +147,25 @@ struct DrawnAtoms {
         for (const PrimitiveRun& run : scene.copies.spheres)
             for (std::size_t i = run.first; i < run.first + run.count; ++i)
                 put(i, scene.copies.transforms[scene.copies.lists[run.list].front()]);
+        addMeshAtoms(molecule, scene);
+    }
+
+    /// Atoms of cartoons and surfaces, where they would stand.
+    void addMeshAtoms(const Molecule& molecule, const Representation& scene) {
+        const auto put = [&](const Triangle& triangle, const glm::dmat4x3& transform) {
+            for (const std::uint32_t vertex : {triangle.a, triangle.b, triangle.c}) {
+                const std::uint32_t atom = scene.meshLooks[scene.meshVertices[vertex].look].atom - 1;
+                if (places[atom].radius >= 0) continue;
+                const glm::dvec3 center = glm::dvec3(molecule.atoms[atom].position) - scene.center;
+                places[atom] = {transform * glm::dvec4(center, 1.0),
+                                static_cast<double>(vanDerWaalsRadius(molecule.atoms[atom].element))};
+            }
+        };
+        if (scene.copies.transforms.empty())
+            for (const Triangle& triangle : scene.triangles) put(triangle, glm::dmat4x3(1.0));
+        for (const PrimitiveRun& run : scene.copies.triangles)
+            for (std::size_t i = run.first; i < run.first + run.count; ++i)
+                put(scene.triangles[i], scene.copies.transforms[scene.copies.lists[run.list].front()]);
     }
 };
 

@@ -9,6 +9,12 @@ std::span<const Preset> presets() {
     constexpr std::array<float, 4> kWhite{1, 1, 1, 1}, kBlack{0, 0, 0, 1};
     static const Preset kPresets[] = {
         {"Elements", {{}, ColorScheme::element}, kWhite},
+        {"Cartoon", {cartoon, ColorScheme::chainCarbons}, kWhite},
+        {"Cartoon, N to C", {cartoon, ColorScheme::rainbow, {parseColorBy("ligand or ion=element")}}, kWhite},
+        {"Helices and strands",
+         {cartoon, ColorScheme::secondaryStructure, {parseColorBy("ligand or ion=element")}},
+         kWhite},
+        {"Surface", {surface, ColorScheme::chainCarbons}, kWhite},
         {"Chains", {spacefill, ColorScheme::chain}, kWhite},
         {"Chains and ligands", {spacefill, ColorScheme::chain, {parseColorBy("ligand or ion=element")}}, kWhite},
         {"Ligand in its pocket",

@@ -1,6 +1,7 @@
 #include "engine/scene/appearance.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "engine/molecule/element.h"
 
@@ -11,10 +12,35 @@ constexpr std::size_t kFewDrawn = 100;  // under this a molecule with bonds read
 constexpr float kBallShare = 0.25f;     // of the van der Waals radius, ball-and-stick
 constexpr std::uint32_t kBase = 0;      // the style and colour for all; rule i is i + 1
 
-/// Which rule settles each drawn atom's style and colour.
-struct Settled {
-    std::vector<bool> hidden;
-    std::vector<std::uint32_t> style, color;
+/// Which rules settle how a drawn atom looks.
+struct AtomLook {
+    std::uint32_t style = kBase, color = kBase;
+    bool hidden = false;
+    bool bare = false;     ///< not drawn as an atom
+    bool covered = false;  ///< nor if it is space-filling: a surface was put over it
+    bool cartoon = false, surface = false;
+
+    /// For all, before any rule.
+    explicit AtomLook(std::optional<Style> base)
+        : bare(base == Style::cartoon || base == Style::surface),
+          cartoon(base == Style::cartoon),
+          surface(base == Style::surface) {}
+
+    void hide() {
+        hidden = bare = true;
+        cartoon = surface = covered = false;
+    }
+    void show(std::uint32_t rule, Style wanted) {
+        hidden = false;
+        if (wanted == Style::surface) {
+            surface = covered = true;
+        } else if (wanted == Style::cartoon) {
+            cartoon = bare = true;
+        } else {
+            style = rule;
+            bare = covered = false;
+        }
+    }
 };
 
 std::string warningOfNothing(const Rule& rule, bool inMolecule) {
@@ -26,28 +52,87 @@ std::string warningOfNothing(const Rule& rule, bool inMolecule) {
     return std::string("nothing to ") + verb + " by '" + rule.selection.text + why;
 }
 
-Settled settle(const Molecule& molecule, std::span<const std::uint32_t> drawn, const std::vector<Rule>& rules,
-               std::vector<std::string>& warnings) {
-    Settled settled{std::vector<bool>(drawn.size()), std::vector<std::uint32_t>(drawn.size(), kBase),
-                    std::vector<std::uint32_t>(drawn.size(), kBase)};
-    for (std::size_t r = 0; r < rules.size(); ++r) {
-        const std::vector<bool> selected = selectAtoms(molecule, rules[r].selection);
+std::vector<AtomLook> settle(const Molecule& molecule, std::span<const std::uint32_t> drawn,
+                             const RepresentationOptions& options, std::vector<std::string>& warnings) {
+    std::vector<AtomLook> looks(drawn.size(), AtomLook(options.style));
+    for (std::size_t r = 0; r < options.rules.size(); ++r) {
+        const Rule& rule = options.rules[r];
+        const std::vector<bool> selected = selectAtoms(molecule, rule.selection);
         const auto number = static_cast<std::uint32_t>(r + 1);
         bool any = false;
         for (std::size_t i = 0; i < drawn.size(); ++i) {
             if (!selected[drawn[i]]) continue;
             any = true;
-            if (rules[r].action == Rule::Action::color) {
-                settled.color[i] = number;
-                continue;
-            }
-            settled.hidden[i] = rules[r].action == Rule::Action::hide;
-            if (rules[r].action == Rule::Action::show) settled.style[i] = number;
+            if (rule.action == Rule::Action::color) looks[i].color = number;
+            if (rule.action == Rule::Action::hide) looks[i].hide();
+            if (rule.action == Rule::Action::show) looks[i].show(number, rule.style);
         }
         const bool inMolecule = any || std::find(selected.begin(), selected.end(), true) != selected.end();
-        if (!any) warnings.push_back(warningOfNothing(rules[r], inMolecule));
+        if (!any) warnings.push_back(warningOfNothing(rule, inMolecule));
     }
-    return settled;
+    return looks;
+}
+
+/// Keeps, of some seen atoms, those that are chosen. @param chosen  by slot
+MeshAtoms meshAtomsOf(const Appearance& seen, const std::vector<bool>& chosen) {
+    MeshAtoms mesh;
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        if (!chosen[i]) continue;
+        mesh.atoms.push_back(seen.atoms[i]);
+        mesh.colors.push_back(seen.colors[i]);
+        mesh.byCopy.push_back(seen.byCopy[i]);
+    }
+    return mesh;
+}
+
+/// Of some atoms, ascending, whether each is bonded to another of them.
+std::vector<bool> bondedAmong(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
+    std::vector<bool> bonded(atoms.size());
+    const auto slotOf = [&](std::uint32_t atom) {
+        const auto found = std::lower_bound(atoms.begin(), atoms.end(), atom);
+        return found != atoms.end() && *found == atom ? static_cast<std::size_t>(found - atoms.begin()) : atoms.size();
+    };
+    for (const Bond& bond : molecule.bonds) {
+        const std::size_t a = slotOf(bond.a), b = slotOf(bond.b);
+        if (a < atoms.size() && b < atoms.size()) bonded[a] = bonded[b] = true;
+    }
+    return bonded;
+}
+
+/// Parts all that is seen by how it is drawn. @param looks  of the seen atoms
+void partByStyle(const Molecule& molecule, const std::vector<AtomLook>& looks, const std::vector<Rule>& rules,
+                 Appearance& appearance) {
+    const std::size_t count = appearance.atoms.size();
+    std::vector<bool> inCartoon(count), inSurface(count);
+    std::vector<std::uint32_t> wanted;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (looks[i].cartoon) wanted.push_back(appearance.atoms[i]);
+        inSurface[i] = looks[i].surface;
+    }
+    if (!wanted.empty()) {
+        const std::vector<std::uint32_t> drawn = atomsOfCartoon(molecule, wanted);
+        for (std::size_t i = 0; i < count; ++i)
+            inCartoon[i] = looks[i].cartoon && std::binary_search(drawn.begin(), drawn.end(), appearance.atoms[i]);
+    }
+    const std::vector<bool> bonded = wanted.empty() ? std::vector<bool>() : bondedAmong(molecule, appearance.atoms);
+    Appearance atoms;
+    for (std::size_t i = 0; i < count; ++i) {
+        Style style = looks[i].style == kBase ? appearance.style : rules[looks[i].style - 1].style;
+        const bool left = looks[i].bare && looks[i].cartoon && !inCartoon[i];
+        if (left) style = bonded[i] ? Style::licorice : Style::ballAndStick;
+        if (!left && (looks[i].bare || (looks[i].covered && style == Style::spacefill))) continue;
+        atoms.atoms.push_back(appearance.atoms[i]);
+        atoms.styles.push_back(style);
+        atoms.colors.push_back(appearance.colors[i]);
+        atoms.byCopy.push_back(appearance.byCopy[i]);
+    }
+    appearance.cartoon = meshAtomsOf(appearance, inCartoon);
+    appearance.surface = meshAtomsOf(appearance, inSurface);
+    appearance.seen = count;
+    appearance.atoms = std::move(atoms.atoms);
+    appearance.styles = std::move(atoms.styles);
+    appearance.colors = std::move(atoms.colors);
+    appearance.byCopy = std::move(atoms.byCopy);
 }
 
 /// A colouring in the palette for all, if it takes one of that kind and names none itself.
@@ -80,19 +165,15 @@ Appearance appearanceOf(const Molecule& molecule, std::span<const std::uint32_t>
                         const RepresentationOptions& options) {
     const std::vector<Rule>& rules = options.rules;
     Appearance appearance;
-    const Settled settled = settle(molecule, drawn, rules, appearance.warnings);
+    std::vector<AtomLook> looks = settle(molecule, drawn, options, appearance.warnings);
     std::vector<std::vector<std::uint32_t>> slotsOfColoring(rules.size() + 1);
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-        if (settled.hidden[i]) continue;
-        slotsOfColoring[settled.color[i]].push_back(static_cast<std::uint32_t>(appearance.atoms.size()));
+        if (looks[i].hidden) continue;
+        slotsOfColoring[looks[i].color].push_back(static_cast<std::uint32_t>(appearance.atoms.size()));
         appearance.atoms.push_back(drawn[i]);
     }
     appearance.style = options.style.value_or(defaultStyle(molecule, appearance.atoms));
-    appearance.styles.reserve(appearance.atoms.size());
-    for (std::size_t i = 0; i < drawn.size(); ++i)
-        if (!settled.hidden[i])
-            appearance.styles.push_back(settled.style[i] == kBase ? appearance.style
-                                                                  : rules[settled.style[i] - 1].style);
+    std::erase_if(looks, [](const AtomLook& look) { return look.hidden; });
     appearance.colors.resize(appearance.atoms.size());
     appearance.byCopy.resize(appearance.atoms.size());
     for (std::size_t i = 0; i < slotsOfColoring.size(); ++i) {
@@ -101,7 +182,28 @@ Appearance appearanceOf(const Molecule& molecule, std::span<const std::uint32_t>
         color(molecule, withPalette(coloring, options.palette), i == kBase ? "all" : rules[i - 1].selection.text,
               slotsOfColoring[i], appearance);
     }
+    partByStyle(molecule, looks, rules, appearance);
     return appearance;
+}
+
+bool Appearance::anyByCopy() const {
+    const auto any = [](const std::vector<bool>& flags) {
+        return std::find(flags.begin(), flags.end(), true) != flags.end();
+    };
+    return any(byCopy) || any(cartoon.byCopy) || any(surface.byCopy);
+}
+
+SeenBalls seenBalls(const Molecule& molecule, const Appearance& appearance) {
+    SeenBalls seen;
+    const auto add = [&](std::uint32_t index, Style style) {
+        const Atom& atom = molecule.atoms[index];
+        seen.atoms.push_back(index);
+        seen.balls.emplace_back(atom.position, drawnRadius(atom.element, style));
+    };
+    for (std::size_t i = 0; i < appearance.atoms.size(); ++i) add(appearance.atoms[i], appearance.styles[i]);
+    for (const std::uint32_t atom : appearance.cartoon.atoms) add(atom, Style::cartoon);
+    for (const std::uint32_t atom : appearance.surface.atoms) add(atom, Style::surface);
+    return seen;
 }
 
 float drawnRadius(Element element, Style style) {
@@ -110,7 +212,10 @@ float drawnRadius(Element element, Style style) {
             return kBallShare * vanDerWaalsRadius(element);
         case Style::licorice:
             return kLicoriceRadius;
+        case Style::cartoon:
+            return kCartoonReach;
         case Style::spacefill:
+        case Style::surface:
             break;
     }
     return vanDerWaalsRadius(element);

@@ -2,23 +2,31 @@
 // Which atoms are seen, in what style, and in what colour: a style and a colour for all, then rules in their order.
 
 #include <cstdint>
+#include <glm/vec4.hpp>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "engine/mesh/cartoon.h"
+#include "engine/mesh/surface.h"
 #include "engine/molecule/molecule.h"
 #include "engine/molecule/selection/selection.h"
 #include "engine/scene/color_schemes.h"
 
 namespace nacre {
 
-enum class Style { spacefill, ballAndStick, licorice };
+/// The first three are of atoms. A cartoon stands in place of its residues' atoms. What it does not draw (ligands,
+/// ions) is then licorice, or a small ball where nothing is bonded to it. A surface goes over what is there, but takes
+/// the place of space-filling atoms, which reach as far.
+enum class Style { spacefill, ballAndStick, licorice, cartoon, surface };
 
 /// One of `--show`, `--hide`, `--color-by`. A later rule prevails over an earlier one.
 struct Rule {
     enum class Action {
-        show,  ///< give a style, and bring back what an earlier rule hid
+        /// Give a style, and bring back what an earlier rule hid. Atoms that get a style of atoms keep their cartoon
+        /// and surface, which go only with what is hidden.
+        show,
         hide,
         color
     };
@@ -36,7 +44,9 @@ struct RepresentationOptions {
     std::string assembly = {};             ///< identifier of one that the file states; empty: its atoms as they are
     Palette palette = Palette::automatic;  ///< of the schemes that have one and name none, where it is of their kind
     bool ownFrame = false;                 ///< the camera is this model's own, not one for all models of its file
-    bool modelsOcclude = false;            ///< models that are drawn together darken each other
+    CartoonOptions cartoon = {};
+    SurfaceOptions surface = {};
+    bool modelsOcclude = false;  ///< models that are drawn together darken each other
     friend bool operator==(const RepresentationOptions&, const RepresentationOptions&) = default;
 };
 
@@ -49,12 +59,22 @@ struct Legend {
     std::size_t stops = 0;              ///< the other entries are kinds
 };
 
-struct Appearance {
-    std::vector<std::uint32_t> atoms;  ///< those that are seen, ascending
-    Style style = Style::spacefill;    ///< of those that no rule gives one
-    std::vector<Style> styles;         ///< same length as atoms
+/// Atoms that are drawn as one kind of mesh.
+struct MeshAtoms {
+    std::vector<std::uint32_t> atoms;  ///< ascending
     std::vector<std::uint32_t> colors;
-    std::vector<bool> byCopy;           ///< same length as atoms: its colour is that of its copy
+    std::vector<bool> byCopy;  ///< as Appearance has it
+};
+
+struct Appearance {
+    std::vector<std::uint32_t> atoms;  ///< those that are seen as atoms, ascending
+    Style style = Style::spacefill;    ///< of those that no rule gives one
+    std::vector<Style> styles;         ///< same length as atoms; of atoms all
+    std::vector<std::uint32_t> colors;
+    std::vector<bool> byCopy;  ///< same length as atoms: its colour is that of its copy
+    MeshAtoms cartoon, surface;
+    bool anyByCopy() const;
+    std::size_t seen = 0;               ///< atoms that are seen in whatever style
     std::vector<Legend> legends;        ///< of every colouring that is seen somewhere
     std::vector<std::string> warnings;  ///< rules that match nothing, schemes that the file has no data for
 };
@@ -64,8 +84,16 @@ struct Appearance {
 Appearance appearanceOf(const Molecule& molecule, std::span<const std::uint32_t> drawn,
                         const RepresentationOptions& options);
 
+/// All that is seen as balls: atoms in their styles' radii, then those of meshes, which reach about as far.
+struct SeenBalls {
+    std::vector<std::uint32_t> atoms;
+    std::vector<glm::dvec4> balls;  ///< of each: centre (Å, in the file's frame) and radius
+};
+SeenBalls seenBalls(const Molecule& molecule, const Appearance& appearance);
+
 constexpr float kLicoriceRadius = 0.25f;  ///< Å, of atoms and bonds
-/// Of an atom's sphere, Å.
+constexpr float kCartoonReach = 2.5f;     ///< Å, that a cartoon may stand off an atom
+/// Of an atom's sphere, Å; of a cartoon kCartoonReach.
 float drawnRadius(Element element, Style style);
 
 /// The style where none is asked for: ball-and-stick under 100 drawn atoms with bonds, else spacefill.

@@ -109,10 +109,14 @@ void AssemblyScene::spread(std::size_t colors) {
 }
 
 void AssemblyScene::colorByCopy(Appearance& appearance) {
-    if (std::find(appearance.byCopy.begin(), appearance.byCopy.end(), true) == appearance.byCopy.end()) return;
+    if (!appearance.anyByCopy()) return;
     const std::size_t count = placement_.transforms.size();
-    for (std::size_t i = 0; i < appearance.atoms.size(); ++i)
-        if (appearance.byCopy[i]) appearance.colors[i] = kCopyTint;
+    const auto tint = [](const std::vector<bool>& byCopy, std::vector<std::uint32_t>& colors) {
+        for (std::size_t i = 0; i < colors.size(); ++i)
+            if (byCopy[i]) colors[i] = kCopyTint;
+    };
+    tint(appearance.byCopy, appearance.colors);
+    for (MeshAtoms* mesh : {&appearance.cartoon, &appearance.surface}) tint(mesh->byCopy, mesh->colors);
     for (Legend& legend : appearance.legends) {
         if (!legend.scheme.starts_with(colorSchemeName(ColorScheme::copy))) continue;
         if (copyColors_.empty()) {
@@ -160,25 +164,24 @@ std::size_t AssemblyScene::countCopies(std::span<const std::uint32_t> atoms) con
     return count;
 }
 
-void AssemblyScene::eachBall(const Appearance& appearance, std::span<const glm::dvec4> balls,
-                             const std::function<void(const glm::dvec3&, double)>& visit) const {
+void AssemblyScene::eachBall(const SeenBalls& seen, const std::function<void(const glm::dvec3&, double)>& visit) const {
     eachRun(
-        balls.size(), [&](std::size_t i) { return listOf(appearance.atoms[i]); },
+        seen.balls.size(), [&](std::size_t i) { return listOf(seen.atoms[i]); },
         [&](std::uint32_t list, std::size_t first, std::size_t count) {
             for (const std::uint32_t copy : placement_.lists[list]) {
                 const glm::dmat4x3& transform = placement_.transforms[copy];
-                for (const glm::dvec4& ball : balls.subspan(first, count))
+                for (const glm::dvec4& ball : std::span(seen.balls).subspan(first, count))
                     visit(transform * glm::dvec4(glm::dvec3(ball), 1.0), ball.w);
             }
         });
 }
 
-Bounds AssemblyScene::bounds(const Appearance& appearance, std::span<const glm::dvec4> balls) const {
-    checkNumber(balls.size());
+Bounds AssemblyScene::bounds(const SeenBalls& seen) const {
+    checkNumber(seen.balls.size());
     Box box;
-    eachBall(appearance, balls, [&](const glm::dvec3& center, double) { box.add(center); });
+    eachBall(seen, [&](const glm::dvec3& center, double) { box.add(center); });
     Bounds bounds{box.center(), 0};
-    eachBall(appearance, balls, [&](const glm::dvec3& center, double radius) {
+    eachBall(seen, [&](const glm::dvec3& center, double radius) {
         bounds.radius = std::max(bounds.radius, glm::length(center - bounds.center) + radius);
     });
     return bounds;
@@ -189,11 +192,11 @@ void AssemblyScene::checkNumber(std::size_t primitives) const {
     if (std::uint64_t{primitives} * placement_.transforms.size() < UINT32_MAX) return;
     throw Error("cannot draw assembly", id_,
                 std::to_string(placement_.transforms.size()) + " copies of " + std::to_string(primitives) +
-                    " spheres and sticks are more than " + std::to_string(UINT32_MAX - 1));
+                    " spheres, sticks and triangles are more than " + std::to_string(UINT32_MAX - 1));
 }
 
 void AssemblyScene::finish(Representation& r) {
-    checkNumber(r.spheres.size() + r.cylinders.size());
+    checkNumber(r.spheres.size() + r.cylinders.size() + r.triangles.size());
     Copies& copies = r.copies;
     for (const glm::dmat4x3& transform : placement_.transforms) copies.transforms.push_back(about(transform, r.center));
     const auto run = [](std::uint32_t list, std::size_t first, std::size_t count) {
@@ -214,6 +217,16 @@ void AssemblyScene::finish(Representation& r) {
             bound(copies.cylinders.back(), [&](std::size_t i, const auto& add) {
                 add(r.cylinders[i].a, r.cylinders[i].radius);
                 add(r.cylinders[i].b, r.cylinders[i].radius);
+            });
+        });
+    eachRun(
+        r.triangles.size(),
+        [&](std::size_t i) { return listOf(r.meshLooks[r.meshVertices[r.triangles[i].a].look].atom - 1); },
+        [&](std::uint32_t list, std::size_t first, std::size_t count) {
+            copies.triangles.push_back(run(list, first, count));
+            bound(copies.triangles.back(), [&](std::size_t i, const auto& add) {
+                const Triangle& t = r.triangles[i];
+                for (const std::uint32_t v : {t.a, t.b, t.c}) add(positionOf(r.meshVertices[v], t.step), 0.0f);
             });
         });
     copies.lists = placement_.lists;

@@ -29,19 +29,18 @@ public:
     void sortByCopies(Appearance& appearance) const;
     /// The same for bonds, less those whose atoms are never drawn together.
     void sortByCopies(std::vector<Bond>& bonds);
-    /// Visits the balls (centre and radius in the file's frame) of sorted atoms, in all their copies.
-    void eachBall(const Appearance& appearance, std::span<const glm::dvec4> balls,
-                  const std::function<void(const glm::dvec3&, double)>& visit) const;
-    /// Of the balls (centre and radius in the file's frame) in the order of sorted atoms, in all their copies.
-    /// @throws Error if they are too many
-    Bounds bounds(const Appearance& appearance, std::span<const glm::dvec4> balls) const;
+    /// Visits the balls in all their copies.
+    void eachBall(const SeenBalls& seen, const std::function<void(const glm::dvec3&, double)>& visit) const;
+    /// Of the balls in all their copies. @throws Error if they are too many
+    Bounds bounds(const SeenBalls& seen) const;
+    /// A number of the copies that an atom has, the same for all that have the same.
+    std::uint32_t listOf(std::uint32_t atom) const;
     /// Atoms in all their copies.
     std::size_t countCopies(std::span<const std::uint32_t> atoms) const;
     /// Sets the copies of a representation that has its primitives. @throws Error if they are too many
     void finish(Representation& representation);
 
 private:
-    std::uint32_t listOf(std::uint32_t atom) const;
     std::uint32_t commonListOf(std::uint32_t atomA, std::uint32_t atomB);
     void spread(std::size_t colors);
     void checkNumber(std::size_t primitives) const;

@@ -12,9 +12,11 @@
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"
+#include "engine/molecule/kabsch_sander.h"
 #include "engine/scene/assembly_scene.h"
 #include "engine/scene/bond_cylinders.h"
 #include "engine/scene/bounds.h"
+#include "engine/scene/mesh_scene.h"
 
 namespace nacre {
 namespace {
@@ -194,6 +196,7 @@ void separateModels(const Molecule& molecule, Representation& result) {
     };
     std::map<int, std::uint32_t> numbers;
     for (const SphereLook& look : result.sphereLooks) numbers.emplace(modelOf(look.atom), 0);
+    for (const SphereLook& look : result.meshLooks) numbers.emplace(modelOf(look.atom), 0);
     if (numbers.size() < 2) return;
     std::uint32_t next = 0;
     for (auto& [model, number] : numbers) number = next++;
@@ -201,6 +204,9 @@ void separateModels(const Molecule& molecule, Representation& result) {
         modelRuns(result.spheres.size(), numbers, [&](std::size_t i) { return modelOf(result.sphereLooks[i].atom); });
     result.cylinderModels = modelRuns(result.cylinders.size(), numbers,
                                       [&](std::size_t i) { return modelOf(result.cylinderLooks[i].atomA); });
+    result.triangleModels = modelRuns(result.triangles.size(), numbers, [&](std::size_t i) {
+        return modelOf(result.meshLooks[result.meshVertices[result.triangles[i].a].look].atom);
+    });
 }
 
 /// Time goes with how often the picture is covered over and over: a large protein covers it some twenty times, a
@@ -231,6 +237,25 @@ void refuseCrowd(const Representation& r) {
                         " (draw fewer of them, or as thinner sticks)");
 }
 
+/// The farthest that a sphere reaches from the centre, Å.
+double spheresReach(const Representation& r) {
+    double farthest = 0;
+    for (const Sphere& sphere : r.spheres)
+        farthest = std::max(farthest, glm::length(glm::dvec3(sphere.center)) + static_cast<double>(sphere.radius));
+    return farthest;
+}
+
+/// Atoms that are seen, in whatever style, in all their copies.
+std::size_t countAtoms(const Appearance& appearance, const AssemblyScene* assembly) {
+    if (!assembly) return appearance.seen;
+    std::vector<std::uint32_t> seen = appearance.atoms;
+    for (const MeshAtoms* mesh : {&appearance.cartoon, &appearance.surface})
+        seen.insert(seen.end(), mesh->atoms.begin(), mesh->atoms.end());
+    std::sort(seen.begin(), seen.end());
+    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    return assembly->countCopies(seen);
+}
+
 }  // namespace
 
 Representation represent(const Molecule& molecule, std::span<const std::uint32_t> drawn,
@@ -241,26 +266,33 @@ Representation represent(const Molecule& molecule, std::span<const std::uint32_t
         drawn = assembly->place(drawn);
     }
     Appearance appearance = appearanceOf(molecule, drawn, options);
-    if (appearance.atoms.empty()) throw Error("cannot draw molecule", "", "no atom is left to draw");
+    if (appearance.seen == 0) throw Error("cannot draw molecule", "", "no atom is left to draw");
     if (assembly) {
         assembly->colorByCopy(appearance);
         assembly->sortByCopies(appearance);
-    } else if (std::find(appearance.byCopy.begin(), appearance.byCopy.end(), true) != appearance.byCopy.end()) {
+    } else if (appearance.anyByCopy()) {
         appearance.warnings.push_back("colour by copy: there is one copy without an assembly (--assembly)");
     }
-    std::vector<glm::dvec4> balls;
-    balls.reserve(appearance.atoms.size());
-    for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {
-        const Atom& atom = molecule.atoms[appearance.atoms[i]];
-        balls.emplace_back(atom.position, drawnRadius(atom.element, appearance.styles[i]));
-    }
+    const SeenBalls seen = seenBalls(molecule, appearance);
     Representation result;
-    const Bounds bounds = frame ? *frame : assembly ? assembly->bounds(appearance, balls) : boundsOf(balls);
+    const Bounds bounds = frame ? *frame : assembly ? assembly->bounds(seen) : boundsOf(seen.balls);
     result.center = bounds.center;
     result.radius = bounds.radius;
     appendAtoms(molecule, appearance, result);
-    result.drawnAtoms = assembly ? assembly->countCopies(appearance.atoms) : appearance.atoms.size();
+    result.drawnAtoms = countAtoms(appearance, assembly ? &*assembly : nullptr);
     addBonds(molecule, appearance, assembly ? &*assembly : nullptr, result);
+    const auto groupOf = [&](std::uint32_t atom) {
+        if (assembly) return assembly->listOf(atom);
+        return static_cast<std::uint32_t>(molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model);
+    };
+    const bool folded = !appearance.cartoon.atoms.empty();
+    addMeshes(molecule, appearance, options, folded ? secondaryStructure(molecule) : std::vector<SecondaryStructure>(),
+              groupOf, result);
+    // Meshes end where they do, which is seldom as far out as it may be.
+    if (!result.triangles.empty() && !assembly) {
+        const double own = frame ? bounds.radius : spheresReach(result);
+        result.radius = std::max(own, meshReach(result));
+    }
     if (assembly) assembly->finish(result);
     if (!options.modelsOcclude && !molecule.modelsAreInputs) separateModels(molecule, result);
     refuseCrowd(result);
@@ -274,21 +306,23 @@ MovingScene::MovingScene(const Molecule& molecule, std::span<const std::uint32_t
     if (!options.assembly.empty()) throw Error("cannot move molecule", "", "the copies of an assembly stand still");
     scene_ = represent(molecule, drawn, options);
     appearance_ = appearanceOf(molecule, drawn, options);
+    options_ = options;
+    if (!appearance_.cartoon.atoms.empty()) secondary_ = secondaryStructure(molecule);
 }
 
 void MovingScene::move(const Molecule& molecule) {
-    double radius = 0;
-    for (std::size_t i = 0; i < appearance_.atoms.size(); ++i) {
-        Sphere& sphere = scene_.spheres[i];
-        const glm::dvec3 position = glm::dvec3(molecule.atoms[appearance_.atoms[i]].position) - scene_.center;
-        sphere.center = glm::vec3(position);
-        radius = std::max(radius, glm::length(position) + static_cast<double>(sphere.radius));
-    }
-    scene_.radius = radius;
+    for (std::size_t i = 0; i < appearance_.atoms.size(); ++i)
+        scene_.spheres[i].center = glm::vec3(glm::dvec3(molecule.atoms[appearance_.atoms[i]].position) - scene_.center);
     scene_.cylinders.clear();
     scene_.cylinderLooks.clear();
     scene_.drawnBonds = 0;
     addBonds(molecule, appearance_, nullptr, scene_);
+    scene_.triangles.clear();
+    scene_.meshVertices.clear();
+    scene_.meshLooks.clear();
+    addMeshes(
+        molecule, appearance_, options_, secondary_, [](std::uint32_t) { return 0u; }, scene_);
+    scene_.radius = std::max(spheresReach(scene_), meshReach(scene_));
     refuseCrowd(scene_);
 }
 

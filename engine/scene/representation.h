@@ -68,6 +68,7 @@ struct Representation {
 
 /// A bond is drawn if both its atoms are and either has a style with bonds; it takes the stouter style of the two:
 /// licorice before ball-and-stick, so that no stick changes its width halfway. In a space-filling atom it just ends.
+/// Cartoons and surfaces are made of what has the same copies, or of a model, by itself.
 /// @param drawn  indices of drawn atoms (drawn_atoms.h), ascending, of which the rules may hide some
 /// Of an assembly, atoms and bonds are stored once, sorted by their copies; a bond is drawn where both its atoms are,
 /// and none joins two copies.
@@ -92,6 +93,8 @@ public:
 private:
     Representation scene_;
     Appearance appearance_;
+    RepresentationOptions options_;
+    std::vector<SecondaryStructure> secondary_;  ///< as it was at first
 };
 
 }  // namespace nacre

@@ -14,16 +14,6 @@ namespace {
 
 using VisitBall = std::function<void(const glm::dvec3&, double)>;
 
-std::vector<glm::dvec4> ballsOf(const Molecule& molecule, const Appearance& appearance) {
-    std::vector<glm::dvec4> balls;
-    balls.reserve(appearance.atoms.size());
-    for (std::size_t i = 0; i < appearance.atoms.size(); ++i) {
-        const Atom& atom = molecule.atoms[appearance.atoms[i]];
-        balls.emplace_back(atom.position, drawnRadius(atom.element, appearance.styles[i]));
-    }
-    return balls;
-}
-
 /// Visits what is drawn of a model.
 void eachBall(const Molecule& model, const DrawnAtomsOptions& drawnOptions, const RepresentationOptions& options,
               const VisitBall& visit) {
@@ -36,9 +26,9 @@ void eachBall(const Molecule& model, const DrawnAtomsOptions& drawnOptions, cons
     }
     Appearance appearance = appearanceOf(model, drawn, options);
     if (assembly) assembly->sortByCopies(appearance);
-    const std::vector<glm::dvec4> balls = ballsOf(model, appearance);
-    if (assembly) return assembly->eachBall(appearance, balls, visit);
-    for (const glm::dvec4& ball : balls) visit(glm::dvec3(ball), ball.w);
+    const SeenBalls seen = seenBalls(model, appearance);
+    if (assembly) return assembly->eachBall(seen, visit);
+    for (const glm::dvec4& ball : seen.balls) visit(glm::dvec3(ball), ball.w);
 }
 
 /// The balls of the models of a file, as often as they are asked for.
@@ -58,8 +48,7 @@ public:
         options_.color = ColorScheme::element;
         std::erase_if(options_.rules, [](const Rule& rule) { return rule.action == Rule::Action::color; });
         simple_ = options_.rules.empty() && options_.assembly.empty();
-        balls_ = ballsOf(molecule, own);
-        atoms_ = std::move(own.atoms);
+        seen_ = seenBalls(molecule, own);
     }
 
     void eachBall(const VisitBall& visit) const {
@@ -67,7 +56,8 @@ public:
         Molecule placed;
         for (const OtherModel& other : molecule_.others) {
             if (simple_ && !other.whole) {
-                for (std::size_t i = 0; i < atoms_.size(); ++i) visit(other.positions[atoms_[i]], balls_[i].w);
+                for (std::size_t i = 0; i < seen_.atoms.size(); ++i)
+                    visit(other.positions[seen_.atoms[i]], seen_.balls[i].w);
                 continue;
             }
             place(molecule_, other, placed);
@@ -84,8 +74,7 @@ private:
     DrawnAtomsOptions drawn_;
     RepresentationOptions options_;
     bool simple_ = false;  // whatever model it is, the same atoms are drawn
-    std::vector<std::uint32_t> atoms_;
-    std::vector<glm::dvec4> balls_;
+    SeenBalls seen_;
 };
 
 }  // namespace

@@ -72,7 +72,7 @@ TEST(AppearanceOptions, FaultsSayWhere) {
     EXPECT_NE(fault("--hide", "chain A and resi x").find("column 18: expected a residue number, found 'x'"),
               std::string::npos);
     EXPECT_NE(fault("--show", "chain A").find("SELECTION=STYLE"), std::string::npos);
-    EXPECT_NE(fault("--show", "chain A=ribbon").find("ribbon"), std::string::npos);
+    EXPECT_NE(fault("--show", "chain A=hologram").find("hologram"), std::string::npos);
     EXPECT_NE(fault("--color-by", "all=").find("rainbow"), std::string::npos);
     EXPECT_NE(fault("--color-by", "all=#12345").find("#rrggbb"), std::string::npos);
     EXPECT_NE(fault("--color", "element:oragne").find("'orange'?"), std::string::npos);
@@ -93,6 +93,45 @@ std::map<std::uint32_t, int> pixelsOfAtoms(const std::string& path) {
     std::map<std::uint32_t, int> pixels;
     for (const float id : ids) ++pixels[static_cast<std::uint32_t>(id)];
     return pixels;
+}
+
+TEST(AppearanceOptions, CartoonsTakeTheColoursOfChains) {
+    const auto look = [](std::vector<const char*> options) {
+        options.insert(options.end(), {"x", "-o", "a.png"});
+        return parsed(options).look;
+    };
+    EXPECT_EQ(look({"--style", "cartoon"}).color, Coloring(ColorScheme::chainCarbons));
+    EXPECT_EQ(look({"--color", "element", "--style", "cartoon"}).color, Coloring(ColorScheme::element));
+    EXPECT_EQ(look({"--style", "ribbons", "--helices", "tube"}).cartoon.helices, HelixForm::tube);
+    EXPECT_EQ(look({"--surface", "gaussian", "--surface-resolution", "0.5"}).surface.resolution, 0.5);
+    EXPECT_THROW(look({"--probe", "-1"}), UsageError);
+    EXPECT_THROW(look({"--surface-resolution", "0.01"}), UsageError);
+}
+
+TEST(AppearanceOptions, ACartoonIsOfGuideAtomsAndItsParts) {
+    const TemporaryFolder folder;
+    const auto atomsOf = [&](const std::string& options) {
+        const Outcome outcome = nacreIn(folder,
+                                        "render sample:dna -o a.png --layers l.exr --size 128x128 --occlusion off "
+                                        "--style cartoon " +
+                                            options);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        const Molecule dna = sampleMolecule("dna");
+        std::map<std::string, int> pixels;
+        for (const auto& [id, count] : pixelsOfAtoms(folder / "l.exr"))
+            if (id != 0) pixels[std::string(dna.atoms.at(id - 1).name.view())] += count;
+        return pixels;
+    };
+    // The backbone is its P's (its O5' where a strand begins), sticks are the C1's, plates the C4's.
+    auto plates = atomsOf("");
+    EXPECT_GT(plates["P"], 500);
+    EXPECT_GT(plates["C4"], 200);
+    EXPECT_GT(plates["C1'"], 100);
+    EXPECT_LE(plates.size(), 4u);
+    auto ladder = atomsOf("--bases ladder --show 'chain A and name C5=licorice'");
+    EXPECT_EQ(ladder["C4"], 0);
+    EXPECT_GT(ladder["N1"], 50);
+    EXPECT_GT(ladder["C5"], 5);
 }
 
 TEST(AppearanceOptions, HiddenAtomsAreNotInThePicture) {

@@ -39,7 +39,7 @@ TEST(NearestWord, IsSuggestedForValues) {
     EXPECT_NE(reason([] { parseColoring("chian"); }).find("'chain'?"), std::string::npos);
     EXPECT_NE(reason([] { parseColoring("oragne"); }).find("'orange'?"), std::string::npos);
     EXPECT_NE(reason([] { parseColor("lightgrya"); }).find("'lightgra"), std::string::npos);
-    EXPECT_EQ(reason([] { parseStyle("cartoon"); }).find("did you mean"), std::string::npos);
+    EXPECT_EQ(reason([] { parseStyle("hologram"); }).find("did you mean"), std::string::npos);
 }
 
 TEST(Synonyms, OfOtherProgramsAreTaken) {

@@ -18,6 +18,11 @@ TEST(SavedView, ComesBackToTheLastDigit) {
     view.look.assembly = "PAU";
     view.look.style = Style::licorice;
     view.look.color = ColorScheme::chain;
+    view.look.cartoon = {HelixForm::cylinder, BaseForm::ladder, true, false};
+    view.look.surface.kind = SurfaceKind::gaussian;
+    view.look.surface.probe = 1.8;
+    view.look.surface.resolution = 0.55;
+    view.look.surface.cavities = false;
     view.look.rules = {parseShow("ligand=ball-and-stick"), parseHide("chain B"), parseColorBy("chain A=#ff8000")};
     view.drawn = {true, false};
     view.camera.projection = Projection::perspective;
@@ -45,7 +50,9 @@ TEST(SavedView, BadFilesAreRefusedByTheirKey) {
                                                           {"[]", "no JSON"},
                                                           {"{\"zoom\": 0}", "zoom"},
                                                           {"{\"zoom\": \"wide\"}", "zoom"},
-                                                          {"{\"style\": \"cartoon\"}", "style"},
+                                                          {"{\"style\": \"hologram\"}", "style"},
+                                                          {"{\"helices\": \"spring\"}", "helices"},
+                                                          {"{\"probe\": 11}", "probe"},
                                                           {"{\"model\": 1.5}", "model"},
                                                           {"{\"orientation\": [0, 0, 0, 0]}", "orientation"},
                                                           {"{\"orientation\": [1, 0, 0]}", "orientation"},

@@ -1,0 +1,65 @@
+#include "engine/scene/mesh_scene.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "engine/mesh/cartoon.h"
+#include "engine/mesh/surface.h"
+#include "engine/scene/mesh_streams.h"
+
+namespace nacre {
+namespace {
+
+/// The look of each atom that a mesh may name: a seen one's own; of another, as of the sulphurs of a cartoon that is
+/// asked for by alpha carbons, that of a seen one of its residue.
+class MeshLooks {
+public:
+    MeshLooks(const Molecule& molecule, const MeshAtoms& seen) : molecule_(molecule), seen_(seen) {}
+
+    SphereLook operator()(std::uint32_t atom) const {
+        auto found = std::lower_bound(seen_.atoms.begin(), seen_.atoms.end(), atom);
+        if (found == seen_.atoms.end() || *found != atom) {
+            const Residue& residue = molecule_.residues[molecule_.atoms[atom].residue];
+            found = std::lower_bound(seen_.atoms.begin(), seen_.atoms.end(), residue.firstAtom);
+            if (found == seen_.atoms.end()) --found;
+        }
+        return {seen_.colors[static_cast<std::size_t>(found - seen_.atoms.begin())], atom + 1};
+    }
+
+private:
+    const Molecule& molecule_;
+    const MeshAtoms& seen_;
+};
+
+}  // namespace
+
+void addMeshes(const Molecule& molecule, const Appearance& appearance, const RepresentationOptions& options,
+               const std::vector<SecondaryStructure>& secondary,
+               const std::function<std::uint32_t(std::uint32_t)>& groupOf, Representation& representation) {
+    struct Group {
+        std::vector<std::uint32_t> cartoon, surface;
+    };
+    std::map<std::uint32_t, Group> groups;
+    for (const std::uint32_t atom : appearance.cartoon.atoms) groups[groupOf(atom)].cartoon.push_back(atom);
+    for (const std::uint32_t atom : appearance.surface.atoms) groups[groupOf(atom)].surface.push_back(atom);
+    const MeshLooks ofCartoon(molecule, appearance.cartoon), ofSurface(molecule, appearance.surface);
+    for (const auto& [number, group] : groups) {
+        if (!group.cartoon.empty())
+            appendMesh(cartoon(molecule, group.cartoon, secondary, options.cartoon, representation.center), {},
+                       ofCartoon, representation);
+        if (!group.surface.empty())
+            appendMesh(surface(molecule, group.surface, options.surface, representation.center), {}, ofSurface,
+                       representation);
+    }
+}
+
+double meshReach(const Representation& representation) {
+    double farthest = 0;
+    for (const Triangle& t : representation.triangles)
+        for (const std::uint32_t v : {t.a, t.b, t.c})
+            farthest = std::max<double>(farthest, glm::length(positionOf(representation.meshVertices[v], t.step)));
+    return farthest;
+}
+
+}  // namespace nacre
