@@ -241,7 +241,7 @@ private:
                 Picture drawn = renderer().render(settings);
                 WordPainter().paint(placeWords(view.words, *document.molecule, document.scene), settings.view,
                                     viewer().textSize(), view.words.color, view.background, drawn);
-                writePicture(file, drawn, false);
+                writePicture(file, drawn, {});
             } else {
                 SavedView view = viewer().savedView();
                 view.hash = fileHash(view.input);
