@@ -73,7 +73,10 @@ struct DeviceOptions {
     EncodedDepth encoded = EncodedDepth::automatic;
     SurfaceSource surface = {};                 ///< without `create`: no window
     std::vector<std::byte> pipelineCache = {};  ///< of Renderer::pipelineCache(); one of another device is dropped
-    bool capture = false;                       ///< RenderDoc is loaded, for Renderer::beginCapture()
+    /// Folder that is kept in what devices were found to draw right (self_test.h), if `visibility` is automatic; empty:
+    /// nobody tries. Software devices are not tried: their paths are tested with the program.
+    std::string selfTests = {};
+    bool capture = false;  ///< RenderDoc is loaded, for Renderer::beginCapture()
 };
 
 }  // namespace nacre

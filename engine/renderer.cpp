@@ -12,6 +12,7 @@
 #include "engine/gpu/loss_guard.h"
 #include "engine/milliseconds.h"
 #include "engine/occlusion/scene_occlusion.h"
+#include "engine/self_test.h"
 
 namespace nacre {
 
@@ -27,10 +28,25 @@ struct Renderer::Impl {
     std::unique_ptr<WindowFrames> window;
 
     explicit Impl(const DeviceOptions& options) : device(options) {
+        const std::string selfTest = chooseTested(options);
         stats.device = gpu::infoOf(device.caps());
+        stats.device.selfTest = selfTest;
         if (options.surface.create) window = std::make_unique<WindowFrames>(device, executor, frames, options.surface);
     }
     ~Impl() { device.settle(); }
+
+    /// The path that draws right here, if that is to be found out. @returns what was found, in words
+    std::string chooseTested(const DeviceOptions& options) {
+        const gpu::Caps& caps = device.caps();
+        if (options.selfTests.empty() || options.visibility != Visibility::automatic || caps.software ||
+            device.capture().loaded())
+            return {};
+        std::optional<SelfTest> test = keptSelfTest(options.selfTests, caps.driverKey);
+        if (!test) test = testPaths(options, caps.driverKey);
+        const TestedPath taken = choosePath(*test, caps.visibility, caps.visibilityReason);
+        device.choose(taken.visibility, taken.why);
+        return describe(*test);
+    }
 
     /// Does something, and gives `lost` instead of its outcome if the device is gone.
     template <typename Outcome, typename Call>
@@ -109,10 +125,22 @@ double Renderer::advanceOcclusion(const RenderSettings& settings, const Occlusio
     return impl_->unlessLost(0.0, [&] { return impl_->occlusion.advanceBeside(settings.occlusion, pace); });
 }
 
+void Renderer::awaitFrame() {
+    try {
+        impl_->unlessLost(false, [&] {
+            impl_->window->await();
+            return true;
+        });
+    } catch (const Error&) {
+        // present() meets the same.
+    }
+}
+
 FrameOutcome Renderer::present(const RenderSettings& settings, const WindowFrame& frame) {
     return impl_->unlessLost(FrameOutcome::lost, [&] {
         const FrameOutcome outcome = impl_->window->present(settings, impl_->occlusion.atlas(), frame);
         if (outcome == FrameOutcome::shown) ++impl_->stats.windowFrames;
+        impl_->stats.windowMilliseconds = impl_->window->milliseconds();
         return outcome;
     });
 }

@@ -49,6 +49,9 @@ public:
     /// everywhere at first). Returns milliseconds, from declaring the frame to the device being done.
     double drawFrame(const RenderSettings& settings);
 
+    /// Waits until the next present() need not: for room in the queue and an image of the window. Look for input after
+    /// it, so that the frame shows what is newest. Whatever goes wrong, present() tells.
+    void awaitFrame();
     /// Draws a frame into the window that DeviceOptions::surface makes, with the occlusion that is there so far, and
     /// queues it for the display. Does not wait for the device unless two frames are in flight already.
     /// @param settings its view has the window's size; `supersample` and `countFragments` are not looked at

@@ -35,6 +35,9 @@ struct DeviceInfo {
     std::string encodedFormat;       ///< "R32F"
     bool lazyMemory = false;
     bool timestamps = false;       ///< passes can be timed
+    bool rasterOrder = false;      ///< fragments can read their own attachment in raster order
+    std::string driverKey;         ///< of this device and driver, for names of files
+    std::string selfTest;          ///< "encoded 1.20 ms, fragdepth wrong"; empty: nobody tried
     std::string capabilitySet;     ///< what a plan for it starts from: "turnip"
     std::string knownAs, knownBy;  ///< what is known of its driver, and the source; empty where nothing is
 };
@@ -42,6 +45,13 @@ struct DeviceInfo {
 struct PassCount {
     std::string name;
     std::uint64_t shadedFragments = 0;
+};
+
+/// What a pass over the scene's primitives hands from vertices to fragments.
+struct PassGeometry {
+    std::string name;
+    std::uint64_t vertices = 0, triangles = 0;
+    std::uint64_t varyingBytes = 0;  ///< positions and varyings of all vertices
 };
 
 /// What the device itself took for a render pass, a dispatch or a copy. Passes that share a render pass are timed as
@@ -81,8 +91,11 @@ struct FrameStats {
     std::uint64_t deviceBytes = 0;      ///< peak device memory
     std::uint64_t deviceBytesHeld = 0;  ///< after the last picture
     std::uint64_t windowFrames = 0;     ///< submitted to the window so far
+    double windowMilliseconds = 0;      ///< what the device took for one lately; 0: it has no clock
     std::uint32_t tileBytesPerPixel = 0;
     std::uint64_t loadedBytes = 0, storedBytes = 0;  ///< of attachments, a frame
+    std::vector<PassGeometry> geometry;              ///< of the last picture's frame
+    bool storesVaryings = false;                     ///< the device writes varyings to memory, and reads them back
 };
 
 enum class FrameOutcome {

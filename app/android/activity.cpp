@@ -65,10 +65,15 @@ public:
           density_(densityOf(activity)),
           // A view that is restored shows the copy of what the intent named.
           document_(restored_ ? nullptr : openIntent()),
-          thread_([this] { return session_ ? session_->step() : std::numeric_limits<double>::infinity(); },
-                  [this](const char* why) { fail(why); }) {
+          thread_(
+              [this] {
+                  if (session_) session_->awaitFrame();
+              },
+              [this] { return session_ ? session_->step() : std::numeric_limits<double>::infinity(); },
+              [this](const char* why) { fail(why); }) {
         thread_.post([this, view = firstView(), density = density_] {
-            const SessionFiles files{folder_ + "/view.json", folder_ + "/pipelines.bin", folder_ + "/occlusion"};
+            const SessionFiles files{folder_ + "/view.json", folder_ + "/pipelines.bin", folder_ + "/occlusion",
+                                     folder_ + "/devices"};
             session_ = std::make_unique<AndroidSession>(files, view, density, shared_, [this] { thread_.post([] {}); });
         });
         if (document_) document_->open();

@@ -11,8 +11,9 @@ double steadySeconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-RenderThread::RenderThread(std::function<double()> step, std::function<void(const char*)> failed)
-    : step_(std::move(step)), failed_(std::move(failed)), thread_([this] { run(); }) {}
+RenderThread::RenderThread(std::function<void()> await, std::function<double()> step,
+                           std::function<void(const char*)> failed)
+    : await_(std::move(await)), step_(std::move(step)), failed_(std::move(failed)), thread_([this] { run(); }) {}
 
 RenderThread::~RenderThread() {
     {
@@ -51,6 +52,11 @@ void RenderThread::run() {
         else
             changed_.wait_for(lock, std::chrono::duration<double>(due - steadySeconds()), called);
         if (ends_ && tasks_.empty()) return;
+        if (!broken_) {
+            lock.unlock();
+            await_();
+            lock.lock();
+        }
         std::vector<Task> tasks = std::exchange(tasks_, {});
         const std::uint64_t count = tasks.size();
         lock.unlock();

@@ -16,8 +16,11 @@ public:
     using Task = std::function<void()>;
 
     /// @param step   returns when to be called again, in seconds of steadySeconds(); infinity: after the next task
+    /// @param await  called when something is to be done, before it is looked up what: input that comes while it waits
+    /// is
+    ///               still taken
     /// @param failed called on the thread with what a task or step threw; nothing is run after that
-    RenderThread(std::function<double()> step, std::function<void(const char*)> failed);
+    RenderThread(std::function<void()> await, std::function<double()> step, std::function<void(const char*)> failed);
     /// Runs what was posted and ends.
     ~RenderThread();
     RenderThread(const RenderThread&) = delete;
@@ -31,6 +34,7 @@ public:
 private:
     void run();
 
+    std::function<void()> await_;
     std::function<double()> step_;
     std::function<void(const char*)> failed_;
     std::mutex mutex_;

@@ -35,6 +35,7 @@ SessionHost AndroidSession::host() {
     host.device = [this] {
         DeviceOptions device;
         device.surface = surfaceOf([this] { return window_; });
+        device.selfTests = files_.devices;
         return device;
     };
     host.loadPipelines = [this] { return loadPipelineCache(files_.pipelines); };
@@ -174,6 +175,10 @@ void AndroidSession::run(ViewerCommand command) {
 }
 
 // --- the loop
+
+void AndroidSession::awaitFrame() {
+    if (window_ && started_) viewer().awaitFrame(steadySeconds());
+}
 
 double AndroidSession::step() {
     const double now = steadySeconds();

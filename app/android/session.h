@@ -21,6 +21,7 @@ struct SessionFiles {
     std::string view;       ///< the last view, JSON
     std::string pipelines;  ///< what the driver compiled
     std::string occlusion;  ///< folder of finished bakes
+    std::string devices;    ///< folder of what devices draw right
 };
 
 /// What the main thread may ask at any time.
@@ -59,6 +60,8 @@ public:
     void open(const std::string& path);
     void say(const std::string& text);
 
+    /// As Viewer::awaitFrame.
+    void awaitFrame();
     /// Draws, if there is something to draw. @returns when to call again, if nothing happens before. @throws Error
     double step();
 

@@ -12,20 +12,19 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr std::string_view kSample = "sample:";
 
-/// The main thread draws and takes touches: what it does at rest must not be felt by the next touch.
 ViewerOptions viewerOptions(const std::string& occlusionCache) {
     ViewerOptions options;
-    options.restingMilliseconds = 16;
     options.occlusionCache = occlusionCache;
     return options;
 }
 
 SessionHost hostOf(const MoleculeHost& host) {
     SessionHost session;
-    session.device = [surface = host.surface, validate = host.validate] {
+    session.device = [surface = host.surface, validate = host.validate, folder = host.occlusionCache] {
         DeviceOptions device;
         device.validate = validate;
         device.surface = surface;
+        if (!folder.empty()) device.selfTests = (std::filesystem::path(folder).parent_path() / "devices").string();
         return device;
     };
     session.loadPipelines = host.loadPipelines;

@@ -15,7 +15,7 @@ void looksCommand(const LooksOptions& options, std::ostream& out);
 void benchCommand(const BenchOptions& options, std::ostream& out);
 void planCommand(const PlanOptions& options, std::ostream& out);
 void infoCommand(const InfoOptions& options, std::ostream& out);
-void devicesCommand(bool json, std::ostream& out);
+void devicesCommand(const DevicesOptions& options, std::ostream& out);
 void versionCommand(std::ostream& out);
 
 }  // namespace nacre::app

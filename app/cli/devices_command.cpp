@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "app/cli/commands.h"
+#include "app/shared/cache_folder.h"
 #include "app/shared/json_text.h"
 #include "engine/error.h"
 #include "engine/renderer.h"
+#include "engine/self_test.h"
 #include "nacre_commit.h"
 
 namespace nacre::app {
@@ -24,14 +26,27 @@ std::string describe(const DeviceInfo& device) {
 
 }  // namespace
 
-void devicesCommand(bool json, std::ostream& out) {
-    const std::vector<DeviceInfo> devices = listDevices();
-    if (!json) {
+void devicesCommand(const DevicesOptions& options, std::ostream& out) {
+    std::vector<DeviceInfo> devices = listDevices();
+    const std::string folder = cacheFolder(options.cache, "devices");
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        if (options.selfTest) {
+            DeviceOptions device;
+            device.device = std::to_string(i);
+            device.selfTests = folder;
+            forgetSelfTest(folder, devices[i].driverKey);
+            devices[i].selfTest = describe(testPaths(device, devices[i].driverKey));
+        }
+        // A software device takes what its caps say.
+        if (devices[i].type != "software") addSelfTest(devices[i], folder);
+    }
+    if (!options.json) {
         for (std::size_t i = 0; i < devices.size(); ++i) {
             out << i << "  " << describe(devices[i]) << '\n'
                 << "   visibility " << devices[i].visibility << ": " << devices[i].why << "; encoded depth "
                 << devices[i].encodedFormat << "; lazy memory " << (devices[i].lazyMemory ? "yes" : "no")
                 << "; timestamps " << (devices[i].timestamps ? "yes" : "no") << '\n';
+            if (!devices[i].selfTest.empty()) out << "   self-test: " << devices[i].selfTest << '\n';
             if (!devices[i].knownAs.empty())
                 out << "   known as " << devices[i].capabilitySet << ": " << devices[i].knownAs << " ("
                     << devices[i].knownBy << ")\n";
@@ -51,6 +66,7 @@ void devicesCommand(bool json, std::ostream& out) {
                         {"encoded_format", devices[i].encodedFormat},
                         {"lazy_memory", devices[i].lazyMemory},
                         {"timestamps", devices[i].timestamps},
+                        {"self_test", devices[i].selfTest},
                         {"capability_set", devices[i].capabilitySet},
                         {"known_as", devices[i].knownAs},
                         {"known_by", devices[i].knownBy}});

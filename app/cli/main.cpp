@@ -63,7 +63,7 @@ void run(const CommandLine& line, std::ostream& out) {
             infoCommand(line.info, out);
             break;
         case Command::devices:
-            devicesCommand(line.json, out);
+            devicesCommand(line.devices, out);
             break;
     }
 }

@@ -22,17 +22,21 @@ std::string capabilitySetNames() {
     return names;
 }
 
+void addTurnAndZoom(CommandSpec& command, Camera& camera, const char* rotateHelp) {
+    addValue(command, "--rotate", "X,Y,Z", "0,0,0", rotateHelp,
+             [&](const std::string& text) { camera.rotationDegrees = parseRotation(text); });
+    addValue(command, "--zoom", "F", "1", "Scales the picture, 0.0001 to 10000",
+             [&](const std::string& text) { camera.zoom = parseNumber(text, kSmallestZoom, kLargestZoom); });
+    addValue(command, "--projection", "NAME", "ortho", "ortho or perspective", [&](const std::string& text) {
+        camera.projection =
+            parseChoice(text, {"ortho", "perspective"}) == 0 ? Projection::orthographic : Projection::perspective;
+    });
+}
+
 void addBench(CommandSpec& command, BenchOptions& options) {
     addContent(command, options.input, true, options.drawn, options.look);
     addSize(command, "640x960", options.size);
-    addValue(command, "--rotate", "X,Y,Z", "0,0,0", "Degrees of the first frame; each next one turns by 5 about Y",
-             [&](const std::string& text) { options.camera.rotationDegrees = parseRotation(text); });
-    addValue(command, "--zoom", "F", "1", "Scales the picture, 0.0001 to 10000",
-             [&](const std::string& text) { options.camera.zoom = parseNumber(text, kSmallestZoom, kLargestZoom); });
-    addValue(command, "--projection", "NAME", "ortho", "ortho or perspective", [&](const std::string& text) {
-        options.camera.projection =
-            parseChoice(text, {"ortho", "perspective"}) == 0 ? Projection::orthographic : Projection::perspective;
-    });
+    addTurnAndZoom(command, options.camera, "Degrees of the first frame; each next one turns by 5 about Y");
     addValue(command, "--frames", "N", "20", "Timed frames a path, 1 to 10000; as many as 5 seconds of all paths hold",
              [&](const std::string& text) { options.frames = static_cast<int>(parseInteger(text, 1, 10000)); });
     addValue(command, "--only", "PART", "everything", "frames (by path), shapes (of plates and impostors) or bake",
@@ -48,6 +52,8 @@ void addBench(CommandSpec& command, BenchOptions& options) {
 }
 
 void addPlan(CommandSpec& command, PlanOptions& options) {
+    addContent(command, options.input, false, options.drawn, options.look);
+    addTurnAndZoom(command, options.camera, "Degrees about X, Y and Z");
     addValue(command, "--caps", "NAME", "none", "A capability set instead of a device: " + capabilitySetNames(),
              [&](const std::string& text) {
                  try {
@@ -93,11 +99,17 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     CommandSpec plan{"plan", "Show what a frame becomes on a GPU: render passes and memory traffic",
                      "Examples:\n"
                      "  nacre plan --caps mali --size 1170x2532\n"
+                     "  nacre plan 1aon.pdb.gz --caps mali --size 1170x2532\n"
                      "  nacre plan --caps adreno --merge off --json\n"
                      "  nacre plan --device 0 --visibility deferred --dot | dot -Tsvg -o plan.svg"};
     addPlan(plan, line.plan);
-    CommandSpec devices{"devices", "List the Vulkan devices", "Examples:\n  nacre devices\n  nacre devices --json"};
-    addFlag(devices, "--json", line.json, "As a JSON array");
+    CommandSpec devices{"devices", "List the Vulkan devices",
+                        "Examples:\n  nacre devices\n  nacre devices --self-test --json"};
+    addFlag(devices, "--self-test", line.devices.selfTest,
+            "Draw by every path, tell which is right and how long it takes, and keep that for `auto`");
+    addValue(devices, "--cache", "DIR|off", "NACRE_CACHE, else ~/.cache/nacre", "Where self-tests are kept",
+             [&](const std::string& text) { line.devices.cache = fileName(text); });
+    addFlag(devices, "--json", line.devices.json, "As a JSON array");
     CommandSpec completion{"completion", "Print a shell's completion",
                            "Examples:\n  source <(nacre completion bash)\n  nacre completion fish | source"};
     completion

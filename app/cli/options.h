@@ -107,9 +107,19 @@ struct LooksOptions {
     bool json = false;
 };
 
+struct DevicesOptions {
+    std::optional<std::string> cache;  ///< where self-tests are kept
+    bool selfTest = false;             ///< is done anew
+    bool json = false;
+};
+
 enum class PlanFormat { text, json, dot };
 
 struct PlanOptions {
+    InputOptions input;  ///< whose geometry is counted; without a path: none is
+    DrawnAtomsOptions drawn;
+    RepresentationOptions look;
+    Camera camera;
     std::string caps;  ///< name of a capability set; empty: the real device
     DeviceOptions device;
     Size size;
@@ -131,8 +141,8 @@ struct CommandLine {
     InfoOptions info;
     BenchOptions bench;
     PlanOptions plan;
+    DevicesOptions devices;
     LooksOptions looks;
-    bool json = false;   ///< devices
     std::string shell;   ///< whose completion is asked for
     bool quiet = false;  ///< nothing on standard error but errors
 };

@@ -4,6 +4,8 @@
 #include <ostream>
 
 #include "app/cli/commands.h"
+#include "app/download/load_molecule.h"
+#include "app/shared/molecules.h"
 #include "engine/device_plan.h"
 #include "engine/error.h"
 
@@ -47,6 +49,15 @@ void chooseByDevice(const PlanOptions& options, PlanReport& report) {
     report.encoded = device.encoded;
 }
 
+/// Counts what the frame submits of the scene that was given.
+void addGeometry(const PlanOptions& options, PlanReport& report) {
+    const Molecule molecule = loadMolecule(options.input);
+    const Representation scene = sceneOf(molecule, options.input.path, options.drawn, options.look);
+    const View view = viewOf(options.camera, scene.radius, options.size.width, options.size.height);
+    report.geometry = geometryOf(report.frame.graph, countsOf(scene, view), report.plannedWith.geometry,
+                                 PlateShape::automatic, ImpostorShape::automatic);
+}
+
 std::string joined(const graph::Graph& graph, const std::vector<std::uint32_t>& passes) {
     std::string text;
     for (const std::uint32_t p : passes) text += (text.empty() ? "" : " + ") + graph.passes()[p].name;
@@ -82,6 +93,7 @@ PlanReport planReport(const PlanOptions& options) {
     gles.tileSubpasses = false;
     report.paperGraph = paperFrame(report.extent);
     report.paper = graph::compile(report.paperGraph, gles);
+    if (!options.input.path.empty()) addGeometry(options, report);
     return report;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/options.h"
+#include "engine/frame/geometry.h"
 #include "engine/frame/pass_notes.h"
 #include "engine/frame/screen.h"
 #include "engine/graph/capability_sets.h"
@@ -24,7 +25,8 @@ struct PlanReport {
     graph::Plan plan, unmerged;
     graph::Graph paperGraph;
     graph::Plan paper;
-    std::uint32_t frames = 1;  ///< that a picture is the mean of
+    std::uint32_t frames = 1;              ///< that a picture is the mean of
+    std::vector<PassGeometry> geometry{};  ///< of the scene that was given
 };
 
 /// @throws Error if there is no such device, or it cannot encode depth as asked for

@@ -1,5 +1,6 @@
 
 #include "app/cli/plan_command.h"
+#include "app/cli/stats.h"
 #include "app/shared/json_text.h"
 
 namespace nacre::app {
@@ -123,6 +124,8 @@ std::string planJson(const PlanReport& report) {
                             {"buffers", buffersJson(report.frame.graph, report.plan)},
                             {"unmerged_images", imagesJson(report.frame.graph, report.unmerged)},
                             {"paper_images", imagesJson(report.paperGraph, report.paper)}};
+    if (!report.geometry.empty())
+        json["geometry"] = geometryJson(report.geometry, report.plannedWith.geometry.storesVaryings);
     json["facts"] = Json::array();
     for (const graph::Fact& fact : report.facts)
         json["facts"].push_back({{"what", fact.what}, {"source", fact.source}});

@@ -162,6 +162,20 @@ void memoryText(std::ostream& out, const PlanReport& report) {
     table(out, "  ", rows, 1);
 }
 
+void geometryText(std::ostream& out, const PlanReport& report) {
+    const bool stored = report.plannedWith.geometry.storesVaryings;
+    out << "\nvertices of the scene, and what they hand to fragments"
+        << (stored ? ", through memory: written once, read once\n" : ", which stays on the chip\n");
+    std::vector<Row> rows{{"pass", "vertices", "triangles", stored ? "B written" : "B", stored ? "B read" : ""}};
+    const auto add = [&](const std::string& name, const PassGeometry& pass) {
+        rows.push_back({name, grouped(pass.vertices), grouped(pass.triangles), grouped(pass.varyingBytes),
+                        stored ? grouped(pass.varyingBytes) : ""});
+    };
+    for (const PassGeometry& pass : report.geometry) add(pass.name, pass);
+    add("in all", sumOf(report.geometry));
+    table(out, "  ", rows, 1);
+}
+
 }  // namespace
 
 std::string planText(const PlanReport& report) {
@@ -179,6 +193,7 @@ std::string planText(const PlanReport& report) {
     }
     passesText(out, report);
     memoryText(out, report);
+    if (!report.geometry.empty()) geometryText(out, report);
     if (!report.facts.empty()) out << "\nwhat is known of " << report.caps << '\n';
     for (const graph::Fact& fact : report.facts) out << "  " << fact.what << "\n    [" << fact.source << "]\n";
     return out.str();

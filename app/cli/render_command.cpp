@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/picture_job.h"
+#include "app/shared/cache_folder.h"
 #include "app/shared/messages.h"
 
 namespace nacre::app {
@@ -9,7 +10,9 @@ void renderCommand(const RenderOptions& options) {
     PictureJob job(options, progress);
     job.prepare();
     for (const std::string& warning : job.warnings()) sayWarning(warning);
-    Renderer renderer(options.device);
+    DeviceOptions device = options.device;
+    device.selfTests = cacheFolder(options.input.cache, "devices");
+    Renderer renderer(device);
     job.draw(renderer);
     job.write();
 }

@@ -6,6 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/shared/json_text.h"
+#include "engine/frame/geometry.h"
 #include "engine/scene/palettes.h"
 
 namespace nacre::app {
@@ -42,6 +43,22 @@ Json legendJson(const std::vector<Legend>& legends) {
 }
 
 }  // namespace
+
+Json geometryJson(const std::vector<PassGeometry>& passes, bool stored) {
+    Json list = Json::array();
+    for (const PassGeometry& pass : passes)
+        list.push_back({{"name", pass.name},
+                        {"vertices", pass.vertices},
+                        {"triangles", pass.triangles},
+                        {"varying_bytes", pass.varyingBytes}});
+    const PassGeometry sum = sumOf(passes);
+    const std::uint64_t bytes = stored ? sum.varyingBytes : 0;
+    return {{"vertices", sum.vertices},
+            {"triangles", sum.triangles},
+            {"varying_bytes", sum.varyingBytes},
+            {"memory_bytes", {{"loaded", bytes}, {"stored", bytes}}},
+            {"passes", list}};
+}
 
 Json passesJson(const std::vector<PassCount>& counts, const std::vector<PassTime>& times) {
     Json passes = Json::array();
@@ -98,6 +115,7 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
                          {"maps_per_batch", occlusion.mapsPerBatch},
                          {"bytes", occlusion.bytes},
                          {"never_seen", occlusion.neverSeen}};
+    json["geometry"] = geometryJson(frame.geometry, frame.storesVaryings);
     json["tile_bytes_per_pixel"] = frame.tileBytesPerPixel;
     json["memory"] = {{"resident_peak", peakResidentBytes()},
                       {"device", frame.deviceBytes},

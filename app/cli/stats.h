@@ -32,6 +32,10 @@ struct RunStats {
 /// What has `ms` adds up to the frame.
 nlohmann::ordered_json passesJson(const std::vector<PassCount>& counts, const std::vector<PassTime>& times);
 
+/// What the passes hand from vertices to fragments: `varying_bytes`, which go to memory and back (`memory_bytes`) where
+/// a GPU stores them.
+nlohmann::ordered_json geometryJson(const std::vector<PassGeometry>& passes, bool stored);
+
 /// JSON text; the keys are stable: snake_case, times in milliseconds, bytes as whole numbers.
 std::string statsJson(const RunStats& run, const View& view, const FrameStats& frame);
 

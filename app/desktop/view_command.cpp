@@ -68,6 +68,10 @@ public:
 
     void loop() {
         while (!window_.closing()) {
+            // The newest input goes into the frame, not what was there before it had to wait.
+            viewer().awaitFrame(now());
+            window_.handleEvents(0);
+            viewer().setDisplayInterval(1 / window_.refreshRate());
             const double wake = session_.step(now(), [this] { return panel_->draw(viewer(), window_.size(), now()); });
             const bool shown = renderer().stats().windowFrames != shown_;
             if (shown) {
@@ -106,6 +110,7 @@ private:
         SessionHost host;
         host.device = [this] {
             DeviceOptions device = options_.device;
+            device.selfTests = cacheFolder(options_.input.cache, "devices");
             device.surface = window_.surface();
             return device;
         };

@@ -10,14 +10,28 @@ constexpr int kLowest = 3;
 
 double ResolutionControl::scale() const { return kScales[level_]; }
 
-void ResolutionControl::frameTook(double seconds) {
-    slow_ = seconds > kBudgetSeconds ? slow_ + 1 : 0;
-    if (slow_ < kPatience || level_ == kLowest) return;
-    ++level_;
-    slow_ = 0;
+void ResolutionControl::change(int step) {
+    level_ += step;
+    slow_ = fast_ = 0;
+    unsettled_ = kInFlight;
 }
 
-void ResolutionControl::rest() { level_ = slow_ = 0; }
+void ResolutionControl::frameTook(double seconds, double device, double interval) {
+    if (unsettled_ > 0) {
+        --unsettled_;
+        return;
+    }
+    // The device's own time tells how near it is to missing a picture; from outside one sees only that it did.
+    const bool slow = device > 0 ? device > 0.9 * interval : seconds > 1.5 * interval;
+    slow_ = slow ? slow_ + 1 : 0;
+    if (slow_ >= kPatience && level_ < kLowest) return change(1);
+    if (device == 0 || level_ == 0) return;
+    const double more = kScales[level_ - 1] / kScales[level_];
+    fast_ = device * more * more < 0.7 * interval ? fast_ + 1 : 0;
+    if (fast_ >= kConfidence) change(-1);
+}
+
+void ResolutionControl::rest() { *this = {}; }
 
 void FrameSchedule::pictureChanged(double now) {
     pictureChanged_ = true;
@@ -45,9 +59,9 @@ FrameSchedule::Next FrameSchedule::next(double now, bool moving, double occlusio
     return next;
 }
 
-void FrameSchedule::shown(const Next& frame, double now, bool moving, double occlusion) {
+void FrameSchedule::shown(const Next& frame, double now, bool moving, double occlusion, double deviceSeconds) {
     if (frame.draw == Draw::nothing) return;
-    if (moving && wasMoving_) resolution_.frameTook(now - lastFrame_);
+    if (moving && wasMoving_) resolution_.frameTook(now - lastFrame_, deviceSeconds, interval_);
     if (!moving) resolution_.rest();
     if (moving || occlusion != shownOcclusion_) lastChange_ = now;
     wasMoving_ = moving;

@@ -10,17 +10,21 @@ namespace nacre::app {
 /// Share of the window's resolution at which a moving picture keeps up.
 class ResolutionControl {
 public:
-    static constexpr double kBudgetSeconds = 0.025;  ///< of a frame: 40 a second
-    static constexpr int kPatience = 4;              ///< slow frames in a row before the resolution drops
+    static constexpr int kPatience = 4;     ///< slow frames in a row before the resolution drops
+    static constexpr int kConfidence = 30;  ///< frames in a row that leave room for more before it rises
+    static constexpr int kInFlight = 2;     ///< frames after a change that are still of the resolution before
 
     double scale() const;
-    /// The time from one frame of a motion to the next.
-    void frameTook(double seconds);
+    /// @param seconds   from one frame of a motion to the next
+    /// @param device    of which the device took so many; 0: nobody knows
+    /// @param interval  from one picture of the display to the next
+    void frameTook(double seconds, double device, double interval);
     /// The picture stands still.
     void rest();
 
 private:
-    int level_ = 0, slow_ = 0;
+    void change(int step);
+    int level_ = 0, slow_ = 0, fast_ = 0, unsettled_ = 0;
 };
 
 enum class Draw {
@@ -51,12 +55,16 @@ public:
     /// @param occlusion share of the ambient occlusion that is done
     Next next(double now, bool moving, double occlusion) const;
     /// Tells what was drawn.
-    void shown(const Next& frame, double now, bool moving, double occlusion);
+    /// @param deviceSeconds  that the device took for a frame lately; 0: nobody knows
+    void shown(const Next& frame, double now, bool moving, double occlusion, double deviceSeconds = 0);
+    /// Seconds from one picture of the display to the next.
+    void setDisplayInterval(double seconds) { interval_ = seconds; }
 
 private:
     ResolutionControl resolution_;
     bool visible_ = true, pictureChanged_ = true, overlayChanged_ = false, refined_ = false, wasMoving_ = false;
     double lastChange_ = 0, lastFrame_ = 0, shownOcclusion_ = -1;
+    double interval_ = 1.0 / 60;
 };
 
 }  // namespace nacre::app

@@ -10,6 +10,10 @@ public:
     virtual ~Screen() = default;
     virtual void setScene(const Representation& scene) = 0;
     virtual double advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) = 0;
+    /// As Renderer::awaitFrame.
+    virtual void awaitFrame() {}
+    /// What the device took for a frame lately, milliseconds; 0: nobody knows.
+    virtual double frameMilliseconds() const { return 0; }
     virtual FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame) = 0;
     virtual PixelSize windowSize() const = 0;
     virtual std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach) = 0;

@@ -21,6 +21,14 @@ double Session::OwnScreen::advanceOcclusion(const RenderSettings& settings, cons
     return session_.renderer_ ? session_.renderer_->advanceOcclusion(settings, pace) : 0;
 }
 
+void Session::OwnScreen::awaitFrame() {
+    if (session_.renderer_) session_.renderer_->awaitFrame();
+}
+
+double Session::OwnScreen::frameMilliseconds() const {
+    return session_.renderer_ ? session_.renderer_->stats().windowMilliseconds : 0;
+}
+
 FrameOutcome Session::OwnScreen::present(const RenderSettings& settings, const WindowFrame& frame) {
     Renderer* renderer = session_.renderer();
     if (!renderer) return FrameOutcome::hidden;

@@ -60,6 +60,8 @@ private:
         explicit OwnScreen(Session& session) : session_(session) {}
         void setScene(const Representation& scene) override;
         double advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) override;
+        void awaitFrame() override;
+        double frameMilliseconds() const override;
         FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame) override;
         PixelSize windowSize() const override;
         std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach) override;

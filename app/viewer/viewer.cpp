@@ -413,12 +413,18 @@ double Viewer::update(double now, const std::function<const Overlay*()>& overlay
     return std::min(due, wake);
 }
 
+void Viewer::awaitFrame(double now) {
+    const bool moving = motion_.moving() || now - handMoved_ < kHandSeconds;
+    if (!schedule_.visible() || deviceLost_ || !frameRetry_.due(now)) return;
+    if (schedule_.next(now, moving, occlusion_).draw != Draw::nothing) screen_.awaitFrame();
+}
+
 void Viewer::advanceOcclusion(double now, bool moving) {
     try {
         // At rest every change of it draws a frame, which is not to cost more than the work that it shows.
-        constexpr double kShown = 50;
+        const double shown = std::clamp(2 * screen_.frameMilliseconds(), 50.0, 250.0);
         const OcclusionPace pace = moving ? OcclusionPace{options_.movingMilliseconds, 0, true}
-                                          : OcclusionPace{options_.restingMilliseconds, kShown, false};
+                                          : OcclusionPace{options_.restingMilliseconds, shown, false};
         occlusion_ = screen_.advanceOcclusion(settings(), pace);
         occlusionRetry_.succeeded();
         noticeLoss();
@@ -446,7 +452,7 @@ void Viewer::draw(const FrameSchedule::Next& next, double now, bool moving,
     }
     switch (outcome) {
         case FrameOutcome::shown:
-            schedule_.shown(next, now, moving, occlusion_);
+            schedule_.shown(next, now, moving, occlusion_, screen_.frameMilliseconds() / 1000);
             break;
         case FrameOutcome::resized:
             resize(screen_.windowSize(), scale_, now);

@@ -107,6 +107,11 @@ public:
     /// @param overlay called before a frame is drawn; may be empty
     /// @returns when to call again, if nothing happens before; never: infinity
     double update(double now, const std::function<const Overlay*()>& overlay = {});
+    /// If a frame is going to be drawn, waits until it can be: call it before the newest input is handed over, and
+    /// update() after that.
+    void awaitFrame(double now);
+    /// Seconds from one picture of the display to the next.
+    void setDisplayInterval(double seconds) { schedule_.setDisplayInterval(seconds); }
     /// The device was lost while drawing: make another screen, then screenLost().
     bool deviceLost() const { return deviceLost_; }
 

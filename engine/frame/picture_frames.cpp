@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/error.h"
+#include "engine/frame/geometry.h"
 #include "engine/frame/picture.h"
 #include "engine/milliseconds.h"
 #include "engine/passes/edge_samples.h"
@@ -98,6 +99,9 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
     if (fragments) stats_.passes = fragments->counts();
     if (settings.tuning.timePasses) stats_.passTimes = timer_.times();
     tell(plan);
+    stats_.geometry = geometryOf(frame.graph, frame.counts, device_.caps().plan.geometry, settings.tuning.plates,
+                                 settings.tuning.impostor);
+    stats_.storesVaryings = device_.caps().plan.geometry.storesVaryings;
     return drawn;
 }
 

@@ -67,6 +67,7 @@ ScreenFrame SceneFrames::declare(const RenderSettings& asked, const passes::Atla
     ScreenFrame frame =
         debug ? debugFrame(settings.debug, options, Recorder(seen)) : screenFrame(options, Recorder(seen));
     seen->shadow = frame.shadow;
+    frame.counts = {stats_.spheres, stats_.cylinders, stats_.triangles, seen->radiusPixels, seen->perspective};
     imports.bind(frame.atlas, atlas);
     if (seen->tiles) imports.bind(frame.numbers, seen->tiles->numbers.buffer);
     if (frame.edges) imports.bind(*frame.edges, seen->tiles->edgeBuffer().buffer);

@@ -49,6 +49,13 @@ struct ScreenOptions {
     std::uint32_t shadowPixels = 0;  ///< across the map of what the light sees; 0: there are no shadows
 };
 
+/// What a view submits, and how large it is in the picture.
+struct SceneCounts {
+    std::uint64_t spheres = 0, cylinders = 0, triangles = 0;  ///< of all copies
+    double radiusPixels = 0;                                  ///< mean radius of the spheres
+    bool perspective = false;
+};
+
 struct ScreenFrame {
     graph::Graph graph{"screen"};
     graph::Image depth;                  ///< hardware depth
@@ -58,6 +65,7 @@ struct ScreenFrame {
     std::optional<graph::Buffer> edges;  ///< imported, of `tiles`: what they need beside that
     std::optional<graph::Image> shadow;  ///< what the light sees
     std::vector<graph::Image> targets;
+    SceneCounts counts{};
 
     /// A pass that shades samples what light is told by. @returns the pass
     graph::PassBuilder& lit(graph::PassBuilder& pass) const;

@@ -132,9 +132,17 @@ void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, 
     device_.log().begin();
     slot.commands.reset();
     slot.commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    slot.timer.begin(slot.commands);
     executor_.record(slot.commands, f->graph, plan, imports, slot.descriptors);
+    slot.timer.lap(slot.commands, f->graph.name());
     slot.commands.end();
     ring_.submit(slot, swapchain_.drawn(*slot.image));
+}
+
+void WindowFrames::await() {
+    if (swapchain_.stale() || !swapchain_.ready()) return;
+    gpu::FrameSlot& slot = ring_.next();
+    if (!slot.image) slot.image = swapchain_.acquire(*slot.acquired);
 }
 
 FrameOutcome WindowFrames::present(const RenderSettings& settings, const passes::Atlas& atlas,

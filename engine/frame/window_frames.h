@@ -22,6 +22,11 @@ public:
     /// @param settings  its view is that of the upright window; one of another size is not drawn, and told by
     ///                  FrameOutcome::resized
     FrameOutcome present(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame);
+    /// Waits until there is room for another frame and, if it can be had, for an image to draw it into: so that what
+    /// present() shows can be found out after that.
+    void await();
+    /// What the device took for a frame lately, milliseconds; 0: nobody knows.
+    double milliseconds() const { return ring_.milliseconds(); }
     void setGlyphs(const OverlayGlyphs& glyphs);
     void release();
     graph::Extent size() const { return swapchain_.upright(); }

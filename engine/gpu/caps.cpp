@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
+#include <span>
 
 #include "engine/error.h"
 #include "engine/graph/known_drivers.h"
@@ -23,6 +25,13 @@ std::string typeName(vk::PhysicalDeviceType type) {
         default:
             return "other";
     }
+}
+
+std::string hexadecimal(std::span<const std::uint8_t> bytes) {
+    constexpr const char* kDigits = "0123456789abcdef";
+    std::string text;
+    for (const std::uint8_t byte : bytes) text += {kDigits[byte >> 4], kDigits[byte & 15]};
+    return text;
 }
 
 bool blends(const vk::raii::PhysicalDevice& device, vk::Format format) {
@@ -115,7 +124,7 @@ bool readsInRasterOrder(const vk::raii::PhysicalDevice& device) {
 }
 
 Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options) {
-    const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance3Properties>();
+    const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceIDProperties>();
     const auto& properties = chain.get<vk::PhysicalDeviceProperties2>().properties;
     Caps caps;
     caps.deviceName = properties.deviceName.data();
@@ -137,6 +146,8 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     }
     caps.snapPixels = std::ldexp(1.0f, -static_cast<int>(properties.limits.subPixelPrecisionBits));
     caps.maxImageSize = properties.limits.maxImageDimension2D;
+    const auto& id = chain.get<vk::PhysicalDeviceIDProperties>();
+    caps.driverKey = hexadecimal(id.driverUUID) + hexadecimal(id.deviceUUID) + std::to_string(caps.driverVersion);
     caps.timestampBits = device.getQueueFamilyProperties()[graphicsAndCompute(device)].timestampValidBits;
     caps.nanosecondsPerTick = properties.limits.timestampPeriod;
     caps.maxStorageBufferBytes = properties.limits.maxStorageBufferRange;
@@ -154,6 +165,8 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     applyEnvironment(caps.plan);
     caps.encoded = encodedFormatOf(device, options.encoded);
     caps.software = identity.software;
+    constexpr double kNever = std::numeric_limits<double>::infinity();
+    if (caps.software) caps.plan.geometry = {false, kNever, kNever, kNever};  // a triangle costs a hundred fragments
     caps.tiles = tileCapsOf(device);
     caps.tiles.shade = caps.software && caps.tiles.texels;
     caps.plan.tiles = caps.tiles.lacks.empty();

@@ -37,6 +37,7 @@ struct Caps {
     /// and takes those of one that is gone for those of another that was made in its place.
     bool cacheMixesRenderPasses = false;
     bool software = false;  ///< a CPU draws: triangles cost more than fragments
+    std::string driverKey;  ///< of device, driver and its version: hexadecimal digits
     Visibility visibility = Visibility::encoded;
     std::string visibilityReason;
     std::string capabilitySet;  ///< what the plan's caps started from

@@ -30,6 +30,11 @@ public:
     std::uint32_t queueFamily() const { return queueFamily_; }
     const Caps& caps() const { return caps_; }
     CaptureHook& capture() { return capture_; }
+    /// Another path than the caps chose, before anything is drawn.
+    void choose(Visibility visibility, const std::string& why) {
+        caps_.visibility = visibility;
+        caps_.visibilityReason = why;
+    }
 
     struct Allocation {
         vk::raii::DeviceMemory memory;

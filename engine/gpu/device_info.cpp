@@ -22,6 +22,8 @@ DeviceInfo gpu::infoOf(const Caps& caps) {
     info.encodedFormat = graph::formatName(caps.encoded.format);
     info.lazyMemory = caps.plan.transient;
     info.timestamps = caps.timestampBits > 0;
+    info.rasterOrder = caps.plan.rasterOrder;
+    info.driverKey = caps.driverKey;
     info.capabilitySet = caps.capabilitySet;
     if (caps.knownAs.what) info.knownAs = caps.knownAs.what, info.knownBy = caps.knownAs.source;
     return info;

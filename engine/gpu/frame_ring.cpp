@@ -25,6 +25,8 @@ FrameSlot& FrameRing::next() {
     FrameSlot& slot = slots_[at_];
     if (slot.submitted && device_->waitForFences(*slot.done, true, UINT64_MAX) != vk::Result::eSuccess)
         throw Error("the device stopped", device_.caps().deviceName, "waiting for a frame failed");
+    if (slot.submitted) milliseconds_ = slot.timer.milliseconds().value_or(0);
+    slot.submitted = false;
     slot.descriptors.reset();
     if (!*slot.acquired) {
         slot.acquired = vk::raii::Semaphore(*device_, vk::SemaphoreCreateInfo());

@@ -7,6 +7,7 @@
 
 #include "engine/gpu/pipeline.h"
 #include "engine/gpu/resources.h"
+#include "engine/gpu/timer.h"
 
 namespace nacre::gpu {
 
@@ -16,10 +17,11 @@ struct FrameSlot {
     bool submitted = false;                 ///< and `done` tells when it is done
     vk::raii::Semaphore acquired{nullptr};  ///< the window's image may be drawn into
     DescriptorPool descriptors;
+    Timer timer;                         ///< of the commands
     Buffer vertices, indices;            ///< of what is drawn over the picture
     std::shared_ptr<const void> held;    ///< what the commands use, until they are done
     std::optional<std::uint32_t> image;  ///< of the window, acquired for commands that were not submitted since
-    explicit FrameSlot(const Device& device) : descriptors(device) {}
+    explicit FrameSlot(const Device& device) : descriptors(device), timer(device) {}
 };
 
 class FrameRing {
@@ -31,6 +33,8 @@ public:
 
     /// The slot of the next frame, free of what the frame before last left in it. Waits until that one is done.
     FrameSlot& next();
+    /// What the device took for the last frame that is known to be done; 0: nobody knows.
+    double milliseconds() const { return milliseconds_; }
     /// Submits the slot's commands: they wait for `acquired` where colour is written, and signal `drawn`. If that
     /// fails, the slot is what next() gives again, and may try again with the image that it has.
     void submit(FrameSlot& slot, vk::Semaphore drawn);
@@ -43,6 +47,7 @@ private:
     vk::raii::CommandPool pool_;
     std::array<FrameSlot, kInFlight> slots_;
     std::size_t at_ = 0;
+    double milliseconds_ = 0;
 };
 
 }  // namespace nacre::gpu

@@ -12,7 +12,13 @@ constexpr const char* kMesaTiles =
     "Mesa, src/panfrost/lib/pan_props.c: tile buffer of 8 KiB up to T880 and G71, 16 KiB from G72 on; a tile has 16x16 "
     "pixels, and half the buffer is left to the next tile";
 
+constexpr const char* kArmVertices =
+    "Arm, 'Mali GPU Best Practices', index-driven vertex shading: positions and varyings are written to memory, and "
+    "read "
+    "from there by fragments";
+constexpr const char* kStoredVaryings = "positions and varyings go through memory: squares up to 10 pixels of radius";
 constexpr Fact kMali[] = {
+    {kStoredVaryings, kArmVertices},
     {"256 bits a pixel on the tile, hardware depth beside them", kMesaTiles},
     {"subpasses that read each other's pixel alone run on one tile",
      "Arm, 'Vulkan best practice for mobile developers', render subpasses tutorial"},
@@ -22,6 +28,7 @@ constexpr Fact kMali[] = {
      "VK_ARM_rasterization_order_attachment_access, contributed by Arm; promoted to EXT"},
 };
 constexpr Fact kMaliOld[] = {
+    {kStoredVaryings, kArmVertices},
     {"128 bits a pixel on the tile, hardware depth beside them", kMesaTiles},
     {"the same limit in the vendor's words: 128 bits of colour a pixel, D32F not counted",
      "Arm, 'Vulkan best practice for mobile developers', render subpasses tutorial"},
@@ -39,6 +46,9 @@ constexpr Fact kAdrenoNoSubpass[] = {
      "github.com/microsoft/DirectXShaderCompiler issue 2842; github.com/SaschaWillems/Vulkan pull request 697"},
 };
 constexpr Fact kPowerVr[] = {
+    {kStoredVaryings,
+     "Imagination, 'PowerVR Series5 Architecture Guide': the tiling accelerator writes transformed vertices to the "
+     "parameter buffer in memory"},
     {"input attachments stay on the tile; 16 B a pixel is our own budget",
      "Imagination, 'PowerVR Performance Recommendations', Vulkan: subpasses map to pixel local storage"},
     {"R32F need not blend; encoded depth takes RGBA16F", kBlendTable},
@@ -63,6 +73,7 @@ constexpr Fact kV3dv[] = {
     {"what writes depth from the fragment shader tests late, whatever it declares: plates reject nothing there", kShim},
 };
 constexpr Fact kPanvk[] = {
+    {kStoredVaryings, kArmVertices},
     {"a framebuffer for each subpass", kShim},
     {"depth is stored although nobody asks for it", kShim},
     {"what writes depth from the fragment shader tests late, whatever it declares: plates reject nothing there", kShim},
@@ -80,12 +91,22 @@ PlanCaps plan(const char* name, std::uint32_t tileBytes, bool storeNone) {
     return caps;
 }
 
+/// Of GPUs that store varyings. Up to these sizes four corners fewer in memory, of two passes, are worth more than the
+/// fragments that a square has beside an octagon: estimates from instruction counts, at 100 pJ a byte and 10 an
+/// instruction.
+constexpr GeometryCaps kStored{true, 5, 10, 20};
+
 std::vector<CapabilitySet> makeSets() {
     constexpr auto kTiler = DeviceKind::tiler;
     constexpr auto kHalf = EncodedDepth::rgba16f;
     constexpr auto kFloat = EncodedDepth::r32f;
     PlanCaps mali = plan("mali", 32, true);
     mali.rasterOrder = true;
+    mali.geometry = kStored;
+    PlanCaps maliOld = plan("mali-old", 16, false);
+    maliOld.geometry = kStored;
+    PlanCaps powerVr = plan("powervr", 16, false);
+    powerVr.geometry = kStored;
     PlanCaps noSubpass = plan("adreno-no-subpass", 16, true);
     noSubpass.tileSubpasses = false;
     PlanCaps turnip = plan("turnip", 16, true);
@@ -98,16 +119,17 @@ std::vector<CapabilitySet> makeSets() {
     PlanCaps panvk = v3dv;
     panvk.name = "panvk";
     panvk.storeAll = true;
+    panvk.geometry = kStored;
     PlanCaps apple = plan("apple-moltenvk", 32, false);
     apple.tileSubpasses = false;
     PlanCaps desktop = plan("desktop", 16, false);
     desktop.transient = false;
     return {
         {mali, kTiler, kHalf, kMali},
-        {plan("mali-old", 16, false), kTiler, kHalf, kMaliOld},
+        {maliOld, kTiler, kHalf, kMaliOld},
         {plan("adreno", 16, true), kTiler, kHalf, kAdreno},
         {noSubpass, kTiler, kHalf, kAdrenoNoSubpass},
-        {plan("powervr", 16, false), kTiler, kHalf, kPowerVr},
+        {powerVr, kTiler, kHalf, kPowerVr},
         {turnip, kTiler, kFloat, kTurnip},
         {v3dv, kTiler, kHalf, kV3dv},
         {panvk, kTiler, kHalf, kPanvk},

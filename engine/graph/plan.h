@@ -9,6 +9,15 @@
 
 namespace nacre::graph {
 
+/// How a device takes geometry. Pixels are of a sphere's mean radius.
+struct GeometryCaps {
+    bool storesVaryings = false;  ///< what vertices hand on goes through memory, written once and read once
+    double plateOctagons = 0;     ///< from here on plates are octagons, else squares
+    double octagons = 0;          ///< from here on impostors are octagons, else squares
+    double domes = 6;             ///< from here on plates are domes of three, and impostors pyramids
+    friend bool operator==(const GeometryCaps&, const GeometryCaps&) = default;
+};
+
 /// What the planner must know of a device. Named sets stand in capability_sets.h.
 struct PlanCaps {
     std::string name;
@@ -23,6 +32,7 @@ struct PlanCaps {
     std::uint32_t tileBytesPerPixel = 16;   ///< colour + input attachments of one render pass
     std::uint32_t maxColorAttachments = 4;  ///< of one subpass
     std::uint32_t maxInputAttachments = 4;
+    GeometryCaps geometry;
     friend bool operator==(const PlanCaps&, const PlanCaps&) = default;
 };
 

@@ -138,12 +138,13 @@ passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t mo
     std::uint64_t at = 0;
     all.spheres = between(all.spheres, part.first, part.end, at);
     all.cylinders = between(all.cylinders, part.first, part.end, at);
+    all.triangles = between(all.triangles, part.first, part.end, at);
     return all;
 }
 
 std::uint64_t DepthMaps::instances(std::uint32_t model) const {
     const passes::PlacedCopies all = placed(glm::dmat3(1), model);
-    return all.sphereCount() + all.cylinderCount();
+    return all.sphereCount() + all.cylinderCount() + all.triangleCount();
 }
 
 template <typename Pass>

@@ -13,7 +13,8 @@ void drawPlates(gpu::PassContext& context, const SceneView& view) {
     if (view.plates != PlateShape::none)
         drawPrimitives(context, view, Primitive::triangle,
                        {shaders::plateTriangleVertex, {shaders::plateFragment, shaders::plateFragmentCounting}}, pass);
-    for (const Plate& plate : platesOf(choosePlates(view.plates, context.device.caps().software, view.radiusPixels))) {
+    const graph::GeometryCaps& caps = context.device.caps().plan.geometry;
+    for (const Plate& plate : platesOf(choosePlates(view.plates, caps, view.radiusPixels))) {
         pass.plate = &plate;
         drawPrimitives(context, view, Primitive::sphere, shaders, pass);
     }

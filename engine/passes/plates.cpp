@@ -4,22 +4,18 @@
 
 namespace nacre::passes {
 
-namespace {
-
-constexpr double kManyFragments = 6.0;  // pixels of radius: a hundred fragments against some seventy vertices
-
-}  // namespace
-
-PlateShape choosePlates(PlateShape wanted, bool software, double radiusPixels) {
+PlateShape choosePlates(PlateShape wanted, const graph::GeometryCaps& caps, double radiusPixels) {
     if (wanted != PlateShape::automatic) return wanted;
-    if (software) return PlateShape::square;
-    return radiusPixels >= kManyFragments ? PlateShape::dome3 : PlateShape::octagon;
+    if (radiusPixels >= caps.domes) return PlateShape::dome3;
+    return radiusPixels >= caps.plateOctagons ? PlateShape::octagon : PlateShape::square;
 }
 
-ImpostorShape chooseImpostor(ImpostorShape wanted, bool software, double radiusPixels, bool perspective) {
-    const bool large = radiusPixels >= kManyFragments;
+ImpostorShape chooseImpostor(ImpostorShape wanted, const graph::GeometryCaps& caps, double radiusPixels,
+                             bool perspective) {
     if (wanted == ImpostorShape::automatic)
-        wanted = software ? ImpostorShape::square : large ? ImpostorShape::pyramid : ImpostorShape::octagon;
+        wanted = radiusPixels >= caps.domes      ? ImpostorShape::pyramid
+                 : radiusPixels >= caps.octagons ? ImpostorShape::octagon
+                                                 : ImpostorShape::square;
     // Leaning facets are planes of depth only where parallel lines stay parallel.
     return wanted == ImpostorShape::pyramid && perspective ? ImpostorShape::octagon : wanted;
 }

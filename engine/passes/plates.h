@@ -5,6 +5,7 @@
 #include <span>
 
 #include "engine/device_options.h"
+#include "engine/graph/plan.h"
 
 namespace nacre::passes {
 
@@ -15,11 +16,12 @@ struct Plate {
 };
 
 /// What `automatic` stands for. On a software rasteriser a triangle costs as much as some hundred fragments: squares.
-/// On a GPU fragments are what counts, as long as a sphere covers enough of them: domes and pyramids; else octagons.
-/// @param software       whether the device is a software rasteriser
+/// On a GPU fragments are what counts, as long as a sphere covers enough of them: domes and pyramids; else octagons, or
+/// squares where corners go through memory.
 /// @param radiusPixels   mean radius of a sphere in the picture
-PlateShape choosePlates(PlateShape wanted, bool software, double radiusPixels);
-ImpostorShape chooseImpostor(ImpostorShape wanted, bool software, double radiusPixels, bool perspective);
+PlateShape choosePlates(PlateShape wanted, const graph::GeometryCaps& caps, double radiusPixels);
+ImpostorShape chooseImpostor(ImpostorShape wanted, const graph::GeometryCaps& caps, double radiusPixels,
+                             bool perspective);
 
 /// The polygons of a shape. More of them make a dome: smaller plates that stand nearer to the viewer.
 std::span<const Plate> platesOf(PlateShape shape);

@@ -133,7 +133,8 @@ std::uint32_t cornersOf(const gpu::PassContext& context, const SceneView& view, 
     if (primitive == Primitive::triangle) return 3;
     if (pass.plate) return pass.plate->corners;
     if (primitive != Primitive::sphere) return 4;
-    switch (chooseImpostor(view.impostor, context.device.caps().software, view.radiusPixels, view.perspective)) {
+    const graph::GeometryCaps& caps = context.device.caps().plan.geometry;
+    switch (chooseImpostor(view.impostor, caps, view.radiusPixels, view.perspective)) {
         case ImpostorShape::square:
             return 4;
         case ImpostorShape::octagon:

@@ -42,6 +42,25 @@ TEST(Plan, OfMaliIsOneRenderPassWhoseTrafficIsTheColourAlone) {
     EXPECT_EQ(json["tile_bytes_per_pixel"], 12);
 }
 
+TEST(Plan, CountsTheGeometryOfASceneThatIsGiven) {
+    PlanOptions options = phone("mali");
+    EXPECT_FALSE(jsonOf(options).contains("geometry"));
+    options.input.path = "sample:dna";
+    const Json mali = jsonOf(options)["geometry"];
+    const std::uint64_t spheres = mali["passes"][0]["triangles"].get<std::uint64_t>() / 18;  // domes of three octagons
+    EXPECT_GT(spheres, 400u);
+    EXPECT_EQ(mali["vertices"], spheres * (24 + 9 + 9));  // and indexed pyramids, twice
+    EXPECT_EQ(mali["varying_bytes"], spheres * (24 * 16 + 9 * 32 + 9 * 44));
+    EXPECT_EQ(mali["memory_bytes"]["stored"], mali["varying_bytes"]);
+    EXPECT_NE(planText(planReport(options)).find("through memory: written once, read once"), std::string::npos);
+    options.camera.zoom = 0.1;  // squares, where corners cost more than fragments
+    EXPECT_EQ(jsonOf(options)["geometry"]["vertices"], spheres * (4 + 4 + 4));
+    options.caps = "adreno";
+    const Json adreno = jsonOf(options)["geometry"];
+    EXPECT_EQ(adreno["memory_bytes"]["stored"], 0);
+    EXPECT_EQ(adreno["vertices"], spheres * (8 + 8 + 8));
+}
+
 TEST(Plan, AShadowIsAMapThatLeavesTheTileAndNothingElseDoes) {
     PlanOptions options = phone("mali");
     options.shadow = true;

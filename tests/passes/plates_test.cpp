@@ -3,10 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
+
+#include "engine/graph/capability_sets.h"
 
 namespace nacre::passes {
 namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr graph::GeometryCaps kSoftware{false, kNever, kNever, kNever};
+const graph::GeometryCaps kGpu, kStoring = graph::capabilitySet("mali").plan.geometry;
 
 constexpr PlateShape kShapes[] = {PlateShape::square, PlateShape::octagon, PlateShape::dome2, PlateShape::dome3};
 
@@ -54,23 +61,32 @@ TEST(Plates, MoreOfThemHideMoreOfTheSphere) {
 
 TEST(Plates, WhatIsAskedForIsTaken) {
     for (const PlateShape shape : kShapes)
-        for (const bool software : {false, true}) EXPECT_EQ(choosePlates(shape, software, 50), shape);
-    EXPECT_EQ(choosePlates(PlateShape::none, false, 50), PlateShape::none);
-    EXPECT_EQ(chooseImpostor(ImpostorShape::square, false, 50, false), ImpostorShape::square);
+        for (const graph::GeometryCaps& caps : {kGpu, kSoftware}) EXPECT_EQ(choosePlates(shape, caps, 50), shape);
+    EXPECT_EQ(choosePlates(PlateShape::none, kGpu, 50), PlateShape::none);
+    EXPECT_EQ(chooseImpostor(ImpostorShape::square, kGpu, 50, false), ImpostorShape::square);
 }
 
 TEST(Plates, AutomaticOnesFollowDeviceAndSize) {
-    EXPECT_EQ(choosePlates(PlateShape::automatic, true, 50), PlateShape::square);
-    EXPECT_EQ(choosePlates(PlateShape::automatic, false, 50), PlateShape::dome3);
-    EXPECT_EQ(choosePlates(PlateShape::automatic, false, 2), PlateShape::octagon);
-    EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, true, 50, false), ImpostorShape::square);
-    EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, false, 50, false), ImpostorShape::pyramid);
-    EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, false, 2, false), ImpostorShape::octagon);
+    EXPECT_EQ(choosePlates(PlateShape::automatic, kSoftware, 50), PlateShape::square);
+    EXPECT_EQ(choosePlates(PlateShape::automatic, kGpu, 50), PlateShape::dome3);
+    EXPECT_EQ(choosePlates(PlateShape::automatic, kGpu, 2), PlateShape::octagon);
+    EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, kSoftware, 50, false), ImpostorShape::square);
+    EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, kGpu, 50, false), ImpostorShape::pyramid);
+    EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, kGpu, 2, false), ImpostorShape::octagon);
+}
+
+TEST(Plates, FewerCornersWhereTheyGoThroughMemory) {
+    EXPECT_EQ(choosePlates(PlateShape::automatic, kStoring, 2), PlateShape::square);
+    EXPECT_EQ(choosePlates(PlateShape::automatic, kStoring, 9.4), PlateShape::octagon);
+    EXPECT_EQ(choosePlates(PlateShape::automatic, kStoring, 30), PlateShape::dome3);
+    EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, kStoring, 9.4, false), ImpostorShape::square);
+    EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, kStoring, 15, false), ImpostorShape::octagon);
+    EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, kStoring, 30, false), ImpostorShape::pyramid);
 }
 
 TEST(Plates, NoPyramidLeansInPerspective) {
-    EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, false, 50, true), ImpostorShape::octagon);
-    EXPECT_EQ(chooseImpostor(ImpostorShape::pyramid, false, 50, true), ImpostorShape::octagon);
+    EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, kGpu, 50, true), ImpostorShape::octagon);
+    EXPECT_EQ(chooseImpostor(ImpostorShape::pyramid, kGpu, 50, true), ImpostorShape::octagon);
 }
 
 }  // namespace

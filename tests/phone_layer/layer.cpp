@@ -2,8 +2,8 @@
 // and the memory types of tile-based GPUs: one that the host sees coherently and does not cache, one that it caches and
 // must invalidate, one that is lazily allocated. What the host may not see yet, it does not see here. Under the
 // validation layer a program that asks for more is told. The environment variable NACRE_PHONE names the phone:
-// "android" (of Arm's make) or "moltenvk"; NACRE_PHONE_SHADERS may name a folder that takes every shader which the
-// program hands over, as 1.spv, 2.spv, ...
+// "android" (of Arm's make) or "moltenvk"; NACRE_PHONE_WRONG a fault of its driver; NACRE_PHONE_SHADERS may name a
+// folder that takes every shader which the program hands over, as 1.spv, 2.spv, ...
 
 #define VK_ENABLE_BETA_EXTENSIONS
 #include <vulkan/vk_layer.h>
@@ -57,6 +57,7 @@ bool molten() {
     X(CmdDraw)                      \
     X(CmdDrawIndexed)               \
     X(CreateShaderModule)           \
+    X(CreateGraphicsPipelines)      \
     X(GetImageMemoryRequirements)   \
     X(GetImageMemoryRequirements2)  \
     X(GetBufferMemoryRequirements)  \
@@ -315,6 +316,30 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateShaderModule(VkDevice of, const VkShaderMod
         if (!file.flush()) std::abort();  // a test that looks at fewer would pass for nothing
     }
     return nextCreateShaderModule(of, info, allocator, shader);
+}
+
+// --- a driver that is wrong
+
+/// NACRE_PHONE_WRONG=min: it blends by MIN as if that were MAX, and says nothing.
+VKAPI_ATTR VkResult VKAPI_CALL CreateGraphicsPipelines(VkDevice of, VkPipelineCache cache, std::uint32_t count,
+                                                       const VkGraphicsPipelineCreateInfo* infos,
+                                                       const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
+    const char* wrong = std::getenv("NACRE_PHONE_WRONG");
+    if (!wrong || std::string_view(wrong) != "min")
+        return nextCreateGraphicsPipelines(of, cache, count, infos, allocator, pipelines);
+    std::vector<VkGraphicsPipelineCreateInfo> made(infos, infos + count);
+    std::vector<VkPipelineColorBlendStateCreateInfo> states(count);
+    std::vector<std::vector<VkPipelineColorBlendAttachmentState>> attachments(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (!made[i].pColorBlendState) continue;
+        states[i] = *made[i].pColorBlendState;
+        attachments[i].assign(states[i].pAttachments, states[i].pAttachments + states[i].attachmentCount);
+        for (VkPipelineColorBlendAttachmentState& a : attachments[i])
+            if (a.colorBlendOp == VK_BLEND_OP_MIN) a.colorBlendOp = a.alphaBlendOp = VK_BLEND_OP_MAX;
+        states[i].pAttachments = attachments[i].data();
+        made[i].pColorBlendState = &states[i];
+    }
+    return nextCreateGraphicsPipelines(of, cache, count, made.data(), allocator, pipelines);
 }
 
 // --- draws

@@ -23,6 +23,8 @@ public:
     double occlusion = 0;
     std::uint32_t atom = 0;
     FrameOutcome outcome = FrameOutcome::shown;
+    double milliseconds = 0, millisecondsOfWhole = 0;  ///< of a frame; of one at full resolution
+    int awaited = 0;
 
     int failures = 0;  ///< of the calls that follow
     std::string loss;
@@ -49,6 +51,11 @@ public:
         return outcome;
     }
     PixelSize windowSize() const override { return {640, 480}; }
+    void awaitFrame() override { ++awaited; }
+    double frameMilliseconds() const override {
+        if (millisecondsOfWhole == 0 || frames.empty()) return milliseconds;
+        return millisecondsOfWhole * frames.back().scale * frames.back().scale;
+    }
     std::uint32_t atomAt(const RenderSettings&, double, double, double) override {
         mayFail();
         return atom;
@@ -254,6 +261,48 @@ TEST(Viewer, ResolutionDropsWhileFramesAreLateAndReturnsAtRest) {
     b.viewer.run(ViewerCommand::rotateLeft, b.now);
     b.step();
     EXPECT_EQ(b.screen.frames.back().scale, 1);
+}
+
+TEST(Viewer, ResolutionGoesByTheDevicesTimeAndTheDisplaysInterval) {
+    for (const double hertz : {60.0, 90.0, 120.0}) {
+        Bench b;
+        b.viewer.setDisplayInterval(1 / hertz);
+        b.run(2, 1 / hertz);
+        b.viewer.run(ViewerCommand::autoRotate, b.now);
+        b.screen.milliseconds = 0.8 * 1000 / hertz;  // the display shows every frame, and has room to spare
+        b.run(1, 1 / hertz);
+        EXPECT_EQ(b.screen.frames.back().scale, 1) << hertz;
+        b.screen.milliseconds = 0.95 * 1000 / hertz;  // still every frame, by a hair
+        b.run(1, 1 / hertz);
+        EXPECT_LT(b.screen.frames.back().scale, 1) << hertz;
+        b.screen.milliseconds = 0.1 * 1000 / hertz;  // and it comes back in the motion
+        b.run(3, 1 / hertz);
+        EXPECT_EQ(b.screen.frames.back().scale, 1) << hertz;
+    }
+}
+
+TEST(Viewer, ResolutionDoesNotSwing) {
+    // The device takes as much as there are pixels: what fits at three quarters does not at the whole.
+    Bench b;
+    b.run(2);
+    b.viewer.run(ViewerCommand::autoRotate, b.now);
+    b.screen.millisecondsOfWhole = 20;
+    b.run(1);
+    const double settled = b.screen.frames.back().scale;
+    EXPECT_EQ(settled, 0.75);
+    const std::size_t before = b.screen.frames.size();
+    b.run(5);
+    for (std::size_t i = before; i < b.screen.frames.size(); ++i) EXPECT_EQ(b.screen.frames[i].scale, settled);
+}
+
+TEST(Viewer, WaitsForRoomOnlyIfAFrameIsToBeDrawn) {
+    Bench b;
+    b.run(2);
+    b.viewer.awaitFrame(b.now);
+    EXPECT_EQ(b.screen.awaited, 0);
+    b.viewer.run(ViewerCommand::rotateLeft, b.now);
+    b.viewer.awaitFrame(b.now);
+    EXPECT_EQ(b.screen.awaited, 1);
 }
 
 TEST(Viewer, ResolutionStaysWhileFramesAreInTime) {

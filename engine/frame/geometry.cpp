@@ -1,0 +1,106 @@
+#include "engine/frame/geometry.h"
+
+#include <algorithm>
+
+#include "engine/passes/placed_copies.h"
+#include "engine/passes/plates.h"
+
+namespace nacre {
+namespace {
+
+using graph::Verb;
+
+constexpr std::uint32_t kPosition = 16, kVec4 = 16, kNumber = 4, kThree = 12;
+constexpr std::uint32_t kSphereLook = kThree, kCylinderLook = 2 * kVec4, kTriangleLook = 4 * kThree;
+
+/// Positions and varyings of a vertex as shaders/*.vert write them.
+struct VertexBytes {
+    std::uint32_t sphere = kPosition + kVec4, cylinder = kPosition + 2 * kVec4;
+    std::uint32_t triangle = kPosition + 3 * kThree + kNumber;
+};
+
+/// Corners of a polygon or pyramid, and the triangles that it is made of.
+struct Shape {
+    std::uint32_t vertices = 0, triangles = 0;
+};
+
+Shape operator+(const Shape& a, const Shape& b) { return {a.vertices + b.vertices, a.triangles + b.triangles}; }
+
+Shape polygon(std::uint32_t corners) { return {corners, corners - 2}; }
+
+Shape impostorOf(ImpostorShape shape) {
+    switch (shape) {
+        case ImpostorShape::square:
+            return polygon(4);
+        case ImpostorShape::octagon:
+            return polygon(8);
+        default:
+            return {9, 8};  // indexed: each corner once
+    }
+}
+
+bool has(const graph::PassDecl& pass, Verb verb) {
+    return std::any_of(pass.uses.begin(), pass.uses.end(), [&](const graph::Use& use) { return use.verb == verb; });
+}
+
+/// Whether a colour of the pass holds whole numbers: those of primitives, which the vertex stage hands on.
+bool numbers(const graph::Graph& graph, const graph::PassDecl& pass) {
+    return std::any_of(pass.uses.begin(), pass.uses.end(), [&](const graph::Use& use) {
+        return use.verb == Verb::color && graph.images()[use.resource].desc.format == VK_FORMAT_R32_UINT;
+    });
+}
+
+}  // namespace
+
+SceneCounts countsOf(const Representation& r, const View& view) {
+    const passes::PlacedCopies placed = passes::placeCopies(r, view);
+    double radii = 0;
+    for (const Sphere& s : r.spheres) radii += s.radius;
+    const double mean = radii / static_cast<double>(std::max<std::size_t>(r.spheres.size(), 1));
+    return {placed.sphereCount(), placed.cylinderCount(), placed.triangleCount(), mean * view.pixelsPerAngstrom,
+            view.projection == Projection::perspective};
+}
+
+std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCounts& counts,
+                                     const graph::GeometryCaps& caps, PlateShape plates, ImpostorShape impostor) {
+    const Shape sphere = impostorOf(passes::chooseImpostor(impostor, caps, counts.radiusPixels, counts.perspective));
+    const Shape cylinder = polygon(4), triangle = polygon(3);
+    Shape plate;
+    for (const passes::Plate& p : passes::platesOf(passes::choosePlates(plates, caps, counts.radiusPixels)))
+        plate = plate + polygon(p.corners);
+    std::vector<PassGeometry> list;
+    for (const graph::PassDecl& pass : graph.passes()) {
+        const bool tests = has(pass, Verb::depth) || has(pass, Verb::depthTest) || has(pass, Verb::ordered);
+        if (pass.kind != graph::PassKind::graphics || !tests) continue;  // none of the scene's primitives
+        if (!has(pass, Verb::color) && !has(pass, Verb::ordered) && pass.name != kShadowPass) {
+            const std::uint64_t flat = plate.vertices ? counts.triangles : 0;
+            const std::uint64_t vertices = counts.spheres * plate.vertices + flat * triangle.vertices;
+            list.push_back({pass.name, vertices, counts.spheres * plate.triangles + flat, vertices * kPosition});
+            continue;
+        }
+        VertexBytes bytes;
+        if (has(pass, Verb::samples))  // the occlusion atlas: it shades
+            bytes = {bytes.sphere + kSphereLook, bytes.cylinder + kCylinderLook, bytes.triangle + kTriangleLook};
+        else if (numbers(graph, pass))
+            bytes = {bytes.sphere + kNumber, bytes.cylinder + kNumber, bytes.triangle + kNumber};
+        const std::uint64_t spheres = counts.spheres * sphere.vertices,
+                            triangles = counts.triangles * triangle.vertices,
+                            cylinders = counts.cylinders * cylinder.vertices;
+        list.push_back({pass.name, spheres + cylinders + triangles,
+                        counts.spheres * sphere.triangles + counts.cylinders * cylinder.triangles + counts.triangles,
+                        spheres * bytes.sphere + cylinders * bytes.cylinder + triangles * bytes.triangle});
+    }
+    return list;
+}
+
+PassGeometry sumOf(std::span<const PassGeometry> passes) {
+    PassGeometry sum;
+    for (const PassGeometry& pass : passes) {
+        sum.vertices += pass.vertices;
+        sum.triangles += pass.triangles;
+        sum.varyingBytes += pass.varyingBytes;
+    }
+    return sum;
+}
+
+}  // namespace nacre

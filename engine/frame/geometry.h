@@ -1,0 +1,27 @@
+#pragma once
+// What the passes of a frame ask of the vertex stage, and of memory on GPUs that store what it hands on. Pure.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/device_options.h"
+#include "engine/frame/screen.h"
+#include "engine/graph/plan.h"
+#include "engine/results.h"
+#include "engine/scene/camera.h"
+#include "engine/scene/representation.h"
+
+namespace nacre {
+
+/// What a view of a scene submits.
+SceneCounts countsOf(const Representation& representation, const View& view);
+
+/// Of the passes of a screen frame that draw primitives, in their order. @param plates, impostor  as asked for
+std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCounts& counts,
+                                     const graph::GeometryCaps& caps, PlateShape plates, ImpostorShape impostor);
+
+/// In all.
+PassGeometry sumOf(std::span<const PassGeometry> passes);
+
+}  // namespace nacre

@@ -1,0 +1,109 @@
+// What the device draws right is found out by drawing, on a phone whose driver may be wrong (tests/phone_layer).
+
+#include "engine/self_test.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "engine/renderer.h"
+#include "tests/support/temporary_folder.h"
+
+namespace nacre::test {
+namespace {
+
+using Outcome = PathResult::Outcome;
+
+/// A driver that is wrong in one way for as long as this lives.
+struct Wrong {
+    explicit Wrong(const char* how) { setenv("NACRE_PHONE_WRONG", how, 1); }
+    ~Wrong() { unsetenv("NACRE_PHONE_WRONG"); }
+};
+
+DeviceInfo started(const TemporaryFolder& folder) {
+    DeviceOptions options;
+    options.validate = true;
+    options.selfTests = folder / "devices";
+    const Renderer renderer(options);
+    for (const std::string& message : renderer.validationMessages()) ADD_FAILURE() << message;
+    return renderer.stats().device;
+}
+
+Outcome outcomeOf(const SelfTest& test, Visibility path) {
+    for (const PathResult& r : test)
+        if (r.visibility == path) return r.outcome;
+    ADD_FAILURE() << visibilityName(path) << " was not tried";
+    return {};
+}
+
+TEST(SelfTest, FindsEveryPathOfARightDriverRight) {
+    const TemporaryFolder folder;
+    const DeviceInfo device = started(folder);
+    const auto kept = keptSelfTest(folder / "devices", device.driverKey);
+    ASSERT_TRUE(kept);
+    ASSERT_EQ(kept->size(), 3u);  // this phone reads nothing in raster order
+    for (const PathResult& r : *kept) {
+        EXPECT_EQ(r.outcome, Outcome::right) << visibilityName(r.visibility);
+        EXPECT_GT(r.milliseconds, 0);
+    }
+    EXPECT_EQ(device.selfTest, describe(*kept));
+}
+
+TEST(SelfTest, APathThatDrawsWronglyIsNeverTaken) {
+    const TemporaryFolder folder;
+    std::string key;
+    {
+        const Wrong wrong("min");
+        const DeviceInfo device = started(folder);
+        key = device.driverKey;
+        EXPECT_NE(device.visibility, "encoded");
+        EXPECT_NE(device.selfTest.find("encoded wrong"), std::string::npos) << device.selfTest;
+    }
+    const auto kept = keptSelfTest(folder / "devices", key);
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(outcomeOf(*kept, Visibility::encoded), Outcome::wrong);
+    EXPECT_EQ(outcomeOf(*kept, Visibility::fragdepth), Outcome::right);
+    EXPECT_EQ(outcomeOf(*kept, Visibility::deferred), Outcome::right);
+    // The answer is kept, not found out again: the driver is right by now.
+    EXPECT_NE(started(folder).visibility, "encoded");
+    // Whoever asks for it gets it.
+    DeviceOptions asked;
+    asked.visibility = Visibility::encoded;
+    asked.selfTests = folder / "devices";
+    EXPECT_EQ(Renderer(asked).stats().device.visibility, "encoded");
+}
+
+TEST(SelfTest, APathThatEndedTheProgramTwiceIsNotTriedAgain) {
+    const TemporaryFolder folder;
+    const std::string key = started(folder).driverKey, file = folder / ("devices/paths-" + key);
+    const auto keep = [&](const std::string& text) { std::ofstream(file) << text; };
+    keep("nacre self-test 1\nencoded unfinished 0 1\n");
+    EXPECT_EQ(started(folder).selfTest.find("ends the program"), std::string::npos);  // tried again
+    keep("nacre self-test 1\nencoded unfinished 0 2\n");
+    const DeviceInfo device = started(folder);
+    EXPECT_EQ(device.selfTest.find("encoded ends the program, fragdepth "), 0u) << device.selfTest;
+    EXPECT_NE(device.visibility, "encoded");
+    // What is no answer is none.
+    for (const char* text : {"", "nacre self-test 0\nencoded right 1 0\n", "nacre self-test 1\nencoded fine 1 0\n",
+                             "nacre self-test 1\nencoded right\n", "nacre self-test 1\ndeferred right 1 0\nx"}) {
+        keep(text);
+        EXPECT_FALSE(keptSelfTest(folder / "devices", key)) << text;
+    }
+}
+
+TEST(SelfTest, AnotherPathIsTakenWhereItIsFasterByFar) {
+    const auto choose = [](SelfTest test) { return choosePath(test, Visibility::encoded, "by its caps"); };
+    const PathResult encoded{Visibility::encoded, Outcome::right, 2, 0};
+    EXPECT_EQ(choose({encoded, {Visibility::rasterOrder, Outcome::right, 1.8, 0}}).why, "by its caps");
+    const TestedPath faster = choose({encoded, {Visibility::rasterOrder, Outcome::right, 1.5, 0}});
+    EXPECT_EQ(faster.visibility, Visibility::rasterOrder);
+    EXPECT_EQ(faster.why, "the fastest here: encoded 2.00 ms, raster-order 1.50 ms");
+    EXPECT_EQ(choose({encoded, {Visibility::rasterOrder, Outcome::wrong, 0, 0}}).visibility, Visibility::encoded);
+    const TestedPath none = choose({{Visibility::encoded, Outcome::wrong, 0, 0}});
+    EXPECT_EQ(none.visibility, Visibility::encoded);
+    EXPECT_NE(none.why.find("no path draws right"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace nacre::test

@@ -1,0 +1,106 @@
+// What is counted of geometry, held against the shaders' own interfaces and against numbers by hand.
+
+#include "engine/frame/geometry.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "engine/graph/capability_sets.h"
+#include "shaders.h"
+#include "tests/renderer/scenes.h"
+
+namespace nacre::test {
+namespace {
+
+/// Bytes of a vertex stage's outputs beside its position, from its SPIR-V.
+std::uint32_t outputBytes(std::span<const std::uint32_t> words) {
+    constexpr std::uint32_t kInt = 21, kFloat = 22, kVector = 23, kPointer = 32, kVariable = 59, kOutput = 3;
+    std::map<std::uint32_t, std::uint32_t> bytes, pointed;
+    std::uint32_t sum = 0;
+    for (std::size_t i = 5; i < words.size(); i += words[i] >> 16) {
+        const auto word = [&](std::size_t k) { return words[i + k]; };
+        switch (words[i] & 0xffffu) {
+            case kInt:
+            case kFloat:
+                bytes[word(1)] = word(2) / 8;
+                break;
+            case kVector:
+                bytes[word(1)] = bytes[word(2)] * word(3);
+                break;
+            case kPointer:
+                pointed[word(1)] = word(3);
+                break;
+            case kVariable:
+                if (word(3) == kOutput && bytes.count(pointed[word(1)])) sum += bytes[pointed[word(1)]];  // no block
+                break;
+            default:
+                break;
+        }
+    }
+    return sum;
+}
+
+ScreenFrame frameOf(Visibility path) {
+    ScreenOptions options{{1170, 2532}, path, graph::encodedFormats().front(), {VK_FORMAT_R8_UNORM, {64, 64}}, {}};
+    options.targets = kScreenTargets;
+    return screenFrame(options);
+}
+
+/// Varyings of a corner in a pass of a path.
+enum Kind { sphere, cylinder, triangle };
+std::uint64_t bytesOfCorner(Visibility path, std::size_t pass, Kind kind) {
+    const SceneCounts one{kind == sphere, kind == cylinder, kind == triangle, 1, false};
+    const auto geometry = geometryOf(frameOf(path).graph, one, {}, PlateShape::square, ImpostorShape::square);
+    return geometry[pass].varyingBytes / geometry[pass].vertices;
+}
+
+TEST(Geometry, CountsWhatTheShadersHandOn) {
+    constexpr std::uint32_t kPosition = 16;
+    const auto expect = [](Visibility path, std::size_t pass, Kind kind, std::span<const std::uint32_t> shader) {
+        EXPECT_EQ(bytesOfCorner(path, pass, kind), kPosition + outputBytes(shader)) << pass << ", " << kind;
+    };
+    expect(Visibility::encoded, 0, sphere, shaders::plateVertex);
+    expect(Visibility::encoded, 0, triangle, shaders::plateTriangleVertex);
+    expect(Visibility::encoded, 1, sphere, shaders::geometrySphereVertex);
+    expect(Visibility::encoded, 1, cylinder, shaders::geometryCylinderVertex);
+    expect(Visibility::encoded, 1, triangle, shaders::geometryTriangleVertex);
+    expect(Visibility::encoded, 2, sphere, shaders::lookSphereVertex);
+    expect(Visibility::encoded, 2, cylinder, shaders::lookCylinderVertex);
+    expect(Visibility::encoded, 2, triangle, shaders::lookTriangleVertex);
+    expect(Visibility::deferred, 1, sphere, shaders::numberSphereVertex);
+    expect(Visibility::deferred, 1, cylinder, shaders::numberCylinderVertex);
+    expect(Visibility::deferred, 1, triangle, shaders::numberTriangleVertex);
+}
+
+TEST(Geometry, OfALargeProteinIsAQuarterOfWhatPyramidsWithoutIndicesTook) {
+    // 1AON at 1170x2532: 58,870 atoms of 9.4 pixels. Three plates and two pyramids of 24 corners each were 2,208 bytes
+    // a sphere, 130 MB.
+    const SceneCounts counts{58'870, 0, 0, 9.4, false};
+    const graph::GeometryCaps& mali = graph::capabilitySet("mali").plan.geometry;
+    ASSERT_TRUE(mali.storesVaryings);
+    const PassGeometry sum = sumOf(
+        geometryOf(frameOf(Visibility::encoded).graph, counts, mali, PlateShape::automatic, ImpostorShape::automatic));
+    EXPECT_EQ(sum.varyingBytes, 58'870u * (8 * 16 + 4 * 32 + 4 * 44));
+    EXPECT_LE(4 * sum.varyingBytes, 58'870u * 2'208u);
+}
+
+TEST(Geometry, OfAPictureIsToldByItsFrame) {
+    ValidatedRenderer renderer(Visibility::fragdepth);
+    const Representation r = scene("sample:glucose", Style::ballAndStick);
+    renderer->setScene(r);
+    RenderSettings s = settings(r, 32, Projection::orthographic);
+    s.occlusion.directions = 0;
+    renderer->render(s);
+    const auto& geometry = renderer->stats().geometry;  // by a software device: squares
+    ASSERT_EQ(geometry.size(), 2u);
+    EXPECT_EQ(geometry[0].name, "opaque prepass");
+    EXPECT_EQ(geometry[0].vertices, 4 * r.spheres.size());
+    EXPECT_EQ(geometry[0].triangles, 2 * r.spheres.size());
+    EXPECT_EQ(geometry[1].vertices, 4 * (r.spheres.size() + r.cylinders.size()));
+    EXPECT_EQ(geometry[1].varyingBytes, 4 * (44 * r.spheres.size() + 80 * r.cylinders.size()));
+    EXPECT_FALSE(renderer->stats().storesVaryings);
+}
+
+}  // namespace
+}  // namespace nacre::test
