@@ -14,6 +14,7 @@ namespace {
 ViewerOptions optionsOf(const SessionFiles& files) {
     ViewerOptions options;
     options.occlusionCache = files.occlusion;
+    options.errorsStay = true;
     return options;
 }
 
@@ -49,8 +50,9 @@ SessionHost AndroidSession::host() {
 void AndroidSession::makePanel(double pixelsPerPoint) {
     scale_ = pixelsPerPoint;
     panel_.reset();
-    panel_ = std::make_unique<Panel>(
-        pixelsPerPoint, [this](ViewerCommand command) { run(command); }, PanelHand::fingers);
+    PanelHost host;
+    host.run = [this](ViewerCommand command) { run(command); };
+    panel_ = std::make_unique<Panel>(pixelsPerPoint, std::move(host), PanelHand::fingers);
 }
 
 PixelSize AndroidSession::size() const {
@@ -153,10 +155,7 @@ void AndroidSession::key(const KeyEvent& event) {
 }
 
 void AndroidSession::back() {
-    if (panel_->helpOpen())
-        panel_->toggleHelp();
-    else if (panel_->panelOpen())
-        panel_->togglePanel();
+    if (!panel_->closeTop() && panel_->panelOpen()) panel_->togglePanel();
     viewer().overlayChanged();
 }
 
@@ -170,6 +169,7 @@ void AndroidSession::say(const std::string& text) {
 void AndroidSession::run(ViewerCommand command) {
     if (command == ViewerCommand::panel) panel_->togglePanel();
     if (command == ViewerCommand::help) panel_->toggleHelp();
+    if (command == ViewerCommand::openFile) panel_->showStart();
     viewer().overlayChanged();
     viewer().run(command, steadySeconds());
 }

@@ -4,7 +4,6 @@
 
 #include "app/cli/common_options.h"
 #include "app/cli/movie_options.h"
-#include "app/cli/paper_options.h"
 #include "app/cli/saved_options.h"
 #include "app/movie/movie_file.h"
 #include "app/shared/effect_options.h"
@@ -59,7 +58,6 @@ void addShading(CommandSpec& command, RenderOptions& options) {
                  [&](const std::string& text) {
                      option.set(text, options.effects);
                      if (option.name == std::string_view("clip")) options.aim.mayClip = false;
-                     if (option.name == std::string_view("contours")) options.contourPoints = pointsOf(text);
                  });
     addValue(command, "--slab", "A", "none", "Cuts away what is farther than half of this from the plane of the centre",
              [&](const std::string& text) {
@@ -94,8 +92,7 @@ void addLook(CommandSpec& command, RenderOptions& options) {
              [&](const std::string& text) { takeLook(lookOf(text), options); });
 }
 
-void addWords(CommandSpec& command, RenderOptions& options) {
-    Words& words = options.words;
+void addWords(CommandSpec& command, Words& words) {
     addValue(
         command, "--label", "SEL=TEXT", "",
         "Label a selection; {residue}, {number}, {letter}, {chain}, {atom}, {element}, ... in the text, one label\n"
@@ -121,11 +118,8 @@ void addWords(CommandSpec& command, RenderOptions& options) {
              [&](const std::string& text) {
                  words.legend = parseChoice(text, {"on", "off"}) == 0;
              });
-    addValue(command, "--text-size", "PIXELS|POINTSpt", "a 42nd of the shorter side",
-             "Size of letters (an em), 4 to 2000 pixels, or as 8pt at --dpi", [&](const std::string& text) {
-                 words.size = parsePixels(text, 4, 2000);
-                 options.textPoints = pointsOf(text);
-             });
+    addValue(command, "--text-size", "PIXELS", "a 42nd of the shorter side", "Size of letters (an em), 4 to 2000",
+             [&](const std::string& text) { words.size = parseNumber(text, 4, 2000); });
     addValue(command, "--text-color", "COLOR", "dark or light, against the background",
              "An opaque colour as for --background; a halo keeps it readable on atoms",
              [&](const std::string& text) { words.color = parseInk(text); });
@@ -145,11 +139,11 @@ void addSavedView(CommandSpec& command, RenderOptions& options) {
 OptionSpec& addOutput(CommandSpec& command, RenderOptions& options) {
     return addValue(
         command, "-o,--output", "FILE", "",
-        "The picture: .png, .tif, .tiff, .jpg, .jpeg, .webp or .exr; - is PNG to standard output",
+        "The picture: .png, .tif, .tiff, .jpg, .jpeg or .exr; - is PNG to standard output",
         [&](const std::string& text) {
             if (!isPictureName(text))
                 throw std::invalid_argument(
-                    "expected a name that ends in .png, .tif, .tiff, .jpg, .jpeg, .webp or .exr, not '" + text + "'");
+                    "expected a name that ends in .png, .tif, .tiff, .jpg, .jpeg or .exr, not '" + text + "'");
             options.output = text;
         });
 }
@@ -263,9 +257,8 @@ void addRender(CommandSpec& command, RenderOptions& options) {
     addFiles(command, options);
     addCamera(command, options);
     addShading(command, options);
-    addWords(command, options);
+    addWords(command, options.words);
     addPixels(command, options);
-    addPaper(command, options);
     addDebug(command, options);
     addDevice(command, options);
 }
@@ -273,7 +266,6 @@ void addRender(CommandSpec& command, RenderOptions& options) {
 void addMovie(CommandSpec& command, MovieOptions& options) {
     RenderOptions& picture = options.picture;
     addSavedView(command, picture);
-    addLook(command, picture);
     addContent(command, picture.input, false, picture.drawn, picture.look);
     addValue(command, "-o,--output", "FILE|FOLDER/", "",
              "The movie: .mp4, .webm (both by ffmpeg), .gif, .png (animated); or a folder of PNG frames;\n"
@@ -288,7 +280,7 @@ void addMovie(CommandSpec& command, MovieOptions& options) {
     addMotion(command, options);
     addCamera(command, picture);
     addShading(command, picture);
-    addWords(command, picture);
+    addWords(command, picture.words);
     addPixels(command, picture);
     addDevice(command, picture);
 }
@@ -301,7 +293,7 @@ void addWindow(CommandSpec& command, RenderOptions& first) {
     addCamera(command, first);
     addSize(command, "1280x800", first.size);
     addShading(command, first);
-    addWords(command, first);
+    addWords(command, first.words);
     addDebug(command, first);
     addValue(command, "--stats", "FILE", "none",
              "What the window drew, as JSON, when it is closed; - for standard output",
@@ -335,8 +327,6 @@ void checkRender(RenderOptions& options) {
     if (!takeInput(options)) throw UsageError("INPUT is required");
     checkInputs(options);
     checkDebug(options);
-    takePaper(options);
-    checkFormat(options);
     try {
         checkSamples(options.size, options.supersample);
     } catch (const std::invalid_argument& error) {
@@ -357,7 +347,7 @@ void checkMovie(MovieOptions& options) {
     checkInputs(picture);
     checkMotion(options);
     try {
-        checkSamples(picture.size, picture.supersample, kMostSamplesHeld);
+        checkSamples(picture.size, picture.supersample);
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
     }

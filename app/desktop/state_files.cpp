@@ -23,6 +23,7 @@ std::string pipelinePath() { return pathOf("XDG_CACHE_HOME", ".cache", "pipeline
 
 }  // namespace
 
+std::string recentPath() { return pathOf("XDG_STATE_HOME", ".local/state", "recent.json"); }
 std::optional<SavedView> loadState() { return loadView(viewPath()); }
 void saveState(const SavedView& view) { keepView(viewPath(), view); }
 std::vector<std::byte> loadPipelineCache() { return loadPipelineCache(pipelinePath()); }

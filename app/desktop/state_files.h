@@ -14,6 +14,9 @@ namespace nacre::app {
 std::optional<SavedView> loadState();
 void saveState(const SavedView& view);
 
+/// $XDG_STATE_HOME/nacre/recent.json, by default ~/.local/state/nacre/recent.json; empty if there is no such folder
+std::string recentPath();
+
 /// $XDG_CACHE_HOME/nacre/pipelines.bin, by default ~/.cache/nacre/pipelines.bin
 std::vector<std::byte> loadPipelineCache();
 void savePipelineCache(const std::vector<std::byte>& data);

@@ -14,7 +14,7 @@ namespace nacre::app {
 struct ViewOptions {
     SavedView first;       ///< what it shows at first
     Aim aim;               ///< and from where
-    bool restore = false;  ///< go on where the last window was left, instead of `first`
+    bool restore = false;  ///< nothing is named: the start screen, which offers to go on where the last window was left
     InputOptions input;    ///< how molecules are had: cache, network, memory; what they are is `first`'s
     Size size{1280, 800};
     std::uint64_t occlusionBytes = RenderSettings{}.occlusion.bytes;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 #include "engine/error.h"
@@ -48,6 +49,20 @@ std::optional<SpecialKey> specialKey(int key) {
             return SpecialKey::escape;
         case GLFW_KEY_BACKSPACE:
             return SpecialKey::backspace;
+        case GLFW_KEY_ENTER:
+            return SpecialKey::enter;
+        case GLFW_KEY_KP_ENTER:
+            return SpecialKey::enter;
+        case GLFW_KEY_TAB:
+            return SpecialKey::tab;
+        case GLFW_KEY_DELETE:
+            return SpecialKey::remove;
+        case GLFW_KEY_END:
+            return SpecialKey::end;
+        case GLFW_KEY_PAGE_UP:
+            return SpecialKey::pageUp;
+        case GLFW_KEY_PAGE_DOWN:
+            return SpecialKey::pageDown;
         case GLFW_KEY_F12:
             return SpecialKey::f12;
         default:
@@ -69,6 +84,7 @@ Window::Window(PixelSize size, WindowEvents events) : events_(std::move(events))
     }
     glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "nacre");
     glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "nacre");
     window_ = glfwCreateWindow(static_cast<int>(size.width), static_cast<int>(size.height), "Nacre", nullptr, nullptr);
@@ -104,12 +120,18 @@ void Window::connect() {
         eventsOf(w).button(which, action == GLFW_PRESS, {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0});
     });
     glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double y) { eventsOf(w).wheel(y); });
-    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
+    glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+        const Modifiers with{(mods & GLFW_MOD_SHIFT) != 0, (mods & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0};
         const std::optional<SpecialKey> special = specialKey(key);
-        if (!special) return;
-        eventsOf(w).special(*special, action != GLFW_RELEASE);
-        if (action == GLFW_RELEASE) return;
-        eventsOf(w).key({keyOf(*special), {(mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_CONTROL) != 0}});
+        if (!special) {
+            // With Ctrl there is no character: the letter is that of the layout.
+            const char* name = with.control && action != GLFW_RELEASE ? glfwGetKeyName(key, scancode) : nullptr;
+            if (name && name[0] != '\0' && name[1] == '\0')
+                eventsOf(w).key({static_cast<char32_t>(std::tolower(static_cast<unsigned char>(name[0]))), with});
+            return;
+        }
+        eventsOf(w).special(*special, action != GLFW_RELEASE, with);
+        if (action != GLFW_RELEASE) eventsOf(w).key({keyOf(*special), with});
     });
     // Characters as the layout types them: '+' and '?' stand elsewhere on every keyboard.
     glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned int c) {
@@ -154,6 +176,15 @@ double Window::refreshRate() const {
     const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
     return mode && mode->refreshRate > 0 ? mode->refreshRate : 60.0;
 }
+
+void Window::show() { glfwShowWindow(window_); }
+
+std::string Window::clipboard() const {
+    const char* text = glfwGetClipboardString(window_);
+    return text ? text : "";
+}
+
+void Window::setClipboard(const std::string& text) { glfwSetClipboardString(window_, text.c_str()); }
 
 void Window::setTitle(const std::string& title) {
     if (title == title_) return;

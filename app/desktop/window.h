@@ -23,7 +23,7 @@ struct WindowEvents {
     std::function<void(MouseButton, bool, Modifiers)> button;
     std::function<void(double)> wheel;
     std::function<void(KeyEvent)> key;  ///< pressed or repeated
-    std::function<void(SpecialKey, bool)> special;
+    std::function<void(SpecialKey, bool, Modifiers)> special;
     std::function<void(char32_t)> character;
     std::function<void(std::string)> dropped;
 };
@@ -39,7 +39,11 @@ public:
     PixelSize size() const;         ///< pixels
     double pixelsPerPoint() const;  ///< of the display that it is on
     double refreshRate() const;     ///< of that display, a second
+    /// It is hidden at first.
+    void show();
     void setTitle(const std::string& title);
+    std::string clipboard() const;
+    void setClipboard(const std::string& text);
     bool closing() const;
     void close();
 

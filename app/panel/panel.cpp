@@ -1,4 +1,4 @@
-// The panel's events, and a frame of it from end to end. What stands in it is in panel_content.cpp.
+// The panel's events, and a frame of it from end to end. What stands in it is in chrome.cpp and the pages.
 
 #include "app/panel/panel.h"
 
@@ -8,18 +8,38 @@
 #include <glm/geometric.hpp>
 #include <mutex>
 
-#include "app/panel/panel_style.h"
+#include "app/panel/panel_state.h"
 
 namespace nacre::app {
 namespace {
 
-constexpr std::pair<ImGuiKey, SpecialKey> kKeys[] = {
-    {ImGuiKey_LeftArrow, SpecialKey::left},     {ImGuiKey_RightArrow, SpecialKey::right},
-    {ImGuiKey_UpArrow, SpecialKey::up},         {ImGuiKey_DownArrow, SpecialKey::down},
-    {ImGuiKey_Home, SpecialKey::home},          {ImGuiKey_Escape, SpecialKey::escape},
-    {ImGuiKey_Backspace, SpecialKey::backspace}};
+constexpr float kSideBySidePoints = 640;  // of width: under it the panel is a sheet
+constexpr float kPanelPoints = 316, kFingerPanelPoints = 360, kSheetPoints = 420, kMarginPoints = 10;
+constexpr float kStillPoints = 20;  // a second: a list that glides slower stands
+
+constexpr std::pair<ImGuiKey, SpecialKey> kKeys[] = {{ImGuiKey_LeftArrow, SpecialKey::left},
+                                                     {ImGuiKey_RightArrow, SpecialKey::right},
+                                                     {ImGuiKey_UpArrow, SpecialKey::up},
+                                                     {ImGuiKey_DownArrow, SpecialKey::down},
+                                                     {ImGuiKey_Home, SpecialKey::home},
+                                                     {ImGuiKey_Escape, SpecialKey::escape},
+                                                     {ImGuiKey_Backspace, SpecialKey::backspace},
+                                                     {ImGuiKey_Enter, SpecialKey::enter},
+                                                     {ImGuiKey_Tab, SpecialKey::tab},
+                                                     {ImGuiKey_Delete, SpecialKey::remove},
+                                                     {ImGuiKey_End, SpecialKey::end},
+                                                     {ImGuiKey_PageUp, SpecialKey::pageUp},
+                                                     {ImGuiKey_PageDown, SpecialKey::pageDown}};
+constexpr std::pair<ImGuiKey, char32_t> kLetters[] = {{ImGuiKey_Space, U' '}, {ImGuiKey_A, U'a'}, {ImGuiKey_C, U'c'},
+                                                      {ImGuiKey_V, U'v'},     {ImGuiKey_X, U'x'}, {ImGuiKey_Y, U'y'},
+                                                      {ImGuiKey_Z, U'z'}};
 
 std::recursive_mutex turns;
+
+#if IMGUI_VERSION_NUM < 18700
+int indexOf(SpecialKey key) { return static_cast<int>(keyOf(key) - 0x110000); }
+int indexOf(char32_t letter) { return 256 + static_cast<int>(letter & 0x7f); }
+#endif
 
 }  // namespace
 
@@ -32,18 +52,29 @@ private:
     std::lock_guard<std::recursive_mutex> lock_;
 };
 
-Panel::Panel(double pixelsPerPoint, std::function<void(ViewerCommand)> run, PanelHand hand)
-    : run_(std::move(run)), hand_(hand), pixelsPerPoint_(pixelsPerPoint), open_(hand == PanelHand::mouse) {
+Panel::Panel(double pixelsPerPoint, PanelHost host, PanelHand hand)
+    : host_(std::move(host)),
+      hand_(hand),
+      pixelsPerPoint_(pixelsPerPoint),
+      shown_(hand == PanelHand::mouse ? Shown::open : Shown::folded) {
     const std::lock_guard lock(turns);
     context_ = ImGui::CreateContext();
     ImGui::SetCurrentContext(context_);
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     addPanelFont(scale());
-    setPanelStyle(scale(), forFingers());
+    state_ = std::make_unique<State>(darkTheme(), scale(), forFingers());
+    setBrightness(Brightness::system);
 #if IMGUI_VERSION_NUM < 18700
-    for (const auto& [theirs, ours] : kKeys) io.KeyMap[theirs] = static_cast<int>(keyOf(ours) - 0x110000);
+    for (const auto& [theirs, ours] : kKeys) io.KeyMap[theirs] = indexOf(ours);
+    for (const auto& [theirs, ours] : kLetters) io.KeyMap[theirs] = indexOf(ours);
+    if (host_.clipboard && host_.setClipboard) {
+        io.ClipboardUserData = &host_;
+        io.GetClipboardTextFn = [](void* p) { return static_cast<PanelHost*>(p)->clipboard(); };
+        io.SetClipboardTextFn = [](void* p, const char* text) { static_cast<PanelHost*>(p)->setClipboard(text); };
+    }
 #endif
 }
 
@@ -62,6 +93,33 @@ OverlayGlyphs Panel::glyphs() const {
             {coverage, coverage + std::ptrdiff_t{width} * height}};
 }
 
+void Panel::setBrightness(Brightness brightness) {
+    const Turn turn(context_);
+    brightness_ = brightness;
+    const bool dark = brightness == Brightness::system ? host_.dark : brightness == Brightness::dark;
+    state_->ui.setTheme(dark ? darkTheme() : lightTheme());
+    setPanelStyle(state_->ui.theme(), scale(), forFingers());
+    restless_ = 2;
+}
+
+const std::vector<Control>& Panel::controls() const { return state_->ui.controls; }
+
+void Panel::togglePanel() {
+    shown_ = shown_ == Shown::open ? (forFingers() ? Shown::folded : Shown::hidden) : Shown::open;
+    keyboard_ = false;
+    restless_ = 2;  // Dear ImGui needs a frame to measure
+}
+
+bool Panel::closeTop() {
+    for (bool* open : {&help_, &saving_, &start_})
+        if (*open) {
+            *open = false;
+            restless_ = 2;
+            return true;
+        }
+    return false;
+}
+
 // --- events
 
 void Panel::pointer(glm::dvec2 at) {
@@ -72,9 +130,14 @@ void Panel::pointer(glm::dvec2 at) {
 }
 
 void Panel::button(MouseButton button, bool down) {
+    const Turn turn(context_);
     const auto i = static_cast<std::size_t>(button == MouseButton::left ? 0 : button == MouseButton::right ? 1 : 2);
     down_[i] = down;
     if (down) pressed_[i] = true;
+    const ImVec2 at = ImGui::GetIO().MousePos;
+    const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    if (down && !popup && !occupies({at.x, at.y})) closeTop();  // a click beside
+    keyboard_ = false;
     restless_ = 3;
 }
 
@@ -86,19 +149,50 @@ void Panel::wheel(double steps) {
 
 void Panel::character(char32_t c) {
     const Turn turn(context_);
-    ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(c));
+    ImGuiIO& io = ImGui::GetIO();
+    if (io.WantTextInput) io.AddInputCharacter(static_cast<unsigned>(c));
+#if IMGUI_VERSION_NUM < 18700
+    if (c == U' ' && !io.WantTextInput) shortcut(U' ');  // presses what has the focus
+#endif
     restless_ = 3;
 }
 
-void Panel::key(SpecialKey key, bool down) {
+void Panel::shortcut(char32_t letter) {
     const Turn turn(context_);
 #if IMGUI_VERSION_NUM < 18700
-    ImGui::GetIO().KeysDown[keyOf(key) - 0x110000] = down;
+    ImGuiIO& io = ImGui::GetIO();
+    for (const auto& [theirs, ours] : kLetters)
+        if (ours == letter) {
+            io.KeysDown[indexOf(ours)] = true;  // until the next frame is drawn
+            io.KeyCtrl = letter != U' ';
+        }
 #else
-    for (const auto& [theirs, ours] : kKeys)
-        if (ours == key) ImGui::GetIO().AddKeyEvent(theirs, down);
+    (void)letter;
 #endif
     restless_ = 3;
+}
+
+void Panel::key(SpecialKey key, bool down, Modifiers with) {
+    const Turn turn(context_);
+    ImGuiIO& io = ImGui::GetIO();
+    restless_ = 3;
+    const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    if (key == SpecialKey::tab && !io.WantTextInput && !popup) {
+        if (!down) return;
+        // Into the panel, and on to its next control.
+        keyboard_ = shown_ == Shown::open || help_ || saving_ || start_;
+        key = with.shift ? SpecialKey::up : SpecialKey::down;
+        pressedKey_ = key;
+    }
+    if (key == SpecialKey::escape && down && !popup && !io.WantTextInput) keyboard_ = false;
+#if IMGUI_VERSION_NUM < 18700
+    io.KeysDown[indexOf(key)] = down;
+    io.KeyShift = with.shift;
+    io.KeyCtrl = with.control;
+#else
+    for (const auto& [theirs, ours] : kKeys)
+        if (ours == key) io.AddKeyEvent(theirs, down);
+#endif
 }
 
 bool Panel::occupies(glm::dvec2 pixel) const {
@@ -110,12 +204,14 @@ bool Panel::occupies(glm::dvec2 pixel) const {
 bool Panel::ownsPointer() const {
     const Turn turn(context_);
     const ImVec2 at = ImGui::GetIO().MousePos;
-    return ImGui::IsAnyItemActive() || occupies({at.x, at.y});
+    return ImGui::IsAnyItemActive() || help_ || saving_ || start_ || occupies({at.x, at.y}) ||
+           ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
 bool Panel::ownsKeys() const {
     const Turn turn(context_);
-    return ImGui::GetIO().WantTextInput;
+    return ImGui::GetIO().WantTextInput || keyboard_ ||
+           ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
 /// A press is told to Dear ImGui when the finger leaves again, for before that it may turn out to scroll.
@@ -123,7 +219,8 @@ bool Panel::touch(const TouchEvent& event) {
     const Turn turn(context_);
     const glm::dvec2 pixel = event.at * pixelsPerPoint_;
     if (event.phase == TouchPhase::began) {
-        if (!occupies(pixel)) return false;
+        gliding_ = 0;
+        if (!occupies(pixel)) return closeTop();
         if (!finger_) finger_ = Finger{event.finger, event.at, event.at, false};
         return true;
     }
@@ -137,11 +234,27 @@ bool Panel::touch(const TouchEvent& event) {
         ImGui::GetIO().MousePos = ImVec2(static_cast<float>(pixel.x), static_cast<float>(pixel.y));
         pressed_[0] = true;
     }
+    if (event.phase == TouchPhase::ended && finger_->scrolls) gliding_ = dragged_;
     finger_.reset();
     return true;
 }
 
 // --- a frame
+
+/// Where the panel stands, and so where the molecule does.
+void Panel::placePanel() {
+    const float margin = kMarginPoints * scale();
+    const float width = window_.right - window_.left, height = window_.bottom - window_.top;
+    sheet_ = width < kSideBySidePoints * scale() || height > 1.15f * width;
+    panel_ = window_;
+    if (sheet_) {
+        panel_.top = std::round(window_.bottom - std::clamp(0.46f * height, std::min(250 * scale(), 0.7f * height),
+                                                            kSheetPoints * scale()));
+    } else {
+        panel_.left += margin, panel_.top += margin, panel_.bottom -= margin;
+        panel_.right = panel_.left + (forFingers() ? kFingerPanelPoints : kPanelPoints) * scale();
+    }
+}
 
 const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     const Turn turn(context_);
@@ -156,20 +269,69 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     }
     if (restless_ > 0) --restless_;
     if (forFingers() && restless_ == 0) io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);  // the finger is gone
+    window_ = {insets_.left, insets_.top, std::max(io.DisplaySize.x - insets_.right, insets_.left + 1),
+               std::max(io.DisplaySize.y - insets_.bottom, insets_.top + 1)};
+    const bool empty = !viewer.document() && !viewer.loading() && !viewer.question();
+    const bool over = empty || start_ || help_ || saving_;
+    placePanel();
+    // A phone has no room for panel and help at once.
+    const bool open = shown_ == Shown::open && !empty && !(over && forFingers());
+    Insets covered;
+    if (open && sheet_) covered.bottom = io.DisplaySize.y - panel_.top;
+    if (open && !sheet_) covered.left = panel_.right;
+    viewer.setCovered(covered, now);
+    if (!open) panel_ = {window_.left, window_.bottom, window_.left, window_.bottom};
+
     ImGui::NewFrame();
     occupied_.clear();
-    // A phone has no room for panel and help at once.
-    if (open_ && !(help_ && forFingers())) drawPanel(viewer, now);
-    if (!open_ && !help_ && forFingers()) drawMenuButton();
+    state_->ui.controls.clear();
+    glide(io.DeltaTime);
+    if (open) drawPanel(viewer, now);
+    if (shown_ == Shown::folded && !over) drawMenuButton();
+    if (empty || start_) drawStart(viewer, now);
+    if (saving_ && viewer.document()) drawSave(viewer);
     if (help_) drawHelp();
+    drawReading(viewer, now);
+    if (!viewer.failure().empty()) drawFailure(viewer);
     if (viewer.question()) drawQuestion(viewer, now);
     scroll_ = 0;
     drawWords(viewer);
     drawAnnotations(viewer.annotations());
     ImGui::Render();
     if (ImGui::IsAnyItemActive()) restless_ = std::max(restless_, 1);
+    if (!ImGui::IsAnyItemActive()) editing_ = false;
+    endKeys();
     collect();
     return &overlay_;
+}
+
+/// Keys that were pressed for one frame go up again.
+void Panel::endKeys() {
+#if IMGUI_VERSION_NUM < 18700
+    ImGuiIO& io = ImGui::GetIO();
+    for (const auto& [theirs, ours] : kLetters) io.KeysDown[indexOf(ours)] = false;
+    if (pressedKey_) {
+        io.KeysDown[indexOf(*pressedKey_)] = false;
+        io.KeyShift = false;
+    }
+    io.KeyCtrl = false;
+#endif
+    pressedKey_.reset();
+}
+
+/// A list that a finger let go while it moved goes on for a while.
+void Panel::glide(float passed) {
+    if (finger_) {
+        dragged_ = 0.6f * dragged_ + 0.4f * scroll_ / passed;
+        return;
+    }
+    dragged_ = 0;
+    if (gliding_ == 0) return;
+    constexpr auto kSeconds = static_cast<float>(CameraMotion::kInertiaSeconds);
+    scroll_ += gliding_ * passed;
+    gliding_ *= std::exp(-passed / kSeconds);
+    if (std::abs(gliding_) < kStillPoints * scale()) gliding_ = 0;
+    restless_ = std::max(restless_, 2);
 }
 
 void Panel::remember() {
@@ -179,7 +341,7 @@ void Panel::remember() {
 
 /// The window that is being laid out scrolls with the finger.
 void Panel::followFinger() {
-    if (scroll_ == 0) return;
+    if (scroll_ == 0 || ImGui::GetScrollMaxY() <= 0) return;
     ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() + scroll_, 0.0f, ImGui::GetScrollMaxY()));
     scroll_ = 0;
 }

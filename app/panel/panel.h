@@ -1,13 +1,17 @@
 #pragma once
-// What a shell shows over the picture: panel, help, marks and labels. Dear ImGui lays it out; what comes of it is the
-// engine's plain Overlay. Knows no window system. For a mouse everything is small and the panel stands open; for
-// fingers every widget is 48 points high, a button opens the panel, and a drag in it scrolls.
+// What a shell shows over the picture: start screen, panel, help, marks and labels. Dear ImGui lays it out; what comes
+// of it is the engine's plain Overlay. Knows no window system. The panel stands beside the molecule, or as a sheet
+// below it where the window is narrow or tall, and folds away. For a mouse everything is small and the panel stands
+// open; for fingers every widget is 48 points high, a button opens the panel, and a drag in it scrolls.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/panel/controls.h"
+#include "app/viewer/parts.h"
 #include "app/viewer/viewer.h"
 
 struct ImGuiContext;
@@ -16,15 +20,42 @@ namespace nacre::app {
 
 enum class PanelHand { mouse, fingers };
 
-/// Parts of the window's edges that content keeps clear of (status bar, camera), in pixels.
-struct Insets {
-    float left = 0, top = 0, right = 0, bottom = 0;
+/// A file that was open before.
+struct RecentFile {
+    std::string input, name;
+    std::uint32_t width = 0, height = 0;  ///< of its picture; 0: none is kept
+    std::vector<std::uint32_t> pixels;    ///< sRGB-coded, red in the lowest byte
+};
+
+/// A picture for a file.
+struct PictureWish {
+    PixelSize size;
+    bool transparent = false;
+    std::string path;
+};
+
+/// What a shell lends to its panel. What is empty is not offered.
+struct PanelHost {
+    std::function<void(ViewerCommand)> run;                  ///< the commands that the user clicks
+    std::function<void()> openDialog;                        ///< the system's, which then opens what it is told
+    std::function<void(const std::string&)> open;            ///< a file or another input; empty: the viewer's open()
+    std::function<const std::vector<RecentFile>&()> recent;  ///< the latest first
+    std::string lastView;                                    ///< what can be gone on with; empty: nothing
+    std::function<void()> goOn;                              ///< with that
+    std::function<std::string(const char*)> freeName;        ///< for a picture, by extension
+    std::function<void(const PictureWish&)> savePicture;
+    std::function<void()> copyPicture;
+    std::function<const char*()> clipboard;
+    std::function<void(const char*)> setClipboard;
+    bool downloads = false;                   ///< "pdb:1BNA" can be had
+    bool captures = false;                    ///< a frame can be captured for RenderDoc
+    std::function<std::string()> statistics;  ///< for developers, in lines
+    bool dark = true;                         ///< what the system asks for
 };
 
 class Panel {
 public:
-    /// @param run called with the commands that the user clicks
-    Panel(double pixelsPerPoint, std::function<void(ViewerCommand)> run, PanelHand hand = PanelHand::mouse);
+    Panel(double pixelsPerPoint, PanelHost host, PanelHand hand = PanelHand::mouse);
     ~Panel();
     Panel(const Panel&) = delete;
 
@@ -37,7 +68,9 @@ public:
     void button(MouseButton button, bool down);
     void wheel(double steps);
     void character(char32_t c);
-    void key(SpecialKey key, bool down);
+    void key(SpecialKey key, bool down, Modifiers with = {});
+    /// A letter with Ctrl, for a field that is being typed in.
+    void shortcut(char32_t letter);
     /// Whether the pointer or the keys are the panel's, not the molecule's.
     bool ownsPointer() const;
     bool ownsKeys() const;
@@ -46,19 +79,31 @@ public:
     /// Forgets the finger, as after a pause.
     void forgetTouch() { finger_.reset(); }
 
-    void togglePanel() { open_ = !open_, restless_ = 2; }  // Dear ImGui needs a frame to measure
+    /// Shows the panel, or puts it away altogether.
+    void togglePanel();
     void toggleHelp() { help_ = !help_, restless_ = 2; }
+    void showStart() { start_ = true, restless_ = 2; }
+    void showSave() { saving_ = true, restless_ = 2; }
     bool helpOpen() const { return help_; }
-    bool panelOpen() const { return open_; }
-    void closeHelp() { help_ = false; }
+    bool panelOpen() const { return shown_ == Shown::open; }
+    /// Closes what lies over everything: help, save, start. @returns whether something did
+    bool closeTop();
 
     /// Whether something in the panel still reacts to what the user did.
     bool restless() const { return restless_ > 0; }
     /// Lays everything out. @returns good until the next call
     const Overlay* draw(Viewer& viewer, PixelSize size, double now);
+    /// What the last frame showed.
+    const std::vector<Control>& controls() const;
+
+    enum class Page { look, parts, select, labels, more };
+    void showPage(Page page) { page_ = page, restless_ = 2; }
+    enum class Brightness { system, dark, light };
+    void setBrightness(Brightness brightness);
 
 private:
     class Turn;
+    enum class Shown { open, folded, hidden };
     struct Rectangle {
         float left, top, right, bottom;
     };
@@ -71,40 +116,79 @@ private:
     bool forFingers() const { return hand_ == PanelHand::fingers; }
     bool occupies(glm::dvec2 pixel) const;
     void beginWindow(const char* name, int moreFlags);
-    void drawMenuButton();
-    void drawPanel(Viewer& viewer, double now);
-    void drawLook(SavedView& look);
-    void drawShown(SavedView& look);
-    void drawEffects(SavedView& look, double radius);
-    void drawPresets(SavedView& look);
-    bool choose(const char* label, std::span<const char* const> choices, std::string& current);
-    void drawRules(SavedView& look, const Molecule* molecule);
-    void drawRuleButtons(SavedView& look, const std::string& selection);
-    void drawHelp();
-    void drawWords(const Viewer& viewer);
-    void drawQuestion(Viewer& viewer, double now);
-    void drawAnnotations(const Annotations& annotations);
-    void drawStatus(const std::string& text, float bottom, bool strong);
+    Rectangle freeRoom() const;
     void followFinger();
+    void glide(float passed);
+    void endKeys();
     void remember();
     void collect();
 
+    // panel.cpp
+    void placePanel();
+    // chrome.cpp
+    void drawMenuButton();
+    void drawPanel(Viewer& viewer, double now);
+    void drawHeader(const Viewer& viewer);
+    void drawTools(const Viewer& viewer);
+    void drawTabs();
+    bool beginCard(const char* name, const char* title, float points, bool closable = true);
+    void endCard();
+    // pages
+    void drawLookPage(SavedView& look, const Viewer& viewer);
+    void drawStyles(SavedView& look);
+    void drawColors(SavedView& look);
+    void drawEffects(SavedView& look, double radius);
+    void drawPartsPage(SavedView& look, Viewer& viewer);
+    void drawModels(Viewer& viewer);
+    void drawAssemblies(SavedView& look, const Molecule& molecule);
+    void drawPart(SavedView& look, const Part& part, std::size_t number);
+    void drawStyleChoice(SavedView& look, const Part& part, float width);
+    void drawColorChoice(SavedView& look, const Part& part);
+    void drawSequence(const Part& part, Viewer& viewer);
+    void drawSelectPage(SavedView& look, Viewer& viewer);
+    void drawSelectionActions(SavedView& look, const std::string& selection);
+    void drawRules(SavedView& look);
+    void drawLabelsPage(SavedView& look, Viewer& viewer);
+    void drawMorePage(Viewer& viewer, double now);
+    void drawForDevelopers(Viewer& viewer, double now);
+    // over everything
+    void drawStart(Viewer& viewer, double now);
+    void drawRecent(const RecentFile& recent, float width, Viewer& viewer, double now);
+    void drawReading(Viewer& viewer, double now);
+    void drawFailure(Viewer& viewer);
+    void drawSave(const Viewer& viewer);
+    void drawHelp();
+    void drawQuestion(Viewer& viewer, double now);
+    void openInput(const std::string& input, Viewer& viewer, double now);
+    // marks.cpp
+    void drawWords(const Viewer& viewer);
+    void drawAnnotations(const Annotations& annotations);
+    float drawStatus(const std::string& text, float bottom, bool strong);
+
+    struct State;  // what only some pages need
     ImGuiContext* context_ = nullptr;
-    std::function<void(ViewerCommand)> run_;
+    PanelHost host_;
     PanelHand hand_;
     double pixelsPerPoint_, last_ = 0;
     Insets insets_;
-    bool open_, help_ = false, licences_ = false;
+    Shown shown_;
+    Page page_ = Page::look;
+    Brightness brightness_ = Brightness::system;
+    bool help_ = false, licences_ = false, start_ = false, saving_ = false, developers_ = false;
+    bool keyboard_ = false;  // keys go about in the panel
     int restless_ = 2;
     bool down_[3] = {false, false, false}, pressed_[3] = {false, false, false};
     std::optional<Finger> finger_;
-    float scroll_ = 0;               // pixels that the finger dragged since the last frame
-    std::string unfolded_;           // the one list that is open, for fingers
-    std::string picked_ = "ligand";  // the selection that is chosen, for fingers
+    float scroll_ = 0;                      // pixels that the finger dragged since the last frame
+    float dragged_ = 0, gliding_ = 0;       // pixels a second: of the finger, and that the list goes on with
+    std::optional<SpecialKey> pressedKey_;  // for one frame
     std::vector<Rectangle> occupied_;
-    char selection_[512] = "";
+    Rectangle window_{}, panel_{};  // pixels: all, and the panel where it is open
+    bool sheet_ = false;
+    bool editing_ = false;  // a control that is held changed the look
     std::string ruleError_;
     std::optional<Aim> aim_;  // that a button asked for in this frame
+    std::unique_ptr<State> state_;
     Overlay overlay_;
 };
 

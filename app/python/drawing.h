@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "app/shared/image_file.h"
 #include "engine/molecule/molecule.h"
 #include "engine/results.h"
 
@@ -21,7 +20,7 @@ struct Structure {
 
 struct Drawing {
     Picture picture;
-    app::PictureFormat format;          ///< that its options ask a file to have
+    bool opaque = true;                 ///< its background
     std::vector<std::string> warnings;  ///< of the scene
 };
 

@@ -23,6 +23,8 @@ public:
     static constexpr double kFlightSeconds = 0.3;
 
     const Camera& camera() const { return camera_; }
+    /// Where a flight ends; the camera itself where there is none.
+    const Camera& destination() const { return flight_ ? flight_->to : camera_; }
     void set(const Camera& camera);
 
     /// Drags the front of the molecule: 1 degree a point. Sets what inertia goes on with.

@@ -9,6 +9,8 @@ constexpr KeyEvent key(char32_t k) { return {k, {}}; }
 constexpr KeyEvent key(SpecialKey k) { return {keyOf(k), {}}; }
 constexpr KeyEvent shift(SpecialKey k) { return {keyOf(k), {true, false}}; }
 
+constexpr KeyEvent control(char32_t k) { return {k, {false, true}}; }
+
 constexpr Binding kBindings[] = {
     {C::rotateLeft, key(SpecialKey::left), "Left", "Rotate left"},
     {C::rotateRight, key(SpecialKey::right), "Right", "Rotate right"},
@@ -45,14 +47,19 @@ constexpr Binding kBindings[] = {
     {C::perspective, key(U'v'), "V", "Perspective or parallel"},
     {C::lighting, key(U'l'), "L", "Light on or off"},
     {C::occlusion, key(U'o'), "O", "Ambient occlusion on or off"},
-    {C::nextDebugView, key(U'd'), "D", "What the frame works with: next debug view"},
     {C::keepMeasurement, key(U'p'), "P", "Pin the measurement to the picture"},
     {C::legend, key(U'e'), "E", "Show or hide the legend"},
     {C::scaleBar, key(U'r'), "R", "Scale bar: none, in Å, in nm"},
     {C::clearPicks, key(SpecialKey::escape), "Esc", "Forget the picked atoms"},
     {C::savePicture, key(U's'), "S", "Save the picture as PNG"},
     {C::saveView, {U's', {true, false}}, "Shift S", "Save the view, for nacre render --view"},
-    {C::captureFrame, key(SpecialKey::f12), "F12", "Capture a frame for RenderDoc"},
+    {C::openFile, control(U'o'), "Ctrl O", "Open a file"},
+    {C::saveAs, control(U's'), "Ctrl S", "Save the picture as ..."},
+    {C::copyPicture, control(U'c'), "Ctrl C", "Copy the picture"},
+    {C::undo, control(U'z'), "Ctrl Z", "Undo"},
+    {C::redo, {U'z', {true, true}}, "Ctrl Shift Z", "Redo"},
+    {C::redo, control(U'y'), "Ctrl Y", "Redo"},
+    {C::captureFrame, key(SpecialKey::f12), "F12", "Capture a frame for RenderDoc", false},
     {C::panel, key(U'm'), "M", "Show or hide the panel"},
     {C::help, key(U'?'), "?", "This help"},
     {C::quit, key(U'q'), "Q", "Leave"},
@@ -63,8 +70,9 @@ constexpr PointerBinding kPointer[] = {
     {"right drag, Shift drag", "two fingers", "Move"},
     {"wheel, scroll", "pinch", "Zoom about the pointer"},
     {"Ctrl drag", "twist", "Roll"},
-    {"click", "tap, long press", "Name an atom; two measure a distance, three an angle, four a torsion"},
-    {"double click", "double tap", "Show the whole molecule"},
+    {"click", "tap, long press",
+     "Name an atom, select its residue; two atoms measure a distance, three an angle, four a torsion"},
+    {"double click", "double tap", "Zoom to a residue; beside the molecule, to all of it"},
 };
 
 }  // namespace

@@ -44,11 +44,15 @@ enum class ViewerCommand {
     perspective,
     lighting,
     occlusion,
-    nextDebugView,
     keepMeasurement,
     legend,
     scaleBar,
     clearPicks,
+    undo,
+    redo,
+    openFile,
+    saveAs,
+    copyPicture,
     savePicture,
     saveView,
     captureFrame,
@@ -62,6 +66,7 @@ struct Binding {
     KeyEvent key;
     const char* keys;  ///< as the help names them
     const char* what;
+    bool listed = true;  ///< in the help; what developers use is not
 };
 
 std::span<const Binding> keyBindings();

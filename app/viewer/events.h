@@ -22,7 +22,28 @@ struct Modifiers {
 };
 
 /// Keys that are no characters.
-enum class SpecialKey : char32_t { left = 0x110000, right, up, down, home, escape, pageUp, pageDown, backspace, f12 };
+enum class SpecialKey : char32_t {
+    left = 0x110000,
+    right,
+    up,
+    down,
+    home,
+    escape,
+    pageUp,
+    pageDown,
+    backspace,
+    f12,
+    enter,
+    tab,
+    remove,
+    end
+};
+
+/// Parts of the window's edges, in pixels.
+struct Insets {
+    float left = 0, top = 0, right = 0, bottom = 0;
+    friend bool operator==(const Insets&, const Insets&) = default;
+};
 
 /// A key as the layout has it: the character it types without modifiers, or a SpecialKey.
 struct KeyEvent {

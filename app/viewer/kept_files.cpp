@@ -49,6 +49,8 @@ std::optional<SavedView> loadView(const std::string& path) {
     }
 }
 
+void keepText(const std::string& path, const std::string& text) { write(path, text); }
+
 void keepView(const std::string& path, const SavedView& view) { write(path, savedViewJson(view)); }
 
 std::vector<std::byte> loadPipelineCache(const std::string& path) {

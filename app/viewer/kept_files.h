@@ -15,6 +15,9 @@ std::optional<SavedView> loadView(const std::string& path);
 /// Makes the folder where it is missing.
 void keepView(const std::string& path, const SavedView& view);
 
+/// Any other text.
+void keepText(const std::string& path, const std::string& text);
+
 std::vector<std::byte> loadPipelineCache(const std::string& path);
 void keepPipelineCache(const std::string& path, const std::vector<std::byte>& data);
 

@@ -1,5 +1,9 @@
 #include "app/viewer/loader.h"
 
+#include <utility>
+
+#include "engine/error.h"
+
 namespace nacre::app {
 
 void Loader::start(const SavedView& view, std::shared_ptr<const Molecule> molecule) {
@@ -11,6 +15,7 @@ void Loader::start(const SavedView& view, std::shared_ptr<const Molecule> molecu
 }
 
 Loader::~Loader() {
+    cancel();
     if (thread_.joinable()) thread_.join();
 }
 
@@ -45,12 +50,36 @@ std::optional<Document> Loader::take() {
     if (!running_.valid()) return std::nullopt;
     if (running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
     std::future<Document> done = std::move(running_);
+    const bool cancelled = std::exchange(cancelled_, false);
     if (next_) {
         launch(std::move(*next_));
         next_.reset();
         return std::nullopt;
     }
+    if (cancelled) return std::nullopt;
     return done.get();
+}
+
+void Loader::throwFailure() {
+    if (!running_.valid() || running_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    std::promise<Document> again;  // what is no error is put back
+    std::future<Document> done = std::move(running_);
+    running_ = again.get_future();
+    try {
+        again.set_value(done.get());
+    } catch (const Error&) {
+        running_ = {};
+        throw;
+    } catch (...) {
+        again.set_exception(std::current_exception());
+    }
+}
+
+void Loader::cancel() {
+    if (!running_.valid()) return;
+    cancelled_ = true;
+    next_.reset();
+    if (sources_.cancel) sources_.cancel();
 }
 
 }  // namespace nacre::app

@@ -33,6 +33,10 @@ private:
 struct Sources {
     std::function<Molecule(const SavedView&)> read;
     std::function<Representation(const Molecule&, const SavedView&)> build;
+    /// Share of a download that is there, 0..1; below 0: nothing is downloaded, or how much is not known. Any thread.
+    std::function<double()> progress = {};
+    /// Makes read() throw soon, where it can. Any thread.
+    std::function<void()> cancel = {};
 };
 
 /// What is shown. The molecule is shared with a build that is under way.
@@ -54,11 +58,16 @@ public:
     void read(const SavedView& view) { start(view, nullptr); }
     /// Starts with a molecule that is there, seen in another way.
     void build(const SavedView& view, std::shared_ptr<const Molecule> molecule) { start(view, std::move(molecule)); }
-    bool busy() const { return running_.valid(); }
+    bool busy() const { return running_.valid() && !cancelled_; }
+    /// What is under way, and what waits, is not wanted any more: take() gives nothing of it.
+    void cancel();
+    double progress() const { return busy() && sources_.progress ? sources_.progress() : -1; }
     /// The view that was read or built last.
     const SavedView& view() const { return last_; }
     /// The document when it is ready. @throws what reading or building threw
     std::optional<Document> take();
+    /// @throws Error  that take() would throw; anything else waits for it
+    void throwFailure();
     /// Waits until take() has something, if anything is under way.
     void wait() const;
 
@@ -75,6 +84,7 @@ private:
     std::function<void()> wake_;
     SavedView last_;
     std::optional<Job> next_;
+    bool cancelled_ = false;  // what is running
     std::future<Document> running_;
     std::thread thread_;
 };

@@ -18,6 +18,7 @@ public:
     std::vector<Gesture> move(glm::dvec2 at, glm::dvec2 middle);
     std::vector<Gesture> wheel(double steps, glm::dvec2 at) const;
     void clear() { held_.reset(); }
+    bool held() const { return held_.has_value(); }
 
 private:
     enum class Drag { rotate, pan, roll };

@@ -13,9 +13,9 @@ namespace nacre::app {
 namespace {
 
 constexpr double kHandSeconds = 0.1;  // a hand that rests this long no longer moves the picture
-constexpr double kFingerPoints = 12;  // what a pick may miss by
 constexpr double kMessageSeconds = 4;
-constexpr double kModelSeconds = 0.1;  // each, where the file is read as fast
+constexpr double kHoverSeconds = 0.08;  // that a pointer rests before what it is over is looked for
+constexpr double kModelSeconds = 0.1;   // each, where the file is read as fast
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 std::string nameOf(const std::string& input) {
@@ -48,19 +48,27 @@ void Viewer::touch(const TouchEvent& event, double now) { apply(touches_.handle(
 
 void Viewer::mouseMove(glm::dvec2 at, double now) {
     const Viewport v = viewport();
-    apply(mouse_.move(at, {v.width / 2, v.height / 2}), now);
+    const bool held = mouse_.held();
+    apply(mouse_.move(at, freeOrigin() + glm::dvec2(v.width / 2, v.height / 2)), now);
+    if (held) return pointerLeft();
+    hoverAt_ = at;
+    hoverDue_ = now + kHoverSeconds;
 }
 
 void Viewer::mouseButton(MouseButton button, bool down, glm::dvec2 at, Modifiers with, double now) {
     apply(mouse_.button(button, down, at, with, now), now);
 }
 
-void Viewer::wheel(double steps, glm::dvec2 at, double now) { apply(mouse_.wheel(steps, at), now); }
+void Viewer::wheel(double steps, glm::dvec2 at, double now) {
+    if (now - handMoved_ > kHandSeconds) remember();
+    apply(mouse_.wheel(steps, at), now);
+}
 
 void Viewer::apply(const std::vector<Gesture>& gestures, double now) {
     for (const Gesture& g : gestures) {
         switch (g.kind) {
             case Gesture::Kind::touched:
+                remember();
                 motion_.touch();
                 break;
             case Gesture::Kind::rotate:
@@ -70,7 +78,7 @@ void Viewer::apply(const std::vector<Gesture>& gestures, double now) {
                 break;
             case Gesture::Kind::transform:
                 motion_.pan(g.by, radius(), viewport());
-                motion_.zoom(g.scale, g.at, radius(), viewport());
+                motion_.zoom(g.scale, g.at - freeOrigin(), radius(), viewport());
                 motion_.roll(g.turn);
                 handMoved_ = now;
                 changed(now);
@@ -80,10 +88,7 @@ void Viewer::apply(const std::vector<Gesture>& gestures, double now) {
                 pick(g.at, now);
                 break;
             case Gesture::Kind::doubleTap:
-                picks_ = picksBefore_;  // its first tap was no pick
-                motion_.fit(now);
-                unclip();
-                schedule_.overlayChanged();
+                doubleTap(g.at, now);
                 break;
             case Gesture::Kind::released:
                 motion_.release(now);
@@ -92,29 +97,11 @@ void Viewer::apply(const std::vector<Gesture>& gestures, double now) {
     }
 }
 
-void Viewer::pick(glm::dvec2 at, double now) {
-    picksBefore_ = picks_;
-    if (!document() || !sceneThere_) return;
-    std::uint32_t atom = 0;
-    try {
-        atom = screen_.atomAt(settings(), at.x * scale_, at.y * scale_, kFingerPoints * scale_);
-    } catch (const Error& error) {
-        if (!noticeLoss()) say(error.what(), now);
-        return;
-    }
-    schedule_.overlayChanged();
-    message_.clear();
-    if (atom == 0) {
-        picks_.clear();
-        return;
-    }
-    if (!picks_.empty() && picks_.back() == atom - 1) return;
-    if (picks_.size() == 4) picks_.clear();
-    picks_.push_back(atom - 1);
-}
-
 void Viewer::open(const std::string& path, double now) {
     question_.reset();
+    dismissFailure();
+    remember();
+    restoring_ = false;
     SavedView fresh = view();
     fresh.input = path;
     fresh.format.reset();
@@ -146,7 +133,8 @@ void Viewer::takeAim(const Aim& aim, bool fly, double now) {
     try {
         Camera from = motion_.camera();
         if (aim.zoomTo || aim.principal) from.zoom = 1;
-        const Aimed to = aimed(from, aim, *document_.molecule, document_.scene, {size_.width, size_.height});
+        const Aimed to = aimed(from, aim, *document_.molecule, document_.scene, {freeSize().width, freeSize().height});
+        remember();
         if (fly)
             motion_.fly(to.camera, now);
         else
@@ -172,6 +160,7 @@ void Viewer::answer(bool yes, double now) {
 
 void Viewer::pause() {
     schedule_.setVisible(false);
+    pointerLeft();
     touches_.clear();
     mouse_.clear();
     motion_.touch();
@@ -220,6 +209,31 @@ bool Viewer::noticeLoss() {
     return true;
 }
 
+void Viewer::setCovered(const Insets& pixels, double now) {
+    if (pixels == covered_) return;
+    covered_ = pixels;
+    schedule_.windowChanged(now);
+}
+
+void Viewer::cancelLoading(double now) {
+    if (!loader_.busy()) return;
+    loader_.cancel();
+    say("stopped", now);
+}
+
+void Viewer::fail(const std::string& what, double now) {
+    if (!options_.errorsStay) return say(what, now);
+    failure_ = what;
+    message_.clear();
+    schedule_.overlayChanged();
+}
+
+void Viewer::dismissFailure() {
+    if (failure_.empty()) return;
+    failure_.clear();
+    schedule_.overlayChanged();
+}
+
 void Viewer::say(const std::string& message, double now) {
     message_ = message;
     messageUntil_ = now + kMessageSeconds;
@@ -231,8 +245,10 @@ void Viewer::setDebugView(DebugView view, double now) {
     changed(now);
 }
 
-void Viewer::setLook(const SavedView& look, double now) {
+void Viewer::setLook(const SavedView& look, double now, bool continues) {
     const SavedView before = view();
+    if (!continues) remember();
+    unremembered_ = true;
     view_ = look;
     view_.camera = before.camera;
     motion_.setProjection(look.camera.projection);
@@ -281,9 +297,26 @@ std::string Viewer::title() const {
     return title.empty() ? "Nacre" : title + " - Nacre";
 }
 
+PixelSize Viewer::freeSize() const {
+    const auto left = [](std::uint32_t side, float covered) {
+        return static_cast<std::uint32_t>(std::max(static_cast<float>(side) - covered, 1.0f));
+    };
+    return {left(size_.width, covered_.left + covered_.right), left(size_.height, covered_.top + covered_.bottom)};
+}
+
 RenderSettings Viewer::settings() const {
+    RenderSettings s = pictureSettings(freeSize());
+    s.view.width = size_.width;
+    s.view.height = size_.height;
+    // From the middle of the window to that of what is free.
+    s.view.pan +=
+        glm::dvec2(covered_.left - covered_.right, covered_.bottom - covered_.top) / 2.0 / s.view.pixelsPerAngstrom;
+    return s;
+}
+
+RenderSettings Viewer::pictureSettings(PixelSize size) const {
     RenderSettings s;
-    s.view = viewOf(motion_.camera(), radius(), size_.width, size_.height);
+    s.view = viewOf(motion_.camera(), radius(), size.width, size.height);
     s.background = view_.background;
     s.lighting = view_.lighting;
     s.effects = view_.effects;
@@ -293,26 +326,6 @@ RenderSettings Viewer::settings() const {
     s.tuning = options_.tuning;
     s.debug = debug_;
     return s;
-}
-
-Annotations Viewer::annotations() const {
-    Annotations a;
-    a.message = message_;
-    if (!document() || picks_.empty()) return a;
-    const View view = settings().view;
-    std::vector<glm::dvec3> places;
-    for (const std::uint32_t pick : picks_) {
-        const glm::dvec3 place = document_.molecule->atoms[pick].position;
-        places.push_back(place);
-        const glm::dvec3 v = view.rotation * (place - document_.scene.center);
-        const double magnify =
-            view.projection == Projection::perspective ? view.eyeDistance / (view.eyeDistance - v.z) : 1.0;
-        const glm::dvec2 q = (glm::dvec2(v) * magnify + view.pan) * view.pixelsPerAngstrom;
-        a.atoms.emplace_back((view.width / 2.0 + q.x) / scale_, (view.height / 2.0 - q.y) / scale_);
-    }
-    a.atom = atomText(*document_.molecule, picks_.back());
-    a.measurement = measurementText(places);
-    return a;
 }
 
 // --- the loop
@@ -326,7 +339,7 @@ void Viewer::tookDocument(double now) {
         asked_ = loader_.view();
         return schedule_.overlayChanged();
     } catch (const std::exception& error) {
-        say(error.what(), now);
+        fail(error.what(), now);
         return;
     }
     if (!document) return;
@@ -335,8 +348,8 @@ void Viewer::tookDocument(double now) {
         screen_.setScene(document->scene);
         sceneThere_ = true;
     } catch (const Error& error) {
-        if (!noticeLoss()) return say(error.what(), now);  // the document before stays
-        sceneThere_ = false;                               // on the next device
+        if (!noticeLoss()) return fail(error.what(), now);  // the document before stays
+        sceneThere_ = false;                                // on the next device
     }
     const bool another = document->molecule != document_.molecule;
     // Another model of the same file: the camera stays in the hand that turns it.
@@ -349,7 +362,7 @@ void Viewer::tookDocument(double now) {
         view_.format = document_.view.format;
         view_.model = document_.view.model;
         view_.look.assembly = document_.view.look.assembly;
-        if (!firstDocument_ && !step) {
+        if (!firstDocument_ && !step && !restoring_) {
             view_.look.rules = document_.view.look.rules;
             view_.words = document_.view.words;
             motion_.set(document_.view.camera);
@@ -362,6 +375,13 @@ void Viewer::tookDocument(double now) {
         if (aim_.any()) takeAim(std::exchange(aim_, {}), false, now);
     }
     putWords(now);
+    if (another) select(step ? selected_.text : "");
+    placeSelection();
+    hovered_ = 0;
+    if (history_.empty())
+        history_.begin(view());
+    else if (!std::exchange(restoring_, false))
+        unremembered_ = true;
     occlusion_ = view_.occlusionDirections ? 0 : 1;
     occlusionRetry_ = {};
     if (!document_.scene.warnings.empty()) say(document_.scene.warnings.front(), now);
@@ -380,7 +400,9 @@ double Viewer::advance(double now) {
         message_.clear();
         schedule_.overlayChanged();
     }
+    if (hoverAt_ && now >= hoverDue_) hover(now);
     double due = message_.empty() ? kNever : messageUntil_;
+    if (hoverAt_) due = std::min(due, hoverDue_);
     if (playing_ && !loader_.busy()) due = std::min(due, nextModel_);
     if (const auto wake = touches_.wake()) due = std::min(due, *wake);
     return due;

@@ -18,6 +18,7 @@
 #include "app/viewer/events.h"
 #include "app/viewer/frame_schedule.h"
 #include "app/viewer/gestures.h"
+#include "app/viewer/history.h"
 #include "app/viewer/loader.h"
 #include "app/viewer/mouse.h"
 #include "app/viewer/retry.h"
@@ -27,10 +28,21 @@ namespace nacre::app {
 
 /// What a shell draws over the picture, in points from the window's top left.
 struct Annotations {
-    std::vector<glm::dvec2> atoms;  ///< picked, in their order; a line joins each to the next
-    std::string atom;               ///< what the last one is
-    std::string measurement;        ///< what they measure
-    std::string message;            ///< of the last command, or of what went wrong
+    std::vector<glm::dvec2> atoms;     ///< picked, in their order; a line joins each to the next
+    std::string atom;                  ///< what the last one is
+    std::string measurement;           ///< what they measure
+    std::string message;               ///< of the last command, or of what went wrong
+    std::string error;                 ///< what went wrong, until it is dismissed (ViewerOptions::errorsStay)
+    std::vector<glm::dvec2> selected;  ///< atoms of the selection; of many, some
+    std::string hover;                 ///< what the pointer rests on
+};
+
+/// What is selected: a text that is being typed, or what was clicked.
+struct SelectedAtoms {
+    std::string text;
+    std::string error;      ///< why the text is no selection
+    std::size_t count = 0;  ///< atoms of the molecule
+    bool any() const { return !text.empty() && error.empty(); }
 };
 
 /// Points of the words in a window, and of an em of the panel's font of 15 points.
@@ -44,6 +56,7 @@ struct ViewerOptions {
     std::uint64_t occlusionBytes = RenderSettings{}.occlusion.bytes;
     std::string occlusionCache;  ///< folder of finished bakes; empty: none are kept
     FrameTuning tuning;          ///< never changes the picture
+    bool errorsStay = false;     ///< the shell shows Annotations::error, and lets it be dismissed
 };
 
 class Viewer {
@@ -61,6 +74,14 @@ public:
     void gesture(const Gesture& gesture, double now) { apply({gesture}, now); }
     void run(ViewerCommand command, double now);
     void open(const std::string& path, double now);
+    /// All that a view says: its molecule is read.
+    void show(const SavedView& view, double now);
+    /// What is being read is not wanted any more.
+    void cancelLoading(double now);
+    /// What a panel covers: the molecule stands in the middle of what it leaves.
+    void setCovered(const Insets& pixels, double now);
+    /// The pointer has left the picture.
+    void pointerLeft();
     /// Flies to where a molecule is seen from as asked; while one is read, that one, once it is there.
     void aim(const Aim& aim, double now);
     void pause();
@@ -76,11 +97,29 @@ public:
     // State
     const SavedView& view() const;
     /// Another look or projection; the camera of `look` is not looked at.
-    void setLook(const SavedView& look, double now);
+    /// @param continues  one step of the history with the look before, as while a slider is dragged
+    void setLook(const SavedView& look, double now, bool continues = false);
+    bool canUndo() const;
+    bool canRedo() const;
+    void undo(double now);
+    void redo(double now);
+    /// Selects by text; an empty one selects nothing.
+    void select(const std::string& text);
+    const SelectedAtoms& selection() const { return selected_; }
+    /// Models of the file; 0 while there is none.
+    int models() const;
+    void showModel(int model);
+    const std::string& failure() const { return failure_; }
+    void dismissFailure();
     void overlayChanged() { schedule_.overlayChanged(); }
     std::string title() const;
     Annotations annotations() const;
+    /// Of what was asked for at first. @throws what reading it threw, if that is known by now
+    void throwEarlyFailure() { loader_.throwFailure(); }
     bool loading() const { return loader_.busy(); }
+    /// Of the input that is being read, as Sources::progress.
+    double loadingProgress() const { return loader_.progress(); }
+    const std::string& loadingName() const { return loader_.view().input; }
     void waitForLoading() const { loader_.wait(); }
     const Document* document() const { return document_.molecule ? &document_ : nullptr; }
     double occlusion() const { return occlusion_; }
@@ -97,11 +136,17 @@ public:
     const std::vector<std::uint32_t>& picks() const { return picks_; }
     bool playing() const { return playing_; }
     bool autoRotating() const { return motion_.autoRotation(); }
+    bool rocking() const { return motion_.rocking(); }
     DebugView debugView() const { return debug_; }
     void setDebugView(DebugView view, double now);
     void say(const std::string& message, double now);
-    /// The picture as it is seen, for a file. Only if document().
+    /// Tells what went wrong.
+    void fail(const std::string& what, double now);
+    /// The picture as it is seen. Only if document().
     RenderSettings settings() const;
+    /// The same in the middle of a picture of another size, for a file.
+    RenderSettings pictureSettings(PixelSize size) const;
+    PixelSize size() const { return size_; }
 
     /// Brings everything to a time and draws, if there is something to draw.
     /// @param overlay called before a frame is drawn; may be empty
@@ -118,6 +163,14 @@ public:
 private:
     void apply(const std::vector<Gesture>& gestures, double now);
     void pick(glm::dvec2 at, double now);
+    void doubleTap(glm::dvec2 at, double now);
+    std::optional<std::uint32_t> atomUnder(glm::dvec2 at, double reach, double now);
+    void hover(double now);
+    void placeSelection();
+    glm::dvec2 pointOf(const glm::dvec3& place, const View& view) const;
+    void remember();
+    bool unrememberedChange() const;
+    void restore(const SavedView& view, double now);
     void putScene(double now);
     bool putWords(double now);
     void advanceOcclusion(double now, bool moving);
@@ -125,7 +178,6 @@ private:
     bool noticeLoss();
     void tookDocument(double now);
     double advance(double now);
-    int models() const;
     void stepModel(int step, double now);
     bool moveCamera(ViewerCommand command, double now);
     bool aimCamera(ViewerCommand command, double now);
@@ -133,7 +185,9 @@ private:
     void takeAim(const Aim& aim, bool fly, double now);
     void draw(const FrameSchedule::Next& next, double now, bool moving, const std::function<const Overlay*()>& overlay);
     std::uint32_t refinedSamples() const;
-    Viewport viewport() const { return {size_.width / scale_, size_.height / scale_}; }
+    PixelSize freeSize() const;
+    glm::dvec2 freeOrigin() const { return glm::dvec2(covered_.left, covered_.top) / scale_; }
+    Viewport viewport() const { return {freeSize().width / scale_, freeSize().height / scale_}; }
     double radius() const { return document_.molecule ? document_.scene.radius : 1.0; }
     void changed(double now) { schedule_.pictureChanged(now); }
 
@@ -149,11 +203,21 @@ private:
     FrameSchedule schedule_;
     PixelSize size_{1, 1};
     double scale_ = 1;  // pixels a point
+    Insets covered_;
     double occlusion_ = 1;
     double handMoved_ = -1e9;
     bool clipped_ = false;                            // by a close-up
     Aim aim_;                                         // of the molecule that is being read
     std::vector<std::uint32_t> picks_, picksBefore_;  // atoms, from 0
+    SelectedAtoms selected_;
+    std::vector<glm::dvec3> selectedPlaces_;  // from the scene's centre
+    std::optional<glm::dvec2> hoverAt_;       // where the pointer rests
+    double hoverDue_ = 0;
+    std::uint32_t hovered_ = 0;  // atom, from 1
+    History history_;
+    bool restoring_ = false;     // what is being read belongs to the view as it is
+    bool unremembered_ = false;  // the view may differ from what the history has last
+    std::string failure_;
     DebugView debug_ = DebugView::none;
     std::optional<Question> question_;
     SavedView asked_;  // what question_ is about

@@ -28,11 +28,13 @@ bool Viewer::moveCamera(ViewerCommand command, double now) {
     const Viewport v = viewport();
     const glm::dvec2 middle(v.width / 2, v.height / 2);
     const auto rotate = [&](double x, double y) {
+        remember();
         motion_.touch();
         motion_.rotate({x * kKeyDegrees, y * kKeyDegrees}, now);
         changed(now);
     };
     const auto pan = [&](double x, double y) {
+        remember();
         motion_.pan({x * kKeyPoints, y * kKeyPoints}, radius(), v);
         changed(now);
     };
@@ -63,30 +65,36 @@ bool Viewer::moveCamera(ViewerCommand command, double now) {
             return true;
         case C::zoomIn:
         case C::zoomOut:
+            remember();
             motion_.zoom(command == C::zoomIn ? kKeyZoom : 1 / kKeyZoom, middle, radius(), v);
             changed(now);
             return true;
         case C::rollLeft:
         case C::rollRight:
+            remember();
             motion_.roll(glm::radians(command == C::rollRight ? kKeyDegrees : -kKeyDegrees));
             changed(now);
             return true;
         case C::fit:
+            remember();
             motion_.fit(now);
             unclip();
             return true;
         case C::reset:
+            remember();
             motion_.reset(now);
             unclip();
             return true;
         case C::rock: {
             const bool on = !motion_.rocking();
+            remember();
             motion_.touch();
             motion_.setRocking(on);
             return true;
         }
         case C::autoRotate: {
             const bool on = !motion_.autoRotation();
+            remember();
             motion_.touch();
             motion_.setAutoRotation(on);
             return true;
@@ -121,10 +129,16 @@ int Viewer::models() const {
 /// Goes round from the last to the first.
 void Viewer::stepModel(int step, double now) {
     if (models() < 2) return say("it has one model alone", now);
+    const int model = view_.model == kAllModels ? 1 : (view_.model - 1 + step + models()) % models() + 1;
+    showModel(model);
+    say("model " + std::to_string(model) + " of " + std::to_string(models()), now);
+}
+
+void Viewer::showModel(int model) {
+    if (!playing_) remember();
     SavedView next = view();
-    next.model = next.model == kAllModels ? 1 : (next.model - 1 + step + models()) % models() + 1;
+    next.model = model;
     loader_.read(next);
-    say("model " + std::to_string(next.model) + " of " + std::to_string(models()), now);
 }
 
 void Viewer::run(ViewerCommand command, double now) {
@@ -176,11 +190,6 @@ void Viewer::run(ViewerCommand command, double now) {
         case C::occlusion:
             look.occlusionDirections = look.occlusionDirections ? 0 : SavedView{}.occlusionDirections;
             break;
-        case C::nextDebugView: {
-            const auto next = (static_cast<std::size_t>(debug_) + 1) % debugViewNames().size();
-            setDebugView(static_cast<DebugView>(next), now);
-            return say(std::string("debug view: ") + debugViewNames()[next], now);
-        }
         case C::keepMeasurement:
             look = savedView();
             picks_.clear();
@@ -201,9 +210,15 @@ void Viewer::run(ViewerCommand command, double now) {
             return models() > 1 ? changed(now) : say("it has one model alone", now);
         case C::clearPicks:
             if (question_) return answer(false, now);
+            if (!failure_.empty()) return dismissFailure();
             picks_.clear();
+            select("");
             message_.clear();
             return schedule_.overlayChanged();
+        case C::undo:
+            return undo(now);
+        case C::redo:
+            return redo(now);
         default:
             return;  // the shell's
     }

@@ -50,6 +50,7 @@ std::string saveView(XSession& session) {
     })) << "no view was saved: "
         << session.errors();
     session.type("Escape");  // takes the message away
+    session.moveTo(1, 1);    // and this the name of what the pointer is over
     session.settle();
     return saved;
 }
@@ -209,13 +210,25 @@ TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {
     session.settle();
     const WindowPicture before = session.picture();
     ASSERT_TRUE(session.drop(session.folder() / "bad.pdb"));
-    // A message stands over the picture, for a while.
+    // What went wrong stands over the picture until it is read.
     EXPECT_TRUE(session.waitUntil([&] { return session.picture() != before; }));
+    session.sleep(6);
+    EXPECT_NE(session.picture(), before);
+    session.type("Escape");
     EXPECT_TRUE(session.waitUntil([&] { return session.picture() == before; }));
     EXPECT_TRUE(session.waitForTitle("two words.xyz"));
     EXPECT_EQ(session.quit(), 0) << session.errors();
     // The next window without INPUT goes on there.
     EXPECT_NE(contentOf(session.folder() / "state/nacre/view.json").find("two words.xyz"), std::string::npos);
+}
+
+TEST(Window, WhatCannotBeReadIsAnErrorBeforeThereIsAWindow) {
+    const TemporaryFolder folder;
+    XSession session("sample:glucose --size 300x200");
+    const Outcome outcome = nacreIn(folder, "view nofile.pdb", "", "export DISPLAY=" + session.display());
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.err.find("nofile.pdb: No such file or directory"), std::string::npos) << outcome.err;
+    EXPECT_EQ(session.quit(), 0);
 }
 
 TEST(Window, SurvivesResizesAndMinimising) {

@@ -29,6 +29,7 @@ public:
 
     /// In which nacre runs, and where its state and cache lie.
     const TemporaryFolder& folder() const { return folder_; }
+    const std::string& display() const { return display_; }
 
     void moveTo(int x, int y);  ///< pixels of the window
     void button(int number, bool down);

@@ -503,8 +503,8 @@ TEST(Viewer, DebugViewsComeOneAfterTheOtherAndAreNotAveraged) {
     Bench b;
     b.run(2);
     for (std::size_t i = 1; i <= debugViewNames().size(); ++i) {
-        b.viewer.run(ViewerCommand::nextDebugView, b.now);
         const auto wanted = static_cast<DebugView>(i % debugViewNames().size());
+        b.viewer.setDebugView(wanted, b.now);
         b.run(2);
         EXPECT_EQ(b.screen.settings.back().debug, wanted);
         EXPECT_EQ(b.screen.frames.back().samples == 1, wanted != DebugView::none);

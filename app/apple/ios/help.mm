@@ -12,7 +12,7 @@ NSString* helpText() {
         text += std::string(binding.touch) + ": " + binding.what + "\n";
     text += "\nWith a keyboard\n";
     for (const Binding& binding : keyBindings())
-        if (binding.command != ViewerCommand::panel && binding.command != ViewerCommand::quit)
+        if (binding.listed && binding.command != ViewerCommand::panel && binding.command != ViewerCommand::quit)
             text += std::string(binding.keys) + ": " + binding.what + "\n";
     return stringOf(text);
 }

@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "app/panel/panel.h"
-#include "app/panel/panel_style.h"
+#include "app/panel/panel_state.h"
 
 namespace nacre::app {
 namespace {
@@ -57,7 +56,7 @@ void slidePlanes(Clip& clip, double radius) {
 void Panel::drawEffects(SavedView& look, double radius) {
     Effects& e = look.effects;
     ImGui::PushItemWidth(-1);
-    if (ImGui::CollapsingHeader("Light, lines, fog")) {
+    if (state_->ui.unfold("Light, lines, fog")) {
         slide("##ambient", e.light.ambient, 0, 2, "light all around %.2f");
         slide("##direct", e.light.direct, 0, 2, "light from a side %.2f");
         slide("##shadow", e.shadow.strength, 0, 1, e.shadow.strength > 0 ? "shadow %.2f" : "no shadow");
@@ -66,11 +65,11 @@ void Panel::drawEffects(SavedView& look, double radius) {
         slideLines(e);
         slideFog(e.fog);
     }
-    if (ImGui::CollapsingHeader("Cut open")) {
+    if (state_->ui.unfold("Cut open")) {
         slidePlanes(e.clip, radius);
         constexpr const char* kCaps[] = {"plain", "dark", "hatched"};
         std::string cap = kCaps[static_cast<std::size_t>(e.clip.cap)];
-        if (choose("##cap", kCaps, cap))
+        if (state_->ui.choose("Cap", kCaps, cap))
             for (std::size_t i = 0; i < std::size(kCaps); ++i)
                 if (cap == kCaps[i]) e.clip.cap = static_cast<Clip::Cap>(i);
     }

@@ -3,8 +3,7 @@
 #include <cfloat>
 #include <cmath>
 
-#include "app/panel/panel.h"
-#include "app/panel/panel_style.h"
+#include "app/panel/panel_state.h"
 #include "app/shared/word_layout.h"
 
 namespace nacre::app {
@@ -68,6 +67,13 @@ void Panel::drawWords(const Viewer& viewer) {
 
 void Panel::drawAnnotations(const Annotations& a) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();  // beneath panel and help
+    for (const glm::dvec2& points : a.selected) {
+        const ImVec2 at = place(points * pixelsPerPoint_);
+        list.AddRectFilled(ImVec2(at.x - 2.5f * scale(), at.y - 2.5f * scale()),
+                           ImVec2(at.x + 2.5f * scale(), at.y + 2.5f * scale()), kMarkEdge);
+        list.AddRectFilled(ImVec2(at.x - 1.5f * scale(), at.y - 1.5f * scale()),
+                           ImVec2(at.x + 1.5f * scale(), at.y + 1.5f * scale()), kSelected);
+    }
     const auto placeOf = [&](const glm::dvec2& points) { return place(points * pixelsPerPoint_); };
     for (std::size_t i = 1; i < a.atoms.size(); ++i) {
         list.AddLine(placeOf(a.atoms[i - 1]), placeOf(a.atoms[i]), kMarkEdge, 5 * scale());
@@ -77,29 +83,39 @@ void Panel::drawAnnotations(const Annotations& a) {
         list.AddCircle(placeOf(atom), 8 * scale(), kMarkEdge, 24, 5 * scale());
         list.AddCircle(placeOf(atom), 8 * scale(), kMark, 24, 2 * scale());
     }
-    float bottom = ImGui::GetIO().DisplaySize.y - insets_.bottom - 14 * scale();
-    const float line = ImGui::GetTextLineHeight() + 20 * scale();
+    if (!a.error.empty()) return;  // that comes first
+    float bottom = freeRoom().bottom - 14 * scale();
+    const std::string& under = a.hover.empty() || a.hover == a.atom ? a.atom : a.hover;
     for (const auto& [text, strong] :
-         {std::pair(a.message, false), std::pair(a.measurement, true), std::pair(a.atom, false)}) {
+         {std::pair(a.message, false), std::pair(a.measurement, true), std::pair(under, false)}) {
         if (text.empty()) continue;
-        drawStatus(text, bottom, strong);
-        bottom -= line;
+        bottom = drawStatus(text, bottom, strong) - 6 * scale();
     }
 }
 
-/// One line in a dark box, low in the middle of the window.
-void Panel::drawStatus(const std::string& text, float bottom, bool strong) {
-    const float room = ImGui::GetIO().DisplaySize.x - insets_.left - insets_.right;
-    const float widest = room - 48 * scale();
+/// In a box, low in the middle of what is free. @returns its top
+float Panel::drawStatus(const std::string& text, float bottom, bool strong) {
+    const Theme& theme = state_->ui.theme();
+    const Rectangle free = freeRoom();
+    const float room = free.right - free.left, widest = std::max(room - 48 * scale(), 1.0f);
     const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, widest);
-    const float left = insets_.left + (room - size.x) / 2;
+    const float left = std::round(free.left + (room - size.x) / 2), top = std::round(bottom - size.y);
     const ImVec2 pad(12 * scale(), 7 * scale());
-    // A panel for fingers leaves no room beside it: it covers the text.
-    ImDrawList& list = forFingers() ? *ImGui::GetBackgroundDrawList() : *ImGui::GetForegroundDrawList();
-    list.AddRectFilled(ImVec2(left - pad.x, bottom - size.y - 2 * pad.y), ImVec2(left + size.x + pad.x, bottom),
-                       ImGui::GetColorU32(kGround), 7 * scale());
-    list.AddText(nullptr, 0, ImVec2(left, bottom - size.y - pad.y), ImGui::GetColorU32(strong ? kWarning : kText),
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const ImVec2 low(left - pad.x, top - 2 * pad.y), high(left + size.x + pad.x, bottom);
+    list.AddRectFilled(low, high, ImGui::GetColorU32(theme.ground), 7 * scale());
+    list.AddRect(low, high, ImGui::GetColorU32(theme.line), 7 * scale(), 0, scale());
+    Control told;
+    told.role = "status";
+    told.name = text;
+    told.window = "Picture";
+    told.left = told.seenLeft = low.x, told.top = told.seenTop = low.y;
+    told.right = told.seenRight = high.x, told.bottom = told.seenBottom = high.y;
+    told.lines = size.y / ImGui::GetFontSize();
+    state_->ui.controls.push_back(told);
+    list.AddText(nullptr, 0, ImVec2(left, top - pad.y), ImGui::GetColorU32(strong ? theme.warning : theme.text),
                  text.c_str(), nullptr, widest);
+    return low.y;
 }
 
 }  // namespace nacre::app

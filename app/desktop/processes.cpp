@@ -1,0 +1,142 @@
+#include "app/desktop/processes.h"
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+extern char** environ;
+
+namespace nacre::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string variable(const char* name) {
+    const char* value = std::getenv(name);
+    return value ? value : "";
+}
+
+/// Of a file of settings in the user's folder.
+std::string contentOf(const std::string& underHome) {
+    const std::string home = variable("HOME");
+    if (home.empty()) return {};
+    std::ifstream in(fs::path(home) / underHome);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+/// One that no other program inherits.
+bool makePipe(int (&ends)[2]) {
+    if (pipe(ends) != 0) return false;
+    for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
+    return true;
+}
+
+bool onKde() { return variable("XDG_CURRENT_DESKTOP").find("KDE") != std::string::npos; }
+
+}  // namespace
+
+bool hasProgram(const std::string& name) {
+    std::istringstream folders(variable("PATH"));
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (access((fs::path(folder) / name).c_str(), X_OK) == 0) return true;
+    return false;
+}
+
+std::optional<std::string> runProgram(const std::vector<std::string>& arguments, const std::string& input) {
+    int in[2], out[2];
+    if (!makePipe(in)) return std::nullopt;
+    if (!makePipe(out)) return close(in[0]), close(in[1]), std::nullopt;
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, in[0], 0);
+    posix_spawn_file_actions_adddup2(&actions, out[1], 1);
+    posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
+    std::vector<char*> argv;
+    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    pid_t pid = -1;
+    const int failed = posix_spawnp(&pid, argv[0], &actions, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    close(in[0]);
+    close(out[1]);
+    std::optional<std::string> result;
+    if (failed == 0) {
+        // A program that does not read what it is sent must not end us.
+        struct sigaction ignore {
+        }, before{};
+        ignore.sa_handler = SIG_IGN;
+        sigaction(SIGPIPE, &ignore, &before);
+        for (std::size_t sent = 0; sent < input.size();) {
+            const ssize_t n = write(in[1], input.data() + sent, input.size() - sent);
+            if (n <= 0) break;
+            sent += static_cast<std::size_t>(n);
+        }
+        sigaction(SIGPIPE, &before, nullptr);
+        close(in[1]);
+        std::string text;
+        char part[4096];
+        for (ssize_t n = 0; (n = read(out[0], part, sizeof part)) > 0;) text.append(part, static_cast<std::size_t>(n));
+        int status = 0;
+        waitpid(pid, &status, 0);
+        if (WIFEXITED(status) && WEXITSTATUS(status) == 0) result = text;
+    } else {
+        close(in[1]);
+    }
+    close(out[0]);
+    return result;
+}
+
+// --- dialogs
+
+bool FileDialog::available() { return hasProgram("zenity") || hasProgram("kdialog"); }
+
+FileDialog::~FileDialog() {
+    if (thread_.joinable()) thread_.detach();  // who closes the window does not wait for a dialog
+}
+
+void FileDialog::open(std::function<void(const std::string&)> chosen) {
+    if (busy_->exchange(true)) return;
+    if (thread_.joinable()) thread_.join();
+    thread_ = std::thread([chosen = std::move(chosen), busy = busy_] {
+        const bool kde = hasProgram("kdialog") && (onKde() || !hasProgram("zenity"));
+        const std::optional<std::string> answer =
+            kde ? runProgram({"kdialog", "--title", "Open a structure", "--getopenfilename", "."})
+                : runProgram({"zenity", "--file-selection", "--title=Open a structure"});
+        if (answer) {
+            std::string path = *answer;
+            while (!path.empty() && path.back() == '\n') path.pop_back();
+            if (!path.empty()) chosen(path);
+        }
+        busy->store(false);
+    });
+}
+
+bool copyPng(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream bytes;
+    bytes << in.rdbuf();
+    if (!variable("WAYLAND_DISPLAY").empty() && runProgram({"wl-copy", "--type", "image/png"}, bytes.str()))
+        return true;
+    return runProgram({"xclip", "-selection", "clipboard", "-t", "image/png", "-i"}, bytes.str()).has_value();
+}
+
+bool systemIsDark() {
+    if (const std::string theme = variable("GTK_THEME"); !theme.empty()) return theme.find("dark") != std::string::npos;
+    if (hasProgram("gsettings"))
+        if (const auto scheme = runProgram({"gsettings", "get", "org.gnome.desktop.interface", "color-scheme"}))
+            if (scheme->find("dark") != std::string::npos) return true;
+    if (contentOf(".config/gtk-3.0/settings.ini").find("gtk-application-prefer-dark-theme=1") != std::string::npos)
+        return true;
+    return contentOf(".config/kdeglobals").find("Dark") != std::string::npos;
+}
+
+}  // namespace nacre::app

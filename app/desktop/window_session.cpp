@@ -1,0 +1,461 @@
+#include "app/desktop/window_session.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <mutex>
+
+#include "app/desktop/state_files.h"
+#include "app/download/load_molecule.h"
+#include "app/shared/cache_folder.h"
+#include "app/shared/capture_file.h"
+#include "app/shared/image_file.h"
+#include "app/shared/json_text.h"
+#include "app/shared/messages.h"
+#include "app/shared/printable.h"
+#include "app/shared/view_input.h"
+#include "app/shared/word_painter.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr std::uint32_t kSoftwareSamples = 2;  // a side of a pixel, of a refinement that a CPU draws
+
+/// A path that means the same from any folder.
+std::string lasting(const std::string& input) {
+    if (input.empty() || input.find(':') != std::string::npos || input == "-") return input;
+    return std::filesystem::absolute(input).lexically_normal().string();
+}
+
+/// Thrown where a download is not wanted any more.
+struct Cancelled : Error {
+    Cancelled() : Error("stopped", "", "") {}
+};
+
+struct Progress {
+    std::atomic<double> share{-1};
+    std::atomic<bool> cancelled{false};
+};
+
+/// What a saved view names is downloaded if the user says so.
+Sources sources(const InputOptions& first) {
+    const auto allowed = std::make_shared<std::atomic<bool>>(first.allowDownload);
+    const auto progress = std::make_shared<Progress>();
+    Sources all;
+    all.read = [first, allowed, progress](const SavedView& view) {
+        InputOptions input = inputOf(view, first);
+        if (view.input != lasting(first.path)) {  // opened by hand
+            input.namedBy.clear();
+            input.trajectory = {};
+            input.further.clear();
+            input.fits.clear();
+        }
+        input.allowDownload = *allowed;
+        progress->share = -1;
+        progress->cancelled = false;
+        const auto onDownload = [&](double share) {
+            progress->share = share;
+            if (progress->cancelled) throw Cancelled();
+        };
+        try {
+            return loadMolecule(input, onDownload);
+        } catch (const DownloadForbidden&) {
+            throw Question("This view downloads " + printable(input.path), "Download", [allowed] { *allowed = true; });
+        }
+    };
+    all.build = sceneOfView;
+    all.progress = [progress] { return progress->share.load(); };
+    all.cancel = [progress] { progress->cancelled = true; };
+    return all;
+}
+
+double now() {
+    using Clock = std::chrono::steady_clock;
+    return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+struct WindowSession::Chosen {
+    std::mutex mutex;
+    std::string path;
+};
+
+WindowSession::WindowSession(const ViewOptions& options)
+    : options_(options),
+      window_({options.size.width, options.size.height}, events()),
+      recent_(recentPath()),
+      dark_(systemIsDark()),
+      panel_(makePanel()),
+      session_(host(), sources(options.input), firstView(), viewerOptions(), Window::wake),
+      chosen_(std::make_shared<Chosen>()) {
+    scale_ = window_.pixelsPerPoint();
+    session_.open(now());
+    if (renderer().stats().device.type == "software") viewer().setMostSamples(kSoftwareSamples);
+    viewer().setDebugView(options.debug, now());
+    viewer().aim(options.aim, now());
+    viewer().throwEarlyFailure();
+    window_.show();
+    resized();
+}
+
+void WindowSession::loop() {
+    while (!window_.closing()) step(std::numeric_limits<double>::infinity());
+    saveState(viewer().view());
+    rememberFile();
+    if (!options_.stats.empty()) writeStats();
+    if (!renderer().validationMessages().empty())
+        throw Error("Vulkan validation", renderer().stats().device.name,
+                    std::to_string(renderer().validationMessages().size()) +
+                        " messages, the first: " + renderer().validationMessages().front());
+}
+
+double WindowSession::step(double longest) {
+    // The newest input goes into the frame, not what was there before it had to wait.
+    viewer().awaitFrame(now());
+    window_.handleEvents(0);
+    viewer().setDisplayInterval(1 / window_.refreshRate());
+    const double wake = session_.step(now(), [this] { return panel_->draw(viewer(), window_.size(), now()); });
+    const bool shown = renderer().stats().windowFrames != shown_;
+    if (shown) {
+        shown_ = renderer().stats().windowFrames;
+        lastShown_ = now();
+        if (inputAt_ > 0) latencies_.push_back(1000 * (lastShown_ - inputAt_));
+    }
+    inputAt_ = 0;  // what is not answered by now changed nothing
+    window_.setTitle(printable(viewer().title()));
+    if (panel_->restless()) viewer().overlayChanged();
+    // Frames come as often as the display's; looks at what is baked beside them may come more often.
+    const double soonest = shown ? lastFrame_ + 0.95 / window_.refreshRate() : now();
+    const double next = std::max(panel_->restless() ? now() : wake, soonest);
+    const double due = std::isinf(wake) && !panel_->restless() ? wake : next - now();
+    window_.handleEvents(std::min(due, longest));
+    lastFrame_ = now();
+    std::string path;
+    {
+        const std::lock_guard lock(chosen_->mutex);
+        path.swap(chosen_->path);
+    }
+    if (!path.empty()) {
+        rememberFile();
+        panel_->closeTop();
+        viewer().open(lasting(path), now());
+    }
+    return due;
+}
+
+std::unique_ptr<Panel> WindowSession::makePanel() {
+    return std::make_unique<Panel>(window_.pixelsPerPoint(), panelHost());
+}
+
+PanelHost WindowSession::panelHost() {
+    PanelHost host;
+    host.run = [this](ViewerCommand command) { run(command); };
+    if (FileDialog::available()) host.openDialog = [this] { openDialog(); };
+    host.open = [this](const std::string& input) {
+        rememberFile();
+        viewer().open(lasting(input), now());
+    };
+    host.recent = [this]() -> const std::vector<RecentFile>& { return recent_.files(); };
+    if (options_.restore)
+        if (const auto saved = loadState(); saved && !saved->input.empty() && saved->input != "-") {
+            host.lastView = std::filesystem::path(saved->input).filename().string();
+            host.goOn = [this, view = *saved] { viewer().show(view, now()); };
+        }
+    host.freeName = [this](const char* extension) { return pictureName(extension); };
+    host.savePicture = [this](const PictureWish& wish) { savePicture(wish); };
+    host.copyPicture = [this] { run(ViewerCommand::copyPicture); };
+    host.clipboard = [this] { return (clipboard_ = window_.clipboard()).c_str(); };
+    host.setClipboard = [this](const char* text) { window_.setClipboard(text); };
+    host.downloads = true;
+    host.captures = options_.device.capture;
+    host.statistics = [this] { return statistics(); };
+    host.dark = dark_;
+    return host;
+}
+
+SessionHost WindowSession::host() {
+    SessionHost host;
+    host.device = [this] {
+        DeviceOptions device = options_.device;
+        device.selfTests = cacheFolder(options_.input.cache, "devices");
+        device.surface = window_.surface();
+        return device;
+    };
+    host.loadPipelines = [] { return loadPipelineCache(); };
+    host.keepPipelines = savePipelineCache;
+    host.prepare = [this](Renderer& renderer) { renderer.setOverlayGlyphs(panel_->glyphs()); };
+    host.lost = sayWarning;
+    return host;
+}
+
+SavedView WindowSession::firstView() const {
+    SavedView view = options_.first;
+    view.input = lasting(view.input);
+    return view;
+}
+
+ViewerOptions WindowSession::viewerOptions() const {
+    ViewerOptions options;
+    options.occlusionBytes = options_.occlusionBytes;
+    options.occlusionCache = cacheFolder(options_.input.cache, "occlusion");
+    options.tuning = options_.tuning;
+    options.errorsStay = true;
+    return options;
+}
+
+/// Of what the next frame answers, the first.
+void WindowSession::noteInput() {
+    if (inputAt_ == 0) inputAt_ = now();
+}
+
+WindowEvents WindowSession::events() {
+    WindowEvents e;
+    e.resized = [this] { resized(); };
+    e.iconified = [this](bool iconified) {
+        if (!iconified) return viewer().resume(now());
+        viewer().pause();
+        saveState(viewer().view());
+    };
+    e.damaged = [this] { viewer().overlayChanged(); };
+    e.pointer = [this](glm::dvec2 at) {
+        noteInput();
+        pointer_ = at;
+        panel_->pointer(at);
+        if (panelDrag_ || panel_->ownsPointer())
+            viewer().pointerLeft();
+        else
+            viewer().mouseMove(at / scale_, now());
+    };
+    e.button = [this](MouseButton button, bool down, Modifiers with) {
+        noteInput();
+        // Who got the press gets the release.
+        if (down) panelDrag_ = panel_->ownsPointer();
+        if (panelDrag_)
+            panel_->button(button, down);
+        else
+            viewer().mouseButton(button, down, pointer_ / scale_, with, now());
+        if (!down) panelDrag_ = false;
+    };
+    e.wheel = [this](double steps) {
+        noteInput();
+        if (panel_->ownsPointer())
+            panel_->wheel(steps);
+        else
+            viewer().wheel(steps, pointer_ / scale_, now());
+    };
+    // The panel may let go of the keys by one: who had them before has that one.
+    e.special = [this](SpecialKey key, bool down, Modifiers with) {
+        keyOwned_ = panel_->ownsKeys();
+        if (keyOwned_ || !down || key == SpecialKey::tab) panel_->key(key, down, with);
+        viewer().overlayChanged();
+    };
+    e.character = [this](char32_t c) {
+        keyOwned_ = panel_->ownsKeys();
+        if (keyOwned_) panel_->character(c);
+        viewer().overlayChanged();
+    };
+    e.key = [this](KeyEvent key) {
+        noteInput();
+        if (std::exchange(keyOwned_, false)) return;
+        if (key.with.control && panel_->ownsKeys()) return panel_->shortcut(key.key);
+        if (const auto command = commandOf(key)) run(*command);
+    };
+    e.dropped = [this](const std::string& path) {
+        rememberFile();
+        panel_->closeTop();
+        viewer().open(lasting(path), now());
+    };
+    return e;
+}
+
+/// The window came to a display of another density: text is drawn anew at its size.
+void WindowSession::rescaled() {
+    scale_ = window_.pixelsPerPoint();
+    panel_ = makePanel();
+    renderer().setOverlayGlyphs(panel_->glyphs());
+}
+
+void WindowSession::resized() {
+    const PixelSize size = window_.size();
+    if (size.width == 0 || size.height == 0) return viewer().pause();
+    if (window_.pixelsPerPoint() != scale_) rescaled();
+    viewer().resize(size, scale_, now());
+    viewer().resume(now());
+}
+
+void WindowSession::run(ViewerCommand command) {
+    viewer().overlayChanged();
+    switch (command) {
+        case ViewerCommand::panel:
+            return panel_->togglePanel();
+        case ViewerCommand::help:
+            return panel_->toggleHelp();
+        case ViewerCommand::openFile:
+            return panel_->showStart();
+        case ViewerCommand::saveAs:
+            return viewer().document() ? panel_->showSave() : void();
+        case ViewerCommand::clearPicks:
+            if (panel_->closeTop()) return;
+            break;
+        case ViewerCommand::quit:
+            return window_.close();
+        case ViewerCommand::savePicture:
+            if (!viewer().document()) return;
+            return savePicture({window_.size(), false, pictureName(".png")});
+        case ViewerCommand::copyPicture:
+            return copyPicture();
+        case ViewerCommand::saveView:
+            return saveView();
+        case ViewerCommand::captureFrame:
+            return captureFrame();
+        default:
+            break;
+    }
+    viewer().run(command, now());
+}
+
+void WindowSession::openDialog() {
+    dialog_.open([chosen = chosen_](const std::string& path) {
+        {
+            const std::lock_guard lock(chosen->mutex);
+            chosen->path = path;
+        }
+        Window::wake();
+    });
+}
+
+/// What is shown goes to the top of the recent files, as it is seen now.
+void WindowSession::rememberFile() {
+    const Document* document = viewer().document();
+    if (!document || document->view.input == "-" || document->view.input.starts_with("sample:")) return;
+    try {
+        constexpr PixelSize kSize = RecentFiles::kPicture;
+        RenderSettings settings = viewer().pictureSettings(kSize);
+        settings.supersample = 2;
+        settings.debug = DebugView::none;
+        settings.effects.contours.width = 0;
+        const std::string name = std::filesystem::path(document->view.input).filename().string();
+        recent_.add(document->view.input, name, renderer().render(settings));
+    } catch (const Error&) {
+        // No picture is no reason to stay.
+    }
+}
+
+std::string WindowSession::pictureName(const char* extension) {
+    return freeName(viewer().document() ? viewer().document()->view.input : "nacre", extension);
+}
+
+void WindowSession::savePicture(const PictureWish& wish) {
+    try {
+        writePictureTo(wish.path, wish.size, wish.transparent);
+        viewer().say("saved " + wish.path, now());
+    } catch (const std::exception& error) {
+        viewer().fail(error.what(), now());
+    }
+}
+
+void WindowSession::writePictureTo(const std::string& path, PixelSize size, bool transparent) {
+    if (!isPictureName(path))
+        throw Error("cannot save the picture", path, "its name ends in none of .png .tif .jpg .exr");
+    OutputFile file(path);
+    RenderSettings settings = viewer().pictureSettings(size);
+    // What is larger than the window is antialiased as pictures are; the window's own as the window is.
+    const bool asShown = size.width == window_.size().width && size.height == window_.size().height;
+    settings.supersample = asShown ? viewer().mostSamples() : RenderSettings::kEdges;
+    const SavedView view = viewer().savedView();
+    std::array<float, 4> background = view.background;
+    if (transparent) settings.background = background = {0, 0, 0, 0};
+    const Document& document = *viewer().document();
+    Picture drawn = renderer().render(settings);
+    const double shorter = std::min(window_.size().width, window_.size().height);
+    const double textSize =
+        viewer().textSize() * (asShown ? 1 : std::min(size.width, size.height) / std::max(shorter, 1.0));
+    WordPainter().paint(placeWords(view.words, *document.molecule, document.scene), settings.view, textSize,
+                        view.words.color, background, drawn);
+    writePicture(file, drawn, transparent);
+}
+
+void WindowSession::copyPicture() {
+    if (!viewer().document()) return;
+    try {
+        const std::string path =
+            (std::filesystem::temp_directory_path() / ("nacre-" + std::to_string(getpid()) + ".png")).string();
+        writePictureTo(path, window_.size(), false);
+        const bool copied = copyPng(path);
+        std::filesystem::remove(path);
+        if (!copied) throw Error("cannot copy the picture", "", kCopyNeeds);
+        viewer().say("copied the picture", now());
+    } catch (const std::exception& error) {
+        viewer().fail(error.what(), now());
+    }
+}
+
+/// As JSON, in the current folder under a name that is free.
+void WindowSession::saveView() {
+    if (!viewer().document()) return;
+    try {
+        const std::string path = freeName(viewer().document()->view.input, ".view.json");
+        OutputFile file(path);
+        SavedView view = viewer().savedView();
+        view.hash = fileHash(view.input);
+        writeText(file, savedViewJson(view));
+        viewer().say("saved " + path, now());
+    } catch (const Error& error) {
+        viewer().fail(error.what(), now());
+    }
+}
+
+/// The next frame, drawn at once, in the current folder under a name that is free; in RenderDoc's own if that
+/// started us.
+void WindowSession::captureFrame() {
+    if (!renderer().captures())
+        return viewer().say(capturesBuilt() ? "F12 needs RenderDoc from the start: nacre view --capture"
+                                            : "this program was built without RenderDoc's header",
+                            now());
+    if (!viewer().document()) return;
+    try {
+        std::optional<OutputFile> file;
+        if (!renderer().startedByRenderDoc()) file.emplace(freeName(viewer().document()->view.input, ".rdc"));
+        renderer().beginCapture(file ? captureStem(*file) : "");
+        WindowFrame frame;
+        frame.overlay = panel_->draw(viewer(), window_.size(), now());
+        const bool shown = renderer().present(viewer().settings(), frame) == FrameOutcome::shown;
+        const std::string written = renderer().endCapture();
+        if (!shown) throw Error("cannot capture", "", "the window is changing");
+        if (file) keepCapture(written, *file);
+        viewer().say("captured to " + (file ? file->path() : written), now());
+    } catch (const Error& error) {
+        viewer().say(error.what(), now());
+    }
+}
+
+/// In lines, for developers.
+std::string WindowSession::statistics() {
+    const FrameStats& stats = renderer().stats();
+    return stats.device.name + "\n" + stats.device.visibility + ", " + std::to_string(stats.windowFrames) + " frames";
+}
+
+void WindowSession::writeStats() {
+    nlohmann::ordered_json json;
+    json["window_frames"] = renderer().stats().windowFrames;
+    json["seconds_since_last_frame"] = now() - lastShown_;
+    json["occlusion"] = viewer().occlusion();
+    json["occlusion_cached"] = renderer().stats().occlusion.cached;
+    json["occlusion_bytes"] = renderer().stats().occlusion.bytes;
+    if (!latencies_.empty()) {
+        std::sort(latencies_.begin(), latencies_.end());
+        json["input_to_present"] = {{"min", latencies_.front()}, {"median", latencies_[latencies_.size() / 2]}};
+    }
+    json["picked"] = nlohmann::ordered_json::array();
+    for (const std::uint32_t pick : viewer().picks()) json["picked"].push_back(pick + 1);
+    json["device"] = renderer().stats().device.name;
+    OutputFile file(options_.stats, ".json");
+    writeText(file, jsonText(json));
+}
+
+}  // namespace nacre::app

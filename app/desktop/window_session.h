@@ -1,0 +1,73 @@
+#pragma once
+// The desktop shell: window, panel and renderer about the viewer.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/desktop/processes.h"
+#include "app/desktop/recent_files.h"
+#include "app/desktop/view_options.h"
+#include "app/desktop/window.h"
+#include "app/panel/panel.h"
+#include "app/viewer/session.h"
+
+namespace nacre::app {
+
+class WindowSession {
+public:
+    /// Opens the window. @throws Error, that of the molecule too, if it cannot be read and that is known by then
+    explicit WindowSession(const ViewOptions& options);
+
+    /// Stays until the window is closed.
+    void loop();
+    /// One turn of the loop: draws, then waits for events. @param longest  seconds
+    /// @returns seconds until something is due, had nothing happened
+    double step(double longest);
+
+    Viewer& viewer() { return session_.viewer(); }
+    Panel& panel() { return *panel_; }
+    WindowEvents events();
+
+private:
+    std::unique_ptr<Panel> makePanel();
+    PanelHost panelHost();
+    SessionHost host();
+    Renderer& renderer() { return *session_.renderer(); }
+    SavedView firstView() const;
+    ViewerOptions viewerOptions() const;
+    void noteInput();
+    void rescaled();
+    void resized();
+    void run(ViewerCommand command);
+    void openDialog();
+    void rememberFile();
+    std::string pictureName(const char* extension);
+    void savePicture(const PictureWish& wish);
+    void writePictureTo(const std::string& path, PixelSize size, bool transparent);
+    void copyPicture();
+    void saveView();
+    void captureFrame();
+    std::string statistics();
+    void writeStats();
+
+    ViewOptions options_;
+    Window window_;
+    RecentFiles recent_;
+    bool dark_;
+    std::unique_ptr<Panel> panel_;
+    Session session_;
+    FileDialog dialog_;
+    struct Chosen;  // by the dialog's thread
+    std::shared_ptr<Chosen> chosen_;
+    std::string clipboard_;
+    glm::dvec2 pointer_{};
+    double scale_ = 0, lastFrame_ = 0, lastShown_ = 0;
+    double inputAt_ = 0;             // when the first input came that no frame has answered; 0: none did
+    std::vector<double> latencies_;  // of frames that answered some, milliseconds until they were handed to the display
+    std::uint64_t shown_ = 0;        // frames, when lastShown_ was
+    bool panelDrag_ = false, keyOwned_ = false;
+    std::string remembered_;  // the input that stands first among the recent files
+};
+
+}  // namespace nacre::app

@@ -1,0 +1,22 @@
+#pragma once
+// What stands in the panel, for those who do not see it: screen readers, and tests.
+
+#include <string>
+
+namespace nacre::app {
+
+/// A control, or a text, of one frame. Pixels of the window.
+struct Control {
+    std::string role;  ///< "button", "tab", "switch", "choice", "list", "slider", "field", "colour", "text", "window"
+    std::string name, value;
+    float left = 0, top = 0, right = 0, bottom = 0;                  ///< all of it
+    float seenLeft = 0, seenTop = 0, seenRight = 0, seenBottom = 0;  ///< what its window shows of it
+    bool enabled = true, focused = false;
+    bool cut = false;    ///< its words had no room
+    float lines = 1;     ///< of text
+    std::string window;  ///< that it stands in
+
+    bool seen() const { return seenRight > seenLeft && seenBottom > seenTop; }
+};
+
+}  // namespace nacre::app

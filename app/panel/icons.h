@@ -1,0 +1,39 @@
+#pragma once
+// Signs of buttons, drawn as lines.
+
+#include <imgui.h>
+
+namespace nacre::app {
+
+enum class Icon {
+    none,
+    open,
+    save,
+    undo,
+    redo,
+    fit,
+    spin,
+    help,
+    close,
+    fold,
+    menu,
+    eye,
+    eyeOff,
+    play,
+    pause,
+    up,
+    down,
+    copy,
+    look,
+    parts,
+    select,
+    label,
+    more,
+    previous,
+    next
+};
+
+/// @param middle, size  pixels: of the square that it fills
+void drawIcon(ImDrawList& list, Icon icon, ImVec2 middle, float size, ImU32 color);
+
+}  // namespace nacre::app

@@ -1,0 +1,88 @@
+// Style, colours, looks and light of the whole molecule.
+
+#include <cstdio>
+
+#include "app/panel/panel_state.h"
+#include "app/panel/words.h"
+#include "app/shared/looks.h"
+#include "app/shared/mesh_options.h"
+#include "app/shared/option_text.h"
+#include "app/shared/option_values.h"
+#include "app/viewer/presets.h"
+
+namespace nacre::app {
+
+void Panel::drawLookPage(SavedView& look, const Viewer& viewer) {
+    Widgets& ui = state_->ui;
+    ui.heading("Drawn as");
+    drawStyles(look);
+    ui.heading("Colours");
+    drawColors(look);
+    ui.heading("Ready-made");
+    std::vector<const char*> names{"Looks"};
+    for (const Look& named : looks()) names.push_back(named.name.c_str());
+    std::string chosen = names[0];
+    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    if (ui.choose("Look", names, chosen, forFingers() ? -1 : half) && chosen != names[0])
+        applyLook(lookOf(chosen), look);
+    names.assign({"Views"});
+    for (const Preset& preset : presets()) names.push_back(preset.name);
+    chosen = names[0];
+    if (!forFingers()) ImGui::SameLine();
+    if (ui.choose("View", names, chosen, -1))
+        for (const Preset& preset : presets())
+            if (chosen == preset.name) applyPreset(preset, look);
+    ui.heading("Background");
+    const float side = forFingers() ? ui.px(kFingerPoints) : ui.rowHeight();
+    for (const NamedColor& color : backgrounds()) {
+        const std::array<float, 4> rgba = parseColor([&] {
+            char text[16];
+            std::snprintf(text, sizeof text, "#%06x", color.rgb);
+            return std::string(text);
+        }());
+        const ImU32 packed = IM_COL32(color.rgb >> 16 & 255, color.rgb >> 8 & 255, color.rgb & 255, 255);
+        if (ui.swatch(color.name, packed, look.background == rgba, side)) look.background = rgba;
+        ui.wrapLine(side);
+    }
+    float own[3] = {look.background[0], look.background[1], look.background[2]};
+    if (ImGui::ColorEdit3("##background", own, ImGuiColorEditFlags_NoInputs))
+        look.background = {own[0], own[1], own[2], 1};
+    ui.note("colour", "Own background", "");
+    ui.heading("Light");
+    ui.toggle("Light and shade", look.lighting);
+    bool occlusion = look.occlusionDirections > 0;
+    if (ui.toggle("Soft shadows", occlusion))
+        look.occlusionDirections = occlusion ? SavedView{}.occlusionDirections : 0;
+    bool perspective = look.camera.projection == Projection::perspective;
+    if (ui.toggle("Perspective", perspective))
+        look.camera.projection = perspective ? Projection::perspective : Projection::orthographic;
+    drawEffects(look, viewer.document() ? viewer.document()->scene.radius : 1);
+}
+
+void Panel::drawStyles(SavedView& look) {
+    Widgets& ui = state_->ui;
+    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    bool second = false;
+    for (const StyleWord& word : styleWords()) {
+        if (second) ImGui::SameLine();
+        if (ui.button(Icon::none, word.word, half, look.look.style == word.style)) {
+            look.look.style.reset();
+            if (word.style) setStyle(*word.style, look.look);
+        }
+        ui.controls.back().role = "choice";
+        ui.controls.back().value = look.look.style == word.style ? "on" : "off";
+        second = !second;
+    }
+}
+
+void Panel::drawColors(SavedView& look) {
+    Widgets& ui = state_->ui;
+    std::vector<const char*> names;
+    for (const ColorWord& word : colorWords()) names.push_back(word.word);
+    std::string chosen = colorWord(look.look.color);
+    if (ui.choose("Colours", names, chosen))
+        for (const ColorWord& word : colorWords())
+            if (chosen == word.word) look.look.color = parseColoring(word.option);
+}
+
+}  // namespace nacre::app

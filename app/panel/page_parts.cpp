@@ -1,0 +1,274 @@
+// What the molecule is made of: models, assemblies, and rows of chains, ligands, ions and water.
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/panel/panel_state.h"
+#include "app/panel/words.h"
+#include "app/shared/option_values.h"
+#include "engine/scene/colors.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr float kLetterPoints = 13, kLinePoints = 19;
+constexpr int kBlock = 10;  // letters between two gaps of a sequence
+
+std::string countOf(const Part& part) {
+    switch (part.kind) {
+        case Part::Kind::chain:
+            return std::to_string(part.residues) + (part.residues == 1 ? " residue" : " residues");
+        case Part::Kind::all:
+            return std::to_string(part.atoms) + " atoms";
+        default:
+            return "× " + std::to_string(part.residues);
+    }
+}
+
+}  // namespace
+
+void Panel::drawPartsPage(SavedView& look, Viewer& viewer) {
+    Widgets& ui = state_->ui;
+    const Document* document = viewer.document();
+    if (!document) return ui.caption("No molecule is open.");
+    if (state_->molecule != document->molecule) {
+        state_->molecule = document->molecule;
+        state_->parts = partsOf(*document->molecule);
+        state_->unfolded.clear();
+    }
+    drawModels(viewer);
+    drawAssemblies(look, *document->molecule);
+    Part::Kind last = Part::Kind::all;
+    std::size_t number = 0;
+    for (const Part& part : state_->parts) {
+        if (number == 0 || part.kind != last) {
+            constexpr const char* kHeadings[] = {"Molecule", "Chains", "Ligands", "Ions", "Water"};
+            ui.heading(kHeadings[static_cast<std::size_t>(part.kind)]);
+        }
+        last = part.kind;
+        drawPart(look, part, number++);
+        if (state_->unfolded == part.selection) drawSequence(part, viewer);
+    }
+    if (state_->parts.size() >= kMostParts) ui.caption("Of more parts, the first 200 are listed.");
+    ui.toggle("Hydrogens", look.drawn.hydrogens);
+}
+
+void Panel::drawModels(Viewer& viewer) {
+    Widgets& ui = state_->ui;
+    const int models = viewer.models();
+    if (models < 2) return;
+    ui.heading("Models");
+    if (ui.sign(Icon::previous, "Model before")) host_.run(ViewerCommand::previousModel);
+    ImGui::SameLine();
+    if (ui.sign(viewer.playing() ? Icon::pause : Icon::play, viewer.playing() ? "Pause" : "Play"))
+        host_.run(ViewerCommand::playModels);
+    ImGui::SameLine();
+    if (ui.sign(Icon::next, "Next model")) host_.run(ViewerCommand::nextModel);
+    ImGui::SameLine();
+    int model = std::max(viewer.view().model, 1);
+    ImGui::SetNextItemWidth(-1);
+    const std::string format = "%d of " + std::to_string(models);
+    if (ui.slideWhole("Model", model, 1, models, format.c_str()) && model != viewer.view().model)
+        viewer.showModel(model);
+}
+
+void Panel::drawAssemblies(SavedView& look, const Molecule& molecule) {
+    if (molecule.assemblies.empty()) return;
+    Widgets& ui = state_->ui;
+    ui.heading("Assembly");
+    std::vector<std::string> texts{"As in the file"};
+    for (const Assembly& assembly : molecule.assemblies) {
+        std::size_t copies = 0;
+        for (const AssemblyPart& part : assembly.parts) copies = std::max(copies, part.transforms.size());
+        texts.push_back("Assembly " + assembly.id + ", " + std::to_string(copies) +
+                        (copies == 1 ? " copy" : " copies"));
+    }
+    std::vector<const char*> names;
+    for (const std::string& text : texts) names.push_back(text.c_str());
+    std::string chosen = texts[0];
+    for (std::size_t i = 0; i < molecule.assemblies.size(); ++i)
+        if (molecule.assemblies[i].id == look.look.assembly) chosen = texts[i + 1];
+    if (!ui.choose("Assembly", names, chosen)) return;
+    look.look.assembly.clear();
+    for (std::size_t i = 0; i < molecule.assemblies.size(); ++i)
+        if (chosen == texts[i + 1]) look.look.assembly = molecule.assemblies[i].id;
+}
+
+/// A row: an eye, the name, a style and a colour. What finds no room for fingers unfolds below.
+void Panel::drawPart(SavedView& look, const Part& part, std::size_t number) {
+    Widgets& ui = state_->ui;
+    ImGui::PushID(static_cast<int>(number));
+    PartLook of = lookOf(look, part);
+    const float x = ImGui::GetCursorPosX(), side = ui.rowHeight(), room = ImGui::GetContentRegionAvail().x;
+    const float styles = forFingers() ? 0 : ui.px(104), gap = ui.px(4);
+    const std::string eye = (of.seen ? "Hide " : "Show ") + part.name;
+    if (ui.sign(of.seen ? Icon::eye : Icon::eyeOff, eye.c_str())) {
+        of.seen = !of.seen;
+        setLookOf(look, part, of);
+    }
+    ImGui::SameLine(x + side + gap);
+    const float nameWidth = room - 2 * side - styles - 4 * gap;
+    const bool open = state_->unfolded == part.selection;
+    if (part.kind == Part::Kind::chain || forFingers()) {
+        ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+        if (ui.button(open ? Icon::up : Icon::down, part.name.c_str(), nameWidth)) {
+            state_->unfolded = open ? "" : part.selection;
+            state_->sequence.clear();
+            if (part.kind == Part::Kind::chain)
+                state_->sequence = sequenceOf(*state_->molecule, state_->molecule->chains[part.chain].name);
+            state_->dragFrom = -1;
+        }
+        ImGui::PopStyleColor();
+        ui.controls.back().value = countOf(part) + (open ? ", open" : "");
+    } else {
+        ui.name(part.name + " " + countOf(part), nameWidth);
+    }
+    if (!forFingers()) {
+        ImGui::SameLine(x + side + nameWidth + 2 * gap);
+        drawStyleChoice(look, part, styles);
+    }
+    ImGui::SameLine(x + room - side);
+    drawColorChoice(look, part);
+    if (forFingers() && open) drawStyleChoice(look, part, -1);
+    ImGui::PopID();
+}
+
+void Panel::drawStyleChoice(SavedView& look, const Part& part, float width) {
+    PartLook of = lookOf(look, part);
+    std::vector<const char*> names;
+    std::string chosen = "As all";
+    for (const StyleWord& word : styleWords()) {
+        names.push_back(word.style ? word.word : "As all");
+        if (of.style && word.style == of.style) chosen = word.word;
+    }
+    if (!state_->ui.choose(("Style of " + part.name).c_str(), names, chosen, width)) return;
+    of.style.reset();
+    for (const StyleWord& word : styleWords())
+        if (chosen == word.word) of.style = word.style;
+    setLookOf(look, part, of);
+}
+
+/// A field of colour that opens swatches, schemes and a picker.
+void Panel::drawColorChoice(SavedView& look, const Part& part) {
+    Widgets& ui = state_->ui;
+    PartLook of = lookOf(look, part);
+    const bool own = of.coloring && of.coloring->scheme == ColorScheme::uniform;
+    const ImU32 shown = own ? of.coloring->color | 0xff000000u : ImGui::GetColorU32(ui.theme().field);
+    const std::string name = "Colour of " + part.name;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (ui.swatch(name.c_str(), shown, false)) ImGui::OpenPopup("Colour");
+    ui.controls.back().value = of.coloring ? coloringText(*of.coloring) : "as all";
+    if (!own) {  // four corners of many colours
+        const float side = ui.rowHeight(), in = ui.px(7), cell = (side - 2 * in) / 2;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::uint32_t c = swatches()[i == 2 ? 4 : i == 3 ? 5 : i].rgb;
+            const ImVec2 low(at.x + in + static_cast<float>(i % 2) * cell,
+                             at.y + in + static_cast<float>(i / 2) * cell);
+            ImGui::GetWindowDrawList()->AddRectFilled(low, ImVec2(low.x + cell, low.y + cell),
+                                                      IM_COL32(c >> 16 & 255, c >> 8 & 255, c & 255, 255));
+        }
+    }
+    if (!ImGui::BeginPopup("Colour")) return;
+    const auto take = [&](std::optional<Coloring> coloring) {
+        of.coloring = coloring;
+        setLookOf(look, part, of);
+    };
+    ui.name(name);
+    std::size_t placed = 0;
+    for (const NamedColor& color : swatches()) {
+        if (placed++ % 6 != 0) ImGui::SameLine(0, ui.px(4));
+        const ImU32 packed = IM_COL32(color.rgb >> 16 & 255, color.rgb >> 8 & 255, color.rgb & 255, 255);
+        if (ui.swatch(color.name, packed, own && (of.coloring->color & 0xffffff) == (packed & 0xffffff)))
+            take(Coloring::uniform(packed));
+    }
+    ImVec4 picked = ImGui::ColorConvertU32ToFloat4(own ? shown : IM_COL32(86, 180, 233, 255));
+    ImGui::SetNextItemWidth(ui.px(200));
+    if (ImGui::ColorPicker3("##picker", &picked.x,
+                            ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview |
+                                ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_NoLabel))
+        take(Coloring::uniform(ImGui::ColorConvertFloat4ToU32(ImVec4(picked.x, picked.y, picked.z, 1))));
+    ui.note("colour", "Own colour");
+    if (ui.button(Icon::none, "As all")) take(std::nullopt);
+    ImGui::SameLine();
+    if (ui.button(Icon::none, "By element")) take(Coloring(ColorScheme::element));
+    ImGui::EndPopup();
+}
+
+/// One letter a residue, in blocks of ten; a click selects one, a drag several.
+void Panel::drawSequence(const Part& part, Viewer& viewer) {
+    Widgets& ui = state_->ui;
+    const Molecule& m = *state_->molecule;
+    const std::vector<std::uint32_t>& sequence = state_->sequence;
+    if (sequence.empty()) return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float cell = ui.px(forFingers() ? 20 : kLetterPoints), line = ui.px(forFingers() ? 34 : kLinePoints);
+    const float gap = ui.px(6), left = ui.px(40);
+    const float room = ImGui::GetContentRegionAvail().x - left;
+    const int blocks = std::max(static_cast<int>((room + gap) / (kBlock * cell + gap)), 1);
+    const int perLine = blocks * kBlock, count = static_cast<int>(sequence.size());
+    const int lines = (count + perLine - 1) / perLine;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton("##sequence", ImVec2(ImGui::GetContentRegionAvail().x, line * static_cast<float>(lines)));
+    const std::string spoken = "Sequence of " + part.name;
+    ui.note("sequence", spoken);
+    const auto placeOf = [&](int i) {
+        const int in = i % perLine;
+        return ImVec2(at.x + left + static_cast<float>(in) * cell + static_cast<float>(in / kBlock) * gap,
+                      at.y + static_cast<float>(i / perLine) * line);
+    };
+    // Under the pointer
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    int under = -1;
+    const int row = static_cast<int>((mouse.y - at.y) / line);
+    if (mouse.y >= at.y && row < lines)
+        for (int i = row * perLine; i < std::min((row + 1) * perLine, count); ++i)
+            if (const float x = placeOf(i).x; mouse.x >= x - gap / 2 && mouse.x < x + cell) under = i;
+    if (ImGui::IsItemActivated() && under >= 0) state_->dragFrom = state_->dragTo = under;
+    if (ImGui::IsItemActive() && under >= 0 && state_->dragFrom >= 0) {
+        state_->dragTo = under;
+        const auto [low, high] = std::minmax(state_->dragFrom, state_->dragTo);
+        viewer.select(
+            residuesText(m, sequence[static_cast<std::size_t>(low)], sequence[static_cast<std::size_t>(high)]));
+    }
+    const bool hovered = ImGui::IsItemHovered() && under >= 0;
+    const auto [low, high] = std::minmax(state_->dragFrom, state_->dragTo);
+    const ImVec2 clipLow = list.GetClipRectMin(), clipHigh = list.GetClipRectMax();
+    const ImU32 ink = ImGui::GetColorU32(ui.theme().text), faint = ImGui::GetColorU32(ui.theme().faint);
+    for (int i = 0; i < count; ++i) {
+        const ImVec2 p = placeOf(i);
+        if (p.y + line < clipLow.y || p.y > clipHigh.y) continue;
+        const Residue& residue = m.residues[sequence[static_cast<std::size_t>(i)]];
+        const bool chosen = low >= 0 && i >= low && i <= high;
+        if (chosen)
+            list.AddRectFilled(ImVec2(p.x, p.y + ui.px(3)), ImVec2(p.x + cell, p.y + line),
+                               ImGui::GetColorU32(ui.theme().accent));
+        // Helix and strand above the letters.
+        if (residue.secondary != SecondaryStructure::none)
+            list.AddRectFilled(ImVec2(p.x, p.y), ImVec2(p.x + cell, p.y + ui.px(3)),
+                               residue.secondary == SecondaryStructure::helix ? IM_COL32(213, 94, 0, 255)
+                                                                              : IM_COL32(0, 158, 115, 255));
+        const char letter[2] = {letterOf(residue), '\0'};
+        const float width = ImGui::CalcTextSize(letter).x;
+        list.AddText(ImVec2(std::round(p.x + (cell - width) / 2),
+                            std::round(p.y + (line + ui.px(3) - ImGui::GetFontSize()) / 2)),
+                     chosen                  ? ImGui::GetColorU32(ui.theme().onAccent)
+                     : hovered && i == under ? ImGui::GetColorU32(ui.theme().mark)
+                                             : ink,
+                     letter);
+        if (i % perLine == 0) {
+            const std::string number = std::to_string(residue.number);
+            ImGui::PushFont(fontOf(TextSize::caption));
+            const float wide = ImGui::CalcTextSize(number.c_str()).x;
+            list.AddText(ImVec2(std::round(at.x + left - ui.px(5) - wide),
+                                std::round(p.y + (line + ui.px(3) - ImGui::GetFontSize()) / 2)),
+                         faint, number.c_str());
+            ImGui::PopFont();
+        }
+    }
+    if (hovered) {
+        const Residue& residue = m.residues[sequence[static_cast<std::size_t>(under)]];
+        ImGui::SetTooltip("%s %d", std::string(residue.name.view()).c_str(), residue.number);
+    }
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,161 @@
+// Atoms that are chosen by words or clicks, what to do with them, and the rules that came of it.
+
+#include <cstdio>
+#include <cstring>
+
+#include "app/panel/panel_state.h"
+#include "app/panel/words.h"
+#include "app/shared/option_text.h"
+#include "app/shared/option_values.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr std::pair<const char*, const char*> kSelections[] = {{"Ligands", "ligand"},
+                                                               {"Protein", "protein"},
+                                                               {"Nucleic acid", "nucleic"},
+                                                               {"Ions", "ion"},
+                                                               {"Backbone", "backbone"},
+                                                               {"Side chains", "sidechain"},
+                                                               {"Near the ligand", "byres within 5 of (ligand)"}};
+
+/// A rule in words: "Hide chain B".
+std::string ruleWords(const Rule& rule) {
+    const std::string& what = rule.selection.text;
+    switch (rule.action) {
+        case Rule::Action::hide:
+            return "Hide " + what;
+        case Rule::Action::color:
+            return what + ": " + colorWord(rule.coloring);
+        case Rule::Action::show:
+            break;
+    }
+    for (const StyleWord& word : styleWords())
+        if (word.style == rule.style) return what + ": " + word.word;
+    return what;
+}
+
+}  // namespace
+
+void Panel::drawSelectPage(SavedView& look, Viewer& viewer) {
+    Widgets& ui = state_->ui;
+    const Document* document = viewer.document();
+    // What was clicked is what stands in the field.
+    if (state_->selected != viewer.selection().text) {
+        state_->selected = viewer.selection().text;
+        std::snprintf(state_->selection, sizeof state_->selection, "%s", state_->selected.c_str());
+    }
+    ui.caption("Click on the molecule, choose below, or type.");
+    bool changed = false;
+    if (!forFingers()) {
+        ui.field("Selection", "chain A and resi 10-20", state_->selection, sizeof state_->selection);
+        changed = ImGui::IsItemEdited();
+        // How it may go on.
+        const std::string typed = state_->selection;
+        std::size_t offered = 0;
+        if (document && !typed.empty())
+            for (const std::string& text : completions(typed, *document->molecule, 4)) {
+                const std::size_t end = text.find_last_not_of(' ');
+                const std::size_t space = text.find_last_of(' ', end);
+                const std::string word = text.substr(space == std::string::npos ? 0 : space + 1, end - space);
+                if (offered++ > 0) ui.wrapLine(ui.buttonWidth(word.c_str()));
+                if (!ui.button(Icon::none, word.c_str())) continue;
+                std::snprintf(state_->selection, sizeof state_->selection, "%s", text.c_str());
+                changed = true;
+            }
+    }
+    std::size_t placed = 0;
+    for (const auto& [word, text] : kSelections) {
+        if (placed++ > 0) ui.wrapLine(ui.buttonWidth(word));
+        if (ui.button(Icon::none, word)) {
+            std::snprintf(state_->selection, sizeof state_->selection, "%s", text);
+            changed = true;
+        }
+    }
+    if (changed) {
+        state_->selected = state_->selection;
+        viewer.select(state_->selection);
+        ruleError_.clear();
+    }
+    const SelectedAtoms& selection = viewer.selection();
+    if (!selection.error.empty())
+        ui.warning(selection.error);
+    else if (selection.any() && selection.count == 0)
+        ui.caption("There are no such atoms.");
+    else if (selection.any())
+        ui.caption(std::to_string(selection.count) + (selection.count == 1 ? " atom is chosen" : " atoms are chosen"));
+    else
+        ui.caption("Nothing is chosen.");
+    if (selection.any() && selection.count > 0) drawSelectionActions(look, selection.text);
+    if (!ruleError_.empty()) ui.warning(ruleError_);
+    drawRules(look);
+}
+
+void Panel::drawSelectionActions(SavedView& look, const std::string& selection) {
+    Widgets& ui = state_->ui;
+    std::vector<Rule>& rules = look.look.rules;
+    const auto add = [&](Rule rule) {
+        rules.push_back(std::move(rule));
+        ruleError_.clear();
+    };
+    const auto aim = [&](std::optional<Selection> Aim::*which) {
+        aim_.emplace();
+        (*aim_).*which = parseSelection(selection);
+    };
+    ui.heading("Do with them");
+    if (ui.button(Icon::fit, "Zoom to")) aim(&Aim::zoomTo);
+    ui.wrapLine(ui.buttonWidth("Face me"));
+    if (ui.button(Icon::none, "Face me")) aim(&Aim::lookAt);
+    ui.wrapLine(ui.buttonWidth("Label"));
+    if (ui.button(Icon::none, "Label")) look.words.labels.push_back(parseLabel(selection + "={residue} {number}"));
+    ui.wrapLine(ui.buttonWidth("Hide"));
+    if (ui.button(Icon::none, "Hide")) add(parseHide(selection));
+    ui.wrapLine(ui.buttonWidth("Only these"));
+    if (ui.button(Icon::none, "Only these")) add(parseHide("not (" + selection + ")"));
+    for (const StyleWord& word : styleWords()) {
+        if (!word.style) continue;
+        ui.wrapLine(ui.buttonWidth(word.word));
+        if (ui.button(Icon::none, word.word)) add(parseShow(selection + "=" + styleName(*word.style)));
+    }
+    std::size_t placed = 0;
+    const std::size_t perLine = forFingers() ? 6 : 8;
+    for (const NamedColor& color : swatches()) {
+        if (placed++ % perLine != 0) ImGui::SameLine(0, ui.px(4));
+        const ImU32 packed = IM_COL32(color.rgb >> 16 & 255, color.rgb >> 8 & 255, color.rgb & 255, 255);
+        if (!ui.swatch(color.name, packed, false)) continue;
+        Rule rule;
+        rule.action = Rule::Action::color;
+        rule.selection = parseSelection(selection);
+        rule.coloring = Coloring::uniform(packed);
+        add(rule);
+    }
+}
+
+/// What holds of parts of the molecule, the last prevailing: moved up and down, taken away.
+void Panel::drawRules(SavedView& look) {
+    std::vector<Rule>& rules = look.look.rules;
+    if (rules.empty()) return;
+    Widgets& ui = state_->ui;
+    ui.heading("Rules, the last prevails");
+    std::optional<std::pair<std::size_t, int>> move;
+    std::optional<std::size_t> gone;
+    const float side = ui.rowHeight();
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const float x = ImGui::GetCursorPosX(), room = ImGui::GetContentRegionAvail().x;
+        const std::string words = ruleWords(rules[i]);
+        ui.name(words, room - 3 * side - ui.px(12));
+        ImGui::SameLine(x + room - 3 * side - ui.px(8));
+        if (ui.sign(Icon::up, "Earlier", i > 0)) move = {i, -1};
+        ImGui::SameLine(0, ui.px(4));
+        if (ui.sign(Icon::down, "Later", i + 1 < rules.size())) move = {i, 1};
+        ImGui::SameLine(0, ui.px(4));
+        if (ui.sign(Icon::close, "Remove")) gone = i;
+        ImGui::PopID();
+    }
+    if (move) std::swap(rules[move->first], rules[move->first + static_cast<std::size_t>(move->second)]);
+    if (gone) rules.erase(rules.begin() + static_cast<std::ptrdiff_t>(*gone));
+    if (ui.button(Icon::none, "Remove all rules")) rules.clear();
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,96 @@
+#include "app/panel/theme.h"
+
+#include <cmath>
+
+#include "app/shared/font.h"
+
+namespace nacre::app {
+namespace {
+
+// Latin, Greek, Cyrillic, dashes and primes, raised and lowered digits, arrows, the minus sign.
+constexpr ImWchar kGlyphs[] = {0x20,   0x24f,  0x370,  0x52f,  0x2010, 0x2044, 0x2070, 0x209c,
+                               0x2190, 0x2193, 0x2212, 0x2212, 0xfffd, 0xfffd, 0};
+constexpr float kShares[] = {1.0f, 0.68f, 0.84f, 1.45f};  // text, raised and lowered, captions, headings
+
+ImVec4 rgb(unsigned value, float alpha = 1) {
+    return {static_cast<float>(value >> 16 & 255) / 255, static_cast<float>(value >> 8 & 255) / 255,
+            static_cast<float>(value & 255) / 255, alpha};
+}
+
+}  // namespace
+
+const Theme& darkTheme() {
+    static const Theme theme{true,          rgb(0x171a1f), rgb(0x21252b), rgb(0x2d323a), rgb(0x3a414c), rgb(0x434b57),
+                             rgb(0xf4f6f8), rgb(0xbcc3cb), rgb(0x2a68ad), rgb(0xffffff), rgb(0x78bdff), rgb(0xffcc73)};
+    return theme;
+}
+
+const Theme& lightTheme() {
+    static const Theme theme{false,         rgb(0xfafbfc), rgb(0xf0f2f5), rgb(0xe3e7ec), rgb(0xd3d9e1), rgb(0xb4bcc7),
+                             rgb(0x14171b), rgb(0x474f59), rgb(0x1f61ab), rgb(0xffffff), rgb(0x1a5fae), rgb(0x7a4300)};
+    return theme;
+}
+
+void addPanelFont(float pixelsPerPoint) {
+    ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+    const std::span<const std::byte> file = fontFile();
+    for (const float share : kShares) {
+        ImFontConfig own;
+        own.FontDataOwnedByAtlas = false;  // nor is it written to
+        fonts.AddFontFromMemoryTTF(const_cast<std::byte*>(file.data()), static_cast<int>(file.size()),
+                                   std::round(kTextPoints * share * pixelsPerPoint), &own, kGlyphs);
+    }
+}
+
+ImFont* fontOf(float size) {
+    ImFont* best = nullptr;
+    for (ImFont* font : ImGui::GetIO().Fonts->Fonts)
+        if (!best || std::abs(font->FontSize - size) < std::abs(best->FontSize - size)) best = font;
+    return best;
+}
+
+ImFont* fontOf(TextSize size) {
+    return ImGui::GetIO().Fonts->Fonts[size == TextSize::body ? 0 : size == TextSize::caption ? 2 : 3];
+}
+
+void setPanelStyle(const Theme& theme, float pixelsPerPoint, bool fingers) {
+    ImGuiStyle& style = ImGui::GetStyle();
+    style = ImGuiStyle();
+    if (theme.dark)
+        ImGui::StyleColorsDark(&style);
+    else
+        ImGui::StyleColorsLight(&style);
+    style.WindowRounding = style.ChildRounding = 10;
+    style.FrameRounding = style.PopupRounding = style.GrabRounding = 6;
+    style.WindowPadding = ImVec2(14, 12);
+    style.FramePadding = fingers ? ImVec2(14, (kFingerPoints - kTextPoints) / 2) : ImVec2(9, 6);
+    style.ItemSpacing = ImVec2(8, 7);
+    style.ScrollbarSize = 12;
+    style.ScrollbarRounding = 6;
+    style.GrabMinSize = fingers ? 24 : 14;
+    style.WindowBorderSize = style.PopupBorderSize = 1;
+    style.ScaleAllSizes(pixelsPerPoint);
+    ImVec4* colors = style.Colors;
+    colors[ImGuiCol_Text] = theme.text;
+    colors[ImGuiCol_TextDisabled] = theme.faint;
+    colors[ImGuiCol_WindowBg] = colors[ImGuiCol_PopupBg] = theme.ground;
+    colors[ImGuiCol_ChildBg] = ImVec4(0, 0, 0, 0);
+    colors[ImGuiCol_Border] = colors[ImGuiCol_Separator] = theme.line;
+    colors[ImGuiCol_FrameBg] = colors[ImGuiCol_Button] = colors[ImGuiCol_Header] = theme.field;
+    // A finger that has left hovers nowhere.
+    const ImVec4& hovered = fingers ? theme.field : theme.hovered;
+    for (const int which : {ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered, ImGuiCol_HeaderHovered})
+        colors[which] = hovered;
+    for (const int which : {ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive, ImGuiCol_HeaderActive})
+        colors[which] = theme.hovered;
+    colors[ImGuiCol_CheckMark] = colors[ImGuiCol_SliderGrab] = colors[ImGuiCol_SliderGrabActive] = theme.mark;
+    colors[ImGuiCol_NavHighlight] = theme.mark;
+    colors[ImGuiCol_PlotHistogram] = theme.accent;
+    colors[ImGuiCol_TextSelectedBg] = theme.accent;
+    colors[ImGuiCol_TextSelectedBg].w = 0.45f;
+    colors[ImGuiCol_ScrollbarBg] = ImVec4(0, 0, 0, 0);
+    colors[ImGuiCol_ScrollbarGrab] = theme.line;
+    colors[ImGuiCol_ScrollbarGrabHovered] = colors[ImGuiCol_ScrollbarGrabActive] = theme.faint;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,79 @@
+#pragma once
+// Controls of the panel, each with a name: what is drawn is also told, for screen readers and for tests.
+
+#include <imgui.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/panel/controls.h"
+#include "app/panel/icons.h"
+#include "app/panel/theme.h"
+
+namespace nacre::app {
+
+class Widgets {
+public:
+    Widgets(const Theme& theme, float pixelsPerPoint, bool fingers)
+        : theme_(&theme), scale_(pixelsPerPoint), fingers_(fingers) {}
+
+    const Theme& theme() const { return *theme_; }
+    void setTheme(const Theme& theme) { theme_ = &theme; }
+    float px(float points) const { return points * scale_; }
+    bool forFingers() const { return fingers_; }
+    /// Height of a row of controls, pixels.
+    float rowHeight() const { return ImGui::GetFrameHeight(); }
+
+    /// A sign with a word. @param width  pixels; 0: as wide as it has to be; below 0: up to the right edge
+    bool button(Icon icon, const char* label, float width = 0, bool primary = false);
+    /// A sign above a word, in a toolbar or as a tab. @param value  told of it: "on", "selected"
+    bool tool(Icon icon, const char* label, ImVec2 size, bool on = false, bool enabled = true,
+              const char* role = "button");
+    /// A sign alone, whose name is shown when the pointer rests on it.
+    bool sign(Icon icon, const char* name, bool enabled = true);
+    /// A heading that unfolds what follows. @returns whether it is open
+    bool unfold(const char* label);
+    bool toggle(const char* label, bool& on);
+    bool radio(const char* label, bool on);
+    /// One of several choices: a drop-down list for a mouse, one that unfolds in place for fingers.
+    /// @returns whether another one was taken
+    bool choose(const char* name, std::span<const char* const> choices, std::string& current, float width = -1);
+    /// A number. @param format  says it in words: "fog %.2f"
+    bool slide(const char* name, float& value, float low, float high, const char* format, int flags = 0);
+    bool slideWhole(const char* name, int& value, int low, int high, const char* format);
+    bool field(const char* name, const char* hint, char* buffer, std::size_t size, float width = -1, int flags = 0);
+    /// A field of colour. @returns whether it was clicked
+    bool swatch(const char* name, ImU32 color, bool chosen, float side = 0);
+
+    void heading(const char* text);
+    void title(const std::string& text);
+    void caption(const std::string& text);
+    void paragraph(const std::string& text);
+    void warning(const std::string& text);
+    /// One line of text, shortened in its middle if it has no room.
+    void name(const std::string& text, float width = 0);
+    /// Goes on in the same line if something of a width has room there.
+    void wrapLine(float width);
+    float buttonWidth(const char* label) const;
+
+    /// Tells of the item that was drawn last.
+    void note(const char* role, const std::string& name, const std::string& value = {}, bool enabled = true);
+
+    std::vector<Control> controls;  ///< of this frame so far
+    std::string window;             ///< whose controls follow
+
+private:
+    void ringFocus() const;
+    void countLines();
+
+    std::string unfolded_;  // the one list that is open, for fingers
+    const Theme* theme_;
+    float scale_;
+    bool fingers_;
+};
+
+/// A text, shortened in its middle to a width in pixels of the current font.
+std::string shortened(const std::string& text, float width);
+
+}  // namespace nacre::app

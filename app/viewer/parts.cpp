@@ -1,0 +1,180 @@
+#include "app/viewer/parts.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+
+#include "engine/molecule/residue_kind.h"
+
+namespace nacre::app {
+namespace {
+
+/// Words of a selection as its grammar has them (selection.h).
+constexpr const char* kWords[] = {"all",     "altloc ",    "and ",      "around ", "backbone",  "byres ",
+                                  "chain ",  "elem ",      "helix",     "hetatm",  "hydrogens", "id ",
+                                  "ion",     "ligand",     "loop",      "name ",   "none",      "not ",
+                                  "nucleic", "occupancy ", "or ",       "polymer", "protein",   "resi ",
+                                  "resn ",   "sequence ",  "sidechain", "strand",  "water",     "within 5 of "};
+
+bool isWordByte(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '\''; }
+
+/// As a selection takes it: plain, or in quotes.
+std::string quoted(const std::string& name) {
+    const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) != 0;
+    });
+    return plain ? name : "'" + name + "'";
+}
+
+bool startsAlike(const std::string& word, const std::string& beginning) {
+    return word.size() > beginning.size() &&
+           std::equal(beginning.begin(), beginning.end(), word.begin(), [](char a, char b) {
+               return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+           });
+}
+
+/// Residues of atoms that are chosen: by the name that stands for them.
+struct Group {
+    std::size_t residues = 0, atoms = 0;
+    std::uint32_t first = 0;  // residue
+};
+
+/// Residues that a test takes, by the name that another function gives them.
+template <typename Test, typename NameOf>
+std::vector<std::pair<std::string, Group>> groupsOf(const Molecule& m, Test test, NameOf nameOf) {
+    std::vector<std::pair<std::string, Group>> groups;
+    std::map<std::string, std::size_t> places;
+    for (std::uint32_t r = 0; r < m.residues.size(); ++r) {
+        const Residue& residue = m.residues[r];
+        if (!test(r)) continue;
+        const std::string name = nameOf(residue);
+        const auto [at, isNew] = places.emplace(name, groups.size());
+        if (isNew) groups.push_back({name, {0, 0, r}});
+        Group& group = groups[at->second].second;
+        ++group.residues;
+        group.atoms += residue.atomCount;
+    }
+    return groups;
+}
+
+bool isPolymer(ResidueKind kind) { return kind == ResidueKind::protein || kind == ResidueKind::nucleic; }
+
+}  // namespace
+
+std::vector<Part> partsOf(const Molecule& m) {
+    std::vector<Part> parts;
+    if (m.atoms.empty()) return parts;
+    const std::vector<ResidueKind> kinds = residueKinds(m);
+    const auto of = [&](ResidueKind kind) { return [&kinds, kind](std::uint32_t r) { return kinds[r] == kind; }; };
+    const auto residueName = [](const Residue& r) { return std::string(r.name.view()); };
+    for (const auto& [name, group] : groupsOf(
+             m, [&](std::uint32_t r) { return isPolymer(kinds[r]); },
+             [&](const Residue& r) { return m.chains[r.chain].name; }))
+        parts.push_back({Part::Kind::chain, name.empty() ? "Polymer" : "Chain " + name,
+                         name.empty() ? "polymer" : "chain " + quoted(name) + " and polymer", group.residues,
+                         group.atoms, m.residues[group.first].chain});
+    for (const auto& [name, group] : groupsOf(m, of(ResidueKind::ligand), residueName))
+        if (!name.empty())
+            parts.push_back(
+                {Part::Kind::ligand, name, "resn " + quoted(name) + " and ligand", group.residues, group.atoms});
+    for (const auto& [name, group] : groupsOf(m, of(ResidueKind::ion), residueName))
+        if (!name.empty())
+            parts.push_back({Part::Kind::ion, name, "resn " + quoted(name) + " and ion", group.residues, group.atoms});
+    if (parts.empty()) parts.push_back({Part::Kind::all, "All atoms", "all", m.residues.size(), m.atoms.size()});
+    if (parts.size() > kMostParts) parts.resize(kMostParts);
+    Part water{Part::Kind::water, "Water", "water"};
+    for (std::uint32_t r = 0; r < m.residues.size(); ++r)
+        if (kinds[r] == ResidueKind::water) ++water.residues, water.atoms += m.residues[r].atomCount;
+    if (water.residues > 0) parts.push_back(water);
+    return parts;
+}
+
+PartLook lookOf(const SavedView& view, const Part& part) {
+    PartLook look;
+    if (part.kind == Part::Kind::water) look.seen = view.drawn.water;
+    for (const Rule& rule : view.look.rules) {
+        if (rule.selection.text != part.selection) continue;
+        if (rule.action == Rule::Action::show) look.style = rule.style, look.seen = true;
+        if (rule.action == Rule::Action::hide) look.seen = false;
+        if (rule.action == Rule::Action::color) look.coloring = rule.coloring;
+    }
+    return look;
+}
+
+void setLookOf(SavedView& view, const Part& part, const PartLook& look) {
+    std::vector<Rule>& rules = view.look.rules;
+    std::erase_if(rules, [&](const Rule& rule) { return rule.selection.text == part.selection; });
+    const auto add = [&](Rule::Action action) -> Rule& {
+        Rule& rule = rules.emplace_back();
+        rule.action = action;
+        rule.selection = parseSelection(part.selection);
+        return rule;
+    };
+    if (look.style) add(Rule::Action::show).style = *look.style;
+    if (look.coloring) add(Rule::Action::color).coloring = *look.coloring;
+    if (part.kind == Part::Kind::water)
+        view.drawn.water = look.seen;
+    else if (!look.seen)
+        add(Rule::Action::hide);
+}
+
+std::vector<std::uint32_t> sequenceOf(const Molecule& m, const std::string& chain) {
+    const std::vector<ResidueKind> kinds = residueKinds(m);
+    std::vector<std::uint32_t> residues;
+    const int model = m.chains.empty() ? 1 : m.chains.front().model;
+    for (std::uint32_t r = 0; r < m.residues.size(); ++r) {
+        const Residue& residue = m.residues[r];
+        const Chain& of = m.chains[residue.chain];
+        if (of.name == chain && of.model == model && isPolymer(kinds[r])) residues.push_back(r);
+    }
+    return residues;
+}
+
+char letterOf(const Residue& residue) {
+    if (const char letter = aminoAcidLetter(residue.name)) return letter;
+    if (const char letter = nucleotideLetter(residue.name)) return letter;
+    return 'X';
+}
+
+std::string residuesText(const Molecule& m, std::uint32_t first, std::uint32_t last) {
+    const auto number = [&](std::uint32_t r) {
+        std::string text = std::to_string(m.residues[r].number);
+        if (m.residues[r].insertionCode != '\0') text += m.residues[r].insertionCode;
+        return text;
+    };
+    const std::string& chain = m.chains[m.residues[first].chain].name;
+    std::string text = chain.empty() ? "" : "chain " + quoted(chain) + " and ";
+    text += "resi " + number(first);
+    if (last != first) text += "-" + number(last);
+    return text;
+}
+
+std::vector<std::string> completions(const std::string& typed, const Molecule& m, std::size_t most) {
+    std::size_t start = typed.size();
+    while (start > 0 && isWordByte(typed[start - 1])) --start;
+    const std::string head = typed.substr(0, start), word = typed.substr(start);
+    // What the word before asks for: names of chains or of residues.
+    std::size_t end = head.find_last_not_of(' ');
+    std::size_t begin = end == std::string::npos ? 0 : end + 1;
+    while (begin > 0 && isWordByte(head[begin - 1])) --begin;
+    const std::string before = end == std::string::npos ? "" : head.substr(begin, end + 1 - begin);
+    std::set<std::string> names;
+    if (before == "chain")
+        for (const Chain& chain : m.chains)
+            if (!chain.name.empty()) names.insert(quoted(chain.name));
+    if (before == "resn")
+        for (const Residue& residue : m.residues)
+            if (!residue.name.view().empty()) names.insert(quoted(std::string(residue.name.view())));
+    std::vector<std::string> found;
+    const auto offer = [&](const std::string& candidate) {
+        if (found.size() < most && startsAlike(candidate, word)) found.push_back(head + candidate);
+    };
+    if (!names.empty())
+        for (const std::string& name : names) offer(name);
+    else if (!word.empty())
+        for (const char* candidate : kWords) offer(candidate);
+    return found;
+}
+
+}  // namespace nacre::app

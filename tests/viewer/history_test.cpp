@@ -1,0 +1,222 @@
+// Undo and redo: whatever was done, taking all of it back ends where it began, and doing it again where it ended.
+
+#include "app/viewer/history.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "app/shared/option_values.h"
+#include "app/viewer/parts.h"
+#include "app/viewer/viewer.h"
+#include "engine/error.h"
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/read.h"
+
+namespace nacre::app {
+namespace {
+
+class StillScreen : public Screen {
+public:
+    void setScene(const Representation&) override {}
+    double advanceOcclusion(const RenderSettings&, const OcclusionPace&) override { return 1; }
+    FrameOutcome present(const RenderSettings&, const WindowFrame&) override { return FrameOutcome::shown; }
+    PixelSize windowSize() const override { return {640, 480}; }
+    std::uint32_t atomAt(const RenderSettings&, double x, double, double) override { return x > 400 ? 0 : 7; }
+};
+
+struct Desk {
+    StillScreen screen;
+    Viewer viewer;
+    double now = 100;
+
+    Desk()
+        : viewer(screen,
+                 {[](const SavedView& v) { return sampleMolecule(v.input.substr(7)); },
+                  [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m, v.drawn), v.look); }},
+                 first(), {}) {
+        viewer.resize({640, 480}, 1, now);
+        rest();
+    }
+    static SavedView first() {
+        SavedView v;
+        v.input = "sample:dna";
+        return v;
+    }
+    void rest(double seconds = 3) {
+        for (const double end = now + seconds; now < end; now += 0.05) {
+            viewer.waitForLoading();
+            viewer.update(now);
+        }
+    }
+    std::string text() const { return savedViewJson(viewer.view()); }
+};
+
+void drag(Desk& d, std::mt19937& random, MouseButton button) {
+    const glm::dvec2 from(random() % 640, random() % 480), to(random() % 640, random() % 480);
+    d.viewer.mouseMove(from, d.now);
+    d.viewer.mouseButton(button, true, from, {}, d.now);
+    for (int i = 1; i <= 4; ++i) d.viewer.mouseMove(from + (to - from) * (i / 4.0), d.now += 0.02);
+    d.viewer.mouseButton(button, false, to, {}, d.now += 0.3);
+}
+
+void changeLook(Desk& d, std::mt19937& random) {
+    SavedView look = d.viewer.view();
+    switch (random() % 5) {
+        case 0:
+            look.look.rules.push_back(parseHide("resi " + std::to_string(1 + random() % 9)));
+            break;
+        case 1:
+            look.words.title = "title " + std::to_string(random() % 3);
+            break;
+        case 2:
+            look.background = parseColor(random() % 2 ? "black" : "white");
+            break;
+        case 3: {
+            const std::vector<Part> parts = partsOf(*d.viewer.document()->molecule);
+            PartLook of = lookOf(look, parts[random() % parts.size()]);
+            of.style = Style::licorice;
+            setLookOf(look, parts[random() % parts.size()], of);
+            break;
+        }
+        default:
+            look.effects.light.ambient = static_cast<double>(random() % 100) / 50;
+    }
+    d.viewer.setLook(look, d.now);
+}
+
+/// Something that changes what is seen; camera, look, or molecule.
+void act(Desk& d, std::mt19937& random) {
+    using C = ViewerCommand;
+    constexpr C kCommands[] = {
+        C::rotateLeft, C::zoomIn,    C::panUp,          C::rollLeft,   C::fit,      C::reset,      C::orient,
+        C::spacefill,  C::licorice,  C::nextColor,      C::nextPreset, C::nextLook, C::hydrogens,  C::perspective,
+        C::lighting,   C::occlusion, C::nextBackground, C::legend,     C::scaleBar, C::autoRotate, C::rock};
+    switch (random() % 8) {
+        case 0:
+            return drag(d, random, MouseButton::left);
+        case 1:
+            return drag(d, random, MouseButton::right);
+        case 2:
+            return d.viewer.wheel(2, {100, 200}, d.now += 1);
+        case 3:
+        case 4:
+            return changeLook(d, random);
+        case 5:
+            if (random() % 4 == 0) d.viewer.open(random() % 2 ? "sample:glucose" : "sample:dna", d.now);
+            return;
+        default:
+            return d.viewer.run(kCommands[random() % std::size(kCommands)], d.now);
+    }
+}
+
+TEST(History, AllTakenBackIsTheStartAndAllDoneAgainTheEnd) {
+    for (unsigned seed = 0; seed < 12; ++seed) {
+        Desk d;
+        std::mt19937 random(seed);
+        const std::string start = d.text();
+        for (int i = 0; i < 25; ++i) {
+            act(d, random);
+            // At rest, or in the middle of whatever moves.
+            d.rest(random() % 3 == 0 ? 0.1 : 1);
+            if (random() % 6 == 0) d.viewer.undo(d.now);
+        }
+        d.viewer.run(ViewerCommand::rotateLeft, d.now);  // ends what moves by itself
+        d.rest();
+        const std::string end = d.text();
+        int steps = 0;
+        for (; d.viewer.canUndo(); ++steps) {
+            d.viewer.undo(d.now);
+            d.rest(random() % 2 ? 0.02 : 0.5);
+            ASSERT_LT(steps, 100);
+        }
+        d.rest();
+        EXPECT_EQ(d.text(), start) << seed;
+        EXPECT_GT(steps, 5);
+        while (d.viewer.canRedo()) d.viewer.redo(d.now);
+        d.rest();
+        EXPECT_EQ(d.text(), end) << seed;
+    }
+}
+
+TEST(History, ADragIsOneStepAndASliderToo) {
+    Desk d;
+    EXPECT_FALSE(d.viewer.canUndo());
+    const std::string start = d.text();
+    std::mt19937 random(3);
+    drag(d, random, MouseButton::left);
+    d.rest();
+    SavedView look = d.viewer.view();
+    for (int i = 0; i < 10; ++i) {
+        look.effects.light.ambient = 0.1 * i;
+        d.viewer.setLook(look, d.now, i > 0);
+    }
+    d.viewer.undo(d.now);
+    d.rest();
+    EXPECT_EQ(d.viewer.view().effects.light.ambient, 1);
+    EXPECT_NE(d.text(), start);
+    d.viewer.undo(d.now);
+    d.rest();
+    EXPECT_EQ(d.text(), start);
+    EXPECT_FALSE(d.viewer.canUndo());
+    EXPECT_TRUE(d.viewer.canRedo());
+}
+
+TEST(History, WhatIsDoneAnewForgetsWhatWasTakenBack) {
+    Desk d;
+    d.viewer.run(ViewerCommand::licorice, d.now);
+    d.viewer.undo(d.now);
+    d.viewer.run(ViewerCommand::nextBackground, d.now);
+    EXPECT_FALSE(d.viewer.canRedo());
+    d.viewer.redo(d.now);
+    EXPECT_EQ(d.viewer.view().look.style, std::nullopt);
+}
+
+TEST(Parts, RowsOfAMolecule) {
+    const Molecule m = sampleMolecule("dna");
+    const std::vector<Part> parts = partsOf(m);
+    ASSERT_EQ(parts.size(), 2u);
+    EXPECT_EQ(parts[0].name, "Chain A");
+    EXPECT_EQ(parts[0].selection, "chain A and polymer");
+    EXPECT_EQ(parts[0].residues, 12u);
+    const std::vector<std::uint32_t> sequence = sequenceOf(m, "A");
+    std::string letters;
+    for (const std::uint32_t r : sequence) letters += letterOf(m.residues[r]);
+    EXPECT_EQ(letters, "CGCGAATTCGCG");
+    EXPECT_EQ(residuesText(m, sequence[2], sequence[4]), "chain A and resi 3-5");
+}
+
+TEST(Parts, ALookThatIsGivenIsTheOneThatIsFound) {
+    const Molecule m = sampleMolecule("dna");
+    const Part part = partsOf(m)[1];
+    SavedView view;
+    view.look.rules.push_back(parseHide("resi 1"));
+    for (int i = 0; i < 8; ++i) {
+        PartLook look;
+        look.seen = i & 1;
+        if (i & 2) look.style = Style::licorice;
+        if (i & 4) look.coloring = Coloring::uniform(0xff112233);
+        setLookOf(view, part, look);
+        const PartLook found = lookOf(view, part);
+        EXPECT_EQ(found.seen, look.seen);
+        EXPECT_EQ(found.style, look.style);
+        EXPECT_EQ(found.coloring, look.coloring);
+        // And the scene has it: a chain of 12 residues more or less.
+        const Appearance seen = appearanceOf(m, drawnAtoms(m), view.look);
+        EXPECT_EQ(seen.atoms.size() > m.atoms.size() / 2, look.seen) << i;
+        EXPECT_EQ(parseSavedView(savedViewJson(view), "it").look, view.look);
+    }
+    EXPECT_EQ(view.look.rules.front().selection.text, "resi 1");
+}
+
+TEST(Parts, CompletionsGoOnWithWhatIsTyped) {
+    const Molecule m = sampleMolecule("dna");
+    EXPECT_EQ(completions("chain ", m, 9), (std::vector<std::string>{"chain A", "chain B"}));
+    EXPECT_EQ(completions("chain A and si", m, 9), std::vector<std::string>{"chain A and sidechain"});
+    EXPECT_EQ(completions("resn d", m, 2), (std::vector<std::string>{"resn DA", "resn DC"}));
+    EXPECT_TRUE(completions("", m, 9).empty());
+    for (const std::string& text : completions("n", m, 9)) EXPECT_EQ(text[0], 'n');
+}
+
+}  // namespace
+}  // namespace nacre::app
