@@ -12,6 +12,7 @@ void movieCommand(const MovieOptions& options);
 /// Reports to `out`, line by line. @returns whether all jobs are done
 bool batchCommand(const BatchOptions& options, std::ostream& out);
 void looksCommand(const LooksOptions& options, std::ostream& out);
+void exportCommand(const ExportCommandOptions& options);
 void benchCommand(const BenchOptions& options, std::ostream& out);
 void planCommand(const PlanOptions& options, std::ostream& out);
 void infoCommand(const InfoOptions& options, std::ostream& out);

@@ -30,6 +30,11 @@ inline constexpr const char* kMovieExamples =
     "  nacre movie 2koc.cif.gz -o ensemble.webm --models --seconds 4 --style licorice\n"
     "  nacre movie -o flight.mp4 --views whole.json,pocket.json,ligand.json --seconds 8\n"
     "  nacre movie 1crn.pdb -o frames/ --spin 1,1,0 --seconds 10 --fps 24";
+inline constexpr const char* kExportExamples =
+    "Examples:\n"
+    "  nacre export 4hhb.cif.gz -o blood.glb --style cartoon\n"
+    "  nacre export 1crn.pdb -o crambin.stl --style surface --surface gaussian --cavities hide --scale 2\n"
+    "  nacre export sample:dna -o dna.glb --atoms instanced --stats -";
 inline constexpr const char* kRenderExamples =
     "Examples:\n"
     "  nacre render 1bna.pdb -o dna.png --size 1600x1200 --supersample 2\n"

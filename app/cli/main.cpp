@@ -48,6 +48,9 @@ void run(const CommandLine& line, std::ostream& out) {
         case Command::looks:
             looksCommand(line.looks, out);
             break;
+        case Command::exporting:
+            exportCommand(line.exported);
+            break;
         case Command::view:
 #ifdef NACRE_DESKTOP
             viewCommand(line.view);

@@ -9,6 +9,8 @@
 #include "app/cli/option_words.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/saved_options.h"
+#include "app/export/scene_files.h"
+#include "app/shared/output_file.h"
 #include "engine/error.h"
 #include "engine/graph/capability_sets.h"
 
@@ -77,6 +79,45 @@ void addPlan(CommandSpec& command, PlanOptions& options) {
     command.add({"--dot", "", "", "As a Graphviz graph", format(PlanFormat::dot)}).excludes = "--json";
 }
 
+void addExport(CommandSpec& command, ExportCommandOptions& options) {
+    addContent(command, options.input, true, options.drawn, options.look);
+    addValue(command, "-o,--output", "FILE", "", "The file: .glb (glTF 2.0), .ply, .stl or .obj",
+             [&](const std::string& text) {
+                 if (!isSceneName(text))
+                     throw std::invalid_argument("expected a name that ends in .glb, .ply, .stl or .obj, not '" + text +
+                                                 "'");
+                 options.output = text;
+             })
+        .required = true;
+    addValue(command, "--atoms", "FORM", "tessellated",
+             "Balls and sticks as tessellated triangles, or as instanced ones (.glb, EXT_mesh_gpu_instancing)",
+             [&](const std::string& text) {
+                 options.scene.instances = parseChoice(text, {"tessellated", "instanced"}) == 1;
+             });
+    addValue(command, "--sides", "auto|N", "auto",
+             "Vertices around a ball or stick, even, 4 to 128; auto: 24, fewer for many", [&](const std::string& text) {
+                 options.scene.sides = text == "auto" ? 0 : static_cast<int>(parseInteger(text, 4, 128));
+                 if (options.scene.sides % 2) throw std::invalid_argument("expected an even number");
+             });
+    addValue(command, "--scale", "F", "1", "Units of the file to the Å, 0.000001 to 1000000",
+             [&](const std::string& text) { options.scale = parseNumber(text, 1e-6, 1e6); });
+    addValue(command, "--stats", "FILE.json", "none", "Triangles, area and volume as JSON; - for standard output",
+             [&](const std::string& text) { options.stats = fileName(text); });
+}
+
+/// @throws UsageError
+void checkExport(const ExportCommandOptions& options) {
+    if (options.scene.instances && extensionOf(options.output) != ".glb")
+        throw UsageError("--atoms instanced is for .glb");
+    try {
+        const NamedFile files[] = {
+            {"INPUT", options.input.path}, {"--output", options.output, true}, {"--stats", options.stats, true}};
+        checkApart(files);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
+}
+
 std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     CommandSpec render{"render", "Draw a molecule into a picture file", kRenderExamples};
     addRender(render, line.render);
@@ -87,6 +128,8 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     CommandSpec looks{"looks", "List the looks, or draw a molecule in each of them",
                       "Examples:\n  nacre looks\n  nacre looks sample:dna -o sheet.png\n  nacre looks --json"};
     addLooks(looks, line.looks);
+    CommandSpec exported{"export", "Write what is drawn as triangles for other programs", kExportExamples};
+    addExport(exported, line.exported);
     CommandSpec info{"info", "Say what a structure file holds",
                      "Examples:\n  nacre info 1bna.pdb 4hhb.cif.gz\n  nacre info ligands.sdf --model 3 --json"};
     addInputs(info, line.info.paths, line.info.input);
@@ -120,7 +163,8 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
               }})
         .required = true;
     CommandSpec man{"man", "Print the manual page", "Examples:\n  nacre man | man -l -"};
-    std::vector<CommandSpec> commands{render, movie, batch, looks, info, bench, plan, devices, completion, man};
+    std::vector<CommandSpec> commands{render, movie, batch,   looks,      exported, info,
+                                      bench,  plan,  devices, completion, man};
 #ifdef NACRE_DESKTOP
     CommandSpec view{"view", "Show a molecule in a window", kViewExamples};
     addWindow(view, window);
@@ -135,13 +179,13 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
 
 Command commandOf(const std::string& name) {
     constexpr std::pair<const char*, Command> kCommands[] = {
-        {"render", Command::render},   {"movie", Command::movie}, {"batch", Command::batch},
-        {"looks", Command::looks},     {"view", Command::view},   {"info", Command::info},
-        {"bench", Command::bench},     {"plan", Command::plan},   {"devices", Command::devices},
-        {"completion", Command::help}, {"man", Command::help}};
+        {"render", Command::render},   {"movie", Command::movie},      {"batch", Command::batch},
+        {"looks", Command::looks},     {"export", Command::exporting}, {"view", Command::view},
+        {"info", Command::info},       {"bench", Command::bench},      {"plan", Command::plan},
+        {"devices", Command::devices}, {"completion", Command::help},  {"man", Command::help}};
     for (const auto& [word, command] : kCommands)
         if (name == word) return command;
-    throw UsageError("a command is needed: render, movie, batch, looks, view, info, bench, plan or devices");
+    throw UsageError("a command is needed: render, movie, batch, looks, export, view, info, bench, plan or devices");
 }
 
 }  // namespace
@@ -170,6 +214,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     if (line.command == Command::render) checkRender(line.render);
     if (line.command == Command::movie) checkMovie(line.movie);
     if (line.command == Command::looks) checkLooks(line.looks);
+    if (line.command == Command::exporting) checkExport(line.exported);
     if (line.command == Command::view) {
         const bool named = checkWindow(window);
         line.view = viewOptionsOf(window);

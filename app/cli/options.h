@@ -10,6 +10,7 @@
 #include "app/cli/command_spec.h"
 #include "app/cli/set_options.h"
 #include "app/desktop/view_options.h"
+#include "app/export/export_scene.h"
 #include "app/movie/camera_path.h"
 #include "app/shared/aim.h"
 #include "app/shared/input_options.h"
@@ -109,6 +110,16 @@ struct DevicesOptions {
     bool json = false;
 };
 
+/// `nacre export`.
+struct ExportCommandOptions {
+    InputOptions input;
+    DrawnAtomsOptions drawn;
+    RepresentationOptions look;
+    ExportOptions scene;
+    double scale = 1;  ///< units of the file to the Å
+    std::string output, stats;
+};
+
 enum class PlanFormat { text, json, dot };
 
 struct PlanOptions {
@@ -125,7 +136,7 @@ struct PlanOptions {
     PlanFormat format = PlanFormat::text;
 };
 
-enum class Command { help, version, notices, render, movie, batch, looks, view, info, devices, bench, plan };
+enum class Command { help, version, notices, render, movie, batch, looks, exporting, view, info, devices, bench, plan };
 
 struct CommandLine {
     Command command = Command::help;
@@ -139,6 +150,7 @@ struct CommandLine {
     PlanOptions plan;
     DevicesOptions devices;
     LooksOptions looks;
+    ExportCommandOptions exported;
     std::string shell;   ///< whose completion is asked for
     bool quiet = false;  ///< nothing on standard error but errors
 };

@@ -106,6 +106,24 @@ void addRod(Mesh& mesh, const glm::dvec3& a, const glm::dvec3& b, double radius,
     lathe.end(b + axis * radius, atomB);
 }
 
+void addCylinder(Mesh& mesh, const glm::dvec3& a, const glm::dvec3& b, double radius, std::uint32_t atomA,
+                 std::uint32_t atomB, int sides) {
+    const glm::dvec3 axis = unitOr(b - a, {});
+    if (axis == glm::dvec3()) return;
+    constexpr double kPole = std::numbers::pi / 2;
+    Lathe lathe(mesh, axis, sides);
+    lathe.begin(a, atomA);
+    lathe.ring(a, radius, -kPole, atomA);
+    lathe.change(a, radius, 0, atomA);
+    if (atomA != atomB) {
+        lathe.ring((a + b) / 2.0, radius, 0, atomA);
+        lathe.change((a + b) / 2.0, radius, 0, atomB);
+    }
+    lathe.ring(b, radius, 0, atomB);
+    lathe.change(b, radius, kPole, atomB);
+    lathe.end(b, atomB);
+}
+
 void addBall(Mesh& mesh, const glm::dvec3& center, double radius, std::uint32_t atom, int sides) {
     const glm::dvec3 axis(0, 0, 1);
     Lathe lathe(mesh, axis, sides);

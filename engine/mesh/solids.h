@@ -21,6 +21,11 @@ void append(Mesh& mesh, const Mesh& other);
 void addRod(Mesh& mesh, const glm::dvec3& a, const glm::dvec3& b, double radius, std::uint32_t atomA,
             std::uint32_t atomB, int sides);
 
+/// A cylinder with flat ends; the half next to a belongs to atomA. Nothing if both ends are at the same place.
+/// @param sides  vertices around it, at least 3
+void addCylinder(Mesh& mesh, const glm::dvec3& a, const glm::dvec3& b, double radius, std::uint32_t atomA,
+                 std::uint32_t atomB, int sides);
+
 /// A ball of rings of latitude. @param sides  vertices around it, at least 4, even
 void addBall(Mesh& mesh, const glm::dvec3& center, double radius, std::uint32_t atom, int sides);
 

@@ -1,0 +1,66 @@
+// `nacre export`: what is drawn, as triangles in a file that other programs read.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/commands.h"
+#include "app/cli/progress.h"
+#include "app/download/load_molecule.h"
+#include "app/export/scene_files.h"
+#include "app/shared/json_text.h"
+#include "app/shared/messages.h"
+#include "app/shared/molecules.h"
+#include "app/shared/output_file.h"
+#include "engine/mesh/mesh_measures.h"
+
+namespace nacre::app {
+namespace {
+
+std::string sceneFile(const ExportScene& scene, const std::string& extension, const SceneFileOptions& options) {
+    if (extension == ".glb") return glbFile(scene, options);
+    if (extension == ".ply") return plyFile(scene, options);
+    if (extension == ".stl") return stlFile(scene, options);
+    return objFile(scene, options);
+}
+
+/// Of one copy of each part, in Å.
+std::string exportStats(const ExportScene& scene, std::size_t bytes) {
+    nlohmann::ordered_json parts = nlohmann::ordered_json::array();
+    for (const ExportMesh& part : scene.meshes) {
+        const MeshMeasures measures = measure(part.mesh);
+        parts.push_back({{"name", part.name},
+                         {"copies", part.transforms.size()},
+                         {"vertices", part.mesh.positions.size()},
+                         {"triangles", part.mesh.triangles.size()},
+                         {"area", measures.area},
+                         {"volume", measures.volume}});
+    }
+    for (const ExportInstances& part : scene.instances)
+        parts.push_back({{"name", part.name}, {"copies", part.transforms.size()}, {"instances", part.places.size()}});
+    return jsonText({{"triangles", triangleCount(scene)}, {"bytes", bytes}, {"parts", parts}});
+}
+
+}  // namespace
+
+void exportCommand(const ExportCommandOptions& options) {
+    OutputFile file(options.output);
+    std::optional<OutputFile> stats;
+    if (!options.stats.empty()) stats.emplace(options.stats, ".json");
+    Progress progress;
+    progress.begin("reading");
+    const Molecule molecule =
+        loadMolecule(options.input, downloadProgress(progress), [&](double share) { progress.advance(share); });
+    progress.begin("building the scene");
+    const Representation scene = sceneOf(molecule, options.input.path, options.drawn, options.look);
+    for (const std::string& warning : scene.warnings) sayWarning(warning);
+    const ExportScene exported = exportScene(molecule, scene, options.scene);
+    progress.begin("writing");
+    const std::string& title = molecule.file.title;
+    const SceneFileOptions how{title.empty() ? std::filesystem::path(options.input.path).filename().string() : title,
+                               options.scale};
+    const std::string bytes = sceneFile(exported, extensionOf(options.output), how);
+    writeText(file, bytes);
+    if (stats) writeText(*stats, exportStats(exported, bytes.size()));
+}
+
+}  // namespace nacre::app

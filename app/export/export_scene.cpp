@@ -1,0 +1,215 @@
+#include "app/export/export_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <tuple>
+
+#include "engine/error.h"
+#include "engine/mesh/solids.h"
+#include "engine/scene/colors.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr int kFinestSides = 24, kCoarsestSides = 8;
+constexpr double kAimedTriangles = 1e7;
+
+double trianglesOfBall(int sides) { return static_cast<double>(sides) * (sides - 2); }
+double trianglesOfStick(int sides) { return 6.0 * sides; }
+
+/// What moves together and has one name.
+struct ExportGroup {
+    std::uint32_t list = 0;
+    std::string chain, kind;
+    std::uint32_t color = 0;  ///< of instances
+    bool operator<(const ExportGroup& o) const {
+        return std::tie(list, chain, kind, color) < std::tie(o.list, o.chain, o.kind, o.color);
+    }
+};
+
+class SceneExporter {
+public:
+    SceneExporter(const Molecule& molecule, const Representation& scene, const ExportOptions& options)
+        : molecule_(molecule), scene_(scene), instances_(options.instances) {
+        result_.center = scene.center;
+        result_.sides = options.sides ? options.sides : sidesThatFit();
+    }
+
+    ExportScene run() {
+        eachList(scene_.copies.triangles, scene_.triangles.size(), [&](auto i, auto list) { addTriangle(i, list); });
+        eachList(scene_.copies.spheres, scene_.spheres.size(), [&](auto i, auto list) { addSphere(i, list); });
+        eachList(scene_.copies.cylinders, scene_.cylinders.size(), [&](auto i, auto list) { addStick(i, list); });
+        for (auto& [group, mesh] : meshes_) addMesh(group, std::move(mesh.mesh));
+        for (auto& [group, instances] : placed_) addInstances(group, std::move(instances));
+        if (triangleCount(result_) > kMostExportTriangles)
+            throw Error("cannot export molecule", "",
+                        "it would have " + std::to_string(triangleCount(result_)) +
+                            " triangles, more than the bound of " + std::to_string(kMostExportTriangles) +
+                            " (fewer --sides, or --atoms instanced)");
+        return std::move(result_);
+    }
+
+private:
+    struct GroupMesh {
+        Mesh mesh;
+        std::map<std::uint32_t, std::uint32_t> places;  ///< of the scene's vertices
+    };
+
+    int sidesThatFit() const {
+        const double copies = std::max<double>(1, static_cast<double>(scene_.copies.transforms.size()));
+        int sides = kFinestSides;
+        const auto triangles = [&] {
+            return copies * (trianglesOfBall(sides) * static_cast<double>(scene_.spheres.size()) +
+                             trianglesOfStick(sides) * static_cast<double>(scene_.cylinders.size()));
+        };
+        while (sides > kCoarsestSides && triangles() > kAimedTriangles) sides -= 4;
+        return sides;
+    }
+
+    /// Visits each primitive with the list of its copies.
+    template <typename Visit>
+    static void eachList(const std::vector<PrimitiveRun>& runs, std::size_t count, const Visit& visit) {
+        if (runs.empty())
+            for (std::size_t i = 0; i < count; ++i) visit(i, 0u);
+        for (const PrimitiveRun& run : runs)
+            for (std::size_t i = run.first; i < run.first + run.count; ++i) visit(i, run.list);
+    }
+
+    /// @param atom  counted from 1
+    const std::string& chainOf(std::uint32_t atom) const {
+        return molecule_.chains[molecule_.residues[molecule_.atoms[atom - 1].residue].chain].name;
+    }
+
+    GroupMesh& meshOf(std::uint32_t list, std::uint32_t atom, const char* kind) {
+        return meshes_[{list, chainOf(atom), kind, 0}];
+    }
+
+    void addTriangle(std::size_t i, std::uint32_t list) {
+        const Triangle& t = scene_.triangles[i];
+        GroupMesh& group = meshOf(list, scene_.meshLooks[scene_.meshVertices[t.a].look].atom, "fold");
+        glm::uvec3 corners{};
+        int corner = 0;
+        for (const std::uint32_t v : {t.a, t.b, t.c}) {
+            const auto [place, added] =
+                group.places.emplace(v, static_cast<std::uint32_t>(group.mesh.positions.size()));
+            if (added) {
+                const MeshVertex& vertex = scene_.meshVertices[v];
+                addVertex(group.mesh, positionOf(vertex, t.step), normalOf(vertex),
+                          scene_.meshLooks[vertex.look].color);
+            }
+            corners[corner++] = place->second;
+        }
+        group.mesh.triangles.push_back(corners);
+    }
+
+    void addSphere(std::size_t i, std::uint32_t list) {
+        const Sphere& sphere = scene_.spheres[i];
+        const SphereLook& look = scene_.sphereLooks[i];
+        if (!instances_)
+            return addBall(meshOf(list, look.atom, "atoms").mesh, sphere.center, sphere.radius, look.color,
+                           result_.sides);
+        placed_[{list, chainOf(look.atom), "atoms", look.color}].push_back(
+            {sphere.center, glm::quat(1, 0, 0, 0), glm::vec3(sphere.radius)});
+    }
+
+    void addStick(std::size_t i, std::uint32_t list) {
+        const Cylinder& stick = scene_.cylinders[i];
+        const CylinderLook& look = scene_.cylinderLooks[i];
+        if (!instances_)
+            return addCylinder(meshOf(list, look.atomA, "sticks").mesh, stick.a, stick.b, stick.radius, look.colorA,
+                               look.colorB, result_.sides);
+        const glm::vec3 middle = (stick.a + stick.b) / 2.0f;
+        const bool whole = look.colorA == look.colorB && chainOf(look.atomA) == chainOf(look.atomB);
+        addHalf(stick.a, whole ? stick.b : middle, stick.radius, {list, chainOf(look.atomA), "sticks", look.colorA});
+        if (!whole) addHalf(middle, stick.b, stick.radius, {list, chainOf(look.atomB), "sticks", look.colorB});
+    }
+
+    void addHalf(const glm::vec3& a, const glm::vec3& b, float radius, const ExportGroup& group) {
+        const float length = glm::length(b - a);
+        if (!(length > 1e-6f)) return;
+        const glm::vec3 way = (b - a) / length, z(0, 0, 1);
+        // From z to the way; the opposite of z needs an axis of its own.
+        const glm::quat turn = way.z < -0.99999f ? glm::quat(0, 1, 0, 0)
+                                                 : glm::normalize(glm::quat(1 + glm::dot(z, way), glm::cross(z, way)));
+        placed_[group].push_back({a, turn, {radius, radius, length}});
+    }
+
+    /// Of an assembly those of a list, else the one that changes nothing.
+    std::vector<std::uint32_t> copiesOf(std::uint32_t list) const {
+        return scene_.copies.transforms.empty() ? std::vector<std::uint32_t>{0} : scene_.copies.lists[list];
+    }
+    glm::dmat4x3 transformOf(std::uint32_t copy) const {
+        return scene_.copies.transforms.empty() ? glm::dmat4x3(1.0) : scene_.copies.transforms[copy];
+    }
+    std::uint32_t colorOf(std::uint32_t color, std::uint32_t copy) const {
+        const auto& colors = scene_.copies.colors;
+        return isCopyTint(color) && !colors.empty() ? colors[copy % colors.size()] : color;
+    }
+
+    std::string nameOf(const ExportGroup& group) const {
+        return (group.chain.empty() ? std::string("molecule") : "chain " + group.chain) + ", " + group.kind;
+    }
+
+    /// Copies in colours of their own are meshes of their own.
+    template <typename Add>
+    void byColorOfCopy(std::uint32_t list, bool tinted, const Add& add) {
+        std::map<std::size_t, std::vector<std::uint32_t>> parts;
+        for (const std::uint32_t copy : copiesOf(list))
+            parts[tinted ? copy % std::max<std::size_t>(scene_.copies.colors.size(), 1) : 0].push_back(copy);
+        for (const auto& [color, copies] : parts) {
+            std::vector<glm::dmat4x3> transforms;
+            for (const std::uint32_t copy : copies) transforms.push_back(transformOf(copy));
+            add(copies.front(), std::move(transforms));
+        }
+    }
+
+    void addMesh(const ExportGroup& group, Mesh mesh) {
+        const bool tinted = std::any_of(mesh.atoms.begin(), mesh.atoms.end(), isCopyTint);
+        byColorOfCopy(group.list, tinted, [&](std::uint32_t copy, std::vector<glm::dmat4x3> transforms) {
+            Mesh colored = mesh;
+            for (std::uint32_t& color : colored.atoms) color = colorOf(color, copy);
+            result_.meshes.push_back({nameOf(group), std::move(colored), std::move(transforms)});
+        });
+    }
+
+    void addInstances(const ExportGroup& group, std::vector<ExportInstances::Place> places) {
+        byColorOfCopy(
+            group.list, isCopyTint(group.color), [&](std::uint32_t copy, std::vector<glm::dmat4x3> transforms) {
+                const auto shape = group.kind == "atoms" ? ExportInstances::Shape::ball : ExportInstances::Shape::stick;
+                result_.instances.push_back(
+                    {nameOf(group), shape, colorOf(group.color, copy), places, std::move(transforms)});
+            });
+    }
+
+    const Molecule& molecule_;
+    const Representation& scene_;
+    bool instances_;
+    std::map<ExportGroup, GroupMesh> meshes_;
+    std::map<ExportGroup, std::vector<ExportInstances::Place>> placed_;
+    ExportScene result_;
+};
+
+}  // namespace
+
+ExportScene exportScene(const Molecule& molecule, const Representation& scene, const ExportOptions& options) {
+    return SceneExporter(molecule, scene, options).run();
+}
+
+std::size_t triangleCount(const ExportScene& scene) {
+    std::size_t count = 0;
+    for (const ExportMesh& part : scene.meshes) count += part.mesh.triangles.size() * part.transforms.size();
+    return count;
+}
+
+Mesh unitShape(ExportInstances::Shape shape, int sides) {
+    Mesh mesh;
+    if (shape == ExportInstances::Shape::ball)
+        addBall(mesh, {}, 1, 0, sides);
+    else
+        addCylinder(mesh, {}, {0, 0, 1}, 1, 0, 0, sides);
+    return mesh;
+}
+
+}  // namespace nacre::app
