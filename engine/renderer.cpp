@@ -144,7 +144,11 @@ std::uint32_t Renderer::atomAt(const RenderSettings& settings, double x, double 
 
 std::vector<bool> Renderer::seenSpheres() const {
     const occlusion::Bake* bake = impl_->occlusion.bake();
-    return bake ? bake->seenSpheres() : std::vector<bool>{};
+    if (!bake) return {};
+    const std::vector<bool>& ordered = bake->seenSpheres();
+    std::vector<bool> seen(ordered.size());
+    for (std::size_t i = 0; i < ordered.size(); ++i) seen[impl_->scene.sphereOrder[i]] = ordered[i];
+    return seen;
 }
 
 PixelSize Renderer::windowSize() const { return {impl_->window->size().width, impl_->window->size().height}; }

@@ -44,6 +44,7 @@ struct FrameTuning {
     bool timePasses = false;      ///< fill FrameStats::passTimes; software devices finish each pass for it
     bool transient = true;        ///< what a tile alone needs has no memory, where the device can; off: all is stored
     bool merge = true;            ///< neighbouring passes share a render pass
+    bool cull = true;             ///< what certainly does not show is not drawn
 };
 
 struct RenderSettings {

@@ -122,7 +122,9 @@ layout::EffectConstants effectConstants(const RenderSettings& settings, const st
 }
 
 Scene makeScene(const gpu::Device& device, Representation representation) {
-    Scene scene{std::move(representation), {}, 0, 1e9};
+    Scene scene{std::move(representation), {}, 0, 1e9, {}, {}};
+    scene.sphereOrder = orderInSpace(scene.representation);
+    scene.chunks = chunksOf(scene.representation);
     scene.buffers = passes::makeSceneBuffers(device, scene.representation);
     double sum = 0;
     const auto smallest = [&](float radius) {
@@ -160,7 +162,9 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     seen->copyColors = static_cast<int>(scene.representation.copies.colors.size());
     if (shadowPixels(settings) > 0) seen->light = lightScene(device, scene, settings, view);
     seen->buffers = &scene.buffers;
-    seen->copies = passes::placeCopies(scene.representation, view);
+    seen->copies =
+        passes::placeCopies(scene.representation, view, settings.tuning.cull ? &scene.chunks : nullptr,
+                            settings.effects.contours.width * view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom);
     seen->perspective = view.projection == Projection::perspective;
     seen->quarterTurns = view.quarterTurns;
     seen->plates = settings.tuning.plates;

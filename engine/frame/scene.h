@@ -10,10 +10,12 @@
 namespace nacre {
 
 struct Scene {
-    Representation representation;
+    Representation representation;  ///< its streams in the order of space
     passes::SceneBuffers buffers;
     double meanRadius = 0;      ///< of the spheres, Å
     double smallestRadius = 0;  ///< of spheres and cylinders, Å
+    Chunks chunks;
+    std::vector<std::uint32_t> sphereOrder;  ///< for each sphere its number among those that were handed in
 };
 
 /// Uploads the streams. @throws Error

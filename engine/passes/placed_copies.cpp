@@ -1,26 +1,45 @@
 #include "engine/passes/placed_copies.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 
 namespace nacre::passes {
 namespace {
 
-/// Whether a sphere may show in the picture: on the inner side of the four planes through the eye and the picture's
-/// edges, or nearer to them than its radius.
-bool mayShow(const View& view, const glm::dvec3& center, double radius) {
-    const double room = 2.0 / view.pixelsPerAngstrom;  // impostors reach a little beyond their spheres
+/// What lies farther than `at` along the unit vector `out` is beyond one of the picture's edges.
+struct Edge {
+    glm::dvec3 out;
+    double at = 0;
+};
+using Edges = std::array<Edge, 4>;
+
+/// The planes through the eye and the edges of a picture that is larger by `room` pixels on each side.
+Edges edgesOf(const View& view, double room) {
     const double slope = view.eyeDistance > 0 ? 1.0 / view.eyeDistance : 0.0;
-    // Beyond the edge that stands at `edge` on the plane z = 0.
-    const auto beyond = [&](double across, double edge) {
-        const double out = across - edge * (1.0 - center.z * slope);
-        return out / std::sqrt(1.0 + edge * slope * edge * slope);
+    const auto edge = [&](glm::dvec3 out, std::uint32_t pixels, double pan) {
+        const double half = (pixels / 2.0 + room) / view.pixelsPerAngstrom + pan;  // on the plane z = 0
+        const double length = std::sqrt(1.0 + half * slope * half * slope);
+        out.z = half * slope;
+        return Edge{out / length, half / length};
     };
-    const auto shows = [&](double across, std::uint32_t pixels, double pan) {
-        const double half = pixels / (2.0 * view.pixelsPerAngstrom) + room;
-        return beyond(across, half - pan) <= radius && beyond(-across, half + pan) <= radius;
-    };
-    return shows(center.x, view.width, view.pan.x) && shows(center.y, view.height, view.pan.y);
+    return {edge({1, 0, 0}, view.width, -view.pan.x), edge({-1, 0, 0}, view.width, view.pan.x),
+            edge({0, 1, 0}, view.height, -view.pan.y), edge({0, -1, 0}, view.height, view.pan.y)};
+}
+
+/// The same edges for what a motion has yet to take to its place.
+Edges before(const Edges& edges, const glm::dmat3& turn, const glm::dvec3& shift) {
+    Edges moved = edges;
+    for (Edge& e : moved) e = {glm::transpose(turn) * e.out, e.at - glm::dot(e.out, shift)};
+    return moved;
+}
+
+/// Whether a ball may show in the picture.
+bool mayShow(const Edges& edges, const glm::dvec3& center, double radius) {
+    return std::all_of(edges.begin(), edges.end(),
+                       [&](const Edge& e) { return glm::dot(e.out, center) - e.at <= radius; });
 }
 
 std::uint64_t total(const std::vector<PlacedCopies::Call>& calls) {
@@ -35,12 +54,37 @@ void addRows(const View& view, const glm::dmat4x3& transform, std::vector<glm::v
     for (int i = 0; i < 3; ++i) rows.emplace_back(turn[0][i], turn[1][i], turn[2][i], shift[i]);
 }
 
-void addCalls(const Copies& copies, const std::vector<PrimitiveRun>& runs, const View& view,
-              std::vector<PlacedCopies::Call>& calls) {
+/// Those chunks of primitives at a copy's place that may show; of neighbouring ones one call.
+void addChunks(const std::vector<Chunk>& chunks, const Edges& edges, const PlacedCopies::Call& all,
+               std::vector<PlacedCopies::Call>& calls) {
+    const std::uint32_t end = all.first + all.count;
+    bool goesOn = false;
+    for (std::uint32_t first = all.first; first < end;) {
+        const Chunk& chunk = chunks[first / Chunk::kPrimitives];
+        const std::uint32_t next = std::min(end, (first / Chunk::kPrimitives + 1) * Chunk::kPrimitives);
+        const bool shows = mayShow(edges, chunk.center, chunk.radius);
+        if (shows && goesOn)
+            calls.back().count += next - first;
+        else if (shows)
+            calls.push_back({all.copy, first, next - first});
+        goesOn = shows;
+        first = next;
+    }
+}
+
+void addCalls(const Copies& copies, const std::vector<PrimitiveRun>& runs, const View& view, const Edges& edges,
+              const std::vector<Chunk>* chunks, std::vector<PlacedCopies::Call>& calls) {
     for (const PrimitiveRun& run : runs)
         for (const std::uint32_t copy : copies.lists[run.list]) {
-            const glm::dvec3 center = view.rotation * (copies.transforms[copy] * glm::dvec4(run.center, 1.0));
-            if (mayShow(view, center, run.radius)) calls.push_back({copy, run.first, run.count});
+            const glm::dmat4x3& place = copies.transforms[copy];
+            const Edges here =
+                before(edges, view.rotation * glm::dmat3(place[0], place[1], place[2]), view.rotation * place[3]);
+            if (!mayShow(here, run.center, run.radius)) continue;
+            const PlacedCopies::Call call{copy, run.first, run.count};
+            if (chunks)
+                addChunks(*chunks, here, call, calls);
+            else
+                calls.push_back(call);
         }
 }
 
@@ -50,20 +94,32 @@ std::uint64_t PlacedCopies::sphereCount() const { return total(spheres); }
 std::uint64_t PlacedCopies::cylinderCount() const { return total(cylinders); }
 std::uint64_t PlacedCopies::triangleCount() const { return total(triangles); }
 
-PlacedCopies placeCopies(const Representation& r, const View& view) {
+PlacedCopies placeCopies(const Representation& r, const View& view, const Chunks* chunks, double room) {
     PlacedCopies placed;
+    // Impostors reach a little beyond their spheres.
+    const Edges edges = edgesOf(view, 2.0 + room);
+    const auto* spheres = chunks ? &chunks->spheres : nullptr;
+    const auto* cylinders = chunks ? &chunks->cylinders : nullptr;
     if (r.copies.transforms.empty()) {
         addRows(view, glm::dmat4x3(1.0), placed.rows);
-        placed.spheres = {{0, 0, static_cast<std::uint32_t>(r.spheres.size())}};
-        if (!r.cylinders.empty()) placed.cylinders = {{0, 0, static_cast<std::uint32_t>(r.cylinders.size())}};
-        if (!r.triangles.empty()) placed.triangles = {{0, 0, static_cast<std::uint32_t>(r.triangles.size())}};
+        const Edges here = before(edges, view.rotation, {});
+        const auto add = [&](std::size_t count, const std::vector<Chunk>* of, std::vector<PlacedCopies::Call>& calls) {
+            const PlacedCopies::Call all{0, 0, static_cast<std::uint32_t>(count)};
+            if (count > 0 && of)
+                addChunks(*of, here, all, calls);
+            else if (count > 0)
+                calls.push_back(all);
+        };
+        add(r.spheres.size(), spheres, placed.spheres);
+        add(r.cylinders.size(), cylinders, placed.cylinders);
+        add(r.triangles.size(), nullptr, placed.triangles);
         return placed;
     }
     placed.rows.reserve(3 * r.copies.transforms.size());
     for (const glm::dmat4x3& transform : r.copies.transforms) addRows(view, transform, placed.rows);
-    addCalls(r.copies, r.copies.spheres, view, placed.spheres);
-    addCalls(r.copies, r.copies.cylinders, view, placed.cylinders);
-    addCalls(r.copies, r.copies.triangles, view, placed.triangles);
+    addCalls(r.copies, r.copies.spheres, view, edges, spheres, placed.spheres);
+    addCalls(r.copies, r.copies.cylinders, view, edges, cylinders, placed.cylinders);
+    addCalls(r.copies, r.copies.triangles, view, edges, nullptr, placed.triangles);
     return placed;
 }
 

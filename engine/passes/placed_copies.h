@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/scene/camera.h"
+#include "engine/scene/chunks.h"
 #include "engine/scene/representation.h"
 
 namespace nacre::passes {
@@ -25,8 +26,11 @@ struct PlacedCopies {
     std::uint64_t triangleCount() const;
 };
 
-/// Rotations and shifts are composed in double precision. Runs whose bounding sphere lies outside the picture are left
-/// out.
-PlacedCopies placeCopies(const Representation& representation, const View& view);
+/// Rotations and shifts are composed in double precision. Runs of copies whose bounding sphere lies outside the picture
+/// are left out, and so are chunks; what is left stays in the order of the streams.
+/// @param chunks  of the representation; null: there are only whole runs
+/// @param room    pixels beside a primitive that show it, too
+PlacedCopies placeCopies(const Representation& representation, const View& view, const Chunks* chunks = nullptr,
+                         double room = 0);
 
 }  // namespace nacre::passes

@@ -1,0 +1,112 @@
+#include "engine/scene/chunks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numeric>
+
+namespace nacre {
+namespace {
+
+constexpr float kMost = std::numeric_limits<float>::max();
+
+/// A ball about a primitive.
+Chunk ballOf(const Sphere& s) { return {s.center, s.radius}; }
+Chunk ballOf(const Cylinder& c) {
+    const glm::vec3 half = (c.b - c.a) * 0.5f;
+    return {c.a + half, std::sqrt(glm::dot(half, half) + c.radius * c.radius)};
+}
+
+template <typename Primitive>
+std::vector<Chunk> chunksOfStream(const std::vector<Primitive>& stream) {
+    std::vector<Chunk> chunks;
+    chunks.reserve(stream.size() / Chunk::kPrimitives + 1);
+    for (std::size_t first = 0; first < stream.size(); first += Chunk::kPrimitives) {
+        const std::size_t end = std::min<std::size_t>(first + Chunk::kPrimitives, stream.size());
+        glm::vec3 low(kMost), high(-kMost);
+        for (std::size_t i = first; i < end; ++i) {
+            const glm::vec3 center = ballOf(stream[i]).center;
+            low = glm::min(low, center);
+            high = glm::max(high, center);
+        }
+        Chunk chunk{low * 0.5f + high * 0.5f, 0};
+        for (std::size_t i = first; i < end; ++i) {
+            const Chunk ball = ballOf(stream[i]);
+            const float reach = glm::length(ball.center - chunk.center) + ball.radius;
+            chunk.radius = std::isfinite(reach) ? std::max(chunk.radius, reach * 1.00001f) : kMost;
+        }
+        if (!std::isfinite(chunk.center.x + chunk.center.y + chunk.center.z)) chunk = {{}, kMost};
+        chunks.push_back(chunk);
+    }
+    return chunks;
+}
+
+/// The lower ten bits, two places apart.
+std::uint32_t spread(std::uint32_t bits) {
+    bits = (bits | bits << 16) & 0x030000ffu;
+    bits = (bits | bits << 8) & 0x0300f00fu;
+    bits = (bits | bits << 4) & 0x030c30c3u;
+    return (bits | bits << 2) & 0x09249249u;
+}
+
+/// Numbers of a stream's primitives in the order that they are to have: where the runs begin, they stay apart.
+template <typename Primitive>
+std::vector<std::uint32_t> mortonOrder(const std::vector<Primitive>& stream, const std::vector<std::uint32_t>& starts) {
+    glm::vec3 low(kMost), high(-kMost);
+    for (const Primitive& p : stream) {
+        const glm::vec3 center = ballOf(p).center;
+        low = glm::min(low, center);
+        high = glm::max(high, center);
+    }
+    const float side = std::max({high.x - low.x, high.y - low.y, high.z - low.z, 1e-3f});
+    std::vector<std::uint64_t> keys(stream.size());  // code, number
+    for (std::uint32_t i = 0; i < stream.size(); ++i) {
+        const glm::vec3 at = (ballOf(stream[i]).center - low) / side * 1023.0f;
+        std::uint32_t code = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            code |= spread(at[axis] > 0 ? static_cast<std::uint32_t>(std::min(at[axis], 1023.0f)) : 0) << axis;
+        keys[i] = std::uint64_t{code} << 32 | i;
+    }
+    for (std::size_t run = 0; run + 1 < starts.size(); ++run)
+        std::sort(keys.begin() + starts[run], keys.begin() + starts[run + 1]);
+    std::vector<std::uint32_t> order(stream.size());
+    std::transform(keys.begin(), keys.end(), order.begin(),
+                   [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
+    return order;
+}
+
+/// Where runs of either kind begin, and the end of the last.
+std::vector<std::uint32_t> startsOf(const std::vector<PrimitiveRun>& copies, const std::vector<ModelRun>& models,
+                                    std::size_t count) {
+    std::vector<std::uint32_t> starts{0, static_cast<std::uint32_t>(count)};
+    for (const PrimitiveRun& run : copies) starts.push_back(run.first);
+    for (const ModelRun& run : models) starts.push_back(run.first);
+    std::sort(starts.begin(), starts.end());
+    starts.erase(std::unique(starts.begin(), starts.end()), starts.end());
+    return starts;
+}
+
+template <typename T>
+void reorder(std::vector<T>& stream, const std::vector<std::uint32_t>& order) {
+    std::vector<T> sorted(stream.size());
+    for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = stream[order[i]];
+    stream = std::move(sorted);
+}
+
+}  // namespace
+
+Chunks chunksOf(const Representation& r) { return {chunksOfStream(r.spheres), chunksOfStream(r.cylinders)}; }
+
+std::vector<std::uint32_t> orderInSpace(Representation& r) {
+    const auto cylinders = mortonOrder(r.cylinders, startsOf(r.copies.cylinders, r.cylinderModels, r.cylinders.size()));
+    reorder(r.cylinders, cylinders);
+    reorder(r.cylinderLooks, cylinders);
+    auto spheres = mortonOrder(r.spheres, startsOf(r.copies.spheres, r.sphereModels, r.spheres.size()));
+    reorder(r.spheres, spheres);
+    reorder(r.sphereLooks, spheres);
+    return spheres;
+}
+
+}  // namespace nacre

@@ -1,0 +1,75 @@
+// What is left out of a frame because it does not show never changes a bit of it.
+
+#include <random>
+
+#include "tests/renderer/scenes.h"
+
+namespace nacre::test {
+namespace {
+
+struct CulledCase {
+    const char* name;
+    Style style;
+    Projection projection;
+    bool copies;
+};
+void PrintTo(const CulledCase& c, std::ostream* out) { *out << c.name; }
+
+/// The DNA, and, with copies, six of it side by side.
+Representation culledScene(const CulledCase& c) {
+    if (!c.copies) return scene(c.name, c.style);
+    Molecule m = molecule(c.name);
+    if (m.subchains.empty()) m.subchains = {"A"};
+    m.assemblies = {{"1", "", {{}}}};
+    for (std::uint32_t i = 0; i < m.subchains.size(); ++i) m.assemblies[0].parts[0].subchains.push_back(i);
+    for (int i = 0; i < 6; ++i) {
+        glm::mat4x3 place(1.0f);
+        place[3] = {static_cast<float>(i % 3) * 24, static_cast<float>(i / 3) * 30, static_cast<float>(i) * 5};
+        m.assemblies[0].parts[0].transforms.push_back(place);
+    }
+    RepresentationOptions options{c.style, ColorScheme::element};
+    options.assembly = "1";
+    return represent(m, drawnAtoms(m), options);
+}
+
+class Culling : public SharedRenderers<CulledCase> {};
+
+TEST_P(Culling, NeverChangesABit) {
+    const CulledCase& c = GetParam();
+    const Representation r = culledScene(c);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    std::uint64_t most = 0, least = UINT64_MAX;
+    for (const Visibility path : kPaths) {
+        ValidatedRenderer& renderer = rendererOf(path);
+        renderer->setScene(r);
+        for (const double zoom : {1.0, 3.0, 9.0, 30.0}) {
+            RenderSettings s = settings(r, 120, c.projection, {unit(random) * 180, unit(random) * 180, 0}, zoom);
+            s.view.pan = glm::dvec2(unit(random), unit(random)) * (0.5 * r.radius);
+            s.view.quarterTurns = static_cast<int>(zoom) % 4;
+            s.effects.contours.width = zoom > 5 ? 12 : 0;
+            s.tuning.cull = false;
+            const Picture whole = renderer->render(s);
+            const std::uint64_t submitted = renderer->stats().spheres;
+            s.tuning.cull = true;
+            EXPECT_EQ(renderer->render(s).rgba, whole.rgba) << "zoom " << zoom;
+            EXPECT_LE(renderer->stats().spheres, submitted);
+            most = std::max(most, renderer->stats().spheres);
+            least = std::min(least, renderer->stats().spheres);
+        }
+    }
+    // Zoomed in, most atoms are off screen; but those of a lone helix fill few chunks.
+    EXPECT_LT(least, most);
+    if (c.copies) {
+        EXPECT_LT(4 * least, most);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Culling,
+                         testing::Values(CulledCase{"sample:dna", Style::spacefill, Projection::orthographic, false},
+                                         CulledCase{"sample:dna", Style::licorice, Projection::perspective, false},
+                                         CulledCase{"sample:dna", Style::ballAndStick, Projection::orthographic, true}),
+                         [](const auto& test) { return "case" + std::to_string(test.index); });
+
+}  // namespace
+}  // namespace nacre::test
