@@ -63,7 +63,7 @@ enum class OcclusionMaps {
     automatic,  ///< the device's caps choose
     encoded,    ///< opaque prepass, then encoded depth by a MIN blend
     fragdepth,  ///< opaque prepass, then gl_FragDepth
-    splat,      ///< compute: an atomic minimum for every pixel of every primitive
+    tiles,      ///< compute, tile by tile from lists; devices that lack what it needs do as `automatic` says
 };
 
 struct DeviceOptions {

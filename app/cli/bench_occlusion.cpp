@@ -8,7 +8,7 @@
 namespace nacre::app {
 namespace {
 
-constexpr OcclusionMaps kMaps[] = {OcclusionMaps::encoded, OcclusionMaps::fragdepth, OcclusionMaps::splat};
+constexpr OcclusionMaps kMaps[] = {OcclusionMaps::encoded, OcclusionMaps::fragdepth, OcclusionMaps::tiles};
 // Rounds at most, and milliseconds after which no further round begins.
 constexpr int kRounds = 5;
 constexpr double kEnoughBaking = 3'000;

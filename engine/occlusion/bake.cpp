@@ -98,7 +98,7 @@ BakePreparation prepared(const gpu::Caps& caps, const Representation& representa
 BakePreparation prepareBake(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
                             const std::stop_token& stop) {
     const std::uint64_t maps =
-        DepthMapSizes(caps, representation, options.path, options.budgetBytes / 2, options.detail).bytes();
+        DepthMapSizes(caps, representation, options.path, options.budgetBytes / 2, options.detail).bytes;
     BakePreparation result = prepared(caps, representation, options, maps, stop);
     if (!stop.stop_requested()) result.copies = occlusionCopies(representation, result.layout, result.open.texels);
     return result;
@@ -145,8 +145,12 @@ void Bake::makeBuffers(const OpenTexels& open) {
     texelCount_ = open.texels.size();
     wordCount_ = open.words.size();
     firstOfSphere_ = open.firstOfSphere;
-    batchDirections_ = gpu::makeBuffer(device_, kGroupBytes * copies_.groups.size(), Usage::eUniformBuffer,
-                                       gpu::Access::upload, "occlusion directions");
+    batchDirections_ = gpu::makeBuffer(device_, kGroupBytes * copies_.groups.size(),
+                                       Usage::eUniformBuffer | Usage::eUniformTexelBuffer, gpu::Access::upload,
+                                       "occlusion directions");
+    if (maps_.tiles() && maps_.tiles()->texels())
+        directionTexels_ =
+            gpu::makeTexelView(device_, batchDirections_, vk::Format::eR32G32B32A32Sfloat, "occlusion directions");
     // The host reads all four: the first three to drop deep texels, the last to keep the atlas on disk.
     const auto shared = [&](std::uint64_t bytes, vk::BufferUsageFlags usage, const char* name) {
         return gpu::makeBuffer(device_, bytes, usage, gpu::Access::readback, name);
@@ -192,6 +196,7 @@ void Bake::release() {
         for (std::size_t k = firstOfSphere_[i]; k < firstOfSphere_[i + 1] && !seenSpheres_[i]; ++k)
             seenSpheres_[i] = sums[2 * k] > 0;
     maps_.release();
+    directionTexels_ = nullptr;
     batchDirections_ = {};
     list_ = {};
     words_ = {};
@@ -231,12 +236,13 @@ layout::OcclusionConstants Bake::constants() const {
     const View view = maps_.view(glm::dmat3(1));
     const layout::ViewConstants v = passes::viewConstants(view, 0.0f, 0, 0);
     layout::OcclusionConstants c{};
-    c.mapPixels = static_cast<float>(maps_.pixels());
+    c.mapPixels = static_cast<int>(maps_.pixels());
+    c.apart = static_cast<int>(maps_.tiles() ? maps_.tiles()->apart() : maps_.pixels());
+    c.pitch = static_cast<int>(maps_.tiles() ? maps_.tiles()->pitch() : 0);
     c.pixelsPerAngstrom = static_cast<float>(view.pixelsPerAngstrom);
-    c.slack = static_cast<float>(1.0 / view.pixelsPerAngstrom);
-    c.origin = v.origin;
-    c.depthStart = v.depthStart;
-    c.perRange = v.perRange;
+    c.pixel = static_cast<float>(1.0 / view.pixelsPerAngstrom);
+    c.depthAt0 = (v.origin - v.depthStart) * v.perRange;
+    c.depthPerPixel = c.pixel * v.perRange;
     c.sphereEdge = layout_.sphereEdge;
     c.around = layout_.around;
     c.along = layout_.along;
@@ -250,23 +256,35 @@ float Bake::spreadOfTaps() const {
     return static_cast<float>(std::min(2.0 * std::sqrt(128.0 / directions()), 2.5));
 }
 
-vk::DescriptorSet Bake::accumulationSet(gpu::PassContext& context, graph::Image maps, std::uint32_t group) {
+vk::DescriptorSet Bake::accumulationSet(gpu::PassContext& context, std::optional<graph::Image> maps,
+                                        std::uint32_t group) {
     const vk::DescriptorSet set =
-        context.descriptors.allocate(accumulationLayout(context).set, "occlusion accumulation");
+        context.descriptors.allocate(accumulationLayout(context, !maps).set, "occlusion accumulation");
     bind(device_, set, 0, Type::eStorageBuffer, *scene_.shapes.handle);
-    bind(device_, set, 1, Type::eUniformBuffer, *batchDirections_.handle, group * kGroupBytes, kGroupBytes);
     bind(device_, set, 2, Type::eStorageBuffer, *list_.handle);
     bind(device_, set, 3, Type::eStorageBuffer, *sums_.handle);
-    const vk::DescriptorImageInfo info(context.pipelines.sampler(vk::Filter::eNearest), context.view(maps),
+    if (!maps && maps_.tiles()->texels()) {
+        const vk::BufferView heights = maps_.tiles()->texels(), directions = *directionTexels_;
+        const vk::WriteDescriptorSet writes[] = {{set, 1, 0, 1, Type::eUniformTexelBuffer, {}, {}, &directions},
+                                                 {set, 4, 0, 1, Type::eUniformTexelBuffer, {}, {}, &heights}};
+        device_->updateDescriptorSets(writes, {});
+        return set;
+    }
+    bind(device_, set, 1, Type::eUniformBuffer, *batchDirections_.handle, group * kGroupBytes, kGroupBytes);
+    if (!maps) {
+        bind(device_, set, 4, Type::eStorageBuffer, *maps_.tiles()->buffer().handle);
+        return set;
+    }
+    const vk::DescriptorImageInfo info(context.pipelines.sampler(vk::Filter::eNearest), context.view(*maps),
                                        vk::ImageLayout::eShaderReadOnlyOptimal);
     device_->updateDescriptorSets(vk::WriteDescriptorSet(set, 4, 0, Type::eCombinedImageSampler, info), {});
     return set;
 }
 
-void Bake::recordAccumulation(gpu::PassContext& context, graph::Image maps, std::uint32_t batch, std::uint32_t model,
-                              std::size_t first, std::size_t end) {
+void Bake::recordAccumulation(gpu::PassContext& context, std::optional<graph::Image> maps, std::uint32_t batch,
+                              std::uint32_t model, std::size_t first, std::size_t end) {
     constexpr auto kCompute = vk::PipelineBindPoint::eCompute;
-    const vk::PipelineLayout pipelineLayout = *accumulationLayout(context).pipeline;
+    const vk::PipelineLayout pipelineLayout = *accumulationLayout(context, !maps).pipeline;
     const Texels spheres = layout_.sphereEdge == 1 ? Texels::wholeSpheres : Texels::spheres;
     layout::OcclusionConstants c = constants();
     std::vector<vk::DescriptorSet> sets(copies_.groups.size());
@@ -278,11 +296,16 @@ void Bake::recordAccumulation(gpu::PassContext& context, graph::Image maps, std:
         at += run.count;
         if (from == to) continue;
         if (!sets[run.group]) sets[run.group] = accumulationSet(context, maps, run.group);
+        c.firstDirection = run.group * static_cast<std::uint32_t>(kGroupBytes / sizeof(glm::vec4));
         c.firstEntry = static_cast<std::uint32_t>(run.first + from);
         c.entries = static_cast<std::uint32_t>(to - from);
-        context.commands.bindPipeline(kCompute,
-                                      accumulationPipeline(context, {run.cylinders ? Texels::cylinders : spheres, batch,
-                                                                     maps_.encoded(), spreadOfTaps()}));
+        const Accumulation what{run.cylinders ? Texels::cylinders : spheres,
+                                batch,
+                                maps_.encoded(),
+                                !maps,
+                                maps_.across(batch),
+                                spreadOfTaps()};
+        context.commands.bindPipeline(kCompute, accumulationPipeline(context, what));
         context.commands.bindDescriptorSets(kCompute, pipelineLayout, 0, sets[run.group], {});
         context.commands.pushConstants<layout::OcclusionConstants>(pipelineLayout, vk::ShaderStageFlagBits::eCompute, 0,
                                                                    c);
@@ -291,17 +314,20 @@ void Bake::recordAccumulation(gpu::PassContext& context, graph::Image maps, std:
 }
 
 /// The directions of a batch as each group of copies meets them: the copy that a direction asks about is moved to its
-/// place first. Of those that a batch lacks all is zero.
+/// place first. Of those that a batch lacks all is zero. Lengths are a map's pixels, its rows run downwards.
 /// @param first  number of the batch's first direction
 void Bake::writeDirections(std::span<const glm::dmat3> frames, int first) {
     auto* direction = reinterpret_cast<layout::Direction*>(batchDirections_.mapped);
+    const double scale = maps_.view(glm::dmat3(1)).pixelsPerAngstrom, middle = maps_.pixels() / 2.0;
+    const glm::dmat3 toPixels(scale, 0, 0, 0, -scale, 0, 0, 0, scale);
     for (const std::vector<glm::dmat4x3>& places : copies_.groups)
         for (std::size_t i = 0; i < DepthMaps::kMostPerBatch; ++i, ++direction) {
             *direction = {};
             if (i >= frames.size()) continue;
             const glm::dmat4x3& place = places[(static_cast<std::size_t>(first) + i) % places.size()];
-            const glm::dmat3 rows = glm::transpose(frames[i] * glm::dmat3(place[0], place[1], place[2]));
-            const glm::dvec3 shift = frames[i] * place[3];
+            const glm::dmat3 frame = toPixels * frames[i];
+            const glm::dmat3 rows = glm::transpose(frame * glm::dmat3(place[0], place[1], place[2]));
+            const glm::dvec3 shift = frame * place[3] + glm::dvec3(middle, middle, 0);
             *direction = {glm::vec4(rows[0], shift.x), glm::vec4(rows[1], shift.y), glm::vec4(rows[2], shift.z)};
         }
 }
@@ -328,6 +354,8 @@ Bake::Work Bake::nextWork(const Allowance& allowance) const {
     const std::uint32_t left = static_cast<std::uint32_t>(directions()) - static_cast<std::uint32_t>(work.first);
     const double fit = std::clamp(allowance.units / std::max(each, 1.0), 1.0, double{DepthMaps::kMostPerBatch});
     work.count = std::min({left, allowance.directions, maps_.perBatch(), static_cast<std::uint32_t>(fit)});
+    // The next smaller size of a batch whose maps are drawn at once.
+    while (work.count > 1 && work.count * work.instances > maps_.mostInstances()) work.count = work.count > 4 ? 4 : 1;
     // However the directions are dealt out: deep texels are dropped after the same one, and the sums come out the same.
     if (work.first < kTellsDeepTexels)
         work.count = std::min(work.count, static_cast<std::uint32_t>(kTellsDeepTexels - work.first));
@@ -346,18 +374,17 @@ double Bake::declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowanc
     const std::span<const glm::dmat3> frames(directions_.data() + w.first, w.count);
     const auto sums = g.importBuffer("occlusion sums", sums_.size, kComputeBuffer);
     imports.bind(sums, sums_);
-    const auto accumulate = [&](graph::Image maps) {
-        g.compute("occlusion accumulation")
-            .samples(maps)
-            .writes(sums)
-            .record([=, this, model = w.model, first = w.asked, end = w.askedThen](gpu::PassContext& c) {
-                recordAccumulation(c, maps, batch, model, first, end);
-            });
+    const auto accumulate = [&](const DrawnMaps& drawn) {
+        graph::PassBuilder pass = g.compute("occlusion accumulation");
+        if (drawn.image) pass.samples(*drawn.image);
+        if (drawn.heights) pass.reads(*drawn.heights);
+        pass.writes(sums).record([=, this, maps = drawn.image, model = w.model, first = w.asked, end = w.askedThen](
+                                     gpu::PassContext& c) { recordAccumulation(c, maps, batch, model, first, end); });
         g.output(sums);  // the host drops deep texels by them
     };
     const double drawing = static_cast<double>(w.instances) * kUnitsOfInstance;
     const double whole = w.count * (drawing + static_cast<double>(w.texels));
-    if (w.drawn == 0 && (w.count > 1 || whole <= allowance.units)) {
+    if (w.drawn == 0 && (w.count > 1 || (whole <= allowance.units && w.instances <= maps_.mostInstances()))) {
         w.drawnThen = w.instances;
         w.askedThen = w.texels;
         accumulate(maps_.declare(g, imports, frames, batch, w.model));
@@ -365,13 +392,15 @@ double Bake::declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowanc
     }
     // Parts of one direction: first all primitives are drawn, then all texels asked.
     if (w.drawn < w.instances) {
-        const auto most = static_cast<std::uint64_t>(allowance.units / kUnitsOfInstance);
-        w.drawnThen = std::min(w.drawn + std::max(most, kLeastInstances), w.instances);
+        const auto most = static_cast<std::uint64_t>(
+            std::min(allowance.units / kUnitsOfInstance, static_cast<double>(maps_.mostInstances())));
+        w.drawnThen = std::min(w.drawn + std::max(most, std::min(kLeastInstances, maps_.mostInstances())), w.instances);
         w.askedThen = 0;
         maps_.declarePart(g, imports, frames, w.model, w.drawn, w.drawnThen);
         return static_cast<double>(w.drawnThen - w.drawn) * kUnitsOfInstance;
     }
-    w.askedThen = std::min(w.asked + std::max(static_cast<std::size_t>(allowance.units), kLeastTexels), w.texels);
+    w.askedThen =
+        std::min(w.asked + std::max(static_cast<std::size_t>(std::min(allowance.units, 1e15)), kLeastTexels), w.texels);
     accumulate(maps_.drawnParts(g, imports));
     return static_cast<double>(std::max<std::size_t>(w.askedThen - w.asked, 1));
 }

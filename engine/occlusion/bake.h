@@ -123,9 +123,10 @@ private:
     void dropDeepTexels();
     void makeCells(std::span<const std::uint8_t> texels);
     /// @param first, end  of the model's texels
-    void recordAccumulation(gpu::PassContext& context, graph::Image maps, std::uint32_t batch, std::uint32_t model,
-                            std::size_t first, std::size_t end);
-    vk::DescriptorSet accumulationSet(gpu::PassContext& context, graph::Image maps, std::uint32_t group);
+    /// @param maps  none: they are the heights that tiles left
+    void recordAccumulation(gpu::PassContext& context, std::optional<graph::Image> maps, std::uint32_t batch,
+                            std::uint32_t model, std::size_t first, std::size_t end);
+    vk::DescriptorSet accumulationSet(gpu::PassContext& context, std::optional<graph::Image> maps, std::uint32_t group);
     void writeDirections(std::span<const glm::dmat3> frames, int first);
     std::size_t texelsOf(std::uint32_t model) const;
 
@@ -142,6 +143,7 @@ private:
     std::uint64_t asked_ = 0;
     std::optional<Work> work_;
     gpu::Buffer batchDirections_, list_, sums_, words_, bytes_;
+    vk::raii::BufferView directionTexels_{nullptr};
     gpu::Image atlas_;
     std::uint64_t budgetBytes_ = 0;
     gpu::Buffer cells_;

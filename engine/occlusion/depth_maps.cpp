@@ -15,20 +15,18 @@ namespace {
 // Pixels across the radius of a sphere, of a cylinder: what more than that brings is lost in the patches' own error.
 constexpr double kPixelsPerSphere = 2.7, kPixelsPerCylinder = 1.5;
 constexpr double kSmallest = 128, kLargest = 2048;
-constexpr std::uint32_t kGroup = 64;  // local_size_x
+// That tiles draw at a time: their lists take the host some 30 bytes each.
+constexpr std::uint64_t kMostPrimitives = 1'400'000;
 /// Between the graphs of a direction that is drawn in parts.
 const graph::State kPartState = graph::stateOf(graph::Verb::samples, graph::PassKind::compute);
-constexpr graph::State kSplatState{
-    VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
-
 std::uint32_t bytesPerPixel(OcclusionMaps path, const graph::EncodedFormat& encoded) {
     switch (path) {
         case OcclusionMaps::encoded:
             return 4 + graph::bytesPerTexel(encoded.format);
-        case OcclusionMaps::fragdepth:
-            return 4;
+        case OcclusionMaps::tiles:
+            return 8;  // a height, and as much again for lists
         default:
-            return 8;  // the splats, and the texture that they are copied to
+            return 4;
     }
 }
 
@@ -70,16 +68,27 @@ double wantedResolution(const Representation& r) {
 }  // namespace
 
 DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& representation, OcclusionMaps path,
-                             std::uint64_t budgetBytes, std::uint32_t detail)
-    : bytesPerPixel(occlusion::bytesPerPixel(path, caps.encoded)) {
+                             std::uint64_t budgetBytes, std::uint32_t detail) {
+    const bool tiles = path == OcclusionMaps::tiles;
+    const std::uint32_t each = bytesPerPixel(path, caps.encoded);
+    const auto bytesOf = [&](std::uint32_t batch) {
+        return tiles ? 2 * TileMaps::bytesFor(pixels, mapsAcross(batch))
+                     : std::uint64_t{each} * pixels * pixels * batch;
+    };
     const double wanted = std::ceil(2.0 * representation.radius * wantedResolution(representation) / 8.0) * 8.0;
-    const double fits = std::floor(std::sqrt(static_cast<double>(budgetBytes) / bytesPerPixel) / 8.0) * 8.0;
+    const double fits = std::floor(std::sqrt(static_cast<double>(budgetBytes) / each) / 8.0) * 8.0;
     pixels = static_cast<std::uint32_t>(
         std::max(std::min(std::clamp(wanted, std::min(kSmallest, 4.0 * detail), kLargest), fits), 8.0));
+    while (pixels > 8 && bytesOf(1) > budgetBytes) pixels -= 8;
+    // Primitives of a batch by tiles are told apart by 32 bits.
+    const std::uint64_t drawn = (representation.spheres.size() + representation.cylinders.size()) *
+                                std::max<std::size_t>(representation.copies.transforms.size(), 1);
     for (const std::uint32_t batch : {4u, DepthMaps::kMostPerBatch})
-        if (std::uint64_t{bytesPerPixel} * pixels * pixels * batch <= budgetBytes &&
-            pixels * mapsAcross(batch) <= caps.maxImageSize)
+        if (bytesOf(batch) <= budgetBytes && pixels * mapsAcross(batch) <= caps.maxImageSize &&
+            (!tiles || drawn * batch < 1ull << 31))
             perBatch = batch;
+    bytes = bytesOf(perBatch);
+    mostPrimitives = std::clamp<std::uint64_t>(bytes / 2 / TileMaps::kBytesPerPrimitive, 1, kMostPrimitives);
 }
 
 DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
@@ -102,14 +111,8 @@ DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scen
     double sum = 0;
     for (const Sphere& s : representation.spheres) sum += s.radius;
     meanRadius_ = sum / static_cast<double>(std::max<std::size_t>(representation.spheres.size(), 1));
-    if (path != OcclusionMaps::splat) return;
-    using Usage = vk::BufferUsageFlagBits;
-    splats_ = gpu::makeBuffer(device, std::uint64_t{4} * pixels() * pixels() * perBatch(),
-                              Usage::eStorageBuffer | Usage::eTransferDst | Usage::eTransferSrc, gpu::Access::upload,
-                              "depth maps' splats");
-    const std::size_t copies = std::max<std::size_t>(representation.copies.transforms.size(), 1);
-    views_ = gpu::makeBuffer(device, sizeof(layout::ViewConstants) * perBatch() * copies, Usage::eStorageBuffer,
-                             gpu::Access::upload, "depth maps' views");
+    if (path == OcclusionMaps::tiles && budgetBytes > 0)
+        tiles_ = std::make_unique<TileMaps>(device, scene, representation, pixels(), radius_, mapsAcross(perBatch()));
 }
 
 View DepthMaps::view(const glm::dmat3& frame) const {
@@ -167,76 +170,10 @@ graph::Record DepthMaps::eachMap(std::span<const glm::dmat3> frames, std::uint32
     };
 }
 
-/// The views of a batch: all maps of the first copy, then all of the next one.
-/// @returns the calls, the same for every map since each shows the whole model
-passes::PlacedCopies DepthMaps::writeViews(std::span<const glm::dmat3> frames, std::uint32_t across,
-                                           std::uint32_t model, MapPart part) const {
-    auto* views = reinterpret_cast<layout::ViewConstants*>(views_.mapped);
-    passes::PlacedCopies shown;
-    for (std::uint32_t i = 0; i < frames.size(); ++i) {
-        shown = placed(frames[i], model, part);
-        layout::ViewConstants c = constants(frames[i], i, across);
-        for (std::size_t copy = 0; 3 * copy < shown.rows.size(); ++copy) {
-            c.row0 = shown.rows[3 * copy];
-            c.row1 = shown.rows[3 * copy + 1];
-            c.row2 = shown.rows[3 * copy + 2];
-            views[copy * frames.size() + i] = c;
-        }
-    }
-    return shown;
-}
-
-void DepthMaps::recordSplat(gpu::PassContext& context, graph::Buffer maps, std::span<const glm::dmat3> frames,
-                            std::uint32_t across, std::uint32_t model, MapPart part) const {
-    const vk::DescriptorSet set = context.descriptors.allocate(splatLayout(context).set, "depth map splats");
-    const vk::DescriptorBufferInfo infos[] = {{*scene_.shapes.handle, 0, VK_WHOLE_SIZE},
-                                              {*views_.handle, 0, VK_WHOLE_SIZE},
-                                              {context.buffer(maps), 0, VK_WHOLE_SIZE}};
-    for (std::uint32_t i = 0; i < 3; ++i)
-        device_->updateDescriptorSets(
-            vk::WriteDescriptorSet(set, i, 0, vk::DescriptorType::eStorageBuffer, {}, infos[i]), {});
-    const vk::PipelineLayout pipelineLayout = *splatLayout(context).pipeline;
-    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, pipelineLayout, 0, set, {});
-    const passes::PlacedCopies shown = writeViews(frames, across, model, part);
-    const auto mapCount = static_cast<std::uint32_t>(frames.size());
-    constexpr std::uint32_t kMost = 65535 * kGroup;  // the floor allows 65,535 workgroups a dispatch
-    const auto splat = [&](const std::vector<passes::PlacedCopies::Call>& calls, bool cylinders) {
-        if (calls.empty()) return;
-        context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, splatPipeline(context, cylinders));
-        for (const passes::PlacedCopies::Call& call : calls)
-            for (std::uint32_t first = call.first, end = first + call.count; first < end; first += kMost) {
-                const layout::SplatConstants c{call.copy * mapCount, first,    std::min(end, first + kMost),
-                                               scene_.sphereCount,   pixels(), pixels() * across};
-                context.commands.pushConstants<layout::SplatConstants>(pipelineLayout,
-                                                                       vk::ShaderStageFlagBits::eCompute, 0, c);
-                context.commands.dispatch((c.end - c.first + kGroup - 1) / kGroup, mapCount, 1);
-            }
-    };
-    splat(shown.spheres, false);
-    splat(shown.cylinders, true);
-}
-
-/// @param last  nothing is splatted after this part: it becomes a texture
-void DepthMaps::declareSplats(graph::Graph& g, gpu::Imports& imports, graph::Image maps,
-                              std::span<const glm::dmat3> frames, std::uint32_t across, std::uint32_t model,
-                              MapPart part, bool last) {
-    const graph::Extent extent{pixels() * across, pixels() * across};
-    const auto splats = g.importBuffer("depth maps' splats", splats_.size, kSplatState);
-    imports.bind(splats, splats_);
-    const vk::DeviceSize used = std::uint64_t{4} * extent.width * extent.height;
-    if (part.first == 0)
-        g.transfer("clear depth maps").copiesTo(splats).record([=](gpu::PassContext& c) {
-            c.commands.fillBuffer(c.buffer(splats), 0, used, 0x3f800000);  // 1.0f
-        });
-    g.compute("depth splatting").writes(splats).record([=, this](gpu::PassContext& c) {
-        recordSplat(c, splats, frames, across, model, part);
-    });
-    if (!last) return;
-    g.transfer("depth maps to texture").copiesFrom(splats).copiesTo(maps).record([=](gpu::PassContext& c) {
-        const vk::BufferImageCopy all(0, 0, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {},
-                                      {extent.width, extent.height, 1});
-        c.commands.copyBufferToImage(c.buffer(splats), c.image(maps), vk::ImageLayout::eTransferDstOptimal, all);
-    });
+void DepthMaps::beginTiles(std::span<const glm::dmat3> frames, std::uint32_t model) {
+    std::vector<passes::PlacedCopies> maps;
+    for (const glm::dmat3& frame : frames) maps.push_back(placed(frame, model));
+    tiles_->begin(maps);
 }
 
 /// @param maps  none: hardware depth is what they hold
@@ -260,20 +197,19 @@ void DepthMaps::declareDrawn(graph::Graph& g, graph::Image depth, std::optional<
             }));
 }
 
-graph::Image DepthMaps::declare(graph::Graph& g, gpu::Imports& imports, std::span<const glm::dmat3> frames,
-                                std::uint32_t batch, std::uint32_t model) {
+DrawnMaps DepthMaps::declare(graph::Graph& g, gpu::Imports& imports, std::span<const glm::dmat3> frames,
+                             std::uint32_t batch, std::uint32_t model) {
     const std::uint32_t across = mapsAcross(batch);
     const graph::Extent extent{pixels() * across, pixels() * across};
-    if (path_ == OcclusionMaps::splat) {
-        const auto maps = g.image("depth maps", {VK_FORMAT_R32_SFLOAT, extent});
-        declareSplats(g, imports, maps, frames, across, model, {}, true);
-        return maps;
+    if (tiles_) {
+        beginTiles(frames, model);
+        return {{}, tiles_->declare(g, imports, 0, frames.size() * instances(model))};
     }
     const auto depth = g.image("depth maps' hardware depth", {VK_FORMAT_D32_SFLOAT, extent});
     std::optional<graph::Image> maps;
     if (encoded()) maps = g.image("depth maps", {device_.caps().encoded.format, extent});
     declareDrawn(g, depth, maps, frames, across, model, {});
-    return maps.value_or(depth);
+    return {maps ? maps : depth, {}};
 }
 
 void DepthMaps::makePartImages() {
@@ -285,22 +221,23 @@ void DepthMaps::makePartImages() {
         partMap_ = gpu::makeImage(device_, {VK_FORMAT_D32_SFLOAT, extent}, depth, false, "depth map in parts");
         return;
     }
-    const VkFormat format = encoded() ? device_.caps().encoded.format : VK_FORMAT_R32_SFLOAT;
-    const auto written = encoded() ? Usage::eColorAttachment : Usage::eTransferDst;
-    partMap_ = gpu::makeImage(device_, {format, extent}, written | Usage::eSampled, false, "depth map in parts");
-    if (encoded())
-        partDepth_ = gpu::makeImage(device_, {VK_FORMAT_D32_SFLOAT, extent}, depth, false, "its hardware depth");
+    partMap_ = gpu::makeImage(device_, {device_.caps().encoded.format, extent},
+                              Usage::eColorAttachment | Usage::eSampled, false, "depth map in parts");
+    partDepth_ = gpu::makeImage(device_, {VK_FORMAT_D32_SFLOAT, extent}, depth, false, "its hardware depth");
 }
 
 void DepthMaps::declarePart(graph::Graph& g, gpu::Imports& imports, std::span<const glm::dmat3> frame,
                             std::uint32_t model, std::uint64_t first, std::uint64_t end) {
+    if (tiles_) {
+        if (first == 0) beginTiles(frame, model);
+        tiles_->declare(g, imports, first, end);
+        return;
+    }
     makePartImages();
     const MapPart part{first, end};
-    const bool last = end == instances(model), begins = path_ == OcclusionMaps::splat || first == 0;
-    if (path_ == OcclusionMaps::splat && !last) return declareSplats(g, imports, {}, frame, 1, model, part, last);
+    const bool begins = first == 0;
     const auto map = g.importImage("depth map in parts", partMap_.desc, kPartState, begins);
     imports.bind(map, partMap_);
-    if (path_ == OcclusionMaps::splat) return declareSplats(g, imports, map, frame, 1, model, part, last);
     if (!encoded()) return declareDrawn(g, map, {}, frame, 1, model, part);
     const auto depth = g.importImage("its hardware depth", partDepth_.desc,
                                      graph::stateOf(graph::Verb::depth, graph::PassKind::graphics), begins);
@@ -308,10 +245,11 @@ void DepthMaps::declarePart(graph::Graph& g, gpu::Imports& imports, std::span<co
     declareDrawn(g, depth, map, frame, 1, model, part);
 }
 
-graph::Image DepthMaps::drawnParts(graph::Graph& g, gpu::Imports& imports) const {
+DrawnMaps DepthMaps::drawnParts(graph::Graph& g, gpu::Imports& imports) const {
+    if (tiles_) return {{}, tiles_->import(g, imports)};
     const auto map = g.importImage("depth map in parts", partMap_.desc, kPartState);
     imports.bind(map, partMap_);
-    return map;
+    return {map, {}};
 }
 
 }  // namespace nacre::occlusion

@@ -165,13 +165,26 @@ private:
         const int place = p.y * size.x + p.x;
         return entries_[static_cast<std::size_t>(place)];
     }
+    /// The patch with as much about it as nearestOpen() looks at, so that it folds nothing.
+    void surround(const glm::ivec2& size, bool sphere) {
+        row_ = static_cast<std::size_t>(size.x) + 2 * kAround;
+        surrounded_.resize(row_ * (static_cast<std::size_t>(size.y) + 2 * kAround));
+        constexpr int kFar = static_cast<int>(kAround);
+        auto* next = surrounded_.data();
+        for (int y = -kFar; y < size.y + kFar; ++y)
+            for (int x = -kFar; x < size.x + kFar; ++x) *next++ = entryAt({x, y}, size, sphere);
+        for (std::size_t i = 0; i < steps_.size(); ++i)
+            steps_[i] = nearSteps()[i].y * static_cast<std::ptrdiff_t>(row_) + nearSteps()[i].x;
+    }
     /// The nearest open texel, if possible one with another open one behind it, and that one (else the same again).
-    AtlasWord::Source nearestOpen(const glm::ivec2& at, const glm::ivec2& size, bool sphere) const {
+    AtlasWord::Source nearestOpen(int x, int y) const {
+        const std::uint16_t* at =
+            surrounded_.data() + (static_cast<std::size_t>(y) + kAround) * row_ + static_cast<std::size_t>(x) + kAround;
         AtlasWord::Source best;
-        for (const glm::ivec2& step : nearSteps()) {
-            const std::uint16_t entry = entryAt(at + step, size, sphere);
+        for (const std::ptrdiff_t step : steps_) {
+            const std::uint16_t entry = at[step];
             if (entry == kBuried) continue;
-            const std::uint16_t beyond = entryAt(at + 2 * step, size, sphere);
+            const std::uint16_t beyond = at[2 * step];
             if (beyond != kBuried) return {entry, beyond};
             if (best.entry == kBuried) best = {entry, entry};
         }
@@ -180,6 +193,7 @@ private:
     /// The words of the patch of a shape, whose patches start at a row of the atlas.
     void words(const glm::ivec2& size, bool sphere, std::uint32_t shape, std::uint32_t top) {
         if (std::all_of(entries_.begin(), entries_.end(), [](std::uint16_t e) { return e == kBuried; })) return;
+        surround(size, sphere);
         const auto width = static_cast<std::uint32_t>(size.x), height = static_cast<std::uint32_t>(size.y);
         const std::uint32_t perRow = layout_.width / width;
         const std::uint32_t left = shape % perRow * width, row = top + shape / perRow * height;
@@ -193,8 +207,7 @@ private:
                 for (int k = 0; k < 4; ++k) {
                     const int place = y * size.x + x + k;
                     const std::uint16_t own = entries_[static_cast<std::size_t>(place)];
-                    word.sources[k] =
-                        own != kBuried ? AtlasWord::Source{own, own} : nearestOpen({x + k, y}, size, sphere);
+                    word.sources[k] = own != kBuried ? AtlasWord::Source{own, own} : nearestOpen(x + k, y);
                     any = any || word.sources[k].entry != kBuried;
                 }
                 if (any) found.words.push_back(word);
@@ -206,7 +219,11 @@ private:
     const PrimitiveTree& tree_;
     std::vector<glm::vec3> normals_;
     std::vector<std::uint32_t> around_;
-    std::vector<std::uint16_t> entries_;  // of the patch: less base_, or kBuried
+    static constexpr std::size_t kAround = 4;  // two steps of two texels
+    std::vector<std::uint16_t> entries_;       // of the patch: less base_, or kBuried
+    std::vector<std::uint16_t> surrounded_;    // the same, with kAround texels about it
+    std::size_t row_ = 0;                      // of surrounded_
+    std::array<std::ptrdiff_t, 24> steps_{};   // nearSteps() in it
     std::uint32_t base_ = 0;
     std::size_t last_ = 0;
 };

@@ -1,5 +1,8 @@
 #include "engine/occlusion/pipelines.h"
 
+#include <span>
+
+#include "engine/scene/tile_lists.h"
 #include "shaders.h"
 #include "shaders/common/layout.h"
 
@@ -10,41 +13,66 @@ using Type = vk::DescriptorType;
 constexpr auto kCompute = vk::ShaderStageFlagBits::eCompute;
 constexpr Type kAccumulate[] = {Type::eStorageBuffer, Type::eUniformBuffer, Type::eStorageBuffer, Type::eStorageBuffer,
                                 Type::eCombinedImageSampler};
+constexpr Type kAccumulateStorage[] = {Type::eStorageBuffer, Type::eUniformBuffer, Type::eStorageBuffer,
+                                       Type::eStorageBuffer, Type::eStorageBuffer};
+constexpr Type kAccumulateTexels[] = {Type::eStorageBuffer, Type::eUniformTexelBuffer, Type::eStorageBuffer,
+                                      Type::eStorageBuffer, Type::eUniformTexelBuffer};
+// Shapes, rows of copies, lists, heights as they are read, and as they are written.
+constexpr Type kTileMapsTexels[] = {Type::eUniformTexelBuffer, Type::eUniformTexelBuffer, Type::eUniformTexelBuffer,
+                                    Type::eUniformTexelBuffer, Type::eStorageBuffer};
+constexpr Type kTileMapsStorage[] = {Type::eStorageBuffer, Type::eStorageBuffer, Type::eStorageBuffer,
+                                     Type::eStorageBuffer, Type::eStorageBuffer};
 constexpr Type kThreeBuffers[] = {Type::eStorageBuffer, Type::eStorageBuffer, Type::eStorageBuffer};
 
 }  // namespace
 
-const gpu::Layout& accumulationLayout(gpu::PassContext& context) {
+const gpu::Layout& accumulationLayout(gpu::PassContext& context, bool heights) {
+    const auto types = [&]() -> std::span<const Type> {
+        if (!heights) return kAccumulate;
+        if (context.device.caps().tiles.texels) return kAccumulateTexels;
+        return kAccumulateStorage;
+    }();
     return context.pipelines.layout(
-        {"occlusion accumulation layout", kAccumulate, kCompute, sizeof(layout::OcclusionConstants)});
+        {"occlusion accumulation layout", types, kCompute, sizeof(layout::OcclusionConstants)});
 }
 
 const gpu::Layout& finishLayout(gpu::PassContext& context) {
     return context.pipelines.layout({"occlusion finish layout", kThreeBuffers, kCompute, sizeof(std::uint32_t)});
 }
 
-const gpu::Layout& splatLayout(gpu::PassContext& context) {
-    return context.pipelines.layout(
-        {"depth splatting layout", kThreeBuffers, kCompute, sizeof(layout::SplatConstants)});
+const gpu::Layout& tileMapsLayout(gpu::PassContext& context) {
+    const bool texels = context.device.caps().tiles.texels;
+    return context.pipelines.layout({"depth maps by tiles layout",
+                                     texels ? std::span<const Type>(kTileMapsTexels) : kTileMapsStorage, kCompute,
+                                     sizeof(layout::MapConstants)});
 }
 
+/// What the texels ask: an image, or heights as texels or in a storage buffer.
+#define NACRE_ACCUMULATION(of)                                                       \
+    (!heights                             ? shaders::occlusionAccumulate##of         \
+     : context.device.caps().tiles.texels ? shaders::occlusionAccumulate##of##Texels \
+                                          : shaders::occlusionAccumulate##of##Storage)
+
 vk::Pipeline accumulationPipeline(gpu::PassContext& context, const Accumulation& accumulation) {
+    const bool heights = accumulation.heights;
     gpu::ComputePipeline d{"occlusion accumulation, spheres",
-                           shaders::occlusionAccumulateSphere,
+                           NACRE_ACCUMULATION(Sphere),
                            {},
-                           *accumulationLayout(context).pipeline};
+                           *accumulationLayout(context, heights).pipeline};
     if (accumulation.texels == Texels::wholeSpheres) {
         d.name = "occlusion accumulation, whole spheres";
-        d.code = shaders::occlusionAccumulateWhole;
+        d.code = NACRE_ACCUMULATION(Whole);
     } else if (accumulation.texels == Texels::cylinders) {
         d.name = "occlusion accumulation, cylinders";
-        d.code = shaders::occlusionAccumulateCylinder;
+        d.code = NACRE_ACCUMULATION(Cylinder);
     }
     const graph::EncodedFormat& encoded = context.device.caps().encoded;
     d.constants.set(layout::kBatchId, accumulation.batch);
     d.constants.set(layout::kDepthChannelsId, accumulation.encoded ? encoded.channels : 1);
     d.constants.set(layout::kDepthStepsId, accumulation.encoded ? encoded.steps : 0);
-    d.constants.set(layout::kMapsAcrossId, mapsAcross(accumulation.batch));
+    d.constants.set(layout::kMapsAcrossId, accumulation.across);
+    if (heights && context.device.caps().tiles.texels)
+        d.constants.set(layout::kLanesId, context.device.caps().tiles.lanes);
     if (accumulation.spread > 0) {
         d.constants.set(layout::kTapsId, 4u);
         d.constants.set(layout::kSpreadId, accumulation.spread);
@@ -57,11 +85,15 @@ vk::Pipeline finishPipeline(gpu::PassContext& context) {
         {"occlusion finish", shaders::occlusionFinish, {}, *finishLayout(context).pipeline});
 }
 
-vk::Pipeline splatPipeline(gpu::PassContext& context, bool cylinders) {
-    const vk::PipelineLayout layout = *splatLayout(context).pipeline;
-    return cylinders
-               ? context.pipelines.compute({"depth splatting, cylinders", shaders::occlusionSplatCylinder, {}, layout})
-               : context.pipelines.compute({"depth splatting, spheres", shaders::occlusionSplatSphere, {}, layout});
+vk::Pipeline tileMapsPipeline(gpu::PassContext& context, bool cylinders) {
+    const bool texels = context.device.caps().tiles.texels;
+    const auto code = texels ? (cylinders ? shaders::tileDepthTexelsCylinders : shaders::tileDepthTexelsSpheres)
+                             : (cylinders ? shaders::tileDepthStorageCylinders : shaders::tileDepthStorageSpheres);
+    gpu::ComputePipeline d{"depth maps by tiles", code, {}, *tileMapsLayout(context).pipeline};
+    d.constants.set(layout::kCopiesId, true);
+    d.constants.set(layout::kTilesInBinId, TileLists::kTilesInBin);
+    d.constants.set(layout::kLanesId, context.device.caps().tiles.lanes);
+    return context.pipelines.compute(d);
 }
 
 }  // namespace nacre::occlusion

@@ -16,20 +16,22 @@ enum class Texels : std::uint8_t {
 };
 struct Accumulation {
     Texels texels{};
-    std::uint32_t batch = 1;  ///< depth maps in the image: 1, 4 or 16
-    bool encoded = false;     ///< these hold encoded depth, not depth itself
-    float spread = 0;         ///< of the four pixels asked for a texel, pixels; 0: one is asked
+    std::uint32_t batch = 1;   ///< depth maps in the image: 1, 4 or 16
+    bool encoded = false;      ///< these hold encoded depth, not depth itself
+    bool heights = false;      ///< they are a buffer of heights instead
+    std::uint32_t across = 1;  ///< maps in a row
+    float spread = 0;          ///< of the four pixels asked for a texel, pixels; 0: one is asked
 };
 
-/// Storage buffers of shapes, directions (uniform), texels and sums, and the depth maps.
-const gpu::Layout& accumulationLayout(gpu::PassContext& context);
+/// Storage buffers of shapes, directions (uniform), texels and sums, and the depth maps: an image, or heights.
+const gpu::Layout& accumulationLayout(gpu::PassContext& context, bool heights);
 vk::Pipeline accumulationPipeline(gpu::PassContext& context, const Accumulation& accumulation);
 /// Storage buffers of sums, words and bytes.
 const gpu::Layout& finishLayout(gpu::PassContext& context);
 vk::Pipeline finishPipeline(gpu::PassContext& context);
-/// Storage buffers of shapes, views and maps.
-const gpu::Layout& splatLayout(gpu::PassContext& context);
-vk::Pipeline splatPipeline(gpu::PassContext& context, bool cylinders);
+/// Texels of shapes, rows of copies, lists and maps, and the maps once more, to be written.
+const gpu::Layout& tileMapsLayout(gpu::PassContext& context);
+vk::Pipeline tileMapsPipeline(gpu::PassContext& context, bool cylinders);
 
 /// Maps in a row of the image of a batch.
 constexpr std::uint32_t mapsAcross(std::uint32_t batch) { return batch > 4 ? 4 : batch > 1 ? 2 : 1; }

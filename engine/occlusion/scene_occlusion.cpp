@@ -12,7 +12,7 @@ constexpr double kWaitedMilliseconds = 30;
 
 /// The path of the depth maps, if the device is to choose.
 OcclusionMaps automaticMaps(const gpu::Caps& caps) {
-    if (caps.software) return OcclusionMaps::splat;
+    if (caps.software && caps.plan.tiles) return OcclusionMaps::tiles;
     return caps.visibility == Visibility::encoded ? OcclusionMaps::encoded : OcclusionMaps::fragdepth;
 }
 
@@ -23,7 +23,7 @@ const char* nameOf(OcclusionMaps maps) {
         case OcclusionMaps::fragdepth:
             return "fragdepth";
         default:
-            return "splat";
+            return "tiles";
     }
 }
 
@@ -76,7 +76,9 @@ void SceneOcclusion::prepare(const OcclusionSettings& settings) {
     began_ = Clock::now();
     baked_ = wanted;
     options_ = {settings.directions, settings.bytes, settings.maps, settings.detail};
-    if (options_.path == OcclusionMaps::automatic) options_.path = automaticMaps(device_.caps());
+    if (options_.path == OcclusionMaps::automatic ||
+        (options_.path == OcclusionMaps::tiles && !device_.caps().plan.tiles))
+        options_.path = automaticMaps(device_.caps());
     cache_ = occlusionCache(settings.cache);
     worthKeeping_ = settings.worthKeeping;
     stopPreparing_.emplace();

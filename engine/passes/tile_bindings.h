@@ -69,9 +69,9 @@ inline void setTileView(gpu::Specialization& constants, const SceneView& view) {
 }
 
 /// A workgroup a tile.
-inline void dispatchTiles(gpu::PassContext& context, const TileFrame& frame) {
+inline void dispatchTiles(gpu::PassContext& context, std::size_t count) {
     constexpr std::uint32_t kRow = 65535;  // the floor's limit of workgroups in a row
-    const auto tiles = static_cast<std::uint32_t>(frame.lists.tiles().size());
+    const auto tiles = static_cast<std::uint32_t>(count);
     context.commands.dispatch(std::min(tiles, kRow), (tiles + kRow - 1) / kRow, 1);
 }
 

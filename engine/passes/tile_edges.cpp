@@ -75,7 +75,7 @@ void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::Imag
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline, 0, set, {});
     bindCounter(context, view, layout, vk::PipelineBindPoint::eCompute);
     context.commands.pushConstants<layout::TileConstants>(*layout.pipeline, kCompute, 0, f.constants);
-    dispatchTiles(context, f);
+    dispatchTiles(context, f.lists.tiles().size());
 }
 
 void drawEdgeColors(gpu::PassContext& context, const SceneView& view, const graph::Clear& clear) {

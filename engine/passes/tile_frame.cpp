@@ -9,9 +9,6 @@ namespace {
 using Usage = vk::BufferUsageFlagBits;
 constexpr auto kRead = Usage::eStorageBuffer | Usage::eUniformTexelBuffer;
 
-/// Turns of all loops that lavapipe 22.3 grants an invocation are 65,535; it then leaves them and says nothing. One
-/// goes by every entry, and as many again by the chunks.
-constexpr std::uint32_t kLongestList = 28000;
 /// The same where edges are drawn: a tile may be gone through eight times.
 constexpr std::uint32_t kLongestListOfEdges = 6000;
 
@@ -94,15 +91,15 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     return *free;
 }
 
-void TileFrames::reserve(TileBuffer& b, std::size_t bytes, vk::BufferUsageFlags usage, vk::Format format,
-                         const char* name) const {
+void reserve(const gpu::Device& device, TileBuffer& b, std::size_t bytes, vk::BufferUsageFlags usage, vk::Format format,
+             const char* name) {
     if (*b.buffer.handle && b.buffer.size >= bytes) return;
     const std::size_t room =
         *b.buffer.handle ? bytes + bytes / 2 : bytes;  // what turns may need more in its next frame
     b = {};
-    b.buffer = gpu::makeBuffer(device_, room, usage, gpu::Access::upload, name);
-    if (device_.caps().tiles.texels && format != vk::Format::eUndefined)
-        b.texels = gpu::makeTexelView(device_, b.buffer, format, name);
+    b.buffer = gpu::makeBuffer(device, room, usage, gpu::Access::upload, name);
+    if (device.caps().tiles.texels && format != vk::Format::eUndefined)
+        b.texels = gpu::makeTexelView(device, b.buffer, format, name);
 }
 
 /// Tiles are drawn where something may show. Elsewhere the colours of the frame before go.
@@ -128,26 +125,17 @@ void TileFrames::clearColors(TileFrame& f) {
 
 void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent image) const {
     TileLists& lists = f.lists;
-    const std::size_t tiles = 2 * lists.tiles().size(), offsets = lists.offsets().size();
     const std::size_t rowBytes = copies.rows.size() * sizeof(glm::vec4);
-    reserve(f.words, 4 * (tiles + offsets + lists.entries()), kRead, vk::Format::eR32Uint, "lists of tiles");
-    reserve(f.rows, rowBytes, kRead, vk::Format::eR32G32B32A32Sfloat, "copies");
+    reserve(device_, f.words, 4 * lists.words(), kRead, vk::Format::eR32Uint, "lists of tiles");
+    reserve(device_, f.rows, rowBytes, kRead, vk::Format::eR32G32B32A32Sfloat, "copies");
     const vk::Buffer before = *f.numbers.buffer.handle;
-    reserve(f.numbers, 4 * TileLists::pixelsOfBins(image.width, image.height), kRead | Usage::eTransferSrc,
+    reserve(device_, f.numbers, 4 * TileLists::pixelsOfBins(image.width, image.height), kRead | Usage::eTransferSrc,
             vk::Format::eR32Uint, "primitive numbers");
     if (*f.numbers.buffer.handle != before) f.coloredAcross = 0;
-    reserve(f.spans, lists.spans().size() * sizeof(TileSpanVertex), Usage::eVertexBuffer, vk::Format::eUndefined,
-            "rows of tiles");
+    reserve(device_, f.spans, lists.spans().size() * sizeof(TileSpanVertex), Usage::eVertexBuffer,
+            vk::Format::eUndefined, "rows of tiles");
 
-    auto* words = reinterpret_cast<std::uint32_t*>(f.words.buffer.mapped);
-    for (const TileLists::Tile& tile : lists.tiles()) {
-        *words++ = tile.x | std::uint32_t{tile.y} << 16;
-        *words++ = tile.slot;
-    }
-    const auto base = static_cast<std::uint32_t>(tiles + offsets);
-    words = std::transform(lists.offsets().begin(), lists.offsets().end(), words,
-                           [&](std::uint32_t offset) { return base + offset; });
-    lists.write(words);
+    lists.write(reinterpret_cast<std::uint32_t*>(f.words.buffer.mapped));
     std::memcpy(f.rows.buffer.mapped, copies.rows.data(), rowBytes);
     auto* spans = reinterpret_cast<TileSpanVertex*>(f.spans.buffer.mapped);
     const glm::vec2 ndc = 2.0f * TileLists::kBinPixels / glm::vec2(image.width, image.height);
@@ -159,13 +147,13 @@ void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent 
 void TileFrames::uploadEdges(TileFrame& f, graph::Extent image) const {
     const TileLists& lists = f.lists;
     const std::size_t across = lists.across() + 2, bins = across * (lists.down() + 2);
-    reserve(f.edges.slots, 4 * bins, kRead, vk::Format::eR32Uint, "tiles of bins");
+    reserve(device_, f.edges.slots, 4 * bins, kRead, vk::Format::eR32Uint, "tiles of bins");
     if (f.shaded)
-        reserve(f.edges.numbers, 4 * TileLists::pixelsOfBins(image.width, image.height), kRead, vk::Format::eR32Uint,
-                "primitive numbers");
+        reserve(device_, f.edges.numbers, 4 * TileLists::pixelsOfBins(image.width, image.height), kRead,
+                vk::Format::eR32Uint, "primitive numbers");
     else
-        reserve(f.edges.colors, 8 * TileLists::pixelsOfBins(image.width, image.height), kRead, vk::Format::eR32G32Uint,
-                "edge colours");
+        reserve(device_, f.edges.colors, 8 * TileLists::pixelsOfBins(image.width, image.height), kRead,
+                vk::Format::eR32G32Uint, "edge colours");
     auto* slots = reinterpret_cast<std::uint32_t*>(f.edges.slots.buffer.mapped);
     std::fill_n(slots, bins, layout::kNoEdge);
     constexpr std::uint32_t kTilesOfBin = TileLists::kTilesInBin * TileLists::kTilesInBin;

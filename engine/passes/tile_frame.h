@@ -11,11 +11,19 @@
 
 namespace nacre::passes {
 
+/// Entries of a list. Turns of all loops that lavapipe 22.3 grants an invocation are 65,535; it then leaves them and
+/// says nothing. One goes by every entry, and as many again by the chunks.
+constexpr std::uint32_t kLongestList = 28000;
+
 /// A buffer that grows, and its view as texels where the device's texel buffers hold whole streams.
 struct TileBuffer {
     gpu::Buffer buffer;
     vk::raii::BufferView texels{nullptr};
 };
+
+/// Makes a buffer anew, with room to grow, if it holds less. @param format  of texels; undefined: it has none
+void reserve(const gpu::Device& device, TileBuffer& buffer, std::size_t bytes, vk::BufferUsageFlags usage,
+             vk::Format format, const char* name);
 
 /// What the edges of a frame are drawn with, if they are.
 struct TileEdges {
@@ -68,8 +76,6 @@ private:
     static void clearColors(TileFrame& frame);
     void upload(TileFrame& frame, const PlacedCopies& copies, graph::Extent image) const;
     void uploadEdges(TileFrame& frame, graph::Extent image) const;
-    void reserve(TileBuffer& buffer, std::size_t bytes, vk::BufferUsageFlags usage, vk::Format format,
-                 const char* name) const;
 
     const gpu::Device& device_;
     std::vector<std::shared_ptr<TileFrame>> frames_;

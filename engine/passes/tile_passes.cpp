@@ -84,7 +84,7 @@ void findNearestByTiles(gpu::PassContext& context, const SceneView& view, std::o
     }
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline, 0, set, {});
     context.commands.pushConstants<layout::TileConstants>(*layout.pipeline, kCompute, 0, f.constants);
-    dispatchTiles(context, f);
+    dispatchTiles(context, f.lists.tiles().size());
 }
 
 void shadeTiles(gpu::PassContext& context, const SceneView& view, Output output, vk::ImageView atlas) {

@@ -185,13 +185,19 @@ void TileLists::build(const TileView& view, const TileScenery& s) {
     listTiles();
 }
 
-void TileLists::write(std::uint32_t* numbers) {
+void TileLists::write(std::uint32_t* to) {
+    for (const Tile& tile : tiles_) {
+        *to++ = tile.x | std::uint32_t{tile.y} << 16;
+        *to++ = tile.slot;
+    }
+    const auto base = static_cast<std::uint32_t>(words() - entries());
+    for (const std::uint32_t offset : offsets_) *to++ = base + offset;
     cursors_.assign(offsets_.begin(), offsets_.end());
     for (const std::uint32_t i : order_) {
         const Kept& k = kept_[i];
         for (std::uint32_t y = k.y; y < k.endY; ++y) {
             std::uint32_t* row = cursors_.data() + std::size_t{y} * across_;
-            for (std::uint32_t x = k.x; x < k.endX; ++x) numbers[row[x]++] = k.number;
+            for (std::uint32_t x = k.x; x < k.endX; ++x) to[row[x]++] = k.number;
         }
     }
 }

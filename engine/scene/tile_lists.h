@@ -82,8 +82,10 @@ public:
     std::size_t kept() const { return kept_.size(); }  ///< primitives in any list
     std::size_t entries() const { return offsets_.empty() ? 0 : offsets_.back(); }
     std::uint32_t longest() const { return longest_; }  ///< entries of a list
-    /// Writes the lists, `entries()` numbers.
-    void write(std::uint32_t* numbers);
+    /// What a device needs of it, in words: tiles, two each (x | y << 16, slot); where the bins' lists begin, and where
+    /// the last ends; the lists.
+    std::size_t words() const { return 2 * tiles_.size() + offsets_.size() + entries(); }
+    void write(std::uint32_t* to);
 
 private:
     struct Kept {

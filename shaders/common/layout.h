@@ -133,29 +133,39 @@ const float kLightX = -0.35f, kLightY = 0.55f, kLightZ = 0.76f;
 
 /// Push constants of the occlusion passes. A batch of depth maps lies side by side in one image, kMapsAcross in a row.
 struct OcclusionConstants {
-    float mapPixels;          // across one depth map
+    int mapPixels;            // across one depth map
+    int apart;                // pixels from one map of a row to the next
+    int pitch;                // of maps in a buffer: pixels from a row to the next
     float pixelsPerAngstrom;  // of a map
-    float slack;              // Å by which a texel may lie behind what a map shows
-    float origin;             // as in ViewConstants
-    float depthStart;
-    float perRange;
+    float pixel;              // Å
+    float depthAt0;           // encoded depth of the height 0
+    float depthPerPixel;      // of height
     uint sphereEdge;
     uint around;
     uint along;
     uint spheres;
     uint firstEntry;  // of the list of texels
     uint entries;
+    uint firstDirection;  // of the copies' own ones, where they are texels
 };
-/// Push constants of depth splatting.
-struct SplatConstants {
-    uint view;        // of the first map
-    uint first, end;  // primitives
-    uint spheres;     // in the shapes, before the cylinders
-    uint pixels;      // across a map
-    uint pitch;       // pixels across the image of the batch
+/// Push constants of depth maps by tiles. What stands in TileConstants, too, means the same.
+struct MapConstants {
+    float origin;
+    uint primitives;
+    vec2 axisPixel;  // of the first map
+    float pixel;
+    float perRange;
+    uint spheres;
+    uint cylinders;
+    uint across;
+    uint offsets;
+    float depthStep;
+    uint binsOfMap;  // in its row
+    uint copies;     // on each map
+    uint unused;
 };
-/// One direction of a batch: a position p of the streams lies at (dot(u, p), dot(v, p), dot(w, p)) with p.w = 1; w
-/// points to the light.
+/// One direction of a batch: a position p of the streams lies at (dot(u, p), dot(v, p), dot(w, p)) with p.w = 1, in
+/// pixels of its depth map from the top left; w points to the light.
 struct Direction {
     vec4 u, v, w;
 };
@@ -169,7 +179,7 @@ static_assert(sizeof(TileConstants) == 128 && offsetof(TileConstants, axisPixel)
               offsetof(TileConstants, atlasTexel) == 96);
 static_assert(sizeof(EffectConstants) == 112 + 16 * kMostCopyColors && offsetof(EffectConstants, fogStart) == 32 &&
               offsetof(EffectConstants, shadowSpread) == 96);
-static_assert(sizeof(OcclusionConstants) == 48);
+static_assert(sizeof(OcclusionConstants) == 56 && sizeof(MapConstants) == 56);
 static_assert(sizeof(Direction) == 48);
 }  // namespace nacre::layout
 #endif

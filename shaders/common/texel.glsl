@@ -5,10 +5,38 @@ layout(push_constant) uniform Push { OcclusionConstants bake; };
 layout(set = 0, binding = 0, std430) readonly buffer Shapes { vec4 shapes[]; };
 
 /// The directions of a batch; those that it lacks are zero and gain nothing. Constant addresses (the loops over it are
-/// unrolled) are what lets a driver load them once for all invocations.
+/// unrolled) are what lets a driver load them once for all invocations. lavapipe 22.3 gathers them lane by lane all the
+/// same: with TEXELS, each lane of a subgroup fetches its share of them once, and hands them round.
 layout(constant_id = kBatchId) const int kBatch = 16;
 layout(constant_id = kMapsAcrossId) const int kMapsAcross = 4;
+#ifdef TEXELS
+layout(constant_id = kLanesId) const int kLanes = 8;
+layout(set = 0, binding = 1) uniform samplerBuffer directionTexels;  // three a direction
+const int kShare = (kBatch + kLanes - 1) / kLanes;
+vec4 shareU[kShare], shareV[kShare], shareW[kShare];
+void fetchDirections() {
+    for (int i = 0; i < kShare; ++i) {
+        uint mine = uint(i * kLanes) + gl_SubgroupInvocationID;
+        int at = int(bake.firstDirection + 3u * min(mine, uint(kBatch - 1)));
+        shareU[i] = texelFetch(directionTexels, at);
+        shareV[i] = texelFetch(directionTexels, at + 1);
+        shareW[i] = texelFetch(directionTexels, at + 2);
+    }
+}
+vec4 handed(vec4 v, uint from) {
+    return vec4(subgroupShuffle(v.x, from), subgroupShuffle(v.y, from), subgroupShuffle(v.z, from),
+                subgroupShuffle(v.w, from));
+}
+Direction directionOf(int i) {
+    uint from = uint(i % kLanes);
+    return Direction(handed(shareU[i / kLanes], from), handed(shareV[i / kLanes], from),
+                     handed(shareW[i / kLanes], from));
+}
+#else
 layout(set = 0, binding = 1, std140) uniform Directions { Direction directions[16]; };
+void fetchDirections() {}
+Direction directionOf(int i) { return directions[i]; }
+#endif
 
 vec3 turned(Direction d, vec3 p) { return vec3(dot(d.u.xyz, p), dot(d.v.xyz, p), dot(d.w.xyz, p)); }
 vec3 placed(Direction d, vec3 p) { return turned(d, p) + vec3(d.u.w, d.v.w, d.w.w); }

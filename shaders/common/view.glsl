@@ -5,12 +5,7 @@
 #include "layout.h"
 #include "turn.glsl"
 
-#ifdef SPLAT
-// A row of workgroups a map: each has a view of its own.
-layout(push_constant) uniform Push { SplatConstants splat; };
-layout(set = 0, binding = 1, std430) readonly buffer Views { ViewConstants views[]; };
-ViewConstants view;  // main() fetches it once: in a loop every use of the buffer is a load
-#elif defined(TILES)
+#ifdef TILES
 // main() fetches it once: lavapipe 22.3 gathers push constants lane by lane, wherever they are used.
 TileConstants view;
 #else
@@ -53,7 +48,7 @@ float encodedDepth(float Z) {
     precise float d = (Z - view.depthStart) * view.perRange;
     return d;
 }
-#if !defined(TILES) && !defined(SPLAT)
+#ifndef TILES
 /// Whether a light's view leaves a primitive out: beyond the plane that its clipping numbers are then.
 bool isCutOff(vec3 center) {
     return kCut && dot(vec3(view.clipNear, view.clipFar, view.contourWidth), center) > view.contourDepth;

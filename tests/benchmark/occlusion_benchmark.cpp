@@ -56,7 +56,7 @@ struct Stage {
         scene = represent(molecule, drawnAtoms(molecule), {Style::spacefill});
         buffers = passes::makeSceneBuffers(device, scene);
     }
-    OcclusionMaps deviceMaps() const { return device.caps().software ? OcclusionMaps::splat : OcclusionMaps::encoded; }
+    OcclusionMaps deviceMaps() const { return device.caps().software ? OcclusionMaps::tiles : OcclusionMaps::encoded; }
     std::unique_ptr<occlusion::Bake> bake(int directions, OcclusionMaps maps) {
         const occlusion::BakeOptions options{directions, 64ull << 20, maps};
         return std::make_unique<occlusion::Bake>(device, buffers, scene, options);
@@ -132,8 +132,8 @@ struct Batch {
         all.resize(kMaps);
         return all;
     }();
-    occlusion::DepthMaps splats{stage.device, stage.buffers, stage.scene, OcclusionMaps::splat, 32u << 20};
-    test::BatchMaps ways{stage.scene, frames, splats.pixels()};
+    occlusion::DepthMaps tiled{stage.device, stage.buffers, stage.scene, OcclusionMaps::tiles, 32u << 20};
+    test::BatchMaps ways{stage.scene, frames, tiled.pixels()};
 
     Batch() {
         const auto tiles = ways.depths(test::BatchWay::tiles);
@@ -153,18 +153,15 @@ void drawBatch(benchmark::State& state, test::BatchWay way) {
     for (auto _ : state) batch.ways.draw(way);
 }
 
-/// The engine's compute path; with the copy into a texture that it needs.
-void splatBatch(benchmark::State& state) {
+/// The engine's compute path, with its lists.
+void drawByTiles(benchmark::State& state) {
     Batch& batch = Batch::instance();
     Stage& stage = batch.stage;
     for (auto _ : state) {
-        graph::Graph g("batch of splats");
+        graph::Graph g("batch by tiles");
         gpu::Imports imports;
-        g.output(batch.splats.declare(g, imports, batch.frames, occlusion::DepthMaps::kMostPerBatch, 0));
-        const graph::Plan plan = graph::compile(g, stage.device.caps().plan);
-        stage.device.submitAndWait(
-            [&](const vk::raii::CommandBuffer& c) { stage.executor.record(c, g, plan, imports); });
-        stage.executor.reset();
+        g.output(*batch.tiled.declare(g, imports, batch.frames, occlusion::DepthMaps::kMostPerBatch, 0).heights);
+        stage.executor.run(g, imports);
     }
 }
 
@@ -197,7 +194,7 @@ int main(int argc, char** argv) try {
             ->Iterations(3);
     }
     constexpr std::pair<const char*, OcclusionMaps> kPaths[] = {
-        {"encoded", OcclusionMaps::encoded}, {"fragdepth", OcclusionMaps::fragdepth}, {"splat", OcclusionMaps::splat}};
+        {"encoded", OcclusionMaps::encoded}, {"fragdepth", OcclusionMaps::fragdepth}, {"tiles", OcclusionMaps::tiles}};
     for (const Subject& s : {kSubjects[0], kSubjects[1], kSubjects[2]})
         for (const auto& [path, maps] : kPaths)
             withStatistics(
@@ -211,7 +208,7 @@ int main(int argc, char** argv) try {
     const auto way = [](benchmark::internal::Benchmark* b) { withStatistics(b, 7)->Iterations(1); };
     for (const auto& [name, w] : kWays)
         way(benchmark::RegisterBenchmark(name, [w = w](benchmark::State& state) { drawBatch(state, w); }));
-    way(benchmark::RegisterBenchmark("maps/splat", splatBatch));
+    way(benchmark::RegisterBenchmark("maps/by_tiles", drawByTiles));
     benchmark::RunSpecifiedBenchmarks();
     return 0;
 } catch (const std::exception& error) {

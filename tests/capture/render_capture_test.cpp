@@ -39,8 +39,7 @@ void expectBakeAndScreen(const nlohmann::json& submissions, const Names& screen)
               (Names{"occlusion finish", "occlusion", "occlusion", "occlusion", "occlusion finish", "screen"}));
     for (const nlohmann::json& submission : submissions)
         if (submission["name"] == "occlusion") {
-            EXPECT_EQ(namesOf(submission["steps"]), (Names{"clear depth maps", "depth splatting",
-                                                           "depth maps to texture", "occlusion accumulation"}));
+            EXPECT_EQ(namesOf(submission["steps"]), (Names{"depth maps by tiles", "occlusion accumulation"}));
         }
     EXPECT_EQ(namesOf(submissions.back()["steps"]), screen);
 }

@@ -99,7 +99,7 @@ TEST_P(ModelsOcclusion, OfEachIsWhatItIsAlone) {
 
 INSTANTIATE_TEST_SUITE_P(Ways, ModelsOcclusion,
                          testing::Combine(testing::Values(Style::spacefill, Style::ballAndStick),
-                                          testing::Values(OcclusionMaps::splat, OcclusionMaps::encoded,
+                                          testing::Values(OcclusionMaps::tiles, OcclusionMaps::encoded,
                                                           OcclusionMaps::fragdepth)));
 
 double meanOf(const LayerPicture& p) {

@@ -28,11 +28,11 @@ protected:
 };
 
 TEST_P(OcclusionOfScene, IsTheSameByEveryPathOfTheDepthMaps) {
-    const std::vector<float> splat = baked(OcclusionMaps::splat), fragdepth = baked(OcclusionMaps::fragdepth),
+    const std::vector<float> tiles = baked(OcclusionMaps::tiles), fragdepth = baked(OcclusionMaps::fragdepth),
                              encoded = baked(OcclusionMaps::encoded);
-    for (std::size_t i = 0; i < splat.size(); ++i) {
-        ASSERT_NEAR(splat[i], fragdepth[i], 1.01 / 255) << i;
-        ASSERT_NEAR(splat[i], encoded[i], 1.01 / 255) << i;
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        ASSERT_NEAR(tiles[i], fragdepth[i], 1.01 / 255) << i;
+        ASSERT_NEAR(tiles[i], encoded[i], 1.01 / 255) << i;
     }
 }
 
@@ -51,7 +51,7 @@ TEST_P(OcclusionOfScene, IsTheSameHoweverTheWorkIsCut) {
 }
 
 TEST_P(OcclusionOfScene, IsTheSameBesideFramesAndInTheSmallestParts) {
-    for (const OcclusionMaps maps : {OcclusionMaps::splat, OcclusionMaps::fragdepth, OcclusionMaps::encoded}) {
+    for (const OcclusionMaps maps : {OcclusionMaps::tiles, OcclusionMaps::fragdepth, OcclusionMaps::encoded}) {
         settings_.occlusion.directions = 3;
         const std::vector<float> atOnce = baked(maps);
         ValidatedRenderer renderer(Visibility::automatic);

@@ -127,7 +127,7 @@ TEST(Phone, TheHostReadsFromMemoryThatItCaches) {
 TEST(Phone, BakesByEveryKindOfDepthMap) {
     const Representation r = scene("sample:glucose", Style::ballAndStick);
     for (const OcclusionMaps maps :
-         {OcclusionMaps::automatic, OcclusionMaps::encoded, OcclusionMaps::fragdepth, OcclusionMaps::splat})
+         {OcclusionMaps::automatic, OcclusionMaps::encoded, OcclusionMaps::fragdepth, OcclusionMaps::tiles})
         for (const int directions : {1, 20}) {
             ValidatedRenderer renderer(Visibility::automatic);
             renderer->setScene(r);

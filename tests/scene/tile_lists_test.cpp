@@ -138,9 +138,9 @@ bool meets(const Ray& ray, const glm::vec4* rows, const Representation& mesh, st
 }
 
 std::vector<std::uint32_t> listsOf(TileLists& lists) {
-    std::vector<std::uint32_t> numbers(lists.entries());
-    lists.write(numbers.data());
-    return numbers;
+    std::vector<std::uint32_t> words(lists.words());
+    lists.write(words.data());
+    return {words.end() - static_cast<std::ptrdiff_t>(lists.entries()), words.end()};
 }
 
 class TileListsTest : public testing::TestWithParam<std::tuple<bool, int>> {};

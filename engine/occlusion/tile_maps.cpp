@@ -1,0 +1,167 @@
+#include "engine/occlusion/tile_maps.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "engine/occlusion/pipelines.h"
+#include "engine/passes/tile_bindings.h"
+#include "engine/passes/view_constants.h"
+
+namespace nacre::occlusion {
+namespace {
+
+using Usage = vk::BufferUsageFlagBits;
+constexpr auto kRead = Usage::eUniformTexelBuffer | Usage::eStorageBuffer;
+constexpr graph::State kHeightState{
+    VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
+constexpr float kNothing = -1e30f;  // height where a map shows nothing, as in shaders/tile_depth.comp
+
+/// Pixels from a map to the next: bins are of one alone.
+std::uint32_t apartFor(std::uint32_t pixels) {
+    constexpr std::uint32_t kBin = TileLists::kBinPixels;
+    return (pixels + kBin - 1) / kBin * kBin;
+}
+
+}  // namespace
+
+TileMaps::TileMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
+                   std::uint32_t pixels, double radius, std::uint32_t across)
+    : device_(device),
+      scene_(scene),
+      representation_(representation),
+      pixels_(pixels),
+      apart_(apartFor(pixels)),
+      across_(across),
+      radius_(radius) {
+    heights_ = gpu::makeBuffer(device, bytesFor(pixels, across), Usage::eStorageBuffer | Usage::eUniformTexelBuffer,
+                               gpu::Access::upload, "depth maps");
+    if (device.caps().tiles.texels)
+        heightTexels_ = gpu::makeTexelView(device, heights_, vk::Format::eR32Sfloat, "depth maps");
+}
+
+std::uint64_t TileMaps::bytesFor(std::uint32_t pixels, std::uint32_t across) {
+    const std::uint64_t side = std::uint64_t{apartFor(pixels)} * across;
+    return sizeof(float) * side * side;
+}
+
+void TileMaps::begin(std::span<const passes::PlacedCopies> maps) {
+    rows_.clear();
+    calls_.clear();
+    for (const passes::PlacedCopies& map : maps) rows_.insert(rows_.end(), map.rows.begin(), map.rows.end());
+    copies_ = maps.empty() ? 1 : static_cast<std::uint32_t>(maps[0].rows.size() / 3);
+    asides_ = rows_;
+    const std::uint32_t spheres = scene_.sphereCount, inCopy = scene_.primitives();
+    const double apart = apart_ * 2 * radius_ / pixels_;  // Å
+    for (std::uint32_t i = 0; i < maps.size(); ++i) {
+        const std::uint32_t firstCopy = i * copies_;
+        for (std::size_t row = 3 * std::size_t{firstCopy}; row < 3 * std::size_t{firstCopy + copies_}; row += 3) {
+            asides_[row].w += static_cast<float>(i % across_ * apart);
+            asides_[row + 1].w -= static_cast<float>(i / across_ * apart);
+        }
+        const auto add = [&](const std::vector<passes::PlacedCopies::Call>& calls, bool cylinders) {
+            for (const passes::PlacedCopies::Call& c : calls) {
+                const std::uint32_t copy = firstCopy + c.copy;
+                calls_.push_back(
+                    {{&asides_[3 * std::size_t{copy}], c.first, c.count, copy * inCopy + (cylinders ? spheres : 0) + 1},
+                     cylinders});
+            }
+        };
+        add(maps[i].spheres, false);
+        add(maps[i].cylinders, true);
+    }
+    reserve(device_, rowTexels_, rows_.size() * sizeof(glm::vec4), kRead, vk::Format::eR32G32B32A32Sfloat,
+            "copies on depth maps");
+    std::memcpy(rowTexels_.buffer.mapped, rows_.data(), rows_.size() * sizeof(glm::vec4));
+    auto* height = reinterpret_cast<float*>(heights_.mapped);
+    std::fill_n(height, heights_.size / sizeof(float), kNothing);
+}
+
+TileView TileMaps::view() const {
+    TileView v;
+    v.width = v.height = pitch();
+    v.pixels = static_cast<float>(pixels_ / (2 * radius_));
+    v.axis = glm::vec2(static_cast<float>(pixels_) / 2);
+    v.origin = static_cast<float>(radius_);
+    v.nearest = 0;
+    v.range = static_cast<float>(2 * radius_);
+    return v;
+}
+
+/// What of which call lies between two primitives of the batch.
+void TileMaps::take(std::uint64_t first, std::uint64_t end) {
+    spheres_.clear();
+    cylinders_.clear();
+    std::uint64_t before = 0;
+    for (const Call& c : calls_) {
+        const std::uint64_t from = std::clamp(first, before, before + c.call.count) - before;
+        const std::uint64_t to = std::clamp(end, before, before + c.call.count) - before;
+        before += c.call.count;
+        TileCall part = c.call;
+        part.first += static_cast<std::uint32_t>(from);
+        part.count = static_cast<std::uint32_t>(to - from);
+        if (part.count > 0) (c.cylinders ? cylinders_ : spheres_).push_back(part);
+    }
+}
+
+/// Lists primitives, as many of them as no list gets too long by, and uploads that.
+void TileMaps::list(Part& part, std::uint64_t first, std::uint64_t& end) {
+    for (;; end = first + (end - first) / 2) {
+        take(first, end);
+        part.lists.build(view(), {representation_.spheres, spheres_, representation_.cylinders, cylinders_});
+        if (part.lists.longest() <= passes::kLongestList) break;
+    }
+    reserve(device_, part.words, 4 * part.lists.words(), kRead, vk::Format::eR32Uint, "lists of depth maps");
+    part.lists.write(reinterpret_cast<std::uint32_t*>(part.words.buffer.mapped));
+}
+
+graph::Buffer TileMaps::import(graph::Graph& g, gpu::Imports& imports) const {
+    const graph::Buffer maps = g.importBuffer("depth maps", heights_.size, kHeightState);
+    imports.bind(maps, heights_);
+    return maps;
+}
+
+graph::Buffer TileMaps::declare(graph::Graph& g, gpu::Imports& imports, std::uint64_t first, std::uint64_t end) {
+    const graph::Buffer maps = import(g, imports);
+    for (std::size_t i = 0; first < end; ++i) {
+        if (i == parts_.size()) parts_.push_back(std::make_unique<Part>());
+        Part& part = *parts_[i];
+        std::uint64_t to = end;
+        list(part, first, to);
+        g.compute("depth maps by tiles").writes(maps).record([&part, this](gpu::PassContext& c) { record(c, part); });
+        first = to;
+    }
+    return maps;
+}
+
+void TileMaps::record(gpu::PassContext& context, const Part& part) const {
+    const TileLists& lists = part.lists;
+    if (lists.tiles().empty()) return;
+    const gpu::Layout& layout = tileMapsLayout(context);
+    const TileView v = view();
+    layout::MapConstants c{};
+    c.origin = v.origin;
+    c.primitives = scene_.primitives();
+    c.axisPixel = v.axis;
+    c.pixel = 1 / v.pixels;
+    c.perRange = 1 / v.range;
+    c.spheres = scene_.sphereCount;
+    c.cylinders = scene_.cylinderCount;
+    c.across = lists.across();
+    c.offsets = static_cast<std::uint32_t>(2 * lists.tiles().size());
+    c.depthStep = 2.0f / TileLists::kDepthSteps;
+    c.binsOfMap = apart_ / TileLists::kBinPixels;
+    c.copies = copies_;
+    context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, tileMapsPipeline(context, scene_.cylinderCount > 0));
+    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
+    passes::TileBindings bindings(context, set, 0);
+    bindings.read(scene_.shapes, scene_.shapeTexels);
+    bindings.read(rowTexels_);
+    bindings.read(part.words);
+    bindings.read(heights_, heightTexels_);
+    bindings.store(heights_);
+    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline, 0, set, {});
+    context.commands.pushConstants<layout::MapConstants>(*layout.pipeline, vk::ShaderStageFlagBits::eCompute, 0, c);
+    passes::dispatchTiles(context, lists.tiles().size());
+}
+
+}  // namespace nacre::occlusion

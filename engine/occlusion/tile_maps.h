@@ -1,0 +1,76 @@
+#pragma once
+// Depth maps of a batch by tiles: what stands in front, tile by tile from lists in the order of depth, in parts that
+// are as small as a frame's time asks. The maps are heights in a buffer, as texels.
+
+#include <glm/mat3x3.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/gpu/execute.h"
+#include "engine/passes/placed_copies.h"
+#include "engine/passes/tile_frame.h"
+#include "engine/scene/tile_lists.h"
+
+namespace nacre::occlusion {
+
+class TileMaps {
+public:
+    /// @param pixels  across a map @param radius  of the ball that it shows, Å @param across  maps in a row of a batch
+    TileMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,
+             std::uint32_t pixels, double radius, std::uint32_t across);
+
+    /// Device memory, bytes. Lists differ from part to part: what they take of a primitive is what it does of large
+    /// molecules.
+    static std::uint64_t bytesFor(std::uint32_t pixels, std::uint32_t across);
+    static constexpr std::uint64_t kBytesPerPrimitive = 9;
+
+    /// Begins a batch: maps of nothing. @param maps  what each shows, at most across x across
+    void begin(std::span<const passes::PlacedCopies> maps);
+    /// Declares the passes that draw primitives of the batch, counted from map to map, into the maps. What was declared
+    /// before has run.
+    graph::Buffer declare(graph::Graph& g, gpu::Imports& imports, std::uint64_t first, std::uint64_t end);
+    /// The maps, for passes that draw or read them.
+    graph::Buffer import(graph::Graph& g, gpu::Imports& imports) const;
+
+    const gpu::Buffer& buffer() const { return heights_; }
+    /// The same as texels, where the device reads streams as such; else null.
+    vk::BufferView texels() const { return *heightTexels_; }
+    /// Pixels from a row of the batch to the next.
+    std::uint32_t pitch() const { return apart_ * across_; }
+    /// From a map to the next.
+    std::uint32_t apart() const { return apart_; }
+
+private:
+    struct Call {
+        TileCall call;
+        bool cylinders = false;
+    };
+
+    /// Primitives whose lists are drawn from at a time.
+    struct Part {
+        TileLists lists;
+        passes::TileBuffer words;
+    };
+    void take(std::uint64_t first, std::uint64_t end);
+    void list(Part& part, std::uint64_t first, std::uint64_t& end);
+    void record(gpu::PassContext& context, const Part& part) const;
+    TileView view() const;
+
+    const gpu::Device& device_;
+    const passes::SceneBuffers& scene_;
+    const Representation& representation_;
+    std::uint32_t pixels_ = 0, apart_ = 0, across_ = 1;
+    double radius_ = 0;
+    std::vector<glm::vec4> rows_;    // of all copies of one map, then of the next
+    std::vector<glm::vec4> asides_;  // the same, at the map's place beside the others
+    std::uint32_t copies_ = 1;       // on each map
+    std::vector<Call> calls_;
+    std::vector<TileCall> spheres_, cylinders_;  // of the part that is drawn
+    std::vector<std::unique_ptr<Part>> parts_;   // their memory is used again
+    passes::TileBuffer rowTexels_;
+    gpu::Buffer heights_;
+    vk::raii::BufferView heightTexels_{nullptr};
+};
+
+}  // namespace nacre::occlusion
