@@ -45,8 +45,8 @@ void draw(const nacre::Molecule& molecule, std::size_t choice) {
     const std::vector<std::uint32_t> drawn = nacre::drawnAtoms(molecule);
     if (drawn.empty() || drawn.size() > 20000) return;
     nacre::RepresentationOptions look;
-    look.style = static_cast<nacre::Style>(choice % 3);
-    if (choice / 3 % 2 && !molecule.assemblies.empty()) look.assembly = molecule.assemblies.front().id;
+    look.style = static_cast<nacre::Style>(choice % 5);
+    if (choice / 5 % 2 && !molecule.assemblies.empty()) look.assembly = molecule.assemblies.front().id;
     nacre::Representation scene = nacre::represent(molecule, drawn, look);
     nacre::RenderSettings settings;
     settings.supersample = 1;
