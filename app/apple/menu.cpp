@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/shared/looks.h"
+#include "app/shared/mesh_options.h"
 #include "app/shared/option_text.h"
 #include "app/shared/option_values.h"
 #include "app/viewer/presets.h"
@@ -38,8 +39,10 @@ private:
 MenuItem styles(const Looks& looks) {
     MenuItem menu{"Style", "circle.hexagongrid"};
     for (const auto& [title, style] : kStyles)
-        menu.children.push_back(looks.item(title, looks.now().look.style == style,
-                                           [style = style](SavedView& look) { look.look.style = style; }));
+        menu.children.push_back(looks.item(title, looks.now().look.style == style, [style = style](SavedView& look) {
+            look.look.style.reset();
+            if (style) setStyle(*style, look.look);
+        }));
     return menu;
 }
 

@@ -2,12 +2,12 @@
 
 #include <utility>
 
+#include "app/viewer/presets.h"
 #include "engine/error.h"
 
 namespace nacre::app {
 
-void Loader::start(const SavedView& view, std::shared_ptr<const Molecule> molecule) {
-    Job job{view, std::move(molecule)};
+void Loader::start(Job job) {
     if (running_.valid())
         next_ = std::move(job);  // instead of whatever else was waiting
     else
@@ -38,7 +38,8 @@ void Loader::launch(Job job) {
 Document Loader::load(const Job& job) const {
     Document document{job.view, job.molecule, {}};
     if (!document.molecule) document.molecule = std::make_shared<const Molecule>(sources_.read(job.view));
-    document.scene = sources_.build(*document.molecule, job.view);
+    if (job.first) firstLook(*document.molecule, document.view);
+    document.scene = sources_.build(*document.molecule, document.view);
     return document;
 }
 

@@ -55,9 +55,11 @@ public:
     Loader(const Loader&) = delete;
 
     /// Starts with a file. What was under way is finished and thrown away.
-    void read(const SavedView& view) { start(view, nullptr); }
+    void read(const SavedView& view) { start({view, nullptr}); }
+    /// The same, of one that is seen for the first time: as it looks best (firstLook()), if the view leaves that open.
+    void open(const SavedView& view) { start({view, nullptr, true}); }
     /// Starts with a molecule that is there, seen in another way.
-    void build(const SavedView& view, std::shared_ptr<const Molecule> molecule) { start(view, std::move(molecule)); }
+    void build(const SavedView& view, std::shared_ptr<const Molecule> molecule) { start({view, std::move(molecule)}); }
     bool busy() const { return running_.valid() && !cancelled_; }
     /// What is under way, and what waits, is not wanted any more: take() gives nothing of it.
     void cancel();
@@ -75,8 +77,9 @@ private:
     struct Job {
         SavedView view;
         std::shared_ptr<const Molecule> molecule;
+        bool first = false;  ///< is seen for the first time
     };
-    void start(const SavedView& view, std::shared_ptr<const Molecule> molecule);
+    void start(Job job);
     void launch(Job job);
     Document load(const Job& job) const;
 

@@ -1,6 +1,8 @@
 #include "app/viewer/presets.h"
 
+#include "app/shared/mesh_options.h"
 #include "app/shared/option_values.h"
+#include "engine/molecule/chain_summary.h"
 
 namespace nacre::app {
 
@@ -39,6 +41,15 @@ void applyPreset(const Preset& preset, SavedView& view) {
     view.look.assembly = assembly;
     view.look.palette = palette;
     view.background = preset.background;
+}
+
+void firstLook(const Molecule& molecule, SavedView& view) {
+    constexpr std::size_t kFewResidues = 200;
+    RepresentationOptions& look = view.look;
+    if (look.style || !look.rules.empty() || look.color != Coloring()) return;
+    std::size_t aminoAcids = 0;
+    for (const ChainSummary& chain : summariseChains(molecule)) aminoAcids += chain.aminoAcids;
+    if (aminoAcids > kFewResidues) setStyle(Style::cartoon, look);
 }
 
 std::span<const char* const> colorChoices() {

@@ -17,6 +17,10 @@ std::span<const Preset> presets();
 /// Changes what is drawn and its colours; camera and file stay.
 void applyPreset(const Preset& preset, SavedView& view);
 
+/// How a molecule looks at first where nothing was asked for: proteins of over 200 residues as cartoons, their ligands
+/// as sticks. Anything else, and any view that says something of styles, colours or selections, stays as it is.
+void firstLook(const Molecule& molecule, SavedView& view);
+
 /// What the panel offers, as `--color` and `--background` take it.
 std::span<const char* const> colorChoices();
 std::span<const char* const> backgroundChoices();

@@ -28,7 +28,8 @@ Viewer::Viewer(Screen& screen, Sources sources, const SavedView& view, const Vie
                std::function<void()> wake)
     : screen_(screen), options_(options), loader_(std::move(sources), std::move(wake)), view_(view) {
     motion_.set(view.camera);
-    if (!view.input.empty()) loader_.read(view_);
+    // What was saved looks as it was.
+    if (!view.input.empty()) view.hash.empty() ? loader_.open(view_) : loader_.read(view_);
 }
 
 const SavedView& Viewer::view() const {
@@ -113,7 +114,7 @@ void Viewer::open(const std::string& path, double now) {
     fresh.words.title.clear();
     fresh.camera = {};
     fresh.camera.projection = view_.camera.projection;
-    loader_.read(fresh);
+    loader_.open(fresh);
     say("reading " + nameOf(path), now);
 }
 
@@ -362,6 +363,10 @@ void Viewer::tookDocument(double now) {
         view_.format = document_.view.format;
         view_.model = document_.view.model;
         view_.look.assembly = document_.view.look.assembly;
+        if (!step && !view_.look.style) {
+            view_.look.style = document_.view.look.style;
+            view_.look.color = document_.view.look.color;
+        }
         if (!firstDocument_ && !step && !restoring_) {
             view_.look.rules = document_.view.look.rules;
             view_.words = document_.view.words;
