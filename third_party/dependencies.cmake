@@ -20,9 +20,18 @@ if(NOT TARGET glm::glm)
 endif()
 
 find_path(GEMMI_INCLUDE_DIR gemmi/elem.hpp REQUIRED)
-find_path(PEGTL_INCLUDE_DIR tao/pegtl.hpp REQUIRED)
 add_library(gemmi::headers INTERFACE IMPORTED)
-target_include_directories(gemmi::headers SYSTEM INTERFACE ${GEMMI_INCLUDE_DIR} ${PEGTL_INCLUDE_DIR})
+target_include_directories(gemmi::headers SYSTEM INTERFACE ${GEMMI_INCLUDE_DIR})
+# Upstream's gemmi brings the PEGTL that it is written for; Debian's takes the system's.
+if(NOT EXISTS ${GEMMI_INCLUDE_DIR}/gemmi/third_party/tao/pegtl.hpp)
+    find_path(PEGTL_INCLUDE_DIR tao/pegtl.hpp REQUIRED)
+    target_include_directories(gemmi::headers SYSTEM INTERFACE ${PEGTL_INCLUDE_DIR})
+endif()
+# From 0.6 on its tables of residues and symmetry operations are a library.
+find_library(GEMMI_LIBRARY gemmi_cpp)
+if(GEMMI_LIBRARY)
+    target_link_libraries(gemmi::headers INTERFACE ${GEMMI_LIBRARY})
+endif()
 
 # Debian's libxxhash-dev brings no CMake files.
 find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
@@ -101,7 +110,10 @@ if(NACRE_APPS AND (NACRE_DESKTOP OR ANDROID))
 endif()
 if(NACRE_TESTS)
     find_package(GTest REQUIRED)
-    find_package(embree 3 REQUIRED)
+    find_package(embree 4 QUIET)  # vcpkg's
+    if(NOT embree_FOUND)
+        find_package(embree 3 REQUIRED)
+    endif()
 endif()
 if(NACRE_BENCHMARKS)
     find_package(benchmark REQUIRED)

@@ -12,7 +12,7 @@ android {
 
     defaultConfig {
         applicationId = "org.nacre.viewer"
-        minSdk = 26
+        minSdk = 26  // strtod_l, which numbers are read by, is there from then on
         targetSdk = 36
         versionCode = 1
         versionName = "0.1.0"

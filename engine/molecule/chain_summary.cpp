@@ -44,7 +44,7 @@ NamedKind kindOf(const Molecule& molecule, const Residue& residue) {
     if (known.is_water()) return {SummaryKind::water, 'X'};
     if (known.is_amino_acid()) return {SummaryKind::aminoAcid, letter};
     if (known.is_nucleic_acid()) return {SummaryKind::nucleotide, letter};
-    const bool polymer = known.kind == gemmi::ResidueInfo::UNKNOWN && !molecule.atoms[residue.firstAtom].hetero;
+    const bool polymer = !known.found() && !molecule.atoms[residue.firstAtom].hetero;
     if (polymer && hasAtom(molecule, residue, "CA") && hasAtom(molecule, residue, "N") &&
         hasAtom(molecule, residue, "C"))
         return {SummaryKind::aminoAcid, 'X'};

@@ -1,6 +1,10 @@
 #include "tests/reference/ambient_occlusion.h"
 
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -130,8 +134,10 @@ void OcclusionScene::addRods(const std::vector<Cylinder>& cylinders) {
 
 bool OcclusionScene::openTowards(const glm::dvec3& point, const glm::dvec3& normal, const glm::dvec3& direction) const {
     const glm::dvec3 start = point + kLift * normal;
+#if RTC_VERSION_MAJOR < 4
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
+#endif
     RTCRay ray{};
     ray.org_x = static_cast<float>(start.x);
     ray.org_y = static_cast<float>(start.y);
@@ -141,7 +147,11 @@ bool OcclusionScene::openTowards(const glm::dvec3& point, const glm::dvec3& norm
     ray.dir_z = static_cast<float>(direction.z);
     ray.tfar = std::numeric_limits<float>::infinity();
     ray.mask = ~0u;
+#if RTC_VERSION_MAJOR >= 4
+    rtcOccluded1(scene_.get(), &ray);
+#else
     rtcOccluded1(scene_.get(), &context, &ray);
+#endif
     return ray.tfar > 0.0f;
 }
 

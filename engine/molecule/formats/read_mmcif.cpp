@@ -3,6 +3,7 @@
 #include <gemmi/cif.hpp>
 
 #include "engine/error.h"
+#include "engine/molecule/formats/cif_fault.h"
 #include "engine/molecule/formats/mmcif_model.h"
 #include "engine/molecule/formats/readers.h"
 #include "engine/molecule/text.h"
@@ -127,6 +128,12 @@ private:
     bool open_ = false, wanted_ = false;
 };
 
+/// What a rule matched: PEGTL 2.8 has no string_view() of it.
+template <typename Input>
+std::string_view textOf(const Input& in) {
+    return {in.begin(), in.size()};
+}
+
 template <typename Rule>
 struct Action : pegtl::nothing<Rule> {};
 
@@ -142,11 +149,11 @@ struct Action : pegtl::nothing<Rule> {};
 NACRE_CIF_ACTION(datablockheading, block())
 NACRE_CIF_ACTION(framename, frame(true))
 NACRE_CIF_ACTION(endframe, frame(false))
-NACRE_CIF_ACTION(item_tag, itemTag(in.string_view(), in.iterator().line))
-NACRE_CIF_ACTION(item_value, itemValue(in.string_view()))
+NACRE_CIF_ACTION(item_tag, itemTag(textOf(in), in.iterator().line))
+NACRE_CIF_ACTION(item_value, itemValue(textOf(in)))
 NACRE_CIF_ACTION(str_loop, beginLoop())
-NACRE_CIF_ACTION(loop_tag, loopTag(in.string_view(), in.iterator().line))
-NACRE_CIF_ACTION(loop_value, loopValue(in.string_view(), in.iterator().line))
+NACRE_CIF_ACTION(loop_tag, loopTag(textOf(in), in.iterator().line))
+NACRE_CIF_ACTION(loop_value, loopValue(textOf(in), in.iterator().line))
 NACRE_CIF_ACTION(loop, endLoop())
 NACRE_CIF_ACTION(field_sep, textDelimiter(in.iterator().line))
 #undef NACRE_CIF_ACTION
@@ -187,9 +194,10 @@ std::vector<Molecule> readMmcif(const std::string& name, std::string_view text, 
         models.front().warnings.push_back("bytes that CIF does not allow, read as '?': " + std::to_string(foreign));
         return models;
     } catch (const pegtl::parse_error& fault) {
-        std::string why = "not valid CIF: " + printable(fault.message(), 200);
-        if (fault.message() == "parse error") why += "; perhaps a quote or a text field before it is not closed";
-        throw Error("cannot read molecule", name, why, fault.positions().front().line);
+        const std::string message = messageOf(fault);
+        std::string why = "not valid CIF: " + printable(message, 200);
+        if (message == "parse error") why += "; perhaps a quote or a text field before it is not closed";
+        throw Error("cannot read molecule", name, why, lineOf(fault));
     }
 }
 

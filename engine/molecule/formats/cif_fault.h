@@ -1,0 +1,41 @@
+#pragma once
+// What a parse error of PEGTL says, in both shapes that it comes in: Debian's gemmi is built on PEGTL 3, upstream's
+// brings PEGTL 2.8, whose errors have a public list of positions and put them before their words.
+
+#include <cstddef>
+#include <string>
+
+namespace nacre {
+
+template <typename Fault>
+auto messageOf(const Fault& fault, int) -> decltype(std::string(fault.message())) {
+    return std::string(fault.message());
+}
+/// PEGTL 2.8: "SOURCE:LINE:COLUMN(BYTE): words".
+template <typename Fault>
+std::string messageOf(const Fault& fault, long) {
+    const std::string text = fault.what();
+    const std::size_t end = text.find("): ");
+    return end == std::string::npos ? text : text.substr(end + 3);
+}
+/// Its words without a place.
+template <typename Fault>
+std::string messageOf(const Fault& fault) {
+    return messageOf(fault, 0);
+}
+
+template <typename Fault>
+auto lineOf(const Fault& fault, int) -> decltype(static_cast<std::size_t>(fault.positions().front().line)) {
+    return fault.positions().front().line;
+}
+template <typename Fault>
+std::size_t lineOf(const Fault& fault, long) {
+    return fault.positions.front().line;
+}
+/// Where it is.
+template <typename Fault>
+std::size_t lineOf(const Fault& fault) {
+    return lineOf(fault, 0);
+}
+
+}  // namespace nacre
