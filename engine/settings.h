@@ -66,12 +66,13 @@ struct RenderSettings {
 struct WindowFrame {
     enum class Quality {
         live,     ///< at `scale` times the window's resolution
-        refined,  ///< from samples x samples a pixel, and kept
+        refined,  ///< one sample of each pixel more, added to those before: their mean is shown, and kept
         kept,     ///< the refined picture once more, under another overlay
     };
     Quality quality = Quality::live;
     double scale = 1;
-    std::uint32_t samples = 2;
+    std::uint32_t samples = 1;         ///< that a pixel of the refined picture has in the end: 1, 4, 9 or 16
+    std::uint32_t sample = 0;          ///< the one that this frame adds; the first begins anew
     const Overlay* overlay = nullptr;  ///< good until the call returns
 };
 

@@ -10,7 +10,7 @@ layout(location = 0) out vec4 color;
 layout(constant_id = kSamplesId) const int kSamples = 0;     // n; 0: bilinear
 layout(constant_id = kCodedId) const bool kCoded = false;  // the target takes sRGB-coded colour as it is
 
-layout(push_constant) uniform Push { vec4 scale; };  // xy: 1 / pixels of the target
+layout(push_constant) uniform Push { vec4 scale; };  // xy: 1 / pixels of the target; z: what is left of the picture
 
 void main() {
     vec3 sum = vec3(0.0);
@@ -22,5 +22,6 @@ void main() {
     } else {
         sum = textureLod(picture, gl_FragCoord.xy * scale.xy, 0.0).rgb;
     }
+    sum *= scale.z;
     color = vec4(kCoded ? srgbFromLinear(sum) : sum, 1.0);
 }

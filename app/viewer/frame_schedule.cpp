@@ -35,7 +35,7 @@ void ResolutionControl::rest() { *this = {}; }
 
 void FrameSchedule::pictureChanged(double now) {
     pictureChanged_ = true;
-    refined_ = false;
+    refined_ = 0;
     lastChange_ = now;
 }
 
@@ -48,10 +48,12 @@ FrameSchedule::Next FrameSchedule::next(double now, bool moving, double occlusio
         next.draw = Draw::live;
         next.scale = moving ? resolution_.scale() : 1.0;
         next.wake = now;
-    } else if (refined_) {
+    } else if (refined_ >= samples_) {
         if (overlayChanged_) next.draw = Draw::keep;
     } else if (occlusion >= 1 && now >= lastChange_ + kSettleSeconds) {
         next.draw = Draw::refine;
+        next.sample = refined_;
+        next.wake = now;
     } else {
         if (overlayChanged_) next.draw = Draw::live;
         next.wake = occlusion < 1 ? now + kBakeSeconds : lastChange_ + kSettleSeconds;
@@ -70,7 +72,7 @@ void FrameSchedule::shown(const Next& frame, double now, bool moving, double occ
     if (frame.draw == Draw::keep) return;
     pictureChanged_ = false;
     shownOcclusion_ = occlusion;
-    refined_ = frame.draw == Draw::refine;
+    refined_ = frame.draw == Draw::refine ? frame.sample + 1 : 0;
 }
 
 }  // namespace nacre::app

@@ -1,6 +1,6 @@
 #pragma once
 // When to draw, and what: the whole of the viewer's thrift. A picture that moves is drawn as often as the display asks
-// for it, at a resolution that keeps up; one that came to rest is refined once; then nothing is drawn at all.
+// for it, at a resolution that keeps up; one that came to rest is refined, sample by sample; then nothing is drawn.
 
 #include <cstdint>
 #include <limits>
@@ -30,7 +30,7 @@ private:
 enum class Draw {
     nothing,
     live,
-    refine,  ///< supersampled, and kept
+    refine,  ///< one sample of each pixel more, and kept
     keep,    ///< the refined picture once more, under another overlay
 };
 
@@ -49,6 +49,7 @@ public:
     struct Next {
         Draw draw = Draw::nothing;
         double scale = 1;
+        std::uint32_t sample = 0;                               ///< of `refine`: which
         double wake = std::numeric_limits<double>::infinity();  ///< when to ask again, if nothing happens before
     };
     /// @param moving    the camera moves by itself, or under a hand
@@ -57,12 +58,15 @@ public:
     /// Tells what was drawn.
     /// @param deviceSeconds  that the device took for a frame lately; 0: nobody knows
     void shown(const Next& frame, double now, bool moving, double occlusion, double deviceSeconds = 0);
+    /// That a pixel of a picture at rest gets, one a frame.
+    void setSamples(std::uint32_t samples) { samples_ = samples; }
     /// Seconds from one picture of the display to the next.
     void setDisplayInterval(double seconds) { interval_ = seconds; }
 
 private:
     ResolutionControl resolution_;
-    bool visible_ = true, pictureChanged_ = true, overlayChanged_ = false, refined_ = false, wasMoving_ = false;
+    bool visible_ = true, pictureChanged_ = true, overlayChanged_ = false, wasMoving_ = false;
+    std::uint32_t samples_ = 16, refined_ = 0;  // of the picture at rest: in all, and drawn so far
     double lastChange_ = 0, lastFrame_ = 0, shownOcclusion_ = -1;
     double interval_ = 1.0 / 60;
 };

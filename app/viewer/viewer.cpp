@@ -172,8 +172,6 @@ void Viewer::resume(double now) {
     schedule_.windowChanged(now);
 }
 
-void Viewer::lowMemory() { options_.refinedPixels = 0; }
-
 void Viewer::screenLost(double now) {
     deviceLost_ = false;
     if (!loss_.empty()) say(loss_, now);
@@ -414,9 +412,8 @@ double Viewer::advance(double now) {
 }
 
 std::uint32_t Viewer::refinedSamples() const {
-    std::uint32_t n = debug_ == DebugView::none ? options_.mostSamples : 1;  // numbers have no mean
-    while (n > 1 && std::uint64_t{size_.width} * size_.height * n * n > options_.refinedPixels) --n;
-    return n;
+    const std::uint32_t n = debug_ == DebugView::none ? options_.mostSamples : 1;  // numbers have no mean
+    return n * n;
 }
 
 double Viewer::update(double now, const std::function<const Overlay*()>& overlay) {
@@ -429,6 +426,7 @@ double Viewer::update(double now, const std::function<const Overlay*()>& overlay
     if (document() && sceneThere_ && occlusion_ < 1 && occlusionRetry_.due(now)) advanceOcclusion(now, moving);
     if (deviceLost_) return now;
     if (!frameRetry_.due(now)) return std::min(due, frameRetry_.at());
+    schedule_.setSamples(refinedSamples());
     const FrameSchedule::Next next = schedule_.next(now, moving, occlusion_);
     if (next.draw != Draw::nothing) draw(next, now, moving, overlay);
     const FrameSchedule::Next after = schedule_.next(now, moving, occlusion_);
@@ -469,6 +467,7 @@ void Viewer::draw(const FrameSchedule::Next& next, double now, bool moving,
                                                 : WindowFrame::Quality::kept;
     frame.scale = next.scale;
     frame.samples = refinedSamples();
+    frame.sample = next.sample;
     if (overlay) frame.overlay = overlay();
     FrameOutcome outcome = FrameOutcome::lost;
     try {

@@ -49,10 +49,9 @@ struct SelectedAtoms {
 constexpr double kWordPoints = 15 / 1.164;
 
 struct ViewerOptions {
-    std::uint32_t mostSamples = 4;             ///< a side of a pixel, of the refinement
-    double movingMilliseconds = 4;             ///< of occlusion a frame while something moves
-    double restingMilliseconds = 8;            ///< of one submission of it while nothing does: a touch waits so long
-    std::uint64_t refinedPixels = 1ull << 24;  ///< samples of a refinement at most
+    std::uint32_t mostSamples = 4;   ///< a side of a pixel, of the refinement
+    double movingMilliseconds = 4;   ///< of occlusion a frame while something moves
+    double restingMilliseconds = 8;  ///< of one submission of it while nothing does: a touch waits so long
     std::uint64_t occlusionBytes = RenderSettings{}.occlusion.bytes;
     std::string occlusionCache;  ///< folder of finished bakes; empty: none are kept
     FrameTuning tuning;          ///< never changes the picture
@@ -87,7 +86,7 @@ public:
     void pause();
     void resume(double now);
     /// Gives up what can be made again: the refined picture's samples from now on, picks stay.
-    void lowMemory();
+    void lowMemory() { options_.mostSamples = 1; }
     /// A side of a pixel, of the refinement, from now on.
     void setMostSamples(std::uint32_t samples) { options_.mostSamples = samples; }
     std::uint32_t mostSamples() const { return options_.mostSamples; }

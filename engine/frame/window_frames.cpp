@@ -1,6 +1,9 @@
 #include "engine/frame/window_frames.h"
 
+#include <cmath>
+
 #include "engine/frame/picture.h"
+#include "engine/passes/edge_samples.h"
 #include "engine/passes/read_back.h"
 #include "engine/passes/resample.h"
 
@@ -10,6 +13,18 @@ namespace {
 using Quality = WindowFrame::Quality;
 
 constexpr VkFormat kPictureFormat = VK_FORMAT_R8G8B8A8_SRGB;
+/// Of sums of samples: blends on every device, and holds sixteen of them within a quarter of a step of 8 bits.
+constexpr VkFormat kSumFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
+
+/// The view whose pixels look through the i-th of so many samples. Sixteen are those of a picture's edges, each far
+/// from the ones before; fewer stand in rows.
+View throughSampleOf(View view, std::uint32_t samples, std::uint32_t i) {
+    if (samples == RenderSettings::kEdgeSamples) return throughSample(view, i * 5 % samples);
+    const auto side = static_cast<std::uint32_t>(std::lround(std::sqrt(samples)));
+    const glm::dvec2 at = (glm::dvec2(i % side, i / side) + 0.5) / static_cast<double>(side) - 0.5;
+    view.pan += glm::dvec2(-at.x, at.y) / view.pixelsPerAngstrom;
+    return view;
+}
 
 /// A window is opaque: a background that is not stands over white.
 graph::Clear clearOf(const std::array<float, 4>& background) {
@@ -54,11 +69,11 @@ bool WindowFrames::prepare(graph::Extent wanted) {
 }
 
 /// The pass that brings a picture onto the window.
-graph::Image WindowFrames::addPicture(ScreenFrame& frame, graph::Image picture, std::uint32_t samples) {
+graph::Image WindowFrames::addPicture(ScreenFrame& frame, graph::Image picture, std::uint32_t samples, float share) {
     const graph::Image window =
         frame.graph.importImage("window", {swapchain_.format(), swapchain_.extent()}, kWindowState, true);
     frame.graph.graphics("resample").samples(picture).color(window).record([=, this](gpu::PassContext& c) {
-        passes::resample(c, c.view(picture), samples, coded());
+        passes::resample(c, c.view(picture), {samples, coded(), share, false});
     });
     return window;
 }
@@ -79,43 +94,47 @@ ScreenFrame WindowFrames::declareFrame(const RenderSettings& settings, const pas
     if (frame.quality == Quality::kept) return declareKept(imports);
     const graph::Clear clear = clearOf(settings.background);
     ScreenTarget target{"colour", kPictureFormat, passes::Output::color, "impostor colour", clear};
-    if (frame.quality == Quality::refined) return declareRefined(settings, atlas, view, target, frame.samples, imports);
+    if (frame.quality == Quality::refined) return declareRefined(settings, atlas, view, target, frame, imports);
     if (frame.scale == 1.0 && !coded()) {
         target = {"window", swapchain_.format(), passes::Output::color, "impostor colour", clear, true};
         return frames_.declare(settings, atlas, view, {&target, 1}, "screen", imports);
     }
     ScreenFrame f = frames_.declare(settings, atlas, scaled(view, frame.scale), {&target, 1}, "scaled screen", imports);
-    f.targets.push_back(addPicture(f, f.targets[0], frame.scale == 1.0 ? 1 : 0));
+    f.targets.push_back(addPicture(f, f.targets[0], frame.scale == 1.0 ? 1 : 0, 1));
     return f;
 }
 
-/// A picture of samples x samples a pixel, whose mean is kept, and shown.
+/// One sample of each pixel, added to those that there are. Their mean is shown.
 ScreenFrame WindowFrames::declareRefined(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
-                                         const ScreenTarget& target, std::uint32_t samples, gpu::Imports& imports) {
-    const graph::ImageDesc desc{kPictureFormat, swapchain_.extent()};
-    if (kept_.desc != desc) {
+                                         const ScreenTarget& target, const WindowFrame& frame, gpu::Imports& imports) {
+    const graph::ImageDesc desc{kSumFormat, swapchain_.extent()};
+    if (sum_.desc != desc) {
         executor_.forgetFramebuffers();
-        kept_ =
+        sum_ =
             gpu::makeImage(device_, desc, vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled,
-                           false, "refined picture");
+                           false, "sum of samples");
     }
-    ScreenFrame f = frames_.declare(settings, atlas, scaled(view, samples), {&target, 1}, "refinement", imports);
-    const graph::Image kept = f.graph.importImage("refined picture", desc, passes::kTextureState, true);
+    ScreenFrame f = frames_.declare(settings, atlas, throughSampleOf(view, frame.samples, frame.sample), {&target, 1},
+                                    "refinement", imports);
+    const bool first = frame.sample == 0;
+    const graph::Image sum = f.graph.importImage("sum of samples", desc, passes::kTextureState, first);
     const graph::Image colour = f.targets[0];
-    imports.bind(kept, kept_);
-    f.graph.graphics("mean of samples").samples(colour).color(kept).record([=](gpu::PassContext& c) {
-        passes::resample(c, c.view(colour), samples, false);
+    imports.bind(sum, sum_);
+    std::optional<graph::Clear> clear;
+    if (first) clear = graph::Clear{0.0f};
+    f.graph.graphics("sum of samples").samples(colour).color(sum, clear).record([=](gpu::PassContext& c) {
+        passes::resample(c, c.view(colour), {1, false, 1, true});
     });
-    f.targets.push_back(addPicture(f, kept, 1));
+    f.targets.push_back(addPicture(f, sum, 1, 1.0f / static_cast<float>(frame.sample + 1)));
     return f;
 }
 
 ScreenFrame WindowFrames::declareKept(gpu::Imports& imports) {
     ScreenFrame f{graph::Graph("kept screen"), {}, {}, {}, {}, {}, {}, {}};
-    const graph::Image kept =
-        f.graph.importImage("refined picture", {kPictureFormat, swapchain_.extent()}, passes::kTextureState);
-    imports.bind(kept, kept_);
-    f.targets.push_back(addPicture(f, kept, 1));
+    const graph::Image sum =
+        f.graph.importImage("sum of samples", {kSumFormat, swapchain_.extent()}, passes::kTextureState);
+    imports.bind(sum, sum_);
+    f.targets.push_back(addPicture(f, sum, 1, 1.0f / static_cast<float>(summed_)));
     return f;
 }
 
@@ -151,18 +170,19 @@ FrameOutcome WindowFrames::present(const RenderSettings& settings, const passes:
     for (int attempt = 0; attempt < 3; ++attempt) {
         if (!prepare(wanted)) return FrameOutcome::hidden;
         if (swapchain_.upright() != wanted) return FrameOutcome::resized;
-        if (frame.quality == Quality::kept && !(keptDrawn_ && kept_.desc.extent == swapchain_.extent()))
+        const std::uint32_t there = sum_.desc.extent == swapchain_.extent() ? summed_ : 0;
+        if (frame.quality == Quality::kept && there == 0) return FrameOutcome::resized;
+        if (frame.quality == Quality::refined && frame.sample > 0 && there != frame.sample)
             return FrameOutcome::resized;
         gpu::FrameSlot& slot = ring_.next();
         // An attempt that failed may have left the slot with an image.
         if (!slot.image) slot.image = swapchain_.acquire(*slot.acquired);
         if (!slot.image) continue;
         const std::uint32_t index = *slot.image;
-        if (frame.quality == Quality::refined) keptDrawn_ = false;
+        if (frame.quality == Quality::refined) summed_ = 0;  // of what fails half way nothing is known
         submit(slot, settings, atlas, frame);
-        if (frame.quality == Quality::refined) keptDrawn_ = true;
+        if (frame.quality == Quality::refined) summed_ = frame.sample + 1;
         swapchain_.present(index);
-        if (frame.quality == Quality::refined) executor_.forget("refinement");
         return FrameOutcome::shown;
     }
     return FrameOutcome::resized;  // faster than it can be followed: again at the next frame

@@ -38,9 +38,9 @@ private:
     ScreenFrame declareFrame(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame,
                              gpu::Imports& imports);
     ScreenFrame declareRefined(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
-                               const ScreenTarget& target, std::uint32_t samples, gpu::Imports& imports);
+                               const ScreenTarget& target, const WindowFrame& frame, gpu::Imports& imports);
     ScreenFrame declareKept(gpu::Imports& imports);
-    graph::Image addPicture(ScreenFrame& frame, graph::Image picture, std::uint32_t samples);
+    graph::Image addPicture(ScreenFrame& frame, graph::Image picture, std::uint32_t samples, float share);
     void addOverlay(ScreenFrame& frame, graph::Image window, const Overlay* overlay, gpu::FrameSlot& slot);
     bool coded() const;
 
@@ -51,8 +51,8 @@ private:
     gpu::FrameRing ring_;
     graph::PlanCache plans_;
     passes::OverlayPass overlay_;
-    gpu::Image kept_;         ///< the refined picture
-    bool keptDrawn_ = false;  ///< it has been drawn, or will be by what was submitted
+    gpu::Image sum_;            ///< of the refined picture's samples
+    std::uint32_t summed_ = 0;  ///< of them, in it, or to be by what was submitted; 0: none are of use
 };
 
 }  // namespace nacre

@@ -29,6 +29,7 @@ public:
     }
     const vk::raii::DeviceMemory& operator*() const { return memory_; }
     const Device* device() const { return device_; }
+    std::uint64_t bytes() const { return bytes_; }
 
 private:
     const Device* device_ = nullptr;
@@ -76,6 +77,7 @@ vk::raii::BufferView makeTexelView(const Device& device, const Buffer& buffer, v
 
 struct Image {
     Memory memory;
+    bool lazy = false;  ///< its memory is lazily allocated: bytes of it are there only once something needs them
     vk::raii::Image handle{nullptr};
     vk::raii::ImageView view{nullptr};
     graph::ImageDesc desc;

@@ -12,6 +12,7 @@ void bindFullScreen(gpu::PassContext& context, const FullScreenPass& pass, const
     d.constants = pass.constants;
     d.layout = *layout.pipeline;
     d.colorsWritten = context.colorCount;
+    d.blend = pass.blend;
     d.strip = false;
     context.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, context.pipelines.graphics(d));
 }

@@ -9,6 +9,7 @@ struct FullScreenPass {
     gpu::ShaderWords fragment;
     gpu::Specialization constants;
     std::string_view detail;  ///< beside the pass's name, for captures
+    gpu::Blend blend = gpu::Blend::replace;
 };
 
 /// The pass's pipeline, bound. @param layout  outlives what is recorded

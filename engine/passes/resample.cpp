@@ -5,15 +5,16 @@
 
 namespace nacre::passes {
 
-void resample(gpu::PassContext& context, vk::ImageView picture, std::uint32_t samples, bool coded) {
+void resample(gpu::PassContext& context, vk::ImageView picture, const Resampling& how) {
     static constexpr vk::DescriptorType kBindings[] = {vk::DescriptorType::eCombinedImageSampler};
     constexpr auto kStages = vk::ShaderStageFlagBits::eFragment;
     const std::array<float, 4> scale{1.0f / static_cast<float>(context.extent.width),
-                                     1.0f / static_cast<float>(context.extent.height), 0, 0};
+                                     1.0f / static_cast<float>(context.extent.height), how.share, 0};
     const gpu::Layout& layout = context.pipelines.layout({"resample layout", kBindings, kStages, sizeof(scale)});
     FullScreenPass pass{shaders::resampleFragment, {}, {}};
-    pass.constants.set(layout::kSamplesId, samples);
-    pass.constants.set(layout::kCodedId, coded);
+    pass.blend = how.add ? gpu::Blend::add : gpu::Blend::replace;
+    pass.constants.set(layout::kSamplesId, how.samples);
+    pass.constants.set(layout::kCodedId, how.coded);
     bindFullScreen(context, pass, layout);
     bindTextures(context, layout, vk::Filter::eLinear, {&picture, 1});
     drawFullScreen(context, layout, kStages, scale);

@@ -70,20 +70,22 @@ TEST(WindowFrames, EveryKindOfFrameByEveryPathIsValid) {
         for (int i = 0; i < 2; ++i) {
             renderer.advanceOcclusion(s, 0.1);
             for (const WindowFrame& frame :
-                 {WindowFrame{}, WindowFrame{Quality::live, 0.5, 1, &overlay},
-                  WindowFrame{Quality::refined, 1, 2, nullptr}, WindowFrame{Quality::kept, 1, 1, &overlay},
-                  WindowFrame{Quality::live, 1, 1, &overlay}}) {
+                 {WindowFrame{}, WindowFrame{Quality::live, 0.5, 1, 0, &overlay},
+                  WindowFrame{Quality::refined, 1, 16, 0, nullptr}, WindowFrame{Quality::refined, 1, 16, 1, &overlay},
+                  WindowFrame{Quality::kept, 1, 1, 0, &overlay}, WindowFrame{Quality::live, 1, 1, 0, &overlay}}) {
                 ASSERT_EQ(renderer.present(s, frame), FrameOutcome::shown);
                 ++shown;
             }
         }
         for (std::size_t view = 1; path == Visibility::encoded && view < debugViewNames().size(); ++view) {
             s.debug = static_cast<DebugView>(view);
-            ASSERT_EQ(renderer.present(s, {Quality::live, 0.5, 1, &overlay}), FrameOutcome::shown);
+            ASSERT_EQ(renderer.present(s, {Quality::live, 0.5, 1, 0, &overlay}), FrameOutcome::shown);
             ++shown;
         }
         s.debug = DebugView::none;
         EXPECT_EQ(renderer.stats().windowFrames, shown);
+        // A sample that does not follow on those that are there is none of this picture's.
+        EXPECT_EQ(renderer.present(s, {Quality::refined, 1, 16, 7, nullptr}), FrameOutcome::resized);
         // The window goes and comes back, as on a phone.
         const int before = surfaces;
         renderer.releaseWindow();

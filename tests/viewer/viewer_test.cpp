@@ -113,7 +113,7 @@ TEST(Viewer, ConvergesRefinesOnceAndThenDrawsNothing) {
     b.run(2);
     EXPECT_EQ(b.screen.occlusion, 1);
     EXPECT_GE(b.screen.count(Quality::live), 8);  // one for each step of the occlusion
-    EXPECT_EQ(b.screen.count(Quality::refined), 1);
+    EXPECT_EQ(b.screen.count(Quality::refined), 16);
     EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
     const std::size_t drawn = b.screen.frames.size();
     b.run(5);
@@ -166,12 +166,33 @@ TEST(Viewer, EveryChangeIsDrawnAndRefinedOnce) {
         const int refined = b.screen.count(Quality::refined);
         b.viewer.run(command, b.now);
         b.run(2);
-        EXPECT_EQ(b.screen.count(Quality::refined), refined + 1);
+        EXPECT_EQ(b.screen.count(Quality::refined), refined + 16);
         EXPECT_GE(b.screen.frames.size(), before + 2);
         const std::size_t after = b.screen.frames.size();
         b.run(5);
         EXPECT_EQ(b.screen.frames.size(), after);
     }
+}
+
+TEST(Viewer, SamplesFollowEachOtherAndATouchEndsThem) {
+    Bench b;
+    b.run(2);
+    for (std::uint32_t i = 0; i < 16; ++i) {
+        const WindowFrame& frame = b.screen.frames[b.screen.frames.size() - 16 + i];
+        EXPECT_EQ(frame.quality, Quality::refined);
+        EXPECT_EQ(frame.samples, 16u);
+        EXPECT_EQ(frame.sample, i);
+    }
+    b.viewer.run(ViewerCommand::rotateLeft, b.now);
+    for (int i = 0; i < 100 && b.screen.frames.back().sample != 5; ++i) b.step();
+    ASSERT_EQ(b.screen.frames.back().sample, 5u);
+    b.viewer.mouseButton(MouseButton::left, true, {300, 200}, {}, b.now);
+    b.viewer.mouseMove({310, 200}, b.now);
+    b.step();  // the very next frame
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::live);
+    b.viewer.mouseButton(MouseButton::left, false, {310, 200}, {}, b.now);
+    b.run(4);
+    EXPECT_EQ(b.screen.frames.back().sample, 15u);
 }
 
 TEST(Viewer, AnOverlayThatChangesCostsOneFrameOfTheKeptPicture) {
@@ -531,7 +552,7 @@ TEST(Viewer, WhatFailsIsSaidAndTriedAgainLaterAndLater) {
     b.run(12);
     EXPECT_EQ(b.screen.failures, 0);
     EXPECT_EQ(b.screen.occlusion, 1);
-    EXPECT_EQ(b.screen.count(Quality::refined), 1);
+    EXPECT_EQ(b.screen.count(Quality::refined), 16);
     EXPECT_EQ(b.viewer.annotations().message, "");
 }
 
@@ -583,7 +604,7 @@ TEST(Viewer, ALossIsNoticedWhereverItComesAndSaidAfterwards) {
         EXPECT_EQ(b.screen.scenes, scenes + 1);
         EXPECT_EQ(b.viewer.annotations().message, "the device was lost: so and so");
         b.run(6);
-        EXPECT_EQ(b.screen.count(Quality::refined), refined + 1);
+        EXPECT_EQ(b.screen.count(Quality::refined), refined + 16);
     }
 }
 
