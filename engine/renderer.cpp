@@ -88,6 +88,13 @@ Picture Renderer::render(const RenderSettings& settings) {
     });
 }
 
+Picture Renderer::renderPart(const RenderSettings& settings, const PictureRect& part) {
+    return impl_->guarded([&] {
+        impl_->occlusion.finish(settings.occlusion);
+        return impl_->pictures.part(settings, impl_->occlusion.atlas(), part);
+    });
+}
+
 LayerPicture Renderer::layers(const RenderSettings& settings) {
     return impl_->guarded([&] {
         impl_->occlusion.finish(settings.occlusion);

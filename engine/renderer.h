@@ -39,6 +39,9 @@ public:
 
     /// @throws Error if the picture is larger than the device draws, or memory runs out
     Picture render(const RenderSettings& settings);
+    /// A rectangle of the picture that render() draws, to the byte, which may be larger than the device draws.
+    /// @param part  its x and y are multiples of PictureRect::kStep; View::quarterTurns is 0 @throws Error
+    Picture renderPart(const RenderSettings& settings, const PictureRect& part);
     /// One sample a pixel, no antialiasing; supersample is ignored.
     LayerPicture layers(const RenderSettings& settings);
 

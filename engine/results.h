@@ -13,6 +13,12 @@ struct Picture {
     std::vector<float> rgba;  ///< linear light, premultiplied; 4 a pixel
 };
 
+/// A rectangle of a picture, from the top left.
+struct PictureRect {
+    std::uint32_t x = 0, y = 0, width = 0, height = 0;
+    static constexpr std::uint32_t kStep = 16;  ///< parts of pictures begin at multiples of it
+};
+
 struct LayerPicture {
     std::uint32_t width = 0, height = 0;
     std::vector<float> rgba;        ///< linear light, premultiplied; 4 a pixel

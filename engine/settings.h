@@ -55,6 +55,7 @@ struct RenderSettings {
     View view;
     std::uint32_t supersample = kEdges;           ///< N x N samples a pixel, or kEdges
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha, 0..1
+    bool fine = false;                            ///< pictures: 32 bits a channel, linear, instead of 8, sRGB-coded
     bool lighting = true;                         ///< off: base colour x occlusion
     Effects effects;                              ///< layers and picks have no contours
     DebugView debug = DebugView::none;            ///< of pictures and window frames; layers and picks are not concerned

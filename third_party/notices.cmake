@@ -18,6 +18,7 @@ set(NACRE_PARTS
     "DejaVu fonts|Bitstream Vera|fonts-dejavu-core||https://dejavu-fonts.github.io"
     "FreeType|FTL|libfreetype-dev|freetype|https://freetype.org"
     "OpenImageIO|BSD-3-Clause|libopenimageio-dev|openimageio|https://github.com/AcademySoftwareFoundation/OpenImageIO"
+    "libwebp|BSD-3-Clause|libwebp-dev|libwebp|https://chromium.googlesource.com/webm/libwebp"
     "libpng|libpng-2.0|libpng-dev|libpng|http://www.libpng.org"
     "GIFLIB|MIT|libgif-dev|giflib|https://giflib.sourceforge.net"
     "libcurl|curl|libcurl4-openssl-dev|curl|https://curl.se"
@@ -26,7 +27,7 @@ if(pybind11_FOUND)
     list(APPEND NACRE_PARTS "pybind11|BSD-3-Clause|pybind11-dev|pybind11|https://github.com/pybind/pybind11")
 endif()
 if(IOS)
-    list(FILTER NACRE_PARTS EXCLUDE REGEX "^(DejaVu fonts|FreeType|OpenImageIO|libpng|GIFLIB|libcurl|CLI11)")
+    list(FILTER NACRE_PARTS EXCLUDE REGEX "^(DejaVu fonts|FreeType|OpenImageIO|libwebp|libpng|GIFLIB|libcurl|CLI11)")
 endif()
 if(APPLE)
     list(APPEND NACRE_PARTS

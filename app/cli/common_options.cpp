@@ -117,7 +117,7 @@ void addInputs(CommandSpec& command, std::vector<std::string>& paths, InputOptio
 }
 
 void addSize(CommandSpec& command, const std::string& fallback, Size& size) {
-    addValue(command, "--size", "WxH", fallback, "Pixels, each side 1 to 16384",
+    addValue(command, "--size", "WxH", fallback, "Pixels, each side 1 to 32768",
              [&](const std::string& text) { size = parseSize(text); });
 }
 

@@ -67,7 +67,7 @@ void drawSheet(const LooksOptions& options) {
         sheet.put(done, renderer.render(prepared.settings));
         progress.advance(static_cast<double>(++done) / static_cast<double>(looks().size()));
     }
-    writePicture(file, sheet.picture(), false);
+    writePicture(file, sheet.picture(), {});
 }
 
 }  // namespace

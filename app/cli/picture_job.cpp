@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/cli/banded_picture.h"
 #include "app/download/load_molecule.h"
 #include "app/shared/cache_folder.h"
 #include "app/shared/capture_file.h"
@@ -28,6 +29,7 @@ RenderSettings settingsOf(const RenderOptions& options, const Camera& camera, co
     settings.occlusion.directions = options.occlusion.directions;
     settings.occlusion.bytes = options.occlusion.bytes();
     settings.occlusion.detail = options.occlusion.detail;
+    settings.fine = options.bits == 16 || extensionOf(options.output) == ".exr";
     settings.tuning = options.tuning;
     settings.debug = options.debug;
     // What is captured is to be seen: the bake, too, is done then.
@@ -68,6 +70,10 @@ void checkValidation(const Renderer& renderer) {
 }
 
 }  // namespace
+
+PictureFormat formatOf(const RenderOptions& options) {
+    return {options.background[3] < 1.0f, options.bits, options.dpi.value_or(0)};
+}
 
 PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& options) {
     const Clock::time_point start = Clock::now();
@@ -120,7 +126,7 @@ void PictureJob::prepare() {
 
 /// The picture, captured with its bake if a file is given or RenderDoc started this program.
 Picture PictureJob::drawPicture(Renderer& renderer) {
-    if (!captureFile_ && !renderer.startedByRenderDoc()) return renderer.render(prepared_.settings);
+    if (!isCaptured(renderer)) return renderer.render(prepared_.settings);
     renderer.beginCapture(captureFile_ ? captureStem(*captureFile_) : "");
     Picture picture = renderer.render(prepared_.settings);
     const std::string written = renderer.endCapture();
@@ -131,17 +137,59 @@ Picture PictureJob::drawPicture(Renderer& renderer) {
     return picture;
 }
 
+void PictureJob::sayCrowded(std::size_t labels) const {
+    if (labels > 0)
+        sayWarning(std::to_string(labels) + (labels == 1 ? " label" : " labels") +
+                   " found no room in the picture (smaller --text-size, or fewer)");
+}
+
+/// Draws the picture in parts, and writes it meanwhile.
+void PictureJob::drawInParts(Renderer& renderer) {
+    const RenderSettings& settings = prepared_.settings;
+    const View& view = settings.view;
+    for (const auto& [option, asked] :
+         {std::pair{"--layers", !options_.layers.empty()}, {"--capture", isCaptured(renderer)}})
+        if (asked)
+            throw Error("picture too large", std::to_string(view.width) + "x" + std::to_string(view.height),
+                        std::string(option) + " takes one that is drawn at once");
+    BandedPicture picture(renderer, settings, [&](double share) {
+        if (share >= 1) return;
+        progress_.begin("drawing in parts");
+        progress_.advance(share);
+    });
+    std::optional<WordPainter> painter;
+    if (prepared_.words.any()) {
+        painter.emplace();
+        Marks marks =
+            painter->layOut(prepared_.words, view, options_.words.size, options_.words.color, options_.background);
+        sayCrowded(marks.crowded);
+        picture.setMarks(*painter, std::move(marks));
+    }
+    writePicture(
+        pictureFile_, view.width, view.height, [&](std::uint32_t first, std::uint32_t) { return picture.rows(first); },
+        formatOf(options_));
+    written_ = true;
+    frame_ = picture.stats();
+    prepared_.run.parts = picture.parts();
+}
+
+bool PictureJob::isCaptured(const Renderer& renderer) const { return captureFile_ || renderer.startedByRenderDoc(); }
+
 void PictureJob::draw(Renderer& renderer) {
     const RenderSettings& settings = prepared_.settings;
     renderer.setScene(std::move(prepared_.scene));
     progress_.begin(settings.occlusion.directions ? "ambient occlusion" : "drawing");
-    picture_ = drawPicture(renderer);
+    if (isBanded(renderer, settings)) {
+        drawInParts(renderer);
+    } else {
+        picture_ = drawPicture(renderer);
+        frame_ = renderer.stats();  // of this picture, before the frames that follow add theirs
+    }
     prepared_.run.firstPictureMs = millisecondsSince(start_);
-    frame_ = renderer.stats();  // of this picture, before the frames that follow add theirs
     if (options_.occlusion.megabytes || (isatty(STDERR_FILENO) && isCoarse(frame_.occlusion)))
         sayOcclusion(frame_.occlusion, settings);
     if (layersFile_) layers_ = renderer.layers(settings);
-    if (statsFile_) tellOfPasses(renderer, settings, frame_);
+    if (statsFile_ && !written_) tellOfPasses(renderer, settings, frame_);
     checkValidation(renderer);
 }
 
@@ -149,10 +197,10 @@ void PictureJob::write() {
     progress_.begin("writing");
     if (layersFile_) writeLayers(*layersFile_, *layers_);
     layers_.reset();
-    if (const std::size_t crowded = addWords(prepared_, options_, prepared_.settings.view, picture_))
-        sayWarning(std::to_string(crowded) + (crowded == 1 ? " label" : " labels") +
-                   " found no room in the picture (smaller --text-size, or fewer)");
-    writePicture(pictureFile_, picture_, options_.background[3] < 1.0f);
+    if (!written_) {
+        sayCrowded(addWords(prepared_, options_, prepared_.settings.view, picture_));
+        writePicture(pictureFile_, picture_, formatOf(options_));
+    }
     if (!statsFile_) return;
     prepared_.run.totalMs = millisecondsSince(start_);
     writeText(*statsFile_, statsJson(prepared_.run, prepared_.settings.view, frame_));

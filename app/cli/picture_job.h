@@ -8,6 +8,7 @@
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
 #include "app/cli/stats.h"
+#include "app/shared/image_file.h"
 #include "app/shared/output_file.h"
 #include "engine/milliseconds.h"
 #include "engine/renderer.h"
@@ -21,6 +22,9 @@ struct PreparedPicture {
     PlacedWords words;
     RunStats run;  ///< as far as it is known by then
 };
+
+/// How the options ask for the file to be written.
+PictureFormat formatOf(const RenderOptions& options);
 
 /// Needs no device. @throws Error if nothing of the molecule is drawn
 PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& options);
@@ -37,7 +41,8 @@ public:
 
     /// Reads the molecule and builds its scene. @throws Error
     void prepare();
-    /// Draws all that is asked for: the device's only step. @throws Error
+    /// Draws all that is asked for: the device's only step. A picture that is not held whole is written meanwhile.
+    /// @throws Error
     void draw(Renderer& renderer);
     /// Puts the files in their places. @throws Error
     void write();
@@ -47,6 +52,9 @@ public:
 
 private:
     Picture drawPicture(Renderer& renderer);
+    void drawInParts(Renderer& renderer);
+    bool isCaptured(const Renderer& renderer) const;
+    void sayCrowded(std::size_t labels) const;
 
     const RenderOptions& options_;
     Progress& progress_;
@@ -56,6 +64,7 @@ private:
     PreparedPicture prepared_;
     std::vector<std::string> warnings_;
     Picture picture_;
+    bool written_ = false;  ///< in parts, while it was drawn
     std::optional<LayerPicture> layers_;
     FrameStats frame_;
 };

@@ -4,6 +4,7 @@
 
 #include "app/cli/common_options.h"
 #include "app/cli/movie_options.h"
+#include "app/cli/paper_options.h"
 #include "app/cli/saved_options.h"
 #include "app/movie/movie_file.h"
 #include "app/shared/effect_options.h"
@@ -58,6 +59,7 @@ void addShading(CommandSpec& command, RenderOptions& options) {
                  [&](const std::string& text) {
                      option.set(text, options.effects);
                      if (option.name == std::string_view("clip")) options.aim.mayClip = false;
+                     if (option.name == std::string_view("contours")) options.contourPoints = pointsOf(text);
                  });
     addValue(command, "--slab", "A", "none", "Cuts away what is farther than half of this from the plane of the centre",
              [&](const std::string& text) {
@@ -92,7 +94,8 @@ void addLook(CommandSpec& command, RenderOptions& options) {
              [&](const std::string& text) { takeLook(lookOf(text), options); });
 }
 
-void addWords(CommandSpec& command, Words& words) {
+void addWords(CommandSpec& command, RenderOptions& options) {
+    Words& words = options.words;
     addValue(
         command, "--label", "SEL=TEXT", "",
         "Label a selection; {residue}, {number}, {letter}, {chain}, {atom}, {element}, ... in the text, one label\n"
@@ -118,8 +121,11 @@ void addWords(CommandSpec& command, Words& words) {
              [&](const std::string& text) {
                  words.legend = parseChoice(text, {"on", "off"}) == 0;
              });
-    addValue(command, "--text-size", "PIXELS", "a 42nd of the shorter side", "Size of letters (an em), 4 to 2000",
-             [&](const std::string& text) { words.size = parseNumber(text, 4, 2000); });
+    addValue(command, "--text-size", "PIXELS|POINTSpt", "a 42nd of the shorter side",
+             "Size of letters (an em), 4 to 2000 pixels, or as 8pt at --dpi", [&](const std::string& text) {
+                 words.size = parsePixels(text, 4, 2000);
+                 options.textPoints = pointsOf(text);
+             });
     addValue(command, "--text-color", "COLOR", "dark or light, against the background",
              "An opaque colour as for --background; a halo keeps it readable on atoms",
              [&](const std::string& text) { words.color = parseInk(text); });
@@ -139,11 +145,11 @@ void addSavedView(CommandSpec& command, RenderOptions& options) {
 OptionSpec& addOutput(CommandSpec& command, RenderOptions& options) {
     return addValue(
         command, "-o,--output", "FILE", "",
-        "The picture: .png, .tif, .tiff, .jpg, .jpeg or .exr; - is PNG to standard output",
+        "The picture: .png, .tif, .tiff, .jpg, .jpeg, .webp or .exr; - is PNG to standard output",
         [&](const std::string& text) {
             if (!isPictureName(text))
                 throw std::invalid_argument(
-                    "expected a name that ends in .png, .tif, .tiff, .jpg, .jpeg or .exr, not '" + text + "'");
+                    "expected a name that ends in .png, .tif, .tiff, .jpg, .jpeg, .webp or .exr, not '" + text + "'");
             options.output = text;
         });
 }
@@ -257,8 +263,9 @@ void addRender(CommandSpec& command, RenderOptions& options) {
     addFiles(command, options);
     addCamera(command, options);
     addShading(command, options);
-    addWords(command, options.words);
+    addWords(command, options);
     addPixels(command, options);
+    addPaper(command, options);
     addDebug(command, options);
     addDevice(command, options);
 }
@@ -266,6 +273,7 @@ void addRender(CommandSpec& command, RenderOptions& options) {
 void addMovie(CommandSpec& command, MovieOptions& options) {
     RenderOptions& picture = options.picture;
     addSavedView(command, picture);
+    addLook(command, picture);
     addContent(command, picture.input, false, picture.drawn, picture.look);
     addValue(command, "-o,--output", "FILE|FOLDER/", "",
              "The movie: .mp4, .webm (both by ffmpeg), .gif, .png (animated); or a folder of PNG frames;\n"
@@ -280,7 +288,7 @@ void addMovie(CommandSpec& command, MovieOptions& options) {
     addMotion(command, options);
     addCamera(command, picture);
     addShading(command, picture);
-    addWords(command, picture.words);
+    addWords(command, picture);
     addPixels(command, picture);
     addDevice(command, picture);
 }
@@ -293,7 +301,7 @@ void addWindow(CommandSpec& command, RenderOptions& first) {
     addCamera(command, first);
     addSize(command, "1280x800", first.size);
     addShading(command, first);
-    addWords(command, first.words);
+    addWords(command, first);
     addDebug(command, first);
     addValue(command, "--stats", "FILE", "none",
              "What the window drew, as JSON, when it is closed; - for standard output",
@@ -327,6 +335,8 @@ void checkRender(RenderOptions& options) {
     if (!takeInput(options)) throw UsageError("INPUT is required");
     checkInputs(options);
     checkDebug(options);
+    takePaper(options);
+    checkFormat(options);
     try {
         checkSamples(options.size, options.supersample);
     } catch (const std::invalid_argument& error) {
@@ -347,7 +357,7 @@ void checkMovie(MovieOptions& options) {
     checkInputs(picture);
     checkMotion(options);
     try {
-        checkSamples(picture.size, picture.supersample);
+        checkSamples(picture.size, picture.supersample, kMostSamplesHeld);
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
     }

@@ -103,6 +103,7 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
                      {"total", run.totalMs}};
     json["covered_pixels"] = frame.coveredPixels;
     json["antialiasing"] = {{"samples", frame.samples}, {"frames", frame.frames}};
+    json["parts"] = run.parts;
     json["passes"] = passesJson(frame.passes, frame.passTimes);
     const OcclusionStats& occlusion = frame.occlusion;
     json["occlusion"] = {{"directions", occlusion.directions},

@@ -361,7 +361,7 @@ void WindowSession::savePicture(const PictureWish& wish) {
 
 void WindowSession::writePictureTo(const std::string& path, PixelSize size, bool transparent) {
     if (!isPictureName(path))
-        throw Error("cannot save the picture", path, "its name ends in none of .png .tif .jpg .exr");
+        throw Error("cannot save the picture", path, "its name ends in none of .png .tif .jpg .webp .exr");
     OutputFile file(path);
     RenderSettings settings = viewer().pictureSettings(size);
     // What is larger than the window is antialiased as pictures are; the window's own as the window is.
@@ -377,7 +377,7 @@ void WindowSession::writePictureTo(const std::string& path, PixelSize size, bool
         viewer().textSize() * (asShown ? 1 : std::min(size.width, size.height) / std::max(shorter, 1.0));
     WordPainter().paint(placeWords(view.words, *document.molecule, document.scene), settings.view, textSize,
                         view.words.color, background, drawn);
-    writePicture(file, drawn, transparent);
+    writePicture(file, drawn, {transparent});
 }
 
 void WindowSession::copyPicture() {

@@ -30,7 +30,7 @@ public:
 
     void add(const Picture& picture) override {
         OutputFile file((folder_ / frameName(++frames_)).string());
-        writePicture(file, picture, shape_.alpha);
+        writePicture(file, picture, {shape_.alpha});
     }
 
     void finish() override {

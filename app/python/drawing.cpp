@@ -12,7 +12,6 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/set_options.h"
 #include "app/download/load_molecule.h"
-#include "app/shared/image_file.h"
 #include "app/shared/molecules.h"
 #include "engine/error.h"
 #include "engine/molecule/memory_bound.h"
@@ -54,8 +53,8 @@ struct Request {
     std::string scene;  ///< options that the scene depends on, as one text
 };
 
-/// @throws app::UsageError
-Request requestOf(const Structure& structure, const std::string& json) {
+/// @param output  whose name tells the format; it is not made @throws app::UsageError
+Request requestOf(const Structure& structure, const std::string& json, const std::string& output) {
     Request request;
     app::CommandSpec render{"render", "", ""};
     app::addRender(render, request.options);
@@ -67,10 +66,10 @@ Request requestOf(const Structure& structure, const std::string& json) {
         if (!isOne(value.name, kOfTheCamera)) request.scene += value.name + "=" + value.value + "\n";
     }
     for (const std::string& input : structure.inputs) values.push_back({"input", input});
-    values.push_back({"output", "picture.png"});  // never made
+    values.push_back({"output", output});
     app::setOptions(render, values);
-    request.options.output.clear();
     app::checkRender(request.options);
+    app::checkSamples(request.options.size, request.options.supersample, app::kMostSamplesHeld);
     return request;
 }
 
@@ -156,11 +155,15 @@ Structure openBytes(const std::string& name, std::string bytes, const std::strin
     return {std::make_shared<const Molecule>(readMolecule(input.path, std::move(bytes), reading)), {input.path}};
 }
 
-Drawing draw(const Structure& structure, const std::string& options) {
-    const Request request = requestOf(structure, options);
+namespace {
+
+constexpr const char* kPlain = "picture.png";  ///< what shows a picture's pixels as they are
+
+Drawing drawAs(const std::string& output, const Structure& structure, const std::string& options) {
+    const Request request = requestOf(structure, options, output);
     app::PreparedPicture prepared = app::preparePicture(*structure.molecule, request.options);
     Drawing drawing;
-    drawing.opaque = request.options.background[3] >= 1.0f;
+    drawing.format = app::formatOf(request.options);
     drawing.warnings = prepared.scene.warnings;
     drawing.picture = shared().draw(structure, request, prepared,
                                     [](Renderer& r, const RenderSettings& settings) { return r.render(settings); });
@@ -169,8 +172,12 @@ Drawing draw(const Structure& structure, const std::string& options) {
     return drawing;
 }
 
+}  // namespace
+
+Drawing draw(const Structure& structure, const std::string& options) { return drawAs(kPlain, structure, options); }
+
 LayerPicture drawLayers(const Structure& structure, const std::string& options, std::vector<std::string>& warnings) {
-    const Request request = requestOf(structure, options);
+    const Request request = requestOf(structure, options, kPlain);
     app::PreparedPicture prepared = app::preparePicture(*structure.molecule, request.options);
     warnings = prepared.scene.warnings;
     return shared().draw(structure, request, prepared,
@@ -179,11 +186,11 @@ LayerPicture drawLayers(const Structure& structure, const std::string& options, 
 
 std::vector<std::string> save(const Structure& structure, const std::string& path, const std::string& options) {
     if (!app::isPictureName(path) || app::isStandardOutput(path))
-        throw app::UsageError("save() takes a name that ends in .png, .tif, .tiff, .jpg, .jpeg or .exr, not '" + path +
-                              "'");
+        throw app::UsageError("save() takes a name that ends in .png, .tif, .tiff, .jpg, .jpeg, .webp or .exr, not '" +
+                              path + "'");
     app::OutputFile file(path);
-    const Drawing drawing = draw(structure, options);
-    app::writePicture(file, drawing.picture, !drawing.opaque);
+    const Drawing drawing = drawAs(path, structure, options);
+    app::writePicture(file, drawing.picture, drawing.format);
     return drawing.warnings;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/shared/image_file.h"
 #include "engine/molecule/molecule.h"
 #include "engine/results.h"
 
@@ -20,7 +21,7 @@ struct Structure {
 
 struct Drawing {
     Picture picture;
-    bool opaque = true;                 ///< its background
+    app::PictureFormat format;          ///< that its options ask a file to have
     std::vector<std::string> warnings;  ///< of the scene
 };
 

@@ -32,7 +32,7 @@ std::string shareText(const Effects& e) {
 }
 
 void setContours(std::string_view text, Effects& e) {
-    e.contours.width = text == "off" ? 0 : parseNumber(text, 0.1, kWidest);
+    e.contours.width = text == "off" ? 0 : parsePixels(text, 0.1, kWidest);
 }
 std::string contoursText(const Effects& e) { return e.contours.width > 0 ? numberText(e.contours.width) : "off"; }
 

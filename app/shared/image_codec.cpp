@@ -1,4 +1,5 @@
-// Everything that touches OpenImageIO. Built as a module of its own, loaded when a picture is written.
+// Everything that touches OpenImageIO; with image_webp.cpp built as a module of its own, loaded when a picture is
+// written.
 
 #include "app/shared/image_codec.h"
 
@@ -17,6 +18,8 @@
 #include <string>
 #include <vector>
 
+#include "app/shared/image_webp.h"
+
 namespace nacre::app {
 namespace {
 
@@ -34,6 +37,7 @@ Format formatOf(const std::string& path) {
 
 OIIO::TypeDesc typeOf(Samples samples) {
     return samples == Samples::bytes    ? OIIO::TypeDesc::UINT8
+           : samples == Samples::words  ? OIIO::TypeDesc::UINT16
            : samples == Samples::halves ? OIIO::TypeDesc::HALF
                                         : OIIO::TypeDesc::FLOAT;
 }
@@ -50,6 +54,11 @@ OIIO::ImageSpec specOf(const ImageRequest& request, const Format& format) {
     if (format.jpeg) {
         spec.attribute("Compression", "jpeg:" + std::to_string(kJpegQuality));
         spec.attribute("jpeg:subsampling", "4:4:4");  // red atoms on white would bleed otherwise
+    }
+    if (request.dotsPerInch > 0) {
+        spec.attribute("XResolution", request.dotsPerInch);
+        spec.attribute("YResolution", request.dotsPerInch);
+        spec.attribute("ResolutionUnit", "in");
     }
     if (request.channelNames) spec.channelnames.assign(request.channelNames, request.channelNames + request.channels);
     if (request.alphaChannel >= 0) spec.alpha_channel = request.alphaChannel;
@@ -118,8 +127,15 @@ void write(const ImageRequest& request) {
     const std::string path = request.path;
     const Format format = formatOf(path);
     const OIIO::ImageSpec spec = specOf(request, format);
-    const OIIO::TypeDesc from = request.samples == Samples::bytes ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
+    const OIIO::TypeDesc from = request.samples == Samples::bytes   ? OIIO::TypeDesc::UINT8
+                                : request.samples == Samples::words ? OIIO::TypeDesc::UINT16
+                                                                    : OIIO::TypeDesc::FLOAT;
     CheckedFile target(path);  // outlives the writer
+    if (std::filesystem::path(path).extension() == ".webp") {
+        writeWebp(request, [&](const void* bytes, std::size_t size) { return target.write(bytes, size) == size; });
+        if (const int failure = target.finish()) throw std::runtime_error(std::strerror(failure));
+        return;
+    }
     const std::unique_ptr<OIIO::ImageOutput> out = OIIO::ImageOutput::create(path);
     if (!out) throw std::runtime_error(OIIO::geterror());
     const auto stop = [&] {

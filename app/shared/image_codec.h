@@ -6,7 +6,7 @@
 
 namespace nacre::app {
 
-enum class Samples { bytes, halves, floats };  ///< in the file; halves are handed over as floats
+enum class Samples { bytes, words, halves, floats };  ///< in the file; halves are handed over as floats
 
 struct ImageRequest {
     const char* path;  ///< a plain file that is there; its extension tells the format
@@ -14,6 +14,7 @@ struct ImageRequest {
     Samples samples;
     const char* const* channelNames;  ///< null: grey, RGB, RGBA as their number tells
     int alphaChannel, depthChannel;   ///< -1: none
+    float dotsPerInch;                ///< 0: not said
     /// Rows from `first` on, interleaved; good until the next call.
     const void* (*rows)(void* context, std::uint32_t first, std::uint32_t count);
     void* context;

@@ -19,6 +19,7 @@ namespace {
 
 bool isExr(const std::string& path) { return extensionOf(path) == ".exr"; }
 bool isTiff(const std::string& path) { return extensionOf(path) == ".tif" || extensionOf(path) == ".tiff"; }
+bool isWebp(const std::string& path) { return extensionOf(path) == ".webp"; }
 bool isJpeg(const std::string& path) { return extensionOf(path) == ".jpg" || extensionOf(path) == ".jpeg"; }
 
 [[noreturn]] void fail(const OutputFile& file, std::string why) {
@@ -72,35 +73,58 @@ void write(OutputFile& file, ImageRequest request, Convert& convert) {
 }
 
 ImageRequest requestOf(std::uint32_t width, std::uint32_t height, std::uint32_t channels, Samples samples) {
-    return {nullptr, width, height, channels, samples, nullptr, -1, -1, nullptr, nullptr};
+    return {nullptr, width, height, channels, samples, nullptr, -1, -1, 0, nullptr, nullptr};
 }
 
 }  // namespace
 
 bool isPictureName(const std::string& path) {
-    return isStandardOutput(path) || isExr(path) || isTiff(path) || isJpeg(path) || extensionOf(path) == ".png";
+    return isStandardOutput(path) || isExr(path) || isTiff(path) || isJpeg(path) || isWebp(path) ||
+           extensionOf(path) == ".png";
 }
 
-void writePicture(OutputFile& file, const Picture& picture, bool alpha) {
+void writePicture(OutputFile& file, const Picture& picture, const PictureFormat& format) {
+    const PictureRows rows = [&](std::size_t first, std::size_t) {
+        return picture.rgba.data() + first * picture.width * 4;
+    };
+    writePicture(file, picture.width, picture.height, rows, format);
+}
+
+namespace {
+
+template <typename Code>
+void writeCoded(OutputFile& file, ImageRequest request, const PictureRows& source) {
+    std::vector<Code> codes(std::size_t{request.width} * kRowsAtOnce * request.channels);
+    auto rows = [&](std::uint32_t first, std::uint32_t count) {
+        const float* pixels = source(first, count);
+        for (std::size_t i = 0; i < std::size_t{count} * request.width; ++i)
+            codePixel(pixels + i * 4, request.channels == 4, codes.data() + i * request.channels);
+        return codes.data();
+    };
+    write(file, request, rows);
+}
+
+}  // namespace
+
+void writePicture(OutputFile& file, std::uint32_t width, std::uint32_t height, const PictureRows& source,
+                  const PictureFormat& format) {
     const std::string& path = file.temporary();
-    const std::size_t width = picture.width;
     if (isExr(path)) {
-        ImageRequest request = requestOf(picture.width, picture.height, 4, Samples::halves);
+        ImageRequest request = requestOf(width, height, 4, Samples::halves);
         constexpr const char* kNames[] = {"R", "G", "B", "A"};
         request.channelNames = kNames;
         request.alphaChannel = 3;
-        auto rows = [&](std::size_t first, std::size_t) { return picture.rgba.data() + first * width * 4; };
+        auto rows = [&](std::uint32_t first, std::uint32_t count) { return source(first, count); };
         return write(file, request, rows);
     }
-    const bool keepAlpha = alpha && !isJpeg(path);
-    const std::uint32_t channels = keepAlpha ? 4 : 3;
-    std::vector<std::uint8_t> bytes(width * kRowsAtOnce * channels);
-    auto rows = [&](std::size_t first, std::size_t count) {
-        for (std::size_t i = 0; i < count * width; ++i)
-            codePixel(picture.rgba.data() + (first * width + i) * 4, keepAlpha, bytes.data() + i * channels);
-        return bytes.data();
-    };
-    write(file, requestOf(picture.width, picture.height, channels, Samples::bytes), rows);
+    const bool words = format.bits == 16;
+    ImageRequest request =
+        requestOf(width, height, format.alpha && !isJpeg(path) ? 4 : 3, words ? Samples::words : Samples::bytes);
+    request.dotsPerInch = static_cast<float>(format.dpi);
+    if (words)
+        writeCoded<std::uint16_t>(file, request, source);
+    else
+        writeCoded<std::uint8_t>(file, request, source);
 }
 
 void writeLayers(OutputFile& file, const LayerPicture& layers) {

@@ -133,6 +133,41 @@ Size parseSize(std::string_view text) {
     return size;
 }
 
+Length parseLength(std::string_view text) {
+    constexpr std::pair<std::string_view, double> kUnits[] = {{"mm", 1 / 25.4}, {"cm", 1 / 2.54}, {"in", 1}};
+    double scale = 1;
+    bool inches = false;
+    std::string_view number = text;
+    for (const auto& [unit, ofInch] : kUnits)
+        if (text.ends_with(unit)) {
+            number.remove_suffix(unit.size());
+            scale = ofInch;
+            inches = true;
+        }
+    if (text.ends_with("px")) number.remove_suffix(2);
+    double value = 0;
+    if (!parseWhole(number, value) || !(value > 0) || !(value <= kLargestSide))
+        refuse(text, "a length such as 85mm, 8.5cm, 3.3in or 1200px");
+    return {value * scale, inches};
+}
+
+std::optional<double> pointsOf(std::string_view text) {
+    double points = 0;
+    if (!text.ends_with("pt") || !parseWhole(text.substr(0, text.size() - 2), points)) return std::nullopt;
+    return points;
+}
+
+double parsePixels(std::string_view text, double least, double most) {
+    if (const std::optional<double> points = pointsOf(text)) {
+        const double pixels = *points * 96 / 72;
+        if (!(pixels >= least && pixels <= most))
+            refuse(text, "from " + numberText(least) + " to " + numberText(most) + " pixels, of which 96 are 72pt");
+        return pixels;
+    }
+    if (text.ends_with("px")) text.remove_suffix(2);
+    return parseNumber(text, least, most);
+}
+
 glm::dvec3 parseRotation(std::string_view text) {
     glm::dvec3 angles(0);
     std::string_view rest = text;
@@ -361,12 +396,12 @@ std::uint32_t parseSupersample(std::string_view text) {
     return value;
 }
 
-void checkSamples(const Size& size, std::uint32_t supersample) {
+void checkSamples(const Size& size, std::uint32_t supersample, std::uint64_t most) {
     supersample = std::max(supersample, 1u);  // samples of edges need no pixels of their own
     const std::uint64_t samples = std::uint64_t{size.width} * size.height * supersample * supersample;
-    if (samples > kMostSamples)
+    if (samples > most)
         throw std::invalid_argument("--size times --supersample squared is " + std::to_string(samples) +
-                                    " samples; at most " + std::to_string(kMostSamples) + " are drawn");
+                                    " samples; at most " + std::to_string(most) + " are drawn");
 }
 
 }  // namespace nacre::app

@@ -14,12 +14,24 @@
 
 namespace nacre::app {
 
-constexpr std::uint32_t kLargestSide = 16384;                   ///< pixels
-constexpr std::uint32_t kMostSupersample = 8;                   ///< samples a side of a pixel
-constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 27;  ///< width x height x supersample^2
-constexpr int kMostDirections = 4096;                           ///< occlusion
+constexpr std::uint32_t kLargestSide = 32768;                       ///< pixels
+constexpr std::uint32_t kMostSupersample = 8;                       ///< samples a side of a pixel
+constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 32;      ///< width x height x supersample^2
+constexpr std::uint64_t kMostSamplesHeld = std::uint64_t{1} << 27;  ///< of a picture that is held whole
+constexpr int kMostDirections = 4096;                               ///< occlusion
 constexpr double kSmallestZoom = 1e-4, kLargestZoom = 1e4;
 constexpr double kSmallestFov = 1, kLargestFov = 120;  ///< degrees
+
+/// Of a side of a picture: pixels, or paper.
+struct Length {
+    double value = 0;
+    bool inches = false;
+    /// @param dpi  dots an inch
+    double pixels(double dpi) const { return inches ? value * dpi : value; }
+};
+
+/// "85mm", "8.5cm", "3.3in"; "1200px" or "1200".
+Length parseLength(std::string_view text);
 
 struct Size {
     std::uint32_t width = 1024, height = 1024;
@@ -70,7 +82,12 @@ std::size_t parseChoice(std::string_view text, std::initializer_list<const char*
 /// "auto" is RenderSettings::kEdges; otherwise 1 to kMostSupersample.
 std::uint32_t parseSupersample(std::string_view text);
 
-/// Refuses more than kMostSamples. @param supersample  as parseSupersample() gives it
-void checkSamples(const Size& size, std::uint32_t supersample);
+/// Refuses more than `most`. @param supersample  as parseSupersample() gives it
+void checkSamples(const Size& size, std::uint32_t supersample, std::uint64_t most = kMostSamples);
+
+/// The points of "1.5pt"; none where it is another unit.
+std::optional<double> pointsOf(std::string_view text);
+/// "2", "2px"; "1.5pt" at 96 dots an inch.
+double parsePixels(std::string_view text, double least, double most);
 
 }  // namespace nacre::app

@@ -25,14 +25,27 @@ inline std::uint8_t toByte(float value) {
     return value >= 1.0f ? std::uint8_t{255} : static_cast<std::uint8_t>(value * 255.0f + 0.5f);
 }
 
-/// One premultiplied linear pixel as sRGB bytes: four with straight alpha, or three over white.
-inline void codePixel(const float* pixel, bool alpha, std::uint8_t* out) {
+/// 0..1 to 0..65535, rounded to nearest.
+inline std::uint16_t toWord(float value) {
+    if (!(value > 0.0f)) return 0;
+    return value >= 1.0f ? std::uint16_t{65535} : static_cast<std::uint16_t>(value * 65535.0f + 0.5f);
+}
+
+/// One premultiplied linear pixel as sRGB code values: four with straight alpha, or three over white.
+template <typename Code>
+void codePixel(const float* pixel, bool alpha, Code* out) {
+    const auto code = [](float value) {
+        if constexpr (sizeof(Code) == 2)
+            return toWord(value);
+        else
+            return toByte(value);
+    };
     const float a = std::clamp(pixel[3], 0.0f, 1.0f);
     for (int i = 0; i < 3; ++i) {
         const float light = alpha ? (a > 0.0f ? pixel[i] / a : 0.0f) : pixel[i] + (1.0f - a);
-        out[i] = toByte(linearToSrgb(light));
+        out[i] = code(linearToSrgb(light));
     }
-    if (alpha) out[3] = toByte(a);
+    if (alpha) out[3] = code(a);
 }
 
 }  // namespace nacre::app

@@ -257,12 +257,18 @@ void WordPainter::paint(const Marks& marks, float* rgba, std::uint32_t width, st
     coverage.pour(marks.color, 1, rgba);
 }
 
+Marks WordPainter::layOut(const PlacedWords& words, const View& view, double size,
+                          const std::optional<std::array<float, 3>>& color,
+                          const std::array<float, 4>& background) const {
+    return app::layOut(words, view, size, color, background,
+                       [this](const std::string& text, double em) { return widthOf(text, em); });
+}
+
 std::size_t WordPainter::paint(const PlacedWords& words, const View& view, double size,
                                const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background,
                                Picture& picture) const {
     if (!words.any()) return 0;
-    const Marks marks = layOut(words, view, size, color, background,
-                               [this](const std::string& text, double em) { return widthOf(text, em); });
+    const Marks marks = layOut(words, view, size, color, background);
     constexpr std::uint32_t kBand = 256;
     for (std::uint32_t row = 0; row < picture.height; row += kBand)
         paint(marks, picture.rgba.data() + std::size_t{row} * picture.width * 4, picture.width, row,

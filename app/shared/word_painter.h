@@ -25,6 +25,10 @@ public:
     /// @param first  row of the picture that `rgba` begins with
     void paint(const Marks& marks, float* rgba, std::uint32_t width, std::uint32_t first, std::uint32_t rows) const;
 
+    /// layOut() with the widths of this font.
+    Marks layOut(const PlacedWords& words, const View& view, double size,
+                 const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background) const;
+
     /// Lays words out over a whole picture, and draws them. @returns the labels that found no room
     std::size_t paint(const PlacedWords& words, const View& view, double size,
                       const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background,

@@ -1,5 +1,6 @@
 #include "engine/frame/picture.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -17,34 +18,58 @@ std::array<float, 4> premultiplied(const std::array<float, 4>& background) {
 
 float linearFromSrgb(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
 
-Picture resolvePicture(const std::uint32_t* pixels, std::uint32_t width, std::uint32_t height, std::uint32_t n,
-                       const std::array<float, 4>& background, std::uint64_t& covered) {
-    std::array<float, 256> linear{};
-    for (int i = 0; i < 256; ++i) linear[static_cast<std::size_t>(i)] = linearFromSrgb(static_cast<float>(i) / 255.0f);
+namespace {
+
+/// @param add  adds a pixel of a place to four sums, and tells whether anything is there
+template <typename Add>
+Picture resolve(const ResolvedPart& part, const std::array<float, 4>& background, std::uint64_t& covered,
+                const Add& add) {
     const std::array<float, 4> behind = premultiplied(background);
-    Picture picture;
-    picture.width = width / n;
-    picture.height = height / n;
+    const std::uint32_t n = part.n;
+    Picture picture{part.rect.width, part.rect.height, {}};
     picture.rgba.reserve(std::size_t{picture.width} * picture.height * 4);
     covered = 0;
-    const float share = 1.0f / static_cast<float>(n * n);
-    for (std::uint32_t y = 0; y < picture.height; ++y)
-        for (std::uint32_t x = 0; x < picture.width; ++x) {
-            float sum[3] = {0, 0, 0};
-            std::uint32_t alphas = 0;
+    const auto samples = static_cast<float>(n * n);
+    for (std::uint32_t y = part.rect.y; y < part.rect.y + part.rect.height; ++y)
+        for (std::uint32_t x = part.rect.x; x < part.rect.x + part.rect.width; ++x) {
+            std::array<float, 4> sum{};
             for (std::uint32_t j = 0; j < n; ++j)
-                for (std::uint32_t i = 0; i < n; ++i) {
-                    const std::uint32_t p = pixels[(std::size_t{y} * n + j) * width + std::size_t{x} * n + i];
-                    if (p >> 24 == 0) continue;
-                    ++covered;
-                    alphas += p >> 24;
-                    for (int c = 0; c < 3; ++c) sum[c] += linear[p >> (8 * c) & 0xff];
-                }
-            const float alpha = static_cast<float>(alphas) * (share / 255.0f);
-            for (std::size_t c = 0; c < 3; ++c) picture.rgba.push_back(sum[c] * share + (1 - alpha) * behind[c]);
+                for (std::uint32_t i = 0; i < n; ++i)
+                    covered += add((std::size_t{y} * n + j) * part.rowPixels + std::size_t{x} * n + i, sum) ? 1 : 0;
+            const float alpha = sum[3] / samples;
+            for (std::size_t c = 0; c < 3; ++c) picture.rgba.push_back(sum[c] / samples + (1 - alpha) * behind[c]);
             picture.rgba.push_back(alpha + (1 - alpha) * behind[3]);
         }
     return picture;
+}
+
+}  // namespace
+
+Picture resolvePicture(const std::uint32_t* pixels, const ResolvedPart& part, const std::array<float, 4>& background,
+                       std::uint64_t& covered) {
+    std::array<float, 256> linear{}, share{};
+    for (std::size_t i = 0; i < 256; ++i) {
+        share[i] = static_cast<float>(i) / 255.0f;
+        linear[i] = linearFromSrgb(share[i]);
+    }
+    return resolve(part, background, covered, [&](std::size_t at, std::array<float, 4>& sum) {
+        const std::uint32_t p = pixels[at];
+        if (p >> 24 == 0) return false;
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += linear[p >> (8 * c) & 0xff];
+        sum[3] += share[p >> 24];
+        return true;
+    });
+}
+
+Picture resolvePicture(const float* pixels, const ResolvedPart& part, const std::array<float, 4>& background,
+                       std::uint64_t& covered) {
+    return resolve(part, background, covered, [&](std::size_t at, std::array<float, 4>& sum) {
+        const float* p = pixels + 4 * at;
+        if (!(p[3] > 0)) return false;
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += std::min(p[c], p[3]);  // highlights end at white, as in 8 bits
+        sum[3] += p[3];
+        return true;
+    });
 }
 
 void PictureMean::add(Picture picture) {

@@ -10,11 +10,22 @@ namespace nacre {
 /// The value of an sRGB-coded channel in linear light; both 0..1. IEC 61966-2-1.
 float linearFromSrgb(float coded);
 
-/// Averages n x n samples in linear light and lays the result over a background.
-/// @param pixels  width x height, RGBA8, premultiplied with sRGB-coded colour
+/// What of the device's pixels is a picture.
+struct ResolvedPart {
+    std::uint32_t rowPixels;  ///< in a row of the device's
+    std::uint32_t n;          ///< n x n of them are one of the picture
+    PictureRect rect;         ///< of the picture's pixels that are wanted
+};
+
+/// Averages in linear light and lays the result over a background.
+/// @param pixels  RGBA8, premultiplied with sRGB-coded colour
 /// @param covered receives the number of samples that the molecule covers, be it in part
-Picture resolvePicture(const std::uint32_t* pixels, std::uint32_t width, std::uint32_t height, std::uint32_t n,
-                       const std::array<float, 4>& background, std::uint64_t& covered);
+Picture resolvePicture(const std::uint32_t* pixels, const ResolvedPart& part, const std::array<float, 4>& background,
+                       std::uint64_t& covered);
+
+/// The same of pixels of four floats each, premultiplied and linear.
+Picture resolvePicture(const float* pixels, const ResolvedPart& part, const std::array<float, 4>& background,
+                       std::uint64_t& covered);
 
 /// A picture's mean, which grows sum by sum.
 class PictureMean {

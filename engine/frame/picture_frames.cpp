@@ -9,6 +9,7 @@
 #include "engine/milliseconds.h"
 #include "engine/passes/edge_samples.h"
 #include "engine/passes/read_back.h"
+#include "engine/scene/tile_lists.h"
 
 namespace nacre {
 namespace {
@@ -18,6 +19,8 @@ using passes::Output;
 constexpr ScreenTarget kLayerTargets[] = {{"colour", VK_FORMAT_R32G32B32A32_SFLOAT, Output::color, "impostor colour"},
                                           {"surface", VK_FORMAT_R32G32B32A32_SFLOAT, Output::surface, "surface layer"},
                                           {"identity", VK_FORMAT_R32G32_UINT, Output::identity, "identity layer"}};
+
+constexpr ScreenTarget kFineTargets[] = {kLayerTargets[0]};
 
 constexpr ScreenTarget kPickTargets[] = {{"identity", VK_FORMAT_R32G32_UINT, Output::identity, "identity layer"}};
 
@@ -53,6 +56,9 @@ void addTimes(std::vector<PassTime>& sum, const std::vector<PassTime>& times) {
     }
 }
 
+/// Debug views are no finer than the eye.
+bool isFine(const RenderSettings& settings) { return settings.fine && settings.debug == DebugView::none; }
+
 void addCounts(std::vector<PassCount>& sum, const std::vector<PassCount>& counts) {
     sum.resize(counts.size());
     for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -63,7 +69,8 @@ void addCounts(std::vector<PassCount>& sum, const std::vector<PassCount>& counts
 
 }  // namespace
 
-std::span<const ScreenTarget> PictureFrames::pictureTargets() const {
+std::span<const ScreenTarget> PictureFrames::pictureTargets(const RenderSettings& settings) const {
+    if (isFine(settings)) return kFineTargets;
     return device_.caps().tiles.shade ? kCodedTargets : kScreenTargets;
 }
 
@@ -129,42 +136,64 @@ void PictureFrames::checkSize(const View& view) const {
                     "this device draws at most " + std::to_string(most) + " pixels a side, supersampling counted");
 }
 
-/// @param n  the view has n x n pixels for each of the picture
-Picture PictureFrames::resolved(const Drawn& drawn, const RenderSettings& settings, const View& view, std::uint32_t n) {
-    const graph::Extent image = imageExtent(view);
-    return resolvePicture(reinterpret_cast<const std::uint32_t*>(drawn.pixels[0].mapped), image.width, image.height, n,
-                          settings.background, stats_.coveredPixels);
+Picture PictureFrames::resolved(const Drawn& drawn, const RenderSettings& settings, const Wanted& wanted,
+                                std::uint32_t n) {
+    const std::byte* pixels = drawn.pixels[0].mapped;
+    const ResolvedPart part{imageExtent(wanted.view).width * n, n, wanted.inner};
+    if (isFine(settings))
+        return resolvePicture(reinterpret_cast<const float*>(pixels), part, settings.background, stats_.coveredPixels);
+    return resolvePicture(reinterpret_cast<const std::uint32_t*>(pixels), part, settings.background,
+                          stats_.coveredPixels);
 }
 
 Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atlas& atlas) {
+    const graph::Extent image = imageExtent(settings.view);
+    return picture(settings, atlas, {settings.view, {0, 0, image.width, image.height}});
+}
+
+Picture PictureFrames::part(const RenderSettings& settings, const passes::Atlas& atlas, const PictureRect& part) {
+    // What is about a pixel matters to edges.
+    constexpr std::uint32_t kRim = PictureRect::kStep;
+    static_assert(kRim == TileLists::kBinPixels);  // its bins are those of the whole
+    const View& whole = settings.view;
+    const std::uint32_t left = part.x < kRim ? 0 : part.x - kRim, top = part.y < kRim ? 0 : part.y - kRim;
+    const std::uint32_t right = std::min(part.x + part.width + kRim, whole.width);
+    const std::uint32_t bottom = std::min(part.y + part.height + kRim, whole.height);
+    return picture(
+        settings, atlas,
+        {partOf(whole, left, top, right - left, bottom - top), {part.x - left, part.y - top, part.width, part.height}});
+}
+
+Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted) {
     stats_.frames = 1;
-    if (!wantsEdges(settings)) return sampledPicture(settings, atlas, std::max(settings.supersample, 1u));
+    if (!wantsEdges(settings)) return sampledPicture(settings, atlas, wanted, std::max(settings.supersample, 1u));
     stats_.samples = RenderSettings::kEdgeSamples;
-    if (!frames_.drawsEdges()) return meanOfFrames(settings, atlas);
-    checkSize(settings.view);
-    const Drawn drawn = draw(settings, atlas, settings.view, pictureTargets(), true, "screen", true);
-    if (!drawn.edges) return meanOfFrames(settings, atlas);  // a list was too long
-    return resolved(drawn, settings, settings.view, 1);
+    if (!frames_.drawsEdges()) return meanOfFrames(settings, atlas, wanted);
+    checkSize(wanted.view);
+    const Drawn drawn = draw(settings, atlas, wanted.view, pictureTargets(settings), true, "screen", true);
+    if (!drawn.edges) return meanOfFrames(settings, atlas, wanted);  // a list was too long
+    return resolved(drawn, settings, wanted, 1);
 }
 
 /// N x N samples a pixel, in one frame.
-Picture PictureFrames::sampledPicture(const RenderSettings& settings, const passes::Atlas& atlas, std::uint32_t n) {
-    const View view = scaled(settings.view, n);
+Picture PictureFrames::sampledPicture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
+                                      std::uint32_t n) {
+    const View view = scaled(wanted.view, n);
     checkSize(view);
     stats_.samples = n * n;
-    return resolved(draw(settings, atlas, view, pictureTargets(), true, "screen"), settings, view, n);
+    return resolved(draw(settings, atlas, view, pictureTargets(settings), true, "screen"), settings, wanted, n);
 }
 
 /// A frame for each sample, whose pixels look through that.
-Picture PictureFrames::meanOfFrames(const RenderSettings& settings, const passes::Atlas& atlas) {
-    checkSize(settings.view);
+Picture PictureFrames::meanOfFrames(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted) {
+    checkSize(wanted.view);
     PictureMean mean;
     double milliseconds = 0;
     std::vector<PassCount> passes;
     std::vector<PassTime> times;
     for (std::uint32_t i = 0; i < RenderSettings::kEdgeSamples; ++i) {
-        const View view = throughSample(settings.view, i);
-        mean.add(resolved(draw(settings, atlas, view, pictureTargets(), true, "screen"), settings, view, 1));
+        const View view = throughSample(wanted.view, i);
+        mean.add(resolved(draw(settings, atlas, view, pictureTargets(settings), true, "screen"), settings, wanted, 1));
         milliseconds += stats_.frameMilliseconds;
         addCounts(passes, stats_.passes);
         addTimes(times, stats_.passTimes);
@@ -185,7 +214,7 @@ LayerPicture PictureFrames::layers(const RenderSettings& settings, const passes:
 }
 
 void PictureFrames::frame(const RenderSettings& settings, const passes::Atlas& atlas) {
-    draw(settings, atlas, settings.view, pictureTargets(), false, "screen", wantsEdges(settings));
+    draw(settings, atlas, settings.view, pictureTargets(settings), false, "screen", wantsEdges(settings));
 }
 
 std::uint32_t PictureFrames::atomAt(const RenderSettings& settings, double x, double y, double reach) {

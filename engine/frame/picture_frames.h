@@ -14,6 +14,8 @@ public:
 
     /// @throws Error if the picture is larger than the device draws, or memory runs out
     Picture picture(const RenderSettings& settings, const passes::Atlas& atlas);
+    /// As Renderer::renderPart.
+    Picture part(const RenderSettings& settings, const passes::Atlas& atlas, const PictureRect& part);
     LayerPicture layers(const RenderSettings& settings, const passes::Atlas& atlas);
     /// A frame of which nothing is read back. Of RenderSettings::kEdges, one that draws edges if one can.
     void frame(const RenderSettings& settings, const passes::Atlas& atlas);
@@ -24,7 +26,12 @@ public:
     const std::string& planText() const;
 
 private:
-    std::span<const ScreenTarget> pictureTargets() const;
+    std::span<const ScreenTarget> pictureTargets(const RenderSettings& settings) const;
+    /// What is drawn of a picture, and which pixels of that are wanted.
+    struct Wanted {
+        View view;
+        PictureRect inner;
+    };
     /// What a frame left.
     struct Drawn {
         std::vector<gpu::Buffer> pixels;  ///< of each target, if they were to be read back
@@ -33,9 +40,11 @@ private:
     Drawn draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                std::span<const ScreenTarget> targets, bool readBack, const char* name, bool edges = false);
     void checkSize(const View& view) const;
-    Picture resolved(const Drawn& drawn, const RenderSettings& settings, const View& view, std::uint32_t n);
-    Picture sampledPicture(const RenderSettings& settings, const passes::Atlas& atlas, std::uint32_t n);
-    Picture meanOfFrames(const RenderSettings& settings, const passes::Atlas& atlas);
+    Picture picture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
+    Picture resolved(const Drawn& drawn, const RenderSettings& settings, const Wanted& wanted, std::uint32_t n);
+    Picture sampledPicture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
+                           std::uint32_t n);
+    Picture meanOfFrames(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
     const graph::Plan& planOf(const graph::Graph& graph, const FrameTuning& tuning);
     void tell(const graph::Plan& plan);
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "engine/scene/camera.h"
 #include "shaders/common/layout.h"
 
@@ -20,7 +22,10 @@ inline layout::ViewConstants viewConstants(const View& view, float snapPixels, d
     const double right = view.pan.x * view.pixelsPerAngstrom, down = -view.pan.y * view.pixelsPerAngstrom;
     constexpr double kTurned[4][4] = {{1, 0, 0, 1}, {0, -1, 1, 0}, {-1, 0, 0, -1}, {0, 1, -1, 0}};
     const double* turn = kTurned[view.quarterTurns & 3];
-    c.axisPixel = glm::vec2(centerX + turn[0] * right + turn[1] * down, centerY + turn[2] * right + turn[3] * down);
+    // Whole 256ths, which floats hold exactly up to 65,536: a part of a picture meets the very rays of the whole.
+    const auto pixel = [](double place) { return static_cast<float>(std::round(place * 256) / 256); };
+    c.axisPixel =
+        glm::vec2(pixel(centerX + turn[0] * right + turn[1] * down), pixel(centerY + turn[2] * right + turn[3] * down));
     c.pixel = static_cast<float>(1.0 / view.pixelsPerAngstrom);
     c.snap = static_cast<float>(snapPixels / view.pixelsPerAngstrom);
     c.depthStart = static_cast<float>(origin - view.radius - kRoom);

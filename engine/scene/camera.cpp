@@ -68,6 +68,15 @@ View scaled(View view, double factor) {
     return view;
 }
 
+View partOf(View view, std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t height) {
+    const glm::dvec2 middle(x + width / 2.0, y + height / 2.0);
+    const glm::dvec2 away = middle - glm::dvec2(view.width, view.height) / 2.0;
+    view.pan += glm::dvec2(-away.x, away.y) / view.pixelsPerAngstrom;
+    view.width = width;
+    view.height = height;
+    return view;
+}
+
 glm::dvec2 planePointAt(const View& view, double x, double y) {
     return glm::dvec2(x - view.width / 2.0, view.height / 2.0 - y) / view.pixelsPerAngstrom - view.pan;
 }

@@ -44,6 +44,9 @@ View viewOf(const Camera& camera, double radius, std::uint32_t width, std::uint3
 /// The same picture with `factor` times the pixels a side, at least one.
 View scaled(View view, double factor);
 
+/// What a view shows in a rectangle of its picture, as a picture of its own. @param x, y  its top left corner, pixels
+View partOf(View view, std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t height);
+
 /// The plane point (Å, before pan) that a place of the picture looks through. @param x, y pixels from the top left
 glm::dvec2 planePointAt(const View& view, double x, double y);
 

@@ -8,6 +8,7 @@
 #include <glm/mat3x3.hpp>
 #include <limits>
 #include <numbers>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -120,7 +121,7 @@ std::vector<double> openShares(const Balls& targets, const Balls& others, const 
         for (const glm::dvec4& ball : others) {
             const glm::dvec3 to = glm::dvec3(ball) - glm::dvec3(target);
             const double distance = glm::length(to);
-            if (distance < 1e-3) continue;
+            if (distance < 1e-3 || ball.w == 0) continue;
             // An atom that touches still leaves open what lies beside it.
             const double angle = std::asin(std::min(ball.w / distance, 1.0));
             const double z = std::clamp(to.z / distance, -1.0, 1.0), polar = std::acos(z);
@@ -156,34 +157,68 @@ Balls sampleOf(const Balls& balls, std::size_t most) {
     return some;
 }
 
+constexpr std::size_t kEveryCopy = std::numeric_limits<std::size_t>::max();
+
+/// Calls add(primitive, place) for what is drawn. @param most  copies of each primitive
+template <typename Add>
+void forEachCopy(const Copies& copies, const std::vector<PrimitiveRun>& runs, std::size_t count, std::size_t most,
+                 Add&& add) {
+    if (copies.transforms.empty())
+        for (std::size_t i = 0; i < count; ++i) add(i, glm::dmat4x3(1.0));
+    for (const PrimitiveRun& run : runs)
+        for (const std::uint32_t copy :
+             std::span(copies.lists[run.list]).first(std::min(most, copies.lists[run.list].size())))
+            for (std::size_t i = run.first; i < std::size_t{run.first} + run.count; ++i)
+                add(i, copies.transforms[copy]);
+}
+
+/// Calls add(vertex, step, place) for the vertices that triangles have, one that several of them share once or more.
+template <typename Add>
+void forEachVertex(const Representation& scene, std::size_t mostCopies, Add&& add) {
+    const auto addTriangle = [&](std::size_t i, const glm::dmat4x3& place) {
+        const Triangle& triangle = scene.triangles[i];
+        // Neighbours in a strip have two in common.
+        const auto before = [&](std::uint32_t vertex) {
+            if (i == 0) return false;
+            const Triangle& last = scene.triangles[i - 1];
+            return last.a == vertex || last.b == vertex || last.c == vertex;
+        };
+        for (const std::uint32_t vertex : {triangle.a, triangle.b, triangle.c})
+            if (!before(vertex)) add(scene.meshVertices[vertex], triangle.step, place);
+    };
+    forEachCopy(scene.copies, scene.copies.triangles, scene.triangles.size(), mostCopies, addTriangle);
+}
+
 }  // namespace
 
 std::vector<glm::dvec4> drawnBalls(const Representation& scene) {
     Balls balls;
     balls.reserve(scene.drawnAtoms);
-    if (scene.copies.transforms.empty())
-        for (const Sphere& s : scene.spheres) balls.emplace_back(s.center, s.radius);
-    for (const PrimitiveRun& run : scene.copies.spheres)
-        for (const std::uint32_t copy : scene.copies.lists[run.list])
-            for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
-                const Sphere& s = scene.spheres[i];
-                balls.emplace_back(scene.copies.transforms[copy] * glm::dvec4(s.center, 1.0), s.radius);
-            }
+    const auto addSphere = [&](std::size_t i, const glm::dmat4x3& place) {
+        const Sphere& s = scene.spheres[i];
+        balls.emplace_back(place * glm::dvec4(s.center, 1.0), s.radius);
+    };
+    const auto addVertex = [&](const MeshVertex& vertex, float step, const glm::dmat4x3& place) {
+        balls.emplace_back(place * glm::dvec4(positionOf(vertex, step), 1.0), 0.0);
+    };
+    forEachCopy(scene.copies, scene.copies.spheres, scene.spheres.size(), kEveryCopy, addSphere);
+    forEachVertex(scene, kEveryCopy, addVertex);
     return balls;
 }
 
 std::vector<glm::dvec4> chosenBalls(const Representation& scene, const std::vector<bool>& chosen) {
     Balls balls;
-    const auto add = [&](std::size_t i, const glm::dmat4x3& place) {
+    const auto addSphere = [&](std::size_t i, const glm::dmat4x3& place) {
         const Sphere& s = scene.spheres[i];
         if (chosen[scene.sphereLooks[i].atom - 1])
             balls.emplace_back(place * glm::dvec4(s.center, 1.0), static_cast<double>(s.radius));
     };
-    if (scene.copies.transforms.empty())
-        for (std::size_t i = 0; i < scene.spheres.size(); ++i) add(i, glm::dmat4x3(1.0));
-    for (const PrimitiveRun& run : scene.copies.spheres)
-        for (std::uint32_t i = run.first; i < run.first + run.count; ++i)
-            add(i, scene.copies.transforms[scene.copies.lists[run.list].front()]);
+    const auto addVertex = [&](const MeshVertex& vertex, float step, const glm::dmat4x3& place) {
+        if (chosen[scene.meshLooks[vertex.look].atom - 1])
+            balls.emplace_back(place * glm::dvec4(positionOf(vertex, step), 1.0), 0.0);
+    };
+    forEachCopy(scene.copies, scene.copies.spheres, scene.spheres.size(), 1, addSphere);
+    forEachVertex(scene, 1, addVertex);
     return balls;
 }
 

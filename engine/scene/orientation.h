@@ -13,10 +13,11 @@
 
 namespace nacre {
 
-/// Centres of all drawn atoms in all copies, and their radii; Å, relative to Representation::center.
+/// Centres of all drawn spheres in all copies, and their radii; Å, relative to Representation::center. Then the
+/// vertices of meshes, of radius 0: they are shown whole, but hide nothing from a view that is sought.
 std::vector<glm::dvec4> drawnBalls(const Representation& scene);
 
-/// Centres and radii of the drawn atoms of a choice, each where its first copy stands.
+/// The same of the atoms of a choice, each where its first copy stands.
 /// @param chosen  one value per atom of the file
 std::vector<glm::dvec4> chosenBalls(const Representation& scene, const std::vector<bool>& chosen);
 

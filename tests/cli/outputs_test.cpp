@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/run_program.h"
@@ -35,6 +36,40 @@ TEST(Outputs, ADashIsStandardOutput) {
     const Outcome full = nacreIn(folder, std::string("render sample:glucose -o -") + kSmall, ">/dev/full");
     EXPECT_EQ(full.code, 1);
     EXPECT_NE(full.err.find("standard output"), std::string::npos) << full.err;
+}
+
+/// Width, height and dots a metre of a PNG.
+std::array<std::uint32_t, 3> paperOf(const std::string& png) {
+    const auto word = [&](std::size_t at) {
+        std::uint32_t value = 0;
+        for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(png.at(at + i));
+        return value;
+    };
+    const std::size_t physical = png.find("pHYs");
+    return {word(16), word(20), physical == std::string::npos ? 0 : word(physical + 4)};
+}
+
+TEST(Outputs, PaperBecomesPixels) {
+    const TemporaryFolder folder;
+    const auto drawn = [&](const std::string& options) {
+        const Outcome outcome = nacreIn(folder, "render sample:glucose -o - --occlusion off " + options);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return paperOf(outcome.out);
+    };
+    using Paper = std::array<std::uint32_t, 3>;
+    EXPECT_EQ(drawn("--width 8mm"), (Paper{94, 94, 11811}));  // at 300 dots an inch
+    EXPECT_EQ(drawn("--width 8mm --size 40x30 --dpi 127"), (Paper{40, 30, 5000}));
+    EXPECT_EQ(drawn("--width 1cm --height 0.5in --dpi 100"), (Paper{39, 50, 3937}));
+    EXPECT_EQ(drawn("--height 60 --size 40x30"), (Paper{80, 60, 0}));
+    EXPECT_EQ(drawn("--size 40x30 --dpi 254"), (Paper{40, 30, 10000}));
+}
+
+TEST(Outputs, PointsGoByTheDotsAnInch) {
+    const TemporaryFolder folder;
+    const std::string same = "render sample:glucose -o - --occlusion off --size 64x64 --title A ";
+    const std::string points = nacreIn(folder, same + "--dpi 144 --contours 1pt --text-size 8pt").out;
+    EXPECT_EQ(points, nacreIn(folder, same + "--dpi 144 --contours 2 --text-size 16").out);
+    EXPECT_NE(points, nacreIn(folder, same + "--dpi 144 --contours 1 --text-size 16").out);
 }
 
 TEST(Outputs, AreWrittenByAProgramThatIsFoundAlongThePath) {

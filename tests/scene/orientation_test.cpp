@@ -150,5 +150,31 @@ TEST(Orientation, KnowsTheAtomsOfAScene) {
     EXPECT_EQ(drawnBalls(scene).size(), scene.drawnAtoms);
 }
 
+TEST(Orientation, ShowsCartoonsAndSurfacesWhole) {
+    const Molecule dna = sampleMolecule("dna");
+    RepresentationOptions look;
+    look.style = Style::cartoon;
+    const Representation scene = represent(dna, drawnAtoms(dna, {}), look);
+    ASSERT_FALSE(scene.triangles.empty());
+    const Balls balls = drawnBalls(scene);
+    double most = 0;  // the radius of the scene is that of what is drawn
+    for (const glm::dvec4& ball : balls) most = std::max(most, glm::length(glm::dvec3(ball)) + ball.w);
+    EXPECT_NEAR(most, scene.radius, 1e-3);
+    // Of one residue, what has its numbers: near its atoms.
+    const Residue& residue = dna.residues[5];
+    std::vector<bool> chosen(dna.atoms.size());
+    for (std::uint32_t i = 0; i < residue.atomCount; ++i) chosen[residue.firstAtom + i] = true;
+    const Balls some = chosenBalls(scene, chosen);
+    ASSERT_GT(some.size(), 20u);
+    EXPECT_LT(some.size(), balls.size() / 10);
+    for (const glm::dvec4& ball : some) {
+        double nearest = 1e9;
+        for (std::uint32_t i = 0; i < residue.atomCount; ++i)
+            nearest = std::min(nearest, glm::distance(glm::dvec3(ball) + scene.center,
+                                                      glm::dvec3(dna.atoms[residue.firstAtom + i].position)));
+        EXPECT_LT(nearest, 4.0);
+    }
+}
+
 }  // namespace
 }  // namespace nacre

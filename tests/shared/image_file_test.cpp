@@ -56,11 +56,11 @@ ReadBack readBack(const std::string& path) {
 
 void write(const std::string& path, const std::vector<float>& rgba, bool alpha) {
     OutputFile file(path);
-    writePicture(file, {kWidth, kHeight, rgba}, alpha);
+    writePicture(file, Picture{kWidth, kHeight, rgba}, {alpha});
 }
 
 TEST(ImageFile, KnowsItsExtensionsInAnyCase) {
-    for (const char* name : {"a.png", "b.PNG", "c.tif", "d.Tiff", "e.jpg", "f.jpeg", "folder.x/g.exr", "-"})
+    for (const char* name : {"a.png", "b.PNG", "c.tif", "d.Tiff", "e.jpg", "f.jpeg", "g.webp", "folder.x/g.exr", "-"})
         EXPECT_TRUE(isPictureName(name)) << name;
     for (const char* name : {"", "png", "a", "a.bmp", "a.png.gz", "folder.png/a"})
         EXPECT_FALSE(isPictureName(name)) << name;
@@ -93,6 +93,47 @@ TEST(ImageFile, WithoutAlphaWhatIsOpenIsOverWhite) {
     }
 }
 
+TEST(ImageFile, SixteenBitsInPngAndTiff) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.png", "a.tif"}) {
+        OutputFile file(folder / name);
+        writePicture(file, Picture{kWidth, kHeight, ramp()}, {true, 16});
+        const ReadBack back = readBack(folder / name);
+        ASSERT_EQ(back.spec.nchannels, 4) << name;
+        ASSERT_EQ(back.spec.format, OIIO::TypeDesc::UINT16) << name;
+        for (std::uint32_t y = 0; y < kHeight; y += 7)
+            EXPECT_NEAR(back.at(kWidth - 1, y, 0), linearToSrgb(static_cast<float>(y) / kHeight), 1.1f / 65535) << name;
+        EXPECT_NEAR(back.at(0, 100, 3), 0.5f, 1.0f / 65535) << name;
+    }
+}
+
+TEST(ImageFile, DotsAnInchAreSaid) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.png", "a.tif", "a.jpg"}) {
+        OutputFile file(folder / name);
+        writePicture(file, Picture{kWidth, kHeight, ramp()}, {false, 8, 254});
+        const OIIO::ImageSpec spec = readBack(folder / name).spec;
+        const double unit = spec.get_string_attribute("ResolutionUnit") == "cm" ? 2.54 : 1;
+        EXPECT_NEAR(spec.get_float_attribute("XResolution") * unit, 254, 0.01) << name;
+        EXPECT_NEAR(spec.get_float_attribute("YResolution") * unit, 254, 0.01) << name;
+    }
+}
+
+TEST(ImageFile, WebpIsWithoutLoss) {
+    const TemporaryFolder folder;
+    for (const bool alpha : {false, true}) {
+        write(folder / "a.webp", ramp(), alpha);
+        write(folder / "a.png", ramp(), alpha);
+        const ReadBack webp = readBack(folder / "a.webp"), png = readBack(folder / "a.png");
+        ASSERT_EQ(webp.spec.nchannels, alpha ? 4 : 3);
+        ASSERT_EQ(webp.values.size(), png.values.size());
+        for (std::size_t i = 0; i < png.values.size(); ++i) {
+            const float share = alpha && i % 4 != 3 ? png.values[i / 4 * 4 + 3] : 1;  // which the reader multiplies by
+            EXPECT_NEAR(webp.values[i], png.values[i] * share, share < 1 ? 0.6f / 255 : 0) << i;
+        }
+    }
+}
+
 TEST(ImageFile, ExrKeepsLinearPremultipliedLight) {
     const TemporaryFolder folder;
     write(folder / "a.exr", ramp(), false);
@@ -106,7 +147,7 @@ TEST(ImageFile, ExrKeepsLinearPremultipliedLight) {
 
 TEST(ImageFile, EqualPicturesAreEqualFiles) {
     const TemporaryFolder folder;
-    for (const char* extension : {".png", ".tif", ".jpg", ".exr"}) {
+    for (const char* extension : {".png", ".tif", ".jpg", ".webp", ".exr"}) {
         write(folder / "one" + extension, ramp(), true);
         // OpenImageIO would write the time of day in seconds.
         usleep(1100000);

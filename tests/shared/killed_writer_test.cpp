@@ -66,7 +66,7 @@ std::vector<Writer> writers() {
                        [name](const std::string& folder, int version) {
                            OutputFile file(folder + name);
                            const std::vector<float> rgba = grey(version);
-                           writePicture(file, {300, 200, rgba}, false);
+                           writePicture(file, Picture{300, 200, rgba}, {});
                        },
                        [name](const std::string& folder) { return folder + name; }});
 #ifdef NACRE_DESKTOP

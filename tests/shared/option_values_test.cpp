@@ -23,8 +23,8 @@ std::string reasonOf(const std::function<void()>& call) {
 TEST(OptionValues, Size) {
     EXPECT_EQ(parseSize("640x480").width, 640u);
     EXPECT_EQ(parseSize("640x480").height, 480u);
-    EXPECT_EQ(parseSize("16384x1").width, 16384u);
-    for (const char* text : {"", "x", "640", "640x", "x480", "0x10", "10x0", "16385x10", "10x16385", "-1x10",
+    EXPECT_EQ(parseSize("32768x1").width, 32768u);
+    for (const char* text : {"", "x", "640", "640x", "x480", "0x10", "10x0", "32769x10", "10x32769", "-1x10",
                              "10x10x10", "10 x10", "1e3x10", "99999999999x10", "+5x5", "nanxnan"})
         EXPECT_NE(reasonOf([&] { parseSize(text); }), "") << text;
 }
@@ -67,10 +67,26 @@ TEST(OptionValues, AReasonNamesTheLimitsAndTheValue) {
 }
 
 TEST(OptionValues, SamplesAreBounded) {
-    checkSamples({16384, 8192}, 1);
-    EXPECT_NE(reasonOf([] { checkSamples({16384, 8193}, 1); }), "");
-    checkSamples({1024, 1024}, 8);
-    EXPECT_NE(reasonOf([] { checkSamples({4096, 4096}, 8); }), "");
+    checkSamples({16384, 8192}, 1, kMostSamplesHeld);
+    EXPECT_NE(reasonOf([] { checkSamples({16384, 8193}, 1, kMostSamplesHeld); }), "");
+    checkSamples({32768, 32768}, 2);
+    EXPECT_NE(reasonOf([] { checkSamples({32768, 32768}, 3); }), "");
+}
+
+TEST(OptionValues, LengthsArePixelsOrPaper) {
+    EXPECT_NEAR(parseLength("85mm").pixels(300), 85 / 25.4 * 300, 1e-9);
+    EXPECT_NEAR(parseLength("8.5cm").pixels(300), 85 / 25.4 * 300, 1e-9);
+    EXPECT_NEAR(parseLength("3.3in").pixels(100), 330, 1e-9);
+    EXPECT_EQ(parseLength("1200px").pixels(300), 1200);
+    EXPECT_EQ(parseLength("1200").pixels(300), 1200);
+    for (const char* text : {"", "mm", "85 mm", "-1mm", "0mm", "nanin", "85pt", "1e9cm", "85mmm", "px"})
+        EXPECT_NE(reasonOf([&] { parseLength(text); }), "") << text;
+    EXPECT_EQ(pointsOf("1.5pt"), 1.5);
+    EXPECT_EQ(pointsOf("1.5"), std::nullopt);
+    EXPECT_EQ(parsePixels("3pt", 1, 5), 4);
+    EXPECT_EQ(parsePixels("3px", 1, 5), 3);
+    for (const char* text : {"", "pt", "4pt", "0.5pt", "6px", "nanpt"})
+        EXPECT_NE(reasonOf([&] { parsePixels(text, 1, 5); }), "") << text;
 }
 
 TEST(Srgb, EveryCodeSurvivesTheWayToLinearLightAndBack) {

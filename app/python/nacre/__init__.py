@@ -135,7 +135,7 @@ class Structure:
         return layers
 
     def save(self, path, **options):
-        """Draws a picture into a .png, .tif, .jpg or .exr file, which appears whole or not at all."""
+        """Draws a picture into a .png, .tif, .jpg, .webp or .exr file, which appears whole or not at all."""
         _tell(_nacre.save(self._core, _os.fspath(path), _text(options)))
 
     def _repr_png_(self):
