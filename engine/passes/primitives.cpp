@@ -205,6 +205,10 @@ void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive 
                                    {sphere ? 0 : scene.cylinderOffset, sphere ? 0 : scene.cylinderLookOffset});
     if (corners == kPyramidPoints) commands.bindIndexBuffer(*scene.pyramid.handle, 0, vk::IndexType::eUint16);
     layout::ViewConstants constants = view.constants;
+    // By these the vertex stage finds the triangles, whoever looks: a viewer, a light, or a bake.
+    constants.spheres = scene.sphereCount;
+    constants.cylinders = scene.cylinderCount;
+    constants.primitives = scene.primitives();
     for (const PlacedCopies::Call& call : calls) {  // copies differ by their push constants alone
         const glm::vec4* rows = &view.copies.rows[3 * std::size_t{call.copy}];
         constants.row0 = rows[0], constants.row1 = rows[1], constants.row2 = rows[2];

@@ -75,16 +75,7 @@ float cylinderTexel(uint index, vec2 uv) {
     if (kCells) return cellTexel(view.spheres * sphereCells() + index * cells, uv, vec2(texels));
     return patchTexel(cylinderPatch(index), uv, vec2(texels));
 }
-/// Vertices stand behind the cells, four texels a word.
-float vertexTexel(uint vertex, uint side) {
-    if (!kCells) return texelFetch(occlusionAtlas, vertexPlace(vertex, side), 0).r;
-    uvec2 around = cylinderTexels();
-    uint at = 2u * vertex + side, first = view.spheres * sphereCells() + view.cylinders * (around.x - 1u) * (around.y - 1u);
-    uint four = texelFetch(cellTexels, int(first + at / 4u)).x;
-    return float(four >> 8u * (at & 3u) & 0xffu) * (1.0 / 255.0);
-}
 #else
-float vertexTexel(uint vertex, uint side) { return texelFetch(occlusionAtlas, vertexPlace(vertex, side), 0).r; }
 float sphereTexel(uint index, vec2 uv) { return patchTexel(spherePatch(index), uv, vec2(sphereEdge())); }
 float cylinderTexel(uint index, vec2 uv) { return patchTexel(cylinderPatch(index), uv, vec2(cylinderTexels())); }
 #endif
@@ -102,14 +93,8 @@ float cylinderOcclusion(Hit hit, vec3 objectAxis, uint patchAddress) {
     return patchTexel(patchAddress, cylinderCoordinate(hit, objectAxis), vec2(cylinderTexels()));
 }
 
-/// @param vertices  numbers of a triangle's
-float meshOcclusion(Hit hit, uvec3 vertices) {
-    if (!shadesOcclusion(hit)) return 1.0;
-    uint side = hit.back ? 1u : 0u;
-    precise float mean = vertexTexel(vertices.x, side) * hit.shares.x + vertexTexel(vertices.y, side) * hit.shares.y +
-                         vertexTexel(vertices.z, side) * hit.shares.z;
-    return mean;
-}
+/// Meshes are drawn open: the bake has no texels of theirs.
+float meshOcclusion(Hit hit, uvec3 vertices) { return 1.0; }
 
 /// Occlusion is baked for the whole scene. Where a plane cuts it, light falls in that the bake knows nothing of: what lay
 /// in the dark is lifted, and stays darker than what lay less so.
