@@ -68,11 +68,12 @@ std::uint32_t colorOf(std::uint32_t atom) {
     return kLevels[atom & 3] | kLevels[atom >> 2 & 3] << 8 | kLevels[atom >> 4 & 3] << 16;
 }
 
-/// Spheres and sticks, each atom in a colour of its own.
-Representation testScene() {
+/// Spheres and sticks, or spheres that cut into each other, which no plate in front of one settles; each atom in a
+/// colour of its own.
+Representation testScene(Style style) {
     const Molecule molecule = sampleMolecule("glucose");
     RepresentationOptions look;
-    look.style = Style::ballAndStick;
+    look.style = style;
     Representation r = represent(molecule, drawnAtoms(molecule), look);
     for (SphereLook& s : r.sphereLooks) s.color = colorOf(s.atom);
     for (CylinderLook& c : r.cylinderLooks) c.colorA = colorOf(c.atomA), c.colorB = colorOf(c.atomB);
@@ -173,10 +174,13 @@ PathResult tested(const DeviceOptions& options, Visibility path) {
         alone.surface = {};
         alone.selfTests.clear();
         Renderer renderer(alone);
-        const Representation r = testScene();
-        renderer.setScene(r);
-        const RenderSettings s = settingsOf(r, kPixels);
-        result.outcome = shows(renderer.render(s), r, s.view) ? PathResult::Outcome::right : PathResult::Outcome::wrong;
+        result.outcome = PathResult::Outcome::right;
+        for (const Style style : {Style::ballAndStick, Style::spacefill}) {
+            const Representation r = testScene(style);
+            renderer.setScene(r);
+            const RenderSettings s = settingsOf(r, kPixels);
+            if (!shows(renderer.render(s), r, s.view)) result.outcome = PathResult::Outcome::wrong;
+        }
         if (result.outcome == PathResult::Outcome::right) result.milliseconds = timed(renderer);
     } catch (const Error&) {
         result.outcome = PathResult::Outcome::failed;
