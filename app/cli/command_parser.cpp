@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <list>
 
 #include "app/cli/command_spec.h"
 #include "engine/error.h"
@@ -66,6 +67,26 @@ void addOptions(CLI::App& app, const CommandSpec& command) {
         if (option.required) added->required();
         if (!option.excludes.empty()) added->excludes(app.get_option(option.excludes));
     }
+}
+
+/// Whether a word is one of "on|off".
+bool isOneOf(std::string_view choices, std::string_view word) {
+    while (!choices.empty()) {
+        const std::size_t end = std::min(choices.find('|'), choices.size());
+        if (choices.substr(0, end) == word) return true;
+        choices.remove_prefix(std::min(end + 1, choices.size()));
+    }
+    return false;
+}
+
+/// The words of a command line, with their value behind names that stand for one. Those that change live in `made`.
+void completeBare(const CommandSpec& command, std::vector<const char*>& words, std::list<std::string>& made) {
+    for (std::size_t i = 0; i < words.size() && std::string_view(words[i]) != "--"; ++i)
+        for (const OptionSpec& option : command.options) {
+            if (option.bare.empty() || option.longName() != words[i]) continue;
+            if (i + 1 < words.size() && isOneOf(option.type, words[i + 1])) continue;
+            words[i] = made.emplace_back(option.longName() + "=" + option.bare).c_str();
+        }
 }
 
 /// Every way to write an option: "-o", "--output".
@@ -141,6 +162,8 @@ ParsedCommand parseCommands(const CommandSpec& program, std::span<const CommandS
         chosen = &commands[static_cast<std::size_t>(at - names.begin())];
         parsed.name = chosen->name;
     }
+    std::list<std::string> made;
+    completeBare(*chosen, words, made);
     if (words.size() > 1)
         refuseUnknown(parsed.name, namesOf(*chosen), std::span(words).subspan(parsed.name.empty() ? 1 : 2));
     try {

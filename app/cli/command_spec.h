@@ -23,6 +23,7 @@ struct OptionSpec {
     std::function<void(const std::string&)> set;
     bool required = false;
     bool repeatable = false;    ///< each is taken as it is met, before all that is not repeatable
+    std::string bare = {};      ///< value that its name alone stands for; else one of its type follows, "on|off"
     bool pair = false;          ///< takes two values; set() gets them with a line's end between
     std::string excludes = {};  ///< the name of another option
 

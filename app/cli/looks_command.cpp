@@ -1,4 +1,4 @@
-// `nacre looks`: what there is, or a sheet of a molecule in every look.
+// `nacre looks`: what there is, or a sheet of a molecule in every look, each under its name.
 
 #include <algorithm>
 #include <ostream>
@@ -45,6 +45,8 @@ private:
     Picture picture_;
 };
 
+constexpr double kRoomForName = 0.84;  ///< of a cell, for the molecule
+
 void drawSheet(const LooksOptions& options) {
     OutputFile file(options.picture.output, ".png");
     Progress progress;
@@ -59,12 +61,16 @@ void drawSheet(const LooksOptions& options) {
     for (const Look& look : looks()) {
         RenderOptions one = options.picture;
         takeLook(look, one);
+        one.words.title = look.name;
+        one.camera.zoom *= kRoomForName;
         PreparedPicture prepared = preparePicture(molecule, one);
         if (!drawn)
             for (const std::string& warning : prepared.scene.warnings) sayWarning(warning);
         if (drawn != one.look.color) renderer.setScene(std::move(prepared.scene));
         drawn = one.look.color;
-        sheet.put(done, renderer.render(prepared.settings));
+        Picture cell = renderer.render(prepared.settings);
+        addWords(prepared, one, prepared.settings.view, cell);
+        sheet.put(done, cell);
         progress.advance(static_cast<double>(++done) / static_cast<double>(looks().size()));
     }
     writePicture(file, sheet.picture(), {});

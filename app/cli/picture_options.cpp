@@ -120,7 +120,8 @@ void addWords(CommandSpec& command, RenderOptions& options) {
     addValue(command, "--legend", "on|off", "off", "What the colours mean, at the upper right",
              [&](const std::string& text) {
                  words.legend = parseChoice(text, {"on", "off"}) == 0;
-             });
+             })
+        .bare = "on";
     addValue(command, "--text-size", "PIXELS|POINTSpt", "a 42nd of the shorter side",
              "Size of letters (an em), 4 to 2000 pixels, or as 8pt at --dpi", [&](const std::string& text) {
                  words.size = parsePixels(text, 4, 2000);

@@ -89,6 +89,39 @@ TEST(WordOptions, FaultsAreOneLine) {
     EXPECT_NE(fault("--palette mutd").find("'muted'?"), std::string::npos);
 }
 
+TEST(WordOptions, ALegendNeedsNoValueAndLeavesTheInputAlone) {
+    const TemporaryFolder folder;
+    const auto drawn = [&](const std::string& words) {
+        const Outcome outcome = nacreIn(folder, "render -o - --size 64x64 --occlusion off " + words);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome.out;
+    };
+    const std::string with = drawn("sample:glucose --legend on");
+    EXPECT_NE(with, drawn("sample:glucose --legend off"));
+    EXPECT_EQ(with, drawn("--legend sample:glucose"));
+    EXPECT_EQ(with, drawn("sample:glucose --legend"));
+    EXPECT_EQ(nacreIn(folder, "render -o - sample:glucose --legend=maybe").code, 2);
+}
+
+TEST(WordOptions, StandInMovies) {
+    const TemporaryFolder folder;
+    const auto frame = [&](const std::string& words) {
+        const Outcome outcome = nacreIn(folder,
+                                        "movie sample:glucose -o frames/ --spin y --seconds 0.1 --fps 20 --size 64x64 "
+                                        "--occlusion off " +
+                                            words);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        std::string all;
+        for (const auto& file : std::filesystem::directory_iterator(folder / "frames"))
+            all += test::contentOf(file.path().string());
+        return all;
+    };
+    const std::string plain = frame("");
+    EXPECT_NE(plain, frame("--title Sugar"));
+    EXPECT_NE(plain, frame("--label 'id 1={atom}'"));
+    EXPECT_NE(plain, frame("--look dark"));
+}
+
 TEST(ColorOptions, SchemesPalettesAndRangesReachTheLegend) {
     const TemporaryFolder folder;
     const auto legend = [&](const std::string& options) {
