@@ -255,7 +255,9 @@ void Viewer::setLook(const SavedView& look, double now, bool continues) {
     // What cannot be said of this molecule is not kept.
     if (look.words != before.words && !putWords(now)) view_.words = before.words;
     const bool scene = look.look != before.look || look.drawn != before.drawn;
-    if (scene && document_.molecule) loader_.build(view(), document_.molecule);
+    // What is being read is seen in this look once it is there.
+    const bool reading = loader_.busy() && loader_.view().input != document_.view.input;
+    if (scene && document_.molecule && !reading) loader_.build(view(), document_.molecule);
     if (look.occlusionDirections != before.occlusionDirections) occlusion_ = look.occlusionDirections ? 0 : 1;
 }
 
@@ -389,6 +391,8 @@ void Viewer::tookDocument(double now) {
     occlusionRetry_ = {};
     if (!document_.scene.warnings.empty()) say(document_.scene.warnings.front(), now);
     changed(now);
+    if (another && (view_.look != document_.view.look || view_.drawn != document_.view.drawn))
+        loader_.build(view(), document_.molecule);
 }
 
 /// Moves what moves by itself. @returns when something is due

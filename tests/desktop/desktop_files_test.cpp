@@ -1,0 +1,105 @@
+// What the window keeps of earlier files, and the programs of the desktop that it asks.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <thread>
+
+#include "app/desktop/processes.h"
+#include "app/desktop/recent_files.h"
+#include "tests/support/temporary_folder.h"
+
+namespace nacre::app {
+namespace {
+
+using test::TemporaryFolder;
+
+Picture pictureOf(float red) {
+    Picture picture;
+    picture.width = RecentFiles::kPicture.width;
+    picture.height = RecentFiles::kPicture.height;
+    for (std::uint32_t i = 0; i < picture.width * picture.height; ++i)
+        picture.rgba.insert(picture.rgba.end(), {red, 0.0f, i == 5 ? 1.0f : 0.0f, 1.0f});
+    return picture;
+}
+
+TEST(RecentFiles, TheLatestComeFirstAndHaveTheirPictures) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "state/recent.json";
+    RecentFiles files(path);
+    EXPECT_TRUE(files.files().empty());
+    for (int i = 0; i < 10; ++i) files.add("/some/" + std::to_string(i) + ".pdb", std::to_string(i), pictureOf(0));
+    files.add("/some/5.pdb", "5", pictureOf(1));
+    files.add("pdb:1bna", "pdb:1bna", {});
+    const RecentFiles again(path);
+    ASSERT_EQ(again.files().size(), RecentFiles::kMost);
+    EXPECT_EQ(again.files()[0].input, "pdb:1bna");
+    EXPECT_EQ(again.files()[0].width, 0u);
+    EXPECT_EQ(again.files()[1].input, "/some/5.pdb");
+    EXPECT_EQ(again.files()[2].name, "9");
+    ASSERT_EQ(again.files()[1].pixels.size(), std::size_t{65} * 44);
+    EXPECT_EQ(again.files()[1].pixels[4], 0xff0000ffu);
+    EXPECT_EQ(again.files()[1].pixels[5], 0xffff00ffu);
+}
+
+TEST(RecentFiles, WhatIsNoListIsNone) {
+    const TemporaryFolder folder;
+    for (const char* text :
+         {"", "{}", "[1, {\"input\": 2}, {\"name\": \"x\"}]", "[{\"input\": \"a\", \"picture\": \"zz\"}", "\xff"}) {
+        std::ofstream(folder / "recent.json") << text;
+        EXPECT_TRUE(RecentFiles(folder / "recent.json").files().empty()) << text;
+    }
+    std::ofstream(folder / "recent.json") << R"([{"input": "a.pdb", "picture": "not one"}])";
+    const RecentFiles files(folder / "recent.json");
+    ASSERT_EQ(files.files().size(), 1u);
+    EXPECT_EQ(files.files()[0].name, "a.pdb");
+    EXPECT_EQ(files.files()[0].width, 0u);
+}
+
+TEST(Processes, TakeInputAndGiveOutputWithoutAShell) {
+    EXPECT_EQ(runProgram({"cat"}, "three $HOME words"), "three $HOME words");
+    EXPECT_EQ(runProgram({"printf", "%s", "$(id);"}), "$(id);");
+    EXPECT_EQ(runProgram({"false"}), std::nullopt);
+    EXPECT_EQ(runProgram({"nacre-has-no-such-program"}), std::nullopt);
+    EXPECT_EQ(runProgram({"true"}, std::string(1 << 20, 'x')), "");  // which nobody reads
+    EXPECT_TRUE(hasProgram("sh"));
+    EXPECT_FALSE(hasProgram("nacre-has-no-such-program"));
+}
+
+TEST(Processes, ADialogTellsWhatWasChosen) {
+    const TemporaryFolder folder;
+    const std::string before = std::getenv("PATH");
+    std::ofstream(folder / "zenity") << "#!/bin/sh\necho '/tmp/two words.pdb'\n";
+    std::filesystem::permissions(folder / "zenity", std::filesystem::perms::owner_all);
+    setenv("PATH", (folder.path() + ":" + before).c_str(), 1);
+    EXPECT_TRUE(FileDialog::available());
+    std::mutex mutex;
+    std::string chosen;
+    FileDialog dialog;
+    dialog.open([&](const std::string& path) {
+        const std::lock_guard lock(mutex);
+        chosen = path;
+    });
+    for (int i = 0; i < 200; ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        const std::lock_guard lock(mutex);
+        if (!chosen.empty()) break;
+    }
+    const std::lock_guard lock(mutex);
+    EXPECT_EQ(chosen, "/tmp/two words.pdb");
+    setenv("PATH", before.c_str(), 1);
+}
+
+TEST(Processes, TheDesktopSaysWhetherItIsDark) {
+    setenv("GTK_THEME", "Adwaita:dark", 1);
+    EXPECT_TRUE(systemIsDark());
+    setenv("GTK_THEME", "Adwaita", 1);
+    EXPECT_FALSE(systemIsDark());
+    unsetenv("GTK_THEME");
+}
+
+}  // namespace
+}  // namespace nacre::app

@@ -1,0 +1,168 @@
+// What pointing does: hover, click, double click, the selection; and reading that is stopped.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+#include "app/viewer/viewer.h"
+#include "engine/error.h"
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/read.h"
+
+namespace nacre::app {
+namespace {
+
+class OneAtomScreen : public Screen {
+public:
+    std::uint32_t atom = 0;
+    int asked = 0;
+    void setScene(const Representation&) override {}
+    double advanceOcclusion(const RenderSettings&, const OcclusionPace&) override { return 1; }
+    FrameOutcome present(const RenderSettings&, const WindowFrame&) override { return FrameOutcome::shown; }
+    PixelSize windowSize() const override { return {640, 480}; }
+    std::uint32_t atomAt(const RenderSettings&, double, double, double) override { return ++asked, atom; }
+};
+
+struct Stand {
+    OneAtomScreen screen;
+    std::atomic<bool> cancelled{false};
+    Viewer viewer;
+    double now = 100;
+
+    Stand()
+        : viewer(screen,
+                 {[this](const SavedView& v) {
+                      for (int i = 0; v.input == "slow" && !cancelled && i < 1000; ++i)
+                          std::this_thread::sleep_for(std::chrono::milliseconds(5));
+                      if (v.input == "slow") throw Error("stopped", "", "");
+                      return sampleMolecule("dna");
+                  },
+                  [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m, v.drawn), v.look); },
+                  [] { return 0.25; }, [this] { cancelled = true; }},
+                 first(), {}) {
+        viewer.resize({640, 480}, 1, now);
+        viewer.waitForLoading();
+        rest(1);
+    }
+    static SavedView first() {
+        SavedView v;
+        v.input = "sample:dna";
+        return v;
+    }
+    void rest(double seconds) {
+        for (const double end = now + seconds; now < end; now += 0.02) viewer.update(now);
+    }
+    void click() {
+        viewer.mouseButton(MouseButton::left, true, {300, 200}, {}, now);
+        viewer.mouseButton(MouseButton::left, false, {300, 200}, {}, now += 0.05);
+    }
+};
+
+TEST(Pointing, ANameIsLookedForOnceThePointerRests) {
+    Stand s;
+    s.screen.atom = 40;
+    for (int i = 0; i < 10; ++i) {
+        s.viewer.mouseMove({300.0 + i, 200}, s.now);
+        s.rest(0.02);
+    }
+    EXPECT_EQ(s.screen.asked, 0);
+    s.rest(1);
+    EXPECT_EQ(s.screen.asked, 1);
+    EXPECT_NE(s.viewer.annotations().hover.find("atom 40"), std::string::npos);
+    s.viewer.pointerLeft();
+    EXPECT_EQ(s.viewer.annotations().hover, "");
+}
+
+TEST(Pointing, AClickSelectsTheResidueAndOneBesideNothing) {
+    Stand s;
+    s.screen.atom = 1;
+    s.click();
+    EXPECT_EQ(s.viewer.selection().text, "chain A and resi 1");
+    EXPECT_EQ(s.viewer.annotations().selected.size(), s.viewer.selection().count);
+    EXPECT_GT(s.viewer.selection().count, 10u);
+    s.rest(1);
+    s.screen.atom = 0;
+    s.click();
+    EXPECT_EQ(s.viewer.selection().text, "");
+    EXPECT_TRUE(s.viewer.annotations().selected.empty());
+}
+
+TEST(Pointing, ADoubleClickZoomsToTheResidue) {
+    Stand s;
+    s.screen.atom = 1;
+    s.click();
+    s.now += 0.1;
+    s.click();
+    s.rest(1);
+    EXPECT_GT(s.viewer.view().camera.zoom, 1.5);
+    s.screen.atom = 0;
+    s.click();
+    s.now += 0.1;
+    s.click();
+    s.rest(1);
+    EXPECT_EQ(s.viewer.view().camera.zoom, 1);
+}
+
+TEST(Pointing, ATypedSelectionIsCountedOrSaysWhatIsWrong) {
+    Stand s;
+    s.viewer.select("chain A");
+    EXPECT_TRUE(s.viewer.selection().any());
+    EXPECT_EQ(s.viewer.selection().count, 243u);
+    s.viewer.select("chain A and si");
+    EXPECT_FALSE(s.viewer.selection().any());
+    EXPECT_NE(s.viewer.selection().error, "");
+    EXPECT_TRUE(s.viewer.annotations().selected.empty());
+}
+
+TEST(Pointing, WhatAPanelCoversMovesTheMoleculeAside) {
+    Stand s;
+    const View whole = s.viewer.settings().view;
+    s.viewer.setCovered({200, 0, 0, 0}, s.now);
+    const View beside = s.viewer.settings().view;
+    EXPECT_EQ(beside.width, 640u);
+    EXPECT_NEAR(beside.pan.x * beside.pixelsPerAngstrom, 100, 1e-9);
+    EXPECT_NEAR(beside.pixelsPerAngstrom, whole.pixelsPerAngstrom * 440 / 480, 1e-9);
+    EXPECT_EQ(s.viewer.pictureSettings({640, 480}).view.pan, glm::dvec2(0));
+    // What is under the pointer stays there.
+    const glm::dvec2 before = planePointAt(beside, 500, 100);
+    s.viewer.wheel(4, {500, 100}, s.now);
+    const glm::dvec2 after = planePointAt(s.viewer.settings().view, 500, 100);
+    EXPECT_NEAR(before.x, after.x, 1e-6);
+    EXPECT_NEAR(before.y, after.y, 1e-6);
+}
+
+TEST(Pointing, ALookThatIsTakenMeanwhileDoesNotStopReading) {
+    Stand s;
+    s.viewer.open("another", s.now);
+    s.viewer.run(ViewerCommand::licorice, s.now);
+    for (int i = 0; i < 3; ++i) {
+        s.viewer.waitForLoading();
+        s.rest(0.1);
+    }
+    EXPECT_EQ(s.viewer.view().input, "another");
+    EXPECT_EQ(s.viewer.document()->view.look.style, Style::licorice);
+    EXPECT_GT(s.viewer.document()->scene.drawnBonds, 100u);
+}
+
+TEST(Pointing, ReadingThatIsStoppedLeavesWhatWasThere) {
+    Stand s;
+    s.viewer.open("slow", s.now);
+    EXPECT_TRUE(s.viewer.loading());
+    EXPECT_EQ(s.viewer.loadingProgress(), 0.25);
+    s.viewer.cancelLoading(s.now);
+    EXPECT_FALSE(s.viewer.loading());
+    EXPECT_TRUE(s.cancelled);
+    s.viewer.waitForLoading();
+    s.rest(0.2);
+    EXPECT_EQ(s.viewer.annotations().message, "stopped");
+    EXPECT_EQ(s.viewer.view().input, "sample:dna");
+    // And another can be read.
+    s.viewer.open("sample:dna", s.now);
+    s.viewer.waitForLoading();
+    s.rest(0.2);
+    EXPECT_FALSE(s.viewer.loading());
+}
+
+}  // namespace
+}  // namespace nacre::app
