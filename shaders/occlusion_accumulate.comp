@@ -1,7 +1,7 @@
 #version 450
 // Ambient occlusion, one batch of directions: every texel of the list asks each depth map of the batch whether it is
 // the front-most at its place, and adds up the cosine of those that say yes. One read and one write of its sum.
-// CYLINDER: texels of cylinders. WHOLE: one value for a sphere, asked at its point that faces the light.
+// CYLINDER, VERTEX: texels of cylinders, of meshes. WHOLE: one value for a sphere, asked at its point that faces the light.
 // HEIGHTS: the maps are a buffer of heights, as tile_depth.comp leaves them; else an image of encoded depth.
 // TEXELS: these and the directions are read as texels.
 // All lengths here are pixels of a depth map: directions turn, scale and shift into the map, rows downwards.
@@ -33,7 +33,12 @@ layout(set = 0, binding = 4) uniform sampler2D depthMaps;
 #endif
 
 /// Height of the texel's own surface above the place q of a depth map; z where it does not reach there.
-#ifdef CYLINDER
+#if defined(VERTEX)
+/// That of the plane through the vertex: how the surface bends away from it, the slack allows for.
+float ownHeight(vec3 center, vec3 normal, float radius, vec2 q, float z) {
+    return z - dot(normal.xy, q - center.xy) / max(normal.z, 0.15);
+}
+#elif defined(CYLINDER)
 float ownHeight(vec3 center, vec3 axis, float radius, vec2 q, float z) {
     vec2 from = q - center.xy;
     // Squared distance of the ray's points (from, t) from the axis is a parabola in t.
@@ -77,7 +82,9 @@ void main() {
     // All lanes stay, as each has directions that the others want.
     uint entry = bake.firstEntry + min(listed, bake.entries - 1u);
     fetchDirections();
-#ifdef CYLINDER
+#if defined(VERTEX)
+    Texel texel = vertexTexel(texels[entry]);
+#elif defined(CYLINDER)
     Texel texel = cylinderTexel(texels[entry]);
 #else
     Texel texel = sphereTexel(texels[entry]);

@@ -18,13 +18,15 @@ std::uint32_t roundUp(std::uint64_t value, std::uint32_t step) {
     return static_cast<std::uint32_t>((value + step - 1) / step * step);
 }
 
-OcclusionLayout layoutFor(const PatchSize& size, std::size_t spheres, std::size_t cylinders, std::uint32_t maxSize) {
+OcclusionLayout layoutFor(const PatchSize& size, std::size_t spheres, std::size_t cylinders, std::size_t vertices,
+                          std::uint32_t maxSize) {
     OcclusionLayout layout;
     layout.sphereEdge = size.edge;
     layout.around = size.around;
     layout.along = size.along;
     layout.sphereCount = static_cast<std::uint32_t>(spheres);
     layout.cylinderCount = static_cast<std::uint32_t>(cylinders);
+    layout.vertexCount = static_cast<std::uint32_t>(vertices);
     // Nearly square, and a multiple of both patch widths.
     const std::uint32_t step = std::lcm(size.edge, size.around);
     const double side = std::sqrt(static_cast<double>(std::max<std::uint64_t>(layout.texelCount(), 1)));
@@ -34,18 +36,21 @@ OcclusionLayout layoutFor(const PatchSize& size, std::size_t spheres, std::size_
         return (count + perRow - 1) / perRow * h;
     };
     const std::uint64_t sphereRows = rows(spheres, size.edge, size.edge);
-    const std::uint64_t height = sphereRows + rows(cylinders, size.around, size.along);
+    const std::uint64_t cylinderRows = rows(cylinders, size.around, size.along);
+    const std::uint64_t height = sphereRows + cylinderRows + rows(2 * vertices, 1, 1);
     layout.sphereRows = static_cast<std::uint32_t>(std::min<std::uint64_t>(sphereRows, UINT32_MAX));
+    layout.cylinderRows = static_cast<std::uint32_t>(std::min<std::uint64_t>(cylinderRows, UINT32_MAX));
     layout.height = static_cast<std::uint32_t>(std::min<std::uint64_t>(height, UINT32_MAX));
     return layout;
 }
 
 }  // namespace
 
-std::vector<OcclusionLayout> occlusionLayouts(std::size_t spheres, std::size_t cylinders, std::uint32_t maxSize) {
+std::vector<OcclusionLayout> occlusionLayouts(std::size_t spheres, std::size_t cylinders, std::size_t vertices,
+                                              std::uint32_t maxSize) {
     std::vector<OcclusionLayout> layouts;
     for (const PatchSize& size : kSizes) {
-        const OcclusionLayout layout = layoutFor(size, spheres, cylinders, maxSize);
+        const OcclusionLayout layout = layoutFor(size, spheres, cylinders, vertices, maxSize);
         if (layout.height <= maxSize) layouts.push_back(layout);
     }
     return layouts;
@@ -53,12 +58,15 @@ std::vector<OcclusionLayout> occlusionLayouts(std::size_t spheres, std::size_t c
 
 bool holdsItsPatches(const OcclusionLayout& l, std::uint32_t mostSide) {
     const std::uint32_t most = std::min(mostSide, 1u << 16);  // what an address has bits for
-    if (l.width == 0 || l.width > most || l.height > most || l.sphereRows > l.height) return false;
+    if (l.width == 0 || l.width > most || l.height > most || l.sphereRows > l.height ||
+        l.cylinderRows > l.height - l.sphereRows)
+        return false;
     const auto fit = [&](std::uint64_t count, std::uint32_t w, std::uint32_t h, std::uint32_t rows) {
         return w > 0 && h > 0 && w <= l.width && (count + l.width / w - 1) / (l.width / w) * h <= rows;
     };
     return fit(l.sphereCount, l.sphereEdge, l.sphereEdge, l.sphereRows) &&
-           fit(l.cylinderCount, l.around, l.along, l.height - l.sphereRows);
+           fit(l.cylinderCount, l.around, l.along, l.cylinderRows) &&
+           fit(2 * std::uint64_t{l.vertexCount}, 1, 1, l.height - l.sphereRows - l.cylinderRows);
 }
 
 }  // namespace nacre

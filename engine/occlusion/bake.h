@@ -120,6 +120,9 @@ private:
     /// Sticks throw thin shadows, which one tap misses: four stand for the directions between two of the set, which are
     /// the farther apart the fewer they are. @returns pixels; 0: one tap
     float spreadOfTaps() const;
+    /// Cartoons are as thin.
+    float spreadOfVertices() const;
+    float widestTaps() const;
     void dropDeepTexels();
     void makeCells(std::span<const std::uint8_t> texels);
     /// @param first, end  of the model's texels

@@ -12,7 +12,7 @@ namespace nacre {
 namespace {
 
 // To be raised by whoever changes what a bake gives: patch sizes, directions, open texels, shaders.
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr std::string_view kPrefix = "occlusion-";  // of files
 
 /// The file: this, the atlas, a bit for each sphere, and the hash of the file's name and all that.
@@ -21,10 +21,11 @@ struct Header {
     std::uint32_t version = kVersion;
     std::uint32_t sphereEdge = 0, around = 0, along = 0, width = 0, height = 0, sphereRows = 0, sphereCount = 0,
                   cylinderCount = 0;
+    std::uint32_t cylinderRows = 0, vertexCount = 0;
     std::uint32_t unused = 0;
     std::uint64_t openTexels = 0;
 };
-static_assert(sizeof(Header) == 56 && std::has_unique_object_representations_v<Header>);
+static_assert(sizeof(Header) == 64 && std::has_unique_object_representations_v<Header>);
 
 class Hash {
 public:
@@ -70,7 +71,7 @@ void addCopies(Hash& hash, const Copies& copies) {
     hash.add(copies.transforms.data(), copies.transforms.size() * sizeof(glm::dmat4x3));
     for (const std::vector<std::uint32_t>& list : copies.lists)
         hash.add(std::uint64_t{list.size()}).add(list.data(), list.size() * sizeof(std::uint32_t));
-    for (const auto* runs : {&copies.spheres, &copies.cylinders})
+    for (const auto* runs : {&copies.spheres, &copies.cylinders, &copies.triangles})
         for (const PrimitiveRun& run : *runs) hash.add(run.first).add(run.count).add(run.list);
 }
 
@@ -88,9 +89,14 @@ std::string occlusionCacheName(const Representation& representation, std::string
     hash.add(std::uint64_t{representation.spheres.size()});
     hash.add(representation.spheres.data(), representation.spheres.size() * sizeof(Sphere));
     hash.add(representation.cylinders.data(), representation.cylinders.size() * sizeof(Cylinder));
+    hash.add(std::uint64_t{representation.triangles.size()}).add(std::uint64_t{representation.meshVertices.size()});
+    for (const Triangle& t : representation.triangles)
+        hash.add(t.a).add(t.b).add(t.c).add(std::bit_cast<std::uint32_t>(t.step));
+    for (const MeshVertex& v : representation.meshVertices) hash.add(v.xz).add(v.yz).add(v.normal);
     hash.add(std::bit_cast<std::uint64_t>(representation.radius));
     addCopies(hash, representation.copies);
-    for (const auto* runs : {&representation.sphereModels, &representation.cylinderModels})
+    for (const auto* runs :
+         {&representation.sphereModels, &representation.cylinderModels, &representation.triangleModels})
         for (const ModelRun& run : *runs) hash.add(run.first).add(run.count).add(run.model);
     const XXH128_canonical_t result = hash.result();
     std::string name(kPrefix);
@@ -115,11 +121,14 @@ std::optional<FinishedOcclusion> readOcclusion(const DiskCache& cache, const std
 
     const Header fresh;
     if (std::memcmp(header.magic, fresh.magic, sizeof fresh.magic) != 0 || header.version != kVersion ||
-        header.sphereCount != representation.spheres.size() || header.cylinderCount != representation.cylinders.size())
+        header.sphereCount != representation.spheres.size() ||
+        header.cylinderCount != representation.cylinders.size() ||
+        header.vertexCount != representation.meshVertices.size())
         return std::nullopt;
     FinishedOcclusion finished;
-    finished.layout = {header.sphereEdge, header.around,     header.along,       header.width,
-                       header.height,     header.sphereRows, header.sphereCount, header.cylinderCount};
+    finished.layout = {header.sphereEdge,    header.around,     header.along,        header.width,
+                       header.height,        header.sphereRows, header.cylinderRows, header.sphereCount,
+                       header.cylinderCount, header.vertexCount};
     const std::uint64_t texels = std::uint64_t{header.width} * header.height;
     const std::uint64_t bits = (std::uint64_t{header.sphereCount} + 7) / 8;
     if (!holdsItsPatches(finished.layout, mostSide) || content.size() != sizeof header + texels + bits ||
@@ -145,6 +154,8 @@ bool writeOcclusion(const DiskCache& cache, const std::string& name, const Finis
     header.sphereRows = layout.sphereRows;
     header.sphereCount = layout.sphereCount;
     header.cylinderCount = layout.cylinderCount;
+    header.cylinderRows = layout.cylinderRows;
+    header.vertexCount = layout.vertexCount;
     header.openTexels = finished.openTexels;
     const std::vector<std::uint8_t> seen = packed(finished.seenSpheres);
     std::string content(bytesOf(&header, sizeof header));

@@ -19,12 +19,40 @@ std::vector<glm::dmat4x3> picked(const Copies& copies, const std::vector<std::ui
 
 /// One kind of primitives, and where their texels lie.
 struct Kind {
-    const std::vector<PrimitiveRun>& copies;
-    const std::vector<ModelRun>& models;
+    std::span<const PrimitiveRun> copies;
+    std::span<const ModelRun> models;
     std::size_t count;
     std::uint64_t firstTexel, texelsEach;
-    bool cylinders;
+    OcclusionCopies::Run::Of of;
+    float step = 1;
 };
+
+/// Vertices of a mesh that have the same copies and belong to one model.
+struct VertexRun {
+    std::uint32_t first, end;
+    std::uint32_t list, model;
+    float step;
+};
+
+/// The vertices of triangles that stand together. Each mesh has vertices of its own.
+std::vector<VertexRun> vertexRuns(const Representation& r) {
+    std::vector<VertexRun> runs;
+    auto copies = r.copies.triangles.begin();
+    auto model = r.triangleModels.begin();
+    for (std::uint32_t i = 0; i < r.triangles.size(); ++i) {
+        const Triangle& t = r.triangles[i];
+        while (copies != r.copies.triangles.end() && i >= copies->first + copies->count) ++copies;
+        while (model != r.triangleModels.end() && i >= model->first + model->count) ++model;
+        const std::uint32_t list = copies != r.copies.triangles.end() ? copies->list : 0;
+        const std::uint32_t of = model != r.triangleModels.end() ? model->model : 0;
+        if (runs.empty() || runs.back().list != list || runs.back().model != of || runs.back().step != t.step)
+            runs.push_back({t.a, t.a + 1, list, of, t.step});
+        VertexRun& run = runs.back();
+        run.first = std::min({run.first, t.a, t.b, t.c});
+        run.end = std::max({run.end, t.a + 1, t.b + 1, t.c + 1});
+    }
+    return runs;
+}
 
 /// The entries of a list of texels, for each list of copies and each model of a kind.
 class Runs {
@@ -36,6 +64,11 @@ public:
     void add(const Kind& kind, bool groups) {
         if (!groups) return addModels(kind, 0, kind.count, 0);
         for (const PrimitiveRun& run : kind.copies) addModels(kind, run.first, run.first + run.count, run.list);
+    }
+
+    void add(const VertexRun& run, std::uint64_t firstTexel, bool groups) {
+        const Kind kind{{}, {}, 0, firstTexel, 2, OcclusionCopies::Run::Of::vertices, run.step};
+        addRun(kind, run.first, run.end, groups ? run.list : 0, run.model);
     }
 
 private:
@@ -52,7 +85,7 @@ private:
             const std::uint64_t texel = kind.firstTexel + primitive * kind.texelsEach;
             return static_cast<std::size_t>(std::lower_bound(texels_.begin(), texels_.end(), texel) - texels_.begin());
         };
-        runs_.push_back({at(begin), at(end) - at(begin), kind.cylinders, group, model});
+        runs_.push_back({at(begin), at(end) - at(begin), kind.of, group, model, kind.step});
     }
 
     std::span<const std::uint32_t> texels_;
@@ -66,7 +99,7 @@ OcclusionCopies occlusionCopies(const Representation& r, const OcclusionLayout& 
     OcclusionCopies result;
     const Copies& copies = r.copies;
     std::set<std::uint32_t> lists;
-    for (const auto* runs : {&copies.spheres, &copies.cylinders})
+    for (const auto* runs : {&copies.spheres, &copies.cylinders, &copies.triangles})
         for (const PrimitiveRun& run : *runs) lists.insert(run.list);
     const bool groups = lists.size() > 1;
     if (lists.empty()) {
@@ -82,10 +115,13 @@ OcclusionCopies occlusionCopies(const Representation& r, const OcclusionLayout& 
         for (const std::vector<std::uint32_t>& list : copies.lists) result.groups.push_back(picked(copies, list));
     }
     Runs runs(texels, result.runs);
+    using Of = OcclusionCopies::Run::Of;
     const std::uint64_t ofSphere = std::uint64_t{layout.sphereEdge} * layout.sphereEdge;
-    runs.add({copies.spheres, r.sphereModels, r.spheres.size(), 0, ofSphere, false}, groups);
+    runs.add({copies.spheres, r.sphereModels, r.spheres.size(), 0, ofSphere, Of::spheres}, groups);
     const std::uint64_t ofCylinder = std::uint64_t{layout.around} * layout.along;
-    runs.add({copies.cylinders, r.cylinderModels, r.cylinders.size(), layout.sphereTexels(), ofCylinder, true}, groups);
+    runs.add({copies.cylinders, r.cylinderModels, r.cylinders.size(), layout.sphereTexels(), ofCylinder, Of::cylinders},
+             groups);
+    for (const VertexRun& run : vertexRuns(r)) runs.add(run, layout.patchTexels(), groups);
     return result;
 }
 

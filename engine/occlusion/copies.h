@@ -15,10 +15,12 @@ namespace nacre {
 struct OcclusionCopies {
     /// Entries of a list of texels that stand at the places of the same copies.
     struct Run {
+        enum class Of : std::uint8_t { spheres, cylinders, vertices };
         std::size_t first = 0, count = 0;
-        bool cylinders = false;
+        Of of = Of::spheres;
         std::uint32_t group = 0;
         std::uint32_t model = 0;
+        float step = 1;  ///< of vertices
     };
     /// Places that direction after direction takes in turn, so that a patch shows their mean. Copies that see the same
     /// as another one are left out, where all primitives have the same copies: of a capsid's sixty one is left.

@@ -14,6 +14,8 @@ namespace {
 
 // Pixels across the radius of a sphere, of a cylinder: what more than that brings is lost in the patches' own error.
 constexpr double kPixelsPerSphere = 2.7, kPixelsPerCylinder = 1.5;
+// Per Å, for each atom whose look a mesh has. 4 in place of it makes the cartoon of 4HHB no better (RMS 0.037 both).
+constexpr double kPixelsOfMesh = 2.5;
 constexpr double kSmallest = 128, kLargest = 2048;
 // That tiles draw at a time: their lists take the host some 30 bytes each.
 constexpr std::uint64_t kMostPrimitives = 1'400'000;
@@ -62,7 +64,9 @@ double wantedResolution(const Representation& r) {
     double sum = 0;
     for (const Sphere& s : r.spheres) sum += kPixelsPerSphere / s.radius;
     for (const Cylinder& c : r.cylinders) sum += kPixelsPerCylinder / c.radius;
-    return sum / static_cast<double>(std::max<std::size_t>(r.spheres.size() + r.cylinders.size(), 1));
+    sum += kPixelsOfMesh * static_cast<double>(r.meshLooks.size());
+    const std::size_t count = r.spheres.size() + r.cylinders.size() + r.meshLooks.size();
+    return sum / static_cast<double>(std::max<std::size_t>(count, 1));
 }
 
 }  // namespace
@@ -107,6 +111,7 @@ DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scen
     };
     dealOut(representation.sphereModels, &Runs::spheres);
     dealOut(representation.cylinderModels, &Runs::cylinders);
+    dealOut(representation.triangleModels, &Runs::triangles);
     if (runs_.empty()) runs_.emplace_back();
     double sum = 0;
     for (const Sphere& s : representation.spheres) sum += s.radius;
@@ -136,6 +141,7 @@ passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t mo
     if (runs_.size() > 1) {
         all.spheres = within(all.spheres, runs_[model].spheres);
         all.cylinders = within(all.cylinders, runs_[model].cylinders);
+        all.triangles = within(all.triangles, runs_[model].triangles);
     }
     if (part.first == 0 && part.end == MapPart().end) return all;
     std::uint64_t at = 0;

@@ -63,7 +63,7 @@ public:
     /// From one map of a batch to the next.
     std::uint32_t across(std::uint32_t batch) const { return mapsAcross(tiles_ ? perBatch() : batch); }
 
-    /// Instances of a model's spheres and cylinders, all copies: what is drawn on each map.
+    /// Instances of a model's primitives, all copies: what is drawn on each map.
     std::uint64_t instances(std::uint32_t model) const;
 
     /// Declares the passes that draw a batch of a model, all rotations of `frames`, at most `batch` (1, 4 or 16).
@@ -85,7 +85,7 @@ public:
 private:
     /// What is drawn of a model.
     struct Runs {
-        std::vector<ModelRun> spheres, cylinders;
+        std::vector<ModelRun> spheres, cylinders, triangles;
     };
     passes::PlacedCopies placed(const glm::dmat3& frame, std::uint32_t model, MapPart part = {}) const;
     layout::ViewConstants constants(const glm::dmat3& frame, std::uint32_t i, std::uint32_t across) const;

@@ -250,6 +250,21 @@ void append(OpenTexels& all, const OpenTexels& part) {
     }
 }
 
+/// Vertices have texels of their own, four a word: no other's value will do.
+void addVertices(OpenTexels& all, const OcclusionLayout& layout) {
+    const std::uint64_t top = std::uint64_t{layout.sphereRows} + layout.cylinderRows;
+    const auto first = static_cast<std::uint32_t>(layout.patchTexels());
+    for (std::uint32_t i = 0; i < 2 * layout.vertexCount; ++i) {
+        if (i % 4 == 0)
+            all.words.push_back({static_cast<std::uint32_t>((top * layout.width + i) / 4),
+                                 static_cast<std::uint32_t>(all.texels.size()),
+                                 {}});
+        const auto entry = static_cast<std::uint16_t>(i % 4);
+        all.words.back().sources[entry] = {entry, entry};
+        all.texels.push_back(first + i);
+    }
+}
+
 }  // namespace
 
 OpenTexels openTexels(const OcclusionLayout& layout, const Representation& r, const PrimitiveTree& tree,
@@ -280,11 +295,12 @@ OpenTexels openTexels(const OcclusionLayout& layout, const Representation& r, co
     }
     for (const Finder& finder : finders) append(all, finder.found);
     all.firstOfSphere.push_back(static_cast<std::uint32_t>(all.sphereTexels));
+    addVertices(all, layout);
     return all;
 }
 
 double openShare(const OcclusionLayout& layout, const Representation& r, const PrimitiveTree& tree) {
-    if (layout.texelCount() == 0 || layout.sphereEdge == 1) return 1.0;
+    if (layout.patchTexels() == 0 || layout.sphereEdge == 1) return 1.0;
     constexpr std::uint32_t kSample = 500;
     Finder finder(layout, r, tree);
     std::uint64_t texels = 0;

@@ -26,8 +26,8 @@ struct AtlasWord {
 };
 
 struct OpenTexels {
-    /// Texels outside every other primitive, in linear order (all sphere patches, then all cylinder patches): the only
-    /// ones that any direction can light.
+    /// Texels of spheres and cylinders outside every other of these, in linear order (all sphere patches, then all
+    /// cylinder patches): the only ones that any direction can light. Then all of vertices.
     std::vector<std::uint32_t> texels;
     std::size_t sphereTexels = 0;  ///< how many of them belong to spheres
     std::vector<AtlasWord> words;  ///< those with at least one source
@@ -40,7 +40,7 @@ struct OpenTexels {
 OpenTexels openTexels(const OcclusionLayout& layout, const Representation& representation, const PrimitiveTree& tree,
                       const std::stop_token& stop = {});
 
-/// Share of the texels that are open, from a sample of the primitives.
+/// Share of the patches' texels that are open, from a sample of the primitives.
 double openShare(const OcclusionLayout& layout, const Representation& representation, const PrimitiveTree& tree);
 
 }  // namespace nacre

@@ -65,6 +65,9 @@ vk::Pipeline accumulationPipeline(gpu::PassContext& context, const Accumulation&
     } else if (accumulation.texels == Texels::cylinders) {
         d.name = "occlusion accumulation, cylinders";
         d.code = NACRE_ACCUMULATION(Cylinder);
+    } else if (accumulation.texels == Texels::vertices) {
+        d.name = "occlusion accumulation, vertices";
+        d.code = NACRE_ACCUMULATION(Vertex);
     }
     const graph::EncodedFormat& encoded = context.device.caps().encoded;
     d.constants.set(layout::kBatchId, accumulation.batch);

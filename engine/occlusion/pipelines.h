@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "engine/gpu/execute.h"
+#include "engine/passes/primitives.h"
 
 namespace nacre::occlusion {
 
@@ -13,6 +14,7 @@ enum class Texels : std::uint8_t {
     spheres,
     wholeSpheres,  ///< one value a sphere
     cylinders,
+    vertices,
 };
 struct Accumulation {
     Texels texels{};

@@ -10,9 +10,9 @@ namespace {
 /// Of one submission while somebody waits for the whole: some phones stop what takes seconds, all of them stutter.
 constexpr double kWaitedMilliseconds = 30;
 
-/// The path of the depth maps, if the device is to choose.
-OcclusionMaps automaticMaps(const gpu::Caps& caps) {
-    if (caps.software && caps.plan.tiles) return OcclusionMaps::tiles;
+/// The path of the depth maps, if the device is to choose. @param tiles  these can be had
+OcclusionMaps automaticMaps(const gpu::Caps& caps, bool tiles) {
+    if (caps.software && tiles) return OcclusionMaps::tiles;
     return caps.visibility == Visibility::encoded ? OcclusionMaps::encoded : OcclusionMaps::fragdepth;
 }
 
@@ -70,15 +70,16 @@ void SceneOcclusion::begin(const OcclusionSettings& settings) {
 void SceneOcclusion::prepare(const OcclusionSettings& settings) {
     const Wanted wanted{settings.directions, settings.bytes, settings.maps, settings.detail};
     if (settings.directions == 0 || ((bake_ || preparing_.valid()) && baked_ == wanted)) return;
-    if (representation_.spheres.empty() && representation_.cylinders.empty()) return;  // no atlas of no patches
+    if (representation_.spheres.empty() && representation_.cylinders.empty() && representation_.triangles.empty())
+        return;                      // no atlas of no patches
     if (bake_) device_->waitIdle();  // frames for the window may still read its atlas
     drop();
     began_ = Clock::now();
     baked_ = wanted;
     options_ = {settings.directions, settings.bytes, settings.maps, settings.detail};
-    if (options_.path == OcclusionMaps::automatic ||
-        (options_.path == OcclusionMaps::tiles && !device_.caps().plan.tiles))
-        options_.path = automaticMaps(device_.caps());
+    const bool tiles = device_.caps().plan.tiles && representation_.triangles.empty();  // their lists have no triangles
+    if (options_.path == OcclusionMaps::automatic || (options_.path == OcclusionMaps::tiles && !tiles))
+        options_.path = automaticMaps(device_.caps(), tiles);
     cache_ = occlusionCache(settings.cache);
     worthKeeping_ = settings.worthKeeping;
     stopPreparing_.emplace();

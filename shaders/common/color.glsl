@@ -56,6 +56,11 @@ float patchTexel(uint address, vec2 uv, vec2 texels) {
                      texelFetch(occlusionAtlas, at + ivec2(0, 1), 0).r, texelFetch(occlusionAtlas, at + 1, 0).r);
     return between(floor(four * 255.0 + 0.5), cell.share);
 }
+/// Lanes that show no triangle fetch, too, on some drivers: none of them beside the atlas.
+float vertexTexelOfAtlas(uint vertex, uint side) {
+    ivec2 last = textureSize(occlusionAtlas, 0) - 1;
+    return texelFetch(occlusionAtlas, clamp(vertexPlace(vertex, side), ivec2(0), last), 0).r;
+}
 #ifdef CELLS
 /// A word a cell, with its four texels: what software devices gather in the time of one.
 layout(set = 0, binding = CELLS) uniform usamplerBuffer cellTexels;
@@ -75,7 +80,16 @@ float cylinderTexel(uint index, vec2 uv) {
     if (kCells) return cellTexel(view.spheres * sphereCells() + index * cells, uv, vec2(texels));
     return patchTexel(cylinderPatch(index), uv, vec2(texels));
 }
+/// Vertices stand behind the cells, four texels a word.
+float vertexTexel(uint vertex, uint side) {
+    if (!kCells) return vertexTexelOfAtlas(vertex, side);
+    uvec2 around = cylinderTexels();
+    uint at = 2u * vertex + side, first = view.spheres * sphereCells() + view.cylinders * (around.x - 1u) * (around.y - 1u);
+    uint four = texelFetch(cellTexels, clamp(int(first + at / 4u), 0, textureSize(cellTexels) - 1)).x;
+    return float(four >> 8u * (at & 3u) & 0xffu) * (1.0 / 255.0);
+}
 #else
+float vertexTexel(uint vertex, uint side) { return vertexTexelOfAtlas(vertex, side); }
 float sphereTexel(uint index, vec2 uv) { return patchTexel(spherePatch(index), uv, vec2(sphereEdge())); }
 float cylinderTexel(uint index, vec2 uv) { return patchTexel(cylinderPatch(index), uv, vec2(cylinderTexels())); }
 #endif
@@ -93,8 +107,14 @@ float cylinderOcclusion(Hit hit, vec3 objectAxis, uint patchAddress) {
     return patchTexel(patchAddress, cylinderCoordinate(hit, objectAxis), vec2(cylinderTexels()));
 }
 
-/// Meshes are drawn open: the bake has no texels of theirs.
-float meshOcclusion(Hit hit, uvec3 vertices) { return 1.0; }
+/// @param vertices  numbers of a triangle's
+float meshOcclusion(Hit hit, uvec3 vertices) {
+    if (!shadesOcclusion(hit)) return 1.0;
+    uint side = hit.back ? 1u : 0u;
+    precise float mean = vertexTexel(vertices.x, side) * hit.shares.x + vertexTexel(vertices.y, side) * hit.shares.y +
+                         vertexTexel(vertices.z, side) * hit.shares.z;
+    return mean;
+}
 
 /// Occlusion is baked for the whole scene. Where a plane cuts it, light falls in that the bake knows nothing of: what lay
 /// in the dark is lifted, and stays darker than what lay less so.

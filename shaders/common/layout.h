@@ -146,7 +146,10 @@ struct OcclusionConstants {
     uint spheres;
     uint firstEntry;  // of the list of texels
     uint entries;
-    uint firstDirection;  // of the copies' own ones, where they are texels
+    uint firstDirection;    // of the copies' own ones, where they are texels
+    uint firstVertex;       // in the shapes
+    uint firstVertexTexel;  // two a vertex: of its outer side, and of its inner one
+    float step;             // that the vertices are in
 };
 /// Push constants of depth maps by tiles. What stands in TileConstants, too, means the same.
 struct MapConstants {
@@ -179,7 +182,7 @@ static_assert(sizeof(TileConstants) == 128 && offsetof(TileConstants, axisPixel)
               offsetof(TileConstants, atlasTexel) == 96);
 static_assert(sizeof(EffectConstants) == 112 + 16 * kMostCopyColors && offsetof(EffectConstants, fogStart) == 32 &&
               offsetof(EffectConstants, shadowSpread) == 96);
-static_assert(sizeof(OcclusionConstants) == 56 && sizeof(MapConstants) == 56);
+static_assert(sizeof(OcclusionConstants) == 68 && sizeof(MapConstants) == 56);
 static_assert(sizeof(Direction) == 48);
 }  // namespace nacre::layout
 #endif

@@ -1,17 +1,9 @@
-// Meshes as the streams have them (engine/scene/mesh_streams.h), and how a triangle's corners meet the view.
+// How a triangle's corners meet the view, and what shading takes from them.
 #ifndef NACRE_MESH_GLSL
 #define NACRE_MESH_GLSL
 #include "hit.glsl"
-#include "patch.glsl"
+#include "vertex.glsl"
 
-/// Of a vertex, in the steps of its triangle: whole numbers below 2^21 times a power of two, so exact.
-vec3 vertexPosition(uvec4 vertex, float step) {
-    uvec3 at = uvec3(vertex.xy & 0x1fffffu, vertex.x >> 21 | vertex.y >> 21 << 11);
-    return (vec3(at) - 1048576.0) * step;
-}
-vec3 vertexNormal(uint packed) {
-    return octahedralNormal(vec2(packed & 0xffffu, packed >> 16) * (1.0 / 65535.0));
-}
 /// As triangleHitThrough() takes it.
 vec3 cornerOf(uvec4 vertex, float step) { return projected(toView(vertexPosition(vertex, step))); }
 

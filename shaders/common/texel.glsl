@@ -1,8 +1,12 @@
-// Texels of the occlusion atlas in linear order: all sphere patches, then all cylinder patches, row by row.
-#include "patch.glsl"
+// Texels of the occlusion atlas in linear order: all sphere patches, then all cylinder patches, row by row, then vertices.
+#include "vertex.glsl"
 
 layout(push_constant) uniform Push { OcclusionConstants bake; };
+#ifdef VERTEX
+layout(set = 0, binding = 0, std430) readonly buffer Shapes { uvec4 shapes[]; };
+#else
 layout(set = 0, binding = 0, std430) readonly buffer Shapes { vec4 shapes[]; };
+#endif
 
 /// The directions of a batch; those that it lacks are zero and gain nothing. Constant addresses (the loops over it are
 /// unrolled) are what lets a driver load them once for all invocations. lavapipe 22.3 gathers them lane by lane all the
@@ -42,12 +46,24 @@ vec3 turned(Direction d, vec3 p) { return vec3(dot(d.u.xyz, p), dot(d.v.xyz, p),
 vec3 placed(Direction d, vec3 p) { return turned(d, p) + vec3(d.u.w, d.v.w, d.w.w); }
 
 struct Texel {
-    vec3 a;       // object space, Å: sphere's centre, or foot of the texel on the cylinder's axis
+    vec3 a;       // object space, Å: sphere's centre, foot of the texel on the cylinder's axis, or vertex
     float radius;
     vec3 normal;  // object space, unit; zero: one value for a whole sphere
-    vec3 axis;    // unit axis of a cylinder
+    vec3 axis;    // unit axis of a cylinder; normal of a vertex
 };
 
+#ifdef VERTEX
+Texel vertexTexel(uint index) {
+    uint rest = index - bake.firstVertexTexel;
+    uvec4 vertex = shapes[bake.firstVertex + rest / 2u];
+    Texel t;
+    t.a = vertexPosition(vertex, bake.step);
+    t.radius = 0.0;
+    t.normal = vertexNormal(vertex.z) * (rest % 2u == 0u ? 1.0 : -1.0);
+    t.axis = t.normal;
+    return t;
+}
+#else
 Texel sphereTexel(uint index) {
     uint edge = bake.sphereEdge;
     uint local = index % (edge * edge);
@@ -73,3 +89,4 @@ Texel cylinderTexel(uint index) {
     t.normal = directionAbout(t.axis, float(local % around) / float(around - 1u));
     return t;
 }
+#endif

@@ -95,6 +95,7 @@ OcclusionScene::OcclusionScene(const Representation& scene) : device_(rtcNewDevi
     rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST);
     if (!scene.spheres.empty()) addSpheres(scene.spheres);
     if (!scene.cylinders.empty()) addRods(scene.cylinders);
+    if (!scene.triangles.empty()) addMesh(scene);
     rtcCommitScene(scene_.get());
     throwOnError();
 }
@@ -127,6 +128,27 @@ void OcclusionScene::addRods(const std::vector<Cylinder>& cylinders) {
     rtcSetGeometryUserData(geometry, &rods_);
     rtcSetGeometryBoundsFunction(geometry, boundRod, nullptr);
     rtcSetGeometryOccludedFunction(geometry, occludeByRod);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene_.get(), geometry);
+    rtcReleaseGeometry(geometry);
+}
+
+void OcclusionScene::addMesh(const Representation& scene) {
+    const RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                               3 * sizeof(float), 3 * scene.triangles.size()));
+    auto* corners = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                                   3 * sizeof(unsigned), scene.triangles.size()));
+    throwOnError();
+    unsigned next = 0;
+    for (const Triangle& t : scene.triangles)
+        for (const std::uint32_t v : {t.a, t.b, t.c}) {
+            const glm::vec3 p = positionOf(scene.meshVertices[v], t.step);
+            *points++ = p.x;
+            *points++ = p.y;
+            *points++ = p.z;
+            *corners++ = next++;
+        }
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene_.get(), geometry);
     rtcReleaseGeometry(geometry);

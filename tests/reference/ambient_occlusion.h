@@ -16,7 +16,7 @@ struct RTCSceneTy;
 
 namespace nacre::reference {
 
-/// Spheres and flat-capped cylinders in an Embree scene. Frame: that of the streams, Å.
+/// Spheres, flat-capped cylinders and triangles in an Embree scene. Frame: that of the streams, Å.
 class OcclusionScene {
 public:
     /// @throws std::runtime_error if Embree does
@@ -45,6 +45,7 @@ private:
     };
     void addSpheres(const std::vector<Sphere>& spheres);
     void addRods(const std::vector<Cylinder>& cylinders);
+    void addMesh(const Representation& scene);
     void throwOnError() const;
 
     std::vector<Rod> rods_;  // Embree's callbacks point into it

@@ -203,6 +203,40 @@ TEST(MeshFrame, ShowsTheInsideOfWhatAPlaneCutsAsACap) {
     EXPECT_NEAR(renderer->layers(s).z[middle], 0, 0.05);
 }
 
+TEST(MeshFrame, CastsTheShadowOfWhatItStandsFor) {
+    // A ball before a larger one, of triangles or round, among sticks: the light's view finds the triangles, too.
+    std::vector<std::vector<float>> pictures;
+    for (const bool mesh : {true, false}) {
+        Representation r;
+        r.spheres = {{{0.8f, -1.5f, -2}, 3}};
+        r.cylinders = {{{-4, 0, 0}, 0.3f, {-4, 3, 0}, 0}};
+        r.cylinderLooks = {{0xff808080, 0xff808080, 1, 1}};
+        if (mesh)
+            appendMesh(
+                icosphere({-0.7f, 1.1f, 2}, 1, 4, 0), glm::dvec3(0), [](std::uint32_t) { return testLook(0); }, r);
+        else
+            r.spheres.push_back({{-0.7f, 1.1f, 2}, 1});
+        r.sphereLooks.assign(r.spheres.size(), testLook(0));
+        r.radius = 6;
+        r.drawnAtoms = 2;
+        ValidatedRenderer renderer(Visibility::fragdepth);
+        renderer->setScene(r);
+        RenderSettings s = settings(r, 120, Projection::orthographic, {0, 0, 0});
+        s.effects.shadow.strength = 1;
+        pictures.push_back(renderer->render(s).rgba);
+        s.effects.shadow.strength = 0;
+        pictures.push_back(renderer->render(s).rgba);
+    }
+    const auto differ = [&](std::size_t a, std::size_t b) {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < pictures[a].size(); i += 4)
+            count += std::abs(pictures[a][i] - pictures[b][i]) > 0.05f;
+        return count;
+    };
+    EXPECT_GT(differ(0, 1), 100u);  // the shadow
+    EXPECT_LT(differ(0, 2), 60u);   // its rim, and that of the ball
+}
+
 TEST(MeshFrame, TellsTheAtomUnderThePointer) {
     Representation r;
     appendMesh(icosphere(glm::vec3(0), 5, 3, 16), glm::dvec3(0), testLook, r);

@@ -1,0 +1,15 @@
+// Vertices of meshes as the streams have them (engine/scene/mesh_streams.h).
+#ifndef NACRE_VERTEX_GLSL
+#define NACRE_VERTEX_GLSL
+#include "patch.glsl"
+
+/// Of a vertex, in the steps of its triangles: whole numbers below 2^21 times a power of two, so exact.
+vec3 vertexPosition(uvec4 vertex, float step) {
+    uvec3 at = uvec3(vertex.xy & 0x1fffffu, vertex.x >> 21 | vertex.y >> 21 << 11);
+    return (vec3(at) - 1048576.0) * step;
+}
+/// @param packed  word z of a vertex
+vec3 vertexNormal(uint packed) {
+    return octahedralNormal(vec2(packed & 0xffffu, packed >> 16) * (1.0 / 65535.0));
+}
+#endif

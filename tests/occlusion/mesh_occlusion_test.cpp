@@ -1,0 +1,178 @@
+// Occlusion of meshes, and of what stands among them, against rays.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "engine/mesh/cartoon.h"
+#include "engine/mesh/surface.h"
+#include "engine/molecule/kabsch_sander.h"
+#include "tests/occlusion/traced_points.h"
+#include "tests/renderer/meshes.h"
+#include "tests/renderer/scenes.h"
+#include "tests/support/temporary_folder.h"
+
+namespace nacre::test {
+namespace {
+
+enum class Made { tubes, cartoon, surface, cartoonWithSpheres };
+struct MeshOcclusionCase {
+    const char* name;
+    const char* file;
+    Made made;
+};
+void PrintTo(const MeshOcclusionCase& c, std::ostream* out) { *out << c.name; }
+
+Representation meshOf(const std::string& file, Made made) {
+    const Molecule m = molecule(file);
+    const std::vector<std::uint32_t> drawn = drawnAtoms(m);
+    Representation r;
+    const Representation spheres = represent(m, drawn, {Style::spacefill, ColorScheme::chain});
+    r.center = spheres.center;
+    r.radius = spheres.radius;
+    r.drawnAtoms = drawn.size();
+    const Mesh mesh = made == Made::surface ? surface(m, drawn, {}, r.center)
+                                            : cartoon(m, drawn, secondaryStructure(m), {}, r.center);
+    appendMesh(
+        mesh, glm::dvec3(0),
+        [](std::uint32_t atom) {
+            return SphereLook{0xffffffff, atom + 1};
+        },
+        r);
+    if (made != Made::cartoonWithSpheres) return r;
+    const std::vector<std::uint32_t> inside = atomsOfCartoon(m, drawn);
+    for (std::size_t i = 0; i < drawn.size(); ++i)
+        if (!std::binary_search(inside.begin(), inside.end(), drawn[i])) {
+            r.spheres.push_back(spheres.spheres[i]);
+            r.sphereLooks.push_back(spheres.sphereLooks[i]);
+        }
+    return r;
+}
+
+class MeshOcclusion : public testing::TestWithParam<MeshOcclusionCase> {};
+
+TEST_P(MeshOcclusion, IsNearTheRayTraced) {
+    const MeshOcclusionCase& c = GetParam();
+    if (!std::string(c.file).starts_with("sample:")) NACRE_NEEDS_DATA();
+    const Representation r = c.made == Made::tubes ? meshScene() : meshOf(c.file, c.made);
+    ASSERT_FALSE(r.triangles.empty());
+    ValidatedRenderer renderer(Visibility::automatic);
+    renderer->setScene(r);
+    const auto points = tracePoints(*renderer.operator->(), r, 2000, 1024);
+    RenderSettings s;
+    s.supersample = 1;
+    s.occlusion.directions = 128;
+    const Difference d = bakedDifference(*renderer.operator->(), r, s, points);
+    std::cout << "RMS " << d.rootMeanSquare << ", mean " << d.mean << ", worst " << d.worst << "\n";
+    EXPECT_LE(d.rootMeanSquare, 0.04);
+    EXPECT_LE(std::abs(d.mean), 0.02);
+}
+
+std::string caseName(const testing::TestParamInfo<MeshOcclusionCase>& test) { return test.param.name; }
+INSTANTIATE_TEST_SUITE_P(Scenes, MeshOcclusion,
+                         testing::Values(MeshOcclusionCase{"Tubes", "sample:", Made::tubes},
+                                         MeshOcclusionCase{"DnaCartoon", "sample:dna", Made::cartoon},
+                                         MeshOcclusionCase{"GlucoseSurface", "sample:glucose", Made::surface},
+                                         MeshOcclusionCase{"CrambinCartoon", "1crn.pdb", Made::cartoon},
+                                         MeshOcclusionCase{"CrambinSurface", "1crn.pdb", Made::surface}),
+                         caseName);
+// On one driver.
+INSTANTIATE_TEST_SUITE_P(Large, MeshOcclusion,
+                         testing::Values(MeshOcclusionCase{"HaemoglobinCartoon", "4hhb.pdb", Made::cartoon},
+                                         MeshOcclusionCase{"HaemoglobinMixed", "4hhb.pdb", Made::cartoonWithSpheres}),
+                         caseName);
+
+TEST(OcclusionOfMeshes, IsTheSameOnEveryPath) {
+    const Representation r = meshScene();
+    RenderSettings s = settings(r, 160, Projection::orthographic);
+    s.occlusion.directions = 16;
+    std::vector<float> first;
+    for (const OcclusionMaps maps : {OcclusionMaps::fragdepth, OcclusionMaps::encoded}) {
+        s.occlusion.maps = maps;
+        std::vector<float> picture, occlusion;
+        for (const Visibility visibility : kPaths) {
+            ValidatedRenderer renderer(visibility);
+            renderer->setScene(r);
+            const Picture p = renderer->render(s);
+            const LayerPicture l = renderer->layers(s);
+            if (picture.empty()) picture = p.rgba, occlusion = l.occlusion;
+            EXPECT_TRUE(p.rgba == picture) << visibilityName(visibility);
+            EXPECT_TRUE(l.occlusion == occlusion) << visibilityName(visibility);
+        }
+        EXPECT_LT(*std::min_element(occlusion.begin(), occlusion.end()), 0.5f);
+        if (first.empty()) first = occlusion;
+        double difference = 0;
+        for (std::size_t i = 0; i < occlusion.size(); ++i) difference += std::abs(occlusion[i] - first[i]);
+        EXPECT_LT(difference / static_cast<double>(occlusion.size()), 0.002);
+    }
+}
+
+/// A flat sheet, one layer of triangles: with two sides.
+Representation sheet() {
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < 36; ++i) {
+        mesh.positions.emplace_back(static_cast<float>(i % 6) - 2.5f, static_cast<float>(i / 6) - 2.5f, 0.0f);
+        mesh.normals.emplace_back(0, 0, 1);
+        mesh.atoms.push_back(0);
+        if (i % 6 == 5 || i / 6 == 5) continue;
+        mesh.triangles.emplace_back(i, i + 1, i + 7);
+        mesh.triangles.emplace_back(i, i + 7, i + 6);
+    }
+    Representation r;
+    appendMesh(mesh, glm::dvec3(0), testLook, r);
+    r.radius = 4;
+    r.drawnAtoms = 1;
+    return r;
+}
+
+TEST(OcclusionOfMeshes, IsThatOfTheSideThatIsSeen) {
+    Representation r = sheet();
+    // A ball close over one side darkens it, and not the other one.
+    r.spheres = {{{0, 0, 1.6f}, 1.5f}};
+    r.sphereLooks = {testLook(1)};
+    ValidatedRenderer renderer(Visibility::automatic);
+    renderer->setScene(r);
+    for (const bool behind : {false, true}) {
+        RenderSettings s = settings(r, 100, Projection::orthographic, {0, behind ? 180.0 : 0, 0});
+        s.occlusion.directions = 128;
+        const LayerPicture l = renderer->layers(s);
+        const std::size_t corner = 30 * 100 + 30, middle = 50 * 100 + 50;  // the corner is 2.2 Å from the middle
+        EXPECT_EQ(l.id[corner], 1u);
+        EXPECT_FLOAT_EQ(l.normal[3 * corner + 2], 1);
+        if (behind) {
+            EXPECT_GT(l.occlusion[corner], 0.98f);
+            EXPECT_GT(l.occlusion[middle], 0.98f);
+        } else {
+            EXPECT_LT(l.occlusion[corner], 0.93f);
+            EXPECT_EQ(l.id[middle], 2u);
+        }
+    }
+}
+
+TEST(OcclusionOfMeshes, IsKeptOnDisk) {
+    const TemporaryFolder folder;
+    const Representation r = meshScene();
+    RenderSettings s = settings(r, 100, Projection::orthographic);
+    s.occlusion.directions = 16;
+    s.occlusion.cache = folder.path();
+    s.occlusion.worthKeeping = 0;
+    std::vector<float> first;
+    for (const bool cached : {false, true}) {
+        ValidatedRenderer renderer(Visibility::automatic);
+        renderer->setScene(r);
+        const LayerPicture l = renderer->layers(s);
+        EXPECT_EQ(renderer->stats().occlusion.cached, cached);
+        if (first.empty()) first = l.occlusion;
+        EXPECT_TRUE(l.occlusion == first);
+    }
+    // Another normal is another bake.
+    Representation other = r;
+    other.meshVertices[5].normal ^= 0x100;
+    ValidatedRenderer renderer(Visibility::automatic);
+    renderer->setScene(other);
+    renderer->layers(s);
+    EXPECT_FALSE(renderer->stats().occlusion.cached);
+}
+
+}  // namespace
+}  // namespace nacre::test
