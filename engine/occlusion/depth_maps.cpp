@@ -189,7 +189,9 @@ void DepthMaps::declareDrawn(graph::Graph& g, graph::Image depth, std::optional<
     std::optional<graph::Clear> clear, clearMaps;
     const graph::EncodedFormat& encoded = device_.caps().encoded;
     if (part.first == 0) clear = graph::Clear{1.0f}, clearMaps = graph::Clear{encoded.farthest};
-    g.graphics("opaque prepass").depth(depth, clear).record(eachMap(frames, across, model, part, passes::drawPlates));
+    g.graphics("opaque prepass")
+        .depth(depth, clear)
+        .record(eachMap(frames, across, model, part, passes::drawSpherePlates));
     if (!maps) {
         g.graphics("nearest depth").depth(depth).record(eachMap(frames, across, model, part, passes::drawNearestDepth));
         return;
