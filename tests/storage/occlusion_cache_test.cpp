@@ -24,7 +24,7 @@ Representation twoSpheresAndABond() {
 
 FinishedOcclusion someBake() {
     FinishedOcclusion finished;
-    finished.layout = {4, 8, 3, 16, 7, 4, 2, 1};
+    finished.layout = {4, 8, 3, 16, 7, 4, 3, 2, 1, 0};
     for (int i = 0; i < 16 * 7; ++i) finished.atlas.push_back(static_cast<std::uint8_t>(i * 37));
     finished.seenSpheres = {true, false};
     finished.openTexels = 51;
@@ -46,7 +46,16 @@ TEST(OcclusionCacheName, IsOfShapesAndWaysNotOfColours) {
         [](Representation& x) { x.spheres.pop_back(); },
         [](Representation& x) { x.cylinders[0].radius = 1; },
         [](Representation& x) { x.cylinders[0].b.x = 0; },
-        [](Representation& x) { x.cylinders.clear(); }};
+        [](Representation& x) { x.cylinders.clear(); },
+        [](Representation& x) {
+            x.meshVertices.resize(3), x.triangles = {{0, 1, 2, 1.0f}};
+        },
+        [](Representation& x) {
+            x.meshVertices.resize(3), x.triangles = {{0, 2, 1, 1.0f}};
+        },
+        [](Representation& x) {
+            x.meshVertices = {{1, 0, 0, 0}, {}, {}}, x.triangles = {{0, 1, 2, 1.0f}};
+        }};
     for (const auto& change : changes) {
         Representation other = r;
         change(other);
