@@ -12,7 +12,8 @@ android {
 
     defaultConfig {
         applicationId = "org.nacre.viewer"
-        minSdk = 26  // strtod_l, which numbers are read by, is there from then on
+        // strtod_l, which numbers are read by, is there from then on.
+        minSdk = 26
         targetSdk = 36
         versionCode = 1
         versionName = "0.1.0"
