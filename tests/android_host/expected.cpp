@@ -33,7 +33,7 @@ WindowPicture expectedPicture(const app::SavedView& view, std::uint32_t width, s
 }
 
 Difference differenceOf(const WindowPicture& shown, const WindowPicture& expected, Covered covered) {
-    if (shown.width != expected.width || shown.height != expected.height) return {1 << 30, 255, 0};
+    if (shown.width != expected.width || shown.height != expected.height) return {1 << 30, 255, 0, 255};
     Difference d;
     for (std::uint32_t y = 0; y < shown.height; ++y)
         for (std::uint32_t x = 0; x < shown.width; ++x) {
@@ -48,7 +48,9 @@ Difference differenceOf(const WindowPicture& shown, const WindowPicture& expecte
             d.pixels += step > 1;
             d.largest = std::max(d.largest, step);
             d.coloured += coloured;
+            d.mean += step;
         }
+    d.mean /= std::max(d.coloured, 1);
     return d;
 }
 
