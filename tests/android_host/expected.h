@@ -21,7 +21,7 @@ struct Difference {
     double mean = 0;  ///< over the coloured pixels
     /// What gathers at rest has other places in its pixels than the picture it is held against: outlines of small
     /// molecules differ by some steps. Another view differs by far more.
-    bool small() const { return pixels <= coloured / 3 && largest < 64 && mean < 4; }
+    bool small() const { return pixels <= coloured / 2 && largest < 64 && mean < 4; }
 };
 Difference differenceOf(const WindowPicture& shown, const WindowPicture& expected, Covered covered);
 
