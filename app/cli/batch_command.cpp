@@ -22,7 +22,7 @@
 namespace nacre::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using JobJson = nlohmann::ordered_json;
 
 constexpr std::size_t kLongestLine = 1 << 20;
 
@@ -159,9 +159,9 @@ private:
         return failure_ != nullptr;
     }
 
-    Json doJob(const Line& line) {
+    JobJson doJob(const Line& line) {
         const Clock::time_point start = Clock::now();
-        Json told = {{"job", line.number}};
+        JobJson told = {{"job", line.number}};
         try {
             const RenderOptions job = jobOf(line.text, options_);
             told["input"] = job.input.path;
@@ -185,13 +185,13 @@ private:
         return told;
     }
 
-    static void fail(Json& told, const std::string& why, Clock::time_point start) {
+    static void fail(JobJson& told, const std::string& why, Clock::time_point start) {
         told["status"] = "failed";
         told["ms"] = millisecondsSince(start);
         told["error"] = why;
     }
 
-    void draw(const RenderOptions& options, Json& told) {
+    void draw(const RenderOptions& options, JobJson& told) {
         for (bool drawn = false; !drawn;) {
             PictureJob job(options, silent_);
             job.prepare();
@@ -209,8 +209,8 @@ private:
             throw UsageError("\"output\": an earlier job has the same: " + output);
     }
 
-    void report(const Json& told) {
-        const std::string text = told.dump(-1, ' ', false, Json::error_handler_t::replace);
+    void report(const JobJson& told) {
+        const std::string text = told.dump(-1, ' ', false, JobJson::error_handler_t::replace);
         const std::lock_guard lock(turn_);
         const std::string& status = told["status"].get_ref<const std::string&>();
         ++(status == "done" ? done_ : status == "failed" ? failed_ : skipped_);
