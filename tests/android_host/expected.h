@@ -19,9 +19,8 @@ struct Covered {
 struct Difference {
     int pixels = 0, largest = 0, coloured = 0;
     double mean = 0;  ///< over the coloured pixels
-    /// What gathers at rest has other places in its pixels than the picture it is held against: outlines of small
-    /// molecules differ by some steps. Another view differs by far more.
-    bool small() const { return pixels <= coloured / 2 && largest < 64 && mean < 4; }
+    /// Samples gather in halves, and a mean of them is a step aside now and then.
+    bool small() const { return pixels <= coloured / 100 && largest <= 4; }
 };
 Difference differenceOf(const WindowPicture& shown, const WindowPicture& expected, Covered covered);
 
