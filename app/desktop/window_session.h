@@ -36,6 +36,8 @@ private:
     Renderer& renderer() { return *session_.renderer(); }
     SavedView firstView() const;
     ViewerOptions viewerOptions() const;
+    /// Seconds, from some time on.
+    static double now();
     void noteInput();
     void rescaled();
     void resized();

@@ -184,6 +184,9 @@ private:
     void takeAim(const Aim& aim, bool fly, double now);
     void draw(const FrameSchedule::Next& next, double now, bool moving, const std::function<const Overlay*()>& overlay);
     std::uint32_t refinedSamples() const;
+    /// When a hand that moved the picture last counts as at rest.
+    double handRests() const;
+    static std::string nameOf(const std::string& input);
     PixelSize freeSize() const;
     glm::dvec2 freeOrigin() const { return glm::dvec2(covered_.left, covered_.top) / scale_; }
     Viewport viewport() const { return {freeSize().width / scale_, freeSize().height / scale_}; }

@@ -1,6 +1,4 @@
-// The viewer on a screen that only counts: when it draws, what, and that it stops.
-
-#include "app/viewer/viewer.h"
+// What the viewer shows: what is opened, its models, picks and looks.
 
 #include <gtest/gtest.h>
 
@@ -8,127 +6,16 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "engine/error.h"
-#include "engine/molecule/drawn_atoms.h"
-#include "engine/molecule/read.h"
+#include "tests/viewer/viewer_bench.h"
 
-namespace nacre::app {
+namespace nacre::app::test {
 namespace {
-
-class CountingScreen : public Screen {
-public:
-    std::vector<WindowFrame> frames;
-    std::vector<RenderSettings> settings;
-    int scenes = 0;
-    double occlusion = 0;
-    std::uint32_t atom = 0;
-    FrameOutcome outcome = FrameOutcome::shown;
-    double milliseconds = 0, millisecondsOfWhole = 0;  ///< of a frame; of one at full resolution
-    int awaited = 0;
-
-    int failures = 0;  ///< of the calls that follow
-    std::string loss;
-
-    void mayFail() {
-        if (!loss.empty()) throw Error("the device was lost", "", "");
-        if (failures == 0) return;
-        --failures;
-        throw Error("out of memory", "the screen", "it was too much");
-    }
-    void setScene(const Representation&) override {
-        mayFail();
-        ++scenes;
-        occlusion = 0;
-    }
-    double advanceOcclusion(const RenderSettings&, const OcclusionPace&) override {
-        mayFail();
-        return occlusion = std::min(occlusion + 0.125, 1.0);
-    }
-    std::string deviceLoss() const override { return loss; }
-    FrameOutcome present(const RenderSettings& s, const WindowFrame& frame) override {
-        mayFail();
-        if (outcome == FrameOutcome::shown) frames.push_back(frame), settings.push_back(s);
-        return outcome;
-    }
-    PixelSize windowSize() const override { return {640, 480}; }
-    void awaitFrame() override { ++awaited; }
-    double frameMilliseconds() const override {
-        if (millisecondsOfWhole == 0 || frames.empty()) return milliseconds;
-        return millisecondsOfWhole * frames.back().scale * frames.back().scale;
-    }
-    std::uint32_t atomAt(const RenderSettings&, double, double, double) override {
-        mayFail();
-        return atom;
-    }
-    int count(WindowFrame::Quality quality) const {
-        return static_cast<int>(
-            std::count_if(frames.begin(), frames.end(), [&](const WindowFrame& f) { return f.quality == quality; }));
-    }
-};
-
-Sources sources() {
-    return {[](const SavedView& v) {
-                if (v.input == "bad") throw Error("cannot read molecule", "bad", "it is bad");
-                return sampleMolecule(v.input.substr(7));
-            },
-            [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m, v.drawn), v.look); }};
-}
-
-struct Bench {
-    CountingScreen screen;
-    Viewer viewer;
-    double now = 100;
-
-    explicit Bench(const char* input = "sample:glucose") : viewer(screen, sources(), viewOf(input), {}) {
-        viewer.resize({640, 480}, 1, now);
-        load();
-    }
-    static SavedView viewOf(const char* input) {
-        SavedView v;
-        v.input = input;
-        return v;
-    }
-    void load() {
-        viewer.waitForLoading();
-        step();
-    }
-    double step(double frame = 1.0 / 60) {
-        now += frame;
-        return viewer.update(now);
-    }
-    /// As a shell does: draws as often as it is asked to, waits where it may.
-    void run(double seconds, double frame = 1.0 / 60) {
-        const double end = now + seconds;
-        while (now < end) {
-            const double wake = viewer.update(now);
-            now = std::min(std::max(now + frame, std::isinf(wake) ? end : wake), end);
-        }
-    }
-};
-
-using Quality = WindowFrame::Quality;
-
-TEST(Viewer, ConvergesRefinesOnceAndThenDrawsNothing) {
-    Bench b;
-    b.run(2);
-    EXPECT_EQ(b.screen.occlusion, 1);
-    EXPECT_GE(b.screen.count(Quality::live), 8);  // one for each step of the occlusion
-    EXPECT_EQ(b.screen.count(Quality::refined), 16);
-    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
-    const std::size_t drawn = b.screen.frames.size();
-    b.run(5);
-    EXPECT_EQ(b.screen.frames.size(), drawn);
-    // However often it is asked.
-    for (int i = 0; i < 300; ++i) b.step();
-    EXPECT_EQ(b.screen.frames.size(), drawn);
-    EXPECT_TRUE(std::isinf(b.step()));
-}
 
 TEST(Viewer, AQuestionIsAnsweredBeforeAnythingIsRead) {
     for (const bool yes : {true, false}) {
         bool allowed = false;
         CountingScreen screen;
-        Sources asking = sources();
+        Sources asking = sampleSources();
         asking.read = [&allowed](const SavedView& v) {
             if (!allowed && v.input == "sample:glucose") throw Question("May it?", "Do it", [&] { allowed = true; });
             return sampleMolecule(v.input.substr(7));
@@ -155,70 +42,6 @@ TEST(Viewer, AQuestionIsAnsweredBeforeAnythingIsRead) {
         viewer.update(105);
         EXPECT_EQ(viewer.document()->view.input, "sample:dna");
     }
-}
-
-TEST(Viewer, EveryChangeIsDrawnAndRefinedOnce) {
-    Bench b;
-    b.run(2);
-    for (const ViewerCommand command : {ViewerCommand::rotateLeft, ViewerCommand::zoomIn, ViewerCommand::lighting,
-                                        ViewerCommand::nextBackground, ViewerCommand::perspective}) {
-        const std::size_t before = b.screen.frames.size();
-        const int refined = b.screen.count(Quality::refined);
-        b.viewer.run(command, b.now);
-        b.run(2);
-        EXPECT_EQ(b.screen.count(Quality::refined), refined + 16);
-        EXPECT_GE(b.screen.frames.size(), before + 2);
-        const std::size_t after = b.screen.frames.size();
-        b.run(5);
-        EXPECT_EQ(b.screen.frames.size(), after);
-    }
-}
-
-TEST(Viewer, SamplesFollowEachOtherAndATouchEndsThem) {
-    Bench b;
-    b.run(2);
-    for (std::uint32_t i = 0; i < 16; ++i) {
-        const WindowFrame& frame = b.screen.frames[b.screen.frames.size() - 16 + i];
-        EXPECT_EQ(frame.quality, Quality::refined);
-        EXPECT_EQ(frame.samples, 16u);
-        EXPECT_EQ(frame.sample, i);
-    }
-    b.viewer.run(ViewerCommand::rotateLeft, b.now);
-    for (int i = 0; i < 100 && b.screen.frames.back().sample != 5; ++i) b.step();
-    ASSERT_EQ(b.screen.frames.back().sample, 5u);
-    b.viewer.mouseButton(MouseButton::left, true, {300, 200}, {}, b.now);
-    b.viewer.mouseMove({310, 200}, b.now);
-    b.step();  // the very next frame
-    EXPECT_EQ(b.screen.frames.back().quality, Quality::live);
-    b.viewer.mouseButton(MouseButton::left, false, {310, 200}, {}, b.now);
-    b.run(4);
-    EXPECT_EQ(b.screen.frames.back().sample, 15u);
-}
-
-TEST(Viewer, AnOverlayThatChangesCostsOneFrameOfTheKeptPicture) {
-    Bench b;
-    b.run(2);
-    const std::size_t before = b.screen.frames.size();
-    b.viewer.overlayChanged();
-    b.run(5);
-    ASSERT_EQ(b.screen.frames.size(), before + 1);
-    EXPECT_EQ(b.screen.frames.back().quality, Quality::kept);
-}
-
-TEST(Viewer, TurnsByItselfUntilTouched) {
-    Bench b;
-    b.run(2);
-    b.viewer.run(ViewerCommand::autoRotate, b.now);
-    const std::size_t before = b.screen.frames.size();
-    b.run(2);
-    EXPECT_NEAR(static_cast<double>(b.screen.frames.size() - before), 120, 3);
-    b.viewer.touch({1, TouchPhase::began, {300, 200}}, b.now);
-    b.viewer.touch({1, TouchPhase::ended, {300, 200}}, b.now + 0.05);
-    b.run(6);  // the pick's words go as well
-    const std::size_t after = b.screen.frames.size();
-    b.run(5);
-    EXPECT_EQ(b.screen.frames.size(), after);
-    EXPECT_FALSE(b.viewer.autoRotating());
 }
 
 /// Three models of two atoms, as a source of files would have them.
@@ -268,100 +91,6 @@ TEST(Viewer, StepsThroughModelsAndPlaysThem) {
     const int stopped = screen.scenes;
     run(1);
     EXPECT_EQ(screen.scenes, stopped);
-}
-
-TEST(Viewer, ResolutionDropsWhileFramesAreLateAndReturnsAtRest) {
-    Bench b;
-    b.run(2);
-    b.viewer.run(ViewerCommand::autoRotate, b.now);
-    b.run(3, 0.05);  // 20 frames a second
-    EXPECT_LT(b.screen.frames.back().scale, 0.5);
-    b.viewer.run(ViewerCommand::autoRotate, b.now);
-    b.run(2);
-    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
-    b.viewer.run(ViewerCommand::rotateLeft, b.now);
-    b.step();
-    EXPECT_EQ(b.screen.frames.back().scale, 1);
-}
-
-TEST(Viewer, ResolutionGoesByTheDevicesTimeAndTheDisplaysInterval) {
-    for (const double hertz : {60.0, 90.0, 120.0}) {
-        Bench b;
-        b.viewer.setDisplayInterval(1 / hertz);
-        b.run(2, 1 / hertz);
-        b.viewer.run(ViewerCommand::autoRotate, b.now);
-        b.screen.milliseconds = 0.8 * 1000 / hertz;  // the display shows every frame, and has room to spare
-        b.run(1, 1 / hertz);
-        EXPECT_EQ(b.screen.frames.back().scale, 1) << hertz;
-        b.screen.milliseconds = 0.95 * 1000 / hertz;  // still every frame, by a hair
-        b.run(1, 1 / hertz);
-        EXPECT_LT(b.screen.frames.back().scale, 1) << hertz;
-        b.screen.milliseconds = 0.1 * 1000 / hertz;  // and it comes back in the motion
-        b.run(3, 1 / hertz);
-        EXPECT_EQ(b.screen.frames.back().scale, 1) << hertz;
-    }
-}
-
-TEST(Viewer, ResolutionDoesNotSwing) {
-    // The device takes as much as there are pixels: what fits at three quarters does not at the whole.
-    Bench b;
-    b.run(2);
-    b.viewer.run(ViewerCommand::autoRotate, b.now);
-    b.screen.millisecondsOfWhole = 20;
-    b.run(1);
-    const double settled = b.screen.frames.back().scale;
-    EXPECT_EQ(settled, 0.75);
-    const std::size_t before = b.screen.frames.size();
-    b.run(5);
-    for (std::size_t i = before; i < b.screen.frames.size(); ++i) EXPECT_EQ(b.screen.frames[i].scale, settled);
-}
-
-TEST(Viewer, WaitsForRoomOnlyIfAFrameIsToBeDrawn) {
-    Bench b;
-    b.run(2);
-    b.viewer.awaitFrame(b.now);
-    EXPECT_EQ(b.screen.awaited, 0);
-    b.viewer.run(ViewerCommand::rotateLeft, b.now);
-    b.viewer.awaitFrame(b.now);
-    EXPECT_EQ(b.screen.awaited, 1);
-}
-
-TEST(Viewer, ResolutionStaysWhileFramesAreInTime) {
-    Bench b;
-    b.run(2);
-    b.viewer.run(ViewerCommand::autoRotate, b.now);
-    b.run(3);
-    for (const WindowFrame& frame : b.screen.frames) EXPECT_EQ(frame.scale, 1);
-}
-
-TEST(Viewer, NothingIsDrawnWhilePausedOrHidden) {
-    Bench b;
-    b.run(2);
-    b.viewer.pause();
-    const std::size_t before = b.screen.frames.size();
-    b.viewer.run(ViewerCommand::autoRotate, b.now);
-    b.run(5);
-    EXPECT_EQ(b.screen.frames.size(), before);
-    b.viewer.run(ViewerCommand::autoRotate, b.now);
-    b.viewer.resume(b.now);
-    b.run(2);
-    EXPECT_GT(b.screen.frames.size(), before);
-    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
-    b.screen.outcome = FrameOutcome::hidden;
-    b.viewer.run(ViewerCommand::rotateLeft, b.now);
-    EXPECT_TRUE(std::isinf(b.step()));
-}
-
-TEST(Viewer, AWindowThatChangedMeanwhileIsDrawnInItsNewSize) {
-    Bench b;
-    b.run(2);
-    b.viewer.resize({800, 600}, 1, b.now);
-    b.screen.outcome = FrameOutcome::resized;  // it is 640 x 480 again
-    b.step();
-    b.screen.outcome = FrameOutcome::shown;
-    b.run(2);
-    EXPECT_EQ(b.screen.settings.back().view.width, 640u);
-    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
 }
 
 TEST(Viewer, PicksNameAndMeasure) {
@@ -483,7 +212,7 @@ TEST(Viewer, WhatItSavesIsWhereItGoesOn) {
     a.run(3);
     const std::string saved = savedViewJson(a.viewer.view());
     CountingScreen screen;
-    Viewer back(screen, sources(), parseSavedView(saved, "saved"), {});
+    Viewer back(screen, sampleSources(), parseSavedView(saved, "saved"), {});
     back.resize({640, 480}, 1, 0);
     back.waitForLoading();
     back.update(1);
@@ -494,119 +223,5 @@ TEST(Viewer, WhatItSavesIsWhereItGoesOn) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(glm::distance(x.rotation[i], y.rotation[i]), 0, 1e-12);
 }
 
-TEST(Viewer, ADeviceThatIsLostIsToldAndItsSceneSetAgain) {
-    Bench b;
-    b.run(2);
-    b.screen.outcome = FrameOutcome::lost;
-    b.viewer.run(ViewerCommand::rotateLeft, b.now);
-    b.step();
-    EXPECT_TRUE(b.viewer.deviceLost());
-    const int scenes = b.screen.scenes;
-    b.screen.outcome = FrameOutcome::shown;
-    b.viewer.screenLost(b.now);
-    b.run(2);
-    EXPECT_EQ(b.screen.scenes, scenes + 1);
-    EXPECT_EQ(b.screen.occlusion, 1);
-    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
-}
-
-TEST(Viewer, BakesWithinTheMemoryAndIntoTheCacheThatItWasGiven) {
-    CountingScreen screen;
-    ViewerOptions options;
-    options.occlusionBytes = 3 << 20;
-    options.occlusionCache = "kept here";
-    const Viewer viewer(screen, sources(), Bench::viewOf("sample:glucose"), options);
-    EXPECT_EQ(viewer.settings().occlusion.bytes, 3u << 20);
-    EXPECT_EQ(viewer.settings().occlusion.cache, "kept here");
-}
-
-TEST(Viewer, DebugViewsComeOneAfterTheOtherAndAreNotAveraged) {
-    Bench b;
-    b.run(2);
-    for (std::size_t i = 1; i <= debugViewNames().size(); ++i) {
-        const auto wanted = static_cast<DebugView>(i % debugViewNames().size());
-        b.viewer.setDebugView(wanted, b.now);
-        b.run(2);
-        EXPECT_EQ(b.screen.settings.back().debug, wanted);
-        EXPECT_EQ(b.screen.frames.back().samples == 1, wanted != DebugView::none);
-    }
-}
-
-TEST(Viewer, LowMemoryEndsSupersampling) {
-    Bench b;
-    b.viewer.lowMemory();
-    b.run(2);
-    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
-    EXPECT_EQ(b.screen.frames.back().samples, 1u);
-}
-
-TEST(Viewer, WhatFailsIsSaidAndTriedAgainLaterAndLater) {
-    Bench b;
-    b.screen.failures = 3;  // occlusion and frame; then one of them again
-    b.step();
-    EXPECT_EQ(b.viewer.annotations().message, "out of memory: the screen: it was too much");
-    EXPECT_EQ(b.screen.failures, 1);
-    for (int i = 0; i < 20; ++i) b.step();
-    EXPECT_EQ(b.screen.failures, 1);  // not within a third of a second
-    EXPECT_LT(b.viewer.update(b.now), b.now + 1);
-    b.run(12);
-    EXPECT_EQ(b.screen.failures, 0);
-    EXPECT_EQ(b.screen.occlusion, 1);
-    EXPECT_EQ(b.screen.count(Quality::refined), 16);
-    EXPECT_EQ(b.viewer.annotations().message, "");
-}
-
-TEST(Viewer, APersistentFailureCostsLittle) {
-    Bench b;
-    b.run(2);
-    b.screen.failures = 1000000;
-    b.viewer.run(ViewerCommand::rotateLeft, b.now);
-    b.run(60);
-    EXPECT_GT(b.screen.failures, 1000000 - 15);
-    b.screen.failures = 0;
-    b.run(10);
-    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
-}
-
-TEST(Viewer, ASceneThatFindsNoRoomLeavesTheOneBefore) {
-    Bench b;
-    b.run(2);
-    const Document* before = b.viewer.document();
-    const std::size_t atoms = before->molecule->atoms.size();
-    b.screen.failures = 1;
-    b.viewer.open("sample:dna", b.now);
-    b.load();
-    EXPECT_EQ(b.viewer.annotations().message, "out of memory: the screen: it was too much");
-    EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), atoms);
-    b.viewer.open("sample:dna", b.now);
-    b.load();
-    EXPECT_NE(b.viewer.document()->molecule->atoms.size(), atoms);
-}
-
-TEST(Viewer, ALossIsNoticedWhereverItComesAndSaidAfterwards) {
-    for (int when = 0; when < 3; ++when) {
-        Bench b;
-        b.run(2);
-        b.screen.loss = "the device was lost: so and so";
-        if (when == 0) b.viewer.run(ViewerCommand::rotateLeft, b.now);
-        if (when == 1) b.viewer.run(ViewerCommand::occlusion, b.now), b.viewer.run(ViewerCommand::occlusion, b.now);
-        if (when == 2) {
-            b.viewer.touch({1, TouchPhase::began, {300, 200}}, b.now);
-            b.viewer.touch({1, TouchPhase::ended, {300, 200}}, b.now + 0.05);
-            b.now += 0.05;
-        }
-        b.run(1);
-        ASSERT_TRUE(b.viewer.deviceLost()) << when;
-        b.screen.loss.clear();
-        const int scenes = b.screen.scenes, refined = b.screen.count(Quality::refined);
-        b.viewer.screenLost(b.now);
-        EXPECT_FALSE(b.viewer.deviceLost());
-        EXPECT_EQ(b.screen.scenes, scenes + 1);
-        EXPECT_EQ(b.viewer.annotations().message, "the device was lost: so and so");
-        b.run(6);
-        EXPECT_EQ(b.screen.count(Quality::refined), refined + 16);
-    }
-}
-
 }  // namespace
-}  // namespace nacre::app
+}  // namespace nacre::app::test

@@ -1,0 +1,148 @@
+// What the window writes: pictures, views, captures, the list of recent files, figures about itself.
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/desktop/state_files.h"
+#include "app/desktop/window_session.h"
+#include "app/shared/capture_file.h"
+#include "app/shared/image_file.h"
+#include "app/shared/json_text.h"
+#include "app/shared/view_input.h"
+#include "app/shared/word_painter.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+
+/// What is shown goes to the top of the recent files, as it is seen now.
+void WindowSession::rememberFile() {
+    const Document* document = viewer().document();
+    if (!document || document->view.input == "-" || document->view.input.starts_with("sample:")) return;
+    try {
+        constexpr PixelSize kSize = RecentFiles::kPicture;
+        RenderSettings settings = viewer().pictureSettings(kSize);
+        settings.supersample = 2;
+        settings.debug = DebugView::none;
+        settings.effects.contours.width = 0;
+        const std::string name = std::filesystem::path(document->view.input).filename().string();
+        recent_.add(document->view.input, name, renderer().render(settings));
+    } catch (const Error&) {
+        // No picture is no reason to stay.
+    }
+}
+
+std::string WindowSession::pictureName(const char* extension) {
+    return freeName(viewer().document() ? viewer().document()->view.input : "nacre", extension);
+}
+
+void WindowSession::savePicture(const PictureWish& wish) {
+    try {
+        writePictureTo(wish.path, wish.size, wish.transparent);
+        viewer().say("saved " + wish.path, now());
+    } catch (const std::exception& error) {
+        viewer().fail(error.what(), now());
+    }
+}
+
+void WindowSession::writePictureTo(const std::string& path, PixelSize size, bool transparent) {
+    if (!isPictureName(path))
+        throw Error("cannot save the picture", path, "its name ends in none of .png .tif .jpg .webp .exr");
+    OutputFile file(path);
+    RenderSettings settings = viewer().pictureSettings(size);
+    // What is larger than the window is antialiased as pictures are; the window's own as the window is.
+    const bool asShown = size.width == window_.size().width && size.height == window_.size().height;
+    settings.supersample = asShown ? viewer().mostSamples() : RenderSettings::kEdges;
+    const SavedView view = viewer().savedView();
+    std::array<float, 4> background = view.background;
+    if (transparent) settings.background = background = {0, 0, 0, 0};
+    const Document& document = *viewer().document();
+    Picture drawn = renderer().render(settings);
+    const double shorter = std::min(window_.size().width, window_.size().height);
+    const double textSize =
+        viewer().textSize() * (asShown ? 1 : std::min(size.width, size.height) / std::max(shorter, 1.0));
+    WordPainter().paint(placeWords(view.words, *document.molecule, document.scene), settings.view, textSize,
+                        view.words.color, background, drawn);
+    writePicture(file, drawn, {transparent});
+}
+
+void WindowSession::copyPicture() {
+    if (!viewer().document()) return;
+    try {
+        const std::string path =
+            (std::filesystem::temp_directory_path() / ("nacre-" + std::to_string(getpid()) + ".png")).string();
+        writePictureTo(path, window_.size(), false);
+        const bool copied = copyPng(path);
+        std::filesystem::remove(path);
+        if (!copied) throw Error("cannot copy the picture", "", kCopyNeeds);
+        viewer().say("copied the picture", now());
+    } catch (const std::exception& error) {
+        viewer().fail(error.what(), now());
+    }
+}
+
+/// As JSON, in the current folder under a name that is free.
+void WindowSession::saveView() {
+    if (!viewer().document()) return;
+    try {
+        const std::string path = freeName(viewer().document()->view.input, ".view.json");
+        OutputFile file(path);
+        SavedView view = viewer().savedView();
+        view.hash = fileHash(view.input);
+        writeText(file, savedViewJson(view));
+        viewer().say("saved " + path, now());
+    } catch (const Error& error) {
+        viewer().fail(error.what(), now());
+    }
+}
+
+/// The next frame, drawn at once, in the current folder under a name that is free; in RenderDoc's own if that
+/// started us.
+void WindowSession::captureFrame() {
+    if (!renderer().captures())
+        return viewer().say(capturesBuilt() ? "F12 needs RenderDoc from the start: nacre view --capture"
+                                            : "this program was built without RenderDoc's header",
+                            now());
+    if (!viewer().document()) return;
+    try {
+        std::optional<OutputFile> file;
+        if (!renderer().startedByRenderDoc()) file.emplace(freeName(viewer().document()->view.input, ".rdc"));
+        renderer().beginCapture(file ? captureStem(*file) : "");
+        WindowFrame frame;
+        frame.overlay = panel_->draw(viewer(), window_.size(), now());
+        const bool shown = renderer().present(viewer().settings(), frame) == FrameOutcome::shown;
+        const std::string written = renderer().endCapture();
+        if (!shown) throw Error("cannot capture", "", "the window is changing");
+        if (file) keepCapture(written, *file);
+        viewer().say("captured to " + (file ? file->path() : written), now());
+    } catch (const Error& error) {
+        viewer().say(error.what(), now());
+    }
+}
+
+/// In lines, for developers.
+std::string WindowSession::statistics() {
+    const FrameStats& stats = renderer().stats();
+    return stats.device.name + "\n" + stats.device.visibility + ", " + std::to_string(stats.windowFrames) + " frames";
+}
+
+void WindowSession::writeStats() {
+    nlohmann::ordered_json json;
+    json["window_frames"] = renderer().stats().windowFrames;
+    json["seconds_since_last_frame"] = now() - lastShown_;
+    json["occlusion"] = viewer().occlusion();
+    json["occlusion_cached"] = renderer().stats().occlusion.cached;
+    json["occlusion_bytes"] = renderer().stats().occlusion.bytes;
+    if (!latencies_.empty()) {
+        std::sort(latencies_.begin(), latencies_.end());
+        json["input_to_present"] = {{"min", latencies_.front()}, {"median", latencies_[latencies_.size() / 2]}};
+    }
+    json["picked"] = nlohmann::ordered_json::array();
+    for (const std::uint32_t pick : viewer().picks()) json["picked"].push_back(pick + 1);
+    json["device"] = renderer().stats().device.name;
+    OutputFile file(options_.stats, ".json");
+    writeText(file, jsonText(json));
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,63 @@
+#include "app/desktop/window_sources.h"
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+
+#include "app/download/load_molecule.h"
+#include "app/shared/printable.h"
+#include "app/shared/view_input.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+/// Thrown where a download is not wanted any more.
+struct Cancelled : Error {
+    Cancelled() : Error("stopped", "", "") {}
+};
+
+struct Progress {
+    std::atomic<double> share{-1};
+    std::atomic<bool> cancelled{false};
+};
+
+}  // namespace
+
+Sources windowSources(const InputOptions& first) {
+    const auto allowed = std::make_shared<std::atomic<bool>>(first.allowDownload);
+    const auto progress = std::make_shared<Progress>();
+    Sources all;
+    all.read = [first, allowed, progress](const SavedView& view) {
+        InputOptions input = inputOf(view, first);
+        if (view.input != lasting(first.path)) {  // opened by hand
+            input.namedBy.clear();
+            input.trajectory = {};
+            input.further.clear();
+            input.fits.clear();
+        }
+        input.allowDownload = *allowed;
+        progress->share = -1;
+        progress->cancelled = false;
+        const auto onDownload = [&](double share) {
+            progress->share = share;
+            if (progress->cancelled) throw Cancelled();
+        };
+        try {
+            return loadMolecule(input, onDownload);
+        } catch (const DownloadForbidden&) {
+            throw Question("This view downloads " + printable(input.path), "Download", [allowed] { *allowed = true; });
+        }
+    };
+    all.build = sceneOfView;
+    all.progress = [progress] { return progress->share.load(); };
+    all.cancel = [progress] { progress->cancelled = true; };
+    return all;
+}
+
+std::string lasting(const std::string& input) {
+    if (input.empty() || input.find(':') != std::string::npos || input == "-") return input;
+    return std::filesystem::absolute(input).lexically_normal().string();
+}
+
+}  // namespace nacre::app

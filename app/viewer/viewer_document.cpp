@@ -1,0 +1,141 @@
+// What the viewer shows: what is opened and read, and in which look it is built.
+
+#include <utility>
+
+#include "app/viewer/viewer.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+
+void Viewer::open(const std::string& path, double now) {
+    question_.reset();
+    dismissFailure();
+    remember();
+    restoring_ = false;
+    SavedView fresh = view();
+    fresh.input = path;
+    fresh.format.reset();
+    fresh.model = 1;
+    fresh.look.assembly.clear();
+    fresh.look.rules.clear();
+    fresh.words.labels.clear();
+    fresh.words.measures.clear();
+    fresh.words.title.clear();
+    fresh.camera = {};
+    fresh.camera.projection = view_.camera.projection;
+    loader_.open(fresh);
+    say("reading " + nameOf(path), now);
+}
+
+void Viewer::answer(bool yes, double now) {
+    if (!question_) return;
+    const Question question = *question_;
+    question_.reset();
+    schedule_.overlayChanged();
+    if (!yes) return say("not opened", now);
+    question.accept();
+    loader_.read(asked_);
+    say("reading " + nameOf(asked_.input), now);
+}
+
+void Viewer::cancelLoading(double now) {
+    if (!loader_.busy()) return;
+    loader_.cancel();
+    say("stopped", now);
+}
+
+void Viewer::setLook(const SavedView& look, double now, bool continues) {
+    const SavedView before = view();
+    if (!continues) remember();
+    unremembered_ = true;
+    view_ = look;
+    view_.camera = before.camera;
+    motion_.setProjection(look.camera.projection);
+    changed(now);
+    // What cannot be said of this molecule is not kept.
+    if (look.words != before.words && !putWords(now)) view_.words = before.words;
+    const bool scene = look.look != before.look || look.drawn != before.drawn;
+    // What is being read is seen in this look once it is there.
+    const bool reading = loader_.busy() && loader_.view().input != document_.view.input;
+    if (scene && document_.molecule && !reading) loader_.build(view(), document_.molecule);
+    if (look.occlusionDirections != before.occlusionDirections) occlusion_ = look.occlusionDirections ? 0 : 1;
+}
+
+/// Finds the places of the words. @returns whether all of them have one
+bool Viewer::putWords(double now) {
+    if (!document()) return true;
+    schedule_.overlayChanged();
+    try {
+        placedWords_ = placeWords(view_.words, *document_.molecule, document_.scene);
+        return true;
+    } catch (const Error& error) {
+        say(error.what(), now);
+        return false;
+    }
+}
+
+void Viewer::tookDocument(double now) {
+    std::optional<Document> document;
+    try {
+        document = loader_.take();
+    } catch (const Question& question) {
+        question_ = question;
+        asked_ = loader_.view();
+        return schedule_.overlayChanged();
+    } catch (const std::exception& error) {
+        fail(error.what(), now);
+        return;
+    }
+    if (!document) return;
+    question_.reset();
+    try {
+        screen_.setScene(document->scene);
+        sceneThere_ = true;
+    } catch (const Error& error) {
+        if (!noticeLoss()) return fail(error.what(), now);  // the document before stays
+        sceneThere_ = false;                                // on the next device
+    }
+    const bool another = document->molecule != document_.molecule;
+    // Another model of the same file: the camera stays in the hand that turns it.
+    const bool step = another && document_.molecule && document->view.input == document_.view.input &&
+                      document->view.model != document_.view.model;
+    document_ = std::move(*document);
+    if (another) {
+        picks_.clear();
+        view_.input = document_.view.input;
+        view_.format = document_.view.format;
+        view_.model = document_.view.model;
+        view_.look.assembly = document_.view.look.assembly;
+        if (!step && !view_.look.style) {
+            view_.look.style = document_.view.look.style;
+            view_.look.color = document_.view.look.color;
+        }
+        if (!firstDocument_ && !step && !restoring_) {
+            view_.look.rules = document_.view.look.rules;
+            view_.words = document_.view.words;
+            motion_.set(document_.view.camera);
+        }
+        firstDocument_ = false;
+        if (!step) {
+            message_.clear();
+            playing_ = false;
+        }
+        if (aim_.any()) takeAim(std::exchange(aim_, {}), false, now);
+    }
+    putWords(now);
+    if (another) select(step ? selected_.text : "");
+    placeSelection();
+    hovered_ = 0;
+    if (history_.empty())
+        history_.begin(view());
+    else if (!std::exchange(restoring_, false))
+        unremembered_ = true;
+    occlusion_ = view_.occlusionDirections ? 0 : 1;
+    occlusionRetry_ = {};
+    if (!document_.scene.warnings.empty()) say(document_.scene.warnings.front(), now);
+    changed(now);
+    if (another && (view_.look != document_.view.look || view_.drawn != document_.view.drawn))
+        loader_.build(view(), document_.molecule);
+}
+
+}  // namespace nacre::app

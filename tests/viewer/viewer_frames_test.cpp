@@ -1,0 +1,303 @@
+// The viewer on a screen that only counts: when it draws, what, and that it stops.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "tests/viewer/viewer_bench.h"
+
+namespace nacre::app::test {
+namespace {
+
+TEST(Viewer, ConvergesRefinesOnceAndThenDrawsNothing) {
+    Bench b;
+    b.run(2);
+    EXPECT_EQ(b.screen.occlusion, 1);
+    EXPECT_GE(b.screen.count(Quality::live), 8);  // one for each step of the occlusion
+    EXPECT_EQ(b.screen.count(Quality::refined), 16);
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
+    const std::size_t drawn = b.screen.frames.size();
+    b.run(5);
+    EXPECT_EQ(b.screen.frames.size(), drawn);
+    // However often it is asked.
+    for (int i = 0; i < 300; ++i) b.step();
+    EXPECT_EQ(b.screen.frames.size(), drawn);
+    EXPECT_TRUE(std::isinf(b.step()));
+}
+
+TEST(Viewer, EveryChangeIsDrawnAndRefinedOnce) {
+    Bench b;
+    b.run(2);
+    for (const ViewerCommand command : {ViewerCommand::rotateLeft, ViewerCommand::zoomIn, ViewerCommand::lighting,
+                                        ViewerCommand::nextBackground, ViewerCommand::perspective}) {
+        const std::size_t before = b.screen.frames.size();
+        const int refined = b.screen.count(Quality::refined);
+        b.viewer.run(command, b.now);
+        b.run(2);
+        EXPECT_EQ(b.screen.count(Quality::refined), refined + 16);
+        EXPECT_GE(b.screen.frames.size(), before + 2);
+        const std::size_t after = b.screen.frames.size();
+        b.run(5);
+        EXPECT_EQ(b.screen.frames.size(), after);
+    }
+}
+
+TEST(Viewer, SamplesFollowEachOtherAndATouchEndsThem) {
+    Bench b;
+    b.run(2);
+    for (std::uint32_t i = 0; i < 16; ++i) {
+        const WindowFrame& frame = b.screen.frames[b.screen.frames.size() - 16 + i];
+        EXPECT_EQ(frame.quality, Quality::refined);
+        EXPECT_EQ(frame.samples, 16u);
+        EXPECT_EQ(frame.sample, i);
+    }
+    b.viewer.run(ViewerCommand::rotateLeft, b.now);
+    for (int i = 0; i < 100 && b.screen.frames.back().sample != 5; ++i) b.step();
+    ASSERT_EQ(b.screen.frames.back().sample, 5u);
+    b.viewer.mouseButton(MouseButton::left, true, {300, 200}, {}, b.now);
+    b.viewer.mouseMove({310, 200}, b.now);
+    b.step();  // the very next frame
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::live);
+    b.viewer.mouseButton(MouseButton::left, false, {310, 200}, {}, b.now);
+    b.run(4);
+    EXPECT_EQ(b.screen.frames.back().sample, 15u);
+}
+
+TEST(Viewer, AnOverlayThatChangesCostsOneFrameOfTheKeptPicture) {
+    Bench b;
+    b.run(2);
+    const std::size_t before = b.screen.frames.size();
+    b.viewer.overlayChanged();
+    b.run(5);
+    ASSERT_EQ(b.screen.frames.size(), before + 1);
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::kept);
+}
+
+TEST(Viewer, TurnsByItselfUntilTouched) {
+    Bench b;
+    b.run(2);
+    b.viewer.run(ViewerCommand::autoRotate, b.now);
+    const std::size_t before = b.screen.frames.size();
+    b.run(2);
+    EXPECT_NEAR(static_cast<double>(b.screen.frames.size() - before), 120, 3);
+    b.viewer.touch({1, TouchPhase::began, {300, 200}}, b.now);
+    b.viewer.touch({1, TouchPhase::ended, {300, 200}}, b.now + 0.05);
+    b.run(6);  // the pick's words go as well
+    const std::size_t after = b.screen.frames.size();
+    b.run(5);
+    EXPECT_EQ(b.screen.frames.size(), after);
+    EXPECT_FALSE(b.viewer.autoRotating());
+}
+
+TEST(Viewer, ResolutionDropsWhileFramesAreLateAndReturnsAtRest) {
+    Bench b;
+    b.run(2);
+    b.viewer.run(ViewerCommand::autoRotate, b.now);
+    b.run(3, 0.05);  // 20 frames a second
+    EXPECT_LT(b.screen.frames.back().scale, 0.5);
+    b.viewer.run(ViewerCommand::autoRotate, b.now);
+    b.run(2);
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
+    b.viewer.run(ViewerCommand::rotateLeft, b.now);
+    b.step();
+    EXPECT_EQ(b.screen.frames.back().scale, 1);
+}
+
+TEST(Viewer, ResolutionGoesByTheDevicesTimeAndTheDisplaysInterval) {
+    for (const double hertz : {60.0, 90.0, 120.0}) {
+        Bench b;
+        b.viewer.setDisplayInterval(1 / hertz);
+        b.run(2, 1 / hertz);
+        b.viewer.run(ViewerCommand::autoRotate, b.now);
+        b.screen.milliseconds = 0.8 * 1000 / hertz;  // the display shows every frame, and has room to spare
+        b.run(1, 1 / hertz);
+        EXPECT_EQ(b.screen.frames.back().scale, 1) << hertz;
+        b.screen.milliseconds = 0.95 * 1000 / hertz;  // still every frame, by a hair
+        b.run(1, 1 / hertz);
+        EXPECT_LT(b.screen.frames.back().scale, 1) << hertz;
+        b.screen.milliseconds = 0.1 * 1000 / hertz;  // and it comes back in the motion
+        b.run(3, 1 / hertz);
+        EXPECT_EQ(b.screen.frames.back().scale, 1) << hertz;
+    }
+}
+
+TEST(Viewer, ResolutionDoesNotSwing) {
+    // The device takes as much as there are pixels: what fits at three quarters does not at the whole.
+    Bench b;
+    b.run(2);
+    b.viewer.run(ViewerCommand::autoRotate, b.now);
+    b.screen.millisecondsOfWhole = 20;
+    b.run(1);
+    const double settled = b.screen.frames.back().scale;
+    EXPECT_EQ(settled, 0.75);
+    const std::size_t before = b.screen.frames.size();
+    b.run(5);
+    for (std::size_t i = before; i < b.screen.frames.size(); ++i) EXPECT_EQ(b.screen.frames[i].scale, settled);
+}
+
+TEST(Viewer, WaitsForRoomOnlyIfAFrameIsToBeDrawn) {
+    Bench b;
+    b.run(2);
+    b.viewer.awaitFrame(b.now);
+    EXPECT_EQ(b.screen.awaited, 0);
+    b.viewer.run(ViewerCommand::rotateLeft, b.now);
+    b.viewer.awaitFrame(b.now);
+    EXPECT_EQ(b.screen.awaited, 1);
+}
+
+TEST(Viewer, ResolutionStaysWhileFramesAreInTime) {
+    Bench b;
+    b.run(2);
+    b.viewer.run(ViewerCommand::autoRotate, b.now);
+    b.run(3);
+    for (const WindowFrame& frame : b.screen.frames) EXPECT_EQ(frame.scale, 1);
+}
+
+TEST(Viewer, NothingIsDrawnWhilePausedOrHidden) {
+    Bench b;
+    b.run(2);
+    b.viewer.pause();
+    const std::size_t before = b.screen.frames.size();
+    b.viewer.run(ViewerCommand::autoRotate, b.now);
+    b.run(5);
+    EXPECT_EQ(b.screen.frames.size(), before);
+    b.viewer.run(ViewerCommand::autoRotate, b.now);
+    b.viewer.resume(b.now);
+    b.run(2);
+    EXPECT_GT(b.screen.frames.size(), before);
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
+    b.screen.outcome = FrameOutcome::hidden;
+    b.viewer.run(ViewerCommand::rotateLeft, b.now);
+    EXPECT_TRUE(std::isinf(b.step()));
+}
+
+TEST(Viewer, AWindowThatChangedMeanwhileIsDrawnInItsNewSize) {
+    Bench b;
+    b.run(2);
+    b.viewer.resize({800, 600}, 1, b.now);
+    b.screen.outcome = FrameOutcome::resized;  // it is 640 x 480 again
+    b.step();
+    b.screen.outcome = FrameOutcome::shown;
+    b.run(2);
+    EXPECT_EQ(b.screen.settings.back().view.width, 640u);
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
+}
+
+TEST(Viewer, ADeviceThatIsLostIsToldAndItsSceneSetAgain) {
+    Bench b;
+    b.run(2);
+    b.screen.outcome = FrameOutcome::lost;
+    b.viewer.run(ViewerCommand::rotateLeft, b.now);
+    b.step();
+    EXPECT_TRUE(b.viewer.deviceLost());
+    const int scenes = b.screen.scenes;
+    b.screen.outcome = FrameOutcome::shown;
+    b.viewer.screenLost(b.now);
+    b.run(2);
+    EXPECT_EQ(b.screen.scenes, scenes + 1);
+    EXPECT_EQ(b.screen.occlusion, 1);
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
+}
+
+TEST(Viewer, BakesWithinTheMemoryAndIntoTheCacheThatItWasGiven) {
+    CountingScreen screen;
+    ViewerOptions options;
+    options.occlusionBytes = 3 << 20;
+    options.occlusionCache = "kept here";
+    const Viewer viewer(screen, sampleSources(), Bench::viewOf("sample:glucose"), options);
+    EXPECT_EQ(viewer.settings().occlusion.bytes, 3u << 20);
+    EXPECT_EQ(viewer.settings().occlusion.cache, "kept here");
+}
+
+TEST(Viewer, DebugViewsComeOneAfterTheOtherAndAreNotAveraged) {
+    Bench b;
+    b.run(2);
+    for (std::size_t i = 1; i <= debugViewNames().size(); ++i) {
+        const auto wanted = static_cast<DebugView>(i % debugViewNames().size());
+        b.viewer.setDebugView(wanted, b.now);
+        b.run(2);
+        EXPECT_EQ(b.screen.settings.back().debug, wanted);
+        EXPECT_EQ(b.screen.frames.back().samples == 1, wanted != DebugView::none);
+    }
+}
+
+TEST(Viewer, LowMemoryEndsSupersampling) {
+    Bench b;
+    b.viewer.lowMemory();
+    b.run(2);
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
+    EXPECT_EQ(b.screen.frames.back().samples, 1u);
+}
+
+TEST(Viewer, WhatFailsIsSaidAndTriedAgainLaterAndLater) {
+    Bench b;
+    b.screen.failures = 3;  // occlusion and frame; then one of them again
+    b.step();
+    EXPECT_EQ(b.viewer.annotations().message, "out of memory: the screen: it was too much");
+    EXPECT_EQ(b.screen.failures, 1);
+    for (int i = 0; i < 20; ++i) b.step();
+    EXPECT_EQ(b.screen.failures, 1);  // not within a third of a second
+    EXPECT_LT(b.viewer.update(b.now), b.now + 1);
+    b.run(12);
+    EXPECT_EQ(b.screen.failures, 0);
+    EXPECT_EQ(b.screen.occlusion, 1);
+    EXPECT_EQ(b.screen.count(Quality::refined), 16);
+    EXPECT_EQ(b.viewer.annotations().message, "");
+}
+
+TEST(Viewer, APersistentFailureCostsLittle) {
+    Bench b;
+    b.run(2);
+    b.screen.failures = 1000000;
+    b.viewer.run(ViewerCommand::rotateLeft, b.now);
+    b.run(60);
+    EXPECT_GT(b.screen.failures, 1000000 - 15);
+    b.screen.failures = 0;
+    b.run(10);
+    EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
+}
+
+TEST(Viewer, ASceneThatFindsNoRoomLeavesTheOneBefore) {
+    Bench b;
+    b.run(2);
+    const Document* before = b.viewer.document();
+    const std::size_t atoms = before->molecule->atoms.size();
+    b.screen.failures = 1;
+    b.viewer.open("sample:dna", b.now);
+    b.load();
+    EXPECT_EQ(b.viewer.annotations().message, "out of memory: the screen: it was too much");
+    EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), atoms);
+    b.viewer.open("sample:dna", b.now);
+    b.load();
+    EXPECT_NE(b.viewer.document()->molecule->atoms.size(), atoms);
+}
+
+TEST(Viewer, ALossIsNoticedWhereverItComesAndSaidAfterwards) {
+    for (int when = 0; when < 3; ++when) {
+        Bench b;
+        b.run(2);
+        b.screen.loss = "the device was lost: so and so";
+        if (when == 0) b.viewer.run(ViewerCommand::rotateLeft, b.now);
+        if (when == 1) b.viewer.run(ViewerCommand::occlusion, b.now), b.viewer.run(ViewerCommand::occlusion, b.now);
+        if (when == 2) {
+            b.viewer.touch({1, TouchPhase::began, {300, 200}}, b.now);
+            b.viewer.touch({1, TouchPhase::ended, {300, 200}}, b.now + 0.05);
+            b.now += 0.05;
+        }
+        b.run(1);
+        ASSERT_TRUE(b.viewer.deviceLost()) << when;
+        b.screen.loss.clear();
+        const int scenes = b.screen.scenes, refined = b.screen.count(Quality::refined);
+        b.viewer.screenLost(b.now);
+        EXPECT_FALSE(b.viewer.deviceLost());
+        EXPECT_EQ(b.screen.scenes, scenes + 1);
+        EXPECT_EQ(b.viewer.annotations().message, "the device was lost: so and so");
+        b.run(6);
+        EXPECT_EQ(b.screen.count(Quality::refined), refined + 16);
+    }
+}
+
+}  // namespace
+}  // namespace nacre::app::test
