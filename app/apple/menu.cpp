@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "app/shared/appearance_values.h"
 #include "app/shared/looks.h"
 #include "app/shared/mesh_options.h"
 #include "app/shared/option_text.h"
-#include "app/shared/option_values.h"
 #include "app/viewer/presets.h"
 
 namespace nacre::app {

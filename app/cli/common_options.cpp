@@ -1,5 +1,6 @@
 #include "app/cli/common_options.h"
 
+#include "app/shared/appearance_values.h"
 #include "app/shared/mesh_options.h"
 #include "app/shared/several_inputs.h"
 #include "engine/error.h"

@@ -7,6 +7,7 @@
 #include "app/cli/paper_options.h"
 #include "app/cli/saved_options.h"
 #include "app/movie/movie_file.h"
+#include "app/shared/appearance_values.h"
 #include "app/shared/effect_options.h"
 #include "app/shared/image_file.h"
 #include "app/shared/looks.h"

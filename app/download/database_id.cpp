@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "engine/error.h"
+#include "engine/molecule/text.h"
 
 namespace nacre::app {
 namespace {
@@ -20,11 +21,6 @@ bool isLower(char c) { return c >= 'a' && c <= 'z'; }
 bool isUpperOrDigit(char c) { return isUpper(c) || isDigit(c); }
 bool isLowerOrDigit(char c) { return isLower(c) || isDigit(c); }
 
-std::string lower(std::string text) {
-    for (char& c : text)
-        if (isUpper(c)) c = static_cast<char>(c - 'A' + 'a');
-    return text;
-}
 std::string upper(std::string text) {
     for (char& c : text)
         if (isLower(c)) c = static_cast<char>(c - 'a' + 'A');
@@ -41,7 +37,7 @@ std::string pdbId(const std::string& input, const std::string& text) {
         return id.size() == 4 && isDigit(id[0]) && std::all_of(id.begin() + 1, id.end(), isLowerOrDigit);
     };
     constexpr std::string_view kLong = "pdb_", kShortAsLong = "pdb_0000";
-    std::string id = lower(text);
+    std::string id = lowerCase(text);
     if (isShort(id)) return id;
     const bool isLong = id.size() == kLong.size() + 8 && id.rfind(kLong, 0) == 0 &&
                         std::all_of(id.begin() + kLong.size(), id.end(), isLowerOrDigit);
@@ -101,7 +97,7 @@ std::string percentEncoded(std::string_view text) {
 /// and hold anything, so a hash stands for them.
 std::string pubchemFileName(const std::string& id) {
     if (isNumber(id)) return "pubchem-cid-" + id;
-    const std::string name = lower(id);
+    const std::string name = lowerCase(id);
     const XXH128_hash_t hash = XXH3_128bits(name.data(), name.size());
     char hex[40];
     std::snprintf(hex, sizeof hex, "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
@@ -139,8 +135,8 @@ std::vector<Source> pubchemSources(const std::string& id, const Environment& env
 std::vector<Source> afdbSources(const std::string& id, const Environment& environment) {
     const std::string list =
         base(environment, "NACRE_AFDB_URL", "https://alphafold.ebi.ac.uk") + "/api/prediction/" + id;
-    return {{"afdb-" + lower(id) + ".bcif", Format::bcif, list, "bcifUrl", ""},
-            {"afdb-" + lower(id) + ".cif", Format::mmcif, list, "cifUrl", ""}};
+    return {{"afdb-" + lowerCase(id) + ".bcif", Format::bcif, list, "bcifUrl", ""},
+            {"afdb-" + lowerCase(id) + ".cif", Format::mmcif, list, "cifUrl", ""}};
 }
 
 }  // namespace
@@ -153,7 +149,7 @@ std::string environmentVariable(const char* name) {
 std::optional<DatabaseId> parseDatabaseId(const std::string& input) {
     const std::size_t colon = input.find(':');
     if (colon == std::string::npos) return std::nullopt;
-    const std::string database = lower(input.substr(0, colon));
+    const std::string database = lowerCase(input.substr(0, colon));
     const std::string id = input.substr(colon + 1);
     if (database == "pdb") return DatabaseId{Database::pdb, pdbId(input, id), input};
     if (database == "pubchem") return DatabaseId{Database::pubchem, pubchemId(input, id), input};

@@ -4,10 +4,10 @@
 
 #include "app/panel/panel_state.h"
 #include "app/panel/words.h"
+#include "app/shared/appearance_values.h"
 #include "app/shared/looks.h"
 #include "app/shared/mesh_options.h"
 #include "app/shared/option_text.h"
-#include "app/shared/option_values.h"
 #include "app/viewer/presets.h"
 
 namespace nacre::app {

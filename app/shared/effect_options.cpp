@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "app/shared/appearance_values.h"
 #include "app/shared/option_text.h"
 #include "app/shared/option_values.h"
 

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "app/shared/option_values.h"
+#include "app/shared/appearance_values.h"
 #include "app/shared/srgb.h"
 
 namespace nacre::app {

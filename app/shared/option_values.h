@@ -2,7 +2,6 @@
 // What the values of options mean. Every function throws std::invalid_argument with the reason, in words that
 // continue "--option: "; those that take a selection also nacre::Error.
 
-#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -10,7 +9,6 @@
 #include <string_view>
 
 #include "engine/molecule/read.h"
-#include "engine/scene/appearance.h"
 
 namespace nacre::app {
 
@@ -21,6 +19,9 @@ constexpr std::uint64_t kMostSamplesHeld = std::uint64_t{1} << 27;  ///< of a pi
 constexpr int kMostDirections = 4096;                               ///< occlusion
 constexpr double kSmallestZoom = 1e-4, kLargestZoom = 1e4;
 constexpr double kSmallestFov = 1, kLargestFov = 120;  ///< degrees
+
+/// The reason why `text` is no value. @param words  of which the nearest is suggested
+[[noreturn]] void refuse(std::string_view text, const std::string& wanted, std::span<const std::string> words = {});
 
 /// Of a side of a picture: pixels, or paper.
 struct Length {
@@ -42,26 +43,6 @@ Size parseSize(std::string_view text);
 
 /// "X,Y,Z" in degrees, finite.
 glm::dvec3 parseRotation(std::string_view text);
-
-/// "transparent", a colour's name as CSS has it, #rgb, #rrggbb or #rrggbbaa; sRGB-coded 0..1, straight alpha.
-std::array<float, 4> parseColor(std::string_view text);
-
-/// "spacefill", "ball-and-stick" or "licorice".
-Style parseStyle(std::string_view text);
-
-/// The name of a palette.
-Palette parsePalette(std::string_view text);
-/// Their names, with commas. @param ramps  those of numbers, else those of kinds
-std::string paletteNames(bool ramps);
-
-/// The name of a colour scheme, an opaque colour as parseColor() takes it, or "element:COLOR", whose carbons alone
-/// have the colour; behind the name of a scheme that has them, its range and its palette: "b-factor:10..60:viridis".
-Coloring parseColoring(std::string_view text);
-
-/// "SELECTION=STYLE", "SELECTION" and "SELECTION=SCHEME" or "SELECTION=COLOR", divided at the last '='.
-Rule parseShow(std::string_view text);
-Rule parseHide(std::string_view text);
-Rule parseColorBy(std::string_view text);
 
 /// A finite number of the whole text within [low, high].
 double parseNumber(std::string_view text, double low, double high);

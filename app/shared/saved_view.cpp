@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 
+#include "app/shared/appearance_values.h"
 #include "app/shared/effect_options.h"
 #include "app/shared/json_text.h"
 #include "app/shared/mesh_options.h"

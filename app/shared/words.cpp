@@ -6,6 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "app/shared/appearance_values.h"
 #include "app/shared/measurement.h"
 #include "app/shared/option_values.h"
 #include "engine/error.h"

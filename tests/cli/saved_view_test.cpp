@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/cli/saved_options.h"
+#include "app/shared/appearance_values.h"
 #include "app/shared/view_input.h"
 #include "tests/support/run_program.h"
 

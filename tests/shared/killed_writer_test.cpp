@@ -10,8 +10,8 @@
 #include <random>
 #include <thread>
 
+#include "app/shared/appearance_values.h"
 #include "app/shared/image_file.h"
-#include "app/shared/option_values.h"
 #include "app/shared/output_file.h"
 #include "engine/error.h"
 #include "engine/occlusion/cache.h"

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <set>
 
+#include "app/shared/appearance_values.h"
 #include "app/shared/effect_options.h"
-#include "app/shared/option_values.h"
 #include "engine/error.h"
 
 namespace nacre::app {

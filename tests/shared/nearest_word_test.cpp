@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "app/shared/option_values.h"
+#include "app/shared/appearance_values.h"
 
 namespace nacre::app {
 namespace {

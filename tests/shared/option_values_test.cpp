@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "app/shared/appearance_values.h"
 #include "app/shared/srgb.h"
 
 namespace nacre::app {

@@ -4,7 +4,7 @@
 
 #include <ctime>
 
-#include "app/shared/option_values.h"
+#include "app/shared/appearance_values.h"
 #include "engine/error.h"
 
 namespace nacre::app {

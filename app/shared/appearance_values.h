@@ -1,0 +1,34 @@
+#pragma once
+// Values that say how atoms look: colours, palettes, styles, and the rules made of them. Every function throws
+// std::invalid_argument with the reason, in words that continue "--option: "; those that take a selection also
+// nacre::Error.
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "engine/scene/appearance.h"
+
+namespace nacre::app {
+
+/// "transparent", a colour's name as CSS has it, #rgb, #rrggbb or #rrggbbaa; sRGB-coded 0..1, straight alpha.
+std::array<float, 4> parseColor(std::string_view text);
+
+/// "spacefill", "ball-and-stick" or "licorice".
+Style parseStyle(std::string_view text);
+
+/// The name of a palette.
+Palette parsePalette(std::string_view text);
+/// Their names, with commas. @param ramps  those of numbers, else those of kinds
+std::string paletteNames(bool ramps);
+
+/// The name of a colour scheme, an opaque colour as parseColor() takes it, or "element:COLOR", whose carbons alone
+/// have the colour; behind the name of a scheme that has them, its range and its palette: "b-factor:10..60:viridis".
+Coloring parseColoring(std::string_view text);
+
+/// "SELECTION=STYLE", "SELECTION" and "SELECTION=SCHEME" or "SELECTION=COLOR", divided at the last '='.
+Rule parseShow(std::string_view text);
+Rule parseHide(std::string_view text);
+Rule parseColorBy(std::string_view text);
+
+}  // namespace nacre::app
