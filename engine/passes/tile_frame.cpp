@@ -15,7 +15,7 @@ constexpr std::uint32_t kLongestListOfEdges = 6000;
 /// Half a width in pixels below which a primitive may be seen by none of the pixels about it.
 constexpr double kSmallPixels = 0.75;
 
-TileView tileView(const SceneView& seen, const View& view, graph::Extent image) {
+TileView tileView(const SceneView& seen, const View& view, graph::Extent image, TileWork work) {
     const layout::ViewConstants& c = seen.constants;
     TileView v;
     v.width = image.width;
@@ -29,6 +29,7 @@ TileView tileView(const SceneView& seen, const View& view, graph::Extent image) 
     v.range = 1.0f / c.perRange;
     if (seen.effects.clip.on()) v.clipNear = c.clipNear, v.clipFar = c.clipFar;
     v.contour = c.contourWidth;
+    v.centers = !work.edges;
     return v;
 }
 
@@ -77,7 +78,7 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     const std::vector<TileCall> cylinders = callsOf(seen, seen.copies.cylinders, seen.constants.spheres);
     const std::vector<TileCall> triangles =
         callsOf(seen, seen.copies.triangles, seen.constants.spheres + seen.constants.cylinders);
-    frame.lists.build(tileView(seen, view, image),
+    frame.lists.build(tileView(seen, view, image, work),
                       {r.spheres, spheres, r.cylinders, cylinders, r.triangles, r.meshVertices, triangles});
     if (frame.lists.longest() > kLongestList) return nullptr;
     frame.copies = !r.copies.transforms.empty();

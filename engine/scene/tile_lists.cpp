@@ -50,6 +50,14 @@ Disc discOf(const TileView& view, const glm::vec3& center, float radius) {
     return {glm::vec2(center) * (E * D / under), a + 4e-6f * (rho + a) * E / D};
 }
 
+/// Whether the centre of any pixel lies between two corners of a box. Shaders round differently: some of a pixel is
+/// allowed for.
+bool holdsCenter(glm::vec2 low, glm::vec2 high) {
+    constexpr float kRoom = 1.0f / 32;
+    const auto along = [](float from, float to) { return std::floor(to - 0.5f + kRoom) >= from - 0.5f - kRoom; };
+    return along(low.x, high.x) && along(low.y, high.y);
+}
+
 }  // namespace
 
 void TileLists::add(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near) {
@@ -123,7 +131,9 @@ void TileLists::addTriangles(const TileView& view, const TileScenery& s, const T
             const glm::vec3 &a = corners_[t.a], &b = corners_[t.b], &c = corners_[t.c];
             const glm::vec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
             if (high.z + kRoom < view.clipNear || low.z - kRoom > view.clipFar) continue;
-            add(view, call.number + i, glm::vec2(low) - outside, glm::vec2(high) + outside, low.z - kRoom);
+            const glm::vec2 from = glm::vec2(low) - outside, to = glm::vec2(high) + outside;
+            if (view.centers && !holdsCenter(from, to)) continue;
+            add(view, call.number + i, from, to, low.z - kRoom);
         }
     }
 }

@@ -25,6 +25,8 @@ struct TileView {
     float range = 1;                           ///< from there to the farthest, Å
     float clipNear = -1e30f, clipFar = 1e30f;  ///< Z that planes cut at
     float contour = 0;                         ///< width of the line about a primitive, Å at z = 0
+    /// Pixels are asked at their centres alone, so that triangles may be left out that lie between them.
+    bool centers = false;
 };
 
 /// Primitives of a stream at one place.

@@ -88,6 +88,7 @@ Seen randomSeen(std::uint32_t seed, bool perspective, int quarterTurns) {
     v.height = static_cast<std::uint32_t>(number(20, 150));
     v.perspective = perspective;
     v.quarterTurns = quarterTurns;
+    v.centers = seed % 2 == 0;
     v.pixels = static_cast<float>(std::exp(number(-0.5, 3)));
     v.axis = {static_cast<float>(v.width * number(0, 1)), static_cast<float>(v.height * number(0, 1))};
     constexpr float kRadius = 24;
@@ -189,6 +190,33 @@ TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
     }
     EXPECT_GT(met, 1000u);
     EXPECT_GT(listed, 300u);
+}
+
+TEST(TileLists, LeaveOutTrianglesBetweenTheCentersOfPixels) {
+    const glm::vec4 rows[] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+    TileView v;
+    v.width = v.height = 16;
+    v.axis = glm::vec2(8);
+    v.origin = 4;
+    v.range = 8;
+    const auto entries = [&](glm::vec2 at, bool centers) {
+        Mesh mesh;
+        for (const glm::vec2 corner : {at, at + glm::vec2(0.6f, 0), at + glm::vec2(0, 0.6f)})
+            mesh.positions.emplace_back(corner, 0), mesh.normals.emplace_back(0, 0, 1), mesh.atoms.push_back(0);
+        mesh.triangles = {{0, 1, 2}};
+        Representation r;
+        appendMesh(
+            mesh, glm::dvec3(0), [](std::uint32_t) { return SphereLook{}; }, r);
+        const TileCall call{rows, 0, 1, 1};
+        v.centers = centers;
+        TileLists lists;
+        lists.build(v, {{}, {}, {}, {}, r.triangles, r.meshVertices, {&call, 1}});
+        return lists.entries();
+    };
+    EXPECT_EQ(entries({1.7f, 1.7f}, true), 0u);
+    EXPECT_EQ(entries({1.7f, 1.7f}, false), 1u);
+    EXPECT_EQ(entries({1.7f, 1.2f}, true), 0u);
+    EXPECT_EQ(entries({1.2f, 1.2f}, true), 1u);
 }
 
 TEST_P(TileListsTest, EveryListGoesFromNearToFar) {
