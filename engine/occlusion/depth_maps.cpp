@@ -85,14 +85,17 @@ DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& repres
         std::max(std::min(std::clamp(wanted, std::min(kSmallest, 4.0 * detail), kLargest), fits), 8.0));
     while (pixels > 8 && bytesOf(1) > budgetBytes) pixels -= 8;
     // Primitives of a batch by tiles are told apart by 32 bits.
-    const std::uint64_t drawn = (representation.spheres.size() + representation.cylinders.size()) *
-                                std::max<std::size_t>(representation.copies.transforms.size(), 1);
+    const std::uint64_t copies = std::max<std::size_t>(representation.copies.transforms.size(), 1);
+    const std::uint64_t listed = (representation.spheres.size() + representation.cylinders.size()) * copies;
+    const std::uint64_t drawn = listed + representation.triangles.size() * copies;
     for (const std::uint32_t batch : {4u, DepthMaps::kMostPerBatch})
         if (bytesOf(batch) <= budgetBytes && pixels * mapsAcross(batch) <= caps.maxImageSize &&
             (!tiles || drawn * batch < 1ull << 31))
             perBatch = batch;
     bytes = bytesOf(perBatch);
     mostPrimitives = std::clamp<std::uint64_t>(bytes / 2 / TileMaps::kBytesPerPrimitive, 1, kMostPrimitives);
+    // No list has triangles.
+    mostPrimitives = mostPrimitives * std::max<std::uint64_t>(drawn, 1) / std::max<std::uint64_t>(listed, 1);
 }
 
 DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scene, const Representation& representation,

@@ -77,7 +77,7 @@ void SceneOcclusion::prepare(const OcclusionSettings& settings) {
     began_ = Clock::now();
     baked_ = wanted;
     options_ = {settings.directions, settings.bytes, settings.maps, settings.detail};
-    const bool tiles = device_.caps().plan.tiles && representation_.triangles.empty();  // their lists have no triangles
+    const bool tiles = device_.caps().plan.tiles;
     if (options_.path == OcclusionMaps::automatic || (options_.path == OcclusionMaps::tiles && !tiles))
         options_.path = automaticMaps(device_.caps(), tiles);
     cache_ = occlusionCache(settings.cache);
@@ -186,6 +186,7 @@ void SceneOcclusion::learn(double units, double milliseconds) {
 }
 
 void SceneOcclusion::runSlice(const Allowance& allowance) {
+    const auto start = Clock::now();
     graph::Graph g("occlusion");
     gpu::Imports imports;
     const double units = bake_->declareSlice(g, imports, allowance);
@@ -194,7 +195,6 @@ void SceneOcclusion::runSlice(const Allowance& allowance) {
     // a stamp, and what they are told to do they do as it comes.
     const bool timed = !device_.caps().software;
     if (timed && !timer_) timer_ = std::make_unique<gpu::Timer>(device_);
-    const auto start = Clock::now();
     device_.submitAndWait([&](const vk::raii::CommandBuffer& c) {
         executor_.record(c, g, plan, imports, timed ? timer_.get() : nullptr);
     });

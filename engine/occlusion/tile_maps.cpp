@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "engine/mesh/parallel.h"
 #include "engine/occlusion/pipelines.h"
 #include "engine/passes/tile_bindings.h"
 #include "engine/passes/view_constants.h"
@@ -34,7 +35,7 @@ TileMaps::TileMaps(const gpu::Device& device, const passes::SceneBuffers& scene,
       across_(across),
       radius_(radius) {
     heights_ = gpu::makeBuffer(device, bytesFor(pixels, across), Usage::eStorageBuffer | Usage::eUniformTexelBuffer,
-                               gpu::Access::upload, "depth maps");
+                               scene.triangleCount > 0 ? gpu::Access::readback : gpu::Access::upload, "depth maps");
     if (device.caps().tiles.texels)
         heightTexels_ = gpu::makeTexelView(device, heights_, vk::Format::eR32Sfloat, "depth maps");
 }
@@ -50,7 +51,7 @@ void TileMaps::begin(std::span<const passes::PlacedCopies> maps) {
     for (const passes::PlacedCopies& map : maps) rows_.insert(rows_.end(), map.rows.begin(), map.rows.end());
     copies_ = maps.empty() ? 1 : static_cast<std::uint32_t>(maps[0].rows.size() / 3);
     asides_ = rows_;
-    const std::uint32_t spheres = scene_.sphereCount, inCopy = scene_.primitives();
+    const std::uint32_t inCopy = scene_.primitives();
     const double apart = apart_ * 2 * radius_ / pixels_;  // Å
     for (std::uint32_t i = 0; i < maps.size(); ++i) {
         const std::uint32_t firstCopy = i * copies_;
@@ -58,16 +59,18 @@ void TileMaps::begin(std::span<const passes::PlacedCopies> maps) {
             asides_[row].w += static_cast<float>(i % across_ * apart);
             asides_[row + 1].w -= static_cast<float>(i / across_ * apart);
         }
-        const auto add = [&](const std::vector<passes::PlacedCopies::Call>& calls, bool cylinders) {
+        const auto add = [&](const std::vector<passes::PlacedCopies::Call>& calls, passes::Primitive kind,
+                             const std::vector<glm::vec4>& rows, std::uint32_t before) {
             for (const passes::PlacedCopies::Call& c : calls) {
                 const std::uint32_t copy = firstCopy + c.copy;
                 calls_.push_back(
-                    {{&asides_[3 * std::size_t{copy}], c.first, c.count, copy * inCopy + (cylinders ? spheres : 0) + 1},
-                     cylinders});
+                    {{&rows[3 * std::size_t{copy}], c.first, c.count, copy * inCopy + before + 1}, kind, i});
             }
         };
-        add(maps[i].spheres, false);
-        add(maps[i].cylinders, true);
+        // The host is done with a map before the device draws on it.
+        add(maps[i].triangles, passes::Primitive::triangle, rows_, scene_.sphereCount + scene_.cylinderCount);
+        add(maps[i].spheres, passes::Primitive::sphere, asides_, 0);
+        add(maps[i].cylinders, passes::Primitive::cylinder, asides_, scene_.sphereCount);
     }
     reserve(device_, rowTexels_, rows_.size() * sizeof(glm::vec4), kRead, vk::Format::eR32G32B32A32Sfloat,
             "copies on depth maps");
@@ -91,6 +94,7 @@ TileView TileMaps::view() const {
 void TileMaps::take(std::uint64_t first, std::uint64_t end) {
     spheres_.clear();
     cylinders_.clear();
+    triangles_.clear();
     std::uint64_t before = 0;
     for (const Call& c : calls_) {
         const std::uint64_t from = std::clamp(first, before, before + c.call.count) - before;
@@ -99,8 +103,27 @@ void TileMaps::take(std::uint64_t first, std::uint64_t end) {
         TileCall part = c.call;
         part.first += static_cast<std::uint32_t>(from);
         part.count = static_cast<std::uint32_t>(to - from);
-        if (part.count > 0) (c.cylinders ? cylinders_ : spheres_).push_back(part);
+        if (part.count == 0) continue;
+        if (c.kind == passes::Primitive::triangle) {
+            triangles_.resize(c.map + 1);
+            triangles_[c.map].push_back(part);
+        } else {
+            (c.kind == passes::Primitive::sphere ? spheres_ : cylinders_).push_back(part);
+        }
     }
+}
+
+/// Maps share no pixel, so each may be drawn by a thread of its own.
+void TileMaps::drawTriangles() {
+    meshes_.resize(std::max(meshes_.size(), triangles_.size()));
+    inParallel(triangles_.size(), 0, [&](std::size_t map) {
+        const auto across = static_cast<std::size_t>(across_);
+        float* heights = reinterpret_cast<float*>(heights_.mapped) + (map / across * pitch() + map % across) * apart_;
+        for (const TileCall& call : triangles_[map])
+            meshes_[map].draw(representation_, call.rows, call.first, call.count,
+                              {heights, pitch(), pixels_, static_cast<float>(pixels_ / (2 * radius_))});
+    });
+    if (!triangles_.empty()) heights_.flush();
 }
 
 /// Lists primitives, as many of them as no list gets too long by, and uploads that.
@@ -122,6 +145,8 @@ graph::Buffer TileMaps::import(graph::Graph& g, gpu::Imports& imports) const {
 
 graph::Buffer TileMaps::declare(graph::Graph& g, gpu::Imports& imports, std::uint64_t first, std::uint64_t end) {
     const graph::Buffer maps = import(g, imports);
+    take(first, end);
+    drawTriangles();
     for (std::size_t i = 0; first < end; ++i) {
         if (i == parts_.size()) parts_.push_back(std::make_unique<Part>());
         Part& part = *parts_[i];

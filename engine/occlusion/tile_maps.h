@@ -1,6 +1,6 @@
 #pragma once
 // Depth maps of a batch by tiles: what stands in front, tile by tile from lists in the order of depth, in parts that
-// are as small as a frame's time asks. The maps are heights in a buffer, as texels.
+// are as small as a frame's time asks. The maps are heights in a buffer, as texels. Triangles, the host draws.
 
 #include <glm/mat3x3.hpp>
 #include <memory>
@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "engine/gpu/execute.h"
+#include "engine/occlusion/mesh_heights.h"
 #include "engine/passes/placed_copies.h"
+#include "engine/passes/primitives.h"
 #include "engine/passes/tile_frame.h"
 #include "engine/scene/tile_lists.h"
 
@@ -44,7 +46,8 @@ public:
 private:
     struct Call {
         TileCall call;
-        bool cylinders = false;
+        passes::Primitive kind{};
+        std::uint32_t map = 0;
     };
 
     /// Primitives whose lists are drawn from at a time.
@@ -53,6 +56,7 @@ private:
         passes::TileBuffer words;
     };
     void take(std::uint64_t first, std::uint64_t end);
+    void drawTriangles();
     void list(Part& part, std::uint64_t first, std::uint64_t& end);
     void record(gpu::PassContext& context, const Part& part) const;
     TileView view() const;
@@ -66,8 +70,10 @@ private:
     std::vector<glm::vec4> asides_;  // the same, at the map's place beside the others
     std::uint32_t copies_ = 1;       // on each map
     std::vector<Call> calls_;
-    std::vector<TileCall> spheres_, cylinders_;  // of the part that is drawn
-    std::vector<std::unique_ptr<Part>> parts_;   // their memory is used again
+    std::vector<TileCall> spheres_, cylinders_;     // of the part that is drawn
+    std::vector<std::vector<TileCall>> triangles_;  // the same, by map
+    std::vector<std::unique_ptr<Part>> parts_;      // their memory is used again
+    std::vector<MeshHeights> meshes_;               // of each thread
     passes::TileBuffer rowTexels_;
     gpu::Buffer heights_;
     vk::raii::BufferView heightTexels_{nullptr};

@@ -43,7 +43,8 @@ const std::vector<Arrows> kArrows = {
     {"engine/gpu/device_plan.cpp", {"engine/device_plan.h", "engine/gpu/", "engine/graph/"}},
     {"engine/passes/", {"engine/scene/", "engine/gpu/", "engine/graph/", "shaders/", "shaders.h"}},
     {"engine/occlusion/",
-     {"engine/passes/", "engine/scene/", "engine/gpu/", "engine/graph/", "engine/storage/", "shaders/", "shaders.h"}},
+     {"engine/passes/", "engine/scene/", "engine/mesh/", "engine/gpu/", "engine/graph/", "engine/storage/", "shaders/",
+      "shaders.h"}},
     {"engine/frame/", {"engine/passes/", "engine/scene/", "engine/gpu/", "engine/graph/"}},
     // The face tells of molecules and scenes, and one of its headers of plans; its sources are the renderer.
     {"engine/*.h", {"engine/molecule/", "engine/scene/"}},
