@@ -179,6 +179,9 @@ std::vector<std::byte> Renderer::pipelineCache() const {
 
 const std::string& Renderer::deviceLoss() const { return impl_->guarded.loss(); }
 const FrameStats& Renderer::stats() const { return impl_->stats; }
+DriverFeedback Renderer::driverFeedback() const {
+    return impl_->guarded([&] { return impl_->executor.feedback(); });
+}
 const std::string& Renderer::planText() const { return impl_->pictures.planText(); }
 const std::vector<std::string>& Renderer::validationMessages() const { return impl_->device.validationMessages(); }
 std::uint32_t Renderer::maxSize() const { return impl_->device.caps().maxImageSize; }

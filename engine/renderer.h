@@ -82,6 +82,8 @@ public:
     const std::string& deviceLoss() const;
 
     const FrameStats& stats() const;
+    /// What the driver says of the render passes and images that are kept by now. Asks the driver.
+    DriverFeedback driverFeedback() const;
     /// Plan of the last frame as text.
     const std::string& planText() const;
     /// What the validation layer said so far; empty is what is right.

@@ -36,6 +36,7 @@ struct DeviceInfo {
     bool lazyMemory = false;
     bool timestamps = false;       ///< passes can be timed
     bool rasterOrder = false;      ///< fragments can read their own attachment in raster order
+    bool mergeFeedback = false;    ///< the driver tells what it makes of subpasses
     std::string driverKey;         ///< of this device and driver, for names of files
     std::string selfTest;          ///< "encoded 1.20 ms, fragdepth wrong"; empty: nobody tried
     std::string capabilitySet;     ///< what a plan for it starts from: "turnip"
@@ -59,6 +60,25 @@ struct PassGeometry {
 struct PassTime {
     std::string name;  ///< of its passes: "opaque prepass + impostor colour"
     double milliseconds = 0;
+};
+
+/// What the driver made of a render pass that was planned with several subpasses (VK_EXT_subpass_merge_feedback).
+struct MergedSubpasses {
+    std::string name;                        ///< of its passes
+    std::uint32_t planned = 0, carried = 0;  ///< subpasses of the plan, and those that the driver carries out
+    std::string why;                         ///< in the driver's words, where it kept some apart
+};
+
+/// An image that never leaves the tile by plan. What the driver has committed after a frame it did need in memory.
+struct TransientImage {
+    std::string name;
+    std::uint64_t bytes = 0, committedBytes = 0;
+};
+
+/// What the driver says of the frames that it has drawn; what it cannot tell is left out.
+struct DriverFeedback {
+    std::vector<MergedSubpasses> merges;
+    std::vector<TransientImage> transients;
 };
 
 /// What the occlusion bake chose, and how far it is.

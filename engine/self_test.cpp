@@ -19,7 +19,7 @@ namespace {
 constexpr Visibility kPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::rasterOrder,
                                  Visibility::deferred};
 constexpr const char* kOutcomes[] = {"right", "wrong", "failed", "unfinished"};
-constexpr const char* kHeading = "nacre self-test 1";
+constexpr const char* kHeading = "nacre self-test 2";
 constexpr std::uint32_t kPixels = 128, kTimedPixels = 720;
 constexpr std::uint64_t kMostBytes = 1 << 20;  // of all answers
 
@@ -31,7 +31,8 @@ std::string textOf(const SelfTest& test) {
     text << kHeading << '\n';
     for (const PathResult& r : test)
         text << visibilityName(r.visibility) << ' ' << kOutcomes[static_cast<int>(r.outcome)] << ' ' << r.milliseconds
-             << ' ' << r.tries << '\n';
+             << ' ' << r.tries << ' ' << r.subpasses << ' ' << r.carried << ' ' << r.transientBytes << ' '
+             << r.committedBytes << '\n';
     return text.str();
 }
 
@@ -45,7 +46,9 @@ SelfTest read(const std::string& folder, const std::string& key) {
     SelfTest test;
     for (PathResult r; std::getline(lines, line); test.push_back(r)) {
         std::istringstream words(line);
-        if (!(words >> path >> outcome >> r.milliseconds >> r.tries)) return {};
+        if (!(words >> path >> outcome >> r.milliseconds >> r.tries >> r.subpasses >> r.carried >> r.transientBytes >>
+              r.committedBytes))
+            return {};
         const auto visibility =
             std::find_if(std::begin(kPaths), std::end(kPaths), [&](Visibility v) { return path == visibilityName(v); });
         const auto found = std::find(std::begin(kOutcomes), std::end(kOutcomes), outcome);
@@ -166,6 +169,19 @@ double timed(Renderer& renderer) {
     return least;
 }
 
+/// What the driver made of the path's frames.
+void addFeedback(PathResult& result, const DriverFeedback& driver) {
+    for (const MergedSubpasses& m : driver.merges)
+        if (m.name.starts_with("opaque prepass")) {
+            result.subpasses = static_cast<int>(m.planned);
+            result.carried = static_cast<int>(m.carried);
+        }
+    for (const TransientImage& image : driver.transients) {
+        result.transientBytes += image.bytes;
+        result.committedBytes += image.committedBytes;
+    }
+}
+
 PathResult tested(const DeviceOptions& options, Visibility path) {
     PathResult result{path, PathResult::Outcome::failed, 0, 0};
     try {
@@ -182,6 +198,7 @@ PathResult tested(const DeviceOptions& options, Visibility path) {
             if (!shows(renderer.render(s), r, s.view)) result.outcome = PathResult::Outcome::wrong;
         }
         if (result.outcome == PathResult::Outcome::right) result.milliseconds = timed(renderer);
+        addFeedback(result, renderer.driverFeedback());
     } catch (const Error&) {
         result.outcome = PathResult::Outcome::failed;
     }
@@ -223,13 +240,27 @@ std::optional<SelfTest> keptSelfTest(const std::string& folder, const std::strin
 
 void forgetSelfTest(const std::string& folder, const std::string& key) { cacheOf(folder).remove(nameOf(key)); }
 
+namespace {
+
+/// " (3 subpasses as 1, 0 of 41 kB committed)"
+std::string tellsOfTile(const PathResult& r) {
+    std::string text;
+    if (r.carried > 0) text = std::to_string(r.subpasses) + " subpasses as " + std::to_string(r.carried);
+    if (r.transientBytes > 0)
+        text += (text.empty() ? "" : ", ") + std::to_string(r.committedBytes / 1000) + " of " +
+                std::to_string(r.transientBytes / 1000) + " kB committed";
+    return text.empty() ? "" : " (" + text + ")";
+}
+
+}  // namespace
+
 std::string describe(const SelfTest& test) {
     std::ostringstream text;
     text << std::fixed << std::setprecision(2);
     for (const PathResult& r : test) {
         text << (text.tellp() > 0 ? ", " : "") << visibilityName(r.visibility) << ' ';
         if (r.outcome == PathResult::Outcome::right)
-            text << r.milliseconds << " ms";
+            text << r.milliseconds << " ms" << tellsOfTile(r);
         else
             text << (r.outcome == PathResult::Outcome::unfinished ? "ends the program"
                                                                   : kOutcomes[static_cast<int>(r.outcome)]);

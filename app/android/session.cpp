@@ -52,6 +52,7 @@ void AndroidSession::makePanel(double pixelsPerPoint) {
     panel_.reset();
     PanelHost host;
     host.run = [this](ViewerCommand command) { run(command); };
+    host.statistics = [this] { return session_.statistics(); };
     panel_ = std::make_unique<Panel>(pixelsPerPoint, std::move(host), PanelHand::fingers);
 }
 

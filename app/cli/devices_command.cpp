@@ -45,7 +45,8 @@ void devicesCommand(const DevicesOptions& options, std::ostream& out) {
             out << i << "  " << describe(devices[i]) << '\n'
                 << "   visibility " << devices[i].visibility << ": " << devices[i].why << "; encoded depth "
                 << devices[i].encodedFormat << "; lazy memory " << (devices[i].lazyMemory ? "yes" : "no")
-                << "; timestamps " << (devices[i].timestamps ? "yes" : "no") << '\n';
+                << "; timestamps " << (devices[i].timestamps ? "yes" : "no") << "; merge feedback "
+                << (devices[i].mergeFeedback ? "yes" : "no") << '\n';
             if (!devices[i].selfTest.empty()) out << "   self-test: " << devices[i].selfTest << '\n';
             if (!devices[i].knownAs.empty())
                 out << "   known as " << devices[i].capabilitySet << ": " << devices[i].knownAs << " ("
@@ -66,6 +67,7 @@ void devicesCommand(const DevicesOptions& options, std::ostream& out) {
                         {"encoded_format", devices[i].encodedFormat},
                         {"lazy_memory", devices[i].lazyMemory},
                         {"timestamps", devices[i].timestamps},
+                        {"merge_feedback", devices[i].mergeFeedback},
                         {"self_test", devices[i].selfTest},
                         {"capability_set", devices[i].capabilitySet},
                         {"known_as", devices[i].knownAs},

@@ -185,6 +185,7 @@ void PictureJob::draw(Renderer& renderer) {
         picture_ = drawPicture(renderer);
         frame_ = renderer.stats();  // of this picture, before the frames that follow add theirs
     }
+    prepared_.run.driver = renderer.driverFeedback();
     prepared_.run.firstPictureMs = millisecondsSince(start_);
     if (options_.occlusion.megabytes || (isatty(STDERR_FILENO) && isCoarse(frame_.occlusion)))
         sayOcclusion(frame_.occlusion, settings);

@@ -75,6 +75,21 @@ Json passesJson(const std::vector<PassCount>& counts, const std::vector<PassTime
     return passes;
 }
 
+namespace {
+
+/// What the driver says of the frame; empty lists where it says nothing.
+Json driverJson(const DriverFeedback& driver) {
+    Json merges = Json::array(), transients = Json::array();
+    for (const MergedSubpasses& m : driver.merges)
+        merges.push_back(
+            {{"name", m.name}, {"planned_subpasses", m.planned}, {"carried_out", m.carried}, {"why", m.why}});
+    for (const TransientImage& image : driver.transients)
+        transients.push_back({{"name", image.name}, {"bytes", image.bytes}, {"committed", image.committedBytes}});
+    return {{"merges", merges}, {"transient_images", transients}};
+}
+
+}  // namespace
+
 std::string statsJson(const RunStats& run, const View& view, const FrameStats& frame) {
     const glm::dquat q = glm::normalize(glm::quat_cast(view.rotation));
     Json json;
@@ -121,6 +136,7 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
                       {"device", frame.deviceBytes},
                       {"loaded", frame.loadedBytes},
                       {"stored", frame.storedBytes}};
+    json["driver_feedback"] = driverJson(run.driver);
     json["device"] = {{"name", frame.device.name},
                       {"driver", frame.device.driver},
                       {"api_version", frame.device.apiVersion},

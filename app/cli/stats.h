@@ -23,6 +23,7 @@ struct RunStats {
     double loadMs = 0;                  ///< reading, inflating, bonds
     double sceneMs = 0;                 ///< choosing atoms, building the streams
     double firstPictureMs = 0;          ///< from the command's start to the first picture in memory
+    DriverFeedback driver;              ///< after the picture
     std::uint64_t parts = 1;            ///< that the picture was drawn in
     double totalMs = 0;                 ///< from the command's start until only this file is left to write
 };

@@ -121,12 +121,6 @@ void WindowSession::captureFrame() {
     }
 }
 
-/// In lines, for developers.
-std::string WindowSession::statistics() {
-    const FrameStats& stats = renderer().stats();
-    return stats.device.name + "\n" + stats.device.visibility + ", " + std::to_string(stats.windowFrames) + " frames";
-}
-
 void WindowSession::writeStats() {
     nlohmann::ordered_json json;
     json["window_frames"] = renderer().stats().windowFrames;

@@ -119,7 +119,7 @@ PanelHost WindowSession::panelHost() {
     host.setClipboard = [this](const char* text) { window_.setClipboard(text); };
     host.downloads = true;
     host.captures = options_.device.capture;
-    host.statistics = [this] { return statistics(); };
+    host.statistics = [this] { return session_.statistics(); };
     host.dark = dark_;
     return host;
 }

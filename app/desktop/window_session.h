@@ -50,7 +50,6 @@ private:
     void copyPicture();
     void saveView();
     void captureFrame();
-    std::string statistics();
     void writeStats();
 
     ViewOptions options_;

@@ -85,6 +85,15 @@ double Session::step(double now, const std::function<const Overlay*()>& overlay)
     return wake;
 }
 
+std::string Session::statistics() const {
+    if (!renderer_) return {};
+    const FrameStats& stats = renderer_->stats();
+    std::string text =
+        stats.device.name + "\n" + stats.device.visibility + ", " + std::to_string(stats.windowFrames) + " frames";
+    if (const std::string driver = describe(renderer_->driverFeedback()); !driver.empty()) text += "\n" + driver;
+    return text;
+}
+
 void Session::replace(double now) {
     const std::string loss = renderer_->deviceLoss();
     if (now - lostAt_ > kForgottenAfter) losses_ = 0;

@@ -38,6 +38,9 @@ public:
     Renderer* renderer() { return renderer_.get(); }
     const Renderer* renderer() const { return renderer_.get(); }
 
+    /// For developers, in lines: the device, its path, and what its driver makes of the frame.
+    std::string statistics() const;
+
     /// Makes a renderer, which shows what the viewer has. The one before is gone first: it has the window.
     /// @throws Error if there is no suitable device
     void open(double now);

@@ -58,12 +58,6 @@ graph::EncodedFormat encodedFormatOf(const vk::raii::PhysicalDevice& device, Enc
     throw Error("unsuitable device", device.getProperties().deviceName.data(), "it blends no format for encoded depth");
 }
 
-bool hasExtension(const vk::raii::PhysicalDevice& device, const char* name) {
-    for (const auto& e : device.enumerateDeviceExtensionProperties())
-        if (std::string_view(e.extensionName.data()) == name) return true;
-    return false;
-}
-
 bool set(const char* variable) {
     const char* value = std::getenv(variable);
     return value && *value && std::string_view(value) != "0";
@@ -113,6 +107,18 @@ std::uint32_t graphicsAndCompute(const vk::raii::PhysicalDevice& physical) {
                 "no queue does both graphics and compute");
 }
 
+bool hasExtension(const vk::raii::PhysicalDevice& device, const char* name) {
+    for (const auto& e : device.enumerateDeviceExtensionProperties())
+        if (std::string_view(e.extensionName.data()) == name) return true;
+    return false;
+}
+
+bool tellsOfMerges(const vk::raii::PhysicalDevice& device) {
+    using Features = vk::PhysicalDeviceSubpassMergeFeedbackFeaturesEXT;
+    return hasExtension(device, VK_EXT_SUBPASS_MERGE_FEEDBACK_EXTENSION_NAME) &&
+           device.getFeatures2<vk::PhysicalDeviceFeatures2, Features>().get<Features>().subpassMergeFeedback;
+}
+
 bool readsInRasterOrder(const vk::raii::PhysicalDevice& device) {
     if (!hasExtension(device, VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME) &&
         !hasExtension(device, VK_ARM_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME))  // the same, before
@@ -148,6 +154,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.maxImageSize = properties.limits.maxImageDimension2D;
     const auto& id = chain.get<vk::PhysicalDeviceIDProperties>();
     caps.driverKey = hexadecimal(id.driverUUID) + hexadecimal(id.deviceUUID) + std::to_string(caps.driverVersion);
+    caps.mergeFeedback = tellsOfMerges(device);
     caps.timestampBits = device.getQueueFamilyProperties()[graphicsAndCompute(device)].timestampValidBits;
     caps.nanosecondsPerTick = properties.limits.timestampPeriod;
     caps.maxStorageBufferBytes = properties.limits.maxStorageBufferRange;

@@ -27,6 +27,7 @@ struct Caps {
     std::uint32_t driverVersion = 0;
     float snapPixels = 1.0f / 16;  ///< how far the rasteriser may move a vertex
     std::uint32_t maxImageSize = 4096;
+    bool mergeFeedback = false;       ///< the driver tells what it makes of subpasses
     std::uint32_t timestampBits = 0;  ///< of the queue's clock; 0: it has none
     double nanosecondsPerTick = 1;    ///< of that clock
     std::uint64_t maxStorageBufferBytes = 1u << 27;
@@ -50,6 +51,11 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
 
 /// The queue family that draws and computes. @throws Error if there is none
 std::uint32_t graphicsAndCompute(const vk::raii::PhysicalDevice& device);
+
+bool hasExtension(const vk::raii::PhysicalDevice& device, const char* name);
+
+/// Whether the driver tells what it makes of subpasses.
+bool tellsOfMerges(const vk::raii::PhysicalDevice& device);
 
 /// Whether fragments may read their own attachment in raster order.
 bool readsInRasterOrder(const vk::raii::PhysicalDevice& device);

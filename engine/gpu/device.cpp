@@ -69,14 +69,17 @@ void Device::createDevice(const DeviceOptions& options) {
     vk::DeviceCreateInfo info({}, queue, {}, extensions, &features);
     vk::PhysicalDeviceRasterizationOrderAttachmentAccessFeaturesEXT order(true);
     if (readsInRasterOrder(physical_)) info.pNext = &order;
+    const auto add = [&](auto& feature, const char* extension) {
+        extensions.push_back(extension);
+        feature.pNext = const_cast<void*>(info.pNext);
+        info.pNext = &feature;
+    };
     vk::PhysicalDeviceFaultFeaturesEXT fault(true);
     tellsOfFaults_ = tellsOfFaults(physical_);
-    if (tellsOfFaults_) {
-        extensions.push_back(VK_EXT_DEVICE_FAULT_EXTENSION_NAME);
-        info.setPEnabledExtensionNames(extensions);
-        fault.pNext = const_cast<void*>(info.pNext);
-        info.pNext = &fault;
-    }
+    if (tellsOfFaults_) add(fault, VK_EXT_DEVICE_FAULT_EXTENSION_NAME);
+    vk::PhysicalDeviceSubpassMergeFeedbackFeaturesEXT merges(true);
+    if (tellsOfMerges(physical_)) add(merges, VK_EXT_SUBPASS_MERGE_FEEDBACK_EXTENSION_NAME);
+    info.setPEnabledExtensionNames(extensions);
     device_ = vk::raii::Device(physical_, info);
     queue_ = device_.getQueue(queueFamily_, 0);
     pool_ = vk::raii::CommandPool(device_,

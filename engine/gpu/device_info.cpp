@@ -8,6 +8,15 @@
 #include "engine/gpu/instance.h"
 
 namespace nacre {
+namespace {
+
+/// "4.1"
+std::string megabytes(std::uint64_t bytes) {
+    const std::uint64_t tenths = (bytes * 10 + 500'000) / 1'000'000;
+    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+}
+
+}  // namespace
 
 DeviceInfo gpu::infoOf(const Caps& caps) {
     DeviceInfo info;
@@ -23,10 +32,22 @@ DeviceInfo gpu::infoOf(const Caps& caps) {
     info.lazyMemory = caps.plan.transient;
     info.timestamps = caps.timestampBits > 0;
     info.rasterOrder = caps.plan.rasterOrder;
+    info.mergeFeedback = caps.mergeFeedback;
     info.driverKey = caps.driverKey;
     info.capabilitySet = caps.capabilitySet;
     if (caps.knownAs.what) info.knownAs = caps.knownAs.what, info.knownBy = caps.knownAs.source;
     return info;
+}
+
+std::string describe(const DriverFeedback& feedback) {
+    std::string text;
+    const auto line = [&](const std::string& words) { text += (text.empty() ? "" : "\n") + words; };
+    for (const MergedSubpasses& m : feedback.merges)
+        line(m.name + ": " + std::to_string(m.planned) + " subpasses as " + std::to_string(m.carried) +
+             (m.why.empty() ? "" : " (" + m.why + ")"));
+    for (const TransientImage& image : feedback.transients)
+        line(image.name + ": " + megabytes(image.committedBytes) + " of " + megabytes(image.bytes) + " MB committed");
+    return text;
 }
 
 bool capturesBuilt() { return gpu::CaptureHook::built(); }

@@ -56,7 +56,9 @@ Executor::OwnedRenderPass& Executor::renderPass(const graph::RenderPassPlan& pla
     const graph::RenderPassPlan key = essence(plan);
     for (OwnedRenderPass& pass : renderPasses_)
         if (pass.plan == key) return pass;
-    renderPasses_.push_back({key, makeRenderPass(device_, plan, name), {}});
+    MergedSubpasses merged;
+    vk::raii::RenderPass made = makeRenderPass(device_, plan, name, merged);
+    renderPasses_.push_back({key, std::move(made), std::move(merged), {}});
     return renderPasses_.back();
 }
 
@@ -185,6 +187,16 @@ void Executor::run(const graph::Graph& graph, const graph::Plan& plan, const Imp
 
 void Executor::run(const graph::Graph& graph, const Imports& imports) {
     run(graph, graph::compile(graph, device_.caps().plan), imports);
+}
+
+DriverFeedback Executor::feedback() const {
+    DriverFeedback feedback;
+    for (const OwnedRenderPass& pass : renderPasses_)
+        if (pass.merged.planned > 1 && pass.merged.carried > 0) feedback.merges.push_back(pass.merged);
+    for (const auto& [name, owned] : images_)
+        if (owned.image.lazy)
+            feedback.transients.push_back({name, owned.image.memory.bytes(), (*owned.image.memory).getCommitment()});
+    return feedback;
 }
 
 void Executor::forgetFramebuffers() {

@@ -9,6 +9,7 @@
 #include "engine/gpu/resources.h"
 #include "engine/gpu/timer.h"
 #include "engine/graph/plan.h"
+#include "engine/results.h"
 
 namespace nacre::gpu {
 
@@ -73,6 +74,9 @@ public:
     void reset() { descriptors_.reset(); }
     /// Drops every image of this name's graph, so that its memory can be used for something else.
     void forget(const std::string& graph);
+    /// What the driver made of the render passes that were recorded so far, and of transient images. Not for every
+    /// frame: it asks the driver.
+    DriverFeedback feedback() const;
     /// Waits for the device and drops every framebuffer. Call before an imported attachment's view is destroyed.
     void forgetFramebuffers();
 
@@ -90,6 +94,7 @@ private:
     struct OwnedRenderPass {
         graph::RenderPassPlan plan;  ///< without what changes from frame to frame
         vk::raii::RenderPass handle;
+        MergedSubpasses merged;
         std::list<Framebuffer> framebuffers;
     };
 
@@ -110,6 +115,8 @@ private:
 };
 
 /// The VkRenderPass of a plan.
-vk::raii::RenderPass makeRenderPass(const Device& device, const graph::RenderPassPlan& plan, const std::string& name);
+/// @param merged  gets what the driver makes of its subpasses, where the driver tells
+vk::raii::RenderPass makeRenderPass(const Device& device, const graph::RenderPassPlan& plan, const std::string& name,
+                                    MergedSubpasses& merged);
 
 }  // namespace nacre::gpu

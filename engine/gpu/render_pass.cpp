@@ -39,9 +39,44 @@ struct References {
     vk::AttachmentReference2 depth;
 };
 
+/// Asks the driver, while a render pass is made, what becomes of its subpasses.
+class MergeQuestion {
+public:
+    MergeQuestion(vk::RenderPassCreateInfo2& pass, std::vector<vk::SubpassDescription2>& subpasses)
+        : answers_(subpasses.size()), questions_(subpasses.size()) {
+        for (std::size_t s = 0; s < subpasses.size(); ++s) {
+            questions_[s].pSubpassFeedback = &answers_[s];
+            subpasses[s].pNext = &questions_[s];
+        }
+        question_.pRenderPassFeedback = &answer_;
+        pass.pNext = &question_;
+    }
+
+    std::uint32_t subpassesCarried() const { return answer_.postMergeSubpassCount; }
+    /// "not merged: aliasing attachments, ..."
+    std::string why() const {
+        std::string text;
+        for (const auto& a : answers_) {
+            const auto status = static_cast<vk::SubpassMergeStatusEXT>(a.subpassMergeStatus);
+            if (status == vk::SubpassMergeStatusEXT::eMerged || status == vk::SubpassMergeStatusEXT::eDisallowed)
+                continue;  // the first subpass has nothing to be merged into
+            const std::string words(a.description.data());
+            text += (text.empty() ? "" : "; ") + vk::to_string(status) + (words.empty() ? "" : ": ") + words;
+        }
+        return inOneLine(text);
+    }
+
+private:
+    std::vector<vk::RenderPassSubpassFeedbackInfoEXT> answers_;
+    std::vector<vk::RenderPassSubpassFeedbackCreateInfoEXT> questions_;
+    vk::RenderPassCreationFeedbackInfoEXT answer_;
+    vk::RenderPassCreationFeedbackCreateInfoEXT question_;
+};
+
 }  // namespace
 
-vk::raii::RenderPass makeRenderPass(const Device& device, const graph::RenderPassPlan& plan, const std::string& name) {
+vk::raii::RenderPass makeRenderPass(const Device& device, const graph::RenderPassPlan& plan, const std::string& name,
+                                    MergedSubpasses& merged) {
     std::vector<vk::AttachmentDescription2> attachments;
     for (const graph::Attachment& a : plan.attachments)
         attachments.emplace_back(vk::AttachmentDescriptionFlags{}, static_cast<vk::Format>(a.format),
@@ -80,8 +115,12 @@ vk::raii::RenderPass makeRenderPass(const Device& device, const graph::RenderPas
             d.from, d.to, vk::PipelineStageFlags(d.fromStages), vk::PipelineStageFlags(d.toStages),
             vk::AccessFlags(d.fromAccess), vk::AccessFlags(d.toAccess),
             d.byRegion ? vk::DependencyFlags(vk::DependencyFlagBits::eByRegion) : vk::DependencyFlags());
-    const vk::RenderPassCreateInfo2 info({}, attachments, subpasses, dependencies);
+    vk::RenderPassCreateInfo2 info({}, attachments, subpasses, dependencies);
+    std::optional<MergeQuestion> question;
+    if (device.caps().mergeFeedback && subpasses.size() > 1) question.emplace(info, subpasses);
     vk::raii::RenderPass pass = device->createRenderPass2KHR(info);
+    merged = {name, static_cast<std::uint32_t>(subpasses.size()), 0, ""};
+    if (question) merged.carried = question->subpassesCarried(), merged.why = question->why();
     device.name(*pass, name);
     return pass;
 }

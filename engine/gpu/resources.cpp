@@ -47,9 +47,10 @@ Image makeImage(const Device& device, const graph::ImageDesc& desc, vk::ImageUsa
                             static_cast<vk::SampleCountFlagBits>(desc.samples), vk::ImageTiling::eOptimal, usage));
     const auto requirements = image.handle.getMemoryRequirements();
     const vk::MemoryPropertyFlags lazy = transient ? Property::eLazilyAllocated : vk::MemoryPropertyFlagBits{};
-    image.memory = Memory(
-        device, device.allocate(requirements, {Property::eDeviceLocal | lazy, Property::eDeviceLocal, {}}, name).memory,
-        requirements.size);
+    Device::Allocation allocation =
+        device.allocate(requirements, {Property::eDeviceLocal | lazy, Property::eDeviceLocal, {}}, name);
+    image.lazy = static_cast<bool>(allocation.properties & Property::eLazilyAllocated);
+    image.memory = Memory(device, std::move(allocation.memory), requirements.size);
     image.handle.bindMemory(**image.memory, 0);
     const auto aspect =
         graph::isDepthFormat(desc.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;

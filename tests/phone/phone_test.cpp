@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "engine/devices.h"
 #include "engine/error.h"
 #include "engine/gpu/pipeline.h"
 #include "engine/gpu/resources.h"
@@ -122,6 +123,49 @@ TEST(Phone, TheHostReadsFromMemoryThatItCaches) {
     read.invalidate();
     EXPECT_EQ(read.mapped[255], std::byte{1});
     EXPECT_TRUE(device.validationMessages().empty());
+}
+
+/// A phone whose tile is too small for anything, for as long as this lives.
+struct SmallTile {
+    SmallTile() { setenv("NACRE_PHONE_TILE", "small", 1); }
+    ~SmallTile() { unsetenv("NACRE_PHONE_TILE"); }
+};
+
+DriverFeedback feedbackOf(Visibility path) {
+    ValidatedRenderer renderer(path);
+    const Representation r = scene("sample:glucose", Style::spacefill);
+    renderer->setScene(r);
+    renderer->render(settings(r, 64, Projection::orthographic));
+    return renderer->driverFeedback();
+}
+
+// The driver says what became of the plan: how many subpasses it merged, and what it had to give the tile's images.
+TEST(Phone, TheDriverTellsWhatLeftTheTile) {
+    const DriverFeedback large = feedbackOf(onMoltenVk() ? Visibility::fragdepth : Visibility::encoded);
+    ASSERT_FALSE(large.transients.empty());
+    for (const TransientImage& image : large.transients) {
+        EXPECT_GE(image.bytes, 64u * 64 * 4) << image.name;
+        EXPECT_EQ(image.committedBytes, 0u) << image.name;
+    }
+    if (onMoltenVk()) {
+        EXPECT_TRUE(large.merges.empty());  // it tells nothing of merging
+        return;
+    }
+    ASSERT_EQ(large.merges.size(), 1u);
+    EXPECT_EQ(large.merges[0].name, "opaque prepass + depth encoding + impostor colour");
+    EXPECT_EQ(large.merges[0].planned, 3u);
+    EXPECT_EQ(large.merges[0].carried, 1u);
+    EXPECT_EQ(large.merges[0].why, "");
+    EXPECT_NE(describe(large).find("3 subpasses as 1\n"), std::string::npos) << describe(large);
+    EXPECT_NE(describe(large).find(": 0.0 of "), std::string::npos) << describe(large);
+
+    const SmallTile tile;
+    const DriverFeedback small = feedbackOf(Visibility::encoded);
+    ASSERT_EQ(small.merges.size(), 1u);
+    EXPECT_EQ(small.merges[0].carried, 3u);
+    EXPECT_NE(small.merges[0].why.find("the tile is full"), std::string::npos) << small.merges[0].why;
+    ASSERT_EQ(small.transients.size(), large.transients.size());
+    for (const TransientImage& image : small.transients) EXPECT_EQ(image.committedBytes, image.bytes) << image.name;
 }
 
 TEST(Phone, BakesByEveryKindOfDepthMap) {

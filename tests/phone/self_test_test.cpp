@@ -48,6 +48,10 @@ TEST(SelfTest, FindsEveryPathOfARightDriverRight) {
         EXPECT_GT(r.milliseconds, 0);
     }
     EXPECT_EQ(device.selfTest, describe(*kept));
+    const bool tells = std::string_view(std::getenv("NACRE_PHONE")) == "android";  // of what it merges
+    EXPECT_EQ(device.mergeFeedback, tells);
+    EXPECT_NE(device.selfTest.find(tells ? " ms (3 subpasses as 1, 0 of " : " ms (0 of "), std::string::npos)
+        << device.selfTest;
 }
 
 TEST(SelfTest, APathThatDrawsWronglyIsNeverTaken) {
@@ -78,15 +82,16 @@ TEST(SelfTest, APathThatEndedTheProgramTwiceIsNotTriedAgain) {
     const TemporaryFolder folder;
     const std::string key = started(folder).driverKey, file = folder / ("devices/paths-" + key);
     const auto keep = [&](const std::string& text) { std::ofstream(file) << text; };
-    keep("nacre self-test 1\nencoded unfinished 0 1\n");
+    keep("nacre self-test 2\nencoded unfinished 0 1 0 0 0 0\n");
     EXPECT_EQ(started(folder).selfTest.find("ends the program"), std::string::npos);  // tried again
-    keep("nacre self-test 1\nencoded unfinished 0 2\n");
+    keep("nacre self-test 2\nencoded unfinished 0 2 0 0 0 0\n");
     const DeviceInfo device = started(folder);
     EXPECT_EQ(device.selfTest.find("encoded ends the program, fragdepth "), 0u) << device.selfTest;
     EXPECT_NE(device.visibility, "encoded");
     // What is no answer is none.
-    for (const char* text : {"", "nacre self-test 0\nencoded right 1 0\n", "nacre self-test 1\nencoded fine 1 0\n",
-                             "nacre self-test 1\nencoded right\n", "nacre self-test 1\ndeferred right 1 0\nx"}) {
+    for (const char* text :
+         {"", "nacre self-test 1\nencoded right 1 0\n", "nacre self-test 2\nencoded fine 1 0 0 0 0 0\n",
+          "nacre self-test 2\nencoded right 1 0\n", "nacre self-test 2\ndeferred right 1 0 0 0 0 0\nx"}) {
         keep(text);
         EXPECT_FALSE(keptSelfTest(folder / "devices", key)) << text;
     }

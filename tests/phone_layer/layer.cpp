@@ -2,8 +2,9 @@
 // and the memory types of tile-based GPUs: one that the host sees coherently and does not cache, one that it caches and
 // must invalidate, one that is lazily allocated. What the host may not see yet, it does not see here. Under the
 // validation layer a program that asks for more is told. The environment variable NACRE_PHONE names the phone:
-// "android" (of Arm's make) or "moltenvk"; NACRE_PHONE_WRONG a fault of its driver; NACRE_PHONE_SHADERS may name a
-// folder that takes every shader which the program hands over, as 1.spv, 2.spv, ...
+// "android" (of Arm's make) or "moltenvk"; NACRE_PHONE_WRONG a fault of its driver, NACRE_PHONE_TILE the tile of the
+// former (feedback.h); NACRE_PHONE_SHADERS may name a folder that takes every shader which the program hands over,
+// as 1.spv, 2.spv, ...
 
 #define VK_ENABLE_BETA_EXTENSIONS
 #include <vulkan/vk_layer.h>
@@ -15,71 +16,31 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <map>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "tests/phone_layer/below.h"
+#include "tests/phone_layer/feedback.h"
 #include "tests/phone_layer/floor.h"
+#include "tests/phone_layer/memory.h"
 #include "tests/support/layer_link.h"
 
 namespace nacre::phone {
 namespace {
 
 constexpr const char* kPortability = VK_KHR_PORTABILITY_SUBSET_EXTENSION_NAME;
+constexpr const char* kMergeFeedback = VK_EXT_SUBPASS_MERGE_FEEDBACK_EXTENSION_NAME;
 
 VkInstance instance = VK_NULL_HANDLE;
 VkDevice device = VK_NULL_HANDLE;
 PFN_vkGetInstanceProcAddr nextInstanceCall = nullptr;
 PFN_vkGetDeviceProcAddr nextDeviceCall = nullptr;
-std::uint32_t cachedType = 0, lazyType = 0;  // indices of the memory types that are added
 
 bool molten() {
     const char* phone = std::getenv("NACRE_PHONE");
     return phone && std::string_view(phone) == "moltenvk";
 }
-
-// What lies below. Looked up in time: later the loader would give this layer's own.
-#define NACRE_BELOW(X)                    \
-    X(DestroyInstance)                    \
-    X(EnumerateDeviceExtensionProperties) \
-    X(GetPhysicalDeviceProperties)        \
-    X(GetPhysicalDeviceProperties2)       \
-    X(GetPhysicalDeviceFeatures)          \
-    X(GetPhysicalDeviceFeatures2)         \
-    X(GetPhysicalDeviceFormatProperties)  \
-    X(GetPhysicalDeviceFormatProperties2) \
-    X(GetPhysicalDeviceMemoryProperties)  \
-    X(GetPhysicalDeviceMemoryProperties2)
-#define NACRE_DEVICE_BELOW(X)       \
-    X(AllocateMemory)               \
-    X(CmdDraw)                      \
-    X(CmdDrawIndexed)               \
-    X(CreateShaderModule)           \
-    X(CreateGraphicsPipelines)      \
-    X(GetImageMemoryRequirements)   \
-    X(GetImageMemoryRequirements2)  \
-    X(GetBufferMemoryRequirements)  \
-    X(BindBufferMemory)             \
-    X(MapMemory)                    \
-    X(FreeMemory)                   \
-    X(FlushMappedMemoryRanges)      \
-    X(InvalidateMappedMemoryRanges) \
-    X(CmdPipelineBarrier)
-/// Memory that the host caches.
-struct Cache {
-    std::uint8_t* device = nullptr;
-    std::vector<std::uint8_t> host;
-    VkBuffer buffer = VK_NULL_HANDLE;
-};
-std::map<VkDeviceMemory, Cache> caches;
-std::set<VkBuffer> toHost;  // a barrier was recorded that makes what is written to them available to the host
-bool allToHost = false;     // or one of all memory
-
-#define NACRE_DECLARE(name) PFN_vk##name next##name = nullptr;
-NACRE_BELOW(NACRE_DECLARE)
-NACRE_DEVICE_BELOW(NACRE_DECLARE)
 
 VKAPI_ATTR VkResult VKAPI_CALL CreateInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
                                               VkInstance* made) {
@@ -145,6 +106,8 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceFeatures2(VkPhysicalDevice of, VkPhy
     for (auto* s = static_cast<VkBaseOutStructure*>(f->pNext); s; s = s->pNext)
         if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PORTABILITY_SUBSET_FEATURES_KHR)
             portability(*reinterpret_cast<VkPhysicalDevicePortabilitySubsetFeaturesKHR*>(s));
+        else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBPASS_MERGE_FEEDBACK_FEATURES_EXT)
+            reinterpret_cast<VkPhysicalDeviceSubpassMergeFeedbackFeaturesEXT*>(s)->subpassMergeFeedback = !molten();
 }
 
 VkFormatProperties seen(VkFormat format, VkFormatProperties p) {
@@ -181,128 +144,16 @@ VKAPI_ATTR VkResult VKAPI_CALL EnumerateDeviceExtensionProperties(VkPhysicalDevi
     std::vector<VkExtensionProperties> kept(all);
     nextEnumerateDeviceExtensionProperties(of, nullptr, &all, kept.data());
     std::erase_if(kept, [](const VkExtensionProperties& e) { return !isFloorExtension(e.extensionName); });
-    if (molten()) {
-        VkExtensionProperties subset{};
-        std::strcpy(subset.extensionName, kPortability);
-        subset.specVersion = 1;
-        kept.push_back(subset);
-    }
+    VkExtensionProperties own{};  // what no software driver has
+    std::strcpy(own.extensionName, molten() ? kPortability : kMergeFeedback);
+    own.specVersion = 1;
+    kept.push_back(own);
     const auto room = list ? *count : 0;
     *count = static_cast<std::uint32_t>(kept.size());
     if (!list) return VK_SUCCESS;
     *count = std::min(room, *count);
     std::copy_n(kept.begin(), *count, list);
     return room < kept.size() ? VK_INCOMPLETE : VK_SUCCESS;
-}
-
-// --- memory
-
-void addTypes(VkPhysicalDeviceMemoryProperties& p) {
-    p.memoryTypes[0].propertyFlags = VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT |
-                                     VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-    cachedType = p.memoryTypeCount++;
-    p.memoryTypes[cachedType] = {
-        VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_CACHED_BIT,
-        0};
-    lazyType = p.memoryTypeCount++;
-    p.memoryTypes[lazyType] = {VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT | VK_MEMORY_PROPERTY_LAZILY_ALLOCATED_BIT, 0};
-}
-
-VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceMemoryProperties(VkPhysicalDevice of, VkPhysicalDeviceMemoryProperties* p) {
-    nextGetPhysicalDeviceMemoryProperties(of, p);
-    addTypes(*p);
-}
-
-VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceMemoryProperties2(VkPhysicalDevice of,
-                                                              VkPhysicalDeviceMemoryProperties2* p) {
-    nextGetPhysicalDeviceMemoryProperties2(of, p);
-    addTypes(p->memoryProperties);
-}
-
-VKAPI_ATTR void VKAPI_CALL GetImageMemoryRequirements(VkDevice of, VkImage image, VkMemoryRequirements* r) {
-    nextGetImageMemoryRequirements(of, image, r);
-    r->memoryTypeBits |= 1u << cachedType | 1u << lazyType;
-}
-
-VKAPI_ATTR void VKAPI_CALL GetBufferMemoryRequirements(VkDevice of, VkBuffer buffer, VkMemoryRequirements* r) {
-    nextGetBufferMemoryRequirements(of, buffer, r);
-    r->memoryTypeBits |= 1u << cachedType;
-}
-
-VKAPI_ATTR void VKAPI_CALL GetImageMemoryRequirements2(VkDevice of, const VkImageMemoryRequirementsInfo2* info,
-                                                       VkMemoryRequirements2* r) {
-    nextGetImageMemoryRequirements2(of, info, r);
-    r->memoryRequirements.memoryTypeBits |= 1u << cachedType | 1u << lazyType;
-}
-
-VKAPI_ATTR VkResult VKAPI_CALL AllocateMemory(VkDevice of, const VkMemoryAllocateInfo* info,
-                                              const VkAllocationCallbacks* allocator, VkDeviceMemory* memory) {
-    VkMemoryAllocateInfo real = *info;
-    const bool cached = real.memoryTypeIndex == cachedType;
-    if (cached || real.memoryTypeIndex == lazyType) real.memoryTypeIndex = 0;
-    const VkResult result = nextAllocateMemory(of, &real, allocator, memory);
-    if (result == VK_SUCCESS && cached)
-        caches[*memory] = {nullptr, std::vector<std::uint8_t>(info->allocationSize), {}};
-    return result;
-}
-
-/// The host sees a copy of cached memory, which is brought up to date when it is flushed or invalidated.
-VKAPI_ATTR VkResult VKAPI_CALL MapMemory(VkDevice of, VkDeviceMemory memory, VkDeviceSize offset, VkDeviceSize size,
-                                         VkMemoryMapFlags flags, void** data) {
-    const VkResult result = nextMapMemory(of, memory, offset, size, flags, data);
-    const auto it = caches.find(memory);
-    if (result != VK_SUCCESS || it == caches.end()) return result;
-    if (offset != 0) std::abort();  // nobody does
-    it->second.device = static_cast<std::uint8_t*>(*data);
-    *data = it->second.host.data();
-    return result;
-}
-
-VKAPI_ATTR void VKAPI_CALL FreeMemory(VkDevice of, VkDeviceMemory memory, const VkAllocationCallbacks* allocator) {
-    caches.erase(memory);
-    nextFreeMemory(of, memory, allocator);
-}
-
-VKAPI_ATTR VkResult VKAPI_CALL BindBufferMemory(VkDevice of, VkBuffer buffer, VkDeviceMemory memory,
-                                                VkDeviceSize offset) {
-    if (const auto it = caches.find(memory); it != caches.end()) it->second.buffer = buffer;
-    return nextBindBufferMemory(of, buffer, memory, offset);
-}
-
-VKAPI_ATTR VkResult VKAPI_CALL FlushMappedMemoryRanges(VkDevice of, std::uint32_t count,
-                                                       const VkMappedMemoryRange* ranges) {
-    for (std::uint32_t i = 0; i < count; ++i)
-        if (const auto it = caches.find(ranges[i].memory); it != caches.end())
-            std::copy(it->second.host.begin(), it->second.host.end(), it->second.device);
-    return nextFlushMappedMemoryRanges(of, count, ranges);
-}
-
-/// Only what a barrier made available to the host is there to be seen.
-VKAPI_ATTR VkResult VKAPI_CALL InvalidateMappedMemoryRanges(VkDevice of, std::uint32_t count,
-                                                            const VkMappedMemoryRange* ranges) {
-    for (std::uint32_t i = 0; i < count; ++i)
-        if (const auto it = caches.find(ranges[i].memory); it != caches.end()) {
-            if (!toHost.count(it->second.buffer) && !allToHost) {
-                std::fprintf(stderr, "phone: the host reads a buffer without a barrier to it\n");
-                std::abort();
-            }
-            std::copy_n(it->second.device, it->second.host.size(), it->second.host.begin());
-        }
-    return nextInvalidateMappedMemoryRanges(of, count, ranges);
-}
-
-VKAPI_ATTR void VKAPI_CALL CmdPipelineBarrier(VkCommandBuffer commands, VkPipelineStageFlags from,
-                                              VkPipelineStageFlags to, VkDependencyFlags flags,
-                                              std::uint32_t memoryCount, const VkMemoryBarrier* memory,
-                                              std::uint32_t bufferCount, const VkBufferMemoryBarrier* buffers,
-                                              std::uint32_t imageCount, const VkImageMemoryBarrier* images) {
-    if (to & VK_PIPELINE_STAGE_HOST_BIT) {
-        for (std::uint32_t i = 0; i < memoryCount; ++i)
-            allToHost = allToHost || (memory[i].dstAccessMask & VK_ACCESS_HOST_READ_BIT);
-        for (std::uint32_t i = 0; i < bufferCount; ++i)
-            if (buffers[i].dstAccessMask & VK_ACCESS_HOST_READ_BIT) toHost.insert(buffers[i].buffer);
-    }
-    nextCmdPipelineBarrier(commands, from, to, flags, memoryCount, memory, bufferCount, buffers, imageCount, images);
 }
 
 // --- shaders
@@ -342,6 +193,14 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateGraphicsPipelines(VkDevice of, VkPipelineCa
     return nextCreateGraphicsPipelines(of, cache, count, made.data(), allocator, pipelines);
 }
 
+// --- render passes
+
+VKAPI_ATTR VkResult VKAPI_CALL CreateRenderPass2KHR(VkDevice of, const VkRenderPassCreateInfo2* info,
+                                                    const VkAllocationCallbacks* allocator, VkRenderPass* pass) {
+    tellOfMerges(*info);
+    return nextCreateRenderPass2KHR(of, info, allocator, pass);
+}
+
 // --- draws
 
 /// Some phones lose the device over large instanced draws (Mali-G71 and some PowerVR, from 2^14 to 2^16 instances on).
@@ -372,11 +231,16 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice of, const VkDeviceC
         test::nextLayer<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
     const auto instanceCall = below->pfnNextGetInstanceProcAddr;
     nextDeviceCall = below->pfnNextGetDeviceProcAddr;
-    // The driver knows nothing of the portability subset.
+    // The driver knows nothing of these.
     std::vector<const char*> extensions(info->ppEnabledExtensionNames,
                                         info->ppEnabledExtensionNames + info->enabledExtensionCount);
-    std::erase_if(extensions, [](const char* name) { return std::string_view(name) == kPortability; });
+    std::erase_if(extensions, [](std::string_view name) { return name == kPortability || name == kMergeFeedback; });
     VkDeviceCreateInfo real = *info;
+    for (auto* s = reinterpret_cast<VkBaseOutStructure*>(&real); s->pNext; s = s->pNext)
+        if (s->pNext->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBPASS_MERGE_FEEDBACK_FEATURES_EXT) {
+            s->pNext = s->pNext->pNext;
+            break;
+        }
     real.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
     real.ppEnabledExtensionNames = extensions.data();
     const auto create = reinterpret_cast<PFN_vkCreateDevice>(instanceCall(instance, "vkCreateDevice"));

@@ -1,0 +1,43 @@
+#pragma once
+// The calls of what lies below the layer: the driver's, or another layer's.
+
+#include <vulkan/vulkan.h>
+
+namespace nacre::phone {
+
+// What lies below. Looked up in time: later the loader would give this layer's own.
+#define NACRE_BELOW(X)                    \
+    X(DestroyInstance)                    \
+    X(EnumerateDeviceExtensionProperties) \
+    X(GetPhysicalDeviceProperties)        \
+    X(GetPhysicalDeviceProperties2)       \
+    X(GetPhysicalDeviceFeatures)          \
+    X(GetPhysicalDeviceFeatures2)         \
+    X(GetPhysicalDeviceFormatProperties)  \
+    X(GetPhysicalDeviceFormatProperties2) \
+    X(GetPhysicalDeviceMemoryProperties)  \
+    X(GetPhysicalDeviceMemoryProperties2)
+#define NACRE_DEVICE_BELOW(X)       \
+    X(AllocateMemory)               \
+    X(CreateRenderPass2KHR)         \
+    X(GetDeviceMemoryCommitment)    \
+    X(CmdDraw)                      \
+    X(CmdDrawIndexed)               \
+    X(CreateShaderModule)           \
+    X(CreateGraphicsPipelines)      \
+    X(GetImageMemoryRequirements)   \
+    X(GetImageMemoryRequirements2)  \
+    X(GetBufferMemoryRequirements)  \
+    X(BindBufferMemory)             \
+    X(MapMemory)                    \
+    X(FreeMemory)                   \
+    X(FlushMappedMemoryRanges)      \
+    X(InvalidateMappedMemoryRanges) \
+    X(CmdPipelineBarrier)
+
+#define NACRE_DECLARE(name) inline PFN_vk##name next##name = nullptr;
+NACRE_BELOW(NACRE_DECLARE)
+NACRE_DEVICE_BELOW(NACRE_DECLARE)
+#undef NACRE_DECLARE
+
+}  // namespace nacre::phone
