@@ -46,7 +46,8 @@ void devicesCommand(const DevicesOptions& options, std::ostream& out) {
                 << "   visibility " << devices[i].visibility << ": " << devices[i].why << "; encoded depth "
                 << devices[i].encodedFormat << "; lazy memory " << (devices[i].lazyMemory ? "yes" : "no")
                 << "; timestamps " << (devices[i].timestamps ? "yes" : "no") << "; merge feedback "
-                << (devices[i].mergeFeedback ? "yes" : "no") << '\n';
+                << (devices[i].mergeFeedback ? "yes" : "no") << "; render passes by "
+                << (devices[i].localRead ? "dynamic rendering with local reads" : "VkRenderPass") << '\n';
             if (!devices[i].selfTest.empty()) out << "   self-test: " << devices[i].selfTest << '\n';
             if (!devices[i].knownAs.empty())
                 out << "   known as " << devices[i].capabilitySet << ": " << devices[i].knownAs << " ("
@@ -67,6 +68,7 @@ void devicesCommand(const DevicesOptions& options, std::ostream& out) {
                         {"encoded_format", devices[i].encodedFormat},
                         {"lazy_memory", devices[i].lazyMemory},
                         {"timestamps", devices[i].timestamps},
+                        {"dynamic_rendering", devices[i].localRead},
                         {"merge_feedback", devices[i].mergeFeedback},
                         {"self_test", devices[i].selfTest},
                         {"capability_set", devices[i].capabilitySet},

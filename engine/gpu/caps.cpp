@@ -7,6 +7,7 @@
 #include <span>
 
 #include "engine/error.h"
+#include "engine/gpu/dynamic_rendering.h"
 #include "engine/graph/known_drivers.h"
 
 namespace nacre::gpu {
@@ -65,6 +66,7 @@ bool set(const char* variable) {
 
 /// Switches for drivers in doubt and for captures; the picture stays the same.
 ///   NACRE_NO_MERGE=1      every pass is a render pass of its own: no subpasses, no input attachments
+///   NACRE_NO_DYNAMIC_RENDERING=1  render passes are VkRenderPasses, whatever the device can
 ///   NACRE_NO_TRANSIENT=1  every attachment has memory and is stored, so that a capture shows it
 void applyEnvironment(graph::PlanCaps& plan) {
     if (set("NACRE_NO_MERGE")) plan.merge = false;
@@ -154,6 +156,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.maxImageSize = properties.limits.maxImageDimension2D;
     const auto& id = chain.get<vk::PhysicalDeviceIDProperties>();
     caps.driverKey = hexadecimal(id.driverUUID) + hexadecimal(id.deviceUUID) + std::to_string(caps.driverVersion);
+    caps.localRead = readsLocally(device) && !set("NACRE_NO_DYNAMIC_RENDERING");
     caps.mergeFeedback = tellsOfMerges(device);
     caps.timestampBits = device.getQueueFamilyProperties()[graphicsAndCompute(device)].timestampValidBits;
     caps.nanosecondsPerTick = properties.limits.timestampPeriod;

@@ -27,6 +27,7 @@ struct Caps {
     std::uint32_t driverVersion = 0;
     float snapPixels = 1.0f / 16;  ///< how far the rasteriser may move a vertex
     std::uint32_t maxImageSize = 4096;
+    bool localRead = false;           ///< render passes are carried out by dynamic rendering with local reads
     bool mergeFeedback = false;       ///< the driver tells what it makes of subpasses
     std::uint32_t timestampBits = 0;  ///< of the queue's clock; 0: it has none
     double nanosecondsPerTick = 1;    ///< of that clock

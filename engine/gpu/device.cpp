@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/error.h"
+#include "engine/gpu/dynamic_rendering.h"
 #include "engine/gpu/instance.h"
 #include "engine/gpu/pipeline_cache.h"
 #include "engine/gpu/requirements.h"
@@ -79,8 +80,19 @@ void Device::createDevice(const DeviceOptions& options) {
     if (tellsOfFaults_) add(fault, VK_EXT_DEVICE_FAULT_EXTENSION_NAME);
     vk::PhysicalDeviceSubpassMergeFeedbackFeaturesEXT merges(true);
     if (tellsOfMerges(physical_)) add(merges, VK_EXT_SUBPASS_MERGE_FEEDBACK_EXTENSION_NAME);
+    vk::PhysicalDeviceDynamicRenderingFeatures dynamic(true);
+    VkPhysicalDeviceDynamicRenderingLocalReadFeaturesKHR localRead{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_LOCAL_READ_FEATURES_KHR, nullptr, true};
+    const bool readsHere = readsLocally(physical_);
+    if (readsHere) {
+        add(dynamic, VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME);
+        add(localRead, VK_KHR_DYNAMIC_RENDERING_LOCAL_READ_EXTENSION_NAME);
+        extensions.push_back(VK_KHR_DEPTH_STENCIL_RESOLVE_EXTENSION_NAME);
+        features.independentBlend = true;
+    }
     info.setPEnabledExtensionNames(extensions);
     device_ = vk::raii::Device(physical_, info);
+    if (readsHere) localReadCalls_ = localReadCallsOf(device_);
     queue_ = device_.getQueue(queueFamily_, 0);
     pool_ = vk::raii::CommandPool(device_,
                                   vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient, queueFamily_));

@@ -11,6 +11,7 @@
 #include "engine/gpu/capture_hook.h"
 #include "engine/gpu/context.h"
 #include "engine/gpu/device_loss.h"
+#include "engine/gpu/local_read.h"
 
 namespace nacre::gpu {
 
@@ -29,6 +30,7 @@ public:
     const vk::raii::Queue& queue() const { return queue_; }
     std::uint32_t queueFamily() const { return queueFamily_; }
     const Caps& caps() const { return caps_; }
+    const LocalReadCalls& localReadCalls() const { return localReadCalls_; }
     CaptureHook& capture() { return capture_; }
     /// Another path than the caps chose, before anything is drawn.
     void choose(Visibility visibility, const std::string& why) {
@@ -98,6 +100,7 @@ private:
     std::uint32_t queueFamily_ = 0;
     bool debugUtils_ = false, tellsOfFaults_ = false;
     Caps caps_;
+    LocalReadCalls localReadCalls_;
     CaptureHook capture_;
     std::unique_ptr<std::uint64_t> allocated_ = std::make_unique<std::uint64_t>(0);
     std::unique_ptr<std::uint64_t> peakAllocated_ = std::make_unique<std::uint64_t>(0);

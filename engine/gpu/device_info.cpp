@@ -32,6 +32,7 @@ DeviceInfo gpu::infoOf(const Caps& caps) {
     info.lazyMemory = caps.plan.transient;
     info.timestamps = caps.timestampBits > 0;
     info.rasterOrder = caps.plan.rasterOrder;
+    info.localRead = caps.localRead;
     info.mergeFeedback = caps.mergeFeedback;
     info.driverKey = caps.driverKey;
     info.capabilitySet = caps.capabilitySet;

@@ -16,6 +16,8 @@ graph::RenderPassPlan essence(graph::RenderPassPlan plan) {
     return plan;
 }
 
+const vk::SubpassBeginInfo kInline(vk::SubpassContents::eInline);
+
 /// What a plan carries out, in words: "screen: opaque prepass, impostor colour".
 std::string workOf(const graph::Graph& graph, const graph::Plan& plan) {
     std::string text;
@@ -101,9 +103,7 @@ void Executor::barriers(const vk::raii::CommandBuffer& commands, const std::vect
     commands.pipelineBarrier(from, to, {}, {}, buffers, images);
 }
 
-void Executor::recordRenderPass(const graph::Graph& graph, const graph::Plan& plan, const graph::RenderPassPlan& pass,
-                                PassContext& context) {
-    const std::string name = nameOf(graph, pass);
+void Executor::beginRenderPass(const graph::RenderPassPlan& pass, PassContext& context, const std::string& name) {
     OwnedRenderPass& owned = renderPass(pass, name);
     std::vector<vk::ClearValue> clears;
     for (const graph::Attachment& a : pass.attachments)
@@ -111,14 +111,31 @@ void Executor::recordRenderPass(const graph::Graph& graph, const graph::Plan& pl
                              ? vk::ClearValue(vk::ClearDepthStencilValue(a.clear.value[0], 0))
                              : vk::ClearValue(vk::ClearColorValue(a.clear.value)));
     const vk::Rect2D area({0, 0}, {pass.extent.width, pass.extent.height});
-    const vk::SubpassBeginInfo inlineContents(vk::SubpassContents::eInline);
     context.commands.beginRenderPass2KHR(
-        vk::RenderPassBeginInfo(*owned.handle, framebuffer(owned, pass, context, name), area, clears), inlineContents);
+        vk::RenderPassBeginInfo(*owned.handle, framebuffer(owned, pass, context, name), area, clears), kInline);
     context.renderPass = *owned.handle;
+}
+
+void Executor::recordRenderPass(const graph::Graph& graph, const graph::Plan& plan, const graph::RenderPassPlan& pass,
+                                PassContext& context) {
+    std::optional<DynamicRendering> dynamic;
     context.extent = pass.extent;
+    context.renderPass = nullptr;
+    context.rendering = {};
+    context.inputLayout = vk::ImageLayout::eShaderReadOnlyOptimal;
+    if (DynamicRendering::takes(device_, pass)) {
+        dynamic.emplace(device_, pass, context.images, context.commands).begin();
+        context.inputLayout = DynamicRendering::kInputLayout;
+    } else {
+        beginRenderPass(pass, context, nameOf(graph, pass));
+    }
+    const vk::Rect2D area({0, 0}, {pass.extent.width, pass.extent.height});
     for (std::uint32_t s = 0; s < pass.subpasses.size(); ++s) {
-        if (s > 0) context.commands.nextSubpass2KHR(inlineContents, vk::SubpassEndInfo());
-        context.subpass = s;
+        if (dynamic)
+            context.rendering = dynamic->beginSubpass(s);
+        else if (s > 0)
+            context.commands.nextSubpass2KHR(kInline, vk::SubpassEndInfo());
+        context.subpass = dynamic ? 0 : s;
         context.colorCount = static_cast<std::uint32_t>(pass.subpasses[s].colors.size());
         for (const std::uint32_t p : pass.subpasses[s].passes) {
             device_.beginLabel(context.commands, graph.passes()[p].name);
@@ -131,12 +148,15 @@ void Executor::recordRenderPass(const graph::Graph& graph, const graph::Plan& pl
             device_.endLabel(context.commands);
         }
     }
-    context.commands.endRenderPass2KHR(vk::SubpassEndInfo());
+    if (dynamic)
+        dynamic->end();
+    else
+        context.commands.endRenderPass2KHR(vk::SubpassEndInfo());
 }
 
 void Executor::record(const vk::raii::CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan,
                       const Imports& imports, DescriptorPool& descriptors, Timer* timer) {
-    PassContext context{commands, device_, descriptors, pipelines_, {}, {}, 0, 0, {}, false, {}, {}};
+    PassContext context{commands, device_, descriptors, pipelines_, {}, {}};
     for (std::uint32_t i = 0; i < graph.images().size(); ++i) {
         const graph::ImageDecl& decl = graph.images()[i];
         ImageRef image;

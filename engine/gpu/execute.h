@@ -30,13 +30,15 @@ struct PassContext {
     DescriptorPool& descriptors;
     Pipelines& pipelines;
     std::string_view pass;      ///< its name in the graph
-    vk::RenderPass renderPass;  ///< graphics passes
+    vk::RenderPass renderPass;  ///< graphics passes; null where they are rendered dynamically
     std::uint32_t subpass = 0;
-    std::uint32_t colorCount = 0;  ///< colour attachments of the subpass
-    graph::Extent extent;
-    bool inputIsSampled = false;   ///< input reads come as textures
-    std::vector<ImageRef> images;  ///< by graph index
-    std::vector<vk::Buffer> buffers;
+    RenderingFormats rendering{};                                           ///< of these
+    vk::ImageLayout inputLayout = vk::ImageLayout::eShaderReadOnlyOptimal;  ///< of input attachments
+    std::uint32_t colorCount = 0;                                           ///< colour attachments of the subpass
+    graph::Extent extent{};
+    bool inputIsSampled = false;     ///< input reads come as textures
+    std::vector<ImageRef> images{};  ///< by graph index
+    std::vector<vk::Buffer> buffers{};
 
     vk::ImageView view(graph::Image image) const { return images[image.index].view; }
     vk::Image image(graph::Image image) const { return images[image.index].handle; }
@@ -47,6 +49,7 @@ struct PassContext {
         p.name = pass;
         p.renderPass = renderPass;
         p.subpass = subpass;
+        p.rendering = rendering;
         p.colorCount = colorCount;
         return p;
     }
@@ -104,6 +107,7 @@ private:
                                 const std::string& name);
     void barriers(const vk::raii::CommandBuffer& commands, const std::vector<graph::Barrier>& barriers,
                   const graph::Graph& graph, const PassContext& context) const;
+    void beginRenderPass(const graph::RenderPassPlan& pass, PassContext& context, const std::string& name);
     void recordRenderPass(const graph::Graph& graph, const graph::Plan& plan, const graph::RenderPassPlan& pass,
                           PassContext& context);
 

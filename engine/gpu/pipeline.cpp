@@ -90,18 +90,23 @@ vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& d)
                                                         vk::CompareOp::eLessOrEqual);
     std::vector<vk::PipelineColorBlendAttachmentState> blends;
     for (std::uint32_t i = 0; i < d.colorCount; ++i) blends.push_back(blendState(d.blend, i < d.colorsWritten));
+    if (d.rendering.any()) {  // all of the render pass, not of the subpass alone
+        blends.clear();
+        for (std::uint32_t i = 0; i < d.rendering.colorCount; ++i)
+            blends.push_back(blendState(d.blend, d.rendering.locations[i] < d.colorsWritten));
+    }
     vk::PipelineColorBlendStateCreateFlags blendFlags;
     if (d.ordered) blendFlags = vk::PipelineColorBlendStateCreateFlagBits::eRasterizationOrderAttachmentAccessEXT;
     const vk::PipelineColorBlendStateCreateInfo blend(blendFlags, false, vk::LogicOp::eCopy, blends);
     constexpr vk::DynamicState kDynamic[] = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic({}, kDynamic);
     const vk::raii::PipelineCache* cache = device.caps().cacheMixesRenderPasses ? nullptr : &device.pipelineCache();
-    return named(device, name, [&] {
-        return vk::raii::Pipeline(
-            *device, vk::Optional<const vk::raii::PipelineCache>(cache),
-            vk::GraphicsPipelineCreateInfo({}, stages, &input, &assembly, nullptr, &viewport, &raster, &samples, &depth,
-                                           &blend, &dynamic, d.layout, d.renderPass, d.subpass));
-    });
+    const RenderingChain rendering(d.rendering);
+    vk::GraphicsPipelineCreateInfo info({}, stages, &input, &assembly, nullptr, &viewport, &raster, &samples, &depth,
+                                        &blend, &dynamic, d.layout, d.renderPass, d.subpass);
+    info.pNext = rendering.first();
+    return named(device, name,
+                 [&] { return vk::raii::Pipeline(*device, vk::Optional<const vk::raii::PipelineCache>(cache), info); });
 }
 
 vk::raii::Pipeline makePipeline(const Device& device, const ComputePipeline& d) {
@@ -151,8 +156,8 @@ bool same(const GraphicsPipeline& a, const GraphicsPipeline& b) {
     return sameTable(a.vertex, b.vertex) && sameTable(a.fragment, b.fragment) && a.constants == b.constants &&
            sameTable(a.streams.bindings, b.streams.bindings) && sameTable(a.streams.attributes, b.streams.attributes) &&
            a.layout == b.layout && a.renderPass == b.renderPass && a.subpass == b.subpass &&
-           a.colorCount == b.colorCount && a.colorsWritten == b.colorsWritten && a.depth == b.depth &&
-           a.blend == b.blend && a.ordered == b.ordered && a.strip == b.strip;
+           a.rendering == b.rendering && a.colorCount == b.colorCount && a.colorsWritten == b.colorsWritten &&
+           a.depth == b.depth && a.blend == b.blend && a.ordered == b.ordered && a.strip == b.strip;
 }
 bool same(const ComputePipeline& a, const ComputePipeline& b) {
     return sameTable(a.code, b.code) && a.constants == b.constants && a.layout == b.layout;

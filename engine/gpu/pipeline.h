@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/gpu/device.h"
+#include "engine/gpu/dynamic_rendering.h"
 
 namespace nacre::gpu {
 
@@ -57,6 +58,7 @@ struct GraphicsPipeline {
     vk::PipelineLayout layout;
     vk::RenderPass renderPass;
     std::uint32_t subpass = 0;
+    RenderingFormats rendering;       ///< where there is no render pass
     std::uint32_t colorCount = 0;     ///< of the subpass
     std::uint32_t colorsWritten = 0;  ///< of the pass; the others are masked
     DepthUse depth = DepthUse::none;

@@ -34,7 +34,7 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
     const bool texture = reads.from == NearestFrom::texture;
     const vk::DescriptorImageInfo atlas(context.pipelines.sampler(vk::Filter::eLinear), reads.atlas, kRead);
     const vk::DescriptorImageInfo numbers(texture ? context.pipelines.sampler(vk::Filter::eNearest) : vk::Sampler(),
-                                          reads.nearest, kRead);
+                                          reads.nearest, texture ? kRead : context.inputLayout);
     const vk::DescriptorBufferInfo shapes(*view.buffers->shapes.handle, 0, VK_WHOLE_SIZE),
         looks(*view.buffers->looks.handle, 0, VK_WHOLE_SIZE), rows(*view.copyRows->handle, 0, VK_WHOLE_SIZE),
         effects(*view.effectConstants->handle, 0, VK_WHOLE_SIZE);

@@ -97,7 +97,9 @@ void writeReads(gpu::PassContext& context, const SceneView& view, vk::Descriptor
     const vk::DescriptorImageInfo atlas(context.pipelines.sampler(vk::Filter::eLinear), reads.atlas, kRead);
     const vk::DescriptorImageInfo nearest(texture ? context.pipelines.sampler(vk::Filter::eNearest) : vk::Sampler(),
                                           reads.nearest ? reads.nearest : reads.atlas,
-                                          reads.from == NearestFrom::ownAttachment ? vk::ImageLayout::eGeneral : kRead);
+                                          reads.from == NearestFrom::ownAttachment     ? vk::ImageLayout::eGeneral
+                                          : reads.from == NearestFrom::inputAttachment ? context.inputLayout
+                                                                                       : kRead);
     const vk::DescriptorImageInfo shadow = shadowOf(context, view, reads.atlas);
     const vk::DescriptorBufferInfo effects(*view.effectConstants->handle, 0, VK_WHOLE_SIZE);
     const vk::WriteDescriptorSet writes[] = {

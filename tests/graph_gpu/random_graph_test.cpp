@@ -7,8 +7,10 @@
 
 #include <deque>
 #include <numeric>
+#include <optional>
 
 #include "engine/gpu/execute.h"
+#include "tests/support/newer_lavapipe.h"
 
 namespace nacre::test {
 namespace {
@@ -48,7 +50,9 @@ Words fragmentShader(std::size_t outputs, bool input, bool sampled) {
 /// Carries out random graphs on one device.
 class Runner {
 public:
-    Runner() {
+    /// @param validate  what the installed validation layer knows
+    explicit Runner(bool validate = true)
+        : device(DeviceOptions{validate, "", Visibility::automatic, EncodedDepth::automatic}) {
         plain_ = layout(Type::eCombinedImageSampler, kStages);
         onTile_ = layout(Type::eInputAttachment, kStages);
         compute_ = layout(Type::eStorageBuffer, vk::ShaderStageFlagBits::eCompute);
@@ -118,7 +122,7 @@ public:
         return result;
     }
 
-    gpu::Device device{DeviceOptions{true, "", Visibility::automatic, EncodedDepth::automatic}};
+    gpu::Device device;
     graph::Plan plan;  ///< of the last run
 
 private:
@@ -170,7 +174,8 @@ private:
         Push push{pass.z, pass.seed, 0};
         const vk::DescriptorSet textures = set(c, layout, random, pass, images, buffers, push);
         const vk::DescriptorImageInfo info(onTile ? vk::Sampler() : *sampler_,
-                                           input ? c.view(images[input->resource]) : *noColor_.view, kTextureLayout);
+                                           input ? c.view(images[input->resource]) : *noColor_.view,
+                                           onTile ? c.inputLayout : kTextureLayout);
         device->updateDescriptorSets(
             vk::WriteDescriptorSet(textures, 3, 0, onTile ? Type::eInputAttachment : Type::eCombinedImageSampler, info),
             {});
@@ -273,6 +278,34 @@ void expectTheSameBits(std::uint32_t firstSeed, std::uint32_t endSeed) {
 }
 
 TEST(RandomGraphs, GiveTheSameBitsHoweverTheyAreCarriedOut) { expectTheSameBits(0, 50); }
+
+/// The same graphs by render passes and by dynamic rendering, each merged and not, with nothing stored but what must
+/// be.
+TEST(NewerDriver, GivesTheSameBitsOfRandomGraphsByDynamicRendering) {
+    if (!NewerLavapipe::there()) GTEST_SKIP() << NewerLavapipe::kAbsent;
+    const NewerLavapipe newer;
+    std::optional<Runner> old;
+    {
+        const RenderPassesOfOld switched;
+        old.emplace(false);
+    }
+    Runner now(false);
+    ASSERT_TRUE(now.device.caps().localRead);
+    ASSERT_FALSE(old->device.caps().localRead);
+    std::size_t inputs = 0;
+    for (std::uint32_t seed = 0; seed < 50; ++seed) {
+        const RandomGraph random = randomGraph(seed, false);
+        graph::PlanCaps caps = now.device.caps().plan;
+        for (const bool merge : {true, false}) {
+            caps.merge = merge;
+            EXPECT_EQ(now.run(random, caps), old->run(random, caps)) << "seed " << seed << ", merge " << merge;
+            for (const graph::Step& step : now.plan.steps)
+                for (const graph::Subpass& s : step.renderPass.subpasses) inputs += s.inputs.size();
+        }
+    }
+    EXPECT_GT(inputs, 2u);
+}
+
 TEST(RandomGraphs, GiveTheSameBitsLong) { expectTheSameBits(50, 150); }
 
 }  // namespace

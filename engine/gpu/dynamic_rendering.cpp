@@ -1,0 +1,224 @@
+#include "engine/gpu/dynamic_rendering.h"
+
+#include <algorithm>
+
+#include "engine/gpu/caps.h"
+#include "engine/graph/plan_internal.h"
+
+namespace nacre::gpu {
+namespace {
+
+constexpr std::uint32_t kNone = VK_ATTACHMENT_UNUSED;
+
+/// All that happens to an attachment between begin and end, loads and stores too.
+graph::State workOn(VkFormat format) {
+    graph::State state = graph::stateOf(graph::isDepthFormat(format) ? graph::Verb::depth : graph::Verb::color,
+                                        graph::PassKind::graphics);
+    if (!graph::isDepthFormat(format)) {
+        const graph::State read = graph::stateOf(graph::Verb::input, graph::PassKind::graphics);
+        state.stages |= read.stages;
+        state.access |= read.access;
+    }
+    return state;
+}
+
+/// What the plan orders a render pass behind.
+graph::State before(const graph::RenderPassPlan& plan) {
+    graph::State state{0, 0, {}};
+    for (const graph::Dependency& d : plan.dependencies) {
+        if (d.from != VK_SUBPASS_EXTERNAL) continue;
+        state.stages |= d.fromStages;
+        state.access |= d.fromAccess;
+    }
+    return state;
+}
+
+VkAttachmentLoadOp loadOp(graph::Load load) {
+    return load == graph::Load::clear  ? VK_ATTACHMENT_LOAD_OP_CLEAR
+           : load == graph::Load::load ? VK_ATTACHMENT_LOAD_OP_LOAD
+                                       : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
+}
+
+VkAttachmentStoreOp storeOp(graph::Store store) {
+    return store == graph::Store::store  ? VK_ATTACHMENT_STORE_OP_STORE
+           : store == graph::Store::none ? VK_ATTACHMENT_STORE_OP_NONE
+                                         : VK_ATTACHMENT_STORE_OP_DONT_CARE;
+}
+
+bool trusted(const vk::raii::PhysicalDevice& device) {
+    if (!hasExtension(device, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME)) return false;
+    const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
+    const vk::DriverId driver = chain.get<vk::PhysicalDeviceDriverProperties>().driverID;
+    const std::uint32_t version = chain.get<vk::PhysicalDeviceProperties2>().properties.driverVersion;
+    if (driver == vk::DriverId::eArmProprietary) return VK_API_VERSION_MAJOR(version) >= 52;
+    return driver != vk::DriverId::eSamsungProprietary;
+}
+
+}  // namespace
+
+bool readsLocally(const vk::raii::PhysicalDevice& device) {
+    // Drivers of Vulkan 1.4, where all of it is core, go on naming them.
+    for (const char* name : {VK_KHR_DYNAMIC_RENDERING_LOCAL_READ_EXTENSION_NAME,
+                             VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME, VK_KHR_DEPTH_STENCIL_RESOLVE_EXTENSION_NAME})
+        if (!hasExtension(device, name)) return false;
+    // The colour attachments of a render pass are blended each in its own way.
+    if (!trusted(device) || !device.getFeatures().independentBlend) return false;
+    VkPhysicalDeviceDynamicRenderingLocalReadFeaturesKHR read{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_LOCAL_READ_FEATURES_KHR, nullptr, false};
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &read, {}};
+    device.getDispatcher()->vkGetPhysicalDeviceFeatures2(*device, &features);
+    return read.dynamicRenderingLocalRead;
+}
+
+LocalReadCalls localReadCallsOf(const vk::raii::Device& device) {
+    const auto call = [&](const char* name) { return device.getProcAddr(name); };
+    return {
+        reinterpret_cast<PFN_vkCmdSetRenderingAttachmentLocationsKHR>(call("vkCmdSetRenderingAttachmentLocationsKHR")),
+        reinterpret_cast<PFN_vkCmdSetRenderingInputAttachmentIndicesKHR>(
+            call("vkCmdSetRenderingInputAttachmentIndicesKHR"))};
+}
+
+DynamicRendering::DynamicRendering(const Device& device, const graph::RenderPassPlan& plan,
+                                   const std::vector<ImageRef>& images, const vk::raii::CommandBuffer& commands)
+    : device_(device), plan_(plan), images_(images), commands_(commands) {
+    for (std::uint32_t a = 0; a < plan.attachments.size(); ++a)
+        if (graph::isDepthFormat(plan.attachments[a].format))
+            depth_ = static_cast<std::int32_t>(a);
+        else
+            colors_.push_back(a);
+}
+
+bool DynamicRendering::takes(const Device& device, const graph::RenderPassPlan& plan) {
+    if (!device.caps().localRead) return false;
+    const auto depths = std::count_if(plan.attachments.begin(), plan.attachments.end(),
+                                      [](const graph::Attachment& a) { return graph::isDepthFormat(a.format); });
+    const std::size_t most =
+        std::min<std::size_t>(device.caps().plan.maxColorAttachments, std::size_t{RenderingFormats::kMost});
+    return depths <= 1 && plan.attachments.size() - static_cast<std::size_t>(depths) <= most;
+}
+
+/// One from beginning to end, unlike the plan's, which may change from subpass to subpass.
+vk::ImageLayout DynamicRendering::layoutOf(std::uint32_t a) const {
+    bool read = false;
+    for (const graph::Subpass& subpass : plan_.subpasses) {
+        graph::Verb verb{};
+        if (!graph::attachmentVerb(subpass, a, verb)) continue;
+        if (verb == graph::Verb::ordered) return vk::ImageLayout::eGeneral;
+        read = read || verb == graph::Verb::input;
+    }
+    if (read) return kInputLayout;
+    return static_cast<std::int32_t>(a) == depth_ ? vk::ImageLayout::eDepthStencilAttachmentOptimal
+                                                  : vk::ImageLayout::eColorAttachmentOptimal;
+}
+
+/// What a VkRenderPass does by itself: into the layouts that it works in, behind what came before, and out of them. The
+/// plan's own barriers go on from the stages of the attachments.
+void DynamicRendering::transition(bool entering) const {
+    std::vector<vk::ImageMemoryBarrier> barriers;
+    vk::PipelineStageFlags own, earlier;
+    if (entering) earlier = vk::PipelineStageFlags(before(plan_).stages);
+    for (std::uint32_t a = 0; a < plan_.attachments.size(); ++a) {
+        const graph::Attachment& attachment = plan_.attachments[a];
+        const auto planned = static_cast<vk::ImageLayout>(entering ? attachment.initialLayout : attachment.finalLayout);
+        const vk::ImageLayout inside = layoutOf(a);
+        if (planned == inside) continue;
+        const graph::State work = workOn(attachment.format);
+        own |= vk::PipelineStageFlags(work.stages);
+        // What comes with contents has been made available by the plan's barrier for it.
+        vk::AccessFlags from;
+        if (!entering) from = vk::AccessFlags(work.access);
+        if (entering && planned == vk::ImageLayout::eUndefined) from = vk::AccessFlags(before(plan_).access);
+        const auto aspect =
+            static_cast<std::int32_t>(a) == depth_ ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
+        barriers.emplace_back(from, vk::AccessFlags(work.access), entering ? planned : inside,
+                              entering ? inside : planned, VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
+                              images_[attachment.image].handle,
+                              vk::ImageSubresourceRange(aspect, 0, 1, 0, plan_.layers));
+    }
+    if (!barriers.empty()) commands_.pipelineBarrier(own | earlier, own, {}, {}, {}, barriers);
+}
+
+void DynamicRendering::begin() const {
+    transition(true);
+    const auto infoOf = [&](std::uint32_t a) {
+        const graph::Attachment& attachment = plan_.attachments[a];
+        VkRenderingAttachmentInfo info{};
+        info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+        info.imageView = images_[attachment.image].view;
+        info.imageLayout = static_cast<VkImageLayout>(layoutOf(a));
+        info.loadOp = loadOp(attachment.load);
+        info.storeOp = storeOp(attachment.store);
+        if (graph::isDepthFormat(attachment.format))
+            info.clearValue.depthStencil = {attachment.clear.value[0], 0};
+        else
+            std::copy(attachment.clear.value.begin(), attachment.clear.value.end(), info.clearValue.color.float32);
+        return info;
+    };
+    std::vector<VkRenderingAttachmentInfo> colors;
+    for (const std::uint32_t a : colors_) colors.push_back(infoOf(a));
+    VkRenderingInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
+    info.renderArea.extent = {plan_.extent.width, plan_.extent.height};
+    info.layerCount = plan_.layers;
+    info.colorAttachmentCount = static_cast<std::uint32_t>(colors.size());
+    info.pColorAttachments = colors.data();
+    VkRenderingAttachmentInfo depth{};
+    if (depth_ >= 0) depth = infoOf(static_cast<std::uint32_t>(depth_)), info.pDepthAttachment = &depth;
+    commands_.getDispatcher()->vkCmdBeginRenderingKHR(*commands_, &info);
+}
+
+RenderingFormats DynamicRendering::formatsOf(std::uint32_t s) const {
+    const graph::Subpass& subpass = plan_.subpasses[s];
+    const auto placeOf = [](const std::vector<std::uint32_t>& list, std::uint32_t a) {
+        const auto it = std::find(list.begin(), list.end(), a);
+        return it == list.end() ? kNone : static_cast<std::uint32_t>(it - list.begin());
+    };
+    RenderingFormats formats;
+    formats.colorCount = static_cast<std::uint32_t>(colors_.size());
+    for (std::size_t i = 0; i < colors_.size(); ++i) {
+        formats.colors[i] = plan_.attachments[colors_[i]].format;
+        formats.locations[i] = placeOf(subpass.colors, colors_[i]);
+        formats.inputs[i] = placeOf(subpass.inputs, colors_[i]);
+    }
+    if (depth_ >= 0) formats.depth = plan_.attachments[static_cast<std::size_t>(depth_)].format;
+    return formats;
+}
+
+RenderingFormats DynamicRendering::beginSubpass(std::uint32_t s) const {
+    for (const graph::Dependency& d : plan_.dependencies) {
+        if (d.to != s || d.from == VK_SUBPASS_EXTERNAL || d.from == s) continue;
+        commands_.pipelineBarrier(
+            vk::PipelineStageFlags(d.fromStages), vk::PipelineStageFlags(d.toStages), vk::DependencyFlagBits::eByRegion,
+            vk::MemoryBarrier(vk::AccessFlags(d.fromAccess), vk::AccessFlags(d.toAccess)), {}, {});
+    }
+    const RenderingFormats formats = formatsOf(s);
+    const RenderingChain chain(formats);
+    device_.localReadCalls().setLocations(*commands_, &chain.locations());
+    device_.localReadCalls().setInputs(*commands_, &chain.inputs());
+    return formats;
+}
+
+void DynamicRendering::end() const {
+    commands_.getDispatcher()->vkCmdEndRenderingKHR(*commands_);
+    transition(false);
+}
+
+RenderingChain::RenderingChain(const RenderingFormats& formats)
+    : formats_(formats),
+      inputs_{VK_STRUCTURE_TYPE_RENDERING_INPUT_ATTACHMENT_INDEX_INFO_KHR,
+              nullptr,
+              formats.colorCount,
+              formats_.inputs.data(),
+              nullptr,
+              nullptr},
+      locations_{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_LOCATION_INFO_KHR, &inputs_, formats.colorCount,
+                 formats_.locations.data()},
+      info_{VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
+            &locations_,
+            0,
+            formats.colorCount,
+            formats_.colors.data(),
+            formats.depth,
+            VK_FORMAT_UNDEFINED} {}
+
+}  // namespace nacre::gpu

@@ -1,0 +1,69 @@
+// The renderer's own frames, carried out by dynamic rendering with local reads: bit for bit what render passes give.
+
+#include <gtest/gtest.h>
+
+#include "engine/devices.h"
+#include "tests/renderer/scenes.h"
+#include "tests/support/newer_lavapipe.h"
+
+namespace nacre::test {
+namespace {
+
+struct Drawn {
+    std::vector<float> rgba, z, occlusion;
+    std::vector<std::uint32_t> id;
+    std::uint32_t picked = 0;
+    bool dynamic = false;
+    friend bool operator==(const Drawn&, const Drawn&) = default;
+};
+
+Drawn drawn(Visibility path, OcclusionMaps maps) {
+    DeviceOptions options;
+    options.visibility = path;
+    Renderer renderer(options);
+    const Representation r = scene("sample:glucose", Style::ballAndStick);
+    renderer.setScene(r);
+    RenderSettings s = settings(r, 80, Projection::perspective);
+    s.supersample = 1;
+    s.occlusion.directions = 4;
+    s.occlusion.maps = maps;
+    Drawn d;
+    d.rgba = renderer.render(s).rgba;
+    const LayerPicture layers = renderer.layers(s);
+    d.z = layers.z, d.occlusion = layers.occlusion, d.id = layers.id;
+    d.picked = renderer.atomAt(s, 40, 40, 3);
+    d.dynamic = renderer.stats().device.localRead;
+    return d;
+}
+
+TEST(NewerDriver, DrawsTheSameBitsByDynamicRenderingOnEveryPath) {
+    if (!NewerLavapipe::there()) GTEST_SKIP() << NewerLavapipe::kAbsent;
+    const NewerLavapipe newer;
+    for (const Visibility path :
+         {Visibility::encoded, Visibility::fragdepth, Visibility::deferred, Visibility::rasterOrder}) {
+        const OcclusionMaps maps = path == Visibility::encoded ? OcclusionMaps::encoded : OcclusionMaps::fragdepth;
+        Drawn now = drawn(path, maps);
+        ASSERT_TRUE(now.dynamic);
+        const RenderPassesOfOld old;
+        const Drawn before = drawn(path, maps);
+        ASSERT_FALSE(before.dynamic);
+        now.dynamic = false;
+        EXPECT_TRUE(now == before) << visibilityName(path);
+        EXPECT_TRUE(std::any_of(now.id.begin(), now.id.end(), [](std::uint32_t id) { return id > 0; }));
+    }
+}
+
+// A driver that lacks it is drawn with as ever.
+TEST(NewerDriver, IsAskedForWhatItHasAlone) {
+    for (const DeviceInfo& device : listDevices()) EXPECT_FALSE(device.localRead) << device.name;
+    if (!NewerLavapipe::there()) GTEST_SKIP() << NewerLavapipe::kAbsent;
+    const NewerLavapipe newer;
+    const std::vector<DeviceInfo> devices = listDevices();
+    ASSERT_EQ(devices.size(), 1u);
+    EXPECT_TRUE(devices[0].localRead);
+    const RenderPassesOfOld old;
+    EXPECT_FALSE(listDevices()[0].localRead);
+}
+
+}  // namespace
+}  // namespace nacre::test
