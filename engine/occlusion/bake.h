@@ -6,36 +6,15 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <vector>
 
 #include "engine/gpu/execute.h"
 #include "engine/gpu/resources.h"
-#include "engine/occlusion/copies.h"
+#include "engine/occlusion/bake_preparation.h"
 #include "engine/occlusion/depth_maps.h"
 #include "engine/occlusion/finished_occlusion.h"
-#include "engine/occlusion/open_texels.h"
 
 namespace nacre::occlusion {
-
-struct BakeOptions {
-    int directions = 128;
-    std::uint64_t budgetBytes = 64ull << 20;  ///< device memory of everything that the bake holds
-    OcclusionMaps path = OcclusionMaps::encoded;
-    std::uint32_t detail = 32;  ///< texels across a sphere's patch, at most
-};
-
-/// What a bake needs to know before it starts, and what takes the host its time.
-struct BakePreparation {
-    OcclusionLayout layout;
-    OpenTexels open;
-    OcclusionCopies copies;
-};
-
-/// For any thread. @param stop  what is prepared is of no use once it is asked for: returns early, with anything
-/// @throws Error if even one value a sphere does not fit the budget
-BakePreparation prepareBake(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
-                            const std::stop_token& stop = {});
 
 /// What one submission takes on at most. A unit is a texel that is asked about a direction.
 struct Allowance {
@@ -104,6 +83,11 @@ public:
     const std::vector<bool>& seenSpheres() const { return seenSpheres_; }
 
 private:
+    /// Directions of one group of copies; a multiple of the floor's uniform buffer offset alignment, 256.
+    static constexpr vk::DeviceSize kGroupBytes = sizeof(layout::Direction) * DepthMaps::kMostPerBatch;
+    static constexpr graph::State kComputeBuffer{
+        VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT, {}};
+
     /// Directions that are under way, and how far they are.
     struct Work {
         std::uint32_t model = 0;

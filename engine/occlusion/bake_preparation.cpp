@@ -1,0 +1,72 @@
+#include "engine/occlusion/bake_preparation.h"
+
+#include <algorithm>
+
+#include "engine/error.h"
+#include "engine/occlusion/depth_maps.h"
+#include "engine/occlusion/primitive_tree.h"
+
+namespace nacre::occlusion {
+namespace {
+
+constexpr std::uint64_t kBytesPerTexel = 2;     // of the atlas: the texel, and the byte that is copied into it
+constexpr std::uint64_t kBytesPerOpen = 4 + 8;  // list entry, sums
+
+/// Texels that a bake takes on, whatever the memory: its time goes with them. With few directions their noise outweighs
+/// what finer patches bring.
+std::uint64_t mostTexels(std::uint64_t primitives, int directions) {
+    const double share = std::clamp(directions / 128.0, 0.5, 4.0);
+    return static_cast<std::uint64_t>(share * (700'000.0 + 40.0 * static_cast<double>(primitives)));
+}
+
+/// The finest patches of which everything fits.
+BakePreparation prepared(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
+                         std::uint64_t mapBytes, const std::stop_token& stop) {
+    const std::uint64_t budgetBytes = options.budgetBytes - std::min(mapBytes, options.budgetBytes);
+    const std::size_t spheres = representation.spheres.size(), cylinders = representation.cylinders.size();
+    const PrimitiveTree tree(representation);
+    BakePreparation result;
+    std::uint64_t least = 0;
+    const std::size_t vertices = representation.meshVertices.size();
+    for (const OcclusionLayout& layout : occlusionLayouts(spheres, cylinders, vertices, caps.maxImageSize)) {
+        if (stop.stop_requested()) return result;
+        if (layout.sphereEdge > options.detail) continue;
+        // Guessed from a sample first: looking at every texel takes its time.
+        least = bakeBytes(layout, 0, 0);
+        if (least > budgetBytes) continue;
+        const double share = openShare(layout, representation, tree);
+        const auto guess = static_cast<std::uint64_t>(share * static_cast<double>(layout.patchTexels()));
+        least = bakeBytes(layout, guess + 2 * vertices, (guess + 2 * vertices) / 4);
+        if (least > budgetBytes ||
+            (layout.sphereEdge > 1 && guess > mostTexels(spheres + cylinders, options.directions)))
+            continue;
+        result.open = openTexels(layout, representation, tree, stop);
+        least = bakeBytes(layout, result.open.texels.size(), result.open.words.size());
+        if (least > budgetBytes) continue;
+        result.layout = layout;
+        return result;
+    }
+    throw Error("not enough memory for ambient occlusion", "",
+                std::to_string(spheres + cylinders) + " primitives need " + std::to_string((least >> 20) + 1) +
+                    " MB beside " + std::to_string(mapBytes >> 20) + " MB of depth maps, and " +
+                    std::to_string(budgetBytes >> 20) + " MB are left of the budget (raise --occlusion-memory, or " +
+                    "render with --occlusion off)");
+}
+
+}  // namespace
+
+std::uint64_t bakeBytes(const OcclusionLayout& layout, std::uint64_t openTexels, std::uint64_t words) {
+    return std::uint64_t{layout.width} * layout.height * kBytesPerTexel + openTexels * kBytesPerOpen +
+           words * sizeof(AtlasWord);
+}
+
+BakePreparation prepareBake(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
+                            const std::stop_token& stop) {
+    const std::uint64_t maps =
+        DepthMapSizes(caps, representation, options.path, options.budgetBytes / 2, options.detail).bytes;
+    BakePreparation result = prepared(caps, representation, options, maps, stop);
+    if (!stop.stop_requested()) result.copies = occlusionCopies(representation, result.layout, result.open.texels);
+    return result;
+}
+
+}  // namespace nacre::occlusion

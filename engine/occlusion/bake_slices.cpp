@@ -1,0 +1,119 @@
+// How a bake is cut into submissions: whole directions, or parts of one.
+#include <algorithm>
+
+#include "engine/occlusion/bake.h"
+
+namespace nacre::occlusion {
+namespace {
+
+// A primitive on a map, in units: some forty vertices and as many fragments, against a texture read and its arithmetic.
+constexpr double kUnitsOfInstance = 20;
+// Parts of a direction are no smaller: a submission costs time of its own.
+constexpr std::uint64_t kLeastInstances = 256;
+constexpr std::size_t kLeastTexels = 8192;
+// So many directions tell which texels lie so deep that no light will come to matter: they stay dark, unasked.
+constexpr int kTellsDeepTexels = 32;
+
+std::uint32_t batchFor(std::uint32_t directions) { return directions > 4 ? 16 : directions > 1 ? 4 : 1; }
+
+}  // namespace
+
+void Bake::step(gpu::Executor& executor, std::uint32_t most) {
+    do {
+        graph::Graph g("occlusion");
+        gpu::Imports imports;
+        if (declareSlice(g, imports, {most}) == 0) return;
+        executor.run(g, imports);
+        sliceDone();
+    } while (work_);
+}
+
+/// Directions that nobody has begun. None are left: of none.
+Bake::Work Bake::nextWork(const Allowance& allowance) const {
+    const auto behind = std::min_element(doneOf_.begin(), doneOf_.end());
+    Work work;
+    work.model = static_cast<std::uint32_t>(behind - doneOf_.begin());
+    work.first = *behind;
+    work.instances = maps_.instances(work.model);
+    work.texels = texelsOf(work.model);
+    const double each = static_cast<double>(work.instances) * kUnitsOfInstance + static_cast<double>(work.texels);
+    const std::uint32_t left = static_cast<std::uint32_t>(directions()) - static_cast<std::uint32_t>(work.first);
+    const double fit = std::clamp(allowance.units / std::max(each, 1.0), 1.0, double{DepthMaps::kMostPerBatch});
+    work.count = std::min({left, allowance.directions, maps_.perBatch(), static_cast<std::uint32_t>(fit)});
+    // The next smaller size of a batch whose maps are drawn at once.
+    while (work.count > 1 && work.count * work.instances > maps_.mostInstances()) work.count = work.count > 4 ? 4 : 1;
+    // However the directions are dealt out: deep texels are dropped after the same one, and the sums come out the same.
+    if (work.first < kTellsDeepTexels)
+        work.count = std::min(work.count, static_cast<std::uint32_t>(kTellsDeepTexels - work.first));
+    return work;
+}
+
+double Bake::declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowance& allowance) {
+    if (!work_) {
+        const Work next = nextWork(allowance);
+        if (next.count == 0) return 0;
+        work_ = next;
+        writeDirections(std::span(directions_.data() + next.first, next.count), next.first);
+    }
+    Work& w = *work_;
+    const std::uint32_t batch = batchFor(w.count);
+    const std::span<const glm::dmat3> frames(directions_.data() + w.first, w.count);
+    const auto sums = g.importBuffer("occlusion sums", sums_.size, kComputeBuffer);
+    imports.bind(sums, sums_);
+    const auto accumulate = [&](const DrawnMaps& drawn) {
+        graph::PassBuilder pass = g.compute("occlusion accumulation");
+        if (drawn.image) pass.samples(*drawn.image);
+        if (drawn.heights) pass.reads(*drawn.heights);
+        pass.writes(sums).record([=, this, maps = drawn.image, model = w.model, first = w.asked, end = w.askedThen](
+                                     gpu::PassContext& c) { recordAccumulation(c, maps, batch, model, first, end); });
+        g.output(sums);  // the host drops deep texels by them
+    };
+    const double drawing = static_cast<double>(w.instances) * kUnitsOfInstance;
+    const double whole = w.count * (drawing + static_cast<double>(w.texels));
+    if (w.drawn == 0 && (w.count > 1 || (whole <= allowance.units && w.instances <= maps_.mostInstances()))) {
+        w.drawnThen = w.instances;
+        w.askedThen = w.texels;
+        accumulate(maps_.declare(g, imports, frames, batch, w.model));
+        return std::max(whole, 1.0);
+    }
+    // Parts of one direction: first all primitives are drawn, then all texels asked.
+    if (w.drawn < w.instances) {
+        const auto most = static_cast<std::uint64_t>(
+            std::min(allowance.units / kUnitsOfInstance, static_cast<double>(maps_.mostInstances())));
+        w.drawnThen = std::min(w.drawn + std::max(most, std::min(kLeastInstances, maps_.mostInstances())), w.instances);
+        w.askedThen = 0;
+        maps_.declarePart(g, imports, frames, w.model, w.drawn, w.drawnThen);
+        return static_cast<double>(w.drawnThen - w.drawn) * kUnitsOfInstance;
+    }
+    w.askedThen =
+        std::min(w.asked + std::max(static_cast<std::size_t>(std::min(allowance.units, 1e15)), kLeastTexels), w.texels);
+    accumulate(maps_.drawnParts(g, imports));
+    return static_cast<double>(std::max<std::size_t>(w.askedThen - w.asked, 1));
+}
+
+double Bake::leastUnits() const {
+    if (complete()) return 0;
+    const Work w = work_ ? *work_ : nextWork({1});
+    const double draw = static_cast<double>(std::min(kLeastInstances, w.instances - w.drawn)) * kUnitsOfInstance;
+    return draw > 0 ? draw : static_cast<double>(std::min(kLeastTexels, w.texels - w.asked));
+}
+
+void Bake::sliceDone() {
+    work_->drawn = work_->drawnThen;
+    work_->asked = work_->askedThen;
+    if (work_->drawn < work_->instances || work_->asked < work_->texels) return;
+    const Work w = *work_;
+    work_.reset();
+    asked_ += std::uint64_t{w.count} * w.texels;
+    doneOf_[w.model] += static_cast<int>(w.count);
+    if (w.first < kTellsDeepTexels && directionsDone() == kTellsDeepTexels) dropDeepTexels();
+}
+
+void Bake::finish(gpu::Executor& executor) {
+    graph::Graph g("occlusion finish");
+    gpu::Imports imports;
+    declareFinish(g, imports);
+    executor.run(g, imports);
+}
+
+}  // namespace nacre::occlusion
