@@ -83,7 +83,7 @@ void Device::createDevice(const DeviceOptions& options) {
     vk::PhysicalDeviceDynamicRenderingFeatures dynamic(true);
     VkPhysicalDeviceDynamicRenderingLocalReadFeaturesKHR localRead{
         VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_LOCAL_READ_FEATURES_KHR, nullptr, true};
-    const bool readsHere = readsLocally(physical_);
+    const bool readsHere = readsLocally(physical_, options.validate);
     if (readsHere) {
         add(dynamic, VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME);
         add(localRead, VK_KHR_DYNAMIC_RENDERING_LOCAL_READ_EXTENSION_NAME);

@@ -26,7 +26,8 @@ struct RenderingFormats {
 };
 
 /// Whether a driver can render dynamically with local reads, and is trusted to: not Arm's before r52, nor Samsung's.
-bool readsLocally(const vk::raii::PhysicalDevice& device);
+/// @param validate  the validation layer is there: one that is older than the extension calls every use of it an error
+bool readsLocally(const vk::raii::PhysicalDevice& device, bool validate);
 /// @param device  made with what readsLocally() asks for
 LocalReadCalls localReadCallsOf(const vk::raii::Device& device);
 
