@@ -21,9 +21,21 @@ struct Light {
 struct Contours {
     double width = 0;    ///< pixels of the picture; 0: none
     double depth = 1.5;  ///< Å by which depth jumps at a line
-    int weights = 1;     ///< 3: a third of the width at `depth`, two thirds at 3 times as much, all of it at 9 times
+    /// 3: all of the width between chains, between copies and about all of it, two thirds between residues of a chain
+    /// that are far apart in it, a third where depth jumps within a group.
+    int weights = 1;
     std::array<float, 3> color{0, 0, 0};  ///< sRGB-coded
     friend bool operator==(const Contours&, const Contours&) = default;
+};
+
+/// Soft rims about whatever stands in front of something, the denser, the farther that lies behind (after QuteMol:
+/// Tarini, Cignoni, Montani 2006).
+struct Halos {
+    double width = 0;                     ///< pixels of the picture; 0: none
+    double depth = 12;                    ///< Å behind a primitive at which its halo is densest
+    double strength = 0.6;                ///< share of its colour there, 0..1
+    std::array<float, 3> color{0, 0, 0};  ///< sRGB-coded
+    friend bool operator==(const Halos&, const Halos&) = default;
 };
 
 /// The scene fades into the background with depth.
@@ -54,10 +66,15 @@ struct Shadow {
 struct Effects {
     Light light;
     Contours contours;
+    Halos halos;
     Fog fog;
     Shadow shadow;
     Clip clip;
     friend bool operator==(const Effects&, const Effects&) = default;
+
+    /// Lines and halos that depend on what stands behind.
+    bool linesByGroups() const { return contours.width > 0 && contours.weights == 3; }
+    bool rims() const { return linesByGroups() || halos.width > 0; }
 };
 
 }  // namespace nacre

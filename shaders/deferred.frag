@@ -3,6 +3,7 @@
 // primitive that owns it, by the same arithmetic that the geometry pass used.
 //   INPUT / SAMPLED      where the primitive's number is
 //   SURFACE / IDENTITY   layers instead of colour
+//   RIMS                 lines and halos are known, and laid over
 #extension GL_GOOGLE_include_directive : require
 #define COPY_OF_PIXEL
 #include "common/surface.glsl"
@@ -23,7 +24,14 @@ layout(set = 0, binding = 6, std430) readonly buffer CopyRows { vec4 copyRows[];
 
 void main() {
     uint number = primitiveHere();
+#ifdef RIMS
+    if (number == 0u) {
+        writeRimmed(vec4(0.0));
+        return;
+    }
+#else
     if (number == 0u) discard;
+#endif
     countFragment();
     uint primitives = view.primitives;
     uint copy = (number - 1u) / primitives;

@@ -53,10 +53,10 @@ const uint kCutFace = 0x20000000u;
 const uint kThirdCorner = 0x10000000u;
 const uint kNumber = 0x0fffffffu;
 uint sightOf(Hit hit, uint number) {
-    return number | (hit.along >= 0.5 || hit.corner == 1u ? kSecondHalf : 0u) | (hit.corner == 2u ? kThirdCorner : 0u) | (kContours > 0 && hit.contour ? kContour : 0u) |
+    return number | (hit.along >= 0.5 || hit.corner == 1u ? kSecondHalf : 0u) | (hit.corner == 2u ? kThirdCorner : 0u) | (kContours && hit.contour ? kContour : 0u) |
            (kClip && hit.cap ? kCutFace : 0u);
 }
-const bool kPlain = !kClip && kContours == 0;
+const bool kPlain = !kClip && !kContours;
 
 /// Where a tile's numbers stand. The table has a rim of bins without any.
 uint slotOf(ivec2 tile) {

@@ -85,7 +85,7 @@ void main() {
     vec2 q = drawn ? moved(before, at, behind, turn, -margin) : a.xy;
     gl_Position = clipPosition(q, encodedDepth(Z + 1e-4 * (Z - view.depthStart)) + 1e-6);
 #else
-    margin += view.contourWidth * float(kContours > 0);
+    margin += view.contourWidth * float(kContours);
     vec2 q = moved(before, at, behind, turn, margin);
     if (inner < 1e-2 * around) {
         // A splinter: the corners moved out would lie far off. Half of a box twice as large holds all of it.

@@ -72,6 +72,8 @@ void addPlan(CommandSpec& command, PlanOptions& options) {
                  options.edges = parseChoice(text, {"auto", "1"}) == 0;
              });
     addOnOff(command, "--merge", options.merge, "Passes as subpasses of one render pass");
+    addFlag(command, "--halos", options.rims,
+            "With lines by groups and halos, as `nacre render --halos` and `--contour-weights 3` draw them");
     addFlag(command, "--shadow", options.shadow,
             "With the map of what the light sees, as `nacre render --shadow` draws it");
     const auto format = [&](PlanFormat value) { return [&, value](const std::string&) { options.format = value; }; };

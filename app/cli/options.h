@@ -43,8 +43,8 @@ struct RenderOptions {
     Size size;
     std::optional<Length> width, height;  ///< prevail over `size`, which says how they relate if only one is there
     std::optional<double> dpi;            ///< dots an inch
-    std::optional<double> contourPoints, textPoints;  ///< 72 an inch; prevail over pixels
-    int bits = 8;                                     ///< of a channel of the file
+    std::optional<double> contourPoints, haloPoints, textPoints;  ///< 72 an inch; prevail over pixels
+    int bits = 8;                                                 ///< of a channel of the file
     std::uint32_t supersample = RenderSettings::kEdges;
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha
     bool lighting = true;
@@ -137,6 +137,7 @@ struct PlanOptions {
     bool edges = false;  ///< as a picture's are drawn
     bool merge = true;
     bool shadow = false;
+    bool rims = false;  ///< lines by groups, halos
     PlanFormat format = PlanFormat::text;
 };
 

@@ -48,6 +48,7 @@ void takePaper(RenderOptions& options) {
     if (options.height && !options.width) size.width = sideOf("--height", height / shape);
     constexpr double kPointsOfInch = 72;
     if (options.contourPoints) options.effects.contours.width = *options.contourPoints * dpi / kPointsOfInch;
+    if (options.haloPoints) options.effects.halos.width = *options.haloPoints * dpi / kPointsOfInch;
     if (options.textPoints) options.words.size = *options.textPoints * dpi / kPointsOfInch;
 }
 

@@ -61,6 +61,7 @@ void addShading(CommandSpec& command, RenderOptions& options) {
                      option.set(text, options.effects);
                      if (option.name == std::string_view("clip")) options.aim.mayClip = false;
                      if (option.name == std::string_view("contours")) options.contourPoints = pointsOf(text);
+                     if (option.name == std::string_view("halos")) options.haloPoints = pointsOf(text);
                  });
     addValue(command, "--slab", "A", "none", "Cuts away what is farther than half of this from the plane of the centre",
              [&](const std::string& text) {

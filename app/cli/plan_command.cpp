@@ -73,8 +73,13 @@ PlanReport planReport(const PlanOptions& options) {
         chooseByDevice(options, report);
     else
         chooseBySet(options, report);
+    if (options.rims && report.visibility != Visibility::deferred) {
+        report.visibility = Visibility::deferred;
+        report.why = "lines and halos ask which primitive a pixel shows";
+    }
     ScreenOptions screen{report.extent, report.visibility, report.encoded, {VK_FORMAT_R8_UNORM, {1024, 1024}}, {}};
     screen.targets = kScreenTargets;
+    screen.rims = options.rims;
     screen.prepass = graph::platesReject(report.visibility, report.plannedWith);
     screen.edges = options.edges && report.visibility == Visibility::tiles;
     if (options.edges && !screen.edges) report.frames = RenderSettings::kEdgeSamples;

@@ -25,7 +25,7 @@ void WindowSession::rememberFile() {
         RenderSettings settings = viewer().pictureSettings(kSize);
         settings.supersample = 2;
         settings.debug = DebugView::none;
-        settings.effects.contours.width = 0;
+        settings.effects.contours.width = settings.effects.halos.width = 0;
         const std::string name = std::filesystem::path(document->view.input).filename().string();
         recent_.add(document->view.input, name, renderer().render(settings));
     } catch (const Error&) {

@@ -23,7 +23,14 @@ void slideLines(Effects& e) {
     if (e.contours.width <= 0) return;
     slide("##contour-depth", e.contours.depth, 0.1, 20, "where depth jumps %.1f A", ImGuiSliderFlags_Logarithmic);
     bool three = e.contours.weights == 3;
-    if (ImGui::Checkbox("Three weights", &three)) e.contours.weights = three ? 3 : 1;
+    if (ImGui::Checkbox("Wider between chains and residues", &three)) e.contours.weights = three ? 3 : 1;
+}
+
+void slideHalos(Halos& halos) {
+    slide("##halos", halos.width, 0, 24, halos.width > 0 ? "halos %.1f px" : "no halos");
+    if (halos.width <= 0) return;
+    slide("##halo-strength", halos.strength, 0, 1, "halo strength %.2f");
+    slide("##halo-depth", halos.depth, 0.5, 60, "densest over %.1f A", ImGuiSliderFlags_Logarithmic);
 }
 
 /// At its lower end it is off.
@@ -63,6 +70,7 @@ void Panel::drawEffects(SavedView& look, double radius) {
         slide("##highlight", e.light.highlight, 0, 6, "highlight %.2f");
         slide("##deepening", e.light.occlusion, 0, 1, "occlusion %.2f");
         slideLines(e);
+        slideHalos(e.halos);
         slideFog(e.fog);
     }
     if (state_->ui.unfold("Cut open")) {

@@ -37,15 +37,17 @@ void setContours(std::string_view text, Effects& e) {
 }
 std::string contoursText(const Effects& e) { return e.contours.width > 0 ? numberText(e.contours.width) : "off"; }
 
-void setContourColor(std::string_view text, Effects& e) {
+void setHalos(std::string_view text, Effects& e) {
+    e.halos.width = text == "off" ? 0 : parsePixels(text, 0.1, kWidest);
+}
+std::string halosText(const Effects& e) { return e.halos.width > 0 ? numberText(e.halos.width) : "off"; }
+
+std::array<float, 3> parseOpaque(std::string_view text) {
     const auto [r, g, b, a] = parseColor(text);
     if (a < 1) throw std::invalid_argument("lines cannot be transparent: '" + std::string(text) + "'");
-    e.contours.color = {r, g, b};
+    return {r, g, b};
 }
-std::string contourColorText(const Effects& e) {
-    const auto& [r, g, b] = e.contours.color;
-    return backgroundText({r, g, b, 1});
-}
+std::string opaqueText(const std::array<float, 3>& color) { return backgroundText({color[0], color[1], color[2], 1}); }
 
 void setFog(std::string_view text, Effects& e) {
     if (text == "off" || text == "auto") {
@@ -85,12 +87,28 @@ constexpr EffectOption kOptions[] = {
      [](std::string_view text, Effects& e) { e.contours.depth = parseNumber(text, 0.01, kDeepest); },
      [](const Effects& e) { return numberText(e.contours.depth); }},
     {"contour-weights", "1|3", "1",
-     "3: a third of the width at --contour-depth, two thirds at 3 times, all at 9 times as much",
+     "3: all of the width between chains and about all of it, two thirds between residues more than\n6 apart in a "
+     "chain, a third where depth jumps within those. Drawn as --visibility deferred on every path",
      [](std::string_view text, Effects& e) {
          e.contours.weights = parseChoice(text, {"1", "3"}) == 0 ? 1 : 3;
      },
      [](const Effects& e) { return std::to_string(e.contours.weights); }},
-    {"contour-color", "COLOR", "black", "An opaque colour as for --background", setContourColor, contourColorText},
+    {"contour-color", "COLOR", "black", "An opaque colour as for --background",
+     [](std::string_view text, Effects& e) { e.contours.color = parseOpaque(text); },
+     [](const Effects& e) { return opaqueText(e.contours.color); }},
+    {"halos", "PIXELS|off", "off",
+     "Soft rims about what stands in front of something, 0.1 to 64 pixels wide, denser the farther\nthat lies behind. "
+     "Drawn as --visibility deferred on every path",
+     setHalos, halosText},
+    {"halo-depth", "A", "12", "Angstroms behind at which a halo is densest",
+     [](std::string_view text, Effects& e) { e.halos.depth = parseNumber(text, 0.01, kDeepest); },
+     [](const Effects& e) { return numberText(e.halos.depth); }},
+    {"halo-strength", "F", "0.6", "Share of a halo's colour where it is densest, 0 to 1",
+     [](std::string_view text, Effects& e) { e.halos.strength = parseNumber(text, 0, 1); },
+     [](const Effects& e) { return numberText(e.halos.strength); }},
+    {"halo-color", "COLOR", "black", "An opaque colour as for --background",
+     [](std::string_view text, Effects& e) { e.halos.color = parseOpaque(text); },
+     [](const Effects& e) { return opaqueText(e.halos.color); }},
     {"fog", "auto|START,END|off", "off",
      "Fades into the background (white, if that is transparent) between two distances\nfrom the centre, in Angstroms "
      "away from the viewer; auto: from the centre to the far end",

@@ -46,7 +46,8 @@ bool has(const graph::PassDecl& pass, Verb verb) {
 /// Whether a colour of the pass holds whole numbers: those of primitives, which the vertex stage hands on.
 bool numbers(const graph::Graph& graph, const graph::PassDecl& pass) {
     return std::any_of(pass.uses.begin(), pass.uses.end(), [&](const graph::Use& use) {
-        return use.verb == Verb::color && graph.images()[use.resource].desc.format == VK_FORMAT_R32_UINT;
+        const VkFormat format = graph.images()[use.resource].desc.format;
+        return use.verb == Verb::color && (format == VK_FORMAT_R32_UINT || format == VK_FORMAT_R32G32_UINT);
     });
 }
 
@@ -81,7 +82,7 @@ std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCount
         VertexBytes bytes;
         if (has(pass, Verb::samples))  // the occlusion atlas: it shades
             bytes = {bytes.sphere + kSphereLook, bytes.cylinder + kCylinderLook, bytes.triangle + kTriangleLook};
-        else if (numbers(graph, pass))
+        else if (numbers(graph, pass) || pass.name == kRimPass)
             bytes = {bytes.sphere + kNumber, bytes.cylinder + kNumber, bytes.triangle + kNumber};
         const std::uint64_t spheres = counts.spheres * sphere.vertices,
                             triangles = counts.triangles * triangle.vertices,

@@ -57,6 +57,9 @@ PassNotes notesOf(const graph::PassDecl& pass, bool conservative) {
     if (pass.kind == graph::PassKind::compute)
         return {DepthTiming::none, "the nearest depth of a tile's pixels stays in registers; lists go from near to far",
                 kPositions, kPositions, kPrecisionHit};
+    if (pass.name == kRimPass)
+        return {DepthTiming::early, "depth is only tested; of the rims at a pixel MAX keeps the densest", kPositions,
+                kPositions, kPrecisionHit};
     if (has(pass, Verb::depth)) {
         if (pass.name == kShadowPass)
             return {DepthTiming::conservative, kConservative, kPositions, kPositions, kPrecisionHit};

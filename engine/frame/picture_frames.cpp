@@ -168,7 +168,7 @@ Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atl
     stats_.frames = 1;
     if (!wantsEdges(settings)) return sampledPicture(settings, atlas, wanted, std::max(settings.supersample, 1u));
     stats_.samples = RenderSettings::kEdgeSamples;
-    if (!frames_.drawsEdges()) return meanOfFrames(settings, atlas, wanted);
+    if (!frames_.drawsEdges() || settings.effects.rims()) return meanOfFrames(settings, atlas, wanted);
     checkSize(wanted.view);
     const Drawn drawn = draw(settings, atlas, wanted.view, pictureTargets(settings), true, "screen", true);
     if (!drawn.edges) return meanOfFrames(settings, atlas, wanted);  // a list was too long

@@ -8,6 +8,7 @@
 #include "engine/passes/nearest_primitive.h"
 #include "engine/passes/opaque_prepass.h"
 #include "engine/passes/overdraw.h"
+#include "engine/passes/rims.h"
 #include "engine/passes/tile_edges.h"
 #include "engine/passes/tile_passes.h"
 
@@ -29,7 +30,15 @@ graph::Record Recorder::plates() const { return of(passes::drawPlates); }
 graph::Record Recorder::shadowMap() const {
     return of([](Context& c, const SceneView& scene) { passes::drawNearestDepth(c, *scene.light); });
 }
-graph::Record Recorder::nearestPrimitive() const { return of(passes::drawNearestPrimitive); }
+graph::Record Recorder::nearestPrimitive(bool distance) const {
+    return of([=](Context& c, const SceneView& scene) { passes::drawNearestPrimitive(c, scene, distance); });
+}
+graph::Record Recorder::rims(Image atlas, Image numbers) const {
+    return of([=](Context& c, const SceneView& scene) {
+        const auto from = c.inputIsSampled ? NearestFrom::texture : NearestFrom::inputAttachment;
+        passes::drawRims(c, scene, {from, c.view(atlas), c.view(numbers)});
+    });
+}
 graph::Record Recorder::overdraw() const { return of(passes::drawOverdraw); }
 
 graph::Record Recorder::encodedDepth(const graph::EncodedFormat& format) const {
@@ -75,6 +84,13 @@ graph::Record Recorder::shadedPrimitives(Output output, Image atlas, Image numbe
     return of([=](Context& c, const SceneView& scene) {
         const auto from = c.inputIsSampled ? NearestFrom::texture : NearestFrom::inputAttachment;
         passes::shadeNearestPrimitive(c, scene, output, {from, c.view(atlas), c.view(numbers)});
+    });
+}
+
+graph::Record Recorder::rimmedPrimitives(Image atlas, Image numbers, Image rims, const graph::Clear& clear) const {
+    return of([=](Context& c, const SceneView& scene) {
+        const auto from = c.inputIsSampled ? NearestFrom::texture : NearestFrom::inputAttachment;
+        passes::shadeRimmedPrimitive(c, scene, {from, c.view(atlas), c.view(numbers)}, c.view(rims), clear);
     });
 }
 

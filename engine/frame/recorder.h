@@ -26,7 +26,9 @@ public:
     graph::Record shadowMap() const;
     graph::Record encodedDepth(const graph::EncodedFormat& format) const;
     graph::Record encodedDepthInOrder(graph::Image atlas, graph::Image nearest) const;
-    graph::Record nearestPrimitive() const;
+    /// @param distance  is written, too
+    graph::Record nearestPrimitive(bool distance) const;
+    graph::Record rims(graph::Image atlas, graph::Image numbers) const;
 
     graph::Record impostorsByDepthBuffer(passes::Output output, graph::Image atlas) const;
     /// As `format` encodes it, read as an input attachment or, where it left the tile, a texture.
@@ -36,6 +38,8 @@ public:
     graph::Record impostorsAtNearestDepth(passes::Output output, graph::Image atlas, graph::Image nearest) const;
     graph::Record impostorsInOrder(passes::Output output, graph::Image atlas, graph::Image nearest) const;
     graph::Record shadedPrimitives(passes::Output output, graph::Image atlas, graph::Image numbers) const;
+    graph::Record rimmedPrimitives(graph::Image atlas, graph::Image numbers, graph::Image rims,
+                                   const graph::Clear& clear) const;
 
     graph::Record nearestByTiles() const;
     graph::Record shadedTiles(passes::Output output, graph::Image atlas) const;

@@ -6,6 +6,7 @@
 
 #include "engine/frame/picture.h"
 #include "engine/passes/view_constants.h"
+#include "engine/scene/atom_groups.h"
 
 namespace nacre {
 namespace {
@@ -26,6 +27,14 @@ void addEffects(layout::ViewConstants& c, const RenderSettings& settings, const 
     // `view` may have more pixels than the picture: as many times as wide is the line then.
     c.contourWidth = static_cast<float>(e.contours.width / settings.view.pixelsPerAngstrom);
     c.contourDepth = static_cast<float>(e.contours.depth);
+}
+
+/// `view` may have more pixels than the picture: as many times as wide are rims then.
+passes::Rims rimsOf(const RenderSettings& settings) {
+    const Effects& e = settings.effects;
+    const double perPixel = 1.0 / settings.view.pixelsPerAngstrom;
+    return {static_cast<float>(e.linesByGroups() ? e.contours.width * perPixel : 0),
+            static_cast<float>(e.halos.width * perPixel)};
 }
 
 glm::vec4 linear(float r, float g, float b, double share) {
@@ -97,7 +106,8 @@ std::uint32_t shadowPixels(const RenderSettings& settings) {
     return settings.view.radius > kLarge ? 2048 : 1024;
 }
 
-layout::EffectConstants effectConstants(const RenderSettings& settings, const std::vector<std::uint32_t>& copyColors) {
+layout::EffectConstants effectConstants(const RenderSettings& settings, const Scene& scene) {
+    const std::vector<std::uint32_t>& copyColors = scene.representation.copies.colors;
     const Effects& e = settings.effects;
     const View& view = settings.view;
     const double center = view.projection == Projection::perspective ? view.eyeDistance : view.radius;
@@ -113,11 +123,19 @@ layout::EffectConstants effectConstants(const RenderSettings& settings, const st
     constexpr double kHatchPixels = 7;
     c.hatch = static_cast<float>(kHatchPixels / view.pixelsPerAngstrom);
     static_assert(kMostCopyColors == layout::kMostCopyColors);
+    static_assert(kResidueBits == layout::kResidueBits && kGroupResidues == layout::kGroupResidues);
     for (std::size_t i = 0; i < copyColors.size(); ++i) {
         const auto channel = [&](int shift) { return static_cast<float>(copyColors[i] >> shift & 0xff) / 255.0f; };
         c.copyColors[i] = linear(channel(0), channel(8), channel(16), 1);
     }
     addShadow(c, settings);
+    const passes::Rims rims = rimsOf(settings);
+    c.firstGroup = scene.buffers.firstGroup;
+    c.halo = linear(e.halos.color[0], e.halos.color[1], e.halos.color[2], e.halos.strength);
+    c.haloWidth = rims.halo;
+    c.perHaloDepth = static_cast<float>(1.0 / e.halos.depth);
+    c.lineWidth = rims.line;
+    c.lineDepth = static_cast<float>(e.contours.depth);
     return c;
 }
 
@@ -159,12 +177,13 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     seen->lighting = settings.lighting;
     seen->occlusion = settings.occlusion.directions > 0;
     seen->effects = settings.effects;
+    seen->rims = rimsOf(settings);
     seen->copyColors = static_cast<int>(scene.representation.copies.colors.size());
     if (shadowPixels(settings) > 0) seen->light = lightScene(device, scene, settings, view);
     seen->buffers = &scene.buffers;
-    seen->copies =
-        passes::placeCopies(scene.representation, view, settings.tuning.cull ? &scene.chunks : nullptr,
-                            settings.effects.contours.width * view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom);
+    seen->copies = passes::placeCopies(scene.representation, view, settings.tuning.cull ? &scene.chunks : nullptr,
+                                       std::max(settings.effects.contours.width, settings.effects.halos.width) *
+                                           view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom);
     seen->perspective = view.projection == Projection::perspective;
     seen->quarterTurns = view.quarterTurns;
     seen->plates = settings.tuning.plates;

@@ -25,7 +25,7 @@ Scene makeScene(const gpu::Device& device, Representation representation);
 graph::Extent imageExtent(const View& view);
 
 /// What the effects of shading work with, for shaders.
-layout::EffectConstants effectConstants(const RenderSettings& settings, const std::vector<std::uint32_t>& copyColors);
+layout::EffectConstants effectConstants(const RenderSettings& settings, const Scene& scene);
 
 /// Pixels across the map of what the light sees of a scene; 0 if the settings ask for no shadows.
 std::uint32_t shadowPixels(const RenderSettings& settings);

@@ -18,7 +18,7 @@ SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, con
       copyRows_(device, vk::BufferUsageFlagBits::eStorageBuffer, "copies") {}
 
 std::shared_ptr<const gpu::Buffer> SceneFrames::effectsOf(const RenderSettings& settings) const {
-    const layout::EffectConstants wanted = effectConstants(settings, scene_.representation.copies.colors);
+    const layout::EffectConstants wanted = effectConstants(settings, scene_);
     if (effects_ && std::memcmp(&wanted, &lastEffects_, sizeof wanted) == 0) return effects_;
     lastEffects_ = wanted;
     return effects_ = effectBuffers_.upload(std::as_bytes(std::span(&wanted, 1)));
@@ -34,12 +34,14 @@ ScreenFrame SceneFrames::declare(const RenderSettings& asked, const passes::Atla
     const bool picture = targets.size() == 1 && targets[0].output == passes::Output::color;
     const bool debug = settings.debug != DebugView::none && picture;
     // What tells of a pixel's atom tells nothing of lines about it.
-    if (!picture || debug) settings.effects.contours.width = 0;
+    if (!picture || debug) settings.effects.contours.width = settings.effects.halos.width = 0;
     const bool color = std::any_of(targets.begin(), targets.end(),
                                    [](const ScreenTarget& t) { return t.output == passes::Output::color; });
     if (debug || !color) settings.effects.shadow = {};
     const Visibility usual = device_.caps().visibility;
     Visibility path = debug ? debugVisibility(settings.debug, usual) : usual;
+    const bool rims = settings.effects.rims();
+    if (rims) path = Visibility::deferred;
     const auto seen = viewScene(device_, scene_, settings, view, used);
     seen->coded = picture && targets[0].format == VK_FORMAT_R8G8B8A8_UNORM;
     seen->fragments = std::move(fragments);
@@ -64,6 +66,7 @@ ScreenFrame SceneFrames::declare(const RenderSettings& asked, const passes::Atla
     options.shadedByTiles = seen->tiles && seen->tiles->shaded;
     options.edges = seen->tiles && seen->tiles->edges.drawn;
     options.shadowPixels = shadowPixels(settings);
+    options.rims = rims;
     ScreenFrame frame =
         debug ? debugFrame(settings.debug, options, Recorder(seen)) : screenFrame(options, Recorder(seen));
     seen->shadow = frame.shadow;

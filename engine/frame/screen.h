@@ -35,6 +35,8 @@ constexpr ScreenTarget kCodedTargets[] = {
 
 /// The pass that draws what the light sees.
 constexpr const char* kShadowPass = "shadow map";
+/// The pass that draws what depends on the pixel's nearest primitive about others.
+constexpr const char* kRimPass = "lines and halos";
 
 struct ScreenOptions {
     graph::Extent extent;
@@ -46,6 +48,7 @@ struct ScreenOptions {
     const char* name = "screen";     ///< images are kept by it: frames of several sizes want several names
     bool shadedByTiles = false;      ///< `tiles`: compute shades, too; the target takes coded colour
     bool edges = false;              ///< of `tiles`: they are drawn from more samples than one
+    bool rims = false;               ///< of `deferred`: halos, or lines by groups
     std::uint32_t shadowPixels = 0;  ///< across the map of what the light sees; 0: there are no shadows
 };
 
@@ -83,7 +86,8 @@ ScreenFrame screenFrame(const ScreenOptions& options, const Recorder& recorder =
 void declareEncoded(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
 /// Opaque prepass and impostor colour in one subpass; depth is settled by gl_FragDepth.
 void declareFragdepth(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
-/// Numbers of the nearest primitives by gl_FragDepth, then every covered pixel is shaded once.
+/// Numbers of the nearest primitives by gl_FragDepth, then every covered pixel is shaded once. With rims they are drawn
+/// in between, where a pixel's nearest primitive is known and nothing has left the tile.
 void declareDeferred(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
 /// Nearest depth is read and written as an attachment in raster order: no blending, no second pass over the impostors.
 void declareRasterOrder(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);

@@ -25,11 +25,13 @@ vk::PipelineColorBlendAttachmentState blendState(Blend blend, bool written) {
     if (written)
         state.colorWriteMask = vk::ColorComponentFlagBits::eR | vk::ColorComponentFlagBits::eG |
                                vk::ColorComponentFlagBits::eB | vk::ColorComponentFlagBits::eA;
-    if (blend == Blend::minimum || blend == Blend::add) {
+    if (blend == Blend::minimum || blend == Blend::maximum || blend == Blend::add) {
         state.blendEnable = true;
         state.srcColorBlendFactor = state.dstColorBlendFactor = vk::BlendFactor::eOne;
         state.srcAlphaBlendFactor = state.dstAlphaBlendFactor = vk::BlendFactor::eOne;
-        state.colorBlendOp = state.alphaBlendOp = blend == Blend::add ? vk::BlendOp::eAdd : vk::BlendOp::eMin;
+        state.colorBlendOp = state.alphaBlendOp = blend == Blend::add       ? vk::BlendOp::eAdd
+                                                  : blend == Blend::maximum ? vk::BlendOp::eMax
+                                                                            : vk::BlendOp::eMin;
     }
     if (blend == Blend::over) {
         state.blendEnable = true;

@@ -40,6 +40,7 @@ enum class DepthUse : std::uint8_t { none, test, write };
 enum class Blend : std::uint8_t {
     replace,
     minimum,
+    maximum,
     add,
     over,  ///< straight alpha, over an opaque picture
 };

@@ -13,6 +13,11 @@ constexpr Type kSampled = Type::eCombinedImageSampler, kStorage = Type::eStorage
 constexpr Type kInput[] = {kSampled, Type::eUniformBuffer, kSampled, Type::eInputAttachment, kStorage, kStorage,
                            kStorage};
 constexpr Type kTexture[] = {kSampled, Type::eUniformBuffer, kSampled, kSampled, kStorage, kStorage, kStorage};
+// And what is about primitives.
+constexpr Type kRimmedInput[] = {kSampled, Type::eUniformBuffer,  kSampled, Type::eInputAttachment, kStorage, kStorage,
+                                 kStorage, Type::eInputAttachment};
+constexpr Type kRimmedTexture[] = {kSampled, Type::eUniformBuffer, kSampled, kSampled, kStorage, kStorage, kStorage,
+                                   kSampled};
 
 Stage shaderOf(Output output, bool texture) {
     switch (output) {
@@ -28,7 +33,9 @@ Stage shaderOf(Output output, bool texture) {
     }
 }
 
-void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout, const Reads& reads) {
+/// @param rims  null: they are not read
+void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout, const Reads& reads,
+               vk::ImageView rims) {
     const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
     constexpr auto kRead = vk::ImageLayout::eShaderReadOnlyOptimal;
     const bool texture = reads.from == NearestFrom::texture;
@@ -38,6 +45,7 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
     const vk::DescriptorBufferInfo shapes(*view.buffers->shapes.handle, 0, VK_WHOLE_SIZE),
         looks(*view.buffers->looks.handle, 0, VK_WHOLE_SIZE), rows(*view.copyRows->handle, 0, VK_WHOLE_SIZE),
         effects(*view.effectConstants->handle, 0, VK_WHOLE_SIZE);
+    const vk::DescriptorImageInfo about(numbers.sampler, rims, kRead);
     const vk::DescriptorImageInfo shadow = shadowOf(context, view, reads.atlas);
     const vk::WriteDescriptorSet writes[] = {
         {set, 0, 0, Type::eCombinedImageSampler, atlas},
@@ -46,9 +54,21 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
         {set, 3, 0, texture ? Type::eCombinedImageSampler : Type::eInputAttachment, numbers},
         {set, 4, 0, Type::eStorageBuffer, {}, shapes},
         {set, 5, 0, Type::eStorageBuffer, {}, looks},
-        {set, 6, 0, Type::eStorageBuffer, {}, rows}};
-    context.device->updateDescriptorSets(writes, {});
+        {set, 6, 0, Type::eStorageBuffer, {}, rows},
+        {set, 7, 0, texture ? Type::eCombinedImageSampler : Type::eInputAttachment, about}};
+    context.device->updateDescriptorSets(vk::ArrayProxy<const vk::WriteDescriptorSet>(rims ? 8 : 7, writes), {});
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, set, {});
+}
+
+void shade(gpu::PassContext& context, const SceneView& view, const gpu::LayoutDescription& described,
+           FullScreenPass pass, const Reads& reads, vk::ImageView rims) {
+    const gpu::Layout& layout = context.pipelines.layout(described);
+    setGeometryConstants(pass.constants, view);
+    setShadingConstants(pass.constants, view);
+    bindFullScreen(context, pass, layout);
+    bindReads(context, view, layout, reads, rims);
+    bindCounter(context, view, layout);
+    drawFullScreen(context, layout, kStages, view.constants);
 }
 
 }  // namespace
@@ -56,16 +76,24 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
 void shadeNearestPrimitive(gpu::PassContext& context, const SceneView& view, Output output, const Reads& reads) {
     if (view.buffers->empty()) return;
     const bool texture = reads.from == NearestFrom::texture;
-    const gpu::Layout& layout =
-        context.pipelines.layout({"deferred shading layout", texture ? kTexture : kInput, kStages,
-                                  sizeof(layout::ViewConstants), view.fragments != nullptr});
-    FullScreenPass pass{shaderOf(output, texture).of(view), {}, {}};
-    setGeometryConstants(pass.constants, view);
-    setShadingConstants(pass.constants, view);
-    bindFullScreen(context, pass, layout);
-    bindReads(context, view, layout, reads);
-    bindCounter(context, view, layout);
-    drawFullScreen(context, layout, kStages, view.constants);
+    shade(context, view,
+          {"deferred shading layout", texture ? kTexture : kInput, kStages, sizeof(layout::ViewConstants),
+           view.fragments != nullptr},
+          {shaderOf(output, texture).of(view), {}, {}}, reads, {});
+}
+
+void shadeRimmedPrimitive(gpu::PassContext& context, const SceneView& view, const Reads& reads, vk::ImageView rims,
+                          const graph::Clear& clear) {
+    if (view.buffers->empty()) return;
+    const bool texture = reads.from == NearestFrom::texture;
+    const Stage stage = texture ? Stage{shaders::rimmedDeferredSampled, shaders::rimmedDeferredSampledCounting}
+                                : Stage{shaders::rimmedDeferredInput, shaders::rimmedDeferredInputCounting};
+    FullScreenPass pass{stage.of(view), {}, {}};
+    for (int i = 0; i < 4; ++i) pass.constants.set(layout::kClearId + i, clear.value[static_cast<std::size_t>(i)]);
+    shade(context, view,
+          {"deferred shading layout, rims", texture ? kRimmedTexture : kRimmedInput, kStages,
+           sizeof(layout::ViewConstants), view.fragments != nullptr},
+          std::move(pass), reads, rims);
 }
 
 }  // namespace nacre::passes

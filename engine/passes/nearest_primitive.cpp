@@ -4,16 +4,23 @@
 
 namespace nacre::passes {
 
-void drawNearestPrimitive(gpu::PassContext& context, const SceneView& view) {
+void drawNearestPrimitive(gpu::PassContext& context, const SceneView& view, bool distance) {
     PrimitivePass pass;
     pass.depth = gpu::DepthUse::write;
     drawPrimitives(context, view, Primitive::sphere,
-                   {shaders::numberSphereVertex, {shaders::identifySphere, shaders::identifySphereCounting}}, pass);
+                   {shaders::numberSphereVertex,
+                    distance ? Stage{shaders::identifySphereDistance, shaders::identifySphereDistanceCounting}
+                             : Stage{shaders::identifySphere, shaders::identifySphereCounting}},
+                   pass);
     drawPrimitives(context, view, Primitive::cylinder,
-                   {shaders::numberCylinderVertex, {shaders::identifyCylinder, shaders::identifyCylinderCounting}},
+                   {shaders::numberCylinderVertex,
+                    distance ? Stage{shaders::identifyCylinderDistance, shaders::identifyCylinderDistanceCounting}
+                             : Stage{shaders::identifyCylinder, shaders::identifyCylinderCounting}},
                    pass);
     drawPrimitives(context, view, Primitive::triangle,
-                   {shaders::numberTriangleVertex, {shaders::identifyTriangle, shaders::identifyTriangleCounting}},
+                   {shaders::numberTriangleVertex,
+                    distance ? Stage{shaders::identifyTriangleDistance, shaders::identifyTriangleDistanceCounting}
+                             : Stage{shaders::identifyTriangle, shaders::identifyTriangleCounting}},
                    pass);
 }
 

@@ -5,6 +5,7 @@
 namespace nacre::passes {
 
 /// The number of every pixel's nearest primitive, counted from 1 over all copies, and its depth by gl_FragDepth.
-void drawNearestPrimitive(gpu::PassContext& context, const SceneView& view);
+/// @param distance  its Z stands beside the number
+void drawNearestPrimitive(gpu::PassContext& context, const SceneView& view, bool distance);
 
 }  // namespace nacre::passes

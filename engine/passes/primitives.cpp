@@ -60,10 +60,11 @@ std::span<const Type> triangleBindingsOf(const Reads* reads) {
 
 const gpu::Layout& layoutOf(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
                             Primitive primitive) {
-    const bool triangles = primitive == Primitive::triangle;
+    const bool streams = pass.streams || primitive == Primitive::triangle;
     return context.pipelines.layout({pass.reads ? "shading layout" : "geometry layout",
-                                     triangles ? triangleBindingsOf(pass.reads) : bindingsOf(pass.reads), kStages,
-                                     sizeof(layout::ViewConstants), view.fragments != nullptr, triangles ? 2u : 0u});
+                                     streams ? triangleBindingsOf(pass.reads) : bindingsOf(pass.reads), kStages,
+                                     sizeof(layout::ViewConstants), view.fragments != nullptr,
+                                     streams && !pass.streams ? 2u : 0u});
 }
 
 vk::Pipeline pipelineOf(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
@@ -73,7 +74,8 @@ vk::Pipeline pipelineOf(gpu::PassContext& context, const SceneView& view, const 
     d.detail = kNames[static_cast<std::size_t>(primitive)];
     d.vertex = shaders.vertex;
     d.fragment = shaders.fragment.of(view);
-    setGeometryConstants(d.constants, view);
+    setGeometryConstants(d.constants, view, pass.rim);
+    if (pass.rim > 0) d.constants.set(layout::kFogId, view.effects.fog.range != Fog::Range::off);
     if (pass.looks) setShadingConstants(d.constants, view);
     d.constants.set(layout::kDepthChannelsId, pass.encoding.channels);
     d.constants.set(layout::kDepthStepsId, pass.encoding.steps);
@@ -111,14 +113,13 @@ void writeReads(gpu::PassContext& context, const SceneView& view, vk::Descriptor
     context.device->updateDescriptorSets(vk::ArrayProxy<const vk::WriteDescriptorSet>(three ? 3 : 4, writes), {});
 }
 
-/// Set 0: what the pass reads, and the streams of triangles.
+/// Set 0: what the pass reads, and the streams where a stage fetches from them by numbers.
 void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout, const Reads* reads,
-               Primitive primitive) {
-    const bool triangles = primitive == Primitive::triangle;
-    if (!reads && !triangles) return;
+               bool streams) {
+    if (!reads && !streams) return;
     const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
-    if (reads) writeReads(context, view, set, *reads, triangles);
-    if (triangles) {
+    if (reads) writeReads(context, view, set, *reads, streams);
+    if (streams) {
         const std::uint32_t first = reads ? 4 : 0;
         const vk::DescriptorBufferInfo shapes(*view.buffers->shapes.handle, 0, VK_WHOLE_SIZE),
             looks(*view.buffers->looks.handle, 0, VK_WHOLE_SIZE);
@@ -153,13 +154,13 @@ vk::DescriptorImageInfo shadowOf(gpu::PassContext& context, const SceneView& vie
             vk::ImageLayout::eShaderReadOnlyOptimal};
 }
 
-void setGeometryConstants(gpu::Specialization& constants, const SceneView& view) {
+void setGeometryConstants(gpu::Specialization& constants, const SceneView& view, float rim) {
     constants.set(layout::kPerspectiveId, view.perspective);
     constants.set(layout::kQuarterTurnsId, view.quarterTurns);
     constants.set(layout::kWholeImageId, view.wholeImage);
     constants.set(layout::kCutId, view.cut);
     constants.set(layout::kClipId, view.effects.clip.on());
-    constants.set(layout::kContoursId, view.effects.contours.width > 0 ? view.effects.contours.weights : 0);
+    constants.set(layout::kContoursId, rim > 0 || (view.effects.contours.width > 0 && !view.effects.linesByGroups()));
 }
 
 void setShadingConstants(gpu::Specialization& constants, const SceneView& view) {
@@ -200,7 +201,7 @@ void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive 
     const gpu::Layout& layout = layoutOf(context, view, pass, primitive);
     const vk::raii::CommandBuffer& commands = context.commands;
     commands.bindPipeline(kGraphics, pipelineOf(context, view, pass, shaders, primitive, corners));
-    bindReads(context, view, layout, pass.reads, primitive);
+    bindReads(context, view, layout, pass.reads, triangle || pass.streams);
     bindCounter(context, view, layout);
     if (!triangle)
         commands.bindVertexBuffers(0, {*scene.shapes.handle, *scene.looks.handle},
@@ -211,6 +212,7 @@ void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive 
     constants.spheres = scene.sphereCount;
     constants.cylinders = scene.cylinderCount;
     constants.primitives = scene.primitives();
+    if (pass.rim > 0) constants.contourWidth = pass.rim;
     for (const PlacedCopies::Call& call : calls) {  // copies differ by their push constants alone
         const glm::vec4* rows = &view.copies.rows[3 * std::size_t{call.copy}];
         constants.row0 = rows[0], constants.row1 = rows[1], constants.row2 = rows[2];

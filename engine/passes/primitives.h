@@ -50,6 +50,8 @@ struct PrimitivePass {
     gpu::Blend blend = gpu::Blend::replace;
     std::uint32_t colorsWritten = 1;
     const Plate* plate = nullptr;  ///< drawn instead of impostors
+    bool streams = false;          ///< the fragment stage reads the streams, too
+    float rim = 0;                 ///< width of what is drawn about a primitive, Å at z = 0; 0: its contour line's
 };
 
 enum class Primitive : std::uint8_t { sphere, cylinder, triangle };
@@ -62,7 +64,8 @@ void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive 
 constexpr std::uint32_t kMostInstances = 512;
 
 /// What every stage that knows the view must know of it, and, if it shades, of light.
-void setGeometryConstants(gpu::Specialization& constants, const SceneView& view);
+/// @param rim  of PrimitivePass
+void setGeometryConstants(gpu::Specialization& constants, const SceneView& view, float rim = 0);
 void setShadingConstants(gpu::Specialization& constants, const SceneView& view);
 
 /// The shadow map, or what stands for it where there is none.

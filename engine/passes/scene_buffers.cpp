@@ -47,6 +47,19 @@ std::array<std::uint16_t, kPyramidIndices> pyramidIndices() {
     return indices;
 }
 
+/// Groups of the atoms that looks name, in the order of the looks.
+std::vector<std::uint32_t> groupsOf(const Representation& r) {
+    std::vector<std::uint32_t> groups;
+    groups.reserve(r.spheres.size() + 2 * r.cylinders.size() + r.meshLooks.size());
+    const auto add = [&](std::uint32_t atom) {
+        groups.push_back(atom <= r.atomGroups.size() ? r.atomGroups[atom - 1] : 0);
+    };
+    for (const SphereLook& look : r.sphereLooks) add(look.atom);
+    for (const CylinderLook& look : r.cylinderLooks) add(look.atomA), add(look.atomB);
+    for (const SphereLook& look : r.meshLooks) add(look.atom);
+    return groups;
+}
+
 }  // namespace
 
 SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r) {
@@ -58,7 +71,9 @@ SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r
     scene.cylinderOffset = r.spheres.size() * sizeof(Sphere);
     scene.cylinderLookOffset = r.spheres.size() * sizeof(SphereLook);
     scene.shapes = joined(device, "stream A: shapes", r.spheres, r.cylinders, placedTriangles(r), placedVertices(r));
-    scene.looks = joined(device, "stream B: looks", r.sphereLooks, r.cylinderLooks, r.meshLooks);
+    scene.looks = joined(device, "stream B: looks", r.sphereLooks, r.cylinderLooks, r.meshLooks, groupsOf(r));
+    scene.firstGroup =
+        static_cast<std::uint32_t>(2 * r.spheres.size() + 4 * r.cylinders.size() + 2 * r.meshLooks.size());
     const auto indices = pyramidIndices();
     scene.pyramid = gpu::makeBuffer(device, std::span<const std::uint16_t>(indices),
                                     vk::BufferUsageFlagBits::eIndexBuffer, "pyramid indices");

@@ -24,6 +24,11 @@ struct Atlas {
 
 struct TileFrame;
 
+/// Widths, Å at z = 0; 0: there are none.
+struct Rims {
+    float line = 0, halo = 0;
+};
+
 struct SceneView {
     const SceneBuffers* buffers = nullptr;
     layout::ViewConstants constants{};  ///< those of a copy are left 0
@@ -37,6 +42,7 @@ struct SceneView {
     bool lighting = true, occlusion = false;
     vk::BufferView occlusionCells;  ///< Atlas::cells
     Effects effects;
+    Rims rims;                           ///< lines by groups and halos
     int copyColors = 0;                  ///< that copies take in turn
     bool cut = false;                    ///< of a light's view: its planes' numbers are one plane, which cuts off
     std::shared_ptr<SceneView> light;    ///< what the shadow map shows; null: there is none

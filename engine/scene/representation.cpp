@@ -14,6 +14,7 @@
 #include "engine/molecule/element.h"
 #include "engine/molecule/kabsch_sander.h"
 #include "engine/scene/assembly_scene.h"
+#include "engine/scene/atom_groups.h"
 #include "engine/scene/bond_cylinders.h"
 #include "engine/scene/bounds.h"
 #include "engine/scene/mesh_scene.h"
@@ -296,6 +297,7 @@ Representation represent(const Molecule& molecule, std::span<const std::uint32_t
     if (assembly) assembly->finish(result);
     if (!options.modelsOcclude && !molecule.modelsAreInputs) separateModels(molecule, result);
     refuseCrowd(result);
+    result.atomGroups = atomGroups(molecule);
     result.legends = std::move(appearance.legends);
     result.warnings = std::move(appearance.warnings);
     return result;

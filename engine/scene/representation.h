@@ -51,8 +51,9 @@ struct Representation {
     std::vector<CylinderLook> cylinderLooks;  ///< same length as cylinders
     std::vector<Triangle> triangles;          ///< of cartoons and surfaces
     std::vector<MeshVertex> meshVertices;
-    std::vector<SphereLook> meshLooks;  ///< that vertices share
-    Copies copies;                      ///< of an assembly; relative to center, too
+    std::vector<SphereLook> meshLooks;      ///< that vertices share
+    std::vector<std::uint32_t> atomGroups;  ///< of the file's atoms in their order (atom_groups.h)
+    Copies copies;                          ///< of an assembly; relative to center, too
     /// Models that are drawn together and do not occlude each other, in the order of the primitives; together all of
     /// them. Empty: whatever is drawn occludes.
     std::vector<ModelRun> sphereModels, cylinderModels, triangleModels;

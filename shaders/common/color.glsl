@@ -4,25 +4,23 @@
 #ifndef NACRE_COLOR_GLSL
 #define NACRE_COLOR_GLSL
 #include "atlas.glsl"
+#include "effects.glsl"
 #include "hit.glsl"
 #include "patch.glsl"
 #include "shading.glsl"
 #include "srgb.glsl"
 #ifndef ATLAS
 #define ATLAS 0
-#define EFFECTS 1
 #endif
 #ifndef SHADOW
 #define SHADOW 2
 #endif
 
 layout(set = 0, binding = ATLAS) uniform sampler2D occlusionAtlas;
-layout(set = 0, binding = EFFECTS, std140) uniform Effects { EffectConstants effects; };
 layout(set = 0, binding = SHADOW) uniform sampler2D shadowMap;
 layout(constant_id = kOcclusionId) const bool kOcclusion = true;
 layout(constant_id = kCellsId) const bool kCells = false;
 layout(constant_id = kCapId) const int kCap = 0;
-layout(constant_id = kFogId) const bool kFog = false;
 layout(constant_id = kShadowId) const bool kShadow = false;
 // The target takes sRGB-coded colour as it is; otherwise linear light.
 layout(constant_id = kCodedId) const bool kCoded = false;
@@ -159,12 +157,8 @@ vec3 lightOf(Hit hit, uint colorBits, float occlusion, vec2 q) {
     vec3 lit = shade(linearColor(colorBits), hit.normal, kClip && !hit.cap ? opened(occlusion) : occlusion,
                      sunlight(hit, q));
     if (kClip && hit.cap) lit *= capShade(q);
-    if (kContours > 0 && hit.contour) lit = effects.contour.rgb;
-    if (kFog) {
-        float share = clamp((hit.Z - effects.fogStart) * effects.perFog, 0.0, 1.0);
-        lit = mix(lit, effects.fog.rgb, share * effects.fog.a);
-    }
-    return lit;
+    if (kContours && hit.contour) lit = effects.contour.rgb;
+    return kFog ? mix(lit, effects.fog.rgb, fogAt(hit.Z)) : lit;
 }
 vec3 asTargetTakesIt(vec3 lit) { return kCoded ? srgbFromLinear(clamp(lit, 0.0, 1.0)) : lit; }
 vec3 colorOf(Hit hit, uint colorBits, float occlusion, vec2 q) {

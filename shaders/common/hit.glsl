@@ -11,14 +11,15 @@ struct Hit {
     vec3 normal;   // view space, unit
     float along;   // cylinders: 0 at a, 1 at b
     bool cap;      // on the near clipping plane, inside of what it cuts
-    bool contour;  // beside the primitive, on the line about it
+    bool contour;  // beside the primitive, on the line about it, or in its rim
     vec3 shares;   // triangles: of the corners, together 1
     uint corner;   // triangles: the first of those that look the same and together have the largest share
     bool back;     // triangles: seen from behind
+    float away;    // in the rim: from the silhouette, a share of the rim's width
 };
 
 Hit noHit() {
-    return Hit(false, 0.0, 0.0, vec3(0.0, 0.0, 1.0), 0.0, false, false, vec3(0.0), 0u, false);
+    return Hit(false, 0.0, 0.0, vec3(0.0, 0.0, 1.0), 0.0, false, false, vec3(0.0), 0u, false, 0.0);
 }
 
 /// A hit on the skin becomes one on the cap, or none, where a plane cuts it away.
@@ -37,16 +38,15 @@ void cut(inout Hit hit, float deep) {
 }
 
 /// A pixel beside a primitive is on its contour line if it is near enough. The line stands behind the silhouette by so
-/// much that it shows where depth jumps by more, and nowhere else; of three weights, the outer ones stand farther back.
+/// much that it shows where depth jumps by more, and nowhere else. A rim (rims.frag) only tells how far out it is.
 /// @param outside  distance from the silhouette @param width  of the line there @param Z  of the silhouette
 void drawContour(inout Hit hit, float outside, float width, float Z) {
     if (hit.inside || !(outside <= width)) return;
-    precise float share = outside / width;
-    precise float jump = view.contourDepth * (kContours < 3 || share < 0.34 ? 1.0 : share < 0.67 ? 3.0 : 9.0);
     hit.inside = hit.contour = true;
     hit.Z = Z;
+    hit.away = outside / width;
     // What is clear lies at the end of the range: the line stays before it.
-    precise float behind = Z + jump;
+    precise float behind = Z + view.contourDepth;
     hit.order = min(behind, view.depthStart + 0.99999 / view.perRange);
     hit.normal = vec3(0.0, 0.0, 1.0);
 }
@@ -69,7 +69,7 @@ Hit sphereHitThrough(vec4 sphere, vec2 q) {
         precise float t = t0 - s;
         hit.Z = t * view.origin;
         hit.normal = (w - ray * s) * (1.0 / r);
-        if (kContours > 0) {
+        if (kContours) {
             outside = sqrt(dot(w, w)) - r;
             silhouetteZ = t0 * view.origin;
             scale = t0;
@@ -82,7 +82,7 @@ Hit sphereHitThrough(vec4 sphere, vec2 q) {
         precise float z = sphere.z + s;
         hit.Z = view.origin - z;
         hit.normal = vec3(w, s) * (1.0 / r);
-        if (kContours > 0) {
+        if (kContours) {
             outside = sqrt(dot(w, w)) - r;
             silhouetteZ = view.origin - sphere.z;
         }
@@ -95,7 +95,7 @@ Hit sphereHitThrough(vec4 sphere, vec2 q) {
         precise float above = view.clipNear - Z;
         precise float deep = 1.0 - (dot(p, p) + above * above) / (r * r);
         cut(hit, deep);
-        if (kContours > 0 && behind != 0.0) {  // the silhouette is the rim of the cut
+        if (kContours && behind != 0.0) {  // the silhouette is the rim of the cut
             silhouetteZ = Z + behind;
             scale = kPerspective ? silhouetteZ / view.origin : 1.0;
             precise vec2 e = q * scale - sphere.xy;
@@ -103,7 +103,7 @@ Hit sphereHitThrough(vec4 sphere, vec2 q) {
             outside = rim > 0.0 ? sqrt(dot(e, e)) - sqrt(rim) : 1e9;
         }
     }
-    if (kContours > 0) drawContour(hit, outside, view.contourWidth * scale, silhouetteZ);
+    if (kContours) drawContour(hit, outside, view.contourWidth * scale, silhouetteZ);
     return hit;
 }
 
@@ -147,7 +147,7 @@ Hit cylinderHitThrough(vec3 a, vec3 b, float r, vec2 q) {
         cut(hit, sCut >= 0.0 && sCut <= len ? deep : 0.0);
         if (hit.cap) tHit = tCut;
     }
-    if (kContours > 0) {
+    if (kContours) {
         precise float Z = kPerspective ? t0 * view.origin : view.origin + t0;
         precise float s0 = fromAxis + rayAxis * t0;
         bool along = s0 >= 0.0 && s0 <= len && A > 1e-12 * dot(ray, ray);
@@ -215,7 +215,7 @@ Hit triangleHitThrough(vec3 a, vec3 b, vec3 c, uint joins, vec2 q) {
         hit.cap = hit.inside && hit.back && view.clipNear > -1e29;
     }
     hit.order = hit.Z;
-    if (kContours > 0 && !within) {
+    if (kContours && !within) {
         vec2 ab = nearestOnEdge(pa, pb), bc = nearestOnEdge(pb, pc), ca = nearestOnEdge(pc, pa);
         bool first = ab.x <= bc.x && ab.x <= ca.x, second = !first && bc.x <= ca.x;
         float share = first ? ab.y : second ? bc.y : ca.y;

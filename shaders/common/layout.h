@@ -34,7 +34,7 @@ const int kOcclusionId = 17;     // bool: the atlas is read
 const int kWholeImageId = 18;    // bool: the viewport is the whole image, else it has the view axis in its middle
 const int kClipId = 19;          // bool: two planes cut the scene
 const int kCapId = 20;           // what a cut shows: 0 plain, 1 dark, 2 hatched
-const int kContoursId = 21;      // weights of contour lines: 0 (none), 1 or 3
+const int kContoursId = 21;      // bool: a contour line, or a rim, goes about each primitive
 const int kFogId = 22;           // bool
 const int kAmbientId = 23;       // float: shares of light, 1 as in common/shading.glsl
 const int kDirectId = 24;        // float
@@ -53,6 +53,9 @@ const int kRowsId = 66;          // bool: edges are coded words, row by row
 /// rows that errs least about the share of a pixel that lies on one side of a straight line.
 const uint kSampleRowsLow = 0x04BF851Cu;
 const uint kSampleRowsHigh = 0x92E63DA7u;
+/// Of an atom's group, the bits of its residue; the others are its chain's. So many residues apart is another group.
+const int kResidueBits = 12;
+const int kGroupResidues = 6;
 /// In place of an edge pixel's colour: it is none.
 const uint kNoEdge = 0xffffffffu;
 
@@ -114,17 +117,22 @@ struct TileConstants {
 
 /// What the effects of shading work with: a uniform buffer.
 struct EffectConstants {
-    vec4 contour;                    // linear colour
-    vec4 fog;                        // linear colour, and its share where it ends
-    float fogStart;                  // Z
-    float perFog;                    // 1 / (Å from its start to its end)
-    float hatch;                     // Å on the plane z = 0 from a stroke to the next
-    float shadow;                    // share of the light that it takes, 0..1
-    vec4 shadowU, shadowV, shadowW;  // (x, y, z, 1) of view space -> place in the light's depth map 0..1, depth there
-    float shadowSpread;              // of a shadow's soft edge, in widths of the map
-    float shadowBias;                // Å that a point is lifted from its surface
-    float shadowSlope;               // depth that a surface of slope 1 rises within the soft edge
-    float unused;
+    vec4 contour;                      // linear colour
+    vec4 fog;                          // linear colour, and its share where it ends
+    float fogStart;                    // Z
+    float perFog;                      // 1 / (Å from its start to its end)
+    float hatch;                       // Å on the plane z = 0 from a stroke to the next
+    float shadow;                      // share of the light that it takes, 0..1
+    vec4 shadowU, shadowV, shadowW;    // (x, y, z, 1) of view space -> place in the light's depth map 0..1, depth there
+    float shadowSpread;                // of a shadow's soft edge, in widths of the map
+    float shadowBias;                  // Å that a point is lifted from its surface
+    float shadowSlope;                 // depth that a surface of slope 1 rises within the soft edge
+    uint firstGroup;                   // where the groups of atoms begin in the looks
+    vec4 halo;                         // linear colour, and its share where it is densest
+    float haloWidth;                   // at z = 0
+    float perHaloDepth;                // 1 / (Å behind a primitive at which its halo is densest)
+    float lineWidth;                   // at z = 0, of lines by groups; 0: there are none
+    float lineDepth;                   // Å by which depth jumps at the thinnest of them
     vec4 copyColors[kMostCopyColors];  // linear
 };
 
@@ -180,8 +188,8 @@ static_assert(offsetof(ViewConstants, extent) == 48 && offsetof(ViewConstants, a
               offsetof(ViewConstants, clipNear) == 112);
 static_assert(sizeof(TileConstants) == 128 && offsetof(TileConstants, axisPixel) == 56 &&
               offsetof(TileConstants, atlasTexel) == 96);
-static_assert(sizeof(EffectConstants) == 112 + 16 * kMostCopyColors && offsetof(EffectConstants, fogStart) == 32 &&
-              offsetof(EffectConstants, shadowSpread) == 96);
+static_assert(sizeof(EffectConstants) == 144 + 16 * kMostCopyColors && offsetof(EffectConstants, fogStart) == 32 &&
+              offsetof(EffectConstants, shadowSpread) == 96 && offsetof(EffectConstants, halo) == 112);
 static_assert(sizeof(OcclusionConstants) == 68 && sizeof(MapConstants) == 56);
 static_assert(sizeof(Direction) == 48);
 }  // namespace nacre::layout

@@ -9,12 +9,37 @@ layout(location = 0) out uvec2 identity;  // atom, occlusion as bits
 layout(location = 0) out vec4 color;  // opaque
 #endif
 
+#ifdef RIMS
+layout(constant_id = kClearId) const float kRed = 0.0;  // what the picture is cleared to
+layout(constant_id = kClearId + 1) const float kGreen = 0.0;
+layout(constant_id = kClearId + 2) const float kBlue = 0.0;
+layout(constant_id = kClearId + 3) const float kAlpha = 0.0;
+#ifdef INPUT
+layout(input_attachment_index = 1, set = 0, binding = 7) uniform subpassInput rims;
+vec4 rimHere() { return subpassLoad(rims); }
+#else
+layout(set = 0, binding = 7) uniform sampler2D rims;
+vec4 rimHere() { return texelFetch(rims, ivec2(gl_FragCoord.xy), 0); }
+#endif
+/// Writes what is seen under its halos and lines. @param seen  linear, premultiplied
+void writeRimmed(vec4 seen) {
+    vec4 rim = rimHere();  // as rims.frag writes it
+    seen = mix(seen, vec4(effects.halo.rgb, 1.0), rim.b * effects.halo.a);
+    if (rim.g > 0.5) seen = vec4(mix(effects.fog.rgb, effects.contour.rgb, rim.r), 1.0);
+    if (seen.a == 0.0) discard;
+    seen += (1.0 - seen.a) * vec4(kRed, kGreen, kBlue, kAlpha);
+    color = vec4(asTargetTakesIt(seen.rgb), seen.a);
+}
+#endif
+
 /// Writes a hit. Occlusion is passed by the caller, who knows the patch.
 void writeSurface(Hit hit, uint colorBits, uint atom, float occlusion) {
 #if defined(SURFACE)
     surface = vec4(hit.normal, hit.Z);
 #elif defined(IDENTITY)
     identity = uvec2(atom, floatBitsToUint(occlusion));
+#elif defined(RIMS)
+    writeRimmed(vec4(lightOf(hit, colorBits, occlusion, planePoint(gl_FragCoord.xy)), 1.0));
 #else
     color = vec4(colorOf(hit, colorBits, occlusion, planePoint(gl_FragCoord.xy)), 1.0);
 #endif

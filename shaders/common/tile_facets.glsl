@@ -12,7 +12,7 @@ float facetBegins(vec3 a, vec3 b, vec3 c) {
 
 /// Whether it may be seen in a rectangle on the plane z = 0. No, if the rectangle lies beside its box, or beyond an edge.
 bool facetMeets(vec3 a, vec3 b, vec3 c, vec2 middle, vec2 reach) {
-    vec2 room = reach + 0.05 * view.pixel + (kContours > 0 ? view.contourWidth : 0.0);
+    vec2 room = reach + 0.05 * view.pixel + (kContours ? view.contourWidth : 0.0);
     vec2 low = min(a.xy, min(b.xy, c.xy)) - room, high = max(a.xy, max(b.xy, c.xy)) + room;
     bool meets = all(lessThanEqual(low, middle)) && all(greaterThanEqual(high, middle));
     vec2 pa = a.xy - middle, pb = b.xy - middle, pc = c.xy - middle;

@@ -15,7 +15,7 @@ layout(constant_id = kPerspectiveId) const bool kPerspective = false;
 layout(constant_id = kWholeImageId) const bool kWholeImage = true;
 layout(constant_id = kClipId) const bool kClip = false;
 layout(constant_id = kCutId) const bool kCut = false;
-layout(constant_id = kContoursId) const int kContours = 0;
+layout(constant_id = kContoursId) const bool kContours = false;
 
 // Caps stand in one plane: what is compared is up to this much deeper, Å, the nearer they are to the skin of what is cut.
 // So the atom that a point lies deepest in shows there, on every path.
@@ -56,7 +56,7 @@ bool isCutOff(vec3 center) {
 #endif
 /// Radius of a ball that holds a sphere with its contour line, whatever pixel looks at it. @param z  of the centre
 float reachOf(float z, float radius) {
-    if (kContours == 0) return radius;
+    if (!kContours) return radius;
     if (!kPerspective) return radius + view.contourWidth;
     // The line is as wide as at z = 0 in the picture, so wider in space where it is farther away.
     return radius + view.contourWidth * (view.origin - z + radius) / (view.origin - view.contourWidth);

@@ -75,6 +75,19 @@ TEST(Plan, AShadowIsAMapThatLeavesTheTileAndNothingElseDoes) {
     EXPECT_EQ(json["tile_bytes_per_pixel"], 12);
 }
 
+TEST(Plan, LinesAndHalosStayOnTheTileWhateverThePath) {
+    for (const char* caps : {"mali", "adreno", "powervr"}) {
+        PlanOptions options = phone(caps);
+        options.rims = true;
+        const Json json = jsonOf(options);
+        ASSERT_EQ(json["render_passes"].size(), 1u) << caps;
+        EXPECT_EQ(json["render_passes"][0]["subpasses"][1]["writes"], Json({"lines and halos"}));
+        EXPECT_EQ(json["memory_bytes"]["loaded"], 0) << caps;
+        EXPECT_EQ(json["memory_bytes"]["stored"], kPixels * 4) << caps;
+        EXPECT_EQ(json["tile_bytes_per_pixel"], 16) << caps;
+    }
+}
+
 TEST(Plan, OfAppleIsOneSubpassWithoutInputAttachment) {
     const Json json = jsonOf(phone("apple-moltenvk"));
     ASSERT_EQ(json["render_passes"].size(), 1u);

@@ -25,7 +25,7 @@ protected:
     RenderSettings all(const Representation& r) const {
         RenderSettings s = settings(r, 160, GetParam().projection, {40, -70, 15});
         s.effects.clip = {-0.1 * r.radius, 0.5 * r.radius, Clip::Cap::hatched};
-        s.effects.contours = {2.5, 0.8, 3, {0.1f, 0, 0.3f}};
+        s.effects.contours = {2.5, 0.8, 1, {0.1f, 0, 0.3f}};
         s.effects.fog.range = Fog::Range::automatic;
         s.effects.shadow.strength = 0.8;
         return s;
@@ -35,11 +35,17 @@ protected:
 TEST_P(Effect, IsTheSamePictureOnEveryPath) {
     const Representation r = scene(GetParam().molecule, GetParam().style);
     RenderSettings s = all(r);
+    RenderSettings rims = s;
+    rims.effects.contours.weights = 3;
+    rims.effects.halos = {5, 6, 0.8, {0.2f, 0, 0}};
     LayerPicture layers;
-    std::vector<float> picture;
+    std::vector<float> picture, rimmed;
     for (const Visibility path : kPaths) {
         ValidatedRenderer& renderer = rendererOf(path);
         renderer->setScene(r);
+        const std::vector<float> withRims = renderer->render(rims).rgba;
+        if (rimmed.empty()) rimmed = withRims;
+        EXPECT_EQ(withRims, rimmed) << visibilityName(path);
         for (const PlateShape plates : {PlateShape::none, PlateShape::square, PlateShape::dome3})
             for (const ImpostorShape impostor : {ImpostorShape::square, ImpostorShape::pyramid}) {
                 if (path == Visibility::tiles && plates != PlateShape::none) continue;  // it has none
@@ -178,6 +184,64 @@ TEST_P(Effect, LinesStandWhereDepthJumpsAndNowhereElse) {
     EXPECT_GT(lines, 400);
     EXPECT_EQ(unfounded, 0);
     EXPECT_EQ(missing, 0) << "of " << judged;
+}
+
+/// What rims of a scene of balls are to be at a pixel, by every ball.
+struct Rims {
+    bool line = false;
+    double halo = 0;
+};
+
+TEST_P(Effect, WidthOfLinesAndDensityOfHalosFollowWhatStandsBehind) {
+    if (GetParam().style != Style::spacefill || GetParam().projection != Projection::orthographic) return;
+    const Molecule m = molecule(GetParam().molecule);
+    const Representation r = scene(GetParam().molecule, GetParam().style);
+    RenderSettings s = settings(r, 160, GetParam().projection, {40, -70, 15});
+    s.lighting = false;
+    s.effects.contours = {4, 1.5, 3, {0, 0, 1}};
+    s.effects.halos = {9, 8, 0.5, {1, 0, 0}};
+    ValidatedRenderer& renderer = rendererOf(Visibility::tiles);
+    renderer->setScene(r);
+    const LayerPicture layers = renderer->layers(s);
+    const std::vector<float> drawn = renderer->render(s).rgba;
+    const double perPixel = 1 / s.view.pixelsPerAngstrom;
+    const auto residueOf = [&](std::uint32_t atom) { return m.atoms[atom - 1].residue; };
+    const auto expected = [&](const glm::dvec2& q, std::uint32_t seen, double Z) {
+        Rims rims;
+        for (std::size_t i = 0; i < r.spheres.size(); ++i) {
+            const glm::dvec3 center = s.view.rotation * glm::dvec3(r.spheres[i].center);
+            const double outside = glm::length(q - glm::dvec2(center)) - double{r.spheres[i].radius};
+            if (outside <= 0 || outside > 9 * perPixel) continue;
+            const double behind = Z - (s.view.radius - center.z), t = 1 - outside / (9 * perPixel);
+            rims.halo = std::max(rims.halo, t * t * (3 - 2 * t) * std::clamp(behind / 8, 0.0, 1.0));
+            double share = 1;
+            if (seen) {
+                const std::uint32_t a = residueOf(seen), b = residueOf(r.sphereLooks[i].atom);
+                const bool far = std::abs(static_cast<int>(a) - static_cast<int>(b)) > 6;
+                const bool chain = m.residues[a].chain != m.residues[b].chain;
+                share = behind < -0.5 ? 0 : chain ? 1 : far ? 0.67 : behind > 1.5 ? 0.34 : 0;
+            }
+            rims.line = rims.line || outside <= share * 4 * perPixel;
+        }
+        return rims;
+    };
+    int lines = 0, halos = 0, wrong = 0;
+    for (std::uint32_t y = 0; y < layers.height; ++y)
+        for (std::uint32_t x = 0; x < layers.width; ++x) {
+            const std::size_t at = std::size_t{y} * layers.width + x;
+            const glm::dvec2 q((x + 0.5 - layers.width / 2.0) * perPixel, (layers.height / 2.0 - y - 0.5) * perPixel);
+            const Rims rims = expected(q, layers.id[at], layers.z[at]);
+            const bool line = drawn[4 * at] == 0 && drawn[4 * at + 2] == 1;
+            const double under = layers.id[at] ? layers.rgba[4 * at + 1] : 1;
+            lines += rims.line;
+            wrong += line != rims.line;
+            if (line || rims.line || rims.halo < 0.02) continue;
+            ++halos;
+            wrong += std::abs(drawn[4 * at + 1] - under * (1 - 0.5 * rims.halo)) > 0.01;
+        }
+    EXPECT_GT(lines, 1000);
+    EXPECT_GT(halos, 1000);
+    EXPECT_LE(wrong, 8) << "of " << lines << " and " << halos;  // ends of rims fall to either side
 }
 
 TEST_P(Effect, FogTakesColourToTheBackgroundInProportionToDepth) {

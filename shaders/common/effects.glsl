@@ -1,0 +1,15 @@
+// What effects work with.
+//   EFFECTS   binding, unless it is 1
+#ifndef NACRE_EFFECTS_GLSL
+#define NACRE_EFFECTS_GLSL
+#include "layout.h"
+#ifndef EFFECTS
+#define EFFECTS 1
+#endif
+
+layout(set = 0, binding = EFFECTS, std140) uniform Effects { EffectConstants effects; };
+layout(constant_id = kFogId) const bool kFog = false;
+
+/// How much of what stands at a distance Z is fog.
+float fogAt(float Z) { return clamp((Z - effects.fogStart) * effects.perFog, 0.0, 1.0) * effects.fog.a; }
+#endif
