@@ -145,7 +145,7 @@ private:
     }
     std::uint32_t colorOf(std::uint32_t color, std::uint32_t copy) const {
         const auto& colors = scene_.copies.colors;
-        return isCopyTint(color) && !colors.empty() ? colors[copy % colors.size()] : color;
+        return isCopyTint(color) && !colors.empty() ? tintedColor(colors[copy % colors.size()], color) : color;
     }
 
     std::string nameOf(const ExportGroup& group) const {

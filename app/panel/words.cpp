@@ -16,6 +16,8 @@ std::span<const ColorWord> colorWords() {
                                            {"By chain", "chain"},
                                            {"By chain, atoms by element", "chain-carbons"},
                                            {"By copy of the assembly", "copy"},
+                                           {"By copy, chains in tones", "copy-chain"},
+                                           {"By copy, molecules in tones", "copy-entity"},
                                            {"By residue", "residue"},
                                            {"By kind of molecule", "entity"},
                                            {"Rainbow, start to end", "rainbow"},

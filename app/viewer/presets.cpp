@@ -53,9 +53,10 @@ void firstLook(const Molecule& molecule, SavedView& view) {
 }
 
 std::span<const char* const> colorChoices() {
-    static constexpr const char* kChoices[] = {
-        "element", "chain",    "chain-carbons",       "copy",  "residue",   "entity",        "rainbow",
-        "charge",  "b-factor", "secondary-structure", "plddt", "occupancy", "hydrophobicity"};
+    static constexpr const char* kChoices[] = {"element",    "chain",       "chain-carbons", "copy",
+                                               "copy-chain", "copy-entity", "residue",       "entity",
+                                               "rainbow",    "charge",      "b-factor",      "secondary-structure",
+                                               "plddt",      "occupancy",   "hydrophobicity"};
     return kChoices;
 }
 

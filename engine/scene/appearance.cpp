@@ -80,7 +80,7 @@ MeshAtoms meshAtomsOf(const Appearance& seen, const std::vector<bool>& chosen) {
         if (!chosen[i]) continue;
         mesh.atoms.push_back(seen.atoms[i]);
         mesh.colors.push_back(seen.colors[i]);
-        mesh.byCopy.push_back(seen.byCopy[i]);
+        mesh.tints.push_back(seen.tints[i]);
     }
     return mesh;
 }
@@ -124,7 +124,7 @@ void partByStyle(const Molecule& molecule, const std::vector<AtomLook>& looks, c
         atoms.atoms.push_back(appearance.atoms[i]);
         atoms.styles.push_back(style);
         atoms.colors.push_back(appearance.colors[i]);
-        atoms.byCopy.push_back(appearance.byCopy[i]);
+        atoms.tints.push_back(appearance.tints[i]);
     }
     appearance.cartoon = meshAtomsOf(appearance, inCartoon);
     appearance.surface = meshAtomsOf(appearance, inSurface);
@@ -132,7 +132,7 @@ void partByStyle(const Molecule& molecule, const std::vector<AtomLook>& looks, c
     appearance.atoms = std::move(atoms.atoms);
     appearance.styles = std::move(atoms.styles);
     appearance.colors = std::move(atoms.colors);
-    appearance.byCopy = std::move(atoms.byCopy);
+    appearance.tints = std::move(atoms.tints);
 }
 
 /// A colouring in the palette for all, if it takes one of that kind and names none itself.
@@ -152,7 +152,7 @@ void color(const Molecule& molecule, const Coloring& coloring, const std::string
     ColoredAtoms colored = colorAtoms(molecule, atoms, coloring);
     for (std::size_t i = 0; i < slots.size(); ++i) {
         appearance.colors[slots[i]] = colored.colors[i];
-        appearance.byCopy[slots[i]] = coloring.scheme == ColorScheme::copy;
+        appearance.tints[slots[i]] = colored.tints.empty() ? 0 : colored.tints[i];
     }
     const std::string scheme = coloringText(coloring);
     if (!colored.warning.empty()) appearance.warnings.push_back("colour by " + scheme + ": " + colored.warning);
@@ -175,7 +175,7 @@ Appearance appearanceOf(const Molecule& molecule, std::span<const std::uint32_t>
     appearance.style = options.style.value_or(defaultStyle(molecule, appearance.atoms));
     std::erase_if(looks, [](const AtomLook& look) { return look.hidden; });
     appearance.colors.resize(appearance.atoms.size());
-    appearance.byCopy.resize(appearance.atoms.size());
+    appearance.tints.resize(appearance.atoms.size());
     for (std::size_t i = 0; i < slotsOfColoring.size(); ++i) {
         if (slotsOfColoring[i].empty()) continue;
         const Coloring& coloring = i == kBase ? options.color : rules[i - 1].coloring;
@@ -187,10 +187,10 @@ Appearance appearanceOf(const Molecule& molecule, std::span<const std::uint32_t>
 }
 
 bool Appearance::anyByCopy() const {
-    const auto any = [](const std::vector<bool>& flags) {
-        return std::find(flags.begin(), flags.end(), true) != flags.end();
+    const auto any = [](const std::vector<std::uint32_t>& list) {
+        return std::any_of(list.begin(), list.end(), [](std::uint32_t tint) { return tint != 0; });
     };
-    return any(byCopy) || any(cartoon.byCopy) || any(surface.byCopy);
+    return any(tints) || any(cartoon.tints) || any(surface.tints);
 }
 
 SeenBalls seenBalls(const Molecule& molecule, const Appearance& appearance) {

@@ -63,7 +63,7 @@ struct Legend {
 struct MeshAtoms {
     std::vector<std::uint32_t> atoms;  ///< ascending
     std::vector<std::uint32_t> colors;
-    std::vector<bool> byCopy;  ///< as Appearance has it
+    std::vector<std::uint32_t> tints;  ///< as Appearance has them
 };
 
 struct Appearance {
@@ -71,7 +71,7 @@ struct Appearance {
     Style style = Style::spacefill;    ///< of those that no rule gives one
     std::vector<Style> styles;         ///< same length as atoms; of atoms all
     std::vector<std::uint32_t> colors;
-    std::vector<bool> byCopy;  ///< same length as atoms: its colour is that of its copy
+    std::vector<std::uint32_t> tints;  ///< same length as atoms: of the colour of its copy (colors.h); 0: it is none
     MeshAtoms cartoon, surface;
     bool anyByCopy() const;
     std::size_t seen = 0;               ///< atoms that are seen in whatever style

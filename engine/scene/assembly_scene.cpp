@@ -52,7 +52,7 @@ std::vector<std::uint32_t> orderBy(std::size_t size, const ListOf& listOf) {
     return order;
 }
 
-/// Of "copy" or "copy:muted".
+/// Of "copy" or "copy-chain:muted".
 Palette paletteOf(std::string_view scheme) {
     const std::size_t colon = scheme.find(':');
     const auto named = colon == std::string_view::npos ? std::nullopt : paletteFromName(scheme.substr(colon + 1));
@@ -111,20 +111,23 @@ void AssemblyScene::spread(std::size_t colors) {
 void AssemblyScene::colorByCopy(Appearance& appearance) {
     if (!appearance.anyByCopy()) return;
     const std::size_t count = placement_.transforms.size();
-    const auto tint = [](const std::vector<bool>& byCopy, std::vector<std::uint32_t>& colors) {
+    const auto tint = [](const std::vector<std::uint32_t>& tints, std::vector<std::uint32_t>& colors) {
         for (std::size_t i = 0; i < colors.size(); ++i)
-            if (byCopy[i]) colors[i] = kCopyTint;
+            if (tints[i]) colors[i] = tints[i];
     };
-    tint(appearance.byCopy, appearance.colors);
-    for (MeshAtoms* mesh : {&appearance.cartoon, &appearance.surface}) tint(mesh->byCopy, mesh->colors);
+    tint(appearance.tints, appearance.colors);
+    for (MeshAtoms* mesh : {&appearance.cartoon, &appearance.surface}) tint(mesh->tints, mesh->colors);
     for (Legend& legend : appearance.legends) {
         if (!legend.scheme.starts_with(colorSchemeName(ColorScheme::copy))) continue;
         if (copyColors_.empty()) {
             const Palette palette = paletteOf(legend.scheme);
-            for (std::size_t i = 0; i < std::min({count, 2 * kindCount(palette), kMostCopyColors}); ++i)
+            // Darker tones of the palette would be taken for tints.
+            const std::size_t tones = legend.entries.size() > 1 ? 1 : 2;
+            for (std::size_t i = 0; i < std::min({count, tones * kindCount(palette), kMostCopyColors}); ++i)
                 copyColors_.push_back(kindColor(i, palette));
             if (count > copyColors_.size()) spread(copyColors_.size());
         }
+        const std::vector<LegendEntry> kinds(legend.entries.begin() + 1, legend.entries.end());
         legend.entries.clear();
         for (std::size_t i = 0; i < copyColors_.size() && count <= copyColors_.size(); ++i)
             legend.entries.push_back({"copy " + std::to_string(i + 1), copyColors_[i]});
@@ -132,6 +135,7 @@ void AssemblyScene::colorByCopy(Appearance& appearance) {
             legend.entries.push_back(
                 {std::to_string(count) + " copies in " + std::to_string(copyColors_.size()) + " colours",
                  copyColors_.front()});
+        legend.entries.insert(legend.entries.end(), kinds.begin(), kinds.end());
     }
 }
 
@@ -140,7 +144,7 @@ void AssemblyScene::sortByCopies(Appearance& appearance) const {
     appearance.atoms = inOrder(appearance.atoms, order);
     appearance.styles = inOrder(appearance.styles, order);
     appearance.colors = inOrder(appearance.colors, order);
-    appearance.byCopy = inOrder(appearance.byCopy, order);
+    appearance.tints = inOrder(appearance.tints, order);
 }
 
 void AssemblyScene::sortByCopies(std::vector<Bond>& bonds) {

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
+#include <optional>
 #include <utility>
 
 #include "engine/molecule/residue_kind.h"
 #include "engine/molecule/text.h"
+#include "engine/scene/chain_entities.h"
 #include "engine/scene/color_classes.h"
 #include "engine/scene/colors.h"
 #include "engine/scene/palettes.h"
@@ -30,6 +33,8 @@ constexpr SchemeName kNames[] = {{"element", ColorScheme::element},
                                  {"chain", ColorScheme::chain},
                                  {"chain-carbons", ColorScheme::chainCarbons},
                                  {"copy", ColorScheme::copy},
+                                 {"copy-chain", ColorScheme::copyChain},
+                                 {"copy-entity", ColorScheme::copyEntity},
                                  {"residue", ColorScheme::residue},
                                  {"hydrophobicity", ColorScheme::hydrophobicity},
                                  {"residue-type", ColorScheme::hydrophobicity},
@@ -152,12 +157,39 @@ ColoredAtoms byRainbow(const Molecule& molecule, Atoms atoms, Palette ramp) {
     return result;
 }
 
+/// Names of what has a tint of its own within a copy, and which of them each atom is of.
+struct TintKinds {
+    std::vector<std::string> names;
+    std::vector<std::uint32_t> ofAtom;
+};
+TintKinds tintKinds(const Molecule& molecule, Atoms atoms, ColorScheme scheme) {
+    TintKinds kinds;
+    if (scheme == ColorScheme::copy) return {{""}, std::vector<std::uint32_t>(atoms.size(), 0)};
+    std::optional<ResidueEntities> entities;
+    if (scheme == ColorScheme::copyEntity) entities = residueEntities(molecule);
+    std::map<std::uint32_t, std::uint32_t> numbers;
+    for (const std::uint32_t atom : atoms) {
+        const std::uint32_t residue = molecule.atoms[atom].residue, chain = molecule.residues[residue].chain;
+        const std::uint32_t key = entities ? entities->ofResidue[residue] : chain;
+        const auto [number, added] = numbers.emplace(key, static_cast<std::uint32_t>(kinds.names.size()));
+        if (added) kinds.names.push_back(entities ? entities->labels[key] : "chain " + molecule.chains[chain].name);
+        kinds.ofAtom.push_back(number->second);
+    }
+    return kinds;
+}
+
 /// Of one copy there is only one colour; what an assembly makes of it is assembly_scene.cpp's.
-ColoredAtoms byCopy(Atoms atoms, const Coloring& coloring) {
+ColoredAtoms byCopy(const Molecule& molecule, Atoms atoms, const Coloring& coloring) {
     const std::uint32_t first = kindColor(0, rampOf(coloring, kChainPalette));
+    const TintKinds kinds = tintKinds(molecule, atoms, coloring.scheme);
     ColoredAtoms result;
-    result.colors.assign(atoms.size(), first);
+    for (const std::uint32_t kind : kinds.ofAtom) {
+        result.tints.push_back(copyTint(kind, kinds.names.size()));
+        result.colors.push_back(tintedColor(first, result.tints.back()));
+    }
     result.legend.push_back({"copy 1", first});
+    for (std::size_t i = 0; i < kinds.names.size() && kinds.names.size() > 1; ++i)
+        result.legend.push_back({kinds.names[i], tintedColor(first, copyTint(i, kinds.names.size()))});
     return result;
 }
 
@@ -181,6 +213,8 @@ PaletteUse paletteUse(ColorScheme scheme) {
         case ColorScheme::chain:
         case ColorScheme::chainCarbons:
         case ColorScheme::copy:
+        case ColorScheme::copyChain:
+        case ColorScheme::copyEntity:
         case ColorScheme::entity:
             return PaletteUse::kinds;
         case ColorScheme::hydrophobicity:
@@ -215,12 +249,15 @@ ColoredAtoms colorAtoms(const Molecule& molecule, Atoms atoms, const Coloring& c
         case ColorScheme::rainbow:
             return byRainbow(molecule, atoms, rampOf(coloring, Palette::rainbow));
         case ColorScheme::copy:
-            return byCopy(atoms, coloring);
+        case ColorScheme::copyChain:
+        case ColorScheme::copyEntity:
+            return byCopy(molecule, atoms, coloring);
         case ColorScheme::uniform:
             return {std::vector<std::uint32_t>(atoms.size(), coloring.color),
                     {{colorText(coloring.color), coloring.color}},
                     Palette::automatic,
                     0,
+                    {},
                     ""};
         default:
             return colorByClass(molecule, atoms, coloring);

@@ -19,6 +19,8 @@ enum class ColorScheme {
     chain,
     chainCarbons,        ///< carbons by chain, all else by element
     copy,                ///< of an assembly
+    copyChain,           ///< likewise, its chains in tints of it
+    copyEntity,          ///< likewise, its entities
     residue,             ///< residueColor() of colors.h
     hydrophobicity,      ///< of amino acids, J. Kyte and R. F. Doolittle, J. Mol. Biol. 157 (1982) 105
     charge,              ///< of residues at pH 7, formal charges elsewhere
@@ -84,6 +86,7 @@ struct ColoredAtoms {
     std::vector<LegendEntry> legend;    ///< of kinds, those that occur; of numbers, five along the palette
     Palette ramp = Palette::automatic;  ///< along which the first `stops` entries stand
     std::size_t stops = 0;              ///< entries from end to end of the ramp; what follows are kinds
+    std::vector<std::uint32_t> tints;   ///< of the colour of its copy, for each atom; empty: colours are no copy's
     std::string warning;                ///< why the colours say little here; empty if they do
 };
 

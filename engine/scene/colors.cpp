@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "engine/scene/palettes.h"
 
@@ -56,6 +57,29 @@ std::uint32_t residueColor(std::string_view name) {
     const auto* found = std::find_if(std::begin(kResidues), std::end(kResidues),
                                      [&](const NamedColor& entry) { return entry.name == name; });
     return packedColor(found == std::end(kResidues) ? kOtherResidue : found->rgb);
+}
+
+std::uint32_t copyTint(std::size_t tint, std::size_t count) {
+    constexpr std::size_t kMost = 6;
+    constexpr double kDarkest = 130;  // sRGB: a fifth of the light
+    const std::size_t steps = std::clamp<std::size_t>(count, 2, kMost) - 1;
+    const double share = static_cast<double>(tint % kMost) / static_cast<double>(steps);
+    const auto grey = static_cast<std::uint32_t>(std::lround(255 - (255 - kDarkest) * share));
+    return grey | grey << 8 | grey << 16 | 0xfe000000u;
+}
+
+std::uint32_t tintedColor(std::uint32_t color, std::uint32_t tint) {
+    const auto linear = [](std::uint32_t byte) {
+        const double c = byte / 255.0;
+        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    std::uint32_t mixed = 0xff000000u;
+    for (const int shift : {0, 8, 16}) {
+        const double light = linear(color >> shift & 0xff) * linear(tint >> shift & 0xff);
+        const double coded = light <= 0.0031308 ? light * 12.92 : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+        mixed |= static_cast<std::uint32_t>(std::lround(255 * coded)) << shift;
+    }
+    return mixed;
 }
 
 }  // namespace nacre

@@ -18,9 +18,12 @@ std::uint32_t elementColor(Element element);
 constexpr Palette kChainPalette = Palette::distinct;
 inline std::uint32_t chainColor(std::size_t chain) { return kindColor(chain, kChainPalette); }
 
-/// A colour that is only a tint of the copy's that an atom stands in: white, so the copy's own.
-constexpr std::uint32_t kCopyTint = 0xfeffffffu;
+/// A colour that is only a tint of the copy's that an atom stands in: a grey, by which that is darkened. The first of
+/// some is white, so the copy's own.
+std::uint32_t copyTint(std::size_t tint, std::size_t count);
 constexpr bool isCopyTint(std::uint32_t color) { return color >> 24 != 0xff; }
+/// A copy's colour in a tint, as shaders mix them: multiplied in linear light.
+std::uint32_t tintedColor(std::uint32_t color, std::uint32_t tint);
 
 /// Colour of a residue by its kind: amino acids in families (acid, base, polar, aromatic, aliphatic, sulphur),
 /// nucleotides by base, water; everything else is warm grey.

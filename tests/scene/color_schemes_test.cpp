@@ -231,6 +231,7 @@ TEST(ColorSchemes, CopiesOfAnAssemblyTakeTheirColoursInTurn) {
     for (const SphereLook& look : r.sphereLooks) EXPECT_TRUE(isCopyTint(look.color));
     EXPECT_EQ(r.legends.at(0).scheme, "copy:bright");
     EXPECT_EQ(r.legends[0].entries.at(0).label, "20 copies in 14 colours");
+    for (const SphereLook& look : r.sphereLooks) EXPECT_EQ(tintedColor(0xff336699u, look.color), 0xff336699u);
     // Nobody is lost, and neighbours differ.
     std::set<int> places;
     for (std::size_t i = 0; i < 20; ++i) {
@@ -241,6 +242,36 @@ TEST(ColorSchemes, CopiesOfAnAssemblyTakeTheirColoursInTurn) {
             }
     }
     EXPECT_EQ(places.size(), 20u);
+}
+
+TEST(ColorSchemes, ChainsOfACopyAreTintsOfItsColour) {
+    Molecule m = sampleMolecule("dna");
+    m.subchains = {"A", "B"};
+    for (Residue& residue : m.residues) residue.subchain = residue.chain;
+    AssemblyPart part{{glm::mat4x3(1.0f), glm::mat4x3(1.0f)}, {0, 1}};
+    part.transforms[1][3] = {60, 0, 0};
+    m.assemblies = {{"1", "", {part}}};
+    std::vector<std::uint32_t> atoms(m.atoms.size());
+    std::iota(atoms.begin(), atoms.end(), 0u);
+    RepresentationOptions options;
+    options.color = ColorScheme::copyChain;
+    options.assembly = "1";
+    const Representation r = represent(m, atoms, options);
+    EXPECT_EQ(r.copies.colors.size(), 2u);
+    for (const SphereLook& look : r.sphereLooks)
+        EXPECT_EQ(look.color, copyTint(m.residues[m.atoms[look.atom - 1].residue].chain, 2));
+    ASSERT_EQ(r.legends.at(0).entries.size(), 4u);  // two copies, two chains
+    EXPECT_EQ(r.legends[0].entries[3].label, "chain B");
+    EXPECT_EQ(r.legends[0].entries[3].color, tintedColor(chainColor(0), copyTint(1, 2)));
+    // Alone, a molecule shows the tints of its one copy.
+    options.assembly.clear();
+    const Representation alone = represent(m, atoms, options);
+    EXPECT_EQ(alone.sphereLooks.front().color, chainColor(0));
+    EXPECT_EQ(alone.sphereLooks.back().color, tintedColor(chainColor(0), copyTint(1, 2)));
+    // Both strands are one kind of molecule.
+    options.color = ColorScheme::copyEntity;
+    EXPECT_LE(represent(m, atoms, options).legends.at(0).entries.size(), 3u);
+    EXPECT_EQ(tintedColor(0xffffffffu, 0xfe808080u), 0xff808080u);
 }
 
 }  // namespace
