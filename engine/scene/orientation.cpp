@@ -308,13 +308,16 @@ Camera fitted(Camera camera, const std::vector<glm::dvec4>& balls, double radius
 
 double hiddenShare(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,
                    const glm::dmat3& rotation) {
+    constexpr double kVertexReach =
+        0.6;  // Å: those of a surface or cartoon stand so near to each other that none shows between
     const Balls others = without(all, target);
     std::size_t hidden = 0;
     for (const glm::dvec4& ball : target) {
         const glm::dvec3 at = rotation * glm::dvec3(ball);
         hidden += std::any_of(others.begin(), others.end(), [&](const glm::dvec4& other) {
             const glm::dvec3 way = rotation * glm::dvec3(other) - at;
-            return way.x * way.x + way.y * way.y < other.w * other.w && way.z > ball.w;
+            const double reach = other.w > 0 ? other.w : kVertexReach;
+            return way.x * way.x + way.y * way.y < reach * reach && way.z > ball.w;
         });
     }
     return target.empty() ? 0 : static_cast<double>(hidden) / static_cast<double>(target.size());

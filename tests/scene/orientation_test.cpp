@@ -176,5 +176,19 @@ TEST(Orientation, ShowsCartoonsAndSurfacesWhole) {
     }
 }
 
+TEST(Orientation, SurfacesHideAsAtomsDo) {
+    // Vertices are balls without a radius: a sheet of them before an atom, and one beside it.
+    const Balls atom{{0, 0, 0, 1.5}};
+    Balls before = atom, beside = atom;
+    for (double x = -3; x <= 3; x += 0.5)
+        for (double y = -3; y <= 3; y += 0.5) {
+            before.emplace_back(x, y, 4, 0);
+            beside.emplace_back(x + 8, y, 4, 0);
+        }
+    EXPECT_EQ(hiddenShare(atom, before, glm::dmat3(1)), 1);
+    EXPECT_EQ(hiddenShare(atom, beside, glm::dmat3(1)), 0);
+    EXPECT_EQ(hiddenShare(atom, before, glm::dmat3(-1, 0, 0, 0, 1, 0, 0, 0, -1)), 0) << "it lies behind now";
+}
+
 }  // namespace
 }  // namespace nacre
