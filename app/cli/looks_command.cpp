@@ -69,7 +69,7 @@ void drawSheet(const LooksOptions& options) {
         if (drawn != one.look.color) renderer.setScene(std::move(prepared.scene));
         drawn = one.look.color;
         Picture cell = renderer.render(prepared.settings);
-        addWords(prepared, one, prepared.settings.view, cell);
+        addWords(prepared, one, prepared.settings, cell);
         sheet.put(done, cell);
         progress.advance(static_cast<double>(++done) / static_cast<double>(looks().size()));
     }

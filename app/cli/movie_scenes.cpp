@@ -154,6 +154,7 @@ void MovieScenes::moveTo(Look& look, int frame) {
     look.moving->move(molecule_);
     look.model = frame;
     look.renderer->setScene(look.moving->scene());
+    look.prepared->words = placeWords(look.options.words, molecule_, look.moving->scene());
     View& view = look.prepared->settings.view;
     view.radius = look.moving->scene().radius;
     if (view.projection == Projection::perspective) view.eyeDistance = std::max(view.eyeDistance, view.radius * 1.02);
@@ -167,7 +168,7 @@ void MovieScenes::letGo(std::size_t a, std::size_t b) {
 
 Picture MovieScenes::pictureOf(Look& look, const RenderSettings& settings) const {
     Picture picture = look.renderer->render(settings);
-    addWords(*look.prepared, look.options, settings.view, picture);
+    addWords(*look.prepared, look.options, settings, picture, look.wordMemory.get());
     return picture;
 }
 

@@ -34,6 +34,7 @@ private:
         std::unique_ptr<Renderer> renderer;
         int model = 0;
         std::optional<MovingScene> moving;  ///< of a trajectory
+        std::unique_ptr<WordMemory> wordMemory = std::make_unique<WordMemory>();
     };
     struct Key {
         std::size_t look = 0;

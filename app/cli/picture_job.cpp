@@ -98,11 +98,11 @@ PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& op
     return prepared;
 }
 
-std::size_t addWords(const PreparedPicture& prepared, const RenderOptions& options, const View& view,
-                     Picture& picture) {
+std::size_t addWords(const PreparedPicture& prepared, const RenderOptions& options, const RenderSettings& settings,
+                     Picture& picture, WordMemory* memory) {
     if (!prepared.words.any()) return 0;
-    return WordPainter().paint(prepared.words, view, options.words.size, options.words.color, options.background,
-                               picture);
+    return WordPainter().paint(prepared.words, settings.view, options.words.size, options.words.color,
+                               options.background, picture, settings.effects.clip, memory);
 }
 
 PictureJob::PictureJob(const RenderOptions& options, Progress& progress)
@@ -160,8 +160,8 @@ void PictureJob::drawInParts(Renderer& renderer) {
     std::optional<WordPainter> painter;
     if (prepared_.words.any()) {
         painter.emplace();
-        Marks marks =
-            painter->layOut(prepared_.words, view, options_.words.size, options_.words.color, options_.background);
+        Marks marks = painter->layOut(prepared_.words, view, options_.words.size, options_.words.color,
+                                      options_.background, settings.effects.clip);
         sayCrowded(marks.crowded);
         picture.setMarks(*painter, std::move(marks));
     }
@@ -199,7 +199,7 @@ void PictureJob::write() {
     if (layersFile_) writeLayers(*layersFile_, *layers_);
     layers_.reset();
     if (!written_) {
-        sayCrowded(addWords(prepared_, options_, prepared_.settings.view, picture_));
+        sayCrowded(addWords(prepared_, options_, prepared_.settings, picture_));
         writePicture(pictureFile_, picture_, formatOf(options_));
     }
     if (!statsFile_) return;

@@ -10,6 +10,7 @@
 #include "app/cli/stats.h"
 #include "app/shared/image_file.h"
 #include "app/shared/output_file.h"
+#include "app/shared/word_layout.h"
 #include "engine/milliseconds.h"
 #include "engine/renderer.h"
 
@@ -30,7 +31,9 @@ PictureFormat formatOf(const RenderOptions& options);
 PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& options);
 
 /// Writes the words into a picture in its full size. @returns the labels that found no room
-std::size_t addWords(const PreparedPicture& prepared, const RenderOptions& options, const View& view, Picture& picture);
+/// @param memory  of pictures that follow each other
+std::size_t addWords(const PreparedPicture& prepared, const RenderOptions& options, const RenderSettings& settings,
+                     Picture& picture, WordMemory* memory = nullptr);
 
 /// Makes the files that a picture's options ask for. Its steps are called in this order, each on whatever thread.
 class PictureJob {

@@ -107,6 +107,11 @@ void addWords(CommandSpec& command, RenderOptions& options) {
             words.labels.push_back(parseLabel(text));
         })
         .repeatable = true;
+    addValue(command, "--show-labels", "all|seen", "all",
+             "seen: none of what lies behind other atoms (less than a quarter of its near side shows)",
+             [&](const std::string& text) {
+                 words.seenOnly = parseChoice(text, {"all", "seen"}) == 1;
+             });
     addValue(command, "--measure", "A,B[,C[,D]]", "",
              "Distance, angle or torsion of atoms, each a selection or an atom's number; repeatable",
              [&](const std::string& text) {

@@ -34,12 +34,13 @@ void drawText(ImDrawList& list, const TextMark& mark, std::uint32_t color, std::
 void Panel::drawWords(const Viewer& viewer) {
     const PlacedWords& words = viewer.words();
     if (!words.any()) return;
-    const Marks marks =
-        layOut(words, viewer.settings().view, viewer.textSize(), viewer.view().words.color, viewer.view().background,
-               [](const std::string& text, double em) {
-                   const float size = static_cast<float>(em) * kFontSizeOfEm;
-                   return static_cast<double>(fontOf(size)->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x);
-               });
+    const Marks marks = layOut(
+        words, viewer.settings().view, viewer.textSize(), viewer.view().words.color, viewer.view().background,
+        [](const std::string& text, double em) {
+            const float size = static_cast<float>(em) * kFontSizeOfEm;
+            return static_cast<double>(fontOf(size)->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x);
+        },
+        viewer.settings().effects.clip, &state_->wordMemory);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const auto haloWidth = static_cast<float>(marks.haloWidth);
     const ImU32 halo = (marks.halo & 0xffffff) | 0xd8000000;

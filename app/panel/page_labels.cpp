@@ -54,7 +54,11 @@ void Panel::drawLabelsPage(SavedView& look, Viewer& viewer) {
             break;
         }
     std::vector<Label>& labels = look.words.labels;
-    if (!labels.empty()) ui.heading("Labels");
+    if (!labels.empty()) {
+        ui.heading("Labels");
+        bool hidden = !look.words.seenOnly;
+        if (ui.toggle("Those behind atoms, too", hidden)) look.words.seenOnly = !hidden;
+    }
     for (std::size_t i = 0; i < labels.size(); ++i)
         if (row(1000 + static_cast<int>(i), labels[i].selection.text)) {
             labels.erase(labels.begin() + static_cast<std::ptrdiff_t>(i));

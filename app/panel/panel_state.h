@@ -3,6 +3,7 @@
 
 #include "app/panel/panel.h"
 #include "app/panel/widgets.h"
+#include "app/shared/word_layout.h"
 
 namespace nacre::app {
 
@@ -15,6 +16,7 @@ struct Panel::State {
     std::string selected;      ///< what the viewer had when the field was filled last
     char title[256] = "";
     bool typingTitle = false;
+    WordMemory wordMemory;
     // Parts of the molecule that is shown
     std::shared_ptr<const Molecule> molecule;
     std::vector<Part> parts;

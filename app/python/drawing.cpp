@@ -167,7 +167,7 @@ Drawing drawAs(const std::string& output, const Structure& structure, const std:
     drawing.warnings = prepared.scene.warnings;
     drawing.picture = shared().draw(structure, request, prepared,
                                     [](Renderer& r, const RenderSettings& settings) { return r.render(settings); });
-    if (const auto crowded = app::addWords(prepared, request.options, prepared.settings.view, drawing.picture))
+    if (const auto crowded = app::addWords(prepared, request.options, prepared.settings, drawing.picture))
         drawing.warnings.push_back(std::to_string(crowded) + " labels found no room in the picture");
     return drawing;
 }

@@ -98,6 +98,8 @@ bool readWords(const std::string& key, const Json& value, Words& words) {
         words.scaleBar = parseScaleBar(textOf(value));
     else if (key == "legend")
         words.legend = isOn(value, "on", "off");
+    else if (key == "show-labels")
+        words.seenOnly = !isOn(value, "all", "seen");
     else if (key == "text-size")
         words.size = parseNumber(textOf(value), 4, 2000);
     else if (key == "text-color")
@@ -113,6 +115,7 @@ void addWords(const Words& words, OrderedJson& json) {
     if (!words.title.empty()) json["title"] = words.title;
     if (words.scaleBar != ScaleBar::off) json["scale-bar"] = scaleBarText(words.scaleBar);
     if (words.legend) json["legend"] = "on";
+    if (words.seenOnly) json["show-labels"] = "seen";
     if (words.size > 0) json["text-size"] = words.size;
     if (words.color) json["text-color"] = backgroundText({(*words.color)[0], (*words.color)[1], (*words.color)[2], 1});
 }

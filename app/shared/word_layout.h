@@ -5,10 +5,13 @@
 #include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/shared/words.h"
+#include "engine/effects.h"
 #include "engine/scene/camera.h"
 
 namespace nacre::app {
@@ -51,10 +54,31 @@ struct Marks {
 /// Pixels of an em where none are asked for.
 double usualTextSize(std::uint32_t width, std::uint32_t height);
 
+struct Held;
+
+/// Where words stood in the picture before, for those that follow each other: a label then moves with what it names,
+/// and goes elsewhere only if it must. Of one and the same list of words.
+class WordMemory {
+public:
+    WordMemory();
+    ~WordMemory();
+    WordMemory(const WordMemory&) = delete;
+
+    std::vector<Held>& labels();
+    std::vector<Held>& measures();
+
+private:
+    struct Lists;
+    std::unique_ptr<Lists> held_;
+};
+
 /// @param size        pixels of an em; 0: usualTextSize()
 /// @param color       of the ink, sRGB-coded; empty: against the background, under a halo of the opposite
 /// @param background  sRGB-coded, straight alpha
+/// @param clip        what it cuts away hides no label
+/// @param memory      null: the picture stands alone
 Marks layOut(const PlacedWords& words, const View& view, double size, const std::optional<std::array<float, 3>>& color,
-             const std::array<float, 4>& background, const TextWidth& widthOf);
+             const std::array<float, 4>& background, const TextWidth& widthOf, const Clip& clip = {},
+             WordMemory* memory = nullptr);
 
 }  // namespace nacre::app

@@ -258,17 +258,18 @@ void WordPainter::paint(const Marks& marks, float* rgba, std::uint32_t width, st
 }
 
 Marks WordPainter::layOut(const PlacedWords& words, const View& view, double size,
-                          const std::optional<std::array<float, 3>>& color,
-                          const std::array<float, 4>& background) const {
-    return app::layOut(words, view, size, color, background,
-                       [this](const std::string& text, double em) { return widthOf(text, em); });
+                          const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background,
+                          const Clip& clip, WordMemory* memory) const {
+    return app::layOut(
+        words, view, size, color, background, [this](const std::string& text, double em) { return widthOf(text, em); },
+        clip, memory);
 }
 
 std::size_t WordPainter::paint(const PlacedWords& words, const View& view, double size,
                                const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background,
-                               Picture& picture) const {
+                               Picture& picture, const Clip& clip, WordMemory* memory) const {
     if (!words.any()) return 0;
-    const Marks marks = layOut(words, view, size, color, background);
+    const Marks marks = layOut(words, view, size, color, background, clip, memory);
     constexpr std::uint32_t kBand = 256;
     for (std::uint32_t row = 0; row < picture.height; row += kBand)
         paint(marks, picture.rgba.data() + std::size_t{row} * picture.width * 4, picture.width, row,

@@ -27,12 +27,13 @@ public:
 
     /// layOut() with the widths of this font.
     Marks layOut(const PlacedWords& words, const View& view, double size,
-                 const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background) const;
+                 const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background,
+                 const Clip& clip = {}, WordMemory* memory = nullptr) const;
 
     /// Lays words out over a whole picture, and draws them. @returns the labels that found no room
     std::size_t paint(const PlacedWords& words, const View& view, double size,
                       const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background,
-                      Picture& picture) const;
+                      Picture& picture, const Clip& clip = {}, WordMemory* memory = nullptr) const;
 
 private:
     struct Face;

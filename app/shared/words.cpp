@@ -181,6 +181,8 @@ std::vector<std::uint32_t> drawnOf(const Selection& selection, const Molecule& m
     throw Error(what, selection.text, any ? "none of its atoms is drawn" : "the molecule has no such atoms");
 }
 
+constexpr std::size_t kMostAsked = 24;  // atoms of a label that are asked whether they are seen
+
 void placeLabel(const Label& label, const Molecule& molecule, const DrawnAtoms& drawn, PlacedWords& placed) {
     const Scope scope = scopeOf(label.text);
     // Atoms of one label, in the file's order of the first of each.
@@ -206,6 +208,14 @@ void placeLabel(const Label& label, const Molecule& molecule, const DrawnAtoms& 
         one.ofAtom = group.size() == 1;
         one.radius = drawn.places[group.front()].radius;
         one.text = filledIn(label.text, molecule, group.front());
+        if (placed.sight) {
+            for (const std::uint32_t atom : group) one.named.atoms.push_back(atom + 1);
+            const std::size_t step = (group.size() + kMostAsked - 1) / kMostAsked;
+            for (std::size_t i = 0; i < group.size(); i += step) {
+                one.named.places.push_back(drawn.places[group[i]].at);
+                one.named.radii.push_back(drawn.places[group[i]].radius);
+            }
+        }
         placed.labels.push_back(std::move(one));
     }
 }
@@ -223,89 +233,6 @@ void placeMeasure(const Measure& measure, const Molecule& molecule, const DrawnA
     placed.measures.push_back(std::move(result));
 }
 
-struct Letter {
-    std::string_view name, letter;
-};
-constexpr Letter kLetters[] = {
-    {"alpha", "α"}, {"beta", "β"},    {"gamma", "γ"},   {"delta", "δ"},  {"epsilon", "ε"}, {"zeta", "ζ"},
-    {"eta", "η"},   {"theta", "θ"},   {"iota", "ι"},    {"kappa", "κ"},  {"lambda", "λ"},  {"mu", "μ"},
-    {"nu", "ν"},    {"xi", "ξ"},      {"omicron", "ο"}, {"pi", "π"},     {"rho", "ρ"},     {"sigma", "σ"},
-    {"tau", "τ"},   {"upsilon", "υ"}, {"phi", "φ"},     {"chi", "χ"},    {"psi", "ψ"},     {"omega", "ω"},
-    {"Gamma", "Γ"}, {"Delta", "Δ"},   {"Theta", "Θ"},   {"Lambda", "Λ"}, {"Xi", "Ξ"},      {"Pi", "Π"},
-    {"Sigma", "Σ"}, {"Phi", "Φ"},     {"Psi", "Ψ"},     {"Omega", "Ω"},  {"AA", "Å"},      {"deg", "°"},
-    {"prime", "′"}, {"to", "→"},      {"cdot", "·"},    {"pm", "±"},     {"times", "×"}};
-
-bool isAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-/// Bytes of the character that begins at a place.
-std::size_t characterBytes(std::string_view text, std::size_t at) {
-    std::size_t bytes = 1;
-    while (at + bytes < text.size() && (static_cast<unsigned char>(text[at + bytes]) & 0xc0) == 0x80) ++bytes;
-    return bytes;
-}
-
-class MarkupReader {
-public:
-    explicit MarkupReader(std::string_view text) : text_(text) {}
-    std::vector<TextRun> read() {
-        while (at_ < text_.size()) {
-            if (text_[at_] != '_' && text_[at_] != '^') {
-                add(character(), 0);
-                continue;
-            }
-            const int level = text_[at_++] == '^' ? 1 : -1;
-            if (at_ >= text_.size()) fail("nothing follows its last sign");
-            if (text_[at_] != '{') {
-                add(character(), level);
-                continue;
-            }
-            ++at_;
-            while (at_ < text_.size() && text_[at_] != '}') add(character(), level);
-            if (at_ >= text_.size()) fail("a brace is not closed");
-            ++at_;
-        }
-        return std::move(runs_);
-    }
-
-private:
-    [[noreturn]] void fail(const std::string& why) const {
-        throw std::invalid_argument("'" + std::string(text_) + "': " + why);
-    }
-    std::string character() {
-        if (text_[at_] != '\\') {
-            const std::size_t bytes = characterBytes(text_, at_);
-            at_ += bytes;
-            return std::string(text_.substr(at_ - bytes, bytes));
-        }
-        if (++at_ >= text_.size()) fail("nothing follows its last sign");
-        if (!isAsciiLetter(text_[at_])) return std::string(1, text_[at_++]);
-        std::size_t end = at_;
-        while (end < text_.size() && isAsciiLetter(text_[end])) ++end;
-        const std::string_view name = text_.substr(at_, end - at_);
-        // "\alphaH" is a letter and another one.
-        const Letter* longest = nullptr;
-        std::vector<std::string> words;
-        for (const Letter& letter : kLetters) {
-            words.emplace_back(letter.name);
-            if (name.starts_with(letter.name) && (!longest || letter.name.size() > longest->name.size()))
-                longest = &letter;
-        }
-        if (longest) {
-            at_ += longest->name.size();
-            return std::string(longest->letter);
-        }
-        fail("there is no letter '\\" + std::string(name) + "'" + suggestion(name, words));
-    }
-    void add(const std::string& character, int level) {
-        if (runs_.empty() || runs_.back().level != level) runs_.push_back({"", level});
-        runs_.back().text += character;
-    }
-
-    std::string_view text_;
-    std::size_t at_ = 0;
-    std::vector<TextRun> runs_;
-};
-
 /// The text without its fields, for a look at its markup.
 void checkMarkup(std::string_view text) {
     std::string plain;
@@ -315,8 +242,6 @@ void checkMarkup(std::string_view text) {
 }
 
 }  // namespace
-
-std::vector<TextRun> runsOf(std::string_view text) { return MarkupReader(text).read(); }
 
 Label parseLabel(std::string_view text) {
     std::optional<Error> first;
@@ -399,6 +324,7 @@ PlacedWords placeWords(const Words& words, const Molecule& molecule, const Repre
     if (words.legend) placed.legends = scene.legends;
     if (words.labels.empty() && words.measures.empty()) return placed;
     const DrawnAtoms drawn(molecule, scene);
+    if (words.seenOnly && !words.labels.empty()) placed.sight = std::make_shared<const LabelSight>(scene);
     for (const Label& label : words.labels) placeLabel(label, molecule, drawn, placed);
     for (const Measure& measure : words.measures) placeMeasure(measure, molecule, drawn, placed);
     return placed;

@@ -4,11 +4,13 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "app/shared/label_sight.h"
 #include "engine/molecule/molecule.h"
 #include "engine/molecule/selection/selection.h"
 #include "engine/scene/representation.h"
@@ -38,6 +40,7 @@ struct Words {
     std::string title;
     ScaleBar scaleBar = ScaleBar::off;
     bool legend = false;
+    bool seenOnly = false;                      ///< no labels of what lies behind other atoms
     double size = 0;                            ///< pixels of an em; 0: a 42nd of the shorter side
     std::optional<std::array<float, 3>> color;  ///< sRGB-coded; empty: dark or light, against the background
 
@@ -68,9 +71,10 @@ constexpr std::size_t kMostLabels = 400, kMostWordOptions = 1000;
 /// A text with its place: Å from the scene's centre.
 struct PlacedLabel {
     glm::dvec3 at{};
-    std::string text;     ///< with markup
-    bool ofAtom = false;  ///< stands beside an atom, not upon what it names
-    double radius = 0;    ///< of that atom, Å
+    std::string text;           ///< with markup
+    bool ofAtom = false;        ///< stands beside an atom, not upon what it names
+    double radius = 0;          ///< of that atom, Å
+    LabelSight::Named named{};  ///< where labels may be hidden: its atoms
 };
 struct PlacedMeasure {
     std::vector<glm::dvec3> points;
@@ -84,6 +88,7 @@ struct PlacedWords {
     std::string title;
     ScaleBar scaleBar = ScaleBar::off;
     std::vector<Legend> legends;
+    std::shared_ptr<const LabelSight> sight;  ///< null: every label shows, whatever lies before it
 
     bool any() const {
         return !labels.empty() || !measures.empty() || !title.empty() || scaleBar != ScaleBar::off || !legends.empty();

@@ -31,7 +31,7 @@ TEST(BandedPicture, IsThePictureThatIsDrawnAtOnce) {
     EXPECT_FALSE(isBanded(renderer, prepared.settings));
     Picture whole = renderer.render(prepared.settings);
     const std::uint64_t covered = renderer.stats().coveredPixels;
-    const std::size_t crowded = addWords(prepared, options, view, whole);
+    const std::size_t crowded = addWords(prepared, options, prepared.settings, whole);
 
     const WordPainter painter;
     Marks marks = painter.layOut(prepared.words, view, options.words.size, options.words.color, options.background);

@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
+#include <numeric>
 
 #include "app/shared/word_painter.h"
+#include "engine/molecule/read.h"
 #include "engine/scene/palettes.h"
 #include "tests/support/color_difference.h"
 
@@ -56,6 +60,107 @@ TEST(WordLayout, LabelsStandOnTheirAnchorsWhileThereIsRoomAndNeverOverlap) {
     // Where there is no room for all, none is set over another.
     for (int i = 0; i < 300; ++i) words.labels.push_back({{0, 0, 0}, "crowd", false, 1});
     EXPECT_GT(layOut(words, square(400), 14, {}, kWhite, widthOf).crowded, 50u);
+}
+
+/// Two balls in a row to the viewer, with their labels.
+PlacedWords twoInARow(Representation& r) {
+    Molecule m = sampleMolecule("glucose");
+    m.atoms.resize(2);
+    m.bonds.clear();
+    m.residues[0].atomCount = 2;
+    m.atoms[0].position = {0, 0, -4};
+    m.atoms[1].position = {0, 0, 4};
+    r = represent(m, std::vector<std::uint32_t>{0, 1}, {Style::spacefill, ColorScheme::element});
+    Words words;
+    words.labels = {parseLabel("id 1=behind"), parseLabel("id 2=before")};
+    words.seenOnly = true;
+    return placeWords(words, m, r);
+}
+
+std::vector<std::string> textsOf(const Marks& marks) {
+    std::vector<std::string> texts;
+    for (const TextMark& text : marks.texts) texts.push_back(text.text);
+    std::sort(texts.begin(), texts.end());
+    return texts;
+}
+
+TEST(WordLayout, LabelsOfWhatLiesBehindAtomsAreLeftOut) {
+    using Texts = std::vector<std::string>;
+    const Texts one{"before"}, both{"before", "behind"};
+    Representation r;
+    PlacedWords words = twoInARow(r);
+    for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+        Camera camera;
+        camera.projection = projection;
+        const View front = viewOf(camera, r.radius, 300, 300);
+        EXPECT_EQ(textsOf(layOut(words, front, 12, {}, kWhite, widthOf)), one);
+        camera.rotationDegrees = {0, 180, 0};
+        EXPECT_EQ(textsOf(layOut(words, viewOf(camera, r.radius, 300, 300), 12, {}, kWhite, widthOf)), Texts{"behind"});
+        camera.rotationDegrees = {0, 60, 0};
+        EXPECT_EQ(textsOf(layOut(words, viewOf(camera, r.radius, 300, 300), 12, {}, kWhite, widthOf)), both);
+        // What a plane cuts away hides nothing.
+        Clip clip;
+        clip.near = 0;
+        EXPECT_EQ(textsOf(layOut(words, front, 12, {}, kWhite, widthOf, clip)), both);
+    }
+    const View front = viewOf(Camera{}, r.radius, 300, 300);
+    words.sight.reset();
+    EXPECT_EQ(textsOf(layOut(words, front, 12, {}, kWhite, widthOf)), both);
+    // A stick hides, and so does a mesh; a bond of its own atom does not.
+    r.spheres.resize(1);
+    r.sphereLooks.resize(1);
+    r.cylinders = {{{-5, 0, 0}, 3, {5, 0, 0}, 0}};
+    r.cylinderLooks = {{0, 0, 7, 7}};
+    words.sight = std::make_shared<const LabelSight>(r);
+    EXPECT_EQ(textsOf(layOut(words, front, 12, {}, kWhite, widthOf)), one);
+    r.cylinderLooks = {{0, 0, 1, 1}};
+    words.sight = std::make_shared<const LabelSight>(r);
+    EXPECT_EQ(textsOf(layOut(words, front, 12, {}, kWhite, widthOf)), both);
+    r.cylinders.clear();
+    r.cylinderLooks.clear();
+    appendMesh(
+        {{{-9, -9, 0}, {9, -9, 0}, {0, 12, 0}}, {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, {0, 0, 0}, {{0, 1, 2}}}, {},
+        [](std::uint32_t) {
+            return SphereLook{0, 9};
+        },
+        r);
+    words.sight = std::make_shared<const LabelSight>(r);
+    EXPECT_EQ(textsOf(layOut(words, front, 12, {}, kWhite, widthOf)), one);
+}
+
+TEST(WordLayout, LabelsStayWithWhatTheyNameFromPictureToPicture) {
+    const Molecule m = sampleMolecule("dna");
+    std::vector<std::uint32_t> atoms(m.atoms.size());
+    std::iota(atoms.begin(), atoms.end(), 0u);
+    const Representation r = represent(m, atoms, {Style::spacefill, ColorScheme::element});
+    Words asked;
+    asked.labels = {parseLabel("name P={residue}{number}")};
+    const PlacedWords words = placeWords(asked, m, r);
+    // Of how many labels the place beside what they name changed by more than two ems, over a turn.
+    const auto jumps = [&](bool remembers) {
+        WordMemory memory;
+        std::map<std::string, glm::dvec2> before;
+        int count = 0;
+        for (int frame = 0; frame < 120; ++frame) {
+            Camera camera;
+            camera.rotationDegrees = {0, 3.0 * frame, 0};
+            const View view = viewOf(camera, r.radius, 500, 500);
+            const Marks marks = layOut(words, view, 14, {}, kWhite, widthOf, {}, remembers ? &memory : nullptr);
+            std::map<std::string, glm::dvec2> now;
+            for (const PlacedLabel& label : words.labels) {
+                const glm::dvec3 v = view.rotation * label.at;
+                const glm::dvec2 anchor(250 + v.x * view.pixelsPerAngstrom, 250 - v.y * view.pixelsPerAngstrom);
+                for (const TextMark& text : marks.texts)
+                    if (text.text == label.text) now[label.text] = text.at - anchor;
+            }
+            for (const auto& [text, at] : now) count += before.contains(text) && glm::distance(at, before[text]) > 28;
+            before = std::move(now);
+        }
+        return count;
+    };
+    const int alone = jumps(false), remembered = jumps(true);
+    EXPECT_GT(alone, 30);
+    EXPECT_LE(remembered * 5, alone) << remembered << " and " << alone;
 }
 
 TEST(WordLayout, TheScaleBarIsAsLongAsItSays) {
