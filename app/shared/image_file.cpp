@@ -50,7 +50,7 @@ WriteImage* codec(const OutputFile& file) {
         // Never unloaded: what it brings along does not expect that.
         void* library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
         if (library) loaded = reinterpret_cast<WriteImage*>(dlsym(library, "nacreWriteImage"));
-        if (!loaded && (std::filesystem::exists(name) || why.empty())) why = dlerror();
+        if (!loaded) why = std::filesystem::exists(name) ? dlerror() : "there is no " + name;
     }
     if (!loaded) fail(file, "image formats cannot be loaded: " + why);
     return loaded;
