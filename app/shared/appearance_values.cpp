@@ -221,7 +221,8 @@ Coloring parseColoring(std::string_view text) {
     }
     if (isColor(text)) return Coloring::uniform(parseAtomColor(text));
     constexpr const char* kWanted =
-        "element, chain, chain-carbons, copy, copy-chain, copy-entity, residue, hydrophobicity, charge, secondary-structure, b-factor, plddt, "
+        "element, chain, chain-carbons, copy, copy-chain, copy-entity, residue, hydrophobicity, charge, "
+        "secondary-structure, b-factor, plddt, "
         "rainbow, occupancy, entity, a colour's name, #rrggbb or element:COLOR for carbons in one colour";
     std::vector<std::string> words = colorNames();
     for (int s = 0; s < static_cast<int>(ColorScheme::uniform); ++s)
