@@ -18,7 +18,8 @@ TEST(BandedPicture, IsThePictureThatIsDrawnAtOnce) {
     options.size = {301, 203};
     options.occlusion.directions = 16;
     options.input.cache = "off";
-    options.effects.contours.width = 2;
+    options.effects.contours = {2, 1.5, 3, {0, 0, 0}};
+    options.effects.halos.width = 5;
     options.words.title = "DNA^{2+}";
     options.words.scaleBar = ScaleBar::nanometre;
     options.words.legend = true;
