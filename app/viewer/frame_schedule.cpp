@@ -1,10 +1,12 @@
 #include "app/viewer/frame_schedule.h"
 
+#include <algorithm>
+
 namespace nacre::app {
 namespace {
 
-constexpr double kScales[] = {1.0, 0.75, 0.5, 0.375};
-constexpr int kLowest = 3;
+constexpr double kScales[] = {1.0, 0.85, 0.7, 0.55, 0.4};
+constexpr int kLowest = 4;
 
 }  // namespace
 
@@ -16,18 +18,18 @@ void ResolutionControl::change(int step) {
     unsettled_ = kInFlight;
 }
 
-void ResolutionControl::frameTook(double seconds, double device, double interval) {
+void ResolutionControl::frameTook(double seconds, double device, double longest) {
     if (unsettled_ > 0) {
         --unsettled_;
         return;
     }
     // The device's own time tells how near it is to missing a picture; from outside one sees only that it did.
-    const bool slow = device > 0 ? device > 0.9 * interval : seconds > 1.5 * interval;
+    const bool slow = device > 0 ? device > 0.9 * longest : seconds > 1.5 * longest;
     slow_ = slow ? slow_ + 1 : 0;
     if (slow_ >= kPatience && level_ < kLowest) return change(1);
     if (device == 0 || level_ == 0) return;
     const double more = kScales[level_ - 1] / kScales[level_];
-    fast_ = device * more * more < 0.7 * interval ? fast_ + 1 : 0;
+    fast_ = device * more * more < 0.7 * longest ? fast_ + 1 : 0;
     if (fast_ >= kConfidence) change(-1);
 }
 
@@ -63,7 +65,7 @@ FrameSchedule::Next FrameSchedule::next(double now, bool moving, double occlusio
 
 void FrameSchedule::shown(const Next& frame, double now, bool moving, double occlusion, double deviceSeconds) {
     if (frame.draw == Draw::nothing) return;
-    if (moving && wasMoving_) resolution_.frameTook(now - lastFrame_, deviceSeconds, interval_);
+    if (moving && wasMoving_) resolution_.frameTook(now - lastFrame_, deviceSeconds, std::max(interval_, longest_));
     if (!moving) resolution_.rest();
     if (moving || occlusion != shownOcclusion_) lastChange_ = now;
     wasMoving_ = moving;

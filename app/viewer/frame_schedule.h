@@ -17,8 +17,8 @@ public:
     double scale() const;
     /// @param seconds   from one frame of a motion to the next
     /// @param device    of which the device took so many; 0: nobody knows
-    /// @param interval  from one picture of the display to the next
-    void frameTook(double seconds, double device, double interval);
+    /// @param longest   that a frame may take: from one picture of the display to the next, or more
+    void frameTook(double seconds, double device, double longest);
     /// The picture stands still.
     void rest();
 
@@ -62,13 +62,15 @@ public:
     void setSamples(std::uint32_t samples) { samples_ = samples; }
     /// Seconds from one picture of the display to the next.
     void setDisplayInterval(double seconds) { interval_ = seconds; }
+    /// Seconds that a frame of a motion may take at full resolution, where that is more than the display's interval.
+    void setLongestFrame(double seconds) { longest_ = seconds; }
 
 private:
     ResolutionControl resolution_;
     bool visible_ = true, pictureChanged_ = true, overlayChanged_ = false, wasMoving_ = false;
     std::uint32_t samples_ = 16, refined_ = 0;  // of the picture at rest: in all, and drawn so far
     double lastChange_ = 0, lastFrame_ = 0, shownOcclusion_ = -1;
-    double interval_ = 1.0 / 60;
+    double interval_ = 1.0 / 60, longest_ = 0;
 };
 
 }  // namespace nacre::app

@@ -156,6 +156,8 @@ public:
     void awaitFrame(double now);
     /// Seconds from one picture of the display to the next.
     void setDisplayInterval(double seconds) { schedule_.setDisplayInterval(seconds); }
+    /// Seconds that a frame of a motion may take before its resolution drops, where the display would ask for less.
+    void setLongestFrame(double seconds) { schedule_.setLongestFrame(seconds); }
     /// The device was lost while drawing: make another screen, then screenLost().
     bool deviceLost() const { return deviceLost_; }
 

@@ -123,15 +123,28 @@ TEST(Viewer, ResolutionGoesByTheDevicesTimeAndTheDisplaysInterval) {
     }
 }
 
+TEST(Viewer, ADeviceOfSoftwareKeepsItsResolutionLonger) {
+    // What takes 22 ms is whole at 40 pictures a second; what takes a little more gives up the smallest step.
+    for (const auto& [milliseconds, scale] : {std::pair(22.0, 1.0), {28.0, 0.85}, {40.0, 0.7}}) {
+        Bench b;
+        b.viewer.setLongestFrame(0.025);
+        b.run(2);
+        b.viewer.run(ViewerCommand::autoRotate, b.now);
+        b.screen.millisecondsOfWhole = milliseconds;
+        b.run(2, milliseconds / 1000);
+        EXPECT_EQ(b.screen.frames.back().scale, scale) << milliseconds;
+    }
+}
+
 TEST(Viewer, ResolutionDoesNotSwing) {
-    // The device takes as much as there are pixels: what fits at three quarters does not at the whole.
+    // The device takes as much as there are pixels: what fits at a smaller share does not at the whole.
     Bench b;
     b.run(2);
     b.viewer.run(ViewerCommand::autoRotate, b.now);
     b.screen.millisecondsOfWhole = 20;
     b.run(1);
     const double settled = b.screen.frames.back().scale;
-    EXPECT_EQ(settled, 0.75);
+    EXPECT_EQ(settled, 0.85);
     const std::size_t before = b.screen.frames.size();
     b.run(5);
     for (std::size_t i = before; i < b.screen.frames.size(); ++i) EXPECT_EQ(b.screen.frames[i].scale, settled);
