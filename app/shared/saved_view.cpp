@@ -66,9 +66,12 @@ void readRules(const Json& list, SavedView& view) {
     if (!list.is_array() || list.size() > kMostRules)
         throw std::invalid_argument("expected a list of at most " + std::to_string(kMostRules) + " rules");
     for (const Json& rule : list) {
-        if (!rule.is_object() || rule.size() != 1)
-            throw std::invalid_argument("expected each rule as {\"option\": \"value\"}");
-        view.look.rules.push_back(parseRule(rule.begin().key(), textOf(rule.begin().value())));
+        const bool off = rule.is_object() && rule.contains("off");
+        if (!rule.is_object() || rule.size() != (off ? 2 : 1) || (off && !rule["off"].is_boolean()))
+            throw std::invalid_argument("expected each rule as {\"option\": \"value\"}, and \"off\": true if so");
+        for (const auto& [option, value] : rule.items())
+            if (option != "off") view.look.rules.push_back(parseRule(option, textOf(value)));
+        if (off) view.look.rules.back().on = !rule["off"].get<bool>();
     }
 }
 
@@ -221,6 +224,7 @@ std::string savedViewJson(const SavedView& view) {
     for (const Rule& rule : view.look.rules) {
         const auto [option, value] = ruleText(rule);
         json["rules"].push_back({{option, value}});
+        if (!rule.on) json["rules"].back()["off"] = true;
     }
     json["water"] = view.drawn.water ? "show" : "hide";
     json["hydrogens"] = view.drawn.hydrogens ? "show" : "hide";

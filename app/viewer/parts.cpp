@@ -94,7 +94,7 @@ PartLook lookOf(const SavedView& view, const Part& part) {
     PartLook look;
     if (part.kind == Part::Kind::water) look.seen = view.drawn.water;
     for (const Rule& rule : view.look.rules) {
-        if (rule.selection.text != part.selection) continue;
+        if (!rule.on || rule.selection.text != part.selection) continue;
         if (rule.action == Rule::Action::show) look.style = rule.style, look.seen = true;
         if (rule.action == Rule::Action::hide) look.seen = false;
         if (rule.action == Rule::Action::color) look.coloring = rule.coloring;
@@ -104,7 +104,7 @@ PartLook lookOf(const SavedView& view, const Part& part) {
 
 void setLookOf(SavedView& view, const Part& part, const PartLook& look) {
     std::vector<Rule>& rules = view.look.rules;
-    std::erase_if(rules, [&](const Rule& rule) { return rule.selection.text == part.selection; });
+    std::erase_if(rules, [&](const Rule& rule) { return rule.on && rule.selection.text == part.selection; });
     const auto add = [&](Rule::Action action) -> Rule& {
         Rule& rule = rules.emplace_back();
         rule.action = action;

@@ -57,6 +57,7 @@ std::vector<AtomLook> settle(const Molecule& molecule, std::span<const std::uint
     std::vector<AtomLook> looks(drawn.size(), AtomLook(options.style));
     for (std::size_t r = 0; r < options.rules.size(); ++r) {
         const Rule& rule = options.rules[r];
+        if (!rule.on) continue;
         const std::vector<bool> selected = selectAtoms(molecule, rule.selection);
         const auto number = static_cast<std::uint32_t>(r + 1);
         bool any = false;

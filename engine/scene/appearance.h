@@ -34,6 +34,7 @@ struct Rule {
     Selection selection;
     Style style = Style::spacefill;  ///< of show
     Coloring coloring;               ///< of color
+    bool on = true;                  ///< or it is kept, and says nothing
     friend bool operator==(const Rule&, const Rule&) = default;
 };
 

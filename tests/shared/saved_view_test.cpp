@@ -24,6 +24,7 @@ TEST(SavedView, ComesBackToTheLastDigit) {
     view.look.surface.resolution = 0.55;
     view.look.surface.cavities = false;
     view.look.rules = {parseShow("ligand=ball-and-stick"), parseHide("chain B"), parseColorBy("chain A=#ff8000")};
+    view.look.rules[1].on = false;
     view.drawn = {true, false};
     view.camera.projection = Projection::perspective;
     view.camera.fovDegrees = 41.5;
@@ -58,6 +59,8 @@ TEST(SavedView, BadFilesAreRefusedByTheirKey) {
                                                           {"{\"orientation\": [1, 0, 0]}", "orientation"},
                                                           {"{\"pan\": [1, null]}", "pan"},
                                                           {"{\"rules\": [{\"paint\": \"all\"}]}", "rules"},
+                                                          {"{\"rules\": [{\"off\": true}]}", "rules"},
+                                                          {"{\"rules\": [{\"hide\": \"all\", \"off\": 1}]}", "rules"},
                                                           {"{\"rules\": [{\"hide\": \"chain (\"}]}", "rules"},
                                                           {"{\"background\": 5}", "background"},
                                                           {"{\"water\": true}", "water"},
