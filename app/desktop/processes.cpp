@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -39,8 +40,6 @@ bool makePipe(int (&ends)[2]) {
     for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
     return true;
 }
-
-bool onKde() { return variable("XDG_CURRENT_DESKTOP").find("KDE") != std::string::npos; }
 
 }  // namespace
 
@@ -95,31 +94,6 @@ std::optional<std::string> runProgram(const std::vector<std::string>& arguments,
     return result;
 }
 
-// --- dialogs
-
-bool FileDialog::available() { return hasProgram("zenity") || hasProgram("kdialog"); }
-
-FileDialog::~FileDialog() {
-    if (thread_.joinable()) thread_.detach();  // who closes the window does not wait for a dialog
-}
-
-void FileDialog::open(std::function<void(const std::string&)> chosen) {
-    if (busy_->exchange(true)) return;
-    if (thread_.joinable()) thread_.join();
-    thread_ = std::thread([chosen = std::move(chosen), busy = busy_] {
-        const bool kde = hasProgram("kdialog") && (onKde() || !hasProgram("zenity"));
-        const std::optional<std::string> answer =
-            kde ? runProgram({"kdialog", "--title", "Open a structure", "--getopenfilename", "."})
-                : runProgram({"zenity", "--file-selection", "--title=Open a structure"});
-        if (answer) {
-            std::string path = *answer;
-            while (!path.empty() && path.back() == '\n') path.pop_back();
-            if (!path.empty()) chosen(path);
-        }
-        busy->store(false);
-    });
-}
-
 bool copyPng(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     std::ostringstream bytes;
@@ -127,6 +101,20 @@ bool copyPng(const std::string& path) {
     if (!variable("WAYLAND_DISPLAY").empty() && runProgram({"wl-copy", "--type", "image/png"}, bytes.str()))
         return true;
     return runProgram({"xclip", "-selection", "clipboard", "-t", "image/png", "-i"}, bytes.str()).has_value();
+}
+
+std::optional<FontFile> fontWith(const std::vector<char32_t>& characters) {
+    std::ostringstream pattern;
+    pattern << "sans:charset=" << std::hex;
+    for (std::size_t i = 0; i < characters.size(); ++i)
+        pattern << (i > 0 ? " " : "") << static_cast<std::uint32_t>(characters[i]);
+    const auto answer = runProgram({"fc-match", "-f", "%{file}\n%{index}\n", pattern.str()});
+    std::istringstream lines(answer.value_or(""));
+    FontFile font;
+    unsigned index = 0;
+    if (!std::getline(lines, font.path) || !(lines >> index)) return std::nullopt;
+    font.index = static_cast<int>(index & 0xffff);  // above it, which of a variable font
+    return font;
 }
 
 bool systemIsDark() {

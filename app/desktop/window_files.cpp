@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/desktop/processes.h"
 #include "app/desktop/state_files.h"
 #include "app/desktop/window_session.h"
 #include "app/shared/capture_file.h"
@@ -39,21 +40,24 @@ std::string WindowSession::pictureName(const char* extension) {
 
 void WindowSession::savePicture(const PictureWish& wish) {
     try {
-        writePictureTo(wish.path, wish.size, wish.transparent);
+        writePictureTo(wish);
         viewer().say("saved " + wish.path, now());
     } catch (const std::exception& error) {
         viewer().fail(error.what(), now());
     }
 }
 
-void WindowSession::writePictureTo(const std::string& path, PixelSize size, bool transparent) {
+void WindowSession::writePictureTo(const PictureWish& wish) {
+    const auto& [size, transparent, path, dpi] = wish;
     if (!isPictureName(path))
         throw Error("cannot save the picture", path, "its name ends in none of .png .tif .jpg .webp .exr");
     OutputFile file(path);
     RenderSettings settings = viewer().pictureSettings(size);
     // What is larger than the window is antialiased as pictures are; the window's own as the window is.
     const bool asShown = size.width == window_.size().width && size.height == window_.size().height;
-    settings.supersample = asShown ? viewer().mostSamples() : RenderSettings::kEdges;
+    const std::uint32_t side = viewer().mostSamples();
+    const bool grid = asShown && side * side != RenderSettings::kEdgeSamples;  // whose places are no grid
+    settings.supersample = grid ? side : RenderSettings::kEdges;
     const SavedView view = viewer().savedView();
     std::array<float, 4> background = view.background;
     if (transparent) settings.background = background = {0, 0, 0, 0};
@@ -64,7 +68,10 @@ void WindowSession::writePictureTo(const std::string& path, PixelSize size, bool
         viewer().textSize() * (asShown ? 1 : std::min(size.width, size.height) / std::max(shorter, 1.0));
     WordPainter().paint(placeWords(view.words, *document.molecule, document.scene), settings.view, textSize,
                         view.words.color, background, drawn);
-    writePicture(file, drawn, {transparent});
+    PictureFormat format;
+    format.alpha = transparent;
+    format.dpi = dpi;
+    writePicture(file, drawn, format);
 }
 
 void WindowSession::copyPicture() {
@@ -72,7 +79,7 @@ void WindowSession::copyPicture() {
     try {
         const std::string path =
             (std::filesystem::temp_directory_path() / ("nacre-" + std::to_string(getpid()) + ".png")).string();
-        writePictureTo(path, window_.size(), false);
+        writePictureTo({window_.size(), false, path});
         const bool copied = copyPng(path);
         std::filesystem::remove(path);
         if (!copied) throw Error("cannot copy the picture", "", kCopyNeeds);

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <utility>
 
+#include "app/desktop/processes.h"
 #include "app/desktop/state_files.h"
 #include "app/desktop/window_sources.h"
 #include "app/shared/cache_folder.h"
@@ -18,6 +19,8 @@ namespace nacre::app {
 namespace {
 
 constexpr std::uint32_t kSoftwareSamples = 2;  // a side of a pixel, of a refinement that a CPU draws
+constexpr double kSoftwareFrameSeconds =
+    0.025;  // of a motion that it draws: blocks are worse than 40 pictures a second
 
 }  // namespace
 
@@ -28,7 +31,7 @@ double WindowSession::now() {
 
 struct WindowSession::Chosen {
     std::mutex mutex;
-    std::string path;
+    std::string path, savePath;
 };
 
 WindowSession::WindowSession(const ViewOptions& options)
@@ -41,7 +44,10 @@ WindowSession::WindowSession(const ViewOptions& options)
       chosen_(std::make_shared<Chosen>()) {
     scale_ = window_.pixelsPerPoint();
     session_.open(now());
-    if (renderer().stats().device.type == "software") viewer().setMostSamples(kSoftwareSamples);
+    if (renderer().stats().device.type == "software") {
+        viewer().setMostSamples(kSoftwareSamples);
+        viewer().setLongestFrame(kSoftwareFrameSeconds);
+    }
     viewer().setDebugView(options.debug, now());
     viewer().aim(options.aim, now());
     viewer().throwEarlyFailure();
@@ -65,7 +71,11 @@ double WindowSession::step(double longest) {
     viewer().awaitFrame(now());
     window_.handleEvents(0);
     viewer().setDisplayInterval(1 / window_.refreshRate());
-    const double wake = session_.step(now(), [this] { return panel_->draw(viewer(), window_.size(), now()); });
+    const double wake = session_.step(now(), [this] {
+        const Overlay* overlay = panel_->draw(viewer(), window_.size(), now());
+        if (panel_->glyphsChanged()) renderer().setOverlayGlyphs(panel_->glyphs());
+        return overlay;
+    });
     const bool shown = renderer().stats().windowFrames != shown_;
     if (shown) {
         shown_ = renderer().stats().windowFrames;
@@ -81,17 +91,23 @@ double WindowSession::step(double longest) {
     const double due = std::isinf(wake) && !panel_->restless() ? wake : next - now();
     window_.handleEvents(std::min(due, longest));
     lastFrame_ = now();
-    std::string path;
+    takeChosen();
+    return due;
+}
+
+/// What a dialog was told meanwhile.
+void WindowSession::takeChosen() {
+    std::string path, savePath;
     {
         const std::lock_guard lock(chosen_->mutex);
         path.swap(chosen_->path);
+        savePath.swap(chosen_->savePath);
     }
-    if (!path.empty()) {
-        rememberFile();
-        panel_->closeTop();
-        viewer().open(lasting(path), now());
-    }
-    return due;
+    if (!savePath.empty()) panel_->setSavePath(savePath);
+    if (path.empty()) return;
+    rememberFile();
+    panel_->closeTop();
+    viewer().open(lasting(path), now());
 }
 
 std::unique_ptr<Panel> WindowSession::makePanel() {
@@ -101,7 +117,10 @@ std::unique_ptr<Panel> WindowSession::makePanel() {
 PanelHost WindowSession::panelHost() {
     PanelHost host;
     host.run = [this](ViewerCommand command) { run(command); };
-    if (FileDialog::available()) host.openDialog = [this] { openDialog(); };
+    if (FileDialog::available()) {
+        host.openDialog = [this] { openDialog(); };
+        host.saveDialog = [this](const std::string& suggested) { saveDialog(suggested); };
+    }
     host.open = [this](const std::string& input) {
         rememberFile();
         viewer().open(lasting(input), now());
@@ -121,6 +140,7 @@ PanelHost WindowSession::panelHost() {
     host.captures = options_.device.capture;
     host.statistics = [this] { return session_.statistics(); };
     host.dark = dark_;
+    host.fontWith = fontWith;
     return host;
 }
 
@@ -270,6 +290,16 @@ void WindowSession::openDialog() {
         {
             const std::lock_guard lock(chosen->mutex);
             chosen->path = path;
+        }
+        Window::wake();
+    });
+}
+
+void WindowSession::saveDialog(const std::string& suggested) {
+    dialog_.save(suggested, [chosen = chosen_](const std::string& path) {
+        {
+            const std::lock_guard lock(chosen->mutex);
+            chosen->savePath = path;
         }
         Window::wake();
     });

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/desktop/processes.h"
+#include "app/desktop/file_dialog.h"
 #include "app/desktop/recent_files.h"
 #include "app/desktop/view_options.h"
 #include "app/desktop/window.h"
@@ -43,10 +43,12 @@ private:
     void resized();
     void run(ViewerCommand command);
     void openDialog();
+    void saveDialog(const std::string& suggested);
+    void takeChosen();
     void rememberFile();
     std::string pictureName(const char* extension);
     void savePicture(const PictureWish& wish);
-    void writePictureTo(const std::string& path, PixelSize size, bool transparent);
+    void writePictureTo(const PictureWish& wish);
     void copyPicture();
     void saveView();
     void captureFrame();

@@ -168,12 +168,27 @@ void Panel::drawTabs() {
 
 // --- cards
 
+/// What lies below a card is dimmed, and a click there closes the card.
+void Panel::drawScrim(const char* below) {
+    ImGui::SetNextWindowPos(ImVec2(0, 0));
+    ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0, 0, 0, 0.45f));
+    ImGui::Begin(below, nullptr, kWindow | ImGuiWindowFlags_NoNav);
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) closeTop();
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+}
+
 /// A window in the middle, over everything else, with a name and a sign that closes it.
 /// @returns whether it was closed
 bool Panel::beginCard(const char* name, const char* title, float points, bool closable) {
     Widgets& ui = state_->ui;
     const float width = std::min(ui.px(points), window_.right - window_.left);
     const float height = window_.bottom - window_.top;
+    if (closable) drawScrim((std::string("Below ") + name).c_str());
     ImGui::SetNextWindowPos(
         ImVec2(std::round((window_.left + window_.right) / 2), std::round((window_.top + window_.bottom) / 2)),
         ImGuiCond_Always, ImVec2(0.5f, 0.5f));

@@ -2,6 +2,7 @@
 // What stands in the panel, for those who do not see it: screen readers, and tests.
 
 #include <string>
+#include <vector>
 
 namespace nacre::app {
 
@@ -18,5 +19,9 @@ struct Control {
 
     bool seen() const { return seenRight > seenLeft && seenBottom > seenTop; }
 };
+
+/// Those that are seen, a line each: role, name, value, whether it is enabled, left, top, right, bottom, with tabs
+/// between them.
+std::string controlLines(const std::vector<Control>& controls);
 
 }  // namespace nacre::app

@@ -11,9 +11,6 @@
 namespace nacre::app {
 namespace {
 
-constexpr float kLetterPoints = 13, kLinePoints = 19;
-constexpr int kBlock = 10;  // letters between two gaps of a sequence
-
 std::string countOf(const Part& part) {
     switch (part.kind) {
         case Part::Kind::chain:
@@ -35,6 +32,8 @@ void Panel::drawPartsPage(SavedView& look, Viewer& viewer) {
         state_->molecule = document->molecule;
         state_->parts = partsOf(*document->molecule);
         state_->unfolded.clear();
+        state_->folds.clear();
+        state_->residueColors.clear();
     }
     drawModels(viewer);
     drawAssemblies(look, *document->molecule);
@@ -47,7 +46,7 @@ void Panel::drawPartsPage(SavedView& look, Viewer& viewer) {
         }
         last = part.kind;
         drawPart(look, part, number++);
-        if (state_->unfolded == part.selection) drawSequence(part, viewer);
+        if (state_->unfolded == part.selection) drawSequence(part, look, viewer);
     }
     if (state_->parts.size() >= kMostParts) ui.caption("Of more parts, the first 200 are listed.");
     ui.toggle("Hydrogens", look.drawn.hydrogens);
@@ -110,15 +109,13 @@ void Panel::drawPart(SavedView& look, const Part& part, std::size_t number) {
     const float nameWidth = room - 2 * side - styles - 4 * gap;
     const bool open = state_->unfolded == part.selection;
     if (part.kind == Part::Kind::chain || forFingers()) {
-        ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
-        if (ui.button(open ? Icon::up : Icon::down, part.name.c_str(), nameWidth)) {
+        if (ui.row(open ? Icon::up : Icon::down, part.name, nameWidth)) {
             state_->unfolded = open ? "" : part.selection;
             state_->sequence.clear();
             if (part.kind == Part::Kind::chain)
                 state_->sequence = sequenceOf(*state_->molecule, state_->molecule->chains[part.chain].name);
-            state_->dragFrom = -1;
+            state_->dragFrom = state_->dragTo = -1;
         }
-        ImGui::PopStyleColor();
         ui.controls.back().value = countOf(part) + (open ? ", open" : "");
     } else {
         ui.name(part.name + " " + countOf(part), nameWidth);
@@ -192,83 +189,6 @@ void Panel::drawColorChoice(SavedView& look, const Part& part) {
     ImGui::SameLine();
     if (ui.button(Icon::none, "By element")) take(Coloring(ColorScheme::element));
     ImGui::EndPopup();
-}
-
-/// One letter a residue, in blocks of ten; a click selects one, a drag several.
-void Panel::drawSequence(const Part& part, Viewer& viewer) {
-    Widgets& ui = state_->ui;
-    const Molecule& m = *state_->molecule;
-    const std::vector<std::uint32_t>& sequence = state_->sequence;
-    if (sequence.empty()) return;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float cell = ui.px(forFingers() ? 20 : kLetterPoints), line = ui.px(forFingers() ? 34 : kLinePoints);
-    const float gap = ui.px(6), left = ui.px(40);
-    const float room = ImGui::GetContentRegionAvail().x - left;
-    const int blocks = std::max(static_cast<int>((room + gap) / (kBlock * cell + gap)), 1);
-    const int perLine = blocks * kBlock, count = static_cast<int>(sequence.size());
-    const int lines = (count + perLine - 1) / perLine;
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::InvisibleButton("##sequence", ImVec2(ImGui::GetContentRegionAvail().x, line * static_cast<float>(lines)));
-    const std::string spoken = "Sequence of " + part.name;
-    ui.note("sequence", spoken);
-    const auto placeOf = [&](int i) {
-        const int in = i % perLine;
-        return ImVec2(at.x + left + static_cast<float>(in) * cell + static_cast<float>(in / kBlock) * gap,
-                      at.y + static_cast<float>(i / perLine) * line);
-    };
-    // Under the pointer
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    int under = -1;
-    const int row = static_cast<int>((mouse.y - at.y) / line);
-    if (mouse.y >= at.y && row < lines)
-        for (int i = row * perLine; i < std::min((row + 1) * perLine, count); ++i)
-            if (const float x = placeOf(i).x; mouse.x >= x - gap / 2 && mouse.x < x + cell) under = i;
-    if (ImGui::IsItemActivated() && under >= 0) state_->dragFrom = state_->dragTo = under;
-    if (ImGui::IsItemActive() && under >= 0 && state_->dragFrom >= 0) {
-        state_->dragTo = under;
-        const auto [low, high] = std::minmax(state_->dragFrom, state_->dragTo);
-        viewer.select(
-            residuesText(m, sequence[static_cast<std::size_t>(low)], sequence[static_cast<std::size_t>(high)]));
-    }
-    const bool hovered = ImGui::IsItemHovered() && under >= 0;
-    const auto [low, high] = std::minmax(state_->dragFrom, state_->dragTo);
-    const ImVec2 clipLow = list.GetClipRectMin(), clipHigh = list.GetClipRectMax();
-    const ImU32 ink = ImGui::GetColorU32(ui.theme().text), faint = ImGui::GetColorU32(ui.theme().faint);
-    for (int i = 0; i < count; ++i) {
-        const ImVec2 p = placeOf(i);
-        if (p.y + line < clipLow.y || p.y > clipHigh.y) continue;
-        const Residue& residue = m.residues[sequence[static_cast<std::size_t>(i)]];
-        const bool chosen = low >= 0 && i >= low && i <= high;
-        if (chosen)
-            list.AddRectFilled(ImVec2(p.x, p.y + ui.px(3)), ImVec2(p.x + cell, p.y + line),
-                               ImGui::GetColorU32(ui.theme().accent));
-        // Helix and strand above the letters.
-        if (residue.secondary != SecondaryStructure::none)
-            list.AddRectFilled(ImVec2(p.x, p.y), ImVec2(p.x + cell, p.y + ui.px(3)),
-                               residue.secondary == SecondaryStructure::helix ? IM_COL32(213, 94, 0, 255)
-                                                                              : IM_COL32(0, 158, 115, 255));
-        const char letter[2] = {letterOf(residue), '\0'};
-        const float width = ImGui::CalcTextSize(letter).x;
-        list.AddText(ImVec2(std::round(p.x + (cell - width) / 2),
-                            std::round(p.y + (line + ui.px(3) - ImGui::GetFontSize()) / 2)),
-                     chosen                  ? ImGui::GetColorU32(ui.theme().onAccent)
-                     : hovered && i == under ? ImGui::GetColorU32(ui.theme().mark)
-                                             : ink,
-                     letter);
-        if (i % perLine == 0) {
-            const std::string number = std::to_string(residue.number);
-            ImGui::PushFont(fontOf(TextSize::caption));
-            const float wide = ImGui::CalcTextSize(number.c_str()).x;
-            list.AddText(ImVec2(std::round(at.x + left - ui.px(5) - wide),
-                                std::round(p.y + (line + ui.px(3) - ImGui::GetFontSize()) / 2)),
-                         faint, number.c_str());
-            ImGui::PopFont();
-        }
-    }
-    if (hovered) {
-        const Residue& residue = m.residues[sequence[static_cast<std::size_t>(under)]];
-        ImGui::SetTooltip("%s %d", std::string(residue.name.view()).c_str(), residue.number);
-    }
 }
 
 }  // namespace nacre::app

@@ -19,22 +19,6 @@ constexpr std::pair<const char*, const char*> kSelections[] = {{"Ligands", "liga
                                                                {"Side chains", "sidechain"},
                                                                {"Near the ligand", "byres within 5 of (ligand)"}};
 
-/// A rule in words: "Hide chain B".
-std::string ruleWords(const Rule& rule) {
-    const std::string& what = rule.selection.text;
-    switch (rule.action) {
-        case Rule::Action::hide:
-            return "Hide " + what;
-        case Rule::Action::color:
-            return what + ": " + colorWord(rule.coloring);
-        case Rule::Action::show:
-            break;
-    }
-    for (const StyleWord& word : styleWords())
-        if (word.style == rule.style) return what + ": " + word.word;
-    return what;
-}
-
 }  // namespace
 
 void Panel::drawSelectPage(SavedView& look, Viewer& viewer) {
@@ -129,33 +113,6 @@ void Panel::drawSelectionActions(SavedView& look, const std::string& selection) 
         rule.coloring = Coloring::uniform(packed);
         add(rule);
     }
-}
-
-/// What holds of parts of the molecule, the last prevailing: moved up and down, taken away.
-void Panel::drawRules(SavedView& look) {
-    std::vector<Rule>& rules = look.look.rules;
-    if (rules.empty()) return;
-    Widgets& ui = state_->ui;
-    ui.heading("Rules, the last prevails");
-    std::optional<std::pair<std::size_t, int>> move;
-    std::optional<std::size_t> gone;
-    const float side = ui.rowHeight();
-    for (std::size_t i = 0; i < rules.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        const float x = ImGui::GetCursorPosX(), room = ImGui::GetContentRegionAvail().x;
-        const std::string words = ruleWords(rules[i]);
-        ui.name(words, room - 3 * side - ui.px(12));
-        ImGui::SameLine(x + room - 3 * side - ui.px(8));
-        if (ui.sign(Icon::up, "Earlier", i > 0)) move = {i, -1};
-        ImGui::SameLine(0, ui.px(4));
-        if (ui.sign(Icon::down, "Later", i + 1 < rules.size())) move = {i, 1};
-        ImGui::SameLine(0, ui.px(4));
-        if (ui.sign(Icon::close, "Remove")) gone = i;
-        ImGui::PopID();
-    }
-    if (move) std::swap(rules[move->first], rules[move->first + static_cast<std::size_t>(move->second)]);
-    if (gone) rules.erase(rules.begin() + static_cast<std::ptrdiff_t>(*gone));
-    if (ui.button(Icon::none, "Remove all rules")) rules.clear();
 }
 
 }  // namespace nacre::app

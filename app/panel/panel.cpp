@@ -65,7 +65,7 @@ Panel::Panel(double pixelsPerPoint, PanelHost host, PanelHand hand)
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     addPanelFont(scale());
-    state_ = std::make_unique<State>(darkTheme(), scale(), forFingers());
+    state_ = std::make_unique<State>(darkTheme(), scale(), forFingers(), host_.fontWith);
     setBrightness(Brightness::system);
 #if IMGUI_VERSION_NUM < 18700
     for (const auto& [theirs, ours] : kKeys) io.KeyMap[theirs] = indexOf(ours);
@@ -87,6 +87,7 @@ OverlayGlyphs Panel::glyphs() const {
     const Turn turn(context_);
     unsigned char* coverage = nullptr;
     int width = 0, height = 0;
+    glyphsChanged_ = false;
     ImGui::GetIO().Fonts->GetTexDataAsAlpha8(&coverage, &width, &height);
     return {static_cast<std::uint32_t>(width),
             static_cast<std::uint32_t>(height),
@@ -185,6 +186,11 @@ void Panel::key(SpecialKey key, bool down, Modifiers with) {
         pressedKey_ = key;
     }
     if (key == SpecialKey::escape && down && !popup && !io.WantTextInput) keyboard_ = false;
+    if (state_->alongSequence && keyboard_ && (key == SpecialKey::left || key == SpecialKey::right)) {
+        if (down) state_->sequenceStep = key == SpecialKey::left ? -1 : 1;
+        state_->sequenceExtends = with.shift;
+        return;
+    }
 #if IMGUI_VERSION_NUM < 18700
     io.KeysDown[indexOf(key)] = down;
     io.KeyShift = with.shift;
@@ -282,9 +288,11 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     viewer.setCovered(covered, now);
     if (!open) panel_ = {window_.left, window_.bottom, window_.left, window_.bottom};
 
+    if (state_->foreign.news()) addFonts();
     ImGui::NewFrame();
     occupied_.clear();
     state_->ui.controls.clear();
+    state_->alongSequence &= page_ == Page::parts && open && !over;
     glide(io.DeltaTime);
     if (open) drawPanel(viewer, now);
     if (shown_ == Shown::folded && !over) drawMenuButton();
@@ -302,7 +310,30 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     if (!ImGui::IsAnyItemActive()) editing_ = false;
     endKeys();
     collect();
+    readTexts(viewer);
     return &overlay_;
+}
+
+/// All that is shown is also told: what of it the font lacks comes with the next frame.
+void Panel::readTexts(const Viewer& viewer) {
+    ForeignGlyphs& foreign = state_->foreign;
+    for (const Control& control : state_->ui.controls)
+        for (const std::string* text : {&control.name, &control.value}) foreign.read(visualText(*text));
+    const SavedView& view = viewer.view();
+    foreign.read(view.words.title);
+    for (const Label& label : view.words.labels) foreign.read(label.text);
+    if (foreign.news()) restless_ = std::max(restless_, 2);
+}
+
+/// The fonts anew, with those of the system.
+void Panel::addFonts() {
+    ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+    state_->foreign.find();
+    fonts.Clear();
+    addPanelFont(scale(), state_->foreign.fonts());
+    fonts.Build();
+    fonts.ClearInputData();  // files that are not the atlas's
+    glyphsChanged_ = true;
 }
 
 /// Keys that were pressed for one frame go up again.

@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "app/panel/controls.h"
+#include "app/panel/font_file.h"
 #include "app/viewer/parts.h"
 #include "app/viewer/viewer.h"
 
 struct ImGuiContext;
+struct ImVec2;
 
 namespace nacre::app {
 
@@ -32,12 +34,14 @@ struct PictureWish {
     PixelSize size;
     bool transparent = false;
     std::string path;
+    int dpi = 0;  ///< that the file says; 0: none
 };
 
 /// What a shell lends to its panel. What is empty is not offered.
 struct PanelHost {
     std::function<void(ViewerCommand)> run;                  ///< the commands that the user clicks
     std::function<void()> openDialog;                        ///< the system's, which then opens what it is told
+    std::function<void(const std::string&)> saveDialog;      ///< the system's, from a path; setSavePath() hears of it
     std::function<void(const std::string&)> open;            ///< a file or another input; empty: the viewer's open()
     std::function<const std::vector<RecentFile>&()> recent;  ///< the latest first
     std::string lastView;                                    ///< what can be gone on with; empty: nothing
@@ -51,6 +55,7 @@ struct PanelHost {
     bool captures = false;                    ///< a frame can be captured for RenderDoc
     std::function<std::string()> statistics;  ///< for developers, in lines
     bool dark = true;                         ///< what the system asks for
+    FindFont fontWith;                        ///< for characters that the panel's font has not
 };
 
 class Panel {
@@ -61,6 +66,8 @@ public:
 
     /// Glyphs of the font, for the engine.
     OverlayGlyphs glyphs() const;
+    /// Whether there are other glyphs than those that were taken last: the next frame is drawn with them.
+    bool glyphsChanged() const { return glyphsChanged_; }
     void setInsets(const Insets& insets) { insets_ = insets, restless_ = 2; }
 
     // Events, in pixels of the window
@@ -83,6 +90,8 @@ public:
     void togglePanel();
     void toggleHelp() { help_ = !help_, restless_ = 2; }
     void showStart() { start_ = true, restless_ = 2; }
+    /// Where a picture is to be saved, as a dialog was told; its end decides the format.
+    void setSavePath(const std::string& path);
     void showSave() { saving_ = true, restless_ = 2; }
     bool helpOpen() const { return help_; }
     bool panelOpen() const { return shown_ == Shown::open; }
@@ -122,6 +131,8 @@ private:
     void endKeys();
     void remember();
     void collect();
+    void readTexts(const Viewer& viewer);
+    void addFonts();
 
     // panel.cpp
     void placePanel();
@@ -131,6 +142,7 @@ private:
     void drawHeader(const Viewer& viewer);
     void drawTools(const Viewer& viewer);
     void drawTabs();
+    void drawScrim(const char* below);
     bool beginCard(const char* name, const char* title, float points, bool closable = true);
     void endCard();
     // pages
@@ -144,10 +156,14 @@ private:
     void drawPart(SavedView& look, const Part& part, std::size_t number);
     void drawStyleChoice(SavedView& look, const Part& part, float width);
     void drawColorChoice(SavedView& look, const Part& part);
-    void drawSequence(const Part& part, Viewer& viewer);
+    void drawSequence(const Part& part, const SavedView& look, Viewer& viewer);
+    void drawLetter(int i, ImVec2 place, ImVec2 size, bool chosen, bool hovered);
+    void drawResidueNumber(int i, ImVec2 right, float line);
+    void selectResidues(Viewer& viewer);
     void drawSelectPage(SavedView& look, Viewer& viewer);
     void drawSelectionActions(SavedView& look, const std::string& selection);
     void drawRules(SavedView& look);
+    void drawRuleEditor(Rule& rule);
     void drawLabelsPage(SavedView& look, Viewer& viewer);
     void drawMorePage(Viewer& viewer, double now);
     void drawForDevelopers(Viewer& viewer, double now);
@@ -177,6 +193,7 @@ private:
     bool help_ = false, licences_ = false, start_ = false, saving_ = false, developers_ = false;
     bool keyboard_ = false;  // keys go about in the panel
     int restless_ = 2;
+    mutable bool glyphsChanged_ = false;
     bool down_[3] = {false, false, false}, pressed_[3] = {false, false, false};
     std::optional<Finger> finger_;
     float scroll_ = 0;                      // pixels that the finger dragged since the last frame

@@ -1,6 +1,7 @@
 #pragma once
 // What the panel's pages keep from frame to frame.
 
+#include "app/panel/fonts.h"
 #include "app/panel/panel.h"
 #include "app/panel/widgets.h"
 #include "app/shared/word_layout.h"
@@ -8,9 +9,11 @@
 namespace nacre::app {
 
 struct Panel::State {
-    State(const Theme& theme, float scale, bool fingers) : ui(theme, scale, fingers) {}
+    State(const Theme& theme, float scale, bool fingers, FindFont find)
+        : ui(theme, scale, fingers), foreign(std::move(find)) {}
 
     Widgets ui;
+    ForeignGlyphs foreign;
     char input[256] = "";      ///< of the start screen
     char selection[512] = "";  ///< as it is typed
     std::string selected;      ///< what the viewer had when the field was filled last
@@ -20,9 +23,17 @@ struct Panel::State {
     // Parts of the molecule that is shown
     std::shared_ptr<const Molecule> molecule;
     std::vector<Part> parts;
-    std::string unfolded;                 ///< the part whose sequence is shown
-    std::vector<std::uint32_t> sequence;  ///< of it
-    int dragFrom = -1, dragTo = -1;       ///< of residues of the sequence
+    std::string unfolded;                            ///< the part whose sequence is shown
+    std::vector<std::uint32_t> sequence;             ///< of it
+    int dragFrom = -1, dragTo = -1;                  ///< of residues of the sequence
+    bool alongSequence = false;                      ///< arrow keys go along it
+    int sequenceStep = 0;                            ///< that one of them asks for
+    bool sequenceExtends = false;                    ///< to what is selected
+    std::vector<SecondaryStructure> folds;           ///< of the molecule's residues
+    std::vector<std::uint32_t> residueColors;        ///< of the same
+    std::pair<RepresentationOptions, bool> colored;  ///< what they are the colours of
+    int rule = -1;                                   ///< that is being edited
+    char ruleAtoms[512] = "";                        ///< of it, as they are typed
     // The picture that is to be saved
     int preset = 0, format = 0;
     int widthMm = 160, heightMm = 120, dpi = 300;

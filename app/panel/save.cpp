@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 #include "app/panel/panel_state.h"
 #include "app/shared/option_values.h"
@@ -11,8 +12,9 @@ namespace nacre::app {
 namespace {
 
 constexpr const char* kSizes[] = {"As on the screen", "Square, 2048", "Wide, 1920 x 1080", "For paper"};
-constexpr const char* kFormats[] = {"PNG", "TIFF", "JPEG", "OpenEXR"};
-constexpr const char* kExtensions[] = {".png", ".tif", ".jpg", ".exr"};
+constexpr const char* kFormats[] = {"PNG", "WebP", "TIFF", "JPEG", "OpenEXR"};
+constexpr const char* kExtensions[] = {".png", ".webp", ".tif", ".jpg", ".exr"};
+constexpr int kPaper = 3, kJpeg = 3;  // of sizes, and of formats the one without transparency
 constexpr float kSavePoints = 460;
 constexpr int kMostMm = 2000, kMostDpi = 2400;
 
@@ -22,6 +24,17 @@ std::uint32_t pixelsOf(int millimetres, int dpi) {
 }
 
 }  // namespace
+
+void Panel::setSavePath(const std::string& path) {
+    State& s = *state_;
+    std::string whole = path;
+    const std::string end = std::filesystem::path(path).extension().string();
+    if (end.empty()) whole += kExtensions[s.format];
+    for (int i = 0; i < static_cast<int>(std::size(kExtensions)); ++i)
+        if (end == kExtensions[i]) s.format = i;
+    std::snprintf(s.path, sizeof s.path, "%s", whole.c_str());
+    restless_ = 3;
+}
 
 void Panel::drawSave(const Viewer& viewer) {
     Widgets& ui = state_->ui;
@@ -36,7 +49,7 @@ void Panel::drawSave(const Viewer& viewer) {
     if (ui.choose("Size", kSizes, size))
         for (int i = 0; i < static_cast<int>(std::size(kSizes)); ++i)
             if (size == kSizes[i]) s.preset = i;
-    if (s.preset == 3) {
+    if (s.preset == kPaper) {
         const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
         const auto number = [&](const char* name, int& value, int most, const char* format) {
             ImGui::SetNextItemWidth(third);
@@ -64,12 +77,19 @@ void Panel::drawSave(const Viewer& viewer) {
             if (format == kFormats[i]) s.format = i;
         rename();
     }
-    if (s.format != 2) ui.toggle("Transparent background", s.transparent);
+    if (s.format != kJpeg) ui.toggle("Transparent background", s.transparent);
     ui.heading("Where to");
-    ui.field("Path", "picture.png", s.path, sizeof s.path);
+    const float choose = host_.saveDialog ? ui.buttonWidth("Choose ...") + ui.px(2) : 0;
+    const float gap = host_.saveDialog ? ImGui::GetStyle().ItemSpacing.x : 0;
+    ui.field("Path", "picture.png", s.path, sizeof s.path, ImGui::GetContentRegionAvail().x - choose - gap);
+    if (host_.saveDialog) {
+        ImGui::SameLine();
+        if (ui.button(Icon::none, "Choose ...", choose)) host_.saveDialog(s.path);
+    }
     ImGui::Spacing();
-    wish.transparent = s.transparent && s.format != 2;
+    wish.transparent = s.transparent && s.format != kJpeg;
     wish.path = s.path;
+    if (s.preset == kPaper) wish.dpi = s.dpi;
     if (ui.button(Icon::save, "Save", 0, true) && wish.path[0] != '\0') {
         saving_ = false;
         host_.savePicture(wish);

@@ -118,7 +118,7 @@ void Panel::drawRecent(const RecentFile& recent, float width, Viewer& viewer, do
     list.AddRectFilled(from, to, IM_COL32(255, 255, 255, 255), ui.px(4));
     drawPicture(list, recent, from, to);
     ImGui::PushFont(fontOf(TextSize::caption));
-    const std::string shown = shortened(recent.name, width - 2 * ui.px(6));
+    const std::string shown = shortened(visualText(recent.name), width - 2 * ui.px(6));
     list.AddText(ImVec2(std::round(low.x + ui.px(7)), std::round(low.y + picture + ui.px(5))),
                  ImGui::GetColorU32(ui.theme().text), shown.c_str());
     ImGui::PopFont();

@@ -2,15 +2,8 @@
 
 #include <cmath>
 
-#include "app/shared/font.h"
-
 namespace nacre::app {
 namespace {
-
-// Latin, Greek, Cyrillic, dashes and primes, raised and lowered digits, arrows, the minus sign.
-constexpr ImWchar kGlyphs[] = {0x20,   0x24f,  0x370,  0x52f,  0x2010, 0x2044, 0x2070, 0x209c,
-                               0x2190, 0x2193, 0x2212, 0x2212, 0xfffd, 0xfffd, 0};
-constexpr float kShares[] = {1.0f, 0.68f, 0.84f, 1.45f};  // text, raised and lowered, captions, headings
 
 ImVec4 rgb(unsigned value, float alpha = 1) {
     return {static_cast<float>(value >> 16 & 255) / 255, static_cast<float>(value >> 8 & 255) / 255,
@@ -29,17 +22,6 @@ const Theme& lightTheme() {
     static const Theme theme{false,         rgb(0xfafbfc), rgb(0xf0f2f5), rgb(0xe3e7ec), rgb(0xd3d9e1), rgb(0xb4bcc7),
                              rgb(0x14171b), rgb(0x474f59), rgb(0x1f61ab), rgb(0xffffff), rgb(0x1a5fae), rgb(0x7a4300)};
     return theme;
-}
-
-void addPanelFont(float pixelsPerPoint) {
-    ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
-    const std::span<const std::byte> file = fontFile();
-    for (const float share : kShares) {
-        ImFontConfig own;
-        own.FontDataOwnedByAtlas = false;  // nor is it written to
-        fonts.AddFontFromMemoryTTF(const_cast<std::byte*>(file.data()), static_cast<int>(file.size()),
-                                   std::round(kTextPoints * share * pixelsPerPoint), &own, kGlyphs);
-    }
 }
 
 ImFont* fontOf(float size) {

@@ -36,8 +36,6 @@ inline constexpr float kFingerPoints = 48;
 /// The scale of text: captions, text, headings.
 enum class TextSize { caption, body, heading };
 
-/// Adds the font to the current context, in the sizes of the scale and of sub- and superscripts.
-void addPanelFont(float pixelsPerPoint);
 /// Of those sizes the one that is nearest to some pixels of ImFont::FontSize.
 ImFont* fontOf(float size);
 ImFont* fontOf(TextSize size);

@@ -37,7 +37,6 @@ void Widgets::note(const char* role, const std::string& name, const std::string&
     controls.push_back(std::move(c));
 }
 
-/// About what is drawn by hand, where keys have led to it.
 void Widgets::ringFocus() const {
     if (!ImGui::IsItemFocused() || !ImGui::GetIO().NavVisible) return;
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
@@ -49,7 +48,7 @@ float Widgets::buttonWidth(const char* label) const {
     return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-bool Widgets::button(Icon icon, const char* label, float width, bool primary) {
+bool Widgets::button(Icon icon, const char* label, float width, bool primary, bool enabled) {
     const float height = rowHeight(), gap = px(8), side = icon == Icon::none ? 0 : px(15);
     const ImVec2 text = ImGui::CalcTextSize(label, nullptr, true);
     const float room = text.x + (icon == Icon::none ? 0 : side + gap);
@@ -61,23 +60,49 @@ bool Widgets::button(Icon icon, const char* label, float width, bool primary) {
         ImGui::PushStyleColor(ImGuiCol_ButtonHovered, theme_->accent);
     }
     ImGui::PushID(label);
+    ImGui::BeginDisabled(!enabled);
     const bool pressed = ImGui::Button("##button", ImVec2(wide, height));
+    ImGui::EndDisabled();
     ImGui::PopID();
     if (primary) ImGui::PopStyleColor(2);
     const ImVec2 low = ImGui::GetItemRectMin();
     const float inner = wide - 2 * px(4);
-    const std::string shown = shortened(label, inner - (icon == Icon::none ? 0 : side + gap));
+    const std::string whole = visualText(label);
+    const std::string shown = shortened(whole, inner - (icon == Icon::none ? 0 : side + gap));
     const float shownWidth = ImGui::CalcTextSize(shown.c_str()).x;
     float x = low.x + (wide - shownWidth - (icon == Icon::none ? 0 : side + gap)) / 2;
-    const ImU32 color = ImGui::GetColorU32(primary ? theme_->onAccent : theme_->text);
+    ImVec4 ink = primary ? theme_->onAccent : theme_->text;
+    if (!enabled) ink.w = 0.5f;
+    const ImU32 color = ImGui::GetColorU32(ink);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (icon != Icon::none) {
         drawIcon(list, icon, ImVec2(x + side / 2, low.y + height / 2), side, color);
         x += side + gap;
     }
     list.AddText(ImVec2(std::round(x), std::round(low.y + (height - text.y) / 2)), color, shown.c_str());
+    note("button", label, "", enabled);
+    controls.back().cut = shown != whole;
+    return pressed;
+}
+
+bool Widgets::row(Icon icon, const std::string& label, float width, bool faint) {
+    const float height = rowHeight(), side = px(15), gap = px(6);
+    const float wide = width < 0 ? ImGui::GetContentRegionAvail().x : width;
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+    ImGui::PushID(label.c_str());
+    const bool pressed = ImGui::Button("##row", ImVec2(wide, height));
+    ImGui::PopID();
+    ImGui::PopStyleColor();
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImU32 color = ImGui::GetColorU32(faint ? theme_->faint : theme_->text);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    drawIcon(list, icon, ImVec2(low.x + px(2) + side / 2, low.y + height / 2), side, color);
+    const std::string whole = visualText(label), shown = shortened(whole, wide - side - gap - px(4));
+    list.AddText(
+        ImVec2(std::round(low.x + px(2) + side + gap), std::round(low.y + (height - ImGui::GetFontSize()) / 2)), color,
+        shown.c_str());
     note("button", label);
-    controls.back().cut = shown != label;
+    if (!fingers_ && shown != whole && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", whole.c_str());
     return pressed;
 }
 
@@ -295,7 +320,7 @@ void Widgets::caption(const std::string& text) {
 
 void Widgets::paragraph(const std::string& text) {
     ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.c_str());
+    ImGui::TextUnformatted(visualText(text).c_str());
     ImGui::PopTextWrapPos();
     note("text", text);
     countLines();
@@ -309,11 +334,11 @@ void Widgets::warning(const std::string& text) {
 
 void Widgets::name(const std::string& text, float width) {
     if (width <= 0) width = ImGui::GetContentRegionAvail().x;
-    const std::string shown = shortened(text, width);
+    const std::string whole = visualText(text), shown = shortened(whole, width);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(shown.c_str());
     note("text", text);
-    if (!fingers_ && shown != text && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
+    if (!fingers_ && shown != whole && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", whole.c_str());
 }
 
 void Widgets::wrapLine(float width) {

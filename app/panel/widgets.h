@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/panel/controls.h"
+#include "app/panel/fonts.h"
 #include "app/panel/icons.h"
 #include "app/panel/theme.h"
 
@@ -26,7 +27,9 @@ public:
     float rowHeight() const { return ImGui::GetFrameHeight(); }
 
     /// A sign with a word. @param width  pixels; 0: as wide as it has to be; below 0: up to the right edge
-    bool button(Icon icon, const char* label, float width = 0, bool primary = false);
+    bool button(Icon icon, const char* label, float width = 0, bool primary = false, bool enabled = true);
+    /// One line of a list: a sign and words from the left, shortened where they have no room. @param width  as button()
+    bool row(Icon icon, const std::string& label, float width, bool faint = false);
     /// A sign above a word, in a toolbar or as a tab. @param value  told of it: "on", "selected"
     bool tool(Icon icon, const char* label, ImVec2 size, bool on = false, bool enabled = true,
               const char* role = "button");
@@ -63,8 +66,10 @@ public:
     std::vector<Control> controls;  ///< of this frame so far
     std::string window;             ///< whose controls follow
 
-private:
+    /// About the item that was drawn last, where it is drawn by hand and keys have led to it.
     void ringFocus() const;
+
+private:
     void countLines();
 
     std::string unfolded_;  // the one list that is open, for fingers

@@ -2,11 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <mutex>
-#include <thread>
 
 #include "app/desktop/processes.h"
 #include "app/desktop/recent_files.h"
@@ -67,30 +64,6 @@ TEST(Processes, TakeInputAndGiveOutputWithoutAShell) {
     EXPECT_EQ(runProgram({"true"}, std::string(1 << 20, 'x')), "");  // which nobody reads
     EXPECT_TRUE(hasProgram("sh"));
     EXPECT_FALSE(hasProgram("nacre-has-no-such-program"));
-}
-
-TEST(Processes, ADialogTellsWhatWasChosen) {
-    const TemporaryFolder folder;
-    const std::string before = std::getenv("PATH");
-    std::ofstream(folder / "zenity") << "#!/bin/sh\necho '/tmp/two words.pdb'\n";
-    std::filesystem::permissions(folder / "zenity", std::filesystem::perms::owner_all);
-    setenv("PATH", (folder.path() + ":" + before).c_str(), 1);
-    EXPECT_TRUE(FileDialog::available());
-    std::mutex mutex;
-    std::string chosen;
-    FileDialog dialog;
-    dialog.open([&](const std::string& path) {
-        const std::lock_guard lock(mutex);
-        chosen = path;
-    });
-    for (int i = 0; i < 200; ++i) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-        const std::lock_guard lock(mutex);
-        if (!chosen.empty()) break;
-    }
-    const std::lock_guard lock(mutex);
-    EXPECT_EQ(chosen, "/tmp/two words.pdb");
-    setenv("PATH", before.c_str(), 1);
 }
 
 TEST(Processes, TheDesktopSaysWhetherItIsDark) {

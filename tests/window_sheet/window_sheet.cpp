@@ -1,4 +1,4 @@
-// Every screen and state of the window, each as a picture: window_sheet FOLDER SCALE [STATE...]. Drives the window from
+// Every screen and state of the window, each as a picture. Drives the window from
 // within, by the names of its controls, on the display that it finds. tools/window_sheet makes one sheet of them.
 
 #include <X11/Xatom.h>
@@ -13,6 +13,7 @@
 #include <iostream>
 
 #include "app/desktop/window_session.h"
+#include "app/shared/appearance_values.h"
 
 // X11's names are apart from ours.
 namespace {
@@ -107,6 +108,10 @@ public:
         events_.special(key, false, {});
         session_.step(0.02);
     }
+    void drop(const std::string& path) {
+        events_.dropped(path);
+        settle();
+    }
     void run(ViewerCommand command) { events_.key({0, {}}), viewer().run(command, seconds()); }
 
 private:
@@ -123,10 +128,17 @@ struct State {
 
 const Size kUsual{1000, 720}, kNarrow{420, 760}, kTall{620, 1000}, kWide{1300, 420};
 
-std::vector<State> states(const std::string& protein) {
-    const char* p = protein.c_str();
+/// @param models  a file of several; empty: there is none
+std::vector<State> states(const std::string& protein, const std::string& models) {
+    const char *p = protein.c_str(), *several = models.empty() ? p : models.c_str();
     const auto page = [](Panel::Page which) { return [which](Driver& d) { d.panel().showPage(which); }; };
     const auto light = [](Driver& d) { d.panel().setBrightness(Panel::Brightness::light); };
+    const auto dark = [](Driver& d) {
+        d.panel().setBrightness(Panel::Brightness::dark);
+        SavedView look = d.viewer().view();
+        look.background = parseColor("black");
+        d.viewer().setLook(look, seconds());
+    };
     const auto rules = [](Driver& d) {
         d.panel().showPage(Panel::Page::select);
         d.pause(0.2);
@@ -134,9 +146,16 @@ std::vector<State> states(const std::string& protein) {
         d.settle();
         d.click("Vermilion");
         d.settle();
+        d.click("Protein");
+        d.click("Hide");
+        d.settle();
+        d.click("Switch off: Hide protein");
+        d.settle();
+        d.click("ligand: #d55e00");
     };
     const auto measured = [](Driver& d) {
         SavedView look = d.viewer().view();
+        look.look.rules.push_back(parseShow("resi 1-12 or ligand=ball-and-stick"));
         look.words.measures.push_back(parseMeasure("78,92"));
         look.words.labels.push_back(parseLabel("resn HEM={residue} {number}"));
         look.words.legend = true;
@@ -162,6 +181,21 @@ std::vector<State> states(const std::string& protein) {
         {"open, over a molecule", kUsual, p, [](Driver& d) { d.panel().showStart(); }},
         {"look", kUsual, p, page(Panel::Page::look)},
         {"look, light", kUsual, p, light},
+        {"start, dark", kUsual, "", dark},
+        {"start, files of before", kUsual, p,
+         [=](Driver& d) {
+             d.drop(several);
+             d.drop(p);
+             d.panel().showStart();
+         }},
+        {"download is asked for", kUsual, "sample:dna",
+         [](Driver& d) {
+             SavedView view;
+             view.input = "pdb:1bna";
+             d.viewer().show(view, seconds());
+         }},
+        {"look, dark", kUsual, p, dark},
+        {"look, narrow, dark", kNarrow, p, dark},
         {"look, narrow", kNarrow, p, page(Panel::Page::look)},
         {"look, tall", kTall, "sample:dna", page(Panel::Page::look)},
         {"look, wide", kWide, "sample:dna", page(Panel::Page::look)},
@@ -174,6 +208,15 @@ std::vector<State> states(const std::string& protein) {
         {"parts", kUsual, p, page(Panel::Page::parts)},
         {"parts, sequence", kUsual, p, sequence},
         {"parts, sequence, light, narrow", kNarrow, p, [=](Driver& d) { light(d), sequence(d); }},
+        {"parts, sequence, dark", kUsual, p, [=](Driver& d) { dark(d), sequence(d); }},
+        {"parts, models", kUsual, several, page(Panel::Page::parts)},
+        {"parts, models, narrow", kNarrow, several, page(Panel::Page::parts)},
+        {"parts, assemblies", kUsual, p,
+         [](Driver& d) {
+             d.panel().showPage(Panel::Page::parts);
+             d.pause(0.2);
+             d.click("Assembly");
+         }},
         {"parts, colour", kUsual, p,
          [](Driver& d) {
              d.panel().showPage(Panel::Page::parts);
@@ -202,10 +245,11 @@ std::vector<State> states(const std::string& protein) {
         {"folded", kUsual, p, [](Driver& d) { d.click("Fold the panel"); }},
         {"picked and hovered", kUsual, p,
          [](Driver& d) {
-             d.clickAt({600, 300});
-             d.clickAt({690, 400});
+             const double scale = d.viewer().size().height / 720.0;
+             d.clickAt(scale * glm::dvec2(600, 300));
+             d.clickAt(scale * glm::dvec2(690, 400));
              d.pause(0.3);
-             d.moveTo({640, 450});
+             d.moveTo(scale * glm::dvec2(640, 450));
              d.pause(0.3);
          }},
         {"save", kUsual, "sample:dna", save},
@@ -217,21 +261,31 @@ std::vector<State> states(const std::string& protein) {
              d.click("For paper");
          }},
         {"help", kUsual, "sample:dna", help},
+        {"help, dark", kUsual, "sample:dna", [=](Driver& d) { dark(d), help(d); }},
         {"help, narrow, light", kNarrow, "sample:dna", [=](Driver& d) { light(d), help(d); }},
         {"error", kUsual, "sample:dna", failure},
+        {"error, dark", kUsual, "sample:dna", [=](Driver& d) { dark(d), failure(d); }},
+        {"legends", kUsual, p,
+         [](Driver& d) {
+             SavedView look = d.viewer().view();
+             look.look.color = ColorScheme::secondaryStructure;
+             look.words.legend = true;
+             d.viewer().setLook(look, seconds());
+             d.panel().showPage(Panel::Page::labels);
+         }},
         {"error, narrow, light", kNarrow, "sample:dna", [=](Driver& d) { light(d), failure(d); }},
     };
 }
 
 int main(int argc, char** argv) {
-    const std::string folder = argv[1], protein = argv[2];
-    const double scale = std::atof(argv[3]);
+    const std::string folder = argv[1], protein = argv[2], models = argv[3];
+    const double scale = std::atof(argv[4]);
     Display* display = XOpenDisplay(nullptr);
     if (!display) return std::cerr << "there is no display\n", 1;
     setScale(display, scale);
-    for (const State& state : states(protein)) {
-        bool wanted = argc < 5;
-        for (int i = 4; i < argc; ++i) wanted |= std::string(state.name).find(argv[i]) != std::string::npos;
+    for (const State& state : states(protein, models)) {
+        bool wanted = argc < 6;
+        for (int i = 5; i < argc; ++i) wanted |= std::string(state.name).find(argv[i]) != std::string::npos;
         if (!wanted) continue;
         ViewOptions options;
         options.size = state.size;
@@ -254,7 +308,7 @@ int main(int argc, char** argv) {
 }  // namespace nacre::app
 
 int main(int argc, char** argv) {
-    if (argc < 4) return std::cerr << "window_sheet FOLDER PROTEIN SCALE [STATE...]\n", 2;
+    if (argc < 5) return std::cerr << "window_sheet FOLDER PROTEIN MODELS SCALE [STATE...]\n", 2;
     try {
         return nacre::app::main(argc, argv);
     } catch (const std::exception& error) {

@@ -1,0 +1,72 @@
+#include "app/desktop/file_dialog.h"
+
+#include <cstdlib>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "app/desktop/portal.h"
+#include "app/desktop/processes.h"
+
+namespace nacre::app {
+namespace {
+
+#ifndef NACRE_PORTAL
+bool hasPortal() { return false; }
+PortalAnswer openByPortal(const std::string&) { return {}; }
+PortalAnswer saveByPortal(const std::string&, const std::string&) { return {}; }
+#endif
+
+constexpr const char *kOpen = "Open a structure", *kSave = "Save the picture";
+
+bool preferKdialog() {
+    const char* desktop = std::getenv("XDG_CURRENT_DESKTOP");
+    const bool onKde = desktop && std::string_view(desktop).find("KDE") != std::string_view::npos;
+    return hasProgram("kdialog") && (onKde || !hasProgram("zenity"));
+}
+
+/// A program's answer is a line.
+std::string lineOf(const std::optional<std::string>& answer) {
+    std::string path = answer.value_or("");
+    while (!path.empty() && path.back() == '\n') path.pop_back();
+    return path;
+}
+
+std::string askToOpen() {
+    if (const PortalAnswer answer = openByPortal(kOpen); answer.there) return answer.path.value_or("");
+    return lineOf(preferKdialog() ? runProgram({"kdialog", "--title", kOpen, "--getopenfilename", "."})
+                                  : runProgram({"zenity", "--file-selection", std::string("--title=") + kOpen}));
+}
+
+std::string askToSave(const std::string& suggested) {
+    if (const PortalAnswer answer = saveByPortal(kSave, suggested); answer.there) return answer.path.value_or("");
+    return lineOf(preferKdialog() ? runProgram({"kdialog", "--title", kSave, "--getsavefilename", suggested})
+                                  : runProgram({"zenity", "--file-selection", "--save", "--confirm-overwrite",
+                                                std::string("--title=") + kSave, "--filename=" + suggested}));
+}
+
+}  // namespace
+
+bool FileDialog::available() { return hasProgram("zenity") || hasProgram("kdialog") || hasPortal(); }
+
+FileDialog::~FileDialog() {
+    if (thread_.joinable()) thread_.detach();  // who closes the window does not wait for a dialog
+}
+
+void FileDialog::open(Chosen chosen) { run(askToOpen, std::move(chosen)); }
+
+void FileDialog::save(const std::string& suggested, Chosen chosen) {
+    run([suggested] { return askToSave(suggested); }, std::move(chosen));
+}
+
+void FileDialog::run(std::function<std::string()> ask, Chosen chosen) {
+    if (busy_->exchange(true)) return;
+    if (thread_.joinable()) thread_.join();
+    thread_ = std::thread([ask = std::move(ask), chosen = std::move(chosen), busy = busy_] {
+        const std::string path = ask();
+        if (!path.empty()) chosen(path);
+        busy->store(false);
+    });
+}
+
+}  // namespace nacre::app

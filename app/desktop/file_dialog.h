@@ -1,0 +1,31 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+
+namespace nacre::app {
+
+/// The desktop's dialog for a file, on a thread of its own: the portal's where there is one, else kdialog under KDE,
+/// zenity, kdialog.
+class FileDialog {
+public:
+    using Chosen = std::function<void(const std::string& path)>;
+
+    ~FileDialog();
+    static bool available();
+    /// @param chosen  told the path, on the dialog's thread; not if the user cancels. Nothing happens while one is open
+    void open(Chosen chosen);
+    /// The same for a file that is to be written. @param suggested  its name, or a path
+    void save(const std::string& suggested, Chosen chosen);
+
+private:
+    void run(std::function<std::string()> ask, Chosen chosen);
+
+    std::thread thread_;
+    std::shared_ptr<std::atomic<bool>> busy_ = std::make_shared<std::atomic<bool>>(false);
+};
+
+}  // namespace nacre::app

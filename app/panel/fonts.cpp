@@ -1,0 +1,156 @@
+#include "app/panel/fonts.h"
+
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string_view>
+
+#include "app/panel/theme.h"
+#include "app/shared/font.h"
+#ifdef NACRE_FRIBIDI
+#include <fribidi.h>
+#endif
+
+namespace nacre::app {
+namespace {
+
+// Latin, Greek, Cyrillic, dashes and primes, raised and lowered digits, arrows, the minus sign.
+constexpr ImWchar kGlyphs[] = {0x20,   0x24f,  0x370,  0x52f,  0x2010, 0x2044, 0x2070, 0x209c,
+                               0x2190, 0x2193, 0x2212, 0x2212, 0xfffd, 0xfffd, 0};
+constexpr float kShares[] = {1.0f, 0.68f, 0.84f, 1.45f};  // text, raised and lowered, captions, headings
+constexpr std::size_t kMostForeign = 2000;                // characters, which an atlas of glyphs has room for
+
+bool isOwn(char32_t c) {
+    if (c < 0x20) return true;
+    for (std::size_t i = 0; kGlyphs[i] != 0; i += 2)
+        if (c >= kGlyphs[i] && c <= kGlyphs[i + 1]) return true;
+    return false;
+}
+
+/// Characters of UTF-8; what is none is left out.
+std::vector<char32_t> charactersOf(const std::string& text) {
+    std::vector<char32_t> characters;
+    for (std::size_t i = 0; i < text.size();) {
+        const auto lead = static_cast<unsigned char>(text[i]);
+        const std::size_t length = lead < 0x80 ? 1 : lead >> 5 == 6 ? 2 : lead >> 4 == 14 ? 3 : lead >> 3 == 30 ? 4 : 0;
+        char32_t c = length == 1 ? lead : lead & (0x7f >> length);
+        bool whole = length > 0 && i + length <= text.size();
+        for (std::size_t k = 1; whole && k < length; ++k) {
+            const auto next = static_cast<unsigned char>(text[i + k]);
+            whole = next >> 6 == 2;
+            c = c << 6 | (next & 0x3f);
+        }
+        if (whole) characters.push_back(c);
+        i += whole ? length : 1;
+    }
+    return characters;
+}
+
+/// What a font has all of or nothing: Han, kana and Hangul together, Arabic with its joined forms, else 128 in a row.
+char32_t scriptOf(char32_t c) {
+    if ((c >= 0x2e80 && c < 0xa000) || (c >= 0xac00 && c < 0xd7b0) || (c >= 0xf900 && c < 0xfb00) ||
+        (c >= 0xff00 && c < 0xfff0))
+        return 0x4e00;
+    if ((c >= 0x600 && c < 0x780) || (c >= 0xfb50 && c < 0xfe00) || (c >= 0xfe70 && c < 0xff00)) return 0x600;
+    return c & ~char32_t{127};
+}
+
+/// A font's number of 16 bits, the highest byte first. 0 behind its end.
+int wordAt(const std::vector<char>& font, std::size_t at) {
+    if (at + 2 > font.size()) return 0;
+    return static_cast<unsigned char>(font[at]) << 8 | static_cast<unsigned char>(font[at + 1]);
+}
+std::size_t offsetAt(const std::vector<char>& font, std::size_t at) {
+    return static_cast<std::size_t>(wordAt(font, at)) << 16 | static_cast<std::size_t>(wordAt(font, at + 2));
+}
+
+/// From the highest to the lowest of a font, in ems, as its tables head and hhea say; 0 where they do not.
+float heightOf(const std::vector<char>& font, int index) {
+    const bool collection = font.size() > 4 && std::string_view(font.data(), 4) == "ttcf";
+    const std::size_t start = collection ? offsetAt(font, 12 + 4 * static_cast<std::size_t>(index)) : 0;
+    int unitsPerEm = 0, high = 0, low = 0;
+    for (int i = 0; i < wordAt(font, start + 4); ++i) {
+        const std::size_t record = start + 12 + 16 * static_cast<std::size_t>(i);
+        if (record + 16 > font.size()) break;
+        const std::string_view tag(&font[record], 4);
+        const std::size_t table = offsetAt(font, record + 8);
+        if (tag == "head") unitsPerEm = wordAt(font, table + 18);
+        if (tag == "hhea") high = wordAt(font, table + 4), low = static_cast<std::int16_t>(wordAt(font, table + 6));
+    }
+    return unitsPerEm > 0 ? static_cast<float>(high - low) / static_cast<float>(unitsPerEm) : 0;
+}
+
+}  // namespace
+
+void ForeignGlyphs::read(const std::string& text) {
+    for (const char32_t c : charactersOf(text))
+        if (!isOwn(c) && c <= IM_UNICODE_CODEPOINT_MAX && met_.size() < kMostForeign) news_ |= met_.insert(c).second;
+}
+
+void ForeignGlyphs::find() {
+    news_ = false;
+    std::map<char32_t, std::vector<char32_t>> scripts;
+    for (const char32_t c : met_) scripts[scriptOf(c)].push_back(c);
+    fonts_.clear();
+    for (const auto& [script, characters] : scripts) {
+        const std::optional<FontFile> file = find_(characters);
+        if (!file) continue;
+        std::ifstream in(file->path, std::ios::binary);
+        Font font{*file, {std::istreambuf_iterator<char>(in), {}}, {}};
+        if (font.bytes.empty()) continue;
+        for (const char32_t c : characters) font.ranges.insert(font.ranges.end(), 2, static_cast<ImWchar>(c));
+        font.ranges.push_back(0);
+        fonts_.push_back(std::move(font));
+    }
+}
+
+void addPanelFont(float pixelsPerPoint, const std::vector<ForeignGlyphs::Font>& foreign) {
+    ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+    const std::span<const std::byte> file = fontFile();
+    for (const float share : kShares) {
+        const float size = std::round(kTextPoints * share * pixelsPerPoint);
+        ImFontConfig own;
+        own.FontDataOwnedByAtlas = false;  // nor is it written to
+        fonts.AddFontFromMemoryTTF(const_cast<std::byte*>(file.data()), static_cast<int>(file.size()), size, &own,
+                                   kGlyphs);
+        for (const ForeignGlyphs::Font& font : foreign) {
+            ImFontConfig merged;
+            merged.FontDataOwnedByAtlas = false;
+            merged.MergeMode = true;
+            merged.FontNo = font.file.index;
+            // Dear ImGui counts a size from the highest to the lowest: an em is to be as large as the panel's own.
+            const float height = heightOf(font.bytes, font.file.index);
+            const float whole = height > 0 ? std::round(size * height / kFontSizeOfEm) : size;
+            fonts.AddFontFromMemoryTTF(const_cast<char*>(font.bytes.data()), static_cast<int>(font.bytes.size()), whole,
+                                       &merged, font.ranges.data());
+        }
+    }
+}
+
+#ifdef NACRE_FRIBIDI
+std::string visualText(const std::string& text) {
+    // Nothing below U+0590 runs from right to left.
+    bool may = false;
+    for (const char c : text) may |= static_cast<unsigned char>(c) >= 0xd6;
+    if (!may) return text;
+    std::vector<FriBidiChar> logical, visual;
+    for (const char32_t c : charactersOf(text)) logical.push_back(c);
+    visual.resize(logical.size() + 1);
+    FriBidiParType direction = FRIBIDI_PAR_ON;
+    const auto count = static_cast<FriBidiStrIndex>(logical.size());
+    if (!fribidi_log2vis(logical.data(), count, &direction, visual.data(), nullptr, nullptr, nullptr)) return text;
+    std::string out(4 * logical.size() + 1, '\0');
+    out.resize(
+        static_cast<std::size_t>(fribidi_unicode_to_charset(FRIBIDI_CHAR_SET_UTF8, visual.data(), count, out.data())));
+    // Joined letters leave marks of no width behind.
+    for (const char* mark : {"\xef\xbb\xbf", "\xe2\x80\x8e", "\xe2\x80\x8f"})
+        for (std::size_t at; (at = out.find(mark)) != std::string::npos;) out.erase(at, 3);
+    return out;
+}
+#else
+std::string visualText(const std::string& text) { return text; }
+#endif
+
+}  // namespace nacre::app

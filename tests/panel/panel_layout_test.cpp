@@ -1,0 +1,153 @@
+// What stands where in the panel, and whether all of it can be read.
+
+#include <cmath>
+
+#include "app/panel/theme.h"
+#include "tests/panel/panel_bench.h"
+
+namespace nacre::app::test {
+namespace {
+
+bool overlap(const Control& a, const Control& b) {
+    const float x = std::min(a.right, b.right) - std::max(a.left, b.left),
+                y = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
+    return x > 1.5f && y > 1.5f;
+}
+
+}  // namespace
+
+std::size_t expectReadable(const Bench& b, const std::string& state) {
+    const std::vector<Control>& all = b.panel.controls();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const Control& c = all[i];
+        const std::string what = state + ": " + c.role + " \"" + c.name + "\"";
+        EXPECT_FALSE(c.cut) << what << " is cut short";
+        EXPECT_NE(c.name, "") << what;
+        if (c.seenBottom > c.seenTop) {
+            EXPECT_GE(c.seenLeft, c.left - 0.5f) << what;
+            EXPECT_LE(std::abs(c.seenRight - c.right) + std::abs(c.seenLeft - c.left), 1.5f) << what << " is clipped";
+        }
+        EXPECT_GE(c.left, 0) << what;
+        EXPECT_LE(c.right, static_cast<float>(b.size.width) + 0.5f) << what;
+        if (c.lines > 1.5f) {
+            EXPECT_GE(static_cast<float>(c.name.size()) / c.lines, 8.0f) << what << " wraps after a few letters";
+        }
+        for (std::size_t k = i + 1; k < all.size(); ++k)
+            EXPECT_FALSE(all[k].window == c.window && overlap(c, all[k])) << what << " and \"" << all[k].name << "\"";
+    }
+    return all.size();
+}
+
+namespace {
+
+struct Place {
+    PixelSize points;
+    double scale;
+    PanelHand hand;
+};
+constexpr Place kPlaces[] = {
+    {kUsual, 1, PanelHand::mouse},    {kNarrow, 1, PanelHand::mouse},   {kTall, 1, PanelHand::mouse},
+    {kWide, 1, PanelHand::mouse},     {kUsual, 2, PanelHand::mouse},    {kNarrow, 2, PanelHand::mouse},
+    {kNarrow, 2, PanelHand::fingers}, {kWide, 1.5, PanelHand::fingers}, {kSmall, 1, PanelHand::fingers}};
+
+std::string nameOf(const Place& p) {
+    return std::to_string(p.points.width) + "x" + std::to_string(p.points.height) + " at " + std::to_string(p.scale) +
+           (p.hand == PanelHand::fingers ? " for fingers" : "");
+}
+
+TEST(Panel, EveryPageIsReadableEverywhere) {
+    for (const Place& place : kPlaces) {
+        Bench b("sample:dna", place.points, place.scale, place.hand);
+        if (!b.panel.panelOpen()) b.panel.togglePanel();
+        for (const Panel::Page page : kPages) {
+            b.panel.showPage(page);
+            b.settle();
+            EXPECT_GT(expectReadable(b, nameOf(place) + ", page " + std::to_string(static_cast<int>(page))), 12u);
+        }
+    }
+}
+
+TEST(Panel, EveryCardIsReadableEverywhere) {
+    for (const Place& place : kPlaces) {
+        const std::string where = nameOf(place);
+        Bench b("sample:dna", place.points, place.scale, place.hand);
+        b.panel.toggleHelp();
+        b.settle();
+        EXPECT_GT(expectReadable(b, where + ", help"), 10u);
+        b.panel.toggleHelp();
+        b.panel.showSave();
+        b.settle();
+        EXPECT_TRUE(b.find("Transparent background"));
+        expectReadable(b, where + ", save");
+        b.panel.closeTop();
+        b.panel.showStart();
+        b.settle();
+        EXPECT_TRUE(b.find("Open a file ..."));
+        expectReadable(b, where + ", start");
+        b.panel.closeTop();
+        b.viewer.open("nothing.pdb", b.now);
+        b.settle();
+        EXPECT_TRUE(b.find("Open another")) << where;
+        expectReadable(b, where + ", error");
+        Bench empty("", place.points, place.scale, place.hand);
+        EXPECT_TRUE(empty.find("DNA")) << where;
+        expectReadable(empty, where + ", empty");
+    }
+}
+
+TEST(Panel, KeepsItsSizeAndLeavesTheMoleculeTheRest) {
+    for (const Place& place : kPlaces) {
+        Bench b("sample:dna", place.points, place.scale, place.hand);
+        if (!b.panel.panelOpen()) b.panel.togglePanel();
+        std::optional<glm::dvec2> pan;
+        for (const Panel::Page page : kPages) {
+            b.panel.showPage(page);
+            b.settle();
+            const View view = b.viewer.settings().view;
+            if (!pan) pan = view.pan;
+            EXPECT_EQ(view.pan, *pan) << nameOf(place);
+            // The sphere about the molecule lies in the window, beside the panel.
+            const double middle = view.width / 2.0 + view.pan.x * view.pixelsPerAngstrom,
+                         r = view.radius * view.pixelsPerAngstrom;
+            const double centre = view.height / 2.0 - view.pan.y * view.pixelsPerAngstrom;
+            const glm::dvec2 low(middle - r, centre - r), high(middle + r, centre + r);
+            EXPECT_GE(low.x, 0);
+            EXPECT_LE(high.x, view.width);
+            EXPECT_GE(low.y, 0);
+            EXPECT_LE(high.y, view.height);
+            for (const Control& c : b.panel.controls())
+                EXPECT_FALSE(c.window == "Nacre" && c.seen() && c.seenLeft < high.x - 1 && c.seenRight > low.x + 1 &&
+                             c.seenTop < high.y - 1 && c.seenBottom > low.y + 1)
+                    << nameOf(place) << " " << c.name;
+        }
+        b.panel.togglePanel();
+        b.settle();
+        EXPECT_EQ(b.viewer.settings().view.pan, glm::dvec2(0));
+    }
+}
+
+double luminance(const ImVec4& c) {
+    const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
+    return 0.2126 * linear(c.x) + 0.7152 * linear(c.y) + 0.0722 * linear(c.z);
+}
+
+double contrast(const ImVec4& a, const ImVec4& b) {
+    const double x = luminance(a), y = luminance(b);
+    return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
+}
+
+TEST(Panel, TextStandsOutFromWhatItStandsOn) {
+    for (const Theme* theme : {&darkTheme(), &lightTheme()}) {
+        for (const ImVec4* ground : {&theme->ground, &theme->raised, &theme->field, &theme->hovered}) {
+            EXPECT_GE(contrast(theme->text, *ground), 7) << theme->dark;
+            EXPECT_GE(contrast(theme->faint, *ground), 4.5) << theme->dark << " " << (ground - &theme->ground);
+        }
+        EXPECT_GE(contrast(theme->warning, theme->ground), 4.5);
+        EXPECT_GE(contrast(theme->onAccent, theme->accent), 4.5);
+        EXPECT_GE(contrast(theme->mark, theme->ground), 3);
+        EXPECT_GE(contrast(theme->mark, theme->field), 3);
+    }
+}
+
+}  // namespace
+}  // namespace nacre::app::test
