@@ -52,6 +52,9 @@ bool trusted(const vk::raii::PhysicalDevice& device) {
     const vk::DriverId driver = chain.get<vk::PhysicalDeviceDriverProperties>().driverID;
     const std::uint32_t version = chain.get<vk::PhysicalDeviceProperties2>().properties.driverVersion;
     if (driver == vk::DriverId::eArmProprietary) return VK_API_VERSION_MAJOR(version) >= 52;
+    // Turnip takes masked colour attachments for blending: it gives up its coarse depth test (LRZ) where plates are
+    // drawn beside them, which a subpass of depth alone is not (docs/tilers.md).
+    if (driver == vk::DriverId::eMesaTurnip) return false;
     return driver != vk::DriverId::eSamsungProprietary;
 }
 

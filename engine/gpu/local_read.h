@@ -4,6 +4,8 @@
 
 #include <vulkan/vulkan_core.h>
 
+#include <cstdint>
+
 #ifndef VK_KHR_dynamic_rendering_local_read
 #define VK_KHR_DYNAMIC_RENDERING_LOCAL_READ_EXTENSION_NAME "VK_KHR_dynamic_rendering_local_read"
 constexpr auto VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_LOCAL_READ_FEATURES_KHR =

@@ -1,0 +1,172 @@
+// A Vulkan layer for tools/tilers: asks the driver for the statistics of every pipeline (VK_KHR_pipeline_executable_
+// properties) once the pipeline is given its name, and appends them to the file that NACRE_STATISTICS names, a line of
+// JSON for each shader.
+
+#include <vulkan/vk_layer.h>
+#include <vulkan/vulkan.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/support/layer_link.h"
+
+namespace {
+
+VkInstance instance = VK_NULL_HANDLE;
+VkDevice device = VK_NULL_HANDLE;
+PFN_vkGetInstanceProcAddr nextInstanceCall = nullptr;
+PFN_vkGetDeviceProcAddr nextDeviceCall = nullptr;
+
+template <typename Call>
+Call next(const char* name) {
+    return reinterpret_cast<Call>(nextDeviceCall(device, name));
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
+                                              VkInstance* made) {
+    const auto* below =
+        nacre::test::nextLayer<VkLayerInstanceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_INSTANCE_CREATE_INFO);
+    nextInstanceCall = below->pfnNextGetInstanceProcAddr;
+    const auto create = reinterpret_cast<PFN_vkCreateInstance>(nextInstanceCall(nullptr, "vkCreateInstance"));
+    const VkResult result = create(info, allocator, made);
+    if (result == VK_SUCCESS) instance = *made;
+    return result;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice of, const VkDeviceCreateInfo* info,
+                                            const VkAllocationCallbacks* allocator, VkDevice* made) {
+    const auto* below =
+        nacre::test::nextLayer<VkLayerDeviceCreateInfo>(info->pNext, VK_STRUCTURE_TYPE_LOADER_DEVICE_CREATE_INFO);
+    const auto instanceCall = below->pfnNextGetInstanceProcAddr;
+    nextDeviceCall = below->pfnNextGetDeviceProcAddr;
+    std::vector<const char*> extensions(info->ppEnabledExtensionNames,
+                                        info->ppEnabledExtensionNames + info->enabledExtensionCount);
+    extensions.push_back(VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
+    VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR tells{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PIPELINE_EXECUTABLE_PROPERTIES_FEATURES_KHR, const_cast<void*>(info->pNext),
+        true};
+    VkDeviceCreateInfo real = *info;
+    real.pNext = &tells;
+    real.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+    real.ppEnabledExtensionNames = extensions.data();
+    const auto create = reinterpret_cast<PFN_vkCreateDevice>(instanceCall(instance, "vkCreateDevice"));
+    const VkResult result = create(of, &real, allocator, made);
+    if (result == VK_SUCCESS) device = *made;
+    return result;
+}
+
+template <typename Info, typename Call>
+VkResult createPipelines(const char* name, VkDevice of, VkPipelineCache cache, std::uint32_t count, const Info* infos,
+                         const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
+    std::vector<Info> asked(infos, infos + count);
+    for (Info& info : asked) info.flags |= VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR;
+    return next<Call>(name)(of, cache, count, asked.data(), allocator, pipelines);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL createGraphics(VkDevice of, VkPipelineCache cache, std::uint32_t count,
+                                              const VkGraphicsPipelineCreateInfo* infos,
+                                              const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
+    return createPipelines<VkGraphicsPipelineCreateInfo, PFN_vkCreateGraphicsPipelines>(
+        "vkCreateGraphicsPipelines", of, cache, count, infos, allocator, pipelines);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL createCompute(VkDevice of, VkPipelineCache cache, std::uint32_t count,
+                                             const VkComputePipelineCreateInfo* infos,
+                                             const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
+    return createPipelines<VkComputePipelineCreateInfo, PFN_vkCreateComputePipelines>(
+        "vkCreateComputePipelines", of, cache, count, infos, allocator, pipelines);
+}
+
+std::string quoted(std::string_view text) {
+    std::string out = "\"";
+    for (const char c : text)
+        if (c != '"' && c != '\\' && static_cast<unsigned char>(c) >= 0x20) out += c;
+    return out + '"';
+}
+
+std::string valueOf(const VkPipelineExecutableStatisticKHR& s) {
+    switch (s.format) {
+        case VK_PIPELINE_EXECUTABLE_STATISTIC_FORMAT_BOOL32_KHR:
+            return s.value.b32 ? "1" : "0";
+        case VK_PIPELINE_EXECUTABLE_STATISTIC_FORMAT_INT64_KHR:
+            return std::to_string(s.value.i64);
+        case VK_PIPELINE_EXECUTABLE_STATISTIC_FORMAT_UINT64_KHR:
+            return std::to_string(s.value.u64);
+        default:
+            return std::to_string(s.value.f64);
+    }
+}
+
+void tell(VkPipeline pipeline, const char* name) {
+    const char* file = std::getenv("NACRE_STATISTICS");
+    if (!file) return;
+    const auto executables = next<PFN_vkGetPipelineExecutablePropertiesKHR>("vkGetPipelineExecutablePropertiesKHR");
+    const auto statistics = next<PFN_vkGetPipelineExecutableStatisticsKHR>("vkGetPipelineExecutableStatisticsKHR");
+    const VkPipelineInfoKHR of{VK_STRUCTURE_TYPE_PIPELINE_INFO_KHR, nullptr, pipeline};
+    std::uint32_t count = 0;
+    executables(device, &of, &count, nullptr);
+    std::vector<VkPipelineExecutablePropertiesKHR> shaders(
+        count, {VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_PROPERTIES_KHR, nullptr, 0, "", "", 0});
+    executables(device, &of, &count, shaders.data());
+    std::ofstream out(file, std::ios::app);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const VkPipelineExecutableInfoKHR shader{VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_INFO_KHR, nullptr, pipeline, i};
+        std::uint32_t values = 0;
+        statistics(device, &shader, &values, nullptr);
+        std::vector<VkPipelineExecutableStatisticKHR> list(
+            values, {VK_STRUCTURE_TYPE_PIPELINE_EXECUTABLE_STATISTIC_KHR, nullptr, "", "", {}, {}});
+        statistics(device, &shader, &values, list.data());
+        const char* stage = shaders[i].stages & VK_SHADER_STAGE_FRAGMENT_BIT  ? "fragment"
+                            : shaders[i].stages & VK_SHADER_STAGE_COMPUTE_BIT ? "compute"
+                                                                              : "vertex";
+        out << "{\"pipeline\": " << quoted(name) << ", \"stage\": \"" << stage
+            << "\", \"shader\": " << quoted(shaders[i].name) << ", \"statistics\": {";
+        for (std::uint32_t s = 0; s < values; ++s)
+            out << (s ? ", " : "") << quoted(list[s].name) << ": " << valueOf(list[s]);
+        out << "}}\n";
+    }
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL setName(VkDevice of, const VkDebugUtilsObjectNameInfoEXT* info) {
+    if (info->objectType == VK_OBJECT_TYPE_PIPELINE)
+        tell(reinterpret_cast<VkPipeline>(info->objectHandle), info->pObjectName);
+    const auto below = next<PFN_vkSetDebugUtilsObjectNameEXT>("vkSetDebugUtilsObjectNameEXT");
+    return below ? below(of, info) : VK_SUCCESS;
+}
+
+PFN_vkVoidFunction own(std::string_view name) {
+    if (name == "vkCreateGraphicsPipelines") return reinterpret_cast<PFN_vkVoidFunction>(createGraphics);
+    if (name == "vkCreateComputePipelines") return reinterpret_cast<PFN_vkVoidFunction>(createCompute);
+    if (name == "vkSetDebugUtilsObjectNameEXT") return reinterpret_cast<PFN_vkVoidFunction>(setName);
+    return nullptr;
+}
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDeviceProcAddr(VkDevice of, const char* name) {
+    if (const auto call = own(name)) return call;
+    if (std::string_view(name) == "vkGetDeviceProcAddr") return reinterpret_cast<PFN_vkVoidFunction>(getDeviceProcAddr);
+    return nextDeviceCall(of, name);
+}
+
+VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getInstanceProcAddr(VkInstance of, const char* name) {
+    const std::string_view n(name);
+    if (n == "vkGetInstanceProcAddr") return reinterpret_cast<PFN_vkVoidFunction>(getInstanceProcAddr);
+    if (n == "vkGetDeviceProcAddr") return reinterpret_cast<PFN_vkVoidFunction>(getDeviceProcAddr);
+    if (n == "vkCreateInstance") return reinterpret_cast<PFN_vkVoidFunction>(createInstance);
+    if (n == "vkCreateDevice") return reinterpret_cast<PFN_vkVoidFunction>(createDevice);
+    if (const auto call = own(n)) return call;
+    return of ? nextInstanceCall(of, name) : nullptr;
+}
+
+}  // namespace
+
+extern "C" __attribute__((visibility("default"))) VKAPI_ATTR VkResult VKAPI_CALL
+vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* version) {
+    version->loaderLayerInterfaceVersion = 2;
+    version->pfnGetInstanceProcAddr = getInstanceProcAddr;
+    version->pfnGetDeviceProcAddr = getDeviceProcAddr;
+    version->pfnGetPhysicalDeviceProcAddr = nullptr;
+    return VK_SUCCESS;
+}
