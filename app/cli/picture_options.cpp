@@ -108,7 +108,7 @@ void addWords(CommandSpec& command, RenderOptions& options) {
         })
         .repeatable = true;
     addValue(command, "--show-labels", "all|seen", "all",
-             "seen: none of what lies behind other atoms (less than a quarter of its near side shows)",
+             "seen: none of what lies behind other residues (less than a quarter of its near side shows)",
              [&](const std::string& text) {
                  words.seenOnly = parseChoice(text, {"all", "seen"}) == 1;
              });

@@ -17,9 +17,9 @@ public:
     explicit LabelSight(const Representation& scene);
 
     /// Rays from the viewer's side of each of some atoms to the viewer are asked whether anything stands in their way
-    /// but these atoms themselves and their bonds.
+    /// but their own residues.
     struct Named {
-        std::vector<std::uint32_t> atoms;  ///< as looks number them, ascending
+        std::vector<std::uint32_t> atoms;  ///< that do not hide it, as looks number them, ascending
         std::vector<glm::dvec3> places;    ///< of some of them, Å from the scene's centre
         std::vector<double> radii;         ///< of these
     };

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <map>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 #include "app/shared/appearance_values.h"
@@ -183,6 +184,18 @@ std::vector<std::uint32_t> drawnOf(const Selection& selection, const Molecule& m
 
 constexpr std::size_t kMostAsked = 24;  // atoms of a label that are asked whether they are seen
 
+/// All atoms of the residues of some, as looks number them: what is bonded to an atom does not hide its label.
+std::vector<std::uint32_t> numbersOfResidues(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
+    std::set<std::uint32_t> residues;
+    for (const std::uint32_t atom : atoms) residues.insert(molecule.atoms[atom].residue);
+    std::vector<std::uint32_t> numbers;
+    for (const std::uint32_t i : residues)
+        for (std::uint32_t k = 0; k < molecule.residues[i].atomCount; ++k)
+            numbers.push_back(molecule.residues[i].firstAtom + k + 1);
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+}
+
 void placeLabel(const Label& label, const Molecule& molecule, const DrawnAtoms& drawn, PlacedWords& placed) {
     const Scope scope = scopeOf(label.text);
     // Atoms of one label, in the file's order of the first of each.
@@ -209,7 +222,7 @@ void placeLabel(const Label& label, const Molecule& molecule, const DrawnAtoms& 
         one.radius = drawn.places[group.front()].radius;
         one.text = filledIn(label.text, molecule, group.front());
         if (placed.sight) {
-            for (const std::uint32_t atom : group) one.named.atoms.push_back(atom + 1);
+            one.named.atoms = numbersOfResidues(molecule, group);
             const std::size_t step = (group.size() + kMostAsked - 1) / kMostAsked;
             for (std::size_t i = 0; i < group.size(); i += step) {
                 one.named.places.push_back(drawn.places[group[i]].at);

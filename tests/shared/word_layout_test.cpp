@@ -67,7 +67,9 @@ PlacedWords twoInARow(Representation& r) {
     Molecule m = sampleMolecule("glucose");
     m.atoms.resize(2);
     m.bonds.clear();
-    m.residues[0].atomCount = 2;
+    m.residues.push_back(m.residues[0]);
+    m.residues[0].atomCount = m.residues[1].atomCount = 1;
+    m.residues[1].firstAtom = m.atoms[1].residue = 1;
     m.atoms[0].position = {0, 0, -4};
     m.atoms[1].position = {0, 0, 4};
     r = represent(m, std::vector<std::uint32_t>{0, 1}, {Style::spacefill, ColorScheme::element});
