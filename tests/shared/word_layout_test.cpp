@@ -63,13 +63,18 @@ TEST(WordLayout, LabelsStandOnTheirAnchorsWhileThereIsRoomAndNeverOverlap) {
 }
 
 /// Two balls in a row to the viewer, with their labels.
-PlacedWords twoInARow(Representation& r) {
+PlacedWords twoInARow(Representation& r, bool oneResidue = false) {
     Molecule m = sampleMolecule("glucose");
     m.atoms.resize(2);
     m.bonds.clear();
     m.residues.push_back(m.residues[0]);
     m.residues[0].atomCount = m.residues[1].atomCount = 1;
     m.residues[1].firstAtom = m.atoms[1].residue = 1;
+    if (oneResidue) {
+        m.residues.resize(1);
+        m.residues[0].atomCount = 2;
+        m.atoms[1].residue = 0;
+    }
     m.atoms[0].position = {0, 0, -4};
     m.atoms[1].position = {0, 0, 4};
     r = represent(m, std::vector<std::uint32_t>{0, 1}, {Style::spacefill, ColorScheme::element});
@@ -106,6 +111,8 @@ TEST(WordLayout, LabelsOfWhatLiesBehindAtomsAreLeftOut) {
         EXPECT_EQ(textsOf(layOut(words, front, 12, {}, kWhite, widthOf, clip)), both);
     }
     const View front = viewOf(Camera{}, r.radius, 300, 300);
+    Representation same;
+    EXPECT_EQ(textsOf(layOut(twoInARow(same, true), front, 12, {}, kWhite, widthOf)), both);
     words.sight.reset();
     EXPECT_EQ(textsOf(layOut(words, front, 12, {}, kWhite, widthOf)), both);
     // A stick hides, and so does a mesh; a bond of its own atom does not.
