@@ -76,6 +76,8 @@ struct DeviceOptions {
     /// Folder that is kept in what devices were found to draw right (self_test.h), if `visibility` is automatic; empty:
     /// nobody tries. Software devices are not tried: their paths are tested with the program.
     std::string selfTests = {};
+    /// Called before a device is tried, which takes seconds, once for a device and driver; may be empty.
+    std::function<void()> onSelfTest = {};
     bool capture = false;  ///< RenderDoc is loaded, for Renderer::beginCapture()
 };
 

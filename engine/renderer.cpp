@@ -42,7 +42,10 @@ struct Renderer::Impl {
             device.capture().loaded())
             return {};
         std::optional<SelfTest> test = keptSelfTest(options.selfTests, caps.driverKey);
-        if (!test) test = testPaths(options, caps.driverKey);
+        if (!test) {
+            if (options.onSelfTest) options.onSelfTest();
+            test = testPaths(options, caps.driverKey);
+        }
         const TestedPath taken = choosePath(*test, caps.visibility, caps.visibilityReason);
         device.choose(taken.visibility, taken.why);
         return describe(*test);

@@ -51,12 +51,13 @@ void main() {
     index -= spheres;
     if (index >= view.cylinders) {
         uvec4 record = shapes[spheres + view.cylinders + index];
-        uvec4 v[3] = uvec4[](shapes[record.x], shapes[record.y], shapes[record.z]);
+        // Not an array that is indexed: drivers keep such in memory, and one ends the program over it (docs/tilers.md).
+        uvec4 v0 = shapes[record.x], v1 = shapes[record.y], v2 = shapes[record.z];
         float step = uintBitsToFloat(record.w);
-        Hit hit = triangleHitThrough(cornerOf(v[0], step), cornerOf(v[1], step), cornerOf(v[2], step),
-                                     joinsOf(v[0].w, v[1].w, v[2].w), planePoint(gl_FragCoord.xy));
-        smoothNormal(hit, uvec3(v[0].z, v[1].z, v[2].z));
-        uint look = v[hit.corner].w;
+        Hit hit = triangleHitThrough(cornerOf(v0, step), cornerOf(v1, step), cornerOf(v2, step),
+                                     joinsOf(v0.w, v1.w, v2.w), planePoint(gl_FragCoord.xy));
+        smoothNormal(hit, uvec3(v0.z, v1.z, v2.z));
+        uint look = hit.corner == 0u ? v0.w : hit.corner == 1u ? v1.w : v2.w;
         writeSurface(hit, looks[look], looks[look + 1u],
                      meshOcclusion(hit, record.xyz - (view.primitives + view.cylinders)));
         return;

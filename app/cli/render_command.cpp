@@ -12,6 +12,10 @@ void renderCommand(const RenderOptions& options) {
     for (const std::string& warning : job.warnings()) sayWarning(warning);
     DeviceOptions device = options.device;
     device.selfTests = cacheFolder(options.input.cache, "devices");
+    device.onSelfTest = [] {
+        sayNote(
+            "this device and driver are tried out, once: which ways of drawing are right on it, and how fast they are");
+    };
     Renderer renderer(device);
     job.draw(renderer);
     job.write();

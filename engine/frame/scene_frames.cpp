@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "engine/frame/debug_frame.h"
+#include "engine/passes/plates.h"
 #include "engine/passes/read_back.h"
 
 namespace nacre {
@@ -24,9 +25,22 @@ std::shared_ptr<const gpu::Buffer> SceneFrames::effectsOf(const RenderSettings& 
     return effects_ = effectBuffers_.upload(std::as_bytes(std::span(&wanted, 1)));
 }
 
-ScreenFrame SceneFrames::declare(const RenderSettings& asked, const passes::Atlas& baked, const View& view,
+ScreenFrame SceneFrames::declare(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                                  std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
                                  std::shared_ptr<passes::FragmentCounter> fragments, bool edges) const {
+    return declareSeen(settings, atlas, view, targets, name, imports, std::move(fragments), edges, nullptr);
+}
+
+ScreenFrame SceneFrames::declareNext(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
+                                     std::span<const ScreenTarget> targets, const char* name,
+                                     gpu::Imports& imports) const {
+    return declareSeen(settings, atlas, view, targets, name, imports, nullptr, false, &windowRadius_);
+}
+
+ScreenFrame SceneFrames::declareSeen(const RenderSettings& asked, const passes::Atlas& baked, const View& view,
+                                     std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
+                                     std::shared_ptr<passes::FragmentCounter> fragments, bool edges,
+                                     double* lastRadius) const {
     RenderSettings settings = asked;
     const passes::Atlas used = settings.occlusion.directions > 0 ? baked : passes::Atlas{};
     const gpu::Image& atlas = used.image ? *used.image : white_;
@@ -45,6 +59,9 @@ ScreenFrame SceneFrames::declare(const RenderSettings& asked, const passes::Atla
     const auto seen = viewScene(device_, scene_, settings, view, used);
     seen->coded = picture && targets[0].format == VK_FORMAT_R8G8B8A8_UNORM;
     seen->fragments = std::move(fragments);
+    if (lastRadius)
+        seen->radiusPixels = *lastRadius =
+            passes::steadyRadius(*lastRadius, seen->radiusPixels, device_.caps().plan.geometry);
     seen->effectConstants = effectsOf(settings);
     if (path == Visibility::deferred)
         seen->copyRows = copyRows_.upload(std::as_bytes(std::span(std::as_const(seen->copies.rows))));

@@ -24,6 +24,9 @@ public:
     ScreenFrame declare(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                         std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
                         std::shared_ptr<passes::FragmentCounter> fragments = nullptr, bool edges = false) const;
+    /// The same for a window, whose frames follow each other: pipelines stay the same where a zoom goes to and fro.
+    ScreenFrame declareNext(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
+                            std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports) const;
 
     /// Whether one frame can draw edges from more samples than what lies between them; else it takes many frames.
     bool drawsEdges() const {
@@ -35,12 +38,16 @@ public:
 
 private:
     std::shared_ptr<const gpu::Buffer> effectsOf(const RenderSettings& settings) const;
+    ScreenFrame declareSeen(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
+                            std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
+                            std::shared_ptr<passes::FragmentCounter> fragments, bool edges, double* lastRadius) const;
 
     const gpu::Device& device_;
     const Scene& scene_;
     FrameStats& stats_;
     gpu::Image white_;  // the atlas of scenes without occlusion
     mutable passes::TileFrames tiles_;
+    mutable double windowRadius_ = 0;  // by which the window's last frame chose its shapes
     // Frames in flight hold theirs; the last one serves as long as nothing changes.
     mutable layout::EffectConstants lastEffects_{};
     mutable std::shared_ptr<const gpu::Buffer> effects_;

@@ -97,9 +97,10 @@ ScreenFrame WindowFrames::declareFrame(const RenderSettings& settings, const pas
     if (frame.quality == Quality::refined) return declareRefined(settings, atlas, view, target, frame, imports);
     if (frame.scale == 1.0 && !coded()) {
         target = {"window", swapchain_.format(), passes::Output::color, "impostor colour", clear, true};
-        return frames_.declare(settings, atlas, view, {&target, 1}, "screen", imports);
+        return frames_.declareNext(settings, atlas, view, {&target, 1}, "screen", imports);
     }
-    ScreenFrame f = frames_.declare(settings, atlas, scaled(view, frame.scale), {&target, 1}, "scaled screen", imports);
+    ScreenFrame f =
+        frames_.declareNext(settings, atlas, scaled(view, frame.scale), {&target, 1}, "scaled screen", imports);
     f.targets.push_back(addPicture(f, f.targets[0], frame.scale == 1.0 ? 1 : 0, 1));
     return f;
 }
@@ -114,8 +115,8 @@ ScreenFrame WindowFrames::declareRefined(const RenderSettings& settings, const p
             gpu::makeImage(device_, desc, vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled,
                            false, "sum of samples");
     }
-    ScreenFrame f = frames_.declare(settings, atlas, throughSampleOf(view, frame.samples, frame.sample), {&target, 1},
-                                    "refinement", imports);
+    ScreenFrame f = frames_.declareNext(settings, atlas, throughSampleOf(view, frame.samples, frame.sample),
+                                        {&target, 1}, "refinement", imports);
     const bool first = frame.sample == 0;
     const graph::Image sum = f.graph.importImage("sum of samples", desc, passes::kTextureState, first);
     const graph::Image colour = f.targets[0];

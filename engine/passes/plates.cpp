@@ -1,6 +1,7 @@
 #include "engine/passes/plates.h"
 
 #include <array>
+#include <cmath>
 
 namespace nacre::passes {
 
@@ -18,6 +19,17 @@ ImpostorShape chooseImpostor(ImpostorShape wanted, const graph::GeometryCaps& ca
                                                  : ImpostorShape::square;
     // Leaning facets are planes of depth only where parallel lines stay parallel.
     return wanted == ImpostorShape::pyramid && perspective ? ImpostorShape::octagon : wanted;
+}
+
+double steadyRadius(double before, double now, const graph::GeometryCaps& caps) {
+    constexpr double kWidth = 7.0 / 6;
+    if (before <= 0) return now;
+    for (const double threshold : {caps.domes, caps.octagons, caps.plateOctagons}) {
+        if ((before >= threshold) == (now >= threshold)) continue;
+        if (now < threshold && now * kWidth >= threshold) now = threshold;
+        if (now >= threshold && before < threshold && now < threshold * kWidth) now = std::nextafter(threshold, 0.0);
+    }
+    return now;
 }
 
 std::span<const Plate> platesOf(PlateShape shape) {

@@ -23,6 +23,11 @@ PlateShape choosePlates(PlateShape wanted, const graph::GeometryCaps& caps, doub
 ImpostorShape chooseImpostor(ImpostorShape wanted, const graph::GeometryCaps& caps, double radiusPixels,
                              bool perspective);
 
+/// The radius by which shapes are chosen while a picture is zoomed: a pinch that goes to and fro across a threshold
+/// would change pipelines with each turn. A threshold counts as crossed once the radius has left it a sixth behind.
+/// @param before  what this returned for the frame before; 0: there was none
+double steadyRadius(double before, double now, const graph::GeometryCaps& caps);
+
 /// The polygons of a shape. More of them make a dome: smaller plates that stand nearer to the viewer.
 std::span<const Plate> platesOf(PlateShape shape);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "engine/graph/capability_sets.h"
 
@@ -30,6 +31,34 @@ TEST(Plates, LieInsideTheirSphereAndLeaveRoomForTheNext) {
         }
     }
     EXPECT_TRUE(platesOf(PlateShape::none).empty());
+}
+
+// A pinch that goes to and fro across a threshold changes what is drawn by once, not with each turn.
+TEST(Plates, ShapesStayWhereAZoomGoesToAndFro) {
+    for (const graph::GeometryCaps& caps : {kGpu, kStoring})
+        for (const double threshold : {caps.domes, caps.octagons, caps.plateOctagons}) {
+            if (threshold <= 0 || !std::isfinite(threshold)) continue;
+            double last = 0;
+            int changes = 0, unsteady = 0;
+            const auto shapes = [&](double radius) {
+                return std::pair(choosePlates(PlateShape::automatic, caps, radius),
+                                 chooseImpostor(ImpostorShape::automatic, caps, radius, false));
+            };
+            double before = 0;
+            for (int frame = 0; frame < 40; ++frame) {
+                const double radius = threshold * (frame % 2 ? 1.06 : 0.94);
+                const double steady = steadyRadius(last, radius, caps);
+                if (last > 0) changes += shapes(steady) != shapes(last);
+                if (before > 0) unsteady += shapes(radius) != shapes(before);
+                last = steady, before = radius;
+            }
+            EXPECT_EQ(changes, 0) << threshold;
+            EXPECT_EQ(unsteady, 39) << threshold;  // without this the test would prove nothing
+            // Who goes on past it gets there, in both directions.
+            EXPECT_EQ(shapes(steadyRadius(last, 1.3 * threshold, caps)), shapes(1.3 * threshold));
+            EXPECT_EQ(shapes(steadyRadius(1.3 * threshold, 0.7 * threshold, caps)), shapes(0.7 * threshold));
+        }
+    EXPECT_EQ(steadyRadius(0, 5.9, kGpu), 5.9);  // the first frame
 }
 
 TEST(Plates, TheOctagonIsTheOriginals) {

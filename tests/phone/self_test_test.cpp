@@ -21,8 +21,9 @@ struct Wrong {
     ~Wrong() { unsetenv("NACRE_PHONE_WRONG"); }
 };
 
-DeviceInfo started(const TemporaryFolder& folder) {
+DeviceInfo started(const TemporaryFolder& folder, int* tries = nullptr) {
     DeviceOptions options;
+    if (tries) options.onSelfTest = [tries] { ++*tries; };
     options.validate = true;
     options.selfTests = folder / "devices";
     const Renderer renderer(options);
@@ -39,7 +40,11 @@ Outcome outcomeOf(const SelfTest& test, Visibility path) {
 
 TEST(SelfTest, FindsEveryPathOfARightDriverRight) {
     const TemporaryFolder folder;
-    const DeviceInfo device = started(folder);
+    int tries = 0;
+    const DeviceInfo device = started(folder, &tries);
+    EXPECT_EQ(tries, 1);  // whoever waits is told
+    EXPECT_EQ(started(folder, &tries).selfTest, device.selfTest);
+    EXPECT_EQ(tries, 1);
     const auto kept = keptSelfTest(folder / "devices", device.driverKey);
     ASSERT_TRUE(kept);
     ASSERT_EQ(kept->size(), 3u);  // this phone reads nothing in raster order
