@@ -17,6 +17,7 @@
 #include "app/android/input.h"
 #include "app/android/intent.h"
 #include "app/android/log.h"
+#include "app/android/platform.h"
 #include "app/android/render_thread.h"
 #include "app/android/session.h"
 #include "app/viewer/kept_files.h"
@@ -64,7 +65,8 @@ public:
           restored_(stillThere(viewOf(state, size))),
           density_(densityOf(activity)),
           // A view that is restored shows the copy of what the intent named.
-          document_(restored_ ? nullptr : openIntent()),
+          platform_(activity, told()),
+          document_(restored_ ? nullptr : documentOf(nullptr)),
           thread_(
               [this] {
                   if (session_) session_->awaitFrame();
@@ -74,7 +76,8 @@ public:
         thread_.post([this, view = firstView(), density = density_] {
             const SessionFiles files{folder_ + "/view.json", folder_ + "/pipelines.bin", folder_ + "/occlusion",
                                      folder_ + "/devices"};
-            session_ = std::make_unique<AndroidSession>(files, view, density, shared_, [this] { thread_.post([] {}); });
+            session_ = std::make_unique<AndroidSession>(
+                files, view, density, shared_, [this] { thread_.post([] {}); }, platformCalls());
         });
         if (document_) document_->open();
     }
@@ -127,11 +130,39 @@ private:
         return view;
     }
 
-    std::unique_ptr<IntentDocument> openIntent() {
+    /// @param uri  null: of the intent
+    std::unique_ptr<IntentDocument> documentOf(jobject uri) {
         return std::make_unique<IntentDocument>(
-            activity_, OpenedFiles(folder_ + "/opened"),
+            activity_, uri, OpenedFiles(folder_ + "/opened"),
             [this](const std::string& path) { post([path](AndroidSession& s) { s.open(path); }); },
             [this](const std::string& why) { post([why](AndroidSession& s) { s.say(why); }); });
+    }
+
+    Platform::Told told() {
+        Platform::Told told;
+        told.opened = [this](jobject uri) {
+            document_.reset();
+            document_ = documentOf(uri);
+            document_->open();
+        };
+        told.failed = [this](const std::string& why) { post([why](AndroidSession& s) { s.say(why); }); };
+        told.controls = [this] {
+            // From the first question on, the table is kept up to date.
+            if (!shared_.read.exchange(true)) thread_.post([] {});
+            const std::lock_guard lock(shared_.mutex);
+            return shared_.lines;
+        };
+        told.press = [this](const std::string& role, const std::string& name) {
+            post([=](AndroidSession& s) { s.press(role, name); });
+        };
+        return told;
+    }
+
+    PlatformCalls platformCalls() const {
+        if (!platform_.there()) return {};
+        return {[this] { platform_.pickDocument(); },
+                [this](const Picture& picture, const std::string& name) { platform_.share(picture, name); },
+                [this] { platform_.controlsChanged(); }};
     }
 
     /// Without a device there is nothing to show. On the render thread.
@@ -185,6 +216,7 @@ private:
     double density_;
     AInputQueue* queue_ = nullptr;
     bool ownsBack_ = false;
+    Platform platform_;
     std::unique_ptr<IntentDocument> document_;
     SharedState shared_;
     RenderThread thread_;

@@ -46,7 +46,7 @@ android {
     }
     buildTypes {
         release {
-            isMinifyEnabled = false  // there is no code but native code
+            isMinifyEnabled = false  // native code calls what little Java there is by its names
         }
     }
 }

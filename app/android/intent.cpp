@@ -89,13 +89,15 @@ int descriptorOf(const Java& java, jobject resolver, jobject uri) {
 
 }  // namespace
 
-IntentDocument::IntentDocument(ANativeActivity* activity, OpenedFiles files, Done done, Failed failed)
+IntentDocument::IntentDocument(ANativeActivity* activity, jobject uri, OpenedFiles files, Done done, Failed failed)
     : activity_(activity), files_(std::move(files)), done_(std::move(done)), failed_(std::move(failed)) {
     try {
         const Java java(activity->env);
-        const jobject intent = java.object(activity->clazz, "getIntent", "()Landroid/content/Intent;");
-        if (!intent) return;
-        const jobject uri = java.object(intent, "getData", "()Landroid/net/Uri;");
+        if (!uri) {
+            const jobject intent = java.object(activity->clazz, "getIntent", "()Landroid/content/Intent;");
+            if (!intent) return;
+            uri = java.object(intent, "getData", "()Landroid/net/Uri;");
+        }
         if (uri) uri_ = java.env()->NewGlobalRef(uri);
     } catch (const JavaError& error) {
         logError(error.what());

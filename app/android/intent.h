@@ -1,5 +1,5 @@
 #pragma once
-// The document that the activity was started to show.
+// The document that the activity was started to show, or one that was picked.
 
 #include <android/native_activity.h>
 
@@ -17,8 +17,9 @@ public:
     using Failed = std::function<void(const std::string& why)>;
 
     /// Call on the main thread, like all the rest.
+    /// @param uri  of the document; null: what the activity was started to show
     /// @param done, failed one of them is called on the other thread
-    IntentDocument(ANativeActivity* activity, OpenedFiles files, Done done, Failed failed);
+    IntentDocument(ANativeActivity* activity, jobject uri, OpenedFiles files, Done done, Failed failed);
     /// Waits for the thread.
     ~IntentDocument();
     IntentDocument(const IntentDocument&) = delete;

@@ -1,12 +1,14 @@
 #include "app/android/session.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "app/android/log.h"
 #include "app/android/render_thread.h"
 #include "app/android/surface.h"
 #include "app/viewer/kept_files.h"
 #include "app/viewer/local_molecules.h"
+#include "engine/error.h"
 
 namespace nacre::app {
 namespace {
@@ -18,14 +20,31 @@ ViewerOptions optionsOf(const SessionFiles& files) {
     return options;
 }
 
+/// Of the fonts that every Android has, by script.
+std::optional<FontFile> systemFont(const std::vector<char32_t>& characters) {
+    constexpr struct {
+        char32_t from, to;
+        const char* name;
+    } kFonts[] = {{0x590, 0x600, "NotoSansHebrew-Regular.ttf"},
+                  {0x600, 0x780, "NotoNaskhArabic-Regular.ttf"},
+                  {0x900, 0x980, "NotoSansDevanagari-Regular.otf"},
+                  {0xe00, 0xe80, "NotoSansThai-Regular.ttf"},
+                  {0x2e80, 0x10000, "NotoSansCJK-Regular.ttc"}};
+    for (const auto& font : kFonts)
+        if (characters.front() >= font.from && characters.front() < font.to)
+            return FontFile{std::string("/system/fonts/") + font.name};
+    return std::nullopt;
+}
+
 }  // namespace
 
 // --- window
 
 AndroidSession::AndroidSession(SessionFiles files, const SavedView& first, double pixelsPerPoint, SharedState& shared,
-                               std::function<void()> wake)
+                               std::function<void()> wake, PlatformCalls platform)
     : files_(std::move(files)),
       shared_(shared),
+      platform_(std::move(platform)),
       session_(host(), localMolecules(), first, optionsOf(files_), std::move(wake)) {
     makePanel(pixelsPerPoint);
     viewer().pause();
@@ -52,6 +71,8 @@ void AndroidSession::makePanel(double pixelsPerPoint) {
     panel_.reset();
     PanelHost host;
     host.run = [this](ViewerCommand command) { run(command); };
+    host.openDialog = platform_.pickDocument;
+    host.fontWith = systemFont;
     host.statistics = [this] { return session_.statistics(); };
     panel_ = std::make_unique<Panel>(pixelsPerPoint, std::move(host), PanelHand::fingers);
 }
@@ -171,8 +192,46 @@ void AndroidSession::run(ViewerCommand command) {
     if (command == ViewerCommand::panel) panel_->togglePanel();
     if (command == ViewerCommand::help) panel_->toggleHelp();
     if (command == ViewerCommand::openFile) panel_->showStart();
+    if (command == ViewerCommand::saveAs || command == ViewerCommand::savePicture) share();
     viewer().overlayChanged();
     viewer().run(command, steadySeconds());
+}
+
+/// The picture as it is seen, to whichever app the user chooses.
+void AndroidSession::share() {
+    if (!platform_.share || !viewer().document() || !session_.renderer()) return;
+    try {
+        RenderSettings settings = viewer().pictureSettings(viewer().size());
+        settings.supersample = RenderSettings::kEdges;
+        const std::string stem = std::filesystem::path(viewer().document()->view.input).stem().string();
+        platform_.share(session_.renderer()->render(settings), (stem.empty() ? "nacre" : stem) + ".png");
+    } catch (const Error& error) {
+        viewer().fail(error.what(), steadySeconds());
+    }
+}
+
+void AndroidSession::press(const std::string& role, const std::string& name) {
+    for (const Control& c : panel_->controls()) {
+        if (!c.seen() || c.role != role || c.name != name) continue;
+        const glm::dvec2 at = glm::dvec2(c.seenLeft + c.seenRight, c.seenTop + c.seenBottom) / 2.0 / scale_;
+        touch({0, TouchPhase::began, at}, steadySeconds());
+        return touch({0, TouchPhase::ended, at}, steadySeconds());
+    }
+}
+
+/// The picture comes first, then what stands over it.
+void AndroidSession::tellControls() {
+    Control picture;
+    picture.role = "image";
+    picture.name = viewer().title();
+    picture.seenRight = static_cast<float>(size().width), picture.seenBottom = static_cast<float>(size().height);
+    const std::string lines = controlLines({picture}) + controlLines(panel_->controls());
+    {
+        const std::lock_guard lock(shared_.mutex);
+        if (lines == shared_.lines) return;
+        shared_.lines = lines;
+    }
+    if (platform_.controlsChanged) platform_.controlsChanged();
 }
 
 // --- the loop
@@ -183,7 +242,12 @@ void AndroidSession::awaitFrame() {
 
 double AndroidSession::step() {
     const double now = steadySeconds();
-    const double wake = session_.step(now, [&] { return panel_->draw(viewer(), size(), now); });
+    const double wake = session_.step(now, [&] {
+        const Overlay* overlay = panel_->draw(viewer(), size(), now);
+        if (panel_->glyphsChanged()) session_.renderer()->setOverlayGlyphs(panel_->glyphs());
+        return overlay;
+    });
+    if (shared_.read) tellControls();
     shared_.wantsBack = panel_->helpOpen() || panel_->panelOpen();
     {
         const std::lock_guard lock(shared_.mutex);

@@ -29,6 +29,15 @@ struct SharedState {
     std::atomic<bool> wantsBack{false};  ///< the back key is ours, to close the panel or the help
     std::mutex mutex;
     std::optional<SavedView> view;  ///< under the mutex: as it was after the last step
+    std::atomic<bool> read{false};  ///< a screen reader wants to know what is there
+    std::string lines;              ///< under the mutex: controlLines() of what it is told of
+};
+
+/// What the platform does for a session. Empty: it does not.
+struct PlatformCalls {
+    std::function<void()> pickDocument;
+    std::function<void(const Picture&, const std::string& name)> share;
+    std::function<void()> controlsChanged;
 };
 
 class AndroidSession {
@@ -36,7 +45,7 @@ public:
     /// @param first what to show; without input: nothing yet
     /// @param wake  makes the thread call step(); from any thread
     AndroidSession(SessionFiles files, const SavedView& first, double pixelsPerPoint, SharedState& shared,
-                   std::function<void()> wake);
+                   std::function<void()> wake, PlatformCalls platform = {});
 
     // The window
     void windowCreated(ANativeWindow* window);
@@ -57,6 +66,8 @@ public:
     void wheel(double steps, glm::dvec2 at);
     void key(const KeyEvent& event);
     void back();
+    /// Presses a control that is seen, as a screen reader asks for it.
+    void press(const std::string& role, const std::string& name);
     void open(const std::string& path);
     void say(const std::string& text);
 
@@ -75,9 +86,12 @@ private:
     void settle();
     void run(ViewerCommand command);
     PixelSize size() const;
+    void share();
+    void tellControls();
 
     SessionFiles files_;
     SharedState& shared_;
+    PlatformCalls platform_;
     ANativeWindow* window_ = nullptr;
     Session session_;
     std::unique_ptr<Panel> panel_;

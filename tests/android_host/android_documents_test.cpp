@@ -1,6 +1,7 @@
 // What outlives an activity, and what other apps hand over to it.
 
 #include <fstream>
+#include <sstream>
 
 #include "tests/android_host/host_fixture.h"
 
@@ -67,6 +68,68 @@ TEST_F(AndroidHost, OpensWhatOtherAppsHandOver) {
     host.open(120, 120);
     expectAsRendered(host);
     EXPECT_EQ(host.saveState(), state);
+}
+
+/// The line of the control of a name, in what a screen reader is told. Empty: there is none
+std::string toldOf(Host& host, const std::string& name) {
+    std::istringstream lines(host.java().controls());
+    for (std::string line; std::getline(lines, line);)
+        if (line.find('\t' + name + '\t') != std::string::npos) return line;
+    return {};
+}
+
+TEST_F(AndroidHost, OpensWhatIsPickedThere) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.open(360, 480);
+    ASSERT_TRUE(eventually([&] { return !toldOf(host, "Menu").empty(); }));
+    EXPECT_EQ(host.java().documentsAsked(), 0);
+    const auto press = [&](const char* name) {
+        ASSERT_TRUE(eventually([&] { return toldOf(host, name).starts_with("button\t"); }))
+            << name << " is not in " << host.java().controls();
+        host.java().press("button", name);
+    };
+    press("Menu");
+    press("Open");
+    press("Open a file ...");
+    ASSERT_TRUE(eventually([&] { return host.java().documentsAsked() == 1; }));
+    Document document;
+    document.name = "picked.pdb";
+    document.bytes = pdbOf("FE", 1);
+    host.java().documentPicked(document);
+    ASSERT_TRUE(eventually([&] { return host.view().input.ends_with("picked.pdb"); }));
+}
+
+TEST_F(AndroidHost, SharesThePictureThatIsSeen) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.open(120, 160);
+    ASSERT_TRUE(eventually([&] { return host.frames() > 0; }));
+    host.key(AKEYCODE_S, AKEY_EVENT_ACTION_DOWN);
+    ASSERT_TRUE(eventually([&] { return host.java().shared().width > 0; }));
+    const JavaMachine::Shared shared = host.java().shared();
+    EXPECT_EQ(shared.width, 120);
+    EXPECT_EQ(shared.height, 160);
+    EXPECT_TRUE(shared.name.ends_with(".png")) << shared.name;
+    ASSERT_EQ(shared.pixels.size(), 120u * 160u);
+    EXPECT_EQ(static_cast<std::uint32_t>(shared.pixels[0]), 0xffffffffu);
+    const auto drawn =
+        std::count_if(shared.pixels.begin(), shared.pixels.end(), [](std::int32_t p) { return p != -1; });
+    EXPECT_GT(drawn, 500);
+}
+
+TEST_F(AndroidHost, TellsScreenReadersWhatIsThere) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.open(360, 640);
+    ASSERT_TRUE(eventually([&] { return !toldOf(host, "Menu").empty(); }));
+    EXPECT_TRUE(toldOf(host, "sample:glucose - Nacre").starts_with("image\t")) << host.java().controls();
+    EXPECT_TRUE(toldOf(host, "Menu").starts_with("button\tMenu\t\t1\t")) << host.java().controls();
+    host.java().press("button", "no such control");
+    host.java().press("switch", "Menu");
+    sleep(0.3);
+    EXPECT_FALSE(toldOf(host, "Menu").empty());
+    const int before = host.java().controlChanges();
+    host.java().press("button", "Menu");
+    ASSERT_TRUE(eventually([&] { return !toldOf(host, "Spheres").empty(); }));
+    EXPECT_GT(host.java().controlChanges(), before);
 }
 
 TEST_F(AndroidHost, OpensWhatProvidersStream) {

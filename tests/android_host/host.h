@@ -59,6 +59,7 @@ public:
     bool windowIsThere() const { return window_ != nullptr; }
     std::uint64_t frames() const;
     WindowPicture picture() const;
+    JavaMachine& java() { return java_; }
     bool finishAsked() const { return test::finishAsked(&activity_); }
     AInputQueue* queue() { return queue_.get(); }
 

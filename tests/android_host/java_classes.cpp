@@ -20,6 +20,10 @@ constexpr struct {
 } kMethods[] = {
     {kActivity, "getIntent", "()Landroid/content/Intent;"},
     {kActivity, "getContentResolver", "()Landroid/content/ContentResolver;"},
+    {kActivity, "attach", "(J)V"},
+    {kActivity, "pickDocument", "()V"},
+    {kActivity, "sharePicture", "([IIILjava/lang/String;)V"},
+    {kActivity, "controlsChanged", "()V"},
     {"android/content/Intent", "getData", "()Landroid/net/Uri;"},
     {"android/net/Uri", "getLastPathSegment", "()Ljava/lang/String;"},
     {"android/content/ContentResolver", "openInputStream", "(Landroid/net/Uri;)Ljava/io/InputStream;"},
@@ -101,6 +105,21 @@ Object* callObject(JNIEnv* env, Object* of, const std::string& name, va_list arg
         raise(env, "java.io.FileNotFoundException", "this provider only streams");
     }
     return nullptr;
+}
+
+void callVoid(JNIEnv* env, Object*, const std::string& name, va_list arguments) {
+    Impl& machine = machineOf(env);
+    const std::lock_guard lock(machine.mutex);
+    if (name == "close") ++machine.closed;
+    if (name == "attach") machine.attached = va_arg(arguments, jlong);
+    if (name == "pickDocument") ++machine.documentsAsked;
+    if (name == "controlsChanged") ++machine.controlChanges;
+    if (name != "sharePicture") return;
+    machine.shared.pixels.clear();
+    for (const jint color : in(va_arg(arguments, jobject))->numbers) machine.shared.pixels.push_back(color);
+    machine.shared.width = va_arg(arguments, jint);
+    machine.shared.height = va_arg(arguments, jint);
+    machine.shared.name = in(va_arg(arguments, jobject))->text;
 }
 
 jint callInt(JNIEnv* env, Object* of, const std::string& name, va_list arguments) {

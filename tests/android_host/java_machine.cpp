@@ -106,6 +106,16 @@ void fillObjects(JNINativeInterface& f) {
         array->bytes.resize(static_cast<std::size_t>(count));
         return as<jbyteArray>(local(env, array));
     };
+    f.NewIntArray = [](JNIEnv* env, jsize count) {
+        Object* array = machineOf(env).make("[I");
+        array->numbers.resize(static_cast<std::size_t>(count));
+        return as<jintArray>(local(env, array));
+    };
+    f.SetIntArrayRegion = [](JNIEnv* env, jintArray array, jsize start, jsize count, const jint* from) {
+        if (start < 0 || count < 0 || static_cast<std::size_t>(start + count) > in(array)->numbers.size())
+            return raise(env, "java.lang.ArrayIndexOutOfBoundsException", "");
+        std::copy_n(from, count, in(array)->numbers.begin() + start);
+    };
     f.GetByteArrayRegion = [](JNIEnv* env, jbyteArray array, jsize start, jsize count, jbyte* to) {
         if (start < 0 || count < 0 || static_cast<std::size_t>(start + count) > in(array)->bytes.size())
             return raise(env, "java.lang.ArrayIndexOutOfBoundsException", "");
@@ -124,9 +134,14 @@ void fillCalls(JNINativeInterface& f) {
         nameOf(env, of, id, 'Z');  // moveToFirst
         return machineOf(env).document->name.empty() ? JNI_FALSE : JNI_TRUE;
     };
-    f.CallVoidMethodV = [](JNIEnv* env, jobject of, jmethodID id, va_list) {
-        nameOf(env, of, id, 'V');  // close
-        ++machineOf(env).closed;
+    f.CallVoidMethodV = [](JNIEnv* env, jobject of, jmethodID id, va_list arguments) {
+        callVoid(env, in(of), nameOf(env, of, id, 'V').name, arguments);
+    };
+    f.RegisterNatives = [](JNIEnv* env, jclass type, const JNINativeMethod* methods, jint count) -> jint {
+        if (in(type)->text != kActivity) Faults::add("natives for another class");
+        for (jint i = 0; i < count; ++i)
+            machineOf(env).natives[std::string(methods[i].name) + methods[i].signature] = methods[i].fnPtr;
+        return JNI_OK;
     };
 }
 
@@ -217,6 +232,49 @@ JavaMachine::~JavaMachine() {
     if (impl_->opened != impl_->closed) Faults::add("a cursor or stream left open");
     const std::lock_guard lock(machinesMutex);
     machines().erase(&impl_->functions);
+}
+
+int JavaMachine::documentsAsked() const { return impl_->documentsAsked; }
+int JavaMachine::controlChanges() const { return impl_->controlChanges; }
+
+JavaMachine::Shared JavaMachine::shared() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->shared;
+}
+
+namespace {
+
+/// A native method, as Java calls it: with references that go when it returns.
+template <typename Result, typename... Arguments>
+Result callNative(Impl& machine, const char* name, Arguments... arguments) {
+    const auto native = machine.natives.find(name);
+    if (native == machine.natives.end() || machine.attached == 0) {
+        Faults::add(std::string(name) + " is called and not there");
+        return Result();
+    }
+    using Native = Result (*)(JNIEnv*, jclass, jlong, Arguments...);
+    return reinterpret_cast<Native>(native->second)(machine.mainEnv, nullptr, machine.attached, arguments...);
+}
+
+}  // namespace
+
+void JavaMachine::documentPicked(const Document& document) {
+    impl_->document = document;
+    callNative<void>(*impl_, "opened(JLandroid/net/Uri;)V",
+                     static_cast<jobject>(impl_->make("android/net/Uri", document.uri)));
+    impl_->threads.at(std::this_thread::get_id())->frames.front().clear();
+}
+
+std::string JavaMachine::controls() {
+    const auto text = callNative<jstring>(*impl_, "controls(J)Ljava/lang/String;");
+    impl_->threads.at(std::this_thread::get_id())->frames.front().clear();
+    return text ? in(text)->text : "";
+}
+
+void JavaMachine::press(const std::string& role, const std::string& name) {
+    callNative<void>(*impl_, "press(JLjava/lang/String;Ljava/lang/String;)V",
+                     as<jstring>(impl_->make("java/lang/String", role)),
+                     as<jstring>(impl_->make("java/lang/String", name)));
 }
 
 JavaVM* JavaMachine::vm() { return &impl_->vm; }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace nacre::test {
 
@@ -31,6 +32,20 @@ public:
     JavaVM* vm();
     JNIEnv* env();  ///< of the thread that made the machine
     jobject activity();
+
+    // The activity's Java: what native code asked it for, and what it tells native code. Main thread.
+    int documentsAsked() const;
+    int controlChanges() const;
+    /// The last; of no pixels: none
+    struct Shared {
+        int width = 0, height = 0;
+        std::vector<std::int32_t> pixels;
+        std::string name;
+    };
+    Shared shared() const;
+    void documentPicked(const Document& document);
+    std::string controls();
+    void press(const std::string& role, const std::string& name);
 
     struct Impl;
 

@@ -3,6 +3,7 @@
 
 #include <jni.h>
 
+#include <atomic>
 #include <cstdarg>
 #include <deque>
 #include <map>
@@ -23,6 +24,7 @@ inline constexpr const char* kActivity = "android/app/NativeActivity";
 struct Object : _jobject {
     std::string type, text;          // of a String, or of what a Throwable says
     std::vector<signed char> bytes;  // of a byte[]
+    std::vector<jint> numbers;       // of an int[]
     std::size_t at = 0;              // of an InputStream
 };
 
@@ -66,6 +68,10 @@ struct JavaMachine::Impl {
     Object* activity = nullptr;
     JNIEnv* mainEnv = nullptr;
     int opened = 0, closed = 0;  // streams and cursors
+    std::map<std::string, void*> natives;
+    jlong attached = 0;  // what native code has itself called by
+    std::atomic<int> documentsAsked{0}, controlChanges{0};
+    JavaMachine::Shared shared;  // under the mutex
 };
 
 /// The machine of an environment.
@@ -76,6 +82,7 @@ void raise(JNIEnv* env, const std::string& type, const std::string& words);
 // What the classes do (java_classes.cpp). Objects come without a reference.
 bool known(const std::string& type, const std::string& name, const std::string& signature);
 Object* callObject(JNIEnv* env, Object* of, const std::string& name, va_list arguments);
+void callVoid(JNIEnv* env, Object* of, const std::string& name, va_list arguments);
 jint callInt(JNIEnv* env, Object* of, const std::string& name, va_list arguments);
 
 }  // namespace nacre::test

@@ -1,0 +1,101 @@
+#include "app/android/platform.h"
+
+#include <cstdint>
+#include <vector>
+
+#include "app/android/java.h"
+#include "app/android/log.h"
+#include "app/shared/srgb.h"
+
+namespace nacre::app {
+namespace {
+
+const Platform::Told& toldBy(jlong platform) { return *reinterpret_cast<const Platform::Told*>(platform); }
+
+void opened(JNIEnv*, jclass, jlong platform, jobject uri) { toldBy(platform).opened(uri); }
+
+void failed(JNIEnv* env, jclass, jlong platform, jstring why) { toldBy(platform).failed(Java(env).text(why)); }
+
+jstring controls(JNIEnv* env, jclass, jlong platform) {
+    // Not by Java, whose references go with it.
+    return env->NewStringUTF(toldBy(platform).controls().c_str());
+}
+
+void press(JNIEnv* env, jclass, jlong platform, jstring role, jstring name) {
+    const Java java(env);
+    toldBy(platform).press(java.text(role), java.text(name));
+}
+
+template <typename Function>
+JNINativeMethod native(const char* name, const char* signature, Function function) {
+    return {const_cast<char*>(name), const_cast<char*>(signature), reinterpret_cast<void*>(function)};
+}
+
+}  // namespace
+
+Platform::Platform(ANativeActivity* activity, Told told) : activity_(activity), told_(std::move(told)) {
+    const Java java(activity->env);
+    const JNINativeMethod methods[] = {native("opened", "(JLandroid/net/Uri;)V", opened),
+                                       native("failed", "(JLjava/lang/String;)V", failed),
+                                       native("controls", "(J)Ljava/lang/String;", controls),
+                                       native("press", "(JLjava/lang/String;Ljava/lang/String;)V", press)};
+    const jclass type = java.env()->GetObjectClass(activity->clazz);
+    if (java.env()->RegisterNatives(type, methods, std::size(methods)) != JNI_OK) {
+        java.env()->ExceptionClear();
+        return;
+    }
+    try {
+        java.nothing(activity->clazz, "attach", "(J)V", reinterpret_cast<jlong>(&told_));
+        there_ = true;
+    } catch (const JavaError& error) {
+        logError(error.what());
+    }
+}
+
+Platform::~Platform() {
+    if (!there_) return;
+    try {
+        Java(activity_->env).nothing(activity_->clazz, "attach", "(J)V", jlong{0});
+    } catch (const JavaError& error) {
+        logError(error.what());
+    }
+}
+
+template <typename Call>
+void Platform::call(const Call& call) const {
+    if (!there_) return;
+    try {
+        const AttachedThread thread(activity_->vm);
+        call(Java(thread.env()));
+    } catch (const JavaError& error) {
+        logError(error.what());
+    }
+}
+
+void Platform::pickDocument() const {
+    call([this](const Java& java) { java.nothing(activity_->clazz, "pickDocument", "()V"); });
+}
+
+void Platform::controlsChanged() const {
+    call([this](const Java& java) { java.nothing(activity_->clazz, "controlsChanged", "()V"); });
+}
+
+void Platform::share(const Picture& picture, const std::string& name) const {
+    std::vector<jint> pixels(std::size_t{picture.width} * picture.height);
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        std::uint8_t code[4];
+        codePixel(&picture.rgba[4 * i], true, code);
+        pixels[i] = static_cast<jint>(std::uint32_t{code[3]} << 24 | std::uint32_t{code[0]} << 16 |
+                                      std::uint32_t{code[1]} << 8 | code[2]);
+    }
+    call([&](const Java& java) {
+        const auto count = static_cast<jsize>(pixels.size());
+        const jintArray array = java.env()->NewIntArray(count);
+        java.check();
+        java.env()->SetIntArrayRegion(array, 0, count, pixels.data());
+        java.nothing(activity_->clazz, "sharePicture", "([IIILjava/lang/String;)V", array,
+                     static_cast<jint>(picture.width), static_cast<jint>(picture.height), java.string(name.c_str()));
+    });
+}
+
+}  // namespace nacre::app

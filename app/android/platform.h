@@ -1,0 +1,45 @@
+#pragma once
+// What the activity's Java does for the native code (NacreActivity.java), and what it is told of.
+
+#include <android/native_activity.h>
+#include <jni.h>
+
+#include <functional>
+#include <string>
+
+#include "engine/results.h"
+
+namespace nacre::app {
+
+class Platform {
+public:
+    /// Called on the main thread.
+    struct Told {
+        std::function<void(jobject uri)> opened;  ///< a document was picked
+        std::function<void(const std::string& why)> failed;
+        std::function<std::string()> controls;  ///< controlLines()
+        std::function<void(const std::string& role, const std::string& name)> press;
+    };
+
+    /// On the main thread, like the destructor. An activity without that Java is left alone.
+    Platform(ANativeActivity* activity, Told told);
+    ~Platform();
+    Platform(const Platform&) = delete;
+
+    bool there() const { return there_; }
+    // From any thread
+    void pickDocument() const;
+    /// @param name  of the file, with its end
+    void share(const Picture& picture, const std::string& name) const;
+    void controlsChanged() const;
+
+private:
+    template <typename Call>
+    void call(const Call& call) const;
+
+    ANativeActivity* activity_;
+    Told told_;
+    bool there_ = false;
+};
+
+}  // namespace nacre::app

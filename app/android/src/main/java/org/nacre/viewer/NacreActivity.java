@@ -1,0 +1,94 @@
+package org.nacre.viewer;
+
+import android.app.NativeActivity;
+import android.content.ActivityNotFoundException;
+import android.content.Intent;
+import android.graphics.Bitmap;
+import android.net.Uri;
+import android.os.Bundle;
+import android.view.View;
+
+import java.io.File;
+import java.io.FileOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+
+/** What native code cannot do by itself: have a document picked, share a picture, tell a screen reader what is there. */
+public final class NacreActivity extends NativeActivity {
+    private static final int PICKED = 1;
+    private PanelNodes nodes;
+
+    // Native code registers these when the activity is made. `app` is what it handed to attach(); 0: it is gone.
+    static native void opened(long app, Uri document);
+    static native void failed(long app, String why);
+    static native String controls(long app);
+    static native void press(long app, String role, String name);
+
+    private volatile long app;
+
+    @Override
+    protected void onCreate(Bundle state) {
+        super.onCreate(state);
+        View content = getWindow().getDecorView().findViewById(android.R.id.content);
+        nodes = new PanelNodes(this, content);
+    }
+
+    long app() {
+        return app;
+    }
+
+    // --- called by native code, on any thread
+
+    void attach(long to) {
+        app = to;
+    }
+
+    void pickDocument() {
+        runOnUiThread(() -> {
+            Intent pick = new Intent(Intent.ACTION_OPEN_DOCUMENT);
+            pick.addCategory(Intent.CATEGORY_OPENABLE);
+            pick.setType("*/*");
+            try {
+                startActivityForResult(pick, PICKED);
+            } catch (ActivityNotFoundException none) {
+                if (app != 0) failed(app, "no app here has documents");
+            }
+        });
+    }
+
+    /** Colours as 0xAARRGGBB, rows from the top. */
+    void sharePicture(int[] pixels, int width, int height, String name) {
+        try {
+            File folder = SharedPictures.folder(this);
+            File[] before = folder.listFiles();
+            if (before != null) for (File file : before) file.delete();
+            File file = new File(folder, name);
+            Bitmap bitmap = Bitmap.createBitmap(pixels, width, height, Bitmap.Config.ARGB_8888);
+            try (OutputStream out = new FileOutputStream(file)) {
+                bitmap.compress(Bitmap.CompressFormat.PNG, 100, out);
+            }
+            Intent send = new Intent(Intent.ACTION_SEND);
+            send.setType(SharedPictures.TYPE);
+            send.putExtra(Intent.EXTRA_STREAM, SharedPictures.uriOf(this, name));
+            send.addFlags(Intent.FLAG_GRANT_READ_URI_PERMISSION);
+            runOnUiThread(() -> startActivity(Intent.createChooser(send, null)));
+        } catch (IOException | RuntimeException error) {
+            if (app != 0) failed(app, "cannot share the picture: " + error.getMessage());
+        }
+    }
+
+    void controlsChanged() {
+        runOnUiThread(() -> {
+            if (nodes != null) nodes.changed();
+        });
+    }
+
+    // --- what comes back
+
+    @Override
+    protected void onActivityResult(int request, int result, Intent data) {
+        super.onActivityResult(request, result, data);
+        boolean chosen = request == PICKED && result == RESULT_OK && data != null && data.getData() != null;
+        if (chosen && app != 0) opened(app, data.getData());
+    }
+}
