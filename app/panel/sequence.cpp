@@ -87,7 +87,7 @@ void Panel::drawSequence(const Part& part, const SavedView& look, Viewer& viewer
         s.colored = {look.look, look.drawn.hydrogens};
     }
     Letters letters{};
-    letters.cell = ui.px(forFingers() ? 20 : 11.5f), letters.line = ui.px(forFingers() ? 40 : 27);
+    letters.cell = ui.px(forFingers() ? 20 : 11.5f), letters.line = ui.px(forFingers() ? 42 : 31);
     letters.gap = ui.px(6), letters.left = ui.px(36);
     const float room = ImGui::GetContentRegionAvail().x - letters.left;
     letters.perLine =
@@ -136,13 +136,13 @@ void Panel::drawLetter(int i, ImVec2 p, ImVec2 size, bool chosen, bool hovered) 
     const SecondaryStructure fold = state_->folds[r];
     const bool more = i + 1 < static_cast<int>(state_->sequence.size());
     const bool last = !more || state_->folds[state_->sequence[static_cast<std::size_t>(i) + 1]] != fold;
-    const float above = ui.px(11);
+    const float above = ui.px(14);
     if (chosen)
         list.AddRectFilled(ImVec2(p.x, p.y + above), ImVec2(p.x + size.x, p.y + size.y - ui.px(2)),
                            ImGui::GetColorU32(theme.accent));
     if (const std::uint32_t color = state_->residueColors[r]; color != 0)
-        list.AddRectFilled(ImVec2(p.x, p.y + ui.px(1)), ImVec2(p.x + size.x, p.y + ui.px(4)), color | 0xff000000);
-    drawFold(list, fold, last, ImVec2(p.x, p.y + ui.px(6)), ImVec2(p.x + size.x, p.y + ui.px(9)),
+        list.AddRectFilled(ImVec2(p.x, p.y + ui.px(5)), ImVec2(p.x + size.x, p.y + ui.px(8)), color | 0xff000000);
+    drawFold(list, fold, last, ImVec2(p.x, p.y + ui.px(10)), ImVec2(p.x + size.x, p.y + ui.px(13)),
              ImGui::GetColorU32(theme.faint), ui.px(1));
     const char letter[2] = {letterOf(state_->molecule->residues[r]), '\0'};
     const float width = ImGui::CalcTextSize(letter).x;
@@ -159,7 +159,7 @@ void Panel::drawResidueNumber(int i, ImVec2 right, float line) {
         std::to_string(state_->molecule->residues[state_->sequence[static_cast<std::size_t>(i)]].number);
     ImGui::PushFont(fontOf(TextSize::caption));
     ImGui::GetWindowDrawList()->AddText(ImVec2(std::round(right.x - ImGui::CalcTextSize(number.c_str()).x),
-                                               std::round(right.y + (line + ui.px(9) - ImGui::GetFontSize()) / 2)),
+                                               std::round(right.y + (line + ui.px(12) - ImGui::GetFontSize()) / 2)),
                                         ImGui::GetColorU32(ui.theme().faint), number.c_str());
     ImGui::PopFont();
 }

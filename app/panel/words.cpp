@@ -34,6 +34,11 @@ std::string colorWord(const Coloring& coloring) {
     const std::string text = coloringText(coloring);
     for (const ColorWord& word : colorWords())
         if (text == word.option) return word.word;
+    // Packed with red in the lowest byte, and named with red in the highest.
+    const std::uint32_t c = coloring.color;
+    const std::uint32_t rgb = (c & 0xff) << 16 | (c & 0xff00) | (c >> 16 & 0xff);
+    for (const NamedColor& color : swatches())
+        if (coloring.scheme == ColorScheme::uniform && rgb == color.rgb) return color.name;
     return text;
 }
 

@@ -100,6 +100,11 @@ TEST(Panel, RowsOfPartsHideAndColour) {
     b.click("Vermilion");
     ASSERT_EQ(b.viewer.view().look.rules.size(), 2u);
     EXPECT_EQ(b.viewer.view().look.rules.back().coloring, Coloring::uniform(IM_COL32(0xd5, 0x5e, 0, 255)));
+    b.panel.showPage(Panel::Page::select);
+    b.settle();
+    bool named = false;
+    for (const Control& c : b.panel.controls()) named |= c.role == "button" && c.name.ends_with(": Vermilion");
+    EXPECT_TRUE(named);
 }
 
 TEST(Panel, ADragAcrossTheSequenceSelectsResidues) {

@@ -151,7 +151,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         d.settle();
         d.click("Switch off: Hide protein");
         d.settle();
-        d.click("ligand: #d55e00");
+        d.click("ligand: Vermilion");
     };
     const auto measured = [](Driver& d) {
         SavedView look = d.viewer().view();
