@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace nacre::passes {
 namespace {
@@ -78,15 +79,17 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     const std::vector<TileCall> cylinders = callsOf(seen, seen.copies.cylinders, seen.constants.spheres);
     const std::vector<TileCall> triangles =
         callsOf(seen, seen.copies.triangles, seen.constants.spheres + seen.constants.cylinders);
-    frame.lists.build(tileView(seen, view, image, work),
-                      {r.spheres, spheres, r.cylinders, cylinders, r.triangles, r.meshVertices, triangles});
+    const TileScenery scenery{r.spheres, spheres, r.cylinders, cylinders, r.triangles, r.meshVertices, triangles};
+    frame.lists.build(tileView(seen, view, image, work), scenery);
+    if (frame.lists.longest() > kLongestListOfEdges && std::exchange(work.edges, false) && !triangles.empty())
+        frame.lists.build(tileView(seen, view, image, work), scenery);
     if (frame.lists.longest() > kLongestList) return nullptr;
     frame.copies = !r.copies.transforms.empty();
     frame.constants = constantsOf(seen.constants, seen.copies, frame.lists);
     frame.shaded = work.shaded;
     upload(frame, seen.copies, image);
     clearColors(frame);
-    frame.edges.drawn = work.edges && frame.lists.longest() <= kLongestListOfEdges;
+    frame.edges.drawn = work.edges;
     frame.edges.everywhere = seen.smallestPixels < kSmallPixels;
     if (frame.edges.drawn) uploadEdges(frame, image);
     return *free;

@@ -50,6 +50,28 @@ Disc discOf(const TileView& view, const glm::vec3& center, float radius) {
     return {glm::vec2(center) * (E * D / under), a + 4e-6f * (rho + a) * E / D};
 }
 
+/// From the place of a copy to the picture: pixel and Z.
+class CornerPlace {
+public:
+    CornerPlace(const TileView& view, const glm::vec4* rows) : view_(view), z_(rows[2]) {
+        // As pixelOf().
+        const glm::vec4 x = rows[0] * view.pixels, y = rows[1] * view.pixels;
+        const glm::vec4 turned[4][2] = {{x, -y}, {y, x}, {-x, y}, {-y, -x}};
+        x_ = turned[view.quarterTurns & 3][0];
+        y_ = turned[view.quarterTurns & 3][1];
+    }
+    glm::vec3 operator()(const glm::vec3& p) const {
+        const float Z = view_.origin - (z_.x * p.x + z_.y * p.y + z_.z * p.z + z_.w);
+        const float scale = view_.perspective ? view_.origin / Z : 1.0f;
+        return {view_.axis.x + (x_.x * p.x + x_.y * p.y + x_.z * p.z + x_.w) * scale,
+                view_.axis.y + (y_.x * p.x + y_.y * p.y + y_.z * p.z + y_.w) * scale, Z};
+    }
+
+private:
+    const TileView& view_;
+    glm::vec4 x_{}, y_{}, z_;
+};
+
 /// Whether the centre of any pixel lies between two corners of a box. Shaders round differently: some of a pixel is
 /// allowed for.
 bool holdsCenter(glm::vec2 low, glm::vec2 high) {
@@ -101,40 +123,71 @@ void TileLists::addCylinders(const TileView& view, std::span<const Cylinder> cyl
     }
 }
 
+std::vector<TileLists::MeshPart> TileLists::meshParts(const TileScenery& s) {
+    std::vector<MeshPart> parts;
+    for (const TileCall& call : s.triangleCalls)
+        for (std::uint32_t first = call.first, end = first; end < call.first + call.count; first = end) {
+            const float step = s.triangles[first].step;
+            while (end < call.first + call.count && s.triangles[end].step == step) ++end;
+            if (parts.empty() || parts.back().rows != call.rows || parts.back().step != step)
+                parts.push_back({call.rows, step, {}});
+            parts.back().calls.push_back({call.rows, first, end - first, call.number});
+        }
+    return parts;
+}
+
 /// Where the vertices of some triangles are seen, pixels, and their Z.
-void TileLists::placeCorners(const TileView& view, std::span<const Triangle> triangles,
-                             std::span<const MeshVertex> vertices, const glm::vec4* rows) {
+void TileLists::placeCorners(const TileView& view, const TileScenery& s, const MeshPart& part) {
     std::uint32_t first = UINT32_MAX, end = 0;
-    for (const Triangle& t : triangles) {
-        first = std::min({first, t.a, t.b, t.c});
-        end = std::max({end, t.a + 1, t.b + 1, t.c + 1});
-    }
-    corners_.resize(vertices.size());
-    for (std::uint32_t i = first; i < end; ++i) {
-        const glm::vec3 p = placed(rows, positionOf(vertices[i], triangles.front().step));
-        const float Z = view.origin - p.z;
-        const glm::vec2 q = view.perspective ? glm::vec2(p) * (view.origin / Z) : glm::vec2(p);
-        corners_[i] = glm::vec3(pixelOf(view, q), Z);
+    for (const TileCall& call : part.calls)
+        for (const Triangle& t : s.triangles.subspan(call.first, call.count)) {
+            first = std::min({first, t.a, t.b, t.c});
+            end = std::max({end, t.a + 1, t.b + 1, t.c + 1});
+        }
+    corners_.resize(s.vertices.size());
+    const CornerPlace place(view, part.rows);
+    for (std::uint32_t i = first; i < end; ++i) corners_[i] = place(positionOf(s.vertices[i], part.step));
+}
+
+void TileLists::addTriangle(const TileView& view, std::uint32_t number, const glm::vec3& a, const glm::vec3& b,
+                            const glm::vec3& c) {
+    constexpr float kRoom = 1e-3f;  // Å, for what rounding does to Z
+    const float outside = view.contour * view.pixels;
+    const glm::vec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
+    if (high.z + kRoom < view.clipNear || low.z - kRoom > view.clipFar) return;
+    const glm::vec2 from = glm::vec2(low) - outside, to = glm::vec2(high) + outside;
+    if (view.centers && !holdsCenter(from, to)) return;
+    add(view, number, from, to, low.z - kRoom);
+}
+
+void TileLists::addTriangles(const TileView& view, const TileScenery& s) {
+    for (const MeshPart& part : meshParts(s)) {
+        placeCorners(view, s, part);
+        for (const TileCall& call : part.calls)
+            for (std::uint32_t i = call.first; i < call.first + call.count; ++i) {
+                const Triangle& t = s.triangles[i];
+                addTriangle(view, call.number + i, corners_[t.a], corners_[t.b], corners_[t.c]);
+            }
     }
 }
 
-void TileLists::addTriangles(const TileView& view, const TileScenery& s, const TileCall& call) {
-    const float outside = view.contour * view.pixels;
-    constexpr float kRoom = 1e-3f;  // Å, for what rounding does to Z
-    for (std::uint32_t first = call.first, end = first; end < call.first + call.count; first = end) {
-        // Those of a mesh stand together, and are in the same step.
-        const float step = s.triangles[first].step;
-        while (end < call.first + call.count && s.triangles[end].step == step) ++end;
-        placeCorners(view, s.triangles.subspan(first, end - first), s.vertices, call.rows);
-        for (std::uint32_t i = first; i < end; ++i) {
+void TileLists::addFrontTriangles(const TileView& view, const TileScenery& s) {
+    front_.begin(view);
+    for (const MeshPart& part : meshParts(s)) {
+        placeCorners(view, s, part);
+        for (const TileCall& call : part.calls) front_.draw(s.triangles.subspan(call.first, call.count), corners_);
+    }
+    front_.end();
+    std::size_t before = 0;
+    for (const TileCall& call : s.triangleCalls) {
+        const CornerPlace place(view, call.rows);
+        for (std::size_t at = front_.next(before); at < before + call.count; at = front_.next(at + 1)) {
+            const auto i = call.first + static_cast<std::uint32_t>(at - before);
             const Triangle& t = s.triangles[i];
-            const glm::vec3 &a = corners_[t.a], &b = corners_[t.b], &c = corners_[t.c];
-            const glm::vec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
-            if (high.z + kRoom < view.clipNear || low.z - kRoom > view.clipFar) continue;
-            const glm::vec2 from = glm::vec2(low) - outside, to = glm::vec2(high) + outside;
-            if (view.centers && !holdsCenter(from, to)) continue;
-            add(view, call.number + i, from, to, low.z - kRoom);
+            const auto corner = [&](std::uint32_t v) { return place(positionOf(s.vertices[v], t.step)); };
+            addTriangle(view, call.number + i, corner(t.a), corner(t.b), corner(t.c));
         }
+        before += call.count;
     }
 }
 
@@ -189,7 +242,10 @@ void TileLists::build(const TileView& view, const TileScenery& s) {
     kept_.clear();
     for (const TileCall& call : s.sphereCalls) addSpheres(view, s.spheres, call);
     for (const TileCall& call : s.cylinderCalls) addCylinders(view, s.cylinders, call);
-    for (const TileCall& call : s.triangleCalls) addTriangles(view, s, call);
+    if (view.centers && view.contour == 0 && !s.triangleCalls.empty())
+        addFrontTriangles(view, s);
+    else
+        addTriangles(view, s);
     order();
     count();
     listTiles();

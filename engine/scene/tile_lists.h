@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/scene/front_triangles.h"
 #include "engine/scene/representation.h"
 
 namespace nacre {
@@ -25,7 +26,8 @@ struct TileView {
     float range = 1;                           ///< from there to the farthest, Å
     float clipNear = -1e30f, clipFar = 1e30f;  ///< Z that planes cut at
     float contour = 0;                         ///< width of the line about a primitive, Å at z = 0
-    /// Pixels are asked at their centres alone, so that triangles may be left out that lie between them.
+    /// Pixels are asked at their centres alone: triangles that lie between them are left out, and such as lie behind
+    /// others at all of them.
     bool centers = false;
 };
 
@@ -90,6 +92,13 @@ public:
     void write(std::uint32_t* to);
 
 private:
+    /// Triangles of one mesh at one place: those of neighbouring calls together, since they share vertices.
+    struct MeshPart {
+        const glm::vec4* rows = nullptr;
+        float step = 1;
+        std::vector<TileCall> calls;
+    };
+    static std::vector<MeshPart> meshParts(const TileScenery& scenery);
     struct Kept {
         std::uint32_t number;
         std::uint16_t x, y, endX, endY;  // bins
@@ -99,9 +108,11 @@ private:
     void add(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near);
     void addSpheres(const TileView& view, std::span<const Sphere> spheres, const TileCall& call);
     void addCylinders(const TileView& view, std::span<const Cylinder> cylinders, const TileCall& call);
-    void placeCorners(const TileView& view, std::span<const Triangle> triangles, std::span<const MeshVertex> vertices,
-                      const glm::vec4* rows);
-    void addTriangles(const TileView& view, const TileScenery& scenery, const TileCall& call);
+    void placeCorners(const TileView& view, const TileScenery& scenery, const MeshPart& part);
+    void addTriangle(const TileView& view, std::uint32_t number, const glm::vec3& a, const glm::vec3& b,
+                     const glm::vec3& c);
+    void addTriangles(const TileView& view, const TileScenery& scenery);
+    void addFrontTriangles(const TileView& view, const TileScenery& scenery);
     void order();
     void count();
     void listTiles();
@@ -112,6 +123,7 @@ private:
     std::vector<Tile> tiles_, slots_;
     std::vector<Span> spans_;
     std::vector<glm::vec3> corners_;  // pixel and Z of each vertex, at the place of a call
+    FrontTriangles front_;
 };
 
 }  // namespace nacre

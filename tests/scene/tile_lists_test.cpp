@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <limits>
 #include <random>
 #include <set>
 
@@ -126,8 +127,8 @@ double distanceToSegment(const Ray& ray, const glm::dvec3& a, const glm::dvec3& 
     return glm::length(off + across * t);
 }
 
-/// A ray runs on the same side of all three edges of what it meets.
-bool meets(const Ray& ray, const glm::vec4* rows, const Representation& mesh, std::size_t triangle) {
+/// How far along a ray it meets a triangle, in whatever unit; infinitely: it runs on different sides of its edges.
+double distanceTo(const Ray& ray, const glm::vec4* rows, const Representation& mesh, std::size_t triangle) {
     const Triangle& t = mesh.triangles[triangle];
     const auto from = [&](std::uint32_t i) {
         return placed(rows, positionOf(mesh.meshVertices[i], t.step)) - ray.origin;
@@ -135,7 +136,9 @@ bool meets(const Ray& ray, const glm::vec4* rows, const Representation& mesh, st
     const glm::dvec3 a = from(t.a), b = from(t.b), c = from(t.c);
     const double ab = glm::dot(ray.direction, glm::cross(a, b)), bc = glm::dot(ray.direction, glm::cross(b, c)),
                  ca = glm::dot(ray.direction, glm::cross(c, a));
-    return (ab > 0 && bc > 0 && ca > 0) || (ab < 0 && bc < 0 && ca < 0);
+    const bool inside = (ab > 0 && bc > 0 && ca > 0) || (ab < 0 && bc < 0 && ca < 0);
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    return inside ? glm::dot(normal, a) / glm::dot(normal, ray.direction) : std::numeric_limits<double>::infinity();
 }
 
 std::vector<std::uint32_t> listsOf(TileLists& lists) {
@@ -149,7 +152,7 @@ class TileListsTest : public testing::TestWithParam<std::tuple<bool, int>> {};
 TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
     const auto [perspective, turns] = GetParam();
     TileLists lists;  // used again and again, as by a renderer
-    std::size_t met = 0, listed = 0;
+    std::size_t met = 0, listed = 0, meetings = 0;
     for (std::uint32_t seed = 0; seed < 12; ++seed) {
         const Seen s = randomSeen(seed, perspective, turns);
         lists.build(s.view, s.scenery());
@@ -183,13 +186,61 @@ TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
                         const glm::dvec3 a = placed(call.rows, c.a), b = placed(call.rows, c.b);
                         if (distanceToSegment(ray, a, b) < c.radius) expect(call.number + i, x, y);
                     }
+                // Asked at the centres alone, a pixel wants the nearest triangle.
+                double nearest = std::numeric_limits<double>::infinity();
                 for (const TileCall& call : s.triangleCalls)
                     for (std::uint32_t i = call.first; i < call.first + call.count; ++i)
-                        if (meets(ray, call.rows, s.mesh, i)) expect(call.number + i, x, y);
+                        nearest = std::min(nearest, distanceTo(ray, call.rows, s.mesh, i));
+                for (const TileCall& call : s.triangleCalls)
+                    for (std::uint32_t i = call.first; i < call.first + call.count; ++i) {
+                        const double distance = distanceTo(ray, call.rows, s.mesh, i);
+                        if (std::isfinite(distance) && (!s.view.centers || distance == nearest))
+                            expect(call.number + i, x, y);
+                        if (std::isfinite(distance)) ++meetings;
+                    }
             }
     }
     EXPECT_GT(met, 1000u);
+    EXPECT_GT(meetings, 1000u);
     EXPECT_GT(listed, 300u);
+}
+
+TEST(TileLists, LeaveOutTrianglesBehindOthersAtAllCenters) {
+    const glm::vec4 rows[] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+    TileView v;
+    v.width = v.height = 16;
+    v.axis = glm::vec2(8);
+    v.origin = 4;
+    v.range = 8;
+    // One over the whole picture, one behind it, one in front that covers it, and one that lies in it.
+    Mesh mesh;
+    for (const float z : {0.0f, -1.0f, 1.0f, 0.0f}) {
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        const float reach = first == 0 ? 40.0f : 3.0f;
+        for (const glm::vec2 corner : {glm::vec2(-reach, -reach), {reach, -reach}, {0, reach}})
+            mesh.positions.emplace_back(corner, z), mesh.normals.emplace_back(0, 0, 1), mesh.atoms.push_back(0);
+        mesh.triangles.emplace_back(first, first + 1, first + 2);
+    }
+    Representation r;
+    appendMesh(
+        mesh, glm::dvec3(0), [](std::uint32_t) { return SphereLook{}; }, r);
+    const TileCall call{rows, 0, 4, 1};
+    const auto listed = [&] {
+        TileLists lists;
+        lists.build(v, {{}, {}, {}, {}, r.triangles, r.meshVertices, {&call, 1}});
+        const std::vector<std::uint32_t> numbers = listsOf(lists);
+        return std::set<std::uint32_t>(numbers.begin(), numbers.end());
+    };
+    EXPECT_EQ(listed(), (std::set<std::uint32_t>{1, 2, 3, 4}));
+    v.centers = true;
+    EXPECT_EQ(listed(), (std::set<std::uint32_t>{1, 3}));
+    v.clipNear = 3.5f;  // cuts the one in front away
+    EXPECT_EQ(listed(), (std::set<std::uint32_t>{1, 4}));
+    v.clipNear = 4.5f;  // and those in the middle
+    EXPECT_EQ(listed(), (std::set<std::uint32_t>{2}));
+    v.clipNear = -1e30f;
+    v.contour = 0.1f;  // there are lines about them
+    EXPECT_EQ(listed(), (std::set<std::uint32_t>{1, 2, 3, 4}));
 }
 
 TEST(TileLists, LeaveOutTrianglesBetweenTheCentersOfPixels) {
