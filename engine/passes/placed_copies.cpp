@@ -100,6 +100,7 @@ PlacedCopies placeCopies(const Representation& r, const View& view, const Chunks
     const Edges edges = edgesOf(view, 2.0 + room);
     const auto* spheres = chunks ? &chunks->spheres : nullptr;
     const auto* cylinders = chunks ? &chunks->cylinders : nullptr;
+    const auto* triangles = chunks ? &chunks->triangles : nullptr;
     if (r.copies.transforms.empty()) {
         addRows(view, glm::dmat4x3(1.0), placed.rows);
         const Edges here = before(edges, view.rotation, {});
@@ -112,14 +113,14 @@ PlacedCopies placeCopies(const Representation& r, const View& view, const Chunks
         };
         add(r.spheres.size(), spheres, placed.spheres);
         add(r.cylinders.size(), cylinders, placed.cylinders);
-        add(r.triangles.size(), nullptr, placed.triangles);
+        add(r.triangles.size(), triangles, placed.triangles);
         return placed;
     }
     placed.rows.reserve(3 * r.copies.transforms.size());
     for (const glm::dmat4x3& transform : r.copies.transforms) addRows(view, transform, placed.rows);
     addCalls(r.copies, r.copies.spheres, view, edges, spheres, placed.spheres);
     addCalls(r.copies, r.copies.cylinders, view, edges, cylinders, placed.cylinders);
-    addCalls(r.copies, r.copies.triangles, view, edges, nullptr, placed.triangles);
+    addCalls(r.copies, r.copies.triangles, view, edges, triangles, placed.triangles);
     return placed;
 }
 

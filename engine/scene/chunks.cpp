@@ -19,8 +19,23 @@ Chunk ballOf(const Cylinder& c) {
     return {c.a + half, std::sqrt(glm::dot(half, half) + c.radius * c.radius)};
 }
 
-template <typename Primitive>
-std::vector<Chunk> chunksOfStream(const std::vector<Primitive>& stream) {
+/// A ball about a triangle.
+class BallOfTriangle {
+public:
+    explicit BallOfTriangle(const Representation& r) : vertices_(r.meshVertices) {}
+    Chunk operator()(const Triangle& t) const {
+        const glm::vec3 a = positionOf(vertices_[t.a], t.step), b = positionOf(vertices_[t.b], t.step),
+                        c = positionOf(vertices_[t.c], t.step);
+        const glm::vec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
+        return {(low + high) * 0.5f, glm::length(high - low) * 0.5f};
+    }
+
+private:
+    const std::vector<MeshVertex>& vertices_;
+};
+
+template <typename Primitive, typename BallOf>
+std::vector<Chunk> chunksOfStream(const std::vector<Primitive>& stream, const BallOf& ballOf) {
     std::vector<Chunk> chunks;
     chunks.reserve(stream.size() / Chunk::kPrimitives + 1);
     for (std::size_t first = 0; first < stream.size(); first += Chunk::kPrimitives) {
@@ -97,7 +112,11 @@ void reorder(std::vector<T>& stream, const std::vector<std::uint32_t>& order) {
 
 }  // namespace
 
-Chunks chunksOf(const Representation& r) { return {chunksOfStream(r.spheres), chunksOfStream(r.cylinders)}; }
+Chunks chunksOf(const Representation& r) {
+    const auto ball = [](const auto& primitive) { return ballOf(primitive); };
+    return {chunksOfStream(r.spheres, ball), chunksOfStream(r.cylinders, ball),
+            chunksOfStream(r.triangles, BallOfTriangle(r))};
+}
 
 std::vector<std::uint32_t> orderInSpace(Representation& r) {
     const auto cylinders = mortonOrder(r.cylinders, startsOf(r.copies.cylinders, r.cylinderModels, r.cylinders.size()));

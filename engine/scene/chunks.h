@@ -17,7 +17,7 @@ struct Chunk {
 };
 
 struct Chunks {
-    std::vector<Chunk> spheres, cylinders;
+    std::vector<Chunk> spheres, cylinders, triangles;
 };
 
 Chunks chunksOf(const Representation& representation);

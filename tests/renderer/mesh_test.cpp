@@ -41,7 +41,11 @@ TEST_P(MeshPicture, IsTheSameOnEveryPath) {
             s.tuning.plates = prepass ? PlateShape::octagon : PlateShape::none;
             const LayerPicture l = renderer->layers(s);
             const Picture p = renderer->render(s);
-            EXPECT_EQ(renderer->stats().triangles, r.triangles.size());
+            if (c.zoom > 1) {  // some are beside the picture
+                EXPECT_LT(renderer->stats().triangles, r.triangles.size());
+            } else {
+                EXPECT_EQ(renderer->stats().triangles, r.triangles.size());
+            }
             if (picture.empty()) layers = l, picture = p.rgba;
             const std::string what = visibilityName(visibility) + std::string(prepass ? "" : ", no prepass");
             EXPECT_TRUE(l.id == layers.id) << what;

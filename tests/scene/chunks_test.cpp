@@ -23,6 +23,19 @@ Representation scattered(std::uint32_t count) {
         r.cylinders.push_back({at, 0.2f, at + glm::vec3(1, 1, 0)});
         r.cylinderLooks.push_back({0, 0, i, i});
     }
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < 3 * count; ++i) {
+        mesh.positions.push_back(r.spheres[i / 3].center + glm::vec3(place(random), place(random), 0) * 0.02f);
+        mesh.normals.emplace_back(0, 0, 1);
+        mesh.atoms.push_back(i / 3);
+        if (i % 3 == 2) mesh.triangles.emplace_back(i, i - 1, i - 2);
+    }
+    appendMesh(
+        mesh, glm::dvec3(0),
+        [](std::uint32_t atom) {
+            return SphereLook{0, atom};
+        },
+        r);
     return r;
 }
 
@@ -32,6 +45,13 @@ TEST(Chunks, HoldTheirPrimitives) {
     const Chunks chunks = chunksOf(r);
     ASSERT_EQ(chunks.spheres.size(), 32u);
     ASSERT_EQ(chunks.cylinders.size(), 32u);
+    ASSERT_EQ(chunks.triangles.size(), 32u);
+    for (std::size_t i = 0; i < r.triangles.size(); ++i) {
+        const Triangle& t = r.triangles[i];
+        const Chunk& c = chunks.triangles[i / Chunk::kPrimitives];
+        for (const std::uint32_t v : {t.a, t.b, t.c})
+            EXPECT_LE(glm::length(positionOf(r.meshVertices[v], t.step) - c.center), c.radius) << i;
+    }
     for (std::size_t i = 0; i < r.spheres.size(); ++i) {
         const Chunk& c = chunks.spheres[i / Chunk::kPrimitives];
         if (i == 500) {
