@@ -130,7 +130,7 @@ Json pathsJson(const BenchOptions& options, double radius, const std::vector<Tim
     return paths;
 }
 
-/// The scene with only the spheres and cylinders of atoms that own a pixel.
+/// The scene with only what belongs to atoms that own a pixel.
 Representation visiblePart(const Representation& scene, const std::vector<std::uint32_t>& ids) {
     const std::unordered_set<std::uint32_t> seen(ids.begin(), ids.end());
     Representation part = scene;
@@ -141,6 +141,12 @@ Representation visiblePart(const Representation& scene, const std::vector<std::u
     for (std::size_t i = 0; i < scene.cylinders.size(); ++i)
         if (seen.contains(scene.cylinderLooks[i].atomA) || seen.contains(scene.cylinderLooks[i].atomB))
             part.cylinders.push_back(scene.cylinders[i]), part.cylinderLooks.push_back(scene.cylinderLooks[i]);
+    std::erase_if(part.triangles, [&](const Triangle& t) {
+        const auto isSeen = [&](std::uint32_t v) {
+            return seen.contains(scene.meshLooks[scene.meshVertices[v].look].atom);
+        };
+        return !isSeen(t.a) && !isSeen(t.b) && !isSeen(t.c);
+    });
     return part;
 }
 
@@ -155,6 +161,7 @@ void tellOfFirstFrame(const BenchOptions& options, const Representation& scene, 
     report["covered_pixels"] = stats.coveredPixels;
     report["spheres"] = {{"submitted", stats.spheres}};
     report["cylinders"] = {{"submitted", stats.cylinders}};
+    report["triangles"] = {{"submitted", stats.triangles}};
     if (!scene.copies.transforms.empty() || visible.empty()) return;
     report["atoms"]["visible"] = visible.size();
     DeviceOptions device = options.device;

@@ -91,6 +91,8 @@ PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& op
     run.center = prepared.scene.center;
     run.atomsDrawn = prepared.scene.drawnAtoms;
     run.bondsDrawn = prepared.scene.drawnBonds;
+    run.triangles = prepared.scene.triangles.size();
+    run.vertices = prepared.scene.meshVertices.size();
     run.legends = prepared.scene.legends;
     run.warnings = molecule.warnings;
     run.warnings.insert(run.warnings.end(), prepared.scene.warnings.begin(), prepared.scene.warnings.end());

@@ -53,6 +53,7 @@ Json renderPassJson(const PlanReport& report, const graph::RenderPassPlan& pass)
 Json fetchJson(const Fetch& fetch) {
     return {{"sphere", fetch.sphere},
             {"cylinder", fetch.cylinder},
+            {"triangle", fetch.triangle},
             {"per", fetch.perPixel ? "covered pixel" : "primitive"}};
 }
 

@@ -100,7 +100,8 @@ void barriersText(std::ostream& out, const PlanReport& report, const std::vector
 std::string fetchText(const Fetch& fetch) {
     if (fetch.sphere == 0 && fetch.cylinder == 0) return "-";
     std::string text = std::to_string(fetch.sphere) + " B";
-    if (fetch.cylinder) text += " / " + std::to_string(fetch.cylinder) + " B";
+    if (fetch.cylinder || fetch.triangle) text += " / " + std::to_string(fetch.cylinder) + " B";
+    if (fetch.triangle) text += " / " + std::to_string(fetch.triangle) + " B";
     return text + (fetch.perPixel ? " a covered pixel" : "");
 }
 
@@ -110,7 +111,7 @@ void passesText(std::ostream& out, const PlanReport& report) {
         const PassNotes notes = notesOf(pass, report.plannedWith.conservativeDepth);
         rows.push_back({pass.name, depthTimingName(notes.depth), fetchText(notes.binning), fetchText(notes.shading)});
     }
-    out << "bytes fetched for each sphere / cylinder\n";
+    out << "bytes fetched for each sphere / cylinder / triangle\n";
     table(out, "  ", rows);
     for (const graph::PassDecl& pass : report.frame.graph.passes()) {
         const PassNotes notes = notesOf(pass, report.plannedWith.conservativeDepth);

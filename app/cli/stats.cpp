@@ -7,6 +7,7 @@
 
 #include "app/shared/json_text.h"
 #include "engine/frame/geometry.h"
+#include "engine/scene/mesh_streams.h"
 #include "engine/scene/palettes.h"
 
 namespace nacre::app {
@@ -108,6 +109,10 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
     json["atoms"] = {
         {"read", run.atomsRead}, {"drawn", run.atomsDrawn}, {"submitted", frame.spheres}, {"copies", frame.copies}};
     json["bonds"] = {{"known", run.bondsKnown}, {"drawn", run.bondsDrawn}, {"cylinders", frame.cylinders}};
+    json["mesh"] = {{"triangles", run.triangles},
+                    {"vertices", run.vertices},
+                    {"bytes", run.triangles * sizeof(Triangle) + run.vertices * sizeof(MeshVertex)},
+                    {"submitted", frame.triangles}};
     json["legend"] = legendJson(run.legends);
     json["warnings"] = run.warnings;
     json["times"] = {{"load", run.loadMs},

@@ -15,9 +15,10 @@ namespace nacre::app {
 struct RunStats {
     std::size_t atomsRead = 0, bondsKnown = 0;
     std::size_t atomsDrawn = 0, bondsDrawn = 0;
-    glm::dvec3 center{};  ///< of the view, Å
-    double zoom = 1;      ///< of the view
-    std::string clip;     ///< as --clip takes it
+    std::size_t triangles = 0, vertices = 0;  ///< of cartoons and surfaces, stored once for all copies
+    glm::dvec3 center{};                      ///< of the view, Å
+    double zoom = 1;                          ///< of the view
+    std::string clip;                         ///< as --clip takes it
     std::vector<Legend> legends;
     std::vector<std::string> warnings;  ///< of the file and of the rules
     double loadMs = 0;                  ///< reading, inflating, bonds

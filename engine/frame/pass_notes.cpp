@@ -8,11 +8,14 @@
 namespace nacre {
 namespace {
 
-constexpr Fetch kPositions{sizeof(Sphere), sizeof(Cylinder)};
-constexpr Fetch kPlates{sizeof(Sphere), 0};
+// Three invocations of the vertex stage fetch all of a triangle each; caches serve two of them.
+constexpr std::uint32_t kTriangle = sizeof(Triangle) + 3 * sizeof(MeshVertex);
+constexpr Fetch kPositions{sizeof(Sphere), sizeof(Cylinder), kTriangle};
+constexpr Fetch kPlates{sizeof(Sphere), 0, kTriangle};
 // Where its patch lies in the occlusion atlas follows from a primitive's number, and is not fetched.
-constexpr Fetch kRecords{sizeof(Sphere) + sizeof(SphereLook), sizeof(Cylinder) + sizeof(CylinderLook)};
-constexpr Fetch kRecordsOfPixel{kRecords.sphere, kRecords.cylinder, true};
+constexpr Fetch kRecords{sizeof(Sphere) + sizeof(SphereLook), sizeof(Cylinder) + sizeof(CylinderLook),
+                         kTriangle + 3 * sizeof(SphereLook)};
+constexpr Fetch kRecordsOfPixel{kRecords.sphere, kRecords.cylinder, kRecords.triangle, true};
 
 constexpr const char* kPrecisionPlates = "fp32: positions; no fragment arithmetic";
 constexpr const char* kPrecisionHit = "fp32: positions, hit, depth (a half tells 0.06 A apart at 100 A)";

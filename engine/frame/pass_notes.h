@@ -9,7 +9,7 @@ namespace nacre {
 
 /// Bytes that a pass fetches for each primitive, or, if `perPixel`, for each pixel that one covers.
 struct Fetch {
-    std::uint32_t sphere = 0, cylinder = 0;
+    std::uint32_t sphere = 0, cylinder = 0, triangle = 0;
     bool perPixel = false;
 };
 
