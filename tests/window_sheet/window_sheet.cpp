@@ -156,6 +156,9 @@ std::vector<State> states(const std::string& protein, const std::string& models)
     const auto measured = [](Driver& d) {
         SavedView look = d.viewer().view();
         look.look.rules.push_back(parseShow("resi 1-12 or ligand=ball-and-stick"));
+        d.viewer().setLook(look, seconds());
+        d.settle();  // words are about atoms that are drawn
+        look = d.viewer().view();
         look.words.measures.push_back(parseMeasure("78,92"));
         look.words.labels.push_back(parseLabel("resn HEM={residue} {number}"));
         look.words.legend = true;
@@ -292,6 +295,7 @@ int main(int argc, char** argv) {
         options.first.input = state.input;
         options.first.occlusionDirections = 32;
         options.restore = options.first.input.empty();
+        options.input.allowDownload = false;
         Driver driver(options);
         state.act(driver);
         driver.settle();
