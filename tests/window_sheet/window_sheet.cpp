@@ -191,12 +191,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
              d.drop(p);
              d.panel().showStart();
          }},
-        {"download is asked for", kUsual, "sample:dna",
-         [](Driver& d) {
-             SavedView view;
-             view.input = "pdb:1bna";
-             d.viewer().show(view, seconds());
-         }},
+        {"download is asked for", kUsual, "pdb:4hhb", [](Driver&) {}},
         {"look, dark", kUsual, p, dark},
         {"look, narrow, dark", kNarrow, p, dark},
         {"look, narrow", kNarrow, p, page(Panel::Page::look)},
@@ -295,7 +290,10 @@ int main(int argc, char** argv) {
         options.first.input = state.input;
         options.first.occlusionDirections = 32;
         options.restore = options.first.input.empty();
-        options.input.allowDownload = false;
+        if (options.first.input.starts_with("pdb:")) {  // as a view names it
+            options.input.path = options.first.input;
+            options.input.namedBy = "haemoglobin.view.json";
+        }
         Driver driver(options);
         state.act(driver);
         driver.settle();
