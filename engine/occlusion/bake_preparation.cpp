@@ -47,10 +47,10 @@ BakePreparation prepared(const gpu::Caps& caps, const Representation& representa
         return result;
     }
     throw Error("not enough memory for ambient occlusion", "",
-                std::to_string(spheres + cylinders) + " primitives need " + std::to_string((least >> 20) + 1) +
-                    " MB beside " + std::to_string(mapBytes >> 20) + " MB of depth maps, and " +
-                    std::to_string(budgetBytes >> 20) + " MB are left of the budget (raise --occlusion-memory, or " +
-                    "render with --occlusion off)");
+                std::to_string(spheres + cylinders + vertices) + " primitives and vertices need " +
+                    std::to_string((least >> 20) + 1) + " MB beside " + std::to_string(mapBytes >> 20) +
+                    " MB of depth maps, and " + std::to_string(budgetBytes >> 20) +
+                    " MB are left of the budget (raise --occlusion-memory, or " + "render with --occlusion off)");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <map>
 #include <thread>
 
+#include "engine/error.h"
 #include "engine/mesh/cartoon.h"
 #include "engine/mesh/surface.h"
 #include "engine/molecule/kabsch_sander.h"
@@ -173,6 +174,23 @@ TEST(OcclusionOfMeshes, IsThatOfTheSideThatIsSeen) {
             EXPECT_LT(l.occlusion[corner], 0.93f);
             EXPECT_EQ(l.id[middle], 2u);
         }
+    }
+}
+
+TEST(OcclusionOfMeshes, CountsVerticesWhereItDoesNotFit) {
+    const Representation r = meshScene(false);
+    ValidatedRenderer renderer(Visibility::automatic);
+    renderer->setScene(r);
+    RenderSettings s = settings(r, 40, Projection::orthographic);
+    s.occlusion.directions = 1;
+    s.occlusion.bytes = 1000;
+    try {
+        renderer->render(s);
+        ADD_FAILURE() << "it fits";
+    } catch (const Error& e) {
+        EXPECT_NE(std::string(e.what()).find(std::to_string(r.meshVertices.size()) + " primitives and vertices"),
+                  std::string::npos)
+            << e.what();
     }
 }
 
