@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/shared/image_codec.h"
+#include "app/shared/image_png.h"
 #include "app/shared/srgb.h"
 #include "engine/error.h"
 #ifdef NACRE_IMAGE_MODULE
@@ -20,6 +21,7 @@ namespace {
 bool isExr(const std::string& path) { return extensionOf(path) == ".exr"; }
 bool isTiff(const std::string& path) { return extensionOf(path) == ".tif" || extensionOf(path) == ".tiff"; }
 bool isWebp(const std::string& path) { return extensionOf(path) == ".webp"; }
+bool isPng(const std::string& path) { return extensionOf(path) == ".png"; }
 bool isJpeg(const std::string& path) { return extensionOf(path) == ".jpg" || extensionOf(path) == ".jpeg"; }
 
 [[noreturn]] void fail(const OutputFile& file, std::string why) {
@@ -67,6 +69,16 @@ void write(OutputFile& file, ImageRequest request, Convert& convert) {
     request.rows = [](void* context, std::uint32_t first, std::uint32_t count) -> const void* {
         return (*static_cast<Convert*>(context))(first, count);
     };
+    if (isPng(file.temporary())) {
+        try {
+            writePng(request);
+        } catch (const Error&) {  // of what makes the rows
+            throw;
+        } catch (const std::runtime_error& error) {
+            fail(file, error.what());
+        }
+        return file.commit();
+    }
     std::array<char, 1000> why{};
     if (!codec(file)(&request, why.data(), why.size())) fail(file, why.data());
     file.commit();
@@ -79,8 +91,7 @@ ImageRequest requestOf(std::uint32_t width, std::uint32_t height, std::uint32_t 
 }  // namespace
 
 bool isPictureName(const std::string& path) {
-    return isStandardOutput(path) || isExr(path) || isTiff(path) || isJpeg(path) || isWebp(path) ||
-           extensionOf(path) == ".png";
+    return isStandardOutput(path) || isExr(path) || isTiff(path) || isJpeg(path) || isWebp(path) || isPng(path);
 }
 
 void writePicture(OutputFile& file, const Picture& picture, const PictureFormat& format) {

@@ -216,14 +216,16 @@ TEST(CommandLine, WhatIsMisspelledOrAskedForOtherwiseIsHelped) {
     expectOneErrorLine(plan);
 }
 
-TEST(CommandLine, TellsLoadsNoImageFormats) {
+TEST(CommandLine, WhoWritesNoPictureOrPngLoadsNoImageFormats) {
     const TemporaryFolder folder;
-    // The loader names every library that it loads.
-    const Outcome outcome = nacreIn(folder, "info sample:glucose", "", "export LD_DEBUG=files");
-    EXPECT_EQ(outcome.code, 0);
-    EXPECT_NE(outcome.err.find("libc.so"), std::string::npos);
-    EXPECT_EQ(outcome.err.find("OpenImageIO"), std::string::npos);
-    EXPECT_EQ(outcome.err.find("nacre_images"), std::string::npos);
+    for (const char* command : {"info sample:glucose", "render sample:glucose -o a.png --size 32x32 --occlusion off"}) {
+        // The loader names every library that it loads.
+        const Outcome outcome = nacreIn(folder, command, "", "export LD_DEBUG=files");
+        EXPECT_EQ(outcome.code, 0);
+        EXPECT_NE(outcome.err.find("libc.so"), std::string::npos);
+        EXPECT_EQ(outcome.err.find("OpenImageIO"), std::string::npos) << command;
+        EXPECT_EQ(outcome.err.find("nacre_images"), std::string::npos) << command;
+    }
 }
 
 TEST(CommandLine, VersionNamesCommitHeadersAndDevice) {

@@ -87,7 +87,7 @@ const std::vector<Arrows> kLibraries = {
     {"CLI/", {"app/cli/command_parser.cpp"}},
     {"OpenImageIO/", {"app/shared/image_codec.cpp"}},
     {"webp/", {"app/shared/image_webp.cpp"}},
-    {"png.h", {"app/movie/animated_png.cpp"}},
+    {"png.h", {"app/movie/animated_png.cpp", "app/shared/image_png.cpp"}},
     {"gif_lib.h", {"app/movie/gif.cpp"}},
     {"ft2build.h", {"app/shared/word_painter.cpp"}},
     {"curl/", {"app/download/http.cpp"}},

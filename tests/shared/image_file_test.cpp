@@ -107,6 +107,16 @@ TEST(ImageFile, SixteenBitsInPngAndTiff) {
     }
 }
 
+TEST(ImageFile, PngSaysWhoWroteItAndThatItsColoursAreSrgb) {
+    const TemporaryFolder folder;
+    write(folder / "a.png", ramp(), true);
+    const OIIO::ImageSpec spec = readBack(folder / "a.png").spec;
+    EXPECT_EQ(spec.get_string_attribute("Software"), "nacre");
+    EXPECT_EQ(spec.get_string_attribute("oiio:ColorSpace"), "sRGB");
+    const std::string bytes = test::contentOf(folder / "a.png");
+    for (const char* chunk : {"sRGB", "gAMA", "cHRM"}) EXPECT_NE(bytes.find(chunk), std::string::npos) << chunk;
+}
+
 TEST(ImageFile, DotsAnInchAreSaid) {
     const TemporaryFolder folder;
     for (const char* name : {"a.png", "a.tif", "a.jpg"}) {
