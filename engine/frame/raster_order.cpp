@@ -1,4 +1,5 @@
 #include "engine/frame/screen.h"
+#include "engine/graph/plan.h"
 
 namespace nacre {
 
@@ -6,7 +7,9 @@ void declareRasterOrder(ScreenFrame& f, const ScreenOptions& options, const Reco
     f.graph.graphics("opaque prepass").depth(f.depth, graph::Clear{1.0f}).record(draw.plates());
 
     f.nearest = f.graph.image("nearest depth", {VK_FORMAT_R32_SFLOAT, options.extent});
-    if (options.targets.size() == 1) {  // it keeps the nearest depth itself
+    constexpr std::uint32_t kNarrow = 8;  // bytes of colour: the depth beside it fits every tile
+    if (options.targets.size() == 1 && graph::bytesPerTexel(options.targets[0].format) <= kNarrow) {
+        // It keeps the nearest depth itself.
         const ScreenTarget& target = options.targets[0];
         const graph::Image image = f.add(target, options.extent);
         f.lit(f.graph.graphics(target.pass).depthTest(f.depth))
