@@ -1,6 +1,8 @@
 #version 450
-// The `deferred` path's one geometry pass: which primitive is nearest, its depth through the depth buffer.
+// The `deferred` path's one geometry pass: which primitive is nearest, its depth through the depth buffer. The same
+// finds layers of translucent triangles.
 //   DISTANCE   how far away it is, too
+//   PEEL   what is nearest behind the layer before (C. Everitt 2001, "Interactive Order-Independent Transparency")
 #extension GL_GOOGLE_include_directive : require
 #include "common/primitive.glsl"
 #include "common/count.glsl"
@@ -12,12 +14,20 @@ layout(location = 0) out uvec2 nearestPrimitive;  // and the bits of its Z
 #else
 layout(location = 0) out uint nearestPrimitive;
 #endif
+#ifdef PEEL
+#include "common/layers.glsl"
+layout(set = 0, binding = 3) uniform sampler2D layerBefore;  // its depth; 1 where there is none
+#endif
 
 void main() {
     countFragment();
     Hit hit = primitiveHit();
     if (!hit.inside) discard;
-    gl_FragDepth = encodedDepth(hit.order);
+    float d = encodedDepth(hit.order);
+#ifdef PEEL
+    if (!(d > texelFetch(layerBefore, ivec2(gl_FragCoord.xy), 0).x + kLayerStep)) discard;
+#endif
+    gl_FragDepth = d;
 #ifdef DISTANCE
     nearestPrimitive = uvec2(primitive, floatBitsToUint(hit.Z));
 #else

@@ -3,6 +3,8 @@
 //   TEXELS               as in common/streams.glsl
 //   CYLINDERS, TRIANGLES   the scene has some
 //   SURFACE / IDENTITY   layers instead of colour
+//   DEPTH                the hit's depth goes to the depth buffer, for what is drawn over it
+//   TRANSLUCENT          a layer that tile_layers.comp kept, over the picture: colour, by the depth test
 #extension GL_GOOGLE_include_directive : require
 #define TILES
 #define COPY_OF_PIXEL
@@ -28,6 +30,10 @@ layout(location = 4) flat in vec4 shading;
 layout(location = 5) flat in uvec4 atlas;
 layout(location = 7) flat in uint cylinders;
 
+#ifdef DEPTH
+layout(push_constant) uniform Push { TileConstants push; };
+void fetchView() { view = push; }
+#else
 void fetchView() {
     view.row0 = row0;
     view.row1 = row1;
@@ -46,12 +52,23 @@ void fetchView() {
     view.primitives = atlas.w;
     view.cylinders = cylinders;
 }
+#endif
+
+#ifdef TRANSLUCENT
+layout(constant_id = kLayerId) const int kLayer = 0;
+uint numberHere() { return numberAt(2u * placeHere() + uint(kLayer)); }
+#else
+uint numberHere() { return numberAt(placeHere()); }
+#endif
 
 void main() {
     fetchView();
-    uint number = numberAt(placeHere());
+    uint number = numberHere();
     if (number == 0u) discard;
     countFragment();
     Seen seen = seenOf(number, planePoint(gl_FragCoord.xy));
+#ifdef DEPTH
+    gl_FragDepth = encodedDepth(seen.hit.order);
+#endif
     writeSurface(seen.hit, lookAt(seen.look), lookAt(seen.atom), seen.occlusion);
 }

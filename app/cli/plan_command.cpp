@@ -49,13 +49,12 @@ void chooseByDevice(const PlanOptions& options, PlanReport& report) {
     report.encoded = device.encoded;
 }
 
-/// Counts what the frame submits of the scene that was given.
-void addGeometry(const PlanOptions& options, PlanReport& report) {
+/// What the frame submits of the scene that was given.
+SceneCounts countsOfInput(const PlanOptions& options) {
     const Molecule molecule = loadMolecule(options.input);
     const Representation scene = sceneOf(molecule, options.input.path, options.drawn, options.look);
     const View view = viewOf(options.camera, scene.radius, options.size.width, options.size.height);
-    report.geometry = geometryOf(report.frame.graph, countsOf(scene, view), report.plannedWith.geometry,
-                                 PlateShape::automatic, ImpostorShape::automatic);
+    return countsOf(scene, view);
 }
 
 std::string joined(const graph::Graph& graph, const std::vector<std::uint32_t>& passes) {
@@ -81,7 +80,11 @@ PlanReport planReport(const PlanOptions& options) {
     screen.targets = kScreenTargets;
     screen.rims = options.rims;
     screen.prepass = graph::platesReject(report.visibility, report.plannedWith);
-    screen.edges = options.edges && report.visibility == Visibility::tiles;
+    const bool scene = !options.input.path.empty();
+    const SceneCounts counts = scene ? countsOfInput(options) : SceneCounts();
+    if (counts.translucent > 0) screen.translucentLayers = kTranslucentLayers;
+    screen.layersByTiles = counts.translucent > 0 && report.visibility == Visibility::tiles;
+    screen.edges = options.edges && report.visibility == Visibility::tiles && counts.translucent == 0;
     if (options.edges && !screen.edges) report.frames = RenderSettings::kEdgeSamples;
     constexpr std::uint32_t kShadowPixels = 1024;  // of all but the largest scenes
     screen.shadowPixels = options.shadow ? kShadowPixels : 0;
@@ -98,7 +101,9 @@ PlanReport planReport(const PlanOptions& options) {
     gles.tileSubpasses = false;
     report.paperGraph = paperFrame(report.extent);
     report.paper = graph::compile(report.paperGraph, gles);
-    if (!options.input.path.empty()) addGeometry(options, report);
+    if (scene)
+        report.geometry = geometryOf(report.frame.graph, counts, report.plannedWith.geometry, PlateShape::automatic,
+                                     ImpostorShape::automatic);
     return report;
 }
 

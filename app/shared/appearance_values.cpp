@@ -242,11 +242,18 @@ std::pair<std::string_view, std::string_view> divide(std::string_view text, cons
 }  // namespace
 
 Rule parseShow(std::string_view text) {
-    const auto [selection, style] = divide(text, "SELECTION=STYLE");
+    // What follows a style behind a colon has a sign of its own.
+    constexpr std::string_view kOpacity = ":opacity=";
+    const std::size_t at = text.rfind(kOpacity);
+    const auto [selection, style] = divide(text.substr(0, at), "SELECTION=STYLE");
     Rule rule;
     rule.action = Rule::Action::show;
     rule.selection = parseSelection(selection);
     rule.style = parseStyle(style);
+    if (at == std::string_view::npos) return rule;
+    if (rule.style != Style::cartoon && rule.style != Style::surface)
+        throw std::invalid_argument("only cartoons and surfaces have an opacity: '" + std::string(text) + "'");
+    rule.opacity = parseNumber(text.substr(at + kOpacity.size()), kLeastOpacity, 1);
     return rule;
 }
 

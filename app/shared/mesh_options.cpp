@@ -58,6 +58,12 @@ const MeshOption kMeshOptions[] = {
     {"cavities", "show|hide", "show", "Surfaces that are closed off from the outside",
      [](std::string_view text, RepresentationOptions& l) { l.surface.cavities = isShown(text); },
      [](const RepresentationOptions& l) { return shownText(l.surface.cavities); }},
+    {"surface-opacity", "SHARE", "1", "How much surfaces hide of what is behind them, 0.01 to 1",
+     [](std::string_view text, RepresentationOptions& l) { l.surfaceOpacity = parseNumber(text, kLeastOpacity, 1); },
+     [](const RepresentationOptions& l) { return numberText(l.surfaceOpacity); }},
+    {"cartoon-opacity", "SHARE", "1", "The same of cartoons",
+     [](std::string_view text, RepresentationOptions& l) { l.cartoonOpacity = parseNumber(text, kLeastOpacity, 1); },
+     [](const RepresentationOptions& l) { return numberText(l.cartoonOpacity); }},
 };
 
 }  // namespace

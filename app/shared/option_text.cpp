@@ -40,7 +40,8 @@ std::string backgroundText(const std::array<float, 4>& color) {
 std::pair<std::string, std::string> ruleText(const Rule& rule) {
     switch (rule.action) {
         case Rule::Action::show:
-            return {"show", rule.selection.text + "=" + styleName(rule.style)};
+            return {"show", rule.selection.text + "=" + styleName(rule.style) +
+                                (rule.opacity ? ":opacity=" + numberText(*rule.opacity) : std::string())};
         case Rule::Action::hide:
             return {"hide", rule.selection.text};
         case Rule::Action::color:

@@ -4,6 +4,7 @@
 
 #include "engine/passes/placed_copies.h"
 #include "engine/passes/plates.h"
+#include "engine/passes/translucent.h"
 
 namespace nacre {
 namespace {
@@ -55,11 +56,18 @@ bool numbers(const graph::Graph& graph, const graph::PassDecl& pass) {
 
 SceneCounts countsOf(const Representation& r, const View& view) {
     const passes::PlacedCopies placed = passes::placeCopies(r, view);
+    passes::PlacedCopies translucent;
+    translucent.triangles = passes::chosen(placed.triangles, translucentRuns(r), passes::Triangles::translucent);
+    const std::uint64_t layered = translucent.triangleCount();
     double radii = 0;
     for (const Sphere& s : r.spheres) radii += s.radius;
     const double mean = radii / static_cast<double>(std::max<std::size_t>(r.spheres.size(), 1));
-    return {placed.sphereCount(), placed.cylinderCount(), placed.triangleCount(), mean * view.pixelsPerAngstrom,
-            view.projection == Projection::perspective};
+    return {placed.sphereCount(),
+            placed.cylinderCount(),
+            placed.triangleCount() - layered,
+            mean * view.pixelsPerAngstrom,
+            view.projection == Projection::perspective,
+            layered};
 }
 
 std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCounts& counts,
@@ -72,7 +80,14 @@ std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCount
     std::vector<PassGeometry> list;
     for (const graph::PassDecl& pass : graph.passes()) {
         const bool tests = has(pass, Verb::depth) || has(pass, Verb::depthTest) || has(pass, Verb::ordered);
-        if (pass.kind != graph::PassKind::graphics || !tests) continue;  // none of the scene's primitives
+        // None of the scene's primitives, but triangles over the screen.
+        const bool screen = has(pass, Verb::reads) || pass.name.starts_with(kTranslucentColor);
+        if (pass.kind != graph::PassKind::graphics || !tests || screen) continue;
+        if (pass.name.starts_with(kTranslucentLayer)) {
+            const std::uint64_t vertices = counts.translucent * triangle.vertices;
+            list.push_back({pass.name, vertices, counts.translucent, vertices * (VertexBytes().triangle + kNumber)});
+            continue;
+        }
         if (!has(pass, Verb::color) && !has(pass, Verb::ordered) && pass.name != kShadowPass) {
             const std::uint64_t flat = plate.vertices ? counts.triangles : 0;
             const std::uint64_t vertices = counts.spheres * plate.vertices + flat * triangle.vertices;

@@ -52,6 +52,20 @@ const char* depthTimingName(DepthTiming timing) {
 PassNotes notesOf(const graph::PassDecl& pass, bool conservative) {
     using graph::Verb;
     const bool shades = has(pass, Verb::samples);  // the occlusion atlas
+    if (pass.name.starts_with(kTranslucentLayer))
+        return {conservative ? DepthTiming::conservative : DepthTiming::late,
+                has(pass, Verb::samples) ? "only what lies behind the layer before is kept; two layers need no sorting"
+                : conservative           ? kConservative
+                                         : kLate,
+                {},
+                {},
+                kPrecisionHit};
+    if (pass.name.starts_with(kTranslucentColor))
+        return {has(pass, Verb::depthTest) ? DepthTiming::late : DepthTiming::none,
+                "a triangle over the screen; what is opaque hides a layer, or is seen through it",
+                {},
+                {},
+                kPrecisionShade};
     if (pass.kind == graph::PassKind::compute && shades)
         return {DepthTiming::none,
                 "the nearest depths of an edge pixel's samples stay in registers; each primitive that they see is "
@@ -63,6 +77,13 @@ PassNotes notesOf(const graph::PassDecl& pass, bool conservative) {
     if (pass.name == kRimPass)
         return {DepthTiming::early, "depth is only tested; of the rims at a pixel MAX keeps the densest", kPositions,
                 kPositions, kPrecisionHit};
+    if (has(pass, Verb::depth) && has(pass, Verb::reads))
+        return {DepthTiming::late,
+                "triangles over the screen; each covered pixel is shaded once, and its depth is kept for translucent "
+                "layers",
+                {},
+                kRecordsOfPixel,
+                kPrecisionShade};
     if (has(pass, Verb::depth)) {
         if (pass.name == kShadowPass)
             return {DepthTiming::conservative, kConservative, kPositions, kPositions, kPrecisionHit};

@@ -104,7 +104,8 @@ LayerPicture assembleLayers(std::uint32_t width, std::uint32_t height, const flo
     for (std::size_t i = 0; i < count; ++i) {
         const bool hit = identity[2 * i] != 0;
         covered += hit ? 1 : 0;
-        for (std::size_t c = 0; c < 4; ++c) l.rgba[4 * i + c] = hit ? color[4 * i + c] : behind[c];
+        const float through = 1.0f - color[4 * i + 3];
+        for (std::size_t c = 0; c < 4; ++c) l.rgba[4 * i + c] = color[4 * i + c] + through * behind[c];
         for (std::size_t c = 0; c < 3; ++c) l.normal[3 * i + c] = hit ? surface[4 * i + c] : 0.0f;
         l.z[i] = hit ? surface[4 * i + 3] : std::numeric_limits<float>::infinity();
         l.id[i] = identity[2 * i];

@@ -38,7 +38,7 @@ private:
     std::uint32_t count_ = 0;
 };
 
-/// @param color    RGBA, linear, alpha 0 or 1; @param surface normal and Z; @param identity atom and occlusion's bits
+/// @param color    RGBA, linear, premultiplied; @param surface normal and Z; @param identity atom and occlusion's bits
 LayerPicture assembleLayers(std::uint32_t width, std::uint32_t height, const float* color, const float* surface,
                             const std::uint32_t* identity, const std::array<float, 4>& background,
                             std::uint64_t& covered);

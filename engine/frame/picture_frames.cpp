@@ -22,6 +22,9 @@ constexpr ScreenTarget kLayerTargets[] = {{"colour", VK_FORMAT_R32G32B32A32_SFLO
 
 constexpr ScreenTarget kFineTargets[] = {kLayerTargets[0]};
 
+/// Where layers are translucent, colour is of a frame of its own.
+constexpr ScreenTarget kSolidTargets[] = {kLayerTargets[1], kLayerTargets[2]};
+
 constexpr ScreenTarget kPickTargets[] = {{"identity", VK_FORMAT_R32G32_UINT, Output::identity, "identity layer"}};
 
 /// Copies of the frame's targets to the host.
@@ -71,7 +74,7 @@ void addCounts(std::vector<PassCount>& sum, const std::vector<PassCount>& counts
 
 std::span<const ScreenTarget> PictureFrames::pictureTargets(const RenderSettings& settings) const {
     if (isFine(settings)) return kFineTargets;
-    return device_.caps().tiles.shade ? kCodedTargets : kScreenTargets;
+    return device_.caps().tiles.shade && !frames_.translucent() ? kCodedTargets : kScreenTargets;
 }
 
 PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
@@ -206,7 +209,14 @@ Picture PictureFrames::meanOfFrames(const RenderSettings& settings, const passes
 }
 
 LayerPicture PictureFrames::layers(const RenderSettings& settings, const passes::Atlas& atlas) {
-    const auto pixels = draw(settings, atlas, settings.view, kLayerTargets, true, "screen").pixels;
+    std::vector<gpu::Buffer> pixels;
+    if (frames_.translucent()) {
+        pixels = draw(settings, atlas, settings.view, kFineTargets, true, "screen").pixels;
+        for (gpu::Buffer& layer : draw(settings, atlas, settings.view, kSolidTargets, true, "solid").pixels)
+            pixels.push_back(std::move(layer));
+    } else {
+        pixels = draw(settings, atlas, settings.view, kLayerTargets, true, "screen").pixels;
+    }
     return assembleLayers(settings.view.width, settings.view.height, reinterpret_cast<const float*>(pixels[0].mapped),
                           reinterpret_cast<const float*>(pixels[1].mapped),
                           reinterpret_cast<const std::uint32_t*>(pixels[2].mapped), settings.background,

@@ -10,7 +10,9 @@
 #include "engine/passes/overdraw.h"
 #include "engine/passes/rims.h"
 #include "engine/passes/tile_edges.h"
+#include "engine/passes/tile_layers.h"
 #include "engine/passes/tile_passes.h"
+#include "engine/passes/translucent.h"
 
 namespace nacre {
 
@@ -98,8 +100,38 @@ graph::Record Recorder::nearestByTiles() const {
     return of([](Context& c, const SceneView& scene) { passes::findNearestByTiles(c, scene, {}); });
 }
 
-graph::Record Recorder::shadedTiles(Output output, Image atlas) const {
-    return of([=](Context& c, const SceneView& scene) { passes::shadeTiles(c, scene, output, c.view(atlas)); });
+graph::Record Recorder::shadedTiles(Output output, Image atlas, bool depth) const {
+    return of([=](Context& c, const SceneView& scene) { passes::shadeTiles(c, scene, output, c.view(atlas), depth); });
+}
+
+graph::Record Recorder::translucentLayer(Image atlas, std::optional<Image> before) const {
+    return of([=](Context& c, const SceneView& scene) {
+        if (!before) return passes::drawTranslucentLayer(c, *scene.translucent, nullptr);
+        const passes::Reads reads{NearestFrom::texture, c.view(atlas), c.view(*before)};
+        passes::drawTranslucentLayer(c, *scene.translucent, &reads);
+    });
+}
+
+graph::Record Recorder::translucentColor(Image atlas, Image numbers, std::optional<Image> nearest,
+                                         const graph::EncodedFormat& format) const {
+    return of([=, encoding = passes::Encoding(format)](Context& c, const SceneView& scene) {
+        passes::Opaque opaque;
+        if (nearest) {
+            const auto from = c.inputIsSampled ? NearestFrom::texture : NearestFrom::inputAttachment;
+            opaque = {from, c.view(*nearest), encoding};
+        }
+        passes::shadeTranslucentLayer(c, *scene.translucent, c.view(atlas), c.view(numbers), opaque);
+    });
+}
+
+graph::Record Recorder::layersByTiles() const {
+    return of([](Context& c, const SceneView& scene) { passes::findLayersByTiles(c, *scene.translucent); });
+}
+
+graph::Record Recorder::layerOfTiles(Image atlas, std::uint32_t layer) const {
+    return of([=](Context& c, const SceneView& scene) {
+        passes::shadeLayerByTiles(c, *scene.translucent, c.view(atlas), layer);
+    });
 }
 
 graph::Record Recorder::colorsByTiles(Image atlas) const {

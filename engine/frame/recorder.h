@@ -41,8 +41,19 @@ public:
     graph::Record rimmedPrimitives(graph::Image atlas, graph::Image numbers, graph::Image rims,
                                    const graph::Clear& clear) const;
 
+    /// @param before  depth of the layer before; none: the first
+    graph::Record translucentLayer(graph::Image atlas, std::optional<graph::Image> before) const;
+    /// @param nearest  of what is opaque, as `format` encodes it; none: the depth buffer has it
+    graph::Record translucentColor(graph::Image atlas, graph::Image numbers, std::optional<graph::Image> nearest,
+                                   const graph::EncodedFormat& format) const;
+
+    graph::Record layersByTiles() const;
+    /// @param layer  0: the nearest
+    graph::Record layerOfTiles(graph::Image atlas, std::uint32_t layer) const;
+
     graph::Record nearestByTiles() const;
-    graph::Record shadedTiles(passes::Output output, graph::Image atlas) const;
+    /// @param depth  goes to the depth buffer, too
+    graph::Record shadedTiles(passes::Output output, graph::Image atlas, bool depth = false) const;
     /// Both in one, and what makes a picture of the colours.
     graph::Record colorsByTiles(graph::Image atlas) const;
     graph::Record copiedColors(graph::Buffer colors, graph::Image image, graph::Extent extent) const;

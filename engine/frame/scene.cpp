@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include "engine/frame/picture.h"
+#include "engine/passes/translucent.h"
 #include "engine/passes/view_constants.h"
 #include "engine/scene/atom_groups.h"
 
@@ -93,6 +94,8 @@ std::shared_ptr<passes::SceneView> lightScene(const gpu::Device& device, const S
     }
     seen->buffers = &scene.buffers;
     seen->copies = passes::placeCopies(scene.representation, light);
+    // Light goes through what is translucent.
+    seen->copies.triangles = passes::chosen(seen->copies.triangles, scene.translucent, passes::Triangles::opaque);
     seen->impostor = settings.tuning.impostor;
     seen->radiusPixels = scene.meanRadius * light.pixelsPerAngstrom;
     return seen;
@@ -140,8 +143,9 @@ layout::EffectConstants effectConstants(const RenderSettings& settings, const Sc
 }
 
 Scene makeScene(const gpu::Device& device, Representation representation) {
-    Scene scene{std::move(representation), {}, 0, 1e9, {}, {}};
+    Scene scene{std::move(representation), {}, 0, 1e9, {}, {}, {}};
     scene.sphereOrder = orderInSpace(scene.representation);
+    scene.translucent = translucentRuns(scene.representation);
     scene.chunks = chunksOf(scene.representation);
     scene.buffers = passes::makeSceneBuffers(device, scene.representation);
     double sum = 0;

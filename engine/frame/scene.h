@@ -5,6 +5,7 @@
 
 #include "engine/graph/graph.h"
 #include "engine/passes/scene_view.h"
+#include "engine/scene/translucency.h"
 #include "engine/settings.h"
 
 namespace nacre {
@@ -15,6 +16,7 @@ struct Scene {
     double meanRadius = 0;      ///< of the spheres, Å
     double smallestRadius = 0;  ///< of spheres and cylinders, Å
     Chunks chunks;
+    TranslucentRuns translucent;             ///< of its triangles
     std::vector<std::uint32_t> sphereOrder;  ///< for each sphere its number among those that were handed in
 };
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstring>
 
+#include "engine/error.h"
 #include "engine/frame/debug_frame.h"
 #include "engine/passes/plates.h"
 #include "engine/passes/read_back.h"
+#include "engine/passes/translucent.h"
 
 namespace nacre {
 
@@ -15,6 +17,7 @@ SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, con
       stats_(stats),
       white_(passes::makeWhiteTexture(device, executor)),
       tiles_(device),
+      layerTiles_(device),
       effectBuffers_(device, vk::BufferUsageFlagBits::eUniformBuffer, "effects"),
       copyRows_(device, vk::BufferUsageFlagBits::eStorageBuffer, "copies") {}
 
@@ -23,6 +26,14 @@ std::shared_ptr<const gpu::Buffer> SceneFrames::effectsOf(const RenderSettings& 
     if (effects_ && std::memcmp(&wanted, &lastEffects_, sizeof wanted) == 0) return effects_;
     lastEffects_ = wanted;
     return effects_ = effectBuffers_.upload(std::as_bytes(std::span(&wanted, 1)));
+}
+
+/// @throws Error if no layer can be laid over a picture of this format
+void SceneFrames::checkBlending(VkFormat format) const {
+    if (format != VK_FORMAT_R32G32B32A32_SFLOAT || device_.caps().blendsFloats) return;
+    throw Error(
+        "cannot draw translucent surfaces", device_.caps().deviceName,
+        "it does not blend 32 bits a channel, which layers and pictures of 16 bits are made of; ask for 8 bits");
 }
 
 ScreenFrame SceneFrames::declare(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
@@ -63,18 +74,27 @@ ScreenFrame SceneFrames::declareSeen(const RenderSettings& asked, const passes::
         seen->radiusPixels = *lastRadius =
             passes::steadyRadius(*lastRadius, seen->radiusPixels, device_.caps().plan.geometry);
     seen->effectConstants = effectsOf(settings);
-    if (path == Visibility::deferred)
+    const bool layered = picture && !debug && translucent();
+    if (layered) checkBlending(targets[0].format);
+    if (path == Visibility::deferred || layered)
         seen->copyRows = copyRows_.upload(std::as_bytes(std::span(std::as_const(seen->copies.rows))));
+    if (layered) seen->translucent = passes::translucentView(*seen, scene_.translucent);
+    seen->copies.triangles = passes::chosen(seen->copies.triangles, scene_.translucent,
+                                            layered ? passes::Triangles::opaque : passes::Triangles::solid);
     const graph::Extent image = imageExtent(view);
     if (path == Visibility::tiles) {
         const bool shaded = seen->coded && !debug && !seen->fragments && device_.caps().tiles.shade;
         seen->tiles =
             tiles_.prepare(scene_.representation, *seen, view, image, {shaded, edges && drawsEdges() && !debug});
         if (!seen->tiles) path = Visibility::fragdepth;
+        if (seen->tiles && layered)
+            seen->translucent->tiles = layerTiles_.prepare(scene_.representation, *seen->translucent, view, image,
+                                                           {false, false, kTranslucentLayers});
     }
     stats_.spheres = seen->copies.sphereCount();
     stats_.cylinders = seen->copies.cylinderCount();
-    stats_.triangles = seen->copies.triangleCount();
+    const std::uint64_t translucentCount = layered ? seen->translucent->copies.triangleCount() : 0;
+    stats_.triangles = seen->copies.triangleCount() + translucentCount;
     // Without plates the passes that write depth themselves need no pass before them.
     const bool plates =
         seen->plates != PlateShape::none || (path != Visibility::fragdepth && path != Visibility::deferred);
@@ -84,12 +104,17 @@ ScreenFrame SceneFrames::declareSeen(const RenderSettings& asked, const passes::
     options.edges = seen->tiles && seen->tiles->edges.drawn;
     options.shadowPixels = shadowPixels(settings);
     options.rims = rims;
+    options.translucentLayers = layered ? kTranslucentLayers : 0;
+    options.layersByTiles = layered && seen->translucent->tiles;
     ScreenFrame frame =
         debug ? debugFrame(settings.debug, options, Recorder(seen)) : screenFrame(options, Recorder(seen));
     seen->shadow = frame.shadow;
-    frame.counts = {stats_.spheres, stats_.cylinders, stats_.triangles, seen->radiusPixels, seen->perspective};
+    if (layered) seen->translucent->shadow = frame.shadow;
+    frame.counts = {stats_.spheres,     stats_.cylinders,  seen->copies.triangleCount(),
+                    seen->radiusPixels, seen->perspective, translucentCount};
     imports.bind(frame.atlas, atlas);
     if (seen->tiles) imports.bind(frame.numbers, seen->tiles->numbers.buffer);
+    if (frame.layerNumbers) imports.bind(*frame.layerNumbers, seen->translucent->tiles->numbers.buffer);
     if (frame.edges) imports.bind(*frame.edges, seen->tiles->edgeBuffer().buffer);
     return frame;
 }

@@ -30,8 +30,11 @@ public:
 
     /// Whether one frame can draw edges from more samples than what lies between them; else it takes many frames.
     bool drawsEdges() const {
-        return device_.caps().visibility == Visibility::tiles && device_.caps().tiles.drawsEdges;
+        return device_.caps().visibility == Visibility::tiles && device_.caps().tiles.drawsEdges && !translucent();
     }
+
+    /// Whether one looks through some of the scene: colours are blended then, and coded by no shader.
+    bool translucent() const { return !scene_.translucent.empty(); }
 
     /// How the device's caps and the settings want such a frame planned.
     graph::PlanCaps planCaps(const FrameTuning& tuning) const;
@@ -41,12 +44,13 @@ private:
     ScreenFrame declareSeen(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                             std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
                             std::shared_ptr<passes::FragmentCounter> fragments, bool edges, double* lastRadius) const;
+    void checkBlending(VkFormat format) const;
 
     const gpu::Device& device_;
     const Scene& scene_;
     FrameStats& stats_;
     gpu::Image white_;  // the atlas of scenes without occlusion
-    mutable passes::TileFrames tiles_;
+    mutable passes::TileFrames tiles_, layerTiles_;
     mutable double windowRadius_ = 0;  // by which the window's last frame chose its shapes
     // Frames in flight hold theirs; the last one serves as long as nothing changes.
     mutable layout::EffectConstants lastEffects_{};

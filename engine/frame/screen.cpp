@@ -17,7 +17,7 @@ graph::PassBuilder& ScreenFrame::lit(graph::PassBuilder& pass) const {
 }
 
 ScreenFrame screenFrame(const ScreenOptions& options, const Recorder& recorder) {
-    ScreenFrame frame{graph::Graph(options.name), {}, {}, {}, {}, {}, {}, {}};
+    ScreenFrame frame{graph::Graph(options.name), {}, {}, {}, {}, {}, {}, {}, {}, {}};
     frame.depth = frame.nearest = frame.graph.image("depth", {VK_FORMAT_D32_SFLOAT, options.extent});
     frame.atlas = frame.graph.importImage(
         "occlusion atlas", options.atlas,
@@ -27,6 +27,7 @@ ScreenFrame screenFrame(const ScreenOptions& options, const Recorder& recorder) 
         frame.shadow = frame.graph.image("shadow map", {VK_FORMAT_D32_SFLOAT, {side, side}});
         frame.graph.graphics(kShadowPass).depth(*frame.shadow, Clear{1.0f}).record(recorder.shadowMap());
     }
+    declareTranslucentLayers(frame, options, recorder);
     switch (options.visibility) {
         case Visibility::fragdepth:
             declareFragdepth(frame, options, recorder);
@@ -45,6 +46,7 @@ ScreenFrame screenFrame(const ScreenOptions& options, const Recorder& recorder) 
             declareEncoded(frame, options, recorder);
             break;
     }
+    declareTranslucentColors(frame, options, recorder);
     return frame;
 }
 

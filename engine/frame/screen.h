@@ -38,18 +38,26 @@ constexpr const char* kShadowPass = "shadow map";
 /// The pass that draws what depends on the pixel's nearest primitive about others.
 constexpr const char* kRimPass = "lines and halos";
 
+/// The passes of translucent triangles, counted from the nearest layer on.
+constexpr const char* kTranslucentLayer = "translucent layer ";
+constexpr const char* kTranslucentColor = "translucent colour ";
+/// Layers of them that a pixel shows: the nearest ones that nothing opaque hides.
+constexpr std::uint32_t kTranslucentLayers = 2;
+
 struct ScreenOptions {
     graph::Extent extent;
     Visibility visibility = Visibility::encoded;  ///< not `automatic`
     graph::EncodedFormat encoded;                 ///< of `encoded`
     graph::ImageDesc atlas{VK_FORMAT_R8_UNORM, {1, 1}};
     std::span<const ScreenTarget> targets;
-    bool prepass = true;             ///< false: plates would reject nothing on this path (graph::platesReject)
-    const char* name = "screen";     ///< images are kept by it: frames of several sizes want several names
-    bool shadedByTiles = false;      ///< `tiles`: compute shades, too; the target takes coded colour
-    bool edges = false;              ///< of `tiles`: they are drawn from more samples than one
-    bool rims = false;               ///< of `deferred`: halos, or lines by groups
-    std::uint32_t shadowPixels = 0;  ///< across the map of what the light sees; 0: there are no shadows
+    bool prepass = true;                  ///< false: plates would reject nothing on this path (graph::platesReject)
+    const char* name = "screen";          ///< images are kept by it: frames of several sizes want several names
+    bool shadedByTiles = false;           ///< `tiles`: compute shades, too; the target takes coded colour
+    bool edges = false;                   ///< of `tiles`: they are drawn from more samples than one
+    bool rims = false;                    ///< of `deferred`: halos, or lines by groups
+    std::uint32_t shadowPixels = 0;       ///< across the map of what the light sees; 0: there are no shadows
+    std::uint32_t translucentLayers = 0;  ///< over the first target, which is colour; 0: all is opaque
+    bool layersByTiles = false;           ///< of `tiles`: compute finds them, too
 };
 
 /// What a view submits, and how large it is in the picture.
@@ -57,6 +65,7 @@ struct SceneCounts {
     std::uint64_t spheres = 0, cylinders = 0, triangles = 0;  ///< of all copies
     double radiusPixels = 0;                                  ///< mean radius of the spheres
     bool perspective = false;
+    std::uint64_t translucent = 0;  ///< triangles beside the others, which one looks through
 };
 
 struct ScreenFrame {
@@ -68,6 +77,8 @@ struct ScreenFrame {
     std::optional<graph::Buffer> edges;  ///< imported, of `tiles`: what they need beside that
     std::optional<graph::Image> shadow;  ///< what the light sees
     std::vector<graph::Image> targets;
+    std::vector<graph::Image> layers;           ///< numbers of translucent triangles, of the nearest first
+    std::optional<graph::Buffer> layerNumbers;  ///< the same where tiles find them, imported
     SceneCounts counts{};
 
     /// A pass that shades samples what light is told by. @returns the pass
@@ -94,6 +105,13 @@ void declareRasterOrder(ScreenFrame& frame, const ScreenOptions& options, const 
 /// Numbers of the nearest primitives by compute, tile by tile from lists in order of depth; then every covered pixel is
 /// shaded once. No triangles but those around what may be covered. Edges: what their samples see, from the same lists.
 void declareTiles(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
+
+// On every path:
+
+/// Numbers of the nearest translucent triangles of each pixel, and of the next ones behind.
+void declareTranslucentLayers(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
+/// Lays them over what the path has drawn, the farthest first.
+void declareTranslucentColors(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
 
 /// The same frame as the paper arranged it on OpenGL ES 2: prepass and depth texture in one framebuffer, then the
 /// picture in another, which samples the full-screen depth texture. Three 8-bit channels encode depth, and 16 bits of

@@ -39,10 +39,14 @@ void declareTiles(ScreenFrame& f, const ScreenOptions& options, const Recorder& 
         f.edges = addPixels(f, options, "edge colours", 2 * sizeof(std::uint32_t));
         f.lit(f.graph.compute("edge samples").reads(f.numbers)).writes(*f.edges).record(draw.edgesByTiles(f.atlas));
     }
-    for (const ScreenTarget& target : options.targets)
-        f.lit(f.graph.graphics(target.pass).reads(f.numbers))
+    const bool depth = options.translucentLayers > 0;
+    for (const ScreenTarget& target : options.targets) {
+        graph::PassBuilder shading = f.graph.graphics(target.pass);
+        if (depth) shading.depth(f.depth, graph::Clear{1.0f});
+        f.lit(shading.reads(f.numbers))
             .color(f.add(target, options.extent), target.clear)
-            .record(draw.shadedTiles(target.output, f.atlas));
+            .record(draw.shadedTiles(target.output, f.atlas, depth));
+    }
     if (options.edges)
         f.graph.graphics("edge colour")
             .reads(*f.edges)

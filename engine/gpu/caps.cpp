@@ -153,6 +153,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
         identity.driver = static_cast<VkDriverId>(driver.driverID);
     }
     caps.snapPixels = std::ldexp(1.0f, -static_cast<int>(properties.limits.subPixelPrecisionBits));
+    caps.blendsFloats = blends(device, vk::Format::eR32G32B32A32Sfloat);
     caps.maxImageSize = properties.limits.maxImageDimension2D;
     const auto& id = chain.get<vk::PhysicalDeviceIDProperties>();
     caps.driverKey = hexadecimal(id.driverUUID) + hexadecimal(id.deviceUUID) + std::to_string(caps.driverVersion);

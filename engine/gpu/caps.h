@@ -29,6 +29,7 @@ struct Caps {
     std::uint32_t maxImageSize = 4096;
     bool localRead = false;           ///< render passes are carried out by dynamic rendering with local reads
     bool mergeFeedback = false;       ///< the driver tells what it makes of subpasses
+    bool blendsFloats = false;        ///< colour attachments of 32 bits a channel
     std::uint32_t timestampBits = 0;  ///< of the queue's clock; 0: it has none
     double nanosecondsPerTick = 1;    ///< of that clock
     std::uint64_t maxStorageBufferBytes = 1u << 27;

@@ -7,6 +7,7 @@
 #include "engine/passes/depth_encoding.h"
 #include "engine/passes/nearest_depth.h"
 #include "engine/passes/opaque_prepass.h"
+#include "engine/passes/translucent.h"
 #include "engine/passes/view_constants.h"
 
 namespace nacre::occlusion {
@@ -105,7 +106,8 @@ DepthMaps::DepthMaps(const gpu::Device& device, const passes::SceneBuffers& scen
       representation_(representation),
       path_(path),
       sizes_(device.caps(), representation, path, budgetBytes, detail),
-      radius_(representation.radius) {
+      radius_(representation.radius),
+      translucent_(translucentRuns(representation)) {
     const auto dealOut = [&](const std::vector<ModelRun>& runs, std::vector<ModelRun> Runs::*kind) {
         for (const ModelRun& run : runs) {
             if (run.model >= runs_.size()) runs_.resize(run.model + 1);
@@ -141,6 +143,8 @@ layout::ViewConstants DepthMaps::constants(const glm::dmat3& frame, std::uint32_
 /// What one map of a model shows.
 passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t model, MapPart part) const {
     passes::PlacedCopies all = passes::placeCopies(representation_, view(frame));
+    // Light goes through what is translucent.
+    all.triangles = passes::chosen(all.triangles, translucent_, passes::Triangles::opaque);
     if (runs_.size() > 1) {
         all.spheres = within(all.spheres, runs_[model].spheres);
         all.cylinders = within(all.cylinders, runs_[model].cylinders);

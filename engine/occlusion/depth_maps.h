@@ -14,6 +14,7 @@
 #include "engine/occlusion/tile_maps.h"
 #include "engine/passes/scene_view.h"
 #include "engine/scene/camera.h"
+#include "engine/scene/translucency.h"
 
 namespace nacre::occlusion {
 
@@ -105,7 +106,8 @@ private:
     OcclusionMaps path_;
     DepthMapSizes sizes_;
     double radius_, meanRadius_ = 0;
-    std::vector<Runs> runs_;  // by model
+    TranslucentRuns translucent_;  ///< which maps do not show
+    std::vector<Runs> runs_;       // by model
     std::unique_ptr<TileMaps> tiles_;
     gpu::Image partMap_, partDepth_;  // of one direction that is drawn in parts
 };

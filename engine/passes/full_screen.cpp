@@ -13,6 +13,7 @@ void bindFullScreen(gpu::PassContext& context, const FullScreenPass& pass, const
     d.layout = *layout.pipeline;
     d.colorsWritten = context.colorCount;
     d.blend = pass.blend;
+    d.depth = pass.depth;
     d.strip = false;
     context.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, context.pipelines.graphics(d));
 }

@@ -10,6 +10,7 @@ struct FullScreenPass {
     gpu::Specialization constants;
     std::string_view detail;  ///< beside the pass's name, for captures
     gpu::Blend blend = gpu::Blend::replace;
+    gpu::DepthUse depth = gpu::DepthUse::none;
 };
 
 /// The pass's pipeline, bound. @param layout  outlives what is recorded

@@ -42,11 +42,12 @@ struct SceneView {
     bool lighting = true, occlusion = false;
     vk::BufferView occlusionCells;  ///< Atlas::cells
     Effects effects;
-    Rims rims;                           ///< lines by groups and halos
-    int copyColors = 0;                  ///< that copies take in turn
-    bool cut = false;                    ///< of a light's view: its planes' numbers are one plane, which cuts off
-    std::shared_ptr<SceneView> light;    ///< what the shadow map shows; null: there is none
-    std::optional<graph::Image> shadow;  ///< it
+    Rims rims;                               ///< lines by groups and halos
+    int copyColors = 0;                      ///< that copies take in turn
+    bool cut = false;                        ///< of a light's view: its planes' numbers are one plane, which cuts off
+    std::shared_ptr<SceneView> light;        ///< what the shadow map shows; null: there is none
+    std::shared_ptr<SceneView> translucent;  ///< its translucent triangles, over the others; null: it has none
+    std::optional<graph::Image> shadow;      ///< it
     std::shared_ptr<const gpu::Buffer> effectConstants;  ///< layout::EffectConstants; of passes that shade
     PlateShape plates = PlateShape::automatic;
     ImpostorShape impostor = ImpostorShape::automatic;

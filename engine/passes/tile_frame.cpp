@@ -87,7 +87,7 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     frame.copies = !r.copies.transforms.empty();
     frame.constants = constantsOf(seen.constants, seen.copies, frame.lists);
     frame.shaded = work.shaded;
-    upload(frame, seen.copies, image);
+    upload(frame, seen.copies, image, work.kept);
     clearColors(frame);
     frame.edges.drawn = work.edges;
     frame.edges.everywhere = seen.smallestPixels < kSmallPixels;
@@ -127,14 +127,14 @@ void TileFrames::clearColors(TileFrame& f) {
     if (f.shaded) f.colored.assign(lists.spans().begin(), lists.spans().end());
 }
 
-void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent image) const {
+void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const {
     TileLists& lists = f.lists;
     const std::size_t rowBytes = copies.rows.size() * sizeof(glm::vec4);
     reserve(device_, f.words, 4 * lists.words(), kRead, vk::Format::eR32Uint, "lists of tiles");
     reserve(device_, f.rows, rowBytes, kRead, vk::Format::eR32G32B32A32Sfloat, "copies");
     const vk::Buffer before = *f.numbers.buffer.handle;
-    reserve(device_, f.numbers, 4 * TileLists::pixelsOfBins(image.width, image.height), kRead | Usage::eTransferSrc,
-            vk::Format::eR32Uint, "primitive numbers");
+    reserve(device_, f.numbers, 4 * kept * TileLists::pixelsOfBins(image.width, image.height),
+            kRead | Usage::eTransferSrc, vk::Format::eR32Uint, "primitive numbers");
     if (*f.numbers.buffer.handle != before) f.coloredAcross = 0;
     reserve(device_, f.spans, lists.spans().size() * sizeof(TileSpanVertex), Usage::eVertexBuffer,
             vk::Format::eUndefined, "rows of tiles");

@@ -36,8 +36,9 @@ struct TileEdges {
 
 /// What is asked of a frame.
 struct TileWork {
-    bool shaded = false;  ///< compute shades, too
-    bool edges = false;   ///< edges are drawn; none are where a list is longer than their loops
+    bool shaded = false;     ///< compute shades, too
+    bool edges = false;      ///< edges are drawn; none are where a list is longer than their loops
+    std::uint32_t kept = 1;  ///< numbers of a pixel
 };
 
 struct TileFrame {
@@ -74,7 +75,7 @@ public:
 
 private:
     static void clearColors(TileFrame& frame);
-    void upload(TileFrame& frame, const PlacedCopies& copies, graph::Extent image) const;
+    void upload(TileFrame& frame, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const;
     void uploadEdges(TileFrame& frame, graph::Extent image) const;
 
     const gpu::Device& device_;

@@ -34,7 +34,8 @@ gpu::ShaderWords nearestShader(bool texels, TileScene scene, bool shaded) {
     return NACRE_TILE_STAGE(tileNearest, );
 }
 
-Stage shadeShader(Output output, bool texels, TileScene scene) {
+Stage shadeShader(Output output, bool texels, TileScene scene, bool depth) {
+    if (depth) return {NACRE_TILE_STAGE(tileColorDepth, ), NACRE_TILE_STAGE(tileColorDepth, Counting)};
     switch (output) {
         case Output::surface:
             return {NACRE_TILE_STAGE(tileSurface, ), NACRE_TILE_STAGE(tileSurface, Counting)};
@@ -87,7 +88,15 @@ void findNearestByTiles(gpu::PassContext& context, const SceneView& view, std::o
     dispatchTiles(context, f.lists.tiles().size());
 }
 
-void shadeTiles(gpu::PassContext& context, const SceneView& view, Output output, vk::ImageView atlas) {
+void shadeTiles(gpu::PassContext& context, const SceneView& view, Output output, vk::ImageView atlas, bool depth) {
+    gpu::GraphicsPipeline d = context.pipeline();
+    const bool texels = context.device.caps().tiles.texels;
+    d.fragment = shadeShader(output, texels, tileScene(*view.buffers), depth).of(view);
+    if (depth) d.depth = gpu::DepthUse::write;
+    shadeSpans(context, view, atlas, d);
+}
+
+void shadeSpans(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas, gpu::GraphicsPipeline d) {
     const TileFrame& f = *view.tiles;
     const SceneBuffers& scene = *view.buffers;
     const bool texels = context.device.caps().tiles.texels;
@@ -95,10 +104,8 @@ void shadeTiles(gpu::PassContext& context, const SceneView& view, Output output,
     const gpu::Layout& layout =
         context.pipelines.layout({"shading by tiles", texels ? kShadeTexels : kShadeStorage, kDraw,
                                   sizeof(layout::TileConstants), view.fragments != nullptr});
-    gpu::GraphicsPipeline d = context.pipeline();
     d.detail = "tiles";
     d.vertex = shaders::tileSpanVertex;
-    d.fragment = shadeShader(output, texels, tileScene(scene)).of(view);
     setTileView(d.constants, view);
     setShadingConstants(d.constants, view);
     d.streams = spanStreams();

@@ -19,6 +19,7 @@ struct AtomLook {
     bool bare = false;     ///< not drawn as an atom
     bool covered = false;  ///< nor if it is space-filling: a surface was put over it
     bool cartoon = false, surface = false;
+    std::uint32_t cartoonRule = kBase, surfaceRule = kBase;  // that gave them
 
     /// For all, before any rule.
     explicit AtomLook(std::optional<Style> base)
@@ -34,8 +35,10 @@ struct AtomLook {
         hidden = false;
         if (wanted == Style::surface) {
             surface = covered = true;
+            surfaceRule = rule;
         } else if (wanted == Style::cartoon) {
             cartoon = bare = true;
+            cartoonRule = rule;
         } else {
             style = rule;
             bare = covered = false;
@@ -75,13 +78,16 @@ std::vector<AtomLook> settle(const Molecule& molecule, std::span<const std::uint
 }
 
 /// Keeps, of some seen atoms, those that are chosen. @param chosen  by slot
-MeshAtoms meshAtomsOf(const Appearance& seen, const std::vector<bool>& chosen) {
+/// @param opacityOf  of a slot
+template <typename OpacityOf>
+MeshAtoms meshAtomsOf(const Appearance& seen, const std::vector<bool>& chosen, const OpacityOf& opacityOf) {
     MeshAtoms mesh;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         if (!chosen[i]) continue;
         mesh.atoms.push_back(seen.atoms[i]);
         mesh.colors.push_back(seen.colors[i]);
         mesh.tints.push_back(seen.tints[i]);
+        mesh.opacity.push_back(opacityOf(i));
     }
     return mesh;
 }
@@ -101,8 +107,9 @@ std::vector<bool> bondedAmong(const Molecule& molecule, const std::vector<std::u
 }
 
 /// Parts all that is seen by how it is drawn. @param looks  of the seen atoms
-void partByStyle(const Molecule& molecule, const std::vector<AtomLook>& looks, const std::vector<Rule>& rules,
+void partByStyle(const Molecule& molecule, const std::vector<AtomLook>& looks, const RepresentationOptions& options,
                  Appearance& appearance) {
+    const std::vector<Rule>& rules = options.rules;
     const std::size_t count = appearance.atoms.size();
     std::vector<bool> inCartoon(count), inSurface(count);
     std::vector<std::uint32_t> wanted;
@@ -127,8 +134,13 @@ void partByStyle(const Molecule& molecule, const std::vector<AtomLook>& looks, c
         atoms.colors.push_back(appearance.colors[i]);
         atoms.tints.push_back(appearance.tints[i]);
     }
-    appearance.cartoon = meshAtomsOf(appearance, inCartoon);
-    appearance.surface = meshAtomsOf(appearance, inSurface);
+    const auto opacity = [&](std::uint32_t rule, double ofAll) {
+        return rule == kBase ? ofAll : rules[rule - 1].opacity.value_or(ofAll);
+    };
+    appearance.cartoon = meshAtomsOf(
+        appearance, inCartoon, [&](std::size_t i) { return opacity(looks[i].cartoonRule, options.cartoonOpacity); });
+    appearance.surface = meshAtomsOf(
+        appearance, inSurface, [&](std::size_t i) { return opacity(looks[i].surfaceRule, options.surfaceOpacity); });
     appearance.seen = count;
     appearance.atoms = std::move(atoms.atoms);
     appearance.styles = std::move(atoms.styles);
@@ -183,7 +195,7 @@ Appearance appearanceOf(const Molecule& molecule, std::span<const std::uint32_t>
         color(molecule, withPalette(coloring, options.palette), i == kBase ? "all" : rules[i - 1].selection.text,
               slotsOfColoring[i], appearance);
     }
-    partByStyle(molecule, looks, rules, appearance);
+    partByStyle(molecule, looks, options, appearance);
     return appearance;
 }
 

@@ -21,6 +21,8 @@ namespace nacre {
 /// the place of space-filling atoms, which reach as far.
 enum class Style { spacefill, ballAndStick, licorice, cartoon, surface };
 
+constexpr double kLeastOpacity = 0.01;  ///< of a cartoon or surface; less would not be seen
+
 /// One of `--show`, `--hide`, `--color-by`. A later rule prevails over an earlier one.
 struct Rule {
     enum class Action {
@@ -32,9 +34,10 @@ struct Rule {
     };
     Action action = Action::show;
     Selection selection;
-    Style style = Style::spacefill;  ///< of show
-    Coloring coloring;               ///< of color
-    bool on = true;                  ///< or it is kept, and says nothing
+    Style style = Style::spacefill;      ///< of show
+    Coloring coloring;                   ///< of color
+    bool on = true;                      ///< or it is kept, and says nothing
+    std::optional<double> opacity = {};  ///< of a cartoon or surface that is shown; empty: that of all
     friend bool operator==(const Rule&, const Rule&) = default;
 };
 
@@ -47,7 +50,8 @@ struct RepresentationOptions {
     bool ownFrame = false;                 ///< the camera is this model's own, not one for all models of its file
     CartoonOptions cartoon = {};
     SurfaceOptions surface = {};
-    bool modelsOcclude = false;  ///< models that are drawn together darken each other
+    double cartoonOpacity = 1, surfaceOpacity = 1;  ///< kLeastOpacity to 1, of what no rule gives one
+    bool modelsOcclude = false;                     ///< models that are drawn together darken each other
     friend bool operator==(const RepresentationOptions&, const RepresentationOptions&) = default;
 };
 
@@ -65,6 +69,7 @@ struct MeshAtoms {
     std::vector<std::uint32_t> atoms;  ///< ascending
     std::vector<std::uint32_t> colors;
     std::vector<std::uint32_t> tints;  ///< as Appearance has them
+    std::vector<double> opacity;       ///< 1: it hides what is behind it
 };
 
 struct Appearance {

@@ -51,6 +51,11 @@ constexpr std::uint32_t kOtherResidue = 0xc4beb4;
 
 }  // namespace
 
+std::uint32_t withOpacity(std::uint32_t color, double opacity) {
+    const double steps = std::clamp(std::round(opacity * kOpacitySteps), 1.0, static_cast<double>(kOpacitySteps));
+    return (color & 0x01ffffffu) | (static_cast<std::uint32_t>(steps) - 1) << 25;
+}
+
 std::uint32_t elementColor(Element element) { return packedColor(kElements[element < kElements.size() ? element : 0]); }
 
 std::uint32_t residueColor(std::string_view name) {

@@ -6,6 +6,7 @@
 
 #include "engine/mesh/cartoon.h"
 #include "engine/mesh/surface.h"
+#include "engine/scene/colors.h"
 #include "engine/scene/mesh_streams.h"
 
 namespace nacre {
@@ -24,7 +25,8 @@ public:
             found = std::lower_bound(seen_.atoms.begin(), seen_.atoms.end(), residue.firstAtom);
             if (found == seen_.atoms.end()) --found;
         }
-        return {seen_.colors[static_cast<std::size_t>(found - seen_.atoms.begin())], atom + 1};
+        const auto slot = static_cast<std::size_t>(found - seen_.atoms.begin());
+        return {withOpacity(seen_.colors[slot], seen_.opacity[slot]), atom + 1};
     }
 
 private:

@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "engine/scene/representation.h"
+#include "engine/scene/translucency.h"
 
 namespace nacre {
 namespace {
@@ -97,10 +98,12 @@ void appendMesh(const Mesh& mesh, const glm::dvec3& shift, const std::function<S
         return a.xz == b.xz && a.yz == b.yz;
     };
     const auto isFinite = [&](std::uint32_t i) { return finite(glm::dvec3(mesh.positions[i]) + shift); };
+    const auto first = static_cast<std::ptrdiff_t>(r.triangles.size());
     for (const glm::uvec3& t : mesh.triangles)
         if (isFinite(t.x) && isFinite(t.y) && isFinite(t.z) && !samePlace(t.x, t.y) && !samePlace(t.y, t.z) &&
             !samePlace(t.z, t.x))
             r.triangles.push_back({base + t.x, base + t.y, base + t.z, step});
+    orderByTranslucency(r, r.triangles.begin() + first, r.triangles.end());
 }
 
 }  // namespace nacre

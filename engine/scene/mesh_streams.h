@@ -34,6 +34,7 @@ glm::vec3 positionOf(const MeshVertex& vertex, float step);
 glm::vec3 normalOf(const MeshVertex& vertex);
 
 /// Adds a mesh to the streams. What is not finite or has no area is left out; the others' neighbours stay joined.
+/// Opaque triangles come first (translucency.h).
 /// @param shift   Å, added to every position: from the mesh's origin to that of the representation
 /// @param lookOf  colour and number of an atom, asked once for each atom of the mesh
 /// @throws std::invalid_argument if the mesh's lists do not fit each other

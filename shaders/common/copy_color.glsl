@@ -10,8 +10,12 @@ uint copyHere() {
 #endif
 }
 
-/// @param color  linear; @param bits  as they are stored: an alpha below 255 makes the colour a tint of the copy's
+/// @param color  linear; @param bits  as they are stored: the alpha's lowest bit, if it is 0, makes the colour a tint of
+/// the copy's; the others are its opacity (engine/scene/colors.h)
 vec3 colorInCopy(vec3 color, uint bits) {
-    if (kCopyColors == 0 || bits >> 24 == 255u) return color;
+    if (kCopyColors == 0 || (bits >> 24 & 1u) == 1u) return color;
     return color * effects.copyColors[copyHere() % uint(kCopyColors)].rgb;
 }
+
+/// Of a mesh's colour: 1 hides what is behind it.
+float opacityOf(uint bits) { return float((bits >> 25) + 1u) / 128.0; }

@@ -188,7 +188,8 @@ vec2 nearestOnEdge(vec2 from, vec2 to) {
 
 /// A triangle by its corners as projected() gives them. Depth is that of its plane, as a mean of its corners': a hit never
 /// lies before or behind all of them, however the triangle is tilted.
-/// Where the near plane cuts a mesh, one looks onto its inner side: that shows as the cap, in its own depth.
+/// Where the near plane cuts a mesh, one looks onto its inner side: that shows as the cap, in its own depth. Not of what is
+/// TRANSLUCENT: one looks into it.
 /// @param joins  which corners look the same: 1 a and b, 2 b and c, 4 c and a
 Hit triangleHitThrough(vec3 a, vec3 b, vec3 c, uint joins, vec2 q) {
     Hit hit = noHit();
@@ -212,7 +213,9 @@ Hit triangleHitThrough(vec3 a, vec3 b, vec3 c, uint joins, vec2 q) {
     bool within = hit.inside;
     if (kClip) {
         hit.inside = hit.inside && hit.Z >= view.clipNear && hit.Z <= view.clipFar;
+#ifndef TRANSLUCENT
         hit.cap = hit.inside && hit.back && view.clipNear > -1e29;
+#endif
     }
     hit.order = hit.Z;
     if (kContours && !within) {

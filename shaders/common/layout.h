@@ -48,6 +48,7 @@ const int kEverywhereId = 60;    // bool: every pixel is drawn as an edge
 const int kClearId = 61;         // float, four of them: what a picture is cleared to, linear and premultiplied
 const int kNumberedId = 65;      // bool: what shades by tiles writes numbers, too
 const int kRowsId = 66;          // bool: edges are coded words, row by row
+const int kLayerId = 67;         // of translucent triangles: 0 the nearest
 
 /// Rows of the samples of an edge pixel, 0..15, four bits each: sample i stands in column i. A search for the order of
 /// rows that errs least about the share of a pixel that lies on one side of a straight line.

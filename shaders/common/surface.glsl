@@ -6,7 +6,7 @@ layout(location = 0) out vec4 surface;  // normal, Z
 #elif defined(IDENTITY)
 layout(location = 0) out uvec2 identity;  // atom, occlusion as bits
 #else
-layout(location = 0) out vec4 color;  // opaque
+layout(location = 0) out vec4 color;  // straight alpha: opaque, but of translucent layers
 #endif
 
 #ifdef RIMS
@@ -42,5 +42,8 @@ void writeSurface(Hit hit, uint colorBits, uint atom, float occlusion) {
     writeRimmed(vec4(lightOf(hit, colorBits, occlusion, planePoint(gl_FragCoord.xy)), 1.0));
 #else
     color = vec4(colorOf(hit, colorBits, occlusion, planePoint(gl_FragCoord.xy)), 1.0);
+#ifdef TRANSLUCENT
+    color.a = opacityOf(colorBits);
+#endif
 #endif
 }

@@ -104,6 +104,14 @@ TEST(AppearanceOptions, CartoonsTakeTheColoursOfChains) {
     EXPECT_EQ(look({"--color", "element", "--style", "cartoon"}).color, Coloring(ColorScheme::element));
     EXPECT_EQ(look({"--style", "ribbons", "--helices", "tube"}).cartoon.helices, HelixForm::tube);
     EXPECT_EQ(look({"--surface", "gaussian", "--surface-resolution", "0.5"}).surface.resolution, 0.5);
+    EXPECT_EQ(look({"--surface-opacity", "0.5"}).surfaceOpacity, 0.5);
+    EXPECT_EQ(look({"--cartoon-opacity", "0.25"}).cartoonOpacity, 0.25);
+    EXPECT_EQ(look({"--show", "all=surface:opacity=0.3"}).rules.at(0).opacity, 0.3);
+    EXPECT_EQ(look({"--show", "all=surface"}).rules.at(0).opacity, std::nullopt);
+    for (const char* wrong : {"all=licorice:opacity=0.5", "all=surface:opacity=0", "all=surface:opacity=2",
+                              "all=surface:opacity=", "all=surface:opacity=nan", "all=surface:0.5", "all:opacity=0.5"})
+        EXPECT_THROW(look({"--show", wrong}), UsageError) << wrong;
+    EXPECT_THROW(look({"--surface-opacity", "0"}), UsageError);
     EXPECT_THROW(look({"--probe", "-1"}), UsageError);
     EXPECT_THROW(look({"--surface-resolution", "0.01"}), UsageError);
 }

@@ -88,6 +88,35 @@ TEST(Plan, LinesAndHalosStayOnTheTileWhateverThePath) {
     }
 }
 
+TEST(Plan, TranslucentLayersLeaveTheTileAndTheOpaqueFrameStaysOnIt) {
+    PlanOptions options = phone("mali");
+    options.input.path = "sample:glucose";
+    options.look.style = Style::surface;
+    const Json opaque = jsonOf(options);
+    options.look.surfaceOpacity = 0.5;
+    const Json json = jsonOf(options);
+    ASSERT_EQ(json["render_passes"].size(), 3u);
+    for (std::size_t i : {0, 1}) EXPECT_EQ(json["render_passes"][i]["subpasses"].size(), 1u);
+    const Json& last = json["render_passes"][2];
+    std::string names;
+    for (const Json& subpass : last["subpasses"]) names += subpass["name"].get<std::string>() + ", ";
+    EXPECT_EQ(names, "opaque prepass, depth encoding, impostor colour, translucent colour 2, translucent colour 1, ");
+    EXPECT_EQ(last["subpasses"][3]["input_attachments"], Json({"encoded depth"}));
+    // Numbers of both layers, and the depth of the first, go out and come back once each.
+    EXPECT_EQ(json["memory_bytes"]["loaded"], kPixels * 12);
+    EXPECT_EQ(json["memory_bytes"]["stored"], kPixels * (4 + 12));
+    EXPECT_EQ(json["tile_bytes_per_pixel"], opaque["tile_bytes_per_pixel"]);
+    const auto passOf = [](const Json& plan, const std::string& name) {
+        for (const Json& pass : plan["geometry"]["passes"])
+            if (pass["name"] == name) return pass["triangles"].get<std::uint64_t>();
+        return std::uint64_t{0};
+    };
+    EXPECT_GT(passOf(json, "translucent layer 1"), 0u);
+    EXPECT_EQ(passOf(json, "translucent layer 1"), passOf(opaque, "impostor colour"));
+    EXPECT_EQ(passOf(json, "impostor colour"), 0u);
+    EXPECT_EQ(passOf(json, "translucent colour 1"), 0u);
+}
+
 TEST(Plan, OfAppleIsOneSubpassWithoutInputAttachment) {
     const Json json = jsonOf(phone("apple-moltenvk"));
     ASSERT_EQ(json["render_passes"].size(), 1u);

@@ -23,6 +23,8 @@ TEST(SavedView, ComesBackToTheLastDigit) {
     view.look.surface.probe = 1.8;
     view.look.surface.resolution = 0.55;
     view.look.surface.cavities = false;
+    view.look.surfaceOpacity = 0.35;
+    view.look.cartoonOpacity = 0.8;
     view.look.rules = {parseShow("ligand=ball-and-stick"), parseHide("chain B"), parseColorBy("chain A=#ff8000")};
     view.look.rules[1].on = false;
     view.drawn = {true, false};

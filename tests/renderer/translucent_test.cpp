@@ -1,0 +1,220 @@
+// Translucent triangles over what is opaque: one picture on every path, that of a ray caster; what a pointer meets, and
+// what light does.
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "engine/frame/picture.h"
+#include "engine/scene/colors.h"
+#include "tests/renderer/meshes.h"
+#include "tests/renderer/scenes.h"
+
+namespace nacre::test {
+namespace {
+
+constexpr std::uint32_t kOuter = 0, kInner = 1, kBall = 2;  // atoms, from 0
+
+/// A ball in a shell of triangles in a larger shell, and a stick that comes out of all of them.
+Representation shells(double outer, double inner) {
+    Representation r;
+    const auto lookOf = [&](double opacity) {
+        return [=](std::uint32_t atom) {
+            SphereLook look = testLook(atom);
+            look.color = withOpacity(look.color, opacity);
+            return look;
+        };
+    };
+    appendMesh(icosphere({0.2f, 0, 0}, 6, 3, kOuter), glm::dvec3(0), lookOf(outer), r);
+    appendMesh(icosphere({-1, 0.5f, 0.3f}, 3.5f, 3, kInner), glm::dvec3(0), lookOf(inner), r);
+    r.spheres = {{{-0.5f, 0, 0}, 1.8f}};
+    r.sphereLooks = {testLook(kBall)};
+    r.cylinders = {{{0, -1, -1}, 0.4f, {5, 6, 5}, 0}};
+    r.cylinderLooks = {{testLook(3).color, testLook(4).color, 4, 5}};
+    r.radius = 9;
+    r.drawnAtoms = 5;
+    return r;
+}
+
+struct TranslucentCase {
+    const char* name;
+    Projection projection;
+    bool effects = false;
+    double zoom = 1;
+    std::uint32_t supersample = 1, size = 128;
+};
+void PrintTo(const TranslucentCase& c, std::ostream* out) { *out << c.name; }
+
+class TranslucentPicture : public SharedRenderers<TranslucentCase> {};
+
+TEST_P(TranslucentPicture, IsTheSameOnEveryPath) {
+    const TranslucentCase& c = GetParam();
+    const Representation r = shells(0.5, 0.25);
+    RenderSettings s = settings(r, c.size, c.projection, {20, 30, 10}, c.zoom);
+    s.supersample = c.supersample;
+    s.background = {0, 0, 0, 0};
+    if (c.effects) {
+        s.effects.clip = {-2, 4, Clip::Cap::hatched};
+        s.effects.contours.width = 2;
+        s.effects.fog.range = Fog::Range::automatic;
+        s.effects.shadow.strength = 0.7;
+    }
+    std::vector<float> picture, layered;
+    LayerPicture layers;
+    for (const Visibility visibility : kPaths) {
+        ValidatedRenderer& renderer = rendererOf(visibility);
+        renderer->setScene(r);
+        for (const bool prepass : {true, false}) {
+            s.tuning.plates = prepass ? PlateShape::octagon : PlateShape::none;
+            const Picture p = renderer->render(s);
+            const LayerPicture l = renderer->layers(s);
+            if (picture.empty()) picture = p.rgba, layers = l;
+            const std::string what = visibilityName(visibility) + std::string(prepass ? "" : ", no prepass");
+            EXPECT_TRUE(p.rgba == picture) << what;
+            EXPECT_TRUE(l.rgba == layers.rgba) << what;
+            EXPECT_TRUE(l.id == layers.id && l.z == layers.z) << what;
+            if (c.supersample != 1) break;
+        }
+    }
+    const auto some = std::count_if(picture.begin(), picture.end(), [](float v) { return v > 0 && v < 1; });
+    EXPECT_GT(some, static_cast<std::ptrdiff_t>(picture.size() / 5));
+}
+
+INSTANTIATE_TEST_SUITE_P(Views, TranslucentPicture,
+                         testing::Values(TranslucentCase{"Parallel", Projection::orthographic},
+                                         TranslucentCase{"Perspective", Projection::perspective, false, 3},
+                                         TranslucentCase{"Effects", Projection::perspective, true},
+                                         TranslucentCase{"Edges", Projection::orthographic, false, 1,
+                                                         RenderSettings::kEdges, 48}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+struct Crossing {
+    double Z;
+    std::uint32_t atom;
+    bool sure;
+};
+
+/// Where a ray of a parallel view crosses triangles, from near to far.
+std::vector<Crossing> crossings(const Representation& r, const View& view, const glm::dvec2& q) {
+    std::vector<Crossing> found;
+    for (const Triangle& t : r.triangles) {
+        const auto at = [&](std::uint32_t i) {
+            return view.rotation * glm::dvec3(positionOf(r.meshVertices[i], t.step));
+        };
+        const glm::dvec3 a = at(t.a), b = at(t.b), c = at(t.c);
+        const auto side = [&](const glm::dvec3& from, const glm::dvec3& to) {
+            return (from.x - q.x) * (to.y - q.y) - (from.y - q.y) * (to.x - q.x);
+        };
+        const double ofA = side(b, c), ofB = side(c, a), ofC = side(a, b), sum = ofA + ofB + ofC;
+        const double least = std::min({ofA / sum, ofB / sum, ofC / sum});
+        if (!(least > -1e-3)) continue;
+        const double z = (ofA * a.z + ofB * b.z + ofC * c.z) / sum;
+        found.push_back({view.radius - z, r.meshLooks[r.meshVertices[t.a].look].atom - 1, least > 1e-3});
+    }
+    std::sort(found.begin(), found.end(), [](const Crossing& x, const Crossing& y) { return x.Z < y.Z; });
+    return found;
+}
+
+/// Premultiplied linear colour and alpha of a layer over what is behind it.
+std::array<double, 4> over(std::uint32_t color, double opacity, const std::array<double, 4>& behind) {
+    std::array<double, 4> mixed{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double own = static_cast<double>(linearFromSrgb(static_cast<float>(color >> (8 * c) & 0xff) / 255.0f));
+        mixed[c] = own * opacity + behind[c] * (1 - opacity);
+    }
+    mixed[3] = opacity + behind[3] * (1 - opacity);
+    return mixed;
+}
+
+TEST(Translucent, TwoLayersAreMixedAsAFormulaSays) {
+    constexpr double kOpacity[] = {0.5, 0.25};
+    Representation r = shells(kOpacity[kOuter], kOpacity[kInner]);
+    r.cylinders.clear();
+    r.cylinderLooks.clear();
+    ValidatedRenderer renderer(Visibility::automatic);
+    renderer->setScene(r);
+    constexpr std::uint32_t kSize = 64;
+    for (const bool transparent : {false, true}) {
+        RenderSettings s = settings(r, kSize, Projection::orthographic, {70, -20, 200});
+        s.lighting = false;
+        s.background = transparent ? std::array<float, 4>{0, 0, 0, 0} : std::array<float, 4>{1, 1, 1, 1};
+        const LayerPicture l = renderer->layers(s);
+        std::size_t compared = 0, behindBoth = 0;
+        double worst = 0;
+        for (std::uint32_t y = 0; y < kSize; ++y)
+            for (std::uint32_t x = 0; x < kSize; ++x) {
+                const glm::dvec2 q((x + 0.5 - kSize / 2.0) / s.view.pixelsPerAngstrom,
+                                   (kSize / 2.0 - y - 0.5) / s.view.pixelsPerAngstrom);
+                std::vector<Crossing> hits = crossings(r, s.view, q);
+                const glm::dvec3 ball = s.view.rotation * glm::dvec3(r.spheres[0].center);
+                const double radius = static_cast<double>(r.spheres[0].radius);
+                const double high = radius * radius - glm::dot(glm::dvec2(ball) - q, glm::dvec2(ball) - q);
+                bool sure = std::abs(high) > 0.05;
+                std::array<double, 4> expected{};
+                if (!transparent) expected = {1, 1, 1, 1};
+                if (high > 0) {
+                    const double Z = s.view.radius - ball.z - std::sqrt(high);
+                    std::erase_if(hits, [&](const Crossing& hit) { return hit.Z > Z; });
+                    expected = over(testLook(kBall).color, 1, expected);
+                }
+                for (std::size_t i = 0; i + 1 < hits.size(); ++i) sure = sure && hits[i + 1].Z - hits[i].Z > 0.01;
+                if (hits.size() > 2) hits.resize(2);
+                for (const Crossing& hit : hits) sure = sure && hit.sure;
+                if (!sure) continue;
+                for (std::size_t i = hits.size(); i-- > 0;)
+                    expected = over(testLook(hits[i].atom).color, kOpacity[hits[i].atom], expected);
+                ++compared;
+                behindBoth += hits.size() == 2 && high > 0;
+                for (std::size_t c = 0; c < 4; ++c)
+                    worst =
+                        std::max(worst, std::abs(static_cast<double>(l.rgba[4 * (y * kSize + x) + c]) - expected[c]));
+            }
+        EXPECT_GT(compared, 3000u);
+        EXPECT_GT(behindBoth, 50u);
+        EXPECT_LT(worst, 2e-4);  // shaders' curves of sRGB are polynomials
+    }
+}
+
+TEST(Translucent, APointerMeetsWhatHidesMoreThanAHalf) {
+    ValidatedRenderer renderer(Visibility::automatic);
+    struct Opacities {
+        double outer, inner;
+        std::uint32_t atom;
+    };
+    for (const auto& [outer, inner, atom] : {Opacities{0.6, 0.3, kOuter}, Opacities{0.5, 0.6, kInner},
+                                             Opacities{0.5, 0.3, kBall}, Opacities{1, 0.3, kOuter}}) {
+        const Representation r = shells(outer, inner);
+        renderer->setScene(r);
+        const RenderSettings s = settings(r, 64, Projection::orthographic, {0, 0, 0});
+        EXPECT_EQ(renderer->atomAt(s, 30, 32, 2), atom + 1) << outer << ", " << inner;
+        EXPECT_EQ(renderer->layers(s).id[32 * 64 + 30], atom + 1) << outer << ", " << inner;
+    }
+    const Representation r = shells(0.4, 0.4);
+    renderer->setScene(r);
+    EXPECT_EQ(renderer->atomAt(settings(r, 64, Projection::orthographic, {0, 0, 0}), 10, 45, 2), 0u);
+}
+
+TEST(Translucent, LightGoesThroughIt) {
+    Representation bare = shells(1, 1);
+    bare.triangles.clear();
+    bare.meshVertices.clear();
+    bare.meshLooks.clear();
+    RenderSettings s = settings(bare, 64, Projection::orthographic, {0, 0, 0});
+    s.occlusion.directions = 32;
+    s.effects.shadow.strength = 1;
+    for (const OcclusionMaps maps : {OcclusionMaps::tiles, OcclusionMaps::fragdepth}) {
+        s.occlusion.maps = maps;
+        ValidatedRenderer renderer(Visibility::automatic);
+        renderer->setScene(bare);
+        const LayerPicture alone = renderer->layers(s);
+        renderer->setScene(shells(1.0 / 128, 1.0 / 128));
+        const LayerPicture within = renderer->layers(s);
+        EXPECT_TRUE(within.id == alone.id);
+        EXPECT_EQ(within.occlusion, alone.occlusion);
+        for (std::size_t i = 0; i < alone.rgba.size(); ++i) ASSERT_NEAR(within.rgba[i], alone.rgba[i], 4.0 / 128) << i;
+    }
+}
+
+}  // namespace
+}  // namespace nacre::test

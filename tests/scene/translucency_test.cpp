@@ -1,0 +1,78 @@
+// What of a scene one looks through.
+
+#include "engine/scene/translucency.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/read.h"
+#include "engine/scene/colors.h"
+
+namespace nacre::test {
+namespace {
+
+TEST(Opacity, GoesInStepsOfAHundredAndTwentyEighth) {
+    for (const std::uint32_t color : {0xff123456u, copyTint(0, 1)}) {
+        EXPECT_EQ(withOpacity(color, 1), color);
+        EXPECT_TRUE(isOpaque(color));
+        for (const double opacity : {0.0, 1.0 / 128, 0.25, 0.5, 0.75, 0.999}) {
+            const std::uint32_t mixed = withOpacity(color, opacity);
+            EXPECT_EQ(opacitySteps(mixed), std::max(1.0, std::round(opacity * 128)));
+            EXPECT_EQ(isCopyTint(mixed), isCopyTint(color));
+            EXPECT_EQ(mixed & 0xffffffu, color & 0xffffffu);
+        }
+        EXPECT_FALSE(isOpaque(withOpacity(color, 127.0 / 128)));
+    }
+}
+
+Rule shown(const std::string& selection, Style style, std::optional<double> opacity) {
+    Rule rule;
+    rule.selection = parseSelection(selection);
+    rule.style = style;
+    rule.opacity = opacity;
+    return rule;
+}
+
+TEST(Translucency, ComesFromARuleOrFromWhatIsForAll) {
+    const Molecule dna = sampleMolecule("dna");
+    RepresentationOptions look;
+    look.style = Style::cartoon;
+    look.surface.resolution = 1;
+    look.surfaceOpacity = 0.75;
+    look.rules = {shown("chain A", Style::surface, 0.25), shown("chain B", Style::surface, {})};
+    const Representation r = represent(dna, drawnAtoms(dna), look);
+    const TranslucentRuns runs = translucentRuns(r);
+    ASSERT_EQ(runs.size(), 2u);
+    // Of the one mesh, what is opaque first, then what hides more than a half; the cartoon stands before it, whole.
+    EXPECT_EQ(runs[0].kind, Translucency::dense);
+    EXPECT_EQ(runs[1].kind, Translucency::faint);
+    EXPECT_GT(runs[0].first, 0u);
+    EXPECT_EQ(runs[1].first, runs[0].first + runs[0].count);
+    EXPECT_EQ(runs[1].first + runs[1].count, r.triangles.size());
+    for (std::uint32_t i = 0; i < r.triangles.size(); ++i) {
+        const Triangle& t = r.triangles[i];
+        const bool opaque = i < runs[0].first, dense = i < runs[1].first;
+        std::uint32_t most = 0;
+        for (const std::uint32_t v : {t.a, t.b, t.c}) {
+            const SphereLook& of = r.meshLooks[r.meshVertices[v].look];
+            const bool a = dna.chains[dna.residues[dna.atoms[of.atom - 1].residue].chain].name == "A";
+            ASSERT_EQ(opacitySteps(of.color), opaque ? 128u : a ? 32u : 96u);
+            most = std::max(most, opacitySteps(of.color));
+        }
+        ASSERT_EQ(most > 64, dense);
+    }
+}
+
+TEST(Translucency, IsNoneWhereAllIsOpaque) {
+    const Molecule dna = sampleMolecule("dna");
+    RepresentationOptions look;
+    look.style = Style::surface;
+    look.surface.resolution = 1.2;
+    EXPECT_TRUE(translucentRuns(represent(dna, drawnAtoms(dna), look)).empty());
+}
+
+}  // namespace
+}  // namespace nacre::test
