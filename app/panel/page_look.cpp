@@ -1,5 +1,7 @@
 // Style, colours, looks and light of the whole molecule.
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "app/panel/panel_state.h"
@@ -11,6 +13,25 @@
 #include "app/viewer/presets.h"
 
 namespace nacre::app {
+namespace {
+
+bool showsSurface(const RepresentationOptions& look) {
+    return look.style == Style::surface || std::any_of(look.rules.begin(), look.rules.end(), [](const Rule& rule) {
+               return rule.on && rule.action == Rule::Action::show && rule.style == Style::surface && !rule.opacity;
+           });
+}
+
+/// It counts when it is let go: each value is a scene of its own.
+void slideOpacity(Widgets& ui, double& opacity) {
+    float& held = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("held opacity"), -1);
+    float at = held < 0 ? static_cast<float>(opacity) : held;
+    if (ui.slide("Surface opacity", at, 0.1f, 1, "surface %.2f")) held = at;
+    if (held < 0 || ImGui::IsAnyItemActive()) return;
+    opacity = std::round(static_cast<double>(held) * 100) / 100;
+    held = -1;
+}
+
+}  // namespace
 
 void Panel::drawLookPage(SavedView& look, const Viewer& viewer) {
     Widgets& ui = state_->ui;
@@ -82,6 +103,7 @@ void Panel::drawStyles(SavedView& look) {
         ui.controls.back().value = look.look.style == word.style ? "on" : "off";
         second = !second;
     }
+    if (showsSurface(look.look)) slideOpacity(ui, look.look.surfaceOpacity);
 }
 
 void Panel::drawColors(SavedView& look) {
