@@ -148,6 +148,10 @@ FrameOutcome Renderer::present(const RenderSettings& settings, const WindowFrame
     });
 }
 
+BakedOcclusion Renderer::bakedOcclusion(const OcclusionSettings& settings) {
+    return impl_->guarded([&] { return impl_->occlusion.baked(settings); });
+}
+
 std::uint32_t Renderer::atomAt(const RenderSettings& settings, double x, double y, double reach) {
     return impl_->guarded([&] { return impl_->pictures.atomAt(settings, x, y, reach); });
 }

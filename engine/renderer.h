@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/baked_occlusion.h"
 #include "engine/device_options.h"
 #include "engine/devices.h"
 #include "engine/results.h"
@@ -61,6 +62,8 @@ public:
     void releaseWindow();
     /// Glyphs of the overlays that follow. @throws Error if the texture is too large
     void setOverlayGlyphs(const OverlayGlyphs& glyphs);
+    /// Bakes all of the occlusion that the settings ask for, and hands it out. @throws Error
+    BakedOcclusion bakedOcclusion(const OcclusionSettings& settings);
     /// The atom that is seen at a place of the view or, if none is, nearest to it. @returns its 1-based position in the
     /// file; 0: none within reach. @param x, y, reach pixels, from the top left
     std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach);

@@ -12,6 +12,8 @@
 #include "app/shared/molecules.h"
 #include "app/shared/output_file.h"
 #include "engine/mesh/mesh_measures.h"
+#include "engine/renderer.h"
+#include "engine/scene/chunks.h"
 
 namespace nacre::app {
 namespace {
@@ -40,6 +42,19 @@ std::string exportStats(const ExportScene& scene, std::size_t bytes) {
     return jsonText({{"triangles", triangleCount(scene)}, {"bytes", bytes}, {"parts", parts}});
 }
 
+/// Puts the scene in the order that the renderer has it in, and bakes it.
+BakedOcclusion bakedOcclusion(const ExportCommandOptions& options, Representation& scene, Progress& progress) {
+    if (options.directions == 0) return {};
+    progress.begin("baking occlusion");
+    orderInSpace(scene);
+    Renderer renderer(options.device);
+    renderer.setScene(scene);
+    OcclusionSettings settings;
+    settings.directions = options.directions;
+    settings.onProgress = [&](double share) { progress.advance(share); };
+    return renderer.bakedOcclusion(settings);
+}
+
 }  // namespace
 
 void exportCommand(const ExportCommandOptions& options) {
@@ -51,14 +66,17 @@ void exportCommand(const ExportCommandOptions& options) {
     const Molecule molecule =
         loadMolecule(options.input, downloadProgress(progress), [&](double share) { progress.advance(share); });
     progress.begin("building the scene");
-    const Representation scene = sceneOf(molecule, options.input.path, options.drawn, options.look);
+    Representation scene = sceneOf(molecule, options.input.path, options.drawn, options.look);
     for (const std::string& warning : scene.warnings) sayWarning(warning);
-    const ExportScene exported = exportScene(molecule, scene, options.scene);
+    const BakedOcclusion baked = bakedOcclusion(options, scene, progress);
+    ExportOptions how = options.scene;
+    if (options.directions > 0) how.occlusion = &baked;
+    const ExportScene exported = exportScene(molecule, scene, how);
     progress.begin("writing");
     const std::string& title = molecule.file.title;
-    const SceneFileOptions how{title.empty() ? std::filesystem::path(options.input.path).filename().string() : title,
-                               options.scale};
-    const std::string bytes = sceneFile(exported, extensionOf(options.output), how);
+    const SceneFileOptions titled{title.empty() ? std::filesystem::path(options.input.path).filename().string() : title,
+                                  options.scale};
+    const std::string bytes = sceneFile(exported, extensionOf(options.output), titled);
     writeText(file, bytes);
     if (stats) writeText(*stats, exportStats(exported, bytes.size()));
 }

@@ -103,6 +103,9 @@ void addExport(CommandSpec& command, ExportCommandOptions& options) {
              });
     addValue(command, "--scale", "F", "1", "Units of the file to the Å, 0.000001 to 1000000",
              [&](const std::string& text) { options.scale = parseNumber(text, 1e-6, 1e6); });
+    addValue(command, "--occlusion", "K|off", "off",
+             "Darkens colours by ambient occlusion from K directions, 1 to 4096 (.glb, with attribute _OCCLUSION)",
+             [&](const std::string& text) { options.directions = parseOcclusion(text); });
     addValue(command, "--stats", "FILE.json", "none", "Triangles, area and volume as JSON; - for standard output",
              [&](const std::string& text) { options.stats = fileName(text); });
 }
@@ -111,6 +114,9 @@ void addExport(CommandSpec& command, ExportCommandOptions& options) {
 void checkExport(const ExportCommandOptions& options) {
     if (options.scene.instances && extensionOf(options.output) != ".glb")
         throw UsageError("--atoms instanced is for .glb");
+    if (options.directions > 0 && extensionOf(options.output) != ".glb") throw UsageError("--occlusion is for .glb");
+    if (options.directions > 0 && options.scene.instances)
+        throw UsageError("--occlusion is of vertices, which --atoms instanced has none of its own");
     try {
         const NamedFile files[] = {
             {"INPUT", options.input.path}, {"--output", options.output, true}, {"--stats", options.stats, true}};

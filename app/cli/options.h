@@ -120,7 +120,9 @@ struct ExportCommandOptions {
     DrawnAtomsOptions drawn;
     RepresentationOptions look;
     ExportOptions scene;
-    double scale = 1;  ///< units of the file to the Å
+    double scale = 1;      ///< units of the file to the Å
+    int directions = 0;    ///< of occlusion; 0: none
+    DeviceOptions device;  ///< that bakes it
     std::string output, stats;
 };
 

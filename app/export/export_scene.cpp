@@ -32,7 +32,7 @@ struct ExportGroup {
 class SceneExporter {
 public:
     SceneExporter(const Molecule& molecule, const Representation& scene, const ExportOptions& options)
-        : molecule_(molecule), scene_(scene), instances_(options.instances) {
+        : molecule_(molecule), scene_(scene), instances_(options.instances), baked_(options.occlusion) {
         result_.center = scene.center;
         result_.sides = options.sides ? options.sides : sidesThatFit();
     }
@@ -41,7 +41,7 @@ public:
         eachList(scene_.copies.triangles, scene_.triangles.size(), [&](auto i, auto list) { addTriangle(i, list); });
         eachList(scene_.copies.spheres, scene_.spheres.size(), [&](auto i, auto list) { addSphere(i, list); });
         eachList(scene_.copies.cylinders, scene_.cylinders.size(), [&](auto i, auto list) { addStick(i, list); });
-        for (auto& [group, mesh] : meshes_) addMesh(group, std::move(mesh.mesh));
+        for (auto& [group, mesh] : meshes_) addMesh(group, std::move(mesh.mesh), mesh.occlusion);
         for (auto& [group, instances] : placed_) addInstances(group, std::move(instances));
         if (triangleCount(result_) > kMostExportTriangles)
             throw Error("cannot export molecule", "",
@@ -55,6 +55,7 @@ private:
     struct GroupMesh {
         Mesh mesh;
         std::map<std::uint32_t, std::uint32_t> places;  ///< of the scene's vertices
+        std::vector<float> occlusion;                   ///< of the mesh's
     };
 
     int sidesThatFit() const {
@@ -98,18 +99,31 @@ private:
                 const MeshVertex& vertex = scene_.meshVertices[v];
                 addVertex(group.mesh, positionOf(vertex, t.step), normalOf(vertex),
                           scene_.meshLooks[vertex.look].color);
+                if (baked_) group.occlusion.push_back(baked_->ofVertex(v));
             }
             corners[corner++] = place->second;
         }
         group.mesh.triangles.push_back(corners);
     }
 
+    /// Of the vertices that a group's mesh has more than values. @param occlusionOf  of a place and a normal
+    template <typename OcclusionOf>
+    void occlude(GroupMesh& group, const OcclusionOf& occlusionOf) const {
+        if (!baked_) return;
+        for (std::size_t v = group.occlusion.size(); v < group.mesh.positions.size(); ++v)
+            group.occlusion.push_back(occlusionOf(group.mesh.positions[v], group.mesh.normals[v]));
+    }
+
     void addSphere(std::size_t i, std::uint32_t list) {
         const Sphere& sphere = scene_.spheres[i];
         const SphereLook& look = scene_.sphereLooks[i];
-        if (!instances_)
-            return addBall(meshOf(list, look.atom, "atoms").mesh, sphere.center, sphere.radius, look.color,
-                           result_.sides);
+        if (!instances_) {
+            GroupMesh& group = meshOf(list, look.atom, "atoms");
+            addBall(group.mesh, sphere.center, sphere.radius, look.color, result_.sides);
+            return occlude(group, [&](const glm::vec3&, const glm::vec3& normal) {
+                return baked_->ofSphere(static_cast<std::uint32_t>(i), normal);
+            });
+        }
         placed_[{list, chainOf(look.atom), "atoms", look.color}].push_back(
             {sphere.center, glm::quat(1, 0, 0, 0), glm::vec3(sphere.radius)});
     }
@@ -117,9 +131,17 @@ private:
     void addStick(std::size_t i, std::uint32_t list) {
         const Cylinder& stick = scene_.cylinders[i];
         const CylinderLook& look = scene_.cylinderLooks[i];
-        if (!instances_)
-            return addCylinder(meshOf(list, look.atomA, "sticks").mesh, stick.a, stick.b, stick.radius, look.colorA,
-                               look.colorB, result_.sides);
+        if (!instances_) {
+            GroupMesh& group = meshOf(list, look.atomA, "sticks");
+            addCylinder(group.mesh, stick.a, stick.b, stick.radius, look.colorA, look.colorB, result_.sides);
+            return occlude(group, [&](const glm::vec3& at, const glm::vec3& normal) {
+                const glm::vec3 span = stick.b - stick.a, axis = glm::normalize(span);
+                // The middle of a flat end looks along the axis: any side of it will do.
+                const glm::vec3 side = std::abs(glm::dot(normal, axis)) < 0.5f ? normal : at - stick.a;
+                const float share = glm::dot(at - stick.a, axis) / glm::length(span);
+                return baked_->ofCylinder(static_cast<std::uint32_t>(i), axis, side, share);
+            });
+        }
         const glm::vec3 middle = (stick.a + stick.b) / 2.0f;
         const bool whole = look.colorA == look.colorB && chainOf(look.atomA) == chainOf(look.atomB);
         addHalf(stick.a, whole ? stick.b : middle, stick.radius, {list, chainOf(look.atomA), "sticks", look.colorA});
@@ -165,12 +187,12 @@ private:
         }
     }
 
-    void addMesh(const ExportGroup& group, Mesh mesh) {
+    void addMesh(const ExportGroup& group, Mesh mesh, const std::vector<float>& occlusion) {
         const bool tinted = std::any_of(mesh.atoms.begin(), mesh.atoms.end(), isCopyTint);
         byColorOfCopy(group.list, tinted, [&](std::uint32_t copy, std::vector<glm::dmat4x3> transforms) {
             Mesh colored = mesh;
             for (std::uint32_t& color : colored.atoms) color = colorOf(color, copy);
-            result_.meshes.push_back({nameOf(group), std::move(colored), std::move(transforms)});
+            result_.meshes.push_back({nameOf(group), std::move(colored), std::move(transforms), occlusion});
         });
     }
 
@@ -186,6 +208,7 @@ private:
     const Molecule& molecule_;
     const Representation& scene_;
     bool instances_;
+    const BakedOcclusion* baked_;
     std::map<ExportGroup, GroupMesh> meshes_;
     std::map<ExportGroup, std::vector<ExportInstances::Place>> placed_;
     ExportScene result_;

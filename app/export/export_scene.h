@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/baked_occlusion.h"
 #include "engine/mesh/mesh.h"
 #include "engine/molecule/molecule.h"
 #include "engine/scene/representation.h"
@@ -19,6 +20,7 @@ struct ExportMesh {
     std::string name;
     Mesh mesh;                             ///< Å, relative to ExportScene::center
     std::vector<glm::dmat4x3> transforms;  ///< of its copies; at least one
+    std::vector<float> occlusion;          ///< of the vertices, 0 closed to 1 open; empty: none was asked for
 };
 
 /// Balls of radius 1 about the origin, or sticks of radius 1 along z from 0 to 1, each turned, scaled and shifted.
@@ -46,6 +48,9 @@ struct ExportScene {
 struct ExportOptions {
     bool instances = false;  ///< balls and sticks as such, else as triangles
     int sides = 0;           ///< vertices around a ball or stick, even; 0: 24, fewer where they would be too many
+    /// Of the scene, whose spheres and cylinders are in the order of space; null: none. Outlives the call. Not with
+    /// instances: a ball that is drawn many times lies in many shades.
+    const BakedOcclusion* occlusion = nullptr;
 };
 
 constexpr std::size_t kMostExportTriangles = 50'000'000;

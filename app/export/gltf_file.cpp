@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <glm/common.hpp>
@@ -7,6 +8,7 @@
 
 #include "app/export/scene_files.h"
 #include "app/shared/srgb.h"
+#include "engine/scene/colors.h"
 
 namespace nacre::app {
 namespace {
@@ -73,34 +75,48 @@ private:
         return accessor;
     }
 
-    /// @param color  of all of it; empty: of its vertices
-    std::size_t addGeometry(const std::string& name, const Mesh& mesh, std::optional<std::uint32_t> color) {
+    /// Colours of vertices, in linear light, darkened as the renderer darkens them.
+    int addColors(const Mesh& mesh, const std::vector<float>& occlusion) {
+        std::vector<std::array<std::uint16_t, 4>> colors;
+        for (std::size_t v = 0; v < mesh.atoms.size(); ++v) {
+            const std::uint32_t c = mesh.atoms[v];
+            const float o = occlusion.empty() ? 1.0f : occlusion[v], open = o * (0.45f * o + 0.55f);
+            std::array<std::uint16_t, 4> linear{};
+            for (int i = 0; i < 3; ++i)
+                linear[static_cast<std::size_t>(i)] =
+                    static_cast<std::uint16_t>(linearOf(c, i) * open * 65535.0f + 0.5f);
+            linear[3] = static_cast<std::uint16_t>(65535u * opacitySteps(c) / kOpacitySteps);
+            colors.push_back(linear);
+        }
+        const int accessor = addAccessor(colors, kUnsignedShort, "VEC4", kVertices);
+        json_["accessors"].back()["normalized"] = true;
+        return accessor;
+    }
+
+    /// @param color  of all of it; empty: of its vertices @param occlusion  of its vertices, or empty
+    std::size_t addGeometry(const std::string& name, const Mesh& mesh, std::optional<std::uint32_t> color,
+                            const std::vector<float>& occlusion = {}) {
         Json attributes = {{"POSITION", addPositions(mesh.positions)},
                            {"NORMAL", addAccessor(mesh.normals, kFloat, "VEC3", kVertices)}};
-        if (!color) {
-            std::vector<std::array<std::uint16_t, 4>> colors;
-            for (const std::uint32_t c : mesh.atoms) {
-                std::array<std::uint16_t, 4> linear{0, 0, 0, 65535};
-                for (int i = 0; i < 3; ++i)
-                    linear[static_cast<std::size_t>(i)] = static_cast<std::uint16_t>(linearOf(c, i) * 65535.0f + 0.5f);
-                colors.push_back(linear);
-            }
-            attributes["COLOR_0"] = addAccessor(colors, kUnsignedShort, "VEC4", kVertices);
-            json_["accessors"].back()["normalized"] = true;
-        }
+        if (!color) attributes["COLOR_0"] = addColors(mesh, occlusion);
+        if (!occlusion.empty()) attributes["_OCCLUSION"] = addAccessor(occlusion, kFloat, "SCALAR", kVertices);
+        const bool translucent =
+            !color && std::any_of(mesh.atoms.begin(), mesh.atoms.end(), [](std::uint32_t c) { return !isOpaque(c); });
         const int indices = addAccessor(mesh.triangles, kUnsignedInt, "SCALAR", kIndices);
         json_["accessors"].back()["count"] = mesh.triangles.size() * 3;
-        const Json primitive = {{"attributes", attributes}, {"indices", indices}, {"material", materialOf(color)}};
+        const Json primitive = {
+            {"attributes", attributes}, {"indices", indices}, {"material", materialOf(color, translucent)}};
         json_["meshes"].push_back({{"name", name}, {"primitives", Json::array({primitive})}});
         return json_["meshes"].size() - 1;
     }
 
-    std::size_t materialOf(std::optional<std::uint32_t> color) {
-        const auto [known, added] = materials_.emplace(color, json_["materials"].size());
+    std::size_t materialOf(std::optional<std::uint32_t> color, bool translucent) {
+        const auto [known, added] = materials_.emplace(std::pair(color, translucent), json_["materials"].size());
         if (added) {
             Json shade = {{"metallicFactor", 0}, {"roughnessFactor", 0.6}};
             if (color) shade["baseColorFactor"] = {linearOf(*color, 0), linearOf(*color, 1), linearOf(*color, 2), 1};
             json_["materials"].push_back({{"pbrMetallicRoughness", shade}});
+            if (translucent) json_["materials"].back().update({{"alphaMode", "BLEND"}, {"doubleSided", true}});
         }
         return known->second;
     }
@@ -120,7 +136,7 @@ private:
 
     void addMesh(const ExportMesh& part) {
         if (part.mesh.triangles.empty()) return;
-        addNodes(part.name, addGeometry(part.name, part.mesh, {}), part.transforms, {});
+        addNodes(part.name, addGeometry(part.name, part.mesh, {}, part.occlusion), part.transforms, {});
     }
 
     void addInstances(const ExportInstances& part) {
@@ -164,7 +180,7 @@ private:
     const SceneFileOptions& options_;
     Json json_;
     std::string binary_;
-    std::map<std::optional<std::uint32_t>, std::size_t> materials_;
+    std::map<std::pair<std::optional<std::uint32_t>, bool>, std::size_t> materials_;
     std::map<std::pair<ExportInstances::Shape, std::uint32_t>, std::size_t> shapes_;
 };
 

@@ -146,7 +146,8 @@ void SceneOcclusion::keep(std::vector<std::uint8_t> atlas) {
 void SceneOcclusion::wrapUp() {
     executor_.forget("occlusion");
     std::vector<std::uint8_t> atlas;
-    if (cache_.on()) atlas = bake_->atlasTexels();
+    if (cache_.on() || texels_) atlas = bake_->atlasTexels();
+    if (texels_) *texels_ = atlas;
     bake_->release();
     stats_.occlusion.neverSeen = countUnseen(bake_->seenSpheres());
     keep(std::move(atlas));
@@ -160,6 +161,32 @@ void SceneOcclusion::show(Clock::time_point start) {
     stats_.occlusion.asked = bake_->asked();
     stats_.bakeMilliseconds += millisecondsSince(start);
     if (bake_->complete()) wrapUp();
+}
+
+BakedOcclusion SceneOcclusion::baked(const OcclusionSettings& settings) {
+    drop();
+    OcclusionSettings anew = settings;
+    anew.cache.clear();
+    std::vector<std::uint8_t> texels;
+    texels_ = &texels;
+    try {
+        finish(anew);
+    } catch (...) {
+        texels_ = nullptr;
+        throw;
+    }
+    texels_ = nullptr;
+    if (!bake_) return {};
+    const OcclusionLayout& layout = bake_->layout();
+    BakedOcclusion baked;
+    baked.sphereEdge = layout.sphereEdge;
+    baked.around = layout.around;
+    baked.along = layout.along;
+    baked.width = layout.width;
+    baked.sphereRows = layout.sphereRows;
+    baked.cylinderRows = layout.cylinderRows;
+    baked.texels = std::move(texels);
+    return baked;
 }
 
 passes::Atlas SceneOcclusion::atlas() const {

@@ -7,6 +7,7 @@
 #include <stop_token>
 #include <tuple>
 
+#include "engine/baked_occlusion.h"
 #include "engine/gpu/submission.h"
 #include "engine/milliseconds.h"
 #include "engine/occlusion/bake.h"
@@ -31,6 +32,8 @@ public:
     void advance(double milliseconds);
     /// All of it.
     void finish(const OcclusionSettings& settings);
+    /// The same, and what it came to. It is baked anew.
+    BakedOcclusion baked(const OcclusionSettings& settings);
     /// As Renderer::advanceOcclusion beside frames. @returns the share that is shown
     double advanceBeside(const OcclusionSettings& settings, const OcclusionPace& pace);
     /// The scene is about to change. Waits for what is in flight.
@@ -79,6 +82,7 @@ private:
     DiskCache cache_;        // off: the bake is not to be kept
     std::string cacheName_;  // of the bake in it
     double worthKeeping_ = 0;
+    std::vector<std::uint8_t>* texels_ = nullptr;  // who wants those of the finished atlas; null: nobody
 
     std::optional<std::stop_source> stopPreparing_;
     std::future<Prepared> preparing_;

@@ -10,6 +10,7 @@
 #include "engine/mesh/cartoon.h"
 #include "engine/mesh/surface.h"
 #include "engine/molecule/kabsch_sander.h"
+#include "engine/scene/chunks.h"
 #include "tests/occlusion/traced_points.h"
 #include "tests/renderer/meshes.h"
 #include "tests/renderer/scenes.h"
@@ -114,6 +115,43 @@ TEST(OcclusionOfMeshes, IsTheSameOnEveryPath) {
         }
         EXPECT_LT(difference / static_cast<double>(occlusion.size()), 0.002);
     }
+}
+
+TEST(OcclusionOfMeshes, IsHandedOutAsPicturesShowIt) {
+    Representation r = meshScene();
+    orderInSpace(r);
+    RenderSettings s = settings(r, 120, Projection::orthographic);
+    s.occlusion.directions = 32;
+    ValidatedRenderer renderer(Visibility::automatic);
+    renderer->setScene(r);
+    const BakedOcclusion baked = renderer->bakedOcclusion(s.occlusion);
+    const LayerPicture l = renderer->layers(s);
+    const glm::mat3 toObject(glm::transpose(s.view.rotation));
+    const glm::vec3 axis = glm::normalize(r.cylinders[0].b - r.cylinders[0].a);
+    std::size_t ofSpheres = 0, ofCylinder = 0;
+    for (std::size_t i = 0; i < l.id.size(); ++i) {
+        const glm::vec3 normal = toObject * glm::vec3(l.normal[3 * i], l.normal[3 * i + 1], l.normal[3 * i + 2]);
+        for (std::uint32_t sphere = 0; sphere < r.spheres.size(); ++sphere)
+            if (r.sphereLooks[sphere].atom == l.id[i]) {
+                ASSERT_NEAR(baked.ofSphere(sphere, normal), l.occlusion[i], 2.0 / 255);
+                ++ofSpheres;
+            }
+        if (l.id[i] != r.cylinderLooks[0].atomA && l.id[i] != r.cylinderLooks[0].atomB) continue;
+        const double x = static_cast<double>(i % 120) + 0.5 - 60, y = 60 - static_cast<double>(i / 120) - 0.5;
+        const glm::vec3 at = toObject * glm::vec3(x / s.view.pixelsPerAngstrom, y / s.view.pixelsPerAngstrom,
+                                                  s.view.radius - static_cast<double>(l.z[i]));
+        if (std::abs(glm::dot(normal, axis)) > 0.5f) continue;
+        const float share = glm::dot(at - r.cylinders[0].a, axis) / glm::length(r.cylinders[0].b - r.cylinders[0].a);
+        ASSERT_NEAR(baked.ofCylinder(0, axis, normal, share), l.occlusion[i], 3.0 / 255);
+        ++ofCylinder;
+    }
+    EXPECT_GT(ofSpheres, 500u);
+    EXPECT_GT(ofCylinder, 100u);
+    float least = 1;
+    for (std::uint32_t v = 0; v < r.meshVertices.size(); ++v) least = std::min(least, baked.ofVertex(v));
+    EXPECT_LT(least, 0.4f);
+    renderer->setScene(r);
+    EXPECT_EQ(renderer->bakedOcclusion(s.occlusion).texels, baked.texels);
 }
 
 TEST(OcclusionOfMeshes, IsTheSameInTheSmallestParts) {

@@ -133,6 +133,64 @@ TEST(Export, AGlbHasChainsColoursAndInstances) {
     EXPECT_EQ(triangleCount(scene), 0u);
 }
 
+/// Colours of the first mesh of a file: linear, with alpha.
+std::vector<std::array<double, 4>> colorsOf(const std::string& file) {
+    const nlohmann::json json = glbJson(file);
+    const nlohmann::json& accessor =
+        json["accessors"][json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"].get<std::size_t>()];
+    const std::size_t offset = json["bufferViews"][accessor["bufferView"].get<std::size_t>()]["byteOffset"];
+    std::vector<std::array<double, 4>> colors(accessor["count"].get<std::size_t>());
+    std::size_t at = 20 + wordAt(file, 12) + 8 + offset;
+    for (auto& color : colors)
+        for (double& channel : color) {
+            std::uint16_t value = 0;
+            std::memcpy(&value, file.data() + at, sizeof value);
+            channel = value / 65535.0;
+            at += sizeof value;
+        }
+    return colors;
+}
+
+TEST(Export, OcclusionDarkensColoursAndIsAnAttribute) {
+    const Molecule glucose = sampleMolecule("glucose");
+    const auto bright = colorsOf(glbFile(exported(glucose, Style::spacefill), {"glucose", 1}));
+    BakedOcclusion baked;  // everything as open as 51 of 255
+    baked.sphereEdge = baked.around = baked.along = 4;
+    baked.width = baked.sphereRows = baked.cylinderRows = 64;
+    baked.texels.assign(64 * 256, 51);
+    ExportOptions options;
+    options.occlusion = &baked;
+    for (const Style style : {Style::spacefill, Style::licorice, Style::surface}) {
+        const std::string file = glbFile(exported(glucose, style, options), {"glucose", 1});
+        const nlohmann::json json = glbJson(file);
+        for (const auto& mesh : json["meshes"]) {
+            const auto& attributes = mesh["primitives"][0]["attributes"];
+            ASSERT_TRUE(attributes.contains("_OCCLUSION"));
+            EXPECT_EQ(json["accessors"][attributes["_OCCLUSION"].get<int>()]["count"],
+                      json["accessors"][attributes["POSITION"].get<int>()]["count"]);
+        }
+        if (style != Style::spacefill) continue;
+        const auto dark = colorsOf(file);
+        ASSERT_EQ(dark.size(), bright.size());
+        for (std::size_t v = 0; v < dark.size(); ++v)
+            for (std::size_t c = 0; c < 3; ++c)
+                ASSERT_NEAR(dark[v][c], bright[v][c] * 0.2 * (0.45 * 0.2 + 0.55), 2.0 / 65535);
+    }
+}
+
+TEST(Export, WhatIsTranslucentIsBlended) {
+    const Molecule glucose = sampleMolecule("glucose");
+    RepresentationOptions look;
+    look.style = Style::surface;
+    for (const double opacity : {1.0, 0.25}) {
+        look.surfaceOpacity = opacity;
+        const Representation scene = represent(glucose, drawnAtoms(glucose), look);
+        const std::string file = glbFile(exportScene(glucose, scene, {}), {"glucose", 1});
+        for (const auto& color : colorsOf(file)) ASSERT_NEAR(color[3], opacity, 1.0 / 65535);
+        EXPECT_EQ(glbJson(file)["materials"][0].value("alphaMode", "OPAQUE"), opacity < 1 ? "BLEND" : "OPAQUE");
+    }
+}
+
 TEST(Export, SticksOfInstancesStandWhereThoseOfTrianglesDo) {
     const Molecule glucose = sampleMolecule("glucose");
     ExportOptions options;

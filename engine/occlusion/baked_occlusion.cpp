@@ -1,0 +1,70 @@
+#include "engine/baked_occlusion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <numbers>
+
+namespace nacre {
+namespace {
+
+/// As octahedralCoordinate() of shaders/common/patch.glsl.
+glm::vec2 octahedral(const glm::vec3& n) {
+    glm::vec2 p = glm::vec2(n) / (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
+    if (n.z < 0) p = {(1 - std::abs(p.y)) * (p.x >= 0 ? 1.0f : -1.0f), (1 - std::abs(p.x)) * (p.y >= 0 ? 1.0f : -1.0f)};
+    return p * 0.5f + 0.5f;
+}
+
+/// As angleAbout() there: the frame is Duff's and others' (2017, JCGT 6(1)).
+float angleAbout(const glm::vec3& w, const glm::vec3& n) {
+    const float s = w.z >= 0 ? 1.0f : -1.0f, a = -1.0f / (s + w.z), b = w.x * w.y * a;
+    const glm::vec3 u(1 + s * w.x * w.x * a, s * b, -s * w.x), v(b, s + w.y * w.y * a, -w.y);
+    return std::atan2(glm::dot(n, v), glm::dot(n, u)) / (2 * std::numbers::pi_v<float>)+0.5f;
+}
+
+}  // namespace
+
+float BakedOcclusion::texel(std::uint64_t x, std::uint64_t y) const {
+    return static_cast<float>(texels[y * width + x]) / 255.0f;
+}
+
+/// Between the four texels about a place; u and v go from the first texel to the last.
+float BakedOcclusion::patch(std::uint64_t left, std::uint64_t top, float u, float v, std::uint32_t w,
+                            std::uint32_t h) const {
+    const auto cell = [](float at, std::uint32_t texelsAcross) {
+        const float scaled = std::clamp(at, 0.0f, 1.0f) * static_cast<float>(texelsAcross - 1);
+        const auto first = std::min(static_cast<std::uint32_t>(scaled), texelsAcross < 2 ? 0 : texelsAcross - 2);
+        return std::pair(first, scaled - static_cast<float>(first));
+    };
+    const auto [x, right] = cell(u, w);
+    const auto [y, down] = cell(v, h);
+    const std::uint64_t x1 = left + std::min(x + 1, w - 1), y1 = top + std::min(y + 1, h - 1);
+    const float above = texel(left + x, top + y) * (1 - right) + texel(x1, top + y) * right;
+    const float below = texel(left + x, y1) * (1 - right) + texel(x1, y1) * right;
+    return above * (1 - down) + below * down;
+}
+
+float BakedOcclusion::ofSphere(std::uint32_t sphere, const glm::vec3& normal) const {
+    if (texels.empty()) return 1;
+    const std::uint32_t inRow = width / sphereEdge;
+    const glm::vec2 uv = octahedral(normal);
+    return patch(std::uint64_t{sphere % inRow} * sphereEdge, std::uint64_t{sphere / inRow} * sphereEdge, uv.x, uv.y,
+                 sphereEdge, sphereEdge);
+}
+
+float BakedOcclusion::ofCylinder(std::uint32_t cylinder, const glm::vec3& axis, const glm::vec3& normal,
+                                 float share) const {
+    if (texels.empty()) return 1;
+    const std::uint32_t inRow = width / around;
+    return patch(std::uint64_t{cylinder % inRow} * around, sphereRows + std::uint64_t{cylinder / inRow} * along,
+                 angleAbout(axis, normal), share, around, along);
+}
+
+float BakedOcclusion::ofVertex(std::uint32_t vertex) const {
+    if (texels.empty()) return 1;
+    const std::uint64_t at = 2 * std::uint64_t{vertex};
+    return texel(at % width, std::uint64_t{sphereRows} + cylinderRows + at / width);
+}
+
+}  // namespace nacre
