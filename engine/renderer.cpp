@@ -16,13 +16,21 @@
 
 namespace nacre {
 
+namespace {
+
+occlusion::SceneToBake toBake(const std::shared_ptr<const Scene>& scene) {
+    return {{scene, &scene->representation}, {scene, &scene->buffers}};
+}
+
+}  // namespace
+
 struct Renderer::Impl {
     gpu::Device device;
     gpu::LossGuard guarded{device};
     gpu::Executor executor{device};
     FrameStats stats;
-    Scene scene;
-    occlusion::SceneOcclusion occlusion{device, executor, scene.representation, scene.buffers, stats};
+    std::shared_ptr<const Scene> scene = std::make_shared<Scene>();
+    occlusion::SceneOcclusion occlusion{device, executor, stats};
     SceneFrames frames = guarded([&] { return SceneFrames(device, executor, scene, stats); });
     PictureFrames pictures{device, executor, frames, stats};
     std::unique_ptr<WindowFrames> window;
@@ -77,11 +85,21 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 void Renderer::setScene(Representation representation) {
     impl_->guarded([&] {
         impl_->device->waitIdle();  // frames for the window may still read the streams
-        Scene scene = makeScene(impl_->device, std::move(representation));
-        impl_->occlusion.drop();
+        auto scene = std::make_shared<const Scene>(makeScene(impl_->device, std::move(representation)));
+        impl_->occlusion.setScene(toBake(scene));
         impl_->scene = std::move(scene);
     });
-    impl_->stats.copies = std::max<std::uint64_t>(impl_->scene.representation.copies.transforms.size(), 1);
+    impl_->stats.copies = std::max<std::uint64_t>(impl_->scene->representation.copies.transforms.size(), 1);
+}
+
+void Renderer::moveScene(Representation representation) {
+    if (!isMoved(*impl_->scene, representation)) return setScene(std::move(representation));
+    impl_->guarded([&] {  // frames in flight hold the scene before
+        auto scene =
+            std::make_shared<const Scene>(makeMovedScene(impl_->device, std::move(representation), *impl_->scene));
+        impl_->occlusion.moveScene(toBake(scene));
+        impl_->scene = std::move(scene);
+    });
 }
 
 Picture Renderer::render(const RenderSettings& settings) {
@@ -161,7 +179,7 @@ std::vector<bool> Renderer::seenSpheres() const {
     if (!bake) return {};
     const std::vector<bool>& ordered = bake->seenSpheres();
     std::vector<bool> seen(ordered.size());
-    for (std::size_t i = 0; i < ordered.size(); ++i) seen[impl_->scene.sphereOrder[i]] = ordered[i];
+    for (std::size_t i = 0; i < ordered.size(); ++i) seen[impl_->scene->order.spheres[i]] = ordered[i];
     return seen;
 }
 

@@ -26,6 +26,11 @@ public:
 
     /// Uploads a scene. What was baked for the one before is dropped. @throws Error, and the scene before stays
     void setScene(Representation representation);
+    /// The scene's primitives at other places, in the order that they were handed in, as a molecule moves; anything
+    /// else is as setScene(). Never waits for the device. Frames go on with the occlusion that was baked for the places
+    /// before until advanceOcclusion() has finished a newer one; pictures and layers never do.
+    /// @throws Error, and the scene before stays
+    void moveScene(Representation representation);
 
     /// Works on the scene's occlusion for about `milliseconds`: at least one direction, if any is left. Frames show
     /// what is done so far; pictures and layers finish it first.

@@ -101,6 +101,23 @@ std::shared_ptr<passes::SceneView> lightScene(const gpu::Device& device, const S
     return seen;
 }
 
+/// @param scene  with its representation, in order
+void completeScene(const gpu::Device& device, Scene& scene) {
+    scene.translucent = translucentRuns(scene.representation);
+    scene.chunks = chunksOf(scene.representation);
+    scene.buffers = passes::makeSceneBuffers(device, scene.representation);
+    double sum = 0;
+    const auto smallest = [&](float radius) {
+        scene.smallestRadius = std::min(scene.smallestRadius, static_cast<double>(radius));
+    };
+    for (const Sphere& s : scene.representation.spheres) {
+        sum += s.radius;
+        smallest(s.radius);
+    }
+    for (const Cylinder& c : scene.representation.cylinders) smallest(c.radius);
+    scene.meanRadius = sum / static_cast<double>(std::max<std::size_t>(scene.representation.spheres.size(), 1));
+}
+
 }  // namespace
 
 std::uint32_t shadowPixels(const RenderSettings& settings) {
@@ -144,20 +161,23 @@ layout::EffectConstants effectConstants(const RenderSettings& settings, const Sc
 
 Scene makeScene(const gpu::Device& device, Representation representation) {
     Scene scene{std::move(representation), {}, 0, 1e9, {}, {}, {}};
-    scene.sphereOrder = orderInSpace(scene.representation);
-    scene.translucent = translucentRuns(scene.representation);
-    scene.chunks = chunksOf(scene.representation);
-    scene.buffers = passes::makeSceneBuffers(device, scene.representation);
-    double sum = 0;
-    const auto smallest = [&](float radius) {
-        scene.smallestRadius = std::min(scene.smallestRadius, static_cast<double>(radius));
-    };
-    for (const Sphere& s : scene.representation.spheres) {
-        sum += s.radius;
-        smallest(s.radius);
-    }
-    for (const Cylinder& c : scene.representation.cylinders) smallest(c.radius);
-    scene.meanRadius = sum / static_cast<double>(std::max<std::size_t>(scene.representation.spheres.size(), 1));
+    scene.order = orderInSpace(scene.representation);
+    completeScene(device, scene);
+    return scene;
+}
+
+bool isMoved(const Scene& scene, const Representation& r) {
+    const Representation& before = scene.representation;
+    return r.copies.transforms.empty() && before.copies.transforms.empty() &&
+           r.spheres.size() == before.spheres.size() && r.cylinders.size() == before.cylinders.size() &&
+           r.triangles.size() == before.triangles.size() && r.meshVertices.size() == before.meshVertices.size() &&
+           r.sphereModels.size() == before.sphereModels.size();
+}
+
+Scene makeMovedScene(const gpu::Device& device, Representation representation, const Scene& before) {
+    Scene scene{std::move(representation), {}, 0, 1e9, {}, {}, before.order};
+    putInOrder(scene.representation, scene.order);
+    completeScene(device, scene);
     return scene;
 }
 

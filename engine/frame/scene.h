@@ -16,12 +16,17 @@ struct Scene {
     double meanRadius = 0;      ///< of the spheres, Å
     double smallestRadius = 0;  ///< of spheres and cylinders, Å
     Chunks chunks;
-    TranslucentRuns translucent;             ///< of its triangles
-    std::vector<std::uint32_t> sphereOrder;  ///< for each sphere its number among those that were handed in
+    TranslucentRuns translucent;  ///< of its triangles
+    StreamOrder order;            ///< from how they were handed in
 };
 
 /// Uploads the streams. @throws Error
 Scene makeScene(const gpu::Device& device, Representation representation);
+
+/// Whether a representation may be another scene's at other places: it has as many primitives of each kind.
+bool isMoved(const Scene& scene, const Representation& representation);
+/// The same, its primitives in the order of the scene that it moved from. @throws Error
+Scene makeMovedScene(const gpu::Device& device, Representation representation, const Scene& before);
 
 /// Of the image that holds a view: the view's own, or turned.
 graph::Extent imageExtent(const View& view);

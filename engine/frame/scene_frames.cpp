@@ -11,7 +11,8 @@
 
 namespace nacre {
 
-SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, const Scene& scene, FrameStats& stats)
+SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, const std::shared_ptr<const Scene>& scene,
+                         FrameStats& stats)
     : device_(device),
       scene_(scene),
       stats_(stats),
@@ -22,7 +23,7 @@ SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, con
       copyRows_(device, vk::BufferUsageFlagBits::eStorageBuffer, "copies") {}
 
 std::shared_ptr<const gpu::Buffer> SceneFrames::effectsOf(const RenderSettings& settings) const {
-    const layout::EffectConstants wanted = effectConstants(settings, scene_);
+    const layout::EffectConstants wanted = effectConstants(settings, *scene_);
     if (effects_ && std::memcmp(&wanted, &lastEffects_, sizeof wanted) == 0) return effects_;
     lastEffects_ = wanted;
     return effects_ = effectBuffers_.upload(std::as_bytes(std::span(&wanted, 1)));
@@ -67,7 +68,8 @@ ScreenFrame SceneFrames::declareSeen(const RenderSettings& asked, const passes::
     Visibility path = debug ? debugVisibility(settings.debug, usual) : usual;
     const bool rims = settings.effects.rims();
     if (rims) path = Visibility::deferred;
-    const auto seen = viewScene(device_, scene_, settings, view, used);
+    const auto seen = viewScene(device_, *scene_, settings, view, used);
+    seen->owner = scene_;
     seen->coded = picture && targets[0].format == VK_FORMAT_R8G8B8A8_UNORM;
     seen->fragments = std::move(fragments);
     if (lastRadius)
@@ -78,17 +80,17 @@ ScreenFrame SceneFrames::declareSeen(const RenderSettings& asked, const passes::
     if (layered) checkBlending(targets[0].format);
     if (path == Visibility::deferred || layered)
         seen->copyRows = copyRows_.upload(std::as_bytes(std::span(std::as_const(seen->copies.rows))));
-    if (layered) seen->translucent = passes::translucentView(*seen, scene_.translucent);
-    seen->copies.triangles = passes::chosen(seen->copies.triangles, scene_.translucent,
+    if (layered) seen->translucent = passes::translucentView(*seen, scene_->translucent);
+    seen->copies.triangles = passes::chosen(seen->copies.triangles, scene_->translucent,
                                             layered ? passes::Triangles::opaque : passes::Triangles::solid);
     const graph::Extent image = imageExtent(view);
     if (path == Visibility::tiles) {
         const bool shaded = seen->coded && !debug && !seen->fragments && device_.caps().tiles.shade;
         seen->tiles =
-            tiles_.prepare(scene_.representation, *seen, view, image, {shaded, edges && drawsEdges() && !debug});
+            tiles_.prepare(scene_->representation, *seen, view, image, {shaded, edges && drawsEdges() && !debug});
         if (!seen->tiles) path = Visibility::fragdepth;
         if (seen->tiles && layered)
-            seen->translucent->tiles = layerTiles_.prepare(scene_.representation, *seen->translucent, view, image,
+            seen->translucent->tiles = layerTiles_.prepare(scene_->representation, *seen->translucent, view, image,
                                                            {false, false, kTranslucentLayers});
     }
     stats_.spheres = seen->copies.sphereCount();

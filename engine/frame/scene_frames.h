@@ -13,7 +13,8 @@ namespace nacre {
 class SceneFrames {
 public:
     /// All of them outlive this. `stats` is told what frames submit.
-    SceneFrames(const gpu::Device& device, gpu::Executor& executor, const Scene& scene, FrameStats& stats);
+    SceneFrames(const gpu::Device& device, gpu::Executor& executor, const std::shared_ptr<const Scene>& scene,
+                FrameStats& stats);
 
     /// Declares a frame, with the debug view that the settings ask for, and binds what it imports but for a window's
     /// image.
@@ -34,7 +35,7 @@ public:
     }
 
     /// Whether one looks through some of the scene: colours are blended then, and coded by no shader.
-    bool translucent() const { return !scene_.translucent.empty(); }
+    bool translucent() const { return !scene_->translucent.empty(); }
 
     /// How the device's caps and the settings want such a frame planned.
     graph::PlanCaps planCaps(const FrameTuning& tuning) const;
@@ -47,7 +48,7 @@ private:
     void checkBlending(VkFormat format) const;
 
     const gpu::Device& device_;
-    const Scene& scene_;
+    const std::shared_ptr<const Scene>& scene_;  ///< changes between frames
     FrameStats& stats_;
     gpu::Image white_;  // the atlas of scenes without occlusion
     mutable passes::TileFrames tiles_, layerTiles_;

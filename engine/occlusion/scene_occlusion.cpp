@@ -50,6 +50,7 @@ void SceneOcclusion::orDrop(Work&& work) {
         forgetPreparation();
         submission_.reset();
         bake_.reset();
+        before_.reset();
         try {
             executor_.forget("occlusion");
         } catch (const vk::SystemError&) {
@@ -59,8 +60,21 @@ void SceneOcclusion::orDrop(Work&& work) {
     }
 }
 
+void SceneOcclusion::setScene(SceneToBake scene) {
+    drop();
+    of_ = {};
+    scene_ = std::move(scene);
+    moved_ = false;
+}
+
+void SceneOcclusion::moveScene(SceneToBake scene) {
+    scene_ = std::move(scene);
+    moved_ = true;
+}
+
 void SceneOcclusion::begin(const OcclusionSettings& settings) {
     orDrop([&] {
+        if (!isCurrent() && (bake_ || preparing_.valid())) device_->waitIdle(), drop();
         prepare(settings);
         if (preparing_.valid()) make();
         if (bake_ && !bake_->shows()) finishFlight(), bake_->finish(executor_);
@@ -70,27 +84,44 @@ void SceneOcclusion::begin(const OcclusionSettings& settings) {
 void SceneOcclusion::prepare(const OcclusionSettings& settings) {
     const Wanted wanted{settings.directions, settings.bytes, settings.maps, settings.detail};
     if (settings.directions == 0 || ((bake_ || preparing_.valid()) && baked_ == wanted)) return;
-    if (representation_.spheres.empty() && representation_.cylinders.empty() && representation_.triangles.empty())
-        return;                      // no atlas of no patches
-    if (bake_) device_->waitIdle();  // frames for the window may still read its atlas
+    if (scene_.buffers == nullptr || scene_.buffers->empty()) return;  // no atlas of no patches
+    if (bake_ || before_) device_->waitIdle();                         // frames for the window may still read its atlas
+    std::unique_ptr<Bake> shown = baked_ == wanted ? std::move(before_) : nullptr;
     drop();
+    before_ = std::move(shown);
+    of_ = scene_;
     began_ = Clock::now();
     baked_ = wanted;
     options_ = {settings.directions, settings.bytes, settings.maps, settings.detail};
     const bool tiles = device_.caps().plan.tiles;
     if (options_.path == OcclusionMaps::automatic || (options_.path == OcclusionMaps::tiles && !tiles))
         options_.path = automaticMaps(device_.caps(), tiles);
-    cache_ = occlusionCache(settings.cache);
+    cache_ = occlusionCache(moved_ ? std::string() : settings.cache);  // a place among thousands is not seen again
     worthKeeping_ = settings.worthKeeping;
     stopPreparing_.emplace();
-    preparing_ =
-        std::async(std::launch::async, [this, options = options_, cache = cache_, stop = stopPreparing_->get_token()] {
-            Prepared p;
-            if (cache.on()) p.cacheName = occlusionCacheName(representation_, howBaked(device_.caps(), options));
-            p.kept = readOcclusion(cache, p.cacheName, representation_, device_.caps().maxImageSize);
-            if (!p.kept) p.bake = prepareBake(device_.caps(), representation_, options, stop);
-            return p;
-        });
+    preparing_ = std::async(std::launch::async, [this, scene = of_.representation, options = options_, cache = cache_,
+                                                 stop = stopPreparing_->get_token()] {
+        Prepared p;
+        if (cache.on()) p.cacheName = occlusionCacheName(*scene, howBaked(device_.caps(), options));
+        p.kept = readOcclusion(cache, p.cacheName, *scene, device_.caps().maxImageSize);
+        if (!p.kept) p.bake = prepareBake(device_.caps(), *scene, options, stop);
+        return p;
+    });
+}
+
+void SceneOcclusion::prepareBeside(const OcclusionSettings& settings, bool hurry) {
+    if (!isCurrent() && (bake_ || preparing_.valid())) {
+        const bool done = bake_ && shown_ == 1;
+        if (done) {
+            // It is shown until the next is done; the one before it went with the end of this one.
+            before_ = std::move(bake_);
+        } else if (hurry && before_) {
+            std::unique_ptr<Bake> shown = std::move(before_);
+            drop();
+            before_ = std::move(shown);
+        }
+    }
+    prepare(settings);
 }
 
 void SceneOcclusion::forgetPreparation() {
@@ -105,6 +136,7 @@ void SceneOcclusion::drop() {
     submission_.reset();
     submittedUnits_ = unshown_ = shown_ = 0;
     bake_.reset();
+    before_.reset();
 }
 
 void SceneOcclusion::make() {
@@ -113,9 +145,9 @@ void SceneOcclusion::make() {
     const bool kept = p.kept.has_value();
     const std::uint64_t atlasBytes = kept ? p.kept->atlas.size() : 0;
     if (kept)
-        bake_ = std::make_unique<Bake>(device_, executor_, scene_, representation_, options_, *p.kept);
+        bake_ = std::make_unique<Bake>(device_, executor_, *of_.buffers, *of_.representation, options_, *p.kept);
     else
-        bake_ = std::make_unique<Bake>(device_, scene_, representation_, options_, std::move(p.bake));
+        bake_ = std::make_unique<Bake>(device_, *of_.buffers, *of_.representation, options_, std::move(p.bake));
     shown_ = kept ? 1 : 0;
     stats_.bakeMilliseconds = millisecondsSince(began_);
     stats_.occlusion = {bake_->directions(),
@@ -151,6 +183,8 @@ void SceneOcclusion::wrapUp() {
     bake_->release();
     stats_.occlusion.neverSeen = countUnseen(bake_->seenSpheres());
     keep(std::move(atlas));
+    if (before_) device_->waitIdle();  // frames for the window may still read its atlas
+    before_.reset();
 }
 
 /// Shows what is done so far.
@@ -190,10 +224,11 @@ BakedOcclusion SceneOcclusion::baked(const OcclusionSettings& settings) {
 }
 
 passes::Atlas SceneOcclusion::atlas() const {
-    if (!bake_ || !bake_->shows()) return {};
-    const OcclusionLayout& layout = bake_->layout();
-    return {&bake_->atlas(),        layout.sphereEdge,        layout.around, layout.along,
-            layout.spherePatches(), layout.cylinderPatches(), bake_->cells()};
+    const Bake* shown = before_ ? before_.get() : bake_.get();
+    if (!shown || !shown->shows()) return {};
+    const OcclusionLayout& layout = shown->layout();
+    return {&shown->atlas(),        layout.sphereEdge,        layout.around, layout.along,
+            layout.spherePatches(), layout.cylinderPatches(), shown->cells()};
 }
 
 double SceneOcclusion::share() const {
@@ -265,7 +300,7 @@ void SceneOcclusion::finish(const OcclusionSettings& settings) {
 
 double SceneOcclusion::advanceBeside(const OcclusionSettings& settings, const OcclusionPace& pace) {
     orDrop([&] {
-        prepare(settings);
+        prepareBeside(settings, !pace.mustFit);
         if (preparing_.valid()) {
             if (preparing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) make();
             return;  // the next call begins with it
@@ -277,13 +312,14 @@ double SceneOcclusion::advanceBeside(const OcclusionSettings& settings, const Oc
         }
         if (shown_ < 1) submit(pace);
     });
+    if (!isCurrent() && bake_) return 0;
     return bake_ ? shown_ : preparing_.valid() ? 0 : 1;
 }
 
 /// Submits what frames are to show, if there is enough of it, and the next part of the bake, if it may.
 void SceneOcclusion::submit(const OcclusionPace& pace) {
-    const bool showing =
-        bake_->betweenSteps() && share() > shown_ && (bake_->complete() || unshown_ >= pace.showMilliseconds);
+    const bool showing = bake_->betweenSteps() && share() > shown_ &&
+                         (bake_->complete() || (!before_ && unshown_ >= pace.showMilliseconds));
     const Allowance allowance = allowed(pace.sliceMilliseconds);
     const bool working = !bake_->complete() && (!pace.mustFit || bake_->leastUnits() <= allowance.units);
     if (!showing && !working) return;

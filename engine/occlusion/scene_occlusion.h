@@ -17,13 +17,23 @@
 
 namespace nacre::occlusion {
 
+/// A scene, as long as its bake needs it.
+struct SceneToBake {
+    std::shared_ptr<const Representation> representation;
+    std::shared_ptr<const passes::SceneBuffers> buffers;
+};
+
 class SceneOcclusion {
 public:
     /// All of them outlive this. `stats` is told what was chosen and done.
-    SceneOcclusion(const gpu::Device& device, gpu::Executor& executor, const Representation& representation,
-                   const passes::SceneBuffers& scene, FrameStats& stats)
-        : device_(device), executor_(executor), representation_(representation), scene_(scene), stats_(stats) {}
+    SceneOcclusion(const gpu::Device& device, gpu::Executor& executor, FrameStats& stats)
+        : device_(device), executor_(executor), stats_(stats) {}
     ~SceneOcclusion() { drop(); }
+
+    /// Waits for what is in flight, and drops all that was baked.
+    void setScene(SceneToBake scene);
+    /// The same primitives at other places. What was baked is shown until a later bake is done.
+    void moveScene(SceneToBake scene);
 
     /// Makes the bake that the settings ask for, unless it is there, or there is nothing to bake. One that was kept is
     /// done at once.
@@ -36,8 +46,6 @@ public:
     BakedOcclusion baked(const OcclusionSettings& settings);
     /// As Renderer::advanceOcclusion beside frames. @returns the share that is shown
     double advanceBeside(const OcclusionSettings& settings, const OcclusionPace& pace);
-    /// The scene is about to change. Waits for what is in flight.
-    void drop();
     /// Null: nothing was asked for yet, or there is nothing to bake.
     const Bake* bake() const { return bake_.get(); }
     /// What is shown of it so far.
@@ -59,6 +67,11 @@ private:
     using Wanted = std::tuple<int, std::uint64_t, OcclusionMaps, std::uint32_t>;
     /// Begins to prepare what the settings ask for, unless it is there, or on its way, or there is nothing to bake.
     void prepare(const OcclusionSettings& settings);
+    /// The same beside frames, of a scene that moves: a bake that was begun goes on, and what was finished is shown
+    /// until the next is. @param hurry  one that was begun for other places is given up
+    void prepareBeside(const OcclusionSettings& settings, bool hurry);
+    bool isCurrent() const { return of_.buffers == scene_.buffers; }
+    void drop();
     /// Makes the bake when it is prepared.
     void make();
     void forgetPreparation();
@@ -74,9 +87,11 @@ private:
 
     const gpu::Device& device_;
     gpu::Executor& executor_;
-    const Representation& representation_;
-    const passes::SceneBuffers& scene_;
     FrameStats& stats_;
+    SceneToBake scene_;  // as it is now
+    SceneToBake of_;     // that bake_ is of, or will be
+    bool moved_ = false;
+    std::unique_ptr<Bake> before_;  // of other places, done: what is shown until bake_ is
     std::unique_ptr<Bake> bake_;
     Wanted baked_{};         // directions, budget, maps, detail: of bake_, or of what is being prepared
     DiskCache cache_;        // off: the bake is not to be kept

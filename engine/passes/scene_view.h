@@ -31,6 +31,7 @@ struct Rims {
 
 struct SceneView {
     const SceneBuffers* buffers = nullptr;
+    std::shared_ptr<const void> owner;  ///< of the buffers: they stay as long as a frame is in flight
     layout::ViewConstants constants{};  ///< those of a copy are left 0
     PlacedCopies copies;
     std::shared_ptr<const TileFrame> tiles;       ///< of the `tiles` path

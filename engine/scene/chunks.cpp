@@ -118,14 +118,18 @@ Chunks chunksOf(const Representation& r) {
             chunksOfStream(r.triangles, BallOfTriangle(r))};
 }
 
-std::vector<std::uint32_t> orderInSpace(Representation& r) {
-    const auto cylinders = mortonOrder(r.cylinders, startsOf(r.copies.cylinders, r.cylinderModels, r.cylinders.size()));
-    reorder(r.cylinders, cylinders);
-    reorder(r.cylinderLooks, cylinders);
-    auto spheres = mortonOrder(r.spheres, startsOf(r.copies.spheres, r.sphereModels, r.spheres.size()));
-    reorder(r.spheres, spheres);
-    reorder(r.sphereLooks, spheres);
-    return spheres;
+StreamOrder orderInSpace(Representation& r) {
+    StreamOrder order{mortonOrder(r.spheres, startsOf(r.copies.spheres, r.sphereModels, r.spheres.size())),
+                      mortonOrder(r.cylinders, startsOf(r.copies.cylinders, r.cylinderModels, r.cylinders.size()))};
+    putInOrder(r, order);
+    return order;
+}
+
+void putInOrder(Representation& r, const StreamOrder& order) {
+    reorder(r.spheres, order.spheres);
+    reorder(r.sphereLooks, order.spheres);
+    reorder(r.cylinders, order.cylinders);
+    reorder(r.cylinderLooks, order.cylinders);
 }
 
 }  // namespace nacre

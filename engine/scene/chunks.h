@@ -22,10 +22,17 @@ struct Chunks {
 
 Chunks chunksOf(const Representation& representation);
 
+/// For each primitive of a stream the number that it had.
+struct StreamOrder {
+    std::vector<std::uint32_t> spheres, cylinders;
+};
+
 /// Puts spheres, and cylinders, in Morton order of where they stand (G. M. Morton, 1966: the bits of the coordinates
 /// alternate), so that neighbours in a stream are neighbours in space. Those of other runs of copies or models stay
 /// apart, and what stands at one place keeps its order.
-/// @returns for each sphere the number that it had
-std::vector<std::uint32_t> orderInSpace(Representation& representation);
+StreamOrder orderInSpace(Representation& representation);
+
+/// Puts them in an order that was found before. @param order  of as many spheres and cylinders
+void putInOrder(Representation& representation, const StreamOrder& order);
 
 }  // namespace nacre

@@ -50,6 +50,49 @@ TEST_P(OcclusionOfScene, IsTheSameHoweverTheWorkIsCut) {
     EXPECT_EQ(renderer->layers(settings_).occlusion, atOnce);
 }
 
+/// Every atom a little farther from the middle.
+Representation swollen(Representation scene) {
+    for (Sphere& s : scene.spheres) s.center *= 1.1f;
+    for (Cylinder& c : scene.cylinders) c.a *= 1.1f, c.b *= 1.1f;
+    return scene;
+}
+
+TEST_P(OcclusionOfScene, OfAMovedSceneIsThatOfItsNewPlaces) {
+    settings_.occlusion.directions = 8;
+    const Representation moved = swollen(scene_);
+    ValidatedRenderer fresh(Visibility::automatic);
+    fresh->setScene(moved);
+    const std::vector<float> expected = fresh->layers(settings_).occlusion;
+    ValidatedRenderer renderer(Visibility::automatic);
+    renderer->setScene(scene_);
+    const auto advance = [&](bool moving) { return renderer->advanceOcclusion(settings_, {4, 0, moving}); };
+    while (advance(false) < 1) {
+    }
+    ASSERT_NE(renderer->layers(settings_).occlusion, expected);
+    // Beside frames: it comes by and by, of wherever the scene stands when it begins, and is right once that is at
+    // rest.
+    renderer->moveScene(moved);
+    EXPECT_LT(advance(true), 1);
+    renderer->moveScene(scene_);
+    EXPECT_LT(advance(true), 1);
+    renderer->moveScene(moved);
+    while (advance(false) < 1) {
+    }
+    EXPECT_EQ(renderer->layers(settings_).occlusion, expected);
+    // For a picture at once, whatever was under way.
+    renderer->moveScene(scene_);
+    advance(true);
+    renderer->moveScene(moved);
+    EXPECT_EQ(renderer->layers(settings_).occlusion, expected);
+    // Other primitives are another scene.
+    Representation fewer = moved;
+    fewer.spheres.pop_back();
+    fewer.sphereLooks.pop_back();
+    fresh->setScene(fewer);
+    renderer->moveScene(fewer);
+    EXPECT_EQ(renderer->layers(settings_).occlusion, fresh->layers(settings_).occlusion);
+}
+
 TEST_P(OcclusionOfScene, IsTheSameBesideFramesAndInTheSmallestParts) {
     for (const OcclusionMaps maps : {OcclusionMaps::tiles, OcclusionMaps::fragdepth, OcclusionMaps::encoded}) {
         settings_.occlusion.directions = 3;

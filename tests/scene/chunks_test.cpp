@@ -88,7 +88,7 @@ TEST(OrderInSpace, KeepsRunsApartAndWhatBelongsTogether) {
     r.sphereModels = {{0, 2000, 0}, {2000, 1000, 1}};
     for (std::size_t i = 10; i < 20; ++i) r.spheres[i] = r.spheres[9];  // at one place
     const Representation was = r;
-    const std::vector<std::uint32_t> order = orderInSpace(r);
+    const std::vector<std::uint32_t> order = orderInSpace(r).spheres;
     const auto runOf = [](std::uint32_t i) { return i < 1100 ? 0 : i < 2000 ? 1 : 2; };
     std::vector<bool> there(3000, false);
     for (std::uint32_t i = 0; i < 3000; ++i) {
