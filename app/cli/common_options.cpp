@@ -3,8 +3,8 @@
 #include "app/shared/appearance_values.h"
 #include "app/shared/mesh_options.h"
 #include "app/shared/several_inputs.h"
+#include "app/shared/trajectory_input.h"
 #include "engine/error.h"
-#include "engine/molecule/trajectory/motion.h"
 
 namespace nacre::app {
 namespace {
@@ -89,17 +89,14 @@ void addTrajectory(CommandSpec& command, TrajectoryOptions& trajectory) {
              "Where INPUT's atoms are, frame by frame: DCD, XTC, TRR or AMBER NetCDF",
              [&](const std::string& text) { trajectory.path = fileName(text); });
     addValue(command, "--frame", "N", "1", "Of --trajectory, counted from 1",
-             [&](const std::string& text) { trajectory.frame = parseInteger(text, 1, std::int64_t{1} << 40); });
+             [&](const std::string& text) { trajectory.frame = parseFrame(text); });
     addFlag(command, "--whole", trajectory.whole,
             "Put together molecules that the periodic box of --trajectory cut, along their bonds");
     addValue(command, "--fit-frames", "SEL", "none",
              "Lay each frame of --trajectory onto the first by these atoms: backbone, name CA",
              [&](const std::string& text) { trajectory.fit = parseSelection(text); });
     addValue(command, "--smooth", "N", "1", "Mean of N frames of --trajectory, odd, to 101",
-             [&](const std::string& text) {
-                 trajectory.smooth = parseInteger(text, 1, Motion::kMostSmoothed);
-                 if (trajectory.smooth % 2 == 0) throw std::invalid_argument("expected an odd number");
-             });
+             [&](const std::string& text) { trajectory.smooth = parseSmoothing(text); });
 }
 
 void addInput(CommandSpec& command, InputOptions& input, bool required) {

@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/movie_options.h"
+#include "app/cli/movie_report.h"
 #include "app/cli/movie_scenes.h"
 #include "app/movie/movie_encoder.h"
 #include "app/movie/stop_request.h"
@@ -25,6 +26,7 @@ void movieCommand(const MovieOptions& options) {
     // The file, or the program that writes it, is there before any work; only how many frames there are is not known.
     MovieShape shape{options.picture.size, options.framesPerSecond, options.picture.background[3] < 1.0f, 1};
     if (options.views.empty()) shape.frames = framesOf(options, 1);
+    MovieReport report(options.report);
     const std::unique_ptr<MovieFile> file = makeMovieFile(path, shape);
     StopRequest stop;  // from here on; a second signal does what it does to any file that is being written
 
@@ -34,6 +36,7 @@ void movieCommand(const MovieOptions& options) {
     scenes.onBake = [&](double share) {
         if (stop.asked()) stopped(path, 0, frames);
         progress.advance(share);
+        report.baked(share);
     };
     if (file->wantsSamples())
         for (std::uint64_t i = 0; i < std::min(kSamples, frames) && !stop.asked(); ++i)
@@ -47,6 +50,7 @@ void movieCommand(const MovieOptions& options) {
         for (; drawn < frames && !stop.asked(); ++drawn) {
             encoder.add(scenes.draw(drawn));
             progress.advanceTo(drawn + 1, frames);
+            report.drawn(drawn + 1, frames);
         }
         if (drawn == 0) stopped(path, 0, frames);
         progress.begin("writing");

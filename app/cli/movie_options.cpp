@@ -61,6 +61,8 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
     addValue(command, "--fps", "N", "30", "Frames a second, 0.1 to 120 (GIF: 50)", [&](const std::string& text) {
         options.framesPerSecond = parseNumber(text, kSlowestMovie, kFastestMovie);
     });
+    addValue(command, "--report", "FILE", "none", "Tells of each frame in a line of JSON; - for standard output",
+             [&](const std::string& text) { options.report = fileName(text); });
 }
 
 void checkMotion(const MovieOptions& options) {

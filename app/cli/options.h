@@ -71,6 +71,7 @@ struct MovieOptions {
     std::optional<double> seconds;  ///< empty: what the motion takes
     double framesPerSecond = 30;
     std::optional<Easing> easing;
+    std::string report;  ///< path, "-" for standard output; empty: none
 };
 
 struct BatchOptions {

@@ -216,7 +216,14 @@ bool takeInput(RenderOptions& options) {
     options.input.format = options.savedInput.format;
     options.input.model = options.savedInput.model;
     options.input.hash = options.savedInput.hash;
-    if (!options.input.path.empty()) options.input.namedBy = options.view;
+    if (options.input.path.empty()) return false;
+    options.input.namedBy = options.view;
+    if (options.input.trajectory.path.empty() && !options.savedInput.trajectory.path.empty()) {
+        const std::int64_t frame = options.input.trajectory.frame;
+        options.input.trajectory = options.savedInput.trajectory;
+        options.input.trajectory.path = trajectoryPathOf(options.input);
+        if (frame != 1) options.input.trajectory.frame = frame;
+    }
     return !options.input.path.empty();
 }
 
@@ -363,6 +370,8 @@ void checkMovie(MovieOptions& options) {
     if (!picture.input.further.empty() && (options.models || !options.views.empty()))
         throw UsageError("--models and --views are for one INPUT");
     checkInputs(picture);
+    if (isStandardOutput(picture.output) && isStandardOutput(options.report))
+        throw UsageError("--output and --report cannot both be standard output");
     checkMotion(options);
     try {
         checkSamples(picture.size, picture.supersample, kMostSamplesHeld);

@@ -1,5 +1,7 @@
 #include "app/cli/saved_options.h"
 
+#include <filesystem>
+
 #include "app/shared/view_input.h"
 
 namespace nacre::app {
@@ -37,6 +39,7 @@ SavedView savedViewOf(const RenderOptions& options) {
     view.input = options.input.path;
     view.format = options.input.format;
     view.model = options.input.model;
+    view.trajectory = options.input.trajectory;
     view.look = options.look;
     view.drawn = options.drawn;
     view.camera = options.camera;
@@ -54,6 +57,9 @@ ViewOptions viewOptionsOf(const RenderOptions& options) {
     window.first.input = filePathOf(options.input);
     window.input = options.input;
     window.input.path = window.first.input;
+    if (!options.input.trajectory.path.empty())
+        window.first.trajectory.path =
+            std::filesystem::absolute(options.input.trajectory.path).lexically_normal().string();
     window.aim = options.aim;
     window.size = options.size;
     window.occlusionBytes = options.occlusion.bytes();

@@ -66,7 +66,7 @@ void WindowSession::writePictureTo(const PictureWish& wish) {
     const double shorter = std::min(window_.size().width, window_.size().height);
     const double textSize =
         viewer().textSize() * (asShown ? 1 : std::min(size.width, size.height) / std::max(shorter, 1.0));
-    WordPainter().paint(placeWords(view.words, *document.molecule, document.scene), settings.view, textSize,
+    WordPainter().paint(placeWords(view.words, *document.placed, document.scene), settings.view, textSize,
                         view.words.color, background, drawn);
     PictureFormat format;
     format.alpha = transparent;
@@ -87,6 +87,36 @@ void WindowSession::copyPicture() {
     } catch (const std::exception& error) {
         viewer().fail(error.what(), now());
     }
+}
+
+void WindowSession::record(const RecordingWish& wish, const std::vector<SavedView>& keys) {
+    try {
+        const SavedView shown = viewer().savedView();
+        if (shown.input == "-")
+            throw Error("cannot record", "-", "a film reads its file again: open one, not standard input");
+        std::vector<std::string> fixed;
+        if (!options_.device.device.empty()) fixed.insert(fixed.end(), {"--device", options_.device.device});
+        if (options_.input.cache) fixed.insert(fixed.end(), {"--cache", *options_.input.cache});
+        if (options_.input.offline) fixed.push_back("--offline");
+        recorder_.start(wish, shown, keys, fixed);
+        wasRecording_ = true;
+    } catch (const Error& error) {
+        viewer().fail(error.what(), now());
+    }
+}
+
+/// Goes on in the panel while a film is recorded, and says how it ended.
+void WindowSession::tellRecording() {
+    if (!wasRecording_) return;
+    const RecordingState state = recorder_.state();
+    const std::string told = std::to_string(state.frame) + (state.stopping ? "stopping" : "");
+    if (std::exchange(told_, told) != told) viewer().overlayChanged();
+    if (state.running) return;
+    wasRecording_ = false;
+    if (state.failed)
+        viewer().fail(state.message, now());
+    else
+        viewer().say(state.message, now());
 }
 
 /// As JSON, in the current folder under a name that is free.

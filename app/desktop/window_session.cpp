@@ -70,6 +70,7 @@ double WindowSession::step(double longest) {
     // The newest input goes into the frame, not what was there before it had to wait.
     viewer().awaitFrame(now());
     window_.handleEvents(0);
+    tellRecording();
     viewer().setDisplayInterval(1 / window_.refreshRate());
     const double wake = session_.step(now(), [this] {
         const Overlay* overlay = panel_->draw(viewer(), window_.size(), now());
@@ -133,6 +134,10 @@ PanelHost WindowSession::panelHost() {
         }
     host.freeName = [this](const char* extension) { return pictureName(extension); };
     host.savePicture = [this](const PictureWish& wish) { savePicture(wish); };
+    host.record = [this](const RecordingWish& wish, const std::vector<SavedView>& keys) { record(wish, keys); };
+    host.recording = [this] { return recorder_.state(); };
+    host.stopRecording = [this] { recorder_.stop(); };
+    host.videos = hasProgram("ffmpeg");
     host.copyPicture = [this] { run(ViewerCommand::copyPicture); };
     host.clipboard = [this] { return (clipboard_ = window_.clipboard()).c_str(); };
     host.setClipboard = [this](const char* text) { window_.setClipboard(text); };
@@ -263,6 +268,12 @@ void WindowSession::run(ViewerCommand command) {
             return panel_->toggleHelp();
         case ViewerCommand::openFile:
             return panel_->showStart();
+        case ViewerCommand::record:
+            return viewer().document() ? panel_->showRecord() : void();
+        case ViewerCommand::keepView:
+            if (!viewer().document()) return;
+            panel_->keepView(viewer(), now());
+            return viewer().say("kept as view " + std::to_string(panel_->keptViews()) + " of a film (Shift R)", now());
         case ViewerCommand::saveAs:
             return viewer().document() ? panel_->showSave() : void();
         case ViewerCommand::clearPicks:

@@ -7,6 +7,7 @@
 
 #include "app/desktop/file_dialog.h"
 #include "app/desktop/recent_files.h"
+#include "app/desktop/recorder.h"
 #include "app/desktop/view_options.h"
 #include "app/desktop/window.h"
 #include "app/panel/panel.h"
@@ -50,6 +51,8 @@ private:
     void savePicture(const PictureWish& wish);
     void writePictureTo(const PictureWish& wish);
     void copyPicture();
+    void record(const RecordingWish& wish, const std::vector<SavedView>& keys);
+    void tellRecording();
     void saveView();
     void captureFrame();
     void writeStats();
@@ -61,6 +64,9 @@ private:
     std::unique_ptr<Panel> panel_;
     Session session_;
     FileDialog dialog_;
+    Recorder recorder_{Window::wake};
+    std::string told_;  // of the film that is being recorded
+    bool wasRecording_ = false;
     struct Chosen;  // by the dialog's thread
     std::shared_ptr<Chosen> chosen_;
     std::string clipboard_;

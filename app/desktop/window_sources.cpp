@@ -6,6 +6,7 @@
 
 #include "app/download/load_molecule.h"
 #include "app/shared/printable.h"
+#include "app/shared/trajectory_input.h"
 #include "app/shared/view_input.h"
 #include "engine/error.h"
 
@@ -30,9 +31,10 @@ Sources windowSources(const InputOptions& first) {
     Sources all;
     all.read = [first, allowed, progress](const SavedView& view) {
         InputOptions input = inputOf(view, first);
+        input.alone = input.alone || !input.trajectory.path.empty();
+        input.trajectory = {};                    // what moves begins at its first frame
         if (view.input != lasting(first.path)) {  // opened by hand
             input.namedBy.clear();
-            input.trajectory = {};
             input.further.clear();
             input.fits.clear();
         }
@@ -50,6 +52,12 @@ Sources windowSources(const InputOptions& first) {
         }
     };
     all.build = sceneOfView;
+    all.motion = [](const std::shared_ptr<const Molecule>& molecule, const SavedView& view) -> std::unique_ptr<Motion> {
+        if (!view.trajectory.path.empty()) return openMotion(view.trajectory, *molecule);
+        auto models = trajectoryOfModels(molecule, view.model);
+        if (!models) return nullptr;
+        return std::make_unique<Motion>(std::move(models), *molecule, motionOptions(view.trajectory, *molecule));
+    };
     all.progress = [progress] { return progress->share.load(); };
     all.cancel = [progress] { progress->cancelled = true; };
     return all;

@@ -32,8 +32,8 @@ void Panel::beginWindow(const char* name, int moreFlags) {
 
 /// What the panel leaves of the window.
 Panel::Rectangle Panel::freeRoom() const {
-    if (sheet_) return {window_.left, window_.top, window_.right, panel_.top};
-    return {std::max(panel_.right, window_.left), window_.top, window_.right, window_.bottom};
+    if (sheet_) return {window_.left, window_.top, window_.right, panel_.top - bar_};
+    return {std::max(panel_.right, window_.left), window_.top, window_.right, window_.bottom - bar_};
 }
 
 void Panel::drawMenuButton() {
@@ -104,7 +104,7 @@ void Panel::drawHeader(const Viewer& viewer) {
     if (!document) return;
     std::string text = std::to_string(document->scene.drawnAtoms) + " atoms";
     if (document->scene.drawnBonds > 0) text += ", " + std::to_string(document->scene.drawnBonds) + " bonds drawn";
-    if (viewer.occlusion() < 1)
+    if (viewer.occlusion() < 1 && !viewer.playing())
         text += ", shading " + std::to_string(static_cast<int>(100 * viewer.occlusion())) + " %";
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ui.px(6));
     ui.caption(text);

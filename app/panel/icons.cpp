@@ -123,6 +123,9 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 middle, float size, ImU32 colo
         case Icon::next:
             pen.fill({{-0.6f, -0.7f}, {0.4f, 0}, {-0.6f, 0.7f}});
             return pen.line({{0.6f, -0.7f}, {0.6f, 0.7f}});
+        case Icon::record:
+            pen.ring({0, 0}, 0.8f);
+            return pen.disc({0, 0}, 0.42f);
         case Icon::copy:
             pen.line({{-0.3f, -0.8f}, {0.75f, -0.8f}, {0.75f, 0.35f}, {-0.3f, 0.35f}}, true);
             return pen.line({{-0.3f, -0.35f}, {-0.75f, -0.35f}, {-0.75f, 0.8f}, {0.3f, 0.8f}, {0.3f, 0.35f}});

@@ -30,7 +30,8 @@ enum class Icon {
     label,
     more,
     previous,
-    next
+    next,
+    record
 };
 
 /// @param middle, size  pixels: of the square that it fills

@@ -17,6 +17,10 @@ void Panel::drawMorePage(Viewer& viewer, double now) {
     if (ui.button(Icon::none, "First view", half)) host_.run(ViewerCommand::reset);
     ui.heading("View");
     if (ui.button(Icon::save, "Save this view", -1)) host_.run(ViewerCommand::saveView);
+    if (host_.record) {
+        if (ui.button(Icon::eye, "Keep this view for a film", -1)) host_.run(ViewerCommand::keepView);
+        if (ui.button(Icon::record, "Record a film", -1)) host_.run(ViewerCommand::record);
+    }
     ui.heading("Panel");
     constexpr const char* kBrightness[] = {"As the system", "Dark", "Light"};
     std::string chosen = kBrightness[static_cast<std::size_t>(brightness_)];

@@ -35,7 +35,6 @@ void Panel::drawPartsPage(SavedView& look, Viewer& viewer) {
         state_->folds.clear();
         state_->residueColors.clear();
     }
-    drawModels(viewer);
     drawAssemblies(look, *document->molecule);
     Part::Kind last = Part::Kind::all;
     std::size_t number = 0;
@@ -50,25 +49,6 @@ void Panel::drawPartsPage(SavedView& look, Viewer& viewer) {
     }
     if (state_->parts.size() >= kMostParts) ui.caption("Of more parts, the first 200 are listed.");
     ui.toggle("Hydrogens", look.drawn.hydrogens);
-}
-
-void Panel::drawModels(Viewer& viewer) {
-    Widgets& ui = state_->ui;
-    const int models = viewer.models();
-    if (models < 2) return;
-    ui.heading("Models");
-    if (ui.sign(Icon::previous, "Model before")) host_.run(ViewerCommand::previousModel);
-    ImGui::SameLine();
-    if (ui.sign(viewer.playing() ? Icon::pause : Icon::play, viewer.playing() ? "Pause" : "Play"))
-        host_.run(ViewerCommand::playModels);
-    ImGui::SameLine();
-    if (ui.sign(Icon::next, "Next model")) host_.run(ViewerCommand::nextModel);
-    ImGui::SameLine();
-    int model = std::max(viewer.view().model, 1);
-    ImGui::SetNextItemWidth(-1);
-    const std::string format = "%d of " + std::to_string(models);
-    if (ui.slideWhole("Model", model, 1, models, format.c_str()) && model != viewer.view().model)
-        viewer.showModel(model);
 }
 
 void Panel::drawAssemblies(SavedView& look, const Molecule& molecule) {

@@ -112,7 +112,7 @@ void Panel::togglePanel() {
 }
 
 bool Panel::closeTop() {
-    for (bool* open : {&help_, &saving_, &start_})
+    for (bool* open : {&help_, &saving_, &recording_, &start_})
         if (*open) {
             *open = false;
             restless_ = 2;
@@ -202,15 +202,13 @@ void Panel::key(SpecialKey key, bool down, Modifiers with) {
 }
 
 bool Panel::occupies(glm::dvec2 pixel) const {
-    return std::any_of(occupied_.begin(), occupied_.end(), [&](const Rectangle& r) {
-        return pixel.x >= r.left && pixel.x < r.right && pixel.y >= r.top && pixel.y < r.bottom;
-    });
+    return std::any_of(occupied_.begin(), occupied_.end(), [&](const Rectangle& r) { return r.holds(pixel); });
 }
 
 bool Panel::ownsPointer() const {
     const Turn turn(context_);
     const ImVec2 at = ImGui::GetIO().MousePos;
-    return ImGui::IsAnyItemActive() || help_ || saving_ || start_ || occupies({at.x, at.y}) ||
+    return ImGui::IsAnyItemActive() || help_ || saving_ || recording_ || start_ || occupies({at.x, at.y}) ||
            ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
@@ -227,10 +225,19 @@ bool Panel::touch(const TouchEvent& event) {
     if (event.phase == TouchPhase::began) {
         gliding_ = 0;
         if (!occupies(pixel)) return closeTop();
-        if (!finger_) finger_ = Finger{event.finger, event.at, event.at, false};
-        return true;
+        if (finger_) return true;
+        finger_ = Finger{event.finger, event.at, event.at, false, playBar_.holds(pixel)};
+        if (finger_->holds) pressed_[0] = down_[0] = true;
     }
     if (!finger_ || finger_->id != event.finger) return false;
+    if (finger_->holds) {
+        ImGui::GetIO().MousePos = ImVec2(static_cast<float>(pixel.x), static_cast<float>(pixel.y));
+        restless_ = 3;
+        down_[0] = event.phase == TouchPhase::began || event.phase == TouchPhase::moved;
+        if (!down_[0]) finger_.reset();
+        return true;
+    }
+    if (event.phase == TouchPhase::began) return true;
     finger_->scrolls |= glm::distance(event.at, finger_->start) > TouchGestures::kSlop;
     if (finger_->scrolls) scroll_ += static_cast<float>((finger_->at.y - event.at.y) * pixelsPerPoint_);
     finger_->at = event.at;
@@ -274,17 +281,18 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
         pressed_[i] = false;
     }
     if (restless_ > 0) --restless_;
-    if (forFingers() && restless_ == 0) io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);  // the finger is gone
+    if (forFingers() && restless_ == 0 && !finger_) io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);  // the finger is gone
     window_ = {insets_.left, insets_.top, std::max(io.DisplaySize.x - insets_.right, insets_.left + 1),
                std::max(io.DisplaySize.y - insets_.bottom, insets_.top + 1)};
     const bool empty = !viewer.document() && !viewer.loading() && !viewer.question();
-    const bool over = empty || start_ || help_ || saving_;
+    const bool over = empty || start_ || help_ || saving_ || recording_;
     placePanel();
     // A phone has no room for panel and help at once.
     const bool open = shown_ == Shown::open && !empty && !(over && forFingers());
     Insets covered;
     if (open && sheet_) covered.bottom = io.DisplaySize.y - panel_.top;
     if (open && !sheet_) covered.left = panel_.right;
+    covered.bottom += bar_;
     viewer.setCovered(covered, now);
     if (!open) panel_ = {window_.left, window_.bottom, window_.left, window_.bottom};
 
@@ -296,9 +304,12 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     glide(io.DeltaTime);
     if (open) drawPanel(viewer, now);
     if (shown_ == Shown::folded && !over) drawMenuButton();
+    if (!over) drawPlayBar(viewer, now);
     if (empty || start_) drawStart(viewer, now);
     if (saving_ && viewer.document()) drawSave(viewer);
+    if (recording_ && viewer.document()) drawRecord(viewer, now);
     if (help_) drawHelp();
+    drawRecording();
     drawReading(viewer, now);
     if (!viewer.failure().empty()) drawFailure(viewer);
     if (viewer.question()) drawQuestion(viewer, now);

@@ -12,6 +12,7 @@
 
 #include "app/panel/controls.h"
 #include "app/panel/font_file.h"
+#include "app/panel/recording.h"
 #include "app/viewer/parts.h"
 #include "app/viewer/viewer.h"
 
@@ -49,6 +50,11 @@ struct PanelHost {
     std::function<std::string(const char*)> freeName;        ///< for a picture, by extension
     std::function<void(const PictureWish&)> savePicture;
     std::function<void()> copyPicture;
+    /// A film; of key views, if its motion goes through them.
+    std::function<void(const RecordingWish&, const std::vector<SavedView>&)> record;
+    std::function<RecordingState()> recording;
+    std::function<void()> stopRecording;
+    bool videos = false;  ///< what .mp4 and .webm need is there
     std::function<const char*()> clipboard;
     std::function<void(const char*)> setClipboard;
     bool downloads = false;                   ///< "pdb:1BNA" can be had
@@ -84,7 +90,7 @@ public:
     /// A finger, in points. @returns whether it is the panel's; who got the beginning gets the rest
     bool touch(const TouchEvent& event);
     /// Forgets the finger, as after a pause.
-    void forgetTouch() { finger_.reset(); }
+    void forgetTouch() { finger_.reset(), down_[0] = false; }
 
     /// Shows the panel, or puts it away altogether.
     void togglePanel();
@@ -93,6 +99,10 @@ public:
     /// Where a picture is to be saved, as a dialog was told; its end decides the format.
     void setSavePath(const std::string& path);
     void showSave() { saving_ = true, restless_ = 2; }
+    void showRecord() { recording_ = static_cast<bool>(host_.record), restless_ = 2; }
+    /// Keeps what is seen as a key of a film; forgets those of other molecules.
+    void keepView(const Viewer& viewer, double now);
+    std::size_t keptViews() const;
     bool helpOpen() const { return help_; }
     bool panelOpen() const { return shown_ == Shown::open; }
     /// Closes what lies over everything: help, save, start. @returns whether something did
@@ -115,11 +125,13 @@ private:
     enum class Shown { open, folded, hidden };
     struct Rectangle {
         float left, top, right, bottom;
+        bool holds(glm::dvec2 p) const { return p.x >= left && p.x < right && p.y >= top && p.y < bottom; }
     };
     struct Finger {
         std::int64_t id;
         glm::dvec2 start, at;  // points
         bool scrolls;
+        bool holds;  ///< what it touched follows it, as a mouse that is held
     };
     float scale() const { return static_cast<float>(pixelsPerPoint_); }
     bool forFingers() const { return hand_ == PanelHand::fingers; }
@@ -151,7 +163,6 @@ private:
     void drawColors(SavedView& look);
     void drawEffects(SavedView& look, double radius);
     void drawPartsPage(SavedView& look, Viewer& viewer);
-    void drawModels(Viewer& viewer);
     void drawAssemblies(SavedView& look, const Molecule& molecule);
     void drawPart(SavedView& look, const Part& part, std::size_t number);
     void drawStyleChoice(SavedView& look, const Part& part, float width);
@@ -167,6 +178,10 @@ private:
     void drawLabelsPage(SavedView& look, Viewer& viewer);
     void drawMorePage(Viewer& viewer, double now);
     void drawForDevelopers(Viewer& viewer, double now);
+    // play_bar.cpp
+    void drawPlayBar(Viewer& viewer, double now);
+    void drawPlayRow(Viewer& viewer, double now);
+    void drawPlayOptions(Viewer& viewer, double now);
     // over everything
     void drawStart(Viewer& viewer, double now);
     void drawRecent(const RecentFile& recent, float width, Viewer& viewer, double now);
@@ -174,6 +189,11 @@ private:
     void drawFailure(Viewer& viewer);
     void drawSave(const Viewer& viewer);
     void drawHelp();
+    // record.cpp
+    void drawRecord(Viewer& viewer, double now);
+    void drawKeyViews(Viewer& viewer, double now);
+    void drawFilmLength(const Viewer& viewer);
+    void drawRecording();
     void drawQuestion(Viewer& viewer, double now);
     void openInput(const std::string& input, Viewer& viewer, double now);
     // marks.cpp
@@ -190,7 +210,7 @@ private:
     Shown shown_;
     Page page_ = Page::look;
     Brightness brightness_ = Brightness::system;
-    bool help_ = false, licences_ = false, start_ = false, saving_ = false, developers_ = false;
+    bool help_ = false, licences_ = false, start_ = false, saving_ = false, recording_ = false, developers_ = false;
     bool keyboard_ = false;  // keys go about in the panel
     int restless_ = 2;
     mutable bool glyphsChanged_ = false;
@@ -202,6 +222,8 @@ private:
     std::vector<Rectangle> occupied_;
     Rectangle window_{}, panel_{};  // pixels: all, and the panel where it is open
     bool sheet_ = false;
+    Rectangle playBar_{};
+    float bar_ = 0;         // pixels that the bar for playing takes, with its margins
     bool editing_ = false;  // a control that is held changed the look
     std::string ruleError_;
     std::optional<Aim> aim_;  // that a button asked for in this frame

@@ -34,11 +34,18 @@ struct Panel::State {
     std::pair<RepresentationOptions, bool> colored;  ///< what they are the colours of
     int rule = -1;                                   ///< that is being edited
     char ruleAtoms[512] = "";                        ///< of it, as they are typed
+    bool playOptions = false;                        ///< of the bar for playing are unfolded
     // The picture that is to be saved
     int preset = 0, format = 0;
     int widthMm = 160, heightMm = 120, dpi = 300;
     bool transparent = false;
     char path[512] = "";
+    // The film that is to be recorded
+    int motion = 0, filmSize = 0, filmFormat = 0;
+    float filmSeconds = 0;  ///< 0: what the motion takes
+    bool filmLoop = false, filmTransparent = false;
+    char film[512] = "";
+    std::vector<SavedView> keys;  ///< views that it goes through
 };
 
 }  // namespace nacre::app

@@ -254,6 +254,17 @@ bool Widgets::slideWhole(const char* name, int& value, int low, int high, const 
     return moved;
 }
 
+bool Widgets::slideRate(const char* name, float& value, float low, float high, const char* format) {
+    ImGui::PushID(name);
+    const bool moved = ImGui::SliderFloat("##slider", &value, low, high, format,
+                                          ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
+    ImGui::PopID();
+    char text[64];
+    std::snprintf(text, sizeof text, format, static_cast<double>(value));
+    note("slider", name, text);
+    return moved;
+}
+
 bool Widgets::field(const char* name, const char* hint, char* buffer, std::size_t size, float width, int flags) {
     ImGui::PushID(name);
     ImGui::SetNextItemWidth(width);

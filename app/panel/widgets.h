@@ -45,6 +45,8 @@ public:
     /// A number. @param format  says it in words: "fog %.2f"
     bool slide(const char* name, float& value, float low, float high, const char* format, int flags = 0);
     bool slideWhole(const char* name, int& value, int low, int high, const char* format);
+    /// A number that counts by its ratio. Its width is what ImGui::SetNextItemWidth() said.
+    bool slideRate(const char* name, float& value, float low, float high, const char* format);
     bool field(const char* name, const char* hint, char* buffer, std::size_t size, float width = -1, int flags = 0);
     /// A field of colour. @returns whether it was clicked
     bool swatch(const char* name, ImU32 color, bool chosen, float side = 0);

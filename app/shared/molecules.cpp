@@ -39,13 +39,28 @@ Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
     return readFile ? readMolecule(input.path, readFile(input.path), options) : readMoleculeFile(input.path, options);
 }
 
-Representation sceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawnOptions,
-                       const RepresentationOptions& look) {
-    const std::vector<std::uint32_t> drawn = drawnAtoms(molecule, drawnOptions);
+namespace {
+
+std::vector<std::uint32_t> someDrawnAtoms(const Molecule& molecule, const std::string& name,
+                                          const DrawnAtomsOptions& options) {
+    std::vector<std::uint32_t> drawn = drawnAtoms(molecule, options);
     if (drawn.empty())
         throw Error("cannot draw molecule", name,
                     "none of its " + std::to_string(molecule.atoms.size()) +
                         " atoms is drawn: they are water or hydrogens, which are hidden");
+    return drawn;
+}
+
+}  // namespace
+
+MovingScene movingSceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawn,
+                          const RepresentationOptions& look) {
+    return {molecule, someDrawnAtoms(molecule, name, drawn), look, sharedFrame(molecule, drawn, look)};
+}
+
+Representation sceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawnOptions,
+                       const RepresentationOptions& look) {
+    const std::vector<std::uint32_t> drawn = someDrawnAtoms(molecule, name, drawnOptions);
     Representation scene = represent(molecule, drawn, look, sharedFrame(molecule, drawnOptions, look));
     if (!look.ownFrame && !molecule.othersMissing.empty())
         scene.warnings.push_back("the camera is this model's own, not that of all models: " + molecule.othersMissing);

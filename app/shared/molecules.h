@@ -27,4 +27,8 @@ Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
 Representation sceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawn,
                        const RepresentationOptions& look);
 
+/// The same of one whose atoms move; seen as all models of its file are, if it has others. @throws Error
+MovingScene movingSceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawn,
+                          const RepresentationOptions& look);
+
 }  // namespace nacre::app

@@ -12,6 +12,7 @@
 #include "app/shared/molecules.h"
 #include "app/shared/option_text.h"
 #include "app/shared/option_values.h"
+#include "app/shared/trajectory_input.h"
 #include "engine/error.h"
 #include "engine/molecule/read.h"
 
@@ -87,6 +88,33 @@ void readList(const Json& list, std::vector<Value>& values, Value (*parse)(std::
     if (!list.is_array() || list.size() > kMostWordOptions)
         throw std::invalid_argument("expected a list of at most " + std::to_string(kMostWordOptions) + " texts");
     for (const Json& text : list) values.push_back(parse(textOf(text)));
+}
+
+/// @returns whether the key is one of how atoms move
+bool readTrajectory(const std::string& key, const Json& value, TrajectoryOptions& trajectory) {
+    if (key == "trajectory")
+        trajectory.path = textOf(value);
+    else if (key == "frame")
+        trajectory.frame = parseFrame(textOf(value));
+    else if (key == "whole")
+        trajectory.whole = isOn(value, "on", "off");
+    else if (key == "fit-frames")
+        trajectory.fit = parseSelection(textOf(value));
+    else if (key == "smooth")
+        trajectory.smooth = parseSmoothing(textOf(value));
+    else
+        return false;
+    return true;
+}
+
+void addMotionKeys(const TrajectoryOptions& trajectory, OrderedJson& json) {
+    if (!trajectory.path.empty()) {
+        json["trajectory"] = trajectory.path;
+        json["frame"] = trajectory.frame;
+    }
+    if (trajectory.whole) json["whole"] = "on";
+    if (trajectory.fit) json["fit-frames"] = trajectory.fit->text;
+    if (trajectory.smooth > 1) json["smooth"] = trajectory.smooth;
 }
 
 /// @returns whether the key is one of words
@@ -172,7 +200,7 @@ void readKey(const std::string& key, const Json& value, SavedView& view) {
         option->set(textOf(value), view.effects);
     } else if (const MeshOption* mesh = meshOption(key)) {
         mesh->set(textOf(value), view.look);
-    } else if (!readWords(key, value, view.words)) {
+    } else if (!readWords(key, value, view.words) && !readTrajectory(key, value, view.trajectory)) {
         throw std::invalid_argument("no such key");
     }
 }
@@ -212,6 +240,7 @@ std::string savedViewJson(const SavedView& view) {
     if (!view.hash.empty()) json["hash"] = view.hash;
     if (view.format) json["format"] = formatName(*view.format);
     json["model"] = view.model == kAllModels ? OrderedJson("all") : OrderedJson(view.model);
+    addMotionKeys(view.trajectory, json);
     if (view.look.ownFrame) json["camera"] = "model";
     if (view.look.modelsOcclude) json["occlusion-models"] = "all";
     if (!view.look.assembly.empty()) json["assembly"] = view.look.assembly;
@@ -249,6 +278,7 @@ InputOptions inputOf(const SavedView& view, InputOptions options) {
     options.format = view.format;
     options.model = view.model;
     options.alone = view.look.ownFrame;
+    options.trajectory = view.trajectory;
     return options;
 }
 

@@ -7,6 +7,7 @@
 //    "water": "hide", "hydrogens": "show", "projection": "ortho", "fov": 30, "zoom": 1.5,
 //    "orientation": [w, x, y, z], "pan": [x, y], "background": "white", "lighting": "on", "occlusion": 128}
 // and those of app/shared/effect_options.h, as they differ from the default.
+// and, where atoms move: "trajectory": "md.xtc", "frame": 7, "whole": "on", "fit-frames": "backbone", "smooth": 5
 // and, where there are words: "labels": ["ligand={residue}"], "measures": ["78,92"], "title": "B-DNA",
 //   "scale-bar": "nm", "legend": "on", "text-size": 24, "text-color": "#202020"; "palette": "muted".
 // `orientation` is a unit quaternion (v = Q (p - C)), `pan` is in Å. Every key may be left out.
@@ -28,6 +29,7 @@ struct SavedView {
     std::string hash;              ///< of the input's file when the view was saved; see fileHash(). Empty: not known
     std::optional<Format> format;  ///< empty: by content
     int model = 1;
+    TrajectoryOptions trajectory;
     DrawnAtomsOptions drawn;
     RepresentationOptions look;
     Camera camera;

@@ -1,11 +1,22 @@
 #include "app/shared/trajectory_input.h"
 
+#include <stdexcept>
+
 #include "app/shared/messages.h"
+#include "app/shared/option_values.h"
 #include "engine/error.h"
 
 namespace nacre::app {
 
-std::unique_ptr<Motion> openMotion(const TrajectoryOptions& options, const Molecule& molecule) {
+std::int64_t parseFrame(std::string_view text) { return parseInteger(text, 1, std::int64_t{1} << 40); }
+
+std::int64_t parseSmoothing(std::string_view text) {
+    const std::int64_t frames = parseInteger(text, 1, Motion::kMostSmoothed);
+    if (frames % 2 == 0) throw std::invalid_argument("expected an odd number");
+    return frames;
+}
+
+MotionOptions motionOptions(const TrajectoryOptions& options, const Molecule& molecule) {
     MotionOptions motion;
     motion.whole = options.whole;
     motion.smoothed = static_cast<std::size_t>(options.smooth);
@@ -16,7 +27,11 @@ std::unique_ptr<Motion> openMotion(const TrajectoryOptions& options, const Molec
         if (motion.fitted.size() < 3)
             throw Error("cannot fit frames", options.path, "--fit-frames selects fewer than three atoms");
     }
-    auto opened = std::make_unique<Motion>(openTrajectory(options.path), molecule, std::move(motion));
+    return motion;
+}
+
+std::unique_ptr<Motion> openMotion(const TrajectoryOptions& options, const Molecule& molecule) {
+    auto opened = std::make_unique<Motion>(openTrajectory(options.path), molecule, motionOptions(options, molecule));
     if (opened->trajectory().cutOff())
         sayWarning(options.path + " ends within a frame: the " + std::to_string(opened->frames()) +
                    " whole ones are read");

@@ -2,11 +2,20 @@
 // A structure whose atoms move.
 
 #include <memory>
+#include <string_view>
 
 #include "app/shared/input_options.h"
 #include "engine/molecule/trajectory/motion.h"
 
 namespace nacre::app {
+
+/// A frame's number, from 1. @throws std::invalid_argument
+std::int64_t parseFrame(std::string_view text);
+/// How many frames a position is the mean of: odd, to Motion::kMostSmoothed. @throws std::invalid_argument
+std::int64_t parseSmoothing(std::string_view text);
+
+/// How frames are to be laid. @throws Error if too few atoms are selected to fit
+MotionOptions motionOptions(const TrajectoryOptions& options, const Molecule& molecule);
 
 /// Opens the trajectory of some options; says so if it ends within a frame.
 /// @throws Error if its atoms are not those of the molecule, or nothing is selected to fit

@@ -69,6 +69,16 @@ std::string filePathOf(const InputOptions& input) {
     return moved.empty() ? named.string() : moved.string();
 }
 
+std::string trajectoryPathOf(const InputOptions& input) {
+    const fs::path path = input.trajectory.path;
+    if (input.namedBy.empty() || path.empty()) return path.string();
+    const fs::path folder = fs::path(input.namedBy).parent_path();
+    std::error_code error;
+    if (!fs::exists(folder / path, error) && fs::exists(folder / path.filename(), error))
+        return (folder / path.filename()).string();
+    return (folder / path).string();
+}
+
 std::string outsideNotice(const InputOptions& input) {
     if (input.namedBy.empty() || !isFile(input.path)) return {};
     const fs::path file = real(filePathOf(input)), folder = real(input.namedBy).parent_path();

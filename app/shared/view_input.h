@@ -17,6 +17,9 @@ std::string filePathOf(const InputOptions& input);
 /// file or cannot be read.
 std::string fileHash(const std::string& path);
 
+/// Where the trajectory is that INPUT moves by. One that a view names and that is gone is looked for beside the view.
+std::string trajectoryPathOf(const InputOptions& input);
+
 /// What to say before a file that a view names outside of its own folder is opened; otherwise empty.
 std::string outsideNotice(const InputOptions& input);
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "app/shared/molecules.h"
+#include "app/shared/trajectory_input.h"
 #include "app/viewer/presets.h"
 #include "engine/error.h"
 
@@ -36,11 +38,34 @@ void Loader::launch(Job job) {
 }
 
 Document Loader::load(const Job& job) const {
-    Document document{job.view, job.molecule, {}};
-    if (!document.molecule) document.molecule = std::make_shared<const Molecule>(sources_.read(job.view));
+    Document document{job.view, job.molecule, {}, job.placed};
+    if (!document.molecule) {
+        const auto molecule = std::make_shared<Molecule>(sources_.read(job.view));
+        document.placed = document.molecule = molecule;
+        if (sources_.motion) document.motion = sources_.motion(molecule, job.view);
+        // The file of the names may have the atoms elsewhere: the camera goes by where the first frame has them.
+        if (document.motion && !job.view.trajectory.path.empty())
+            movePositions(*molecule, document.motion->positions(0));
+    }
     if (job.first) firstLook(*document.molecule, document.view);
-    document.scene = sources_.build(*document.molecule, document.view);
+    build(document, job.moves || document.motion);
     return document;
+}
+
+/// Copies of an assembly stand still.
+void Loader::build(Document& document, bool moves) const {
+    const SavedView& view = document.view;
+    if (!moves || !view.look.assembly.empty()) {
+        document.scene = sources_.build(*document.molecule, view);
+        document.placed = document.molecule;
+        document.radius = document.scene.radius;
+        return;
+    }
+    document.moving =
+        std::make_shared<MovingScene>(movingSceneOf(*document.molecule, view.input, view.drawn, view.look));
+    document.radius = document.moving->scene().radius;
+    if (document.placed != document.molecule) document.moving->move(*document.placed);
+    document.scene = document.moving->scene();
 }
 
 void Loader::wait() const {

@@ -11,6 +11,7 @@
 
 #include "app/shared/saved_view.h"
 #include "engine/molecule/molecule.h"
+#include "engine/molecule/trajectory/motion.h"
 
 namespace nacre::app {
 
@@ -37,13 +38,22 @@ struct Sources {
     std::function<double()> progress = {};
     /// Makes read() throw soon, where it can. Any thread.
     std::function<void()> cancel = {};
+    /// What the atoms of a molecule that was read move by, as the view says; null: they stand still. What it throws is
+    /// the failure of the whole. Empty: they always do.
+    std::function<std::unique_ptr<Motion>(const std::shared_ptr<const Molecule>&, const SavedView&)> motion = {};
 };
 
 /// What is shown. The molecule is shared with a build that is under way.
 struct Document {
-    SavedView view;  ///< as it was asked for
-    std::shared_ptr<const Molecule> molecule;
+    SavedView view;                            ///< as it was asked for
+    std::shared_ptr<const Molecule> molecule;  ///< as it was read: the same as long as its file is shown
     Representation scene;
+    std::shared_ptr<const Molecule> placed =
+        molecule;                              ///< the molecule as it stands in the scene, which may have moved
+    double radius = 0;                         ///< that the camera goes by: the scene's before it moved, Å
+    std::shared_ptr<Motion> motion = {};       ///< of a molecule that was just read, if its atoms move
+    std::shared_ptr<MovingScene> moving = {};  ///< of one whose atoms move
+    bool moves() const { return moving != nullptr; }
 };
 
 class Loader {
@@ -58,8 +68,10 @@ public:
     void read(const SavedView& view) { start({view, nullptr}); }
     /// The same, of one that is seen for the first time: as it looks best (firstLook()), if the view leaves that open.
     void open(const SavedView& view) { start({view, nullptr, true}); }
-    /// Starts with a molecule that is there, seen in another way.
-    void build(const SavedView& view, std::shared_ptr<const Molecule> molecule) { start({view, std::move(molecule)}); }
+    /// Starts with what is shown, seen in another way.
+    void build(const SavedView& view, const Document& shown) {
+        start({view, shown.molecule, false, shown.placed, shown.moves()});
+    }
     bool busy() const { return running_.valid() && !cancelled_; }
     /// What is under way, and what waits, is not wanted any more: take() gives nothing of it.
     void cancel();
@@ -77,11 +89,14 @@ private:
     struct Job {
         SavedView view;
         std::shared_ptr<const Molecule> molecule;
-        bool first = false;  ///< is seen for the first time
+        bool first = false;                           ///< is seen for the first time
+        std::shared_ptr<const Molecule> placed = {};  ///< where it stands
+        bool moves = false;
     };
     void start(Job job);
     void launch(Job job);
     Document load(const Job& job) const;
+    void build(Document& document, bool moves) const;
 
     Sources sources_;
     std::function<void()> wake_;

@@ -9,6 +9,8 @@ class Screen {
 public:
     virtual ~Screen() = default;
     virtual void setScene(const Representation& scene) = 0;
+    /// As Renderer::moveScene.
+    virtual void moveScene(const Representation& scene) { setScene(scene); }
     virtual double advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) = 0;
     /// As Renderer::awaitFrame.
     virtual void awaitFrame() {}

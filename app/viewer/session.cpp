@@ -17,6 +17,10 @@ void Session::OwnScreen::setScene(const Representation& scene) {
     if (session_.renderer_) session_.renderer_->setScene(scene);
 }
 
+void Session::OwnScreen::moveScene(const Representation& scene) {
+    if (session_.renderer_) session_.renderer_->moveScene(scene);
+}
+
 double Session::OwnScreen::advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) {
     return session_.renderer_ ? session_.renderer_->advanceOcclusion(settings, pace) : 0;
 }

@@ -62,6 +62,7 @@ private:
     public:
         explicit OwnScreen(Session& session) : session_(session) {}
         void setScene(const Representation& scene) override;
+        void moveScene(const Representation& scene) override;
         double advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) override;
         void awaitFrame() override;
         double frameMilliseconds() const override;

@@ -24,7 +24,7 @@ double Viewer::handRests() const { return handMoved_ + kHandSeconds; }
 
 Viewer::Viewer(Screen& screen, Sources sources, const SavedView& view, const ViewerOptions& options,
                std::function<void()> wake)
-    : screen_(screen), options_(options), loader_(std::move(sources), std::move(wake)), view_(view) {
+    : screen_(screen), options_(options), loader_(std::move(sources), wake), view_(view), wake_(wake) {
     motion_.set(view.camera);
     // What was saved looks as it was.
     if (!view.input.empty()) view.hash.empty() ? loader_.open(view_) : loader_.read(view_);
@@ -112,7 +112,7 @@ void Viewer::takeAim(const Aim& aim, bool fly, double now) {
     try {
         Camera from = motion_.camera();
         if (aim.zoomTo || aim.principal) from.zoom = 1;
-        const Aimed to = aimed(from, aim, *document_.molecule, document_.scene, {freeSize().width, freeSize().height});
+        const Aimed to = aimed(from, aim, *document_.placed, document_.scene, {freeSize().width, freeSize().height});
         remember();
         if (fly)
             motion_.fly(to.camera, now);
@@ -188,7 +188,7 @@ std::string Viewer::title() const {
     std::string title = document() ? nameOf(document_.view.input) : "";
     if (question_) title = "question";
     if (loader_.busy()) title += title.empty() ? "reading" : ", building";
-    if (document() && occlusion_ < 1)
+    if (document() && occlusion_ < 1 && !playback_.playing())
         title += ", occlusion " + std::to_string(static_cast<int>(100 * occlusion_)) + " %";
     return title.empty() ? "Nacre" : title + " - Nacre";
 }

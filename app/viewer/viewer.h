@@ -21,6 +21,8 @@
 #include "app/viewer/history.h"
 #include "app/viewer/loader.h"
 #include "app/viewer/mouse.h"
+#include "app/viewer/playback.h"
+#include "app/viewer/player.h"
 #include "app/viewer/retry.h"
 #include "app/viewer/screen.h"
 
@@ -107,7 +109,21 @@ public:
     const SelectedAtoms& selection() const { return selected_; }
     /// Models of the file; 0 while there is none.
     int models() const;
-    void showModel(int model);
+    // Of a molecule that moves, or a file of several models: frames are counted from 0.
+    const Playback& playback() const { return playback_; }
+    /// The frames are those of a trajectory, not models of the file.
+    bool hasTrajectory() const;
+    /// Frames can be laid: fitted, smoothed, made whole.
+    bool canLay() const { return player_ && document_.moves(); }
+    void showFrame(std::size_t frame, double now);
+    void setPlaying(bool playing, double now);
+    void setRate(double framesPerSecond);
+    void setOrder(PlayOrder order);
+    /// How frames are laid; file and frame of the options are not looked at.
+    void setMotion(const TrajectoryOptions& options, double now);
+    /// Of the frame that is shown: ps, if its file says so; and how far fitted atoms are from the first frame's, Å.
+    std::optional<double> frameTime() const { return frameTime_; }
+    double frameRmsd() const { return frameRmsd_; }
     const std::string& failure() const { return failure_; }
     void dismissFailure();
     void overlayChanged() { schedule_.overlayChanged(); }
@@ -120,6 +136,10 @@ public:
     double loadingProgress() const { return loader_.progress(); }
     const std::string& loadingName() const { return loader_.view().input; }
     void waitForLoading() const { loader_.wait(); }
+    /// Until the frame that was asked for last is ready, if one was.
+    void waitForFrame() const {
+        if (player_) player_->wait();
+    }
     const Document* document() const { return document_.molecule ? &document_ : nullptr; }
     double occlusion() const { return occlusion_; }
     /// The view as it is saved: what the picked atoms measure stays.
@@ -133,7 +153,7 @@ public:
     void answer(bool yes, double now);
     /// Picked atoms, from 0, in their order.
     const std::vector<std::uint32_t>& picks() const { return picks_; }
-    bool playing() const { return playing_; }
+    bool playing() const { return playback_.playing(); }
     bool autoRotating() const { return motion_.autoRotation(); }
     bool rocking() const { return motion_.rocking(); }
     DebugView debugView() const { return debug_; }
@@ -179,7 +199,12 @@ private:
     bool noticeLoss();
     void tookDocument(double now);
     double advance(double now);
-    void stepModel(int step, double now);
+    void setLaying(const TrajectoryOptions& options);
+    void takePlayer(bool another, bool step);
+    void stepFrame(int step, double now);
+    void request(std::size_t frame, double now);
+    double play(double now);
+    void showPlayed(double now);
     bool moveCamera(ViewerCommand command, double now);
     bool aimCamera(ViewerCommand command, double now);
     void unclip();
@@ -192,7 +217,7 @@ private:
     PixelSize freeSize() const;
     glm::dvec2 freeOrigin() const { return glm::dvec2(covered_.left, covered_.top) / scale_; }
     Viewport viewport() const { return {freeSize().width / scale_, freeSize().height / scale_}; }
-    double radius() const { return document_.molecule ? document_.scene.radius : 1.0; }
+    double radius() const { return document_.molecule ? document_.radius : 1.0; }
     void changed(double now) { schedule_.pictureChanged(now); }
 
     Screen& screen_;
@@ -228,8 +253,12 @@ private:
     std::string message_;
     double messageUntil_ = 0;
     std::size_t preset_ = 0, lookNumber_ = 0;
-    bool playing_ = false;  // through the models
-    double nextModel_ = 0;  // when the next is due
+    std::function<void()> wake_;
+    Playback playback_;
+    std::unique_ptr<Player> player_;      // null: models are read one by one, if there are any
+    std::optional<PlayedFrame> waiting_;  // until it is due
+    std::optional<double> frameTime_;     // ps
+    double frameRmsd_ = 0;
     bool deviceLost_ = false, firstDocument_ = true;
     bool sceneThere_ = true;  // the document's scene is on the screen
     Retry sceneRetry_, occlusionRetry_, frameRetry_;

@@ -120,27 +120,6 @@ bool Viewer::aimCamera(ViewerCommand command, double now) {
     return true;
 }
 
-int Viewer::models() const {
-    if (!document_.molecule) return 0;
-    const FileSummary& file = document_.molecule->file;
-    return static_cast<int>(std::max(file.models.value_or(1), file.records.value_or(1)));
-}
-
-/// Goes round from the last to the first.
-void Viewer::stepModel(int step, double now) {
-    if (models() < 2) return say("it has one model alone", now);
-    const int model = view_.model == kAllModels ? 1 : (view_.model - 1 + step + models()) % models() + 1;
-    showModel(model);
-    say("model " + std::to_string(model) + " of " + std::to_string(models()), now);
-}
-
-void Viewer::showModel(int model) {
-    if (!playing_) remember();
-    SavedView next = view();
-    next.model = model;
-    loader_.read(next);
-}
-
 void Viewer::run(ViewerCommand command, double now) {
     using C = ViewerCommand;
     if (moveCamera(command, now) || aimCamera(command, now)) return;
@@ -202,12 +181,17 @@ void Viewer::run(ViewerCommand command, double now) {
             break;
         case C::nextModel:
         case C::previousModel:
-            playing_ = false;
-            return stepModel(command == C::nextModel ? 1 : -1, now);
+            return stepFrame(command == C::nextModel ? 1 : -1, now);
+        case C::firstModel:
+            return showFrame(0, now);
+        case C::lastModel:
+            return showFrame(playback_.frames(), now);
         case C::playModels:
-            playing_ = !playing_ && models() > 1;
-            nextModel_ = now;
-            return models() > 1 ? changed(now) : say("it has one model alone", now);
+            return setPlaying(!playback_.playing(), now);
+        case C::slower:
+        case C::faster:
+            playback_.stepRate(command == C::faster ? 1 : -1);
+            return say(rateText(playback_.rate()), now);
         case C::clearPicks:
             if (question_) return answer(false, now);
             if (!failure_.empty()) return dismissFailure();

@@ -16,6 +16,7 @@ void Viewer::open(const std::string& path, double now) {
     fresh.input = path;
     fresh.format.reset();
     fresh.model = 1;
+    fresh.trajectory = {};
     fresh.look.assembly.clear();
     fresh.look.rules.clear();
     fresh.words.labels.clear();
@@ -57,7 +58,7 @@ void Viewer::setLook(const SavedView& look, double now, bool continues) {
     const bool scene = look.look != before.look || look.drawn != before.drawn;
     // What is being read is seen in this look once it is there.
     const bool reading = loader_.busy() && loader_.view().input != document_.view.input;
-    if (scene && document_.molecule && !reading) loader_.build(view(), document_.molecule);
+    if (scene && document_.molecule && !reading) loader_.build(view(), document_);
     if (look.occlusionDirections != before.occlusionDirections) occlusion_ = look.occlusionDirections ? 0 : 1;
 }
 
@@ -66,7 +67,7 @@ bool Viewer::putWords(double now) {
     if (!document()) return true;
     schedule_.overlayChanged();
     try {
-        placedWords_ = placeWords(view_.words, *document_.molecule, document_.scene);
+        placedWords_ = placeWords(view_.words, *document_.placed, document_.scene);
         return true;
     } catch (const Error& error) {
         say(error.what(), now);
@@ -105,6 +106,7 @@ void Viewer::tookDocument(double now) {
         view_.input = document_.view.input;
         view_.format = document_.view.format;
         view_.model = document_.view.model;
+        view_.trajectory = document_.view.trajectory;
         view_.look.assembly = document_.view.look.assembly;
         if (!step && !view_.look.style) {
             view_.look.style = document_.view.look.style;
@@ -118,10 +120,11 @@ void Viewer::tookDocument(double now) {
         firstDocument_ = false;
         if (!step) {
             message_.clear();
-            playing_ = false;
+            playback_.stop();
         }
         if (aim_.any()) takeAim(std::exchange(aim_, {}), false, now);
     }
+    takePlayer(another, step);
     putWords(now);
     if (another) select(step ? selected_.text : "");
     placeSelection();
@@ -135,7 +138,7 @@ void Viewer::tookDocument(double now) {
     if (!document_.scene.warnings.empty()) say(document_.scene.warnings.front(), now);
     changed(now);
     if (another && (view_.look != document_.view.look || view_.drawn != document_.view.drawn))
-        loader_.build(view(), document_.molecule);
+        loader_.build(view(), document_);
 }
 
 }  // namespace nacre::app

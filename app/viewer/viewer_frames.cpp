@@ -9,7 +9,6 @@
 namespace nacre::app {
 namespace {
 
-constexpr double kModelSeconds = 0.1;  // each, where the file is read as fast
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -34,6 +33,12 @@ RenderSettings Viewer::settings() const {
 RenderSettings Viewer::pictureSettings(PixelSize size) const {
     RenderSettings s;
     s.view = viewOf(motion_.camera(), radius(), size.width, size.height);
+    // Atoms that moved may reach farther than what the camera goes by.
+    if (document_.moves()) {
+        s.view.radius = document_.scene.radius;
+        if (s.view.projection == Projection::perspective)
+            s.view.eyeDistance = std::max(s.view.eyeDistance, s.view.radius * 1.02);
+    }
     s.background = view_.background;
     s.lighting = view_.lighting;
     s.effects = view_.effects;
@@ -54,18 +59,14 @@ std::uint32_t Viewer::refinedSamples() const {
 double Viewer::advance(double now) {
     apply(touches_.tick(now), now);
     if (motion_.advance(now)) changed(now);
-    if (playing_ && document() && !loader_.busy() && now >= nextModel_) {
-        nextModel_ = now + kModelSeconds;
-        stepModel(1, now);
-    }
+    const double played = play(now);
     if (!message_.empty() && now >= messageUntil_) {
         message_.clear();
         schedule_.overlayChanged();
     }
     if (hoverAt_ && now >= hoverDue_) hover(now);
-    double due = message_.empty() ? kNever : messageUntil_;
+    double due = std::min(played, message_.empty() ? kNever : messageUntil_);
     if (hoverAt_) due = std::min(due, hoverDue_);
-    if (playing_ && !loader_.busy()) due = std::min(due, nextModel_);
     if (const auto wake = touches_.wake()) due = std::min(due, *wake);
     return due;
 }
@@ -77,7 +78,8 @@ double Viewer::update(double now, const std::function<const Overlay*()>& overlay
     const bool moving = motion_.moving() || hand;
     if (!schedule_.visible()) return kNever;
     if (!sceneThere_ && sceneRetry_.due(now)) putScene(now);
-    if (document() && sceneThere_ && occlusion_ < 1 && occlusionRetry_.due(now)) advanceOcclusion(now, moving);
+    if (document() && sceneThere_ && occlusion_ < 1 && occlusionRetry_.due(now))
+        advanceOcclusion(now, moving || playback_.playing());
     if (deviceLost_) return now;
     if (!frameRetry_.due(now)) return std::min(due, frameRetry_.at());
     schedule_.setSamples(refinedSamples());

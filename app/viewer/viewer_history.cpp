@@ -47,22 +47,33 @@ void Viewer::restore(const SavedView& to, double now) {
     const SavedView before = view();
     // What is shown may still be something else than what was asked for before.
     const SavedView& there = document_.view;
-    const bool another = !document() || to.input != there.input || to.format != there.format || to.model != there.model;
+    const bool file = !document() || to.input != there.input || to.format != there.format ||
+                      to.trajectory.path != there.trajectory.path;
+    const bool frame = !file && document_.moves() && to.look.assembly == there.look.assembly;  // the player has it
+    const bool another = file || (!frame && to.model != there.model);
     Camera camera = motion_.camera();
     view_ = to;
     camera.projection = to.camera.projection;
     camera.fovDegrees = to.camera.fovDegrees;
     motion_.set(camera);
     motion_.fly(to.camera, now);
-    playing_ = clipped_ = false;
+    playback_.stop();
+    clipped_ = false;
     unremembered_ = false;
     dismissFailure();
     restoring_ = another;
     if (another)
         loader_.read(to);
     else if (to.look != before.look || to.drawn != before.drawn || loader_.busy())
-        loader_.build(to, document_.molecule);
+        loader_.build(to, document_);
     if (!another) putWords(now);
+    if (frame) {
+        setLaying(to.trajectory);
+        const std::int64_t number = hasTrajectory() ? to.trajectory.frame : to.model;
+        playback_.goTo(
+            std::min(static_cast<std::size_t>(std::max<std::int64_t>(number, 1) - 1), playback_.frames() - 1));
+        player_->want(playback_.frame());
+    }
     if (to.occlusionDirections != before.occlusionDirections) occlusion_ = to.occlusionDirections ? 0 : 1;
     changed(now);
 }

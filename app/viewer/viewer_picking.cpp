@@ -108,15 +108,14 @@ void Viewer::placeSelection() {
     selected_.count = 0;
     if (selected_.text.empty() || !document()) return;
     try {
-        const std::vector<bool> chosen = selectAtoms(*document_.molecule, parseSelection(selected_.text));
+        const std::vector<bool> chosen = selectAtoms(*document_.placed, parseSelection(selected_.text));
         selected_.count = static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), true));
         std::vector<std::uint32_t> shown;
         for (const std::uint32_t atom : drawnAtoms(*document_.molecule, view_.drawn))
             if (chosen[atom]) shown.push_back(atom);
         const std::size_t step = shown.size() / kMostMarks + 1;
         for (std::size_t i = 0; i < shown.size(); i += step)
-            selectedPlaces_.push_back(glm::dvec3(document_.molecule->atoms[shown[i]].position) -
-                                      document_.scene.center);
+            selectedPlaces_.push_back(glm::dvec3(document_.placed->atoms[shown[i]].position) - document_.scene.center);
     } catch (const std::exception& error) {
         selected_.error = error.what();
     }
@@ -145,7 +144,7 @@ Annotations Viewer::annotations() const {
     if (picks_.empty()) return a;
     std::vector<glm::dvec3> places;
     for (const std::uint32_t pick : picks_) {
-        const glm::dvec3 place = document_.molecule->atoms[pick].position;
+        const glm::dvec3 place = document_.placed->atoms[pick].position;
         places.push_back(place);
         a.atoms.push_back(pointOf(place - document_.scene.center, view));
     }

@@ -312,9 +312,9 @@ Representation represent(const Molecule& molecule, std::span<const std::uint32_t
 }
 
 MovingScene::MovingScene(const Molecule& molecule, std::span<const std::uint32_t> drawn,
-                         const RepresentationOptions& options) {
+                         const RepresentationOptions& options, const std::optional<Bounds>& frame) {
     if (!options.assembly.empty()) throw Error("cannot move molecule", "", "the copies of an assembly stand still");
-    scene_ = represent(molecule, drawn, options);
+    scene_ = represent(molecule, drawn, options, frame);
     appearance_ = appearanceOf(molecule, drawn, options);
     options_ = options;
     if (!appearance_.cartoon.atoms.empty()) secondary_ = secondaryStructure(molecule);

@@ -84,9 +84,10 @@ Representation represent(const Molecule& molecule, std::span<const std::uint32_t
 class MovingScene {
 public:
     /// As represent(). @throws Error of an assembly as well: its copies do not move
-    MovingScene(const Molecule& molecule, std::span<const std::uint32_t> drawn, const RepresentationOptions& options);
+    MovingScene(const Molecule& molecule, std::span<const std::uint32_t> drawn, const RepresentationOptions& options,
+                const std::optional<Bounds>& frame = {});
 
-    /// Its centre stays that of the first positions; its radius is the least that holds every atom.
+    /// Its centre stays that of the first positions, or of the frame; its radius is the least that holds every atom.
     const Representation& scene() const { return scene_; }
     /// @param molecule  the same, with other positions @throws Error as represent()
     void move(const Molecule& molecule);

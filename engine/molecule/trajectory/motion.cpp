@@ -8,13 +8,22 @@
 namespace nacre {
 
 Motion::Motion(std::unique_ptr<Trajectory> trajectory, const Molecule& molecule, MotionOptions options)
-    : trajectory_(std::move(trajectory)), options_(std::move(options)) {
+    : trajectory_(std::move(trajectory)) {
     const std::size_t atoms = molecule.atoms.size();
     if (trajectory_->atoms() != atoms)
         throw Error("cannot join structure and trajectory", "",
                     "the trajectory has " + std::to_string(trajectory_->atoms()) + " atoms, the structure " +
                         std::to_string(atoms));
+    change(std::move(options), molecule);
+}
+
+void Motion::change(MotionOptions options, const Molecule& molecule) {
+    options_ = std::move(options);
+    kept_.clear();
+    first_.clear();
+    steps_.clear();
     if (!options_.whole) return;
+    const std::size_t atoms = molecule.atoms.size();
     std::vector<std::vector<std::uint32_t>> bonded(atoms);
     for (const Bond& bond : molecule.bonds) {
         bonded[bond.a].push_back(bond.b);
@@ -61,7 +70,7 @@ std::vector<glm::dvec3> Motion::fittedOf(const std::vector<glm::vec3>& positions
 Motion::Kept Motion::lay(std::size_t frame) {
     TrajectoryFrame read = trajectory_->read(frame);
     if (options_.whole && read.box) makeWhole(read.positions, *read.box);
-    Kept kept{frame, std::move(read.positions), 0};
+    Kept kept{frame, std::move(read.positions), 0, read.time};
     if (options_.fitted.empty()) return kept;
     if (first_.empty() && frame == 0) first_ = fittedOf(kept.positions);
     if (first_.empty()) first_ = fittedOf(lay(0).positions);
@@ -89,11 +98,13 @@ std::vector<glm::vec3> Motion::positions(std::size_t frame) {
     if (options_.smoothed <= 1) {
         const Kept& kept = laid(frame);
         rmsd_ = kept.rmsd;
+        time_ = kept.time;
         return kept.positions;
     }
     const std::size_t half = options_.smoothed / 2;
     const std::size_t begin = frame - std::min(half, frame), end = std::min(frame + half + 1, frames());
     rmsd_ = laid(frame).rmsd;
+    time_ = laid(frame).time;
     std::vector<glm::dvec3> sum(trajectory_->atoms(), glm::dvec3(0));
     for (std::size_t i = begin; i < end; ++i) {
         const Kept& kept = laid(i);

@@ -24,18 +24,24 @@ public:
     /// @throws Error if the numbers of atoms differ
     Motion(std::unique_ptr<Trajectory> trajectory, const Molecule& molecule, MotionOptions options);
 
+    /// From the next frame on. @param molecule  as at first
+    void change(MotionOptions options, const Molecule& molecule);
+
     const Trajectory& trajectory() const { return *trajectory_; }
     std::size_t frames() const { return trajectory_->frames(); }
     /// Å. @param frame from 0. One after the other, each costs one frame read. @throws Error
     std::vector<glm::vec3> positions(std::size_t frame);
     /// Of the frame asked for last: how far the fitted atoms are from their places in the first frame, Å.
     double rmsd() const { return rmsd_; }
+    /// Of the same, ps; none if the file has none.
+    std::optional<double> time() const { return time_; }
 
 private:
     struct Kept {
         std::size_t frame;
         std::vector<glm::vec3> positions;
         double rmsd;
+        std::optional<double> time;
     };
     /// An atom that is reached over a bond from one that stands already.
     struct Step {
@@ -53,6 +59,7 @@ private:
     std::vector<glm::dvec3> first_;  // the fitted atoms in the first frame
     std::deque<Kept> kept_;
     double rmsd_ = 0;
+    std::optional<double> time_;
 };
 
 }  // namespace nacre

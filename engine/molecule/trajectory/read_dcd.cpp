@@ -28,6 +28,13 @@ private:
         hasCell_ = charmm && control(10) != 0;
         hasFourth_ = charmm && control(11) != 0;
         const std::int32_t fixed = control(8);
+        // X-PLOR's step is a double in the place of two numbers.
+        NumberReader step(*file_, 8 + 4 * 9, swapped_);
+        const double units = charmm ? static_cast<double>(step.next<float>()) : step.next<double>();
+        constexpr double kAkmaPicoseconds = 0.0488882129;  // sqrt(g/mol Å^2 / (kcal/mol)) in ps
+        firstStep_ = control(1);
+        perFrame_ = control(2);
+        if (units > 0 && units < 1e6 && perFrame_ > 0) stepPicoseconds_ = units * kAkmaPicoseconds;
         std::uint64_t at = kHeader;
         at += record(at);  // the title
         if (record(at) != 4 + 8) file_->fail("its header has no number of atoms");
@@ -68,6 +75,8 @@ private:
 
     void readFrame(std::size_t frame, TrajectoryFrame& result) override {
         std::uint64_t at = frame == 0 ? first_ : first_ + firstSize_ + (frame - 1) * frameSize_;
+        if (stepPicoseconds_ > 0)
+            result.time = stepPicoseconds_ * (firstStep_ + static_cast<double>(frame) * perFrame_);
         if (hasCell_) {
             if (record(at) != 48 + 8) damaged(frame);
             result.box = cellAt(at + 4);
@@ -115,6 +124,7 @@ private:
     std::vector<std::uint32_t> free_;  // atoms that move; empty: all
     std::vector<glm::vec3> fixedPositions_;
     std::uint64_t first_ = 0, firstSize_ = 0, frameSize_ = 0;
+    double stepPicoseconds_ = 0, firstStep_ = 0, perFrame_ = 0;  // of the simulation; 0: not known
     std::vector<std::byte> buffer_;
 };
 

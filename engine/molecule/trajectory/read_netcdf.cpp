@@ -142,6 +142,9 @@ public:
         cutOff_ = !head.streaming && whole < head.records;
         if (!frames_) file_->fail("it has no whole frame");
         hasCell_ = isCell(lengths_) && isCell(angles_);
+        times_ = find("time");
+        hasTimes_ =
+            times_.recorded && times_.dimensions.size() == 1 && (times_.type == kFloat || times_.type == kDouble);
     }
 
 private:
@@ -158,6 +161,10 @@ private:
     }
 
     void readFrame(std::size_t frame, TrajectoryFrame& result) override {
+        if (hasTimes_) {
+            NumberReader numbers(*file_, times_.begin + frame * recordBytes_, kBigEndianSwapped);
+            result.time = times_.type == kDouble ? numbers.next<double>() : static_cast<double>(numbers.next<float>());
+        }
         if (hasCell_) result.box = boxOf(threeOf(lengths_, frame), threeOf(angles_, frame));
         buffer_.resize(coordinates_.bytes);
         file_->read(coordinates_.begin + frame * recordBytes_, buffer_);
@@ -170,9 +177,9 @@ private:
     }
 
     OwnedFile file_;
-    NetcdfVariable coordinates_, lengths_, angles_;
+    NetcdfVariable coordinates_, lengths_, angles_, times_;
     std::uint64_t recordBytes_ = 0;
-    bool hasCell_ = false;
+    bool hasCell_ = false, hasTimes_ = false;
     std::vector<std::byte> buffer_;
 };
 

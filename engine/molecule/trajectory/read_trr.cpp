@@ -10,6 +10,7 @@ struct TrrHead {
     std::uint64_t begin = 0, size = 0;  ///< of the data
     std::uint64_t box = 0, beforePositions = 0, positions = 0;
     std::int64_t atoms = 0;
+    double time = 0;     ///< ps
     bool twice = false;  ///< double precision
 };
 
@@ -33,7 +34,8 @@ TrrHead trrHeadAt(const TrajectoryFile& file, std::uint64_t at) {
     head.atoms = numbers.next<std::int32_t>();
     numbers.skip(8);  // step, energies
     head.twice = head.positions ? head.positions == static_cast<std::uint64_t>(head.atoms) * 24 : head.box == 72;
-    numbers.skip(head.twice ? 16 : 8);  // time, lambda
+    head.time = head.twice ? numbers.next<double>() : static_cast<double>(numbers.next<float>());
+    numbers.skip(head.twice ? 8 : 4);  // lambda
     if (records + others != 0 || (head.box != 0 && head.box != (head.twice ? 72u : 36u)) ||
         (head.positions != 0 && head.positions != static_cast<std::uint64_t>(head.atoms) * (head.twice ? 24 : 12)))
         file.fail("a frame's head is damaged (byte " + std::to_string(at) + ")");
@@ -79,6 +81,7 @@ private:
 
     void readFrame(std::size_t frame, TrajectoryFrame& result) override {
         const TrrHead head = trrHeadAt(*file_, places_[frame]);
+        result.time = head.time;
         if (head.box) {
             PeriodicBox box;
             NumberReader numbers(*file_, head.begin, kBigEndianSwapped);

@@ -10,7 +10,7 @@ namespace nacre {
 namespace {
 
 constexpr std::size_t kFewAtoms = 9;  ///< so many are not compressed
-constexpr std::uint64_t kBoxAt = 16, kCountAt = 52, kDataAt = 56;
+constexpr std::uint64_t kTimeAt = 12, kCountAt = 52, kDataAt = 56;
 
 struct XtcHead {
     std::size_t atoms = 0;
@@ -66,7 +66,8 @@ public:
 private:
     void readFrame(std::size_t frame, TrajectoryFrame& result) override {
         const XtcHead head = xtcHeadAt(*file_, places_[frame]);
-        NumberReader numbers(*file_, places_[frame] + kBoxAt, kBigEndianSwapped);
+        NumberReader numbers(*file_, places_[frame] + kTimeAt, kBigEndianSwapped);
+        result.time = numbers.next<float>();
         PeriodicBox box;
         for (glm::vec3& row : box)
             for (int k = 0; k < 3; ++k) row[k] = numbers.next<float>() * 10;

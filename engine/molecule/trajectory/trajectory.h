@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/molecule/molecule.h"
+
 namespace nacre {
 
 /// Vectors of a periodic box, Å.
@@ -18,6 +20,7 @@ using PeriodicBox = std::array<glm::vec3, 3>;
 struct TrajectoryFrame {
     std::vector<glm::vec3> positions;  ///< Å, in the order of the structure's atoms
     std::optional<PeriodicBox> box;    ///< none if the file has none, or an empty one
+    std::optional<double> time;        ///< ps; none if the file has none
 };
 
 /// An open trajectory. Frames may be read in any order; one at a time.
@@ -26,7 +29,7 @@ public:
     virtual ~Trajectory() = default;
     std::size_t atoms() const { return atoms_; }    ///< in each frame, at least one
     std::size_t frames() const { return frames_; }  ///< whole ones, at least one
-    const char* format() const { return format_; }  ///< "dcd", "xtc", "trr", "netcdf"
+    const char* format() const { return format_; }  ///< "dcd", "xtc", "trr", "netcdf", "models"
     bool cutOff() const { return cutOff_; }         ///< the file ends within a frame, which is left out
 
     /// @param frame  from 0 @throws Error if there is no such frame, or it is damaged
@@ -44,6 +47,10 @@ protected:
 /// Opens a DCD, XTC, TRR or AMBER NetCDF file, told apart by its content. Scans it for where its frames begin, and
 /// holds no more than that. @throws Error
 std::unique_ptr<Trajectory> openTrajectory(const std::string& path);
+
+/// The models of a molecule's file one after the other, if each has the molecule's own atoms (Molecule::others); else
+/// null. @param model  that the molecule is, counted from 1
+std::unique_ptr<Trajectory> trajectoryOfModels(std::shared_ptr<const Molecule> molecule, int model);
 
 /// Box vectors from lengths (Å) and angles (degrees) between b and c, a and c, a and b; none if they enclose nothing.
 std::optional<PeriodicBox> boxOf(const glm::dvec3& lengths, const glm::dvec3& angles);

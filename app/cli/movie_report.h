@@ -1,0 +1,27 @@
+#pragma once
+// A movie's progress for a program that waits for it: lines of JSON.
+
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+namespace nacre::app {
+
+class MovieReport {
+public:
+    /// @param path  "-": standard output; empty: nothing is told. @throws Error
+    explicit MovieReport(const std::string& path);
+    ~MovieReport();
+    MovieReport(const MovieReport&) = delete;
+    MovieReport& operator=(const MovieReport&) = delete;
+
+    /// {"baked": 0.43} while the first frame's occlusion is baked.
+    void baked(double share);
+    /// {"frame": 12, "frames": 180} after each frame.
+    void drawn(std::uint64_t frame, std::uint64_t frames);
+
+private:
+    std::FILE* file_ = nullptr;
+};
+
+}  // namespace nacre::app

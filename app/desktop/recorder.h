@@ -1,0 +1,47 @@
+#pragma once
+// Films of what the window shows, made by `nacre movie` as a program of its own beside the window: the same code, the
+// same files, and a window that goes on meanwhile.
+
+#include <functional>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "app/panel/recording.h"
+#include "app/shared/saved_view.h"
+
+namespace nacre::app {
+
+/// What `nacre movie` is called with. @param view, keys  files of saved views, of which the options name what else they
+/// leave open  @param shown  what the window shows
+std::vector<std::string> movieArguments(const RecordingWish& wish, const SavedView& shown, const std::string& view,
+                                        const std::vector<std::string>& keys);
+
+class Recorder {
+public:
+    /// @param wake  called on a thread of its own when state() is another
+    explicit Recorder(std::function<void()> wake) : wake_(std::move(wake)) {}
+    /// Stops what is recorded, and waits for that.
+    ~Recorder();
+    Recorder(const Recorder&) = delete;
+
+    /// Begins, unless one is being recorded. @param fixed  options of the device and the like @throws Error
+    void start(const RecordingWish& wish, SavedView shown, std::vector<SavedView> keys,
+               const std::vector<std::string>& fixed);
+    /// The film ends with the frame that is being drawn, and keeps those before.
+    void stop();
+    RecordingState state() const;
+
+private:
+    void follow(int reports, int complaints);
+
+    std::function<void()> wake_;
+    std::string folder_;  // of the views
+    int child_ = -1;
+    mutable std::mutex mutex_;
+    RecordingState state_;
+    std::thread thread_;
+};
+
+}  // namespace nacre::app

@@ -1,0 +1,120 @@
+#include "app/viewer/player.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace nacre::app {
+
+Player::Player(std::shared_ptr<const Molecule> molecule, std::shared_ptr<Motion> motion, std::function<void()> wake)
+    : molecule_(std::move(molecule)),
+      motion_(std::move(motion)),
+      frames_(motion_->frames()),
+      wake_(std::move(wake)),
+      thread_([this] { run(); }) {}
+
+Player::~Player() {
+    {
+        const std::lock_guard lock(mutex_);
+        ending_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+void Player::setScene(std::shared_ptr<MovingScene> scene) {
+    const std::lock_guard lock(mutex_);
+    scene_ = std::move(scene);
+    ready_.reset();
+    changed_.notify_all();
+}
+
+void Player::setMotion(MotionOptions options) {
+    const std::lock_guard lock(mutex_);
+    newMotion_ = std::move(options);
+    ready_.reset();
+    changed_.notify_all();
+}
+
+void Player::want(std::size_t frame) {
+    const std::lock_guard lock(mutex_);
+    wanted_ = frame;
+    ++order_;
+    ready_.reset();
+    failure_ = nullptr;
+    changed_.notify_all();
+}
+
+std::optional<PlayedFrame> Player::take() {
+    const std::lock_guard lock(mutex_);
+    if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+    return std::exchange(ready_, std::nullopt);
+}
+
+void Player::wait() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return ready_ || failure_ || (!working_ && !(wanted_ && scene_)); });
+}
+
+void Player::run() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        changed_.wait(lock, [this] { return ending_ || (wanted_ && scene_); });
+        if (ending_) return;
+        const std::size_t frame = *std::exchange(wanted_, std::nullopt);
+        const std::uint64_t order = order_;
+        const std::shared_ptr<MovingScene> scene = scene_;
+        std::optional<MotionOptions> motion = std::exchange(newMotion_, std::nullopt);
+        working_ = true;
+        lock.unlock();
+        std::optional<PlayedFrame> made;
+        std::exception_ptr failure;
+        try {
+            if (motion) motion_->change(std::move(*motion), *molecule_);
+            made = make(frame, *scene);
+        } catch (...) {
+            failure = std::current_exception();
+        }
+        lock.lock();
+        working_ = false;
+        if (order != order_) continue;
+        if (scene != scene_ || newMotion_) {  // once more, as it is to be seen now
+            wanted_ = frame;
+            continue;
+        }
+        ready_ = std::move(made);
+        failure_ = failure;
+        changed_.notify_all();
+        if (wake_) wake_();
+    }
+}
+
+PlayedFrame Player::make(std::size_t frame, MovingScene& scene) {
+    const std::vector<glm::vec3> positions = motion_->positions(frame);
+    const std::shared_ptr<Molecule> molecule = freeMolecule();
+    for (std::size_t i = 0; i < positions.size(); ++i) molecule->atoms[i].position = positions[i];
+    scene.move(*molecule);
+    return {frame, molecule, scene.scene(), motion_->time(), motion_->rmsd()};
+}
+
+/// A copy of the molecule that nobody else holds, without the places of other models.
+std::shared_ptr<Molecule> Player::freeMolecule() {
+    const auto isFree = [](const std::shared_ptr<Molecule>& molecule) { return molecule.use_count() == 1; };
+    const auto found = std::find_if(molecules_.begin(), molecules_.end(), isFree);
+    if (found != molecules_.end()) return *found;
+    auto copy = std::make_shared<Molecule>();
+    const Molecule& m = *molecule_;
+    copy->atoms = m.atoms;
+    copy->residues = m.residues;
+    copy->chains = m.chains;
+    copy->subchains = m.subchains;
+    copy->bonds = m.bonds;
+    copy->entities = m.entities;
+    copy->statesSecondaryStructure = m.statesSecondaryStructure;
+    copy->partialCharges = m.partialCharges;
+    copy->radii = m.radii;
+    copy->file = m.file;
+    molecules_.push_back(copy);
+    return copy;
+}
+
+}  // namespace nacre::app

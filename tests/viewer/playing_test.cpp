@@ -1,0 +1,233 @@
+// Molecules that move: which frame is due when, and what the viewer shows of it.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/shared/trajectory_input.h"
+#include "app/viewer/viewer.h"
+#include "engine/error.h"
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/read.h"
+
+namespace nacre::app {
+namespace {
+
+std::vector<std::size_t> played(Playback playback, int count) {
+    std::vector<std::size_t> frames{playback.frame()};
+    for (double now = 0; static_cast<int>(frames.size()) <= count; ++now) {
+        const auto next = playback.next();
+        if (!next) break;
+        playback.shown(*next, now);
+        frames.push_back(*next);
+    }
+    return frames;
+}
+
+TEST(Playback, GoesRoundToAndFroOrToItsEnd) {
+    using Frames = std::vector<std::size_t>;
+    Playback playback;
+    playback.begin(3, 1, 10);
+    EXPECT_EQ(played(playback, 4), (Frames{1, 2, 0, 1, 2}));
+    playback.setOrder(PlayOrder::toAndFro);
+    EXPECT_EQ(played(playback, 6), (Frames{1, 2, 1, 0, 1, 2, 1}));
+    playback.setOrder(PlayOrder::once);
+    EXPECT_EQ(played(playback, 6), (Frames{1, 2}));
+    playback.goTo(2);
+    playback.play(0);
+    EXPECT_EQ(played(playback, 6), (Frames{2, 0, 1, 2})) << "from its end it plays once more";
+    playback.begin(1, 0, 10);
+    playback.play(0);
+    EXPECT_FALSE(playback.playing());
+    EXPECT_FALSE(playback.next());
+}
+
+TEST(Playback, KeepsItsPace) {
+    Playback playback;
+    playback.begin(100, 0, 20);
+    playback.play(5);
+    EXPECT_EQ(playback.due(), 5);
+    playback.shown(1, 5.01);
+    EXPECT_DOUBLE_EQ(playback.due(), 5.05) << "what is a little late is made up for";
+    playback.shown(2, 6);
+    EXPECT_DOUBLE_EQ(playback.due(), 6) << "what is much too late is not";
+    playback.stepRate(1);
+    EXPECT_EQ(playback.rate(), 24);
+    playback.stepRate(-1);
+    playback.stepRate(-1);
+    EXPECT_EQ(playback.rate(), 15);
+    playback.setRate(1e9);
+    EXPECT_EQ(playback.rate(), Playback::kFastest);
+    playback.stepRate(1);
+    EXPECT_EQ(playback.rate(), Playback::kFastest);
+}
+
+/// Five models of two atoms; the second moves away by half an ångström a model. @param last  of another kind
+std::string fiveModels(bool last = false) {
+    std::string text;
+    for (int m = 0; m < 5; ++m)
+        text += "2\nframe\nC 0 0 0\n" + std::string(last && m == 4 ? "N" : "O") + " " + std::to_string(1 + 0.5 * m) +
+                " 0 0\n";
+    return text;
+}
+
+class MovingScreen : public Screen {
+public:
+    void setScene(const Representation& scene) override { ++scenes, shown = scene; }
+    void moveScene(const Representation& scene) override { ++moves, shown = scene; }
+    double advanceOcclusion(const RenderSettings&, const OcclusionPace& pace) override {
+        hurried = hurried || !pace.mustFit;
+        return 0.5;
+    }
+    FrameOutcome present(const RenderSettings& settings, const WindowFrame&) override {
+        scale = settings.view.pixelsPerAngstrom;
+        return FrameOutcome::shown;
+    }
+    PixelSize windowSize() const override { return {600, 400}; }
+    std::uint32_t atomAt(const RenderSettings&, double, double, double) override { return 1; }
+    int scenes = 0, moves = 0;
+    bool hurried = false;
+    double scale = 0;
+    Representation shown;
+};
+
+struct PlayingBench {
+    explicit PlayingBench(std::string content = fiveModels())
+        : text(std::move(content)), viewer(screen, sources(), viewOfFile(), {}) {
+        viewer.resize({600, 400}, 1, now);
+        run(1);
+    }
+    static SavedView viewOfFile() {
+        SavedView view;
+        view.input = "five.xyz";
+        return view;
+    }
+    Sources sources() {
+        Sources s;
+        s.read = [this](const SavedView& v) {
+            ++reads;
+            ReadOptions options;
+            options.model = v.model;
+            options.others = true;
+            return readMolecule(v.input, text, options);
+        };
+        s.build = sceneOfView;
+        s.motion = [](const std::shared_ptr<const Molecule>& molecule, const SavedView& v) -> std::unique_ptr<Motion> {
+            auto models = trajectoryOfModels(molecule, v.model);
+            if (!models) return nullptr;
+            return std::make_unique<Motion>(std::move(models), *molecule, motionOptions(v.trajectory, *molecule));
+        };
+        return s;
+    }
+    /// @returns when the viewer wants to be called again
+    void run(double seconds) {
+        for (const double end = now + seconds; now < end; now += 0.005) {
+            viewer.waitForLoading();
+            viewer.waitForFrame();
+            viewer.update(now);
+        }
+    }
+    double distance() const {
+        const auto& spheres = screen.shown.spheres;
+        return spheres.size() == 2 ? glm::distance(spheres[0].center, spheres[1].center) : -1;
+    }
+
+    std::string text;
+    int reads = 0;
+    double now = 100;
+    MovingScreen screen;
+    Viewer viewer;
+};
+
+TEST(Playing, ModelsOfOneMoleculeMoveWithoutBeingReadAgain) {
+    PlayingBench b;
+    EXPECT_EQ(b.viewer.playback().frames(), 5u);
+    EXPECT_TRUE(b.viewer.canLay());
+    EXPECT_FALSE(b.viewer.hasTrajectory());
+    const double scale = b.screen.scale;
+    const int scenes = b.screen.scenes;
+    b.viewer.showFrame(3, b.now);
+    b.run(0.1);
+    EXPECT_NEAR(b.distance(), 2.5, 1e-5);
+    EXPECT_EQ(b.viewer.view().model, 4);
+    EXPECT_EQ(b.viewer.document()->placed->atoms[1].position.x, 2.5f);
+    b.viewer.run(ViewerCommand::nextModel, b.now);
+    b.run(0.1);
+    b.viewer.run(ViewerCommand::nextModel, b.now);
+    b.run(0.1);
+    EXPECT_NEAR(b.distance(), 1, 1e-5) << "after the last comes the first";
+    b.viewer.run(ViewerCommand::lastModel, b.now);
+    b.run(0.1);
+    EXPECT_NEAR(b.distance(), 3, 1e-5);
+    EXPECT_EQ(b.screen.scale, scale) << "the camera stays";
+    EXPECT_EQ(b.screen.scenes, scenes) << "what moves keeps what was baked";
+    EXPECT_EQ(b.reads, 1);
+}
+
+TEST(Playing, ComesAtItsRateAndStops) {
+    PlayingBench b;
+    b.viewer.setRate(20);
+    const int moves = b.screen.moves;
+    b.viewer.run(ViewerCommand::playModels, b.now);
+    b.screen.hurried = false;
+    b.run(2);
+    EXPECT_NEAR(b.screen.moves - moves, 40, 3);
+    EXPECT_FALSE(b.screen.hurried) << "occlusion takes what frames leave";
+    b.viewer.run(ViewerCommand::playModels, b.now);
+    const int stopped = b.screen.moves;
+    b.run(1);
+    EXPECT_LE(b.screen.moves - stopped, 1);
+    EXPECT_TRUE(b.screen.hurried);
+    EXPECT_EQ(b.reads, 1);
+}
+
+TEST(Playing, ALookIsBuiltWhereTheMoleculeStands) {
+    PlayingBench b;
+    b.viewer.showFrame(4, b.now);
+    b.run(0.1);
+    b.viewer.run(ViewerCommand::spacefill, b.now);
+    b.run(0.2);
+    EXPECT_NEAR(b.distance(), 3, 1e-5);
+    EXPECT_EQ(b.viewer.view().model, 5);
+    b.viewer.undo(b.now);
+    b.run(0.3);
+    b.viewer.undo(b.now);
+    b.run(0.3);
+    EXPECT_EQ(b.viewer.view().model, 1);
+    EXPECT_NEAR(b.distance(), 1, 1e-5);
+    EXPECT_EQ(b.reads, 1);
+}
+
+TEST(Playing, FramesAreSmoothedAsAsked) {
+    PlayingBench b;
+    TrajectoryOptions laid;
+    laid.smooth = 3;
+    b.viewer.setMotion(laid, b.now);
+    b.run(0.1);
+    EXPECT_NEAR(b.distance(), 1.25, 1e-5) << "of the first and the second";
+    b.viewer.showFrame(2, b.now);
+    b.run(0.1);
+    EXPECT_NEAR(b.distance(), 2, 1e-5);
+    EXPECT_EQ(parseSavedView(savedViewJson(b.viewer.savedView()), "view").trajectory.smooth, 3);
+    laid.fit = parseSelection("element N");
+    b.viewer.setMotion(laid, b.now);
+    b.run(0.1);
+    EXPECT_NE(b.viewer.annotations().message.find("fewer than three"), std::string::npos);
+    EXPECT_NEAR(b.distance(), 2, 1e-5);
+}
+
+TEST(Playing, ModelsOfDifferentMoleculesAreReadOneByOne) {
+    PlayingBench b(fiveModels(true));
+    EXPECT_FALSE(b.viewer.canLay());
+    EXPECT_EQ(b.viewer.playback().frames(), 5u);
+    b.viewer.run(ViewerCommand::lastModel, b.now);
+    b.run(0.2);
+    EXPECT_EQ(b.viewer.document()->molecule->atoms[1].element, 7);
+    EXPECT_EQ(b.viewer.view().model, 5);
+    b.viewer.run(ViewerCommand::playModels, b.now);
+    b.run(1);
+    EXPECT_GE(b.reads, 8);
+}
+
+}  // namespace
+}  // namespace nacre::app
