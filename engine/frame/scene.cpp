@@ -14,7 +14,7 @@ namespace {
 
 void addAtlas(layout::ViewConstants& c, const passes::Atlas& atlas) {
     c.atlasTexel = glm::vec2(1.0 / atlas.image->desc.extent.width, 1.0 / atlas.image->desc.extent.height);
-    c.patchTexels = atlas.sphereEdge | atlas.around << 8 | atlas.along << 16;
+    c.patchTexels = atlas.sphereEdge | atlas.around << 8 | atlas.along << 16 | atlas.least << 24;
     c.patchesInRow = atlas.spherePatches | atlas.cylinderPatches << 16;
 }
 

@@ -10,6 +10,9 @@ namespace {
 /// Of one submission while somebody waits for the whole: some phones stop what takes seconds, all of them stutter.
 constexpr double kWaitedMilliseconds = 30;
 
+/// Of what is shown while a molecule moves: surfaces that came to light since the bake are dark, not black.
+constexpr std::uint32_t kLeastOfMoved = 102;
+
 /// The path of the depth maps, if the device is to choose. @param tiles  these can be had
 OcclusionMaps automaticMaps(const gpu::Caps& caps, bool tiles) {
     if (caps.software && tiles) return OcclusionMaps::tiles;
@@ -227,8 +230,9 @@ passes::Atlas SceneOcclusion::atlas() const {
     const Bake* shown = before_ ? before_.get() : bake_.get();
     if (!shown || !shown->shows()) return {};
     const OcclusionLayout& layout = shown->layout();
-    return {&shown->atlas(),        layout.sphereEdge,        layout.around, layout.along,
-            layout.spherePatches(), layout.cylinderPatches(), shown->cells()};
+    return {
+        &shown->atlas(),        layout.sphereEdge,        layout.around,  layout.along,
+        layout.spherePatches(), layout.cylinderPatches(), shown->cells(), before_ || !isCurrent() ? kLeastOfMoved : 0};
 }
 
 double SceneOcclusion::share() const {

@@ -19,7 +19,8 @@ struct Atlas {
     std::uint32_t sphereEdge = 0;       ///< texels across a sphere's patch
     std::uint32_t around = 0, along = 0;
     std::uint32_t spherePatches = 1, cylinderPatches = 1;  ///< in a row
-    vk::BufferView cells;  ///< a word for what lies between four texels; null: the device interpolates
+    vk::BufferView cells = {};  ///< a word for what lies between four texels; null: the device interpolates
+    std::uint32_t least = 0;    ///< that no texel falls below, in 255ths: of places that the scene has left since
 };
 
 struct TileFrame;

@@ -118,6 +118,9 @@ float meshOcclusion(Hit hit, uvec3 vertices) {
 /// in the dark is lifted, and stays darker than what lay less so.
 float opened(float occlusion) { return mix(sqrt(occlusion), 1.0, 0.35); }
 
+/// Of a molecule that has moved since the bake: surfaces come to light of which that knows nothing.
+float leastOcclusion() { return float(view.patchTexels >> 24) * (1.0 / 255.0); }
+
 /// Share of the direct light that reaches a hit: taps on a disc, in a sunflower's order, ask the light's depth map. What
 /// the near plane cuts stands in the open. @param q  planePoint() of the pixel
 float sunlight(Hit hit, vec2 q) {
@@ -154,6 +157,7 @@ float capShade(vec2 q) {
 
 /// In linear light. @param q  planePoint() of the pixel
 vec3 lightOf(Hit hit, uint colorBits, float occlusion, vec2 q) {
+    occlusion = max(occlusion, leastOcclusion());
     vec3 lit = shade(linearColor(colorBits), hit.normal, kClip && !hit.cap ? opened(occlusion) : occlusion,
                      sunlight(hit, q));
     if (kClip && hit.cap) lit *= capShade(q);

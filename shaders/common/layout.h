@@ -83,7 +83,8 @@ struct ViewConstants {
     uint primitives;     // in a copy
     uint spheres;        // of the primitives in a copy
     vec2 atlasTexel;     // 1 / texels of the atlas
-    uint patchTexels;    // from the lowest byte on: across a sphere's patch, around and along a cylinder's
+    uint patchTexels;    // from the lowest byte on: across a sphere's patch, around and along a cylinder's; what no
+                         // occlusion falls below, in 255ths
     uint patchesInRow;   // of the atlas: of spheres, from bit 16 on of cylinders
     float clipNear;      // Z that is cut away, up to this
     float clipFar;       // and from this on
