@@ -126,7 +126,7 @@ void Recorder::start(const RecordingWish& wish, SavedView shown, std::vector<Sav
         files.push_back(writeView(folder_, files.size() + 1, key));
     }
     std::vector<std::string> words = movieArguments(wish, shown, writeView(folder_, 0, shown), files);
-    words.insert(words.begin(), ownProgram());
+    words.insert(words.begin(), program_.empty() ? ownProgram() : program_);
     words.insert(words.end(), fixed.begin(), fixed.end());
 
     Pipe reports, complaints;

@@ -20,8 +20,10 @@ std::vector<std::string> movieArguments(const RecordingWish& wish, const SavedVi
 
 class Recorder {
 public:
-    /// @param wake  called on a thread of its own when state() is another
-    explicit Recorder(std::function<void()> wake) : wake_(std::move(wake)) {}
+    /// @param wake     called on a thread of its own when state() is another
+    /// @param program  nacre; empty: this one
+    explicit Recorder(std::function<void()> wake, std::string program = {})
+        : wake_(std::move(wake)), program_(std::move(program)) {}
     /// Stops what is recorded, and waits for that.
     ~Recorder();
     Recorder(const Recorder&) = delete;
@@ -37,6 +39,7 @@ private:
     void follow(int reports, int complaints);
 
     std::function<void()> wake_;
+    std::string program_;
     std::string folder_;  // of the views
     int child_ = -1;
     mutable std::mutex mutex_;

@@ -62,6 +62,25 @@ void expectSame(const std::string& file, const std::string& name, double toleran
     }
 }
 
+TEST(Trajectory, ReadsTimes) {
+    for (const char* name : {"t.xtc", "t.trr", "t.nc"}) {
+        const std::unique_ptr<Trajectory> t = openTrajectory(written() / name);
+        for (std::size_t frame = 0; frame < 5; ++frame)
+            EXPECT_NEAR(t->read(frame).time.value_or(-1), 10 + 2.5 * static_cast<double>(frame), 1e-5) << name;
+    }
+    EXPECT_FALSE(openTrajectory(written() / "t.dcd")->read(2).time) << "MDTraj leaves DCD's step at 1";
+    // As CHARMM and NAMD have it: a first step, steps a frame, and a step of 2 fs in their unit of 48.888 fs.
+    std::string dcd = contentOf(written() / "t.dcd");
+    const std::int32_t first = 1000, every = 500;
+    const float step = 2 / 48.8882129f;
+    std::memcpy(dcd.data() + 12, &first, 4);
+    std::memcpy(dcd.data() + 16, &every, 4);
+    std::memcpy(dcd.data() + 44, &step, 4);
+    const TemporaryFolder folder;
+    write(folder / "timed.dcd", dcd);
+    EXPECT_NEAR(openTrajectory(folder / "timed.dcd")->read(3).time.value_or(-1), 5, 1e-5);
+}
+
 TEST(Trajectory, ReadsWhatMdtrajReads) {
     expectSame("t.xtc", "xtc", 1e-4);
     expectSame("t.trr", "trr", 1e-4);

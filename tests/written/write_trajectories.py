@@ -31,7 +31,7 @@ for frame in range(5):
 whole = numpy.array(whole, dtype=numpy.float32)
 lengths = numpy.tile([[4.0, 4.5, 5.0]], (5, 1))
 angles = numpy.tile([[90.0, 90.0, 70.0]], (5, 1))
-trajectory = mdtraj.Trajectory(whole, topology, unitcell_lengths=lengths, unitcell_angles=angles)
+trajectory = mdtraj.Trajectory(whole, topology, time=10 + 2.5 * numpy.arange(5), unitcell_lengths=lengths, unitcell_angles=angles)
 
 
 def dump(name, t):

@@ -34,7 +34,8 @@ private:
         constexpr double kAkmaPicoseconds = 0.0488882129;  // sqrt(g/mol Å^2 / (kcal/mol)) in ps
         firstStep_ = control(1);
         perFrame_ = control(2);
-        if (units > 0 && units < 1e6 && perFrame_ > 0) stepPicoseconds_ = units * kAkmaPicoseconds;
+        // A step of 1, which is 49 fs, is what programs write that know of none.
+        if (units > 0 && units < 1e6 && units != 1 && perFrame_ > 0) stepPicoseconds_ = units * kAkmaPicoseconds;
         std::uint64_t at = kHeader;
         at += record(at);  // the title
         if (record(at) != 4 + 8) file_->fail("its header has no number of atoms");

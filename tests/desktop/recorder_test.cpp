@@ -1,0 +1,124 @@
+// Films that the window records, by the program that makes movies.
+
+#include "app/desktop/recorder.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <thread>
+
+#include "engine/error.h"
+#include "tests/support/run_program.h"
+#include "tests/support/temporary_folder.h"
+
+namespace nacre::app {
+namespace {
+
+using test::contentOf;
+using test::TemporaryFolder;
+
+struct Recording {
+    TemporaryFolder folder;
+    Recorder recorder{{}, NACRE_PROGRAM};
+    RecordingWish wish;
+    SavedView shown;
+
+    Recording() {
+        shown.input = "sample:glucose";
+        shown.occlusionDirections = 2;
+        wish.seconds = 0.4;
+        wish.framesPerSecond = 10;
+        wish.size = {40, 30};
+        wish.path = folder / "film.gif";
+    }
+    RecordingState wait(const std::function<bool(const RecordingState&)>& so) const {
+        for (int i = 0; i < 6000 && !so(recorder.state()); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        return recorder.state();
+    }
+    RecordingState record(const std::vector<SavedView>& keys = {}) {
+        recorder.start(wish, shown, keys, {"--cache", "off"});
+        return wait([](const RecordingState& s) { return !s.running; });
+    }
+};
+
+TEST(Recorder, MakesTheFilmThatMovieMakes) {
+    Recording r;
+    const RecordingState state = r.record();
+    EXPECT_EQ(state.message, "saved " + r.wish.path);
+    EXPECT_FALSE(state.failed);
+    EXPECT_EQ(state.frame, 4u);
+    EXPECT_EQ(state.share, 1);
+    const test::Outcome outcome =
+        test::nacreIn(r.folder,
+                      "movie sample:glucose -o own.gif --spin y --seconds 0.4 --fps 10 --size 40x30 "
+                      "--occlusion 2 --cache off");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(contentOf(r.wish.path), contentOf(r.folder / "own.gif"));
+}
+
+TEST(Recorder, GoesThroughKeptViews) {
+    Recording r;
+    SavedView other = r.shown;
+    other.camera.zoom = 2;
+    r.wish.motion = RecordingWish::Motion::views;
+    EXPECT_FALSE(r.record({r.shown, other}).failed);
+    EXPECT_TRUE(std::filesystem::exists(r.wish.path));
+    // What cannot be one film is said in the words of the program.
+    other.camera.projection = Projection::perspective;
+    const RecordingState state = r.record({r.shown, other});
+    EXPECT_TRUE(state.failed);
+    EXPECT_NE(state.message.find("projection"), std::string::npos) << state.message;
+}
+
+TEST(Recorder, KeepsWhatIsWholeWhenItIsStopped) {
+    Recording r;
+    r.wish.seconds = 600;
+    r.recorder.start(r.wish, r.shown, {}, {"--cache", "off"});
+    r.wait([](const RecordingState& s) { return s.frame > 2 || !s.running; });
+    EXPECT_GT(r.recorder.state().left, 0);
+    r.recorder.stop();
+    const RecordingState state = r.wait([](const RecordingState& s) { return !s.running; });
+    EXPECT_FALSE(state.failed);
+    EXPECT_NE(state.message.find("of 6000 frames are in it"), std::string::npos) << state.message;
+    EXPECT_EQ(contentOf(r.wish.path).substr(0, 4), "GIF8");
+}
+
+TEST(Recorder, SaysWhyItCannot) {
+    Recording r;
+    r.wish.path = r.folder / "missing/film.gif";
+    const RecordingState state = r.record();
+    EXPECT_TRUE(state.failed);
+    EXPECT_NE(state.message.find("missing"), std::string::npos) << state.message;
+    Recorder none({}, "/nonexistent/nacre");
+    EXPECT_THROW(none.start(r.wish, r.shown, {}, {}), Error);
+    EXPECT_FALSE(none.state().running);
+}
+
+TEST(Recorder, AsksForWhatTheWindowShows) {
+    RecordingWish wish;
+    wish.motion = RecordingWish::Motion::models;
+    wish.size = {64, 48};
+    wish.path = "film.mp4";
+    SavedView shown;
+    shown.input = "/data/md.gro";
+    shown.trajectory.path = "/data/md.xtc";
+    shown.trajectory.smooth = 5;
+    shown.trajectory.whole = true;
+    shown.trajectory.fit = parseSelection("backbone");
+    const std::vector<std::string> words = movieArguments(wish, shown, "v.json", {});
+    const auto after = [&](const std::string& option) {
+        const auto at = std::find(words.begin(), words.end(), option);
+        return at == words.end() || at + 1 == words.end() ? std::string("none") : at[1];
+    };
+    EXPECT_EQ(words[1], "/data/md.gro");
+    EXPECT_EQ(after("--trajectory"), "/data/md.xtc");
+    EXPECT_EQ(after("--fit-frames"), "backbone");
+    EXPECT_EQ(after("--smooth"), "5");
+    EXPECT_EQ(after("--view"), "v.json");
+    EXPECT_NE(std::find(words.begin(), words.end(), "--models"), words.end());
+    EXPECT_NE(std::find(words.begin(), words.end(), "--whole"), words.end());
+}
+
+}  // namespace
+}  // namespace nacre::app
