@@ -117,7 +117,7 @@ void expectWhole(PlayBench& b, const std::string& where) {
         EXPECT_FALSE(c.cut) << where << ": " << c.name;
         EXPECT_GE(c.left, 0) << where << ": " << c.name;
         EXPECT_LE(c.right, static_cast<float>(b.size.width) + 0.5f) << where << ": " << c.name;
-        EXPECT_LE(c.bottom, static_cast<float>(b.size.height) + 0.5f) << where << ": " << c.name;
+        EXPECT_LE(c.seenBottom, static_cast<float>(b.size.height) + 0.5f) << where << ": " << c.name;
         for (const Control& d : b.panel.controls())
             EXPECT_FALSE(&c < &d && c.window == d.window &&
                          std::min(c.right, d.right) - std::max(c.left, d.left) > 1.5f &&
