@@ -31,6 +31,7 @@ TileView tileView(const SceneView& seen, const View& view, graph::Extent image, 
     if (seen.effects.clip.on()) v.clipNear = c.clipNear, v.clipFar = c.clipFar;
     v.contour = c.contourWidth;
     v.centers = !work.edges;
+    v.layers = work.kept;
     return v;
 }
 

@@ -242,7 +242,7 @@ void TileLists::build(const TileView& view, const TileScenery& s) {
     kept_.clear();
     for (const TileCall& call : s.sphereCalls) addSpheres(view, s.spheres, call);
     for (const TileCall& call : s.cylinderCalls) addCylinders(view, s.cylinders, call);
-    if (view.centers && view.contour == 0 && !s.triangleCalls.empty())
+    if (view.centers && view.layers == 1 && view.contour == 0 && !s.triangleCalls.empty())
         addFrontTriangles(view, s);
     else
         addTriangles(view, s);

@@ -211,7 +211,9 @@ TEST(Translucent, LightGoesThroughIt) {
         renderer->setScene(shells(1.0 / 128, 1.0 / 128));
         const LayerPicture within = renderer->layers(s);
         EXPECT_TRUE(within.id == alone.id);
-        EXPECT_EQ(within.occlusion, alone.occlusion);
+        // A patch lies elsewhere in a larger atlas, where filters of devices round in their own way.
+        for (std::size_t i = 0; i < alone.occlusion.size(); ++i)
+            ASSERT_NEAR(within.occlusion[i], alone.occlusion[i], 2.0 / 255) << i;
         for (std::size_t i = 0; i < alone.rgba.size(); ++i) ASSERT_NEAR(within.rgba[i], alone.rgba[i], 4.0 / 128) << i;
     }
 }
