@@ -52,7 +52,7 @@ std::vector<std::uint32_t> groupsOf(const Representation& r) {
     std::vector<std::uint32_t> groups;
     groups.reserve(r.spheres.size() + 2 * r.cylinders.size() + r.meshLooks.size());
     const auto add = [&](std::uint32_t atom) {
-        groups.push_back(atom <= r.atomGroups.size() ? r.atomGroups[atom - 1] : 0);
+        groups.push_back(atom > 0 && atom <= r.atomGroups.size() ? r.atomGroups[atom - 1] : 0);
     };
     for (const SphereLook& look : r.sphereLooks) add(look.atom);
     for (const CylinderLook& look : r.cylinderLooks) add(look.atomA), add(look.atomB);
