@@ -157,7 +157,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.maxImageSize = properties.limits.maxImageDimension2D;
     const auto& id = chain.get<vk::PhysicalDeviceIDProperties>();
     caps.driverKey = hexadecimal(id.driverUUID) + hexadecimal(id.deviceUUID) + std::to_string(caps.driverVersion);
-    caps.localRead = readsLocally(device, options.validate) && !set("NACRE_NO_DYNAMIC_RENDERING");
+    caps.localRead = readsLocally(device, options.validate);
     caps.mergeFeedback = tellsOfMerges(device);
     caps.timestampBits = device.getQueueFamilyProperties()[graphicsAndCompute(device)].timestampValidBits;
     caps.nanosecondsPerTick = properties.limits.timestampPeriod;

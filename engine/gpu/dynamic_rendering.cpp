@@ -1,6 +1,8 @@
 #include "engine/gpu/dynamic_rendering.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <string_view>
 
 #include "engine/gpu/caps.h"
 #include "engine/gpu/context.h"
@@ -69,6 +71,8 @@ bool validationKnows() {
 }  // namespace
 
 bool readsLocally(const vk::raii::PhysicalDevice& device, bool validate) {
+    const char* off = std::getenv("NACRE_NO_DYNAMIC_RENDERING");
+    if (off && *off && std::string_view(off) != "0") return false;
     if (validate && !validationKnows()) return false;
     // Drivers of Vulkan 1.4, where all of it is core, go on naming them.
     for (const char* name : {VK_KHR_DYNAMIC_RENDERING_LOCAL_READ_EXTENSION_NAME,
