@@ -133,10 +133,11 @@ void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent 
     const std::size_t rowBytes = copies.rows.size() * sizeof(glm::vec4);
     reserve(device_, f.words, 4 * lists.words(), kRead, vk::Format::eR32Uint, "lists of tiles");
     reserve(device_, f.rows, rowBytes, kRead, vk::Format::eR32G32B32A32Sfloat, "copies");
-    const vk::Buffer before = *f.numbers.buffer.handle;
+    const auto before = f.numbers.buffer.size;
     reserve(device_, f.numbers, 4 * kept * TileLists::pixelsOfBins(image.width, image.height),
             kRead | Usage::eTransferSrc, vk::Format::eR32Uint, "primitive numbers");
-    if (*f.numbers.buffer.handle != before) f.coloredAcross = 0;
+    // A new buffer is larger; its handle may be the old one again.
+    if (f.numbers.buffer.size != before) f.coloredAcross = 0;
     reserve(device_, f.spans, lists.spans().size() * sizeof(TileSpanVertex), Usage::eVertexBuffer,
             vk::Format::eUndefined, "rows of tiles");
 
