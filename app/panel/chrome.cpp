@@ -224,8 +224,7 @@ void Panel::drawReading(Viewer& viewer, double now) {
     if (share >= 0) {
         char text[32];
         std::snprintf(text, sizeof text, "%.0f %% downloaded", 100 * share);
-        ImGui::ProgressBar(static_cast<float>(share), ImVec2(-1, 0), text);
-        ui.note("text", text);
+        ui.progress(share, text);
     }
     if (ui.button(Icon::close, "Cancel")) viewer.cancelLoading(now);
     ImGui::End();

@@ -166,8 +166,7 @@ void Panel::drawRecording() {
                            ? "preparing"
                            : "frame " + std::to_string(recording.frame) + " of " + std::to_string(recording.frames);
     if (recording.left >= 0 && !recording.stopping) text += ", " + timeText(recording.left);
-    ImGui::ProgressBar(static_cast<float>(recording.share), ImVec2(-1, 0), text.c_str());
-    ui.note("text", text);
+    ui.progress(recording.share, text);
     if (ui.button(Icon::close, "Stop")) host_.stopRecording();
     ImGui::SameLine();
     ui.caption("What is done by then is kept.");

@@ -317,6 +317,11 @@ void Widgets::title(const std::string& text) {
     ImGui::PopFont();
 }
 
+void Widgets::progress(double share, const std::string& text) {
+    ImGui::ProgressBar(static_cast<float>(share), ImVec2(-1, px(8)), "");
+    caption(text);
+}
+
 void Widgets::caption(const std::string& text) {
     ImGui::PushFont(fontOf(TextSize::caption));
     ImGui::PushStyleColor(ImGuiCol_Text, theme_->faint);

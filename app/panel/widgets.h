@@ -56,6 +56,8 @@ public:
     void caption(const std::string& text);
     void paragraph(const std::string& text);
     void warning(const std::string& text);
+    /// A bar, and below it what it tells. @param share  0 to 1
+    void progress(double share, const std::string& text);
     /// One line of text, shortened in its middle if it has no room.
     void name(const std::string& text, float width = 0);
     /// Goes on in the same line if something of a width has room there.
