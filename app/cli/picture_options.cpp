@@ -230,6 +230,9 @@ bool takeInput(RenderOptions& options) {
 /// What names of several INPUTs mean, and that options fit them. @throws UsageError
 void checkInputs(RenderOptions& options) {
     InputOptions& input = options.input;
+    const TrajectoryOptions& frames = input.trajectory;
+    if (frames.path.empty() && (frames.frame != 1 || frames.whole || frames.fit || frames.smooth != 1))
+        throw UsageError("--frame, --whole, --fit-frames and --smooth are for the frames of --trajectory");
     if (input.further.empty()) {
         if (!input.fits.empty()) throw UsageError("--fit lays one INPUT onto another: name two");
         return;

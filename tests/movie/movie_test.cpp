@@ -182,6 +182,7 @@ TEST(Movie, RefusesWhatCannotBeInOneLine) {
         {"sample:dna -o a.avi --spin y", 2, ".mp4, .webm, .gif or .png"},
         {"sample:dna -o a.gif --spin y --rock 20", 2, "exclude each other"},
         {"sample:dna -o a.gif --spin y --loop", 2, "--loop is for --views"},
+        {"sample:dna -o a.gif --models --smooth 3", 2, "--smooth are for the frames of --trajectory"},
         {"sample:dna -o a.gif --spin 0,0,0", 2, "no direction"},
         {"sample:dna -o a.gif --spin y --seconds 80000 --fps 100", 2, "more than 100000 frames"},
         {"sample:dna -o a.gif --spin y --fps 60", 1, "50 frames a second"},
