@@ -57,7 +57,8 @@ bool trusted(const vk::raii::PhysicalDevice& device) {
     // Turnip takes masked colour attachments for blending: it gives up its coarse depth test (LRZ) where plates are
     // drawn beside them, which a subpass of depth alone is not (docs/tilers.md).
     if (driver == vk::DriverId::eMesaTurnip) return false;
-    return driver != vk::DriverId::eSamsungProprietary;
+    // SwiftShader ends the program with an illegal instruction in steady frames of a window.
+    return driver != vk::DriverId::eSamsungProprietary && driver != vk::DriverId::eGoogleSwiftshader;
 }
 
 bool validationKnows() {

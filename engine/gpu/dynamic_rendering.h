@@ -25,8 +25,8 @@ struct RenderingFormats {
     friend bool operator==(const RenderingFormats&, const RenderingFormats&) = default;
 };
 
-/// Whether a driver can render dynamically with local reads, and is trusted to: not Arm's before r52, nor Samsung's.
-/// NACRE_NO_DYNAMIC_RENDERING=1 says no for all: as if the driver had never heard of it.
+/// Whether a driver can render dynamically with local reads, and is trusted to: not Arm's before r52, nor Samsung's,
+/// Turnip or SwiftShader. NACRE_NO_DYNAMIC_RENDERING=1 says no for all: as if the driver had never heard of it.
 /// @param validate  the validation layer is there: one that is older than the extension calls every use of it an error
 bool readsLocally(const vk::raii::PhysicalDevice& device, bool validate);
 /// @param device  made with what readsLocally() asks for
