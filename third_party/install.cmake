@@ -10,7 +10,7 @@ set_target_properties(nacre_graph PROPERTIES EXPORT_NAME graph)
 file(GLOB headers CONFIGURE_DEPENDS engine/molecule/*.h engine/molecule/samples/*.h engine/molecule/selection/*.h engine/mesh/*.h engine/scene/*.h)
 target_sources(nacre_molecule PUBLIC FILE_SET HEADERS BASE_DIRS ${CMAKE_SOURCE_DIR}
                FILES ${headers} ${CMAKE_SOURCE_DIR}/engine/error.h)
-set(headers debug_view device_options devices effects overlay renderer results settings)
+set(headers baked_occlusion debug_view device_options devices effects overlay renderer results settings)
 list(TRANSFORM headers REPLACE "(.+)" "${CMAKE_SOURCE_DIR}/engine/\\1.h")
 target_sources(nacre PUBLIC FILE_SET HEADERS BASE_DIRS ${CMAKE_SOURCE_DIR} FILES ${headers})
 target_compile_features(nacre_molecule PUBLIC cxx_std_20)
