@@ -135,7 +135,7 @@ private:
         return std::make_unique<IntentDocument>(
             activity_, uri, OpenedFiles(folder_ + "/opened"),
             [this](const std::string& path) { post([path](AndroidSession& s) { s.open(path); }); },
-            [this](const std::string& why) { post([why](AndroidSession& s) { s.say(why); }); });
+            [this](const std::string& why) { post([why](AndroidSession& s) { s.fail(why); }); });
     }
 
     Platform::Told told() {
@@ -145,7 +145,7 @@ private:
             document_ = documentOf(uri);
             document_->open();
         };
-        told.failed = [this](const std::string& why) { post([why](AndroidSession& s) { s.say(why); }); };
+        told.failed = [this](const std::string& why) { post([why](AndroidSession& s) { s.fail(why); }); };
         told.controls = [this] {
             // From the first question on, the table is kept up to date.
             if (!shared_.read.exchange(true)) thread_.post([] {});

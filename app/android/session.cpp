@@ -188,6 +188,11 @@ void AndroidSession::say(const std::string& text) {
     viewer().say(text, steadySeconds());
 }
 
+void AndroidSession::fail(const std::string& text) {
+    logError(text);
+    viewer().fail(text, steadySeconds());
+}
+
 void AndroidSession::run(ViewerCommand command) {
     if (command == ViewerCommand::panel) panel_->togglePanel();
     if (command == ViewerCommand::help) panel_->toggleHelp();

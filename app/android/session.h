@@ -70,6 +70,8 @@ public:
     void press(const std::string& role, const std::string& name);
     void open(const std::string& path);
     void say(const std::string& text);
+    /// What could not be done, until it is read.
+    void fail(const std::string& text);
 
     /// As Viewer::awaitFrame.
     void awaitFrame();
