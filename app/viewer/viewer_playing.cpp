@@ -112,16 +112,16 @@ void Viewer::setLaying(const TrajectoryOptions& options) {
 
 /// Shows what is due of what is played. @returns when to look again
 double Viewer::play(double now) {
-    constexpr double kNever = std::numeric_limits<double>::infinity();
-    if (!document()) return kNever;
+    constexpr double kNotAgain = std::numeric_limits<double>::infinity();
+    if (!document()) return kNotAgain;
     if (!player_ || !document_.moves()) {
-        if (!playback_.playing() || loader_.busy()) return kNever;
+        if (!playback_.playing() || loader_.busy()) return kNotAgain;
         if (now < playback_.due()) return playback_.due();
         const auto next = view_.model == kAllModels ? 0 : playback_.next();
-        if (!next) return playback_.stop(), kNever;
+        if (!next) return playback_.stop(), kNotAgain;
         playback_.shown(*next, now);
         request(*next, now);
-        return kNever;
+        return kNotAgain;
     }
     try {
         if (!waiting_) waiting_ = player_->take();
@@ -129,14 +129,14 @@ double Viewer::play(double now) {
         playback_.stop();
         fail(error.what(), now);
     }
-    if (!waiting_) return kNever;  // the player wakes
+    if (!waiting_) return kNotAgain;  // the player wakes
     if (playback_.playing() && now < playback_.due()) return playback_.due();
     showPlayed(now);
-    if (!playback_.playing()) return kNever;
+    if (!playback_.playing()) return kNotAgain;
     const auto next = playback_.next();
-    if (!next) return playback_.stop(), kNever;
+    if (!next) return playback_.stop(), kNotAgain;
     player_->want(*next);
-    return kNever;
+    return kNotAgain;
 }
 
 /// Puts the frame that waits on the screen.
