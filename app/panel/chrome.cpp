@@ -208,17 +208,23 @@ bool Panel::beginCard(const char* name, const char* title, float points, bool cl
 
 void Panel::endCard() { ImGui::End(); }
 
-/// What is being read, with a way to stop it.
-void Panel::drawReading(Viewer& viewer, double now) {
-    const bool another = !viewer.document() || viewer.loadingName() != viewer.document()->view.input;
-    if (!viewer.loading() || !another) return;
-    Widgets& ui = state_->ui;
+/// At the top of what the panel leaves free: something that goes on, and can be stopped.
+void Panel::beginProgress(const char* name) {
+    const Widgets& ui = state_->ui;
     const Rectangle room = freeRoom();
     const float width = std::min(ui.px(380), room.right - room.left - ui.px(16));
     ImGui::SetNextWindowPos(ImVec2(std::round((room.left + room.right) / 2), room.top + ui.px(16)), ImGuiCond_Always,
                             ImVec2(0.5f, 0));
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(width, room.bottom - room.top));
-    beginWindow("Reading", ImGuiWindowFlags_AlwaysAutoResize);
+    beginWindow(name, ImGuiWindowFlags_AlwaysAutoResize);
+}
+
+/// What is being read, with a way to stop it.
+void Panel::drawReading(Viewer& viewer, double now) {
+    const bool another = !viewer.document() || viewer.loadingName() != viewer.document()->view.input;
+    if (!viewer.loading() || !another) return;
+    Widgets& ui = state_->ui;
+    beginProgress("Reading");
     ui.name("Reading " + shortName(viewer.loadingName()));
     const double share = viewer.loadingProgress();
     if (share >= 0) {

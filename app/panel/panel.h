@@ -185,6 +185,7 @@ private:
     // over everything
     void drawStart(Viewer& viewer, double now);
     void drawRecent(const RecentFile& recent, float width, Viewer& viewer, double now);
+    void beginProgress(const char* name);
     void drawReading(Viewer& viewer, double now);
     void drawFailure(Viewer& viewer);
     void drawSave(const Viewer& viewer);

@@ -154,12 +154,7 @@ void Panel::drawRecording() {
     const RecordingState recording = host_.recording();
     if (!recording.running) return;
     Widgets& ui = state_->ui;
-    const Rectangle room = freeRoom();
-    const float width = std::min(ui.px(380), room.right - room.left - ui.px(16));
-    ImGui::SetNextWindowPos(ImVec2(std::round((room.left + room.right) / 2), room.top + ui.px(16)), ImGuiCond_Always,
-                            ImVec2(0.5f, 0));
-    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(width, room.bottom - room.top));
-    beginWindow("Recording", ImGuiWindowFlags_AlwaysAutoResize);
+    beginProgress("Recording");
     ui.name("Recording " + recording.path);
     std::string text = recording.stopping ? "stopping"
                        : recording.frames == 0
