@@ -136,6 +136,7 @@ private:
     float scale() const { return static_cast<float>(pixelsPerPoint_); }
     bool forFingers() const { return hand_ == PanelHand::fingers; }
     bool occupies(glm::dvec2 pixel) const;
+    void mapKeys();
     void beginWindow(const char* name, int moreFlags);
     Rectangle freeRoom() const;
     void followFinger();

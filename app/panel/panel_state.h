@@ -8,6 +8,16 @@
 
 namespace nacre::app {
 
+/// Dear ImGui works on one context, named by a global variable: panels on other threads wait for their turn.
+class Panel::Turn {
+public:
+    explicit Turn(ImGuiContext* context) : lock_(turns) { ImGui::SetCurrentContext(context); }
+    static inline std::recursive_mutex turns;
+
+private:
+    std::lock_guard<std::recursive_mutex> lock_;
+};
+
 struct Panel::State {
     State(const Theme& theme, float scale, bool fingers, FindFont find)
         : ui(theme, scale, fingers), foreign(std::move(find)) {}
