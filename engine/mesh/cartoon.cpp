@@ -9,6 +9,7 @@
 #include "engine/mesh/cartoon_sweep.h"
 #include "engine/mesh/cartoon_trace.h"
 #include "engine/mesh/solids.h"
+#include "engine/molecule/residue_positions.h"
 
 namespace nacre {
 namespace {

@@ -10,6 +10,7 @@
 #include "engine/mesh/solids.h"
 #include "engine/mesh/unit_vectors.h"
 #include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/residue_positions.h"
 
 namespace nacre {
 namespace {

@@ -41,8 +41,4 @@ std::vector<Trace> cartoonTraces(const Molecule& molecule, std::span<const std::
 /// Helices of at least three and strands of at least two residues.
 std::vector<FoldRun> foldRuns(const Trace& trace);
 
-/// The first residue record of the position (chain, number, insertion code) of each: where residues alternate, several
-/// stand in a row.
-std::vector<std::uint32_t> residuePositions(const Molecule& molecule);
-
 }  // namespace nacre

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/residue_positions.h"
 
 namespace nacre {
 namespace {
@@ -34,18 +35,6 @@ struct Peptide {
     glm::dvec3 n{}, ca{}, c{}, o{}, h{};
     std::array<HydrogenBond, 2> bonds{};  ///< the two strongest that its N-H gives
 };
-
-/// The first residue of each one's position: where residues alternate, several stand in a row.
-std::vector<std::uint32_t> positions(const Molecule& molecule) {
-    std::vector<std::uint32_t> first(molecule.residues.size());
-    for (std::uint32_t i = 0; i < first.size(); ++i) {
-        first[i] = i;
-        if (i == 0) continue;
-        const Residue &a = molecule.residues[i - 1], &b = molecule.residues[i];
-        if (a.chain == b.chain && a.number == b.number && a.insertionCode == b.insertionCode) first[i] = first[i - 1];
-    }
-    return first;
-}
 
 std::vector<Peptide> wholeBackbones(const Molecule& molecule, const std::vector<std::uint32_t>& positions) {
     struct Found {
@@ -292,7 +281,7 @@ private:
 
 std::vector<SecondaryStructure> kabschSander(const Molecule& molecule) {
     std::vector<SecondaryStructure> kinds(molecule.residues.size(), SecondaryStructure::none);
-    const std::vector<std::uint32_t> first = positions(molecule);
+    const std::vector<std::uint32_t> first = residuePositions(molecule);
     std::vector<Peptide> peptides = wholeBackbones(molecule, first);
     if (peptides.empty()) return kinds;
     findPiecesAndHydrogens(molecule, peptides);
