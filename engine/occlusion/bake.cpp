@@ -6,7 +6,6 @@
 #include "engine/passes/read_back.h"
 
 namespace nacre::occlusion {
-
 namespace {
 
 using Usage = vk::BufferUsageFlagBits;

@@ -60,16 +60,7 @@ TEST_P(MeshOcclusion, IsNearTheRayTraced) {
     if (!std::string(c.file).starts_with("sample:")) NACRE_NEEDS_DATA();
     const Representation r = c.made == Made::tubes ? meshScene() : meshOf(c.file, c.made);
     ASSERT_FALSE(r.triangles.empty());
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(r);
-    const auto points = tracePoints(*renderer.operator->(), r, 2000, 1024);
-    RenderSettings s;
-    s.supersample = 1;
-    s.occlusion.directions = 128;
-    const Difference d = bakedDifference(*renderer.operator->(), r, s, points);
-    std::cout << "RMS " << d.rootMeanSquare << ", mean " << d.mean << ", worst " << d.worst << "\n";
-    EXPECT_LE(d.rootMeanSquare, 0.04);
-    EXPECT_LE(std::abs(d.mean), 0.02);
+    expectNearRays(r, 0.04);
 }
 
 std::string caseName(const testing::TestParamInfo<MeshOcclusionCase>& test) { return test.param.name; }
@@ -92,18 +83,10 @@ TEST(OcclusionOfMeshes, IsTheSameOnEveryPath) {
     RenderSettings s = settings(r, 160, Projection::orthographic);
     s.occlusion.directions = 16;
     std::vector<float> first;
+    PathRenderers renderers;
     for (const OcclusionMaps maps : {OcclusionMaps::fragdepth, OcclusionMaps::encoded, OcclusionMaps::tiles}) {
         s.occlusion.maps = maps;
-        std::vector<float> picture, occlusion;
-        for (const Visibility visibility : kPaths) {
-            ValidatedRenderer renderer(visibility);
-            renderer->setScene(r);
-            const Picture p = renderer->render(s);
-            const LayerPicture l = renderer->layers(s);
-            if (picture.empty()) picture = p.rgba, occlusion = l.occlusion;
-            EXPECT_TRUE(p.rgba == picture) << visibilityName(visibility);
-            EXPECT_TRUE(l.occlusion == occlusion) << visibilityName(visibility);
-        }
+        const std::vector<float> occlusion = sameOnEveryPath(renderers, r, s).occlusion;
         EXPECT_LT(*std::min_element(occlusion.begin(), occlusion.end()), 0.5f);
         if (first.empty()) first = occlusion;
         double difference = 0;

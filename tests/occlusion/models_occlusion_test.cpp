@@ -71,16 +71,17 @@ LayerPicture baked(Renderer& renderer, const Representation& r, const RenderSett
     return renderer.layers(s);
 }
 
-class ModelsOcclusion : public testing::TestWithParam<std::tuple<Style, OcclusionMaps>> {};
+class ModelsOcclusion : public SharedRenderers<std::tuple<Style, OcclusionMaps>> {};
 
 TEST_P(ModelsOcclusion, OfEachIsWhatItIsAlone) {
     const auto [style, maps] = GetParam();
     const Representation all = sceneOf(ensemble(3), style, false);
     ASSERT_EQ(all.sphereModels.size(), 3u);
     ASSERT_EQ(all.cylinderModels.empty(), style == Style::spacefill);
-    ValidatedRenderer renderer(Visibility::automatic);
+    ValidatedRenderer& renderer = rendererOf(Visibility::automatic);
     RenderSettings s = settings(all, 240, Projection::orthographic, {20, 40, 0});
     s.occlusion.directions = 48;  // deep texels are dropped on the way
+    s.occlusion.bytes = 24'000'000;
     s.occlusion.maps = maps;
     const LayerPicture together = baked(*renderer.operator->(), all, s);
     std::size_t compared = 0;

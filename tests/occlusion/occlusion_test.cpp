@@ -43,17 +43,7 @@ class OcclusionOf : public testing::TestWithParam<OcclusionScene> {};
 
 TEST_P(OcclusionOf, MoleculeIsNearTheRayTraced) {
     if (!isSample(GetParam())) NACRE_NEEDS_DATA();
-    const Representation r = sceneOf(GetParam());
-    ValidatedRenderer renderer(Visibility::automatic);
-    renderer->setScene(r);
-    const auto points = tracePoints(*renderer.operator->(), r, 2000, 1024);
-    RenderSettings s;
-    s.supersample = 1;
-    s.occlusion.directions = 128;
-    const Difference d = bakedDifference(*renderer.operator->(), r, s, points);
-    std::cout << "RMS " << d.rootMeanSquare << ", mean " << d.mean << ", worst " << d.worst << "\n";
-    EXPECT_LE(d.rootMeanSquare, 0.035);
-    EXPECT_LE(std::abs(d.mean), 0.02);
+    expectNearRays(sceneOf(GetParam()), 0.035);
 }
 
 std::string nameOf(const testing::TestParamInfo<OcclusionScene>& test) { return testName(test.param.name); }

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <iostream>
 #include <numbers>
 #include <random>
 #include <thread>
 
 #include "tests/reference/ambient_occlusion.h"
+#include "tests/renderer/scenes.h"
 
 namespace nacre::test {
 namespace {
@@ -100,6 +102,19 @@ Difference bakedDifference(Renderer& renderer, const Representation& scene, Rend
             if (point.view == v) values.push_back(p.occlusion[point.pixel]);
     }
     return differenceOf(values, points);
+}
+
+void expectNearRays(const Representation& scene, double bound) {
+    ValidatedRenderer renderer(Visibility::automatic);
+    renderer->setScene(scene);
+    const auto points = tracePoints(*renderer.operator->(), scene, 2000, 1024);
+    RenderSettings s;
+    s.supersample = 1;
+    s.occlusion.directions = 128;
+    const Difference d = bakedDifference(*renderer.operator->(), scene, s, points);
+    std::cout << "RMS " << d.rootMeanSquare << ", mean " << d.mean << ", worst " << d.worst << "\n";
+    EXPECT_LE(d.rootMeanSquare, bound);
+    EXPECT_LE(std::abs(d.mean), 0.02);
 }
 
 std::vector<WeightedDirection> originalDirections() {

@@ -100,20 +100,12 @@ TEST_P(SamePicture, OfColourToo) {
 }
 
 TEST(SamePicture, OfOcclusionToo) {
+    PathRenderers renderers;
     for (const Style style : {Style::spacefill, Style::licorice}) {
         const Representation r = scene("sample:dna", style);
         RenderSettings s = settings(r, 200, Projection::orthographic);
         s.occlusion.directions = 8;
-        std::vector<float> picture, occlusion;
-        for (const Visibility visibility : kPaths) {
-            ValidatedRenderer renderer(visibility);
-            renderer->setScene(r);
-            const Picture p = renderer->render(s);
-            const LayerPicture l = renderer->layers(s);
-            if (picture.empty()) picture = p.rgba, occlusion = l.occlusion;
-            EXPECT_EQ(p.rgba, picture) << visibilityName(visibility);
-            EXPECT_EQ(l.occlusion, occlusion) << visibilityName(visibility);
-        }
+        const std::vector<float> occlusion = sameOnEveryPath(renderers, r, s).occlusion;
         EXPECT_LT(*std::min_element(occlusion.begin(), occlusion.end()), 0.5f);
     }
 }

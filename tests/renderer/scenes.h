@@ -52,19 +52,29 @@ private:
     Renderer renderer_;
 };
 
-/// Cases that share a renderer for each path, so that the driver compiles its pipelines once and not once a case.
-template <typename Case>
-class SharedRenderers : public testing::TestWithParam<Case> {
-protected:
-    static ValidatedRenderer& rendererOf(Visibility visibility) {
+/// A renderer for each path, made when it is first asked for.
+class PathRenderers {
+public:
+    ValidatedRenderer& operator[](Visibility visibility) {
         std::unique_ptr<ValidatedRenderer>& renderer = renderers_[visibility];
         if (!renderer) renderer = std::make_unique<ValidatedRenderer>(visibility);
         return *renderer;
     }
+    void clear() { renderers_.clear(); }
+
+private:
+    std::map<Visibility, std::unique_ptr<ValidatedRenderer>> renderers_;
+};
+
+/// Cases that share a renderer for each path, so that the driver compiles its pipelines once and not once a case.
+template <typename Case>
+class SharedRenderers : public testing::TestWithParam<Case> {
+protected:
+    static ValidatedRenderer& rendererOf(Visibility visibility) { return renderers_[visibility]; }
     static void TearDownTestSuite() { renderers_.clear(); }
 
 private:
-    static inline std::map<Visibility, std::unique_ptr<ValidatedRenderer>> renderers_;
+    static inline PathRenderers renderers_;
 };
 
 inline RenderSettings settings(const Representation& r, std::uint32_t size, Projection projection,
@@ -78,6 +88,28 @@ inline RenderSettings settings(const Representation& r, std::uint32_t size, Proj
     s.occlusion.directions = 0;
     s.supersample = 1;
     return s;
+}
+
+/// Colour and occlusion, which are the same to the bit on every path: those of the first.
+struct PictureAndOcclusion {
+    std::vector<float> rgba, occlusion;
+};
+inline PictureAndOcclusion sameOnEveryPath(PathRenderers& renderers, const Representation& scene,
+                                           const RenderSettings& settings) {
+    PictureAndOcclusion first;
+    for (const Visibility visibility : kPaths) {
+        ValidatedRenderer& renderer = renderers[visibility];
+        renderer->setScene(scene);
+        Picture p = renderer->render(settings);
+        LayerPicture l = renderer->layers(settings);
+        if (first.rgba.empty())
+            first = {std::move(p.rgba), std::move(l.occlusion)};
+        else {
+            EXPECT_TRUE(p.rgba == first.rgba) << visibilityName(visibility);
+            EXPECT_TRUE(l.occlusion == first.occlusion) << visibilityName(visibility);
+        }
+    }
+    return first;
 }
 
 inline reference::Layers toReference(const LayerPicture& p) {

@@ -205,13 +205,20 @@ TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
     EXPECT_GT(listed, 300u);
 }
 
-TEST(TileLists, LeaveOutTrianglesBehindOthersAtAllCenters) {
-    const glm::vec4 rows[] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+constexpr glm::vec4 kUnturned[] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+
+/// Of 16 x 16 pixels, an angstrom each.
+TileView smallView() {
     TileView v;
     v.width = v.height = 16;
     v.axis = glm::vec2(8);
     v.origin = 4;
     v.range = 8;
+    return v;
+}
+
+TEST(TileLists, LeaveOutTrianglesBehindOthersAtAllCenters) {
+    TileView v = smallView();
     // One over the whole picture, one behind it, one in front that covers it, and one that lies in it.
     Mesh mesh;
     for (const float z : {0.0f, -1.0f, 1.0f, 0.0f}) {
@@ -224,7 +231,7 @@ TEST(TileLists, LeaveOutTrianglesBehindOthersAtAllCenters) {
     Representation r;
     appendMesh(
         mesh, glm::dvec3(0), [](std::uint32_t) { return SphereLook{}; }, r);
-    const TileCall call{rows, 0, 4, 1};
+    const TileCall call{kUnturned, 0, 4, 1};
     const auto listed = [&] {
         TileLists lists;
         lists.build(v, {{}, {}, {}, {}, r.triangles, r.meshVertices, {&call, 1}});
@@ -244,12 +251,7 @@ TEST(TileLists, LeaveOutTrianglesBehindOthersAtAllCenters) {
 }
 
 TEST(TileLists, LeaveOutTrianglesBetweenTheCentersOfPixels) {
-    const glm::vec4 rows[] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
-    TileView v;
-    v.width = v.height = 16;
-    v.axis = glm::vec2(8);
-    v.origin = 4;
-    v.range = 8;
+    TileView v = smallView();
     const auto entries = [&](glm::vec2 at, bool centers) {
         Mesh mesh;
         for (const glm::vec2 corner : {at, at + glm::vec2(0.6f, 0), at + glm::vec2(0, 0.6f)})
@@ -258,7 +260,7 @@ TEST(TileLists, LeaveOutTrianglesBetweenTheCentersOfPixels) {
         Representation r;
         appendMesh(
             mesh, glm::dvec3(0), [](std::uint32_t) { return SphereLook{}; }, r);
-        const TileCall call{rows, 0, 1, 1};
+        const TileCall call{kUnturned, 0, 1, 1};
         v.centers = centers;
         TileLists lists;
         lists.build(v, {{}, {}, {}, {}, r.triangles, r.meshVertices, {&call, 1}});
