@@ -52,7 +52,8 @@ public:
     LayerPicture layers(const RenderSettings& settings);
 
     /// One frame as an application would draw it: nothing is read back, and occlusion is shown as far as it is baked (1
-    /// everywhere at first). Returns milliseconds, from declaring the frame to the device being done.
+    /// everywhere at first). Of several samples a pixel, all are drawn where one frame can. Returns milliseconds, from
+    /// declaring the frame to the device being done.
     double drawFrame(const RenderSettings& settings);
 
     /// Waits until the next present() need not: for room in the queue and an image of the window. Look for input after

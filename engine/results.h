@@ -96,18 +96,27 @@ struct OcclusionStats {
     std::uint64_t asked = 0;      ///< texels times the directions that each was asked about
 };
 
+/// The lists that the `tiles` path drew a frame from.
+struct TileCounts {
+    std::uint64_t tiles = 0;                  ///< that may show something; 0: the path drew from none
+    std::uint64_t kept = 0, keptSpheres = 0;  ///< primitives, and spheres of them, in any list
+    std::uint64_t entries = 0;                ///< of all lists
+    std::uint32_t longestList = 0;            ///< entries
+};
+
 struct FrameStats {
     DeviceInfo device;                ///< with the path and reason in force
     double bakeMilliseconds = 0;      ///< ambient occlusion, from streams to atlas
     double frameMilliseconds = 0;     ///< the last picture's frames, submission to completion
     std::uint64_t coveredPixels = 0;  ///< of the last picture; of N x N samples a pixel, samples
-    std::uint32_t samples = 1;        ///< a pixel of the last picture has at most
-    std::uint32_t frames = 1;         ///< that the last picture is the mean of
+    std::uint32_t samples = 1;        ///< a pixel of the last picture or frame has at most
+    std::uint32_t frames = 1;         ///< that the last picture is the mean of, or a picture of the last frame would be
     std::vector<PassCount> passes;    ///< of the last frame that counted
     std::vector<PassTime> passTimes;  ///< of the last frame that was timed; none if the device cannot
     /// Submitted for the last picture, in all copies.
     std::uint64_t spheres = 0, cylinders = 0, triangles = 0;
     std::uint64_t copies = 1;  ///< of an assembly
+    TileCounts lists;          ///< of the last frame
     OcclusionStats occlusion;
     std::uint64_t deviceBytes = 0;      ///< peak device memory
     std::uint64_t deviceBytesHeld = 0;  ///< after the last picture

@@ -127,6 +127,25 @@ OptionSpec& addDeviceName(CommandSpec& command, DeviceOptions& device) {
                     });
 }
 
+void addCameraValues(CommandSpec& command, Camera& camera, const char* rotateHelp) {
+    addValue(command, "--rotate", "X,Y,Z", "0,0,0", rotateHelp,
+             [&](const std::string& text) { camera.rotationDegrees = parseRotation(text); });
+    addValue(command, "--zoom", "F", "1", "Scales the picture, 0.0001 to 10000",
+             [&](const std::string& text) { camera.zoom = parseNumber(text, kSmallestZoom, kLargestZoom); });
+    addValue(command, "--projection", "NAME", "ortho", "ortho or perspective", [&](const std::string& text) {
+        camera.projection =
+            parseChoice(text, {"ortho", "perspective"}) == 0 ? Projection::orthographic : Projection::perspective;
+    });
+    addValue(command, "--fov", "DEGREES", "30", "Perspective: angle across the shorter side, 1 to 120",
+             [&](const std::string& text) { camera.fovDegrees = parseNumber(text, kSmallestFov, kLargestFov); });
+}
+
+void addSupersample(CommandSpec& command, const std::string& fallback, std::uint32_t& supersample) {
+    addValue(command, "--supersample", "auto|N", fallback,
+             "N x N samples a pixel, 1 to 8; auto: 16 where a pixel shows an edge, one elsewhere",
+             [&](const std::string& text) { supersample = parseSupersample(text); });
+}
+
 void addContent(CommandSpec& command, InputOptions& input, bool required, DrawnAtomsOptions& drawn,
                 RepresentationOptions& look) {
     addInput(command, input, required);
@@ -139,6 +158,10 @@ void addContent(CommandSpec& command, InputOptions& input, bool required, DrawnA
                  input.fits.push_back({parseSelection(text.substr(0, end)), parseSelection(text.substr(end + 1))});
              })
         .pair = true;
+    addAppearance(command, drawn, look);
+}
+
+void addAppearance(CommandSpec& command, DrawnAtomsOptions& drawn, RepresentationOptions& look) {
     addValue(command, "--style", "NAME", "spacefill; ball-and-stick under 100 atoms with bonds",
              "spacefill, ball-and-stick, licorice, cartoon (with ligands as licorice) or surface",
              [&](const std::string& text) { setStyle(parseStyle(text), look); });

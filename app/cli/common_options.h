@@ -25,7 +25,12 @@ void addTrajectory(CommandSpec& command, TrajectoryOptions& trajectory);
 void addSize(CommandSpec& command, const std::string& fallback, Size& size);
 OptionSpec& addDeviceName(CommandSpec& command, DeviceOptions& device);
 void addVisibility(CommandSpec& command, DeviceOptions& device);
-/// What is drawn and how it looks: the same for every command that draws.
+/// Degrees, zoom and lens. @param rotateHelp  what --rotate turns
+void addCameraValues(CommandSpec& command, Camera& camera, const char* rotateHelp);
+void addSupersample(CommandSpec& command, const std::string& fallback, std::uint32_t& supersample);
+/// Which atoms are drawn, and how they look.
+void addAppearance(CommandSpec& command, DrawnAtomsOptions& drawn, RepresentationOptions& look);
+/// INPUT, what is drawn of it and how it looks: the same for every command that draws pictures.
 void addContent(CommandSpec& command, InputOptions& input, bool required, DrawnAtomsOptions& drawn,
                 RepresentationOptions& look);
 void addOcclusion(CommandSpec& command, OcclusionOptions& occlusion);

@@ -24,22 +24,14 @@ std::string capabilitySetNames() {
     return names;
 }
 
-void addTurnAndZoom(CommandSpec& command, Camera& camera, const char* rotateHelp) {
-    addValue(command, "--rotate", "X,Y,Z", "0,0,0", rotateHelp,
-             [&](const std::string& text) { camera.rotationDegrees = parseRotation(text); });
-    addValue(command, "--zoom", "F", "1", "Scales the picture, 0.0001 to 10000",
-             [&](const std::string& text) { camera.zoom = parseNumber(text, kSmallestZoom, kLargestZoom); });
-    addValue(command, "--projection", "NAME", "ortho", "ortho or perspective", [&](const std::string& text) {
-        camera.projection =
-            parseChoice(text, {"ortho", "perspective"}) == 0 ? Projection::orthographic : Projection::perspective;
-    });
-}
-
 void addBench(CommandSpec& command, BenchOptions& options) {
-    addContent(command, options.input, true, options.drawn, options.look);
+    addInputs(command, options.paths, options.input);
+    addTrajectory(command, options.input.trajectory);
+    addAppearance(command, options.drawn, options.look);
     addSize(command, "640x960", options.size);
-    addTurnAndZoom(command, options.camera, "Degrees of the first frame; each next one turns by 5 about Y");
-    addValue(command, "--frames", "N", "20", "Timed frames a path, 1 to 10000; as many as 5 seconds of all paths hold",
+    addCameraValues(command, options.camera, "Degrees of the first frame; each next one turns by 5 about Y");
+    addSupersample(command, "1", options.supersample);
+    addValue(command, "--frames", "N", "20", "Timed frames a path, 1 to 10000; as many as 3 seconds of all paths hold",
              [&](const std::string& text) { options.frames = static_cast<int>(parseInteger(text, 1, 10000)); });
     addValue(command, "--only", "PART", "everything", "frames (by path), shapes (of plates and impostors) or bake",
              [&](const std::string& text) {
@@ -55,7 +47,7 @@ void addBench(CommandSpec& command, BenchOptions& options) {
 
 void addPlan(CommandSpec& command, PlanOptions& options) {
     addContent(command, options.input, false, options.drawn, options.look);
-    addTurnAndZoom(command, options.camera, "Degrees about X, Y and Z");
+    addCameraValues(command, options.camera, "Degrees about X, Y and Z");
     addValue(command, "--caps", "NAME", "none", "A capability set instead of a device: " + capabilitySetNames(),
              [&](const std::string& text) {
                  try {
@@ -145,7 +137,7 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     addFlag(info, "--json", line.info.json, "As one JSON object");
     CommandSpec bench{"bench", "Time frames and count shaded fragments",
                       "Examples:\n  nacre bench 1bna.pdb\n  nacre bench 1aon.pdb.gz --frames 50 --json\n"
-                      "  nacre bench 4hhb.cif.gz --only frames --visibility tiles --zoom 10"};
+                      "  nacre bench 1bna.pdb 4hhb.cif.gz --only frames --visibility tiles --zoom 10"};
     addBench(bench, line.bench);
     CommandSpec plan{"plan", "Show what a frame becomes on a GPU: render passes and memory traffic",
                      "Examples:\n"

@@ -91,11 +91,13 @@ struct InfoOptions {
 
 struct BenchOptions {
     enum class Part { all, frames, shapes, bake };
-    InputOptions input;
+    std::vector<std::string> paths;  ///< one or more, each timed by itself
+    InputOptions input;              ///< how each of them is read
     DrawnAtomsOptions drawn;
     RepresentationOptions look;
     Size size{640, 960};
-    Camera camera;  ///< of the first frame
+    Camera camera;                  ///< of the first frame
+    std::uint32_t supersample = 1;  ///< as RenderSettings::supersample
     int frames = 20;
     Part only = Part::all;
     OcclusionOptions occlusion;

@@ -35,17 +35,7 @@ void addCamera(CommandSpec& command, RenderOptions& options) {
         "Close in on a selection, with 3 Å around it, and cut away what hides it (unless --clip is given);\n--zoom "
         "scales that",
         [&](const std::string& text) { options.aim.zoomTo = parseSelection(text); });
-    addValue(command, "--rotate", "X,Y,Z", "0,0,0", "Degrees, right-handed, about the view axes, X first",
-             [&](const std::string& text) { options.camera.rotationDegrees = parseRotation(text); });
-    addValue(command, "--zoom", "F", "1", "Scales the picture, 0.0001 to 10000",
-             [&](const std::string& text) { options.camera.zoom = parseNumber(text, kSmallestZoom, kLargestZoom); });
-    addValue(command, "--projection", "NAME", "ortho", "ortho or perspective", [&](const std::string& text) {
-        options.camera.projection =
-            parseChoice(text, {"ortho", "perspective"}) == 0 ? Projection::orthographic : Projection::perspective;
-    });
-    addValue(
-        command, "--fov", "DEGREES", "30", "Perspective: angle across the shorter side, 1 to 120",
-        [&](const std::string& text) { options.camera.fovDegrees = parseNumber(text, kSmallestFov, kLargestFov); });
+    addCameraValues(command, options.camera, "Degrees, right-handed, about the view axes, X first");
 }
 
 void addShading(CommandSpec& command, RenderOptions& options) {
@@ -71,12 +61,6 @@ void addShading(CommandSpec& command, RenderOptions& options) {
         .excludes = "--clip";
 }
 
-void addSupersample(CommandSpec& command, RenderOptions& options) {
-    addValue(command, "--supersample", "auto|N", "auto",
-             "N x N samples a pixel, 1 to 8; auto: 16 where a pixel shows an edge, one elsewhere",
-             [&](const std::string& text) { options.supersample = parseSupersample(text); });
-}
-
 void addPixels(CommandSpec& command, RenderOptions& options) {
     addValue(
         command, "--occlusion-detail", "N", "32",
@@ -85,7 +69,7 @@ void addPixels(CommandSpec& command, RenderOptions& options) {
             options.occlusion.detail = static_cast<std::uint32_t>(parseInteger(text, 4, 32));
         });
     addSize(command, "1024x1024", options.size);
-    addSupersample(command, options);
+    addSupersample(command, "auto", options.supersample);
 }
 
 /// Goes behind --view and before the options that it stands for, so that those prevail.
@@ -337,7 +321,7 @@ void addLooks(CommandSpec& command, LooksOptions& options) {
     addCamera(command, picture);
     addOcclusion(command, picture.occlusion);
     addSize(command, "384x384", picture.size);
-    addSupersample(command, picture);
+    addSupersample(command, "auto", picture.supersample);
     addValue(command, "--columns", "N", "4", "Looks in a row of the sheet, 1 to 16",
              [&](const std::string& text) { options.columns = static_cast<int>(parseInteger(text, 1, 16)); });
     addFlag(command, "--json", options.json, "All looks as one JSON object; each of them is what --look FILE takes");

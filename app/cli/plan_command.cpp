@@ -52,9 +52,9 @@ void chooseByDevice(const PlanOptions& options, PlanReport& report) {
 /// What the frame submits of the scene that was given.
 SceneCounts countsOfInput(const PlanOptions& options) {
     const Molecule molecule = loadMolecule(options.input);
-    const Representation scene = sceneOf(molecule, options.input.path, options.drawn, options.look);
+    Representation scene = sceneOf(molecule, options.input.path, options.drawn, options.look);
     const View view = viewOf(options.camera, scene.radius, options.size.width, options.size.height);
-    return countsOf(scene, view);
+    return countsOf(std::move(scene), view);
 }
 
 std::string joined(const graph::Graph& graph, const std::vector<std::uint32_t>& passes) {

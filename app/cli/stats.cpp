@@ -15,16 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::int64_t peakResidentBytes() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-#ifdef __APPLE__
-    return usage.ru_maxrss;
-#else
-    return std::int64_t{usage.ru_maxrss} * 1024;  // Linux counts in KiB
-#endif
-}
-
 /// Row by row, as it is written on paper; GLM stores columns.
 Json rowsOf(const glm::dmat3& matrix) {
     Json rows = Json::array();
@@ -44,6 +34,16 @@ Json legendJson(const std::vector<Legend>& legends) {
 }
 
 }  // namespace
+
+std::int64_t peakResidentBytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+#ifdef __APPLE__
+    return usage.ru_maxrss;
+#else
+    return std::int64_t{usage.ru_maxrss} * 1024;  // Linux counts in KiB
+#endif
+}
 
 Json geometryJson(const std::vector<PassGeometry>& passes, bool stored) {
     Json list = Json::array();

@@ -38,6 +38,9 @@ nlohmann::ordered_json passesJson(const std::vector<PassCount>& counts, const st
 /// a GPU stores them.
 nlohmann::ordered_json geometryJson(const std::vector<PassGeometry>& passes, bool stored);
 
+/// The most memory that this program has had resident so far.
+std::int64_t peakResidentBytes();
+
 /// JSON text; the keys are stable: snake_case, times in milliseconds, bytes as whole numbers.
 std::string statsJson(const RunStats& run, const View& view, const FrameStats& frame);
 

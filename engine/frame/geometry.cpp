@@ -54,8 +54,10 @@ bool numbers(const graph::Graph& graph, const graph::PassDecl& pass) {
 
 }  // namespace
 
-SceneCounts countsOf(const Representation& r, const View& view) {
-    const passes::PlacedCopies placed = passes::placeCopies(r, view);
+SceneCounts countsOf(Representation r, const View& view) {
+    orderInSpace(r);
+    const Chunks chunks = chunksOf(r);
+    const passes::PlacedCopies placed = passes::placeCopies(r, view, &chunks);
     passes::PlacedCopies translucent;
     translucent.triangles = passes::chosen(placed.triangles, translucentRuns(r), passes::Triangles::translucent);
     const std::uint64_t layered = translucent.triangleCount();

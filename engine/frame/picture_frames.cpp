@@ -224,7 +224,14 @@ LayerPicture PictureFrames::layers(const RenderSettings& settings, const passes:
 }
 
 void PictureFrames::frame(const RenderSettings& settings, const passes::Atlas& atlas) {
-    draw(settings, atlas, settings.view, pictureTargets(settings), false, "screen", wantsEdges(settings));
+    const bool edges = wantsEdges(settings);
+    const std::uint32_t n = edges ? 1 : std::max(settings.supersample, 1u);
+    const View view = scaled(settings.view, n);
+    checkSize(view);
+    const Drawn drawn = draw(settings, atlas, view, pictureTargets(settings), false, "screen", edges);
+    const bool mean = edges && !drawn.edges;  // one of many
+    stats_.samples = drawn.edges ? RenderSettings::kEdgeSamples : n * n;
+    stats_.frames = mean ? RenderSettings::kEdgeSamples : 1;
 }
 
 std::uint32_t PictureFrames::atomAt(const RenderSettings& settings, double x, double y, double reach) {

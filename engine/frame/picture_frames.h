@@ -17,7 +17,8 @@ public:
     /// As Renderer::renderPart.
     Picture part(const RenderSettings& settings, const passes::Atlas& atlas, const PictureRect& part);
     LayerPicture layers(const RenderSettings& settings, const passes::Atlas& atlas);
-    /// A frame of which nothing is read back. Of RenderSettings::kEdges, one that draws edges if one can.
+    /// A frame of which nothing is read back. Of RenderSettings::kEdges, one that draws edges if one can; else one of
+    /// those that a picture is the mean of.
     void frame(const RenderSettings& settings, const passes::Atlas& atlas);
     /// As Renderer::atomAt.
     std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach);

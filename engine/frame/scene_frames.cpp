@@ -93,6 +93,7 @@ ScreenFrame SceneFrames::declareSeen(const RenderSettings& asked, const passes::
             seen->translucent->tiles = layerTiles_.prepare(scene_->representation, *seen->translucent, view, image,
                                                            {false, false, kTranslucentLayers});
     }
+    stats_.lists = seen->tiles ? passes::countsOf(seen->tiles->lists) : TileCounts();
     stats_.spheres = seen->copies.sphereCount();
     stats_.cylinders = seen->copies.cylinderCount();
     const std::uint64_t translucentCount = layered ? seen->translucent->copies.triangleCount() : 0;

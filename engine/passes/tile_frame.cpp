@@ -71,6 +71,10 @@ layout::TileConstants constantsOf(const layout::ViewConstants& c, const PlacedCo
 
 }  // namespace
 
+TileCounts countsOf(const TileLists& lists) {
+    return {lists.tiles().size(), lists.kept(), lists.keptSpheres(), lists.entries(), lists.longest()};
+}
+
 std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, const SceneView& seen, const View& view,
                                                      graph::Extent image, TileWork work) {
     auto free = std::find_if(frames_.begin(), frames_.end(), [](const auto& frame) { return frame.use_count() == 1; });

@@ -7,6 +7,7 @@
 #include "engine/gpu/resources.h"
 #include "engine/graph/graph.h"
 #include "engine/passes/scene_view.h"
+#include "engine/results.h"
 #include "engine/scene/tile_lists.h"
 
 namespace nacre::passes {
@@ -57,6 +58,9 @@ struct TileFrame {
     /// What is made for the edges' sake.
     const TileBuffer& edgeBuffer() const { return shaded ? edges.numbers : edges.colors; }
 };
+
+/// What lists hold, for who asks.
+TileCounts countsOf(const TileLists& lists);
 
 /// Rows of bins as shaders/tile_span.vert reads them.
 struct TileSpanVertex {

@@ -241,6 +241,7 @@ void TileLists::build(const TileView& view, const TileScenery& s) {
     down_ = (view.height + kBinPixels - 1) / kBinPixels;
     kept_.clear();
     for (const TileCall& call : s.sphereCalls) addSpheres(view, s.spheres, call);
+    keptSpheres_ = kept_.size();
     for (const TileCall& call : s.cylinderCalls) addCylinders(view, s.cylinders, call);
     if (view.centers && view.layers == 1 && view.contour == 0 && !s.triangleCalls.empty())
         addFrontTriangles(view, s);

@@ -85,6 +85,7 @@ public:
     std::span<const Tile> tiles() const { return tiles_; }  ///< in the order to draw them
     std::span<const Span> spans() const { return spans_; }
     std::size_t kept() const { return kept_.size(); }  ///< primitives in any list
+    std::size_t keptSpheres() const { return keptSpheres_; }
     std::size_t entries() const { return offsets_.empty() ? 0 : offsets_.back(); }
     std::uint32_t longest() const { return longest_; }  ///< entries of a list
     /// What a device needs of it, in words: tiles, two each (x | y << 16, slot); where the bins' lists begin, and where
@@ -120,6 +121,7 @@ private:
 
     std::uint32_t across_ = 0, down_ = 0, longest_ = 0;
     std::vector<Kept> kept_;
+    std::size_t keptSpheres_ = 0;
     std::vector<std::uint32_t> order_, offsets_, cursors_;
     std::vector<Tile> tiles_, slots_;
     std::vector<Span> spans_;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/support/run_program.h"
@@ -27,6 +28,11 @@ TEST(Bench, FramesOfEveryPathAndTheFloorOfTheOneInUse) {
         EXPECT_LE(path["frame"]["min"], path["frame"]["p99"]);
         ASSERT_FALSE(path["passes"].empty());  // both drivers have a clock
         for (const auto& pass : path["passes"]) EXPECT_LE(pass["ms"]["min"], pass["ms"]["median"]) << pass;
+        EXPECT_GT(path["processor"]["min"], 0);
+        EXPECT_EQ(path["samples_per_pixel"], 1);
+        EXPECT_EQ(path["frames_per_picture"], 1);
+        EXPECT_EQ(path["geometry"]["vertices"] > 0, path["visibility"] != "tiles");
+        EXPECT_EQ(path.contains("lists"), path["visibility"] == "tiles");
         if (path["visibility"] == report["device"]["visibility"]) {
             EXPECT_EQ(path["frame"], report["times"]["frame"]);
         }
@@ -34,7 +40,14 @@ TEST(Bench, FramesOfEveryPathAndTheFloorOfTheOneInUse) {
     EXPECT_FALSE(report.contains("shapes") || report.contains("occlusion"));
     EXPECT_GT(report["floor"]["ratio"], 0);
     EXPECT_LT(report["atoms"]["visible"], report["atoms"]["drawn"]);
-    EXPECT_EQ(report["spheres"]["submitted"], report["atoms"]["drawn"]);
+    const auto& spheres = report["spheres"];
+    EXPECT_EQ(spheres["submitted"], report["atoms"]["drawn"]);
+    EXPECT_LE(spheres["kept"], spheres["submitted"]);
+    EXPECT_LE(spheres["visible"], spheres["kept"]);
+    EXPECT_EQ(spheres["visible"], report["atoms"]["visible"]);
+    EXPECT_GT(report["times"]["load"], 0);
+    EXPECT_GT(report["times"]["frame_processor"]["min"], 0);
+    EXPECT_GT(report["memory"]["resident_peak"], 1 << 20);
 
     const Outcome render = nacreIn(folder,
                                    "render sample:dna --style spacefill --size 96x96 --occlusion 4 --rotate 10,20,30 "
@@ -52,6 +65,52 @@ TEST(Bench, OnePathCloserBy) {
     EXPECT_EQ(close["paths"][0]["visibility"], "deferred");
     EXPECT_GT(close["covered_pixels"], report["covered_pixels"]);
     EXPECT_LT(close["atoms"]["visible"], report["atoms"]["visible"]);
+    EXPECT_LT(close["spheres"]["submitted"], report["spheres"]["submitted"]);
+}
+
+TEST(Bench, SeveralInputsEachByItselfAndWhatIsSaidOfOneThatFails) {
+    const TemporaryFolder folder;
+    const std::string flags = " --only frames --size 64x64 --occlusion off --frames 1 --visibility tiles";
+    const Outcome outcome = nacreIn(folder, "bench sample:glucose nothing.pdb sample:buckyball --json" + flags);
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.err.find("nothing.pdb"), std::string::npos) << outcome.err;
+    const auto reports = nlohmann::json::parse(outcome.out);
+    ASSERT_EQ(reports.size(), 2u);
+    EXPECT_EQ(reports[0]["input"], "sample:glucose");
+    EXPECT_EQ(reports[1]["atoms"]["drawn"], 60);
+    EXPECT_GT(reports[1]["paths"][0]["lists"]["entries"], reports[1]["spheres"]["kept"]);
+    const Outcome table = nacreIn(folder, "bench sample:glucose sample:buckyball" + flags);
+    EXPECT_LT(table.out.find("sample:glucose"), table.out.find("sample:buckyball"));
+    EXPECT_NE(table.out.find("entries of lists"), std::string::npos) << table.out;
+}
+
+TEST(Bench, EdgesByTilesAndAsTheMeanOfFrames) {
+    const TemporaryFolder folder;
+    struct Case {
+        const char* options;
+        int samples, frames;
+    };
+    for (const Case& c : {Case{"tiles --supersample auto", 16, 1}, Case{"encoded --supersample auto", 1, 16},
+                          Case{"encoded --supersample 2", 4, 1}}) {
+        const Outcome outcome = nacreIn(folder, std::string("bench sample:glucose --only frames --size 64x64 ") +
+                                                    "--occlusion off --frames 1 --json --visibility " + c.options);
+        const auto path = nlohmann::json::parse(outcome.out)["paths"][0];
+        EXPECT_EQ(path["samples_per_pixel"], c.samples) << c.options;
+        EXPECT_EQ(path["frames_per_picture"], c.frames) << c.options;
+    }
+}
+
+TEST(Bench, ModelsDrawnTogetherHaveAFloor) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "two.xyz") << "2\none\nO 0 0 0\nC 0 0 3\n2\ntwo\nO 4 0 0\nC 4 0 3\n";
+    const Outcome outcome = nacreIn(folder,
+                                    "bench two.xyz --model all --style spacefill --only frames --size 64x64 "
+                                    "--occlusion 4 --frames 1 --visibility tiles --json");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto report = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(report["spheres"]["submitted"], 4);
+    EXPECT_EQ(report["spheres"]["visible"], 2);  // two hide behind the others
+    EXPECT_GT(report["floor"]["ratio"], 0);
 }
 
 TEST(Bench, ShapesAndBakesAlone) {

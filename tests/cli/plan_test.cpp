@@ -55,6 +55,9 @@ TEST(Plan, CountsTheGeometryOfASceneThatIsGiven) {
     EXPECT_NE(planText(planReport(options)).find("through memory: written once, read once"), std::string::npos);
     options.camera.zoom = 0.1;  // squares, where corners cost more than fragments
     EXPECT_EQ(jsonOf(options)["geometry"]["vertices"], spheres * (4 + 4 + 4));
+    options.camera.zoom = 1000;  // nearly all is off the picture
+    EXPECT_LT(jsonOf(options)["geometry"]["vertices"], spheres * (24 + 9 + 9));
+    options.camera.zoom = 0.1;
     options.caps = "adreno";
     const Json adreno = jsonOf(options)["geometry"];
     EXPECT_EQ(adreno["memory_bytes"]["stored"], 0);

@@ -1,0 +1,258 @@
+#include "app/cli/bench_frames.h"
+
+#include <algorithm>
+#include <ctime>
+#include <iomanip>
+#include <memory>
+#include <ostream>
+#include <unordered_set>
+
+#include "app/cli/stats.h"
+#include "engine/device_plan.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr Visibility kTimedPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::deferred,
+                                      Visibility::rasterOrder, Visibility::tiles};
+
+/// Milliseconds that frames took by the clock, and of all processors together.
+struct Samples {
+    std::vector<double> wall, processor;
+};
+
+/// A path that is timed.
+struct Timed {
+    Visibility path;
+    std::unique_ptr<Renderer> renderer;
+    Samples samples;
+};
+
+/// Draws a frame, and takes its times down if they are wanted. @returns milliseconds by the clock
+double timeFrame(Renderer& renderer, const RenderSettings& settings, Samples* samples) {
+    const std::clock_t before = std::clock();
+    const double ms = renderer.drawFrame(settings);
+    if (samples) {
+        samples->processor.push_back(static_cast<double>(std::clock() - before) * 1e3 / CLOCKS_PER_SEC);
+        samples->wall.push_back(ms);
+    }
+    return ms;
+}
+
+/// Renderers that show the scene by the paths that were asked for, baked and drawn once. A path that the device lacks
+/// is told in `lacks`, unless it is the one that was asked for.
+std::vector<Timed> timedPaths(const BenchOptions& options, const Representation& scene, Json& lacks,
+                              Progress& progress) {
+    std::vector<Timed> timed;
+    const bool all = options.device.visibility == Visibility::automatic;
+    for (const Visibility path : kTimedPaths) {
+        if (!all && path != options.device.visibility) continue;
+        DeviceOptions device = options.device;
+        device.visibility = path;
+        try {
+            timed.push_back({path, std::make_unique<Renderer>(device), {}});
+        } catch (const Error& error) {
+            if (!all) throw;
+            lacks.push_back({{"visibility", visibilityName(path)}, {"why", error.what()}});
+            continue;
+        }
+        timed.back().renderer->setScene(scene);
+        RenderSettings settings = benchFrame(options, scene.radius, 0);
+        const double before = static_cast<double>(timed.size() - 1);
+        const double paths = all ? static_cast<double>(std::size(kTimedPaths)) : 1.0;
+        settings.occlusion.onProgress = [&](double share) { progress.advance((before + share) / paths); };
+        timed.back().renderer->render(settings);
+    }
+    return timed;
+}
+
+/// Times whole frames, from declaring the graph to the device being done; every path in turn within a round, so that
+/// the machine's moods meet all of them.
+void timeFrames(const BenchOptions& options, double radius, std::vector<Timed>& timed, Progress& progress) {
+    double spent = 0;
+    for (int frame = -3; frame < options.frames && (frame < 3 || spent < kBenchMilliseconds); ++frame) {
+        progress.advance(std::max({frame / static_cast<double>(options.frames), spent / kBenchMilliseconds, 0.0}));
+        for (Timed& t : timed)
+            spent += timeFrame(*t.renderer, benchFrame(options, radius, std::max(frame, 0)),
+                               frame >= 0 ? &t.samples : nullptr);
+    }
+}
+
+/// What the device takes for each pass of the first frame, by its own clock: of some frames more, since the stamps cost
+/// time themselves. None where the device has no clock.
+Json passTimesJson(const RenderSettings& settings, Renderer& renderer) {
+    constexpr int kTimedFrames = 5;
+    RenderSettings timed = settings;
+    timed.tuning.timePasses = true;
+    std::vector<std::vector<double>> samples;
+    for (int frame = 0; frame < kTimedFrames; ++frame) {
+        renderer.drawFrame(timed);
+        const std::vector<PassTime>& times = renderer.stats().passTimes;
+        samples.resize(times.size());
+        for (std::size_t i = 0; i < times.size(); ++i) samples[i].push_back(times[i].milliseconds);
+    }
+    Json passes = Json::array();
+    for (std::size_t i = 0; i < samples.size(); ++i)
+        passes.push_back({{"name", renderer.stats().passTimes[i].name}, {"ms", timesJson(samples[i])}});
+    return passes;
+}
+
+Json listsJson(const TileCounts& lists) {
+    return {
+        {"tiles", lists.tiles}, {"kept", lists.kept}, {"entries", lists.entries}, {"longest_list", lists.longestList}};
+}
+
+Json pathsJson(const BenchOptions& options, double radius, const std::vector<Timed>& timed) {
+    Json paths = Json::array();
+    for (const Timed& t : timed) {
+        const Json passes = passTimesJson(benchFrame(options, radius, 0), *t.renderer);
+        const FrameStats& stats = t.renderer->stats();
+        paths.push_back({{"visibility", visibilityName(t.path)},
+                         {"frame", timesJson(t.samples.wall)},
+                         {"processor", timesJson(t.samples.processor)},
+                         {"frames", t.samples.wall.size()},
+                         {"samples_per_pixel", stats.samples},
+                         {"frames_per_picture", stats.frames},
+                         {"bake", stats.bakeMilliseconds},
+                         {"geometry", geometryJson(stats.geometry, stats.storesVaryings)},
+                         {"tile_bytes_per_pixel", stats.tileBytesPerPixel},
+                         {"memory_bytes", {{"loaded", stats.loadedBytes}, {"stored", stats.storedBytes}}},
+                         {"passes", passes}});
+        if (stats.lists.tiles > 0) paths.back()["lists"] = listsJson(stats.lists);
+    }
+    return paths;
+}
+
+using Seen = std::unordered_set<std::uint32_t>;
+
+/// The scene with only what belongs to atoms that own a pixel.
+Representation visiblePart(const Representation& scene, const Seen& seen) {
+    Representation part = scene;
+    part.spheres.clear(), part.sphereLooks.clear(), part.cylinders.clear(), part.cylinderLooks.clear();
+    // Which model a primitive is of matters to occlusion alone.
+    part.sphereModels.clear(), part.cylinderModels.clear(), part.triangleModels.clear();
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i)
+        if (seen.contains(scene.sphereLooks[i].atom))
+            part.spheres.push_back(scene.spheres[i]), part.sphereLooks.push_back(scene.sphereLooks[i]);
+    for (std::size_t i = 0; i < scene.cylinders.size(); ++i)
+        if (seen.contains(scene.cylinderLooks[i].atomA) || seen.contains(scene.cylinderLooks[i].atomB))
+            part.cylinders.push_back(scene.cylinders[i]), part.cylinderLooks.push_back(scene.cylinderLooks[i]);
+    std::erase_if(part.triangles, [&](const Triangle& t) {
+        const auto isSeen = [&](std::uint32_t v) {
+            return seen.contains(scene.meshLooks[scene.meshVertices[v].look].atom);
+        };
+        return !isSeen(t.a) && !isSeen(t.b) && !isSeen(t.c);
+    });
+    return part;
+}
+
+/// The first frame with only what belongs to atoms that own a pixel in it, in turns with the whole one.
+Json floorJson(const BenchOptions& options, const Representation& part, const Timed& timed) {
+    const RenderSettings settings = benchFrame(options, part.radius, 0);
+    DeviceOptions device = options.device;
+    device.visibility = timed.path;
+    Renderer least(device);
+    least.setScene(part);
+    least.render(settings);
+    Samples whole, floor;
+    double spent = 0;
+    for (int frame = -2; frame < options.frames && (frame < 3 || spent < kBenchMilliseconds / 2); ++frame) {
+        spent += timeFrame(*timed.renderer, settings, frame >= 0 ? &whole : nullptr);
+        spent += timeFrame(least, settings, frame >= 0 ? &floor : nullptr);
+    }
+    const auto ratio = [](const std::vector<double>& a, const std::vector<double>& b) {
+        return *std::min_element(a.begin(), a.end()) / *std::min_element(b.begin(), b.end());
+    };
+    return {{"frame", timesJson(floor.wall)},
+            {"ratio", ratio(whole.wall, floor.wall)},
+            {"processor_ratio", ratio(whole.processor, floor.processor)}};
+}
+
+/// What the first frame shows, and its floor. Copies of an assembly share their atoms: which of them is seen is not
+/// told apart, and they have no floor.
+void tellOfFirstFrame(const BenchOptions& options, const Representation& scene, const Timed& timed, Json& report) {
+    const std::vector<std::uint32_t> ids = timed.renderer->layers(benchFrame(options, scene.radius, 0)).id;
+    const FrameStats& stats = timed.renderer->stats();
+    Seen seen(ids.begin(), ids.end());
+    seen.erase(0);
+    report["covered_pixels"] = stats.coveredPixels;
+    report["spheres"] = {{"submitted", stats.spheres}};
+    report["cylinders"] = {{"submitted", stats.cylinders}};
+    report["triangles"] = {{"submitted", stats.triangles}};
+    if (stats.lists.tiles > 0) report["spheres"]["kept"] = stats.lists.keptSpheres;
+    if (!scene.copies.transforms.empty() || seen.empty()) return;
+    report["atoms"]["visible"] = seen.size();
+    const Representation part = visiblePart(scene, seen);
+    report["spheres"]["visible"] = part.spheres.size();
+    report["floor"] = floorJson(options, part, timed);
+}
+
+}  // namespace
+
+RenderSettings benchFrame(const BenchOptions& options, double radius, int frame) {
+    Camera camera = options.camera;
+    camera.rotationDegrees.y += 5.0 * frame;
+    RenderSettings settings;
+    settings.view = viewOf(camera, radius, options.size.width, options.size.height);
+    settings.supersample = options.supersample;
+    settings.occlusion.directions = options.occlusion.directions;
+    settings.occlusion.bytes = options.occlusion.bytes();
+    return settings;
+}
+
+void addFrames(const BenchOptions& options, const Representation& scene, Json& report, Progress& progress) {
+    progress.begin("baking and drawing first frames");
+    Json lacks = Json::array();
+    std::vector<Timed> timed = timedPaths(options, scene, lacks, progress);
+    progress.begin("timing frames");
+    timeFrames(options, scene.radius, timed, progress);
+    report["paths"] = pathsJson(options, scene.radius, timed);
+    report["lacks"] = lacks;
+    // The path that a user gets.
+    const Visibility used = options.device.visibility == Visibility::automatic ? planOf(options.device).visibility
+                                                                               : options.device.visibility;
+    const auto it = std::find_if(timed.begin(), timed.end(), [&](const Timed& t) { return t.path == used; });
+    const DeviceInfo& device = it->renderer->stats().device;
+    report["device"] = {{"name", device.name}, {"driver", device.driver}, {"visibility", visibilityName(used)}};
+    report["times"]["bake"] = it->renderer->stats().bakeMilliseconds;
+    report["times"]["frame"] = timesJson(it->samples.wall);
+    report["times"]["frame_processor"] = timesJson(it->samples.processor);
+    progress.begin("timing the floor");
+    tellOfFirstFrame(options, scene, *it, report);
+}
+
+void printFrames(const Json& report, std::ostream& out) {
+    const auto table = out.flags();
+    out << "\npath           frame ms: min   median      p99  processor  vertices  bake ms  tile B/px\n";
+    for (const Json& path : report["paths"])
+        out << std::left << std::setw(15) << path["visibility"].get<std::string>() << std::right << std::setw(13)
+            << path["frame"]["min"].get<double>() << std::setw(9) << path["frame"]["median"].get<double>()
+            << std::setw(9) << path["frame"]["p99"].get<double>() << std::setw(11)
+            << path["processor"]["min"].get<double>() << std::setw(10)
+            << path["geometry"]["vertices"].get<std::uint64_t>() << std::setw(9) << path["bake"].get<double>()
+            << std::setw(11) << path["tile_bytes_per_pixel"].get<std::uint32_t>() << "\n";
+    for (const Json& path : report["paths"]) {
+        const std::string name = path["visibility"];
+        for (const Json& pass : path["passes"])
+            out << name << ", " << pass["name"].get<std::string>() << ": " << pass["ms"]["median"].get<double>()
+                << " ms on the device\n";
+        if (path.contains("lists"))
+            out << name << ": " << path["lists"]["kept"] << " primitives in " << path["lists"]["entries"]
+                << " entries of lists, " << path["lists"]["tiles"] << " tiles\n";
+        if (path["frames_per_picture"] > 1)
+            out << name << ": a picture takes " << path["frames_per_picture"] << " such frames\n";
+    }
+    for (const Json& path : report["lacks"]) out << path["why"].get<std::string>() << "\n";
+    out << report["spheres"]["submitted"] << " spheres, " << report["cylinders"]["submitted"] << " cylinders, "
+        << report["triangles"]["submitted"] << " triangles submitted; " << report["covered_pixels"]
+        << " pixels covered";
+    if (report.contains("floor"))
+        out << " by " << report["atoms"]["visible"] << " atoms; with those alone "
+            << report["floor"]["frame"]["min"].get<double>() << " ms, of which the frame takes "
+            << report["floor"]["ratio"].get<double>() << " times";
+    out << "\n";
+    out.flags(table);
+}
+
+}  // namespace nacre::app
