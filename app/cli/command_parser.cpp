@@ -17,6 +17,19 @@ std::string oneLine(std::string text) {
     return text;
 }
 
+/// "--size: given more than once", "--look: expected NAME|FILE": in CLI11's words these are "At Most 1 required but
+/// received 2" and "1 required NAME|FILE missing".
+std::string numberOfValues(const std::string& said) {
+    constexpr std::string_view kNeeds = " required ", kMissing = " missing";
+    const std::size_t colon = said.find(": "), needs = said.find(kNeeds), missing = said.rfind(kMissing);
+    if (colon == std::string::npos) return said;
+    const std::string option = said.substr(0, colon + 2);
+    if (said.find("At Most 1") != std::string::npos) return option + "given more than once";
+    if (needs == std::string::npos || missing == std::string::npos || missing < needs) return said;
+    const std::size_t from = needs + kNeeds.size();
+    return option + "expected " + said.substr(from, missing - from);
+}
+
 /// A value of an option, with CLI11's exception for one that it does not take.
 void take(const OptionSpec& option, const std::string& text) {
     try {
@@ -170,6 +183,8 @@ ParsedCommand parseCommands(const CommandSpec& program, std::span<const CommandS
         app.parse(static_cast<int>(words.size()), words.data());
     } catch (const CLI::CallForHelp&) {
         parsed.help = app.help();
+    } catch (const CLI::ArgumentMismatch& error) {
+        throw UsageError(numberOfValues(oneLine(error.what())));
     } catch (const CLI::ParseError& error) {
         throw UsageError(oneLine(error.what()));
     }

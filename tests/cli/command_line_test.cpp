@@ -197,6 +197,9 @@ TEST(CommandLine, WhatIsMisspelledOrAskedForOtherwiseIsHelped) {
     };
     for (const Case& c :
          {Case{"rendr sample:dna", "did you mean 'render'?"},
+          Case{"render sample:dna -o a.png --size 8x8 --size 9x9", "--size: given more than once"},
+          Case{"render sample:dna -o a.png --look", "--look: expected NAME|FILE"},
+          Case{"render sample:dna b=sample:dna --fit", "--fit: expected SEL SEL"},
           Case{"render sample:dna -o a.png --sytle licorice", "did you mean '--style'?"},
           Case{"render sample:dna -o a.png --silhouette on", "nacre render has no option --silhouette (see"},
           Case{"render sample:dna -o a.png --style spacefil", "did you mean 'spacefill'?"},
