@@ -92,10 +92,11 @@ void addTrajectory(CommandSpec& command, TrajectoryOptions& trajectory) {
              [&](const std::string& text) { trajectory.frame = parseFrame(text); });
     addFlag(command, "--whole", trajectory.whole,
             "Put together molecules that the periodic box of --trajectory cut, along their bonds");
-    addValue(command, "--fit-frames", "SEL", "none",
-             "Lay each frame of --trajectory onto the first by these atoms: backbone, name CA",
-             [&](const std::string& text) { trajectory.fit = parseSelection(text); });
-    addValue(command, "--smooth", "N", "1", "Mean of N frames of --trajectory, odd, to 101",
+    addValue(
+        command, "--fit-frames", "SEL", "none",
+        "Lay each frame of --trajectory (a movie's --models, too) onto the first by these atoms: backbone, name CA",
+        [&](const std::string& text) { trajectory.fit = parseSelection(text); });
+    addValue(command, "--smooth", "N", "1", "Mean of N frames of --trajectory (a movie's --models, too), odd, to 101",
              [&](const std::string& text) { trajectory.smooth = parseSmoothing(text); });
 }
 

@@ -7,6 +7,7 @@
 #include "app/download/load_molecule.h"
 #include "app/movie/movie_file.h"
 #include "app/shared/messages.h"
+#include "app/shared/molecules.h"
 #include "app/shared/saved_view.h"
 #include "app/shared/view_input.h"
 #include "engine/error.h"
@@ -56,6 +57,8 @@ Picture mixed(Picture a, const Picture& b, float share) {
 MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : options_(options), progress_(progress) {
     progress_.begin("reading");
     InputOptions input = options.picture.input;
+    const bool laid = input.trajectory.fit || input.trajectory.smooth != 1;
+    if (options.models && laid) input.alone = false;  // all their places at once
     molecules_ = input.model;
     molecule_ = loadMolecule(input, downloadProgress(progress_));
     if (options.models && !input.trajectory.path.empty()) {
@@ -68,6 +71,7 @@ MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : opti
         models_ =
             static_cast<std::uint64_t>(std::max<std::int64_t>({file.models.value_or(1), file.records.value_or(1), 1}));
         if (models_ < 2) throw Error("cannot show models", input.path, "it has one alone");
+        if (laid) layModels(input);
     }
     frames_ = framesOf(options, models_);
     if (frames_ > kMostMovieFrames)
@@ -84,6 +88,19 @@ MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : opti
 }
 
 MovieScenes::~MovieScenes() = default;
+
+/// Models as the frames of a trajectory: as they are to be fitted and smoothed, all at once.
+void MovieScenes::layModels(const InputOptions& input) {
+    auto models = trajectoryOfModels(std::make_shared<const Molecule>(molecule_), input.model);
+    if (!models)
+        throw Error(
+            "cannot fit or smooth models", input.path,
+            molecule_.othersMissing.empty() ? "their atoms differ from one to the next" : molecule_.othersMissing);
+    models_ = models->frames();
+    motion_ = std::make_unique<Motion>(std::move(models), molecule_, motionOptions(input.trajectory, molecule_));
+    molecules_ = 1;
+    movePositions(molecule_, motion_->positions(0));
+}
 
 void MovieScenes::addLook(const RenderOptions& options) {
     looks_.emplace_back();
@@ -142,7 +159,8 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     };
     // Occlusion of models that come and go is not worth room on the disk.
     if (options_.models) look.prepared->settings.occlusion.cache.clear();
-    if (motion_) look.moving.emplace(molecule_, drawnAtoms(molecule_, look.options.drawn), look.options.look);
+    if (motion_)
+        look.moving.emplace(movingSceneOf(molecule_, look.options.input.path, look.options.drawn, look.options.look));
     if (!look.renderer) look.renderer = std::make_unique<Renderer>(look.options.device);
     look.renderer->setScene(std::move(look.prepared->scene));
     return look;

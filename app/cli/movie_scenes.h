@@ -43,6 +43,7 @@ private:
     };
 
     void addLook(const RenderOptions& options);
+    void layModels(const InputOptions& input);
     void addKeys();
     Look& ready(std::size_t look, int model);
     void letGo(std::size_t a, std::size_t b);

@@ -192,70 +192,6 @@ void addDevice(CommandSpec& command, RenderOptions& options) {
             "Run under the Vulkan validation layer; any message is an error");
 }
 
-/// INPUT, or the one of the saved view. @returns whether there is one
-bool takeInput(RenderOptions& options) {
-    options.input.alone = options.look.ownFrame;
-    if (!options.input.path.empty()) return true;
-    options.input.path = options.savedInput.path;
-    options.input.format = options.savedInput.format;
-    options.input.model = options.savedInput.model;
-    options.input.hash = options.savedInput.hash;
-    if (options.input.path.empty()) return false;
-    options.input.namedBy = options.view;
-    if (options.input.trajectory.path.empty() && !options.savedInput.trajectory.path.empty()) {
-        const std::int64_t frame = options.input.trajectory.frame;
-        options.input.trajectory = options.savedInput.trajectory;
-        options.input.trajectory.path = trajectoryPathOf(options.input);
-        if (frame != 1) options.input.trajectory.frame = frame;
-    }
-    return !options.input.path.empty();
-}
-
-/// What names of several INPUTs mean, and that options fit them. @throws UsageError
-void checkInputs(RenderOptions& options) {
-    InputOptions& input = options.input;
-    const TrajectoryOptions& frames = input.trajectory;
-    if (frames.path.empty() && (frames.frame != 1 || frames.whole || frames.fit || frames.smooth != 1))
-        throw UsageError("--frame, --whole, --fit-frames and --smooth are for the frames of --trajectory");
-    if (input.further.empty()) {
-        if (!input.fits.empty()) throw UsageError("--fit lays one INPUT onto another: name two");
-        return;
-    }
-    if (!options.look.assembly.empty()) throw UsageError("--assembly is for one INPUT");
-    const auto standardInputs = std::count_if(input.further.begin(), input.further.end(),
-                                              [](const FurtherInput& further) { return further.path == "-"; });
-    if (standardInputs + (input.path == "-" ? 1 : 0) > 1) throw UsageError("standard input is one INPUT alone");
-    for (Rule& rule : options.look.rules) nameInputs(input, rule.selection);
-    for (FitOptions& fit : input.fits) {
-        nameInputs(input, fit.moving);
-        nameInputs(input, fit.fixed);
-    }
-    for (std::optional<Selection>* selection : {&options.aim.lookAt, &options.aim.zoomTo})
-        if (*selection) nameInputs(input, **selection);
-    colorApart(input, options.look);
-}
-
-void checkDebug(const RenderOptions& options) {
-    const std::string view = debugViewNames()[static_cast<std::size_t>(options.debug)];
-    if (needsOcclusion(options.debug) && options.occlusion.directions == 0)
-        throw UsageError("--debug " + view + " shows nothing with --occlusion off");
-    if (options.debug != DebugView::none && options.supersample > 1)
-        throw UsageError("--debug " + view + " takes one sample a pixel: leave out --supersample");
-}
-
-void checkFiles(const RenderOptions& options) {
-    std::vector<NamedFile> files{{"INPUT", filePathOf(options.input)}, {"--view", options.view},
-                                 {"--output", options.output, true},   {"--layers", options.layers, true},
-                                 {"--stats", options.stats, true},     {"--capture", options.capture, true}};
-    files.push_back({"--trajectory", options.input.trajectory.path});
-    for (const FurtherInput& further : options.input.further) files.push_back({"INPUT", further.path});
-    try {
-        checkApart(files);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(error.what());
-    }
-}
-
 }  // namespace
 
 void addRender(CommandSpec& command, RenderOptions& options) {
@@ -326,54 +262,6 @@ void addLooks(CommandSpec& command, LooksOptions& options) {
              [&](const std::string& text) { options.columns = static_cast<int>(parseInteger(text, 1, 16)); });
     addFlag(command, "--json", options.json, "All looks as one JSON object; each of them is what --look FILE takes");
     addDevice(command, picture);
-}
-
-void checkLooks(const LooksOptions& options) {
-    const bool input = !options.picture.input.path.empty(), output = !options.picture.output.empty();
-    if (input != output) throw UsageError(input ? "--output is required for a sheet" : "INPUT is required for a sheet");
-}
-
-void checkRender(RenderOptions& options) {
-    if (!takeInput(options)) throw UsageError("INPUT is required");
-    checkInputs(options);
-    checkDebug(options);
-    takePaper(options);
-    checkFormat(options);
-    try {
-        checkSamples(options.size, options.supersample);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(error.what());
-    }
-    checkFiles(options);
-}
-
-void checkMovie(MovieOptions& options) {
-    RenderOptions& picture = options.picture;
-    if (!options.views.empty() && picture.input.path.empty() && picture.savedInput.path.empty()) {
-        picture.view = options.views.front();
-        picture.savedInput = inputOf(readSavedView(picture.view));
-    }
-    if (!takeInput(picture)) throw UsageError("INPUT is required");
-    if (!picture.input.further.empty() && (options.models || !options.views.empty()))
-        throw UsageError("--models and --views are for one INPUT");
-    checkInputs(picture);
-    if (isStandardOutput(picture.output) && isStandardOutput(options.report))
-        throw UsageError("--output and --report cannot both be standard output");
-    checkMotion(options);
-    try {
-        checkSamples(picture.size, picture.supersample, kMostSamplesHeld);
-    } catch (const std::invalid_argument& error) {
-        throw UsageError(error.what());
-    }
-    checkFiles(picture);
-}
-
-bool checkWindow(RenderOptions& first) {
-    checkDebug(first);
-    const bool named = takeInput(first);
-    if (!first.input.further.empty() || !first.input.fits.empty()) throw UsageError("a window shows one INPUT");
-    checkFiles(first);
-    return named;
 }
 
 }  // namespace nacre::app

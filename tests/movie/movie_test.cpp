@@ -150,6 +150,40 @@ TEST(Movie, GoesThroughModels) {
     EXPECT_NE(contentOf(folder / "f/frame_00001.png"), contentOf(folder / "f/frame_00003.png"));
 }
 
+TEST(Movie, FitsAndSmoothsModels) {
+    const TemporaryFolder folder;
+    // What shakes stands at its mean, at both ends that of two; what turns goes back. Beside the same written out.
+    const auto write = [&](const char* name, std::initializer_list<const char*> models) {
+        std::ofstream out(folder / name + ".xyz");
+        for (const char* atoms : models) out << "3\nm\n" << atoms << "\n";
+    };
+    write("shaken", {"C 0 0 0\nO 2 0 0\nN 0 2 0", "C 0 0.6 0\nO 2 0.6 0\nN 0 2.6 0", "C 0 0 0\nO 2 0 0\nN 0 2 0"});
+    write("smooth",
+          {"C 0 .3 0\nO 2 .3 0\nN 0 2.3 0", "C 0 .2 0\nO 2 .2 0\nN 0 2.2 0", "C 0 .3 0\nO 2 .3 0\nN 0 2.3 0"});
+    write("turned", {"C 0 0 0\nO 2 0 0\nN 0 2 0", "C 0 0 0\nO 0 2 0\nN -2 0 0"});
+    write("still", {"C 0 0 0\nO 2 0 0\nN 0 2 0", "C 0 0 0\nO 2 0 0\nN 0 2 0"});
+    const auto frames = [&](const std::string& molecule, const std::string& options) {
+        const std::string movie = std::to_string(folder.count()) + ".png";
+        const Outcome outcome = nacreIn(folder, "movie " + molecule + ".xyz -o " + movie + " --models --fps 10" +
+                                                    " --camera model " + options + kSmall);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return framesOf(folder / movie);
+    };
+    // Outlines that pass through centres of pixels fall to either side.
+    const auto apart = [](const std::string& a, const std::string& b) {
+        EXPECT_EQ(a.size(), b.size());
+        double sum = 0;
+        for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+            sum += std::abs(static_cast<unsigned char>(a[i]) - static_cast<unsigned char>(b[i]));
+        return sum / static_cast<double>(a.size());
+    };
+    const std::string smooth = frames("smooth", ""), still = frames("still", "");
+    EXPECT_LT(apart(frames("shaken", "--smooth 3"), smooth), 0.3);
+    EXPECT_GT(apart(frames("shaken", ""), smooth), 1);
+    EXPECT_LT(apart(frames("turned", "--fit-frames all"), still), 0.3);
+    EXPECT_GT(apart(frames("turned", ""), still), 1);
+}
+
 TEST(Movie, StopsCleanlyAndKeepsWhatIsWhole) {
     for (const char* name : {"a.gif", "a.png", "a.mp4", "f/"}) {
         const TemporaryFolder folder;
@@ -173,6 +207,7 @@ TEST(Movie, RefusesWhatCannotBeInOneLine) {
     const TemporaryFolder folder;
     std::ofstream(folder / "a.json") << R"({"input": "sample:glucose"})";
     std::ofstream(folder / "b.json") << R"({"input": "sample:dna"})";
+    std::ofstream(folder / "unlike.xyz") << "2\nm\nC 0 0 0\nO 1.2 0 0\n3\nm\nC 0 0 0\nO 1.2 0 0\nO -1.2 0 0\n";
     const struct {
         const char* arguments;
         int code;
@@ -182,7 +217,9 @@ TEST(Movie, RefusesWhatCannotBeInOneLine) {
         {"sample:dna -o a.avi --spin y", 2, ".mp4, .webm, .gif or .png"},
         {"sample:dna -o a.gif --spin y --rock 20", 2, "exclude each other"},
         {"sample:dna -o a.gif --spin y --loop", 2, "--loop is for --views"},
-        {"sample:dna -o a.gif --models --smooth 3", 2, "--smooth are for the frames of --trajectory"},
+        {"sample:dna -o a.gif --spin y --smooth 3", 2, "--smooth are for the frames of --trajectory"},
+        {"sample:dna -o a.gif --models --whole", 2, "--whole are for the frames of --trajectory"},
+        {"unlike.xyz -o a.gif --models --smooth 3", 1, "their atoms differ"},
         {"sample:dna -o a.gif --spin 0,0,0", 2, "no direction"},
         {"sample:dna -o a.gif --spin y --seconds 80000 --fps 100", 2, "more than 100000 frames"},
         {"sample:dna -o a.gif --spin y --fps 60", 1, "50 frames a second"},
@@ -201,7 +238,7 @@ TEST(Movie, RefusesWhatCannotBeInOneLine) {
         EXPECT_NE(outcome.err.find(c.says), std::string::npos) << c.arguments << ": " << outcome.err;
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     }
-    EXPECT_EQ(folder.count(), 2u) << "something is left behind";
+    EXPECT_EQ(folder.count(), 3u) << "something is left behind";
     const Outcome outcome = nacreIn(folder, "movie sample:dna -o a.mp4 --spin y", "", "PATH=/nowhere");
     EXPECT_EQ(outcome.code, 1);
     EXPECT_NE(outcome.err.find("Debian's package ffmpeg"), std::string::npos) << outcome.err;
