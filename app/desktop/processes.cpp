@@ -50,14 +50,18 @@ bool hasProgram(const std::string& name) {
     return false;
 }
 
-std::optional<std::string> runProgram(const std::vector<std::string>& arguments, const std::string& input) {
+std::optional<std::string> runProgram(const std::vector<std::string>& arguments, const std::string& input,
+                                      ProgramOutput output) {
     int in[2], out[2];
     if (!makePipe(in)) return std::nullopt;
     if (!makePipe(out)) return close(in[0]), close(in[1]), std::nullopt;
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, in[0], 0);
-    posix_spawn_file_actions_adddup2(&actions, out[1], 1);
+    if (output == ProgramOutput::taken)
+        posix_spawn_file_actions_adddup2(&actions, out[1], 1);
+    else
+        posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
     std::vector<char*> argv;
     for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
@@ -98,9 +102,12 @@ bool copyPng(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     std::ostringstream bytes;
     bytes << in.rdbuf();
-    if (!variable("WAYLAND_DISPLAY").empty() && runProgram({"wl-copy", "--type", "image/png"}, bytes.str()))
-        return true;
-    return runProgram({"xclip", "-selection", "clipboard", "-t", "image/png", "-i"}, bytes.str()).has_value();
+    // Both leave a process behind that hands the picture out as long as it is wanted, xclip with its output open.
+    const auto hands = [&](const std::vector<std::string>& program) {
+        return runProgram(program, bytes.str(), ProgramOutput::dropped).has_value();
+    };
+    if (!variable("WAYLAND_DISPLAY").empty() && hands({"wl-copy", "--type", "image/png"})) return true;
+    return hands({"xclip", "-selection", "clipboard", "-t", "image/png", "-i"});
 }
 
 std::optional<FontFile> fontWith(const std::vector<char32_t>& characters) {

@@ -12,9 +12,13 @@ namespace nacre::app {
 /// Whether PATH has a program.
 bool hasProgram(const std::string& name);
 
-/// Runs a program, no shell between. @param input  for its standard input
-/// @returns its standard output, or nothing if it failed or is not there
-std::optional<std::string> runProgram(const std::vector<std::string>& arguments, const std::string& input = {});
+/// What becomes of a program's standard output. One that is taken is waited for until nobody can write to it any more.
+enum class ProgramOutput { taken, dropped };
+
+/// Runs a program, no shell between, and waits until it ends. @param input  for its standard input
+/// @returns its standard output, empty if that is dropped, or nothing if it failed or is not there
+std::optional<std::string> runProgram(const std::vector<std::string>& arguments, const std::string& input = {},
+                                      ProgramOutput output = ProgramOutput::taken);
 
 /// Puts a PNG onto the clipboard, by wl-copy or xclip. @returns whether one of them took it
 bool copyPng(const std::string& path);

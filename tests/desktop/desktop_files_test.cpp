@@ -7,12 +7,14 @@
 
 #include "app/desktop/processes.h"
 #include "app/desktop/recent_files.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/desktop/environment.h"
 
 namespace nacre::app {
 namespace {
 
+using test::FakePrograms;
 using test::TemporaryFolder;
+using test::Variable;
 
 Picture pictureOf(float red) {
     Picture picture;
@@ -64,6 +66,32 @@ TEST(Processes, TakeInputAndGiveOutputWithoutAShell) {
     EXPECT_EQ(runProgram({"true"}, std::string(1 << 20, 'x')), "");  // which nobody reads
     EXPECT_TRUE(hasProgram("sh"));
     EXPECT_FALSE(hasProgram("nacre-has-no-such-program"));
+}
+
+TEST(Processes, APictureIsCopiedByWhateverIsThere) {
+    const FakePrograms programs;
+    std::ofstream(programs / "a.png") << "a picture";
+    const auto takes = [&](const char* name, const std::string& more = "") {
+        programs.addAsked(name, "cat > '" + programs / (name + std::string(".taken")) + "'" + more);
+    };
+    // As the real one, it leaves a process behind that holds what it was started with.
+    takes("xclip", "; (sleep 20; : > '" + (programs / "late") + "') &");
+    takes("wl-copy");
+    {
+        const Variable none("WAYLAND_DISPLAY", std::nullopt);
+        EXPECT_TRUE(copyPng(programs / "a.png"));
+        EXPECT_FALSE(std::filesystem::exists(programs / "late")) << "that process was waited for";
+    }
+    EXPECT_EQ(test::contentOf(programs / "xclip.taken"), "a picture");
+    EXPECT_EQ(test::contentOf(programs / "xclip.asked"), "-selection\nclipboard\n-t\nimage/png\n-i\n");
+    EXPECT_FALSE(std::filesystem::exists(programs / "wl-copy.taken"));
+    const Variable wayland("WAYLAND_DISPLAY", "wayland-0");
+    EXPECT_TRUE(copyPng(programs / "a.png"));
+    EXPECT_EQ(test::contentOf(programs / "wl-copy.taken"), "a picture");
+    EXPECT_EQ(test::contentOf(programs / "wl-copy.asked"), "--type\nimage/png\n");
+    programs.add("wl-copy", "exit 1");
+    programs.add("xclip", "exit 1");
+    EXPECT_FALSE(copyPng(programs / "a.png"));
 }
 
 TEST(Processes, TheDesktopSaysWhetherItIsDark) {

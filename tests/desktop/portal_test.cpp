@@ -7,18 +7,18 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
+#include <functional>
 #include <future>
 
 #include "app/desktop/file_dialog.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/desktop/environment.h"
 
 namespace nacre::app {
 namespace {
 
-using test::TemporaryFolder;
+using test::FakePrograms;
+using test::Variable;
 
 /// A program that goes on beside the test, until the object goes.
 class Companion {
@@ -51,20 +51,6 @@ public:
 private:
     pid_t pid_;
     std::string line_;
-};
-
-class Variable {
-public:
-    Variable(const char* name, const std::string& value) : name_(name) {
-        if (const char* before = std::getenv(name)) before_ = before;
-        setenv(name, value.c_str(), 1);
-    }
-    ~Variable() { before_ ? setenv(name_, before_->c_str(), 1) : unsetenv(name_); }
-    Variable(const Variable&) = delete;
-
-private:
-    const char* name_;
-    std::optional<std::string> before_;
 };
 
 struct Session {
@@ -103,18 +89,48 @@ TEST(Portal, WhoCancelsHasChosenNothing) {
     EXPECT_EQ(answer.path, std::nullopt);
 }
 
+using Ask = std::function<void(FileDialog&, const FileDialog::Chosen&)>;
+void askToOpen(FileDialog& dialog, const FileDialog::Chosen& chosen) { dialog.open(chosen); }
+void askToSave(FileDialog& dialog, const FileDialog::Chosen& chosen) { dialog.save("my picture.png", chosen); }
+
+std::string answerOf(const Ask& ask) {
+    std::promise<std::string> chosen;
+    std::future<std::string> answer = chosen.get_future();
+    FileDialog dialog;
+    ask(dialog, [&](const std::string& name) { chosen.set_value(name); });
+    return answer.wait_for(std::chrono::seconds(60)) == std::future_status::ready ? answer.get() : "nothing";
+}
+
 /// What the dialog says, with a zenity on PATH that says so itself.
 std::string dialogWithZenity() {
-    const TemporaryFolder folder;
-    std::ofstream(folder / "zenity") << "#!/bin/sh\necho /tmp/by-zenity.pdb\n";
-    std::filesystem::permissions(folder / "zenity", std::filesystem::perms::owner_all);
-    const Variable path("PATH", folder.path() + ":/usr/bin:/bin");
+    const FakePrograms programs;
+    programs.add("zenity", "echo /tmp/by-zenity.pdb");
     const Variable desktop("XDG_CURRENT_DESKTOP", "GNOME");
-    std::promise<std::string> chosen;
-    FileDialog dialog;
-    dialog.open([&](const std::string& name) { chosen.set_value(name); });
-    std::future<std::string> answer = chosen.get_future();
-    return answer.wait_for(std::chrono::seconds(20)) == std::future_status::ready ? answer.get() : "nothing";
+    return answerOf(askToOpen);
+}
+
+TEST(FileDialog, AsksTheProgramOfTheDesktop) {
+    const Variable none("DBUS_SESSION_BUS_ADDRESS", "unix:path=/nowhere/bus");
+    const FakePrograms programs;
+    for (const char* name : {"zenity", "kdialog"}) programs.addAsked(name, "echo '/home/me/two words.pdb'");
+    ASSERT_TRUE(FileDialog::available());
+    const auto asked = [&](const char* program, const Ask& ask) {
+        EXPECT_EQ(answerOf(ask), "/home/me/two words.pdb");
+        const std::string words = test::contentOf(programs / (program + std::string(".asked")));
+        for (const char* name : {"zenity", "kdialog"})
+            std::filesystem::remove(programs / (name + std::string(".asked")));
+        return words;
+    };
+    {
+        const Variable desktop("XDG_CURRENT_DESKTOP", "GNOME");
+        EXPECT_EQ(asked("zenity", askToOpen), "--file-selection\n--title=Open a structure\n");
+        EXPECT_EQ(asked("zenity", askToSave),
+                  "--file-selection\n--save\n--confirm-overwrite\n--title=Save the picture\n"
+                  "--filename=my picture.png\n");
+    }
+    const Variable desktop("XDG_CURRENT_DESKTOP", "KDE");
+    EXPECT_EQ(asked("kdialog", askToOpen), "--title\nOpen a structure\n--getopenfilename\n.\n");
+    EXPECT_EQ(asked("kdialog", askToSave), "--title\nSave the picture\n--getsavefilename\nmy picture.png\n");
 }
 
 TEST(Portal, ADesktopWithoutOneHasOtherDialogs) {
