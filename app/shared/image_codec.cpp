@@ -159,6 +159,8 @@ void write(const ImageRequest& request) {
 }  // namespace
 }  // namespace nacre::app
 
+extern "C" __attribute__((visibility("default"))) const char nacreImageCall[] = NACRE_IMAGE_CALL;
+
 extern "C" __attribute__((visibility("default"))) bool nacreWriteImage(const nacre::app::ImageRequest* request,
                                                                        char* why, std::size_t whyBytes) {
     try {

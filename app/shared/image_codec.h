@@ -28,3 +28,5 @@ using WriteImage = bool(const ImageRequest* request, char* why, std::size_t whyB
 }  // namespace nacre::app
 
 extern "C" nacre::app::WriteImage nacreWriteImage;
+/// Of this file, in the module: a module of another build, to whom a request is something else, is told by it.
+extern "C" const char nacreImageCall[];

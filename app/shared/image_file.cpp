@@ -13,6 +13,7 @@
 
 #include <filesystem>
 #include <mutex>
+#include <string_view>
 #endif
 
 namespace nacre::app {
@@ -42,6 +43,18 @@ std::vector<std::string> moduleNames() {
     return {(program / NACRE_IMAGE_MODULE).string(), (program / NACRE_MODULE_FOLDER / NACRE_IMAGE_MODULE).string()};
 }
 
+/// The module's call, if it takes what we would hand over. @param why  it cannot be had; unchanged if it can
+WriteImage* load(const std::string& name, std::string& why) {
+    // Never unloaded: what it brings along does not expect that.
+    void* library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!library) return why = std::filesystem::exists(name) ? dlerror() : "there is no " + name, nullptr;
+    const auto* call = static_cast<const char*>(dlsym(library, "nacreImageCall"));
+    if (call && std::string_view(call) == NACRE_IMAGE_CALL)
+        return reinterpret_cast<WriteImage*>(dlsym(library, "nacreWriteImage"));
+    why = name + " is of another build of nacre";
+    return nullptr;
+}
+
 WriteImage* codec(const OutputFile& file) {
     static std::mutex turn;
     static WriteImage* loaded = nullptr;
@@ -49,10 +62,9 @@ WriteImage* codec(const OutputFile& file) {
     std::string why = "the program's folder is not known";
     for (const std::string& name : moduleNames()) {
         if (loaded) break;
-        // Never unloaded: what it brings along does not expect that.
-        void* library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
-        if (library) loaded = reinterpret_cast<WriteImage*>(dlsym(library, "nacreWriteImage"));
-        if (!loaded) why = std::filesystem::exists(name) ? dlerror() : "there is no " + name;
+        std::string reason;
+        loaded = load(name, reason);
+        if (why.find("another build") == std::string::npos) why = reason;
     }
     if (!loaded) fail(file, "image formats cannot be loaded: " + why);
     return loaded;

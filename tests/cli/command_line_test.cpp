@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -229,6 +232,27 @@ TEST(CommandLine, WhoWritesNoPictureOrPngLoadsNoImageFormats) {
         EXPECT_EQ(outcome.err.find("OpenImageIO"), std::string::npos) << command;
         EXPECT_EQ(outcome.err.find("nacre_images"), std::string::npos) << command;
     }
+}
+
+TEST(CommandLine, AModuleOfAnotherBuildIsToldNotCalled) {
+    const TemporaryFolder folder;
+    const std::filesystem::path built = std::filesystem::path(NACRE_PROGRAM).parent_path();
+    std::filesystem::copy_file(NACRE_PROGRAM, folder / "nacre");
+    std::string module = test::contentOf((built / "nacre_images.so").string());
+    // What it is known by is a text of 64 digits; that of another build has others.
+    std::size_t at = 0;
+    for (std::size_t run = 0; at < module.size() && (run < 64 || module[at] != '\0'); ++at)
+        run = std::isxdigit(static_cast<unsigned char>(module[at])) ? run + 1 : 0;
+    ASSERT_LT(at, module.size());
+    module[at - 1] = module[at - 1] == '0' ? '1' : '0';
+    std::ofstream(folder / "nacre_images.so", std::ios::binary) << module;
+    Outcome outcome =
+        nacreIn(folder, "--version", "", "./nacre render sample:glucose -o a.tif --size 16x16 --occlusion off 2>err");
+    outcome.err = test::contentOf(folder / "err");
+    EXPECT_EQ(outcome.code, 1);
+    expectOneErrorLine(outcome);
+    EXPECT_NE(outcome.err.find("nacre_images.so is of another build of nacre"), std::string::npos) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.tif"));
 }
 
 TEST(CommandLine, VersionNamesCommitHeadersAndDevice) {
