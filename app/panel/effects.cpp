@@ -1,5 +1,6 @@
-// Light, lines, fog and the planes that cut, as sliders.
+// Light, lines, halos, fog and the planes that cut, as sliders and colours.
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/panel/panel_state.h"
@@ -9,50 +10,74 @@ namespace {
 
 /// A slider of a number that a saved view writes: in hundredths, so that it reads well there.
 /// @returns whether it moved
-bool slide(const char* label, double& value, double low, double high, const char* format, int flags = 0) {
+bool slide(Widgets& ui, const char* name, double& value, double low, double high, const char* format, int flags = 0) {
     auto at = static_cast<float>(value);
-    if (!ImGui::SliderFloat(label, &at, static_cast<float>(low), static_cast<float>(high), format,
-                            flags | ImGuiSliderFlags_AlwaysClamp))
-        return false;
+    if (!ui.slide(name, at, static_cast<float>(low), static_cast<float>(high), format, flags)) return false;
     value = std::round(static_cast<double>(at) * 100) / 100;
     return true;
 }
 
-void slideLines(Effects& e) {
-    slide("##contours", e.contours.width, 0, 8, e.contours.width > 0 ? "lines %.1f px" : "no lines");
-    if (e.contours.width <= 0) return;
-    slide("##contour-depth", e.contours.depth, 0.1, 20, "where depth jumps %.1f A", ImGuiSliderFlags_Logarithmic);
-    bool three = e.contours.weights == 3;
-    if (ImGui::Checkbox("Wider between chains and residues", &three)) e.contours.weights = three ? 3 : 1;
+void chooseColor(Widgets& ui, const char* name, std::array<float, 3>& color) {
+    ui.chooseColor(name, color);
+    ImGui::SameLine();
+    ui.name(name);
 }
 
-void slideHalos(Halos& halos) {
-    slide("##halos", halos.width, 0, 24, halos.width > 0 ? "halos %.1f px" : "no halos");
+void slideLines(Widgets& ui, Contours& lines) {
+    slide(ui, "Lines", lines.width, 0, 8, lines.width > 0 ? "lines %.1f px" : "no lines");
+    if (lines.width <= 0) return;
+    slide(ui, "Depth of lines", lines.depth, 0.1, 20, "where depth jumps %.1f Å", ImGuiSliderFlags_Logarithmic);
+    bool three = lines.weights == 3;
+    if (ui.toggle("Wider between chains and residues", three)) lines.weights = three ? 3 : 1;
+    chooseColor(ui, "Colour of the lines", lines.color);
+}
+
+void slideHalos(Widgets& ui, Halos& halos) {
+    slide(ui, "Halos", halos.width, 0, 24, halos.width > 0 ? "halos %.1f px" : "no halos");
     if (halos.width <= 0) return;
-    slide("##halo-strength", halos.strength, 0, 1, "halo strength %.2f");
-    slide("##halo-depth", halos.depth, 0.5, 60, "densest over %.1f A", ImGuiSliderFlags_Logarithmic);
+    slide(ui, "Strength of halos", halos.strength, 0, 1, "halo strength %.2f");
+    slide(ui, "Depth of halos", halos.depth, 0.5, 60, "densest over %.1f Å", ImGuiSliderFlags_Logarithmic);
+    chooseColor(ui, "Colour of the halos", halos.color);
 }
 
-/// At its lower end it is off.
-void slideFog(Fog& fog) {
+/// At its lower end it is off. @param radius  of the scene, Å: by itself fog is from the centre to it
+void slideFog(Widgets& ui, Fog& fog, double radius) {
     double share = fog.range == Fog::Range::off ? 0 : fog.strength;
-    if (!slide("##fog", share, 0, 1, share > 0 ? "fog %.2f" : "no fog")) return;
-    if (share <= 0) {
-        fog.range = Fog::Range::off;
-        fog.strength = Fog{}.strength;
+    if (slide(ui, "Fog", share, 0, 1, share > 0 ? "fog %.2f" : "no fog")) {
+        const bool off = share <= 0;
+        fog.strength = off ? Fog{}.strength : share;
+        if (off || fog.range == Fog::Range::off) fog.range = off ? Fog::Range::off : Fog::Range::automatic;
+    }
+    if (fog.range == Fog::Range::off) return;
+    const double reach = std::ceil(radius);
+    bool fits = fog.range == Fog::Range::automatic;
+    double start = fits ? 0 : fog.start, end = fits ? reach : fog.end;
+    const bool was = fits;
+    ui.toggle("Fog from the middle to the far end", fits);
+    const bool startMoved = slide(ui, "Start of fog", start, -2 * reach, 2 * reach, "fog begins at %.1f Å");
+    const bool endMoved = slide(ui, "End of fog", end, -2 * reach, 2 * reach, "fog is full at %.1f Å");
+    if (fits != was) fog.range = fits ? Fog::Range::automatic : Fog::Range::given;
+    if (startMoved || endMoved) fog.range = Fog::Range::given;
+    if (fog.range != Fog::Range::given) {
+        fog.start = fog.end = 0;
         return;
     }
-    if (fog.range == Fog::Range::off) fog.range = Fog::Range::automatic;
-    fog.strength = share;
+    // Whichever moved, the other gives way.
+    constexpr double kLeast = 0.5;
+    if (endMoved) start = std::min(start, end - kLeast);
+    fog.start = start;
+    fog.end = std::max(end, start + kLeast);
 }
 
 /// At their outer ends the planes are off. @param radius  of the scene, Å
-void slidePlanes(Clip& clip, double radius) {
+void slidePlanes(Widgets& ui, Clip& clip, double radius) {
     const double reach = std::ceil(radius);
     double near = std::max(clip.near, -reach), far = std::min(clip.far, reach);
-    if (slide("##near", near, -reach, reach, clip.near > -Clip::kNone ? "cut before %.1f A" : "cut nothing before"))
+    if (slide(ui, "Cut before", near, -reach, reach,
+              clip.near > -Clip::kNone ? "cut before %.1f Å" : "cut nothing before"))
         clip.near = near <= -reach ? -Clip::kNone : near;
-    if (slide("##far", far, -reach, reach, clip.far < Clip::kNone ? "cut behind %.1f A" : "cut nothing behind"))
+    if (slide(ui, "Cut behind", far, -reach, reach,
+              clip.far < Clip::kNone ? "cut behind %.1f Å" : "cut nothing behind"))
         clip.far = far >= reach ? Clip::kNone : far;
     // Whichever moved, the other gives way.
     if (clip.near >= clip.far) clip.far = Clip::kNone;
@@ -61,27 +86,26 @@ void slidePlanes(Clip& clip, double radius) {
 }  // namespace
 
 void Panel::drawEffects(SavedView& look, double radius) {
+    Widgets& ui = state_->ui;
     Effects& e = look.effects;
-    ImGui::PushItemWidth(-1);
-    if (state_->ui.unfold("Light, lines, fog")) {
-        slide("##ambient", e.light.ambient, 0, 2, "light all around %.2f");
-        slide("##direct", e.light.direct, 0, 2, "light from a side %.2f");
-        slide("##shadow", e.shadow.strength, 0, 1, e.shadow.strength > 0 ? "shadow %.2f" : "no shadow");
-        slide("##highlight", e.light.highlight, 0, 6, "highlight %.2f");
-        slide("##deepening", e.light.occlusion, 0, 1, "occlusion %.2f");
-        slideLines(e);
-        slideHalos(e.halos);
-        slideFog(e.fog);
+    if (ui.unfold("Light, lines, fog")) {
+        slide(ui, "Light all around", e.light.ambient, 0, 2, "light all around %.2f");
+        slide(ui, "Light from a side", e.light.direct, 0, 2, "light from a side %.2f");
+        slide(ui, "Shadow", e.shadow.strength, 0, 1, e.shadow.strength > 0 ? "shadow %.2f" : "no shadow");
+        slide(ui, "Highlight", e.light.highlight, 0, 6, "highlight %.2f");
+        slide(ui, "Occlusion", e.light.occlusion, 0, 1, "occlusion %.2f");
+        slideLines(ui, e.contours);
+        slideHalos(ui, e.halos);
+        slideFog(ui, e.fog, radius);
     }
-    if (state_->ui.unfold("Cut open")) {
-        slidePlanes(e.clip, radius);
+    if (ui.unfold("Cut open")) {
+        slidePlanes(ui, e.clip, radius);
         constexpr const char* kCaps[] = {"plain", "dark", "hatched"};
         std::string cap = kCaps[static_cast<std::size_t>(e.clip.cap)];
-        if (state_->ui.choose("Cap", kCaps, cap))
+        if (ui.choose("Cap", kCaps, cap))
             for (std::size_t i = 0; i < std::size(kCaps); ++i)
                 if (cap == kCaps[i]) e.clip.cap = static_cast<Clip::Cap>(i);
     }
-    ImGui::PopItemWidth();
 }
 
 }  // namespace nacre::app

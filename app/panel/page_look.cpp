@@ -65,19 +65,8 @@ void Panel::drawLookPage(SavedView& look, const Viewer& viewer) {
         if (ui.swatch(color.name, packed, look.background == rgba, side)) look.background = rgba;
         ui.wrapLine(side);
     }
-    float own[3] = {look.background[0], look.background[1], look.background[2]};
-    if (ui.swatch("Own background", ImGui::ColorConvertFloat4ToU32(ImVec4(own[0], own[1], own[2], 1)), false, side))
-        ImGui::OpenPopup("Background");
-    ui.controls.back().value = backgroundText(look.background);
-    if (ImGui::BeginPopup("Background")) {
-        ImGui::SetNextItemWidth(ui.px(200));
-        if (ImGui::ColorPicker3("##picker", own,
-                                ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview |
-                                    ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_NoLabel))
-            look.background = {own[0], own[1], own[2], 1};
-        ui.note("colour", "Colour of the background", backgroundText(look.background));
-        ImGui::EndPopup();
-    }
+    std::array<float, 3> own{look.background[0], look.background[1], look.background[2]};
+    if (ui.chooseColor("Own background", own, side)) look.background = {own[0], own[1], own[2], 1};
     ui.heading("Light");
     ui.toggle("Light and shade", look.lighting);
     bool occlusion = look.occlusionDirections > 0;

@@ -151,20 +151,8 @@ void Panel::drawColorChoice(SavedView& look, const Part& part) {
         setLookOf(look, part, of);
     };
     ui.name(name);
-    std::size_t placed = 0;
-    for (const NamedColor& color : swatches()) {
-        if (placed++ % 6 != 0) ImGui::SameLine(0, ui.px(4));
-        const ImU32 packed = IM_COL32(color.rgb >> 16 & 255, color.rgb >> 8 & 255, color.rgb & 255, 255);
-        if (ui.swatch(color.name, packed, own && (of.coloring->color & 0xffffff) == (packed & 0xffffff)))
-            take(Coloring::uniform(packed));
-    }
-    ImVec4 picked = ImGui::ColorConvertU32ToFloat4(own ? shown : IM_COL32(86, 180, 233, 255));
-    ImGui::SetNextItemWidth(ui.px(200));
-    if (ImGui::ColorPicker3("##picker", &picked.x,
-                            ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview |
-                                ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_NoLabel))
-        take(Coloring::uniform(ImGui::ColorConvertFloat4ToU32(ImVec4(picked.x, picked.y, picked.z, 1))));
-    ui.note("colour", "Own colour");
+    if (const auto color = ui.pickColor("Own colour", own ? std::optional(shown) : std::nullopt))
+        take(Coloring::uniform(*color));
     if (ui.button(Icon::none, "As all")) take(std::nullopt);
     ImGui::SameLine();
     if (ui.button(Icon::none, "By element")) take(Coloring(ColorScheme::element));

@@ -101,16 +101,11 @@ void Panel::drawSelectionActions(SavedView& look, const std::string& selection) 
         ui.wrapLine(ui.buttonWidth(word.word));
         if (ui.button(Icon::none, word.word)) add(parseShow(selection + "=" + styleName(*word.style)));
     }
-    std::size_t placed = 0;
-    const std::size_t perLine = forFingers() ? 6 : 8;
-    for (const NamedColor& color : swatches()) {
-        if (placed++ % perLine != 0) ImGui::SameLine(0, ui.px(4));
-        const ImU32 packed = IM_COL32(color.rgb >> 16 & 255, color.rgb >> 8 & 255, color.rgb & 255, 255);
-        if (!ui.swatch(color.name, packed, false)) continue;
+    if (const auto color = ui.swatches(std::nullopt, forFingers() ? 6 : 8)) {
         Rule rule;
         rule.action = Rule::Action::color;
         rule.selection = parseSelection(selection);
-        rule.coloring = Coloring::uniform(packed);
+        rule.coloring = Coloring::uniform(*color);
         add(rule);
     }
 }

@@ -109,13 +109,8 @@ void Panel::drawRuleEditor(Rule& rule) {
         for (const ColorWord& word : colorWords())
             if (chosen == word.word) rule.coloring = parseColoring(word.option);
     const bool own = rule.coloring.scheme == ColorScheme::uniform;
-    std::size_t placed = 0;
-    for (const NamedColor& color : swatches()) {
-        if (placed++ % (forFingers() ? 6 : 8) != 0) ImGui::SameLine(0, ui.px(4));
-        const ImU32 packed = IM_COL32(color.rgb >> 16 & 255, color.rgb >> 8 & 255, color.rgb & 255, 255);
-        if (ui.swatch(color.name, packed, own && (rule.coloring.color & 0xffffff) == (packed & 0xffffff)))
-            rule.coloring = Coloring::uniform(packed);
-    }
+    const auto ownColor = own ? std::optional<ImU32>(rule.coloring.color) : std::nullopt;
+    if (const auto color = ui.swatches(ownColor, forFingers() ? 6 : 8)) rule.coloring = Coloring::uniform(*color);
 }
 
 }  // namespace nacre::app

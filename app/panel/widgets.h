@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -48,6 +50,12 @@ public:
     /// A number that counts by its ratio. Its width is what ImGui::SetNextItemWidth() said.
     bool slideRate(const char* name, float& value, float low, float high, const char* format);
     bool field(const char* name, const char* hint, char* buffer, std::size_t size, float width = -1, int flags = 0);
+    /// Colours that are told apart, as fields in rows. @returns what was clicked
+    std::optional<ImU32> swatches(std::optional<ImU32> chosen, std::size_t perLine);
+    /// The same, and below them a field for any colour. @param name  of that
+    std::optional<ImU32> pickColor(const char* name, std::optional<ImU32> chosen);
+    /// A field of a colour that opens them. @param color  sRGB-coded  @returns whether it is another one
+    bool chooseColor(const char* name, std::array<float, 3>& color, float side = 0);
     /// A field of colour. @returns whether it was clicked
     bool swatch(const char* name, ImU32 color, bool chosen, float side = 0);
 

@@ -69,13 +69,18 @@ void setClip(std::string_view text, Effects& e) {
     e.clip.near = -Clip::kNone;
     e.clip.far = Clip::kNone;
     if (text == "off") return;
+    if (text.starts_with(',')) {
+        e.clip.far = parseNumber(text.substr(1), -kFarthest, kFarthest);
+        return;
+    }
     const std::vector<double> planes = oneOrTwo(text);
     e.clip.near = planes[0];
     if (planes.size() == 2) e.clip.far = planes[1];
 }
 std::string clipText(const Effects& e) {
     if (!e.clip.on()) return "off";
-    return e.clip.far < Clip::kNone ? numberText(e.clip.near) + "," + numberText(e.clip.far) : numberText(e.clip.near);
+    const std::string near = e.clip.near > -Clip::kNone ? numberText(e.clip.near) : "";
+    return e.clip.far < Clip::kNone ? near + "," + numberText(e.clip.far) : near;
 }
 
 constexpr const char* kCaps[] = {"plain", "dark", "hatched"};
@@ -133,7 +138,7 @@ constexpr EffectOption kOptions[] = {
      shareText<&Light::occlusion>},
     {"clip", "NEAR[,FAR]|off", "off",
      "Cuts away what lies nearer than a plane, and farther than another, in Angstroms from\nthe centre, away from the "
-     "viewer: 0 opens a half",
+     "viewer: 0 opens a half; ,FAR cuts behind alone",
      setClip, clipText, false},
     {"cap", "plain|dark|hatched", "plain", "How atoms and sticks look where the near plane cuts them",
      [](std::string_view text, Effects& e) { e.clip.cap = static_cast<Clip::Cap>(parseChoice(text, kCaps)); },

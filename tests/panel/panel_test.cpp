@@ -184,5 +184,50 @@ TEST(Panel, RulesAreSwitchedOffEditedAndMoved) {
     EXPECT_EQ(b.viewer.view().look.rules[0].action, Rule::Action::hide);
 }
 
+TEST(Panel, LinesHalosAndFogHaveSlidersAndColours) {
+    Bench b("sample:dna", {1600, 1500});
+    const auto effects = [&]() -> const Effects& { return b.viewer.view().effects; };
+    const auto slideTo = [&](const std::string& name, double share) {
+        const Control* slider = b.find(name, "slider");
+        ASSERT_TRUE(slider) << name;
+        b.clickAt(slider->left + share * (slider->right - slider->left), (slider->top + slider->bottom) / 2);
+    };
+    const auto color = [&](const std::string& name) {
+        b.click(name);
+        b.click("Vermilion");
+        b.press(SpecialKey::escape);
+        b.settle();
+    };
+    b.click("Light, lines, fog");
+    EXPECT_FALSE(b.find("Colour of the lines"));
+    slideTo("Lines", 0.5);
+    EXPECT_NEAR(effects().contours.width, 4, 0.3);
+    color("Colour of the lines");
+    const auto [r, g, blue, a] = parseColor("#d55e00");
+    EXPECT_EQ(effects().contours.color, (std::array{r, g, blue}));
+    slideTo("Halos", 0.5);
+    color("Colour of the halos");
+    EXPECT_EQ(effects().halos.color, (std::array{r, g, blue}));
+    slideTo("Fog", 0.7);
+    EXPECT_EQ(effects().fog.range, Fog::Range::automatic);
+    expectReadable(b, "all effects");
+    slideTo("Start of fog", 0.4);
+    EXPECT_EQ(effects().fog.range, Fog::Range::given);
+    const double radius = b.viewer.document()->scene.radius;
+    EXPECT_NEAR(effects().fog.start, -0.4 * radius, 0.1 * radius);
+    EXPECT_NEAR(effects().fog.end, radius, 1);
+    slideTo("End of fog", 0.3);
+    EXPECT_NEAR(effects().fog.end, -0.8 * radius, 0.1 * radius);
+    EXPECT_LT(effects().fog.start, effects().fog.end);
+    // What was saved with it is read again.
+    EXPECT_EQ(parseSavedView(savedViewJson(b.viewer.view()), "view").effects, effects());
+    b.click("Fog from the middle to the far end");
+    EXPECT_EQ(effects().fog.range, Fog::Range::automatic);
+    b.click("Cut open");
+    slideTo("Cut behind", 0.6);
+    EXPECT_LT(effects().clip.far, 0.3 * radius);
+    EXPECT_EQ(parseSavedView(savedViewJson(b.viewer.view()), "view").effects, effects());
+}
+
 }  // namespace
 }  // namespace nacre::app::test

@@ -96,6 +96,7 @@ TEST(EffectOptions, WhatEachSaysIsWhatItReads) {
                                                          {"occlusion-strength", "0.25"},
                                                          {"clip", "-3.25"},
                                                          {"clip", "-3,4"},
+                                                         {"clip", ",2.5"},
                                                          {"cap", "hatched"}};
     std::set<std::string> met;
     for (const auto& [name, value] : cases) {
@@ -124,6 +125,7 @@ TEST(EffectOptions, NonsenseIsRefused) {
                                                          {"fog", "1,2,3"},
                                                          {"fog-strength", "1.1"},
                                                          {"clip", "4,1"},
+                                                         {"clip", ","},
                                                          {"clip", ""},
                                                          {"clip", "nan"},
                                                          {"contour-color", "transparent"},

@@ -203,6 +203,18 @@ std::vector<State> states(const std::string& protein, const std::string& models)
              d.click("Light, lines, fog");
              for (int i = 0; i < 4; ++i) d.press(SpecialKey::tab);
          }},
+        {"look, effects",
+         {1000, 1000},
+         "sample:dna",
+         [](Driver& d) {
+             SavedView look = d.viewer().view();
+             look.effects.contours.width = 2;
+             look.effects.halos.width = 6;
+             look.effects.fog.range = Fog::Range::automatic;
+             d.viewer().setLook(look, seconds());
+             d.click("Light, lines, fog");
+             d.click("Colour of the halos");
+         }},
         {"parts", kUsual, p, page(Panel::Page::parts)},
         {"parts, sequence", kUsual, p, sequence},
         {"parts, sequence, light, narrow", kNarrow, p, [=](Driver& d) { light(d), sequence(d); }},

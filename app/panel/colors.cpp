@@ -1,0 +1,48 @@
+// Colours, as fields that are clicked.
+
+#include "app/panel/widgets.h"
+#include "app/panel/words.h"
+
+namespace nacre::app {
+
+std::optional<ImU32> Widgets::swatches(std::optional<ImU32> chosen, std::size_t perLine) {
+    std::optional<ImU32> taken;
+    std::size_t placed = 0;
+    for (const NamedColor& color : nacre::app::swatches()) {
+        if (placed++ % perLine != 0) ImGui::SameLine(0, px(4));
+        const ImU32 packed = IM_COL32(color.rgb >> 16 & 255, color.rgb >> 8 & 255, color.rgb & 255, 255);
+        if (swatch(color.name, packed, chosen && (*chosen | IM_COL32_A_MASK) == packed)) taken = packed;
+    }
+    return taken;
+}
+
+std::optional<ImU32> Widgets::pickColor(const char* name, std::optional<ImU32> chosen) {
+    std::optional<ImU32> taken = swatches(chosen, 6);
+    ImVec4 picked = ImGui::ColorConvertU32ToFloat4(chosen.value_or(IM_COL32(86, 180, 233, 255)));
+    ImGui::SetNextItemWidth(px(200));
+    if (ImGui::ColorPicker3("##picker", &picked.x,
+                            ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview |
+                                ImGuiColorEditFlags_DisplayHex | ImGuiColorEditFlags_NoLabel))
+        taken = ImGui::ColorConvertFloat4ToU32(ImVec4(picked.x, picked.y, picked.z, 1));
+    note("colour", name);
+    return taken;
+}
+
+bool Widgets::chooseColor(const char* name, std::array<float, 3>& color, float side) {
+    const ImU32 packed = ImGui::ColorConvertFloat4ToU32(ImVec4(color[0], color[1], color[2], 1));
+    ImGui::PushID(name);
+    if (swatch(name, packed, false, side)) ImGui::OpenPopup("Colour");
+    bool taken = false;
+    if (ImGui::BeginPopup("Colour")) {
+        if (const auto other = pickColor((name + std::string(", any")).c_str(), packed)) {
+            // As a saved view reads it.
+            for (std::size_t i = 0; i < 3; ++i) color[i] = static_cast<float>(*other >> 8 * i & 255) / 255.0f;
+            taken = true;
+        }
+        ImGui::EndPopup();
+    }
+    ImGui::PopID();
+    return taken;
+}
+
+}  // namespace nacre::app
