@@ -59,6 +59,8 @@ public:
         name(Handle::objectType, reinterpret_cast<std::uint64_t>(static_cast<typename Handle::NativeType>(handle)),
              text);
     }
+    /// Whether anybody reads the names of what lives for a frame: the validation layer or RenderDoc.
+    bool watched() const { return *messenger_ || capture_.loaded(); }
     void beginLabel(const vk::raii::CommandBuffer& commands, const std::string& name) const;
     void endLabel(const vk::raii::CommandBuffer& commands) const;
 
