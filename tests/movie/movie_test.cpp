@@ -184,6 +184,33 @@ TEST(Movie, FitsAndSmoothsModels) {
     EXPECT_GT(apart(frames("turned", ""), still), 1);
 }
 
+TEST(Movie, WordsGoWithTheAtomsThatTheyName) {
+    const TemporaryFolder folder;
+    std::ofstream xyz(folder / "m.xyz");
+    for (const int y : {-4, 0, 4}) xyz << "3\nm\nC 0 -8 0\nC 0 8 0\nN 4 " << y << " 0\n";
+    xyz.close();
+    const auto frames = [&](const char* movie, const char* options) {
+        const Outcome outcome =
+            nacreIn(folder, std::string("movie m.xyz --models --smooth 3 --fps 10 -o ") + movie + kSmall + options);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return framesOf(folder / movie);
+    };
+    const std::string plain = frames("a.png", ""), named = frames("b.png", "--label 'element N=N'");
+    ASSERT_EQ(plain.size(), 3 * kFrameBytes);
+    ASSERT_EQ(named.size(), plain.size());
+    std::vector<double> rows;
+    for (std::size_t frame = 0; frame < 3; ++frame) {
+        double sum = 0, count = 0;
+        for (std::size_t i = 0; i < kFrameBytes; ++i)
+            if (plain[frame * kFrameBytes + i] != named[frame * kFrameBytes + i])
+                sum += static_cast<double>(i / (3 * 64)), ++count;
+        ASSERT_GT(count, 20) << frame;
+        rows.push_back(sum / count);
+    }
+    EXPECT_GT(rows[0], rows[1] + 1);
+    EXPECT_GT(rows[1], rows[2] + 1);
+}
+
 TEST(Movie, StopsCleanlyAndKeepsWhatIsWhole) {
     for (const char* name : {"a.gif", "a.png", "a.mp4", "f/"}) {
         const TemporaryFolder folder;
