@@ -79,6 +79,8 @@ nacre_shader(tileSpanVertex tile_span.vert)
 nacre_shader(tilePlaceVertex tile_span.vert PLACE)
 nacre_shader(edgeColorTexels edge_color.frag TEXELS)
 nacre_shader(edgeColorStorage edge_color.frag)
+nacre_shader(tileEdgePixelsTexels tile_edge_pixels.comp TEXELS)
+nacre_shader(tileEdgePixelsStorage tile_edge_pixels.comp)
 # What a scene has: spheres, cylinders beside them, or triangles beside both.
 set(definesSpheres)
 set(definesCylinders CYLINDERS)

@@ -47,8 +47,8 @@ void main() {
     view.depthStep = push.depthStep;
     uint bins = push.binsOfMap, copies = push.copies;
     uint lane = gl_SubgroupInvocationID;
-    uint group = min(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, view.offsets / 2u - 1u);
-    uint tile = listAt(2u * group);  // x | y << 16
+    uint group = min(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, view.offsets - 1u);
+    uint tile = listAt(group);  // x | y << 16
     uvec2 corner = uvec2(tile & 0xffffu, tile >> 16) * uint(kTile);
     uvec2 bin = corner / uint(kTile * kTilesInBin);
     uint list = view.offsets + bin.y * view.across + bin.x;

@@ -1,10 +1,10 @@
 #version 450
-// The `tiles` path's edges: pixels through which a boundary runs are drawn from 16 samples each. One subgroup looks at a
-// tile: a pixel is an edge if the numbers that tile_nearest.comp kept for it and for the four beside it differ (whatever
-// straight boundary crosses a pixel parts its middle from one of theirs), or if the look of its one primitive changes
-// inside it. Edges are drawn a lane each, as many at a time as there are lanes: the list of the tile's bin is gone
-// through as there, then what a pixel's samples see is shaded once, in their middle, and weighs as many as they are.
-//   TEXELS, CYLINDERS   as in tile_nearest.comp
+// The `tiles` path's edges: the pixels that tile_edge_pixels.comp lists are drawn from 16 samples each, a lane each, as
+// many at a time as a subgroup has lanes. What a pixel's samples see are primitives that it or one of the eight about it
+// has in its middle; where primitives may be smaller than that, the list of the bin is gone through as
+// tile_nearest.comp does. Then each that is seen is shaded once, in the middle of its samples, and weighs as many as
+// they are.
+//   TEXELS, CYLINDERS, TRIANGLES   as in tile_nearest.comp
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_vote : require
@@ -21,146 +21,51 @@
 #include "common/numbered.glsl"
 #include "common/tile_lists.glsl"
 #include "common/samples.glsl"
+#include "common/sight.glsl"
 #include "common/count.glsl"
 
 layout(push_constant) uniform Push { TileConstants push; };
-layout(constant_id = kEverywhereId) const bool kEverywhere = false;
-// Edges go as coded words, row by row, among the other pixels; else as halves, tile by tile as the numbers.
+// Edges go as coded words among the other pixels; else as halves.
 layout(constant_id = kRowsId) const bool kRows = false;
 
 #ifdef TEXELS
 layout(set = 0, binding = 5) uniform usamplerBuffer listTexels;
 layout(set = 0, binding = 6) uniform usamplerBuffer numberTexels;
-layout(set = 0, binding = 7) uniform usamplerBuffer slotTexels;
+layout(set = 0, binding = 7) uniform usamplerBuffer edgePixelTexels;
 uint listAt(uint i) { return texelFetch(listTexels, int(i)).x; }
 uint numberAt(uint i) { return texelFetch(numberTexels, int(i)).x; }
-uint slotAt(uint i) { return texelFetch(slotTexels, int(i)).x; }
+uint edgePixelAt(uint i) { return texelFetch(edgePixelTexels, int(i)).x; }
 #else
 layout(set = 0, binding = 5, std430) readonly buffer Lists { uint lists[]; };
 layout(set = 0, binding = 6, std430) readonly buffer Numbers { uint numbers[]; };
-layout(set = 0, binding = 7, std430) readonly buffer Slots { uint slots[]; };
+layout(set = 0, binding = 7, std430) readonly buffer EdgePixels { uint edgePixels[]; };
 uint listAt(uint i) { return lists[i]; }
 uint numberAt(uint i) { return numbers[i]; }
-uint slotAt(uint i) { return slots[i]; }
+uint edgePixelAt(uint i) { return edgePixels[i]; }
 #endif
 layout(set = 0, binding = 8, std430) writeonly buffer Edges { uint edges[]; };
 
-const uint kNone = 0xffffffffu;
-// What a sample sees of a primitive, beside its number.
-const uint kSecondHalf = 0x80000000u;
-const uint kContour = 0x40000000u;
-const uint kCutFace = 0x20000000u;
-const uint kThirdCorner = 0x10000000u;
-const uint kNumber = 0x0fffffffu;
-uint sightOf(Hit hit, uint number) {
-    return number | (hit.along >= 0.5 || hit.corner == 1u ? kSecondHalf : 0u) | (hit.corner == 2u ? kThirdCorner : 0u) | (kContours && hit.contour ? kContour : 0u) |
-           (kClip && hit.cap ? kCutFace : 0u);
-}
-const bool kPlain = !kClip && !kContours;
-
-/// Where a tile's numbers stand. The table has a rim of bins without any.
-uint slotOf(ivec2 tile) {
-    ivec2 bin = (tile + kTilesInBin) / kTilesInBin;
-    ivec2 inBin = (tile + kTilesInBin) % kTilesInBin;
-    uint first = slotAt(uint(bin.y) * (view.across + 2u) + uint(bin.x));
-    return first == kNone ? kNone : first + uint(inBin.x * kTilesInBin + inBin.y);
-}
-uint numberIn(uint slot, int column, int row) {
-    return slot == kNone ? 0u : numberAt((slot * uint(kTile) + uint(row & 7)) * uint(kTile) + uint(column & 7));
-}
-
-#if defined(CYLINDERS)
-const bool kManySights = true;
-#else
-const bool kManySights = !kPlain;
-#endif
-/// Whether the look of a primitive changes inside a pixel that sees it in the middle, and beside which it is seen, too:
-/// the halves of a bond meet there, a contour line begins, or a cut.
-bool looksChange(uint number, vec2 middle) {
-    if (number == 0u) return false;
-    uint index = place(number);
-    uint first = 0u;
-    bool change = false;
-    for (int i = 0; i < 4; ++i) {
-        vec2 q = planePoint(middle + vec2(i & 1, i >> 1) - 0.5);
-        uint sight = 0u;
-#ifdef TRIANGLES
-        if (isTriangle(index)) {
-            Facet f = facetOf(index);
-            sight = sightOf(facetHitThrough(f, q), number);
-        } else
-#endif
-#ifdef CYLINDERS
-        if (index >= view.spheres) {
-            uint at = 2u * index - view.spheres;
-            vec4 a = shapeAt(at);
-            sight = sightOf(cylinderHitThrough(toView(a.xyz), toView(shapeAt(at + 1u).xyz), a.w, q), number);
-        } else
-#endif
-        if (!kPlain) {
-            vec4 shape = shapeAt(index);
-            sight = sightOf(sphereHitThrough(vec4(toView(shape.xyz), shape.w), q), number);
-        }
-        change = change || (i > 0 && sight != first);
-        first = i == 0 ? sight : first;
-    }
-    return change;
-}
-
-// The edge pixels of a tile, a bit each, block by block of 4 x 2 pixels: what is drawn at a time lies together.
-uvec2 found = uvec2(0u);
-uvec2 pixelOf(uint bit) { return uvec2(bit & 3u | bit >> 1 & 4u, bit >> 2 & 1u | bit >> 3 & 6u); }
-/// @param bits  of up to 8 pixels of a row from a column on, which is a multiple of 4
-void find(int column, int row, uint bits) {
-    uint first = uint((row & 2) << 3 | (row & 1) << 2 | (column & 4) << 1);
-    uint placed = (bits & 15u) << first | bits >> 4 << (first + 8u);
-    found.x |= row < 4 ? placed : 0u;
-    found.y |= row < 4 ? 0u : placed;
-}
-
-/// Finds them, and marks all others.
-void findEdges(ivec2 tile, uint slot, uint lane) {
-    const int kColumns = kLanes < kTile ? kTile / kLanes : 1;      // of a lane
-    const int kRowsOfLane = kLanes > kTile ? kTile * kTile / kLanes : kTile;  // of a lane, one below the other
-    int top = int(lane) / kTile * kRowsOfLane;
-    for (int c = 0; c < kColumns; ++c) {
-        int x = c * kLanes + int(lane) % kTile;
-        uint above = top > 0 ? slot : slotOf(tile - ivec2(0, 1));
-        uint below = top + kRowsOfLane < kTile ? slot : slotOf(tile + ivec2(0, 1));
-        uint before = x > 0 ? slot : slotOf(tile - ivec2(1, 0));
-        uint behind = x + 1 < kTile ? slot : slotOf(tile + ivec2(1, 0));
-        uint last = numberIn(above, x, top - 1), here = numberIn(slot, x, top);
-        for (int r = 0; r < kRowsOfLane; ++r) {
-            int y = top + r;
-            uint next = numberIn(r + 1 < kRowsOfLane ? slot : below, x, y + 1);
-            bool edge = kEverywhere || here != last || here != next || here != numberIn(before, x - 1, y) ||
-                        here != numberIn(behind, x + 1, y);
-            if (kManySights && !kEverywhere)
-                edge = edge || looksChange(here, vec2(tile * kTile + ivec2(x, y)) + 0.5);
-            uint votes = subgroupBallot(edge).x;
-            if (kLanes <= kTile)
-                find(c * kLanes, y, votes);
-            else
-                for (int b = 0; b < kLanes / kTile; ++b)
-                    find(0, b * kRowsOfLane + r, votes >> uint(b * kTile) & 0xffu);
-            if (!kRows && !edge) edges[2u * (slot * uint(kTile * kTile) + uint(y * kTile + x)) + 1u] = kNoEdge;
-            last = here;
-            here = next;
-        }
-    }
-}
-
-uint lowestFound(uvec2 bits) { return bits.x != 0u ? lowestOf(bits.x) : 32u + lowestOf(bits.y); }
+// What samples see is looked for in the list of their bin.
+layout(constant_id = kListedId) const bool kListed = false;
+const uint kNothing = 0xffffffffu;
 
 vec2 corner;  // of the lane's pixel
 float nearest[kSamples];  // Hit::order
 uint seen[kSamples];      // sights
+bool holes = false;       // samples that see nothing do so for want of candidates
 
 /// Of equal distances the last wins: what stands equally near is listed in the order of numbers.
 void keep(int i, bool inside, float Z, uint sight) {
     bool wins = inside && Z <= nearest[i];
     nearest[i] = wins ? Z : nearest[i];
     seen[i] = wins ? sight : seen[i];
+}
+
+void keepCylinder(vec3 a, vec3 b, float radius, uint number, bool live) {
+    for (int i = 0; i < kSamples; ++i) {
+        Hit hit = cylinderHitThrough(a, b, radius, planePoint(corner + sampleAt(i)));
+        keep(i, live && hit.inside, hit.order, sightOf(hit, number));
+    }
 }
 
 void keepSphere(vec4 sphere, uint number, bool live) {
@@ -181,12 +86,23 @@ void keepSphere(vec4 sphere, uint number, bool live) {
     }
 }
 
-/// What the samples of the lanes' pixels see. @param low, high  corners of what holds all of them, pixels
-void sampleEdges(uint at, uint end, uint lane, vec2 low, vec2 high) {
+void seeNothing() {
     for (int i = 0; i < kSamples; ++i) {
         nearest[i] = view.depthStart + 1.0 / view.perRange;
         seen[i] = 0u;
     }
+}
+
+/// What the samples of the lanes' pixels see of the bin's list. @param lane  of the subgroup
+void sampleList(uint at, uint end, uint lane) {
+    vec2 low = corner, high = corner;
+    for (uint i = 0u; i < uint(kLanes); ++i) {
+        vec2 other = vec2(subgroupShuffle(corner.x, i), subgroupShuffle(corner.y, i));
+        low = min(low, other);
+        high = max(high, other);
+    }
+    high += 1.0;
+    seeNothing();
     vec2 a = planePoint(low), b = planePoint(high);
     vec2 middle = 0.5 * (a + b), reach = 0.5 * abs(b - a);
     bool more = true;
@@ -206,10 +122,7 @@ void sampleEdges(uint at, uint end, uint lane, vec2 low, vec2 high) {
             vec4 endA = handed(e.a, from), endB = handed(e.b, from);
             uint number = subgroupShuffle(e.number, from);
             bool live = sticks != 0u;
-            for (int i = 0; i < kSamples; ++i) {
-                Hit hit = cylinderHitThrough(endA.xyz, endB.xyz, endA.w, planePoint(corner + sampleAt(i)));
-                keep(i, live && hit.inside, hit.order, sightOf(hit, number));
-            }
+            keepCylinder(endA.xyz, endB.xyz, endA.w, number, live);
             sticks &= sticks - 1u;
         } while (sticks != 0u);
 #endif
@@ -232,6 +145,60 @@ void sampleEdges(uint at, uint end, uint lane, vec2 low, vec2 high) {
         for (int i = 1; i < kSamples; ++i) farthest = max(farthest, nearest[i]);
         more = at < end && !subgroupAll(encodedDepth(farthest) < subgroupShuffle(e.next, uint(kLanes - 1)));
     } while (more);
+}
+
+/// Takes the lowest of some candidates out. @returns it, or kNothing if none is left
+uint lowestOut(inout uint candidates[9]) {
+    uint lowest = kNothing;
+    for (int i = 0; i < 9; ++i) lowest = min(lowest, candidates[i]);
+    for (int i = 0; i < 9; ++i) candidates[i] = candidates[i] == lowest ? kNothing : candidates[i];
+    return lowest;
+}
+bool anyOf(uint candidates[9]) {
+    uint all = kNothing;
+    for (int i = 0; i < 9; ++i) all &= candidates[i];
+    return subgroupAny(all != kNothing);
+}
+
+/// What the samples of a pixel see of the primitives that are seen in the middles of the pixels about it.
+void sampleNeighbours(ivec2 pixel) {
+    ivec2 last = ivec2(int(view.across), int(edgePixelAt(1u))) * ivec2(kTile * kTilesInBin, 1) - 1;
+    uint candidates[9];
+    holes = true;
+    for (int i = 0; i < 9; ++i) {
+        ivec2 p = clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), last);
+        // From 0 on: what is none becomes kNothing.
+        candidates[i] = numberAt(uint(p.y * (last.x + 1) + p.x)) & kNumber;
+        holes = holes && candidates[i] != 0u;
+        candidates[i] -= 1u;
+    }
+#ifdef CYLINDERS
+    uint sticks[9];
+    for (int i = 0; i < 9; ++i) {
+        bool stick = candidates[i] != kNothing && place(candidates[i] + 1u) >= view.spheres;
+        sticks[i] = stick ? candidates[i] : kNothing;
+        candidates[i] = stick ? kNothing : candidates[i];
+    }
+#endif
+    seeNothing();
+    bool more = true;
+    do {
+        uint candidate = lowestOut(candidates);
+        bool live = candidate != kNothing;
+        vec4 shape = shapeAt(place(live ? candidate + 1u : 1u));
+        keepSphere(vec4(toView(shape.xyz), shape.w), candidate + 1u, live);
+        more = anyOf(candidates);
+    } while (more);
+#ifdef CYLINDERS
+    do {
+        uint candidate = lowestOut(sticks);
+        bool live = candidate != kNothing;
+        uint at = 2u * place(live ? candidate + 1u : view.spheres + 1u) - view.spheres;
+        vec4 shape = shapeAt(at);
+        keepCylinder(toView(shape.xyz), toView(shapeAt(at + 1u).xyz), shape.w, candidate + 1u, live);
+        more = anyOf(sticks);
+    } while (more);
+#endif
 }
 
 /// Shades what a sample sees where the ray of a place meets it. @returns linear light
@@ -267,56 +234,42 @@ vec4 shadeEdge() {
         for (int i = 0; i < kSamples; ++i) rest |= seen[i];
         more = subgroupAny(rest != 0u);
     } while (more);
-    return vec4(light, covered) / float(kSamples);
+    return vec4(light, covered) / (holes ? max(covered, 1.0) : float(kSamples));
 }
 
-/// @param slot  of the tile @param there  in it @param pixel  linear, premultiplied
-void writeEdge(ivec2 tile, uint slot, uvec2 there, vec4 pixel) {
+/// @param pixel  linear, premultiplied
+void writeEdge(uvec2 there, vec4 pixel) {
+    uint at = there.y * (view.across * uint(kTile * kTilesInBin)) + there.x;
     if (kRows) {
-        uvec2 at = uvec2(tile * kTile) + there;
-        uint pitch = view.across * uint(kTile * kTilesInBin);
-        edges[at.y * pitch + at.x] = packUnorm4x8(vec4(srgbFromLinear(clamp(pixel.rgb, 0.0, 1.0)), pixel.a));
+        edges[at] = packUnorm4x8(vec4(srgbFromLinear(clamp(pixel.rgb, 0.0, 1.0)), pixel.a));
     } else {
-        uint at = 2u * ((slot * uint(kTile) + there.y) * uint(kTile) + there.x);
-        edges[at] = packHalf2x16(pixel.rg);
-        edges[at + 1u] = packHalf2x16(pixel.ba);
+        edges[2u * at] = packHalf2x16(pixel.rg);
+        edges[2u * at + 1u] = packHalf2x16(pixel.ba);
     }
 }
 
 void main() {
     view = push;
     uint lane = gl_SubgroupInvocationID;
-    uint group = min(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, view.offsets / 2u - 1u);
-    uvec2 entry = uvec2(listAt(2u * group), listAt(2u * group + 1u));
-    ivec2 tile = ivec2(entry.x & 0xffffu, entry.x >> 16);
-    findEdges(tile, entry.y, lane);
-    if (found == uvec2(0u)) return;
-    ivec2 bin = tile / kTilesInBin;
-    uint list = view.offsets + uint(bin.y) * view.across + uint(bin.x);
-    uint at = listAt(list), end = listAt(list + 1u);
+    uint fillings = edgePixelAt(0u), filling = gl_WorkGroupID.x;
     do {
-        uint mine = 0u;
-        bool live = false;
-        uvec2 low = uvec2(kTile), high = uvec2(0u);
-        for (int i = 0; i < kLanes; ++i) {
-            bool some = found != uvec2(0u);
-            uint pixel = lowestFound(found);
-            uvec2 next = some ? pixelOf(pixel) : low;
-            low = min(low, next);
-            high = some ? max(high, next) : high;
-            // A lane that finds none left does what the first does.
-            mine = i == 0 || (some && lane == uint(i)) ? pixel : mine;
-            live = some && lane == uint(i) ? true : live;
-            if (found.x != 0u)
-                found.x &= found.x - 1u;
-            else
-                found.y &= found.y - 1u;
+        bool some = filling < fillings;
+        uint mine = edgePixelAt(kEdgeHeader + (some ? filling : 0u) * uint(kLanes) + lane);
+        uint first = subgroupShuffle(mine, 0u);
+        bool live = some && mine != kNoEdge;
+        // Lanes without a pixel do what the first does.
+        uint word = !some ? 0u : live ? mine : first;
+        uvec2 pixel = uvec2(word & 0xffffu, word >> 16);
+        corner = vec2(pixel);
+        if (kListed) {
+            uvec2 bin = uvec2(first & 0xffffu, first >> 16) / uint(kTile * kTilesInBin);
+            uint list = view.offsets + bin.y * view.across + bin.x;
+            sampleList(some ? listAt(list) : 0u, some ? listAt(list + 1u) : 1u, lane);
+        } else {
+            sampleNeighbours(ivec2(pixel));
         }
-        vec2 first = vec2(tile * kTile);
-        uvec2 there = pixelOf(mine);
-        corner = first + vec2(there);
-        sampleEdges(at, end, lane, first + vec2(low), first + vec2(high) + 1.0);
-        vec4 pixel = shadeEdge();
-        if (live) writeEdge(tile, entry.y, there, pixel);
-    } while (found != uvec2(0u));
+        vec4 light = shadeEdge();
+        if (live) writeEdge(pixel, light);
+        filling += gl_NumWorkGroups.x;
+    } while (filling < fillings);
 }

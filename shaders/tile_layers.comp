@@ -54,9 +54,9 @@ void main() {
     view = push;
     uint lane = gl_SubgroupInvocationID;
     // Where rows of workgroups do not come out even, the last tile is drawn again.
-    uint group = min(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, view.offsets / 2u - 1u);
-    uvec2 tile = uvec2(listAt(2u * group), listAt(2u * group + 1u));  // x | y << 16, slot
-    uvec2 corner = uvec2(tile.x & 0xffffu, tile.x >> 16) * uint(kTile);
+    uint group = min(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, view.offsets - 1u);
+    uint tile = listAt(group);  // x | y << 16
+    uvec2 corner = uvec2(tile & 0xffffu, tile >> 16) * uint(kTile);
     uvec2 bin = corner / uint(kTile * kTilesInBin);
     uint at = listAt(view.offsets + bin.y * view.across + bin.x);
     uint end = listAt(view.offsets + bin.y * view.across + bin.x + 1u);
@@ -87,8 +87,12 @@ void main() {
         for (int i = 1; i < kPixels; ++i) farthest = max(farthest, second[i]);
         more = at < end && !subgroupAll(farthest < subgroupShuffle(e.next, uint(kLanes - 1)));
     } while (more);
+    // Row by row of all bins.
+    uint pitch = view.across * uint(kTile * kTilesInBin);
+    uint here = (corner.y + lane / uint(kTile)) * pitch + corner.x + lane % uint(kTile);
     for (int i = 0; i < kPixels; ++i) {
-        uint to = 2u * (tile.y * uint(kTile * kTile) + uint(i * kLanes) + lane);
+        uvec2 on = uvec2(i * kLanes) / uvec2(1u, kTile) % uint(kTile);
+        uint to = 2u * (here + on.y * pitch + on.x);
         numbers[to] = firstNumber[i];
         numbers[to + 1u] = secondNumber[i];
     }

@@ -28,6 +28,8 @@
 #include "common/hit.glsl"
 #include "common/streams.glsl"
 #endif
+#include "common/sight.glsl"
+#include "common/changes.glsl"
 
 layout(push_constant) uniform Push { TileConstants push; };
 layout(constant_id = kLanesId) const int kLanes = 8;
@@ -79,15 +81,56 @@ vec4 handed(vec4 v, uint from) {
                 subgroupShuffle(v.w, from));
 }
 
-#ifdef SHADED
-layout(set = 0, binding = 8, std430) writeonly buffer TileNumbers { uint tileNumbers[]; };
 layout(constant_id = kNumberedId) const bool kNumbered = false;
+uint sightAt(uint number, vec2 q) {
+    uint index = place(max(number, 1u));
+    uint sight = number;
+#ifdef TRIANGLES
+    if (isTriangle(index))
+        sight = sightOf(facetHitThrough(facetOf(index), q), number);
+    else
+#endif
+#ifdef CYLINDERS
+    if (index >= view.spheres) {
+        uint at = 2u * index - view.spheres;
+        vec4 a = shapeAt(at);
+        sight = sightOf(cylinderHitThrough(toView(a.xyz), toView(shapeAt(at + 1u).xyz), a.w, q), number);
+    } else
+#endif
+    if (!kPlain) {
+        vec4 shape = shapeAt(index);
+        sight = sightOf(sphereHitThrough(vec4(toView(shape.xyz), shape.w), q), number);
+    }
+    return number == 0u ? 0u : sight;
+}
 
-/// 0 where nothing is seen.
-uint colorAt(uint seenNumber, vec2 pixel) {
+/// Marks a sight that changes from one corner of its pixel to another: the tip of a contour line.
+uint marked(uint sight, vec2 pixel, float width, float depth) {
+    if (!kContours || !kNumbered) return sight;
+    view.contourWidth = width;
+    view.contourDepth = depth;
+    uint first = 0u;
+    bool changes = false;
+    for (int i = 0; i < 4; ++i) {
+        uint there = sightAt(sight & kNumber, planePoint(pixel + vec2(i & 1, i >> 1) - 0.5));
+        changes = changes || (i > 0 && there != first);
+        first = i == 0 ? there : first;
+    }
+    view.contourWidth = 1e9;
+    view.contourDepth = 0.0;
+    return changes ? sight | kChanges : sight;
+}
+
+#ifdef SHADED
+layout(set = 0, binding = 8, std430) writeonly buffer PixelNumbers { uint pixelNumbers[]; };
+
+/// 0 where nothing is seen. @param seenNumber  becomes a sight
+uint colorAt(inout uint seenNumber, vec2 pixel) {
     vec2 q = planePoint(pixel);
-    Seen seen = seenOf(max(seenNumber, 1u), q);
+    uint number = max(seenNumber, 1u);
+    Seen seen = seenOf(number, q);
     vec3 color = colorOf(seen.hit, lookAt(seen.look), seen.occlusion, q);
+    if (kNumbered) seenNumber = seenNumber == 0u ? 0u : sightOf(seen.hit, number);
     return seenNumber == 0u ? 0u : packUnorm4x8(vec4(color, 1.0));
 }
 #endif
@@ -96,9 +139,9 @@ void main() {
     view = push;
     uint lane = gl_SubgroupInvocationID;
     // Where rows of workgroups do not come out even, the last tile is drawn again.
-    uint group = min(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, view.offsets / 2u - 1u);
-    uvec2 tile = uvec2(listAt(2u * group), listAt(2u * group + 1u));  // x | y << 16, slot
-    uvec2 corner = uvec2(tile.x & 0xffffu, tile.x >> 16) * uint(kTile);
+    uint group = min(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, view.offsets - 1u);
+    uint tile = listAt(group);  // x | y << 16
+    uvec2 corner = uvec2(tile & 0xffffu, tile >> 16) * uint(kTile);
     uvec2 bin = corner / uint(kTile * kTilesInBin);
     uint at = listAt(view.offsets + bin.y * view.across + bin.x);
     uint end = listAt(view.offsets + bin.y * view.across + bin.x + 1u);
@@ -192,14 +235,13 @@ void main() {
         float next = encodedDepth(begins) - view.depthStep;
         more = at < end && !subgroupAll(farthest < subgroupShuffle(next, uint(kLanes - 1)));
     } while (more);
-#ifdef SHADED
-    if (kNumbered)
-        for (int i = 0; i < kPixels; ++i)
-            tileNumbers[tile.y * uint(kTile * kTile) + uint(i * kLanes) + lane] = number[i];
+    // Row by row of all bins.
     uint pitch = view.across * uint(kTile * kTilesInBin);
     uint here = (corner.y + lane / uint(kTile)) * pitch + corner.x + lane % uint(kTile);
+    float width = view.contourWidth, depth = view.contourDepth;
     view.contourWidth = 1e9;  // what was chosen and is not inside is on the line
     view.contourDepth = 0.0;
+#ifdef SHADED
     // A turn a pixel, unrolled by no compiler: they move up to the first register, which costs less than the code.
     uint i = 0u;
     do {
@@ -207,9 +249,13 @@ void main() {
         for (int k = 0; k + 1 < kPixels; ++k) number[k] = number[k + 1];
         uvec2 on = uvec2(i * uint(kLanes)) / uvec2(1u, kTile) % uint(kTile);
         numbers[here + on.y * pitch + on.x] = colorAt(seen, first + vec2(on));
+        if (kNumbered) pixelNumbers[here + on.y * pitch + on.x] = marked(seen, first + vec2(on), width, depth);
     } while (++i < uint(kPixels));
 #else
-    for (int i = 0; i < kPixels; ++i)
-        numbers[tile.y * uint(kTile * kTile) + uint(i * kLanes) + lane] = number[i];
+    for (int i = 0; i < kPixels; ++i) {
+        uvec2 on = uvec2(i * kLanes) / uvec2(1u, kTile) % uint(kTile);
+        numbers[here + on.y * pitch + on.x] = 
+            kNumbered ? marked(sightAt(number[i], through[i]), first + vec2(on), width, depth) : number[i];
+    }
 #endif
 }

@@ -13,6 +13,7 @@
 #include "common/numbered.glsl"
 #include "common/surface.glsl"
 #include "common/count.glsl"
+#include "common/sight.glsl"
 #include "common/tile_place.glsl"
 
 #ifdef TEXELS
@@ -63,7 +64,7 @@ uint numberHere() { return numberAt(placeHere()); }
 
 void main() {
     fetchView();
-    uint number = numberHere();
+    uint number = numberHere() & kNumber;
     if (number == 0u) discard;
     countFragment();
     Seen seen = seenOf(number, planePoint(gl_FragCoord.xy));

@@ -1,12 +1,12 @@
 #version 450
 // A row of bins in which something may show. What shading needs of the view goes along, flat: as push constants of the
 // fragment stage each would be gathered lane by lane for every pixel (lavapipe 22.3).
-//   PLACE   where its numbers stand goes along, and nothing else
+//   PLACE   the pixels in a row go along, and nothing else
 #extension GL_GOOGLE_include_directive : require
 #include "common/layout.h"
 
 layout(location = 0) in vec4 span;    // NDC: left, top, right, bottom
-layout(location = 1) in uvec2 place;  // pixel of its left edge, where its numbers begin
+layout(constant_id = kTilesInBinId) const int kTilesInBin = 2;
 layout(push_constant) uniform Push { TileConstants view; };
 #ifndef PLACE
 layout(location = 0) flat out vec4 row0;
@@ -17,7 +17,7 @@ layout(location = 4) flat out vec4 shading;  // atlasTexel, clipNear, clipFar
 layout(location = 5) flat out uvec4 atlas;  // patchTexels, patchesInRow, spheres, primitives
 layout(location = 7) flat out uint cylinders;
 #endif
-layout(location = 6) flat out uvec2 numbers;  // place
+layout(location = 6) flat out uint pitch;  // pixels in a row of all bins
 
 void main() {
 #ifndef PLACE
@@ -29,7 +29,7 @@ void main() {
     atlas = uvec4(view.patchTexels, view.patchesInRow, view.spheres, view.primitives);
     cylinders = view.cylinders;
 #endif
-    numbers = place;
+    pitch = view.across * uint(8 * kTilesInBin);
     bool right = (gl_VertexIndex & 1) == 1, bottom = (gl_VertexIndex & 2) == 2;
     gl_Position = vec4(right ? span.z : span.x, bottom ? span.w : span.y, 0.0, 1.0);
 }

@@ -142,6 +142,10 @@ graph::Record Recorder::copiedColors(graph::Buffer colors, Image image, graph::E
     return of([=](Context& c, const SceneView& scene) { passes::copyColors(c, scene, colors, image, extent); });
 }
 
+graph::Record Recorder::edgePixels() const {
+    return of([](Context& c, const SceneView& scene) { passes::findEdgesByTiles(c, scene); });
+}
+
 graph::Record Recorder::edgesByTiles(Image atlas) const {
     return of([=](Context& c, const SceneView& scene) { passes::drawEdgesByTiles(c, scene, c.view(atlas)); });
 }

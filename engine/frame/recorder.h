@@ -57,6 +57,7 @@ public:
     /// Both in one, and what makes a picture of the colours.
     graph::Record colorsByTiles(graph::Image atlas) const;
     graph::Record copiedColors(graph::Buffer colors, graph::Image image, graph::Extent extent) const;
+    graph::Record edgePixels() const;
     graph::Record edgesByTiles(graph::Image atlas) const;
     graph::Record edgeColors(const graph::Clear& clear) const;
 

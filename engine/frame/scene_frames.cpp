@@ -118,7 +118,10 @@ ScreenFrame SceneFrames::declareSeen(const RenderSettings& asked, const passes::
     imports.bind(frame.atlas, atlas);
     if (seen->tiles) imports.bind(frame.numbers, seen->tiles->numbers.buffer);
     if (frame.layerNumbers) imports.bind(*frame.layerNumbers, seen->translucent->tiles->numbers.buffer);
-    if (frame.edges) imports.bind(*frame.edges, seen->tiles->edgeBuffer().buffer);
+    if (frame.edges) {
+        imports.bind(*frame.edges, seen->tiles->edgeBuffer().buffer);
+        imports.bind(frame.edgePixels, seen->tiles->edges.pixels.buffer);
+    }
     return frame;
 }
 

@@ -80,6 +80,7 @@ struct ScreenFrame {
     std::vector<graph::Image> layers;           ///< numbers of translucent triangles, of the nearest first
     std::optional<graph::Buffer> layerNumbers;  ///< the same where tiles find them, imported
     SceneCounts counts{};
+    graph::Buffer edgePixels{};  ///< imported, where `edges` are: their pixels
 
     /// A pass that shades samples what light is told by. @returns the pass
     graph::PassBuilder& lit(graph::PassBuilder& pass) const;

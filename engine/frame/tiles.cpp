@@ -2,8 +2,9 @@
 #include "engine/scene/tile_lists.h"
 
 namespace nacre {
-
 namespace {
+
+constexpr std::uint64_t kWord = sizeof(std::uint32_t);
 
 /// The buffers of pixels go by the tiles of bins.
 graph::Buffer addPixels(ScreenFrame& f, const ScreenOptions& options, const char* name, std::uint64_t bytes) {
@@ -13,14 +14,19 @@ graph::Buffer addPixels(ScreenFrame& f, const ScreenOptions& options, const char
 /// Colours stand in a buffer row by row, and are laid over there; a copy makes a picture of it.
 void declareShadedTiles(ScreenFrame& f, const ScreenOptions& options, const Recorder& draw) {
     const ScreenTarget& target = options.targets[0];
-    f.numbers = addPixels(f, options, "colours of tiles", sizeof(std::uint32_t));
-    if (options.edges) f.edges = addPixels(f, options, "primitive numbers", sizeof(std::uint32_t));
+    f.numbers = addPixels(f, options, "colours of tiles", kWord);
+    if (options.edges) f.edges = addPixels(f, options, "primitive numbers", kWord);
     graph::PassBuilder nearest = f.graph.compute("nearest primitive, shaded");
     f.lit(nearest).writes(f.numbers);
     if (options.edges) nearest.writes(*f.edges);
     nearest.record(draw.colorsByTiles(f.atlas));
-    if (options.edges)
-        f.lit(f.graph.compute("edge samples").reads(*f.edges)).writes(f.numbers).record(draw.edgesByTiles(f.atlas));
+    if (options.edges) {
+        f.edgePixels = addPixels(f, options, "edge pixels", kWord);
+        f.graph.compute("edge pixels").reads(*f.edges).reads(f.numbers).writes(f.edgePixels).record(draw.edgePixels());
+        f.lit(f.graph.compute("edge samples").reads(*f.edges).reads(f.edgePixels))
+            .writes(f.numbers)
+            .record(draw.edgesByTiles(f.atlas));
+    }
     const graph::Image picture = f.add(target, options.extent);
     f.graph.transfer(target.pass)
         .copiesFrom(f.numbers)
@@ -32,12 +38,16 @@ void declareShadedTiles(ScreenFrame& f, const ScreenOptions& options, const Reco
 
 void declareTiles(ScreenFrame& f, const ScreenOptions& options, const Recorder& draw) {
     if (options.shadedByTiles) return declareShadedTiles(f, options, draw);
-    f.numbers = addPixels(f, options, "primitive numbers", sizeof(std::uint32_t));
+    f.numbers = addPixels(f, options, "primitive numbers", kWord);
     f.graph.compute("nearest primitive").writes(f.numbers).record(draw.nearestByTiles());
 
     if (options.edges) {
-        f.edges = addPixels(f, options, "edge colours", 2 * sizeof(std::uint32_t));
-        f.lit(f.graph.compute("edge samples").reads(f.numbers)).writes(*f.edges).record(draw.edgesByTiles(f.atlas));
+        f.edges = addPixels(f, options, "edge colours", 2 * kWord);
+        f.edgePixels = addPixels(f, options, "edge pixels", kWord);
+        f.graph.compute("edge pixels").reads(f.numbers).writes(f.edgePixels).writes(*f.edges).record(draw.edgePixels());
+        f.lit(f.graph.compute("edge samples").reads(f.numbers).reads(f.edgePixels))
+            .writes(*f.edges)
+            .record(draw.edgesByTiles(f.atlas));
     }
     const bool depth = options.translucentLayers > 0;
     for (const ScreenTarget& target : options.targets) {

@@ -172,7 +172,7 @@ void TileMaps::record(gpu::PassContext& context, const Part& part) const {
     c.spheres = scene_.sphereCount;
     c.cylinders = scene_.cylinderCount;
     c.across = lists.across();
-    c.offsets = static_cast<std::uint32_t>(2 * lists.tiles().size());
+    c.offsets = static_cast<std::uint32_t>(lists.tiles().size());
     c.depthStep = 2.0f / TileLists::kDepthSteps;
     c.binsOfMap = apart_ / TileLists::kBinPixels;
     c.copies = copies_;

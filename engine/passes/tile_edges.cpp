@@ -10,7 +10,7 @@ using Type = vk::DescriptorType;
 constexpr auto kCompute = vk::ShaderStageFlagBits::eCompute;
 constexpr vk::ShaderStageFlags kDraw = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 
-// Atlas, effects; shapes, rows of copies, looks; lists, numbers, tiles of bins; colours, which are written; shadow map;
+// Atlas, effects; shapes, rows of copies, looks; lists, numbers, edge pixels; colours, which are written; shadow map;
 // cells of the atlas.
 constexpr Type kSampleTexels[] = {Type::eCombinedImageSampler,
                                   Type::eUniformBuffer,
@@ -33,6 +33,9 @@ constexpr Type kSampleStorage[] = {Type::eCombinedImageSampler,
                                    kStorage,
                                    kStorage,
                                    Type::eCombinedImageSampler};
+// Lists, numbers, colours; edge pixels, and colours of none, which are written.
+constexpr Type kFindTexels[] = {kTexel, kTexel, kTexel, kStorage, kStorage};
+constexpr Type kFindStorage[] = {kStorage, kStorage, kStorage, kStorage, kStorage};
 constexpr Type kColorTexels[] = {kTexel};
 constexpr Type kColorStorage[] = {kStorage};
 
@@ -41,6 +44,33 @@ Stage sampleStage(bool texels, TileScene scene) {
 }
 
 }  // namespace
+
+void findEdgesByTiles(gpu::PassContext& context, const SceneView& view) {
+    const TileFrame& f = *view.tiles;
+    const gpu::TileCaps& caps = context.device.caps().tiles;
+    if (f.lists.tiles().empty()) return;
+    const gpu::Layout& layout = context.pipelines.layout(
+        {"edge pixels", caps.texels ? kFindTexels : kFindStorage, kCompute, sizeof(layout::TileConstants)});
+    gpu::ComputePipeline d{context.pass,
+                           caps.texels ? shaders::tileEdgePixelsTexels : shaders::tileEdgePixelsStorage,
+                           {},
+                           *layout.pipeline};
+    d.constants.set(layout::kLanesId, caps.lanes);
+    setTileView(d.constants, view);
+    d.constants.set(layout::kEverywhereId, f.edges.everywhere);
+    d.constants.set(layout::kRowsId, f.shaded);
+    context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, context.pipelines.compute(d));
+    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
+    TileBindings bindings(context, set, 0);
+    bindings.read(f.words);
+    bindings.read(f.sights().buffer, f.sights().quads);
+    bindings.read(f.numbers.buffer, f.numbers.quads);
+    bindings.store(f.edges.pixels.buffer);
+    bindings.store(f.shaded ? f.edges.pixels.buffer : f.edges.colors.buffer);  // what is shaded has no use for it
+    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline, 0, set, {});
+    context.commands.pushConstants<layout::TileConstants>(*layout.pipeline, kCompute, 0, f.constants);
+    dispatchTiles(context, f.lists.tiles().size() / (TileLists::kTilesInBin * TileLists::kTilesInBin));
+}
 
 void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas) {
     const TileFrame& f = *view.tiles;
@@ -55,7 +85,7 @@ void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::Imag
     setTileView(d.constants, view);
     setShadingConstants(d.constants, view);
     d.constants.set(layout::kLanesId, caps.lanes);
-    d.constants.set(layout::kEverywhereId, f.edges.everywhere);
+    d.constants.set(layout::kListedId, f.edges.listed);
     d.constants.set(layout::kRowsId, f.shaded);
     context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, context.pipelines.compute(d));
     const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
@@ -66,8 +96,8 @@ void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::Imag
     bindings.read(f.rows);
     bindings.read(scene.looks, scene.lookTexels);
     bindings.read(f.words);
-    bindings.read(f.shaded ? f.edges.numbers : f.numbers);
-    bindings.read(f.edges.slots);
+    bindings.read(f.sights());
+    bindings.read(f.edges.pixels);
     bindings.store(f.shaded ? f.numbers.buffer : f.edges.colors.buffer);
     bindings.sample(shadowOf(context, view, atlas));
     // Never left unwritten, even where the shader reads none: lavapipe looks at it.
@@ -75,7 +105,7 @@ void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::Imag
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline, 0, set, {});
     bindCounter(context, view, layout, vk::PipelineBindPoint::eCompute);
     context.commands.pushConstants<layout::TileConstants>(*layout.pipeline, kCompute, 0, f.constants);
-    dispatchTiles(context, f.lists.tiles().size());
+    context.commands.dispatch(f.edges.groups, 1, 1);
 }
 
 void drawEdgeColors(gpu::PassContext& context, const SceneView& view, const graph::Clear& clear) {

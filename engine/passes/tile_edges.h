@@ -5,8 +5,11 @@
 
 namespace nacre::passes {
 
-/// Compute: finds the pixels through which an edge runs and draws them from RenderSettings::kEdgeSamples samples, into
-/// TileEdges::colors. Reads the numbers that findNearestByTiles() wrote.
+/// Compute: lists the pixels through which an edge runs, of the numbers that findNearestByTiles() wrote, and its
+/// colours.
+void findEdgesByTiles(gpu::PassContext& context, const SceneView& view);
+
+/// Compute: draws them from RenderSettings::kEdgeSamples samples, among those colours or into TileEdges::colors.
 void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas);
 
 /// Lays them over the picture. @param clear  what that is cleared to

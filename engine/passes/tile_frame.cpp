@@ -10,11 +10,15 @@ namespace {
 using Usage = vk::BufferUsageFlagBits;
 constexpr auto kRead = Usage::eStorageBuffer | Usage::eUniformTexelBuffer;
 
-/// The same where edges are drawn: a tile may be gone through eight times.
+/// The same where edges are drawn: a subgroup may go through it several times.
 constexpr std::uint32_t kLongestListOfEdges = 6000;
+/// Turns of an invocation's loops that they may take, and those that a subgroup's pixels take beside the list.
+constexpr std::uint64_t kTurnsOfEdges = 60'000, kTurnsOfFilling = 48;
 
 /// Half a width in pixels below which a primitive may be seen by none of the pixels about it.
 constexpr double kSmallPixels = 0.75;
+/// And from which on what a pixel's samples see is seen in the middle of one of the nine about it, nearly always.
+constexpr double kLargePixels = 6;
 
 TileView tileView(const SceneView& seen, const View& view, graph::Extent image, TileWork work) {
     const layout::ViewConstants& c = seen.constants;
@@ -56,7 +60,7 @@ layout::TileConstants constantsOf(const layout::ViewConstants& c, const PlacedCo
     t.perRange = c.perRange;
     t.spheres = c.spheres;
     t.across = lists.across();
-    t.offsets = static_cast<std::uint32_t>(2 * lists.tiles().size());
+    t.offsets = static_cast<std::uint32_t>(lists.tiles().size());
     t.depthStep = 2.0f / TileLists::kDepthSteps;
     t.clipNear = c.clipNear;
     t.atlasTexel = c.atlasTexel;
@@ -67,6 +71,17 @@ layout::TileConstants constantsOf(const layout::ViewConstants& c, const PlacedCo
     t.contourDepth = c.contourDepth;
     t.cylinders = c.cylinders;
     return t;
+}
+
+/// Workgroups that draw the edges, how many there may be of them. Each fills its lanes again and again: on a software
+/// device a workgroup without work costs as much as one with it. No loop may take more turns than lavapipe grants.
+std::uint32_t groupsOfEdges(const TileLists& lists, const gpu::TileCaps& caps) {
+    constexpr std::uint64_t kFew = 64, kRow = 65535;
+    const std::uint64_t fillings =
+        lists.tiles().size() * (TileLists::kTilePixels * TileLists::kTilePixels / caps.lanes);
+    const std::uint64_t turns = kTurnsOfFilling + std::uint64_t{lists.longest()} * 9 / 8;
+    const std::uint64_t least = fillings * turns / kTurnsOfEdges + 1;
+    return static_cast<std::uint32_t>(std::min(std::max(least, caps.texels ? kFew : lists.tiles().size()), kRow));
 }
 
 }  // namespace
@@ -93,9 +108,10 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     frame.constants = constantsOf(seen.constants, seen.copies, frame.lists);
     frame.shaded = work.shaded;
     upload(frame, seen.copies, image, work.kept);
-    clearColors(frame);
     frame.edges.drawn = work.edges;
     frame.edges.everywhere = seen.smallestPixels < kSmallPixels;
+    // A surface turns away in triangles that no pixel has in its middle, and a line may be narrower than a pixel.
+    frame.edges.listed = seen.smallestPixels < kLargePixels || !r.triangles.empty() || seen.constants.contourWidth > 0;
     if (frame.edges.drawn) uploadEdges(frame, image);
     return *free;
 }
@@ -111,25 +127,31 @@ void reserve(const gpu::Device& device, TileBuffer& b, std::size_t bytes, vk::Bu
         b.texels = gpu::makeTexelView(device, b.buffer, format, name);
 }
 
-/// Tiles are drawn where something may show. Elsewhere the colours of the frame before go.
-void TileFrames::clearColors(TileFrame& f) {
+/// Tiles are drawn where something may show. Elsewhere the words of the frame before go.
+void TileFrames::prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept,
+                              const char* name) const {
     constexpr std::size_t kBin = TileLists::kBinPixels;
-    const TileLists& lists = f.lists;
-    const std::size_t pitch = lists.across() * kBin;
-    auto* colors = reinterpret_cast<std::uint32_t*>(f.numbers.buffer.mapped);
-    if (!f.shaded || f.coloredAcross != lists.across()) {
-        f.colored.clear();
-        f.coloredAcross = f.shaded ? lists.across() : 0;
-        if (f.shaded) std::memset(colors, 0, f.numbers.buffer.size);
+    const std::size_t bytes = 4 * kept * TileLists::pixelsOfBins(image.width, image.height);
+    const bool grows = words.buffer.size < bytes;
+    if (grows) words.quads = nullptr;
+    reserve(device_, words, bytes, kRead | Usage::eTransferSrc, vk::Format::eR32Uint, name);
+    if (grows && device_.caps().tiles.texels)
+        words.quads = gpu::makeTexelView(device_, words.buffer, vk::Format::eR32G32B32A32Uint, name);
+    if (grows || words.across != lists.across()) {
+        words.written.clear();
+        words.across = lists.across();
+        std::memset(words.buffer.mapped, 0, words.buffer.size);
     }
-    for (const TileLists::Span& s : f.colored)
+    const std::size_t pitch = kept * lists.across() * kBin;
+    auto* pixels = reinterpret_cast<std::uint32_t*>(words.buffer.mapped);
+    for (const TileLists::Span& s : words.written)
         for (std::size_t x = s.x; x < s.endX; ++x) {
             const std::size_t bin = s.y * std::size_t{lists.across()} + x;
             if (s.y < lists.down() && lists.offsets()[bin] != lists.offsets()[bin + 1]) continue;
             for (std::size_t y = s.y * kBin; y < (s.y + 1) * kBin; ++y)
-                std::fill_n(colors + y * pitch + x * kBin, kBin, 0u);
+                std::fill_n(pixels + y * pitch + kept * x * kBin, kept * kBin, 0u);
         }
-    if (f.shaded) f.colored.assign(lists.spans().begin(), lists.spans().end());
+    words.written.assign(lists.spans().begin(), lists.spans().end());
 }
 
 void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const {
@@ -137,11 +159,7 @@ void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent 
     const std::size_t rowBytes = copies.rows.size() * sizeof(glm::vec4);
     reserve(device_, f.words, 4 * lists.words(), kRead, vk::Format::eR32Uint, "lists of tiles");
     reserve(device_, f.rows, rowBytes, kRead, vk::Format::eR32G32B32A32Sfloat, "copies");
-    const auto before = f.numbers.buffer.size;
-    reserve(device_, f.numbers, 4 * kept * TileLists::pixelsOfBins(image.width, image.height),
-            kRead | Usage::eTransferSrc, vk::Format::eR32Uint, "primitive numbers");
-    // A new buffer is larger; its handle may be the old one again.
-    if (f.numbers.buffer.size != before) f.coloredAcross = 0;
+    prepareWords(f.numbers, lists, image, kept, "primitive numbers");
     reserve(device_, f.spans, lists.spans().size() * sizeof(TileSpanVertex), Usage::eVertexBuffer,
             vk::Format::eUndefined, "rows of tiles");
 
@@ -150,26 +168,19 @@ void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent 
     auto* spans = reinterpret_cast<TileSpanVertex*>(f.spans.buffer.mapped);
     const glm::vec2 ndc = 2.0f * TileLists::kBinPixels / glm::vec2(image.width, image.height);
     for (const TileLists::Span& s : lists.spans())
-        *spans++ = {glm::vec4(glm::vec2(s.x, s.y) * ndc, glm::vec2(s.endX, s.endY) * ndc) - 1.0f,
-                    s.x * TileLists::kBinPixels, s.slot * TileLists::kTilePixels * TileLists::kTilePixels};
+        *spans++ = {glm::vec4(glm::vec2(s.x, s.y) * ndc, glm::vec2(s.endX, s.endY) * ndc) - 1.0f};
 }
 
 void TileFrames::uploadEdges(TileFrame& f, graph::Extent image) const {
-    const TileLists& lists = f.lists;
-    const std::size_t across = lists.across() + 2, bins = across * (lists.down() + 2);
-    reserve(device_, f.edges.slots, 4 * bins, kRead, vk::Format::eR32Uint, "tiles of bins");
+    const std::size_t pixels = TileLists::pixelsOfBins(image.width, image.height);
+    reserve(device_, f.edges.pixels, 4 * (layout::kEdgeHeader + pixels), kRead, vk::Format::eR32Uint, "edge pixels");
     if (f.shaded)
-        reserve(device_, f.edges.numbers, 4 * TileLists::pixelsOfBins(image.width, image.height), kRead,
-                vk::Format::eR32Uint, "primitive numbers");
+        prepareWords(f.edges.numbers, f.lists, image, 1, "primitive numbers");
     else
-        reserve(device_, f.edges.colors, 8 * TileLists::pixelsOfBins(image.width, image.height), kRead,
-                vk::Format::eR32G32Uint, "edge colours");
-    auto* slots = reinterpret_cast<std::uint32_t*>(f.edges.slots.buffer.mapped);
-    std::fill_n(slots, bins, layout::kNoEdge);
-    constexpr std::uint32_t kTilesOfBin = TileLists::kTilesInBin * TileLists::kTilesInBin;
-    for (const TileLists::Span& s : lists.spans())
-        for (std::uint32_t x = s.x; x < s.endX; ++x)
-            slots[(s.y + 1) * across + x + 1] = s.slot + (x - s.x) * kTilesOfBin;
+        reserve(device_, f.edges.colors, 8 * pixels, kRead, vk::Format::eR32G32Uint, "edge colours");
+    const std::uint32_t header[layout::kEdgeHeader] = {0, f.lists.down() * TileLists::kBinPixels};
+    std::memcpy(f.edges.pixels.buffer.mapped, header, sizeof header);
+    f.edges.groups = groupsOfEdges(f.lists, device_.caps().tiles);
 }
 
 }  // namespace nacre::passes

@@ -22,6 +22,13 @@ struct TileBuffer {
     vk::raii::BufferView texels{nullptr};
 };
 
+/// A word a pixel, or a few, row by row of all bins; 0 where nothing is seen.
+struct PixelWords : TileBuffer {
+    vk::raii::BufferView quads{nullptr};   ///< of four words
+    std::vector<TileLists::Span> written;  ///< where it may hold words of the frame before
+    std::uint32_t across = 0;              ///< bins in a row of those
+};
+
 /// Makes a buffer anew, with room to grow, if it holds less. @param format  of texels; undefined: it has none
 void reserve(const gpu::Device& device, TileBuffer& buffer, std::size_t bytes, vk::BufferUsageFlags usage,
              vk::Format format, const char* name);
@@ -29,10 +36,12 @@ void reserve(const gpu::Device& device, TileBuffer& buffer, std::size_t bytes, v
 /// What the edges of a frame are drawn with, if they are.
 struct TileEdges {
     bool drawn = false;
-    bool everywhere = false;  ///< primitives are so small that one may stand between the middles of pixels
-    TileBuffer slots;         ///< of the bins' first tiles, with a rim of bins without any
-    TileBuffer numbers;       ///< as TileFrame's, where those are colours, among which those of edges are, then
-    TileBuffer colors;        ///< else: tile by tile as the numbers, linear, premultiplied halves; kNoEdge elsewhere
+    bool everywhere = false;   ///< primitives are so small that one may stand between the middles of pixels
+    bool listed = false;       ///< what their samples see is looked for in lists, not among a pixel's neighbours
+    TileBuffer pixels;         ///< edge pixels: kEdgeHeader words, then as many at a time as a subgroup has lanes
+    std::uint32_t groups = 0;  ///< that draw them
+    PixelWords numbers;        ///< as TileFrame's, where those are colours, among which those of edges are, then
+    TileBuffer colors;         ///< else: as the numbers, linear, premultiplied halves; kNoEdge elsewhere
 };
 
 /// What is asked of a frame.
@@ -45,18 +54,17 @@ struct TileWork {
 struct TileFrame {
     TileLists lists;
     layout::TileConstants constants{};
-    bool copies = false;                   ///< primitives stand at the places of copies
-    bool shaded = false;                   ///< `numbers` are colours, row by row
-    TileBuffer words;                      ///< tiles, two words each; where the bins' lists begin; the lists
-    TileBuffer rows;                       ///< PlacedCopies::rows
-    TileBuffer numbers;                    ///< of the nearest primitives, tile by tile, counted from 1; 0: none
-    TileBuffer spans;                      ///< TileLists::spans() as vertices
-    std::vector<TileLists::Span> colored;  ///< where `numbers` may hold colours of the frame before
-    std::uint32_t coloredAcross = 0;       ///< bins in a row of those
+    bool copies = false;  ///< primitives stand at the places of copies
+    bool shaded = false;  ///< `numbers` are colours
+    TileBuffer words;     ///< TileLists::write()
+    TileBuffer rows;      ///< PlacedCopies::rows
+    PixelWords numbers;   ///< of the nearest primitives, counted from 1; sights, where edges are drawn
+    TileBuffer spans;     ///< TileLists::spans() as vertices
     TileEdges edges;
 
     /// What is made for the edges' sake.
     const TileBuffer& edgeBuffer() const { return shaded ? edges.numbers : edges.colors; }
+    const PixelWords& sights() const { return shaded ? edges.numbers : numbers; }
 };
 
 /// What lists hold, for who asks.
@@ -64,8 +72,7 @@ TileCounts countsOf(const TileLists& lists);
 
 /// Rows of bins as shaders/tile_span.vert reads them.
 struct TileSpanVertex {
-    glm::vec4 ndc;                ///< left, top, right, bottom
-    std::uint32_t left, numbers;  ///< pixel of its left edge, where its numbers begin
+    glm::vec4 ndc;  ///< left, top, right, bottom
 };
 
 /// The frames in flight: each has buffers of its own, which are used again when nobody holds it any more.
@@ -78,7 +85,10 @@ public:
                                              const View& view, graph::Extent image, TileWork work);
 
 private:
-    static void clearColors(TileFrame& frame);
+    /// Room for the words of an image's pixels; nothing is left of the frame before where none will be written.
+    /// @param kept  words of a pixel
+    void prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept,
+                      const char* name) const;
     void upload(TileFrame& frame, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const;
     void uploadEdges(TileFrame& frame, graph::Extent image) const;
 

@@ -1,7 +1,5 @@
 #include "engine/passes/tile_passes.h"
 
-#include <cstddef>
-
 #include "engine/passes/primitives.h"
 #include "engine/passes/tile_bindings.h"
 #include "shaders.h"
@@ -26,8 +24,7 @@ constexpr Type kShadeStorage[] = {kSampled, Type::eUniformBuffer, kSampled, kSto
 
 constexpr vk::VertexInputBindingDescription kSpanBindings[] = {
     {0, sizeof(TileSpanVertex), vk::VertexInputRate::eInstance}};
-constexpr vk::VertexInputAttributeDescription kSpanAttributes[] = {
-    {0, 0, vk::Format::eR32G32B32A32Sfloat, 0}, {1, 0, vk::Format::eR32G32Uint, offsetof(TileSpanVertex, left)}};
+constexpr vk::VertexInputAttributeDescription kSpanAttributes[] = {{0, 0, vk::Format::eR32G32B32A32Sfloat, 0}};
 
 gpu::ShaderWords nearestShader(bool texels, TileScene scene, bool shaded) {
     if (shaded) return NACRE_TILE_SCENE(tileShaded, );
@@ -65,7 +62,7 @@ void findNearestByTiles(gpu::PassContext& context, const SceneView& view, std::o
     gpu::ComputePipeline d{context.pass, code, {}, *layout.pipeline};
     setTileView(d.constants, view);
     if (atlas) setShadingConstants(d.constants, view);
-    if (atlas) d.constants.set(layout::kNumberedId, f.edges.drawn);
+    d.constants.set(layout::kNumberedId, f.edges.drawn);
     d.constants.set(layout::kLanesId, caps.lanes);
     context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, context.pipelines.compute(d));
     const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);

@@ -211,7 +211,7 @@ void TileLists::count() {
 }
 
 void TileLists::listTiles() {
-    slots_.clear();
+    bins_.clear();
     spans_.clear();
     for (std::uint32_t y = 0; y < down_; ++y)
         for (std::uint32_t x = 0; x < across_; ++x) {
@@ -221,19 +221,18 @@ void TileLists::listTiles() {
             if (!spans_.empty() && spans_.back().y == y && spans_.back().endX == x)
                 ++spans_.back().endX;
             else
-                spans_.push_back({left, top, static_cast<std::uint16_t>(x + 1), static_cast<std::uint16_t>(y + 1),
-                                  static_cast<std::uint32_t>(slots_.size())});
-            for (std::uint32_t i = 0; i < kTilesInBin; ++i)
-                for (std::uint32_t j = 0; j < kTilesInBin; ++j)
-                    slots_.push_back({static_cast<std::uint16_t>(x * kTilesInBin + i),
-                                      static_cast<std::uint16_t>(y * kTilesInBin + j),
-                                      static_cast<std::uint32_t>(slots_.size())});
+                spans_.push_back({left, top, static_cast<std::uint16_t>(x + 1), static_cast<std::uint16_t>(y + 1)});
+            bins_.push_back({left, top});
         }
     // A software device gives each thread a run of neighbouring workgroups: dealt out, all have as much to do.
     constexpr std::size_t kHands = 16;
     tiles_.clear();
     for (std::size_t hand = 0; hand < kHands; ++hand)
-        for (std::size_t i = hand; i < slots_.size(); i += kHands) tiles_.push_back(slots_[i]);
+        for (std::size_t b = hand; b < bins_.size(); b += kHands)
+            for (std::uint32_t i = 0; i < kTilesInBin; ++i)
+                for (std::uint32_t j = 0; j < kTilesInBin; ++j)
+                    tiles_.push_back({static_cast<std::uint16_t>(bins_[b].x * kTilesInBin + i),
+                                      static_cast<std::uint16_t>(bins_[b].y * kTilesInBin + j)});
 }
 
 void TileLists::build(const TileView& view, const TileScenery& s) {
@@ -253,10 +252,7 @@ void TileLists::build(const TileView& view, const TileScenery& s) {
 }
 
 void TileLists::write(std::uint32_t* to) {
-    for (const Tile& tile : tiles_) {
-        *to++ = tile.x | std::uint32_t{tile.y} << 16;
-        *to++ = tile.slot;
-    }
+    for (const Tile& tile : tiles_) *to++ = tile.x | std::uint32_t{tile.y} << 16;
     const auto base = static_cast<std::uint32_t>(words() - entries());
     for (const std::uint32_t offset : offsets_) *to++ = base + offset;
     cursors_.assign(offsets_.begin(), offsets_.end());

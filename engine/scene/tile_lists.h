@@ -68,11 +68,9 @@ public:
     /// Neighbouring bins of a row that are not empty; `end` is one past.
     struct Span {
         std::uint16_t x, y, endX, endY;
-        std::uint32_t slot;  ///< of its first tile
     };
     struct Tile {
         std::uint16_t x, y;
-        std::uint32_t slot;  ///< counted over the bins row by row, in a bin column by column
     };
 
     /// Sorts and counts; offsets(), tiles() and spans() are good until the next call.
@@ -82,15 +80,15 @@ public:
     std::uint32_t down() const { return down_; }
     /// Where each bin's list begins, and where the last one ends.
     std::span<const std::uint32_t> offsets() const { return offsets_; }
-    std::span<const Tile> tiles() const { return tiles_; }  ///< in the order to draw them
+    std::span<const Tile> tiles() const { return tiles_; }  ///< in the order to draw them, a bin's one after another
     std::span<const Span> spans() const { return spans_; }
     std::size_t kept() const { return kept_.size(); }  ///< primitives in any list
     std::size_t keptSpheres() const { return keptSpheres_; }
     std::size_t entries() const { return offsets_.empty() ? 0 : offsets_.back(); }
     std::uint32_t longest() const { return longest_; }  ///< entries of a list
-    /// What a device needs of it, in words: tiles, two each (x | y << 16, slot); where the bins' lists begin, and where
-    /// the last ends; the lists.
-    std::size_t words() const { return 2 * tiles_.size() + offsets_.size() + entries(); }
+    /// What a device needs of it, in words: tiles (x | y << 16); where the bins' lists begin, and where the last ends;
+    /// the lists.
+    std::size_t words() const { return tiles_.size() + offsets_.size() + entries(); }
     void write(std::uint32_t* to);
 
 private:
@@ -123,7 +121,7 @@ private:
     std::vector<Kept> kept_;
     std::size_t keptSpheres_ = 0;
     std::vector<std::uint32_t> order_, offsets_, cursors_;
-    std::vector<Tile> tiles_, slots_;
+    std::vector<Tile> tiles_, bins_;
     std::vector<Span> spans_;
     std::vector<glm::vec3> corners_;  // pixel and Z of each vertex, at the place of a call
     FrontTriangles front_;

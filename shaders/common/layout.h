@@ -45,9 +45,10 @@ const int kCellsId = 28;         // bool: shaders interpolate occlusion themselv
 const int kShadowId = 29;        // bool: the light's depth map is asked
 const int kCutId = 30;           // bool: what a plane cuts off casts no shadow
 const int kEverywhereId = 60;    // bool: every pixel is drawn as an edge
+const int kListedId = 68;        // bool: what an edge's samples see is looked for in lists, not among its neighbours
 const int kClearId = 61;         // float, four of them: what a picture is cleared to, linear and premultiplied
-const int kNumberedId = 65;      // bool: what shades by tiles writes numbers, too
-const int kRowsId = 66;          // bool: edges are coded words, row by row
+const int kNumberedId = 65;      // bool: numbers of a frame with edges: sights; what shades writes them, too
+const int kRowsId = 66;          // bool: edges are coded words among the other pixels
 const int kLayerId = 67;         // of translucent triangles: 0 the nearest
 
 /// Rows of the samples of an edge pixel, 0..15, four bits each: sample i stands in column i. A search for the order of
@@ -57,8 +58,10 @@ const uint kSampleRowsHigh = 0x92E63DA7u;
 /// Of an atom's group, the bits of its residue; the others are its chain's. So many residues apart is another group.
 const int kResidueBits = 12;
 const int kGroupResidues = 6;
-/// In place of an edge pixel's colour: it is none.
+/// In place of an edge pixel's colour, or of a pixel in the list of them: it is none.
 const uint kNoEdge = 0xffffffffu;
+/// Words before that list: how often it fills a subgroup, and the rows of pixels that the bins have.
+const uint kEdgeHeader = 4u;
 
 const int kCopyColorsId = 32;  // colours that the copies of an assembly take in turn; 0: they all look the same
 

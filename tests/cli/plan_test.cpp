@@ -225,9 +225,12 @@ TEST(Plan, OfAPictureTellsHowItsEdgesAreDrawn) {
     options.edges = true;
     const Json json = jsonOf(options);
     EXPECT_EQ(json["frames"], 1);
-    ASSERT_EQ(json["compute_passes"].size(), 2u);
-    EXPECT_EQ(json["compute_passes"][1], (Json{{"name", "edge samples"},
-                                               {"reads", {"primitive numbers", "occlusion atlas"}},
+    ASSERT_EQ(json["compute_passes"].size(), 3u);
+    EXPECT_EQ(
+        json["compute_passes"][1],
+        (Json{{"name", "edge pixels"}, {"reads", {"primitive numbers"}}, {"writes", {"edge pixels", "edge colours"}}}));
+    EXPECT_EQ(json["compute_passes"][2], (Json{{"name", "edge samples"},
+                                               {"reads", {"primitive numbers", "edge pixels", "occlusion atlas"}},
                                                {"writes", {"edge colours"}}}));
     ASSERT_EQ(json["render_passes"].size(), 1u);
     ASSERT_EQ(json["render_passes"][0]["subpasses"].size(), 1u);

@@ -67,13 +67,14 @@ TEST(ScreenPlan, EdgesByTilesAreAComputePassAndAPassOfTheSameSubpass) {
     EXPECT_EQ(
         describe(g, compile(g, capabilitySet("desktop").plan)),
         "compute nearest primitive\n"
+        "compute edge pixels\n"
         "compute edge samples\n"
         "render pass 100x50\n"
         "  colour  RGBA8 sRGB  clear  store\n"
         "  subpass 0 impostor colour + edge colour: colour write, primitive numbers read, occlusion atlas sample, "
         "edge colours read\n"
         "  tile 4 B/px\n"
-        "memory: loaded 114688 B, stored 106016 B\n");
+        "memory: loaded 172032 B, stored 134688 B\n");
 }
 
 TEST(ScreenPlan, MaliEncodedIsOneRenderPassOfThreeSubpasses) {

@@ -320,22 +320,18 @@ TEST(TileLists, TilesAndSpansAreThoseOfBinsThatAreNotEmpty) {
             for (std::uint32_t x = 0; x < lists.across(); ++x)
                 if (const std::size_t bin = y * lists.across() + x; lists.offsets()[bin] < lists.offsets()[bin + 1])
                     bins.emplace(x, y);
-        // A pixel's number stands where shading looks for it (shaders/tile_shade.frag).
+        // Those of a bin stand together: what looks for edges takes them at once (shaders/tile_edge_pixels.comp).
         constexpr std::uint32_t kPerBin = TileLists::kTilesInBin;
-        std::set<std::uint32_t> slots;
-        for (const TileLists::Tile& tile : lists.tiles()) {
-            EXPECT_TRUE(slots.insert(tile.slot).second);
+        std::set<std::pair<std::uint32_t, std::uint32_t>> tiles;
+        for (std::size_t i = 0; i < lists.tiles().size(); ++i) {
+            const TileLists::Tile& tile = lists.tiles()[i];
+            const TileLists::Tile& first = lists.tiles()[i / (kPerBin * kPerBin) * (kPerBin * kPerBin)];
+            EXPECT_TRUE(tiles.emplace(tile.x, tile.y).second);
             EXPECT_TRUE(bins.contains({tile.x / kPerBin, tile.y / kPerBin}));
-            const auto span = std::find_if(lists.spans().begin(), lists.spans().end(), [&](const TileLists::Span& p) {
-                return tile.x / kPerBin >= p.x && tile.x / kPerBin < p.endX && tile.y / kPerBin == p.y;
-            });
-            ASSERT_NE(span, lists.spans().end());
-            EXPECT_EQ(tile.slot, span->slot + (tile.x - span->x * kPerBin) * kPerBin + tile.y % kPerBin);
+            EXPECT_EQ(tile.x / kPerBin, first.x / kPerBin);
+            EXPECT_EQ(tile.y / kPerBin, first.y / kPerBin);
         }
-        EXPECT_EQ(slots.size(), bins.size() * kPerBin * kPerBin);
-        if (!slots.empty()) {
-            EXPECT_EQ(*slots.rbegin(), slots.size() - 1);
-        }
+        EXPECT_EQ(tiles.size(), bins.size() * kPerBin * kPerBin);
         for (const TileLists::Span& span : lists.spans())
             for (std::uint32_t x = span.x; x < span.endX; ++x) EXPECT_TRUE(inSpans.emplace(x, span.y).second);
         EXPECT_EQ(inSpans, bins);

@@ -1,0 +1,18 @@
+// What a pixel, or a sample of one, sees of a primitive, beside its number: where it changes, a boundary runs.
+#ifndef NACRE_SIGHT_GLSL
+#define NACRE_SIGHT_GLSL
+#include "hit.glsl"
+
+const uint kSecondHalf = 0x80000000u;
+const uint kContour = 0x40000000u;
+const uint kCutFace = 0x20000000u;
+const uint kThirdCorner = 0x10000000u;
+const uint kNumber = 0x0fffffffu;
+// A primitive looks the same wherever it is seen, if it is a sphere.
+const bool kPlain = !kClip && !kContours;
+
+uint sightOf(Hit hit, uint number) {
+    return number | (hit.along >= 0.5 || hit.corner == 1u ? kSecondHalf : 0u) | (hit.corner == 2u ? kThirdCorner : 0u) |
+           (kContours && hit.contour ? kContour : 0u) | (kClip && hit.cap ? kCutFace : 0u);
+}
+#endif
