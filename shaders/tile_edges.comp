@@ -208,7 +208,22 @@ vec3 shadeAt(uint sight, vec2 place) {
     return clamp(lightOf(seen.hit, lookAt(seen.look), seen.occlusion, q), 0.0, 1.0);
 }
 
-/// Light and coverage of the lane's pixel. The middle of what shows of a line, or of what a plane cut, may be elsewhere.
+/// Where what some samples see is shaded: in their middle. What shows of a line, or of what a plane cut, may not be there:
+/// then where the sample is that is nearest to it. @param bits  of the samples
+vec2 placeOf(uint bits, vec2 middle) {
+    if (kPlain) return middle;
+    vec2 place = middle;
+    float least = 4.0;
+    for (int i = 0; i < kSamples; ++i) {
+        vec2 away = sampleAt(i) - middle;
+        float square = (bits >> uint(i) & 1u) == 1u ? dot(away, away) : 4.0;
+        place = square < least ? sampleAt(i) : place;
+        least = min(least, square);
+    }
+    return place;
+}
+
+/// Light and coverage of the lane's pixel.
 vec4 shadeEdge() {
     vec3 light = vec3(0.0);
     float covered = 0.0;
@@ -216,17 +231,18 @@ vec4 shadeEdge() {
     do {
         uint sight = 0u;
         for (int i = 0; i < kSamples; ++i) sight = max(sight, seen[i]);
-        vec2 sum = vec2(0.0), last = vec2(0.0);
+        vec2 sum = vec2(0.0);
         float count = 0.0;
+        uint bits = 0u;
         for (int i = 0; i < kSamples; ++i) {
             bool same = seen[i] == sight;
             sum += same ? sampleAt(i) : vec2(0.0);
-            last = same ? sampleAt(i) : last;
+            bits |= same ? 1u << uint(i) : 0u;
             count += same ? 1.0 : 0.0;
             seen[i] = same ? 0u : seen[i];
         }
         if (sight != 0u) {
-            light += count * shadeAt(sight, corner + (kPlain ? sum / count : last));
+            light += count * shadeAt(sight, corner + placeOf(bits, sum / count));
             covered += count;
             countFragment();
         }
