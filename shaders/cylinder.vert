@@ -1,15 +1,25 @@
 #version 450
 // The impostor polygon of a cylinder: a rectangle along its axis, flat, at the cylinder's nearest depth.
+//   LOOK, ATOM, NUMBER   as in sphere.vert
 #extension GL_GOOGLE_include_directive : require
 #include "common/atlas.glsl"
+#ifdef LOOK
+#include "common/copy_color.glsl"
+#endif
 #include "common/outline.glsl"
 
 layout(location = 0) in vec4 inA;  // xyz, radius
 layout(location = 1) in vec4 inB;
 #ifdef LOOK
 layout(location = 2) in uvec4 inLook;
-layout(location = 2) flat out uvec4 look;
-layout(location = 3) flat out vec4 axisPatch;  // object-space axis, patch address as bits
+#ifdef ATOM
+layout(location = 2) flat out uvec2 atoms;
+#else
+layout(location = 2) flat out vec3 baseA;  // linear colours
+layout(location = 3) flat out vec3 baseB;
+#endif
+layout(location = 5) flat out vec3 axis;  // object space
+layout(location = 6) flat out vec2 place;  // of its patch
 #endif
 layout(location = 0) flat out vec4 endA;  // view space, radius
 layout(location = 1) flat out vec4 endB;
@@ -30,14 +40,20 @@ void main() {
     endA = vec4(a, radius);
     endB = vec4(b, 0.0);
 #ifdef LOOK
-    look = inLook;
-    axisPatch = vec4(normalize(inB.xyz - inA.xyz), uintBitsToFloat(cylinderPatch(uint(gl_InstanceIndex))));
+#ifdef ATOM
+    atoms = inLook.zw;
+#else
+    baseA = linearColor(inLook.x);
+    baseB = linearColor(inLook.y);
+#endif
+    axis = normalize(inB.xyz - inA.xyz);
+    place = patchPlace(cylinderPatch(uint(gl_InstanceIndex)));
 #endif
 #ifdef NUMBER
     // After the copy's spheres.
     primitive = view.numberBefore + view.spheres + uint(gl_InstanceIndex) + 1u;
 #endif
-    vec3 axis = normalize(b - a);
+    vec3 ahead = normalize(b - a);
     // Both ends' silhouettes as spheres of the cylinder's radius: their hull holds the cylinder in any projection.
     Outline oa = sphereOutline(a, reachOf(a.z, radius));
     Outline ob = sphereOutline(b, reachOf(b.z, radius));
@@ -51,7 +67,7 @@ void main() {
     high = max(high, reach(oa, u));
     if (!kPerspective) {
         // A flat cap sticks out by r |axis.z| only.
-        float cap = radius * abs(axis.z) + view.snap;
+        float cap = radius * abs(ahead.z) + view.snap;
         low = dot(oa.center, u) - cap;
         high = dot(ob.center, u) + cap;
     }
@@ -61,6 +77,6 @@ void main() {
     bool second = (gl_VertexIndex & 2) == 0;
     vec2 q = u * (first ? low : high) + v * (second ? left : right);
     if (isCutOff(0.5 * (a + b))) q = oa.center;
-    float front = max(a.z, b.z) + radius * sqrt(max(1.0 - axis.z * axis.z, 0.0));
+    float front = max(a.z, b.z) + radius * sqrt(max(1.0 - ahead.z * ahead.z, 0.0));
     gl_Position = clipPosition(q, encodedDepth(view.origin - front - radius * 1e-3));
 }

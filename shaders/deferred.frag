@@ -26,6 +26,10 @@ layout(set = 0, binding = 4, std430) readonly buffer Shapes { uvec4 shapes[]; };
 vec4 shapeAt(uint i) { return uintBitsToFloat(shapes[i]); }
 layout(set = 0, binding = 5, std430) readonly buffer Looks { uint looks[]; };  // two a sphere, four a cylinder, two for vertices that look the same
 layout(set = 0, binding = 6, std430) readonly buffer CopyRows { vec4 copyRows[]; };  // three a copy
+// What the scene has of; what it has none of costs nothing.
+layout(constant_id = kCopiesId) const bool kCopies = true;
+layout(constant_id = kCylindersId) const bool kCylinders = true;
+layout(constant_id = kTrianglesId) const bool kTriangles = true;
 #if defined(NEAREST_INPUT)
 layout(input_attachment_index = 0, set = 0, binding = 7) uniform subpassInput nearest;
 bool isHidden(float d) { return !isFrontmost(d, subpassLoad(nearest)); }
@@ -34,26 +38,59 @@ layout(set = 0, binding = 7) uniform sampler2D nearest;
 bool isHidden(float d) { return !isFrontmost(d, texelFetch(nearest, ivec2(gl_FragCoord.xy), 0)); }
 #endif
 
+/// What a pixel shows of its primitive, whatever its kind: shading comes once, behind all of them.
+struct Shown {
+    Hit hit;
+    uint look;        // where the primitive's colour stands in the looks, before its atom
+    float occlusion;  // of triangles; the others' is a texel of a patch:
+    uint patchAddress;
+    vec2 at, texels;  // where in the patch, 0..1, and its size
+};
+
+/// Sets the copy that a number stands for. @returns the primitive in it
+uint placed(uint number) {
+    uvec2 at = kCopies ? divided(number - 1u, view.primitives) : uvec2(0u, number - 1u);
+    copyIndex = at.x;
+    copyRow0 = copyRows[3u * at.x];
+    copyRow1 = copyRows[3u * at.x + 1u];
+    copyRow2 = copyRows[3u * at.x + 2u];
+    return at.y;
+}
+
 /// @param index  of the triangle
-void shadeTriangle(uint index) {
+void showTriangle(uint index, inout Shown shown) {
     uvec4 record = shapes[view.spheres + 2u * view.cylinders + index];
     // Not an array that is indexed: drivers keep such in memory, and one ends the program over it (docs/tilers.md).
     uvec4 v0 = shapes[record.x], v1 = shapes[record.y], v2 = shapes[record.z];
     float step = uintBitsToFloat(record.w);
     Hit hit = triangleHitThrough(cornerOf(v0, step), cornerOf(v1, step), cornerOf(v2, step),
                                  joinsOf(v0.w, v1.w, v2.w), planePoint(gl_FragCoord.xy));
-#ifdef TRANSLUCENT
-    float d = encodedDepth(hit.order);
-#ifdef TESTED
-    gl_FragDepth = d;
-#else
-    if (isHidden(d)) discard;
-#endif
-#endif
     smoothNormal(hit, uvec3(v0.z, v1.z, v2.z));
-    uint look = hit.corner == 0u ? v0.w : hit.corner == 1u ? v1.w : v2.w;
-    writeSurface(hit, looks[look], looks[look + 1u],
-                 meshOcclusion(hit, record.xyz - (view.primitives + view.cylinders)));
+    shown.look = hit.corner == 0u ? v0.w : hit.corner == 1u ? v1.w : v2.w;
+    shown.occlusion = meshOcclusion(hit, record.xyz - (view.primitives + view.cylinders));
+    shown.hit = hit;
+}
+
+void showCylinder(uint index, inout Shown shown) {
+    vec4 shapeA = shapeAt(view.spheres + 2u * index);
+    vec3 shapeB = shapeAt(view.spheres + 2u * index + 1u).xyz;
+    precise vec3 a = toView(shapeA.xyz);
+    precise vec3 b = toView(shapeB);
+    shown.hit = cylinderHit(a, b, shapeA.w, gl_FragCoord.xy);
+    shown.look = 2u * view.spheres + 4u * index + (shown.hit.along < 0.5 ? 0u : 1u);
+    shown.at = cylinderCoordinate(shown.hit, normalize(shapeB - shapeA.xyz));
+    shown.texels = vec2(cylinderTexels());
+    shown.patchAddress = cylinderPatch(index);
+}
+
+void showSphere(uint index, inout Shown shown) {
+    vec4 shape = shapeAt(index);
+    precise vec3 center = toView(shape.xyz);
+    shown.hit = sphereHit(vec4(center, shape.w), gl_FragCoord.xy);
+    shown.look = 2u * index;
+    shown.at = sphereCoordinate(shown.hit);
+    shown.texels = vec2(sphereEdge());
+    shown.patchAddress = spherePatch(index);
 }
 
 void main() {
@@ -67,36 +104,29 @@ void main() {
     if (number == 0u) discard;
 #endif
     countFragment();
-    uint primitives = view.primitives;
-    uint copy = (number - 1u) / primitives;
-    uint index = (number - 1u) % primitives;
-    copyIndex = copy;
-    copyRow0 = copyRows[3u * copy];
-    copyRow1 = copyRows[3u * copy + 1u];
-    copyRow2 = copyRows[3u * copy + 2u];
-    uint spheres = view.spheres;
+    uint index = placed(number);
+    Shown shown = Shown(noHit(), 0u, 1.0, 0u, vec2(0.0), vec2(2.0));
+    uint firstTriangle = view.spheres + view.cylinders;
+    bool cylinder = kCylinders && index >= view.spheres && index < firstTriangle;
+    bool triangle = kTriangles && index >= firstTriangle;
 #ifdef TRANSLUCENT
-    shadeTriangle(index - spheres - view.cylinders);
+    showTriangle(index - firstTriangle, shown);
+    float d = encodedDepth(shown.hit.order);
+#ifdef TESTED
+    gl_FragDepth = d;
 #else
-    if (index < spheres) {
-        vec4 shape = shapeAt(index);
-        precise vec3 center = toView(shape.xyz);
-        Hit hit = sphereHit(vec4(center, shape.w), gl_FragCoord.xy);
-        writeSurface(hit, looks[2u * index], looks[2u * index + 1u], sphereOcclusion(hit, spherePatch(index)));
-        return;
-    }
-    index -= spheres;
-    if (index >= view.cylinders) {
-        shadeTriangle(index - view.cylinders);
-        return;
-    }
-    vec4 shapeA = shapeAt(spheres + 2u * index);
-    vec3 shapeB = shapeAt(spheres + 2u * index + 1u).xyz;
-    precise vec3 a = toView(shapeA.xyz);
-    precise vec3 b = toView(shapeB);
-    Hit hit = cylinderHit(a, b, shapeA.w, gl_FragCoord.xy);
-    uint look = 2u * spheres + 4u * index + (hit.along < 0.5 ? 0u : 1u);
-    float occlusion = cylinderOcclusion(hit, normalize(shapeB - shapeA.xyz), cylinderPatch(index));
-    writeSurface(hit, looks[look], looks[look + 2u], occlusion);
+    if (isHidden(d)) discard;
 #endif
+#else
+    if (triangle)
+        showTriangle(index - firstTriangle, shown);
+    else if (cylinder)
+        showCylinder(index - view.spheres, shown);
+    else
+        showSphere(index, shown);
+    if (!triangle && shadesOcclusion(shown.hit))
+        shown.occlusion = patchTexel(patchPlace(shown.patchAddress), shown.at, shown.texels);
+#endif
+    // The atoms stand behind the colours, of which a cylinder has two.
+    writeSurface(shown.hit, looks[shown.look], looks[shown.look + (cylinder ? 2u : 1u)], shown.occlusion);
 }

@@ -12,16 +12,31 @@
 #include "common/encoding.glsl"
 #include "common/count.glsl"
 
+// What the vertex stage of each kind hands on, with colours or with atoms.
 #if defined(CYLINDER)
-layout(location = 2) flat in uvec4 look;  // colour a, colour b, atom a, atom b
-layout(location = 3) flat in vec4 axisPatch;
-#elif defined(TRIANGLE)
-layout(location = 5) flat in uvec3 normals;  // all as triangle.vert has them
-layout(location = 6) flat in uvec3 colors;
-layout(location = 7) flat in uvec3 atoms;
-layout(location = 8) flat in uvec3 vertices;
+#ifdef IDENTITY
+layout(location = 2) flat in uvec2 atoms;
 #else
-layout(location = 1) flat in uvec3 look;  // colour, atom, patch
+layout(location = 2) flat in vec3 baseA;
+layout(location = 3) flat in vec3 baseB;
+#endif
+layout(location = 5) flat in vec3 axis;
+layout(location = 6) flat in vec2 place;
+#elif defined(TRIANGLE)
+layout(location = 5) flat in uvec3 normals;
+#ifdef IDENTITY
+layout(location = 6) flat in uvec3 atoms;
+#else
+layout(location = 6) flat in uvec3 colors;
+#endif
+layout(location = 7) flat in uvec3 vertices;
+#else
+#ifdef IDENTITY
+layout(location = 1) flat in uint atom;
+#else
+layout(location = 1) flat in vec3 base;
+#endif
+layout(location = 2) flat in vec2 place;
 #endif
 
 #if defined(FRAGDEPTH) || defined(SETTLE)
@@ -44,13 +59,15 @@ vec4 nearestDepth() { return texelFetch(nearest, ivec2(gl_FragCoord.xy), 0); }
 void main() {
     countFragment();
     Hit hit = primitiveHit();
-    if (!hit.inside) discard;
     float d = encodedDepth(hit.order);
+    bool seen = hit.inside;
+#ifndef FRAGDEPTH
+    bool front = isFrontmost(d, nearestDepth());
+    seen = seen && front;  // no branch: one way out of the shader
+#endif
+    if (!seen) discard;
 #if defined(FRAGDEPTH) || defined(SETTLE)
     gl_FragDepth = d;
-#endif
-#ifndef FRAGDEPTH
-    if (!isFrontmost(d, nearestDepth())) discard;
 #endif
 #ifdef ORDERED
     nearestOut = vec4(d, 0.0, 0.0, 0.0);
@@ -58,12 +75,25 @@ void main() {
 #if defined(TRIANGLE)
     smoothNormal(hit, normals);
     float occlusion = meshOcclusion(hit, vertices);
-    writeSurface(hit, colors[hit.corner], atoms[hit.corner], occlusion);
+#ifdef IDENTITY
+    writeSurface(hit, atoms[hit.corner], occlusion);
+#else
+    writeSurface(hit, linearColor(colors[hit.corner]), occlusion);
+#endif
 #elif defined(CYLINDER)
     bool first = hit.along < 0.5;
-    float occlusion = cylinderOcclusion(hit, axisPatch.xyz, floatBitsToUint(axisPatch.w));
-    writeSurface(hit, first ? look.x : look.y, first ? look.z : look.w, occlusion);
+    float occlusion = cylinderOcclusion(hit, axis, place);
+#ifdef IDENTITY
+    writeSurface(hit, first ? atoms.x : atoms.y, occlusion);
 #else
-    writeSurface(hit, look.x, look.y, sphereOcclusion(hit, look.z));
+    writeSurface(hit, first ? baseA : baseB, occlusion);
+#endif
+#else
+    float occlusion = sphereOcclusion(hit, place);
+#ifdef IDENTITY
+    writeSurface(hit, atom, occlusion);
+#else
+    writeSurface(hit, base, occlusion);
+#endif
 #endif
 }

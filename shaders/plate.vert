@@ -4,23 +4,21 @@
 // caps may stand behind, are not drawn.
 #extension GL_GOOGLE_include_directive : require
 #include "common/view.glsl"
-#include "common/outline.glsl"
 
 // Corner radius of the plate in sphere radii; it stands sqrt(1 - rim^2) in front of the centre.
 layout(constant_id = kRimId) const float kRim = 0.98516;
 
 layout(location = 0) in vec4 inSphere;
+layout(location = 3) in vec3 inCorner;  // engine/passes/corners.h
 invariant gl_Position;
 
 void main() {
     precise vec3 center = toView(inSphere.xyz);
-    float radius = inSphere.w * (1.0 - 1e-3);
-    float Z = view.origin - center.z - radius * sqrt(1.0 - kRim * kRim);
+    const float kShrunk = 1.0 - 1e-3;
+    float Z = view.origin - center.z - inSphere.w * (kShrunk * sqrt(1.0 - kRim * kRim));
     float magnify = kPerspective ? view.origin / Z : 1.0;
-    // The cosine of half a side's angle takes the corners of the circumscribed polygon back to the rim. The rasteriser
-    // may move a corner by the snap margin: draw that much less, or nothing.
-    float inset = kCorners == 4 ? 0.70710678 : 0.92387953;
-    float reach = max((radius * kRim - view.snap / magnify * 1.5) * inset, 0.0);
+    // The rasteriser may move a corner by the snap margin: draw that much less, or nothing.
+    float reach = max(inSphere.w * (kShrunk * kRim) - view.snap / magnify * 1.5, 0.0);
     if (kClip && (Z < view.clipNear + kCapDepth || Z > view.clipFar)) reach = 0.0;
-    gl_Position = clipPosition((center.xy + corner(gl_VertexIndex) * reach) * magnify, encodedDepth(Z));
+    gl_Position = clipPosition((center.xy + inCorner.xy * reach) * magnify, encodedDepth(Z));
 }

@@ -1,13 +1,24 @@
 #version 450
 // The impostor polygon of a sphere: flat, at the sphere's nearest depth, around its silhouette.
+//   LOOK     what shading needs goes along; with ATOM the atom's number in place of the colour
+//   NUMBER   the primitive's number goes along
 #extension GL_GOOGLE_include_directive : require
 #include "common/atlas.glsl"
+#ifdef LOOK
+#include "common/copy_color.glsl"
+#endif
 #include "common/outline.glsl"
 
 layout(location = 0) in vec4 inSphere;
+layout(location = 3) in vec3 inCorner;  // engine/passes/corners.h
 #ifdef LOOK
 layout(location = 1) in uvec2 inLook;
-layout(location = 1) flat out uvec3 look;  // colour, atom, patch
+#ifdef ATOM
+layout(location = 1) flat out uint atom;
+#else
+layout(location = 1) flat out vec3 base;  // linear colour: made once a primitive, not once a pixel
+#endif
+layout(location = 2) flat out vec2 place;  // of its patch
 #endif
 layout(location = 0) flat out vec4 sphere;
 #ifdef NUMBER
@@ -20,18 +31,20 @@ void main() {
     float radius = inSphere.w;
     sphere = vec4(center, radius);
 #ifdef LOOK
-    look = uvec3(inLook, spherePatch(uint(gl_InstanceIndex)));
+#ifdef ATOM
+    atom = inLook.y;
+#else
+    base = linearColor(inLook.x);
+#endif
+    place = patchPlace(spherePatch(uint(gl_InstanceIndex)));
 #endif
 #ifdef NUMBER
     primitive = view.numberBefore + uint(gl_InstanceIndex) + 1u;
 #endif
     Outline outline = sphereOutline(center, reachOf(center.z, radius));
-    bool apex;
-    vec2 e = kCorners == 9 ? pyramidCorner(gl_VertexIndex, apex) : corner(gl_VertexIndex);
-    vec2 q = outline.center + outline.axisU * e.x + outline.axisV * e.y;
-    // A little nearer than the nearest point, so that rounding never lets the fixed-function test cut into it.
-    float front = radius * 1.001;
-    if (kCorners == 9) front = radius * (pyramidHeight(apex) + 2e-3) + 2.0 * view.snap;
+    vec2 q = outline.center + outline.axisU * inCorner.x + outline.axisV * inCorner.y;
+    // Where facets lean, a corner that the rasteriser moves is nearer or farther.
+    float front = radius * inCorner.z + (kCorners == 9 ? 2.0 * view.snap : 0.0);
     if (isCutOff(center)) q = outline.center;
     gl_Position = clipPosition(q, encodedDepth(view.origin - center.z - front));
 }

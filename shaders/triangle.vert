@@ -2,7 +2,7 @@
 // A polygon of three corners about a triangle, flat, at its nearest depth; or, as a plate, inside of it and at its
 // farthest. No instances: three vertices in a row are a triangle, which is fetched by its number.
 //   READS    the fragment stage reads images: the streams come after those in the set
-//   LOOK     what shading needs goes along
+//   LOOK     what shading needs goes along; with ATOM the atoms' numbers in place of the colours
 //   NUMBER   the primitive's number goes along
 //   PLATE    what is drawn certainly lies in the triangle's picture, behind it
 #extension GL_GOOGLE_include_directive : require
@@ -17,9 +17,12 @@ layout(set = 0, binding = FIRST, std430) readonly buffer Shapes { uvec4 shapes[]
 #ifdef LOOK
 layout(set = 0, binding = FIRST + 1, std430) readonly buffer Looks { uint looks[]; };
 layout(location = 5) flat out uvec3 normals;  // packed, object space
+#ifdef ATOM
+layout(location = 6) flat out uvec3 atoms;
+#else
 layout(location = 6) flat out uvec3 colors;
-layout(location = 7) flat out uvec3 atoms;
-layout(location = 8) flat out uvec3 vertices;  // numbers of the vertices in their stream
+#endif
+layout(location = 7) flat out uvec3 vertices;  // numbers of the vertices in their stream
 #endif
 #ifdef NUMBER
 layout(location = 4) flat out uint primitive;
@@ -61,8 +64,11 @@ void main() {
 #endif
 #ifdef LOOK
     normals = uvec3(v[0].z, v[1].z, v[2].z);
-    colors = uvec3(looks[v[0].w], looks[v[1].w], looks[v[2].w]);
+#ifdef ATOM
     atoms = uvec3(looks[v[0].w + 1u], looks[v[1].w + 1u], looks[v[2].w + 1u]);
+#else
+    colors = uvec3(looks[v[0].w], looks[v[1].w], looks[v[2].w]);
+#endif
     vertices = record.xyz - (view.primitives + view.cylinders);
 #endif
 #ifdef NUMBER

@@ -12,7 +12,8 @@ namespace {
 using graph::Verb;
 
 constexpr std::uint32_t kPosition = 16, kVec4 = 16, kNumber = 4, kThree = 12;
-constexpr std::uint32_t kSphereLook = kThree, kCylinderLook = 2 * kVec4, kTriangleLook = 4 * kThree;
+constexpr std::uint32_t kTwo = 8;
+constexpr std::uint32_t kSphereLook = kThree + kTwo, kCylinderLook = 3 * kThree + kTwo, kTriangleLook = 3 * kThree;
 
 /// Positions and varyings of a vertex as shaders/*.vert write them.
 struct VertexBytes {

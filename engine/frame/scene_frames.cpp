@@ -71,6 +71,7 @@ ScreenFrame SceneFrames::declareSeen(const RenderSettings& asked, const passes::
     const auto seen = viewScene(device_, *scene_, settings, view, used);
     seen->owner = scene_;
     seen->coded = picture && targets[0].format == VK_FORMAT_R8G8B8A8_UNORM;
+    seen->powers = !device_.caps().software;
     seen->fragments = std::move(fragments);
     if (lastRadius)
         seen->radiusPixels = *lastRadius =

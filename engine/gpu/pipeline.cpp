@@ -127,7 +127,8 @@ Layout makeLayout(const Device& device, const LayoutDescription& d) {
     for (std::uint32_t i = 0; i < d.bindings.size(); ++i) {
         constexpr vk::ShaderStageFlags kVertex = vk::ShaderStageFlagBits::eVertex;
         const bool ofVertices = i + d.ofVertices >= d.bindings.size();
-        bindings.emplace_back(i, d.bindings[i], 1, ofVertices ? kVertex : d.stages & ~kVertex);
+        const bool ofAll = d.bindings[i] == vk::DescriptorType::eUniformBuffer;
+        bindings.emplace_back(i, d.bindings[i], 1, ofVertices ? kVertex : ofAll ? d.stages : d.stages & ~kVertex);
     }
     Layout layout;
     layout.set = vk::raii::DescriptorSetLayout(*device, vk::DescriptorSetLayoutCreateInfo({}, bindings));

@@ -78,7 +78,7 @@ struct ComputePipeline {
 /// A layout of one set (bindings numbered from 0) and one range of push constants.
 struct LayoutDescription {
     std::string_view name;
-    std::span<const vk::DescriptorType> bindings;  ///< static
+    std::span<const vk::DescriptorType> bindings;  ///< static; what is no uniform buffer is not read by vertices
     vk::ShaderStageFlags stages;
     std::uint32_t pushConstantBytes = 0;
     bool counter = false;          ///< set 1: one storage buffer

@@ -65,6 +65,9 @@ void shade(gpu::PassContext& context, const SceneView& view, const gpu::LayoutDe
     const gpu::Layout& layout = context.pipelines.layout(described);
     setGeometryConstants(pass.constants, view);
     setShadingConstants(pass.constants, view);
+    pass.constants.set(layout::kCopiesId, view.copies.rows.size() > 3);
+    pass.constants.set(layout::kCylindersId, view.buffers->cylinderCount > 0);
+    pass.constants.set(layout::kTrianglesId, view.buffers->triangleCount > 0);
     bindFullScreen(context, pass, layout);
     bindReads(context, view, layout, reads, rims);
     bindCounter(context, view, layout);

@@ -52,9 +52,13 @@ void drawImpostorColor(gpu::PassContext& context, const SceneView& view, Output 
     pass.depth = reads.from == NearestFrom::depthBuffer || settles ? gpu::DepthUse::write : gpu::DepthUse::test;
     pass.colorsWritten = own ? 2 : 1;  // the nearest depth, too
     const Variant& variant = variantOf(output, reads.from, settles);
-    drawPrimitives(context, view, Primitive::sphere, {shaders::lookSphereVertex, variant.sphere}, pass);
-    drawPrimitives(context, view, Primitive::cylinder, {shaders::lookCylinderVertex, variant.cylinder}, pass);
-    drawPrimitives(context, view, Primitive::triangle, {shaders::lookTriangleVertex, variant.triangle}, pass);
+    const bool atoms = output == Output::identity;
+    drawPrimitives(context, view, Primitive::sphere,
+                   {atoms ? shaders::atomSphereVertex : shaders::lookSphereVertex, variant.sphere}, pass);
+    drawPrimitives(context, view, Primitive::cylinder,
+                   {atoms ? shaders::atomCylinderVertex : shaders::lookCylinderVertex, variant.cylinder}, pass);
+    drawPrimitives(context, view, Primitive::triangle,
+                   {atoms ? shaders::atomTriangleVertex : shaders::lookTriangleVertex, variant.triangle}, pass);
 }
 
 }  // namespace nacre::passes

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/passes/corners.h"
+
 namespace nacre::passes {
 namespace {
 
@@ -9,12 +11,12 @@ using Type = vk::DescriptorType;
 constexpr vk::ShaderStageFlags kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 constexpr auto kGraphics = vk::PipelineBindPoint::eGraphics;
 
-constexpr auto kInstance = vk::VertexInputRate::eInstance;
+constexpr auto kInstance = vk::VertexInputRate::eInstance, kVertex = vk::VertexInputRate::eVertex;
 constexpr auto kVec4 = vk::Format::eR32G32B32A32Sfloat;
-constexpr vk::VertexInputBindingDescription kSphereBindings[] = {{0, sizeof(Sphere), kInstance},
-                                                                 {1, sizeof(SphereLook), kInstance}};
-constexpr vk::VertexInputAttributeDescription kSphereAttributes[] = {{0, 0, kVec4, 0},
-                                                                     {1, 1, vk::Format::eR32G32Uint, 0}};
+constexpr vk::VertexInputBindingDescription kSphereBindings[] = {
+    {0, sizeof(Sphere), kInstance}, {2, sizeof(glm::vec3), kVertex}, {1, sizeof(SphereLook), kInstance}};
+constexpr vk::VertexInputAttributeDescription kSphereAttributes[] = {
+    {0, 0, kVec4, 0}, {3, 2, vk::Format::eR32G32B32Sfloat, 0}, {1, 1, vk::Format::eR32G32Uint, 0}};
 constexpr vk::VertexInputBindingDescription kCylinderBindings[] = {{0, sizeof(Cylinder), kInstance},
                                                                    {1, sizeof(CylinderLook), kInstance}};
 constexpr vk::VertexInputAttributeDescription kCylinderAttributes[] = {
@@ -24,7 +26,7 @@ constexpr vk::VertexInputAttributeDescription kCylinderAttributes[] = {
 gpu::VertexStreams streamsOf(Primitive primitive, bool looks) {
     if (primitive == Primitive::triangle) return {};
     if (primitive == Primitive::sphere)
-        return {std::span(kSphereBindings).first(looks ? 2 : 1), std::span(kSphereAttributes).first(looks ? 2 : 1)};
+        return {std::span(kSphereBindings).first(looks ? 3 : 2), std::span(kSphereAttributes).first(looks ? 3 : 2)};
     return {std::span(kCylinderBindings).first(looks ? 2 : 1), std::span(kCylinderAttributes).first(looks ? 3 : 2)};
 }
 
@@ -87,7 +89,7 @@ vk::Pipeline pipelineOf(gpu::PassContext& context, const SceneView& view, const 
     d.depth = pass.depth;
     d.blend = pass.blend;
     d.ordered = pass.reads && pass.reads->from == NearestFrom::ownAttachment;
-    d.strip = corners != kPyramidPoints && primitive != Primitive::triangle;
+    d.strip = corners != kPyramid.count && primitive != Primitive::triangle;
     return context.pipelines.graphics(d);
 }
 
@@ -131,19 +133,19 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
 }
 
 /// Corners of the polygon that a primitive is drawn in.
-std::uint32_t cornersOf(const gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
-                        Primitive primitive) {
-    if (primitive == Primitive::triangle) return 3;
-    if (pass.plate) return pass.plate->corners;
-    if (primitive != Primitive::sphere) return 4;
+CornerRange cornersOf(const gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
+                      Primitive primitive) {
+    if (primitive == Primitive::triangle) return {0, 3};
+    if (primitive != Primitive::sphere) return {0, 4};
+    if (pass.plate) return pass.plate->corners == kPlateSquare.count ? kPlateSquare : kPlateOctagon;
     const graph::GeometryCaps& caps = context.device.caps().plan.geometry;
     switch (chooseImpostor(view.impostor, caps, view.radiusPixels, view.perspective)) {
         case ImpostorShape::square:
-            return 4;
+            return kImpostorSquare;
         case ImpostorShape::octagon:
-            return 8;
+            return kImpostorOctagon;
         default:
-            return kPyramidPoints;
+            return kPyramid;
     }
 }
 
@@ -175,6 +177,7 @@ void setShadingConstants(gpu::Specialization& constants, const SceneView& view) 
     constants.set(layout::kDirectId, static_cast<float>(light.direct));
     constants.set(layout::kHighlightId, static_cast<float>(light.highlight));
     constants.set(layout::kGlossId, static_cast<float>(light.gloss));
+    constants.set(layout::kPowersId, view.powers);
     constants.set(layout::kDeepeningId, static_cast<float>(light.occlusion));
     constants.set(layout::kCodedId, view.coded);
     constants.set(layout::kCellsId, static_cast<bool>(view.occlusionCells));
@@ -197,16 +200,18 @@ void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive 
                                                               : view.copies.cylinders;
     const SceneBuffers& scene = *view.buffers;
     if (calls.empty() || scene.empty()) return;
-    const std::uint32_t corners = cornersOf(context, view, pass, primitive);
+    const CornerRange corners = cornersOf(context, view, pass, primitive);
+    const bool pyramid = sphere && corners.count == kPyramid.count;
     const gpu::Layout& layout = layoutOf(context, view, pass, primitive);
     const vk::raii::CommandBuffer& commands = context.commands;
-    commands.bindPipeline(kGraphics, pipelineOf(context, view, pass, shaders, primitive, corners));
+    commands.bindPipeline(kGraphics, pipelineOf(context, view, pass, shaders, primitive, corners.count));
     bindReads(context, view, layout, pass.reads, triangle || pass.streams);
     bindCounter(context, view, layout);
     if (!triangle)
         commands.bindVertexBuffers(0, {*scene.shapes.handle, *scene.looks.handle},
                                    {sphere ? 0 : scene.cylinderOffset, sphere ? 0 : scene.cylinderLookOffset});
-    if (corners == kPyramidPoints) commands.bindIndexBuffer(*scene.pyramid.handle, 0, vk::IndexType::eUint16);
+    if (sphere) commands.bindVertexBuffers(2, *scene.corners.handle, vk::DeviceSize{0});
+    if (pyramid) commands.bindIndexBuffer(*scene.pyramid.handle, 0, vk::IndexType::eUint16);
     layout::ViewConstants constants = view.constants;
     // By these the vertex stage finds the triangles, whoever looks: a viewer, a light, or a bake.
     constants.spheres = scene.sphereCount;
@@ -224,10 +229,10 @@ void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive 
         }
         for (std::uint32_t first = call.first, end = first + call.count; first < end; first += kMostInstances) {
             const std::uint32_t count = std::min(end - first, kMostInstances);
-            if (corners == kPyramidPoints)
-                commands.drawIndexed(kPyramidIndices, count, 0, 0, first);
+            if (pyramid)
+                commands.drawIndexed(kPyramidIndices, count, 0, static_cast<std::int32_t>(corners.first), first);
             else
-                commands.draw(corners, count, 0, first);
+                commands.draw(corners.count, count, corners.first, first);
         }
     }
 }

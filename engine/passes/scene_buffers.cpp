@@ -1,7 +1,8 @@
 #include "engine/passes/scene_buffers.h"
 
-#include <array>
 #include <cstring>
+
+#include "engine/passes/corners.h"
 
 namespace nacre::passes {
 
@@ -38,15 +39,6 @@ std::vector<MeshVertex> placedVertices(const Representation& r) {
     return vertices;
 }
 
-std::array<std::uint16_t, kPyramidIndices> pyramidIndices() {
-    std::array<std::uint16_t, kPyramidIndices> indices{};
-    for (std::uint16_t facet = 0; facet < 8; ++facet) {
-        indices[3 * facet + 1] = static_cast<std::uint16_t>(facet + 1);
-        indices[3 * facet + 2] = static_cast<std::uint16_t>((facet + 1) % 8 + 1);
-    }
-    return indices;
-}
-
 /// Groups of the atoms that looks name, in the order of the looks.
 std::vector<std::uint32_t> groupsOf(const Representation& r) {
     std::vector<std::uint32_t> groups;
@@ -74,6 +66,9 @@ SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r
     scene.looks = joined(device, "stream B: looks", r.sphereLooks, r.cylinderLooks, r.meshLooks, groupsOf(r));
     scene.firstGroup =
         static_cast<std::uint32_t>(2 * r.spheres.size() + 4 * r.cylinders.size() + 2 * r.meshLooks.size());
+    const auto corners = cornerStream();
+    scene.corners =
+        gpu::makeBuffer(device, std::span<const glm::vec3>(corners), vk::BufferUsageFlagBits::eVertexBuffer, "corners");
     const auto indices = pyramidIndices();
     scene.pyramid = gpu::makeBuffer(device, std::span<const std::uint16_t>(indices),
                                     vk::BufferUsageFlagBits::eIndexBuffer, "pyramid indices");

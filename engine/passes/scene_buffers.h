@@ -5,15 +5,12 @@
 
 namespace nacre::passes {
 
-/// The leaning impostor of a sphere: eight facets from an apex to corners 1 to 8.
-constexpr std::uint32_t kPyramidPoints = 9, kPyramidIndices = 24;
-
 /// The streams of a representation on the device. Geometry passes fetch stream A alone, shading A and B.
 struct SceneBuffers {
     gpu::Buffer shapes;  ///< stream A: spheres, cylinders, triangles, and vertices of these
     gpu::Buffer
         looks;  ///< stream B: of spheres, of cylinders, and those that vertices share; then the groups of their atoms
-    gpu::Buffer pyramid;                                             ///< kPyramidIndices indices, 16 bits each
+    gpu::Buffer corners, pyramid;                                    ///< of passes/corners.h: the stream, the indices
     vk::raii::BufferView shapeTexels{nullptr}, lookTexels{nullptr};  ///< where texel buffers hold whole streams
     std::uint32_t sphereCount = 0, cylinderCount = 0, triangleCount = 0;
     std::uint32_t firstGroup = 0;                               ///< word of the looks at which groups begin

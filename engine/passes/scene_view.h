@@ -38,6 +38,7 @@ struct SceneView {
     std::shared_ptr<const TileFrame> tiles;       ///< of the `tiles` path
     std::shared_ptr<const gpu::Buffer> copyRows;  ///< copies.rows on the device, for `deferred` shading
     bool coded = false;                           ///< colour is written sRGB-coded, else linear
+    bool powers = false;                          ///< the device raises to powers in a few instructions
     bool perspective = false;
     int quarterTurns = 0;    ///< as in View
     bool wholeImage = true;  ///< the viewport is the whole image; else it has the view axis in its middle

@@ -1,5 +1,6 @@
 // Where the patch of a primitive lies in the occlusion atlas: rows of spheres' patches, then rows of cylinders',
-// then the vertices of meshes, two texels each (engine/occlusion/atlas_layout.h). It follows from the primitive's number, so that no stream says it.
+// then the vertices of meshes, two texels each (engine/occlusion/atlas_layout.h). It follows from the primitive's number,
+// so that no stream says it. An atlas has fewer rows than 2^20.
 #include "divide.glsl"
 #include "view.glsl"
 
@@ -8,14 +9,24 @@ uvec2 cylinderTexels() { return uvec2(view.patchTexels >> 8 & 0xffu, view.patchT
 
 /// First texel of the patch of a sphere, x | y << 16. @param index  within its copy
 uint spherePatch(uint index) {
-    uvec2 at = divided(index, view.patchesInRow & 0xffffu);
+    uvec2 at = dividedSmall(index, view.patchesInRow & 0xffffu);
     return (at.y | at.x << 16) * sphereEdge();
 }
 uint cylinderPatch(uint index) {
     uint spherePatches = view.patchesInRow & 0xffffu;
     uint top = (view.spheres + spherePatches - 1u) / spherePatches * sphereEdge();
-    uvec2 at = divided(index, view.patchesInRow >> 16).yx * cylinderTexels();
+    uvec2 at = dividedSmall(index, view.patchesInRow >> 16).yx * cylinderTexels();
     return at.x | (at.y + top) << 16;
+}
+
+// Shaders interpolate occlusion themselves, as its cells are: else the sampler does.
+layout(constant_id = kCellsId) const bool kCells = false;
+
+/// A patch by its address, as shaders look it up: its first texel or, for the sampler, that texel's coordinate.
+vec2 patchPlace(uint address) {
+    precise vec2 corner = vec2(address & 0xffffu, address >> 16);
+    precise vec2 coordinate = (corner + 0.5) * view.atlasTexel;
+    return kCells ? corner : coordinate;
 }
 
 /// Where a vertex's texel stands. @param side  0 the outer one, 1 the inner one
@@ -23,6 +34,6 @@ ivec2 vertexPlace(uint vertex, uint side) {
     uint spherePatches = view.patchesInRow & 0xffffu, cylinderPatches = view.patchesInRow >> 16;
     uint top = (view.spheres + spherePatches - 1u) / spherePatches * sphereEdge() +
                (view.cylinders + cylinderPatches - 1u) / cylinderPatches * cylinderTexels().y;
-    uvec2 at = divided(2u * vertex + side, uint(1.0 / view.atlasTexel.x + 0.5));
+    uvec2 at = dividedSmall(2u * vertex + side, uint(1.0 / view.atlasTexel.x + 0.5));
     return ivec2(at.y, at.x + top);
 }

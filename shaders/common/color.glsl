@@ -8,7 +8,6 @@
 #include "hit.glsl"
 #include "patch.glsl"
 #include "shading.glsl"
-#include "srgb.glsl"
 #ifndef ATLAS
 #define ATLAS 0
 #endif
@@ -19,14 +18,12 @@
 layout(set = 0, binding = ATLAS) uniform sampler2D occlusionAtlas;
 layout(set = 0, binding = SHADOW) uniform sampler2D shadowMap;
 layout(constant_id = kOcclusionId) const bool kOcclusion = true;
-layout(constant_id = kCellsId) const bool kCells = false;
 layout(constant_id = kCapId) const int kCap = 0;
 layout(constant_id = kShadowId) const bool kShadow = false;
 // The target takes sRGB-coded colour as it is; otherwise linear light.
 layout(constant_id = kCodedId) const bool kCoded = false;
 
 #include "copy_color.glsl"
-vec3 linearColor(uint srgb) { return colorInCopy(linearFromSrgb(unpackUnorm4x8(srgb).rgb), srgb); }
 
 /// A cell lies between four texels of a patch.
 struct Cell {
@@ -45,11 +42,11 @@ float between(vec4 texels, vec2 share) {
     return texel;
 }
 
-float patchTexel(uint address, vec2 uv, vec2 texels) {
-    vec2 corner = vec2(address & 0xffffu, address >> 16);
-    if (!kCells) return textureLod(occlusionAtlas, (corner + 0.5 + uv * (texels - 1.0)) * view.atlasTexel, 0.0).r;
+/// @param place  of the patch: patchPlace()
+float patchTexel(vec2 place, vec2 uv, vec2 texels) {
+    if (!kCells) return textureLod(occlusionAtlas, place + uv * ((texels - 1.0) * view.atlasTexel), 0.0).r;
     Cell cell = cellOf(uv, texels);
-    ivec2 at = ivec2(corner + cell.first);
+    ivec2 at = ivec2(place + cell.first);
     vec4 four = vec4(texelFetch(occlusionAtlas, at, 0).r, texelFetch(occlusionAtlas, at + ivec2(1, 0), 0).r,
                      texelFetch(occlusionAtlas, at + ivec2(0, 1), 0).r, texelFetch(occlusionAtlas, at + 1, 0).r);
     return between(floor(four * 255.0 + 0.5), cell.share);
@@ -70,13 +67,13 @@ float cellTexel(uint firstCell, vec2 uv, vec2 texels) {
 uint sphereCells() { return (sphereEdge() - 1u) * (sphereEdge() - 1u); }
 float sphereTexel(uint index, vec2 uv) {
     vec2 texels = vec2(sphereEdge());
-    return kCells ? cellTexel(index * sphereCells(), uv, texels) : patchTexel(spherePatch(index), uv, texels);
+    return kCells ? cellTexel(index * sphereCells(), uv, texels) : patchTexel(patchPlace(spherePatch(index)), uv, texels);
 }
 float cylinderTexel(uint index, vec2 uv) {
     uvec2 texels = cylinderTexels();
     uint cells = (texels.x - 1u) * (texels.y - 1u);
     if (kCells) return cellTexel(view.spheres * sphereCells() + index * cells, uv, vec2(texels));
-    return patchTexel(cylinderPatch(index), uv, vec2(texels));
+    return patchTexel(patchPlace(cylinderPatch(index)), uv, vec2(texels));
 }
 /// Vertices stand behind the cells, four texels a word.
 float vertexTexel(uint vertex, uint side) {
@@ -88,8 +85,10 @@ float vertexTexel(uint vertex, uint side) {
 }
 #else
 float vertexTexel(uint vertex, uint side) { return vertexTexelOfAtlas(vertex, side); }
-float sphereTexel(uint index, vec2 uv) { return patchTexel(spherePatch(index), uv, vec2(sphereEdge())); }
-float cylinderTexel(uint index, vec2 uv) { return patchTexel(cylinderPatch(index), uv, vec2(cylinderTexels())); }
+float sphereTexel(uint index, vec2 uv) { return patchTexel(patchPlace(spherePatch(index)), uv, vec2(sphereEdge())); }
+float cylinderTexel(uint index, vec2 uv) {
+    return patchTexel(patchPlace(cylinderPatch(index)), uv, vec2(cylinderTexels()));
+}
 #endif
 
 bool shadesOcclusion(Hit hit) { return kOcclusion && !hit.cap && !hit.contour; }
@@ -97,12 +96,13 @@ vec2 sphereCoordinate(Hit hit) { return octahedralCoordinate(toObject(hit.normal
 vec2 cylinderCoordinate(Hit hit, vec3 objectAxis) {
     return vec2(angleAbout(objectAxis, toObject(hit.normal)), hit.along);
 }
-float sphereOcclusion(Hit hit, uint patchAddress) {
-    return shadesOcclusion(hit) ? patchTexel(patchAddress, sphereCoordinate(hit), vec2(sphereEdge())) : 1.0;
+/// @param place  of the primitive's patch: patchPlace()
+float sphereOcclusion(Hit hit, vec2 place) {
+    return shadesOcclusion(hit) ? patchTexel(place, sphereCoordinate(hit), vec2(sphereEdge())) : 1.0;
 }
-float cylinderOcclusion(Hit hit, vec3 objectAxis, uint patchAddress) {
+float cylinderOcclusion(Hit hit, vec3 objectAxis, vec2 place) {
     if (!shadesOcclusion(hit)) return 1.0;
-    return patchTexel(patchAddress, cylinderCoordinate(hit, objectAxis), vec2(cylinderTexels()));
+    return patchTexel(place, cylinderCoordinate(hit, objectAxis), vec2(cylinderTexels()));
 }
 
 /// @param vertices  numbers of a triangle's
@@ -155,14 +155,16 @@ float capShade(vec2 q) {
     return mix(1.0, 0.45, clamp(inside + 0.5, 0.0, 1.0));
 }
 
-/// In linear light. @param q  planePoint() of the pixel
-vec3 lightOf(Hit hit, uint colorBits, float occlusion, vec2 q) {
+/// In linear light. @param base  linear colour @param q  planePoint() of the pixel
+vec3 lightOf(Hit hit, vec3 base, float occlusion, vec2 q) {
     occlusion = max(occlusion, leastOcclusion());
-    vec3 lit = shade(linearColor(colorBits), hit.normal, kClip && !hit.cap ? opened(occlusion) : occlusion,
-                     sunlight(hit, q));
+    vec3 lit = shade(base, hit.normal, kClip && !hit.cap ? opened(occlusion) : occlusion, sunlight(hit, q));
     if (kClip && hit.cap) lit *= capShade(q);
     if (kContours && hit.contour) lit = effects.contour.rgb;
     return kFog ? mix(lit, effects.fog.rgb, fogAt(hit.Z)) : lit;
+}
+vec3 lightOf(Hit hit, uint colorBits, float occlusion, vec2 q) {
+    return lightOf(hit, linearColor(colorBits), occlusion, q);
 }
 vec3 asTargetTakesIt(vec3 lit) { return kCoded ? srgbFromLinear(clamp(lit, 0.0, 1.0)) : lit; }
 vec3 colorOf(Hit hit, uint colorBits, float occlusion, vec2 q) {

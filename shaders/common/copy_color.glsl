@@ -1,5 +1,7 @@
 // Colours by copy of an assembly: a primitive is stored once for all its copies, so that only the shader knows which one
 // a pixel shows. Copies take the colours of a list in turn.
+#include "effects.glsl"
+#include "srgb.glsl"
 layout(constant_id = kCopyColorsId) const int kCopyColors = 0;
 
 uint copyHere() {
@@ -16,6 +18,9 @@ vec3 colorInCopy(vec3 color, uint bits) {
     if (kCopyColors == 0 || (bits >> 24 & 1u) == 1u) return color;
     return color * effects.copyColors[copyHere() % uint(kCopyColors)].rgb;
 }
+
+/// Of a colour as it is stored.
+vec3 linearColor(uint srgb) { return colorInCopy(linearFromSrgb(unpackUnorm4x8(srgb).rgb), srgb); }
 
 /// Of a mesh's colour: 1 hides what is behind it.
 float opacityOf(uint bits) { return float((bits >> 25) + 1u) / 128.0; }

@@ -12,4 +12,11 @@ uvec2 divided(uint number, uint by) {
     int off = rest < 0 ? -1 : rest >= int(by) ? 1 : 0;
     return uvec2(quotient + uint(off), uint(rest - off * int(by)));
 }
+/// The same for a quotient below 2^20.
+uvec2 dividedSmall(uint number, uint by) {
+    int quotient = int(float(number) / float(by));
+    int rest = int(number) - quotient * int(by);
+    int off = rest < 0 ? -1 : rest >= int(by) ? 1 : 0;
+    return uvec2(quotient + off, rest - off * int(by));
+}
 #endif

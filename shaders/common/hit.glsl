@@ -78,13 +78,15 @@ Hit sphereHitThrough(vec4 sphere, vec2 q) {
         precise vec2 w = q - sphere.xy;
         precise float h = r * r - dot(w, w);
         hit.inside = h > 0.0;
-        precise float s = sqrt(max(h, 0.0));
-        precise float z = sphere.z + s;
-        hit.Z = view.origin - z;
+        // Of what is outside the value does not matter; |h| costs nothing. What does not wait for the root stands first.
+        precise float s = sqrt(abs(h));
+        precise float middle = view.origin - sphere.z;
+        precise float Z = middle - s;
+        hit.Z = Z;
         hit.normal = vec3(w, s) * (1.0 / r);
         if (kContours) {
             outside = sqrt(dot(w, w)) - r;
-            silhouetteZ = view.origin - sphere.z;
+            silhouetteZ = middle;
         }
     }
     hit.order = hit.Z;

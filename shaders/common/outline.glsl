@@ -3,29 +3,6 @@
 
 layout(constant_id = kCornersId) const int kCorners = 8;  // 8: octagon, 4: square, 9: pyramid
 
-/// Corner of a triangle strip over the polygon circumscribed about the unit circle, no buffers needed.
-vec2 corner(int index) {
-    if (kCorners == 4) return vec2((index & 1) == 0 ? -1.0 : 1.0, (index & 2) == 0 ? -1.0 : 1.0);
-    const float t = 0.41421356;  // tan 22.5 degrees
-    // Strip order: left pair, then pairs of rising x. Odd indices have the positive y.
-    int pair = index >> 1;
-    float x = pair == 0 ? -1.0 : pair == 1 ? -t : pair == 2 ? t : 1.0;
-    float y = pair == 0 || pair == 3 ? t : 1.0;
-    return vec2(x, (index & 1) == 0 ? -y : y);
-}
-
-/// Point of the pyramid: the apex over the origin, then eight corners, which indices join to facets.
-vec2 pyramidCorner(int index, out bool apex) {
-    apex = index == 0;
-    if (apex) return vec2(0.0);
-    float angle = (float(index - 1) + 0.5) * 0.78539816;
-    return vec2(cos(angle), sin(angle)) * 1.0823922;  // 1 / cos 22.5 degrees
-}
-// The facets lean against the sphere where it is kLean radii from its axis: at radius rho of the sphere they stand
-// (1 - rho kLean) / sqrt(1 - kLean^2) radii in front of the centre, never behind the surface.
-const float kLean = 0.6;
-float pyramidHeight(bool apex) { return apex ? 1.25 : 0.8 - 0.75 * (1.0 - kLean); }
-
 struct Outline {
     vec2 center, axisU, axisV;  // an ellipse, Å on the plane z = 0, grown by the snap margin
 };

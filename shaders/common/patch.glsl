@@ -5,9 +5,10 @@
 
 /// Octahedral map of a unit vector to [0, 1]^2 (Meyer et al. 2010, "On Floating-Point Normal Vectors").
 vec2 octahedralCoordinate(vec3 n) {
-    vec2 p = n.xy * (1.0 / (abs(n.x) + abs(n.y) + abs(n.z)));
-    if (n.z < 0.0) p = (1.0 - abs(p.yx)) * vec2(p.x >= 0.0 ? 1.0 : -1.0, p.y >= 0.0 ? 1.0 : -1.0);
-    return p * 0.5 + 0.5;
+    // The lower half is folded out by as much as it lies below: there 1 - |p.y| is |p.x| + |p.z|.
+    float below = max(-n.z, 0.0);
+    vec2 p = n.xy + vec2(n.x >= 0.0 ? below : -below, n.y >= 0.0 ? below : -below);
+    return p * (0.5 / (abs(n.x) + abs(n.y) + abs(n.z))) + 0.5;
 }
 vec3 octahedralNormal(vec2 uv) {
     vec2 p = uv * 2.0 - 1.0;

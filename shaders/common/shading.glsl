@@ -8,13 +8,15 @@ layout(constant_id = kAmbientId) const float kAmbient = 1.0;
 layout(constant_id = kDirectId) const float kDirect = 1.0;
 layout(constant_id = kHighlightId) const float kHighlight = 1.0;
 layout(constant_id = kGlossId) const float kGloss = 42.0;
+layout(constant_id = kPowersId) const bool kPowers = false;
 layout(constant_id = kDeepeningId) const float kDeepening = 1.0;
 
-/// x to the power of kGloss, multiplied out for the usual one.
-float glossy(float x) {
-    if (kGloss != 42.0) return pow(x, kGloss);
+/// x to the power of kGloss, times a strength. Where pow() is no matter of a few instructions, the usual one is
+/// multiplied out, as few products as can be behind each other.
+float glossy(float x, float strength) {
+    if (kPowers || kGloss != 42.0) return pow(x, kGloss) * strength;
     precise float x2 = x * x, x4 = x2 * x2, x8 = x4 * x4, x16 = x8 * x8;
-    precise float x42 = x16 * x16 * (x8 * x2);
+    precise float x42 = x16 * x16 * (x8 * (x2 * strength));
     return x42;
 }
 
@@ -24,14 +26,17 @@ float glossy(float x) {
 vec3 shade(vec3 base, vec3 normal, float occlusion, float sun) {
     if (!kLighting) return base * mix(1.0, occlusion, kDeepening);
     vec3 light = kLight;
-    precise float facing = max(dot(normal, light), 0.0) * sun;
     // The sky's share is wrapped a little upwards: what looks up is brighter than what looks down.
     const vec3 down = vec3(0.54, 0.52, 0.52), up = vec3(0.70, 0.73, 0.77);
-    precise vec3 ambient = (0.5 * (down + up) + 0.5 * (up - down) * normal.y) * kAmbient;
+    const vec3 level = 0.5 * (down + up), slope = 0.5 * (up - down);
+    precise float direct = max(dot(normal, light * (0.74 * kDirect)), 0.0) * sun;
+    precise vec3 arriving = fma(vec3(normal.y), slope * kAmbient, level * kAmbient + direct);
     vec3 half_ = normalize(light + vec3(0.0, 0.0, 1.0));
-    precise float highlight = kHighlight == 0.0 ? 0.0 : glossy(max(dot(normal, half_), 0.0)) * 0.16 * kHighlight * sun;
+    precise float highlight = kHighlight == 0.0 ? 0.0 : glossy(max(dot(normal, half_), 0.0), 0.16 * kHighlight) * sun;
     // Clefts darken a little faster than light falls off in them, as the eye expects of depth.
-    precise float open = mix(1.0, occlusion * (0.45 * occlusion + 0.55), kDeepening);
-    precise vec3 lit = open * (base * (ambient + facing * (0.74 * kDirect)) + vec3(highlight));
-    return lit;
+    precise vec3 lit = fma(base, arriving, vec3(highlight));
+    // Occlusion comes late, from a texture: little waits for it.
+    precise float clefts = fma(occlusion, 0.45, 0.55);
+    precise vec3 deepened = lit * occlusion * clefts;
+    return kDeepening == 1.0 ? deepened : mix(lit, deepened, kDeepening);
 }

@@ -33,15 +33,29 @@ void writeRimmed(vec4 seen) {
 #endif
 
 /// Writes a hit. Occlusion is passed by the caller, who knows the patch.
-void writeSurface(Hit hit, uint colorBits, uint atom, float occlusion) {
+#if defined(IDENTITY)
+void writeSurface(Hit hit, uint atom, float occlusion) { identity = uvec2(atom, floatBitsToUint(occlusion)); }
+#else
+/// @param base  linear colour
+void writeSurface(Hit hit, vec3 base, float occlusion) {
 #if defined(SURFACE)
     surface = vec4(hit.normal, hit.Z);
-#elif defined(IDENTITY)
-    identity = uvec2(atom, floatBitsToUint(occlusion));
-#elif defined(RIMS)
-    writeRimmed(vec4(lightOf(hit, colorBits, occlusion, planePoint(gl_FragCoord.xy)), 1.0));
 #else
-    color = vec4(colorOf(hit, colorBits, occlusion, planePoint(gl_FragCoord.xy)), 1.0);
+    vec3 lit = lightOf(hit, base, occlusion, planePoint(gl_FragCoord.xy));
+#ifdef RIMS
+    writeRimmed(vec4(lit, 1.0));
+#else
+    color = vec4(asTargetTakesIt(lit), 1.0);
+#endif
+#endif
+}
+#endif
+/// The same of what stands in the looks.
+void writeSurface(Hit hit, uint colorBits, uint atom, float occlusion) {
+#ifdef IDENTITY
+    writeSurface(hit, atom, occlusion);
+#else
+    writeSurface(hit, linearColor(colorBits), occlusion);
 #ifdef TRANSLUCENT
     color.a = opacityOf(colorBits);
 #endif

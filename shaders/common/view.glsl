@@ -32,9 +32,11 @@ uint copyIndex = 0u;
 #endif
 
 vec3 toView(vec3 p) {
-    precise vec3 v = vec3(dot(copyRow0.xyz, p), dot(copyRow1.xyz, p), dot(copyRow2.xyz, p));
-    precise vec3 shifted = v + vec3(copyRow0.w, copyRow1.w, copyRow2.w);
-    return shifted;
+    precise vec3 v = vec3(fma(copyRow0.z, p.z, copyRow0.w), fma(copyRow1.z, p.z, copyRow1.w),
+                          fma(copyRow2.z, p.z, copyRow2.w));
+    precise vec3 w = vec3(fma(copyRow0.y, p.y, v.x), fma(copyRow1.y, p.y, v.y), fma(copyRow2.y, p.y, v.z));
+    precise vec3 x = vec3(fma(copyRow0.x, p.x, w.x), fma(copyRow1.x, p.x, w.y), fma(copyRow2.x, p.x, w.z));
+    return x;
 }
 vec3 toObject(vec3 v) { return copyRow0.xyz * v.x + copyRow1.xyz * v.y + copyRow2.xyz * v.z; }
 
@@ -45,7 +47,8 @@ vec2 planePoint(vec2 fragment) {
 }
 /// Encoded depth, 0 near to 1 far, of a distance Z.
 float encodedDepth(float Z) {
-    precise float d = (Z - view.depthStart) * view.perRange;
+    precise float start = view.depthStart * view.perRange;
+    precise float d = fma(Z, view.perRange, -start);
     return d;
 }
 #ifndef TILES
@@ -66,7 +69,9 @@ float reachOf(float z, float radius) {
 vec4 clipPosition(vec2 q, float d) {
     vec2 perPixel = 2.0 / vec2(view.extent & 0xffffu, view.extent >> 16);  // NDC
     vec2 axis = view.axisPixel * ((kQuarterTurns & 1) == 1 ? perPixel.yx : perPixel) - 1.0;
-    return vec4(turned(vec2(q.x, -q.y) / view.pixel * perPixel) + (kWholeImage ? axis : vec2(0.0)), clamp(d, 0.0, 1.0), 1.0);
+    vec2 perAngstrom = perPixel / view.pixel;  // the same for all corners: drivers find it once a draw
+    vec2 from = turned(vec2(q.x, -q.y) * perAngstrom);
+    return vec4(kWholeImage ? from + axis : from, clamp(d, 0.0, 1.0), 1.0);
 }
 #endif
 #endif

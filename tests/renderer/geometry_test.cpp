@@ -81,7 +81,7 @@ TEST(Geometry, OfALargeProteinIsAQuarterOfWhatPyramidsWithoutIndicesTook) {
     ASSERT_TRUE(mali.storesVaryings);
     const PassGeometry sum = sumOf(
         geometryOf(frameOf(Visibility::encoded).graph, counts, mali, PlateShape::automatic, ImpostorShape::automatic));
-    EXPECT_EQ(sum.varyingBytes, 58'870u * (8 * 16 + 4 * 32 + 4 * 44));
+    EXPECT_EQ(sum.varyingBytes, 58'870u * (8 * 16 + 4 * 32 + 4 * 52));
     EXPECT_LE(4 * sum.varyingBytes, 58'870u * 2'208u);
 }
 
@@ -98,7 +98,7 @@ TEST(Geometry, OfAPictureIsToldByItsFrame) {
     EXPECT_EQ(geometry[0].vertices, 4 * r.spheres.size());
     EXPECT_EQ(geometry[0].triangles, 2 * r.spheres.size());
     EXPECT_EQ(geometry[1].vertices, 4 * (r.spheres.size() + r.cylinders.size()));
-    EXPECT_EQ(geometry[1].varyingBytes, 4 * (44 * r.spheres.size() + 80 * r.cylinders.size()));
+    EXPECT_EQ(geometry[1].varyingBytes, 4 * (52 * r.spheres.size() + 92 * r.cylinders.size()));
     EXPECT_FALSE(renderer->stats().storesVaryings);
 }
 
