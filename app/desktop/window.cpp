@@ -110,10 +110,8 @@ void Window::connect() {
     glfwSetCursorPosCallback(window_,
                              [](GLFWwindow* w, double x, double y) { eventsOf(w).pointer(inPixels(w, x, y)); });
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int mods) {
+        // It is where the last event said: asked now, it may have gone on since.
         if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
-        double x = 0, y = 0;
-        glfwGetCursorPos(w, &x, &y);
-        eventsOf(w).pointer(inPixels(w, x, y));
         const MouseButton which = button == GLFW_MOUSE_BUTTON_LEFT    ? MouseButton::left
                                   : button == GLFW_MOUSE_BUTTON_RIGHT ? MouseButton::right
                                                                       : MouseButton::middle;

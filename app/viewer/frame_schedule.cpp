@@ -7,6 +7,7 @@ namespace {
 
 constexpr double kScales[] = {1.0, 0.85, 0.7, 0.55, 0.4};
 constexpr int kLowest = 4;
+constexpr double kRoom = 0.9;  // share of the display's interval that a frame may take and not miss it
 
 }  // namespace
 
@@ -24,7 +25,7 @@ void ResolutionControl::frameTook(double seconds, double device, double longest)
         return;
     }
     // The device's own time tells how near it is to missing a picture; from outside one sees only that it did.
-    const bool slow = device > 0 ? device > 0.9 * longest : seconds > 1.5 * longest;
+    const bool slow = device > 0 ? device > kRoom * longest : seconds > 1.5 * longest;
     slow_ = slow ? slow_ + 1 : 0;
     if (slow_ >= kPatience && level_ < kLowest) return change(1);
     if (device == 0 || level_ == 0) return;
@@ -65,8 +66,14 @@ FrameSchedule::Next FrameSchedule::next(double now, bool moving, double occlusio
 
 void FrameSchedule::shown(const Next& frame, double now, bool moving, double occlusion, double deviceSeconds) {
     if (frame.draw == Draw::nothing) return;
-    if (moving && wasMoving_) resolution_.frameTook(now - lastFrame_, deviceSeconds, std::max(interval_, longest_));
+    if (moving && wasMoving_)
+        resolution_.frameTook(now - lastFrame_, deviceSeconds, std::max(interval_, longest_ / kRoom));
     if (!moving) resolution_.rest();
+    if (moving) {
+        ++motion_.frames;
+        motion_.reduced += frame.scale < 1;
+        motion_.smallestScale = std::min(motion_.smallestScale, frame.scale);
+    }
     if (moving || occlusion != shownOcclusion_) lastChange_ = now;
     wasMoving_ = moving;
     lastFrame_ = now;

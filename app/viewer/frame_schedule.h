@@ -7,6 +7,12 @@
 
 namespace nacre::app {
 
+/// Frames of motions.
+struct MotionFrames {
+    std::uint64_t frames = 0, reduced = 0;  ///< all, and those below the window's resolution
+    double smallestScale = 1;               ///< of one of them
+};
+
 /// Share of the window's resolution at which a moving picture keeps up.
 class ResolutionControl {
 public:
@@ -60,6 +66,7 @@ public:
     void shown(const Next& frame, double now, bool moving, double occlusion, double deviceSeconds = 0);
     /// That a pixel of a picture at rest gets, one a frame.
     void setSamples(std::uint32_t samples) { samples_ = samples; }
+    const MotionFrames& motionFrames() const { return motion_; }
     /// Seconds from one picture of the display to the next.
     void setDisplayInterval(double seconds) { interval_ = seconds; }
     /// Seconds that a frame of a motion may take at full resolution, where that is more than the display's interval.
@@ -67,6 +74,7 @@ public:
 
 private:
     ResolutionControl resolution_;
+    MotionFrames motion_;
     bool visible_ = true, pictureChanged_ = true, overlayChanged_ = false, wasMoving_ = false;
     std::uint32_t samples_ = 16, refined_ = 0;  // of the picture at rest: in all, and drawn so far
     double lastChange_ = 0, lastFrame_ = 0, shownOcclusion_ = -1;

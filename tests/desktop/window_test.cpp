@@ -94,23 +94,34 @@ void expectAsRendered(XSession& session, const std::string& view) {
         if (d.small()) break;
         session.sleep(0.5);
     }
-    EXPECT_GT(d.coloured, 10000);
+    EXPECT_GT(d.coloured, 5000);
     EXPECT_TRUE(d.small()) << d.differing << " of " << d.coloured << ", at most by " << d.largest << ", on average by "
                            << d.mean;
 }
 
 nlohmann::json readJson(const std::string& path) { return nlohmann::json::parse(contentOf(path)); }
 
-TEST(Window, ShowsWhatRenderDrawsAndThenRests) {
-    XSession session("sample:dna --size 500x600");
-    EXPECT_EQ(session.title(), "sample:dna - Nacre");
+TEST(Window, ShowsAndSavesWhatRenderDrawsAndThenRests) {
+    XSession session("sample:dna ball=sample:buckyball --size 300x360");
+    EXPECT_EQ(session.title(), "sample:dna + sample:buckyball - Nacre");
     session.type("m");
     const std::string view = saveView(session);
+    // Both molecules are in it, and the colours that keep them apart.
+    const nlohmann::json saved = readJson(view);
+    EXPECT_EQ(saved["further-inputs"][0]["name"], "ball");
+    EXPECT_EQ(saved["rules"].size(), 1u);
     expectAsRendered(session, view);
-    session.sleep(4);
+    session.type("s");
+    EXPECT_TRUE(session.waitUntil([&] { return std::filesystem::exists(session.folder() / "dna.png"); }));
+    const Image image = readImage(session.folder() / "dna.png");
+    EXPECT_EQ(image.width, 300);
+    EXPECT_EQ(image.height, 360);
+    session.type("Escape");
+    session.sleep(1.5);
     EXPECT_EQ(session.quit(), 0) << session.errors();
-    EXPECT_GE(session.stats()["seconds_since_last_frame"].get<double>(), 2.0);  // the last may have come late
+    EXPECT_GE(session.stats()["seconds_since_last_frame"].get<double>(), 0.5);  // the last may have come late
     EXPECT_EQ(session.stats()["occlusion"], 1.0);
+    EXPECT_GT(contentOf(session.folder() / "cache/nacre/pipelines.bin").size(), 40u);
 }
 
 TEST(Window, AsksBeforeItDownloadsWhatAViewNames) {
@@ -157,11 +168,11 @@ TEST(Window, KeepsOcclusionForTheNextTime) {
 }
 
 TEST(Window, DragRotatesWheelZooms) {
-    XSession session("sample:dna --size 500x600");
+    XSession session("sample:dna --size 300x360");
     session.type("m");
-    session.drag(200, 300, 250, 300);
+    session.drag(100, 180, 150, 180);
     session.settle();
-    session.wheel(350, 200, 3);
+    session.wheel(210, 120, 3);
     session.settle();
     const std::string path = saveView(session);
     const nlohmann::json view = readJson(path);
@@ -181,7 +192,7 @@ TEST(Window, DragRotatesWheelZooms) {
 
 TEST(Window, ClickPicksTheAtomThatIsSeen) {
     for (const char* style : {"spacefill", "ball-and-stick --projection perspective"}) {
-        XSession session(std::string("sample:dna --size 500x600 --rotate 20,30,0 --style ") + style);
+        XSession session(std::string("sample:dna --size 260x300 --rotate 20,30,0 --style ") + style);
         session.type("m");
         const std::string view = saveView(session);
         const Outcome outcome =
@@ -191,10 +202,13 @@ TEST(Window, ClickPicksTheAtomThatIsSeen) {
         const Image layers = readImage(session.folder() / "l.exr");
         std::vector<int> expected;
         std::mt19937 random(7);
+        int lastX = 0, lastY = 0;
         while (expected.size() < 4) {
-            const int x = static_cast<int>(random() % 500), y = static_cast<int>(random() % 600);
+            const int x = static_cast<int>(random() % 260), y = static_cast<int>(random() % 300);
             const int id = static_cast<int>(layers.at(x, y, "id"));
             if (id == 0 || std::find(expected.begin(), expected.end(), id) != expected.end()) continue;
+            if (!expected.empty() && std::hypot(x - lastX, y - lastY) < 10) continue;  // that is a double click
+            lastX = x, lastY = y;
             session.click(x, y);
             expected.push_back(id);
         }
@@ -204,7 +218,7 @@ TEST(Window, ClickPicksTheAtomThatIsSeen) {
 }
 
 TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {
-    XSession session("sample:glucose --size 500x600");
+    XSession session("sample:glucose --size 300x300");
     {
         std::ofstream out(session.folder() / "two words.xyz");
         out << "3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n";
@@ -218,7 +232,7 @@ TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {
     ASSERT_TRUE(session.drop(session.folder() / "bad.pdb"));
     // What went wrong stands over the picture until it is read.
     EXPECT_TRUE(session.waitUntil([&] { return session.picture() != before; }));
-    session.sleep(6);
+    session.sleep(4.3);  // longer than a message
     EXPECT_NE(session.picture(), before);
     session.type("Escape");
     EXPECT_TRUE(session.waitUntil([&] { return session.picture() == before; }));
@@ -230,21 +244,19 @@ TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {
 
 TEST(Window, WhatCannotBeReadIsAnErrorBeforeThereIsAWindow) {
     const TemporaryFolder folder;
-    XSession session("sample:glucose --size 300x200");
-    const Outcome outcome = nacreIn(folder, "view nofile.pdb", "", "export DISPLAY=" + session.display());
+    const Outcome outcome = nacreIn(folder, "view nofile.pdb", "", "export DISPLAY=" + XSession::display());
     EXPECT_EQ(outcome.code, 1);
     EXPECT_NE(outcome.err.find("nofile.pdb: No such file or directory"), std::string::npos) << outcome.err;
-    EXPECT_EQ(session.quit(), 0);
 }
 
 TEST(Window, SurvivesResizesAndMinimising) {
     XSession session("sample:glucose --size 500x400");
     session.type("m");
     std::mt19937 random(1);
-    for (int i = 0; i < 500; ++i) {
+    for (int i = 0; i < 200; ++i) {
         session.resize(120 + static_cast<int>(random() % 700), 120 + static_cast<int>(random() % 600));
         session.sleep(random() % 4 == 0 ? 0.03 : 0.002);
-        if (i % 100 == 50) session.type("space");
+        if (i % 40 == 20) session.type("space");
     }
     session.type("Escape");
     session.click(3, 3);  // stops whatever turns
@@ -258,17 +270,6 @@ TEST(Window, SurvivesResizesAndMinimising) {
     const std::string view = saveView(session);
     expectAsRendered(session, view);
     EXPECT_EQ(session.quit(), 0) << session.errors();
-}
-
-TEST(Window, SavesAPictureAndKeepsTheCompiledPipelines) {
-    XSession session("sample:glucose --size 400x300");
-    session.type("s");
-    EXPECT_TRUE(session.waitUntil([&] { return std::filesystem::exists(session.folder() / "glucose.png"); }));
-    EXPECT_EQ(session.quit(), 0) << session.errors();
-    const Image image = readImage(session.folder() / "glucose.png");
-    EXPECT_EQ(image.width, 400);
-    EXPECT_EQ(image.height, 300);
-    EXPECT_GT(contentOf(session.folder() / "cache/nacre/pipelines.bin").size(), 40u);
 }
 
 }  // namespace

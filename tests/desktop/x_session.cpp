@@ -38,6 +38,24 @@ void stop(int& pid) {
 
 }  // namespace
 
+/// Xvfb and a window manager, from the first session until the test's program ends: each of them has one window.
+struct Desktop {
+    int xvfb = -1, manager = -1;
+    std::string name;
+    Display* display = nullptr;
+
+    Desktop();
+    ~Desktop() {
+        if (display) XCloseDisplay(display);
+        stop(manager);
+        stop(xvfb);
+    }
+    static Desktop& get() {
+        static Desktop desktop;
+        return desktop;
+    }
+};
+
 struct XSession::X {
     Display* display = nullptr;
     Window window = 0;
@@ -78,42 +96,43 @@ struct XSession::X {
     }
 };
 
-XSession::XSession(const std::string& arguments) : x_(std::make_unique<X>()) {
-    startDisplay();
-    manager_ = start("exec env DISPLAY=" + display_ + " openbox >/dev/null 2>&1");
-    const double end = now() + 60;
-    while (x_->windowsOf("_NET_SUPPORTING_WM_CHECK").empty() && now() < end) sleep(0.05);
-    startNacre(arguments);
-    findWindow();
-    settle();
-}
-
-XSession::~XSession() {
-    stop(nacre_);
-    if (x_->display) XCloseDisplay(x_->display);
-    stop(manager_);
-    stop(xvfb_);
-}
-
-void XSession::startDisplay() {
+Desktop::Desktop() {
     int ends[2];
     if (pipe(ends) != 0) throw std::runtime_error("no pipe");
-    xvfb_ = start("exec Xvfb -displayfd " + std::to_string(ends[1]) + " -screen 0 1280x1000x24 >/dev/null 2>&1");
+    xvfb = start("exec Xvfb -displayfd " + std::to_string(ends[1]) + " -screen 0 1280x1000x24 >/dev/null 2>&1");
     close(ends[1]);
     char number[16] = {};
     const ssize_t length = read(ends[0], number, sizeof number - 1);
     close(ends[0]);
     if (length <= 0) throw std::runtime_error("Xvfb did not start");
-    display_ = ":" + std::to_string(std::atoi(number));
-    x_->display = XOpenDisplay(display_.c_str());
-    if (!x_->display) throw std::runtime_error("no display " + display_);
+    name = ":" + std::to_string(std::atoi(number));
+    display = XOpenDisplay(name.c_str());
+    if (!display) throw std::runtime_error("no display " + name);
     // A window that went is no reason to end the test's program.
     XSetErrorHandler([](Display*, XErrorEvent*) { return 0; });
+    manager = start("exec env DISPLAY=" + name + " openbox >/dev/null 2>&1");
+    XSession::X x{display};
+    const double end = now() + 60;
+    while (x.windowsOf("_NET_SUPPORTING_WM_CHECK").empty() && now() < end)
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
 }
+
+std::string XSession::display() { return Desktop::get().name; }
+
+XSession::XSession(const std::string& arguments) : x_(std::make_unique<X>()) {
+    x_->display = Desktop::get().display;
+    // Where no window lies under the pointer.
+    XTestFakeMotionEvent(x_->display, -1, 1279, 999, CurrentTime);
+    startNacre(arguments);
+    findWindow();
+    settle();
+}
+
+XSession::~XSession() { stop(nacre_); }
 
 void XSession::startNacre(const std::string& arguments) {
     nacre_ =
-        start("cd '" + folder_.path() + "' && exec env -u WAYLAND_DISPLAY DISPLAY=" + display_ + " HOME='" +
+        start("cd '" + folder_.path() + "' && exec env -u WAYLAND_DISPLAY DISPLAY=" + display() + " HOME='" +
               folder_.path() + "' XDG_STATE_HOME='" + (folder_ / "state") + "' XDG_CACHE_HOME='" + (folder_ / "cache") +
               "' '" NACRE_PROGRAM "' view " + arguments + " --validate --stats stats.json >log 2>&1");
 }
@@ -136,7 +155,7 @@ void XSession::findWindow() {
             nacre_ = -1;
             throw std::runtime_error("nacre ended: " + errors());
         }
-        sleep(0.05);
+        sleep(0.02);
     }
     throw std::runtime_error("no window came: " + errors());
 }
@@ -157,11 +176,11 @@ void XSession::button(int number, bool down) {
 
 void XSession::click(int x, int y) {
     moveTo(x, y);
-    sleep(0.1);
-    button(1, true);
     sleep(0.05);
+    button(1, true);
+    sleep(0.02);
     button(1, false);
-    sleep(0.5);  // the next one is no double click
+    sleep(0.05);
 }
 
 void XSession::drag(int fromX, int fromY, int toX, int toY) {
@@ -172,7 +191,7 @@ void XSession::drag(int fromX, int fromY, int toX, int toY) {
         sleep(0.03);
         moveTo(fromX + (toX - fromX) * i / 10, fromY + (toY - fromY) * i / 10);
     }
-    sleep(0.5);
+    sleep(0.3);
     button(1, false);
 }
 
@@ -305,7 +324,7 @@ void XSession::settle() {
     int same = 0;
     const double end = now() + 60;
     while (same < 4 && now() < end) {
-        sleep(0.25);
+        sleep(0.12);
         WindowPicture next = picture();
         const std::string nextTitle = title();
         same = next == last && nextTitle == lastTitle && nextTitle.find("occlusion") == std::string::npos &&

@@ -1,5 +1,6 @@
 #pragma once
-// A display of its own (Xvfb) with a window manager (openbox) and `nacre view` in it, and a hand on mouse and keys.
+// `nacre view` on a display that the test's program has for itself (Xvfb with the window manager openbox), and a hand
+// on mouse and keys.
 
 #include <cstdint>
 #include <functional>
@@ -29,11 +30,11 @@ public:
 
     /// In which nacre runs, and where its state and cache lie.
     const TemporaryFolder& folder() const { return folder_; }
-    const std::string& display() const { return display_; }
+    static std::string display();
 
     void moveTo(int x, int y);  ///< pixels of the window
     void button(int number, bool down);
-    void click(int x, int y);
+    void click(int x, int y);                           ///< two in one place are a double click
     void drag(int fromX, int fromY, int toX, int toY);  ///< rests before it lets go
     void wheel(int x, int y, int steps);
     void type(const std::string& keysym, bool shift = false);
@@ -57,15 +58,14 @@ public:
     std::string errors() const { return contentOf(folder_ / "log"); }
     nlohmann::json stats() const { return nlohmann::json::parse(contentOf(folder_ / "stats.json")); }
 
-private:
     struct X;
-    void startDisplay();
+
+private:
     void startNacre(const std::string& arguments);
     void findWindow();
 
     TemporaryFolder folder_;
-    std::string display_;
-    int xvfb_ = -1, manager_ = -1, nacre_ = -1;
+    int nacre_ = -1;
     std::unique_ptr<X> x_;
 };
 

@@ -124,8 +124,8 @@ TEST(Viewer, ResolutionGoesByTheDevicesTimeAndTheDisplaysInterval) {
 }
 
 TEST(Viewer, ADeviceOfSoftwareKeepsItsResolutionLonger) {
-    // What takes 22 ms is whole at 40 pictures a second; what takes a little more gives up the smallest step.
-    for (const auto& [milliseconds, scale] : {std::pair(22.0, 1.0), {28.0, 0.85}, {40.0, 0.7}}) {
+    // What takes less than 25 ms is whole; what takes a little more gives up the smallest step.
+    for (const auto& [milliseconds, scale] : {std::pair(24.5, 1.0), {25.5, 0.85}, {28.0, 0.85}, {40.0, 0.7}}) {
         Bench b;
         b.viewer.setLongestFrame(0.025);
         b.run(2);
@@ -133,6 +133,10 @@ TEST(Viewer, ADeviceOfSoftwareKeepsItsResolutionLonger) {
         b.screen.millisecondsOfWhole = milliseconds;
         b.run(2, milliseconds / 1000);
         EXPECT_EQ(b.screen.frames.back().scale, scale) << milliseconds;
+        const MotionFrames& moved = b.viewer.motionFrames();
+        EXPECT_EQ(moved.smallestScale, scale) << milliseconds;
+        EXPECT_EQ(moved.reduced > 0, scale < 1) << milliseconds;
+        EXPECT_GT(moved.frames, moved.reduced) << "the first are whole";
     }
 }
 
