@@ -22,6 +22,10 @@ bool takeInput(RenderOptions& options) {
     options.input.format = options.savedInput.format;
     options.input.model = options.savedInput.model;
     options.input.hash = options.savedInput.hash;
+    options.input.name = options.savedInput.name;
+    options.input.further = options.savedInput.further;
+    std::vector<FitOptions>& fits = options.input.fits;
+    fits.insert(fits.begin(), options.savedInput.fits.begin(), options.savedInput.fits.end());
     if (options.input.path.empty()) return false;
     options.input.namedBy = options.view;
     if (options.input.trajectory.path.empty() && !options.savedInput.trajectory.path.empty()) {
@@ -34,14 +38,8 @@ bool takeInput(RenderOptions& options) {
 }
 
 /// What names of several INPUTs mean, and that options fit them. @throws UsageError
-void checkInputs(RenderOptions& options, bool throughModels = false) {
+void checkSeveral(RenderOptions& options) {
     InputOptions& input = options.input;
-    const TrajectoryOptions& frames = input.trajectory;
-    if (frames.path.empty() && (frames.frame != 1 || frames.whole))
-        throw UsageError("--frame and --whole are for the frames of --trajectory");
-    if (frames.path.empty() && !throughModels && (frames.fit || frames.smooth != 1))
-        throw UsageError(
-            "--fit-frames and --smooth are for the frames of --trajectory, or of a movie through --models");
     if (input.further.empty()) {
         if (!input.fits.empty()) throw UsageError("--fit lays one INPUT onto another: name two");
         return;
@@ -50,14 +48,27 @@ void checkInputs(RenderOptions& options, bool throughModels = false) {
     const auto standardInputs = std::count_if(input.further.begin(), input.further.end(),
                                               [](const FurtherInput& further) { return further.path == "-"; });
     if (standardInputs + (input.path == "-" ? 1 : 0) > 1) throw UsageError("standard input is one INPUT alone");
-    for (Rule& rule : options.look.rules) nameInputs(input, rule.selection);
+    const std::vector<std::string> names = inputNames(input);
+    for (Rule& rule : options.look.rules) nameInputs(names, rule.selection);
+    for (Label& label : options.words.labels) nameInputs(names, label.selection);
     for (FitOptions& fit : input.fits) {
-        nameInputs(input, fit.moving);
-        nameInputs(input, fit.fixed);
+        nameInputs(names, fit.moving);
+        nameInputs(names, fit.fixed);
     }
     for (std::optional<Selection>* selection : {&options.aim.lookAt, &options.aim.zoomTo})
-        if (*selection) nameInputs(input, **selection);
-    colorApart(input, options.look);
+        if (*selection) nameInputs(names, **selection);
+    // A view that holds several has the colours that it was saved with.
+    if (input.namedBy.empty()) colorApart(names, options.look);
+}
+
+void checkInputs(RenderOptions& options, bool throughModels = false) {
+    const TrajectoryOptions& frames = options.input.trajectory;
+    if (frames.path.empty() && (frames.frame != 1 || frames.whole))
+        throw UsageError("--frame and --whole are for the frames of --trajectory");
+    if (frames.path.empty() && !throughModels && (frames.fit || frames.smooth != 1))
+        throw UsageError(
+            "--fit-frames and --smooth are for the frames of --trajectory, or of a movie through --models");
+    checkSeveral(options);
 }
 
 void checkDebug(const RenderOptions& options) {
@@ -126,7 +137,9 @@ void checkMovie(MovieOptions& options) {
 bool checkWindow(RenderOptions& first) {
     checkDebug(first);
     const bool named = takeInput(first);
-    if (!first.input.further.empty() || !first.input.fits.empty()) throw UsageError("a window shows one INPUT");
+    checkSeveral(first);
+    if (!first.input.further.empty() && !first.input.trajectory.path.empty())
+        throw UsageError("a window moves one INPUT: leave out --trajectory, or the others");
     checkFiles(first);
     return named;
 }

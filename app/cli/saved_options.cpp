@@ -40,6 +40,9 @@ SavedView savedViewOf(const RenderOptions& options) {
     view.format = options.input.format;
     view.model = options.input.model;
     view.trajectory = options.input.trajectory;
+    view.name = options.input.name;
+    view.further = options.input.further;
+    view.fits = options.input.fits;
     view.look = options.look;
     view.drawn = options.drawn;
     view.camera = options.camera;
@@ -55,6 +58,12 @@ ViewOptions viewOptionsOf(const RenderOptions& options) {
     ViewOptions window;
     window.first = savedViewOf(options);
     window.first.input = filePathOf(options.input);
+    for (FurtherInput& further : window.first.further) {
+        InputOptions each = options.input;
+        each.path = further.path;
+        each.hash = further.hash;
+        further.path = filePathOf(each);
+    }
     window.input = options.input;
     window.input.path = window.first.input;
     if (!options.input.trajectory.path.empty())

@@ -81,7 +81,10 @@ std::string readAll(int file) {
 std::vector<std::string> movieArguments(const RecordingWish& wish, const SavedView& shown, const std::string& view,
                                         const std::vector<std::string>& keys) {
     using M = RecordingWish::Motion;
-    std::vector<std::string> words{"movie", shown.input, "--output", wish.path};
+    std::vector<std::string> words{"movie"};
+    // Several are named by the view alone, which has their colours, too.
+    if (shown.further.empty()) words.push_back(shown.input);
+    words.insert(words.end(), {"--output", wish.path});
     const auto add = [&](std::initializer_list<std::string> more) {
         words.insert(words.end(), more.begin(), more.end());
     };
@@ -102,6 +105,7 @@ std::vector<std::string> movieArguments(const RecordingWish& wish, const SavedVi
         if (wish.loop) add({"--loop"});
     } else {
         add({"--view", view});
+        if (!shown.further.empty()) add({"--allow-download"});  // once more, where nothing is kept
     }
     if (wish.motion == M::spin) add({"--spin", "y"});
     if (wish.motion == M::rock) add({"--rock", "30"});

@@ -127,6 +127,7 @@ void WindowSession::saveView() {
         OutputFile file(path);
         SavedView view = viewer().savedView();
         view.hash = fileHash(view.input);
+        for (FurtherInput& further : view.further) further.hash = fileHash(further.path);
         writeText(file, savedViewJson(view));
         viewer().say("saved " + path, now());
     } catch (const Error& error) {
@@ -169,6 +170,12 @@ void WindowSession::writeStats() {
         std::sort(latencies_.begin(), latencies_.end());
         json["input_to_present"] = {{"min", latencies_.front()}, {"median", latencies_[latencies_.size() / 2]}};
     }
+    const MotionFrames& moved = viewer().motionFrames();
+    if (moved.frames > 0)
+        json["motion"] = {{"frames", moved.frames},
+                          {"reduced", moved.reduced},
+                          {"smallest_scale", moved.smallestScale},
+                          {"frame_ms", renderer().stats().windowMilliseconds}};
     json["picked"] = nlohmann::ordered_json::array();
     for (const std::uint32_t pick : viewer().picks()) json["picked"].push_back(pick + 1);
     json["device"] = renderer().stats().device.name;

@@ -105,9 +105,15 @@ void WindowSession::takeChosen() {
         savePath.swap(chosen_->savePath);
     }
     if (!savePath.empty()) panel_->setSavePath(savePath);
-    if (path.empty()) return;
-    rememberFile();
+    if (!path.empty()) openFile(path);
+}
+
+/// From a dialog, or dropped on the window.
+void WindowSession::openFile(const std::string& path) {
+    const bool together = panel_->opensTogether();
     panel_->closeTop();
+    if (together) return viewer().add(lasting(path), now());
+    rememberFile();
     viewer().open(lasting(path), now());
 }
 
@@ -126,6 +132,7 @@ PanelHost WindowSession::panelHost() {
         rememberFile();
         viewer().open(lasting(input), now());
     };
+    host.add = [this](const std::string& input) { viewer().add(lasting(input), now()); };
     host.recent = [this]() -> const std::vector<RecentFile>& { return recent_.files(); };
     if (options_.restore)
         if (const auto saved = loadState(); saved && !saved->input.empty() && saved->input != "-") {
@@ -167,6 +174,7 @@ SessionHost WindowSession::host() {
 SavedView WindowSession::firstView() const {
     SavedView view = options_.first;
     view.input = lasting(view.input);
+    for (FurtherInput& further : view.further) further.path = lasting(further.path);
     return view;
 }
 
@@ -236,11 +244,7 @@ WindowEvents WindowSession::events() {
         if (key.with.control && panel_->ownsKeys()) return panel_->shortcut(key.key);
         if (const auto command = commandOf(key)) run(*command);
     };
-    e.dropped = [this](const std::string& path) {
-        rememberFile();
-        panel_->closeTop();
-        viewer().open(lasting(path), now());
-    };
+    e.dropped = [this](const std::string& path) { openFile(path); };
     return e;
 }
 

@@ -46,6 +46,7 @@ private:
     void openDialog();
     void saveDialog(const std::string& suggested);
     void takeChosen();
+    void openFile(const std::string& path);
     void rememberFile();
     std::string pictureName(const char* extension);
     void savePicture(const PictureWish& wish);

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "app/download/database_id.h"
 #include "app/download/load_molecule.h"
 #include "app/shared/printable.h"
 #include "app/shared/trajectory_input.h"
@@ -23,6 +24,17 @@ struct Progress {
     std::atomic<bool> cancelled{false};
 };
 
+/// "pdb:1bna, pubchem:aspirin"
+std::string downloadsOf(const InputOptions& input) {
+    std::string text;
+    const auto add = [&](const std::string& path) {
+        if (parseDatabaseId(path)) text += (text.empty() ? "" : ", ") + printable(path);
+    };
+    add(input.path);
+    for (const FurtherInput& further : input.further) add(further.path);
+    return text;
+}
+
 }  // namespace
 
 Sources windowSources(const InputOptions& first) {
@@ -32,12 +44,8 @@ Sources windowSources(const InputOptions& first) {
     all.read = [first, allowed, progress](const SavedView& view) {
         InputOptions input = inputOf(view, first);
         input.alone = input.alone || !input.trajectory.path.empty();
-        input.trajectory = {};                    // what moves begins at its first frame
-        if (view.input != lasting(first.path)) {  // opened by hand
-            input.namedBy.clear();
-            input.further.clear();
-            input.fits.clear();
-        }
+        input.trajectory = {};                                         // what moves begins at its first frame
+        if (view.input != lasting(first.path)) input.namedBy.clear();  // opened by hand
         input.allowDownload = *allowed;
         progress->share = -1;
         progress->cancelled = false;
@@ -48,7 +56,7 @@ Sources windowSources(const InputOptions& first) {
         try {
             return loadMolecule(input, onDownload);
         } catch (const DownloadForbidden&) {
-            throw Question("This view downloads " + printable(input.path), "Download", [allowed] { *allowed = true; });
+            throw Question("This view downloads " + downloadsOf(input), "Download", [allowed] { *allowed = true; });
         }
     };
     all.build = sceneOfView;

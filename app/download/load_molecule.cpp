@@ -84,14 +84,12 @@ Molecule loadMolecule(const InputOptions& input, const std::function<void(double
     std::vector<Molecule> molecules;
     molecules.push_back(std::move(molecule));
     InputOptions next = structure;
-    next.namedBy.clear();  // the user names them all
     for (const FurtherInput& further : input.further) {
         next.path = further.path;
+        next.hash = further.hash;
         molecules.push_back(loadStructure(next, onDownload, onModel));
     }
-    Molecule joined = joinInputs(input, std::move(molecules), sayNote);
-    joined.modelsAreInputs = true;
-    return joined;
+    return joinInputs(input, std::move(molecules), sayNote);
 }
 
 }  // namespace nacre::app

@@ -94,7 +94,10 @@ void Panel::drawHeader(const Viewer& viewer) {
     const float side = ui.rowHeight();
     const float room = ImGui::GetContentRegionAvail().x - side - ui.px(4);
     const float x = ImGui::GetCursorPosX();
-    ui.name(document ? shortName(document->view.input) : viewer.loading() ? "Reading ..." : "Nacre", room);
+    std::string name = document ? shortName(document->view.input) : viewer.loading() ? "Reading ..." : "Nacre";
+    if (document)
+        for (const FurtherInput& further : document->view.further) name += " + " + shortName(further.path);
+    ui.name(name, room);
     ImGui::SameLine(x + room + ui.px(4));
     if (ui.sign(Icon::fold, "Fold the panel")) {
         shown_ = Shown::folded;

@@ -6,6 +6,7 @@
 #include "app/panel/panel_state.h"
 #include "app/panel/words.h"
 #include "app/shared/option_values.h"
+#include "app/shared/several_inputs.h"
 #include "engine/scene/colors.h"
 
 namespace nacre::app {
@@ -30,16 +31,22 @@ void Panel::drawPartsPage(SavedView& look, Viewer& viewer) {
     if (!document) return ui.caption("No molecule is open.");
     if (state_->molecule != document->molecule) {
         state_->molecule = document->molecule;
-        state_->parts = partsOf(*document->molecule);
+        const bool several = document->molecule->modelsAreInputs;
+        state_->parts =
+            partsOf(*document->molecule, several ? inputNames(inputOf(document->view)) : std::vector<std::string>());
         state_->unfolded.clear();
         state_->folds.clear();
         state_->residueColors.clear();
     }
     drawAssemblies(look, *document->molecule);
     Part::Kind last = Part::Kind::all;
+    std::string input;
     std::size_t number = 0;
     for (const Part& part : state_->parts) {
-        if (number == 0 || part.kind != last) {
+        const bool another = part.input != input;
+        if (another && !part.input.empty()) ui.title(part.input);
+        input = part.input;
+        if (number == 0 || another || part.kind != last) {
             constexpr const char* kHeadings[] = {"Molecule", "Chains", "Ligands", "Ions", "Water"};
             ui.heading(kHeadings[static_cast<std::size_t>(part.kind)]);
         }
@@ -92,8 +99,8 @@ void Panel::drawPart(SavedView& look, const Part& part, std::size_t number) {
         if (ui.row(open ? Icon::up : Icon::down, part.name, nameWidth)) {
             state_->unfolded = open ? "" : part.selection;
             state_->sequence.clear();
-            if (part.kind == Part::Kind::chain)
-                state_->sequence = sequenceOf(*state_->molecule, state_->molecule->chains[part.chain].name);
+            if (part.kind == Part::Kind::chain) state_->sequence = sequenceOf(*state_->molecule, part.chain);
+            state_->sequenceInput = part.input;
             state_->dragFrom = state_->dragTo = -1;
         }
         ui.controls.back().value = countOf(part) + (open ? ", open" : "");

@@ -44,6 +44,7 @@ struct PanelHost {
     std::function<void()> openDialog;                        ///< the system's, which then opens what it is told
     std::function<void(const std::string&)> saveDialog;      ///< the system's, from a path; setSavePath() hears of it
     std::function<void(const std::string&)> open;            ///< a file or another input; empty: the viewer's open()
+    std::function<void(const std::string&)> add;             ///< the same, beside what is open
     std::function<const std::vector<RecentFile>&()> recent;  ///< the latest first
     std::string lastView;                                    ///< what can be gone on with; empty: nothing
     std::function<void()> goOn;                              ///< with that
@@ -98,6 +99,8 @@ public:
     void showStart() { start_ = true, restless_ = 2; }
     /// Where a picture is to be saved, as a dialog was told; its end decides the format.
     void setSavePath(const std::string& path);
+    /// What a dialog was told to open, or was dropped, stands beside what is open.
+    bool opensTogether() const;
     void showSave() { saving_ = true, restless_ = 2; }
     void showRecord() { recording_ = static_cast<bool>(host_.record), restless_ = 2; }
     /// Keeps what is seen as a key of a film; forgets those of other molecules.

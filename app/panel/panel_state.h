@@ -25,6 +25,7 @@ struct Panel::State {
     Widgets ui;
     ForeignGlyphs foreign;
     char input[256] = "";      ///< of the start screen
+    bool together = false;     ///< what is opened next stands beside what is open
     char selection[512] = "";  ///< as it is typed
     std::string selected;      ///< what the viewer had when the field was filled last
     char title[256] = "";
@@ -35,6 +36,7 @@ struct Panel::State {
     std::vector<Part> parts;
     std::string unfolded;                            ///< the part whose sequence is shown
     std::vector<std::uint32_t> sequence;             ///< of it
+    std::string sequenceInput;                       ///< as Part::input
     int dragFrom = -1, dragTo = -1;                  ///< of residues of the sequence
     bool alongSequence = false;                      ///< arrow keys go along it
     int sequenceStep = 0;                            ///< that one of them asks for

@@ -74,7 +74,7 @@ void Panel::selectResidues(Viewer& viewer) {
     const std::vector<std::uint32_t>& sequence = state_->sequence;
     const auto [low, high] = std::minmax(state_->dragFrom, state_->dragTo);
     viewer.select(residuesText(*state_->molecule, sequence[static_cast<std::size_t>(low)],
-                               sequence[static_cast<std::size_t>(high)]));
+                               sequence[static_cast<std::size_t>(high)], state_->sequenceInput));
 }
 
 void Panel::drawSequence(const Part& part, const SavedView& look, Viewer& viewer) {

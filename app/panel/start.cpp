@@ -36,10 +36,15 @@ void drawPicture(ImDrawList& list, const RecentFile& recent, ImVec2 low, ImVec2 
 
 }  // namespace
 
+bool Panel::opensTogether() const { return start_ && state_->together; }
+
 void Panel::openInput(const std::string& input, Viewer& viewer, double now) {
     if (input.empty()) return;
+    const bool together = opensTogether();
     start_ = false;
-    if (host_.open)
+    if (together)
+        host_.add(input);
+    else if (host_.open)
         host_.open(input);
     else
         viewer.open(input, now);
@@ -51,6 +56,8 @@ void Panel::drawStart(Viewer& viewer, double now) {
     if (beginCard("Start", empty ? "Nacre" : "Open", kStartPoints, !empty)) start_ = false;
     ui.caption("Molecules, from files and databases");
     ImGui::Spacing();
+    if (empty) state_->together = false;
+    if (host_.add && !empty) ui.toggle("Beside what is open", state_->together);
     if (host_.openDialog && ui.button(Icon::open, "Open a file ...", 0, true)) host_.openDialog();
     if (host_.goOn && empty) {
         if (host_.openDialog) ImGui::SameLine();

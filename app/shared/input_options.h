@@ -23,11 +23,14 @@ struct TrajectoryOptions {
 struct FurtherInput {
     std::string name;  ///< for selections; empty: by its path
     std::string path;  ///< as that of InputOptions
+    std::string hash;  ///< as that of InputOptions
+    friend bool operator==(const FurtherInput&, const FurtherInput&) = default;
 };
 
 /// The INPUT of some atoms is laid onto others with them.
 struct FitOptions {
     Selection moving, fixed;
+    friend bool operator==(const FitOptions&, const FitOptions&) = default;
 };
 
 /// A molecule's place, and how it is read.

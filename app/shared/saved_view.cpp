@@ -12,6 +12,7 @@
 #include "app/shared/molecules.h"
 #include "app/shared/option_text.h"
 #include "app/shared/option_values.h"
+#include "app/shared/several_inputs.h"
 #include "app/shared/trajectory_input.h"
 #include "engine/error.h"
 #include "engine/molecule/read.h"
@@ -107,6 +108,47 @@ bool readTrajectory(const std::string& key, const Json& value, TrajectoryOptions
     return true;
 }
 
+std::vector<FurtherInput> readInputs(const Json& list) {
+    if (!list.is_array() || list.size() + 1 > kMostInputs)
+        throw std::invalid_argument("expected a list of fewer than " + std::to_string(kMostInputs) + " molecules");
+    std::vector<FurtherInput> inputs;
+    for (const Json& each : list) {
+        FurtherInput& input = inputs.emplace_back();
+        if (!each.is_object()) throw std::invalid_argument("expected each molecule as {\"input\": ...}");
+        for (const auto& [key, value] : each.items()) {
+            if (key != "name" && key != "input" && key != "hash")
+                throw std::invalid_argument("a molecule has no \"" + key + "\"");
+            (key == "name" ? input.name : key == "input" ? input.path : input.hash) = textOf(value);
+        }
+        if (input.path.empty()) throw std::invalid_argument("a molecule without \"input\"");
+        if (!input.name.empty() && !isInputName(input.name))
+            throw std::invalid_argument("'" + input.name + "' is no name: letters, digits, - and _");
+    }
+    return inputs;
+}
+
+std::vector<FitOptions> readFits(const Json& list) {
+    if (!list.is_array() || list.size() > kMostInputs) throw std::invalid_argument("expected a list of pairs");
+    std::vector<FitOptions> fits;
+    for (const Json& pair : list) {
+        if (!pair.is_array() || pair.size() != 2) throw std::invalid_argument("expected each fit as a pair");
+        fits.push_back({parseSelection(textOf(pair[0])), parseSelection(textOf(pair[1]))});
+    }
+    return fits;
+}
+
+void addInputKeys(const SavedView& view, OrderedJson& json) {
+    if (!view.name.empty()) json["name"] = view.name;
+    for (const FurtherInput& further : view.further) {
+        OrderedJson each = OrderedJson::object();
+        if (!further.name.empty()) each["name"] = further.name;
+        each["input"] = further.path;
+        if (!further.hash.empty()) each["hash"] = further.hash;
+        json["further-inputs"].push_back(each);
+    }
+    for (const FitOptions& fit : view.fits) json["fits"].push_back({fit.moving.text, fit.fixed.text});
+}
+
 void addMotionKeys(const TrajectoryOptions& trajectory, OrderedJson& json) {
     if (!trajectory.path.empty()) {
         json["trajectory"] = trajectory.path;
@@ -156,6 +198,14 @@ void readKey(const std::string& key, const Json& value, SavedView& view) {
         view.input = textOf(value);
     } else if (key == "hash") {
         view.hash = textOf(value);
+    } else if (key == "name") {
+        view.name = textOf(value);
+        if (!isInputName(view.name))
+            throw std::invalid_argument("'" + view.name + "' is no name: letters, digits, - and _");
+    } else if (key == "further-inputs") {
+        view.further = readInputs(value);
+    } else if (key == "fits") {
+        view.fits = readFits(value);
     } else if (key == "format") {
         view.format = parseFormat(textOf(value));
     } else if (key == "model") {
@@ -220,6 +270,7 @@ SavedView parseSavedView(const std::string& json, const std::string& name) {
             throw Error("cannot read view", name, "\"" + key + "\": " + error.what());
         }
     }
+    nameInputs(view);
     return view;
 }
 
@@ -238,6 +289,7 @@ std::string savedViewJson(const SavedView& view) {
     OrderedJson json = OrderedJson::object();
     if (!view.input.empty()) json["input"] = view.input;
     if (!view.hash.empty()) json["hash"] = view.hash;
+    addInputKeys(view, json);
     if (view.format) json["format"] = formatName(*view.format);
     json["model"] = view.model == kAllModels ? OrderedJson("all") : OrderedJson(view.model);
     addMotionKeys(view.trajectory, json);
@@ -279,6 +331,9 @@ InputOptions inputOf(const SavedView& view, InputOptions options) {
     options.model = view.model;
     options.alone = view.look.ownFrame;
     options.trajectory = view.trajectory;
+    options.name = view.name;
+    options.further = view.further;
+    options.fits = view.fits;
     return options;
 }
 

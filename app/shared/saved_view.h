@@ -7,6 +7,8 @@
 //    "water": "hide", "hydrogens": "show", "projection": "ortho", "fov": 30, "zoom": 1.5,
 //    "orientation": [w, x, y, z], "pan": [x, y], "background": "white", "lighting": "on", "occlusion": 128}
 // and those of app/shared/effect_options.h, as they differ from the default.
+// and, of several molecules: "name": "receptor", "further-inputs": [{"name": "drug", "input": "b.sdf", "hash": "..."}],
+//   "fits": [["/drug", "/receptor and resn STI"]]
 // and, where atoms move: "trajectory": "md.xtc", "frame": 7, "whole": "on", "fit-frames": "backbone", "smooth": 5
 // and, where there are words: "labels": ["ligand={residue}"], "measures": ["78,92"], "title": "B-DNA",
 //   "scale-bar": "nm", "legend": "on", "text-size": 24, "text-color": "#202020"; "palette": "muted".
@@ -30,6 +32,10 @@ struct SavedView {
     std::optional<Format> format;  ///< empty: by content
     int model = 1;
     TrajectoryOptions trajectory;
+    // Several molecules, as those of InputOptions. Their names stand for them in all selections.
+    std::string name;
+    std::vector<FurtherInput> further;
+    std::vector<FitOptions> fits;
     DrawnAtomsOptions drawn;
     RepresentationOptions look;
     Camera camera;

@@ -14,17 +14,12 @@
 namespace nacre::app {
 namespace {
 
-bool isName(const std::string& text) {
-    constexpr const char* kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
-    return !text.empty() && text.find_first_not_of(kLetters) == std::string::npos;
-}
-
 /// "1crn" of "data/1crn.cif.gz", "dna" of "sample:dna".
 std::string nameOf(const std::string& path) {
     std::string name = std::filesystem::path(path.substr(path.rfind(':') + 1)).filename().string();
     name.resize(std::min(name.find('.'), name.size()));
     for (char& c : name)
-        if (!isName(std::string(1, c))) c = '_';
+        if (!isInputName(std::string(1, c))) c = '_';
     return name.empty() || path == "-" ? "input" : name;
 }
 
@@ -68,14 +63,19 @@ std::string fitInput(Molecule& molecule, const FitOptions& fit) {
 
 }  // namespace
 
+bool isInputName(const std::string& text) {
+    constexpr const char* kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+    return !text.empty() && text.find_first_not_of(kLetters) == std::string::npos;
+}
+
 void addInput(InputOptions& input, const std::string& text) {
     if (input.further.size() + 1 >= kMostInputs)
         throw std::invalid_argument("more than " + std::to_string(kMostInputs) + " of them");
     const std::size_t equals = text.find('=');
     std::error_code error;
-    FurtherInput next{"", text};
-    if (equals != std::string::npos && isName(text.substr(0, equals)) && !std::filesystem::exists(text, error))
-        next = {text.substr(0, equals), text.substr(equals + 1)};
+    FurtherInput next{"", text, ""};
+    if (equals != std::string::npos && isInputName(text.substr(0, equals)) && !std::filesystem::exists(text, error))
+        next = {text.substr(0, equals), text.substr(equals + 1), ""};
     if (input.path.empty()) {
         input.path = next.path;
         input.name = next.name;
@@ -97,8 +97,7 @@ std::vector<std::string> inputNames(const InputOptions& input) {
     return names;
 }
 
-void nameInputs(const InputOptions& input, Selection& selection) {
-    const std::vector<std::string> names = inputNames(input);
+void nameInputs(const std::vector<std::string>& names, Selection& selection) {
     for (SelectionStep& step : selection.steps) {
         if (step.test != SelectionTest::chain) continue;
         std::vector<NumberRange> models;
@@ -115,11 +114,21 @@ void nameInputs(const InputOptions& input, Selection& selection) {
     }
 }
 
-void colorApart(const InputOptions& input, RepresentationOptions& look) {
-    if (input.further.empty() || look.color != Coloring(ColorScheme::element)) return;
-    const std::vector<std::string> names = inputNames(input);
+void nameInputs(SavedView& view) {
+    if (view.further.empty()) return;
+    const std::vector<std::string> names = inputNames(inputOf(view));
+    for (Rule& rule : view.look.rules) nameInputs(names, rule.selection);
+    for (Label& label : view.words.labels) nameInputs(names, label.selection);
+    for (FitOptions& fit : view.fits) {
+        nameInputs(names, fit.moving);
+        nameInputs(names, fit.fixed);
+    }
+}
+
+void colorApart(const std::vector<std::string>& names, RepresentationOptions& look, std::size_t from) {
+    if (look.color != Coloring(ColorScheme::element)) return;
     std::vector<Rule> rules;
-    for (std::size_t i = 1; i < names.size(); ++i) {
+    for (std::size_t i = from; i < names.size(); ++i) {
         Rule rule;
         rule.action = Rule::Action::color;
         const auto number = static_cast<std::int32_t>(i + 1);
@@ -139,6 +148,7 @@ Molecule joinInputs(const InputOptions& input, std::vector<Molecule> molecules,
     for (std::size_t i = 0; i < molecules.size(); ++i)
         for (Chain& chain : molecules[i].chains) chain.model = static_cast<int>(i + 1);
     Molecule whole = overlayModels(input.path, std::move(molecules), kMaxAtoms);
+    whole.modelsAreInputs = true;
     whole.assemblies.clear();  // they place one of the molecules, not all
     for (const FitOptions& fit : input.fits) tell(fitInput(whole, fit));
     return whole;

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "app/shared/input_options.h"
+#include "app/shared/saved_view.h"
 #include "engine/scene/appearance.h"
 
 namespace nacre::app {
@@ -17,11 +17,17 @@ void addInput(InputOptions& input, const std::string& text);
 /// Of the INPUTs, in their order; each differs from those before it.
 std::vector<std::string> inputNames(const InputOptions& input);
 
+/// Letters, digits, - and _.
+bool isInputName(const std::string& text);
+
 /// `/ligand`, which the grammar takes for a chain, means the INPUT of that name. INPUTs are told apart as models.
-void nameInputs(const InputOptions& input, Selection& selection);
+void nameInputs(const std::vector<std::string>& names, Selection& selection);
+/// The same in all selections of a view that has several.
+void nameInputs(SavedView& view);
 
 /// Where nothing else is asked for, each INPUT but the first has carbons of a colour of its own.
-void colorApart(const InputOptions& input, RepresentationOptions& look);
+/// @param from  the first to be coloured, counted from 0
+void colorApart(const std::vector<std::string>& names, RepresentationOptions& look, std::size_t from = 1);
 
 /// One molecule of those that were read, in the order of the INPUTs, fitted as the options say.
 /// @param tell  what each fit came to, in a line

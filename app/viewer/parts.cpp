@@ -4,6 +4,7 @@
 #include <cctype>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "engine/molecule/residue_kind.h"
 
@@ -62,26 +63,47 @@ bool isPolymer(ResidueKind kind) { return kind == ResidueKind::protein || kind =
 
 }  // namespace
 
-std::vector<Part> partsOf(const Molecule& m) {
+namespace {
+
+/// Those of one molecule. @param model  its number among several
+void addParts(const Molecule& m, const std::vector<ResidueKind>& kinds, const std::string& input, int model,
+              std::vector<Part>& parts) {
+    const std::size_t before = parts.size();
+    const std::string of = input.empty() ? "" : "/" + input + " and ";
+    const auto ours = [&](std::uint32_t r) { return input.empty() || m.chains[m.residues[r].chain].model == model; };
+    const auto ofKind = [&](ResidueKind kind) {
+        return [&, kind](std::uint32_t r) { return kinds[r] == kind && ours(r); };
+    };
+    const auto residueName = [](const Residue& r) { return std::string(r.name.view()); };
+    for (const auto& [name, group] : groupsOf(
+             m, [&](std::uint32_t r) { return isPolymer(kinds[r]) && ours(r); },
+             [&](const Residue& r) { return m.chains[r.chain].name; }))
+        parts.push_back({Part::Kind::chain, name.empty() ? "Polymer" : "Chain " + name,
+                         of + (name.empty() ? "polymer" : "chain " + quoted(name) + " and polymer"), group.residues,
+                         group.atoms, m.residues[group.first].chain, input});
+    for (const auto& [kind, partKind, word] : {std::tuple(ResidueKind::ligand, Part::Kind::ligand, " and ligand"),
+                                               {ResidueKind::ion, Part::Kind::ion, " and ion"}})
+        for (const auto& [name, group] : groupsOf(m, ofKind(kind), residueName))
+            if (!name.empty())
+                parts.push_back(
+                    {partKind, name, of + "resn " + quoted(name) + word, group.residues, group.atoms, 0, input});
+    if (parts.size() == before) {
+        Part all{Part::Kind::all, "All atoms", input.empty() ? "all" : "/" + input};
+        all.input = input;
+        for (std::uint32_t r = 0; r < m.residues.size(); ++r)
+            if (ours(r)) ++all.residues, all.atoms += m.residues[r].atomCount;
+        parts.push_back(all);
+    }
+}
+
+}  // namespace
+
+std::vector<Part> partsOf(const Molecule& m, const std::vector<std::string>& inputs) {
     std::vector<Part> parts;
     if (m.atoms.empty()) return parts;
     const std::vector<ResidueKind> kinds = residueKinds(m);
-    const auto of = [&](ResidueKind kind) { return [&kinds, kind](std::uint32_t r) { return kinds[r] == kind; }; };
-    const auto residueName = [](const Residue& r) { return std::string(r.name.view()); };
-    for (const auto& [name, group] : groupsOf(
-             m, [&](std::uint32_t r) { return isPolymer(kinds[r]); },
-             [&](const Residue& r) { return m.chains[r.chain].name; }))
-        parts.push_back({Part::Kind::chain, name.empty() ? "Polymer" : "Chain " + name,
-                         name.empty() ? "polymer" : "chain " + quoted(name) + " and polymer", group.residues,
-                         group.atoms, m.residues[group.first].chain});
-    for (const auto& [name, group] : groupsOf(m, of(ResidueKind::ligand), residueName))
-        if (!name.empty())
-            parts.push_back(
-                {Part::Kind::ligand, name, "resn " + quoted(name) + " and ligand", group.residues, group.atoms});
-    for (const auto& [name, group] : groupsOf(m, of(ResidueKind::ion), residueName))
-        if (!name.empty())
-            parts.push_back({Part::Kind::ion, name, "resn " + quoted(name) + " and ion", group.residues, group.atoms});
-    if (parts.empty()) parts.push_back({Part::Kind::all, "All atoms", "all", m.residues.size(), m.atoms.size()});
+    if (inputs.empty()) addParts(m, kinds, "", 0, parts);
+    for (std::size_t i = 0; i < inputs.size(); ++i) addParts(m, kinds, inputs[i], static_cast<int>(i + 1), parts);
     if (parts.size() > kMostParts) parts.resize(kMostParts);
     Part water{Part::Kind::water, "Water", "water"};
     for (std::uint32_t r = 0; r < m.residues.size(); ++r)
@@ -119,14 +141,14 @@ void setLookOf(SavedView& view, const Part& part, const PartLook& look) {
         add(Rule::Action::hide);
 }
 
-std::vector<std::uint32_t> sequenceOf(const Molecule& m, const std::string& chain) {
+std::vector<std::uint32_t> sequenceOf(const Molecule& m, std::uint32_t chain) {
     const std::vector<ResidueKind> kinds = residueKinds(m);
     std::vector<std::uint32_t> residues;
-    const int model = m.chains.empty() ? 1 : m.chains.front().model;
     for (std::uint32_t r = 0; r < m.residues.size(); ++r) {
         const Residue& residue = m.residues[r];
         const Chain& of = m.chains[residue.chain];
-        if (of.name == chain && of.model == model && isPolymer(kinds[r])) residues.push_back(r);
+        if (of.name == m.chains[chain].name && of.model == m.chains[chain].model && isPolymer(kinds[r]))
+            residues.push_back(r);
     }
     return residues;
 }
@@ -137,14 +159,15 @@ char letterOf(const Residue& residue) {
     return 'X';
 }
 
-std::string residuesText(const Molecule& m, std::uint32_t first, std::uint32_t last) {
+std::string residuesText(const Molecule& m, std::uint32_t first, std::uint32_t last, const std::string& input) {
     const auto number = [&](std::uint32_t r) {
         std::string text = std::to_string(m.residues[r].number);
         if (m.residues[r].insertionCode != '\0') text += m.residues[r].insertionCode;
         return text;
     };
     const std::string& chain = m.chains[m.residues[first].chain].name;
-    std::string text = chain.empty() ? "" : "chain " + quoted(chain) + " and ";
+    std::string text = input.empty() ? "" : "/" + input + " and ";
+    if (!chain.empty()) text += "chain " + quoted(chain) + " and ";
     text += "resi " + number(first);
     if (last != first) text += "-" + number(last);
     return text;

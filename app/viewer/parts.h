@@ -17,13 +17,15 @@ struct Part {
     std::string selection;  ///< "chain A and polymer"
     std::size_t residues = 0, atoms = 0;
     std::uint32_t chain = 0;  ///< index into Molecule::chains, of a chain
+    std::string input = {};   ///< name of the molecule that it is of, if there are several
 };
 
 constexpr std::size_t kMostParts = 200;
 
 /// Chains in the file's order, then ligands, ions and water; of a molecule that has none of these, all of it.
-/// At most kMostParts.
-std::vector<Part> partsOf(const Molecule& molecule);
+/// Of several molecules the same for each. At most kMostParts.
+/// @param inputs  names of the molecules, if there are several
+std::vector<Part> partsOf(const Molecule& molecule, const std::vector<std::string>& inputs = {});
 
 /// Whether a part is seen, and how, as far as rules of just its selection say.
 struct PartLook {
@@ -35,12 +37,14 @@ PartLook lookOf(const SavedView& view, const Part& part);
 /// Gives a part a look: by rules of just its selection, behind all others.
 void setLookOf(SavedView& view, const Part& part, const PartLook& look);
 
-/// Residues of a chain that have letters: the polymer, in the file's order. @returns indices into Molecule::residues
-std::vector<std::uint32_t> sequenceOf(const Molecule& molecule, const std::string& chain);
+/// Residues of a chain that have letters: the polymer, in the file's order. @param chain  index into Molecule::chains
+/// @returns indices into Molecule::residues
+std::vector<std::uint32_t> sequenceOf(const Molecule& molecule, std::uint32_t chain);
 /// 'X' where a residue of a polymer is none of the usual.
 char letterOf(const Residue& residue);
-/// Neighbours of a sequence, as a selection: "chain A and resi 10-15".
-std::string residuesText(const Molecule& molecule, std::uint32_t first, std::uint32_t last);
+/// Neighbours of a sequence, as a selection: "chain A and resi 10-15". @param input  as Part::input
+std::string residuesText(const Molecule& molecule, std::uint32_t first, std::uint32_t last,
+                         const std::string& input = {});
 
 /// Words that go on from what is typed: key words, names of chains and residues of the molecule.
 /// @returns whole texts, the likeliest first, at most `most`

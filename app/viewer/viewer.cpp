@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/shared/measurement.h"
+#include "app/shared/several_inputs.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -108,7 +109,9 @@ void Viewer::unclip() {
     if (std::exchange(clipped_, false)) view_.effects.clip.near = -Clip::kNone;
 }
 
-void Viewer::takeAim(const Aim& aim, bool fly, double now) {
+void Viewer::takeAim(Aim aim, bool fly, double now) {
+    for (std::optional<Selection>* selection : {&aim.lookAt, &aim.zoomTo})
+        if (*selection && !document_.view.further.empty()) nameInputs(inputNames(inputOf(document_.view)), **selection);
     try {
         Camera from = motion_.camera();
         if (aim.zoomTo || aim.principal) from.zoom = 1;
@@ -186,6 +189,8 @@ double Viewer::textSize() const { return (view_.words.size > 0 ? view_.words.siz
 
 std::string Viewer::title() const {
     std::string title = document() ? nameOf(document_.view.input) : "";
+    if (document())
+        for (const FurtherInput& further : document_.view.further) title += " + " + nameOf(further.path);
     if (question_) title = "question";
     if (loader_.busy()) title += title.empty() ? "reading" : ", building";
     if (document() && occlusion_ < 1 && !playback_.playing())

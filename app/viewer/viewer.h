@@ -75,6 +75,8 @@ public:
     void gesture(const Gesture& gesture, double now) { apply({gesture}, now); }
     void run(ViewerCommand command, double now);
     void open(const std::string& path, double now);
+    /// Another molecule beside what is shown.
+    void add(const std::string& path, double now);
     /// All that a view says: its molecule is read.
     void show(const SavedView& view, double now);
     /// What is being read is not wanted any more.
@@ -178,6 +180,7 @@ public:
     void setDisplayInterval(double seconds) { schedule_.setDisplayInterval(seconds); }
     /// Seconds that a frame of a motion may take before its resolution drops, where the display would ask for less.
     void setLongestFrame(double seconds) { schedule_.setLongestFrame(seconds); }
+    const MotionFrames& motionFrames() const { return schedule_.motionFrames(); }
     /// The device was lost while drawing: make another screen, then screenLost().
     bool deviceLost() const { return deviceLost_; }
 
@@ -208,7 +211,7 @@ private:
     bool moveCamera(ViewerCommand command, double now);
     bool aimCamera(ViewerCommand command, double now);
     void unclip();
-    void takeAim(const Aim& aim, bool fly, double now);
+    void takeAim(Aim aim, bool fly, double now);
     void draw(const FrameSchedule::Next& next, double now, bool moving, const std::function<const Overlay*()>& overlay);
     std::uint32_t refinedSamples() const;
     /// When a hand that moved the picture last counts as at rest.

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/shared/several_inputs.h"
 #include "app/viewer/viewer.h"
 #include "engine/error.h"
 
@@ -17,6 +18,9 @@ void Viewer::open(const std::string& path, double now) {
     fresh.format.reset();
     fresh.model = 1;
     fresh.trajectory = {};
+    fresh.name.clear();
+    fresh.further.clear();
+    fresh.fits.clear();
     fresh.look.assembly.clear();
     fresh.look.rules.clear();
     fresh.words.labels.clear();
@@ -25,6 +29,25 @@ void Viewer::open(const std::string& path, double now) {
     fresh.camera = {};
     fresh.camera.projection = view_.camera.projection;
     loader_.open(fresh);
+    say("reading " + nameOf(path), now);
+}
+
+void Viewer::add(const std::string& path, double now) {
+    if (!document()) return open(path, now);
+    question_.reset();
+    dismissFailure();
+    remember();
+    restoring_ = false;
+    SavedView more = view();
+    if (more.further.size() + 1 >= kMostInputs) return fail("more than 100 molecules are not shown together", now);
+    more.further.push_back({"", path, ""});
+    more.model = 1;  // models of one are nothing to the others
+    more.trajectory = {};
+    more.look.assembly.clear();
+    more.camera.pan = {};
+    more.camera.zoom = 1;
+    colorApart(inputNames(inputOf(more)), more.look, more.further.size());
+    loader_.read(more);
     say("reading " + nameOf(path), now);
 }
 
@@ -50,12 +73,13 @@ void Viewer::setLook(const SavedView& look, double now, bool continues) {
     if (!continues) remember();
     unremembered_ = true;
     view_ = look;
+    nameInputs(view_);
     view_.camera = before.camera;
     motion_.setProjection(look.camera.projection);
     changed(now);
     // What cannot be said of this molecule is not kept.
-    if (look.words != before.words && !putWords(now)) view_.words = before.words;
-    const bool scene = look.look != before.look || look.drawn != before.drawn;
+    if (view_.words != before.words && !putWords(now)) view_.words = before.words;
+    const bool scene = view_.look != before.look || look.drawn != before.drawn;
     // What is being read is seen in this look once it is there.
     const bool reading = loader_.busy() && loader_.view().input != document_.view.input;
     if (scene && document_.molecule && !reading) loader_.build(view(), document_);
@@ -107,6 +131,9 @@ void Viewer::tookDocument(double now) {
         view_.format = document_.view.format;
         view_.model = document_.view.model;
         view_.trajectory = document_.view.trajectory;
+        view_.name = document_.view.name;
+        view_.further = document_.view.further;
+        view_.fits = document_.view.fits;
         view_.look.assembly = document_.view.look.assembly;
         if (!step && !view_.look.style) {
             view_.look.style = document_.view.look.style;

@@ -47,7 +47,8 @@ void Viewer::restore(const SavedView& to, double now) {
     const SavedView before = view();
     // What is shown may still be something else than what was asked for before.
     const SavedView& there = document_.view;
-    const bool file = !document() || to.input != there.input || to.format != there.format ||
+    const bool file = !document() || to.input != there.input || to.format != there.format || to.name != there.name ||
+                      to.further != there.further || to.fits != there.fits ||
                       to.trajectory.path != there.trajectory.path;
     const bool frame = !file && document_.moves() && to.look.assembly == there.look.assembly;  // the player has it
     const bool another = file || (!frame && to.model != there.model);

@@ -1,9 +1,10 @@
 // What the pointer and fingers point at: names, measurements, the selection.
 
 #include <algorithm>
-#include <cctype>
 
 #include "app/shared/measurement.h"
+#include "app/shared/several_inputs.h"
+#include "app/viewer/parts.h"
 #include "app/viewer/viewer.h"
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
@@ -15,19 +16,24 @@ constexpr double kFingerPoints = 12;      // what a pick may miss by
 constexpr double kHoverPoints = 2;        // and a pointer that rests
 constexpr std::size_t kMostMarks = 3000;  // of a selection: of more atoms, some
 
+/// A selection as it is typed: `/name` is one of several molecules. @throws std::invalid_argument
+Selection selectionOf(const std::string& text, const SavedView& view) {
+    Selection selection = parseSelection(text);
+    if (!view.further.empty()) nameInputs(inputNames(inputOf(view)), selection);
+    return selection;
+}
+
 /// The residue of an atom, as one would type it; the atom where its residue is the whole molecule.
-std::string residueText(const Molecule& molecule, std::uint32_t atom) {
-    const Residue& residue = molecule.residues[molecule.atoms[atom].residue];
+std::string residueText(const Document& document, std::uint32_t atom) {
+    const Molecule& molecule = *document.molecule;
+    const std::uint32_t number = molecule.atoms[atom].residue;
+    const Residue& residue = molecule.residues[number];
     if (residue.atomCount == molecule.atoms.size() || residue.name.view().empty())
         return "id " + std::to_string(atom + 1);
-    const Chain& chain = molecule.chains[residue.chain];
-    std::string text;
-    const bool plain = std::all_of(chain.name.begin(), chain.name.end(),
-                                   [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; });
-    if (!chain.name.empty()) text = "chain " + (plain ? chain.name : "'" + chain.name + "'") + " and ";
-    text += "resi " + std::to_string(residue.number);
-    if (residue.insertionCode != '\0') text += residue.insertionCode;
-    return text;
+    std::string input;
+    if (molecule.modelsAreInputs)
+        input = inputNames(inputOf(document.view))[static_cast<std::size_t>(molecule.chains[residue.chain].model - 1)];
+    return residuesText(molecule, number, number, input);
 }
 
 }  // namespace
@@ -55,7 +61,7 @@ void Viewer::pick(glm::dvec2 at, double now) {
         select("");
         return;
     }
-    select(residueText(*document_.molecule, *atom - 1));
+    select(residueText(document_, *atom - 1));
     if (!picks_.empty() && picks_.back() == *atom - 1) return;
     if (picks_.size() == 4) picks_.clear();
     picks_.push_back(*atom - 1);
@@ -68,7 +74,7 @@ void Viewer::doubleTap(glm::dvec2 at, double now) {
     const std::uint32_t atom = atomUnder(at, kFingerPoints, now).value_or(0);
     if (atom != 0 && document_.molecule->residues.size() > 1) {
         Aim aim;
-        aim.zoomTo = parseSelection(residueText(*document_.molecule, atom - 1));
+        aim.zoomTo = selectionOf(residueText(document_, atom - 1), document_.view);
         return takeAim(aim, true, now);
     }
     motion_.fit(now);
@@ -108,7 +114,7 @@ void Viewer::placeSelection() {
     selected_.count = 0;
     if (selected_.text.empty() || !document()) return;
     try {
-        const std::vector<bool> chosen = selectAtoms(*document_.placed, parseSelection(selected_.text));
+        const std::vector<bool> chosen = selectAtoms(*document_.placed, selectionOf(selected_.text, document_.view));
         selected_.count = static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), true));
         std::vector<std::uint32_t> shown;
         for (const std::uint32_t atom : drawnAtoms(*document_.molecule, view_.drawn))

@@ -13,6 +13,7 @@ namespace nacre::app {
 
 int Viewer::models() const {
     if (!document_.molecule) return 0;
+    if (document_.molecule->modelsAreInputs) return 1;
     const FileSummary& file = document_.molecule->file;
     return static_cast<int>(std::max(file.models.value_or(1), file.records.value_or(1)));
 }

@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 
 #include "engine/error.h"
 #include "tests/support/run_program.h"
@@ -29,7 +31,7 @@ TEST(SeveralInputs, HaveNames) {
     EXPECT_EQ(input.further[0].path, "data/1crn.cif.gz");
     EXPECT_EQ(inputNames(input), (std::vector<std::string>{"receptor", "1crn", "dna", "1crn_2", "input"}));
     Selection selection = parseSelection("/receptor or (/dna+input and chain A)");
-    nameInputs(input, selection);
+    nameInputs(inputNames(input), selection);
     EXPECT_EQ(selection.steps[0].test, SelectionTest::model);
     EXPECT_EQ(selection.steps[0].numbers[0].first, 1);
     EXPECT_EQ(selection.steps[1].numbers[1].first, 5);
@@ -48,6 +50,35 @@ TEST(SeveralInputs, AreOnePicture) {
     EXPECT_NE(hidden, together);
     ASSERT_EQ(nacreIn(folder, "render sample:glucose --style ball-and-stick" + kSmall).code, 0);
     EXPECT_EQ(contentOf(folder / "a.png"), hidden) << "what is named is what is hidden";
+}
+
+TEST(SeveralInputs, StandInASavedView) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "there");
+    std::ofstream(folder / "there/water.xyz") << "3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n";
+    std::ofstream(folder / "there/both.json")
+        << R"({"input": "sample:glucose", "name": "g", "further-inputs": [{"input": "water.xyz", "name": "w"}],
+              "fits": [["/w and elem O+H", "/g"]], "style": "ball-and-stick", "water": "show",
+              "rules": [{"color-by": "/w=#ff8000"}, {"show": "/w=spacefill"}]})";
+    const std::string look =
+        " --style ball-and-stick --water show --color-by /w=#ff8000 --show /w=spacefill --color element";
+    const Outcome refused = nacreIn(folder, "render --view there/both.json" + kSmall);
+    EXPECT_EQ(refused.code, 1) << "a fit is tried, and has too few pairs";
+    EXPECT_NE(refused.err.find("cannot fit: /w and elem O+H"), std::string::npos) << refused.err;
+    std::string text = contentOf(folder / "there/both.json");
+    text.replace(text.find("\"fits\""), text.find("\"style\"") - text.find("\"fits\""), "");
+    std::ofstream(folder / "there/both.json") << text;
+    ASSERT_EQ(nacreIn(folder, "render --view there/both.json" + kSmall).code, 0);
+    const std::string byView = contentOf(folder / "a.png");
+    // The same by words; the colours that keep molecules apart lie below those of the view.
+    ASSERT_EQ(nacreIn(folder, "render g=sample:glucose w=there/water.xyz" + look + kSmall).code, 0);
+    EXPECT_EQ(contentOf(folder / "a.png"), byView);
+    ASSERT_EQ(nacreIn(folder, "render g=sample:glucose" + look + kSmall).code, 0);
+    EXPECT_NE(contentOf(folder / "a.png"), byView);
+    for (const char* bad : {R"({"input": "a", "further-inputs": [{"name": "b"}]})", R"({"further-inputs": {}})",
+                            R"({"name": "a b"})", R"({"further-inputs": [{"input": "b", "name": "x/y"}]})",
+                            R"({"fits": [["all"]]})", R"({"further-inputs": [{"input": "b", "format": "pdb"}]})"})
+        EXPECT_THROW(parseSavedView(bad, "view"), Error) << bad;
 }
 
 TEST(SeveralInputs, AreColouredApartUnlessAsked) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/panel/panel.h"
+#include "app/shared/several_inputs.h"
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
@@ -24,9 +25,15 @@ public:
 
 inline Sources sampleSources() {
     return {[](const SavedView& v) {
-                if (!v.input.starts_with("sample:"))
-                    throw Error("cannot read molecule", v.input, "No such file or directory");
-                return sampleMolecule(v.input.substr(7));
+                const auto sample = [](const std::string& input) {
+                    if (!input.starts_with("sample:"))
+                        throw Error("cannot read molecule", input, "No such file or directory");
+                    return sampleMolecule(input.substr(7));
+                };
+                if (v.further.empty()) return sample(v.input);
+                std::vector<Molecule> all{sample(v.input)};
+                for (const FurtherInput& further : v.further) all.push_back(sample(further.path));
+                return joinInputs(inputOf(v), std::move(all), [](const std::string&) {});
             },
             [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m, v.drawn), v.look); }};
 }
@@ -70,6 +77,7 @@ struct Bench {
             viewer.run(c, now);
         };
         h.openDialog = [] {};
+        h.add = [this](const std::string& input) { viewer.add(input, now); };
         h.recent = [this]() -> const std::vector<RecentFile>& { return recent; };
         h.freeName = [](const char* extension) { return std::string("picture") + extension; };
         h.savePicture = [](const PictureWish&) {};

@@ -107,6 +107,44 @@ TEST(Panel, RowsOfPartsHideAndColour) {
     EXPECT_TRUE(named);
 }
 
+TEST(Panel, AnotherMoleculeStandsBesideWhatIsOpen) {
+    Bench b("sample:dna", {1000, 900});
+    b.panel.showStart();
+    b.settle();
+    b.click("Beside what is open");
+    b.click("Buckyball");
+    ASSERT_EQ(b.viewer.document()->molecule->atoms.size(), 486u + 60u);
+    EXPECT_EQ(b.viewer.title(), "sample:dna + sample:buckyball - Nacre");
+    EXPECT_EQ(b.viewer.models(), 1) << "molecules are no models to step through";
+    ASSERT_EQ(b.viewer.view().look.rules.size(), 1u);
+    EXPECT_EQ(b.viewer.view().look.rules[0].selection.text, "/buckyball");
+    b.panel.showPage(Panel::Page::parts);
+    b.settle();
+    expectReadable(b, "parts of two molecules");
+    const auto drawn = [&] { return b.viewer.document()->scene.drawnAtoms; };
+    const std::size_t all = drawn();
+    b.click("Hide 60C");
+    EXPECT_EQ(drawn(), all - 60);
+    b.click("Hide Chain A");
+    EXPECT_LT(drawn(), 300u);
+    EXPECT_EQ(b.viewer.view().look.rules.back().selection.text, "/dna and chain A and polymer");
+    // A click says which molecule it means, and so does what is typed.
+    b.viewer.select("/buckyball");
+    EXPECT_EQ(b.viewer.selection().count, 60u);
+    // What is saved with both is read with both, and means the same.
+    const SavedView again = parseSavedView(savedViewJson(b.viewer.view()), "view");
+    EXPECT_EQ(again.further, b.viewer.view().further);
+    EXPECT_EQ(again.look.rules, b.viewer.view().look.rules);
+    for (int i = 0; i < 3; ++i) b.click("Undo");
+    EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), 486u);
+    EXPECT_TRUE(b.viewer.view().look.rules.empty());
+    b.click("Redo");
+    EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), 546u);
+    b.viewer.open("sample:glucose", b.now);
+    b.settle();
+    EXPECT_TRUE(b.viewer.view().further.empty());
+}
+
 TEST(Panel, ADragAcrossTheSequenceSelectsResidues) {
     Bench b("sample:dna", kUsual);
     b.panel.showPage(Panel::Page::parts);

@@ -179,7 +179,7 @@ TEST(Parts, RowsOfAMolecule) {
     EXPECT_EQ(parts[0].name, "Chain A");
     EXPECT_EQ(parts[0].selection, "chain A and polymer");
     EXPECT_EQ(parts[0].residues, 12u);
-    const std::vector<std::uint32_t> sequence = sequenceOf(m, "A");
+    const std::vector<std::uint32_t> sequence = sequenceOf(m, 0);
     std::string letters;
     for (const std::uint32_t r : sequence) letters += letterOf(m.residues[r]);
     EXPECT_EQ(letters, "CGCGAATTCGCG");

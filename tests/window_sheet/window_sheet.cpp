@@ -233,6 +233,18 @@ std::vector<State> states(const std::string& protein, const std::string& models)
              d.pause(0.2);
              d.click("Colour of Chain B");
          }},
+        {"parts, two molecules", kUsual, "sample:dna",
+         [](Driver& d) {
+             d.viewer().add("sample:buckyball", seconds());
+             d.settle();
+             d.panel().showPage(Panel::Page::parts);
+         }},
+        {"open, beside", kUsual, "sample:dna",
+         [](Driver& d) {
+             d.panel().showStart();
+             d.pause(0.2);
+             d.click("Beside what is open");
+         }},
         {"parts, small molecule", kUsual, "sample:glucose", page(Panel::Page::parts)},
         {"select, nothing", kUsual, p, page(Panel::Page::select)},
         {"select, rules", kUsual, p, rules},
