@@ -70,12 +70,12 @@ std::vector<Timed> timedPaths(const BenchOptions& options, const Representation&
 /// Times whole frames, from declaring the graph to the device being done; every path in turn within a round, so that
 /// the machine's moods meet all of them.
 void timeFrames(const BenchOptions& options, double radius, std::vector<Timed>& timed, Progress& progress) {
-    double spent = 0;
-    for (int frame = -3; frame < options.frames && (frame < 3 || spent < kBenchMilliseconds); ++frame) {
-        progress.advance(std::max({frame / static_cast<double>(options.frames), spent / kBenchMilliseconds, 0.0}));
+    BenchRounds rounds(options, 3);
+    for (int frame = -3; rounds.goesOn(frame); ++frame) {
+        progress.advance(rounds.share(frame));
         for (Timed& t : timed)
-            spent += timeFrame(*t.renderer, benchFrame(options, radius, std::max(frame, 0)),
-                               frame >= 0 ? &t.samples : nullptr);
+            rounds.spend(timeFrame(*t.renderer, benchFrame(options, radius, std::max(frame, 0)),
+                                   frame >= 0 ? &t.samples : nullptr));
     }
 }
 
@@ -156,10 +156,10 @@ Json floorJson(const BenchOptions& options, const Representation& part, const Ti
     least.setScene(part);
     least.render(settings);
     Samples whole, floor;
-    double spent = 0;
-    for (int frame = -2; frame < options.frames && (frame < 3 || spent < kBenchMilliseconds / 2); ++frame) {
-        spent += timeFrame(*timed.renderer, settings, frame >= 0 ? &whole : nullptr);
-        spent += timeFrame(least, settings, frame >= 0 ? &floor : nullptr);
+    BenchRounds rounds(options, 3);
+    for (int frame = -2; rounds.goesOn(frame); ++frame) {
+        rounds.spend(timeFrame(*timed.renderer, settings, frame >= 0 ? &whole : nullptr));
+        rounds.spend(timeFrame(least, settings, frame >= 0 ? &floor : nullptr));
     }
     const auto ratio = [](const std::vector<double>& a, const std::vector<double>& b) {
         return *std::min_element(a.begin(), a.end()) / *std::min_element(b.begin(), b.end());

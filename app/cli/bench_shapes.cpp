@@ -25,13 +25,19 @@ constexpr Variant kVariants[] = {{"off", PlateShape::none, "octagon", ImpostorSh
                                  {"square", PlateShape::square, "square", ImpostorShape::square},
                                  {"octagon", PlateShape::octagon, "square", ImpostorShape::square}};
 
+/// One sample a pixel.
+RenderSettings shapeFrame(const BenchOptions& options, double radius, int frame) {
+    RenderSettings settings = benchFrame(options, radius, frame);
+    settings.supersample = 1;
+    return settings;
+}
+
 }  // namespace
 
 Json compareShapes(const BenchOptions& options, const Representation& scene, Renderer& encoded, Progress& progress) {
     Json rows = Json::array();
     for (const Variant& variant : kVariants) {
-        RenderSettings settings = benchFrame(options, scene.radius, 0);
-        settings.supersample = 1;
+        RenderSettings settings = shapeFrame(options, scene.radius, 0);
         settings.tuning.plates = variant.plateShape;
         settings.tuning.impostor = variant.impostorShape;
         settings.tuning.countFragments = true;
@@ -47,17 +53,16 @@ Json compareShapes(const BenchOptions& options, const Representation& scene, Ren
     }
     // In turns, so that the machine's moods meet all of them.
     std::vector<std::vector<double>> samples(std::size(kVariants));
-    double spent = 0;
-    for (int frame = -1; frame < options.frames && (frame < 2 || spent < kBenchMilliseconds); ++frame) {
-        progress.advance(std::max({frame / static_cast<double>(options.frames), spent / kBenchMilliseconds, 0.0}));
+    BenchRounds rounds(options, 2);
+    for (int frame = -1; rounds.goesOn(frame); ++frame) {
+        progress.advance(rounds.share(frame));
         for (std::size_t i = 0; i < std::size(kVariants); ++i) {
-            RenderSettings settings = benchFrame(options, scene.radius, std::max(frame, 0));
-            settings.supersample = 1;
+            RenderSettings settings = shapeFrame(options, scene.radius, std::max(frame, 0));
             settings.tuning.plates = kVariants[i].plateShape;
             settings.tuning.impostor = kVariants[i].impostorShape;
             const double ms = encoded.drawFrame(settings);
             if (frame >= 0) samples[i].push_back(ms);
-            spent += ms;
+            rounds.spend(ms);
         }
     }
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i]["frame"] = timesJson(samples[i]);

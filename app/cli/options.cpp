@@ -31,7 +31,7 @@ void addBench(CommandSpec& command, BenchOptions& options) {
     addSize(command, "640x960", options.size);
     addCameraValues(command, options.camera, "Degrees of the first frame; each next one turns by 5 about Y");
     addSupersample(command, "1", options.supersample);
-    addValue(command, "--frames", "N", "20", "Timed frames a path, 1 to 10000; as many as 3 seconds of all paths hold",
+    addValue(command, "--frames", "N", "20, or what 3 seconds hold", "Timed frames a path, 1 to 10000",
              [&](const std::string& text) { options.frames = static_cast<int>(parseInteger(text, 1, 10000)); });
     addValue(command, "--only", "PART", "everything", "frames (by path), shapes (of plates and impostors) or bake",
              [&](const std::string& text) {

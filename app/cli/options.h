@@ -98,7 +98,7 @@ struct BenchOptions {
     Size size{640, 960};
     Camera camera;                  ///< of the first frame
     std::uint32_t supersample = 1;  ///< as RenderSettings::supersample
-    int frames = 20;
+    std::optional<int> frames;      ///< of a path; empty: 20, or fewer that take long
     Part only = Part::all;
     OcclusionOptions occlusion;
     DeviceOptions device;

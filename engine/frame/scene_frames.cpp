@@ -37,6 +37,13 @@ void SceneFrames::checkBlending(VkFormat format) const {
         "it does not blend 32 bits a channel, which layers and pictures of 16 bits are made of; ask for 8 bits");
 }
 
+void SceneFrames::dropHidden(passes::SceneView& seen, const RenderSettings& settings, const View& view,
+                             bool edges) const {
+    if (!settings.tuning.cull || seen.copies.sphereCount() < settings.tuning.hideFrom) return;
+    hidden_.drop(seen.copies, scene_->representation, scene_->chunks,
+                 passes::tileView(seen, view, imageExtent(view), !edges), seen.radiusPixels);
+}
+
 ScreenFrame SceneFrames::declare(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                                  std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
                                  std::shared_ptr<passes::FragmentCounter> fragments, bool edges) const {
@@ -85,10 +92,11 @@ ScreenFrame SceneFrames::declareSeen(const RenderSettings& asked, const passes::
     seen->copies.triangles = passes::chosen(seen->copies.triangles, scene_->translucent,
                                             layered ? passes::Triangles::opaque : passes::Triangles::solid);
     const graph::Extent image = imageExtent(view);
+    const bool drawnEdges = edges && drawsEdges() && !debug;
     if (path == Visibility::tiles) {
+        if (!debug) dropHidden(*seen, settings, view, drawnEdges);
         const bool shaded = seen->coded && !debug && !seen->fragments && device_.caps().tiles.shade;
-        seen->tiles =
-            tiles_.prepare(scene_->representation, *seen, view, image, {shaded, edges && drawsEdges() && !debug});
+        seen->tiles = tiles_.prepare(scene_->representation, *seen, view, image, {shaded, drawnEdges});
         if (!seen->tiles) path = Visibility::fragdepth;
         if (seen->tiles && layered)
             seen->translucent->tiles = layerTiles_.prepare(scene_->representation, *seen->translucent, view, image,

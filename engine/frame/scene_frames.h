@@ -5,6 +5,7 @@
 #include "engine/frame/screen.h"
 #include "engine/gpu/execute.h"
 #include "engine/gpu/frame_buffers.h"
+#include "engine/passes/hidden_spheres.h"
 #include "engine/passes/tile_frame.h"
 #include "engine/results.h"
 
@@ -45,6 +46,8 @@ private:
     ScreenFrame declareSeen(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                             std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
                             std::shared_ptr<passes::FragmentCounter> fragments, bool edges, double* lastRadius) const;
+    /// Takes out of a view the spheres that others hide. @param edges  samples between the middles of pixels look at it
+    void dropHidden(passes::SceneView& seen, const RenderSettings& settings, const View& view, bool edges) const;
     void checkBlending(VkFormat format) const;
 
     const gpu::Device& device_;
@@ -52,6 +55,7 @@ private:
     FrameStats& stats_;
     gpu::Image white_;  // the atlas of scenes without occlusion
     mutable passes::TileFrames tiles_, layerTiles_;
+    mutable passes::HiddenSpheres hidden_;
     mutable double windowRadius_ = 0;  // by which the window's last frame chose its shapes
     // Frames in flight hold theirs; the last one serves as long as nothing changes.
     mutable layout::EffectConstants lastEffects_{};

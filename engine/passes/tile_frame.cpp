@@ -20,25 +20,6 @@ constexpr double kSmallPixels = 0.75;
 /// And from which on what a pixel's samples see is seen in the middle of one of the nine about it, nearly always.
 constexpr double kLargePixels = 6;
 
-TileView tileView(const SceneView& seen, const View& view, graph::Extent image, TileWork work) {
-    const layout::ViewConstants& c = seen.constants;
-    TileView v;
-    v.width = image.width;
-    v.height = image.height;
-    v.perspective = seen.perspective;
-    v.quarterTurns = seen.quarterTurns;
-    v.axis = c.axisPixel;
-    v.pixels = static_cast<float>(view.pixelsPerAngstrom);
-    v.origin = c.origin;
-    v.nearest = c.depthStart;
-    v.range = 1.0f / c.perRange;
-    if (seen.effects.clip.on()) v.clipNear = c.clipNear, v.clipFar = c.clipFar;
-    v.contour = c.contourWidth;
-    v.centers = !work.edges;
-    v.layers = work.kept;
-    return v;
-}
-
 std::vector<TileCall> callsOf(const SceneView& seen, const std::vector<PlacedCopies::Call>& calls,
                               std::uint32_t first) {
     std::vector<TileCall> list;
@@ -86,6 +67,24 @@ std::uint32_t groupsOfEdges(const TileLists& lists, const gpu::TileCaps& caps) {
 
 }  // namespace
 
+TileView tileView(const SceneView& seen, const View& view, graph::Extent image, bool centers) {
+    const layout::ViewConstants& c = seen.constants;
+    TileView v;
+    v.width = image.width;
+    v.height = image.height;
+    v.perspective = seen.perspective;
+    v.quarterTurns = seen.quarterTurns;
+    v.axis = c.axisPixel;
+    v.pixels = static_cast<float>(view.pixelsPerAngstrom);
+    v.origin = c.origin;
+    v.nearest = c.depthStart;
+    v.range = 1.0f / c.perRange;
+    if (seen.effects.clip.on()) v.clipNear = c.clipNear, v.clipFar = c.clipFar;
+    v.contour = c.contourWidth;
+    v.centers = centers;
+    return v;
+}
+
 TileCounts countsOf(const TileLists& lists) {
     return {lists.tiles().size(), lists.kept(), lists.keptSpheres(), lists.entries(), lists.longest()};
 }
@@ -100,9 +99,13 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     const std::vector<TileCall> triangles =
         callsOf(seen, seen.copies.triangles, seen.constants.spheres + seen.constants.cylinders);
     const TileScenery scenery{r.spheres, spheres, r.cylinders, cylinders, r.triangles, r.meshVertices, triangles};
-    frame.lists.build(tileView(seen, view, image, work), scenery);
-    if (frame.lists.longest() > kLongestListOfEdges && std::exchange(work.edges, false) && !triangles.empty())
-        frame.lists.build(tileView(seen, view, image, work), scenery);
+    const auto build = [&] {
+        TileView asked = tileView(seen, view, image, !work.edges);
+        asked.layers = work.kept;
+        frame.lists.build(asked, scenery);
+    };
+    build();
+    if (frame.lists.longest() > kLongestListOfEdges && std::exchange(work.edges, false) && !triangles.empty()) build();
     if (frame.lists.longest() > kLongestList) return nullptr;
     frame.copies = !r.copies.transforms.empty();
     frame.constants = constantsOf(seen.constants, seen.copies, frame.lists);

@@ -67,6 +67,9 @@ struct TileFrame {
     const PixelWords& sights() const { return shaded ? edges.numbers : numbers; }
 };
 
+/// How the host's lists look at a view. @param centers  pixels are asked at their centres alone
+TileView tileView(const SceneView& seen, const View& view, graph::Extent image, bool centers);
+
 /// What lists hold, for who asks.
 TileCounts countsOf(const TileLists& lists);
 

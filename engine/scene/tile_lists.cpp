@@ -8,48 +8,6 @@
 namespace nacre {
 namespace {
 
-glm::vec3 placed(const glm::vec4* rows, const glm::vec3& p) {
-    return {rows[0].x * p.x + rows[0].y * p.y + rows[0].z * p.z + rows[0].w,
-            rows[1].x * p.x + rows[1].y * p.y + rows[1].z * p.z + rows[1].w,
-            rows[2].x * p.x + rows[2].y * p.y + rows[2].z * p.z + rows[2].w};
-}
-
-/// From the plane z = 0 to the image, whose rows run downwards.
-glm::vec2 pixelOf(const TileView& view, glm::vec2 q) {
-    const glm::vec2 p = glm::vec2(q.x, -q.y) * view.pixels;
-    switch (view.quarterTurns & 3) {
-        case 1:
-            return view.axis + glm::vec2(-p.y, p.x);
-        case 2:
-            return view.axis - p;
-        case 3:
-            return view.axis + glm::vec2(p.y, -p.x);
-        default:
-            return view.axis + p;
-    }
-}
-
-/// Of a ball that holds a sphere with its contour line (shaders/common/view.glsl).
-float reachOf(const TileView& view, float z, float radius) {
-    if (!view.perspective) return radius + view.contour;
-    return radius + view.contour * (view.origin - z + radius) / (view.origin - view.contour);
-}
-
-/// A disc on the plane z = 0 that holds a sphere's picture. In perspective about the ellipse that is its image
-/// (shaders/common/outline.glsl).
-struct Disc {
-    glm::vec2 center;
-    float radius;
-};
-Disc discOf(const TileView& view, const glm::vec3& center, float radius) {
-    if (!view.perspective) return {glm::vec2(center), radius};
-    const float E = view.origin, D = E - center.z;
-    const float rho = glm::length(glm::vec2(center));
-    const float under = D * D - radius * radius;
-    const float a = E * radius * std::sqrt(under + rho * rho) / under;
-    return {glm::vec2(center) * (E * D / under), a + 4e-6f * (rho + a) * E / D};
-}
-
 /// From the place of a copy to the picture: pixel and Z.
 class CornerPlace {
 public:

@@ -3,7 +3,6 @@
 // draws from. Conservative: a list may name a primitive that does not show, and never lacks one that does.
 
 #include <cstdint>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
@@ -11,26 +10,9 @@
 
 #include "engine/scene/front_triangles.h"
 #include "engine/scene/representation.h"
+#include "engine/scene/tile_view.h"
 
 namespace nacre {
-
-/// How a picture is looked at, in the numbers that shaders get (ViewConstants in shaders/common/layout.h): Å, pixels.
-struct TileView {
-    std::uint32_t width = 0, height = 0;  ///< pixels of the image
-    bool perspective = false;
-    int quarterTurns = 0;                      ///< as in View
-    glm::vec2 axis{};                          ///< pixel of the view axis
-    float pixels = 1;                          ///< per Å at z = 0
-    float origin = 0;                          ///< Z is origin - z; in perspective the eye stands there
-    float nearest = 0;                         ///< Z of the nearest depth
-    float range = 1;                           ///< from there to the farthest, Å
-    float clipNear = -1e30f, clipFar = 1e30f;  ///< Z that planes cut at
-    float contour = 0;                         ///< width of the line about a primitive, Å at z = 0
-    /// Pixels are asked at their centres alone: triangles that lie between them are left out, and, where one layer is
-    /// asked for, such as lie behind others at all of them.
-    bool centers = false;
-    std::uint32_t layers = 1;  ///< how many of the nearest primitives a pixel shows
-};
 
 /// Primitives of a stream at one place.
 struct TileCall {

@@ -39,11 +39,11 @@ TEST_P(Culling, NeverChangesABit) {
     const Representation r = culledScene(c);
     std::mt19937 random(7);
     std::uniform_real_distribution<double> unit(-1, 1);
-    std::uint64_t most = 0, least = UINT64_MAX;
+    std::uint64_t most = 0, least = UINT64_MAX, hidden = 0;
     for (const Visibility path : kPaths) {
         ValidatedRenderer& renderer = rendererOf(path);
         renderer->setScene(r);
-        for (const double zoom : {1.0, 3.0, 9.0, 30.0}) {
+        for (const double zoom : {0.1, 1.0, 3.0, 9.0, 30.0}) {
             RenderSettings s = settings(r, 120, c.projection, {unit(random) * 180, unit(random) * 180, 0}, zoom);
             s.view.pan = glm::dvec2(unit(random), unit(random)) * (0.5 * r.radius);
             s.view.quarterTurns = static_cast<int>(zoom) % 4;
@@ -53,14 +53,19 @@ TEST_P(Culling, NeverChangesABit) {
             const auto count = [&] { return renderer->stats().spheres + renderer->stats().triangles / 20; };
             const std::uint64_t submitted = count();
             s.tuning.cull = true;
+            s.tuning.hideFrom = 0;
             EXPECT_EQ(renderer->render(s).rgba, whole.rgba) << "zoom " << zoom;
             EXPECT_LE(count(), submitted);
+            hidden += path == Visibility::tiles && zoom == 1 ? submitted - count() : 0;
             most = std::max(most, count());
             least = std::min(least, count());
         }
     }
     // Zoomed in, most atoms are off screen; but those of a lone helix fill few chunks.
     EXPECT_LT(least, most);
+    if (c.style == Style::spacefill) {
+        EXPECT_GT(hidden, 40u);  // of 486 atoms
+    }
     if (c.copies) {
         EXPECT_LT(4 * least, most);
     }
