@@ -86,11 +86,61 @@ void keepSphere(vec4 sphere, uint number, bool live) {
     }
 }
 
+#ifdef TRIANGLES
+void keepFacet(vec3 a, vec3 b, vec3 c, uint joins, uint number, bool live) {
+    if (!kPlain) {
+        for (int i = 0; i < kSamples; ++i) {
+            Hit hit = triangleHitThrough(a, b, c, joins, planePoint(corner + sampleAt(i)));
+            keep(i, live && hit.inside, hit.order, sightOf(hit, number));
+        }
+        return;
+    }
+    // triangleHitThrough(), of which all is linear in the place: the shares of the corners, depth (perspective: one over
+    // it), and what of the shares tells whose look is seen.
+    vec2 q = planePoint(corner), pa = a.xy - q, pb = b.xy - q, pc = c.xy - q;
+    vec3 sides = vec3(edgeSide(pb, pc), edgeSide(pc, pa), edgeSide(pa, pb));
+    float sum = sides.x + sides.y + sides.z;
+    float unit = 1.0 / (sum == 0.0 ? 1.0 : sum);
+    vec3 heights = vec3(a.z, b.z, c.z), joined = vec3(joins & 1u, joins >> 1 & 1u, joins >> 2);
+    mat3 shares;  // here, and by how much they grow along the plane's axes
+    shares[0] = sides * unit;
+    shares[1] = vec3(b.y - c.y, c.y - a.y, a.y - b.y) * unit;
+    shares[2] = vec3(c.x - b.x, a.x - c.x, b.x - a.x) * unit;
+    vec3 depth;
+    mat3 alike;
+    for (int k = 0; k < 3; ++k) {
+        vec3 inSpace = kPerspective ? shares[k] * heights : shares[k];
+        depth[k] = dot(shares[k], heights);
+        alike[k] = inSpace + joined * inSpace.yzx + joined.zxy * inSpace.zxy;
+    }
+    // Two that are equal but for what is rounded are the first of them.
+    alike[0] += vec3(2e-6, 1e-6, 0.0) * (kPerspective ? abs(a.z) : 1.0);
+    live = live && sum != 0.0;
+    for (int i = 0; i < kSamples; ++i) {
+        vec2 d = upright(sampleAt(i)) * vec2(view.pixel, -view.pixel);
+        vec3 here = shares[0] + shares[1] * d.x + shares[2] * d.y;
+        float along = depth.x + depth.y * d.x + depth.z * d.y;
+        vec3 looks = alike[0] + alike[1] * d.x + alike[2] * d.y;
+        uint flag = looks.x >= max(looks.y, looks.z) ? 0u : looks.y >= looks.z ? kSecondHalf : kThirdCorner;
+        // No sample may fall between two that meet there.
+        bool inside = live && min(here.x, min(here.y, here.z)) >= -1e-5;
+        keep(i, inside, kPerspective ? 1.0 / along : along, number | flag);
+    }
+}
+#endif
+
 void seeNothing() {
     for (int i = 0; i < kSamples; ++i) {
         nearest[i] = view.depthStart + 1.0 / view.perRange;
         seen[i] = 0u;
     }
+}
+
+/// Whether what follows in a list may come before what some sample sees. @param next  of the chunk's last lane, as entryAt()
+bool goesOn(uint at, uint end, float next) {
+    float farthest = nearest[0];
+    for (int i = 1; i < kSamples; ++i) farthest = max(farthest, nearest[i]);
+    return at < end && !subgroupAll(encodedDepth(farthest) < subgroupShuffle(next, uint(kLanes - 1)));
 }
 
 /// What the samples of the lanes' pixels see of the bin's list. @param lane  of the subgroup
@@ -107,43 +157,45 @@ void sampleList(uint at, uint end, uint lane) {
     vec2 middle = 0.5 * (a + b), reach = 0.5 * abs(b - a);
     bool more = true;
     do {
+#ifdef TRIANGLES
+        // Where a list holds few but triangles, a chunk without others takes no turn of their loops.
+        uint balls, sticks;
+        Entry e;
+        do {
+            bool mine = at + lane < end;
+            e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
+            balls = subgroupBallot(mine && e.meets && !e.cylinder && !e.facet).x;
+            sticks = subgroupBallot(mine && e.meets && e.cylinder).x;
+            uint facets = subgroupBallot(mine && e.meets && e.facet).x;
+            do {
+                uint from = lowestOf(facets);
+                vec3 ca = handedCorner(e.a.xyz, from), cb = handedCorner(e.b.xyz, from), cc = handedCorner(e.c, from);
+                keepFacet(ca, cb, cc, subgroupShuffle(e.joins, from), subgroupShuffle(e.number, from), facets != 0u);
+                facets &= facets - 1u;
+            } while (facets != 0u);
+            at += uint(kLanes);
+        } while ((balls | sticks) == 0u && goesOn(at, end, e.next));
+#else
         bool mine = at + lane < end;
         Entry e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
-        uint balls = subgroupBallot(mine && e.meets && !e.cylinder && !e.facet).x;
+        uint balls = subgroupBallot(mine && e.meets && !e.cylinder).x;
+        uint sticks = subgroupBallot(mine && e.meets && e.cylinder).x;
+        at += uint(kLanes);
+#endif
         do {
             uint from = lowestOf(balls);
             keepSphere(handed(e.a, from), subgroupShuffle(e.number, from), balls != 0u);
             balls &= balls - 1u;
         } while (balls != 0u);
 #ifdef CYLINDERS
-        uint sticks = subgroupBallot(mine && e.meets && e.cylinder).x;
         do {
             uint from = lowestOf(sticks);
             vec4 endA = handed(e.a, from), endB = handed(e.b, from);
-            uint number = subgroupShuffle(e.number, from);
-            bool live = sticks != 0u;
-            keepCylinder(endA.xyz, endB.xyz, endA.w, number, live);
+            keepCylinder(endA.xyz, endB.xyz, endA.w, subgroupShuffle(e.number, from), sticks != 0u);
             sticks &= sticks - 1u;
         } while (sticks != 0u);
 #endif
-#ifdef TRIANGLES
-        uint facets = subgroupBallot(mine && e.meets && e.facet).x;
-        do {
-            uint from = lowestOf(facets);
-            vec3 ca = handedCorner(e.a.xyz, from), cb = handedCorner(e.b.xyz, from), cc = handedCorner(e.c, from);
-            uint number = subgroupShuffle(e.number, from), joins = subgroupShuffle(e.joins, from);
-            bool live = facets != 0u;
-            for (int i = 0; i < kSamples; ++i) {
-                Hit hit = triangleHitThrough(ca, cb, cc, joins, planePoint(corner + sampleAt(i)));
-                keep(i, live && hit.inside, hit.order, sightOf(hit, number));
-            }
-            facets &= facets - 1u;
-        } while (facets != 0u);
-#endif
-        at += uint(kLanes);
-        float farthest = nearest[0];
-        for (int i = 1; i < kSamples; ++i) farthest = max(farthest, nearest[i]);
-        more = at < end && !subgroupAll(encodedDepth(farthest) < subgroupShuffle(e.next, uint(kLanes - 1)));
+        more = goesOn(at, end, e.next);
     } while (more);
 }
 

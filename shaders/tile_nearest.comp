@@ -28,14 +28,11 @@
 #include "common/hit.glsl"
 #include "common/streams.glsl"
 #endif
+#include "common/tile_lists.glsl"
 #include "common/sight.glsl"
 #include "common/changes.glsl"
 
 layout(push_constant) uniform Push { TileConstants push; };
-layout(constant_id = kLanesId) const int kLanes = 8;
-layout(constant_id = kTilesInBinId) const int kTilesInBin = 2;
-layout(local_size_x_id = 14) in;  // kLanes
-const int kTile = 8;
 const int kPixels = kTile * kTile / kLanes;  // of a lane: number i x kLanes + lane of the tile, row by row
 
 #ifdef TEXELS
@@ -51,21 +48,6 @@ vec2 through[kPixels];
 float nearest[kPixels];
 uint number[kPixels];
 
-/// A disc on the plane z = 0 that holds a sphere's picture: about the ellipse of common/outline.glsl in perspective.
-vec3 discOf(vec3 center, float radius) {
-    float room = 0.05 * view.pixel;
-    if (!kPerspective) return vec3(center.xy, radius * 1.005 + room);
-    float D = view.origin - center.z;
-    float rho = length(center.xy);
-    float under = D * D - radius * radius;
-    float reach = view.origin * radius * sqrt(under + rho * rho) / under;
-    return vec3(center.xy * (view.origin * D / under), reach * 1.005 + room);
-}
-
-#ifdef TRIANGLES
-#include "common/tile_facets.glsl"
-#endif
-
 void keep(int i, Hit hit, uint candidate, bool live) {
     float depth = encodedDepth(hit.order);
     // Of equal depths the last wins, as with a depth test that lets them pass.
@@ -74,11 +56,11 @@ void keep(int i, Hit hit, uint candidate, bool live) {
     number[i] = wins ? candidate : number[i];
 }
 
-/// The lowest bit that is set; 0 if none is.
-uint lowestOf(uint bits) { return bits == 0u ? 0u : (floatBitsToUint(float(bits & (0u - bits))) >> 23) - 127u; }
-vec4 handed(vec4 v, uint from) {
-    return vec4(subgroupShuffle(v.x, from), subgroupShuffle(v.y, from), subgroupShuffle(v.z, from),
-                subgroupShuffle(v.w, from));
+/// Whether what follows in a list may come before what some pixel sees. @param next  of the chunk's last lane, as entryAt()
+bool goesOn(uint at, uint end, float next) {
+    float farthest = nearest[0];
+    for (int i = 1; i < kPixels; ++i) farthest = max(farthest, nearest[i]);
+    return at < end && !subgroupAll(farthest < subgroupShuffle(next, uint(kLanes - 1)));
 }
 
 layout(constant_id = kNumberedId) const bool kNumbered = false;
@@ -153,87 +135,56 @@ void main() {
         number[i] = 0u;
     }
     vec2 middle = planePoint(vec2(corner) + float(kTile / 2));
-    float reach = float(kTile / 2) * view.pixel;
+    vec2 reach = vec2(float(kTile / 2) * view.pixel);
     bool more = true;  // tiles of empty bins are not drawn
     do {
-        bool mine = at + lane < end;
-        uint entry = listAt(min(at + lane, end - 1u));
-        uint index = place(entry);
-        bool plain = mine;
 #ifdef TRIANGLES
-        bool facet = isTriangle(index);
-        Facet f = facetOf(facet ? index : view.spheres + view.cylinders);
-        vec3 ca = cornerOf(f.a, f.step), cb = cornerOf(f.b, f.step), cc = cornerOf(f.c, f.step);
-        uint facets = subgroupBallot(mine && facet && facetMeets(ca, cb, cc, middle, vec2(reach))).x;
-        index = facet ? 0u : index;
-        plain = mine && !facet;
-#endif
-#ifdef CYLINDERS
-        bool cylinder = index >= view.spheres;
-        index = cylinder ? 2u * index - view.spheres : index;
-#endif
-        vec4 shape = shapeAt(index);
-        vec4 a = vec4(toView(shape.xyz), shape.w);
-        vec3 disc = discOf(a.xyz, reachOf(a.z, a.w));
-        float front = a.z;
-        vec2 away = middle - disc.xy;
-        float room = disc.z;
-        vec2 outside = max(abs(away) - reach, 0.0);
-        bool meets = dot(outside, outside) <= room * room;
-#ifdef CYLINDERS
-        vec4 b = vec4(toView(shapeAt(cylinder ? index + 1u : index).xyz), 0.0);
-        vec3 other = discOf(b.xyz, reachOf(b.z, a.w));
-        vec2 along = other.xy - disc.xy;
-        float t = clamp(dot(away, along) / max(dot(along, along), 1e-12), 0.0, 1.0);
-        away -= along * t;
-        room = max(disc.z, other.z) + reach * 1.4143;
-        meets = cylinder ? dot(away, away) <= room * room : meets;
-        front = cylinder ? max(a.z, b.z) : front;
-        uint sticks = subgroupBallot(plain && meets && cylinder).x;
-        bool balls = !cylinder;
-#else
-        const bool balls = true;
-#endif
-        uint bits = subgroupBallot(plain && meets && balls).x;
+        // Where a list holds few but triangles, a chunk without others takes no turn of their loops.
+        uint balls, sticks;
+        Entry e;
         do {
-            uint from = lowestOf(bits);
-            vec4 sphere = handed(a, from);
-            uint candidate = subgroupShuffle(entry, from);
-            bool live = bits != 0u;
+            bool mine = at + lane < end;
+            e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
+            balls = subgroupBallot(mine && e.meets && !e.cylinder && !e.facet).x;
+            sticks = subgroupBallot(mine && e.meets && e.cylinder).x;
+            uint facets = subgroupBallot(mine && e.meets && e.facet).x;
+            do {
+                uint from = lowestOf(facets);
+                vec3 a = handedCorner(e.a.xyz, from), b = handedCorner(e.b.xyz, from), c = handedCorner(e.c, from);
+                uint candidate = subgroupShuffle(e.number, from);
+                bool live = facets != 0u;
+                for (int i = 0; i < kPixels; ++i) keep(i, triangleHitThrough(a, b, c, 0u, through[i]), candidate, live);
+                facets &= facets - 1u;
+            } while (facets != 0u);
+            at += uint(kLanes);
+        } while ((balls | sticks) == 0u && goesOn(at, end, e.next));
+#else
+        bool mine = at + lane < end;
+        Entry e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
+        uint balls = subgroupBallot(mine && e.meets && !e.cylinder).x;
+        uint sticks = subgroupBallot(mine && e.meets && e.cylinder).x;
+        at += uint(kLanes);
+#endif
+        do {
+            uint from = lowestOf(balls);
+            vec4 sphere = handed(e.a, from);
+            uint candidate = subgroupShuffle(e.number, from);
+            bool live = balls != 0u;
             for (int i = 0; i < kPixels; ++i) keep(i, sphereHitThrough(sphere, through[i]), candidate, live);
-            bits &= bits - 1u;
-        } while (bits != 0u);
+            balls &= balls - 1u;
+        } while (balls != 0u);
 #ifdef CYLINDERS
         do {
             uint from = lowestOf(sticks);
-            vec4 endA = handed(a, from), endB = handed(b, from);
-            uint candidate = subgroupShuffle(entry, from);
+            vec4 endA = handed(e.a, from), endB = handed(e.b, from);
+            uint candidate = subgroupShuffle(e.number, from);
             bool live = sticks != 0u;
             for (int i = 0; i < kPixels; ++i)
                 keep(i, cylinderHitThrough(endA.xyz, endB.xyz, endA.w, through[i]), candidate, live);
             sticks &= sticks - 1u;
         } while (sticks != 0u);
 #endif
-#ifdef TRIANGLES
-        do {
-            uint from = lowestOf(facets);
-            vec3 a = handedCorner(ca, from), b = handedCorner(cb, from), c = handedCorner(cc, from);
-            uint candidate = subgroupShuffle(entry, from);
-            bool live = facets != 0u;
-            for (int i = 0; i < kPixels; ++i) keep(i, triangleHitThrough(a, b, c, 0u, through[i]), candidate, live);
-            facets &= facets - 1u;
-        } while (facets != 0u);
-#endif
-        at += uint(kLanes);
-        float farthest = nearest[0];
-        for (int i = 1; i < kPixels; ++i) farthest = max(farthest, nearest[i]);
-        // What follows begins behind the chunk's last entry, up to a step of the order.
-        float begins = view.origin - front - a.w * 1.001;
-#ifdef TRIANGLES
-        begins = facet ? facetBegins(ca, cb, cc) : begins;
-#endif
-        float next = encodedDepth(begins) - view.depthStep;
-        more = at < end && !subgroupAll(farthest < subgroupShuffle(next, uint(kLanes - 1)));
+        more = goesOn(at, end, e.next);
     } while (more);
     // Row by row of all bins.
     uint pitch = view.across * uint(kTile * kTilesInBin);

@@ -60,7 +60,7 @@ std::uint32_t groupsOfEdges(const TileLists& lists, const gpu::TileCaps& caps) {
     constexpr std::uint64_t kFew = 64, kRow = 65535;
     const std::uint64_t fillings =
         lists.tiles().size() * (TileLists::kTilePixels * TileLists::kTilePixels / caps.lanes);
-    const std::uint64_t turns = kTurnsOfFilling + std::uint64_t{lists.longest()} * 9 / 8;
+    const std::uint64_t turns = kTurnsOfFilling + std::uint64_t{lists.longest()} * 3 / 2;
     const std::uint64_t least = fillings * turns / kTurnsOfEdges + 1;
     return static_cast<std::uint32_t>(std::min(std::max(least, caps.texels ? kFew : lists.tiles().size()), kRow));
 }

@@ -83,7 +83,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Edges,
                                          Case{"sample:glucose", Style::spacefill, Projection::perspective, 2, true},
                                          Case{"1bna.pdb", Style::spacefill, Projection::orthographic},
                                          Case{"1crn.pdb", Style::licorice, Projection::orthographic},
-                                         Case{"4hhb.pdb", Style::spacefill, Projection::orthographic}),
+                                         Case{"4hhb.pdb", Style::spacefill, Projection::orthographic},
+                                         Case{"1crn.pdb", Style::cartoon, Projection::perspective}),
                          [](const auto& test) { return testName(test.param.file) + "_" + std::to_string(test.index); });
 
 /// Where sticks are thinner than a pixel, no pixel beside one need have it in its middle.
