@@ -173,9 +173,7 @@ void MovieScenes::moveTo(Look& look, int frame) {
     look.model = frame;
     look.renderer->setScene(look.moving->scene());
     look.prepared->words = placeWords(look.options.words, molecule_, look.moving->scene());
-    View& view = look.prepared->settings.view;
-    view.radius = look.moving->scene().radius;
-    if (view.projection == Projection::perspective) view.eyeDistance = std::max(view.eyeDistance, view.radius * 1.02);
+    reachTo(look.prepared->settings.view, look.moving->scene().radius);
 }
 
 /// Renderers of other looks than these two hold no memory.

@@ -13,15 +13,35 @@
 #include "app/shared/image_file.h"
 #include "app/shared/messages.h"
 #include "app/shared/molecules.h"
+#include "app/shared/trajectory_input.h"
 #include "app/shared/word_painter.h"
 #include "engine/error.h"
 
 namespace nacre::app {
 namespace {
 
-RenderSettings settingsOf(const RenderOptions& options, const Camera& camera, const Representation& scene) {
+/// A frame of a trajectory is seen from where the first is, as in a window and in films, and drawn as chosen there;
+/// unless each is to have a camera of its own. @returns the radius that the camera goes by
+double buildScene(const Molecule& molecule, const RenderOptions& options, Representation& scene) {
+    const InputOptions& input = options.input;
+    const TrajectoryOptions& frames = input.trajectory;
+    if (frames.path.empty() || frames.frame == 1 || options.look.ownFrame || !options.look.assembly.empty() ||
+        !input.further.empty()) {
+        scene = sceneOf(molecule, input.path, options.drawn, options.look);
+        return scene.radius;
+    }
+    Molecule first = molecule;
+    movePositions(first, openMotion(frames, molecule)->positions(0));
+    MovingScene moving = movingSceneOf(first, input.path, options.drawn, options.look);
+    const double radius = moving.scene().radius;
+    moving.move(molecule);
+    scene = moving.scene();
+    return radius;
+}
+
+RenderSettings settingsOf(const RenderOptions& options, const Camera& camera, double radius) {
     RenderSettings settings;
-    settings.view = viewOf(camera, scene.radius, options.size.width, options.size.height);
+    settings.view = viewOf(camera, radius, options.size.width, options.size.height);
     settings.supersample = options.supersample;
     settings.background = options.background;
     settings.lighting = options.lighting;
@@ -78,9 +98,10 @@ PictureFormat formatOf(const RenderOptions& options) {
 PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& options) {
     const Clock::time_point start = Clock::now();
     PreparedPicture prepared;
-    prepared.scene = sceneOf(molecule, options.input.path, options.drawn, options.look);
+    const double radius = buildScene(molecule, options, prepared.scene);
     const Aimed aim = aimed(options.camera, options.aim, molecule, prepared.scene, options.size);
-    prepared.settings = settingsOf(options, aim.camera, prepared.scene);
+    prepared.settings = settingsOf(options, aim.camera, radius);
+    if (prepared.scene.radius > radius) reachTo(prepared.settings.view, prepared.scene.radius);
     if (aim.clipNear) prepared.settings.effects.clip.near = *aim.clipNear;
     RunStats& run = prepared.run;
     run.zoom = aim.camera.zoom;

@@ -1,12 +1,14 @@
 #pragma once
 // From a name to a molecule and its scene, as far as no network is needed.
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <string>
 
 #include "app/shared/input_options.h"
 #include "engine/molecule/drawn_atoms.h"
+#include "engine/scene/camera.h"
 #include "engine/scene/representation.h"
 
 namespace nacre::app {
@@ -30,5 +32,13 @@ Representation sceneOf(const Molecule& molecule, const std::string& name, const 
 /// The same of one whose atoms move; seen as all models of its file are, if it has others. @throws Error
 MovingScene movingSceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawn,
                           const RepresentationOptions& look);
+
+/// Atoms that moved may reach farther than what a view goes by: it sees them all, from where it is.
+/// @param radius  that holds them, Å
+inline void reachTo(View& view, double radius) {
+    constexpr double kNearest = 1.02;  // of it, to the eye
+    view.radius = radius;
+    if (view.projection == Projection::perspective) view.eyeDistance = std::max(view.eyeDistance, radius * kNearest);
+}
 
 }  // namespace nacre::app

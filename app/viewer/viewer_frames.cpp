@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "app/shared/molecules.h"
 #include "app/viewer/viewer.h"
 #include "engine/error.h"
 
@@ -33,12 +34,7 @@ RenderSettings Viewer::settings() const {
 RenderSettings Viewer::pictureSettings(PixelSize size) const {
     RenderSettings s;
     s.view = viewOf(motion_.camera(), radius(), size.width, size.height);
-    // Atoms that moved may reach farther than what the camera goes by.
-    if (document_.moves()) {
-        s.view.radius = document_.scene.radius;
-        if (s.view.projection == Projection::perspective)
-            s.view.eyeDistance = std::max(s.view.eyeDistance, s.view.radius * 1.02);
-    }
+    if (document_.moves()) reachTo(s.view, document_.scene.radius);
     s.background = view_.background;
     s.lighting = view_.lighting;
     s.effects = view_.effects;

@@ -1,0 +1,72 @@
+// One camera for the frames of a trajectory.
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/run_program.h"
+
+namespace nacre::test {
+namespace {
+
+void addRecord(std::string& file, const void* data, std::size_t bytes) {
+    const auto length = static_cast<std::int32_t>(bytes);
+    file.append(reinterpret_cast<const char*>(&length), 4);
+    file.append(static_cast<const char*>(data), bytes);
+    file.append(reinterpret_cast<const char*>(&length), 4);
+}
+
+/// A DCD file, as CHARMM writes it, of four atoms in a row that drift apart and away.
+std::string drifting(int frames) {
+    std::string file;
+    std::int32_t head[21] = {};
+    std::memcpy(head, "CORD", 4);
+    head[1] = frames;
+    head[2] = head[3] = 1;
+    head[20] = 24;
+    addRecord(file, head, sizeof head);
+    std::string title(84, ' ');
+    const std::int32_t lines = 1, atoms = 4;
+    std::memcpy(title.data(), &lines, 4);
+    addRecord(file, title.data(), title.size());
+    addRecord(file, &atoms, 4);
+    for (int f = 0; f < frames; ++f)
+        for (int axis = 0; axis < 3; ++axis) {
+            float values[4];
+            for (int i = 0; i < 4; ++i)
+                values[i] = static_cast<float>(axis == 0 ? (1.5 + 0.5 * f) * i : axis == 1 ? 2.0 * f : 0.3 * i);
+            addRecord(file, values, sizeof values);
+        }
+    return file;
+}
+
+nlohmann::json viewOf(const TemporaryFolder& folder, const std::string& options) {
+    const Outcome outcome = nacreIn(folder,
+                                    "render a.xyz --trajectory t.dcd -o a.png --stats s.json --size 64x64 "
+                                    "--occlusion off " +
+                                        options);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return nlohmann::json::parse(contentOf(folder / "s.json"))["view"];
+}
+
+TEST(FrameCamera, IsThatOfTheFirstFrameUnlessEachIsToHaveItsOwn) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "a.xyz") << "4\nnames\nC 9 9 9\nC 9 9 8\nC 9 9 7\nC 9 9 6\n";
+    std::ofstream(folder / "t.dcd", std::ios::binary) << drifting(5);
+    for (const char* lens : {"", " --projection perspective"}) {
+        const nlohmann::json first = viewOf(folder, lens), fifth = viewOf(folder, std::string("--frame 5") + lens);
+        EXPECT_NEAR(first["center"][0].get<double>(), 2.25, 1e-6);
+        EXPECT_EQ(fifth["center"], first["center"]) << lens;
+        EXPECT_EQ(fifth["pixels_per_angstrom"], first["pixels_per_angstrom"]) << lens;
+        EXPECT_GT(fifth["radius"].get<double>(), 10) << "all atoms are seen, however far they went";
+    }
+    const nlohmann::json own = viewOf(folder, "--frame 5 --camera model");
+    EXPECT_NEAR(own["center"][0].get<double>(), 5.25, 1e-6);
+    EXPECT_NEAR(own["center"][1].get<double>(), 8, 1e-6);
+}
+
+}  // namespace
+}  // namespace nacre::test
