@@ -15,17 +15,17 @@
 namespace nacre::app {
 namespace {
 
-bool showsSurface(const RepresentationOptions& look) {
-    return look.style == Style::surface || std::any_of(look.rules.begin(), look.rules.end(), [](const Rule& rule) {
-               return rule.on && rule.action == Rule::Action::show && rule.style == Style::surface && !rule.opacity;
+bool shows(Style style, const RepresentationOptions& look) {
+    return look.style == style || std::any_of(look.rules.begin(), look.rules.end(), [style](const Rule& rule) {
+               return rule.on && rule.action == Rule::Action::show && rule.style == style && !rule.opacity;
            });
 }
 
 /// It counts when it is let go: each value is a scene of its own.
-void slideOpacity(Widgets& ui, double& opacity) {
-    float& held = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("held opacity"), -1);
+void slideOpacity(Widgets& ui, const char* name, const char* format, double& opacity) {
+    float& held = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID(name), -1);
     float at = held < 0 ? static_cast<float>(opacity) : held;
-    if (ui.slide("Surface opacity", at, 0.1f, 1, "surface %.2f")) held = at;
+    if (ui.slide(name, at, 0.1f, 1, format)) held = at;
     if (held < 0 || ImGui::IsAnyItemActive()) return;
     opacity = std::round(static_cast<double>(held) * 100) / 100;
     held = -1;
@@ -92,7 +92,10 @@ void Panel::drawStyles(SavedView& look) {
         ui.controls.back().value = look.look.style == word.style ? "on" : "off";
         second = !second;
     }
-    if (showsSurface(look.look)) slideOpacity(ui, look.look.surfaceOpacity);
+    if (shows(Style::cartoon, look.look))
+        slideOpacity(ui, "Opacity of ribbons", "ribbons %.2f", look.look.cartoonOpacity);
+    if (shows(Style::surface, look.look))
+        slideOpacity(ui, "Opacity of the surface", "surface %.2f", look.look.surfaceOpacity);
 }
 
 void Panel::drawColors(SavedView& look) {

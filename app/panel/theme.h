@@ -22,6 +22,7 @@ struct Theme {
     ImVec4 onAccent;  ///< text upon it
     ImVec4 mark;      ///< of switches, and of the focus
     ImVec4 warning;   ///< text
+    ImVec4 grab;      ///< of sliders, below their words
 };
 const Theme& darkTheme();
 const Theme& lightTheme();

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -47,9 +48,11 @@ struct Bench {
     std::vector<RecentFile> recent;
     std::vector<ViewerCommand> asked;
 
-    Bench(const std::string& input, PixelSize points, double pixelsPerPoint = 1, PanelHand hand = PanelHand::mouse)
-        : viewer(screen, sampleSources(), viewOf(input), staying()),
-          panel(pixelsPerPoint, host(), hand),
+    /// @param lend  to the panel, besides what every shell does
+    Bench(const std::string& input, PixelSize points, double pixelsPerPoint = 1, PanelHand hand = PanelHand::mouse,
+          const Sources& sources = sampleSources(), const std::function<void(PanelHost&)>& lend = {})
+        : viewer(screen, sources, viewOf(input), staying()),
+          panel(pixelsPerPoint, host(lend), hand),
           size{static_cast<std::uint32_t>(points.width * pixelsPerPoint),
                static_cast<std::uint32_t>(points.height * pixelsPerPoint)},
           scale(pixelsPerPoint) {
@@ -70,7 +73,7 @@ struct Bench {
         v.input = input;
         return v;
     }
-    PanelHost host() {
+    PanelHost host(const std::function<void(PanelHost&)>& lend) {
         PanelHost h;
         h.run = [this](ViewerCommand c) {
             asked.push_back(c);
@@ -90,10 +93,12 @@ struct Bench {
         h.fontWith = [](const std::vector<char32_t>&) {
             return FontFile{"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"};
         };
+        if (lend) lend(h);
         return h;
     }
     void frame() {
         now += 1.0 / 60;
+        viewer.waitForFrame();
         viewer.update(now);
         panel.draw(viewer, size, now);
     }

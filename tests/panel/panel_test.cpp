@@ -222,6 +222,32 @@ TEST(Panel, RulesAreSwitchedOffEditedAndMoved) {
     EXPECT_EQ(b.viewer.view().look.rules[0].action, Rule::Action::hide);
 }
 
+TEST(Panel, RibbonsAndSurfacesLetThroughWhatASliderSays) {
+    Bench b("sample:dna", {1600, 1500});
+    SavedView look = b.viewer.view();
+    look.look.rules = {parseShow("chain B and resi 1-2=surface")};
+    b.viewer.setLook(look, b.now);
+    b.click("Ribbons");
+    for (const auto& [name, value] : {std::pair("Opacity of ribbons", &RepresentationOptions::cartoonOpacity),
+                                      {"Opacity of the surface", &RepresentationOptions::surfaceOpacity}}) {
+        const Control* slider = b.find(name, "slider");
+        ASSERT_TRUE(slider) << name;
+        EXPECT_EQ(b.viewer.view().look.*value, 1);
+        b.panel.pointer({slider->right - 5, (slider->top + slider->bottom) / 2});
+        b.frame();
+        b.panel.button(MouseButton::left, true);
+        b.frame();
+        b.panel.pointer({(slider->left + slider->right) / 2, (slider->top + slider->bottom) / 2});
+        for (int i = 0; i < 4; ++i) b.frame();
+        EXPECT_EQ(b.viewer.view().look.*value, 1) << "while it is held no scene is built";
+        b.panel.button(MouseButton::left, false);
+        b.settle();
+        EXPECT_NEAR(b.viewer.view().look.*value, 0.55, 0.02) << name;
+        EXPECT_NEAR(parseSavedView(savedViewJson(b.viewer.view()), "view").look.*value, 0.55, 0.02) << name;
+    }
+    expectReadable(b, "opacities");
+}
+
 TEST(Panel, LinesHalosAndFogHaveSlidersAndColours) {
     Bench b("sample:dna", {1600, 1500});
     const auto effects = [&]() -> const Effects& { return b.viewer.view().effects; };

@@ -4,21 +4,11 @@
 
 #include <cmath>
 
-#include "app/panel/panel.h"
 #include "app/shared/trajectory_input.h"
-#include "engine/molecule/read.h"
+#include "tests/panel/panel_bench.h"
 
-namespace nacre::app {
+namespace nacre::app::test {
 namespace {
-
-class BlindScreen : public Screen {
-public:
-    void setScene(const Representation&) override {}
-    double advanceOcclusion(const RenderSettings&, const OcclusionPace&) override { return 1; }
-    FrameOutcome present(const RenderSettings&, const WindowFrame&) override { return FrameOutcome::shown; }
-    PixelSize windowSize() const override { return {1, 1}; }
-    std::uint32_t atomAt(const RenderSettings&, double, double, double) override { return 1; }
-};
 
 /// Sixty models of four atoms.
 Sources movingSources() {
@@ -40,30 +30,16 @@ Sources movingSources() {
     return s;
 }
 
-struct PlayBench {
-    BlindScreen screen;
-    Viewer viewer;
-    Panel panel;
-    PixelSize size;
-    double now = 100;
+struct Films {
     std::vector<RecordingWish> films;
     std::size_t keys = 0;
     RecordingState recording;
+};
 
+struct PlayBench : Films, Bench {
     explicit PlayBench(PixelSize points, PanelHand hand = PanelHand::mouse)
-        : viewer(screen, movingSources(), viewOf(), {}), panel(1, host(), hand), size(points) {
-        EXPECT_GT(panel.glyphs().width, 0u);
-        viewer.resize(size, 1, now);
-        settle();
-    }
-    static SavedView viewOf() {
-        SavedView v;
-        v.input = "models.xyz";
-        return v;
-    }
-    PanelHost host() {
-        PanelHost h;
-        h.run = [this](ViewerCommand c) { viewer.run(c, now); };
+        : Bench("models.xyz", points, 1, hand, movingSources(), [this](PanelHost& h) { lend(h); }) {}
+    void lend(PanelHost& h) {
         h.freeName = [](const char* extension) { return std::string("film") + extension; };
         h.record = [this](const RecordingWish& wish, const std::vector<SavedView>& views) {
             films.push_back(wish);
@@ -72,59 +48,13 @@ struct PlayBench {
         h.recording = [this] { return recording; };
         h.stopRecording = [this] { recording.stopping = true; };
         h.videos = true;
-        return h;
-    }
-    void frame() {
-        now += 1.0 / 60;
-        viewer.waitForFrame();
-        viewer.update(now);
-        panel.draw(viewer, size, now);
-    }
-    void settle() {
-        for (int i = 0; i < 6; ++i) {
-            viewer.waitForLoading();
-            frame();
-        }
-    }
-    const Control* find(const std::string& name) {
-        for (const Control& c : panel.controls())
-            if (c.name == name && c.seen() && c.role != "text") return &c;
-        return nullptr;
     }
     bool says(const std::string& text) {
         for (const Control& c : panel.controls())
             if (c.name.find(text) != std::string::npos) return true;
         return false;
     }
-    void clickAt(double x, double y) {
-        panel.pointer({x, y});
-        frame();
-        panel.button(MouseButton::left, true);
-        frame();
-        panel.button(MouseButton::left, false);
-        settle();
-    }
-    void click(const std::string& name) {
-        const Control* c = find(name);
-        ASSERT_TRUE(c) << name;
-        clickAt((c->seenLeft + c->seenRight) / 2, (c->seenTop + c->seenBottom) / 2);
-    }
 };
-
-void expectWhole(PlayBench& b, const std::string& where) {
-    for (const Control& c : b.panel.controls()) {
-        if (c.window == "Nacre") continue;
-        EXPECT_FALSE(c.cut) << where << ": " << c.name;
-        EXPECT_GE(c.left, 0) << where << ": " << c.name;
-        EXPECT_LE(c.right, static_cast<float>(b.size.width) + 0.5f) << where << ": " << c.name;
-        EXPECT_LE(c.seenBottom, static_cast<float>(b.size.height) + 0.5f) << where << ": " << c.name;
-        for (const Control& d : b.panel.controls())
-            EXPECT_FALSE(&c < &d && c.window == d.window &&
-                         std::min(c.right, d.right) - std::max(c.left, d.left) > 1.5f &&
-                         std::min(c.bottom, d.bottom) - std::max(c.top, d.top) > 1.5f)
-                << where << ": " << c.name << " and " << d.name;
-    }
-}
 
 TEST(PlayBar, StepsPlaysAndScrubs) {
     PlayBench b({1000, 700});
@@ -174,16 +104,16 @@ TEST(PlayBar, IsWholeEverywhereAndNextToTheMolecule) {
                                      {PixelSize{900, 420}, PanelHand::fingers}}) {
         PlayBench b(size, hand);
         const std::string where = std::to_string(size.width) + "x" + std::to_string(size.height);
-        expectWhole(b, where);
+        expectReadable(b, where);
         const View view = b.viewer.settings().view;
         const Control* bar = b.find("Frame");
         ASSERT_TRUE(bar) << where;
         EXPECT_LE(view.height / 2.0 + (view.radius - view.pan.y) * view.pixelsPerAngstrom, bar->top) << where;
         b.click("How it is played");
-        expectWhole(b, where + ", unfolded");
+        expectReadable(b, where + ", unfolded");
         b.panel.showRecord();
         b.settle();
-        expectWhole(b, where + ", film");
+        expectReadable(b, where + ", film");
         b.panel.closeTop();
     }
 }
@@ -232,4 +162,4 @@ TEST(Films, AreAskedForAsTheCardSays) {
 }
 
 }  // namespace
-}  // namespace nacre::app
+}  // namespace nacre::app::test
