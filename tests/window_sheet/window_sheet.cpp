@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iostream>
@@ -56,7 +57,9 @@ public:
     /// Until nothing is due any more.
     void settle(double most = 20) {
         const double end = seconds() + most;
-        for (int quiet = 0; quiet < 4 && seconds() < end;)
+        int downloading = 0;
+        for (int quiet = 0; quiet < 4 && seconds() < end && downloading < 40;
+             downloading += viewer().loadingProgress() >= 0)
             quiet = session_.step(0.05) > 0.2 && !viewer().loading() ? quiet + 1 : 0;
     }
     void pause(double time) {
@@ -191,6 +194,23 @@ std::vector<State> states(const std::string& protein, const std::string& models)
              d.drop(p);
              d.panel().showStart();
          }},
+        {"start, names of many scripts", kUsual, p,
+         [=](Driver& d) {
+             const std::filesystem::path folder = std::filesystem::temp_directory_path() / "nacre sheet";
+             std::filesystem::create_directories(folder);
+             for (const char* name : {"蛋白質 ヘモグロビン.pdb", "혈색소와 물.pdb", "هيموغلوبين ١.pdb", "המוגלובין.pdb",
+                                      "гемоглобин β.pdb"}) {
+                 const std::filesystem::path path = folder / name;
+                 std::filesystem::copy_file(several, path, std::filesystem::copy_options::overwrite_existing);
+                 d.drop(path.string());
+             }
+             d.panel().showStart();
+             d.settle();
+             std::filesystem::remove_all(folder);
+         }},
+        {"download goes on", kUsual, "sample:dna", [](Driver& d) { d.viewer().open("pdb:4hhb", seconds()); }},
+        {"download goes on, narrow, dark", kNarrow, "sample:dna",
+         [=](Driver& d) { dark(d), d.viewer().open("pdb:4hhb", seconds()); }},
         {"download is asked for", kUsual, "pdb:4hhb", [](Driver&) {}},
         {"look, dark", kUsual, p, dark},
         {"look, narrow, dark", kNarrow, p, dark},
