@@ -1,0 +1,106 @@
+// Cartoons in copies, of models, in fog, cut, and moved: one picture on every path, and counted.
+
+#include "tests/renderer/scenes.h"
+
+namespace nacre::test {
+namespace {
+
+struct MeshSceneCase {
+    const char* name;
+    Projection projection = Projection::orthographic;
+    bool copies = false, models = false, fog = false, clip = false;
+};
+void PrintTo(const MeshSceneCase& c, std::ostream* out) { *out << c.name; }
+
+/// The DNA's cartoon: three of it side by side, or each strand a model.
+Representation meshSceneOf(const MeshSceneCase& c) {
+    Molecule m = molecule("sample:dna");
+    RepresentationOptions options{Style::cartoon, ColorScheme::element};
+    if (c.copies) {
+        if (m.subchains.empty()) m.subchains = {"A"};
+        m.assemblies = {{"1", "", {{}}}};
+        for (std::uint32_t i = 0; i < m.subchains.size(); ++i) m.assemblies[0].parts[0].subchains.push_back(i);
+        for (int i = 0; i < 3; ++i) {
+            glm::mat4x3 place(1.0f);
+            place[3] = {static_cast<float>(i) * 24, static_cast<float>(i % 2) * 9, static_cast<float>(i) * 5};
+            m.assemblies[0].parts[0].transforms.push_back(place);
+        }
+        options.assembly = "1";
+    }
+    if (c.models)
+        for (std::size_t i = 0; i < m.chains.size(); ++i) m.chains[i].model = static_cast<int>(i) + 1;
+    return represent(m, drawnAtoms(m), options);
+}
+
+class MeshScenes : public SharedRenderers<MeshSceneCase> {};
+
+TEST_P(MeshScenes, AreTheSameOnEveryPath) {
+    const MeshSceneCase& c = GetParam();
+    const Representation r = meshSceneOf(c);
+    ASSERT_GT(r.triangles.size(), 1000u);
+    RenderSettings s = settings(r, 72, c.projection);
+    if (c.fog) s.effects.fog.range = Fog::Range::automatic;
+    if (c.clip) s.effects.clip = {-2, 12, Clip::Cap::plain};
+    RenderSettings plain = s;
+    plain.effects = {};
+    LayerPicture first;
+    Picture picture;
+    for (const Visibility visibility : kPaths) {
+        ValidatedRenderer& renderer = rendererOf(visibility);
+        renderer->setScene(r);
+        const LayerPicture l = renderer->layers(s);
+        const Picture p = renderer->render(s);
+        EXPECT_EQ(renderer->stats().triangles, r.triangles.size() * (c.copies ? 3 : 1));
+        EXPECT_EQ(renderer->stats().spheres, r.spheres.size());
+        if (picture.rgba.empty()) first = l, picture = p;
+        EXPECT_TRUE(l.id == first.id) << visibilityName(visibility);
+        EXPECT_TRUE(l.z == first.z) << visibilityName(visibility);
+        EXPECT_TRUE(l.normal == first.normal) << visibilityName(visibility);
+        EXPECT_TRUE(p.rgba == picture.rgba) << visibilityName(visibility);
+    }
+    std::size_t covered = 0, picked = 0, missed = 0;
+    for (std::uint32_t i = 0; i < first.id.size(); ++i) {
+        if (first.id[i] == 0 || ++covered % 60 != 0) continue;
+        ++picked;
+        missed += rendererOf(Visibility::tiles)->atomAt(s, i % 72 + 0.5, i / 72 + 0.5, 0) != first.id[i];
+    }
+    EXPECT_GT(picked, 2u);
+    EXPECT_EQ(missed, 0u);
+    if (c.fog || c.clip) {
+        EXPECT_FALSE(rendererOf(Visibility::tiles)->render(plain).rgba == picture.rgba);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Cartoons, MeshScenes,
+                         testing::Values(MeshSceneCase{"Copies", Projection::perspective, true},
+                                         MeshSceneCase{"Models", Projection::orthographic, false, true},
+                                         MeshSceneCase{"Fog", Projection::perspective, false, false, true},
+                                         MeshSceneCase{"Cut", Projection::orthographic, false, false, false, true},
+                                         MeshSceneCase{"CutCopiesInFog", Projection::perspective, true, false, true,
+                                                       true}),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(MovedMeshes, AreThoseThatWereMadeThere) {
+    Molecule m = molecule("sample:dna");
+    MovingScene moving(m, drawnAtoms(m), {Style::cartoon, ColorScheme::element});
+    RenderSettings s = settings(moving.scene(), 64, Projection::orthographic);
+    for (const Visibility path : {Visibility::tiles, Visibility::encoded}) {
+        ValidatedRenderer moved(path), made(path);
+        moved->setScene(moving.scene());
+        LayerPicture before = moved->layers(s);
+        for (const float bend : {0.02f, 0.08f}) {
+            for (Atom& atom : m.atoms) atom.position.x += bend * atom.position.y;
+            moving.move(m);
+            moved->moveScene(moving.scene());
+            made->setScene(moving.scene());
+            const LayerPicture a = moved->layers(s), b = made->layers(s);
+            EXPECT_TRUE(a.id == b.id) << visibilityName(path);
+            EXPECT_TRUE(a.z == b.z) << visibilityName(path);
+            EXPECT_FALSE(a.z == before.z) << visibilityName(path);
+            before = a;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace nacre::test
