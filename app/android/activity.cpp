@@ -152,6 +152,7 @@ private:
             const std::lock_guard lock(shared_.mutex);
             return shared_.lines;
         };
+        told.refreshes = [this](double rate) { post([rate](AndroidSession& s) { s.displayRefreshes(rate); }); };
         told.press = [this](const std::string& role, const std::string& name) {
             post([=](AndroidSession& s) { s.press(role, name); });
         };

@@ -26,6 +26,8 @@ void press(JNIEnv* env, jclass, jlong platform, jstring role, jstring name) {
     toldBy(platform).press(java.text(role), java.text(name));
 }
 
+void refreshes(JNIEnv*, jclass, jlong platform, jfloat rate) { toldBy(platform).refreshes(rate); }
+
 template <typename Function>
 JNINativeMethod native(const char* name, const char* signature, Function function) {
     return {const_cast<char*>(name), const_cast<char*>(signature), reinterpret_cast<void*>(function)};
@@ -35,10 +37,10 @@ JNINativeMethod native(const char* name, const char* signature, Function functio
 
 Platform::Platform(ANativeActivity* activity, Told told) : activity_(activity), told_(std::move(told)) {
     const Java java(activity->env);
-    const JNINativeMethod methods[] = {native("opened", "(JLandroid/net/Uri;)V", opened),
-                                       native("failed", "(JLjava/lang/String;)V", failed),
-                                       native("controls", "(J)Ljava/lang/String;", controls),
-                                       native("press", "(JLjava/lang/String;Ljava/lang/String;)V", press)};
+    const JNINativeMethod methods[] = {
+        native("opened", "(JLandroid/net/Uri;)V", opened), native("failed", "(JLjava/lang/String;)V", failed),
+        native("controls", "(J)Ljava/lang/String;", controls),
+        native("press", "(JLjava/lang/String;Ljava/lang/String;)V", press), native("refreshes", "(JF)V", refreshes)};
     const jclass type = java.env()->GetObjectClass(activity->clazz);
     if (java.env()->RegisterNatives(type, methods, std::size(methods)) != JNI_OK) {
         java.env()->ExceptionClear();

@@ -19,6 +19,7 @@ public:
         std::function<void(const std::string& why)> failed;
         std::function<std::string()> controls;  ///< controlLines()
         std::function<void(const std::string& role, const std::string& name)> press;
+        std::function<void(double rate)> refreshes;  ///< of the display, a second: at first, and when it changes
     };
 
     /// On the main thread, like the destructor. An activity without that Java is left alone.

@@ -123,6 +123,8 @@ void AndroidSession::densityChanged(double pixelsPerPoint) {
     windowChanged();
 }
 
+void AndroidSession::displayRefreshes(double rate) { viewer().setDisplayInterval(1 / rate); }
+
 /// Draws while there is a window that is to be seen.
 void AndroidSession::settle() {
     if (window_ && started_)

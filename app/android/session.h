@@ -54,6 +54,8 @@ public:
     void windowDestroyed();
     void contentChanged(const ARect& content);
     void densityChanged(double pixelsPerPoint);
+    /// The display that the window is on shows so many pictures a second.
+    void displayRefreshes(double rate);
 
     // The activity
     void started();

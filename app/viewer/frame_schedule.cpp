@@ -44,6 +44,10 @@ void FrameSchedule::pictureChanged(double now) {
 
 void FrameSchedule::windowChanged(double now) { pictureChanged(now); }
 
+void FrameSchedule::setDisplayInterval(double seconds) {
+    if (seconds >= 0.001 && seconds <= 1) interval_ = seconds;
+}
+
 FrameSchedule::Next FrameSchedule::next(double now, bool moving, double occlusion) const {
     Next next;
     if (!visible_) return next;

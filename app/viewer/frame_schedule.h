@@ -67,8 +67,9 @@ public:
     /// That a pixel of a picture at rest gets, one a frame.
     void setSamples(std::uint32_t samples) { samples_ = samples; }
     const MotionFrames& motionFrames() const { return motion_; }
-    /// Seconds from one picture of the display to the next.
-    void setDisplayInterval(double seconds) { interval_ = seconds; }
+    /// Seconds from one picture of the display to the next, a thousandth to one; others are not taken.
+    void setDisplayInterval(double seconds);
+    double displayInterval() const { return interval_; }
     /// Seconds that a frame of a motion may take at full resolution, where that is more than the display's interval.
     void setLongestFrame(double seconds) { longest_ = seconds; }
 

@@ -1,5 +1,6 @@
 #include "app/viewer/session.h"
 
+#include <cmath>
 #include <utility>
 
 #include "engine/error.h"
@@ -94,6 +95,7 @@ std::string Session::statistics() const {
     const FrameStats& stats = renderer_->stats();
     std::string text =
         stats.device.name + "\n" + stats.device.visibility + ", " + std::to_string(stats.windowFrames) + " frames";
+    text += ", display " + std::to_string(std::lround(1 / viewer_.displayInterval())) + " Hz";
     if (const std::string driver = describe(renderer_->driverFeedback()); !driver.empty()) text += "\n" + driver;
     return text;
 }

@@ -176,8 +176,9 @@ public:
     /// If a frame is going to be drawn, waits until it can be: call it before the newest input is handed over, and
     /// update() after that.
     void awaitFrame(double now);
-    /// Seconds from one picture of the display to the next.
+    /// Seconds from one picture of the display to the next; what no display has is not taken.
     void setDisplayInterval(double seconds) { schedule_.setDisplayInterval(seconds); }
+    double displayInterval() const { return schedule_.displayInterval(); }
     /// Seconds that a frame of a motion may take before its resolution drops, where the display would ask for less.
     void setLongestFrame(double seconds) { schedule_.setLongestFrame(seconds); }
     const MotionFrames& motionFrames() const { return schedule_.motionFrames(); }

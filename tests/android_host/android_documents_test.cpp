@@ -132,6 +132,29 @@ TEST_F(AndroidHost, TellsScreenReadersWhatIsThere) {
     EXPECT_GT(host.java().controlChanges(), before);
 }
 
+TEST_F(AndroidHost, GoesByTheDisplaysOwnRate) {
+    Host host(folder_, std::nullopt, kQuick, 40);  // all of the panel has room
+    host.open(500, 320);
+    const auto press = [&](const char* name) {
+        ASSERT_TRUE(eventually([&] { return !toldOf(host, name).empty(); })) << host.java().controls();
+        host.java().press(toldOf(host, name).substr(0, toldOf(host, name).find('\t')), name);
+    };
+    press("Menu");
+    press("More");
+    press("For developers");
+    const auto tells = [&](const char* rate) {
+        return eventually([&] { return host.java().controls().find(rate) != std::string::npos; });
+    };
+    EXPECT_TRUE(tells("display 60 Hz")) << host.java().controls();
+    host.java().displayRefreshes(120);
+    host.tap(490, 310);  // the panel is drawn anew
+    EXPECT_TRUE(tells("display 120 Hz")) << host.java().controls();
+    host.java().displayRefreshes(0);
+    host.tap(490, 310);
+    sleep(0.3);
+    EXPECT_TRUE(tells("display 120 Hz"));
+}
+
 TEST_F(AndroidHost, OpensWhatProvidersStream) {
     Document document;
     document.bytes = pdbOf("C", 1) + std::string(1500000, '\n');

@@ -277,6 +277,8 @@ void JavaMachine::press(const std::string& role, const std::string& name) {
                      as<jstring>(impl_->make("java/lang/String", name)));
 }
 
+void JavaMachine::displayRefreshes(float rate) { callNative<void>(*impl_, "refreshes(JF)V", rate); }
+
 JavaVM* JavaMachine::vm() { return &impl_->vm; }
 JNIEnv* JavaMachine::env() { return impl_->mainEnv; }
 jobject JavaMachine::activity() { return impl_->activity; }

@@ -46,6 +46,7 @@ public:
     void documentPicked(const Document& document);
     std::string controls();
     void press(const std::string& role, const std::string& name);
+    void displayRefreshes(float rate);
 
     struct Impl;
 

@@ -15,8 +15,17 @@ ROOT = Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "app/android/src/main/java"
 MOST_BYTES = 16000  # of the classes, before they are packed
 
-CONTEXT = """public String getPackageName() { return null; } public java.io.File getCacheDir() { return null; }"""
+CONTEXT = """public String getPackageName() { return null; } public java.io.File getCacheDir() { return null; }
+        public final <T> T getSystemService(Class<T> type) { return null; }"""
 STUBS = {
+    "android.hardware.display.DisplayManager": """public final class DisplayManager {
+        public interface DisplayListener { void onDisplayAdded(int id); void onDisplayChanged(int id); void onDisplayRemoved(int id); }
+        public android.view.Display getDisplay(int id) { return null; }
+        public void registerDisplayListener(DisplayListener l, android.os.Handler h) { }
+        public void unregisterDisplayListener(DisplayListener l) { } }""",
+    "android.os.Handler": "public class Handler { }",
+    "android.view.Display": """public final class Display { public static final int DEFAULT_DISPLAY = 0;
+        public float getRefreshRate() { return 60; } }""",
     "android.R": "public final class R { public static final class id { public static final int content = 1; } }",
     "android.content.Context": "public abstract class Context { " + CONTEXT + " }",
     "android.content.ActivityNotFoundException":
@@ -54,7 +63,7 @@ STUBS = {
         public boolean compress(CompressFormat f, int q, java.io.OutputStream out) { return true; } }""",
     "android.app.NativeActivity": """import android.content.Intent; import android.os.Bundle;
         public class NativeActivity extends android.content.Context { public static final int RESULT_OK = -1;
-        protected void onCreate(Bundle state) { } protected void onActivityResult(int a, int b, Intent c) { }
+        protected void onCreate(Bundle state) { } protected void onDestroy() { } protected void onActivityResult(int a, int b, Intent c) { }
         public android.view.Window getWindow() { return null; } public final void runOnUiThread(Runnable r) { }
         public void startActivityForResult(Intent i, int code) { } public void startActivity(Intent i) { } }""",
     "android.view.Window": "public abstract class Window { public abstract View getDecorView(); }",

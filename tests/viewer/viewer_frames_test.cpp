@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "tests/viewer/viewer_bench.h"
 
@@ -121,6 +122,14 @@ TEST(Viewer, ResolutionGoesByTheDevicesTimeAndTheDisplaysInterval) {
         b.run(3, 1 / hertz);
         EXPECT_EQ(b.screen.frames.back().scale, 1) << hertz;
     }
+}
+
+TEST(Viewer, ADisplayThatThereIsNotIsNotTaken) {
+    Bench b;
+    b.viewer.setDisplayInterval(1 / 120.0);
+    for (const double rate : {0.0, -60.0, 0.5, 1e9, std::numeric_limits<double>::quiet_NaN()})
+        b.viewer.setDisplayInterval(1 / rate);
+    EXPECT_EQ(b.viewer.displayInterval(), 1 / 120.0);
 }
 
 TEST(Viewer, ADeviceOfSoftwareKeepsItsResolutionLonger) {

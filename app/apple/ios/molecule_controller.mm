@@ -95,9 +95,9 @@ void savePipelines(const std::vector<std::byte>& bytes) {
     _molecule.delegate = self;
     _molecule.speaker = self;
     __weak MoleculeController* weakSelf = self;
-    _clock = [[FrameClock alloc] initWithStep:[weakSelf](double now) {
+    _clock = [[FrameClock alloc] initWithStep:[weakSelf](double now, double interval) {
         MoleculeController* controller = weakSelf;
-        return controller ? [controller step:now] : std::numeric_limits<double>::infinity();
+        return controller ? [controller step:now interval:interval] : std::numeric_limits<double>::infinity();
     }];
     [self addMenuButton];
 }
@@ -172,9 +172,10 @@ void savePipelines(const std::vector<std::byte>& bytes) {
     [_clock wake];
 }
 
-- (double)step:(double)now {
+- (double)step:(double)now interval:(double)interval {
     __block double next = std::numeric_limits<double>::infinity();
     if (!_session) return next;
+    _session->viewer().setDisplayInterval(interval);
     const BOOL drawn = [self attempt:^{
       next = self->_session->step(now);
     }];

@@ -4,8 +4,10 @@ import android.app.NativeActivity;
 import android.content.ActivityNotFoundException;
 import android.content.Intent;
 import android.graphics.Bitmap;
+import android.hardware.display.DisplayManager;
 import android.net.Uri;
 import android.os.Bundle;
+import android.view.Display;
 import android.view.View;
 
 import java.io.File;
@@ -13,8 +15,11 @@ import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 
-/** What native code cannot do by itself: have a document picked, share a picture, tell a screen reader what is there. */
-public final class NacreActivity extends NativeActivity {
+/**
+ * What native code cannot do by itself: have a document picked, share a picture, tell a screen reader what is there, know
+ * how often the display refreshes.
+ */
+public final class NacreActivity extends NativeActivity implements DisplayManager.DisplayListener {
     private static final int PICKED = 1;
     private PanelNodes nodes;
 
@@ -23,6 +28,7 @@ public final class NacreActivity extends NativeActivity {
     static native void failed(long app, String why);
     static native String controls(long app);
     static native void press(long app, String role, String name);
+    static native void refreshes(long app, float rate);
 
     private volatile long app;
 
@@ -31,11 +37,37 @@ public final class NacreActivity extends NativeActivity {
         super.onCreate(state);
         View content = getWindow().getDecorView().findViewById(android.R.id.content);
         nodes = new PanelNodes(this, content);
+        displays().registerDisplayListener(this, null);
+        onDisplayChanged(Display.DEFAULT_DISPLAY);
+    }
+
+    @Override
+    protected void onDestroy() {
+        displays().unregisterDisplayListener(this);
+        super.onDestroy();
     }
 
     long app() {
         return app;
     }
+
+    // --- the display, which may change its rate at any time
+
+    private DisplayManager displays() {
+        return getSystemService(DisplayManager.class);
+    }
+
+    @Override
+    public void onDisplayChanged(int id) {
+        Display display = displays().getDisplay(id);
+        if (id == Display.DEFAULT_DISPLAY && display != null && app != 0) refreshes(app, display.getRefreshRate());
+    }
+
+    @Override
+    public void onDisplayAdded(int id) {}
+
+    @Override
+    public void onDisplayRemoved(int id) {}
 
     // --- called by native code, on any thread
 
