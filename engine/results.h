@@ -104,6 +104,13 @@ struct TileCounts {
     std::uint32_t longestList = 0;            ///< entries
 };
 
+/// Of the meshes' levels of detail.
+struct MeshLevelCount {
+    double error = 0;             ///< Å
+    std::uint64_t triangles = 0;  ///< that it has
+    std::uint64_t drawn = 0;      ///< of them for the last picture, in all copies
+};
+
 struct FrameStats {
     DeviceInfo device;                ///< with the path and reason in force
     double bakeMilliseconds = 0;      ///< ambient occlusion, from streams to atlas
@@ -115,8 +122,9 @@ struct FrameStats {
     std::vector<PassTime> passTimes;  ///< of the last frame that was timed; none if the device cannot
     /// Submitted for the last picture, in all copies.
     std::uint64_t spheres = 0, cylinders = 0, triangles = 0;
-    std::uint64_t copies = 1;  ///< of an assembly
-    TileCounts lists;          ///< of the last frame
+    std::vector<MeshLevelCount> meshLevels;  ///< the finest first; none without meshes
+    std::uint64_t copies = 1;                ///< of an assembly
+    TileCounts lists;                        ///< of the last frame
     OcclusionStats occlusion;
     std::uint64_t deviceBytes = 0;      ///< peak device memory
     std::uint64_t deviceBytesHeld = 0;  ///< after the last picture

@@ -61,7 +61,11 @@ struct RenderSettings {
     bool fine = false;                            ///< pictures: 32 bits a channel, linear, instead of 8, sRGB-coded
     bool lighting = true;                         ///< off: base colour x occlusion
     Effects effects;                              ///< layers and picks have no contours
-    DebugView debug = DebugView::none;            ///< of pictures and window frames; layers and picks are not concerned
+    /// How far a mesh's outline may be off, as a share of the distance between samples (a quarter of a pixel at edges):
+    /// meshes are drawn by the coarsest of their levels that keeps within it. Twice that in a window's live frames.
+    /// 0: as fine as they are.
+    double meshError = 0.25;
+    DebugView debug = DebugView::none;  ///< of pictures and window frames; layers and picks are not concerned
     OcclusionSettings occlusion;
     FrameTuning tuning;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <ctime>
 #include <iomanip>
+#include <iterator>
 #include <memory>
 #include <ostream>
 #include <unordered_set>
@@ -138,12 +139,21 @@ Representation visiblePart(const Representation& scene, const Seen& seen) {
     for (std::size_t i = 0; i < scene.cylinders.size(); ++i)
         if (seen.contains(scene.cylinderLooks[i].atomA) || seen.contains(scene.cylinderLooks[i].atomB))
             part.cylinders.push_back(scene.cylinders[i]), part.cylinderLooks.push_back(scene.cylinderLooks[i]);
-    std::erase_if(part.triangles, [&](const Triangle& t) {
-        const auto isSeen = [&](std::uint32_t v) {
-            return seen.contains(scene.meshLooks[scene.meshVertices[v].look].atom);
-        };
-        return !isSeen(t.a) && !isSeen(t.b) && !isSeen(t.c);
-    });
+    part.triangles.clear(), part.coarseTriangles.clear();
+    const auto isSeen = [&](std::uint32_t v) {
+        return seen.contains(scene.meshLooks[scene.meshVertices[v].look].atom);
+    };
+    const auto keep = [&](const std::vector<Triangle>& from, auto& run, std::vector<Triangle>& kept) {
+        const auto first = static_cast<std::uint32_t>(kept.size());
+        std::copy_if(from.begin() + run.first, from.begin() + run.first + run.count, std::back_inserter(kept),
+                     [&](const Triangle& t) { return isSeen(t.a) || isSeen(t.b) || isSeen(t.c); });
+        run.first = first;
+        run.count = static_cast<std::uint32_t>(kept.size()) - first;
+    };
+    for (MeshRun& mesh : part.meshes) {
+        keep(scene.triangles, mesh, part.triangles);
+        for (MeshRun::Level& level : mesh.levels) keep(scene.coarseTriangles, level, part.coarseTriangles);
+    }
     return part;
 }
 
@@ -196,6 +206,7 @@ RenderSettings benchFrame(const BenchOptions& options, double radius, int frame)
     RenderSettings settings;
     settings.view = viewOf(camera, radius, options.size.width, options.size.height);
     settings.supersample = options.supersample;
+    settings.meshError = options.meshError;
     settings.occlusion.directions = options.occlusion.directions;
     settings.occlusion.bytes = options.occlusion.bytes();
     return settings;

@@ -147,6 +147,13 @@ void addSupersample(CommandSpec& command, const std::string& fallback, std::uint
              [&](const std::string& text) { supersample = parseSupersample(text); });
 }
 
+void addMeshError(CommandSpec& command, const std::string& fallback, double& share) {
+    addValue(command, "--mesh-error", "SHARE", fallback,
+             "How far outlines of cartoons and surfaces may be off, of the distance between samples (of auto's edges a "
+             "quarter of a pixel), 0 to 4: where they are small, fewer triangles do; 0: all of them",
+             [&](const std::string& text) { share = parseNumber(text, 0, kLargestMeshError); });
+}
+
 void addContent(CommandSpec& command, InputOptions& input, bool required, DrawnAtomsOptions& drawn,
                 RepresentationOptions& look) {
     addInput(command, input, required);

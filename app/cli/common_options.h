@@ -28,6 +28,8 @@ void addVisibility(CommandSpec& command, DeviceOptions& device);
 /// Degrees, zoom and lens. @param rotateHelp  what --rotate turns
 void addCameraValues(CommandSpec& command, Camera& camera, const char* rotateHelp);
 void addSupersample(CommandSpec& command, const std::string& fallback, std::uint32_t& supersample);
+/// @param share  as RenderSettings::meshError
+void addMeshError(CommandSpec& command, const std::string& fallback, double& share);
 /// Which atoms are drawn, and how they look.
 void addAppearance(CommandSpec& command, DrawnAtomsOptions& drawn, RepresentationOptions& look);
 /// INPUT, what is drawn of it and how it looks: the same for every command that draws pictures.

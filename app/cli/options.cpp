@@ -31,6 +31,7 @@ void addBench(CommandSpec& command, BenchOptions& options) {
     addSize(command, "640x960", options.size);
     addCameraValues(command, options.camera, "Degrees of the first frame; each next one turns by 5 about Y");
     addSupersample(command, "1", options.supersample);
+    addMeshError(command, "0.5", options.meshError);
     addValue(command, "--frames", "N", "20, or what 3 seconds hold", "Timed frames a path, 1 to 10000",
              [&](const std::string& text) { options.frames = static_cast<int>(parseInteger(text, 1, 10000)); });
     addValue(command, "--only", "PART", "everything", "frames (by path), shapes (of plates and impostors) or bake",
@@ -63,6 +64,7 @@ void addPlan(CommandSpec& command, PlanOptions& options) {
              "auto: the frames of a picture, 16 samples where a pixel shows an edge", [&](const std::string& text) {
                  options.edges = parseChoice(text, {"auto", "1"}) == 0;
              });
+    addMeshError(command, "0.25", options.meshError);
     addOnOff(command, "--merge", options.merge, "Passes as subpasses of one render pass");
     addFlag(command, "--halos", options.rims,
             "With lines by groups and halos, as `nacre render --halos` and `--contour-weights 3` draw them");

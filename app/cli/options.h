@@ -46,6 +46,7 @@ struct RenderOptions {
     std::optional<double> contourPoints, haloPoints, textPoints;  ///< 72 an inch; prevail over pixels
     int bits = 8;                                                 ///< of a channel of the file
     std::uint32_t supersample = RenderSettings::kEdges;
+    double meshError = 0.25;                      ///< as RenderSettings::meshError
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha
     bool lighting = true;
     Effects effects;
@@ -98,6 +99,7 @@ struct BenchOptions {
     Size size{640, 960};
     Camera camera;                  ///< of the first frame
     std::uint32_t supersample = 1;  ///< as RenderSettings::supersample
+    double meshError = 0.5;         ///< as RenderSettings::meshError
     std::optional<int> frames;      ///< of a path; empty: 20, or fewer that take long
     Part only = Part::all;
     OcclusionOptions occlusion;
@@ -139,7 +141,8 @@ struct PlanOptions {
     std::string caps;  ///< name of a capability set; empty: the real device
     DeviceOptions device;
     Size size;
-    bool edges = false;  ///< as a picture's are drawn
+    bool edges = false;       ///< as a picture's are drawn
+    double meshError = 0.25;  ///< as RenderSettings::meshError
     bool merge = true;
     bool shadow = false;
     bool rims = false;  ///< lines by groups, halos

@@ -43,6 +43,7 @@ RenderSettings settingsOf(const RenderOptions& options, const Camera& camera, do
     RenderSettings settings;
     settings.view = viewOf(camera, radius, options.size.width, options.size.height);
     settings.supersample = options.supersample;
+    settings.meshError = options.meshError;
     settings.background = options.background;
     settings.lighting = options.lighting;
     settings.effects = options.effects;

@@ -70,6 +70,7 @@ void addPixels(CommandSpec& command, RenderOptions& options) {
         });
     addSize(command, "1024x1024", options.size);
     addSupersample(command, "auto", options.supersample);
+    addMeshError(command, "0.25", options.meshError);
 }
 
 /// Goes behind --view and before the options that it stands for, so that those prevail.

@@ -54,7 +54,8 @@ SceneCounts countsOfInput(const PlanOptions& options) {
     const Molecule molecule = loadMolecule(options.input);
     Representation scene = sceneOf(molecule, options.input.path, options.drawn, options.look);
     const View view = viewOf(options.camera, scene.radius, options.size.width, options.size.height);
-    return countsOf(std::move(scene), view);
+    const double pixels = options.meshError * (options.edges ? 0.25 : 1.0);
+    return countsOf(std::move(scene), view, pixels);
 }
 
 std::string joined(const graph::Graph& graph, const std::vector<std::uint32_t>& passes) {
@@ -101,6 +102,7 @@ PlanReport planReport(const PlanOptions& options) {
     gles.tileSubpasses = false;
     report.paperGraph = paperFrame(report.extent);
     report.paper = graph::compile(report.paperGraph, gles);
+    report.meshLevels = counts.meshLevels;
     if (scene)
         report.geometry = geometryOf(report.frame.graph, counts, report.plannedWith.geometry, PlateShape::automatic,
                                      ImpostorShape::automatic);

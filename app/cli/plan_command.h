@@ -27,6 +27,7 @@ struct PlanReport {
     graph::Plan paper;
     std::uint32_t frames = 1;              ///< that a picture is the mean of
     std::vector<PassGeometry> geometry{};  ///< of the scene that was given
+    std::vector<MeshLevelCount> meshLevels{};
 };
 
 /// @throws Error if there is no such device, or it cannot encode depth as asked for

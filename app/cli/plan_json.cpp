@@ -127,6 +127,7 @@ std::string planJson(const PlanReport& report) {
                             {"paper_images", imagesJson(report.paperGraph, report.paper)}};
     if (!report.geometry.empty())
         json["geometry"] = geometryJson(report.geometry, report.plannedWith.geometry.storesVaryings);
+    if (!report.meshLevels.empty()) json["mesh_levels"] = meshLevelsJson(report.meshLevels);
     json["facts"] = Json::array();
     for (const graph::Fact& fact : report.facts)
         json["facts"].push_back({{"what", fact.what}, {"source", fact.source}});

@@ -1,10 +1,12 @@
 // The plan for people: tables whose columns are aligned.
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
 #include "app/cli/plan_command.h"
+#include "app/shared/option_text.h"
 
 namespace nacre::app {
 namespace {
@@ -177,6 +179,15 @@ void geometryText(std::ostream& out, const PlanReport& report) {
     table(out, "  ", rows, 1);
 }
 
+void levelsText(std::ostream& out, const PlanReport& report) {
+    out << "\nlevels of its cartoons and surfaces\n";
+    std::vector<Row> levels{{"off by, A", "triangles", "drawn", "", ""}};
+    for (const MeshLevelCount& level : report.meshLevels)
+        levels.push_back(
+            {numberText(std::round(level.error * 1e4) / 1e4), grouped(level.triangles), grouped(level.drawn), "", ""});
+    table(out, "  ", levels, 1);
+}
+
 }  // namespace
 
 std::string planText(const PlanReport& report) {
@@ -195,6 +206,7 @@ std::string planText(const PlanReport& report) {
     passesText(out, report);
     memoryText(out, report);
     if (!report.geometry.empty()) geometryText(out, report);
+    if (!report.meshLevels.empty()) levelsText(out, report);
     if (!report.facts.empty()) out << "\nwhat is known of " << report.caps << '\n';
     for (const graph::Fact& fact : report.facts) out << "  " << fact.what << "\n    [" << fact.source << "]\n";
     return out.str();

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/shared/json_text.h"
@@ -43,6 +44,15 @@ std::int64_t peakResidentBytes() {
 #else
     return std::int64_t{usage.ru_maxrss} * 1024;  // Linux counts in KiB
 #endif
+}
+
+Json meshLevelsJson(const std::vector<MeshLevelCount>& levels) {
+    Json list = Json::array();
+    for (const MeshLevelCount& level : levels)
+        // Its float in a double's digits says more than it knows.
+        list.push_back(
+            {{"error", std::round(level.error * 1e4) / 1e4}, {"triangles", level.triangles}, {"drawn", level.drawn}});
+    return list;
 }
 
 Json geometryJson(const std::vector<PassGeometry>& passes, bool stored) {
@@ -112,7 +122,8 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
     json["mesh"] = {{"triangles", run.triangles},
                     {"vertices", run.vertices},
                     {"bytes", run.triangles * sizeof(Triangle) + run.vertices * sizeof(MeshVertex)},
-                    {"submitted", frame.triangles}};
+                    {"submitted", frame.triangles},
+                    {"levels", meshLevelsJson(frame.meshLevels)}};
     json["legend"] = legendJson(run.legends);
     json["warnings"] = run.warnings;
     json["times"] = {{"load", run.loadMs},

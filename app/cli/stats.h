@@ -36,6 +36,7 @@ nlohmann::ordered_json passesJson(const std::vector<PassCount>& counts, const st
 
 /// What the passes hand from vertices to fragments: `varying_bytes`, which go to memory and back (`memory_bytes`) where
 /// a GPU stores them.
+nlohmann::ordered_json meshLevelsJson(const std::vector<MeshLevelCount>& levels);
 nlohmann::ordered_json geometryJson(const std::vector<PassGeometry>& passes, bool stored);
 
 /// The most memory that this program has had resident so far.

@@ -13,6 +13,7 @@
 namespace nacre::app {
 
 constexpr std::uint32_t kLargestSide = 32768;                       ///< pixels
+constexpr double kLargestMeshError = 4;                             ///< as RenderSettings::meshError
 constexpr std::uint32_t kMostSupersample = 8;                       ///< samples a side of a pixel
 constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 32;      ///< width x height x supersample^2
 constexpr std::uint64_t kMostSamplesHeld = std::uint64_t{1} << 27;  ///< of a picture that is held whole

@@ -5,6 +5,7 @@
 #include "engine/passes/placed_copies.h"
 #include "engine/passes/plates.h"
 #include "engine/passes/translucent.h"
+#include "engine/scene/mesh_levels.h"
 
 namespace nacre {
 namespace {
@@ -55,10 +56,10 @@ bool numbers(const graph::Graph& graph, const graph::PassDecl& pass) {
 
 }  // namespace
 
-SceneCounts countsOf(Representation r, const View& view) {
+SceneCounts countsOf(Representation r, const View& view, double meshError) {
     orderInSpace(r);
     const Chunks chunks = chunksOf(r);
-    const passes::PlacedCopies placed = passes::placeCopies(r, view, &chunks);
+    const passes::PlacedCopies placed = passes::placeCopies(r, view, &chunks, 0, errorInSpace(view, meshError));
     passes::PlacedCopies translucent;
     translucent.triangles = passes::chosen(placed.triangles, translucentRuns(r), passes::Triangles::translucent);
     const std::uint64_t layered = translucent.triangleCount();
@@ -70,7 +71,8 @@ SceneCounts countsOf(Representation r, const View& view) {
             placed.triangleCount() - layered,
             mean * view.pixelsPerAngstrom,
             view.projection == Projection::perspective,
-            layered};
+            layered,
+            placed.triangleLevels(r)};
 }
 
 std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCounts& counts,

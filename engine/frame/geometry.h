@@ -15,7 +15,8 @@
 namespace nacre {
 
 /// What a view of a scene submits: what lies outside of the picture is left out, as frames do.
-SceneCounts countsOf(Representation representation, const View& view);
+/// @param meshError  pixels that meshes may be off by
+SceneCounts countsOf(Representation representation, const View& view, double meshError = 0);
 
 /// Of the passes of a screen frame that draw primitives, in their order. @param plates, impostor  as asked for
 std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCounts& counts,

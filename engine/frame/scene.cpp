@@ -8,6 +8,7 @@
 #include "engine/passes/translucent.h"
 #include "engine/passes/view_constants.h"
 #include "engine/scene/atom_groups.h"
+#include "engine/scene/mesh_levels.h"
 
 namespace nacre {
 namespace {
@@ -93,7 +94,8 @@ std::shared_ptr<passes::SceneView> lightScene(const gpu::Device& device, const S
         seen->cut = true;
     }
     seen->buffers = &scene.buffers;
-    seen->copies = passes::placeCopies(scene.representation, light);
+    // As the view does, so that nothing shades itself.
+    seen->copies = passes::placeCopies(scene.representation, light, nullptr, 0, meshErrorOf(settings, view));
     // Light goes through what is translucent.
     seen->copies.triangles = passes::chosen(seen->copies.triangles, scene.translucent, passes::Triangles::opaque);
     seen->impostor = settings.tuning.impostor;
@@ -103,6 +105,7 @@ std::shared_ptr<passes::SceneView> lightScene(const gpu::Device& device, const S
 
 /// @param scene  with its representation, in order
 void completeScene(const gpu::Device& device, Scene& scene) {
+    fitBuffer(scene.representation, device.caps().maxStorageBufferBytes);
     scene.translucent = translucentRuns(scene.representation);
     scene.chunks = chunksOf(scene.representation);
     scene.buffers = passes::makeSceneBuffers(device, scene.representation);
@@ -119,6 +122,12 @@ void completeScene(const gpu::Device& device, Scene& scene) {
 }
 
 }  // namespace
+
+double meshErrorOf(const RenderSettings& settings, const View& view) {
+    static_assert(RenderSettings::kEdgeSamples == 16);
+    const bool edges = settings.supersample == RenderSettings::kEdges && settings.debug == DebugView::none;
+    return errorInSpace(view, settings.meshError * (edges ? 0.25 : 1.0));
+}
 
 std::uint32_t shadowPixels(const RenderSettings& settings) {
     if (settings.effects.shadow.strength <= 0 || !settings.lighting) return 0;
@@ -207,7 +216,8 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     seen->buffers = &scene.buffers;
     seen->copies = passes::placeCopies(scene.representation, view, settings.tuning.cull ? &scene.chunks : nullptr,
                                        std::max(settings.effects.contours.width, settings.effects.halos.width) *
-                                           view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom);
+                                           view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom,
+                                       meshErrorOf(settings, view));
     seen->perspective = view.projection == Projection::perspective;
     seen->quarterTurns = view.quarterTurns;
     seen->plates = settings.tuning.plates;

@@ -34,6 +34,9 @@ graph::Extent imageExtent(const View& view);
 /// What the effects of shading work with, for shaders.
 layout::EffectConstants effectConstants(const RenderSettings& settings, const Scene& scene);
 
+/// Å that a view's meshes may be off by.
+double meshErrorOf(const RenderSettings& settings, const View& view);
+
 /// Pixels across the map of what the light sees of a scene; 0 if the settings ask for no shadows.
 std::uint32_t shadowPixels(const RenderSettings& settings);
 

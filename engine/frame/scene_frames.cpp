@@ -88,6 +88,7 @@ ScreenFrame SceneFrames::declareSeen(const RenderSettings& asked, const passes::
     if (layered) checkBlending(targets[0].format);
     if (path == Visibility::deferred || layered)
         seen->copyRows = copyRows_.upload(std::as_bytes(std::span(std::as_const(seen->copies.rows))));
+    const std::vector<MeshLevelCount> drawnLevels = seen->copies.triangleLevels(scene_->representation);
     if (layered) seen->translucent = passes::translucentView(*seen, scene_->translucent);
     seen->copies.triangles = passes::chosen(seen->copies.triangles, scene_->translucent,
                                             layered ? passes::Triangles::opaque : passes::Triangles::solid);
@@ -107,6 +108,7 @@ ScreenFrame SceneFrames::declareSeen(const RenderSettings& asked, const passes::
     stats_.cylinders = seen->copies.cylinderCount();
     const std::uint64_t translucentCount = layered ? seen->translucent->copies.triangleCount() : 0;
     stats_.triangles = seen->copies.triangleCount() + translucentCount;
+    stats_.meshLevels = drawnLevels;
     // Without plates the passes that write depth themselves need no pass before them.
     const bool plates =
         seen->plates != PlateShape::none || (path != Visibility::fragdepth && path != Visibility::deferred);

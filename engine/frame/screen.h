@@ -10,6 +10,7 @@
 #include "engine/frame/recorder.h"
 #include "engine/graph/encoded_format.h"
 #include "engine/graph/graph.h"
+#include "engine/results.h"
 
 namespace nacre {
 
@@ -66,6 +67,7 @@ struct SceneCounts {
     double radiusPixels = 0;                                  ///< mean radius of the spheres
     bool perspective = false;
     std::uint64_t translucent = 0;  ///< triangles beside the others, which one looks through
+    std::vector<MeshLevelCount> meshLevels{};
 };
 
 struct ScreenFrame {

@@ -95,12 +95,14 @@ ScreenFrame WindowFrames::declareFrame(const RenderSettings& settings, const pas
     const graph::Clear clear = clearOf(settings.background);
     ScreenTarget target{"colour", kPictureFormat, passes::Output::color, "impostor colour", clear};
     if (frame.quality == Quality::refined) return declareRefined(settings, atlas, view, target, frame, imports);
+    RenderSettings live = settings;
+    live.supersample = 1;
+    live.meshError = 2 * settings.meshError;
     if (frame.scale == 1.0 && !coded()) {
         target = {"window", swapchain_.format(), passes::Output::color, "impostor colour", clear, true};
-        return frames_.declareNext(settings, atlas, view, {&target, 1}, "screen", imports);
+        return frames_.declareNext(live, atlas, view, {&target, 1}, "screen", imports);
     }
-    ScreenFrame f =
-        frames_.declareNext(settings, atlas, scaled(view, frame.scale), {&target, 1}, "scaled screen", imports);
+    ScreenFrame f = frames_.declareNext(live, atlas, scaled(view, frame.scale), {&target, 1}, "scaled screen", imports);
     f.targets.push_back(addPicture(f, f.targets[0], frame.scale == 1.0 ? 1 : 0, 1));
     return f;
 }

@@ -8,6 +8,7 @@
 #include "engine/mesh/cartoon_curve.h"
 #include "engine/mesh/cartoon_sweep.h"
 #include "engine/mesh/cartoon_trace.h"
+#include "engine/mesh/mesh_levels.h"
 #include "engine/mesh/solids.h"
 #include "engine/molecule/residue_positions.h"
 
@@ -203,6 +204,7 @@ Mesh cartoon(const Molecule& molecule, std::span<const std::uint32_t> atoms,
     const CartoonOptions settled = settledOptions(options, residues);
     const PuttyScale putty(traces);
     Mesh mesh;
+    mesh.coarser = cartoonLevels();
     std::vector<RibbonPlace> nucleotides, aminoAcids;
     for (const Trace& trace : traces) {
         TraceDrawer drawer(mesh, trace, settled, putty, origin);
@@ -214,6 +216,7 @@ Mesh cartoon(const Molecule& molecule, std::span<const std::uint32_t> atoms,
                   [](const RibbonPlace& a, const RibbonPlace& b) { return a.residue < b.residue; });
     addBases(mesh, molecule, nucleotides, settled.bases, origin, settled.sides);
     if (settled.disulfides) addDisulfides(mesh, molecule, aminoAcids, origin, settled.sides);
+    dropFineLevels(mesh);
     return mesh;
 }
 

@@ -45,7 +45,9 @@ struct CartoonOptions {
 /// alone, where those are over 5 Å (8.5 Å). A residue by itself is a rod from N to C, or a ball. Every triangle belongs
 /// to one residue: at the middle between two alpha carbons vertices are stored twice; nucleotides meet at P. The mesh
 /// is made of closed pieces which touch or run into one another: every edge, of vertices at the same place, is shared
-/// by two triangles of opposite sense.
+/// by two triangles of opposite sense. So it is at its coarser levels, whose bound holds where vertices are left out:
+/// of sides, of rings between two residues' ends, and of round ends. All levels together have no more triangles than
+/// the mesh.
 /// @param atoms  indices of drawn atoms (drawn_atoms.h), ascending
 /// @param secondary  of each residue of the molecule (secondaryStructure()); helices under three residues and strands
 ///        under two are drawn as coil

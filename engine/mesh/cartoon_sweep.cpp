@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include "engine/mesh/mesh_levels.h"
 #include "engine/mesh/solids.h"
 #include "engine/mesh/unit_vectors.h"
 
@@ -42,20 +44,134 @@ public:
           piece_(piece),
           owners_(owners),
           origin_(origin),
-          outline_(outlineOf(piece.shape, sides)) {}
+          outline_(outlineOf(piece.shape, sides)) {
+        for (const OutlinePoint& point : outline_) round_.emplace_back(point.x, point.y);
+    }
 
     void run() {
+        const Picks all = allPicks(outline_.size());
+        begin_.vertex = nextVertex();
         cap(piece_.first, piece_.roundBegin, owners_[piece_.first], false);
-        std::uint32_t before = addRing(piece_.first, owners_[piece_.first]);
+        rings_.push_back({addRing(piece_.first, owners_[piece_.first])});
+        rings_[0].after = rings_[0].before;
         for (std::size_t k = piece_.first + 1; k <= piece_.last; ++k) {
-            const std::uint32_t ring = addRing(k, owners_[k - 1]);
-            join(before, ring);
-            before = k < piece_.last && owners_[k] != owners_[k - 1] ? addRing(k, owners_[k]) : ring;
+            Ring ring{addRing(k, owners_[k - 1])};
+            join(mesh_.triangles, rings_.back().after, ring.before, all);
+            ring.divides = k == piece_.last || owners_[k] != owners_[k - 1];
+            ring.after = k < piece_.last && ring.divides ? addRing(k, owners_[k]) : ring.before;
+            leastRings_ += ring.divides;
+            rings_.push_back(ring);
         }
+        end_.vertex = nextVertex();
         cap(piece_.last, piece_.roundEnd, owners_[piece_.last - 1], true);
+        for (MeshLevel& level : mesh_.coarser) addCoarser(level);
     }
 
 private:
+    /// Where a ring's vertices begin: those of the stretch before it, and those of the one behind it.
+    struct Ring {
+        std::uint32_t before = 0, after = 0;
+        bool divides = false;  ///< the residue ends here: every level has it
+    };
+
+    std::uint32_t nextVertex() const { return static_cast<std::uint32_t>(mesh_.positions.size()); }
+
+    /// How far the points about the piece's rings stand off polygons of some of them.
+    double sideErrorOf(const Picks& picks) const {
+        double most = 0;
+        const Section* last = nullptr;
+        for (const Section& s : piece_.sections) {
+            if (!last || s.width != last->width || s.thickness != last->thickness)
+                most = std::max(most, sideError(round_, picks, {s.width, s.thickness}));
+            last = &s;
+        }
+        return most;
+    }
+
+    /// How far what lies between two rings stands off the straight way from one to the other, at most. A ring's points
+    /// are its centre and, within the unit circle, so much of its side and its normal: what those three are off by,
+    /// together. Then the fold of a quad whose corners lie in no plane.
+    double bendOf(std::size_t from, std::size_t to, const glm::dvec2& widest) const {
+        const auto side = [&](std::size_t k) { return frames_[k].side * section(k).width; };
+        const auto normal = [&](std::size_t k) { return frames_[k].normal * section(k).thickness; };
+        double most = 0;
+        for (std::size_t k = from + 1; k < to; ++k) {
+            const double t = static_cast<double>(k - from) / static_cast<double>(to - from);
+            const auto off = [&](const auto& of) { return of(k) - (of(from) * (1 - t) + of(to) * t); };
+            const glm::dvec3 center = off([&](std::size_t i) { return frames_[i].center; });
+            const glm::dvec3 x = off(side), y = off(normal);
+            most = std::max(most, glm::length(center) + std::sqrt(glm::dot(x, x) + glm::dot(y, y)));
+        }
+        const double fold =
+            widest.x * glm::length(side(to) - side(from)) + widest.y * glm::length(normal(to) - normal(from));
+        return most + fold / 4;
+    }
+
+    /// The farthest that neighbours of a polygon stand apart, in half axes.
+    glm::dvec2 widestSide(const Picks& picks) const {
+        glm::dvec2 widest(0);
+        const bool flat = piece_.shape == SectionShape::rectangle;
+        for (std::size_t i = 0; i < picks.size(); i += flat ? 2 : 1)
+            widest = glm::max(widest, glm::abs(round_[picks[i]] - round_[picks[(i + 1) % picks.size()]]));
+        return widest;
+    }
+
+    /// A coarser form: which points of each ring it has, which rings, and what error the ends may add.
+    struct Form {
+        Picks picks;
+        std::vector<std::size_t> rings;  // of rings_
+        double rest = 0;
+        std::size_t quads() const { return (rings.size() - 1) * picks.size(); }
+    };
+
+    /// With as few rings as an error allows.
+    Form formOf(Picks picks, double rest) const {
+        const glm::dvec2 widest = widestSide(picks);
+        Form form{std::move(picks), {0}, rest};
+        for (std::size_t from = 0, to = 1; from + 1 < rings_.size(); from = to++) {
+            while (!rings_[to].divides && bendOf(piece_.first + from, piece_.first + to + 1, widest) <= rest) ++to;
+            form.rings.push_back(to);
+        }
+        return form;
+    }
+
+    /// Few sides leave less of the error to the rings: of all polygons the one with the fewest triangles.
+    Form fewest(double error) const {
+        if (piece_.shape == SectionShape::rectangle) return formOf(allPicks(outline_.size()), error);
+        std::optional<Form> best;
+        for (Picks& picks : polygonsOf(outline_.size())) {
+            if (best && picks.size() * leastRings_ >= best->quads()) break;
+            const double ofSides = picks.size() < outline_.size() ? sideErrorOf(picks) : 0;
+            if (ofSides > 0.9 * error) continue;
+            Form form = formOf(std::move(picks), error - ofSides);
+            if (!best || form.quads() < best->quads()) best = std::move(form);
+        }
+        return *best;
+    }
+
+    void addCoarser(MeshLevel& level) const {
+        const Form form = fewest(static_cast<double>(level.error));
+        for (std::size_t i = 1; i < form.rings.size(); ++i)
+            join(level.triangles, rings_[form.rings[i - 1]].after, rings_[form.rings[i]].before, form.picks);
+        addCoarserCap(level, begin_, piece_.first, form.rest, form.picks, false);
+        addCoarserCap(level, end_, piece_.last, form.rest, form.picks, true);
+    }
+
+    struct Cap {
+        std::uint32_t vertex = 0;  ///< its first
+        bool round = false;
+    };
+
+    void addCoarserCap(MeshLevel& level, const Cap& cap, std::size_t k, double rest, const Picks& picks,
+                       bool end) const {
+        const std::uint32_t n = static_cast<std::uint32_t>(outline_.size());
+        if (!cap.round) return addFan(level.triangles, cap.vertex, picks, end);
+        const bool cone = kConeError * std::max(section(k).width, section(k).thickness) <= rest;
+        std::uint32_t ring = cap.vertex;
+        for (int i = 1; i < kEndRings && !cone; ++i, ring += n) addBand(level.triangles, ring, ring + n, picks, end);
+        addTip(level.triangles, ring, cap.vertex + kEndRings * n, picks, end);
+    }
+
     const Section& section(std::size_t k) const { return piece_.sections[k - piece_.first]; }
 
     glm::dvec3 place(std::size_t k, const OutlinePoint& point) const {
@@ -84,19 +200,22 @@ private:
         return first;
     }
 
-    void join(std::uint32_t before, std::uint32_t after) {
+    using Triangles = std::vector<glm::uvec3>;
+
+    /// The wall between two rings.
+    void join(Triangles& triangles, std::uint32_t before, std::uint32_t after, const Picks& picks) const {
         const bool flat = piece_.shape == SectionShape::rectangle;
-        const std::uint32_t n = static_cast<std::uint32_t>(outline_.size());
-        for (std::uint32_t j = 0; j < n; j += flat ? 2 : 1) {
-            const std::uint32_t next = (j + 1) % n;
-            mesh_.triangles.emplace_back(before + j, before + next, after + next);
-            mesh_.triangles.emplace_back(before + j, after + next, after + j);
+        for (std::size_t i = 0; i < picks.size(); i += flat ? 2 : 1) {
+            const std::uint32_t j = picks[i], next = picks[(i + 1) % picks.size()];
+            triangles.emplace_back(before + j, before + next, after + next);
+            triangles.emplace_back(before + j, after + next, after + j);
         }
     }
 
     void cap(std::size_t k, bool round, std::uint32_t atom, bool end) {
         const glm::dvec3 out = end ? frames_[k].tangent : -frames_[k].tangent;
-        if (round && piece_.shape == SectionShape::oval)
+        (end ? end_ : begin_).round = round && piece_.shape == SectionShape::oval;
+        if ((end ? end_ : begin_).round)
             roundCap(k, atom, out, end);
         else
             flatCap(k, atom, out, end);
@@ -104,42 +223,57 @@ private:
 
     void flatCap(std::size_t k, std::uint32_t atom, const glm::dvec3& out, bool end) {
         const std::size_t step = piece_.shape == SectionShape::rectangle ? 2 : 1;
-        const std::uint32_t first = static_cast<std::uint32_t>(mesh_.positions.size());
+        const std::uint32_t first = nextVertex();
         for (std::size_t j = 0; j < outline_.size(); j += step)
             addVertex(mesh_, place(k, outline_[j]) - origin_, out, atom);
-        const std::uint32_t last = static_cast<std::uint32_t>(mesh_.positions.size()) - 1;
-        for (std::uint32_t v = first + 1; v < last; ++v)
-            mesh_.triangles.emplace_back(first, end ? v : v + 1, end ? v + 1 : v);
+        addFan(mesh_.triangles, first, allPicks(outline_.size()), end);
+    }
+
+    /// A flat end. A rectangle has a vertex for each other point of its outline.
+    void addFan(Triangles& triangles, std::uint32_t first, const Picks& picks, bool end) const {
+        const bool flat = piece_.shape == SectionShape::rectangle;
+        const std::uint32_t step = flat ? 2 : 1;
+        for (std::size_t i = step; i + step < picks.size(); i += step)
+            addTurned(triangles, first + picks[0] / step, first + picks[i] / step, first + picks[i + step] / step, end);
     }
 
     /// From the equator, which is the piece's own last ring again, to the pole.
     void roundCap(std::size_t k, std::uint32_t atom, const glm::dvec3& out, bool end) {
         const double reach = std::min(section(k).width, section(k).thickness);
         const Frame& frame = frames_[k];
-        const std::uint32_t n = static_cast<std::uint32_t>(outline_.size());
+        const Picks all = allPicks(outline_.size());
         std::uint32_t before = 0;
         for (int i = 0; i < kEndRings; ++i) {
             const double latitude = std::numbers::pi / 2 * i / kEndRings;
-            const std::uint32_t ring = static_cast<std::uint32_t>(mesh_.positions.size());
+            const std::uint32_t ring = nextVertex();
             for (const OutlinePoint& point : outline_) {
                 const glm::dvec3 away = place(k, point) - frame.center;
                 addVertex(mesh_,
                           frame.center + away * std::cos(latitude) + out * (reach * std::sin(latitude)) - origin_,
                           unitOr(unitOr(away, out) * std::cos(latitude) + out * std::sin(latitude), out), atom);
             }
-            for (std::uint32_t j = 0; i > 0 && j < n; ++j) {
-                const std::uint32_t a = before + j, b = before + (j + 1) % n, c = ring + j, d = ring + (j + 1) % n;
-                addTurned(a, b, d, end);
-                addTurned(a, d, c, end);
-            }
+            if (i > 0) addBand(mesh_.triangles, before, ring, all, end);
             before = ring;
         }
         const std::uint32_t pole = addVertex(mesh_, frame.center + out * reach - origin_, out, atom);
-        for (std::uint32_t j = 0; j < n; ++j) addTurned(before + j, before + (j + 1) % n, pole, end);
+        addTip(mesh_.triangles, before, pole, all, end);
     }
 
-    void addTurned(std::uint32_t a, std::uint32_t b, std::uint32_t c, bool asItIs) {
-        mesh_.triangles.emplace_back(a, asItIs ? b : c, asItIs ? c : b);
+    static void addBand(Triangles& triangles, std::uint32_t before, std::uint32_t ring, const Picks& picks, bool end) {
+        for (std::size_t i = 0; i < picks.size(); ++i) {
+            const std::uint32_t j = picks[i], next = picks[(i + 1) % picks.size()];
+            addTurned(triangles, before + j, before + next, ring + next, end);
+            addTurned(triangles, before + j, ring + next, ring + j, end);
+        }
+    }
+
+    static void addTip(Triangles& triangles, std::uint32_t ring, std::uint32_t pole, const Picks& picks, bool end) {
+        for (std::size_t i = 0; i < picks.size(); ++i)
+            addTurned(triangles, ring + picks[i], ring + picks[(i + 1) % picks.size()], pole, end);
+    }
+
+    static void addTurned(Triangles& triangles, std::uint32_t a, std::uint32_t b, std::uint32_t c, bool asItIs) {
+        triangles.emplace_back(a, asItIs ? b : c, asItIs ? c : b);
     }
 
     Mesh& mesh_;
@@ -148,6 +282,10 @@ private:
     std::span<const std::uint32_t> owners_;
     glm::dvec3 origin_;
     std::vector<OutlinePoint> outline_;
+    std::vector<glm::dvec2> round_;  // its points alone
+    std::vector<Ring> rings_;        // from frame piece.first on
+    std::size_t leastRings_ = 0;     // that divide residues
+    Cap begin_, end_;
 };
 
 }  // namespace

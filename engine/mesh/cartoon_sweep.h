@@ -27,7 +27,8 @@ struct SweepPiece {
     std::vector<Section> sections;              ///< of each frame from first to last
 };
 
-/// Adds a closed piece.
+/// Adds a closed piece, which is one in each of the mesh's levels, too: those leave out sides, and rings within a
+/// residue.
 /// @param owners  atom of the stretch from each frame to the next: where it changes, vertices are stored twice
 /// @param origin  what the mesh's positions are relative to
 /// @param sides  vertices around an oval

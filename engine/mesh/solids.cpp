@@ -1,8 +1,10 @@
 #include "engine/mesh/solids.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "engine/mesh/mesh_levels.h"
 #include "engine/mesh/unit_vectors.h"
 
 namespace nacre {
@@ -12,38 +14,45 @@ namespace {
 class Lathe {
 public:
     Lathe(Mesh& mesh, const glm::dvec3& axis, int sides)
-        : mesh_(mesh), axis_(axis), x_(anyAcross(axis)), y_(glm::cross(axis, x_)), sides_(sides) {}
+        : mesh_(mesh),
+          axis_(axis),
+          x_(anyAcross(axis)),
+          y_(glm::cross(axis, x_)),
+          sides_(sides),
+          all_(allPicks(static_cast<std::size_t>(sides))) {}
 
     /// The point where the solid begins.
     void begin(const glm::dvec3& point, std::uint32_t atom) { pole_ = addVertex(mesh_, point, -axis_, atom); }
 
     /// @param latitude  of the normals: -pi/2 points back along the axis
     void ring(const glm::dvec3& center, double radius, double latitude, std::uint32_t atom) {
-        const std::uint32_t first = addRing(center, radius, latitude, atom);
-        for (int j = 0; j < sides_; ++j) {
-            const std::uint32_t a = static_cast<std::uint32_t>(j), b = static_cast<std::uint32_t>((j + 1) % sides_);
-            if (ring_ == kNone)
-                mesh_.triangles.emplace_back(pole_, first + b, first + a);
-            else
-                joinQuad(ring_ + a, ring_ + b, first + a, first + b);
-        }
-        ring_ = first;
+        const Ring ring{addRing(center, radius, latitude, atom), radius, true};
+        join(mesh_.triangles, ring.first, all_);
+        last_ = ring.first;
+        rings_.push_back(ring);
     }
 
     /// The same ring for another atom.
     void change(const glm::dvec3& center, double radius, double latitude, std::uint32_t atom) {
-        ring_ = addRing(center, radius, latitude, atom);
+        last_ = addRing(center, radius, latitude, atom);
+        rings_.push_back({last_, radius, false});
     }
 
     void end(const glm::dvec3& point, std::uint32_t atom) {
         const std::uint32_t tip = addVertex(mesh_, point, axis_, atom);
-        for (int j = 0; j < sides_; ++j)
-            mesh_.triangles.emplace_back(ring_ + static_cast<std::uint32_t>(j),
-                                         ring_ + static_cast<std::uint32_t>((j + 1) % sides_), tip);
+        close(mesh_.triangles, tip, all_);
+        for (MeshLevel& level : mesh_.coarser) addCoarser(level, tip);
     }
 
 private:
     static constexpr std::uint32_t kNone = 0xffffffffu;
+    using Triangles = std::vector<glm::uvec3>;
+
+    struct Ring {
+        std::uint32_t first = 0;  ///< vertex
+        double radius = 0;
+        bool joined = true;  ///< to the one before it, or to the pole
+    };
 
     std::uint32_t addRing(const glm::dvec3& center, double radius, double latitude, std::uint32_t atom) {
         const std::uint32_t first = static_cast<std::uint32_t>(mesh_.positions.size());
@@ -55,15 +64,52 @@ private:
         return first;
     }
 
-    void joinQuad(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
-        mesh_.triangles.emplace_back(a, b, d);
-        mesh_.triangles.emplace_back(a, d, c);
+    /// The wall from the last ring, or from the pole.
+    void join(Triangles& triangles, std::uint32_t ring, const Picks& picks) const {
+        for (std::size_t i = 0; i < picks.size(); ++i) {
+            const std::uint32_t a = picks[i], b = picks[(i + 1) % picks.size()];
+            if (last_ == kNone) {
+                triangles.emplace_back(pole_, ring + b, ring + a);
+                continue;
+            }
+            triangles.emplace_back(last_ + a, last_ + b, ring + b);
+            triangles.emplace_back(last_ + a, ring + b, ring + a);
+        }
+    }
+
+    void close(Triangles& triangles, std::uint32_t tip, const Picks& picks) const {
+        for (std::size_t i = 0; i < picks.size(); ++i)
+            triangles.emplace_back(last_ + picks[i], last_ + picks[(i + 1) % picks.size()], tip);
+    }
+
+    /// Where the error allows it, a round end is flat, or a cone from its widest ring; else it has all its rings.
+    void addCoarser(MeshLevel& level, std::uint32_t tip) {
+        double widest = 0;
+        for (const Ring& ring : rings_) widest = std::max(widest, ring.radius);
+        const double error = static_cast<double>(level.error), ofCone = kConeError * widest;
+        const bool flat = widest <= error, cone = !flat && ofCone <= 0.5 * error;
+        const Picks picks = circlePicks(all_.size(), widest, cone ? error - ofCone : error);
+        last_ = kNone;
+        std::uint32_t first = kNone;
+        for (const Ring& ring : rings_) {
+            if ((flat || cone) && ring.radius < 0.999 * widest) continue;
+            if (ring.joined && !(flat && last_ == kNone)) join(level.triangles, ring.first, picks);
+            if (first == kNone) first = ring.first;
+            last_ = ring.first;
+        }
+        if (!flat) return close(level.triangles, tip, picks);
+        for (std::size_t i = 1; i + 1 < picks.size(); ++i) {
+            level.triangles.emplace_back(first + picks[0], first + picks[i + 1], first + picks[i]);
+            level.triangles.emplace_back(last_ + picks[0], last_ + picks[i], last_ + picks[i + 1]);
+        }
     }
 
     Mesh& mesh_;
     glm::dvec3 axis_, x_, y_;
     int sides_;
-    std::uint32_t pole_ = kNone, ring_ = kNone;
+    Picks all_;
+    std::uint32_t pole_ = kNone, last_ = kNone;  // ring
+    std::vector<Ring> rings_;
 };
 
 }  // namespace
@@ -73,15 +119,6 @@ std::uint32_t addVertex(Mesh& mesh, const glm::dvec3& position, const glm::dvec3
     mesh.normals.emplace_back(normal);
     mesh.atoms.push_back(atom);
     return static_cast<std::uint32_t>(mesh.positions.size() - 1);
-}
-
-void append(Mesh& mesh, const Mesh& other) {
-    const std::uint32_t first = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
-    mesh.normals.insert(mesh.normals.end(), other.normals.begin(), other.normals.end());
-    mesh.atoms.insert(mesh.atoms.end(), other.atoms.begin(), other.atoms.end());
-    mesh.triangles.reserve(mesh.triangles.size() + other.triangles.size());
-    for (const glm::uvec3& triangle : other.triangles) mesh.triangles.push_back(triangle + first);
 }
 
 void addRod(Mesh& mesh, const glm::dvec3& a, const glm::dvec3& b, double radius, std::uint32_t atomA,
@@ -135,9 +172,31 @@ void addBall(Mesh& mesh, const glm::dvec3& center, double radius, std::uint32_t 
     lathe.end(center + axis * radius, atom);
 }
 
+namespace {
+
+/// A convex plate of which every other corner is left out above, and the rest below: an antiprism.
+/// @param first  of the corners above, behind which those below are
+void addThinPlate(std::vector<glm::uvec3>& triangles, std::uint32_t first, std::size_t count) {
+    const auto n = static_cast<std::uint32_t>(count);
+    const std::uint32_t below = first + n;
+    for (std::uint32_t i = 2; i + 2 < n; i += 2) {
+        triangles.emplace_back(first, first + i, first + i + 2);
+        triangles.emplace_back(below + 1, below + i + 3 < below + n ? below + i + 3 : below + 1, below + i + 1);
+    }
+    for (std::uint32_t i = 0; i < n; i += 2) {
+        const std::uint32_t next = (i + 2) % n;
+        triangles.emplace_back(first + i, below + i + 1, first + next);
+        triangles.emplace_back(below + i + 1, below + (i + 3) % n, first + next);
+    }
+}
+
+}  // namespace
+
 void addPlate(Mesh& mesh, std::span<const glm::dvec3> outline, const glm::dvec3& normal, double halfThickness,
               std::span<const std::vector<std::uint32_t>> fans, std::uint32_t atom) {
     const glm::dvec3 up = normal * halfThickness;
+    const auto before = static_cast<std::ptrdiff_t>(mesh.triangles.size());
+    const std::size_t corners = mesh.positions.size();
     for (const bool top : {true, false}) {
         const std::uint32_t first = static_cast<std::uint32_t>(mesh.positions.size());
         for (const glm::dvec3& p : outline) addVertex(mesh, top ? p + up : p - up, top ? normal : -normal, atom);
@@ -153,6 +212,11 @@ void addPlate(Mesh& mesh, std::span<const glm::dvec3> outline, const glm::dvec3&
         mesh.triangles.emplace_back(first, first + 1, first + 2);
         mesh.triangles.emplace_back(first, first + 2, first + 3);
     }
+    for (MeshLevel& level : mesh.coarser)
+        if (fans.size() == 1 && outline.size() % 2 == 0 && level.error >= 2 * halfThickness)
+            addThinPlate(level.triangles, static_cast<std::uint32_t>(corners), outline.size());
+        else
+            level.triangles.insert(level.triangles.end(), mesh.triangles.begin() + before, mesh.triangles.end());
 }
 
 }  // namespace nacre

@@ -1,5 +1,6 @@
 #pragma once
-// Closed solids of triangles: rods, balls and prisms. All positions in one frame, relative to one origin.
+// Closed solids of triangles: rods, balls and prisms. All positions in one frame, relative to one origin. They are part
+// of every level that a mesh has.
 
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -12,9 +13,6 @@ namespace nacre {
 
 /// A vertex of a mesh. @return its index
 std::uint32_t addVertex(Mesh& mesh, const glm::dvec3& position, const glm::dvec3& normal, std::uint32_t atom);
-
-/// Appends another mesh of the same origin.
-void append(Mesh& mesh, const Mesh& other);
 
 /// A rod with round ends; the half next to a belongs to atomA. A ball if both ends are at the same place.
 /// @param sides  vertices around it, at least 4, even

@@ -6,6 +6,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
+#include "engine/scene/mesh_levels.h"
+
 namespace nacre::passes {
 namespace {
 
@@ -94,33 +96,41 @@ std::uint64_t PlacedCopies::sphereCount() const { return total(spheres); }
 std::uint64_t PlacedCopies::cylinderCount() const { return total(cylinders); }
 std::uint64_t PlacedCopies::triangleCount() const { return total(triangles); }
 
-PlacedCopies placeCopies(const Representation& r, const View& view, const Chunks* chunks, double room) {
+std::vector<MeshLevelCount> PlacedCopies::triangleLevels(const Representation& r) const {
+    std::vector<TriangleCall> calls;
+    for (const Call& call : triangles) calls.push_back({call.first, call.count});
+    return levelsOf(r, calls);
+}
+
+PlacedCopies placeCopies(const Representation& r, const View& view, const Chunks* chunks, double room, double error) {
     PlacedCopies placed;
     // Impostors reach a little beyond their spheres.
     const Edges edges = edgesOf(view, 2.0 + room);
     const auto* spheres = chunks ? &chunks->spheres : nullptr;
     const auto* cylinders = chunks ? &chunks->cylinders : nullptr;
     const auto* triangles = chunks ? &chunks->triangles : nullptr;
+    const std::vector<PrimitiveRun> meshes = drawnRuns(r, error);
     if (r.copies.transforms.empty()) {
         addRows(view, glm::dmat4x3(1.0), placed.rows);
         const Edges here = before(edges, view.rotation, {});
-        const auto add = [&](std::size_t count, const std::vector<Chunk>* of, std::vector<PlacedCopies::Call>& calls) {
-            const PlacedCopies::Call all{0, 0, static_cast<std::uint32_t>(count)};
+        const auto add = [&](std::size_t first, std::size_t count, const std::vector<Chunk>* of,
+                             std::vector<PlacedCopies::Call>& calls) {
+            const PlacedCopies::Call all{0, static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)};
             if (count > 0 && of)
                 addChunks(*of, here, all, calls);
             else if (count > 0)
                 calls.push_back(all);
         };
-        add(r.spheres.size(), spheres, placed.spheres);
-        add(r.cylinders.size(), cylinders, placed.cylinders);
-        add(r.triangles.size(), triangles, placed.triangles);
+        add(0, r.spheres.size(), spheres, placed.spheres);
+        add(0, r.cylinders.size(), cylinders, placed.cylinders);
+        for (const PrimitiveRun& run : meshes) add(run.first, run.count, triangles, placed.triangles);
         return placed;
     }
     placed.rows.reserve(3 * r.copies.transforms.size());
     for (const glm::dmat4x3& transform : r.copies.transforms) addRows(view, transform, placed.rows);
     addCalls(r.copies, r.copies.spheres, view, edges, spheres, placed.spheres);
     addCalls(r.copies, r.copies.cylinders, view, edges, cylinders, placed.cylinders);
-    addCalls(r.copies, r.copies.triangles, view, edges, triangles, placed.triangles);
+    addCalls(r.copies, meshes, view, edges, triangles, placed.triangles);
     return placed;
 }
 

@@ -5,6 +5,7 @@
 #include <glm/vec4.hpp>
 #include <vector>
 
+#include "engine/results.h"
 #include "engine/scene/camera.h"
 #include "engine/scene/chunks.h"
 #include "engine/scene/representation.h"
@@ -24,13 +25,16 @@ struct PlacedCopies {
     std::uint64_t sphereCount() const;
     std::uint64_t cylinderCount() const;
     std::uint64_t triangleCount() const;
+    /// By the meshes' levels of detail.
+    std::vector<MeshLevelCount> triangleLevels(const Representation& representation) const;
 };
 
 /// Rotations and shifts are composed in double precision. Runs of copies whose bounding sphere lies outside the picture
 /// are left out, and so are chunks; what is left stays in the order of the streams.
 /// @param chunks  of the representation; null: there are only whole runs
 /// @param room    pixels beside a primitive that show it, too
+/// @param error   Å that meshes may be off by (drawnRuns())
 PlacedCopies placeCopies(const Representation& representation, const View& view, const Chunks* chunks = nullptr,
-                         double room = 0);
+                         double room = 0, double error = 0);
 
 }  // namespace nacre::passes

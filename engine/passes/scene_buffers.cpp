@@ -27,8 +27,9 @@ gpu::Buffer joined(const gpu::Device& device, const std::string& name, const Str
 
 /// Triangles and vertices as the device has them: they name places in the joined streams.
 std::vector<Triangle> placedTriangles(const Representation& r) {
-    const auto first = static_cast<std::uint32_t>(r.spheres.size() + 2 * r.cylinders.size() + r.triangles.size());
     std::vector<Triangle> triangles = r.triangles;
+    triangles.insert(triangles.end(), r.coarseTriangles.begin(), r.coarseTriangles.end());
+    const auto first = static_cast<std::uint32_t>(r.spheres.size() + 2 * r.cylinders.size() + triangles.size());
     for (Triangle& t : triangles) t.a += first, t.b += first, t.c += first;
     return triangles;
 }
@@ -58,7 +59,7 @@ SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r
     SceneBuffers scene;
     scene.sphereCount = static_cast<std::uint32_t>(r.spheres.size());
     scene.cylinderCount = static_cast<std::uint32_t>(r.cylinders.size());
-    scene.triangleCount = static_cast<std::uint32_t>(r.triangles.size());
+    scene.triangleCount = static_cast<std::uint32_t>(r.triangles.size() + r.coarseTriangles.size());
     if (scene.empty()) return scene;
     scene.cylinderOffset = r.spheres.size() * sizeof(Sphere);
     scene.cylinderLookOffset = r.spheres.size() * sizeof(SphereLook);

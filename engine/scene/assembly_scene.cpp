@@ -199,8 +199,20 @@ void AssemblyScene::checkNumber(std::size_t primitives) const {
                     " spheres, sticks and triangles are more than " + std::to_string(UINT32_MAX - 1));
 }
 
+/// Levels are drawn in place of what is copied together: meshes of which some has other copies, as a bond between two
+/// chains may have, go without.
+void AssemblyScene::keepWholeMeshes(Representation& r) {
+    const std::vector<PrimitiveRun>& runs = r.copies.triangles;
+    for (MeshRun& mesh : r.meshes) {
+        const bool whole = std::any_of(runs.begin(), runs.end(), [&](const PrimitiveRun& run) {
+            return run.first <= mesh.first && mesh.first + mesh.count <= run.first + run.count;
+        });
+        if (!whole) mesh.levels.clear();
+    }
+}
+
 void AssemblyScene::finish(Representation& r) {
-    checkNumber(r.spheres.size() + r.cylinders.size() + r.triangles.size());
+    checkNumber(r.spheres.size() + r.cylinders.size() + r.triangles.size() + r.coarseTriangles.size());
     Copies& copies = r.copies;
     for (const glm::dmat4x3& transform : placement_.transforms) copies.transforms.push_back(about(transform, r.center));
     const auto run = [](std::uint32_t list, std::size_t first, std::size_t count) {
@@ -233,6 +245,7 @@ void AssemblyScene::finish(Representation& r) {
                 for (const std::uint32_t v : {t.a, t.b, t.c}) add(positionOf(r.meshVertices[v], t.step), 0.0f);
             });
         });
+    keepWholeMeshes(r);
     copies.lists = placement_.lists;
     copies.colors = copyColors_;
     r.drawnBonds = bondsOfCopies_;

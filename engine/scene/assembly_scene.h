@@ -44,6 +44,7 @@ private:
     std::uint32_t commonListOf(std::uint32_t atomA, std::uint32_t atomB);
     void spread(std::size_t colors);
     void checkNumber(std::size_t primitives) const;
+    static void keepWholeMeshes(Representation& representation);
 
     const Molecule& molecule_;
     std::string id_;

@@ -34,21 +34,22 @@ private:
     const std::vector<MeshVertex>& vertices_;
 };
 
-template <typename Primitive, typename BallOf>
-std::vector<Chunk> chunksOfStream(const std::vector<Primitive>& stream, const BallOf& ballOf) {
+/// @param ballOf  of the primitive of a number
+template <typename BallOf>
+std::vector<Chunk> chunksOfStream(std::size_t count, const BallOf& ballOf) {
     std::vector<Chunk> chunks;
-    chunks.reserve(stream.size() / Chunk::kPrimitives + 1);
-    for (std::size_t first = 0; first < stream.size(); first += Chunk::kPrimitives) {
-        const std::size_t end = std::min<std::size_t>(first + Chunk::kPrimitives, stream.size());
+    chunks.reserve(count / Chunk::kPrimitives + 1);
+    for (std::size_t first = 0; first < count; first += Chunk::kPrimitives) {
+        const std::size_t end = std::min<std::size_t>(first + Chunk::kPrimitives, count);
         glm::vec3 low(kMost), high(-kMost);
         for (std::size_t i = first; i < end; ++i) {
-            const glm::vec3 center = ballOf(stream[i]).center;
+            const glm::vec3 center = ballOf(i).center;
             low = glm::min(low, center);
             high = glm::max(high, center);
         }
         Chunk chunk{low * 0.5f + high * 0.5f, 0};
         for (std::size_t i = first; i < end; ++i) {
-            const Chunk ball = ballOf(stream[i]);
+            const Chunk ball = ballOf(i);
             const float reach = glm::length(ball.center - chunk.center) + ball.radius;
             chunk.radius = std::isfinite(reach) ? std::max(chunk.radius, reach * 1.00001f) : kMost;
         }
@@ -113,9 +114,13 @@ void reorder(std::vector<T>& stream, const std::vector<std::uint32_t>& order) {
 }  // namespace
 
 Chunks chunksOf(const Representation& r) {
-    const auto ball = [](const auto& primitive) { return ballOf(primitive); };
-    return {chunksOfStream(r.spheres, ball), chunksOfStream(r.cylinders, ball),
-            chunksOfStream(r.triangles, BallOfTriangle(r))};
+    const BallOfTriangle ballOfTriangle(r);
+    return {
+        chunksOfStream(r.spheres.size(), [&](std::size_t i) { return ballOf(r.spheres[i]); }),
+        chunksOfStream(r.cylinders.size(), [&](std::size_t i) { return ballOf(r.cylinders[i]); }),
+        chunksOfStream(r.triangles.size() + r.coarseTriangles.size(),
+                       [&](std::size_t i) { return ballOfTriangle(drawnTriangle(r, i)); }),
+    };
 }
 
 StreamOrder orderInSpace(Representation& r) {

@@ -17,7 +17,8 @@ struct Chunk {
 };
 
 struct Chunks {
-    std::vector<Chunk> spheres, cylinders, triangles;
+    std::vector<Chunk> spheres, cylinders;
+    std::vector<Chunk> triangles;  ///< coarse ones numbered on
 };
 
 Chunks chunksOf(const Representation& representation);

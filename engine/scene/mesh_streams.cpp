@@ -41,12 +41,20 @@ void checkMesh(const Mesh& mesh) {
     const std::size_t count = mesh.positions.size();
     if (mesh.normals.size() != count || mesh.atoms.size() != count)
         throw std::invalid_argument("a mesh has as many normals and atoms as positions");
-    for (const glm::uvec3& t : mesh.triangles)
-        if (t.x >= count || t.y >= count || t.z >= count)
-            throw std::invalid_argument("a triangle names a vertex that its mesh does not have");
+    const auto check = [&](const std::vector<glm::uvec3>& triangles) {
+        for (const glm::uvec3& t : triangles)
+            if (t.x >= count || t.y >= count || t.z >= count)
+                throw std::invalid_argument("a triangle names a vertex that its mesh does not have");
+    };
+    check(mesh.triangles);
+    for (const MeshLevel& level : mesh.coarser) check(level.triangles);
 }
 
 }  // namespace
+
+const Triangle& drawnTriangle(const Representation& r, std::size_t number) {
+    return number < r.triangles.size() ? r.triangles[number] : r.coarseTriangles[number - r.triangles.size()];
+}
 
 glm::vec3 positionOf(const MeshVertex& v, float step) {
     const std::uint32_t x = v.xz & kPositionMask, y = v.yz & kPositionMask;
@@ -98,12 +106,27 @@ void appendMesh(const Mesh& mesh, const glm::dvec3& shift, const std::function<S
         return a.xz == b.xz && a.yz == b.yz;
     };
     const auto isFinite = [&](std::uint32_t i) { return finite(glm::dvec3(mesh.positions[i]) + shift); };
-    const auto first = static_cast<std::ptrdiff_t>(r.triangles.size());
-    for (const glm::uvec3& t : mesh.triangles)
-        if (isFinite(t.x) && isFinite(t.y) && isFinite(t.z) && !samePlace(t.x, t.y) && !samePlace(t.y, t.z) &&
-            !samePlace(t.z, t.x))
-            r.triangles.push_back({base + t.x, base + t.y, base + t.z, step});
-    orderByTranslucency(r, r.triangles.begin() + first, r.triangles.end());
+    /// @returns where they begin
+    const auto add = [&](const std::vector<glm::uvec3>& triangles, std::vector<Triangle>& stream) {
+        const std::size_t first = stream.size();
+        for (const glm::uvec3& t : triangles)
+            if (isFinite(t.x) && isFinite(t.y) && isFinite(t.z) && !samePlace(t.x, t.y) && !samePlace(t.y, t.z) &&
+                !samePlace(t.z, t.x))
+                stream.push_back({base + t.x, base + t.y, base + t.z, step});
+        orderByTranslucency(r, stream.begin() + static_cast<std::ptrdiff_t>(first), stream.end());
+        return static_cast<std::uint32_t>(first);
+    };
+    const auto countFrom = [](std::uint32_t first, const std::vector<Triangle>& stream) {
+        return static_cast<std::uint32_t>(stream.size()) - first;
+    };
+    MeshRun run;
+    run.first = add(mesh.triangles, r.triangles);
+    run.count = countFrom(run.first, r.triangles);
+    for (const MeshLevel& level : mesh.coarser) {
+        const std::uint32_t first = add(level.triangles, r.coarseTriangles);
+        run.levels.push_back({level.error, first, countFrom(first, r.coarseTriangles)});
+    }
+    r.meshes.push_back(std::move(run));
 }
 
 }  // namespace nacre

@@ -29,12 +29,25 @@ struct Triangle {
     float step = 1;                     ///< Å: a power of two, so that a position is exactly what its bits say
 };
 
+/// A mesh of a representation: its triangles, and what may be drawn in their place.
+struct MeshRun {
+    struct Level {
+        float error = 0;                     ///< Å, as MeshLevel has it
+        std::uint32_t first = 0, count = 0;  ///< of Representation::coarseTriangles
+    };
+    std::uint32_t first = 0, count = 0;  ///< of Representation::triangles
+    std::vector<Level> levels;           ///< by growing error
+};
+
+/// By its number among those that are drawn: coarse ones are numbered on.
+const Triangle& drawnTriangle(const Representation& representation, std::size_t number);
+
 /// Where a vertex stands, as shaders have it. Å
 glm::vec3 positionOf(const MeshVertex& vertex, float step);
 glm::vec3 normalOf(const MeshVertex& vertex);
 
 /// Adds a mesh to the streams. What is not finite or has no area is left out; the others' neighbours stay joined.
-/// Opaque triangles come first (translucency.h).
+/// Opaque triangles come first (translucency.h), in each of its levels.
 /// @param shift   Å, added to every position: from the mesh's origin to that of the representation
 /// @param lookOf  colour and number of an atom, asked once for each atom of the mesh
 /// @throws std::invalid_argument if the mesh's lists do not fit each other

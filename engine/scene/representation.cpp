@@ -328,6 +328,8 @@ void MovingScene::move(const Molecule& molecule) {
     scene_.drawnBonds = 0;
     addBonds(molecule, appearance_, nullptr, scene_);
     scene_.triangles.clear();
+    scene_.meshes.clear();
+    scene_.coarseTriangles.clear();
     scene_.meshVertices.clear();
     scene_.meshLooks.clear();
     addMeshes(

@@ -51,6 +51,8 @@ struct Representation {
     std::vector<CylinderLook> cylinderLooks;  ///< same length as cylinders
     std::vector<Triangle> triangles;          ///< of cartoons and surfaces
     std::vector<MeshVertex> meshVertices;
+    std::vector<MeshRun> meshes;            ///< all triangles together, in their order
+    std::vector<Triangle> coarseTriangles;  ///< of the meshes' levels: numbered on from the others where both are drawn
     std::vector<SphereLook> meshLooks;      ///< that vertices share
     std::vector<std::uint32_t> atomGroups;  ///< of the file's atoms in their order (atom_groups.h)
     Copies copies;                          ///< of an assembly; relative to center, too

@@ -83,14 +83,16 @@ void TileLists::addCylinders(const TileView& view, std::span<const Cylinder> cyl
 
 std::vector<TileLists::MeshPart> TileLists::meshParts(const TileScenery& s) {
     std::vector<MeshPart> parts;
-    for (const TileCall& call : s.triangleCalls)
-        for (std::uint32_t first = call.first, end = first; end < call.first + call.count; first = end) {
-            const float step = s.triangles[first].step;
-            while (end < call.first + call.count && s.triangles[end].step == step) ++end;
+    for (const TileCall& call : s.triangleCalls) {
+        const std::span<const Triangle> triangles = s.trianglesOf(call);
+        for (std::uint32_t first = 0, end = 0; end < call.count; first = end) {
+            const float step = triangles[first].step;
+            while (end < call.count && triangles[end].step == step) ++end;
             if (parts.empty() || parts.back().rows != call.rows || parts.back().step != step)
                 parts.push_back({call.rows, step, {}});
-            parts.back().calls.push_back({call.rows, first, end - first, call.number});
+            parts.back().calls.push_back({call.rows, call.first + first, end - first, call.number});
         }
+    }
     return parts;
 }
 
@@ -98,7 +100,7 @@ std::vector<TileLists::MeshPart> TileLists::meshParts(const TileScenery& s) {
 void TileLists::placeCorners(const TileView& view, const TileScenery& s, const MeshPart& part) {
     std::uint32_t first = UINT32_MAX, end = 0;
     for (const TileCall& call : part.calls)
-        for (const Triangle& t : s.triangles.subspan(call.first, call.count)) {
+        for (const Triangle& t : s.trianglesOf(call)) {
             first = std::min({first, t.a, t.b, t.c});
             end = std::max({end, t.a + 1, t.b + 1, t.c + 1});
         }
@@ -121,11 +123,11 @@ void TileLists::addTriangle(const TileView& view, std::uint32_t number, const gl
 void TileLists::addTriangles(const TileView& view, const TileScenery& s) {
     for (const MeshPart& part : meshParts(s)) {
         placeCorners(view, s, part);
-        for (const TileCall& call : part.calls)
-            for (std::uint32_t i = call.first; i < call.first + call.count; ++i) {
-                const Triangle& t = s.triangles[i];
-                addTriangle(view, call.number + i, corners_[t.a], corners_[t.b], corners_[t.c]);
-            }
+        for (const TileCall& call : part.calls) {
+            std::uint32_t number = call.number + call.first;
+            for (const Triangle& t : s.trianglesOf(call))
+                addTriangle(view, number++, corners_[t.a], corners_[t.b], corners_[t.c]);
+        }
     }
 }
 
@@ -133,15 +135,16 @@ void TileLists::addFrontTriangles(const TileView& view, const TileScenery& s) {
     front_.begin(view);
     for (const MeshPart& part : meshParts(s)) {
         placeCorners(view, s, part);
-        for (const TileCall& call : part.calls) front_.draw(s.triangles.subspan(call.first, call.count), corners_);
+        for (const TileCall& call : part.calls) front_.draw(s.trianglesOf(call), corners_);
     }
     front_.end();
     std::size_t before = 0;
     for (const TileCall& call : s.triangleCalls) {
         const CornerPlace place(view, call.rows);
+        const std::span<const Triangle> triangles = s.trianglesOf(call);
         for (std::size_t at = front_.next(before); at < before + call.count; at = front_.next(at + 1)) {
             const auto i = call.first + static_cast<std::uint32_t>(at - before);
-            const Triangle& t = s.triangles[i];
+            const Triangle& t = triangles[at - before];
             const auto corner = [&](std::uint32_t v) { return place(positionOf(s.vertices[v], t.step)); };
             addTriangle(view, call.number + i, corner(t.a), corner(t.b), corner(t.c));
         }

@@ -30,6 +30,13 @@ struct TileScenery {
     std::span<const Triangle> triangles = {};
     std::span<const MeshVertex> vertices = {};
     std::span<const TileCall> triangleCalls = {};
+    std::span<const Triangle> coarseTriangles = {};  ///< numbered on from the others; no call has some of both
+
+    /// Those of a call.
+    std::span<const Triangle> trianglesOf(const TileCall& call) const {
+        if (call.first < triangles.size()) return triangles.subspan(call.first, call.count);
+        return coarseTriangles.subspan(call.first - triangles.size(), call.count);
+    }
 };
 
 /// Bins of `kBinPixels` a side, row by row from the top left, each with its list, and the tiles of those bins whose

@@ -28,8 +28,8 @@ Translucency translucencyOf(const Representation& r, const Triangle& t) {
 TranslucentRuns translucentRuns(const Representation& r) {
     TranslucentRuns runs;
     if (!hasTranslucency(r)) return runs;
-    for (std::uint32_t i = 0; i < r.triangles.size(); ++i) {
-        const Translucency kind = translucencyOf(r, r.triangles[i]);
+    for (std::uint32_t i = 0; i < r.triangles.size() + r.coarseTriangles.size(); ++i) {
+        const Translucency kind = translucencyOf(r, drawnTriangle(r, i));
         if (kind == Translucency::opaque) continue;
         if (!runs.empty() && runs.back().kind == kind && runs.back().first + runs.back().count == i)
             ++runs.back().count;

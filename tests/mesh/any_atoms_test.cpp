@@ -72,6 +72,12 @@ void expectWhole(const Mesh& mesh, std::size_t atoms) {
     }
     for (const glm::uvec3& t : mesh.triangles) ASSERT_LT(std::max({t.x, t.y, t.z}), mesh.positions.size());
     EXPECT_EQ(test::openEdges(mesh), 0u);
+    Mesh coarse = mesh;
+    for (const MeshLevel& level : mesh.coarser) {
+        coarse.triangles = level.triangles;
+        for (const glm::uvec3& t : level.triangles) ASSERT_LT(std::max({t.x, t.y, t.z}), mesh.positions.size());
+        EXPECT_EQ(test::openEdges(coarse), 0u) << level.error;
+    }
 }
 
 TEST(AnyAtoms, MakeWholeMeshes) {

@@ -39,6 +39,7 @@ TEST_P(MeshScenes, AreTheSameOnEveryPath) {
     const Representation r = meshSceneOf(c);
     ASSERT_GT(r.triangles.size(), 1000u);
     RenderSettings s = settings(r, 72, c.projection);
+    s.meshError = 0;  // every triangle is counted
     if (c.fog) s.effects.fog.range = Fog::Range::automatic;
     if (c.clip) s.effects.clip = {-2, 12, Clip::Cap::plain};
     RenderSettings plain = s;
