@@ -66,8 +66,8 @@ void WindowSession::writePictureTo(const PictureWish& wish) {
     const double shorter = std::min(window_.size().width, window_.size().height);
     const double textSize =
         viewer().textSize() * (asShown ? 1 : std::min(size.width, size.height) / std::max(shorter, 1.0));
-    WordPainter().paint(placeWords(view.words, *document.placed, document.scene), settings.view, textSize,
-                        view.words.color, background, drawn);
+    WordPainter().paint(placeWords(view.words, *document.placed, document.scene, WordsOfHidden::leftOut), settings.view,
+                        textSize, view.words.color, background, drawn);
     PictureFormat format;
     format.alpha = transparent;
     format.dpi = dpi;

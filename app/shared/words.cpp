@@ -171,15 +171,19 @@ struct DrawnAtoms {
     }
 };
 
+/// The atoms of a selection that are drawn; none only of what may be left out, which `placed` then lists.
 std::vector<std::uint32_t> drawnOf(const Selection& selection, const Molecule& molecule, const DrawnAtoms& drawn,
-                                   const char* what) {
+                                   const char* what, WordsOfHidden hidden, PlacedWords& placed) {
     const std::vector<bool> chosen = selectAtoms(molecule, selection);
     std::vector<std::uint32_t> atoms;
     for (std::uint32_t i = 0; i < chosen.size(); ++i)
         if (chosen[i] && drawn.places[i].radius >= 0) atoms.push_back(i);
     if (!atoms.empty()) return atoms;
     const bool any = std::find(chosen.begin(), chosen.end(), true) != chosen.end();
-    throw Error(what, selection.text, any ? "none of its atoms is drawn" : "the molecule has no such atoms");
+    if (!any || hidden == WordsOfHidden::refused)
+        throw Error(what, selection.text, any ? "none of its atoms is drawn" : "the molecule has no such atoms");
+    placed.leftOut.push_back(selection.text);
+    return {};
 }
 
 constexpr std::size_t kMostAsked = 24;  // atoms of a label that are asked whether they are seen
@@ -196,12 +200,13 @@ std::vector<std::uint32_t> numbersOfResidues(const Molecule& molecule, const std
     return numbers;
 }
 
-void placeLabel(const Label& label, const Molecule& molecule, const DrawnAtoms& drawn, PlacedWords& placed) {
+void placeLabel(const Label& label, const Molecule& molecule, const DrawnAtoms& drawn, WordsOfHidden hidden,
+                PlacedWords& placed) {
     const Scope scope = scopeOf(label.text);
     // Atoms of one label, in the file's order of the first of each.
     std::map<std::uint32_t, std::size_t> groupOf;
     std::vector<std::vector<std::uint32_t>> groups;
-    for (const std::uint32_t atom : drawnOf(label.selection, molecule, drawn, "cannot label")) {
+    for (const std::uint32_t atom : drawnOf(label.selection, molecule, drawn, "cannot label", hidden, placed)) {
         const std::uint32_t residue = molecule.atoms[atom].residue;
         const std::uint32_t key = scope == Scope::atom      ? atom
                                   : scope == Scope::residue ? residue
@@ -233,10 +238,12 @@ void placeLabel(const Label& label, const Molecule& molecule, const DrawnAtoms& 
     }
 }
 
-void placeMeasure(const Measure& measure, const Molecule& molecule, const DrawnAtoms& drawn, PlacedWords& placed) {
+void placeMeasure(const Measure& measure, const Molecule& molecule, const DrawnAtoms& drawn, WordsOfHidden hidden,
+                  PlacedWords& placed) {
     PlacedMeasure result;
     for (const Selection& point : measure.points) {
-        const std::vector<std::uint32_t> atoms = drawnOf(point, molecule, drawn, "cannot measure");
+        const std::vector<std::uint32_t> atoms = drawnOf(point, molecule, drawn, "cannot measure", hidden, placed);
+        if (atoms.empty()) return;
         if (atoms.size() > 1)
             throw Error("cannot measure", point.text,
                         "it has " + std::to_string(atoms.size()) + " drawn atoms, where one is needed (name CA, say)");
@@ -330,7 +337,8 @@ std::array<float, 3> parseInk(std::string_view text) {
     return {color[0], color[1], color[2]};
 }
 
-PlacedWords placeWords(const Words& words, const Molecule& molecule, const Representation& scene) {
+PlacedWords placeWords(const Words& words, const Molecule& molecule, const Representation& scene,
+                       WordsOfHidden hidden) {
     PlacedWords placed;
     placed.title = words.title;
     placed.scaleBar = words.scaleBar;
@@ -338,8 +346,8 @@ PlacedWords placeWords(const Words& words, const Molecule& molecule, const Repre
     if (words.labels.empty() && words.measures.empty()) return placed;
     const DrawnAtoms drawn(molecule, scene);
     if (words.seenOnly && !words.labels.empty()) placed.sight = std::make_shared<const LabelSight>(scene);
-    for (const Label& label : words.labels) placeLabel(label, molecule, drawn, placed);
-    for (const Measure& measure : words.measures) placeMeasure(measure, molecule, drawn, placed);
+    for (const Label& label : words.labels) placeLabel(label, molecule, drawn, hidden, placed);
+    for (const Measure& measure : words.measures) placeMeasure(measure, molecule, drawn, hidden, placed);
     return placed;
 }
 

@@ -89,15 +89,20 @@ struct PlacedWords {
     ScaleBar scaleBar = ScaleBar::off;
     std::vector<Legend> legends;
     std::shared_ptr<const LabelSight> sight;  ///< null: every label shows, whatever lies before it
+    std::vector<std::string> leftOut;         ///< selections of labels and measurements of which nothing is drawn
 
     bool any() const {
         return !labels.empty() || !measures.empty() || !title.empty() || scaleBar != ScaleBar::off || !legends.empty();
     }
 };
 
+/// What becomes of words about atoms that the molecule has and nobody draws.
+enum class WordsOfHidden { refused, leftOut };
+
 /// Of an assembly, words stand at the first copy.
 /// @throws Error if a label's selection has no drawn atom, a measurement's not just one, or the labels are too many
-PlacedWords placeWords(const Words& words, const Molecule& molecule, const Representation& scene);
+PlacedWords placeWords(const Words& words, const Molecule& molecule, const Representation& scene,
+                       WordsOfHidden hidden = WordsOfHidden::refused);
 
 /// A piece of a text in one size.
 struct TextRun {

@@ -91,7 +91,13 @@ bool Viewer::putWords(double now) {
     if (!document()) return true;
     schedule_.overlayChanged();
     try {
-        placedWords_ = placeWords(view_.words, *document_.placed, document_.scene);
+        placedWords_ = placeWords(view_.words, *document_.placed, document_.scene, WordsOfHidden::leftOut);
+        if (!placedWords_.leftOut.empty())
+            say("Not shown while its atoms are not drawn: " + placedWords_.leftOut.front() +
+                    (placedWords_.leftOut.size() > 1
+                         ? " and " + std::to_string(placedWords_.leftOut.size() - 1) + " more"
+                         : ""),
+                now);
         return true;
     } catch (const Error& error) {
         say(error.what(), now);

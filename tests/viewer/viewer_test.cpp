@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "app/shared/appearance_values.h"
+#include "app/shared/words.h"
 #include "tests/viewer/viewer_bench.h"
 
 namespace nacre::app::test {
@@ -221,6 +223,35 @@ TEST(Viewer, WhatItSavesIsWhereItGoesOn) {
     EXPECT_EQ(x.pan, y.pan);
     EXPECT_EQ(x.pixelsPerAngstrom, y.pixelsPerAngstrom);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(glm::distance(x.rotation[i], y.rotation[i]), 0, 1e-12);
+}
+
+TEST(Viewer, WordsOfWhatIsHiddenWaitUntilItIsDrawnAgain) {
+    Bench b;
+    const auto show = [&](const SavedView& look) {
+        b.viewer.setLook(look, b.now);
+        b.load();
+    };
+    SavedView look = b.viewer.view();
+    look.words.labels = {parseLabel("id 1=first"), parseLabel("id 2=second")};
+    look.words.measures = {parseMeasure("1,2")};
+    show(look);
+    EXPECT_EQ(b.viewer.words().labels.size(), 2u);
+    EXPECT_EQ(b.viewer.words().measures.size(), 1u);
+    SavedView hidden = b.viewer.view();
+    hidden.look.rules.push_back(parseHide("id 2"));
+    show(hidden);
+    ASSERT_EQ(b.viewer.words().labels.size(), 1u);
+    EXPECT_EQ(b.viewer.words().labels[0].text, "first");
+    EXPECT_TRUE(b.viewer.words().measures.empty());
+    EXPECT_EQ(b.viewer.view().words, look.words);
+    EXPECT_NE(b.viewer.annotations().message.find("id 2 and 1 more"), std::string::npos) << b.viewer.annotations().message;
+    show(look);
+    EXPECT_EQ(b.viewer.words().labels.size(), 2u);
+    EXPECT_EQ(b.viewer.words().measures.size(), 1u);
+    // What the molecule does not have is not kept.
+    look.words.labels.push_back(parseLabel("id 999=none"));
+    show(look);
+    EXPECT_EQ(b.viewer.view().words.labels.size(), 2u);
 }
 
 }  // namespace

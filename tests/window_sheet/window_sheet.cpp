@@ -158,7 +158,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
     };
     const auto measured = [](Driver& d) {
         SavedView look = d.viewer().view();
-        look.look.rules.push_back(parseShow("resi 1-12 or ligand=ball-and-stick"));
+        look.look.rules.push_back(parseShow("resi 1-16 or ligand=ball-and-stick"));
         d.viewer().setLook(look, seconds());
         d.settle();  // words are about atoms that are drawn
         look = d.viewer().view();
