@@ -23,7 +23,7 @@ struct Mesh {
     /// the vertex with the largest barycentric weight. Same length as positions.
     std::vector<std::uint32_t> atoms;
     std::vector<glm::uvec3> triangles;  ///< indices of vertices, counter-clockwise seen from outside
-    std::vector<MeshLevel> coarser{};     ///< each with a larger error than the one before
+    std::vector<MeshLevel> coarser{};   ///< each with a larger error than the one before
 };
 
 }  // namespace nacre

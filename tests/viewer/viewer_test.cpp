@@ -244,7 +244,8 @@ TEST(Viewer, WordsOfWhatIsHiddenWaitUntilItIsDrawnAgain) {
     EXPECT_EQ(b.viewer.words().labels[0].text, "first");
     EXPECT_TRUE(b.viewer.words().measures.empty());
     EXPECT_EQ(b.viewer.view().words, look.words);
-    EXPECT_NE(b.viewer.annotations().message.find("id 2 and 1 more"), std::string::npos) << b.viewer.annotations().message;
+    EXPECT_NE(b.viewer.annotations().message.find("id 2 and 1 more"), std::string::npos)
+        << b.viewer.annotations().message;
     show(look);
     EXPECT_EQ(b.viewer.words().labels.size(), 2u);
     EXPECT_EQ(b.viewer.words().measures.size(), 1u);
