@@ -53,7 +53,7 @@ Entry entryAt(uint number, vec2 middle, vec2 reach) {
     index = e.facet ? 0u : index;
 #endif
 #ifdef CYLINDERS
-    e.cylinder = index >= view.spheres;
+    e.cylinder = !e.facet && index >= view.spheres;
     index = e.cylinder ? 2u * index - view.spheres : index;
 #endif
     vec4 shape = shapeAt(index);

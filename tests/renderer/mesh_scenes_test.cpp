@@ -8,7 +8,7 @@ namespace {
 struct MeshSceneCase {
     const char* name;
     Projection projection = Projection::orthographic;
-    bool copies = false, models = false, fog = false, clip = false;
+    bool copies = false, models = false, fog = false, clip = false, contours = false;
 };
 void PrintTo(const MeshSceneCase& c, std::ostream* out) { *out << c.name; }
 
@@ -42,6 +42,10 @@ TEST_P(MeshScenes, AreTheSameOnEveryPath) {
     s.meshError = 0;  // every triangle is counted
     if (c.fog) s.effects.fog.range = Fog::Range::automatic;
     if (c.clip) s.effects.clip = {-2, 12, Clip::Cap::plain};
+    if (c.contours) s.effects.contours.width = 2;
+    if (c.contours) {
+        ASSERT_TRUE(r.spheres.empty() && r.cylinders.empty());  // triangles are not taken for others
+    }
     RenderSettings plain = s;
     plain.effects = {};
     LayerPicture first;
@@ -67,19 +71,20 @@ TEST_P(MeshScenes, AreTheSameOnEveryPath) {
     }
     EXPECT_GT(picked, 2u);
     EXPECT_EQ(missed, 0u);
-    if (c.fog || c.clip) {
+    if (c.fog || c.clip || c.contours) {
         EXPECT_FALSE(rendererOf(Visibility::tiles)->render(plain).rgba == picture.rgba);
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Cartoons, MeshScenes,
-                         testing::Values(MeshSceneCase{"Copies", Projection::perspective, true},
-                                         MeshSceneCase{"Models", Projection::orthographic, false, true},
-                                         MeshSceneCase{"Fog", Projection::perspective, false, false, true},
-                                         MeshSceneCase{"Cut", Projection::orthographic, false, false, false, true},
-                                         MeshSceneCase{"CutCopiesInFog", Projection::perspective, true, false, true,
-                                                       true}),
-                         [](const auto& tested) { return std::string(tested.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    Cartoons, MeshScenes,
+    testing::Values(MeshSceneCase{"Copies", Projection::perspective, true},
+                    MeshSceneCase{"Models", Projection::orthographic, false, true},
+                    MeshSceneCase{"Fog", Projection::perspective, false, false, true},
+                    MeshSceneCase{"Cut", Projection::orthographic, false, false, false, true},
+                    MeshSceneCase{"Lined", Projection::orthographic, false, false, false, false, true},
+                    MeshSceneCase{"CutCopiesInFog", Projection::perspective, true, false, true, true}),
+    [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(MovedMeshes, AreThoseThatWereMadeThere) {
     Molecule m = molecule("sample:dna");
