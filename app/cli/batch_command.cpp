@@ -1,8 +1,9 @@
 // Many pictures by one process and one device. Each thread takes a job through all its steps: while one draws, the
-// others read and write theirs.
+// others read and write theirs, or draw, too, where the device is the processor.
 
 #include <sys/stat.h>
 
+#include <condition_variable>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -11,6 +12,7 @@
 #include <optional>
 #include <thread>
 #include <unordered_set>
+#include <vector>
 
 #include "app/cli/batch_options.h"
 #include "app/cli/commands.h"
@@ -76,27 +78,59 @@ struct NoDevice : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The one device, made when the first job wants it and anew after a loss.
-class SharedRenderer {
+/// The renderers, made when jobs want them and anew after a loss: one of a GPU; of a device that computes on the
+/// processor one a thread, since most of a small picture is done by the thread that asks for it.
+class Renderers {
 public:
-    explicit SharedRenderer(const DeviceOptions& options) : options_(options) {}
+    Renderers(const DeviceOptions& options, int threads) : options_(options), threads_(threads) {}
 
-    /// @returns whether the device is there still; if not, the job is to be prepared again. @throws Error
+    /// @returns whether the device was there to the end; if not, the job is to be prepared again. @throws Error
     bool draw(PictureJob& job) {
-        const std::lock_guard lock(turn_);
-        if (!renderer_) renderer_ = make();
+        std::unique_ptr<Renderer> renderer = take();
         try {
-            job.draw(*renderer_);
-            return true;
+            job.draw(*renderer);
         } catch (const Error&) {
-            if (renderer_->deviceLoss().empty()) throw;
-            renderer_.reset();
-            if (++losses_ > kMostLosses) throw;
+            const bool lost = !renderer->deviceLoss().empty();
+            if (lost) renderer.reset();
+            giveBack(std::move(renderer), lost);
+            if (!lost || tooManyLosses()) throw;
             return false;
+        } catch (...) {
+            giveBack(std::move(renderer));
+            throw;
         }
+        giveBack(std::move(renderer));
+        return true;
     }
 
 private:
+    std::unique_ptr<Renderer> take() {
+        std::unique_lock lock(turn_);
+        idles_.wait(lock, [&] { return !idle_.empty() || atWork_ < most_; });
+        if (idle_.empty()) {
+            idle_.push_back(make());
+            if (idle_.back()->stats().device.type == "software") most_ = threads_;
+        }
+        std::unique_ptr<Renderer> renderer = std::move(idle_.back());
+        idle_.pop_back();
+        ++atWork_;
+        idles_.notify_one();
+        return renderer;
+    }
+
+    void giveBack(std::unique_ptr<Renderer> renderer, bool lost = false) {
+        const std::lock_guard lock(turn_);
+        if (renderer) idle_.push_back(std::move(renderer));
+        --atWork_;
+        if (lost) ++losses_;
+        idles_.notify_one();
+    }
+
+    bool tooManyLosses() {
+        const std::lock_guard lock(turn_);
+        return losses_ > kMostLosses;
+    }
+
     std::unique_ptr<Renderer> make() {
         try {
             return std::make_unique<Renderer>(options_);
@@ -107,9 +141,11 @@ private:
 
     static constexpr int kMostLosses = 3;  // in a batch: more are no accident
     const DeviceOptions& options_;
-    std::mutex turn_;
-    std::unique_ptr<Renderer> renderer_;
-    int losses_ = 0;
+    const int threads_;
+    std::mutex turn_;  // of all below
+    std::condition_variable idles_;
+    std::vector<std::unique_ptr<Renderer>> idle_;
+    int atWork_ = 0, most_ = 1, losses_ = 0;
 };
 
 bool isThere(const std::string& path) {
@@ -125,7 +161,7 @@ std::uint64_t bytesOf(const std::string& path) {
 class Batch {
 public:
     Batch(const BatchOptions& options, std::ostream& out)
-        : options_(options), out_(out), lines_(options.path), renderer_(options.tried.device) {}
+        : options_(options), out_(out), lines_(options.path), renderers_(options.tried.device, options.parallel) {}
 
     bool run() {
         std::vector<std::thread> threads;
@@ -195,7 +231,7 @@ private:
         for (bool drawn = false; !drawn;) {
             PictureJob job(options, silent_);
             job.prepare();
-            drawn = renderer_.draw(job);
+            drawn = renderers_.draw(job);
             if (!drawn) continue;
             job.write();
             if (!job.warnings().empty()) told["warnings"] = job.warnings();
@@ -222,7 +258,7 @@ private:
     std::ostream& out_;
     Clock::time_point start_ = Clock::now();
     Lines lines_;
-    SharedRenderer renderer_;
+    Renderers renderers_;
     Progress silent_{false};
     std::mutex turn_;  // of all below
     std::unordered_set<std::size_t> outputs_;
