@@ -24,7 +24,7 @@ void movieCommand(const MovieOptions& options) {
     const std::string& path = options.picture.output;
     Progress progress;
     // The file, or the program that writes it, is there before any work; only how many frames there are is not known.
-    MovieShape shape{options.picture.size, options.framesPerSecond, options.picture.background[3] < 1.0f, 1};
+    MovieShape shape{options.picture.size, options.framesPerSecond, isTransparent(options), 1};
     if (options.views.empty()) shape.frames = framesOf(options, 1);
     MovieReport report(options.report);
     const std::unique_ptr<MovieFile> file = makeMovieFile(path, shape);

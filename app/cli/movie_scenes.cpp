@@ -54,6 +54,12 @@ Picture mixed(Picture a, const Picture& b, float share) {
 
 }  // namespace
 
+bool isTransparent(const MovieOptions& options) {
+    if (options.views.empty()) return options.picture.background[3] < 1.0f;
+    return std::any_of(options.views.begin(), options.views.end(),
+                       [&](const std::string& file) { return keyOptions(options.picture, file).background[3] < 1.0f; });
+}
+
 MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : options_(options), progress_(progress) {
     progress_.begin("reading");
     InputOptions input = options.picture.input;
@@ -127,11 +133,6 @@ void MovieScenes::addKeys() {
                     "with --models, views may differ in their cameras alone");
     path_.emplace(std::move(lenses), options_.loop);
     ready(keys_.front().look, molecules_);
-}
-
-bool MovieScenes::transparent() const {
-    return std::any_of(looks_.begin(), looks_.end(),
-                       [](const Look& look) { return look.options.background[3] < 1.0f; });
 }
 
 /// A look with its scene on a renderer.

@@ -12,6 +12,9 @@
 
 namespace nacre::app {
 
+/// Whether any background that is seen, of the options or of a key view, is less than opaque. @throws Error
+bool isTransparent(const MovieOptions& options);
+
 class MovieScenes {
 public:
     /// Reads the molecule. @param options, progress  outlive this @throws Error
@@ -19,8 +22,6 @@ public:
     ~MovieScenes();
 
     std::uint64_t frames() const { return frames_; }
-    /// Of any background that is seen, whether it is less than opaque.
-    bool transparent() const;
     /// A frame, 0..frames() - 1, in any order. @throws Error
     Picture draw(std::uint64_t frame);
     /// Called with the share that is done while occlusion is baked.

@@ -138,6 +138,17 @@ TEST(Movie, KeyViewsAreThePicturesOfTheirFiles) {
     EXPECT_FALSE(std::filesystem::exists(folder / "loop/frame_00005.png"));
 }
 
+TEST(Movie, KeepsTheTransparencyOfItsViews) {
+    const TemporaryFolder folder;
+    for (const char* view : {"a", "b"})
+        std::ofstream(folder / view + ".json") << R"({"input": "sample:glucose", "background": "transparent"})";
+    const std::string common = " --size 64x48 --cache off -o ";
+    ASSERT_EQ(nacreIn(folder, "render --view a.json" + common + "a.png").code, 0);
+    ASSERT_EQ(nacreIn(folder, "movie --views a.json,b.json --seconds 0.2 --fps 10" + common + "f/").code, 0);
+    EXPECT_EQ(contentOf(folder / "f/frame_00001.png"), contentOf(folder / "a.png"));
+    EXPECT_NE(probed(folder / "a.png", "pix_fmt").find("rgba"), std::string::npos);
+}
+
 TEST(Movie, GoesThroughModels) {
     const TemporaryFolder folder;
     std::ofstream xyz(folder / "m.xyz");
