@@ -19,14 +19,7 @@ void PrintTo(const CulledCase& c, std::ostream* out) { *out << c.name; }
 Representation culledScene(const CulledCase& c) {
     if (!c.copies) return scene(c.name, c.style);
     Molecule m = molecule(c.name);
-    if (m.subchains.empty()) m.subchains = {"A"};
-    m.assemblies = {{"1", "", {{}}}};
-    for (std::uint32_t i = 0; i < m.subchains.size(); ++i) m.assemblies[0].parts[0].subchains.push_back(i);
-    for (int i = 0; i < 6; ++i) {
-        glm::mat4x3 place(1.0f);
-        place[3] = {static_cast<float>(i % 3) * 24, static_cast<float>(i / 3) * 30, static_cast<float>(i) * 5};
-        m.assemblies[0].parts[0].transforms.push_back(place);
-    }
+    addCopies(m, {{0, 0, 0}, {24, 0, 5}, {48, 0, 10}, {0, 30, 15}, {24, 30, 20}, {48, 30, 25}});
     RepresentationOptions options{c.style, ColorScheme::element};
     options.assembly = "1";
     return represent(m, drawnAtoms(m), options);

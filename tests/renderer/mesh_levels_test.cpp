@@ -26,14 +26,7 @@ Representation levelsScene(const LevelsCase& c) {
     RepresentationOptions options{Style::cartoon, ColorScheme::element};
     if (c.translucent) options.cartoonOpacity = 0.6;
     if (c.copies) {
-        if (m.subchains.empty()) m.subchains = {"A"};
-        m.assemblies = {{"1", "", {{}}}};
-        for (std::uint32_t i = 0; i < m.subchains.size(); ++i) m.assemblies[0].parts[0].subchains.push_back(i);
-        for (int i = 0; i < 3; ++i) {
-            glm::mat4x3 place(1.0f);
-            place[3] = {static_cast<float>(i) * 24, static_cast<float>(i % 2) * 9, static_cast<float>(i) * 5};
-            m.assemblies[0].parts[0].transforms.push_back(place);
-        }
+        addCopies(m, {{0, 0, 0}, {24, 9, 5}, {48, 0, 10}});
         options.assembly = "1";
     }
     if (c.models) {

@@ -34,6 +34,18 @@ inline std::string testName(std::string file) {
     return file;
 }
 
+/// Gives a molecule an assembly "1" of copies of all of it, moved by so much each.
+inline void addCopies(Molecule& m, std::initializer_list<glm::vec3> places) {
+    if (m.subchains.empty()) m.subchains = {"A"};
+    m.assemblies = {{"1", "", {{}}}};
+    for (std::uint32_t i = 0; i < m.subchains.size(); ++i) m.assemblies[0].parts[0].subchains.push_back(i);
+    for (const glm::vec3& place : places) {
+        glm::mat4x3 transform(1.0f);
+        transform[3] = place;
+        m.assemblies[0].parts[0].transforms.push_back(transform);
+    }
+}
+
 inline Representation scene(const std::string& name, Style style) {
     const Molecule m = molecule(name);
     return represent(m, drawnAtoms(m), {style, ColorScheme::element});
