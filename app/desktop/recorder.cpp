@@ -145,7 +145,11 @@ void Recorder::start(const RecordingWish& wish, SavedView shown, std::vector<Sav
     pid_t pid = -1;
     const int failed = posix_spawn(&pid, argv[0], &actions, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
-    if (failed != 0) throw Error("cannot record", words[0], std::strerror(failed));
+    if (failed != 0) {
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+        throw Error("cannot record", words[0], std::strerror(failed));
+    }
     const std::lock_guard lock(mutex_);
     child_ = pid;
     state_ = {};

@@ -122,6 +122,38 @@ TEST(WordOptions, StandInMovies) {
     EXPECT_NE(plain, frame("--look dark"));
 }
 
+TEST(WordOptions, LabelsOfWhatLiesBehindAreShownOrNot) {
+    const TemporaryFolder folder;
+    const auto labelled = [&](const char* which) {
+        const Outcome outcome =
+            nacreIn(folder, std::string("render -q sample:dna --size 160x160 --occlusion off --supersample 1 -o a.png "
+                                        "--label 'resi 1-12={number}' --show-labels ") +
+                                which);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return pixelsOf(folder / "a.png");
+    };
+    EXPECT_GT(differing(labelled("all"), labelled("seen")), 20u);
+    EXPECT_EQ(nacreIn(folder, "render sample:dna -o b.png --show-labels some").code, 2);
+}
+
+TEST(MeshOptions, ErrorInPixelsChoosesTheLevelOfACartoon) {
+    const TemporaryFolder folder;
+    const auto drawn = [&](const std::string& error) {
+        const Outcome outcome = nacreIn(folder, "plan sample:dna --style cartoon --json --mesh-error " + error);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        const auto levels = nlohmann::json::parse(outcome.out)["mesh_levels"];
+        EXPECT_GT(levels.size(), 2u);
+        std::size_t sum = 0;
+        for (const auto& level : levels) sum += level["drawn"].get<std::size_t>();
+        if (error == "0") {
+            EXPECT_EQ(levels[0]["drawn"], levels[0]["triangles"]);
+        }
+        return sum;
+    };
+    EXPECT_GT(drawn("0"), 2 * drawn("4"));
+    EXPECT_EQ(nacreIn(folder, "plan sample:dna --style cartoon --mesh-error -1").code, 2);
+}
+
 TEST(ColorOptions, SchemesPalettesAndRangesReachTheLegend) {
     const TemporaryFolder folder;
     const auto legend = [&](const std::string& options) {

@@ -149,6 +149,15 @@ TEST(Movie, KeepsTheTransparencyOfItsViews) {
     EXPECT_NE(probed(folder / "a.png", "pix_fmt").find("rgba"), std::string::npos);
 }
 
+TEST(Movie, ReportsEachFrame) {
+    const TemporaryFolder folder;
+    const Outcome outcome =
+        nacreIn(folder, "movie sample:glucose -o a.gif --spin y --seconds 0.4 --fps 10 --report -" + kSmall);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const char* line : {"{\"frame\": 1, \"frames\": 4}\n", "{\"frame\": 4, \"frames\": 4}\n"})
+        EXPECT_NE(outcome.out.find(line), std::string::npos) << outcome.out;
+}
+
 TEST(Movie, GoesThroughModels) {
     const TemporaryFolder folder;
     std::ofstream xyz(folder / "m.xyz");
