@@ -60,7 +60,7 @@ std::uint32_t elementColor(Element element) { return packedColor(kElements[eleme
 
 std::uint32_t residueColor(std::string_view name) {
     const auto* found = std::find_if(std::begin(kResidues), std::end(kResidues),
-                                     [&](const NamedColor& entry) { return entry.name == name; });
+                                     [&](const NamedColor& named) { return named.name == name; });
     return packedColor(found == std::end(kResidues) ? kOtherResidue : found->rgb);
 }
 
