@@ -6,6 +6,7 @@
 #include <list>
 
 #include "app/cli/command_spec.h"
+#include "app/cli/option_words.h"
 #include "engine/error.h"
 #include "engine/molecule/nearest_word.h"
 
@@ -102,29 +103,18 @@ void completeBare(const CommandSpec& command, std::vector<const char*>& words, s
         }
 }
 
-/// Every way to write an option: "-o", "--output".
-std::vector<std::string> namesOf(const CommandSpec& command) {
-    std::vector<std::string> names{"-h", "--help"};
-    for (const OptionSpec& option : command.options) {
-        if (option.positional()) continue;
-        std::string_view rest = option.names;
-        for (std::size_t comma; (comma = rest.find(',')) != std::string_view::npos; rest.remove_prefix(comma + 1))
-            names.emplace_back(rest.substr(0, comma));
-        names.emplace_back(rest);
-    }
-    return names;
-}
-
 /// CLI11 tells of an unknown option together with all else that it could not place, and in reverse order.
-void refuseUnknown(const std::string& command, const std::vector<std::string>& known,
-                   std::span<const char* const> words) {
+void refuseUnknown(const std::string& name, const CommandSpec& command, std::span<const char* const> words) {
+    std::vector<std::string> known{"--help"};
+    for (const OptionSpec& option : command.options)
+        if (!option.positional()) known.push_back(option.longName());
     for (const std::string word : words) {
         if (word == "--") return;
         if (!word.starts_with("--")) continue;
-        const std::string name = word.substr(0, word.find('='));
-        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-        throw UsageError("nacre" + (command.empty() ? "" : " " + command) + " has no option " + name +
-                         suggestion(name, known));
+        const std::string option = word.substr(0, word.find('='));
+        if (std::find(known.begin(), known.end(), option) != known.end()) continue;
+        throw UsageError("nacre" + (name.empty() ? "" : " " + name) + " has no option " + option +
+                         optionHint(option, command));
     }
 }
 
@@ -177,8 +167,7 @@ ParsedCommand parseCommands(const CommandSpec& program, std::span<const CommandS
     }
     std::list<std::string> made;
     completeBare(*chosen, words, made);
-    if (words.size() > 1)
-        refuseUnknown(parsed.name, namesOf(*chosen), std::span(words).subspan(parsed.name.empty() ? 1 : 2));
+    if (words.size() > 1) refuseUnknown(parsed.name, *chosen, std::span(words).subspan(parsed.name.empty() ? 1 : 2));
     try {
         app.parse(static_cast<int>(words.size()), words.data());
     } catch (const CLI::CallForHelp&) {

@@ -17,6 +17,11 @@ std::vector<std::string> writtenNames(const OptionSpec& option);
 /// takes any word whatever. Sets the option, again and again.
 std::vector<std::string> choicesOf(const OptionSpec& option);
 
+/// " (did you mean '--color'?)", or nothing: what was probably meant by an option that a command lacks. What other
+/// programs call so, the nearest name, the names that it is a part of, or the options that take it as a value. Sets
+/// options.
+std::string optionHint(const std::string& written, const CommandSpec& command);
+
 /// Whether its value is a file or a folder.
 bool takesFile(const OptionSpec& option);
 

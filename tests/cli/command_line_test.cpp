@@ -204,7 +204,12 @@ TEST(CommandLine, WhatIsMisspelledOrAskedForOtherwiseIsHelped) {
           Case{"render sample:dna -o a.png --look", "--look: expected NAME|FILE"},
           Case{"render sample:dna b=sample:dna --fit", "--fit: expected SEL SEL"},
           Case{"render sample:dna -o a.png --sytle licorice", "did you mean '--style'?"},
-          Case{"render sample:dna -o a.png --silhouette on", "nacre render has no option --silhouette (see"},
+          Case{"render sample:dna -o a.png --silhouette on", "no option --silhouette (did you mean '--contours'?)"},
+          Case{"render sample:dna -o a.png --sel all", "did you mean '--show'?"},
+          Case{"render sample:dna -o a.png --opacity 1", "mean '--surface-opacity' or '--cartoon-opacity'?"},
+          Case{"render sample:dna -o a.png --cartoon", "did you mean '--style cartoon' or '--cartoon-opacity'?"},
+          Case{"info sample:dna --transparent", "nacre info has no option --transparent (see"},
+          Case{"render sample:dna -o a.png --nonsense on", "nacre render has no option --nonsense (see"},
           Case{"render sample:dna -o a.png --style spacefil", "did you mean 'spacefill'?"},
           Case{"render sample:dna -o a.png --color chian", "did you mean 'chain'?"},
           Case{"4hhb.pdb", "`nacre view 4hhb.pdb` shows it"}}) {
