@@ -78,5 +78,5 @@ void main() {
     vec2 q = u * (first ? low : high) + v * (second ? left : right);
     if (isCutOff(0.5 * (a + b))) q = oa.center;
     float front = max(a.z, b.z) + radius * sqrt(max(1.0 - ahead.z * ahead.z, 0.0));
-    gl_Position = clipPosition(q, encodedDepth(view.origin - front - radius * 1e-3));
+    gl_Position = clipPosition(q, encodedDepth(view.origin - front - radius * 1e-3 - kCapRoom));
 }

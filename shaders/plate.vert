@@ -1,7 +1,7 @@
 #version 450
 // The opaque plate of a sphere: an octagon wholly inside it, facing the view plane. Whatever lies behind is hidden
-// by the sphere itself, so plates never change a pixel. Where a plane cuts the scene, plates that it takes away, or that
-// caps may stand behind, are not drawn.
+// by the sphere itself, so plates never change a pixel. Where a plane cuts the scene, plates that it takes away
+// are not drawn.
 #extension GL_GOOGLE_include_directive : require
 #include "common/view.glsl"
 
@@ -19,6 +19,6 @@ void main() {
     float magnify = kPerspective ? view.origin / Z : 1.0;
     // The rasteriser may move a corner by the snap margin: draw that much less, or nothing.
     float reach = max(inSphere.w * (kShrunk * kRim) - view.snap / magnify * 1.5, 0.0);
-    if (kClip && (Z < view.clipNear + kCapDepth || Z > view.clipFar)) reach = 0.0;
+    if (kClip && (Z < view.clipNear || Z > view.clipFar)) reach = 0.0;
     gl_Position = clipPosition((center.xy + inCorner.xy * reach) * magnify, encodedDepth(Z));
 }

@@ -44,7 +44,7 @@ void main() {
     Outline outline = sphereOutline(center, reachOf(center.z, radius));
     vec2 q = outline.center + outline.axisU * inCorner.x + outline.axisV * inCorner.y;
     // Where facets lean, a corner that the rasteriser moves is nearer or farther.
-    float front = radius * inCorner.z + (kCorners == 9 ? 2.0 * view.snap : 0.0);
+    float front = radius * inCorner.z + (kCorners == 9 ? 2.0 * view.snap : 0.0) + kCapRoom;
     if (isCutOff(center)) q = outline.center;
     gl_Position = clipPosition(q, encodedDepth(view.origin - center.z - front));
 }

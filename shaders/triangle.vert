@@ -87,7 +87,7 @@ void main() {
 #ifdef PLATE
     float Z = farZ(a, b, c), front = nearZ(a, b, c);
     bool drawn = inner > 2.0 * margin && inner > 1e-3 * around;
-    if (kClip && (front < view.clipNear + kCapDepth || Z > view.clipFar)) drawn = false;
+    if (kClip && (front < view.clipNear || Z > view.clipFar)) drawn = false;
     vec2 q = drawn ? moved(before, at, behind, turn, -margin) : a.xy;
     gl_Position = clipPosition(q, encodedDepth(Z + 1e-4 * (Z - view.depthStart)) + 1e-6);
 #else

@@ -30,6 +30,12 @@ std::vector<TileCall> callsOf(const SceneView& seen, const std::vector<PlacedCop
     return list;
 }
 
+/// How far before its place in a list what a primitive is compared by may stand, encoded depth.
+float depthStepOf(const layout::ViewConstants& c) {
+    const bool cut = c.clipNear > -1e29f;
+    return 2.0f / TileLists::kDepthSteps + (cut ? layout::kCapDepth * c.perRange : 0.0f);
+}
+
 layout::TileConstants constantsOf(const layout::ViewConstants& c, const PlacedCopies& copies, const TileLists& lists) {
     layout::TileConstants t{};
     if (!copies.rows.empty()) t.row0 = copies.rows[0], t.row1 = copies.rows[1], t.row2 = copies.rows[2];
@@ -42,7 +48,7 @@ layout::TileConstants constantsOf(const layout::ViewConstants& c, const PlacedCo
     t.spheres = c.spheres;
     t.across = lists.across();
     t.offsets = static_cast<std::uint32_t>(lists.tiles().size());
-    t.depthStep = 2.0f / TileLists::kDepthSteps;
+    t.depthStep = depthStepOf(c);
     t.clipNear = c.clipNear;
     t.atlasTexel = c.atlasTexel;
     t.patchTexels = c.patchTexels;

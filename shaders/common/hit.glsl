@@ -7,7 +7,7 @@
 struct Hit {
     bool inside;   // the pixel's ray meets the primitive
     float Z;       // distance as ViewConstants defines it, Å
-    float order;   // what hits are compared by: Z; of a cap and of a contour line more
+    float order;   // what hits are compared by: Z; of a cap less, of a contour line more
     vec3 normal;   // view space, unit
     float along;   // cylinders: 0 at a, 1 at b
     bool cap;      // on the near clipping plane, inside of what it cuts
@@ -28,7 +28,7 @@ void cut(inout Hit hit, float deep) {
     if (deep > 0.0) {
         hit.inside = hit.cap = true;
         hit.Z = view.clipNear;
-        precise float order = view.clipNear + kCapDepth * (1.0 - deep);
+        precise float order = view.clipNear - kCapDepth * deep;
         hit.order = order;
         hit.normal = vec3(0.0, 0.0, 1.0);
     } else if (hit.Z < view.clipNear) {

@@ -61,6 +61,10 @@ const uint kSampleRowsHigh = 0x92E63DA7u;
 /// Of an atom's group, the bits of its residue; the others are its chain's. So many residues apart is another group.
 const int kResidueBits = 12;
 const int kGroupResidues = 6;
+/// Caps stand in one plane: what is compared stands up to this much before it, Å, the more the deeper a point lies in
+/// what is cut. So the atom that it lies deepest in shows there, on every path, and nothing that begins behind the
+/// plane.
+const float kCapDepth = 0.02f;
 /// In place of an edge pixel's colour, or of a pixel in the list of them: it is none.
 const uint kNoEdge = 0xffffffffu;
 /// Words before that list: how often it fills a subgroup, and the rows of pixels that the bins have.

@@ -3,6 +3,9 @@
 
 layout(constant_id = kCornersId) const int kCorners = 8;  // 8: octagon, 4: square, 9: pyramid
 
+// What a cap is compared by may stand before all of what is cut, where that is thin: its polygon does, too.
+const float kCapRoom = kClip ? kCapDepth : 0.0;
+
 struct Outline {
     vec2 center, axisU, axisV;  // an ellipse, Å on the plane z = 0, grown by the snap margin
 };

@@ -17,10 +17,6 @@ layout(constant_id = kClipId) const bool kClip = false;
 layout(constant_id = kCutId) const bool kCut = false;
 layout(constant_id = kContoursId) const bool kContours = false;
 
-// Caps stand in one plane: what is compared is up to this much deeper, Å, the nearer they are to the skin of what is cut.
-// So the atom that a point lies deepest in shows there, on every path.
-const float kCapDepth = 0.02;
-
 // The copy that is drawn: that of the draw call, or, with COPY_OF_PIXEL, one that the shader looks up.
 #ifdef COPY_OF_PIXEL
 vec4 copyRow0, copyRow1, copyRow2;

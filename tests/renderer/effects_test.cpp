@@ -136,7 +136,7 @@ TEST_P(Effect, PlanesCutAsExactRaysSay) {
         }
     EXPECT_GT(caps, 150);
     EXPECT_GT(skins, 300);
-    EXPECT_LE(skinsOnPlane, 1 + caps / 50);
+    EXPECT_EQ(skinsOnPlane, 0) << "of " << caps;
     // Pixels at an edge may fall to either side.
     EXPECT_LE(wrong, 4) << "of " << caps << " and " << skins;
     EXPECT_LE(wrongOwners, 4);
