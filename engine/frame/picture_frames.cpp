@@ -92,10 +92,11 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
         for (const graph::Image target : frame.targets) frame.graph.output(target);
     const graph::Plan& plan = planOf(frame.graph, settings.tuning);
     const auto start = Clock::now();
-    device_.submitAndWait([&](const vk::raii::CommandBuffer& c) {
+    const auto record = [&](const vk::raii::CommandBuffer& c) {
         executor_.record(c, frame.graph, plan, imports, settings.tuning.timePasses ? &timer_ : nullptr);
         if (fragments) fragments->finish(c);
-    });
+    };
+    device_.submitAndWait(record, gpu::Device::Ends::frame);
     stats_.frameMilliseconds = millisecondsSince(start);
     executor_.reset();
     for (const gpu::Buffer& pixels : drawn.pixels) pixels.invalidate();

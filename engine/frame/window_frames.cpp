@@ -1,6 +1,7 @@
 #include "engine/frame/window_frames.h"
 
 #include <cmath>
+#include <utility>
 
 #include "engine/frame/picture.h"
 #include "engine/passes/edge_samples.h"
@@ -62,8 +63,14 @@ bool WindowFrames::coded() const {
 /// Brings swapchain and kept picture to the window's size. @returns whether there is anything to draw into
 bool WindowFrames::prepare(graph::Extent wanted) {
     if (!swapchain_.stale() && swapchain_.ready() && swapchain_.upright() == wanted) return true;
-    ring_.dropImage();
-    executor_.forgetFramebuffers();
+    if (swapchain_.retires()) {
+        if (const auto image = ring_.skipImage()) swapchain_.giveBack(*image);
+        executor_.retireFramebuffers(retired_);
+        retired_.others.push_back(swapchain_.drawnInto());
+    } else {
+        ring_.dropImage();
+        executor_.forgetFramebuffers();
+    }
     swapchain_.recreate(wanted);
     return swapchain_.ready();
 }
@@ -112,7 +119,8 @@ ScreenFrame WindowFrames::declareRefined(const RenderSettings& settings, const p
                                          const ScreenTarget& target, const WindowFrame& frame, gpu::Imports& imports) {
     const graph::ImageDesc desc{kSumFormat, swapchain_.extent()};
     if (sum_.desc != desc) {
-        executor_.forgetFramebuffers();
+        executor_.retireFramebuffers(retired_);
+        retired_.images.push_back(std::move(sum_));
         sum_ =
             gpu::makeImage(device_, desc, vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled,
                            false, "sum of samples");
@@ -155,10 +163,11 @@ void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, 
     slot.commands.reset();
     slot.commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     slot.timer.begin(slot.commands);
-    executor_.record(slot.commands, f->graph, plan, imports, slot.descriptors);
+    executor_.record(slot.commands, f->graph, plan, imports, slot.descriptors, nullptr, &retired_);
     slot.timer.lap(slot.commands, f->graph.name());
     slot.commands.end();
     ring_.submit(slot, swapchain_.drawn(*slot.image));
+    slot.retired = std::exchange(retired_, {});  // by what was submitted before this
 }
 
 void WindowFrames::await() {

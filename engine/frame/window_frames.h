@@ -49,6 +49,7 @@ private:
     const SceneFrames& frames_;
     gpu::Swapchain swapchain_;
     gpu::FrameRing ring_;
+    gpu::Retired retired_;  ///< by frames that are in flight; the next one takes it with it
     graph::PlanCache plans_;
     passes::OverlayPass overlay_;
     gpu::Image sum_;            ///< of the refined picture's samples

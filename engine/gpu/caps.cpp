@@ -7,7 +7,9 @@
 #include <span>
 
 #include "engine/error.h"
+#include "engine/gpu/context.h"
 #include "engine/gpu/dynamic_rendering.h"
+#include "engine/gpu/frame_boundary.h"
 #include "engine/graph/known_drivers.h"
 
 namespace nacre::gpu {
@@ -119,6 +121,29 @@ bool tellsOfMerges(const vk::raii::PhysicalDevice& device) {
     using Features = vk::PhysicalDeviceSubpassMergeFeedbackFeaturesEXT;
     return hasExtension(device, VK_EXT_SUBPASS_MERGE_FEEDBACK_EXTENSION_NAME) &&
            device.getFeatures2<vk::PhysicalDeviceFeatures2, Features>().get<Features>().subpassMergeFeedback;
+}
+
+bool validationKnows(std::uint32_t version) {
+    for (const vk::LayerProperties& layer : makeContext().enumerateInstanceLayerProperties())
+        if (std::string_view(layer.layerName.data()) == "VK_LAYER_KHRONOS_validation")
+            return layer.specVersion >= version;
+    return true;
+}
+
+bool marksFrames(const vk::raii::PhysicalDevice& device, bool validate) {
+    if (!hasExtension(device, VK_EXT_FRAME_BOUNDARY_EXTENSION_NAME)) return false;
+    if (validate && !validationKnows(VK_MAKE_API_VERSION(0, 1, 3, 259))) return false;
+    VkPhysicalDeviceFrameBoundaryFeaturesEXT boundary{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAME_BOUNDARY_FEATURES_EXT,
+                                                      nullptr, false};
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &boundary, {}};
+    device.getDispatcher()->vkGetPhysicalDeviceFeatures2(*device, &features);
+    return boundary.frameBoundary;
+}
+
+bool maintainsSwapchains(const vk::raii::PhysicalDevice& device) {
+    using Features = vk::PhysicalDeviceSwapchainMaintenance1FeaturesEXT;
+    return hasExtension(device, VK_EXT_SWAPCHAIN_MAINTENANCE_1_EXTENSION_NAME) &&
+           device.getFeatures2<vk::PhysicalDeviceFeatures2, Features>().get<Features>().swapchainMaintenance1;
 }
 
 bool readsInRasterOrder(const vk::raii::PhysicalDevice& device) {

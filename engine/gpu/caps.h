@@ -56,6 +56,17 @@ std::uint32_t graphicsAndCompute(const vk::raii::PhysicalDevice& device);
 
 bool hasExtension(const vk::raii::PhysicalDevice& device, const char* name);
 
+/// Whether the validation layer that is installed, if any, was made for this version of Vulkan or a later one. What it
+/// does not know it takes for a mistake.
+bool validationKnows(std::uint32_t version);
+
+/// Whether submissions may say that they end a frame which nobody presents. @param validate  under validation
+bool marksFrames(const vk::raii::PhysicalDevice& device, bool validate);
+
+/// Whether the device tells when what was presented is done with, and takes images back that were not drawn into.
+/// Its instance must have been made with VK_EXT_surface_maintenance1.
+bool maintainsSwapchains(const vk::raii::PhysicalDevice& device);
+
 /// Whether the driver tells what it makes of subpasses.
 bool tellsOfMerges(const vk::raii::PhysicalDevice& device);
 

@@ -4,6 +4,7 @@
 
 #include "engine/error.h"
 #include "engine/gpu/dynamic_rendering.h"
+#include "engine/gpu/frame_boundary.h"
 #include "engine/gpu/instance.h"
 #include "engine/gpu/pipeline_cache.h"
 #include "engine/gpu/requirements.h"
@@ -55,6 +56,7 @@ void Device::createInstance(const DeviceOptions& options) {
     if (options.capture) CaptureHook::checkLayer(context_);
     instance_ = makeInstance(context_, options.validate, found, options.surface.instanceExtensions);
     debugUtils_ = found.debugUtils;
+    surfaceMaintenance_ = found.surfaceMaintenance;
     if (options.validate) messenger_ = makeMessenger(instance_, *messages_);
 }
 
@@ -90,6 +92,13 @@ void Device::createDevice(const DeviceOptions& options) {
         extensions.push_back(VK_KHR_DEPTH_STENCIL_RESOLVE_EXTENSION_NAME);
         features.independentBlend = true;
     }
+    VkPhysicalDeviceFrameBoundaryFeaturesEXT boundary{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAME_BOUNDARY_FEATURES_EXT,
+                                                      nullptr, true};
+    marksFrames_ = !options.surface.create && marksFrames(physical_, options.validate);
+    if (marksFrames_) add(boundary, VK_EXT_FRAME_BOUNDARY_EXTENSION_NAME);
+    vk::PhysicalDeviceSwapchainMaintenance1FeaturesEXT swapchains(true);
+    maintainsSwapchains_ = surfaceMaintenance_ && options.surface.create && gpu::maintainsSwapchains(physical_);
+    if (maintainsSwapchains_) add(swapchains, VK_EXT_SWAPCHAIN_MAINTENANCE_1_EXTENSION_NAME);
     info.setPEnabledExtensionNames(extensions);
     device_ = vk::raii::Device(physical_, info);
     if (readsHere) localReadCalls_ = localReadCallsOf(device_);
@@ -144,13 +153,19 @@ vk::raii::CommandBuffer Device::begin() const {
     return std::move(buffers[0]);
 }
 
-void Device::finish(const vk::raii::CommandBuffer& commands) const {
+void Device::finish(const vk::raii::CommandBuffer& commands, Ends ends) const {
     commands.end();
     const vk::raii::Fence fence(device_, vk::FenceCreateInfo());
     name(*fence, "single commands are done");
     log_->submitted();
+    vk::SubmitInfo info({}, {}, *commands);
+    VkFrameBoundaryEXT boundary{};
+    boundary.sType = VK_STRUCTURE_TYPE_FRAME_BOUNDARY_EXT;
+    boundary.frameID = *frame_;
+    if (ends == Ends::frame) boundary.flags = VK_FRAME_BOUNDARY_FRAME_END_BIT_EXT, ++*frame_;
+    if (marksFrames_) info.pNext = &boundary;
     try {
-        queue_.submit(vk::SubmitInfo({}, {}, *commands), *fence);
+        queue_.submit(info, *fence);
         if (device_.waitForFences(*fence, true, UINT64_MAX) != vk::Result::eSuccess)
             throw Error("the device stopped", caps_.deviceName, "waiting for a submission failed");
     } catch (...) {

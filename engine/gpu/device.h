@@ -74,18 +74,24 @@ public:
     /// Waits until nothing is in flight, or the device is lost, which comes to the same.
     void settle() const noexcept;
 
+    /// Swapchains tell when they are done with what was presented, and take back what was not.
+    bool maintainsSwapchains() const { return maintainsSwapchains_; }
+
+    /// What is over with a submission: nothing, or a frame that is not presented, which tools that record frames are
+    /// told where the device lets them be.
+    enum class Ends { nothing, frame };
     /// Records a command buffer by the given function, submits it and waits until it is done.
     /// If any of that fails, nothing of it is in flight any more.
     template <typename RecordCommands>
-    void submitAndWait(RecordCommands&& record) const {
+    void submitAndWait(RecordCommands&& record, Ends ends = Ends::nothing) const {
         const vk::raii::CommandBuffer commands = begin();
         record(commands);
-        finish(commands);
+        finish(commands, ends);
     }
 
 private:
     vk::raii::CommandBuffer begin() const;
-    void finish(const vk::raii::CommandBuffer& commands) const;
+    void finish(const vk::raii::CommandBuffer& commands, Ends ends) const;
     void createInstance(const DeviceOptions& options);
     void createDevice(const DeviceOptions& options);
     void nameOwn() const;
@@ -101,11 +107,13 @@ private:
     vk::raii::PipelineCache pipelineCache_{nullptr};
     std::uint32_t queueFamily_ = 0;
     bool debugUtils_ = false, tellsOfFaults_ = false;
+    bool marksFrames_ = false, surfaceMaintenance_ = false, maintainsSwapchains_ = false;
     Caps caps_;
     LocalReadCalls localReadCalls_;
     CaptureHook capture_;
     std::unique_ptr<std::uint64_t> allocated_ = std::make_unique<std::uint64_t>(0);
     std::unique_ptr<std::uint64_t> peakAllocated_ = std::make_unique<std::uint64_t>(0);
+    std::unique_ptr<std::uint64_t> frame_ = std::make_unique<std::uint64_t>(0);
     std::unique_ptr<SubmissionLog> log_ = std::make_unique<SubmissionLog>();
 };
 

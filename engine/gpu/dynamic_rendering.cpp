@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "engine/gpu/caps.h"
-#include "engine/gpu/context.h"
 #include "engine/graph/plan_internal.h"
 
 namespace nacre::gpu {
@@ -61,20 +60,12 @@ bool trusted(const vk::raii::PhysicalDevice& device) {
     return driver != vk::DriverId::eSamsungProprietary && driver != vk::DriverId::eGoogleSwiftshader;
 }
 
-bool validationKnows() {
-    constexpr std::uint32_t kSince = VK_MAKE_API_VERSION(0, 1, 3, 272);
-    for (const vk::LayerProperties& layer : makeContext().enumerateInstanceLayerProperties())
-        if (std::string_view(layer.layerName.data()) == "VK_LAYER_KHRONOS_validation")
-            return layer.specVersion >= kSince;
-    return true;
-}
-
 }  // namespace
 
 bool readsLocally(const vk::raii::PhysicalDevice& device, bool validate) {
     const char* off = std::getenv("NACRE_NO_DYNAMIC_RENDERING");
     if (off && *off && std::string_view(off) != "0") return false;
-    if (validate && !validationKnows()) return false;
+    if (validate && !validationKnows(VK_MAKE_API_VERSION(0, 1, 3, 272))) return false;
     // Drivers of Vulkan 1.4, where all of it is core, go on naming them.
     for (const char* name : {VK_KHR_DYNAMIC_RENDERING_LOCAL_READ_EXTENSION_NAME,
                              VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME, VK_KHR_DEPTH_STENCIL_RESOLVE_EXTENSION_NAME})

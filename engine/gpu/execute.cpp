@@ -42,12 +42,18 @@ std::string nameOf(const graph::Graph& graph, const graph::RenderPassPlan& pass)
 
 Executor::Executor(const Device& device) : device_(device), pipelines_(device), descriptors_(device) {}
 
-const Image& Executor::own(const std::string& key, const graph::ImageDesc& desc, const graph::PlannedImage& planned) {
+const Image& Executor::own(const std::string& key, const graph::ImageDesc& desc, const graph::PlannedImage& planned,
+                           Retired* retired) {
     const auto it = images_.find(key);
     if (it != images_.end() && it->second.image.desc == desc && it->second.usage == planned.usage)
         return it->second.image;
     if (it != images_.end()) {
-        forgetFramebuffers();
+        if (retired) {
+            retireFramebuffers(*retired);
+            retired->images.push_back(std::move(it->second.image));
+        } else {
+            forgetFramebuffers();
+        }
         images_.erase(it);
     }
     Image image = makeImage(device_, desc, vk::ImageUsageFlags(planned.usage), planned.transient, key);
@@ -155,7 +161,7 @@ void Executor::recordRenderPass(const graph::Graph& graph, const graph::Plan& pl
 }
 
 void Executor::record(const vk::raii::CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan,
-                      const Imports& imports, DescriptorPool& descriptors, Timer* timer) {
+                      const Imports& imports, DescriptorPool& descriptors, Timer* timer, Retired* retired) {
     PassContext context{commands, device_, descriptors, pipelines_, {}, {}};
     for (std::uint32_t i = 0; i < graph.images().size(); ++i) {
         const graph::ImageDecl& decl = graph.images()[i];
@@ -167,7 +173,7 @@ void Executor::record(const vk::raii::CommandBuffer& commands, const graph::Grap
                 throw graph::GraphError("graph '" + graph.name() + "', image '" + decl.name +
                                         "': imported, but not bound");
         } else if (plan.images[i].used) {
-            image = own(graph.name() + ": " + decl.name, decl.desc, plan.images[i]);
+            image = own(graph.name() + ": " + decl.name, decl.desc, plan.images[i], retired);
         }
         context.images.push_back(image);
     }
@@ -222,6 +228,13 @@ DriverFeedback Executor::feedback() const {
 void Executor::forgetFramebuffers() {
     device_->waitIdle();
     for (OwnedRenderPass& pass : renderPasses_) pass.framebuffers.clear();
+}
+
+void Executor::retireFramebuffers(Retired& retired) {
+    for (OwnedRenderPass& pass : renderPasses_) {
+        for (Framebuffer& f : pass.framebuffers) retired.framebuffers.push_back(std::move(f.handle));
+        pass.framebuffers.clear();
+    }
 }
 
 void Executor::forget(const std::string& graph) {

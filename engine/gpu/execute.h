@@ -67,9 +67,12 @@ public:
         record(commands, graph, plan, imports, descriptors_, timer);
     }
     /// The same, with descriptor sets from a pool of the caller's, for frames that overlap.
-    /// @param timer  not null: takes a lap for each render pass, dispatch and copy
+    /// @param timer    not null: takes a lap for each render pass, dispatch and copy
+    /// @param retired  not null: gets what is replaced, as images are when their size changes, until these commands are
+    ///                 done. Else that is waited for
     void record(const vk::raii::CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan,
-                const Imports& imports, DescriptorPool& descriptors, Timer* timer = nullptr);
+                const Imports& imports, DescriptorPool& descriptors, Timer* timer = nullptr,
+                Retired* retired = nullptr);
     /// Compiles a graph, by the device's caps, carries it out and waits until it is done.
     void run(const graph::Graph& graph, const Imports& imports);
     void run(const graph::Graph& graph, const graph::Plan& plan, const Imports& imports);
@@ -82,6 +85,8 @@ public:
     DriverFeedback feedback() const;
     /// Waits for the device and drops every framebuffer. Call before an imported attachment's view is destroyed.
     void forgetFramebuffers();
+    /// The same without a wait, for whoever keeps them until what is in flight is done.
+    void retireFramebuffers(Retired& retired);
 
 private:
     struct OwnedImage {
@@ -101,7 +106,8 @@ private:
         std::list<Framebuffer> framebuffers;
     };
 
-    const Image& own(const std::string& key, const graph::ImageDesc& desc, const graph::PlannedImage& planned);
+    const Image& own(const std::string& key, const graph::ImageDesc& desc, const graph::PlannedImage& planned,
+                     Retired* retired);
     OwnedRenderPass& renderPass(const graph::RenderPassPlan& plan, const std::string& name);
     vk::Framebuffer framebuffer(OwnedRenderPass& pass, const graph::RenderPassPlan& plan, const PassContext& context,
                                 const std::string& name);

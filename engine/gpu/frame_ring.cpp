@@ -27,6 +27,7 @@ FrameSlot& FrameRing::next() {
         throw Error("the device stopped", device_.caps().deviceName, "waiting for a frame failed");
     if (slot.submitted) milliseconds_ = slot.timer.milliseconds().value_or(0);
     slot.submitted = false;
+    slot.retired = {};
     slot.descriptors.reset();
     if (!*slot.acquired) {
         slot.acquired = vk::raii::Semaphore(*device_, vk::SemaphoreCreateInfo());
@@ -35,18 +36,37 @@ FrameSlot& FrameRing::next() {
     return slot;
 }
 
-void FrameRing::submit(FrameSlot& slot, vk::Semaphore drawn) {
+void FrameRing::submit(FrameSlot& slot, std::span<const vk::CommandBuffer> commands,
+                       std::span<const vk::Semaphore> signals) {
     // A fence that was reset and not submitted would never be signalled: nobody is to wait for it.
     slot.submitted = false;
     device_->resetFences(*slot.done);
     const vk::Semaphore acquired = *slot.acquired;
-    const vk::CommandBuffer commands = *slot.commands;
     const vk::PipelineStageFlags stage = vk::PipelineStageFlagBits::eColorAttachmentOutput;
     device_.log().submitted();
-    device_.queue().submit(vk::SubmitInfo(acquired, stage, commands, drawn), *slot.done);
+    device_.queue().submit(vk::SubmitInfo(acquired, stage, commands, signals), *slot.done);
     slot.submitted = true;
     slot.image.reset();
     at_ = (at_ + 1) % kInFlight;
+}
+
+void FrameRing::submit(FrameSlot& slot, vk::Semaphore drawn) {
+    const vk::CommandBuffer commands = *slot.commands;
+    slot.drawn = slot.image;
+    submit(slot, {&commands, 1}, {&drawn, 1});
+}
+
+std::optional<std::uint32_t> FrameRing::skipImage() {
+    FrameSlot& slot = slots_[at_];
+    const std::optional<std::uint32_t> image = slot.image;
+    if (!image) return image;
+    slot.drawn.reset();
+    submit(slot, {}, {});  // what is signalled must be waited for, before it can be signalled again
+    for (const FrameSlot& other : slots_)
+        if (other.submitted && other.drawn == image &&
+            device_->waitForFences(*other.done, true, UINT64_MAX) != vk::Result::eSuccess)
+            throw Error("the device stopped", device_.caps().deviceName, "waiting for a frame failed");
+    return image;
 }
 
 void FrameRing::dropImage() noexcept {

@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "engine/gpu/pipeline.h"
 #include "engine/gpu/resources.h"
@@ -20,7 +21,9 @@ struct FrameSlot {
     Timer timer;                         ///< of the commands
     Buffer vertices, indices;            ///< of what is drawn over the picture
     std::shared_ptr<const void> held;    ///< what the commands use, until they are done
+    Retired retired;                     ///< what earlier ones used
     std::optional<std::uint32_t> image;  ///< of the window, acquired for commands that were not submitted since
+    std::optional<std::uint32_t> drawn;  ///< the one that the commands draw into
     explicit FrameSlot(const Device& device) : descriptors(device), timer(device) {}
 };
 
@@ -38,11 +41,16 @@ public:
     /// Submits the slot's commands: they wait for `acquired` where colour is written, and signal `drawn`. If that
     /// fails, the slot is what next() gives again, and may try again with the image that it has.
     void submit(FrameSlot& slot, vk::Semaphore drawn);
+    /// Gives up the window's image that was acquired and not drawn into, if there is one. Waits for a frame that was
+    /// drawn into it before, and for nothing else. @returns which, for whoever takes it back
+    std::optional<std::uint32_t> skipImage();
     /// The window's images are about to go: waits for everything, and forgets the one that was acquired and not drawn
     /// into.
     void dropImage() noexcept;
 
 private:
+    void submit(FrameSlot& slot, std::span<const vk::CommandBuffer> commands, std::span<const vk::Semaphore> signals);
+
     const Device& device_;
     vk::raii::CommandPool pool_;
     std::array<FrameSlot, kInFlight> slots_;

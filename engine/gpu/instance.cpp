@@ -58,6 +58,13 @@ vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate,
             throw Error("cannot open a window", name, "this Vulkan installation lacks the extension");
         extensions.push_back(name.c_str());
     }
+    found.surfaceMaintenance = !wanted.empty() &&
+                               hasExtension(available, VK_KHR_GET_SURFACE_CAPABILITIES_2_EXTENSION_NAME) &&
+                               hasExtension(available, VK_EXT_SURFACE_MAINTENANCE_1_EXTENSION_NAME);
+    if (found.surfaceMaintenance) {
+        extensions.push_back(VK_KHR_GET_SURFACE_CAPABILITIES_2_EXTENSION_NAME);
+        extensions.push_back(VK_EXT_SURFACE_MAINTENANCE_1_EXTENSION_NAME);
+    }
     if (validate) {
         const auto present = context.enumerateInstanceLayerProperties();
         if (std::none_of(present.begin(), present.end(),

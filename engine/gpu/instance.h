@@ -9,6 +9,7 @@ namespace nacre::gpu {
 
 struct InstanceExtensions {
     bool debugUtils = false, portability = false;
+    bool surfaceMaintenance = false;  ///< if any were wanted: those of a window
 };
 
 /// @param wanted extensions besides those that the engine itself takes

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <cstring>
+#include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "engine/gpu/device.h"
 #include "engine/graph/graph.h"
@@ -81,6 +83,13 @@ struct Image {
     vk::raii::Image handle{nullptr};
     vk::raii::ImageView view{nullptr};
     graph::ImageDesc desc;
+};
+
+/// What nothing that is recorded from now on uses, and what is in flight still may: lives until that is done.
+struct Retired {
+    std::vector<Image> images;
+    std::vector<vk::raii::Framebuffer> framebuffers;
+    std::vector<std::shared_ptr<const void>> others;
 };
 
 /// An image that someone else owns.

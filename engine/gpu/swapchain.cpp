@@ -33,7 +33,10 @@ Swapchain::Swapchain(const Device& device, std::function<VkSurfaceKHR(VkInstance
     makeSurface();
 }
 
-Swapchain::~Swapchain() = default;
+Swapchain::~Swapchain() {
+    retire();
+    dropFormers(true);
+}
 
 void Swapchain::makeSurface() {
     vk::raii::SurfaceKHR surface(device_.instance(), create_(*device_.instance()));
@@ -54,19 +57,54 @@ void Swapchain::chooseFormat(vk::SurfaceKHR surface) {
     throw Error("cannot open a window", device_.caps().deviceName, "its windows have no 8-bit sRGB format");
 }
 
-void Swapchain::release() {
+/// Waits until the display is done with what was presented of this image.
+void Swapchain::awaitShown(WindowImage& image, std::uint64_t nanoseconds) const {
+    if (!image.presented) return;
+    if (device_->waitForFences(*image.shown, true, nanoseconds) == vk::Result::eSuccess) image.presented = false;
+}
+
+/// What stands in the window from now on is not of these images.
+void Swapchain::retire() {
+    if (*swapchain_) formers_.push_back({std::move(swapchain_), std::move(images_), std::move(drawnInto_)});
     images_.clear();
     swapchain_ = nullptr;
+    drawnInto_ = std::make_shared<int>();
+    whole_ = true;
+}
+
+/// Those that the display is done with. @param wait  all, since it must be: at most for a moment each
+void Swapchain::dropFormers(bool wait) {
+    constexpr std::uint64_t kMoment = 1'000'000'000;
+    std::erase_if(formers_, [&](Former& former) {
+        for (WindowImage& image : former.images) try {
+                awaitShown(image, wait ? kMoment : 0);
+            } catch (const vk::SystemError&) {
+                image.presented = false;  // the device is gone, and all that it did is over
+            }
+        return wait ||
+               (former.drawnInto.use_count() == 1 && std::ranges::none_of(former.images, &WindowImage::presented));
+    });
+}
+
+void Swapchain::giveBack(std::uint32_t index) {
+    device_->releaseSwapchainImagesEXT(vk::ReleaseSwapchainImagesInfoEXT(*swapchain_, 1, &index));
+}
+
+void Swapchain::release() {
+    retire();
+    dropFormers(true);
     surface_ = nullptr;
     stale_ = true;
 }
 
 void Swapchain::recreate(graph::Extent wanted) {
-    images_.clear();
+    const bool kept = retires();
+    vk::SwapchainKHR before = *swapchain_;
+    retire();
     stale_ = true;  // until all of it is there
     for (int attempt = 0;; ++attempt) {
-        if (!*surface_) makeSurface();
         try {
+            if (!*surface_) makeSurface();
             vk::SurfaceCapabilitiesKHR caps = device_.physical().getSurfaceCapabilitiesKHR(*surface_);
             constexpr std::uint32_t kUpToUs = 0xffffffffu;
             if (caps.currentExtent.width == kUpToUs)
@@ -74,21 +112,22 @@ void Swapchain::recreate(graph::Extent wanted) {
                     vk::Extent2D(std::clamp(wanted.width, caps.minImageExtent.width, caps.maxImageExtent.width),
                                  std::clamp(wanted.height, caps.minImageExtent.height, caps.maxImageExtent.height));
             upright_ = {caps.currentExtent.width, caps.currentExtent.height};
-            if (upright_.width == 0 || upright_.height == 0) {
-                swapchain_ = nullptr;
-                return;
-            }
-            build(caps);
-            stale_ = false;
-            return;
+            const bool area = upright_.width > 0 && upright_.height > 0;
+            if (area) build(caps, before);
+            stale_ = !area;
+            return dropFormers(!kept || !area);
         } catch (const vk::SurfaceLostKHRError&) {
             if (attempt) throw Error("cannot draw into the window", device_.caps().deviceName, "its surface was lost");
             release();
+            before = nullptr;
+        } catch (...) {
+            dropFormers(true);  // a surface has one swapchain at a time, but for those that another replaced
+            throw;
         }
     }
 }
 
-void Swapchain::build(const vk::SurfaceCapabilitiesKHR& caps) {
+void Swapchain::build(const vk::SurfaceCapabilitiesKHR& caps, vk::SwapchainKHR before) {
     quarterTurns_ = quarterTurnsOf(caps.currentTransform);
     extent_ = upright_;
     if (quarterTurns_ % 2) std::swap(extent_.width, extent_.height);
@@ -97,29 +136,36 @@ void Swapchain::build(const vk::SurfaceCapabilitiesKHR& caps) {
     const auto alpha = caps.supportedCompositeAlpha & vk::CompositeAlphaFlagBitsKHR::eOpaque
                            ? vk::CompositeAlphaFlagBitsKHR::eOpaque
                            : vk::CompositeAlphaFlagBitsKHR::eInherit;
-    const vk::raii::SwapchainKHR old = std::move(swapchain_);
     const vk::SwapchainCreateInfoKHR info(
         {}, *surface_, count, format_.format, format_.colorSpace, {extent_.width, extent_.height}, 1,
         vk::ImageUsageFlagBits::eColorAttachment, vk::SharingMode::eExclusive, {},
         quarterTurns_ ? caps.currentTransform : vk::SurfaceTransformFlagBitsKHR::eIdentity, alpha,
-        vk::PresentModeKHR::eFifo, true, *old);
+        vk::PresentModeKHR::eFifo, true, before);
     swapchain_ = vk::raii::SwapchainKHR(*device_, info);
     device_.name(*swapchain_, "window images");
-    for (const VkImage image : swapchain_.getImages()) {
-        vk::raii::ImageView view(*device_, vk::ImageViewCreateInfo({}, image, vk::ImageViewType::e2D, format_.format,
-                                                                   {}, {vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1}));
-        vk::raii::Semaphore drawn(*device_, vk::SemaphoreCreateInfo());
-        const std::string name = "window " + std::to_string(images_.size());
-        device_.name(vk::Image(image), name);
-        device_.name(*view, "view of " + name);
-        device_.name(*drawn, name + " is drawn");
-        images_.push_back({image, std::move(view), std::move(drawn)});
-    }
+    for (const VkImage image : swapchain_.getImages()) images_.push_back(windowImage(image));
+}
+
+Swapchain::WindowImage Swapchain::windowImage(vk::Image image) const {
+    WindowImage made{
+        image,
+        vk::raii::ImageView(*device_, vk::ImageViewCreateInfo({}, image, vk::ImageViewType::e2D, format_.format, {},
+                                                              {vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1})),
+        vk::raii::Semaphore(*device_, vk::SemaphoreCreateInfo())};
+    const std::string name = "window " + std::to_string(images_.size());
+    device_.name(image, name);
+    device_.name(*made.view, "view of " + name);
+    device_.name(*made.drawn, name + " is drawn");
+    if (!device_.maintainsSwapchains()) return made;
+    made.shown = vk::raii::Fence(*device_, vk::FenceCreateInfo());
+    device_.name(*made.shown, name + " is done with");
+    return made;
 }
 
 ImageRef Swapchain::image(std::uint32_t index) const { return {images_[index].handle, *images_[index].view}; }
 
 std::optional<std::uint32_t> Swapchain::acquire(vk::Semaphore signal) {
+    dropFormers(false);
     try {
         const auto [result, index] = swapchain_.acquireNextImage(UINT64_MAX, signal, {});
         if (result == vk::Result::eSuboptimalKHR) stale_ = true;
@@ -134,14 +180,25 @@ std::optional<std::uint32_t> Swapchain::acquire(vk::Semaphore signal) {
 }
 
 void Swapchain::present(std::uint32_t index) {
+    WindowImage& image = images_[index];
+    whole_ = false;  // unless the display takes it
     try {
-        const vk::Semaphore drawnHere = drawn(index);
         const vk::SwapchainKHR swapchain = *swapchain_;
-        if (device_.queue().presentKHR(vk::PresentInfoKHR(drawnHere, swapchain, index)) == vk::Result::eSuboptimalKHR)
-            stale_ = true;
+        vk::PresentInfoKHR info(*image.drawn, swapchain, index);
+        vk::SwapchainPresentFenceInfoEXT shown(*image.shown);
+        if (*image.shown) {
+            awaitShown(image, UINT64_MAX);  // it was given anew, so that this is over or about to be
+            device_->resetFences(*image.shown);
+            info.pNext = &shown;
+        }
+        const vk::Result result = device_.queue().presentKHR(info);
+        enqueued(image);
+        if (result == vk::Result::eSuboptimalKHR) stale_ = true;
     } catch (const vk::OutOfDateKHRError&) {
+        enqueued(image);
         stale_ = true;
     } catch (const vk::SurfaceLostKHRError&) {
+        enqueued(image);
         device_.settle();
         release();
     } catch (...) {

@@ -2,6 +2,7 @@
 // The images of a window, in the order in which the display takes them (FIFO).
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "engine/gpu/resources.h"
@@ -18,9 +19,16 @@ public:
     ~Swapchain();
     Swapchain(const Swapchain&) = delete;
 
-    /// Makes the images anew for the window as it is; none while it has no area. Nothing may be in flight.
+    /// Makes the images anew for the window as it is; none while it has no area. Nothing may be in flight, unless
+    /// the images retire().
     /// @param wanted pixels of the upright picture, for surfaces that leave their size to the swapchain
     void recreate(graph::Extent wanted);
+    /// Images that are replaced live on until the display is done with them (VK_EXT_swapchain_maintenance1).
+    bool retires() const { return device_.maintainsSwapchains() && whole_; }
+    /// Where images retire: whoever still draws into those that there are keeps this.
+    std::shared_ptr<const void> drawnInto() const { return drawnInto_; }
+    /// Takes back an image that was acquired and never drawn into, before recreate(). Only if they retire.
+    void giveBack(std::uint32_t index);
     /// Lets go of the surface, as an app must when its window goes; recreate() asks for another.
     void release();
 
@@ -46,10 +54,26 @@ private:
         vk::Image handle;
         vk::raii::ImageView view;
         vk::raii::Semaphore drawn;
+        vk::raii::Fence shown{nullptr};  ///< the display is done with what was presented; where it tells
+        bool presented = false;          ///< and `shown` is or will be signalled
+    };
+    struct Former {
+        vk::raii::SwapchainKHR swapchain;
+        std::vector<WindowImage> images;
+        std::shared_ptr<const void> drawnInto;
     };
     void makeSurface();
     void chooseFormat(vk::SurfaceKHR surface);
-    void build(const vk::SurfaceCapabilitiesKHR& caps);
+    void build(const vk::SurfaceCapabilitiesKHR& caps, vk::SwapchainKHR before);
+    WindowImage windowImage(vk::Image image) const;
+    void retire();
+    void dropFormers(bool wait);
+    void awaitShown(WindowImage& image, std::uint64_t nanoseconds) const;
+    /// The display took it, even if it does not show it.
+    void enqueued(WindowImage& image) {
+        image.presented = static_cast<bool>(*image.shown);
+        whole_ = true;
+    }
 
     const Device& device_;
     std::function<VkSurfaceKHR(VkInstance)> create_;
@@ -57,6 +81,9 @@ private:
     vk::SurfaceFormatKHR format_;
     vk::raii::SwapchainKHR swapchain_{nullptr};
     std::vector<WindowImage> images_;
+    std::shared_ptr<const void> drawnInto_ = std::make_shared<int>();
+    std::vector<Former> formers_;
+    bool whole_ = true;  ///< every image that was drawn into was handed to the display
     graph::Extent extent_, upright_;
     int quarterTurns_ = 0;
     bool stale_ = true;

@@ -29,7 +29,8 @@ struct Rule {
 struct State {
     std::vector<Rule> rules;
     std::uint64_t struck = 0;
-    bool lost = false, faultData = false, fromEnvironment = false;
+    bool lost = false, faultData = false, hidesMaintenance = false, fromEnvironment = false;
+    VkExtent2D window{0, 0};
     std::vector<Call> calls;
     std::map<std::string, std::uint64_t> counts;
     std::map<std::string, std::int64_t> alive;
@@ -106,6 +107,8 @@ void made(const std::string& kind, std::int64_t count) { state().alive[kind] += 
 void newDevice() { state().lost = false; }
 
 bool offersFaultData() { return state().faultData; }
+bool hidesSwapchainMaintenance() { return state().hidesMaintenance; }
+VkExtent2D windowSize() { return state().window; }
 
 void heard(const char* message) {
     state().messages.emplace_back(message ? message : "");
@@ -142,6 +145,8 @@ void failEverySite(const std::string& function, VkResult result) { state().rules
 
 std::uint64_t struck() { return state().struck; }
 void offerFaultData(bool offered) { state().faultData = offered; }
+void hideSwapchainMaintenance(bool hidden) { state().hidesMaintenance = hidden; }
+void setWindowSize(std::uint32_t width, std::uint32_t height) { state().window = {width, height}; }
 const std::vector<Call>& calls() { return state().calls; }
 std::uint64_t count(const std::string& function) { return state().counts[function]; }
 const std::vector<std::string>& messages() { return state().messages; }

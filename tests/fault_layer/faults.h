@@ -41,6 +41,11 @@ std::uint64_t struck();
 /// A device that offers VK_EXT_device_fault, and made-up data when it is lost. Takes hold of the next instance.
 void offerFaultData(bool offered);
 
+/// Devices that are made from now on do not offer VK_EXT_swapchain_maintenance1, whatever they have.
+void hideSwapchainMaintenance(bool hidden);
+/// What surfaces say that their window measures from now on, in pixels; 0 and 0: what they know.
+void setWindowSize(std::uint32_t width, std::uint32_t height);
+
 /// Calls that may run out of memory since reset(), in their order.
 const std::vector<Call>& calls();
 /// How often a function was called since reset(): those that may fail in whatever way.

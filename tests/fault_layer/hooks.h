@@ -111,6 +111,7 @@ struct Hook<Tag, void(VKAPI_PTR*)(Parent, Handle, const VkAllocationCallbacks*)>
     X(GetSwapchainImagesKHR, runsOut, nullptr)                   \
     X(AcquireNextImageKHR, runsOutOrLost, nullptr)               \
     X(QueuePresentKHR, runsOutOrLost, nullptr)                   \
+    X(ReleaseSwapchainImagesEXT, runsOut, nullptr)               \
     X(SetDebugUtilsObjectNameEXT, runsOut, nullptr)
 
 #define NACRE_INSTANCE_CALLS(X)                                        \

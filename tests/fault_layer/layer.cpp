@@ -145,18 +145,22 @@ VKAPI_ATTR void VKAPI_CALL destroyDevice(VkDevice gone, const VkAllocationCallba
     made("Device", -1);
 }
 
-// --- VK_EXT_device_fault, made up
+// --- extensions: VK_EXT_device_fault, made up, and one that may be hidden
 
 VKAPI_ATTR VkResult VKAPI_CALL deviceExtensions(VkPhysicalDevice physical, const char* layer, std::uint32_t* count,
                                                 VkExtensionProperties* list) {
-    if (!offersFaultData() || layer) return nextDeviceExtensions(physical, layer, count, list);
+    if (layer) return nextDeviceExtensions(physical, layer, count, list);
     std::uint32_t there = 0;
     nextDeviceExtensions(physical, layer, &there, nullptr);
     std::vector<VkExtensionProperties> all(there);
     nextDeviceExtensions(physical, layer, &there, all.data());
     VkExtensionProperties fault{};
     std::strcpy(fault.extensionName, VK_EXT_DEVICE_FAULT_EXTENSION_NAME);
-    all.push_back(fault);
+    if (offersFaultData()) all.push_back(fault);
+    if (hidesSwapchainMaintenance())
+        std::erase_if(all, [](const VkExtensionProperties& e) {
+            return std::string_view(e.extensionName) == VK_EXT_SWAPCHAIN_MAINTENANCE_1_EXTENSION_NAME;
+        });
     const auto wanted = static_cast<std::uint32_t>(all.size());
     if (list) std::copy_n(all.data(), std::min(*count, wanted), list);
     const bool whole = !list || *count >= wanted;
@@ -176,6 +180,13 @@ VKAPI_ATTR void VKAPI_CALL features2(VkPhysicalDevice physical, VkPhysicalDevice
     if (!before || !offersFaultData()) return;
     before->pNext = fault;
     reinterpret_cast<VkPhysicalDeviceFaultFeaturesEXT*>(fault)->deviceFault = VK_TRUE;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL surfaceCapabilities(VkPhysicalDevice physical, VkSurfaceKHR surface,
+                                                   VkSurfaceCapabilitiesKHR* capabilities) {
+    const VkResult result = GetPhysicalDeviceSurfaceCapabilitiesKHRHook::run(physical, surface, capabilities);
+    if (windowSize().width > 0) capabilities->currentExtent = windowSize();
+    return result;
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL faultInfo(VkDevice, VkDeviceFaultCountsEXT* counts, VkDeviceFaultInfoEXT* info) {
@@ -225,7 +236,8 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL instanceCall(VkInstance asked, const ch
         {"vkCreateDevice", reinterpret_cast<PFN_vkVoidFunction>(&createDevice)},
         {"vkDestroyDevice", reinterpret_cast<PFN_vkVoidFunction>(&destroyDevice)},
         {"vkEnumerateDeviceExtensionProperties", reinterpret_cast<PFN_vkVoidFunction>(&deviceExtensions)},
-        {"vkGetPhysicalDeviceFeatures2", reinterpret_cast<PFN_vkVoidFunction>(&features2)}};
+        {"vkGetPhysicalDeviceFeatures2", reinterpret_cast<PFN_vkVoidFunction>(&features2)},
+        {"vkGetPhysicalDeviceSurfaceCapabilitiesKHR", reinterpret_cast<PFN_vkVoidFunction>(&surfaceCapabilities)}};
     for (const auto& [known, function] : own)
         if (wanted == known) return function;
     NACRE_INSTANCE_CALLS(NACRE_FIND)

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fstream>
 
 #include "engine/devices.h"
 #include "engine/error.h"
 #include "engine/gpu/pipeline.h"
 #include "engine/gpu/resources.h"
 #include "tests/renderer/scenes.h"
+#include "tests/support/temporary_folder.h"
 
 namespace nacre::test {
 namespace {
@@ -166,6 +168,43 @@ TEST(Phone, TheDriverTellsWhatLeftTheTile) {
     EXPECT_NE(small.merges[0].why.find("the tile is full"), std::string::npos) << small.merges[0].why;
     ASSERT_EQ(small.transients.size(), large.transients.size());
     for (const TransientImage& image : small.transients) EXPECT_EQ(image.committedBytes, image.bytes) << image.name;
+}
+
+// Tools that record frames are told where one ends that nobody presents. The validation layer here is older than the
+// extension, and would hand nothing of it on.
+TEST(Phone, WhatEndsAFrameSaysSo) {
+    const TemporaryFolder folder;
+    const std::string layers = std::getenv("VK_INSTANCE_LAYERS"), frames = folder / "frames";
+    setenv("VK_INSTANCE_LAYERS", "VK_LAYER_NACRE_phone", 1);
+    setenv("NACRE_PHONE_FRAMES", frames.c_str(), 1);
+    for (const bool validated : {false, true}) {
+        if (validated) setenv("VK_INSTANCE_LAYERS", layers.c_str(), 1);
+        Renderer renderer(DeviceOptions{validated, ""});
+        const Representation r = scene("sample:glucose", Style::spacefill);
+        renderer.setScene(r);
+        RenderSettings s = settings(r, 32, Projection::orthographic);
+        s.supersample = 1;
+        s.occlusion.directions = 0;
+        renderer.render(s);
+        renderer.layers(s);
+        s.occlusion.directions = 1;
+        renderer.render(s);
+    }
+    unsetenv("NACRE_PHONE_FRAMES");
+    std::ifstream told(frames);
+    std::vector<std::string> ends;
+    int goesOn = 0;
+    for (std::string line; std::getline(told, line);)
+        if (line.ends_with(" ends"))
+            ends.push_back(line);
+        else
+            ++goesOn;
+    if (onMoltenVk()) {  // it has no such extension
+        EXPECT_TRUE(ends.empty());
+        return;
+    }
+    EXPECT_EQ(ends, (std::vector<std::string>{"0 ends", "1 ends", "2 ends"}));
+    EXPECT_GT(goesOn, 0);  // of the first, what it needs; of the last, its bake
 }
 
 TEST(Phone, BakesByEveryKindOfDepthMap) {

@@ -21,6 +21,7 @@ namespace nacre::phone {
     X(AllocateMemory)               \
     X(CreateRenderPass2KHR)         \
     X(GetDeviceMemoryCommitment)    \
+    X(QueueSubmit)                  \
     X(CmdDraw)                      \
     X(CmdDrawIndexed)               \
     X(CreateShaderModule)           \

@@ -4,7 +4,7 @@
 // validation layer a program that asks for more is told. The environment variable NACRE_PHONE names the phone:
 // "android" (of Arm's make) or "moltenvk"; NACRE_PHONE_WRONG a fault of its driver, NACRE_PHONE_TILE the tile of the
 // former (feedback.h); NACRE_PHONE_SHADERS may name a folder that takes every shader which the program hands over,
-// as 1.spv, 2.spv, ...
+// as 1.spv, 2.spv, ...; NACRE_PHONE_FRAMES a file that is told of frames (frames.h).
 
 #define VK_ENABLE_BETA_EXTENSIONS
 #include <vulkan/vk_layer.h>
@@ -23,6 +23,7 @@
 #include "tests/phone_layer/below.h"
 #include "tests/phone_layer/feedback.h"
 #include "tests/phone_layer/floor.h"
+#include "tests/phone_layer/frames.h"
 #include "tests/phone_layer/memory.h"
 #include "tests/support/layer_link.h"
 
@@ -31,6 +32,7 @@ namespace {
 
 constexpr const char* kPortability = VK_KHR_PORTABILITY_SUBSET_EXTENSION_NAME;
 constexpr const char* kMergeFeedback = VK_EXT_SUBPASS_MERGE_FEEDBACK_EXTENSION_NAME;
+constexpr const char* kFrameBoundary = VK_EXT_FRAME_BOUNDARY_EXTENSION_NAME;
 
 VkInstance instance = VK_NULL_HANDLE;
 VkDevice device = VK_NULL_HANDLE;
@@ -108,6 +110,8 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceFeatures2(VkPhysicalDevice of, VkPhy
             portability(*reinterpret_cast<VkPhysicalDevicePortabilitySubsetFeaturesKHR*>(s));
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBPASS_MERGE_FEEDBACK_FEATURES_EXT)
             reinterpret_cast<VkPhysicalDeviceSubpassMergeFeedbackFeaturesEXT*>(s)->subpassMergeFeedback = !molten();
+        else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAME_BOUNDARY_FEATURES_EXT)
+            reinterpret_cast<VkPhysicalDeviceFrameBoundaryFeaturesEXT*>(s)->frameBoundary = !molten();
 }
 
 VkFormatProperties seen(VkFormat format, VkFormatProperties p) {
@@ -144,10 +148,12 @@ VKAPI_ATTR VkResult VKAPI_CALL EnumerateDeviceExtensionProperties(VkPhysicalDevi
     std::vector<VkExtensionProperties> kept(all);
     nextEnumerateDeviceExtensionProperties(of, nullptr, &all, kept.data());
     std::erase_if(kept, [](const VkExtensionProperties& e) { return !isFloorExtension(e.extensionName); });
-    VkExtensionProperties own{};  // what no software driver has
-    std::strcpy(own.extensionName, molten() ? kPortability : kMergeFeedback);
-    own.specVersion = 1;
-    kept.push_back(own);
+    for (const char* name : {molten() ? kPortability : kMergeFeedback, kFrameBoundary}) {
+        VkExtensionProperties own{};  // what no software driver has
+        std::strcpy(own.extensionName, name);
+        own.specVersion = 1;
+        if (name != kFrameBoundary || !molten()) kept.push_back(own);
+    }
     const auto room = list ? *count : 0;
     *count = static_cast<std::uint32_t>(kept.size());
     if (!list) return VK_SUCCESS;
@@ -234,13 +240,18 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice of, const VkDeviceC
     // The driver knows nothing of these.
     std::vector<const char*> extensions(info->ppEnabledExtensionNames,
                                         info->ppEnabledExtensionNames + info->enabledExtensionCount);
-    std::erase_if(extensions, [](std::string_view name) { return name == kPortability || name == kMergeFeedback; });
+    std::erase_if(extensions, [](std::string_view name) {
+        return name == kPortability || name == kMergeFeedback || name == kFrameBoundary;
+    });
     VkDeviceCreateInfo real = *info;
-    for (auto* s = reinterpret_cast<VkBaseOutStructure*>(&real); s->pNext; s = s->pNext)
-        if (s->pNext->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBPASS_MERGE_FEEDBACK_FEATURES_EXT) {
+    for (auto* s = reinterpret_cast<VkBaseOutStructure*>(&real); s->pNext;) {
+        const VkStructureType type = s->pNext->sType;
+        if (type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBPASS_MERGE_FEEDBACK_FEATURES_EXT ||
+            type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAME_BOUNDARY_FEATURES_EXT)
             s->pNext = s->pNext->pNext;
-            break;
-        }
+        else
+            s = s->pNext;
+    }
     real.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
     real.ppEnabledExtensionNames = extensions.data();
     const auto create = reinterpret_cast<PFN_vkCreateDevice>(instanceCall(instance, "vkCreateDevice"));
