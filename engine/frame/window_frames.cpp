@@ -43,7 +43,9 @@ WindowFrames::WindowFrames(const gpu::Device& device, gpu::Executor& executor, c
       frames_(frames),
       swapchain_(device, source.create),
       ring_(device),
-      overlay_(device, executor) {}
+      overlay_(device, executor) {
+    executor_.makePipelinesAhead();
+}
 
 void WindowFrames::setGlyphs(const OverlayGlyphs& glyphs) {
     device_->waitIdle();

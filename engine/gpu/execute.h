@@ -58,6 +58,10 @@ struct PassContext {
 class Executor {
 public:
     explicit Executor(const Device& device);
+    ~Executor() { pipelines_.endAhead(); }  // which work with render passes of this
+
+    /// Pipelines that frames are likely to ask for next are made on a thread of its own from now on.
+    void makePipelinesAhead() { pipelines_.makeAhead(); }
 
     /// Records the plan of a graph. Images of the same graph and name are kept from one execution to the next.
     /// For commands that are waited for before the next ones are recorded: their descriptor sets last until then.

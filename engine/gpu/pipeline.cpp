@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "engine/gpu/pipeline_worker.h"
 #include "engine/gpu/resources.h"
 
 namespace nacre::gpu {
@@ -12,6 +13,11 @@ void Specialization::set(int id, std::uint32_t value) {
     entries_[count_] = vk::SpecializationMapEntry(static_cast<std::uint32_t>(id),
                                                   count_ * static_cast<std::uint32_t>(sizeof(value)), sizeof(value));
     values_[count_++] = value;
+}
+
+void Specialization::change(int id, std::uint32_t value) {
+    for (std::uint32_t i = 0; i < count_; ++i)
+        if (entries_[i].constantID == static_cast<std::uint32_t>(id)) values_[i] = value;
 }
 
 vk::SpecializationInfo Specialization::info() const {
@@ -154,14 +160,18 @@ bool sameTable(std::span<const T> a, std::span<const T> b) {
     return a.data() == b.data() && a.size() == b.size();
 }
 
-/// Names are for people: two pipelines that differ by them alone are the same.
-bool same(const GraphicsPipeline& a, const GraphicsPipeline& b) {
+}  // namespace
+
+bool samePipeline(const GraphicsPipeline& a, const GraphicsPipeline& b) {
     return sameTable(a.vertex, b.vertex) && sameTable(a.fragment, b.fragment) && a.constants == b.constants &&
            sameTable(a.streams.bindings, b.streams.bindings) && sameTable(a.streams.attributes, b.streams.attributes) &&
            a.layout == b.layout && a.renderPass == b.renderPass && a.subpass == b.subpass &&
            a.rendering == b.rendering && a.colorCount == b.colorCount && a.colorsWritten == b.colorsWritten &&
            a.depth == b.depth && a.blend == b.blend && a.ordered == b.ordered && a.strip == b.strip;
 }
+
+namespace {
+
 bool same(const ComputePipeline& a, const ComputePipeline& b) {
     return sameTable(a.code, b.code) && a.constants == b.constants && a.layout == b.layout;
 }
@@ -170,21 +180,42 @@ bool same(const LayoutDescription& a, const LayoutDescription& b) {
            a.pushConstantBytes == b.pushConstantBytes && a.counter == b.counter && a.ofVertices == b.ofVertices;
 }
 
-/// The pipeline of a description, made if there is none yet.
-template <typename All, typename Description>
-vk::Pipeline found(const Device& device, All& all, const Description& description) {
-    for (const auto& made : all)
-        if (same(made.description, description)) return *made.pipeline;
-    Description kept = description;
-    kept.name = {};
-    all.push_back({kept, makePipeline(device, description)});
-    return *all.back().pipeline;
-}
-
 }  // namespace
 
-vk::Pipeline Pipelines::graphics(const GraphicsPipeline& description) { return found(device_, graphics_, description); }
-vk::Pipeline Pipelines::compute(const ComputePipeline& description) { return found(device_, compute_, description); }
+Pipelines::Pipelines(const Device& device) : device_(device) {}
+Pipelines::~Pipelines() = default;
+
+void Pipelines::makeAhead() {
+    if (!worker_) worker_ = std::make_unique<PipelineWorker>(device_);
+}
+
+void Pipelines::endAhead() { worker_.reset(); }
+
+vk::Pipeline Pipelines::graphics(const GraphicsPipeline& description,
+                                 const std::function<std::vector<GraphicsPipeline>()>& next) {
+    for (const auto& made : graphics_)
+        if (samePipeline(made.description, description)) return *made.pipeline;
+    std::optional<vk::raii::Pipeline> made = worker_ ? worker_->take(description) : std::nullopt;
+    if (!made) made = makePipeline(device_, description);
+    GraphicsPipeline kept = description;
+    kept.name = kept.detail = {};
+    graphics_.push_back({kept, std::move(*made)});
+    const vk::Pipeline pipeline = *graphics_.back().pipeline;
+    if (!worker_ || !next) return pipeline;
+    for (const GraphicsPipeline& other : next())
+        if (std::ranges::none_of(graphics_, [&](const auto& m) { return samePipeline(m.description, other); }))
+            worker_->want(other);
+    return pipeline;
+}
+
+vk::Pipeline Pipelines::compute(const ComputePipeline& description) {
+    for (const auto& made : compute_)
+        if (same(made.description, description)) return *made.pipeline;
+    ComputePipeline kept = description;
+    kept.name = {};
+    compute_.push_back({kept, makePipeline(device_, description)});
+    return *compute_.back().pipeline;
+}
 
 const Layout& Pipelines::layout(const LayoutDescription& description) {
     for (const MadeLayout& made : layouts_)

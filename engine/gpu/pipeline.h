@@ -4,8 +4,10 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <list>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +27,9 @@ public:
     void set(int id, int value) { set(id, static_cast<std::uint32_t>(value)); }
     void set(int id, bool value) { set(id, value ? 1u : 0u); }
     void set(int id, float value) { set(id, std::bit_cast<std::uint32_t>(value)); }
+    /// Another value of one that was set.
+    void change(int id, std::uint32_t value);
+    void change(int id, float value) { change(id, std::bit_cast<std::uint32_t>(value)); }
     /// Points into this.
     vk::SpecializationInfo info() const;
     friend bool operator==(const Specialization&, const Specialization&) = default;
@@ -95,13 +100,25 @@ vk::raii::Pipeline makePipeline(const Device& device, const GraphicsPipeline& de
 vk::raii::Pipeline makePipeline(const Device& device, const ComputePipeline& description);
 Layout makeLayout(const Device& device, const LayoutDescription& description);
 
+/// Names are for people: two pipelines that differ by them alone are the same.
+bool samePipeline(const GraphicsPipeline& a, const GraphicsPipeline& b);
+
+class PipelineWorker;
+
 /// All that was made so far. A description that compares equal to an earlier one gets the same object.
 class Pipelines {
 public:
     /// @param device  outlives this
-    explicit Pipelines(const Device& device) : device_(device) {}
+    explicit Pipelines(const Device& device);
+    ~Pipelines();
 
-    vk::Pipeline graphics(const GraphicsPipeline& description);
+    /// From now on what is likely to be asked for next is made on a thread of its own, until endAhead().
+    void makeAhead();
+    void endAhead();
+
+    /// @param next  what is likely to be asked for after this one; called where it is new and somebody makes those
+    vk::Pipeline graphics(const GraphicsPipeline& description,
+                          const std::function<std::vector<GraphicsPipeline>()>& next = {});
     vk::Pipeline compute(const ComputePipeline& description);
     const Layout& layout(const LayoutDescription& description);
     vk::Sampler sampler(vk::Filter filter);
@@ -117,6 +134,7 @@ private:
         Layout layout;
     };
     const Device& device_;
+    std::unique_ptr<PipelineWorker> worker_;  ///< null: all are made when they are asked for
     std::vector<Made<GraphicsPipeline>> graphics_;
     std::vector<Made<ComputePipeline>> compute_;
     std::list<MadeLayout> layouts_;  // references to them stay good

@@ -1,6 +1,7 @@
 #include "engine/passes/primitives.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/passes/corners.h"
 
@@ -69,6 +70,35 @@ const gpu::Layout& layoutOf(gpu::PassContext& context, const SceneView& view, co
                                      streams && !pass.streams ? 2u : 0u});
 }
 
+CornerRange impostorCorners(ImpostorShape shape) {
+    return shape == ImpostorShape::square    ? kImpostorSquare
+           : shape == ImpostorShape::octagon ? kImpostorOctagon
+                                             : kPyramid;
+}
+
+/// Pipelines of spheres by the shapes that a zoom goes over to: they differ by the polygon alone.
+std::vector<gpu::GraphicsPipeline> otherShapes(const gpu::PassContext& context, const SceneView& view,
+                                               const PrimitivePass& pass, const gpu::GraphicsPipeline& of) {
+    const graph::GeometryCaps& caps = context.device.caps().plan.geometry;
+    std::vector<gpu::GraphicsPipeline> others;
+    const auto add = [&](std::uint32_t corners, const Plate* plate) {
+        gpu::GraphicsPipeline d = of;
+        d.constants.change(layout::kCornersId, corners);
+        if (plate) d.constants.change(layout::kRimId, plate->rim);
+        d.strip = corners != kPyramid.count;
+        others.push_back(d);
+    };
+    for (const double radius : {0.0, caps.plateOctagons, caps.octagons, caps.domes}) {
+        if (std::isinf(radius)) continue;  // never reached
+        if (!pass.plate)
+            add(impostorCorners(chooseImpostor(view.impostor, caps, radius, view.perspective)).count, nullptr);
+        else
+            for (const Plate& plate : platesOf(choosePlates(PlateShape::automatic, caps, radius)))
+                add(static_cast<std::uint32_t>(plate.corners), &plate);
+    }
+    return others;
+}
+
 vk::Pipeline pipelineOf(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
                         const Shaders& shaders, Primitive primitive, std::uint32_t corners) {
     gpu::GraphicsPipeline d = context.pipeline();
@@ -90,7 +120,11 @@ vk::Pipeline pipelineOf(gpu::PassContext& context, const SceneView& view, const 
     d.blend = pass.blend;
     d.ordered = pass.reads && pass.reads->from == NearestFrom::ownAttachment;
     d.strip = corners != kPyramid.count && primitive != Primitive::triangle;
-    return context.pipelines.graphics(d);
+    return context.pipelines.graphics(d, [&] {
+        std::vector<gpu::GraphicsPipeline> next;
+        if (primitive == Primitive::sphere) next = otherShapes(context, view, pass, d);
+        return next;
+    });
 }
 
 void writeReads(gpu::PassContext& context, const SceneView& view, vk::DescriptorSet set, const Reads& reads,
@@ -139,14 +173,7 @@ CornerRange cornersOf(const gpu::PassContext& context, const SceneView& view, co
     if (primitive != Primitive::sphere) return {0, 4};
     if (pass.plate) return pass.plate->corners == kPlateSquare.count ? kPlateSquare : kPlateOctagon;
     const graph::GeometryCaps& caps = context.device.caps().plan.geometry;
-    switch (chooseImpostor(view.impostor, caps, view.radiusPixels, view.perspective)) {
-        case ImpostorShape::square:
-            return kImpostorSquare;
-        case ImpostorShape::octagon:
-            return kImpostorOctagon;
-        default:
-            return kPyramid;
-    }
+    return impostorCorners(chooseImpostor(view.impostor, caps, view.radiusPixels, view.perspective));
 }
 
 }  // namespace

@@ -4,7 +4,8 @@
 // validation layer a program that asks for more is told. The environment variable NACRE_PHONE names the phone:
 // "android" (of Arm's make) or "moltenvk"; NACRE_PHONE_WRONG a fault of its driver, NACRE_PHONE_TILE the tile of the
 // former (feedback.h); NACRE_PHONE_SHADERS may name a folder that takes every shader which the program hands over,
-// as 1.spv, 2.spv, ...; NACRE_PHONE_FRAMES a file that is told of frames (frames.h).
+// as 1.spv, 2.spv, ...; NACRE_PHONE_FRAMES a file that is told of frames (frames.h), NACRE_PHONE_PIPELINES one that
+// gets the thread which made a graphics pipeline, a line each.
 
 #define VK_ENABLE_BETA_EXTENSIONS
 #include <vulkan/vk_layer.h>
@@ -18,6 +19,7 @@
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include "tests/phone_layer/below.h"
@@ -181,6 +183,9 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateShaderModule(VkDevice of, const VkShaderMod
 VKAPI_ATTR VkResult VKAPI_CALL CreateGraphicsPipelines(VkDevice of, VkPipelineCache cache, std::uint32_t count,
                                                        const VkGraphicsPipelineCreateInfo* infos,
                                                        const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
+    if (const char* file = std::getenv("NACRE_PHONE_PIPELINES"))
+        for (std::uint32_t i = 0; i < count; ++i)
+            std::ofstream(file, std::ios::app) << std::this_thread::get_id() << '\n';
     const char* wrong = std::getenv("NACRE_PHONE_WRONG");
     if (!wrong || std::string_view(wrong) != "min")
         return nextCreateGraphicsPipelines(of, cache, count, infos, allocator, pipelines);

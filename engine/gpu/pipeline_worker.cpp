@@ -1,0 +1,69 @@
+#include "engine/gpu/pipeline_worker.h"
+
+#include <algorithm>
+
+namespace nacre::gpu {
+
+PipelineWorker::~PipelineWorker() {
+    {
+        const std::lock_guard lock(mutex_);
+        ends_ = true;
+    }
+    changed_.notify_all();
+    if (thread_.joinable()) thread_.join();
+}
+
+std::list<PipelineWorker::Wanted>::iterator PipelineWorker::find(const GraphicsPipeline& description) {
+    return std::ranges::find_if(wanted_, [&](const Wanted& w) { return samePipeline(w.description, description); });
+}
+
+void PipelineWorker::want(const GraphicsPipeline& description) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (find(description) != wanted_.end()) return;
+        Wanted& w = wanted_.emplace_back();
+        w.name = description.name;
+        w.detail = description.detail;
+        w.description = description;
+        w.description.name = w.name;
+        w.description.detail = w.detail;
+    }
+    changed_.notify_all();
+    if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
+}
+
+std::optional<vk::raii::Pipeline> PipelineWorker::take(const GraphicsPipeline& description) {
+    std::unique_lock lock(mutex_);
+    const auto it = find(description);
+    if (it == wanted_.end()) return std::nullopt;
+    changed_.wait(lock, [&] { return it->state != State::beingMade; });
+    std::optional<vk::raii::Pipeline> pipeline;
+    if (it->state == State::made) pipeline = std::move(it->pipeline);
+    wanted_.erase(it);
+    return pipeline;
+}
+
+void PipelineWorker::run() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        const auto next = [&] {
+            return std::ranges::find_if(wanted_, [](const Wanted& w) { return w.state == State::waits; });
+        };
+        changed_.wait(lock, [&] { return ends_ || next() != wanted_.end(); });
+        if (ends_) return;
+        Wanted& w = *next();
+        w.state = State::beingMade;
+        lock.unlock();
+        State state = State::failed;  // then the frame that wants it makes it, and tells why it cannot
+        try {
+            w.pipeline = makePipeline(device_, w.description);
+            state = State::made;
+        } catch (const std::exception&) {
+        }
+        lock.lock();
+        w.state = state;
+        changed_.notify_all();
+    }
+}
+
+}  // namespace nacre::gpu
