@@ -31,21 +31,38 @@ inline std::uint16_t toWord(float value) {
     return value >= 1.0f ? std::uint16_t{65535} : static_cast<std::uint16_t>(value * 65535.0f + 0.5f);
 }
 
-/// One premultiplied linear pixel as sRGB code values: four with straight alpha, or three over white.
+/// One premultiplied linear pixel as sRGB code values: three over white, or four with straight alpha. Whoever lays a
+/// picture over something mixes code values, and light adds up otherwise: alpha and colour are those that, mixed so,
+/// come nearest to what the pixel is over black and over white, where a gray pixel is exact.
 template <typename Code>
 void codePixel(const float* pixel, bool alpha, Code* out) {
+    constexpr bool kWords = sizeof(Code) == 2;
+    constexpr float kMost = kWords ? 65535.0f : 255.0f;
     const auto code = [](float value) {
-        if constexpr (sizeof(Code) == 2)
+        if constexpr (kWords)
             return toWord(value);
         else
             return toByte(value);
     };
-    const float a = std::clamp(pixel[3], 0.0f, 1.0f);
-    for (int i = 0; i < 3; ++i) {
-        const float light = alpha ? (a > 0.0f ? pixel[i] / a : 0.0f) : pixel[i] + (1.0f - a);
-        out[i] = code(linearToSrgb(light));
+    const float through = 1.0f - std::clamp(pixel[3], 0.0f, 1.0f);
+    if (!alpha) {
+        for (int i = 0; i < 3; ++i) out[i] = code(linearToSrgb(pixel[i] + through));
+        return;
     }
-    if (alpha) out[3] = code(a);
+    if (through >= 1.0f || through <= 0.0f) {
+        for (int i = 0; i < 3; ++i) out[i] = through > 0.0f ? Code{0} : code(linearToSrgb(pixel[i]));
+        out[3] = through > 0.0f ? Code{0} : code(1.0f);
+        return;
+    }
+    float onBlack[3], onWhite[3], between = 0.0f;
+    for (int i = 0; i < 3; ++i) {
+        onBlack[i] = linearToSrgb(pixel[i]);
+        onWhite[i] = linearToSrgb(pixel[i] + through);
+        between += (onWhite[i] - onBlack[i]) / 3.0f;
+    }
+    out[3] = code(1.0f - between);
+    const float share = static_cast<float>(out[3]) / kMost, rest = 1.0f - share;
+    for (int i = 0; i < 3; ++i) out[i] = share > 0.0f ? code(0.5f * (onBlack[i] + onWhite[i] - rest) / share) : Code{0};
 }
 
 }  // namespace nacre::app
