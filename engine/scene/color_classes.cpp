@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <numeric>
 #include <set>
+#include <tuple>
 
 #include "engine/molecule/element.h"
 #include "engine/molecule/kabsch_sander.h"
@@ -77,20 +79,36 @@ Classes byChainCarbons(const Molecule& molecule, std::span<const std::uint32_t> 
     return classes;
 }
 
-/// One kind per name of a residue, in the file's order; `entryOf` says how it looks.
+/// A kind, and what its place in the legend goes by: the rank, then the label.
+struct RankedEntry {
+    LegendEntry entry;
+    double rank = 0;
+};
+
+/// One kind per name of a residue; `entryOf` says how it looks.
 template <typename EntryOf>
 Classes byResidueName(const Molecule& molecule, std::span<const std::uint32_t> atoms, const EntryOf& entryOf) {
     std::map<std::array<char, 8>, std::uint32_t> known;
-    Classes classes;
+    std::vector<RankedEntry> kinds;
     std::vector<std::uint32_t> ofResidue;
     ofResidue.reserve(molecule.residues.size());
     for (const Residue& residue : molecule.residues) {
-        const auto next = static_cast<std::uint32_t>(classes.entries.size());
+        const auto next = static_cast<std::uint32_t>(kinds.size());
         const auto [found, added] = known.emplace(residue.name.bytes, next);
-        if (added) classes.entries.push_back(entryOf(residue.name));
+        if (added) kinds.push_back(entryOf(residue.name));
         ofResidue.push_back(found->second);
     }
-    sortAtoms(classes, atoms, [&](std::uint32_t i) { return ofResidue[molecule.atoms[i].residue]; });
+    std::vector<std::uint32_t> order(kinds.size()), places(kinds.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return std::tie(kinds[a].rank, kinds[a].entry.label) < std::tie(kinds[b].rank, kinds[b].entry.label);
+    });
+    Classes classes;
+    for (const std::uint32_t kind : order) {
+        places[kind] = static_cast<std::uint32_t>(classes.entries.size());
+        classes.entries.push_back(std::move(kinds[kind].entry));
+    }
+    sortAtoms(classes, atoms, [&](std::uint32_t i) { return places[ofResidue[molecule.atoms[i].residue]]; });
     return classes;
 }
 
@@ -115,9 +133,9 @@ Classes byHydrophobicity(const Molecule& molecule, std::span<const std::uint32_t
             std::string label = std::string(name.view()) + (tenths < 0 ? " -" : " ") +
                                 std::to_string(std::abs(tenths) / 10) + "." + std::to_string(std::abs(tenths) % 10);
             const double place = (static_cast<double>(entry.value) + 4.5) / 9.0;
-            return LegendEntry{std::move(label), paletteColor(ramp, place)};
+            return RankedEntry{{std::move(label), paletteColor(ramp, place)}, -tenths / 10.0};
         }
-        return LegendEntry{"not an amino acid", kOther};
+        return RankedEntry{{"not an amino acid", kOther}, 100};
     });
     if (!any) classes.warning = "there is no amino acid whose hydrophobicity is known";
     return classes;
@@ -219,7 +237,7 @@ Classes classesOf(const Molecule& molecule, std::span<const std::uint32_t> atoms
         case ColorScheme::residue:
             return byResidueName(molecule, atoms, [](const Name& name) {
                 const std::string_view text = name.view();
-                return LegendEntry{text.empty() ? "(no name)" : std::string(text), residueColor(text)};
+                return RankedEntry{{text.empty() ? "(no name)" : std::string(text), residueColor(text)}};
             });
         case ColorScheme::hydrophobicity:
             return byHydrophobicity(molecule, atoms, palette(Palette::lipophilicity));

@@ -58,6 +58,22 @@ std::string shortNumber(double value) {
     return text;
 }
 
+std::size_t decimalsOf(const std::string& number) {
+    const std::size_t point = number.find('.');
+    return point == std::string::npos ? 0 : number.size() - point - 1;
+}
+
+/// All with as many decimals as the one that has the most.
+void alignDecimals(std::vector<LegendEntry>& numbers) {
+    std::size_t most = 0;
+    for (const LegendEntry& entry : numbers) most = std::max(most, decimalsOf(entry.label));
+    for (LegendEntry& entry : numbers) {
+        const std::size_t missing = most - decimalsOf(entry.label);
+        if (missing == most && most > 0) entry.label += '.';
+        entry.label.append(missing, '0');
+    }
+}
+
 /// Twelve digits at most: as it was written.
 std::string exactNumber(double value) {
     std::array<char, 32> digits{};
@@ -90,6 +106,7 @@ ColoredAtoms byNumber(Atoms atoms, Palette ramp, const ColorRange& range, const 
         result.legend.push_back({shortNumber(value), paletteColor(ramp, place(value))});
     }
     if (stops == 1) return result;
+    alignDecimals(result.legend);
     result.stops = kStops;
     // An end that is passed stands for all beyond it.
     LegendEntry& low = span > 0 ? result.legend.front() : result.legend.back();

@@ -111,7 +111,7 @@ TEST(ColorSchemes, OccupancyGoesFromZeroToOne) {
     EXPECT_EQ(colorText(result.colors[0]), "#440154");
     EXPECT_EQ(colorText(result.colors[1]), "#3b528b");
     EXPECT_EQ(colorText(result.colors[2]), "#fde725");
-    EXPECT_EQ(labels(result), "0|0.25|0.5|0.75|1");
+    EXPECT_EQ(labels(result), "0.00|0.25|0.50|0.75|1.00");
 }
 
 TEST(ColorSchemes, RainbowRunsAlongEachChain) {
@@ -146,7 +146,7 @@ TEST(ColorSchemes, ChargeAndHydrophobicityOfResidues) {
     const ColoredAtoms hydro = colored(text.molecule, ColorScheme::hydrophobicity);
     EXPECT_EQ(hydro.colors[6], paletteColor(Palette::lipophilicity, 1));
     EXPECT_EQ(hydro.colors[7], paletteColor(Palette::lipophilicity, 0));
-    EXPECT_EQ(labels(hydro), "ASP -3.5|LYS -3.9|ALA 1.8|HIP -3.2|ASH -3.5|not an amino acid|ILE 4.5|ARG -4.5|MSE 1.9");
+    EXPECT_EQ(labels(hydro), "ILE 4.5|MSE 1.9|ALA 1.8|HIP -3.2|ASH -3.5|ASP -3.5|LYS -3.9|ARG -4.5|not an amino acid");
 }
 
 TEST(ColorSchemes, SecondaryStructureOfCrambin) {
@@ -194,11 +194,11 @@ TEST(ColorSchemes, RangesAndPalettesAreThoseAskedFor) {
     const ColoredAtoms result = colored(molecule, coloring);
     const double places[] = {0, 0, 0.5, 1, 1};
     for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(result.colors[i], paletteColor(Palette::viridis, places[i]));
-    EXPECT_EQ(labels(result), "10 or less|22.5|35|47.5|60 or more");
+    EXPECT_EQ(labels(result), "10.0 or less|22.5|35.0|47.5|60.0 or more");
     EXPECT_EQ(result.stops, 5u);
     coloring.range = ColorRange{60, 10};  // the other way round
     EXPECT_EQ(colored(molecule, coloring).colors[4], paletteColor(Palette::viridis, 0));
-    EXPECT_EQ(labels(colored(molecule, coloring)), "60 or more|47.5|35|22.5|10 or less");
+    EXPECT_EQ(labels(colored(molecule, coloring)), "60.0 or more|47.5|35.0|22.5|10.0 or less");
     coloring.range = ColorRange{-5, 99};  // nothing lies beyond
     EXPECT_EQ(labels(colored(molecule, coloring)).find("or"), std::string::npos);
     Coloring chain(ColorScheme::chain);
