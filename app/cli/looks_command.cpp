@@ -45,8 +45,6 @@ private:
     Picture picture_;
 };
 
-constexpr double kRoomForName = 0.84;  ///< of a cell, for the molecule
-
 void drawSheet(const LooksOptions& options) {
     OutputFile file(options.picture.output, ".png");
     Progress progress;
@@ -62,7 +60,6 @@ void drawSheet(const LooksOptions& options) {
         RenderOptions one = options.picture;
         takeLook(look, one);
         one.words.title = look.name;
-        one.camera.zoom *= kRoomForName;
         PreparedPicture prepared = preparePicture(molecule, one);
         if (!drawn)
             for (const std::string& warning : prepared.scene.warnings) sayWarning(warning);

@@ -29,6 +29,7 @@ RenderOptions keyOptions(const RenderOptions& options, const std::string& file) 
     RenderOptions key = options;
     const SavedView view = readSavedView(file);
     applySavedView(view, key);
+    key.aim.turns = true;
     InputOptions named = key.savedInput;
     named.namedBy = file;
     if (!named.path.empty() && (filePathOf(named) != filePathOf(options.input) || named.model != options.input.model))
@@ -111,6 +112,7 @@ void MovieScenes::layModels(const InputOptions& input) {
 void MovieScenes::addLook(const RenderOptions& options) {
     looks_.emplace_back();
     looks_.back().options = options;
+    looks_.back().options.aim.turns = true;
 }
 
 void MovieScenes::addKeys() {

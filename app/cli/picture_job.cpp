@@ -16,6 +16,7 @@
 #include "app/shared/trajectory_input.h"
 #include "app/shared/word_painter.h"
 #include "engine/error.h"
+#include "engine/scene/orientation.h"
 
 namespace nacre::app {
 namespace {
@@ -90,6 +91,19 @@ void checkValidation(const Renderer& renderer) {
                 std::to_string(messages.size()) + " messages, the first: " + messages.front());
 }
 
+/// Moves the molecule out of the way of the words that stand beside it, unless a part of it is what is to be seen.
+void makeRoom(PreparedPicture& prepared, const RenderOptions& options) {
+    if (!prepared.words.any() || options.aim.placed || options.aim.zoomTo) return;
+    constexpr std::size_t kMany = 200000;  // spheres and vertices: their sphere is nearly as good
+    View& view = prepared.settings.view;
+    const Representation& scene = prepared.scene;
+    std::vector<glm::dvec4> balls{{0, 0, 0, view.radius}};
+    if (!options.aim.turns && scene.drawnAtoms + scene.meshVertices.size() < kMany) balls = drawnBalls(scene);
+    const View beside = WordPainter().besideWords(view, prepared.words, options.words.size, balls, options.camera.zoom);
+    prepared.run.zoom *= beside.pixelsPerAngstrom / view.pixelsPerAngstrom;
+    view = beside;
+}
+
 }  // namespace
 
 PictureFormat formatOf(const RenderOptions& options) {
@@ -108,6 +122,7 @@ PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& op
     run.zoom = aim.camera.zoom;
     run.clip = effectOption("clip")->text(prepared.settings.effects);
     if (options.debug == DebugView::none) prepared.words = placeWords(options.words, molecule, prepared.scene);
+    makeRoom(prepared, options);
     run.atomsRead = molecule.atoms.size();
     run.bondsKnown = molecule.bonds.size();
     run.center = prepared.scene.center;

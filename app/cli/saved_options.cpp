@@ -13,6 +13,7 @@ void applySavedView(const SavedView& view, RenderOptions& options) {
     options.look.rules.insert(options.look.rules.end(), rules.begin(), rules.end());
     options.drawn = view.drawn;
     options.camera = view.camera;
+    options.aim.placed = view.camera.zoom != 1 || view.camera.pan != glm::dvec2(0);
     const std::vector<Label> labels = options.words.labels;
     const std::vector<Measure> measures = options.words.measures;
     options.words = view.words;

@@ -16,6 +16,8 @@ struct Aim {
     std::optional<Selection> zoomTo;  ///< what fills the picture
 
     bool mayClip = true;  ///< what hides it is cut away
+    bool placed = false;  ///< a saved view says where the molecule stands in the picture
+    bool turns = false;   ///< pictures from other sides follow: there is to be room for all of them
 
     bool any() const { return principal || lookAt || zoomTo; }
 };

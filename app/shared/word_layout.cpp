@@ -170,6 +170,12 @@ std::uint32_t packed(const std::array<float, 3>& c) {
 
 }  // namespace
 
+void layBlocks(Room& room, const PlacedWords& words) {
+    layTitle(room, words.title);
+    layScaleBar(room, words.scaleBar);
+    layLegends(room, words.legends);
+}
+
 double usualTextSize(std::uint32_t width, std::uint32_t height) {
     return std::max(9.0, std::min(width, height) / 42.0);
 }
@@ -185,9 +191,7 @@ Marks layOut(const PlacedWords& words, const View& view, double size, const std:
     Room room(view, em, widthOf);
     WordMemory none;
     if (!memory) memory = &none;
-    layTitle(room, words.title);
-    layScaleBar(room, words.scaleBar);
-    layLegends(room, words.legends);
+    layBlocks(room, words);
     layMeasures(room, words.measures, memory->measures());
     layLabels(room, words, clip, memory->labels());
     Marks marks = std::move(room.marks);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
 #include <memory>
 #include <optional>
 #include <string>
@@ -80,5 +81,11 @@ private:
 Marks layOut(const PlacedWords& words, const View& view, double size, const std::optional<std::array<float, 3>>& color,
              const std::array<float, 4>& background, const TextWidth& widthOf, const Clip& clip = {},
              WordMemory* memory = nullptr);
+
+/// The view with the molecule beside title, legends and scale bar: smaller, and moved, by no more than that takes. As
+/// it is where they do not meet; where they leave less than a third of its size, too, and lie over it then.
+/// @param balls  what is drawn, as drawnBalls() has it @param zoom  of the view: what goes beyond 1 is left to go over
+View besideWords(const View& view, const PlacedWords& words, double size, const std::vector<glm::dvec4>& balls,
+                 double zoom, const TextWidth& widthOf);
 
 }  // namespace nacre::app

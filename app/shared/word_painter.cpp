@@ -265,6 +265,12 @@ Marks WordPainter::layOut(const PlacedWords& words, const View& view, double siz
         clip, memory);
 }
 
+View WordPainter::besideWords(const View& view, const PlacedWords& words, double size,
+                              const std::vector<glm::dvec4>& balls, double zoom) const {
+    return app::besideWords(view, words, size, balls, zoom,
+                            [this](const std::string& text, double em) { return widthOf(text, em); });
+}
+
 std::size_t WordPainter::paint(const PlacedWords& words, const View& view, double size,
                                const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background,
                                Picture& picture, const Clip& clip, WordMemory* memory) const {

@@ -30,6 +30,10 @@ public:
                  const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background,
                  const Clip& clip = {}, WordMemory* memory = nullptr) const;
 
+    /// besideWords() with the widths of this font.
+    View besideWords(const View& view, const PlacedWords& words, double size, const std::vector<glm::dvec4>& balls,
+                     double zoom) const;
+
     /// Lays words out over a whole picture, and draws them. @returns the labels that found no room
     std::size_t paint(const PlacedWords& words, const View& view, double size,
                       const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background,

@@ -65,6 +65,9 @@ struct Room {
     Marks marks;
 };
 
+/// Title, scale bar and legends, which stand where they do whatever the molecule does.
+void layBlocks(Room& room, const PlacedWords& words);
+
 /// In columns from the right edge on, as many as are needed, three at most.
 void layLegends(Room& room, const std::vector<Legend>& legends);
 

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 #include "app/shared/word_painter.h"
 #include "engine/molecule/read.h"
@@ -27,6 +28,44 @@ struct Box {
 };
 Box boxOf(const TextMark& t) {
     return {t.at.x, t.at.y - 0.76 * t.size, t.at.x + widthOf(t.text, t.size), t.at.y + 0.24 * t.size};
+}
+
+double bottomOf(const Box& box, const glm::dvec2& at) {
+    return glm::distance(glm::clamp(at, glm::dvec2(box.left, box.top), glm::dvec2(box.right, box.bottom)), at);
+}
+
+TEST(WordLayout, TheMoleculeStandsBesideTitleLegendAndScaleBar) {
+    const std::vector<glm::dvec4> ball{{0, 0, 0, 10}};
+    for (const auto& [width, height, zoom] : {std::tuple{400u, 400u, 1.0}, {600u, 300u, 1.0}, {300u, 500u, 0.9}}) {
+        Camera camera;
+        camera.zoom = zoom;
+        const View view = viewOf(camera, 10, width, height);
+        PlacedWords words;
+        EXPECT_EQ(besideWords(view, words, 14, ball, zoom, widthOf).pixelsPerAngstrom, view.pixelsPerAngstrom);
+        words.title = "A title that is long";
+        words.scaleBar = ScaleBar::angstrom;
+        words.legends = {{"all", "chain", {}, {}, 0}};
+        for (int i = 0; i < 9; ++i) words.legends[0].entries.push_back({"chain " + std::to_string(i), 0xff0000ff});
+        const View beside = besideWords(view, words, 14, ball, zoom, widthOf);
+        EXPECT_LE(beside.pixelsPerAngstrom, view.pixelsPerAngstrom * (1 + 1e-9));
+        EXPECT_GT(beside.pixelsPerAngstrom, view.pixelsPerAngstrom * 0.6);
+        const glm::dvec2 at =
+            glm::dvec2(width, height) / 2.0 + glm::dvec2(beside.pan.x, -beside.pan.y) * beside.pixelsPerAngstrom;
+        const double radius = 10 * beside.pixelsPerAngstrom;
+        EXPECT_GE(std::min(at.x, at.y), radius);
+        EXPECT_LE(at.x + radius, width);
+        EXPECT_LE(at.y + radius, height);
+        const Marks marks = layOut(words, beside, 14, {}, kWhite, widthOf);
+        for (const TextMark& text : marks.texts) EXPECT_GE(bottomOf(boxOf(text), at), radius) << text.text;
+        // What goes beyond the usual size is asked for.
+        camera.zoom = 2 * zoom;
+        const View large = besideWords(viewOf(camera, 10, width, height), words, 14, ball, 2 * zoom, widthOf);
+        EXPECT_GT(large.pixelsPerAngstrom, 1.5 * beside.pixelsPerAngstrom);
+    }
+    PlacedWords bar;
+    bar.scaleBar = ScaleBar::nanometre;  // a corner has room for it
+    const View view = square(400);
+    EXPECT_EQ(besideWords(view, bar, 10, ball, 1, widthOf).pixelsPerAngstrom, view.pixelsPerAngstrom);
 }
 
 TEST(WordLayout, LabelsStandOnTheirAnchorsWhileThereIsRoomAndNeverOverlap) {
