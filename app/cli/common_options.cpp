@@ -177,9 +177,10 @@ void addAppearance(CommandSpec& command, DrawnAtomsOptions& drawn, Representatio
              "spacefill, ball-and-stick, licorice, cartoon (with ligands as licorice) or surface",
              [&](const std::string& text) { setStyle(parseStyle(text), look); });
     addValue(command, "--color", "SCHEME|COLOR", "element; chain-carbons of cartoons",
-             "element, chain, chain-carbons (the rest by element), copy (of an assembly), entity, residue,\n"
-             "hydrophobicity, charge, secondary-structure, b-factor, plddt (AlphaFold's bands), rainbow (N to C),\n"
-             "occupancy; or a colour as for --background; element:COLOR colours the carbons alone;\n"
+             "element, chain, chain-carbons (the rest by element), copy, copy-chain, copy-entity (of an assembly, the\n"
+             "latter two in tones of its colour), entity, residue, hydrophobicity, charge, secondary-structure,\n"
+             "b-factor, plddt (AlphaFold's bands), rainbow (N to C), occupancy; or a colour as for --background; "
+             "element:COLOR colours the carbons alone;\n"
              "b-factor:10..60:viridis gives the ends of the colours and their palette, chain:muted a palette",
              [&](const std::string& text) { look.color = parseColoring(text); });
     addValue(

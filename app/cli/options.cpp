@@ -47,8 +47,12 @@ void addBench(CommandSpec& command, BenchOptions& options) {
 }
 
 void addPlan(CommandSpec& command, PlanOptions& options) {
-    addContent(command, options.input, false, options.drawn, options.look);
-    addCameraValues(command, options.camera, "Degrees about X, Y and Z");
+    RenderOptions& picture = options.picture;
+    addLook(command, picture);
+    addContent(command, picture.input, false, picture.drawn, picture.look);
+    addCameraValues(command, picture.camera, "Degrees about X, Y and Z");
+    addOnOff(command, "--lighting", picture.lighting, "off: there are no shadows");
+    addEffects(command, picture);
     addValue(command, "--caps", "NAME", "none", "A capability set instead of a device: " + capabilitySetNames(),
              [&](const std::string& text) {
                  try {
@@ -57,19 +61,15 @@ void addPlan(CommandSpec& command, PlanOptions& options) {
                      throw std::invalid_argument(error.what());
                  }
              });
-    addDeviceName(command, options.device).excludes = "--caps";
-    addVisibility(command, options.device);
-    addSize(command, "1024x1024", options.size);
+    addDeviceName(command, picture.device).excludes = "--caps";
+    addVisibility(command, picture.device);
+    addSize(command, "1024x1024", picture.size);
     addValue(command, "--supersample", "auto|1", "1",
              "auto: the frames of a picture, 16 samples where a pixel shows an edge", [&](const std::string& text) {
                  options.edges = parseChoice(text, {"auto", "1"}) == 0;
              });
-    addMeshError(command, "0.25", options.meshError);
+    addMeshError(command, "0.25", picture.meshError);
     addOnOff(command, "--merge", options.merge, "Passes as subpasses of one render pass");
-    addFlag(command, "--halos", options.rims,
-            "With lines by groups and halos, as `nacre render --halos` and `--contour-weights 3` draw them");
-    addFlag(command, "--shadow", options.shadow,
-            "With the map of what the light sees, as `nacre render --shadow` draws it");
     const auto format = [&](PlanFormat value) { return [&, value](const std::string&) { options.format = value; }; };
     command.add({"--json", "", "", "As one JSON object", format(PlanFormat::json)});
     command.add({"--dot", "", "", "As a Graphviz graph", format(PlanFormat::dot)}).excludes = "--json";
@@ -145,6 +145,7 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
                      "Examples:\n"
                      "  nacre plan --caps mali --size 1170x2532\n"
                      "  nacre plan 1aon.pdb.gz --caps mali --size 1170x2532\n"
+                     "  nacre plan --caps mali --look illustrative --halos 6 --shadow 0.5\n"
                      "  nacre plan --caps adreno --merge off --json\n"
                      "  nacre plan --device 0 --visibility deferred --dot | dot -Tsvg -o plan.svg"};
     addPlan(plan, line.plan);

@@ -134,18 +134,10 @@ struct ExportCommandOptions {
 enum class PlanFormat { text, json, dot };
 
 struct PlanOptions {
-    InputOptions input;  ///< whose geometry is counted; without a path: none is
-    DrawnAtomsOptions drawn;
-    RepresentationOptions look;
-    Camera camera;
-    std::string caps;  ///< name of a capability set; empty: the real device
-    DeviceOptions device;
-    Size size;
-    bool edges = false;       ///< as a picture's are drawn
-    double meshError = 0.25;  ///< as RenderSettings::meshError
+    RenderOptions picture;  ///< that the frame is of; `input`: whose geometry is counted, without a path none is
+    std::string caps;       ///< name of a capability set; empty: the real device
+    bool edges = false;     ///< as a picture's are drawn
     bool merge = true;
-    bool shadow = false;
-    bool rims = false;  ///< lines by groups, halos
     PlanFormat format = PlanFormat::text;
 };
 

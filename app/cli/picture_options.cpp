@@ -44,21 +44,12 @@ void addShading(CommandSpec& command, RenderOptions& options) {
              "transparent, a colour's name as CSS has it (navy, lightgray), #rgb, #rrggbb or #rrggbbaa\n(JPEG has no "
              "transparency: over white)",
              [&](const std::string& text) { options.background = parseColor(text); });
+    command
+        .add({"--transparent", "", "", "The same as --background transparent",
+              [&](const std::string&) { options.background = parseColor("transparent"); }})
+        .excludes = "--background";
     addOnOff(command, "--lighting", options.lighting, "off: base colour times occlusion, nothing else");
-    for (const EffectOption& option : effectOptions())
-        addValue(command, std::string("--") + option.name, option.type, option.fallback, option.help,
-                 [&](const std::string& text) {
-                     option.set(text, options.effects);
-                     if (option.name == std::string_view("clip")) options.aim.mayClip = false;
-                     if (option.name == std::string_view("contours")) options.contourPoints = pointsOf(text);
-                     if (option.name == std::string_view("halos")) options.haloPoints = pointsOf(text);
-                 });
-    addValue(command, "--slab", "A", "none", "Cuts away what is farther than half of this from the plane of the centre",
-             [&](const std::string& text) {
-                 setSlab(text, options.effects);
-                 options.aim.mayClip = false;
-             })
-        .excludes = "--clip";
+    addEffects(command, options);
 }
 
 void addPixels(CommandSpec& command, RenderOptions& options) {
@@ -73,12 +64,17 @@ void addPixels(CommandSpec& command, RenderOptions& options) {
     addMeshError(command, "0.25", options.meshError);
 }
 
-/// Goes behind --view and before the options that it stands for, so that those prevail.
-void addLook(CommandSpec& command, RenderOptions& options) {
-    addValue(command, "--look", "NAME|FILE", "default",
-             "Light, lines, fog and colours that go together, as `nacre looks` lists them, or a JSON file of\nsuch "
-             "options; options prevail",
-             [&](const std::string& text) { takeLook(lookOf(text), options); });
+/// Goes before the options that it stands for, so that those prevail.
+void addThumbnail(CommandSpec& command, RenderOptions& options) {
+    addValue(command, "--thumbnail", "N", "none",
+             "A picture for lists of structures, N pixels a side, 16 to 4096: --size NxN --orient principal\n"
+             "--occlusion-detail 12; options prevail, and so does where a --view looks from",
+             [&](const std::string& text) {
+                 const auto side = static_cast<std::uint32_t>(parseInteger(text, 16, 4096));
+                 options.size = {side, side};
+                 options.occlusion.detail = 12;
+                 options.aim.principal = options.view.empty();
+             });
 }
 
 void addWords(CommandSpec& command, RenderOptions& options) {
@@ -195,9 +191,34 @@ void addDevice(CommandSpec& command, RenderOptions& options) {
 
 }  // namespace
 
+void addLook(CommandSpec& command, RenderOptions& options) {
+    addValue(command, "--look", "NAME|FILE", "default",
+             "Light, lines, fog and colours that go together, as `nacre looks` lists them, or a JSON file of\nsuch "
+             "options; options prevail",
+             [&](const std::string& text) { takeLook(lookOf(text), options); });
+}
+
+void addEffects(CommandSpec& command, RenderOptions& options) {
+    for (const EffectOption& option : effectOptions())
+        addValue(command, std::string("--") + option.name, option.type, option.fallback, option.help,
+                 [&](const std::string& text) {
+                     option.set(text, options.effects);
+                     if (option.name == std::string_view("clip")) options.aim.mayClip = false;
+                     if (option.name == std::string_view("contours")) options.contourPoints = pointsOf(text);
+                     if (option.name == std::string_view("halos")) options.haloPoints = pointsOf(text);
+                 });
+    addValue(command, "--slab", "A", "none", "Cuts away what is farther than half of this from the plane of the centre",
+             [&](const std::string& text) {
+                 setSlab(text, options.effects);
+                 options.aim.mayClip = false;
+             })
+        .excludes = "--clip";
+}
+
 void addRender(CommandSpec& command, RenderOptions& options) {
     addSavedView(command, options);
     addLook(command, options);
+    addThumbnail(command, options);
     addContent(command, options.input, false, options.drawn, options.look);
     addFiles(command, options);
     addCamera(command, options);

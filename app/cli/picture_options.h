@@ -10,6 +10,11 @@ void addLooks(CommandSpec& command, LooksOptions& options);
 /// @throws UsageError
 void checkLooks(const LooksOptions& options);
 
+/// --look. Goes behind --view and before the options that it stands for, so that those prevail.
+void addLook(CommandSpec& command, RenderOptions& options);
+/// Lines, halos, fog, shadow, planes, light.
+void addEffects(CommandSpec& command, RenderOptions& options);
+
 void addRender(CommandSpec& command, RenderOptions& options);
 void addMovie(CommandSpec& command, MovieOptions& options);
 /// What a window shows at first is said as for `render`; `size` is the window's.

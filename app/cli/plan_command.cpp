@@ -23,25 +23,25 @@ void chooseBySet(const PlanOptions& options, PlanReport& report) {
     report.caps = set.plan.name;
     report.plannedWith = set.plan;
     report.facts = set.facts;
-    const bool automatic = options.device.visibility == Visibility::automatic;
+    const bool automatic = options.picture.device.visibility == Visibility::automatic;
     const graph::VisibilityChoice choice = graph::chooseVisibility(set.kind, set.plan);
-    report.visibility = automatic ? choice.visibility : options.device.visibility;
+    report.visibility = automatic ? choice.visibility : options.picture.device.visibility;
     if (report.visibility == Visibility::rasterOrder && !set.plan.rasterOrder)
         throw Error("cannot draw by raster-order", set.plan.name, "it does not read its own attachments in order");
     if (report.visibility == Visibility::tiles && !set.plan.tiles)
         throw Error("cannot draw by tiles", set.plan.name, "it is not known whether its subgroups hand values round");
     report.why = automatic ? choice.why : "asked for";
     report.encoded = formatOf(set.encoded);
-    if (options.device.encoded == EncodedDepth::automatic) return;
+    if (options.picture.device.encoded == EncodedDepth::automatic) return;
     // The ladder stands finest first: a device blends its own rung and all coarser ones.
-    const graph::EncodedFormat& wanted = formatOf(options.device.encoded);
+    const graph::EncodedFormat& wanted = formatOf(options.picture.device.encoded);
     if (wanted.rung < set.encoded)
         throw Error("cannot encode depth", std::string(wanted.name), set.plan.name + " does not blend that format");
     report.encoded = wanted;
 }
 
 void chooseByDevice(const PlanOptions& options, PlanReport& report) {
-    const DevicePlan device = planOf(options.device);
+    const DevicePlan device = planOf(options.picture.device);
     report.caps = device.name;
     report.plannedWith = device.caps;
     report.visibility = device.visibility;
@@ -51,11 +51,77 @@ void chooseByDevice(const PlanOptions& options, PlanReport& report) {
 
 /// What the frame submits of the scene that was given.
 SceneCounts countsOfInput(const PlanOptions& options) {
-    const Molecule molecule = loadMolecule(options.input);
-    Representation scene = sceneOf(molecule, options.input.path, options.drawn, options.look);
-    const View view = viewOf(options.camera, scene.radius, options.size.width, options.size.height);
-    const double pixels = options.meshError * (options.edges ? 0.25 : 1.0);
+    const Molecule molecule = loadMolecule(options.picture.input);
+    Representation scene = sceneOf(molecule, options.picture.input.path, options.picture.drawn, options.picture.look);
+    const View view =
+        viewOf(options.picture.camera, scene.radius, options.picture.size.width, options.picture.size.height);
+    const double pixels = options.picture.meshError * (options.edges ? 0.25 : 1.0);
     return countsOf(std::move(scene), view, pixels);
+}
+
+struct PlannedFrame {
+    Visibility visibility;
+    std::uint32_t frames;  ///< that a picture is the mean of
+    ScreenFrame frame;
+    graph::Plan plan;
+};
+
+/// The frame as some effects have it, by what the report says of device and path.
+PlannedFrame framePlanned(const PlanOptions& options, const PlanReport& report, const SceneCounts& counts,
+                          const Effects& effects) {
+    const bool rims = effects.rims();
+    const Visibility visibility = rims ? Visibility::deferred : report.visibility;
+    ScreenOptions screen{report.extent, visibility, report.encoded, {VK_FORMAT_R8_UNORM, {1024, 1024}}, {}};
+    screen.targets = kScreenTargets;
+    screen.rims = rims;
+    screen.prepass = graph::platesReject(visibility, report.plannedWith);
+    if (counts.translucent > 0) screen.translucentLayers = kTranslucentLayers;
+    screen.layersByTiles = counts.translucent > 0 && visibility == Visibility::tiles;
+    screen.edges = options.edges && visibility == Visibility::tiles && counts.translucent == 0;
+    constexpr std::uint32_t kShadowPixels = 1024;  // of all but the largest scenes
+    screen.shadowPixels = effects.shadow.strength > 0 ? kShadowPixels : 0;
+    const std::uint32_t frames = options.edges && !screen.edges ? RenderSettings::kEdgeSamples : 1;
+    PlannedFrame planned{visibility, frames, screenFrame(screen), {}};
+    for (const graph::Image target : planned.frame.targets) planned.frame.graph.output(target);
+    planned.plan = graph::compile(planned.frame.graph, report.plannedWith);
+    return planned;
+}
+
+/// What each effect that is on costs by itself: the frame with it beside the frame without any.
+std::vector<EffectCost> costsOf(const PlanOptions& options, const PlanReport& report, const SceneCounts& counts) {
+    const Effects& asked = options.picture.effects;
+    std::vector<std::pair<const char*, Effects>> alone;
+    const auto add = [&](const char* name, auto change) {
+        alone.emplace_back(name, Effects{});
+        change(alone.back().second);
+    };
+    if (asked.contours.width > 0) add("contours", [&](Effects& e) { e.contours.width = asked.contours.width; });
+    if (asked.linesByGroups()) add("contour-weights 3", [&](Effects& e) { e.contours = asked.contours; });
+    if (asked.halos.width > 0) add("halos", [&](Effects& e) { e.halos = asked.halos; });
+    if (asked.fog.range != Fog::Range::off) add("fog", [&](Effects& e) { e.fog = asked.fog; });
+    if (asked.shadow.strength > 0 && options.picture.lighting)
+        add("shadow", [&](Effects& e) { e.shadow = asked.shadow; });
+    if (asked.clip.on()) add("clip", [&](Effects& e) { e.clip = asked.clip; });
+    const PlannedFrame none = framePlanned(options, report, counts, {});
+    const auto has = [&](const std::string& pass) {
+        const auto& passes = none.frame.graph.passes();
+        return std::any_of(passes.begin(), passes.end(), [&](const graph::PassDecl& p) { return p.name == pass; });
+    };
+    std::vector<EffectCost> costs;
+    for (const auto& [name, effects] : alone) {
+        const PlannedFrame with = framePlanned(options, report, counts, effects);
+        const auto more = [](std::uint64_t a, std::uint64_t b) {
+            return static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b);
+        };
+        EffectCost cost{name, visibilityName(with.visibility), {}, with.frames, 0, 0, 0};
+        for (const graph::PassDecl& pass : with.frame.graph.passes())
+            if (!has(pass.name)) cost.passes.push_back(pass.name);
+        cost.loaded = more(with.plan.total.loaded, none.plan.total.loaded);
+        cost.stored = more(with.plan.total.stored, none.plan.total.stored);
+        cost.tileBytes = more(graph::tileBytesPerPixel(with.plan), graph::tileBytesPerPixel(none.plan));
+        costs.push_back(std::move(cost));
+    }
+    return costs;
 }
 
 std::string joined(const graph::Graph& graph, const std::vector<std::uint32_t>& passes) {
@@ -67,33 +133,26 @@ std::string joined(const graph::Graph& graph, const std::vector<std::uint32_t>& 
 }  // namespace
 
 PlanReport planReport(const PlanOptions& options) {
-    PlanReport report{{}, {}, {}, {}, {}, {}, {options.size.width, options.size.height}, {}, {}, {}, graph::Graph(""),
-                      {}};
+    const Size& size = options.picture.size;
+    PlanReport report{{}, {}, {}, {}, {}, {}, {size.width, size.height}, {}, {}, {}, graph::Graph(""), {}};
     if (options.caps.empty())
         chooseByDevice(options, report);
     else
         chooseBySet(options, report);
-    if (options.rims && report.visibility != Visibility::deferred) {
-        report.visibility = Visibility::deferred;
-        report.why = "lines and halos ask which primitive a pixel shows";
-    }
-    ScreenOptions screen{report.extent, report.visibility, report.encoded, {VK_FORMAT_R8_UNORM, {1024, 1024}}, {}};
-    screen.targets = kScreenTargets;
-    screen.rims = options.rims;
-    screen.prepass = graph::platesReject(report.visibility, report.plannedWith);
-    const bool scene = !options.input.path.empty();
-    const SceneCounts counts = scene ? countsOfInput(options) : SceneCounts();
-    if (counts.translucent > 0) screen.translucentLayers = kTranslucentLayers;
-    screen.layersByTiles = counts.translucent > 0 && report.visibility == Visibility::tiles;
-    screen.edges = options.edges && report.visibility == Visibility::tiles && counts.translucent == 0;
-    if (options.edges && !screen.edges) report.frames = RenderSettings::kEdgeSamples;
-    constexpr std::uint32_t kShadowPixels = 1024;  // of all but the largest scenes
-    screen.shadowPixels = options.shadow ? kShadowPixels : 0;
-    report.frame = screenFrame(screen);
-    for (const graph::Image target : report.frame.targets) report.frame.graph.output(target);
     graph::PlanCaps& caps = report.plannedWith;
     caps.merge = caps.merge && options.merge;
-    report.plan = graph::compile(report.frame.graph, caps);
+    const bool scene = !options.picture.input.path.empty();
+    const SceneCounts counts = scene ? countsOfInput(options) : SceneCounts();
+    report.costs = costsOf(options, report, counts);
+    Effects effects = options.picture.effects;
+    if (!options.picture.lighting) effects.shadow = {};
+    if (effects.rims() && report.visibility != Visibility::deferred)
+        report.why = "lines and halos ask which primitive a pixel shows";
+    PlannedFrame planned = framePlanned(options, report, counts, effects);
+    report.visibility = planned.visibility;
+    report.frames = planned.frames;
+    report.frame = std::move(planned.frame);
+    report.plan = std::move(planned.plan);
     graph::PlanCaps alone = caps;
     alone.merge = false;
     report.unmerged = graph::compile(report.frame.graph, alone);

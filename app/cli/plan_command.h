@@ -13,6 +13,16 @@
 
 namespace nacre::app {
 
+/// What an effect adds to a frame that has no other.
+struct EffectCost {
+    std::string option;               ///< without its dashes
+    const char* visibility;           ///< that it is drawn by
+    std::vector<std::string> passes;  ///< that the frame without it has not
+    std::uint32_t frames;             ///< that a picture is the mean of
+    std::int64_t loaded, stored;      ///< bytes a frame
+    std::int64_t tileBytes;           ///< a pixel
+};
+
 struct PlanReport {
     std::string caps;  ///< name of the capability set or device
     graph::PlanCaps plannedWith;
@@ -28,6 +38,7 @@ struct PlanReport {
     std::uint32_t frames = 1;              ///< that a picture is the mean of
     std::vector<PassGeometry> geometry{};  ///< of the scene that was given
     std::vector<MeshLevelCount> meshLevels{};
+    std::vector<EffectCost> costs{};  ///< of the effects that are on
 };
 
 /// @throws Error if there is no such device, or it cannot encode depth as asked for

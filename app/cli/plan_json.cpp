@@ -97,6 +97,19 @@ Json imagesJson(const graph::Graph& graph, const graph::Plan& plan) {
     return list;
 }
 
+Json costsJson(const PlanReport& report) {
+    Json list = Json::array();
+    for (const EffectCost& cost : report.costs)
+        list.push_back({{"option", cost.option},
+                        {"visibility", cost.visibility},
+                        {"passes", cost.passes},
+                        {"frames", cost.frames},
+                        {"loaded", cost.loaded},
+                        {"stored", cost.stored},
+                        {"tile_bytes_per_pixel", cost.tileBytes}});
+    return list;
+}
+
 }  // namespace
 
 std::string planJson(const PlanReport& report) {
@@ -125,6 +138,7 @@ std::string planJson(const PlanReport& report) {
                             {"buffers", buffersJson(report.frame.graph, report.plan)},
                             {"unmerged_images", imagesJson(report.frame.graph, report.unmerged)},
                             {"paper_images", imagesJson(report.paperGraph, report.paper)}};
+    if (!report.costs.empty()) json["costs"] = costsJson(report);
     if (!report.geometry.empty())
         json["geometry"] = geometryJson(report.geometry, report.plannedWith.geometry.storesVaryings);
     if (!report.meshLevels.empty()) json["mesh_levels"] = meshLevelsJson(report.meshLevels);

@@ -165,6 +165,20 @@ void memoryText(std::ostream& out, const PlanReport& report) {
     table(out, "  ", rows, 1);
 }
 
+/// What each effect adds, by itself, to the frame without any.
+void costsText(std::ostream& out, const PlanReport& report) {
+    out << "\nwhat each option adds to a frame without the others\n";
+    std::vector<Row> rows{{"option", "passes that it needs", "B loaded", "stored", "on the tile, B a pixel", "frames"}};
+    const auto more = [](std::int64_t bytes) {
+        const std::string number = grouped(static_cast<std::uint64_t>(std::abs(bytes)));
+        return bytes > 0 ? "+" + number : bytes < 0 ? "-" + number : "0";
+    };
+    for (const EffectCost& cost : report.costs)
+        rows.push_back({"--" + cost.option, list(cost.passes, "none: some instructions of those there are"),
+                        more(cost.loaded), more(cost.stored), more(cost.tileBytes), std::to_string(cost.frames)});
+    table(out, "  ", rows, 2);
+}
+
 void geometryText(std::ostream& out, const PlanReport& report) {
     const bool stored = report.plannedWith.geometry.storesVaryings;
     out << "\nvertices of the scene, and what they hand to fragments"
@@ -205,6 +219,7 @@ std::string planText(const PlanReport& report) {
     }
     passesText(out, report);
     memoryText(out, report);
+    if (!report.costs.empty()) costsText(out, report);
     if (!report.geometry.empty()) geometryText(out, report);
     if (!report.meshLevels.empty()) levelsText(out, report);
     if (!report.facts.empty()) out << "\nwhat is known of " << report.caps << '\n';

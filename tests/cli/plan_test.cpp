@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/plan_command.h"
@@ -14,7 +15,7 @@ using Json = nlohmann::json;
 PlanOptions phone(const std::string& caps) {
     PlanOptions options;
     options.caps = caps;
-    options.size = {1170, 2532};
+    options.picture.size = {1170, 2532};
     return options;
 }
 Json jsonOf(const PlanOptions& options) { return Json::parse(planJson(planReport(options))); }
@@ -45,7 +46,7 @@ TEST(Plan, OfMaliIsOneRenderPassWhoseTrafficIsTheColourAlone) {
 TEST(Plan, CountsTheGeometryOfASceneThatIsGiven) {
     PlanOptions options = phone("mali");
     EXPECT_FALSE(jsonOf(options).contains("geometry"));
-    options.input.path = "sample:dna";
+    options.picture.input.path = "sample:dna";
     const Json mali = jsonOf(options)["geometry"];
     const std::uint64_t spheres = mali["passes"][0]["triangles"].get<std::uint64_t>() / 18;  // domes of three octagons
     EXPECT_GT(spheres, 400u);
@@ -53,11 +54,11 @@ TEST(Plan, CountsTheGeometryOfASceneThatIsGiven) {
     EXPECT_EQ(mali["varying_bytes"], spheres * (24 * 16 + 9 * 32 + 9 * 52));
     EXPECT_EQ(mali["memory_bytes"]["stored"], mali["varying_bytes"]);
     EXPECT_NE(planText(planReport(options)).find("through memory: written once, read once"), std::string::npos);
-    options.camera.zoom = 0.1;  // squares, where corners cost more than fragments
+    options.picture.camera.zoom = 0.1;  // squares, where corners cost more than fragments
     EXPECT_EQ(jsonOf(options)["geometry"]["vertices"], spheres * (4 + 4 + 4));
-    options.camera.zoom = 1000;  // nearly all is off the picture
+    options.picture.camera.zoom = 1000;  // nearly all is off the picture
     EXPECT_LT(jsonOf(options)["geometry"]["vertices"], spheres * (24 + 9 + 9));
-    options.camera.zoom = 0.1;
+    options.picture.camera.zoom = 0.1;
     options.caps = "adreno";
     const Json adreno = jsonOf(options)["geometry"];
     EXPECT_EQ(adreno["memory_bytes"]["stored"], 0);
@@ -66,7 +67,7 @@ TEST(Plan, CountsTheGeometryOfASceneThatIsGiven) {
 
 TEST(Plan, AShadowIsAMapThatLeavesTheTileAndNothingElseDoes) {
     PlanOptions options = phone("mali");
-    options.shadow = true;
+    options.picture.effects.shadow.strength = 0.5;
     const Json json = jsonOf(options);
     ASSERT_EQ(json["render_passes"].size(), 2u);
     EXPECT_EQ(json["render_passes"][0]["subpasses"][0]["writes"], Json({"shadow map"}));
@@ -81,7 +82,8 @@ TEST(Plan, AShadowIsAMapThatLeavesTheTileAndNothingElseDoes) {
 TEST(Plan, LinesAndHalosStayOnTheTileWhateverThePath) {
     for (const char* caps : {"mali", "adreno", "powervr"}) {
         PlanOptions options = phone(caps);
-        options.rims = true;
+        options.picture.effects.halos.width = 5;
+        options.picture.effects.contours = {1, 1.5, 3};
         const Json json = jsonOf(options);
         ASSERT_EQ(json["render_passes"].size(), 1u) << caps;
         EXPECT_EQ(json["render_passes"][0]["subpasses"][1]["writes"], Json({"lines and halos"}));
@@ -91,12 +93,44 @@ TEST(Plan, LinesAndHalosStayOnTheTileWhateverThePath) {
     }
 }
 
+TEST(Plan, TellsWhatEachOptionOfTheLookCosts) {
+    PlanOptions options = phone("mali");
+    EXPECT_FALSE(jsonOf(options).contains("costs"));
+    Effects& effects = options.picture.effects;
+    effects.contours = {1, 1.5, 3};
+    effects.halos.width = 5;
+    effects.fog.range = Fog::Range::automatic;
+    effects.shadow.strength = 0.5;
+    effects.clip.near = 0;
+    const Json costs = jsonOf(options)["costs"];
+    std::map<std::string, Json> of;
+    for (const Json& cost : costs) of[cost["option"]] = cost;
+    ASSERT_EQ(of.size(), 6u);
+    for (const char* free : {"contours", "fog", "clip"}) {
+        EXPECT_EQ(of[free]["passes"], Json::array());
+        for (const char* key : {"loaded", "stored", "tile_bytes_per_pixel"}) EXPECT_EQ(of[free][key], 0) << free;
+    }
+    constexpr int kMap = 1024 * 1024 * 4;
+    EXPECT_EQ(of["shadow"]["passes"], Json({"shadow map"}));
+    EXPECT_EQ(of["shadow"]["loaded"], kMap);
+    EXPECT_EQ(of["shadow"]["stored"], kMap);
+    for (const char* rims : {"halos", "contour-weights 3"}) {
+        EXPECT_EQ(of[rims]["passes"], Json({"nearest primitive", "lines and halos"}));
+        EXPECT_EQ(of[rims]["loaded"], 0);
+        EXPECT_EQ(of[rims]["stored"], 0);
+        EXPECT_EQ(of[rims]["tile_bytes_per_pixel"], 4);
+    }
+    EXPECT_NE(planText(planReport(options)).find("--fog                none: some instructions"), std::string::npos);
+    options.picture.lighting = false;  // then nothing is shadowed
+    EXPECT_EQ(jsonOf(options)["costs"].size(), 5u);
+}
+
 TEST(Plan, TranslucentLayersLeaveTheTileAndTheOpaqueFrameStaysOnIt) {
     PlanOptions options = phone("mali");
-    options.input.path = "sample:glucose";
-    options.look.style = Style::surface;
+    options.picture.input.path = "sample:glucose";
+    options.picture.look.style = Style::surface;
     const Json opaque = jsonOf(options);
-    options.look.surfaceOpacity = 0.5;
+    options.picture.look.surfaceOpacity = 0.5;
     const Json json = jsonOf(options);
     ASSERT_EQ(json["render_passes"].size(), 3u);
     for (std::size_t i : {0, 1}) EXPECT_EQ(json["render_passes"][i]["subpasses"].size(), 1u);
@@ -132,7 +166,7 @@ TEST(Plan, OfAppleIsOneSubpassWithoutInputAttachment) {
 
 TEST(Plan, EncodedOnAppleLeavesTheTileOnce) {
     PlanOptions options = phone("apple-moltenvk");
-    options.device.visibility = Visibility::encoded;
+    options.picture.device.visibility = Visibility::encoded;
     const Json json = jsonOf(options);
     ASSERT_EQ(json["render_passes"].size(), 2u);
     for (const Json& pass : json["render_passes"]) {
@@ -154,7 +188,7 @@ TEST(Plan, UnmergedPrintsThePlanThatMergedIsComparedWith) {
 TEST(Plan, SaysOfEveryPassWhatProfilersAsk) {
     for (const Visibility path : {Visibility::encoded, Visibility::fragdepth, Visibility::deferred}) {
         PlanOptions options = phone("mali");
-        options.device.visibility = path;
+        options.picture.device.visibility = path;
         const Json passes = jsonOf(options)["passes"];
         ASSERT_GE(passes.size(), 2u);
         for (const Json& pass : passes) {
@@ -198,7 +232,7 @@ TEST(Plan, DotHasABoxForEveryRenderPassAndBalances) {
 
 TEST(Plan, OfTilesTellsTheComputePassAndWhatItHandsOn) {
     PlanOptions options = phone("");
-    options.device.visibility = Visibility::tiles;
+    options.picture.device.visibility = Visibility::tiles;
     const Json json = jsonOf(options);
     ASSERT_EQ(json["compute_passes"].size(), 1u);
     EXPECT_EQ(json["compute_passes"][0],
@@ -207,10 +241,11 @@ TEST(Plan, OfTilesTellsTheComputePassAndWhatItHandsOn) {
     EXPECT_EQ(json["render_passes"][0]["subpasses"][0]["reads"], (Json{"primitive numbers", "occlusion atlas"}));
     // Whole bins of 16 x 16 pixels.
     const std::uint64_t numbers =
-        4 * ((options.size.width + 15ull) / 16 * 16) * ((options.size.height + 15ull) / 16 * 16);
+        4 * ((options.picture.size.width + 15ull) / 16 * 16) * ((options.picture.size.height + 15ull) / 16 * 16);
     EXPECT_EQ(json["memory_bytes"]["buffers"][0],
               (Json{{"name", "primitive numbers"}, {"loaded", numbers}, {"stored", numbers}}));
-    EXPECT_EQ(json["memory_bytes"]["stored"], numbers + 4ull * options.size.width * options.size.height);
+    EXPECT_EQ(json["memory_bytes"]["stored"],
+              numbers + 4ull * options.picture.size.width * options.picture.size.height);
     const std::string text = planText(planReport(options));
     for (const char* word : {"compute: nearest primitive", "primitive numbers (buffer)", "visibility tiles"})
         EXPECT_NE(text.find(word), std::string::npos) << text;
@@ -221,7 +256,7 @@ TEST(Plan, OfTilesTellsTheComputePassAndWhatItHandsOn) {
 
 TEST(Plan, OfAPictureTellsHowItsEdgesAreDrawn) {
     PlanOptions options = phone("");
-    options.device.visibility = Visibility::tiles;
+    options.picture.device.visibility = Visibility::tiles;
     options.edges = true;
     const Json json = jsonOf(options);
     EXPECT_EQ(json["frames"], 1);
@@ -236,21 +271,21 @@ TEST(Plan, OfAPictureTellsHowItsEdgesAreDrawn) {
     ASSERT_EQ(json["render_passes"][0]["subpasses"].size(), 1u);
     EXPECT_EQ(json["render_passes"][0]["subpasses"][0]["name"], "impostor colour + edge colour");
     EXPECT_EQ(planText(planReport(options)).find("the mean of"), std::string::npos);
-    options.device.visibility = Visibility::encoded;
+    options.picture.device.visibility = Visibility::encoded;
     EXPECT_EQ(jsonOf(options)["frames"], 16);
     EXPECT_NE(planText(planReport(options)).find("a picture is the mean of 16 such frames"), std::string::npos);
 }
 
 TEST(Plan, RefusesWhatTheDeviceCannotDo) {
     PlanOptions options = phone("mali");
-    options.device.encoded = EncodedDepth::r32f;
+    options.picture.device.encoded = EncodedDepth::r32f;
     EXPECT_THROW(planReport(options), Error);
-    options.device.encoded = EncodedDepth::rgba8;
+    options.picture.device.encoded = EncodedDepth::rgba8;
     EXPECT_EQ(jsonOf(options)["tile_bytes_per_pixel"], 8);
     options = phone("powervr");
-    options.device.visibility = Visibility::rasterOrder;
+    options.picture.device.visibility = Visibility::rasterOrder;
     EXPECT_THROW(planReport(options), Error);  // the user's, not the graph's
-    options.device.visibility = Visibility::tiles;
+    options.picture.device.visibility = Visibility::tiles;
     EXPECT_THROW(planReport(options), Error);
 }
 

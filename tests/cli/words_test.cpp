@@ -18,7 +18,9 @@ using test::Outcome;
 using test::TemporaryFolder;
 
 std::vector<float> pixelsOf(const std::string& path) {
-    const auto input = OIIO::ImageInput::open(path);
+    OIIO::ImageSpec config;
+    config.attribute("oiio:UnassociatedAlpha", 1);
+    const auto input = OIIO::ImageInput::open(path, &config);
     if (!input) return {};
     const OIIO::ImageSpec& spec = input->spec();
     std::vector<float> pixels(static_cast<std::size_t>(spec.width * spec.height * spec.nchannels));
@@ -53,6 +55,41 @@ TEST(WordOptions, EachPutsInkIntoThePictureAndAViewKeepsIt) {
         ASSERT_EQ(nacreIn(folder, "render --view v.json --size 200x160 --occlusion off -o b.png").code, 0) << keys;
         EXPECT_TRUE(test::contentOf(folder / "a.png") == test::contentOf(folder / "b.png")) << keys;
     }
+}
+
+TEST(PictureOptions, TransparentEdgesAreRightOnBlackAndOnWhite) {
+    const TemporaryFolder folder;
+    const std::string draw = "render sample:dna --size 160x160 --occlusion off --look default -o ";
+    ASSERT_EQ(nacreIn(folder, draw + "open.png --transparent").code, 0);
+    const std::vector<float> open = pixelsOf(folder / "open.png");
+    for (const float ground : {0.0f, 1.0f}) {
+        ASSERT_EQ(nacreIn(folder, draw + "on.png --background " + (ground > 0 ? "white" : "black")).code, 0);
+        const std::vector<float> on = pixelsOf(folder / "on.png");
+        ASSERT_EQ(open.size() / 4, on.size() / 3);
+        double sum = 0;
+        for (std::size_t i = 0; i < on.size(); ++i) {
+            const float alpha = open[i / 3 * 4 + 3];
+            const float mixed = open[i / 3 * 4 + i % 3] * alpha + (1 - alpha) * ground;
+            sum += (mixed - on[i]) * (mixed - on[i]);
+        }
+        EXPECT_GT(10 * std::log10(static_cast<double>(on.size()) / sum), 45) << ground;
+    }
+}
+
+TEST(PictureOptions, AThumbnailIsSmallAndTurnedToItsAxes) {
+    const TemporaryFolder folder;
+    const auto draws = [&](const std::string& options) {
+        const Outcome outcome = nacreIn(folder, "render sample:dna --occlusion 4 -o a.png " + options);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return test::contentOf(folder / "a.png");
+    };
+    const std::string small = draws("--size 64x64 --orient principal --occlusion-detail 12");
+    EXPECT_TRUE(draws("--thumbnail 64") == small);
+    EXPECT_TRUE(draws("--thumbnail 256 --size 64x64") == small);
+    EXPECT_FALSE(draws("--thumbnail 64 --orient file") == small);
+    std::ofstream(folder / "jobs") << R"({"input": "sample:dna", "output": "b.png", "thumbnail": 64, "occlusion": 4})";
+    EXPECT_EQ(nacreIn(folder, "batch jobs").code, 0);
+    EXPECT_TRUE(test::contentOf(folder / "b.png") == small);
 }
 
 TEST(WordOptions, LayersAndDebugViewsHaveNoWords) {
