@@ -114,33 +114,36 @@ void Bake::release() {
     firstOfSphere_.clear();
 }
 
-/// What lies between four texels of a patch, as one word: those of spheres row by row, then those of cylinders.
+/// Patches as shaders of software devices read them: rows of words of four texels, the last of which is the next word's
+/// first (shaders/common/color.glsl). Those of spheres, then those of cylinders.
 void Bake::makeCells(std::span<const std::uint8_t> texels) {
     const OcclusionLayout& l = layout_;
     if (!device_.caps().tiles.shade || l.sphereEdge < 2) return;
-    const std::uint64_t cells = std::uint64_t{l.sphereCount} * (l.sphereEdge - 1) * (l.sphereEdge - 1) +
-                                std::uint64_t{l.cylinderCount} * (l.around - 1) * (l.along - 1) +
+    constexpr auto wordsOf = [](std::uint32_t across) { return (across + 1) / 3; };
+    const std::uint64_t words = std::uint64_t{l.sphereCount} * wordsOf(l.sphereEdge) * l.sphereEdge +
+                                std::uint64_t{l.cylinderCount} * wordsOf(l.around) * l.along +
                                 (std::uint64_t{l.vertexCount} + 1) / 2;
-    const std::uint64_t bytes = cells * sizeof(std::uint32_t);
+    const std::uint64_t bytes = words * sizeof(std::uint32_t);
     if (bytes + 2 * texels.size() > budgetBytes_ || bytes > device_.caps().maxStorageBufferBytes) return;
     cells_ = gpu::makeBuffer(device_, bytes, Usage::eUniformTexelBuffer, gpu::Access::upload, "occlusion cells");
     cellTexels_ = gpu::makeTexelView(device_, cells_, vk::Format::eR32Uint, "occlusion cells");
-    auto* cell = reinterpret_cast<std::uint32_t*>(cells_.mapped);
+    auto* word = reinterpret_cast<std::uint32_t*>(cells_.mapped);
     const auto add = [&](std::uint32_t patch, std::uint32_t inRow, std::uint32_t top, std::uint32_t across,
                          std::uint32_t down) {
-        const std::uint8_t* corner =
+        const std::uint8_t* row =
             texels.data() + (top + std::size_t{patch / inRow} * down) * l.width + std::size_t{patch % inRow} * across;
-        for (std::uint32_t y = 0; y + 1 < down; ++y)
-            for (std::uint32_t x = 0; x + 1 < across; ++x) {
-                const std::uint8_t *here = corner + std::size_t{y} * l.width + x, *below = here + l.width;
-                *cell++ = here[0] | std::uint32_t{here[1]} << 8 | std::uint32_t{below[0]} << 16 |
-                          std::uint32_t{below[1]} << 24;
+        for (std::uint32_t y = 0; y < down; ++y, row += l.width)
+            for (std::uint32_t x = 0; x + 1 < across; x += 3) {
+                const std::uint32_t here = std::min(across - x, 4u);
+                std::uint32_t four = 0;
+                for (std::uint32_t i = 0; i < here; ++i) four |= std::uint32_t{row[x + i]} << 8 * i;
+                *word++ = four;
             }
     };
     for (std::uint32_t i = 0; i < l.sphereCount; ++i) add(i, l.spherePatches(), 0, l.sphereEdge, l.sphereEdge);
     for (std::uint32_t i = 0; i < l.cylinderCount; ++i) add(i, l.cylinderPatches(), l.sphereRows, l.around, l.along);
     if (l.vertexCount > 0)
-        std::memcpy(cell, texels.data() + std::size_t{l.sphereRows + l.cylinderRows} * l.width,
+        std::memcpy(word, texels.data() + std::size_t{l.sphereRows + l.cylinderRows} * l.width,
                     2 * std::size_t{l.vertexCount});
 }
 

@@ -57,29 +57,36 @@ float vertexTexelOfAtlas(uint vertex, uint side) {
     return texelFetch(occlusionAtlas, clamp(vertexPlace(vertex, side), ivec2(0), last), 0).r;
 }
 #ifdef CELLS
-/// A word a cell, with its four texels: what software devices gather in the time of one.
+/// Texels in words of four: software devices gather a word in the time of a texel. A row's last texel in a word is the first
+/// of the next, so that two words hold a cell. (One word a cell, with its four texels, were three times as much memory: most
+/// of the time went by waiting for it.)
 layout(set = 0, binding = CELLS) uniform usamplerBuffer cellTexels;
-float cellTexel(uint firstCell, vec2 uv, vec2 texels) {
+uint wordsOf(uint texels) { return (texels + 1u) / 3u; }
+float cellTexel(uint firstWord, vec2 uv, vec2 texels) {
     Cell cell = cellOf(uv, texels);
-    uint four = texelFetch(cellTexels, int(firstCell + uint(cell.first.y * (texels.x - 1.0) + cell.first.x))).x;
-    return between(vec4(four & 0xffu, four >> 8 & 0xffu, four >> 16 & 0xffu, four >> 24), cell.share);
+    float word = floor((cell.first.x + 0.5) * (1.0 / 3.0));
+    uint inRow = wordsOf(uint(texels.x)), at = firstWord + uint(cell.first.y * float(inRow) + word);
+    uint above = texelFetch(cellTexels, int(at)).x, below = texelFetch(cellTexels, int(at + inRow)).x;
+    uint shift = uint((cell.first.x - 3.0 * word) * 8.0);
+    above >>= shift;
+    below >>= shift;
+    return between(vec4(above & 0xffu, above >> 8 & 0xffu, below & 0xffu, below >> 8 & 0xffu), cell.share);
 }
-uint sphereCells() { return (sphereEdge() - 1u) * (sphereEdge() - 1u); }
+uint sphereWords() { return wordsOf(sphereEdge()) * sphereEdge(); }
+uint cylinderWords() { return wordsOf(cylinderTexels().x) * cylinderTexels().y; }
 float sphereTexel(uint index, vec2 uv) {
     vec2 texels = vec2(sphereEdge());
-    return kCells ? cellTexel(index * sphereCells(), uv, texels) : patchTexel(patchPlace(spherePatch(index)), uv, texels);
+    return kCells ? cellTexel(index * sphereWords(), uv, texels) : patchTexel(patchPlace(spherePatch(index)), uv, texels);
 }
 float cylinderTexel(uint index, vec2 uv) {
     uvec2 texels = cylinderTexels();
-    uint cells = (texels.x - 1u) * (texels.y - 1u);
-    if (kCells) return cellTexel(view.spheres * sphereCells() + index * cells, uv, vec2(texels));
+    if (kCells) return cellTexel(view.spheres * sphereWords() + index * cylinderWords(), uv, vec2(texels));
     return patchTexel(patchPlace(cylinderPatch(index)), uv, vec2(texels));
 }
-/// Vertices stand behind the cells, four texels a word.
+/// Vertices stand behind the patches, four texels a word.
 float vertexTexel(uint vertex, uint side) {
     if (!kCells) return vertexTexelOfAtlas(vertex, side);
-    uvec2 around = cylinderTexels();
-    uint at = 2u * vertex + side, first = view.spheres * sphereCells() + view.cylinders * (around.x - 1u) * (around.y - 1u);
+    uint at = 2u * vertex + side, first = view.spheres * sphereWords() + view.cylinders * cylinderWords();
     uint four = texelFetch(cellTexels, clamp(int(first + at / 4u), 0, textureSize(cellTexels) - 1)).x;
     return float(four >> 8u * (at & 3u) & 0xffu) * (1.0 / 255.0);
 }
