@@ -73,7 +73,7 @@ void main() {
         Entry e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
         // What stands out of a map's edge shows on none.
         bool mine = at + lane < end && copyIndex - firstCopy < copies;
-        uint balls = subgroupBallot(mine && e.meets && !e.cylinder).x;
+        uint balls = ballotOf(mine && e.meets && !e.cylinder);
         do {
             vec4 sphere = handed(e.a, lowestOf(balls));
             // sphereHitThrough() with what a column has in common first.
@@ -86,12 +86,11 @@ void main() {
             balls &= balls - 1u;
         } while (balls != 0u);
 #ifdef CYLINDERS
-        uint sticks = subgroupBallot(mine && e.meets && e.cylinder).x;
+        uint sticks = ballotOf(mine && e.meets && e.cylinder);
         do {
-            uint from = lowestOf(sticks);
-            vec4 endA = handed(e.a, from), endB = handed(e.b, from);
+            Stick stick = handed(e.stick, lowestOf(sticks));
             for (int i = 0; i < kPixels; ++i) {
-                Hit hit = cylinderHitThrough(endA.xyz, endB.xyz, endA.w, through[i]);
+                Hit hit = stickHitThrough(stick, through[i]);
                 top[i] = max(top[i], sticks != 0u && hit.inside ? view.origin - hit.Z : kNothing);
             }
             sticks &= sticks - 1u;
@@ -100,7 +99,7 @@ void main() {
         at += uint(kLanes);
         float lowest = top[0];
         for (int i = 1; i < kPixels; ++i) lowest = min(lowest, top[i]);
-        more = at < end && !subgroupAll(encodedDepth(view.origin - lowest) < subgroupShuffle(e.next, uint(kLanes - 1)));
+        more = at < end && anyLane(encodedDepth(view.origin - lowest) >= subgroupShuffle(e.next, uint(kLanes - 1)));
     } while (more);
     for (int i = 0; i < kPixels; ++i)
         heights[(own.y + uint((i * kLanes) / kTile)) * pitch + own.x + uint((i * kLanes) % kTile)] = top[i];

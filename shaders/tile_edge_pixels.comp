@@ -7,6 +7,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_vote : require
+#extension GL_KHR_shader_subgroup_ballot : require
 #extension GL_KHR_shader_subgroup_shuffle : require
 #include "common/layout.h"
 #include "common/changes.glsl"
@@ -15,6 +16,7 @@ layout(push_constant) uniform Push { TileConstants view; };
 layout(constant_id = kLanesId) const int kLanes = 8;
 layout(constant_id = kTilesInBinId) const int kTilesInBin = 2;
 layout(local_size_x_id = 14) in;  // kLanes
+#include "common/lanes.glsl"
 layout(constant_id = kContoursId) const bool kContours = false;
 layout(constant_id = kEverywhereId) const bool kEverywhere = false;
 // Pixels are coded words already, among which those of edges will stand; else edges are halves, and what is none is told.
@@ -83,7 +85,7 @@ void list(uint bits, uvec2 corner, uint to) {
         uvec2 pixel = corner + uvec2(bit & 3u, bit >> 2);
         if (bits != 0u) edgePixels[to++] = pixel.x | pixel.y << 16;
         bits &= bits - 1u;
-        more = subgroupAny(bits != 0u);
+        more = anyLane(bits != 0u);
     } while (more);
 }
 

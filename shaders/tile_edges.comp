@@ -61,9 +61,9 @@ void keep(int i, bool inside, float Z, uint sight) {
     seen[i] = wins ? sight : seen[i];
 }
 
-void keepCylinder(vec3 a, vec3 b, float radius, uint number, bool live) {
+void keepStick(Stick stick, uint number, bool live) {
     for (int i = 0; i < kSamples; ++i) {
-        Hit hit = cylinderHitThrough(a, b, radius, planePoint(corner + sampleAt(i)));
+        Hit hit = stickHitThrough(stick, planePoint(corner + sampleAt(i)));
         keep(i, live && hit.inside, hit.order, sightOf(hit, number));
     }
 }
@@ -140,7 +140,7 @@ void seeNothing() {
 bool goesOn(uint at, uint end, float next) {
     float farthest = nearest[0];
     for (int i = 1; i < kSamples; ++i) farthest = max(farthest, nearest[i]);
-    return at < end && !subgroupAll(encodedDepth(farthest) < subgroupShuffle(next, uint(kLanes - 1)));
+    return at < end && anyLane(encodedDepth(farthest) >= subgroupShuffle(next, uint(kLanes - 1)));
 }
 
 /// What the samples of the lanes' pixels see of the bin's list. @param lane  of the subgroup
@@ -164,12 +164,12 @@ void sampleList(uint at, uint end, uint lane) {
         do {
             bool mine = at + lane < end;
             e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
-            balls = subgroupBallot(mine && e.meets && !e.cylinder && !e.facet).x;
-            sticks = subgroupBallot(mine && e.meets && e.cylinder).x;
-            uint facets = subgroupBallot(mine && e.meets && e.facet).x;
+            balls = ballotOf(mine && e.meets && !e.cylinder && !e.facet);
+            sticks = ballotOf(mine && e.meets && e.cylinder);
+            uint facets = ballotOf(mine && e.meets && e.facet);
             do {
                 uint from = lowestOf(facets);
-                vec3 ca = handedCorner(e.a.xyz, from), cb = handedCorner(e.b.xyz, from), cc = handedCorner(e.c, from);
+                vec3 ca = handedCorner(e.a.xyz, from), cb = handedCorner(e.b, from), cc = handedCorner(e.c, from);
                 keepFacet(ca, cb, cc, subgroupShuffle(e.joins, from), subgroupShuffle(e.number, from), facets != 0u);
                 facets &= facets - 1u;
             } while (facets != 0u);
@@ -178,8 +178,8 @@ void sampleList(uint at, uint end, uint lane) {
 #else
         bool mine = at + lane < end;
         Entry e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
-        uint balls = subgroupBallot(mine && e.meets && !e.cylinder).x;
-        uint sticks = subgroupBallot(mine && e.meets && e.cylinder).x;
+        uint balls = ballotOf(mine && e.meets && !e.cylinder);
+        uint sticks = ballotOf(mine && e.meets && e.cylinder);
         at += uint(kLanes);
 #endif
         do {
@@ -190,8 +190,7 @@ void sampleList(uint at, uint end, uint lane) {
 #ifdef CYLINDERS
         do {
             uint from = lowestOf(sticks);
-            vec4 endA = handed(e.a, from), endB = handed(e.b, from);
-            keepCylinder(endA.xyz, endB.xyz, endA.w, subgroupShuffle(e.number, from), sticks != 0u);
+            keepStick(handed(e.stick, from), subgroupShuffle(e.number, from), sticks != 0u);
             sticks &= sticks - 1u;
         } while (sticks != 0u);
 #endif
@@ -209,7 +208,7 @@ uint lowestOut(inout uint candidates[9]) {
 bool anyOf(uint candidates[9]) {
     uint all = kNothing;
     for (int i = 0; i < 9; ++i) all &= candidates[i];
-    return subgroupAny(all != kNothing);
+    return anyLane(all != kNothing);
 }
 
 /// What the samples of a pixel see of the primitives that are seen in the middles of the pixels about it.
@@ -247,7 +246,7 @@ void sampleNeighbours(ivec2 pixel) {
         bool live = candidate != kNothing;
         uint at = 2u * place(live ? candidate + 1u : view.spheres + 1u) - view.spheres;
         vec4 shape = shapeAt(at);
-        keepCylinder(toView(shape.xyz), toView(shapeAt(at + 1u).xyz), shape.w, candidate + 1u, live);
+        keepStick(stickOf(toView(shape.xyz), toView(shapeAt(at + 1u).xyz), shape.w), candidate + 1u, live);
         more = anyOf(sticks);
     } while (more);
 #endif
@@ -300,7 +299,7 @@ vec4 shadeEdge() {
         }
         uint rest = 0u;
         for (int i = 0; i < kSamples; ++i) rest |= seen[i];
-        more = subgroupAny(rest != 0u);
+        more = anyLane(rest != 0u);
     } while (more);
     return vec4(light, covered) / (holes ? max(covered, 1.0) : float(kSamples));
 }

@@ -73,10 +73,10 @@ void main() {
     do {
         bool mine = at + lane < end;
         Entry e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
-        uint facets = subgroupBallot(mine && e.meets && e.facet).x;
+        uint facets = ballotOf(mine && e.meets && e.facet);
         do {
             uint from = lowestOf(facets);
-            vec3 a = handedCorner(e.a.xyz, from), b = handedCorner(e.b.xyz, from), c = handedCorner(e.c, from);
+            vec3 a = handedCorner(e.a.xyz, from), b = handedCorner(e.b, from), c = handedCorner(e.c, from);
             uint candidate = subgroupShuffle(e.number, from);
             bool live = facets != 0u;
             for (int i = 0; i < kPixels; ++i) keep(i, triangleHitThrough(a, b, c, 0u, through[i]), candidate, live);
@@ -85,7 +85,7 @@ void main() {
         at += uint(kLanes);
         float farthest = second[0];
         for (int i = 1; i < kPixels; ++i) farthest = max(farthest, second[i]);
-        more = at < end && !subgroupAll(farthest < subgroupShuffle(e.next, uint(kLanes - 1)));
+        more = at < end && anyLane(farthest >= subgroupShuffle(e.next, uint(kLanes - 1)));
     } while (more);
     // Row by row of all bins.
     uint pitch = view.across * uint(kTile * kTilesInBin);

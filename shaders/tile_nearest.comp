@@ -60,7 +60,7 @@ void keep(int i, Hit hit, uint candidate, bool live) {
 bool goesOn(uint at, uint end, float next) {
     float farthest = nearest[0];
     for (int i = 1; i < kPixels; ++i) farthest = max(farthest, nearest[i]);
-    return at < end && !subgroupAll(farthest < subgroupShuffle(next, uint(kLanes - 1)));
+    return at < end && anyLane(farthest >= subgroupShuffle(next, uint(kLanes - 1)));
 }
 
 layout(constant_id = kNumberedId) const bool kNumbered = false;
@@ -105,16 +105,91 @@ uint marked(uint sight, vec2 pixel, float width, float depth) {
 
 #ifdef SHADED
 layout(set = 0, binding = 8, std430) writeonly buffer PixelNumbers { uint pixelNumbers[]; };
+const uint kBalls = 0u, kSticks = 1u, kFacets = 2u;
 
-/// 0 where nothing is seen. @param seenNumber  becomes a sight
-uint colorAt(inout uint seenNumber, vec2 pixel) {
+/// @param seenNumber  becomes a sight @param kind  that it is of
+uint colorAt(inout uint seenNumber, vec2 pixel, uint kind) {
     vec2 q = planePoint(pixel);
-    uint number = max(seenNumber, 1u);
-    Seen seen = seenOf(number, q);
+    uint number = max(seenNumber, 1u), index = place(number);
+    Seen seen;
+#ifdef TRIANGLES
+    if (kind == kFacets)
+        seen = seenFacet(index, q);
+    else
+#endif
+#ifdef CYLINDERS
+    if (kind == kSticks)
+        seen = seenStick(index, q);
+    else
+#endif
+        seen = seenBall(index, q);
     vec3 color = colorOf(seen.hit, lookAt(seen.look), seen.occlusion, q);
     if (kNumbered) seenNumber = seenNumber == 0u ? 0u : sightOf(seen.hit, number);
     return seenNumber == 0u ? 0u : packUnorm4x8(vec4(color, 1.0));
 }
+
+#ifdef CYLINDERS
+layout(constant_id = kSpheresId) const bool kSpheres = true;
+layout(constant_id = kCylindersId) const bool kCylinders = true;
+layout(constant_id = kTrianglesId) const bool kTriangles = true;
+
+uint kindOf(uint number) {
+    uint index = number - 1u;
+    if (kCopies) index = divided(index, view.primitives).y;
+#ifdef TRIANGLES
+    if (isTriangle(index)) return kFacets;
+#endif
+    return index < view.spheres ? kBalls : kSticks;
+}
+
+/// Where the n-th bit of a word is that is set, from 0 on. By the bits of its bytes, of half a byte, of a quarter.
+uint placeOfBit(uint word, uint n) {
+    uint pairs = word - (word >> 1 & 0x55555555u);
+    uint fours = (pairs & 0x33333333u) + (pairs >> 2 & 0x33333333u);
+    uint upTo = (fours + (fours >> 4) & 0x0f0f0f0fu) * 0x01010101u;
+    uint at = 8u * (uint(n >= (upTo & 63u)) + uint(n >= (upTo >> 8 & 63u)) + uint(n >= (upTo >> 16 & 63u)));
+    n -= upTo << 8 >> at & 63u;
+    uint here = fours >> at & 7u;
+    at += n >= here ? 4u : 0u;
+    n -= n >= here ? here : 0u;
+    here = pairs >> at & 3u;
+    at += n >= here ? 2u : 0u;
+    n -= n >= here ? here : 0u;
+    return at + uint(n >= (word >> at & 1u));
+}
+
+/// Shades the tile's pixels of one kind, as many at a time as there are lanes: where a lane shows a stick, and its
+/// neighbour a ball, both would do the work of both.
+void shadeKind(uint kind, uvec2 corner, uint pitch, uint lane, float width, float depth) {
+    uint mine = 0u;  // a bit a pixel: of the lane, and of all of them, one after another
+    for (int i = 0; i < kPixels; ++i) mine |= number[i] != 0u && kindOf(number[i]) == kind ? 1u << i : 0u;
+    uvec2 bits = uvec2(0u);
+    for (int i = 0; i < kLanes; ++i) bits[i * kPixels / 32] |= subgroupShuffle(mine, uint(i)) << (i * kPixels % 32);
+    uint first = uint(bitCount(bits.x)), count = first + uint(bitCount(bits.y)), done = 0u;
+    do {
+        uint slot = done + lane;
+        bool second = slot >= first;
+        uint at = placeOfBit(second ? bits.y : bits.x, slot - (second ? first : 0u)) + (second ? 32u : 0u);
+        at &= uint(kTile * kTile - 1);  // lanes that are over
+        uint from = at / uint(kPixels), row = at % uint(kPixels), seen = 0u;
+        for (int i = 0; i < kPixels; ++i) {
+            uint there = subgroupShuffle(number[i], from);
+            seen = row == uint(i) ? there : seen;
+        }
+        seen = slot < count ? seen : 0u;
+        uint pixelOfTile = row * uint(kLanes) + from;
+        uvec2 on = corner + uvec2(pixelOfTile % uint(kTile), pixelOfTile / uint(kTile));
+        vec2 pixel = vec2(on) + 0.5;
+        uint color = colorAt(seen, pixel, kind);
+        uint sight = kNumbered ? marked(seen, pixel, width, depth) : 0u;
+        if (slot < count) {
+            numbers[on.y * pitch + on.x] = color;
+            if (kNumbered) pixelNumbers[on.y * pitch + on.x] = sight;
+        }
+        done += uint(kLanes);
+    } while (done < count);
+}
+#endif
 #endif
 
 void main() {
@@ -145,12 +220,12 @@ void main() {
         do {
             bool mine = at + lane < end;
             e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
-            balls = subgroupBallot(mine && e.meets && !e.cylinder && !e.facet).x;
-            sticks = subgroupBallot(mine && e.meets && e.cylinder).x;
-            uint facets = subgroupBallot(mine && e.meets && e.facet).x;
+            balls = ballotOf(mine && e.meets && !e.cylinder && !e.facet);
+            sticks = ballotOf(mine && e.meets && e.cylinder);
+            uint facets = ballotOf(mine && e.meets && e.facet);
             do {
                 uint from = lowestOf(facets);
-                vec3 a = handedCorner(e.a.xyz, from), b = handedCorner(e.b.xyz, from), c = handedCorner(e.c, from);
+                vec3 a = handedCorner(e.a.xyz, from), b = handedCorner(e.b, from), c = handedCorner(e.c, from);
                 uint candidate = subgroupShuffle(e.number, from);
                 bool live = facets != 0u;
                 for (int i = 0; i < kPixels; ++i) keep(i, triangleHitThrough(a, b, c, 0u, through[i]), candidate, live);
@@ -161,8 +236,8 @@ void main() {
 #else
         bool mine = at + lane < end;
         Entry e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
-        uint balls = subgroupBallot(mine && e.meets && !e.cylinder).x;
-        uint sticks = subgroupBallot(mine && e.meets && e.cylinder).x;
+        uint balls = ballotOf(mine && e.meets && !e.cylinder);
+        uint sticks = ballotOf(mine && e.meets && e.cylinder);
         at += uint(kLanes);
 #endif
         do {
@@ -176,11 +251,10 @@ void main() {
 #ifdef CYLINDERS
         do {
             uint from = lowestOf(sticks);
-            vec4 endA = handed(e.a, from), endB = handed(e.b, from);
+            Stick stick = handed(e.stick, from);
             uint candidate = subgroupShuffle(e.number, from);
             bool live = sticks != 0u;
-            for (int i = 0; i < kPixels; ++i)
-                keep(i, cylinderHitThrough(endA.xyz, endB.xyz, endA.w, through[i]), candidate, live);
+            for (int i = 0; i < kPixels; ++i) keep(i, stickHitThrough(stick, through[i]), candidate, live);
             sticks &= sticks - 1u;
         } while (sticks != 0u);
 #endif
@@ -193,15 +267,28 @@ void main() {
     view.contourWidth = 1e9;  // what was chosen and is not inside is on the line
     view.contourDepth = 0.0;
 #ifdef SHADED
+#ifdef CYLINDERS
+    for (int i = 0; i < kPixels; ++i) {
+        uvec2 on = uvec2(i * kLanes) / uvec2(1u, kTile) % uint(kTile);
+        numbers[here + on.y * pitch + on.x] = 0u;
+        if (kNumbered) pixelNumbers[here + on.y * pitch + on.x] = 0u;
+    }
+    if (kSpheres) shadeKind(kBalls, corner, pitch, lane, width, depth);
+    if (kCylinders) shadeKind(kSticks, corner, pitch, lane, width, depth);
+#ifdef TRIANGLES
+    if (kTriangles) shadeKind(kFacets, corner, pitch, lane, width, depth);
+#endif
+#else
     // A turn a pixel, unrolled by no compiler: they move up to the first register, which costs less than the code.
     uint i = 0u;
     do {
         uint seen = number[0];
         for (int k = 0; k + 1 < kPixels; ++k) number[k] = number[k + 1];
         uvec2 on = uvec2(i * uint(kLanes)) / uvec2(1u, kTile) % uint(kTile);
-        numbers[here + on.y * pitch + on.x] = colorAt(seen, first + vec2(on));
+        numbers[here + on.y * pitch + on.x] = colorAt(seen, first + vec2(on), kBalls);
         if (kNumbered) pixelNumbers[here + on.y * pitch + on.x] = marked(seen, first + vec2(on), width, depth);
     } while (++i < uint(kPixels));
+#endif
 #else
     for (int i = 0; i < kPixels; ++i) {
         uvec2 on = uvec2(i * kLanes) / uvec2(1u, kTile) % uint(kTile);

@@ -61,7 +61,12 @@ void findNearestByTiles(gpu::PassContext& context, const SceneView& view, std::o
     const gpu::ShaderWords code = nearestShader(caps.texels, tileScene(scene), atlas.has_value());
     gpu::ComputePipeline d{context.pass, code, {}, *layout.pipeline};
     setTileView(d.constants, view);
-    if (atlas) setShadingConstants(d.constants, view);
+    if (atlas) {
+        setShadingConstants(d.constants, view);
+        d.constants.set(layout::kSpheresId, scene.sphereCount > 0);
+        d.constants.set(layout::kCylindersId, scene.cylinderCount > 0);
+        d.constants.set(layout::kTrianglesId, scene.triangleCount > 0);
+    }
     d.constants.set(layout::kNumberedId, f.edges.drawn);
     d.constants.set(layout::kLanesId, caps.lanes);
     context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, context.pipelines.compute(d));

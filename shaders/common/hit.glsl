@@ -111,57 +111,148 @@ Hit sphereHitThrough(vec4 sphere, vec2 q) {
 
 Hit sphereHit(vec4 sphere, vec2 fragment) { return sphereHitThrough(sphere, planePoint(fragment)); }
 
-/// A cylinder with flat caps from a to b (view space), radius r.
-Hit cylinderHitThrough(vec3 a, vec3 b, float r, vec2 q) {
-    Hit hit = noHit();
-    precise vec3 origin = kPerspective ? vec3(0.0, 0.0, view.origin) : vec3(q, 0.0);
-    precise vec3 ray = kPerspective ? vec3(q, -view.origin) : vec3(0.0, 0.0, -1.0);
+/// A cylinder with flat caps as all pixels see it: what shaders that ask many of them find out once.
+struct Stick {
+    vec3 a;        // the middle of an end, view space
+    float radius;
+    vec3 axis;     // unit, from there to the other end
+    float len;
+    vec2 ahead;    // unit: the axis in the picture
+    float sine;    // of its angle to the view direction, and what one divides by
+    float perSine;
+    float perFall; // 1 / axis.z
+};
+Stick stickOf(vec3 a, vec3 b, float radius) {
     precise vec3 span = b - a;
     precise float len = sqrt(dot(span, span));
-    precise vec3 axis = span / len;
-    precise vec3 from = origin - a;
-    precise float fromAxis = dot(from, axis);
-    precise float rayAxis = dot(ray, axis);
-    precise vec3 fromSide = from - axis * fromAxis;
-    precise vec3 raySide = ray - axis * rayAxis;
+    precise float perLen = 1.0 / len;
+    precise vec3 axis = span * perLen;
+    precise float flat_ = sqrt(dot(axis.xy, axis.xy));
+    precise float sine = max(flat_, 1e-6);
+    precise float perSine = 1.0 / sine;
+    precise vec2 ahead = flat_ > 1e-6 ? axis.xy * perSine : vec2(1.0, 0.0);
+    precise float perFall = 1.0 / (abs(axis.z) > 1e-12 ? axis.z : 1e-12);
+    return Stick(a, radius, axis, len, ahead, sine, perSine, perFall);
+}
+
+/// A cylinder's hit where it is not cut, and what cuts and contour lines need to know.
+struct StickHit {
+    Hit hit;
+    float on;         // Å from a along the axis
+    float away2;      // square of the distance between axis and ray, as in
+    float inside;     // radius squared less it
+    vec2 silhouette;  // the point of the ray that is nearest to the axis: its Z, and how far along the axis it stands
+    vec2 cut;         // likewise that of the near clipping plane: how deep it lies, as cut() has it, and along the axis
+};
+
+/// Seen along parallel rays: the pixel's place beside the axis in the picture, and ahead along it, tell all.
+StickHit parallelStickHit(Stick c, vec2 q) {
+    StickHit found;
+    Hit hit = noHit();
+    float r = c.radius;
+    precise vec2 p = q - c.a.xy;
+    precise float beside = c.ahead.x * p.y - c.ahead.y * p.x;
+    precise float ahead = (c.ahead.x * p.x + c.ahead.y * p.y) * c.perSine;
+    precise float h = r * r - beside * beside;
+    precise float root = sqrt(abs(h));
+    precise float steep = c.axis.z * c.perSine;
+    precise float s = ahead + steep * root;
+    bool side = h > 0.0 && s >= 0.0 && s <= c.len;
+    // The cap that faces the viewer.
+    float capAt = c.axis.z < 0.0 ? 0.0 : c.len;
+    precise float across = (capAt - ahead) * (c.sine * c.perFall);
+    bool cap = !side && abs(c.axis.z) > 1e-12 && across * across < h;
+    precise float middle = view.origin - c.a.z;
+    precise float onSide = c.axis.z * ahead + root * c.perSine;
+    precise float onCap = c.axis.z * capAt + across * c.sine;
+    hit.inside = side || cap;
+    precise float Z = middle - (side ? onSide : onCap);
+    hit.Z = Z;
+    // The axis' picture, turned to the left, and what leans towards the viewer from the axis.
+    precise vec3 outwards = vec3(vec2(-c.ahead.y, c.ahead.x) * beside - c.ahead * (c.axis.z * root), c.sine * root) * (1.0 / r);
+    hit.normal = side ? outwards : c.axis.z < 0.0 ? -c.axis : c.axis;
+    found.hit = hit;
+    found.on = side ? s : capAt;
+    found.away2 = beside * beside;
+    found.inside = h;
+    precise float silhouetteZ = middle - c.axis.z * ahead;
+    found.silhouette = vec2(silhouetteZ, ahead);
+    precise float height = middle - view.clipNear;
+    precise float lean = c.sine * (height - c.axis.z * ahead);
+    precise float deep = 1.0 - (beside * beside + lean * lean) / (r * r);
+    precise float onCut = c.sine * (c.sine * ahead) + c.axis.z * height;
+    found.cut = vec2(deep, onCut);
+    return found;
+}
+
+/// Seen from the eye.
+StickHit pointStickHit(Stick c, vec2 q) {
+    StickHit found;
+    Hit hit = noHit();
+    float r = c.radius;
+    precise vec3 ray = vec3(q, -view.origin);
+    precise vec3 from = vec3(0.0, 0.0, view.origin) - c.a;
+    precise float fromAxis = dot(from, c.axis);
+    precise float rayAxis = dot(ray, c.axis);
+    precise vec3 fromSide = from - c.axis * fromAxis;
+    precise vec3 raySide = ray - c.axis * rayAxis;
     precise float A = dot(raySide, raySide);
-    precise float t0 = -dot(fromSide, raySide) / max(A, 1e-20);
+    precise float perA = 1.0 / max(A, 1e-20);
+    precise float t0 = -dot(fromSide, raySide) * perA;
     precise vec3 w = fromSide + raySide * t0;
-    precise float h = r * r - dot(w, w);
-    precise float t = t0 - sqrt(max(h, 0.0) / max(A, 1e-20));
+    precise float away2 = dot(w, w);
+    precise float h = r * r - away2;
+    precise float t = t0 - sqrt(max(h, 0.0) * perA);
     precise float s = fromAxis + rayAxis * t;
-    bool side = h > 0.0 && A > 1e-12 * dot(ray, ray) && s >= 0.0 && s <= len;
+    bool side = h > 0.0 && A > 1e-12 * dot(ray, ray) && s >= 0.0 && s <= c.len;
     // The cap that faces the viewer: at a if the ray runs along the axis, at b otherwise.
-    precise float capAt = rayAxis > 0.0 ? 0.0 : len;
+    precise float capAt = rayAxis > 0.0 ? 0.0 : c.len;
     precise float tCap = (capAt - fromAxis) / (abs(rayAxis) > 1e-12 ? rayAxis : 1e-12);
     precise vec3 wCap = fromSide + raySide * tCap;
     bool cap = !side && abs(rayAxis) > 1e-12 && dot(wCap, wCap) < r * r;
     precise float tHit = side ? t : tCap;
     hit.inside = side || cap;
-    hit.Z = kPerspective ? tHit * view.origin : view.origin + tHit;
+    hit.Z = tHit * view.origin;
+    hit.normal = side ? (fromSide + raySide * t) / r : (rayAxis > 0.0 ? -c.axis : c.axis);
+    found.hit = hit;
+    found.on = side ? s : capAt;
+    found.away2 = away2;
+    found.inside = h;
+    precise float s0 = fromAxis + rayAxis * t0;
+    found.silhouette = vec2(t0 * view.origin, A > 1e-12 * dot(ray, ray) ? s0 : -1.0);
+    precise float tCut = view.clipNear / view.origin;
+    precise vec3 wCut = fromSide + raySide * tCut;
+    precise float deep = 1.0 - dot(wCut, wCut) / (r * r);
+    precise float onCut = fromAxis + rayAxis * tCut;
+    found.cut = vec2(deep, onCut);
+    return found;
+}
+
+Hit stickHitThrough(Stick c, vec2 q) {
+    StickHit found;
+    if (kPerspective)
+        found = pointStickHit(c, q);
+    else
+        found = parallelStickHit(c, q);
+    Hit hit = found.hit;
     hit.order = hit.Z;
-    hit.normal = side ? (fromSide + raySide * t) / r : (rayAxis > 0.0 ? -axis : axis);
+    float on = found.on;
     if (kClip) {
-        precise float tCut = kPerspective ? view.clipNear / view.origin : view.clipNear - view.origin;
-        precise vec3 wCut = fromSide + raySide * tCut;
-        precise float sCut = fromAxis + rayAxis * tCut;
-        precise float deep = 1.0 - dot(wCut, wCut) / (r * r);
-        cut(hit, sCut >= 0.0 && sCut <= len ? deep : 0.0);
-        if (hit.cap) tHit = tCut;
+        cut(hit, found.cut.y >= 0.0 && found.cut.y <= c.len ? found.cut.x : 0.0);
+        if (hit.cap) on = found.cut.y;
     }
     if (kContours) {
-        precise float Z = kPerspective ? t0 * view.origin : view.origin + t0;
-        precise float s0 = fromAxis + rayAxis * t0;
-        bool along = s0 >= 0.0 && s0 <= len && A > 1e-12 * dot(ray, ray);
-        bool kept = !kClip || (Z >= view.clipNear && Z <= view.clipFar);
+        float Z = found.silhouette.x, along = found.silhouette.y;
+        bool kept = along >= 0.0 && along <= c.len && (!kClip || (Z >= view.clipNear && Z <= view.clipFar));
         // Inside of the silhouette nothing was hit but what was cut away.
-        precise float outside = along && kept && h <= 0.0 ? sqrt(dot(w, w)) - r : 1e9;
-        drawContour(hit, outside, view.contourWidth * (kPerspective ? t0 : 1.0), Z);
-        if (hit.contour) tHit = t0;
+        precise float outside = kept && found.inside <= 0.0 ? sqrt(found.away2) - c.radius : 1e9;
+        drawContour(hit, outside, view.contourWidth * (kPerspective ? Z / view.origin : 1.0), Z);
+        if (hit.contour) on = along;
     }
-    hit.along = clamp((fromAxis + rayAxis * tHit) / len, 0.0, 1.0);
+    hit.along = clamp(on / c.len, 0.0, 1.0);
     return hit;
 }
+Hit cylinderHitThrough(vec3 a, vec3 b, float r, vec2 q) { return stickHitThrough(stickOf(a, b, r), q); }
 Hit cylinderHit(vec3 a, vec3 b, float r, vec2 fragment) { return cylinderHitThrough(a, b, r, planePoint(fragment)); }
 
 /// A corner of a triangle as the picture has it: where it stands on the plane z = 0, and its Z, or, in perspective, 1 / Z,

@@ -46,6 +46,7 @@ const int kShadowId = 29;        // bool: the light's depth map is asked
 const int kCutId = 30;           // bool: what a plane cuts off casts no shadow
 const int kCylindersId = 33;     // bool: the scene has cylinders
 const int kTrianglesId = 34;     // bool: and triangles
+const int kSpheresId = 36;       // bool: and spheres
 const int kPowersId = 35;        // bool: the device raises to powers in a few instructions
 const int kEverywhereId = 60;    // bool: every pixel is drawn as an edge
 const int kListedId = 68;        // bool: what an edge's samples see is looked for in lists, not among its neighbours

@@ -10,37 +10,37 @@ struct Seen {
     float occlusion;
 };
 
-/// @param number  of a primitive, counted from 1. @param q  planePoint() of the pixel
-Seen seenOf(uint number, vec2 q) {
-    Seen seen;
-    uint index = place(number);
 #ifdef TRIANGLES
-    if (isTriangle(index)) {
-        Facet f = facetOf(index);
-        seen.hit = facetHitThrough(f, q);
-        smoothNormal(seen.hit, uvec3(f.a.z, f.b.z, f.c.z));
-        seen.look = seen.hit.corner == 0u ? f.a.w : seen.hit.corner == 1u ? f.b.w : f.c.w;
-        seen.atom = seen.look + 1u;
-        seen.occlusion = meshOcclusion(seen.hit, f.vertices);
-        return seen;
-    }
+/// @param index  of the primitive in its copy, as of the next two @param q  planePoint() of the pixel
+Seen seenFacet(uint index, vec2 q) {
+    Seen seen;
+    Facet f = facetOf(index);
+    seen.hit = facetHitThrough(f, q);
+    smoothNormal(seen.hit, uvec3(f.a.z, f.b.z, f.c.z));
+    seen.look = seen.hit.corner == 0u ? f.a.w : seen.hit.corner == 1u ? f.b.w : f.c.w;
+    seen.atom = seen.look + 1u;
+    seen.occlusion = meshOcclusion(seen.hit, f.vertices);
+    return seen;
+}
 #endif
 #ifdef CYLINDERS
-    if (index >= view.spheres) {
-        index -= view.spheres;
-        vec4 shapeA = shapeAt(view.spheres + 2u * index);
-        vec3 shapeB = shapeAt(view.spheres + 2u * index + 1u).xyz;
-        precise vec3 a = toView(shapeA.xyz);
-        precise vec3 b = toView(shapeB);
-        seen.hit = cylinderHitThrough(a, b, shapeA.w, q);
-        seen.look = 2u * view.spheres + 4u * index + (seen.hit.along < 0.5 ? 0u : 1u);
-        seen.atom = seen.look + 2u;
-        vec3 axis = normalize(shapeB - shapeA.xyz);
-        seen.occlusion =
-            shadesOcclusion(seen.hit) ? cylinderTexel(index, cylinderCoordinate(seen.hit, axis)) : 1.0;
-        return seen;
-    }
+Seen seenStick(uint index, vec2 q) {
+    Seen seen;
+    index -= view.spheres;
+    vec4 shapeA = shapeAt(view.spheres + 2u * index);
+    vec3 shapeB = shapeAt(view.spheres + 2u * index + 1u).xyz;
+    precise vec3 a = toView(shapeA.xyz);
+    precise vec3 b = toView(shapeB);
+    seen.hit = cylinderHitThrough(a, b, shapeA.w, q);
+    seen.look = 2u * view.spheres + 4u * index + (seen.hit.along < 0.5 ? 0u : 1u);
+    seen.atom = seen.look + 2u;
+    vec3 axis = normalize(shapeB - shapeA.xyz);
+    seen.occlusion = shadesOcclusion(seen.hit) ? cylinderTexel(index, cylinderCoordinate(seen.hit, axis)) : 1.0;
+    return seen;
+}
 #endif
+Seen seenBall(uint index, vec2 q) {
+    Seen seen;
     vec4 shape = shapeAt(index);
     precise vec3 center = toView(shape.xyz);
     seen.hit = sphereHitThrough(vec4(center, shape.w), q);
@@ -48,4 +48,16 @@ Seen seenOf(uint number, vec2 q) {
     seen.atom = seen.look + 1u;
     seen.occlusion = shadesOcclusion(seen.hit) ? sphereTexel(index, sphereCoordinate(seen.hit)) : 1.0;
     return seen;
+}
+
+/// @param number  of a primitive, counted from 1. @param q  planePoint() of the pixel
+Seen seenOf(uint number, vec2 q) {
+    uint index = place(number);
+#ifdef TRIANGLES
+    if (isTriangle(index)) return seenFacet(index, q);
+#endif
+#ifdef CYLINDERS
+    if (index >= view.spheres) return seenStick(index, q);
+#endif
+    return seenBall(index, q);
 }

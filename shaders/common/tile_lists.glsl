@@ -5,6 +5,7 @@ layout(constant_id = kLanesId) const int kLanes = 8;
 layout(constant_id = kTilesInBinId) const int kTilesInBin = 2;
 layout(local_size_x_id = 14) in;  // kLanes
 const int kTile = 8;
+#include "lanes.glsl"
 
 /// A disc on the plane z = 0 that holds a sphere's picture: about the ellipse of common/outline.glsl in perspective.
 vec3 discOf(vec3 center, float radius) {
@@ -24,6 +25,24 @@ vec4 handed(vec4 v, uint from) {
                 subgroupShuffle(v.w, from));
 }
 
+#ifdef CYLINDERS
+Stick handed(Stick c, uint from) {
+    vec4 a = handed(vec4(c.a, c.radius), from), axis = handed(vec4(c.axis, c.len), from);
+    vec4 seen = handed(vec4(c.ahead, c.sine, c.perSine), from);
+    return Stick(a.xyz, a.w, axis.xyz, axis.w, seen.xy, seen.z, seen.w, subgroupShuffle(c.perFall, from));
+}
+
+/// Whether what two discs on the plane z = 0 span may meet a rectangle there. No, if a line parts them along one of its
+/// sides, or along the span, or across it. @param from, to  the discs' centres
+bool spanMeets(vec2 from, vec2 to, float radius, vec2 middle, vec2 reach) {
+    vec2 room = reach + radius, half_ = 0.5 * abs(to - from), off = abs(middle - 0.5 * (from + to));
+    vec2 way = to - from, away = middle - from;
+    float beside = abs(way.x * away.y - way.y * away.x);
+    float length_ = sqrt(dot(way, way));
+    return all(lessThanEqual(off, half_ + room)) && beside <= dot(abs(way.yx), reach) + length_ * radius;
+}
+#endif
+
 #ifdef TRIANGLES
 #include "tile_facets.glsl"
 #endif
@@ -33,9 +52,12 @@ struct Entry {
     uint number;
     bool cylinder, facet;
     bool meets;  // a rectangle
-    vec4 a, b;   // view space: centre and radius; a cylinder's ends; a triangle's corners, as they are projected
-    vec3 c;
+    vec4 a;      // view space: centre and radius
+    vec3 b, c;   // with a, a triangle's corners, as they are projected
     uint joins;  // of a triangle's corners
+#ifdef CYLINDERS
+    Stick stick;
+#endif
     float next;  // encoded depth before which nothing of the following chunk begins, as the chunk's last lane has it
 };
 
@@ -45,7 +67,7 @@ Entry entryAt(uint number, vec2 middle, vec2 reach) {
     e.number = number;
     uint index = place(number);
     e.cylinder = e.facet = false;
-    e.c = vec3(0.0);
+    e.b = e.c = vec3(0.0);
     e.joins = 0u;
 #ifdef TRIANGLES
     e.facet = isTriangle(index);
@@ -64,26 +86,21 @@ Entry entryAt(uint number, vec2 middle, vec2 reach) {
     vec2 outside = max(abs(away) - reach, 0.0);
     e.meets = dot(outside, outside) <= disc.z * disc.z;
 #ifdef CYLINDERS
-    e.b = vec4(toView(shapeAt(e.cylinder ? index + 1u : index).xyz), 0.0);
-    vec3 other = discOf(e.b.xyz, reachOf(e.b.z, e.a.w));
-    vec2 along = other.xy - disc.xy;
-    float t = clamp(dot(away, along) / max(dot(along, along), 1e-12), 0.0, 1.0);
-    away -= along * t;
-    float room = max(disc.z, other.z) + length(reach) * 1.0001;
-    e.meets = e.cylinder ? dot(away, away) <= room * room : e.meets;
-    front = e.cylinder ? max(e.a.z, e.b.z) : front;
-#else
-    e.b = vec4(0.0);
+    vec3 end = toView(shapeAt(e.cylinder ? index + 1u : index).xyz);
+    vec3 other = discOf(end, reachOf(end.z, e.a.w));
+    e.meets = e.cylinder ? spanMeets(disc.xy, other.xy, max(disc.z, other.z), middle, reach) : e.meets;
+    e.stick = stickOf(e.a.xyz, end, e.a.w);
+    front = e.cylinder ? max(e.a.z, end.z) : front;
 #endif
     float begins = view.origin - front - e.a.w * 1.001;
 #ifdef TRIANGLES
     if (e.facet) {
         e.a = vec4(cornerOf(f.a, f.step), 0.0);
-        e.b = vec4(cornerOf(f.b, f.step), 0.0);
+        e.b = cornerOf(f.b, f.step);
         e.c = cornerOf(f.c, f.step);
         e.joins = joinsOf(f.a.w, f.b.w, f.c.w);
-        e.meets = facetMeets(e.a.xyz, e.b.xyz, e.c, middle, reach);
-        begins = facetBegins(e.a.xyz, e.b.xyz, e.c);
+        e.meets = facetMeets(e.a.xyz, e.b, e.c, middle, reach);
+        begins = facetBegins(e.a.xyz, e.b, e.c);
     }
 #endif
     // What follows begins behind the chunk's last entry, up to a step of the order.
