@@ -286,6 +286,48 @@ TEST(Motion, SmoothsOverNeighbouringFrames) {
     EXPECT_LT(glm::distance(motion.positions(4)[7], mean(3, 4, 7)), 1e-4);
 }
 
+/// Two bonded atoms that drift through the faces of a slanted box, 4 Å a frame.
+class Drifting : public Trajectory {
+public:
+    explicit Drifting(std::size_t frames) {
+        atoms_ = 2;
+        frames_ = frames;
+    }
+    static glm::vec3 placeOf(std::size_t frame, float atom) {
+        return {2 + 4 * static_cast<float>(frame) + atom, 3 * static_cast<float>(frame), 1};
+    }
+    static constexpr PeriodicBox kBox{glm::vec3(10, 0, 0), glm::vec3(3, 12, 0), glm::vec3(-2, 4, 9)};
+
+private:
+    void readFrame(std::size_t frame, TrajectoryFrame& result) override {
+        for (const int atom : {0, 1}) {
+            glm::vec3 p = placeOf(frame, static_cast<float>(atom));
+            for (int k = 2; k >= 0; --k)
+                p -= kBox[static_cast<std::size_t>(k)] * std::floor(p[k] / kBox[static_cast<std::size_t>(k)][k]);
+            result.positions[static_cast<std::size_t>(atom)] = p;
+        }
+        result.box = kBox;
+    }
+};
+
+TEST(Motion, AveragesNothingAcrossTheBox) {
+    const Molecule molecule = readMolecule("two.xyz", "2\n\nC 0 0 0\nC 1.5 0 0\n");
+    ASSERT_EQ(molecule.bonds.size(), 1u);
+    for (const bool whole : {false, true}) {
+        MotionOptions options;
+        options.whole = whole;
+        Motion plain(std::make_unique<Drifting>(12), molecule, options);
+        options.smoothed = 5;
+        Motion smooth(std::make_unique<Drifting>(12), molecule, options);
+        for (std::size_t frame = 2; frame + 2 < 12; ++frame)  // what drifts evenly is its own mean
+            for (const std::size_t atom : {0u, 1u})
+                EXPECT_LT(glm::distance(smooth.positions(frame)[atom], plain.positions(frame)[atom]), 1e-4)
+                    << whole << frame;
+        // At the ends the mean is half a step or a step further on.
+        EXPECT_LT(glm::distance(smooth.positions(0)[0], Drifting::placeOf(1, 0)), 1e-4);
+    }
+}
+
 TEST(Motion, WantsTheSameAtoms) { EXPECT_THROW(Motion(openTrajectory(written() / "few.xtc"), chains(), {}), Error); }
 
 TEST(Superpose, UndoesAMotionAndTakesNoMirrorImage) {

@@ -13,7 +13,10 @@ namespace nacre {
 struct MotionOptions {
     bool whole = false;                 ///< bonded atoms stand together, wherever the box's faces lie
     std::vector<std::uint32_t> fitted;  ///< atoms by which frames are laid onto the first; none: they stay
-    std::size_t smoothed = 1;           ///< frames that a position is the mean of, odd; fewer at both ends
+    /// Frames that a position is the mean of, odd; fewer at both ends. In a periodic box each molecule that is made
+    /// whole, else each atom, is followed from frame to frame by its nearest image, so that nothing is the mean of two
+    /// sides.
+    std::size_t smoothed = 1;
 };
 
 class Motion {
@@ -37,10 +40,12 @@ public:
     std::optional<double> time() const { return time_; }
 
 private:
+    /// A frame as it was read, and whole if that is wanted; where it is to be laid is `onto`.
     struct Kept {
         std::size_t frame;
         std::vector<glm::vec3> positions;
-        double rmsd;
+        std::optional<PeriodicBox> box;
+        Superposition onto;
         std::optional<double> time;
     };
     /// An atom that is reached over a bond from one that stands already.
@@ -51,12 +56,16 @@ private:
     const Kept& laid(std::size_t frame);
     Kept lay(std::size_t frame);
     void makeWhole(std::vector<glm::vec3>& positions, const PeriodicBox& box) const;
+    std::vector<glm::vec3> follow(const std::vector<glm::vec3>& before, const Kept& kept) const;
+    void addLaid(std::vector<glm::dvec3>& sum, const std::vector<glm::vec3>& positions,
+                 const Superposition& onto) const;
     std::vector<glm::dvec3> fittedOf(const std::vector<glm::vec3>& positions) const;
 
     std::unique_ptr<Trajectory> trajectory_;
     MotionOptions options_;
     std::vector<Step> steps_;
-    std::vector<glm::dvec3> first_;  // the fitted atoms in the first frame
+    std::vector<std::uint32_t> firstOf_;  // of each atom that is made whole: the one that its molecule begins with
+    std::vector<glm::dvec3> first_;       // the fitted atoms in the first frame
     std::deque<Kept> kept_;
     double rmsd_ = 0;
     std::optional<double> time_;
