@@ -3,8 +3,11 @@
 
 #include <sys/stat.h>
 
+#include <cerrno>
 #include <condition_variable>
+#include <cstring>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -39,9 +42,10 @@ public:
     /// @throws Error
     explicit Lines(const std::string& path) : path_(path), in_(path == "-" ? std::cin : file_) {
         if (path == "-") return;
+        std::error_code error;
+        if (std::filesystem::is_directory(path, error)) throw Error("cannot read jobs", path, "it is a folder");
         file_.open(path, std::ios::binary);
-        if (!file_ || file_.peek() == std::ifstream::traits_type::eof())
-            throw Error("cannot read jobs", path, "the file is missing, empty or not readable");
+        if (!file_) throw Error("cannot read jobs", path, std::strerror(errno));
     }
 
     /// The next line that is not empty; none at the end. @throws Error
@@ -202,7 +206,7 @@ private:
             const RenderOptions job = jobOf(line.text, options_);
             told["input"] = job.input.path;
             told["output"] = job.output;
-            claim(job.output);
+            claim(job);
             if (options_.resume && isThere(job.output) && isThere(job.layers) && isThere(job.stats)) {
                 told["status"] = "skipped";
                 return told;
@@ -238,11 +242,25 @@ private:
         }
     }
 
-    /// Two jobs of one name would each undo the other's work. @throws UsageError
-    void claim(const std::string& output) {
+    /// Two jobs of one file would each undo the other's work. @throws UsageError
+    void claim(const RenderOptions& job) {
         const std::lock_guard lock(turn_);
-        if (!outputs_.insert(std::hash<std::string>{}(output)).second)
-            throw UsageError("\"output\": an earlier job has the same: " + output);
+        std::vector<std::size_t> places;
+        for (const auto& [name, path] :
+             {std::pair{"output", &job.output}, {"layers", &job.layers}, {"stats", &job.stats}}) {
+            if (path->empty()) continue;
+            places.push_back(std::hash<std::string>{}(placeOf(*path)));
+            if (outputs_.count(places.back()))
+                throw UsageError("\"" + std::string(name) + "\": an earlier job has the same file: " + *path);
+        }
+        outputs_.insert(places.begin(), places.end());
+    }
+
+    /// Where a file is, whatever leads there.
+    static std::string placeOf(const std::string& path) {
+        std::error_code error;
+        const std::filesystem::path place = std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
+        return error ? path : place.string();
     }
 
     void report(const JobJson& told) {

@@ -24,15 +24,6 @@ bool isOne(const std::string& name, std::span<const std::string_view> names) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// An option of `render` that holds for every job: tried now, so that what is wrong is told before any work.
-OptionSpec common(OptionSpec option, std::vector<OptionValue>& values) {
-    option.set = [name = plainName(option), tried = option.set, &values](const std::string& value) {
-        tried(value);
-        values.push_back({name, value});
-    };
-    return option;
-}
-
 }  // namespace
 
 void addBatch(CommandSpec& command, BatchOptions& options) {
@@ -50,7 +41,8 @@ void addBatch(CommandSpec& command, BatchOptions& options) {
     for (const OptionSpec& option : render.options) {
         const std::string name = plainName(option);
         if (isOne(name, kOfOneJob)) continue;
-        command.add(isOne(name, kOfTheDevice) ? option : common(option, options.common));
+        // Those that hold for every job are tried now, so that what is wrong is told before any work.
+        command.add(isOne(name, kOfTheDevice) ? option : recorded(option, options.common));
     }
 }
 

@@ -105,6 +105,14 @@ std::string plainName(const OptionSpec& option) {
     return name;
 }
 
+OptionSpec recorded(OptionSpec option, std::vector<OptionValue>& values) {
+    option.set = [name = plainName(option), set = option.set, &values](const std::string& value) {
+        set(value);
+        values.push_back({name, value});
+    };
+    return option;
+}
+
 std::vector<OptionValue> optionValuesOf(const std::string& json, const CommandSpec& command) {
     const Json object = Json::parse(json, nullptr, false);
     if (!object.is_object()) throw UsageError("it is no JSON object");

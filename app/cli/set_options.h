@@ -18,6 +18,9 @@ struct OptionValue {
 /// The name of an option as JSON and Python have it: "output" of "-o,--output", "input" of "INPUT".
 std::string plainName(const OptionSpec& option);
 
+/// An option that notes what it is given, once it has taken it. @param values  outlive it
+OptionSpec recorded(OptionSpec option, std::vector<OptionValue>& values);
+
 /// What a JSON object says of a command's options. Its keys are their names, '_' standing for '-'; values are texts,
 /// numbers, of flags and on|off booleans, of a size, an angle and their like also lists of numbers, and of what may be
 /// repeated lists, of what takes two values those. "rules" is a list as saved views have it: [{"show":

@@ -171,6 +171,40 @@ TEST(Batch, RefusesASecondJobOfTheSameOutput) {
     EXPECT_EQ(reportOf(batch.out).at(2)["status"], "failed");
 }
 
+TEST(Batch, RefusesASecondJobOfTheSameFileByWhateverName) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "there");
+    std::filesystem::create_directory_symlink(folder / "there", folder / "link");
+    writeJobs(folder,
+              {job("sample:glucose", "there/a.png", R"("stats": "a.json")"), job("sample:glucose", "./there/a.png"),
+               job("sample:glucose", "link/a.png"), job("sample:glucose", folder / "there/../there/a.png"),
+               job("sample:glucose", "b.png", R"("stats": "there/../a.json")"),
+               job("sample:glucose", "c.png", R"("layers": "l.exr")"),
+               job("sample:glucose", "d.png", R"("layers": "./l.exr")"), job("sample:glucose", "b.png")});
+    const Outcome batch = nacreIn(folder, std::string("batch jobs.jsonl --jobs 1") + kSmall);
+    EXPECT_EQ(batch.code, 1);
+    auto report = reportOf(batch.out);
+    for (const int line : {1, 6, 8}) EXPECT_EQ(report.at(line)["status"], "done") << report.at(line);
+    for (const int line : {2, 3, 4, 5, 7}) {
+        EXPECT_EQ(report.at(line)["status"], "failed") << line;
+        EXPECT_NE(report.at(line)["error"].get<std::string>().find("an earlier job has the same file"),
+                  std::string::npos)
+            << report.at(line);
+    }
+}
+
+TEST(Batch, OfNoJobsIsDone) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "none.jsonl").close();
+    std::ofstream(folder / "blank.jsonl") << "\n \n";
+    for (const char* jobs : {"none.jsonl", "blank.jsonl", "-"}) {
+        const Outcome batch = nacreIn(folder, std::string("batch ") + jobs);
+        EXPECT_EQ(batch.code, 0) << jobs << batch.err;
+        EXPECT_EQ(batch.out + batch.err, "") << jobs;
+    }
+    EXPECT_EQ(nacreIn(folder, "batch .").err, "nacre: error: cannot read jobs: .: it is a folder\n");
+}
+
 TEST(Batch, WithoutADeviceIsOneError) {
     const TemporaryFolder folder;
     writeJobs(folder, {job("sample:glucose", "a.png"), job("sample:glucose", "b.png")});
@@ -180,7 +214,7 @@ TEST(Batch, WithoutADeviceIsOneError) {
     EXPECT_EQ(batch.out, "");
     EXPECT_EQ(batch.err.rfind("nacre: error: cannot start Vulkan", 0), 0u) << batch.err;
     EXPECT_EQ(nacreIn(folder, "batch nosuch.jsonl").err,
-              "nacre: error: cannot read jobs: nosuch.jsonl: the file is missing, empty or not readable\n");
+              "nacre: error: cannot read jobs: nosuch.jsonl: No such file or directory\n");
 }
 
 TEST(Batch, ReadsStandardInputWhereverItEnds) {
