@@ -26,6 +26,7 @@ struct OptionSpec {
     std::string bare = {};      ///< value that its name alone stands for; else one of its type follows, "on|off"
     bool pair = false;          ///< takes two values; set() gets them with a line's end between
     std::string excludes = {};  ///< the name of another option
+    std::vector<std::string> choices = {};  ///< words that it takes beside others, for completion
 
     bool positional() const { return names.front() != '-'; }
     bool flag() const { return type.empty() && !positional(); }

@@ -52,7 +52,7 @@ std::string bashScript(const CommandSpec& program, std::span<const CommandSpec> 
         wordList(commandWords(commands), "|") +
         ") command=${COMP_WORDS[i]}; break ;;\n        esac\n    done\n    COMPREPLY=()\n"
         "    case \"$command $before\" in\n";
-    std::vector<std::string> files, others;
+    std::vector<std::string> files, lists, others;
     for (const CommandSpec& command : commands)
         for (const OptionSpec& option : command.options) {
             if (option.flag() || option.positional()) continue;
@@ -60,17 +60,25 @@ std::string bashScript(const CommandSpec& program, std::span<const CommandSpec> 
             for (const std::string& name : writtenNames(option))
                 patterns.push_back("'" + command.name + " " + name + "'");
             const std::vector<std::string> choices = choicesOf(option);
-            if (choices.empty())
+            if (takesFiles(option))
+                lists.push_back(wordList(patterns, "|"));
+            else if (choices.empty())
                 (takesFile(option) ? files : others).push_back(wordList(patterns, "|"));
             else
-                script += "        " + wordList(patterns, "|") + ")\n            COMPREPLY=($(compgen -W '" +
-                          wordList(choices, " ") + "' -- \"$current\"))\n            return ;;\n";
+                script += "        " + wordList(patterns, "|") + ")\n            COMPREPLY=($(compgen " +
+                          (takesFile(option) ? "-f " : "") + "-W '" + wordList(choices, " ") +
+                          "' -- \"$current\"))\n            return ;;\n";
         }
     if (!others.empty()) script += "        " + wordList(others, "|\\\n        ") + ")\n            return ;;\n";
     if (!files.empty())
         script +=
             "        " + wordList(files, "|\\\n        ") +
             ")\n            compopt -o filenames 2>/dev/null\n            COMPREPLY=($(compgen -f -- \"$current\"))\n"
+            "            return ;;\n";
+    if (!lists.empty())
+        script +=
+            "        " + wordList(lists, "|\\\n        ") +
+            ")\n            COMPREPLY=($(compgen -f -P \"${current%\"${current##*,}\"}\" -- \"${current##*,}\"))\n"
             "            return ;;\n";
     script += "        'help '*)\n            COMPREPLY=($(compgen -W '" + all + " " + wordList(helpTopicNames(), " ") +
               "' -- \"$current\"))\n            return ;;\n    esac\n    local words=\n    case $command in\n        "
@@ -96,7 +104,11 @@ std::string zshValue(const OptionSpec& option) {
     if (option.flag()) return "";
     const std::vector<std::string> choices = choicesOf(option);
     const std::string what = ":" + plainHelp(option.positional() ? option.names : option.type) + ":";
-    if (!choices.empty()) return what + "(" + wordList(choices, " ") + ")";
+    const std::string words = "(" + wordList(choices, " ") + ")";
+    if (takesFiles(option)) return what + "_sequence _files";
+    if (!choices.empty() && takesFile(option))
+        return what + "{_alternative \"words\\:word\\:" + words + "\" \"files\\:file\\:_files\"}";
+    if (!choices.empty()) return what + words;
     return what + (takesFile(option) || option.positional() ? "_files" : " ");
 }
 
@@ -159,8 +171,10 @@ std::string fishScript(const CommandSpec& program, std::span<const CommandSpec> 
             for (const std::string& name : writtenNames(option))
                 script += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
             const std::vector<std::string> choices = choicesOf(option);
-            if (!choices.empty())
-                script += " -x -a '" + wordList(choices, " ") + "'";
+            if (takesFiles(option))
+                script += " -x -a '(__fish_complete_list , __fish_complete_path)'";
+            else if (!choices.empty())
+                script += (takesFile(option) ? " -r -F -a '" : " -x -a '") + wordList(choices, " ") + "'";
             else if (!option.flag())
                 script += takesFile(option) ? " -r -F" : " -x";
             script += " -d '" + plainHelp(option.help) + "'\n";

@@ -20,6 +20,7 @@ constexpr Topic kTopics[] = {
      "A selection names atoms. Options that take one are written SEL.\n\n"
      "  chain A+B   resn HEM+ATP   resi 10-20+35   name CA+CB   elem FE   altloc A   model 1\n"
      "  protein  nucleic  polymer  ligand  water  ion  backbone  sidechain  hydrogens  hetatm  all  none\n"
+     "  /NAME   one of several INPUTs, by its name: `NAME=INPUT`, or its file's (receptor.pdb: /receptor)\n"
      "  b > 50   occupancy < 1   ss helix   sequence GLN?A   /A:10-20@CA (as in ChimeraX)\n"
      "  and   or   not   ( )\n"
      "  within 5 of (SEL)   at most 5 Å away, itself included; around 5 of (SEL): itself not\n"
@@ -70,6 +71,11 @@ std::vector<std::string> helpTopicNames() {
     std::vector<std::string> names;
     for (const Topic& topic : kTopics) names.emplace_back(topic.name);
     return names;
+}
+
+bool isHelpTopic(const std::string& name) {
+    const std::vector<std::string> names = helpTopicNames();
+    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 std::string helpTopic(const std::string& name, std::span<const CommandSpec> commands) {

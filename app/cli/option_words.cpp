@@ -29,7 +29,7 @@ std::vector<std::string> lowerWords(const std::string& text) {
             word += c;
             continue;
         }
-        if (word.size() > 1 && std::islower(static_cast<unsigned char>(word[0])) && c != ':' && word.back() != '-')
+        if (word.size() > 1 && std::islower(static_cast<unsigned char>(word[0])) && word.back() != '-')
             words.push_back(word);
         word.clear();
     }
@@ -49,11 +49,14 @@ std::vector<std::string> writtenNames(const OptionSpec& option) {
 }
 
 bool takesFile(const OptionSpec& option) {
-    return option.type.find("FILE") != std::string::npos || option.type.find("DIR") != std::string::npos;
+    const auto has = [&](const char* word) { return option.type.find(word) != std::string::npos; };
+    return has("FILE") || has("DIR") || takesFiles(option);
 }
 
+bool takesFiles(const OptionSpec& option) { return option.type.find(".json,") != std::string::npos; }
+
 std::vector<std::string> choicesOf(const OptionSpec& option) {
-    std::vector<std::string> choices;
+    std::vector<std::string> choices = option.choices;
     if (option.flag() || takesFile(option) || takesValue(option, "nosuchword")) return choices;
     std::string type = option.type;
     std::replace(type.begin(), type.end(), '|', ' ');

@@ -24,6 +24,8 @@ std::string optionHint(const std::string& written, const CommandSpec& command);
 
 /// Whether its value is a file or a folder.
 bool takesFile(const OptionSpec& option);
+/// Whether it is several, with commas between them.
+bool takesFiles(const OptionSpec& option);
 
 /// A script for bash, zsh or fish. @throws UsageError if it is another shell
 std::string completionScript(const std::string& shell, const CommandSpec& program,
@@ -35,5 +37,6 @@ std::string manualPage(const CommandSpec& program, std::span<const CommandSpec> 
 /// What `nacre help TOPIC` says. @throws UsageError if there is no such topic or command
 std::string helpTopic(const std::string& topic, std::span<const CommandSpec> commands);
 std::vector<std::string> helpTopicNames();
+bool isHelpTopic(const std::string& name);
 
 }  // namespace nacre::app

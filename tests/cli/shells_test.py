@@ -34,6 +34,11 @@ CASES = [
     ("render --color pl", ["plddt"], ["element"]),
     ("render --lighting ", ["on", "off"], ["times"]),
     ("batch --res", ["--resume"], ["--output"]),
+    ("movie --easing s", ["smooth", "stops"], ["linear", "structure.pdb"]),
+    ("render --look s", ["structure.pdb"], ["other.txt"]),
+    ("render --look def", ["default"], ["structure.pdb"]),
+    ("movie --views pic", ["picture.png"], ["other.txt"]),
+    ("movie --views picture.png,oth", ["picture.png,other.txt"], ["structure.pdb"]),
     ("plan --caps ma", ["mali"], ["adreno"]),
     ("render -o pic", ["picture.png"], ["other.txt"]),
     ("render str", ["structure.pdb"], ["picture.png"]),
@@ -153,6 +158,11 @@ class Help(unittest.TestCase):
             run = nacre("help", topic)
             self.assertEqual((run.returncode, run.stderr), (0, ""))
             self.assertIn("--", run.stdout)
+        self.assertIn("/NAME", nacre("help", "selections").stdout)
+        devices = nacre("help", "devices").stdout  # a command and a topic
+        self.assertIn("--self-test", devices)
+        self.assertIn("Any Vulkan driver", devices)
+        self.assertIn("--visibility", devices)
         self.assertEqual(nacre("help", "colours").stdout, nacre("help", "colors").stdout)
         self.assertEqual(nacre("help", "render").stdout, nacre("render", "--help").stdout)
 
