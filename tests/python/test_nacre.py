@@ -126,6 +126,32 @@ def test_from_biopython():
     np.testing.assert_array_equal(nacre.from_biopython(entity).render(**SMALL), nacre.open(path).render(**SMALL))
 
 
+MODELS = b"".join(b"MODEL     %4d\n" % i + PDB[:30] + b"%8.3f" % (5.0 * i) + PDB[38:-4] + b"ENDMDL\n" for i in (0, 1, 2)) + b"END\n"
+
+
+def test_from_parts_of_gemmis(tmp_path):
+    gemmi = pytest.importorskip("gemmi")
+    path = STRUCTURES / "gemmi/dna.pdb"
+    theirs, ours = gemmi.read_structure(str(path)), nacre.open(path)
+    assert len(nacre.from_gemmi(theirs[0])) == len(ours)
+    first = theirs[0][0]
+    chain = nacre.from_gemmi(first)
+    of_chain = ours.atoms["chain"] == first.name
+    np.testing.assert_allclose(chain.atoms["position"], ours.atoms["position"][of_chain], atol=1e-3)
+    assert 0 < len(chain) < len(ours) and set(chain.atoms["chain"]) == {first.name}
+
+
+def test_from_biopython_of_any_models(tmp_path):
+    PDB = pytest.importorskip("Bio.PDB")
+    (tmp_path / "m.pdb").write_bytes(MODELS)
+    entity = PDB.PDBParser(QUIET=True).get_structure("m", str(tmp_path / "m.pdb"))
+    serials = [model.serial_num for model in entity]
+    assert [nacre.from_biopython(entity, model=m).atoms["position"][:, 0].tolist() for m in (1, 2, 3)] == [[0], [5], [10]]
+    assert [model.serial_num for model in entity] == serials
+    assert nacre.from_biopython(entity[1]).atoms["position"][:, 0].tolist() == [5]
+    assert len(nacre.from_biopython(entity[0]["A"])) == 1
+
+
 def test_from_arrays(dna):
     a = dna.atoms
     columns = dict(names=a["name"], residue_names=a["residue_name"], residue_numbers=a["residue_number"],
@@ -155,6 +181,11 @@ def test_open_takes_bytes_in_any_format():
     (lambda s: nacre.open("-"), nacre.UsageError, "no standard input"),
     (lambda s: nacre.open(["sample:dna", "-"]), nacre.UsageError, "no standard input"),
     (lambda s: nacre.open([]), nacre.UsageError, "needs an input"),
+    (lambda s: nacre.open(5), nacre.UsageError, "a path, a list of paths or a file's bytes, not int"),
+    (lambda s: nacre.open(None), nacre.UsageError, "not NoneType"),
+    (lambda s: nacre.open(["sample:dna", 5]), nacre.UsageError, "a list of paths, not of int"),
+    (lambda s: nacre.from_gemmi("a.pdb"), nacre.UsageError, "a Structure, a Model or a Chain of gemmi, not str"),
+    (lambda s: nacre.from_biopython(s), nacre.UsageError, "of Bio.PDB, not nacre.Structure"),
     (lambda s: nacre.open([PDB, "sample:dna"]), nacre.UsageError, "takes bytes alone"),
     (lambda s: nacre.open("sample:dna", fit=("/a", "/b")), nacre.UsageError, "name two"),
     (lambda s: s.render(fit=("/a", "/b")), nacre.UsageError, "is for open()"),

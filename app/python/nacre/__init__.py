@@ -46,6 +46,12 @@ def _plain(value):
     return value
 
 
+def _kind(value):
+    """A value's type, for messages."""
+    kind = type(value)
+    return kind.__name__ if kind.__module__ == "builtins" else f"{kind.__module__}.{kind.__name__}"
+
+
 def _text(options):
     try:
         return _json.dumps(_plain(options), allow_nan=False)
@@ -160,9 +166,14 @@ def open(source, *, name="", **options):  # noqa: A001: nacre.open, as PIL's Ima
     """
     if isinstance(source, (bytes, bytearray, memoryview)):
         return Structure(_nacre.open_bytes(name, bytes(source), _text(options)))
-    sources = [source] if isinstance(source, (str, _os.PathLike)) else list(source)
-    if any(isinstance(one, (bytes, bytearray, memoryview)) for one in sources):
-        raise UsageError("open() takes bytes alone, not in a list: write them to a file")
+    sources = [source] if isinstance(source, (str, _os.PathLike)) else source
+    if not isinstance(sources, (list, tuple)):
+        raise UsageError(f"open() takes a path, a list of paths or a file's bytes, not {_kind(source)}")
+    for one in sources:
+        if isinstance(one, (bytes, bytearray, memoryview)):
+            raise UsageError("open() takes bytes alone, not in a list: write them to a file")
+        if not isinstance(one, (str, _os.PathLike)):
+            raise UsageError(f"open() takes a list of paths, not of {_kind(one)}")
     return Structure(_nacre.open_inputs([_os.fspath(one) for one in sources], _text(options)))
 
 
@@ -208,17 +219,38 @@ _SYMBOLS = (
 
 
 def from_gemmi(structure, **options):
-    """A gemmi.Structure, by way of mmCIF. options: as those of open()."""
-    text = structure.make_mmcif_document().as_string()
-    return open(text.encode(), name=f"{structure.name or 'gemmi'}.cif", **{"format": "mmcif"} | options)
+    """A gemmi Structure, Model or Chain, by way of mmCIF. options: as those of open()."""
+    import gemmi
+
+    whole = structure
+    if isinstance(whole, gemmi.Chain):
+        chain, whole = whole, gemmi.Model("1")
+        whole.add_chain(chain)
+    if isinstance(whole, gemmi.Model):
+        model, whole = whole, gemmi.Structure()
+        whole.add_model(model)
+    if not isinstance(whole, gemmi.Structure):
+        raise UsageError(f"from_gemmi() takes a Structure, a Model or a Chain of gemmi, not {_kind(structure)}")
+    text = whole.make_mmcif_document().as_string()
+    return open(text.encode(), name=f"{whole.name or 'gemmi'}.cif", **{"format": "mmcif"} | options)
 
 
 def from_biopython(entity, **options):
     """A Bio.PDB Structure, Model or Chain, by way of mmCIF. options: as those of open()."""
+    import copy
     import io
 
+    from Bio.PDB.Entity import Entity
     from Bio.PDB.mmcifio import MMCIFIO
 
+    if not isinstance(entity, Entity):
+        raise UsageError(f"from_biopython() takes a Structure, a Model or a Chain of Bio.PDB, not {_kind(entity)}")
+    if entity.get_level() == "S":
+        # Biopython writes models 0 and 1 as one, whose atoms would be there twice.
+        models, entity = entity.get_list(), copy.copy(entity)
+        entity.child_list = [copy.copy(model) for model in models]
+        for number, model in enumerate(entity.child_list, 1):
+            model.serial_num = number
     writer, text = MMCIFIO(), io.StringIO()
     writer.set_structure(entity)
     writer.save(text)
