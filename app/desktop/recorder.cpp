@@ -92,7 +92,8 @@ std::vector<std::string> movieArguments(const RecordingWish& wish, const SavedVi
     add({"--seconds", numberText(wish.seconds), "--fps", numberText(wish.framesPerSecond), "--report", "-"});
     if (shown.format) add({"--format", std::string(formatName(*shown.format))});
     const TrajectoryOptions& t = shown.trajectory;
-    if (!t.path.empty()) add({"--trajectory", t.path, "--frame", std::to_string(t.frame)});
+    if (!t.path.empty()) add({"--trajectory", t.path});
+    if (!t.path.empty() && wish.motion != M::models) add({"--frame", std::to_string(t.frame)});
     if (t.whole) add({"--whole"});
     if (t.fit) add({"--fit-frames", t.fit->text});
     if (t.smooth > 1) add({"--smooth", std::to_string(t.smooth)});

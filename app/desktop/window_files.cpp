@@ -127,6 +127,7 @@ void WindowSession::saveView() {
         OutputFile file(path);
         SavedView view = viewer().savedView();
         view.hash = fileHash(view.input);
+        view.trajectory.hash = trajectoryHash(view.trajectory.path);
         for (FurtherInput& further : view.further) further.hash = fileHash(further.path);
         writeText(file, savedViewJson(view));
         viewer().say("saved " + path, now());

@@ -13,6 +13,8 @@ namespace nacre::app {
 /// Positions that come from another file than names and bonds.
 struct TrajectoryOptions {
     std::string path;              ///< empty: none
+    std::string namedBy;           ///< a saved view's file that names it; empty: the user does
+    std::string hash;              ///< of its content, as that view states it; see trajectoryHash()
     std::int64_t frame = 1;        ///< counted from 1
     bool whole = false;            ///< molecules that the periodic box cut are put together
     std::optional<Selection> fit;  ///< by what frames are laid onto the first; empty: they stay

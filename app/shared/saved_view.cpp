@@ -95,6 +95,8 @@ void readList(const Json& list, std::vector<Value>& values, Value (*parse)(std::
 bool readTrajectory(const std::string& key, const Json& value, TrajectoryOptions& trajectory) {
     if (key == "trajectory")
         trajectory.path = textOf(value);
+    else if (key == "trajectory-hash")
+        trajectory.hash = textOf(value);
     else if (key == "frame")
         trajectory.frame = parseFrame(textOf(value));
     else if (key == "whole")
@@ -152,6 +154,7 @@ void addInputKeys(const SavedView& view, OrderedJson& json) {
 void addMotionKeys(const TrajectoryOptions& trajectory, OrderedJson& json) {
     if (!trajectory.path.empty()) {
         json["trajectory"] = trajectory.path;
+        if (!trajectory.hash.empty()) json["trajectory-hash"] = trajectory.hash;
         json["frame"] = trajectory.frame;
     }
     if (trajectory.whole) json["whole"] = "on";

@@ -9,8 +9,9 @@
 // and those of app/shared/effect_options.h, as they differ from the default.
 // and, of several molecules: "name": "receptor", "further-inputs": [{"name": "drug", "input": "b.sdf", "hash": "..."}],
 //   "fits": [["/drug", "/receptor and resn STI"]]
-// and, where atoms move: "trajectory": "md.xtc", "frame": 7, "whole": "on", "fit-frames": "backbone", "smooth": 5
-// and, where there are words: "labels": ["ligand={residue}"], "measures": ["78,92"], "title": "B-DNA",
+// and, where atoms move: "trajectory": "md.xtc", "trajectory-hash": ..., "frame": 7, "whole": "on", "fit-frames":
+// "backbone", "smooth": 5 and, where there are words: "labels": ["ligand={residue}"], "measures": ["78,92"], "title":
+// "B-DNA",
 //   "scale-bar": "nm", "legend": "on", "text-size": 24, "text-color": "#202020"; "palette": "muted".
 // `orientation` is a unit quaternion (v = Q (p - C)), `pan` is in Å. Every key may be left out.
 

@@ -4,6 +4,7 @@
 
 #include "app/shared/messages.h"
 #include "app/shared/option_values.h"
+#include "app/shared/view_input.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -31,6 +32,7 @@ MotionOptions motionOptions(const TrajectoryOptions& options, const Molecule& mo
 }
 
 std::unique_ptr<Motion> openMotion(const TrajectoryOptions& options, const Molecule& molecule) {
+    for (const std::string& notice : trajectoryNotices(options)) sayNote(notice);
     auto opened = std::make_unique<Motion>(openTrajectory(options.path), molecule, motionOptions(options, molecule));
     if (opened->trajectory().cutOff())
         sayWarning(options.path + " ends within a frame: the " + std::to_string(opened->frames()) +

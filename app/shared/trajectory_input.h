@@ -17,7 +17,8 @@ std::int64_t parseSmoothing(std::string_view text);
 /// How frames are to be laid. @throws Error if too few atoms are selected to fit
 MotionOptions motionOptions(const TrajectoryOptions& options, const Molecule& molecule);
 
-/// Opens the trajectory of some options; says so if it ends within a frame.
+/// Opens the trajectory of some options; says so if it ends within a frame, and what there is to say of one
+/// that a saved view names.
 /// @throws Error if its atoms are not those of the molecule, or nothing is selected to fit
 std::unique_ptr<Motion> openMotion(const TrajectoryOptions& options, const Molecule& molecule);
 

@@ -3,6 +3,7 @@
 // what its user does not know of.
 
 #include <string>
+#include <vector>
 
 #include "app/shared/input_options.h"
 
@@ -17,8 +18,16 @@ std::string filePathOf(const InputOptions& input);
 /// file or cannot be read.
 std::string fileHash(const std::string& path);
 
-/// Where the trajectory is that INPUT moves by. One that a view names and that is gone is looked for beside the view.
+/// The same of a trajectory, of which no more than the first and the last 16 MiB are read.
+std::string trajectoryHash(const std::string& path);
+
+/// Where the trajectory is that INPUT moves by, as filePathOf(); where the view states no hash, one of its name beside
+/// the view will do.
 std::string trajectoryPathOf(const InputOptions& input);
+
+/// What to say before a trajectory is opened that a view names: it is not in the view's folder, or has changed.
+/// @param path  as trajectoryPathOf() has it
+std::vector<std::string> trajectoryNotices(const TrajectoryOptions& trajectory);
 
 /// What to say before a file that a view names outside of its own folder is opened; otherwise empty.
 std::string outsideNotice(const InputOptions& input);

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "app/shared/view_input.h"
 #include "tests/support/run_program.h"
 
 namespace nacre::test {
@@ -66,6 +67,57 @@ TEST(FrameCamera, IsThatOfTheFirstFrameUnlessEachIsToHaveItsOwn) {
     const nlohmann::json own = viewOf(folder, "--frame 5 --camera model");
     EXPECT_NEAR(own["center"][0].get<double>(), 5.25, 1e-6);
     EXPECT_NEAR(own["center"][1].get<double>(), 8, 1e-6);
+}
+
+// A view and its trajectory that were moved together, or sent to someone: found by what it holds, told of if it is
+// elsewhere.
+TEST(SavedTrajectory, IsFoundBesideItsViewByItsHash) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "sent");
+    const auto put = [&](const char* name, const std::string& content) {
+        std::ofstream(folder / name, std::ios::binary) << content;
+    };
+    put("sent/a.xyz", "4\nnames\nC 9 9 9\nC 9 9 8\nC 9 9 7\nC 9 9 6\n");
+    put("sent/t.dcd", drifting(3));
+    put("sent/as-long.dcd", drifting(3).replace(300, 1, "x"));
+    const std::string hash = app::trajectoryHash(folder / "sent/t.dcd");
+    const auto view = [&](const std::string& trajectory, const std::string& more) {
+        put("sent/v.json", "{\"input\": \"a.xyz\", \"trajectory\": \"" + trajectory + "\", \"frame\": 2" + more + "}");
+    };
+    const std::string small = " -o a.png --size 16x16 --occlusion off ";
+    const auto drawn = [&](const std::string& said) {
+        const Outcome outcome = nacreIn(folder, "render --view sent/v.json" + small);
+        if (said.empty())
+            EXPECT_EQ(outcome.err, "");
+        else
+            EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), said.empty() ? 0 : 1) << outcome.err;
+        return outcome.code == 0 ? contentOf(folder / "a.png") : "";
+    };
+    ASSERT_EQ(nacreIn(folder, "render sent/a.xyz --trajectory sent/t.dcd --frame 2" + small).code, 0);
+    const std::string picture = contentOf(folder / "a.png"), stated = ", \"trajectory-hash\": \"" + hash + "\"";
+    view("t.dcd", "");
+    EXPECT_EQ(drawn(""), picture);
+    view("/nowhere/at/all/t.dcd", stated);
+    EXPECT_EQ(drawn(""), picture);
+    view("gone/by-another-name.dcd", stated);
+    EXPECT_EQ(drawn(""), picture);
+    view("as-long.dcd", stated);
+    drawn("as-long.dcd is not as it was when sent/v.json was saved");
+    view("gone/as-long.dcd", ", \"trajectory-hash\": \"" + hash + "0\"");
+    EXPECT_EQ(drawn("gone/as-long.dcd"), "") << "the name alone is not enough";
+    put("t.dcd", drifting(3));
+    view("../t.dcd", "");
+    EXPECT_EQ(drawn("sent/v.json has this file opened, which is not in its folder: "), picture);
+    // Of a long one, both ends.
+    put("long.dcd", std::string(40u << 20, 'a'));
+    const std::string before = app::trajectoryHash(folder / "long.dcd");
+    std::fstream file(folder / "long.dcd", std::ios::binary | std::ios::in | std::ios::out);
+    file.seekp(-1, std::ios::end);
+    file << 'b';
+    file.close();
+    EXPECT_NE(app::trajectoryHash(folder / "long.dcd"), before);
+    EXPECT_EQ(before.substr(0, 9), "41943040-");
 }
 
 }  // namespace
