@@ -1,5 +1,6 @@
 #include "app/cli/movie_options.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -45,7 +46,8 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
     addFlag(command, "--models", options.models,
             "Through the models, frames or records of INPUT, or the frames of --trajectory");
     addValue(command, "--views", "A.json,B.json,...", "none",
-             "Along views that `nacre view` saved: turn, move and zoom; what looks otherwise is faded over",
+             "Along views that `nacre view` saved: turn, move and zoom; what looks otherwise is faded over;\n"
+             "options prevail over each",
              [&](const std::string& text) { options.views = parseViews(text); });
     addFlag(command, "--loop", options.loop, "From the last of --views back to the first");
     addValue(command, "--easing", "NAME", "smooth for --views that do not loop, else linear",
@@ -70,12 +72,22 @@ void checkMotion(const MovieOptions& options) {
     if (cameras > 1) throw UsageError("--spin, --rock and --views exclude each other");
     if (cameras == 0 && !options.models) throw UsageError("nothing moves: --spin, --rock, --views or --models");
     if (options.loop && options.views.empty()) throw UsageError("--loop is for --views");
-    if (options.models && options.picture.input.model == kAllModels)
-        throw UsageError("--models shows one model after the other: leave out --model all");
+    const bool trajectory = !options.picture.input.trajectory.path.empty();
+    if (options.models && !trajectory && isGiven(options, "model"))
+        throw UsageError("--models shows one model after the other: leave out --model");
+    if (options.models && isGiven(options, "frame"))
+        throw UsageError("--models shows one frame after the other: leave out --frame");
+    if (options.models && !options.views.empty() && options.picture.look.ownFrame)
+        throw UsageError("--camera model is for a camera that --views do not move");
     if (options.models && options.picture.input.path == "-" && options.picture.input.trajectory.path.empty())
         throw UsageError("--models reads INPUT again and again: a file, not standard input");
     if (framesOf(options, 1) > kMostMovieFrames)
         throw UsageError("more than " + std::to_string(kMostMovieFrames) + " frames: --seconds, --fps");
+}
+
+bool isGiven(const MovieOptions& options, const char* name) {
+    return std::any_of(options.given.begin(), options.given.end(),
+                       [&](const OptionValue& v) { return v.name == name; });
 }
 
 std::uint64_t framesOf(const MovieOptions& options, std::uint64_t models) {

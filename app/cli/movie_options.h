@@ -10,6 +10,9 @@ void addMotion(CommandSpec& command, MovieOptions& options);
 /// What no option alone can tell. @throws UsageError
 void checkMotion(const MovieOptions& options);
 
+/// Whether an option of the picture was given, by its name without dashes.
+bool isGiven(const MovieOptions& options, const char* name);
+
 /// How many frames there are. @param models  of the molecule, if they are to be shown
 std::uint64_t framesOf(const MovieOptions& options, std::uint64_t models);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/cli/picture_options.h"
 #include "app/cli/saved_options.h"
 #include "app/download/load_molecule.h"
 #include "app/movie/movie_file.h"
@@ -11,6 +12,7 @@
 #include "app/shared/saved_view.h"
 #include "app/shared/view_input.h"
 #include "engine/error.h"
+#include "engine/scene/shared_frame.h"
 
 namespace nacre::app {
 namespace {
@@ -24,16 +26,41 @@ bool sameLook(const RenderOptions& a, const RenderOptions& b) {
            a.background == b.background && a.words == b.words && a.occlusion.directions == b.occlusion.directions;
 }
 
-/// The options as a key view changes them. @throws Error if it is of another molecule
-RenderOptions keyOptions(const RenderOptions& options, const std::string& file) {
-    RenderOptions key = options;
-    const SavedView view = readSavedView(file);
-    applySavedView(view, key);
-    key.aim.turns = true;
+std::string pathsOf(const InputOptions& input) {
+    std::string paths = filePathOf(input);
+    for (const FurtherInput& further : input.further) {
+        InputOptions each = input;
+        each.path = further.path;
+        each.hash = further.hash;
+        paths += ", " + filePathOf(each);
+    }
+    return paths;
+}
+
+/// Views that name what they show must all name the same. @throws Error
+void checkSameInput(const MovieOptions& options, const InputOptions& named) {
+    const InputOptions& input = options.picture.input;
+    const std::string file = named.namedBy, cannot = "cannot join views";
+    if (input.namedBy.empty() || named.path.empty()) return;  // who names INPUT means that
+    if (pathsOf(named) != pathsOf(input) || (!options.models && named.model != input.model))
+        throw Error(cannot, file, "it is of another molecule than the first: " + pathsOf(named));
+    if (!isGiven(options, "trajectory") && trajectoryPathOf(named) != input.trajectory.path)
+        throw Error(cannot, file, "it is of another trajectory than the first: " + trajectoryPathOf(named));
+}
+
+/// A key view as `nacre render --view` has it, with the options that were given beside it. @throws Error
+RenderOptions keyOptions(const MovieOptions& options, const std::string& file) {
+    RenderOptions key;
+    applySavedView(readSavedView(file), key);
     InputOptions named = key.savedInput;
     named.namedBy = file;
-    if (!named.path.empty() && (filePathOf(named) != filePathOf(options.input) || named.model != options.input.model))
-        throw Error("cannot join views", file, "it is of another molecule than the first: " + filePathOf(named));
+    checkSameInput(options, named);
+    CommandSpec seen{"movie", "", ""};
+    addMoviePicture(seen, key);
+    setOptions(seen, options.given);
+    key.aim.turns = true;
+    key.input = options.picture.input;
+    nameInputs(key);
     return key;
 }
 
@@ -58,32 +85,31 @@ Picture mixed(Picture a, const Picture& b, float share) {
 bool isTransparent(const MovieOptions& options) {
     if (options.views.empty()) return options.picture.background[3] < 1.0f;
     return std::any_of(options.views.begin(), options.views.end(),
-                       [&](const std::string& file) { return keyOptions(options.picture, file).background[3] < 1.0f; });
+                       [&](const std::string& file) { return keyOptions(options, file).background[3] < 1.0f; });
 }
 
 MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : options_(options), progress_(progress) {
     progress_.begin("reading");
     InputOptions input = options.picture.input;
     const bool laid = input.trajectory.fit || input.trajectory.smooth != 1;
-    if (options.models && laid) input.alone = false;  // all their places at once
-    molecules_ = input.model;
-    molecule_ = loadMolecule(input, downloadProgress(progress_));
-    if (options.models && !input.trajectory.path.empty()) {
-        motion_ = openMotion(input.trajectory, molecule_);
-        models_ = motion_->frames();
-        molecules_ = 1;
-        movePositions(molecule_, motion_->positions(0));
-    } else if (options.models) {
-        const FileSummary& file = molecule_.file;
-        models_ =
-            static_cast<std::uint64_t>(std::max<std::int64_t>({file.models.value_or(1), file.records.value_or(1), 1}));
-        if (models_ < 2) throw Error("cannot show models", input.path, "it has one alone");
+    molecules_ = options.models ? 1 : input.model;
+    if (options.models && input.trajectory.path.empty()) {
+        file_ = openModels(input, downloadProgress(progress_));
+        models_ = static_cast<std::uint64_t>(file_->count());
+        molecule_ = file_->first();
         if (laid) layModels(input);
+    } else {
+        molecule_ = loadMolecule(input, downloadProgress(progress_));
+        if (options.models) {
+            motion_ = openMotion(input.trajectory, molecule_);
+            models_ = motion_->frames();
+        }
     }
     frames_ = framesOf(options, models_);
     if (frames_ > kMostMovieFrames)
         throw Error("movie too long", input.path, "more than " + std::to_string(kMostMovieFrames) + " frames");
     progress_.begin("building the scene");
+    if (motion_) movePositions(molecule_, motion_->positions(0));
     if (!options.views.empty()) {
         addKeys();
         return;
@@ -91,22 +117,20 @@ MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : opti
     addLook(options.picture);
     const Look& look = ready(0, molecules_);
     first_ = look.prepared->settings.view;
+    firstClip_ = look.prepared->settings.effects.clip;
     center_ = look.prepared->run.center;
 }
 
 MovieScenes::~MovieScenes() = default;
 
-/// Models as the frames of a trajectory: as they are to be fitted and smoothed, all at once.
+/// Models as the frames of a trajectory, to be fitted and smoothed.
 void MovieScenes::layModels(const InputOptions& input) {
-    auto models = trajectoryOfModels(std::make_shared<const Molecule>(molecule_), input.model);
+    auto models = trajectoryOfModels(std::make_shared<const Molecule>(molecule_), 1);
     if (!models)
         throw Error(
             "cannot fit or smooth models", input.path,
             molecule_.othersMissing.empty() ? "their atoms differ from one to the next" : molecule_.othersMissing);
-    models_ = models->frames();
     motion_ = std::make_unique<Motion>(std::move(models), molecule_, motionOptions(input.trajectory, molecule_));
-    molecules_ = 1;
-    movePositions(molecule_, motion_->positions(0));
 }
 
 void MovieScenes::addLook(const RenderOptions& options) {
@@ -118,7 +142,7 @@ void MovieScenes::addLook(const RenderOptions& options) {
 void MovieScenes::addKeys() {
     std::vector<Lens> lenses;
     for (const std::string& file : options_.views) {
-        RenderOptions options = keyOptions(options_.picture, file);
+        RenderOptions options = keyOptions(options_, file);
         const auto same = std::find_if(looks_.begin(), looks_.end(),
                                        [&](const Look& look) { return sameLook(look.options, options); });
         Key key{static_cast<std::size_t>(same - looks_.begin()), {}, options.effects.clip};
@@ -134,6 +158,7 @@ void MovieScenes::addKeys() {
         throw Error("cannot join views", options_.views.front(),
                     "with --models, views may differ in their cameras alone");
     path_.emplace(std::move(lenses), options_.loop);
+    forgetWords();
     ready(keys_.front().look, molecules_);
 }
 
@@ -141,19 +166,19 @@ void MovieScenes::addKeys() {
 MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     Look& look = looks_[number];
     if (look.renderer && look.model == model) return look;
-    if (motion_ && look.moving) {
+    if (look.moving) {
         moveTo(look, model);
         return look;
     }
+    const bool first = !look.prepared;
+    if (motion_) movePositions(molecule_, motion_->positions(static_cast<std::size_t>(model - 1)));
     if (molecules_ != model && !motion_) {
-        InputOptions input = options_.picture.input;
-        input.model = model;
-        input.alone = true;  // the first one's camera is that of all
-        molecule_ = loadMolecule(input);
+        molecule_ = file_->read(model);
         molecules_ = model;
     }
-    const bool first = !look.prepared;
-    look.prepared = preparePicture(molecule_, look.options);
+    const std::optional<Bounds> frame = file_ && !motion_ ? frameOf(look) : std::nullopt;
+    look.framed = frame.has_value();
+    look.prepared = preparePicture(molecule_, look.options, frame);
     if (first)
         for (const std::string& warning : look.prepared->scene.warnings) sayWarning(warning);
     look.model = model;
@@ -162,11 +187,22 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     };
     // Occlusion of models that come and go is not worth room on the disk.
     if (options_.models) look.prepared->settings.occlusion.cache.clear();
-    if (motion_)
+    if (motion_ && !look.options.look.ownFrame)
         look.moving.emplace(movingSceneOf(molecule_, look.options.input.path, look.options.drawn, look.options.look));
     if (!look.renderer) look.renderer = std::make_unique<Renderer>(look.options.device);
     look.renderer->setScene(std::move(look.prepared->scene));
     return look;
+}
+
+/// The frame that all models share. The first one knows where the others are; but the style that none asks for is each
+/// model's own, and those of a style have a frame together.
+std::optional<Bounds> MovieScenes::frameOf(Look& look) const {
+    const DrawnAtomsOptions& drawn = look.options.drawn;
+    RepresentationOptions shared = look.options.look;
+    if (!shared.style) shared.style = appearanceOf(molecule_, drawnAtoms(molecule_, drawn), shared).style;
+    const auto known = look.frames.find(*shared.style);
+    if (known != look.frames.end()) return known->second;
+    return look.frames[*shared.style] = sharedFrame(file_->first(), drawn, shared);
 }
 
 /// Only positions change: what is drawn, and in what colours, is settled.
@@ -191,13 +227,25 @@ Picture MovieScenes::pictureOf(Look& look, const RenderSettings& settings) const
     return picture;
 }
 
-Picture MovieScenes::drawKeys(double place) {
+/// Words stand where they would in a picture alone. Looks of the same words have one memory: while one fades over into
+/// the other, each word is in one place.
+void MovieScenes::forgetWords() {
+    for (Look& look : looks_) {
+        const auto same = std::find_if(looks_.begin(), looks_.end(),
+                                       [&](const Look& other) { return other.options.words == look.options.words; });
+        look.wordMemory = &*same == &look ? std::make_shared<WordMemory>() : same->wordMemory;
+    }
+}
+
+Picture MovieScenes::drawKeys(double place, int model) {
     const auto from = std::min(static_cast<std::size_t>(place), path_->stretches() - 1);
     double share = place - static_cast<double>(from);
+    // At a key view itself the very picture of that view; from there on they go with what they name.
+    if (from != stretch_ || share == 0 || share == 1) forgetWords();
+    stretch_ = from;
     if (options_.easing.value_or(Easing::smooth) == Easing::stops) share = eased(Easing::smooth, share);
     const Key &a = keys_[from], &b = keys_[(from + 1) % keys_.size()];
     letGo(a.look, b.look);
-    const int model = molecules_;
     const auto draw = [&](std::size_t number) {
         Look& look = ready(number, model);
         RenderSettings settings = look.prepared->settings;
@@ -226,19 +274,25 @@ int MovieScenes::modelAt(std::uint64_t frame) const {
 }
 
 Picture MovieScenes::draw(std::uint64_t frame) {
+    if (frame != next_) forgetWords();
+    next_ = frame + 1;
     const double time = timeOf(options_, frame, frames_);
     const int model = modelAt(frame);
     if (path_) {
-        ready(keys_.front().look, model);
         const Easing easing = options_.easing.value_or(options_.loop ? Easing::linear : Easing::smooth);
-        return drawKeys(eased(easing, time) * static_cast<double>(path_->stretches()));
+        return drawKeys(eased(easing, time) * static_cast<double>(path_->stretches()), model);
     }
     Look& look = ready(0, model);
     RenderSettings settings = look.prepared->settings;
     const glm::dvec3 center = look.prepared->run.center;
     View& view = settings.view;
-    if (center != center_ || view.pixelsPerAngstrom != first_.pixelsPerAngstrom)  // every model from the same place
+    // Every model from the same place, where the first was aimed at, unless each is to have its own.
+    const bool aimed = options_.picture.aim.any() && file_ && !motion_ && model != 1;
+    const bool elsewhere = center != center_ || view.pixelsPerAngstrom != first_.pixelsPerAngstrom;
+    if (!look.options.look.ownFrame && (aimed || (elsewhere && !look.framed))) {
         view = viewThrough(lensOf(first_, center_), view, center);
+        settings.effects.clip = firstClip_;
+    }
     view = viewAt(options_, view, time);
     return pictureOf(look, settings);
 }

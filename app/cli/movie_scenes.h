@@ -9,6 +9,7 @@
 #include "app/cli/picture_job.h"
 #include "app/cli/progress.h"
 #include "app/shared/trajectory_input.h"
+#include "engine/molecule/model_file.h"
 
 namespace nacre::app {
 
@@ -22,7 +23,7 @@ public:
     ~MovieScenes();
 
     std::uint64_t frames() const { return frames_; }
-    /// A frame, 0..frames() - 1, in any order. @throws Error
+    /// A frame, 0..frames() - 1, in any order; words go with what they name from the first of a row on. @throws Error
     Picture draw(std::uint64_t frame);
     /// Called with the share that is done while occlusion is baked.
     std::function<void(double)> onBake;
@@ -34,8 +35,10 @@ private:
         std::optional<PreparedPicture> prepared;  ///< less the scene, once that is with the renderer
         std::unique_ptr<Renderer> renderer;
         int model = 0;
-        std::optional<MovingScene> moving;  ///< of a trajectory
-        std::unique_ptr<WordMemory> wordMemory = std::make_unique<WordMemory>();
+        std::map<Style, std::optional<Bounds>> frames;  ///< of the camera that models share
+        bool framed = false;                            ///< the model that is there has such a one
+        std::optional<MovingScene> moving;              ///< of a trajectory whose frames share a camera
+        std::shared_ptr<WordMemory> wordMemory = std::make_shared<WordMemory>();
     };
     struct Key {
         std::size_t look = 0;
@@ -47,21 +50,27 @@ private:
     void layModels(const InputOptions& input);
     void addKeys();
     Look& ready(std::size_t look, int model);
+    std::optional<Bounds> frameOf(Look& look) const;
     void letGo(std::size_t a, std::size_t b);
+    void forgetWords();
     Picture pictureOf(Look& look, const RenderSettings& settings) const;
-    Picture drawKeys(double place);
+    Picture drawKeys(double place, int model);
     void moveTo(Look& look, int frame);
     int modelAt(std::uint64_t frame) const;
 
     const MovieOptions& options_;
     Progress& progress_;
-    Molecule molecule_;               ///< of the model that was read last
-    int molecules_ = 0;               ///< its number
-    std::unique_ptr<Motion> motion_;  ///< through a trajectory, whose frames are the models
+    Molecule molecule_;                ///< of the model that was read last
+    int molecules_ = 0;                ///< its number
+    std::unique_ptr<ModelFile> file_;  ///< of the models
+    std::unique_ptr<Motion> motion_;   ///< through a trajectory, whose frames are the models
     std::vector<Look> looks_;
     std::vector<Key> keys_;
     std::optional<CameraPath> path_;
     std::uint64_t frames_ = 1, models_ = 1;
+    std::uint64_t next_ = 0;   ///< the frame that words go on to
+    std::size_t stretch_ = 0;  ///< of the path, where words are
+    Clip firstClip_;
     View first_;           ///< of the first model
     glm::dvec3 center_{};  ///< of it
 };

@@ -68,8 +68,9 @@ struct MovieOptions {
     glm::dvec3 axis{0, 1, 0};    ///< of rock
     bool models = false;         ///< one after the other
     std::vector<std::string> views;
-    bool loop = false;              ///< the last view is followed by the first
-    std::optional<double> seconds;  ///< empty: what the motion takes
+    std::vector<OptionValue> given;  ///< of `picture`: they prevail over each of the views
+    bool loop = false;               ///< the last view is followed by the first
+    std::optional<double> seconds;   ///< empty: what the motion takes
     double framesPerSecond = 30;
     std::optional<Easing> easing;
     std::string report;  ///< path, "-" for standard output; empty: none

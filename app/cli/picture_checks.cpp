@@ -32,6 +32,7 @@ bool takeInput(RenderOptions& options) {
         const std::int64_t frame = options.input.trajectory.frame;
         options.input.trajectory = options.savedInput.trajectory;
         options.input.trajectory.path = trajectoryPathOf(options.input);
+        options.input.trajectory.namedBy = options.view;
         if (frame != 1) options.input.trajectory.frame = frame;
     }
     return !options.input.path.empty();
@@ -49,16 +50,11 @@ void checkSeveral(RenderOptions& options) {
                                               [](const FurtherInput& further) { return further.path == "-"; });
     if (standardInputs + (input.path == "-" ? 1 : 0) > 1) throw UsageError("standard input is one INPUT alone");
     const std::vector<std::string> names = inputNames(input);
-    for (Rule& rule : options.look.rules) nameInputs(names, rule.selection);
-    for (Label& label : options.words.labels) nameInputs(names, label.selection);
     for (FitOptions& fit : input.fits) {
         nameInputs(names, fit.moving);
         nameInputs(names, fit.fixed);
     }
-    for (std::optional<Selection>* selection : {&options.aim.lookAt, &options.aim.zoomTo})
-        if (*selection) nameInputs(names, **selection);
-    // A view that holds several has the colours that it was saved with.
-    if (input.namedBy.empty()) colorApart(names, options.look);
+    nameInputs(options);
 }
 
 void checkInputs(RenderOptions& options, bool throughModels = false) {
@@ -94,6 +90,17 @@ void checkFiles(const RenderOptions& options) {
 
 }  // namespace
 
+void nameInputs(RenderOptions& options) {
+    if (options.input.further.empty()) return;
+    const std::vector<std::string> names = inputNames(options.input);
+    for (Rule& rule : options.look.rules) nameInputs(names, rule.selection);
+    for (Label& label : options.words.labels) nameInputs(names, label.selection);
+    for (std::optional<Selection>* selection : {&options.aim.lookAt, &options.aim.zoomTo})
+        if (*selection) nameInputs(names, **selection);
+    // A view that holds several has the colours that it was saved with.
+    if (options.input.namedBy.empty()) colorApart(names, options.look);
+}
+
 void checkLooks(const LooksOptions& options) {
     const bool input = !options.picture.input.path.empty(), output = !options.picture.output.empty();
     if (input != output) throw UsageError(input ? "--output is required for a sheet" : "INPUT is required for a sheet");
@@ -115,13 +122,14 @@ void checkRender(RenderOptions& options) {
 
 void checkMovie(MovieOptions& options) {
     RenderOptions& picture = options.picture;
+    if (!options.views.empty() && !picture.view.empty())
+        throw UsageError("--view and --views exclude each other: name it among them");
     if (!options.views.empty() && picture.input.path.empty() && picture.savedInput.path.empty()) {
         picture.view = options.views.front();
         picture.savedInput = inputOf(readSavedView(picture.view));
     }
     if (!takeInput(picture)) throw UsageError("INPUT is required");
-    if (!picture.input.further.empty() && (options.models || !options.views.empty()))
-        throw UsageError("--models and --views are for one INPUT");
+    if (!picture.input.further.empty() && options.models) throw UsageError("--models is for one INPUT");
     checkInputs(picture, options.models);
     if (isStandardOutput(picture.output) && isStandardOutput(options.report))
         throw UsageError("--output and --report cannot both be standard output");

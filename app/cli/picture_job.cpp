@@ -23,12 +23,14 @@ namespace {
 
 /// A frame of a trajectory is seen from where the first is, as in a window and in films, and drawn as chosen there;
 /// unless each is to have a camera of its own. @returns the radius that the camera goes by
-double buildScene(const Molecule& molecule, const RenderOptions& options, Representation& scene) {
+double buildScene(const Molecule& molecule, const RenderOptions& options, const std::optional<Bounds>& frame,
+                  Representation& scene) {
     const InputOptions& input = options.input;
-    const TrajectoryOptions& frames = input.trajectory;
+    TrajectoryOptions frames = input.trajectory;
+    frames.namedBy.clear();  // what there is to say of it was said when the molecule was read
     if (frames.path.empty() || frames.frame == 1 || options.look.ownFrame || !options.look.assembly.empty() ||
         !input.further.empty()) {
-        scene = sceneOf(molecule, input.path, options.drawn, options.look);
+        scene = sceneOf(molecule, input.path, options.drawn, options.look, frame);
         return scene.radius;
     }
     Molecule first = molecule;
@@ -110,10 +112,11 @@ PictureFormat formatOf(const RenderOptions& options) {
     return {options.background[3] < 1.0f, options.bits, options.dpi.value_or(0)};
 }
 
-PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& options) {
+PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& options,
+                               const std::optional<Bounds>& frame) {
     const Clock::time_point start = Clock::now();
     PreparedPicture prepared;
-    const double radius = buildScene(molecule, options, prepared.scene);
+    const double radius = buildScene(molecule, options, frame, prepared.scene);
     const Aimed aim = aimed(options.camera, options.aim, molecule, prepared.scene, options.size);
     prepared.settings = settingsOf(options, aim.camera, radius);
     if (prepared.scene.radius > radius) reachTo(prepared.settings.view, prepared.scene.radius);

@@ -27,8 +27,9 @@ struct PreparedPicture {
 /// How the options ask for the file to be written.
 PictureFormat formatOf(const RenderOptions& options);
 
-/// Needs no device. @throws Error if nothing of the molecule is drawn
-PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& options);
+/// Needs no device. @param frame  as of sceneOf() @throws Error if nothing of the molecule is drawn
+PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& options,
+                               const std::optional<Bounds>& frame = {});
 
 /// Writes the words into a picture in its full size. @returns the labels that found no room
 /// @param memory  of pictures that follow each other

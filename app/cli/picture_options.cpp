@@ -64,6 +64,12 @@ void addPixels(CommandSpec& command, RenderOptions& options) {
     addMeshError(command, "0.25", options.meshError);
 }
 
+std::vector<std::string> lookNames() {
+    std::vector<std::string> names;
+    for (const Look& look : looks()) names.push_back(look.name);
+    return names;
+}
+
 /// Goes before the options that it stands for, so that those prevail.
 void addThumbnail(CommandSpec& command, RenderOptions& options) {
     addValue(command, "--thumbnail", "N", "none",
@@ -195,7 +201,8 @@ void addLook(CommandSpec& command, RenderOptions& options) {
     addValue(command, "--look", "NAME|FILE", "default",
              "Light, lines, fog and colours that go together, as `nacre looks` lists them, or a JSON file of\nsuch "
              "options; options prevail",
-             [&](const std::string& text) { takeLook(lookOf(text), options); });
+             [&](const std::string& text) { takeLook(lookOf(text), options); })
+        .choices = lookNames();
 }
 
 void addEffects(CommandSpec& command, RenderOptions& options) {
@@ -230,11 +237,19 @@ void addRender(CommandSpec& command, RenderOptions& options) {
     addDevice(command, options);
 }
 
+void addMoviePicture(CommandSpec& command, RenderOptions& options) {
+    addSavedView(command, options);
+    addLook(command, options);
+    addContent(command, options.input, false, options.drawn, options.look);
+    addCamera(command, options);
+    addShading(command, options);
+    addWords(command, options);
+    addPixels(command, options);
+    addDevice(command, options);
+}
+
 void addMovie(CommandSpec& command, MovieOptions& options) {
     RenderOptions& picture = options.picture;
-    addSavedView(command, picture);
-    addLook(command, picture);
-    addContent(command, picture.input, false, picture.drawn, picture.look);
     addValue(command, "-o,--output", "FILE|FOLDER/", "",
              "The movie: .mp4, .webm (both by ffmpeg), .gif, .png (animated); or a folder of PNG frames;\n"
              "- is an animated PNG to standard output",
@@ -246,11 +261,9 @@ void addMovie(CommandSpec& command, MovieOptions& options) {
              })
         .required = true;
     addMotion(command, options);
-    addCamera(command, picture);
-    addShading(command, picture);
-    addWords(command, picture);
-    addPixels(command, picture);
-    addDevice(command, picture);
+    CommandSpec seen{"movie", "", ""};
+    addMoviePicture(seen, picture);
+    for (const OptionSpec& option : seen.options) command.add(recorded(option, options.given));
 }
 
 void addWindow(CommandSpec& command, RenderOptions& first) {

@@ -17,9 +17,14 @@ void addEffects(CommandSpec& command, RenderOptions& options);
 
 void addRender(CommandSpec& command, RenderOptions& options);
 void addMovie(CommandSpec& command, MovieOptions& options);
+/// What is seen in a movie: its options but for the file and the motion.
+void addMoviePicture(CommandSpec& command, RenderOptions& options);
 /// What a window shows at first is said as for `render`; `size` is the window's.
 void addWindow(CommandSpec& command, RenderOptions& first);
 
+/// Names of several INPUTs, in selections of how they are seen, become what they mean; the carbons of each get a colour
+/// of its own, unless a saved view has them.
+void nameInputs(RenderOptions& options);
 /// What no option alone can tell; INPUT is that of the saved view if there is no other. @throws UsageError
 void checkRender(RenderOptions& options);
 /// The same for a movie; INPUT may also be that of its first key view. @throws UsageError, Error

@@ -88,11 +88,14 @@ struct NotInIt {
 };
 
 /// Reads what has been kept. What no longer reads is removed, and counts as never kept.
-std::optional<Molecule> readKept(const DiskCache& cache, const Source& source, const ReadOptions& options) {
+std::optional<Molecule> readKept(const DiskCache& cache, const Source& source, const ReadOptions& options,
+                                 const DownloadSettings& settings) {
     std::optional<std::string> bytes = cache.read(source.cacheName);
     if (!bytes) return std::nullopt;
     try {
-        return read(source, cache.pathOf(source.cacheName), *bytes, options);
+        Molecule molecule = read(source, cache.pathOf(source.cacheName), *bytes, options);
+        if (settings.onContent) settings.onContent(cache.pathOf(source.cacheName), std::move(*bytes), source.format);
+        return molecule;
     } catch (const Error&) {
         if (readable(source, *bytes)) throw;
         cache.remove(source.cacheName);
@@ -111,6 +114,7 @@ Molecule fetch(const DiskCache& cache, const Source& source, const std::string& 
     try {
         Molecule molecule = read(source, url, bytes, options);
         if (file) file->commit();
+        if (settings.onContent) settings.onContent(url, bytes, source.format);
         return molecule;
     } catch (const Error&) {
         const bool whole = readable(source, bytes);
@@ -141,7 +145,7 @@ Molecule downloadMolecule(const DatabaseId& id, const ReadOptions& options, cons
     const DiskCache cache(settings.cacheFolder, kDownloadCacheBytes, {"pdb-", "pubchem-", "afdb-"});
     const std::vector<Source> sources = sourcesOf(id, settings.environment);
     for (const Source& source : sources)
-        if (auto molecule = readKept(cache, source, options)) return std::move(*molecule);
+        if (auto molecule = readKept(cache, source, options, settings)) return std::move(*molecule);
     if (settings.offline)
         throw Error("cannot download", id.input,
                     cache.on() ? "--offline, and " + cache.folder() + " does not hold it" : "--offline, and no cache");

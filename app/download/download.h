@@ -16,6 +16,8 @@ struct DownloadSettings {
     Environment environment = environmentVariable;
     /// Called as bytes arrive, with the share of the file that is there if its size is known, 0..1.
     std::function<void(double)> onProgress;
+    /// Called with what the molecule was read from: its name, its bytes, and its format.
+    std::function<void(const std::string&, std::string, Format)> onContent;
 };
 
 /// Most bytes of structures that are kept.

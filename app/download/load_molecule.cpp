@@ -19,8 +19,10 @@ std::uint64_t memoryOf(const InputOptions& input) {
     return input.memoryMegabytes ? static_cast<std::uint64_t>(*input.memoryMegabytes) << 20 : memoryShare(2);
 }
 
+using OnContent = std::function<void(const std::string&, std::string, Format)>;
+
 Molecule loadDownload(const InputOptions& input, const DatabaseId& id, const std::function<void(double)>& onDownload,
-                      const std::function<void(double)>& onModel) {
+                      const std::function<void(double)>& onModel, const OnContent& onContent = {}) {
     if (input.format) throw Error("cannot download", input.path, "a download takes no --format");
     ReadOptions options = readWithin(memoryOf(input));
     options.model = input.model;
@@ -32,6 +34,7 @@ Molecule loadDownload(const InputOptions& input, const DatabaseId& id, const std
     settings.offline = input.offline || forbidden;
     settings.limits = httpLimits();
     settings.onProgress = onDownload;
+    settings.onContent = onContent;
     try {
         return downloadMolecule(id, options, settings);
     } catch (const Error&) {
@@ -46,20 +49,30 @@ bool isPlain(const std::string& path) {
     return std::filesystem::is_regular_file(path, error);
 }
 
-/// A file that a view names.
-Molecule loadNamed(InputOptions input, const std::function<void(double)>& onModel) {
+/// Where a file is that a view names; what is to be said of that is said.
+std::string namedPath(const InputOptions& input) {
     if (const std::string notice = outsideNotice(input); !notice.empty()) sayNote(notice);
     const std::string named = (std::filesystem::path(input.namedBy).parent_path() / input.path).string();
-    input.path = filePathOf(input);
-    if (input.path != named && isPlain(input.path))
-        sayNote(input.namedBy + " names a file that is gone; this one has its content: " + input.path);
-    else if (!input.hash.empty() && isPlain(input.path) && fileHash(input.path) != input.hash)
-        sayNote(input.path + " is not as it was when " + input.namedBy + " was saved");
+    const std::string path = filePathOf(input);
+    if (path != named && isPlain(path))
+        sayNote(input.namedBy + " names a file that is gone; this one has its content: " + path);
+    else if (!input.hash.empty() && isPlain(path) && fileHash(path) != input.hash)
+        sayNote(path + " is not as it was when " + input.namedBy + " was saved");
+    return path;
+}
+
+Error notNamed(const InputOptions& input) {
+    return Error("cannot read molecule", input.path,
+                 "it is missing, or not what " + input.namedBy + " says it is (nacre info tells why)");
+}
+
+/// A file that a view names.
+Molecule loadNamed(InputOptions input, const std::function<void(double)>& onModel) {
+    input.path = namedPath(input);
     try {
         return readLocally(input, memoryOf(input), {}, onModel);
     } catch (const Error&) {
-        throw Error("cannot read molecule", input.path,
-                    "it is missing, or not what " + input.namedBy + " says it is (nacre info tells why)");
+        throw notNamed(input);
     }
 }
 
@@ -90,6 +103,32 @@ Molecule loadMolecule(const InputOptions& input, const std::function<void(double
         molecules.push_back(loadStructure(next, onDownload, onModel));
     }
     return joinInputs(input, std::move(molecules), sayNote);
+}
+
+std::unique_ptr<ModelFile> openModels(const InputOptions& input, const std::function<void(double)>& onDownload) {
+    ReadOptions options = readWithin(memoryOf(input));
+    options.format = input.format;
+    std::unique_ptr<ModelFile> file;
+    if (const auto id = parseDatabaseId(input.path)) {
+        InputOptions first = input;
+        first.model = 1;
+        first.alone = true;
+        loadDownload(first, *id, onDownload, {}, [&](const std::string& name, std::string bytes, Format format) {
+            options.format = format;
+            file = std::make_unique<ModelFile>(name, std::move(bytes), options);
+        });
+    } else if (!input.path.starts_with("sample:")) {
+        InputOptions named = input;
+        if (!input.namedBy.empty()) named.path = namedPath(input);
+        try {
+            file = std::make_unique<ModelFile>(named.path, options);
+        } catch (const Error&) {
+            if (input.namedBy.empty()) throw;
+            throw notNamed(named);
+        }
+    }
+    if (!file || file->count() < 2) throw Error("cannot show models", input.path, "it has one alone");
+    return file;
 }
 
 }  // namespace nacre::app

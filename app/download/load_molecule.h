@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "app/shared/input_options.h"
 #include "engine/error.h"
+#include "engine/molecule/model_file.h"
 #include "engine/molecule/molecule.h"
 
 namespace nacre::app {
@@ -25,5 +27,8 @@ public:
 /// @throws Error, DownloadForbidden
 Molecule loadMolecule(const InputOptions& input, const std::function<void(double)>& onDownload = {},
                       const std::function<void(double)>& onModel = {});
+
+/// The models of INPUT, each to be read as it is needed. @throws Error as above, or if it has one alone
+std::unique_ptr<ModelFile> openModels(const InputOptions& input, const std::function<void(double)>& onDownload = {});
 
 }  // namespace nacre::app

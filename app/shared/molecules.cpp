@@ -59,9 +59,9 @@ MovingScene movingSceneOf(const Molecule& molecule, const std::string& name, con
 }
 
 Representation sceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawnOptions,
-                       const RepresentationOptions& look) {
+                       const RepresentationOptions& look, const std::optional<Bounds>& frame) {
     const std::vector<std::uint32_t> drawn = someDrawnAtoms(molecule, name, drawnOptions);
-    Representation scene = represent(molecule, drawn, look, sharedFrame(molecule, drawnOptions, look));
+    Representation scene = represent(molecule, drawn, look, frame ? frame : sharedFrame(molecule, drawnOptions, look));
     if (!look.ownFrame && !molecule.othersMissing.empty())
         scene.warnings.push_back("the camera is this model's own, not that of all models: " + molecule.othersMissing);
     return scene;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "app/shared/input_options.h"
@@ -26,8 +27,9 @@ Molecule readLocally(const InputOptions& input, std::uint64_t bytes,
                      const std::function<void(double)>& onModel = {});
 
 /// What is drawn of a molecule, in its style and colours. @throws Error if that is nothing
+/// @param frame  that all models of its file share (shared_frame.h), if that is known; else it is found, if it can be
 Representation sceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawn,
-                       const RepresentationOptions& look);
+                       const RepresentationOptions& look, const std::optional<Bounds>& frame = {});
 
 /// The same of one whose atoms move; seen as all models of its file are, if it has others. @throws Error
 MovingScene movingSceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawn,

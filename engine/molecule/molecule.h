@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/molecule/model_places.h"
+
 namespace nacre {
 
 /// Atomic number, 1 to 118; 0 = unknown; 119 = deuterium. Same numbering as gemmi::El.
@@ -113,14 +115,6 @@ struct FileSummary {
     std::optional<std::array<glm::vec3, 3>> box;  ///< vectors of the simulation box, Å (GRO)
 };
 
-struct Molecule;
-
-/// Another model of a molecule's file. other_models.h makes a molecule of it.
-struct OtherModel {
-    std::vector<glm::vec3> positions;       ///< of the molecule's own atoms, Å, if it has the same; else none
-    std::shared_ptr<const Molecule> whole;  ///< if it has other atoms
-};
-
 /// One model of one file, or all of them: every atom record in the file's order, so that an atom's 1-based position is
 /// its id.
 struct Molecule {
@@ -138,8 +132,8 @@ struct Molecule {
     std::vector<float> radii;               ///< by atom, Å, as PQR states them; empty otherwise
     std::vector<std::string> warnings;      ///< what was read leniently, one sentence each, bounded in number
     bool modelsAreInputs = false;           ///< what chains call models are several molecules that stand together
-    std::vector<OtherModel> others;  ///< if they were asked for: the file's other models, for a camera that all share
-    std::string othersMissing;       ///< why they are not there though there are some; empty: they are, or none is
+    ModelPlaces others;         ///< if they were asked for: the file's other models, for a camera that all share
+    std::string othersMissing;  ///< why they are not there though there are some; empty: they are, or none is
     FileSummary file;
 };
 

@@ -62,7 +62,6 @@ void OtherModels::add(Molecule model) {
     if (sameButForPlaces(own_, model)) {
         other.positions.reserve(model.atoms.size());
         for (const Atom& atom : model.atoms) other.positions.push_back(atom.position);
-        bytes_ += model.atoms.size() * sizeof(glm::vec3);
     } else if (own_.file.records && !sameElements(own_, model)) {
         own_.others.clear();  // another molecule: no camera is theirs together
         wanted_ = false;
@@ -78,13 +77,12 @@ void OtherModels::add(Molecule model) {
         whole.statesSecondaryStructure = model.statesSecondaryStructure;
         other.whole = std::make_shared<const Molecule>(std::move(whole));
     }
+    bytes_ += own_.others.add(std::move(other), std::min(mostBytes_, ModelPlaces::kMostHeld));
     if (bytes_ > mostBytes_) {
         own_.others.clear();
         own_.othersMissing = "all models together have too many atoms";
         wanted_ = false;
-        return;
     }
-    own_.others.push_back(std::move(other));
 }
 
 void place(const Molecule& molecule, const OtherModel& other, Molecule& placed) {

@@ -8,7 +8,8 @@
 
 namespace nacre {
 
-/// Of models that have the molecule's own atoms the places alone are kept, of others all but their bonds.
+/// Of models that have the molecule's own atoms the places alone are kept, in a file if they are many, of others all
+/// but their bonds.
 class OtherModels {
 public:
     /// @param own       gets them

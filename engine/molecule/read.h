@@ -25,8 +25,10 @@ struct ReadOptions {
     int model = 1;                                ///< 1-based model, frame or record, or kAllModels
     std::size_t maxBytes = std::size_t{1} << 31;  ///< largest text accepted, after inflation
     std::size_t maxAtoms = kMaxAtoms;             ///< of the model that is read; reading ends at one more
-    bool others = false;                          ///< with the places of the file's other models: Molecule::others
-    std::function<void(double)> onModel = {};     ///< of kAllModels: called after each with the share read, 0..1
+    std::size_t heldText = std::size_t{32}
+                           << 20;              ///< that a file is held whole with; of more, models are read one by one
+    bool others = false;                       ///< with the places of the file's other models: Molecule::others
+    std::function<void(double)> onModel = {};  ///< of kAllModels: called after each with the share read, 0..1
 };
 
 /// Name of a format as `--format` takes it, one of formatNames(); empty if there is none such.

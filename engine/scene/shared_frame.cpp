@@ -54,10 +54,11 @@ public:
     void eachBall(const VisitBall& visit) const {
         nacre::eachBall(molecule_, drawn_, options_, visit);
         Molecule placed;
-        for (const OtherModel& other : molecule_.others) {
+        for (std::size_t i = 0; i < molecule_.others.size(); ++i) {
+            const OtherModel other = molecule_.others[i];
             if (simple_ && !other.whole) {
-                for (std::size_t i = 0; i < seen_.atoms.size(); ++i)
-                    visit(other.positions[seen_.atoms[i]], seen_.balls[i].w);
+                for (std::size_t k = 0; k < seen_.atoms.size(); ++k)
+                    visit(other.positions[seen_.atoms[k]], seen_.balls[k].w);
                 continue;
             }
             place(molecule_, other, placed);

@@ -118,7 +118,8 @@ class Completion(unittest.TestCase):
             os.write(ours, f"nacre {typed}\t\x14".encode())  # the second key says that the first is done with
             text = until("MARK")
             os.write(ours, b"\x15")
-            return [word for word in re.split(r"[\s\x00-\x1f]+", text) if word]
+            words = re.split(r"[\s\x00-\x1f]+", text)
+            return [word.removesuffix(",") for word in words if word]  # a list goes on
         complete.begun = False
         self.check(complete, "zsh")
 

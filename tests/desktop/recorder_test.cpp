@@ -118,6 +118,11 @@ TEST(Recorder, AsksForWhatTheWindowShows) {
     EXPECT_EQ(after("--view"), "v.json");
     EXPECT_NE(std::find(words.begin(), words.end(), "--models"), words.end());
     EXPECT_NE(std::find(words.begin(), words.end(), "--whole"), words.end());
+    EXPECT_EQ(after("--frame"), "none") << "it goes through all of them";
+    wish.motion = RecordingWish::Motion::spin;
+    shown.trajectory.frame = 7;
+    const std::vector<std::string> spin = movieArguments(wish, shown, "v.json", {});
+    EXPECT_EQ(*(std::find(spin.begin(), spin.end(), "--frame") + 1), "7");
 }
 
 }  // namespace

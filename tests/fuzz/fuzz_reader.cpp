@@ -62,7 +62,8 @@ bool read(const std::string& bytes, int model) {
     try {
         const nacre::Molecule molecule = nacre::readMolecule("input", bytes, options);
         check(molecule);
-        for (const nacre::OtherModel& other : molecule.others) {
+        for (std::size_t i = 0; i < molecule.others.size(); ++i) {
+            const nacre::OtherModel other = molecule.others[i];
             require(other.whole || other.positions.size() == molecule.atoms.size(), "has another model of other atoms");
             if (other.whole) check(*other.whole);
         }

@@ -139,10 +139,13 @@ std::string rowsOf(const std::string& model, const std::string& x) {
 
 /// What a text is cut into, parts divided by '|': before, models, after.
 std::string cutOf(Format format, const std::string& text) {
-    const ModelTexts texts = modelTexts(format, text);
-    std::string parts(texts.before);
-    for (const std::string_view model : texts.models) parts += "|" + std::string(model);
-    return parts + "|" + std::string(texts.after);
+    const TextSource source = textInMemory(text);
+    const ModelTexts texts = modelTexts(format, source);
+    std::string parts;
+    appendText(parts, source, texts.before);
+    for (const TextSpan& model : texts.models) appendText(parts += "|", source, model);
+    appendText(parts += "|", source, texts.after);
+    return parts;
 }
 
 constexpr const char* kAtom = "ATOM      1  CA  GLY A   1       1.000   2.000   3.000  1.00  0.00           C\n";
@@ -176,6 +179,18 @@ TEST(ModelTexts, OfFramesGoByTheirCounts) {
     EXPECT_EQ(cutOf(Format::xyz, xyz + "99999999999999999999\n\n"), "|" + xyz + "|");
     EXPECT_EQ(cutOf(Format::gro, gro + gro), "|" + gro + "|" + gro + "|");
     EXPECT_EQ(cutOf(Format::gro, gro + "title\nmany\n"), "|" + gro + "|");
+}
+
+TEST(ModelTexts, OfMmcifGoByTheNumbersOfModels) {
+    const std::string one = rowsOf("1", "1.0"), two = rowsOf("2", "2.0"), head = kHead;
+    EXPECT_EQ(cutOf(Format::mmcif, head + one + two + kTail), head + "|" + one + "|" + two + "|" + kTail);
+    EXPECT_EQ(cutOf(Format::mmcif, head + one + two + "loop_\n_x.y\n1\n"),
+              head + "|" + one + "|" + two + "|loop_\n_x.y\n1\n");
+    EXPECT_EQ(cutOf(Format::mmcif, head + one + two + one), "|");                  // models that come again
+    EXPECT_EQ(cutOf(Format::mmcif, head + one + "ATOM C1\n 1 0 0 2\n"), "|");      // a row on two lines
+    EXPECT_EQ(cutOf(Format::mmcif, head + one + "ATOM 'C 1 0 0 0 2\n"), "|");      // a quote that does not end
+    EXPECT_EQ(cutOf(Format::mmcif, head + one + two + kTail + head + one), "|");   // two blocks
+    EXPECT_EQ(cutOf(Format::mmcif, "data_x\nloop_\n_atom_site.id\n1\n2\n"), "|");  // no numbers
 }
 
 TEST(ModelTexts, OfRecordsGoByTheirMarks) {
@@ -331,10 +346,15 @@ TEST(OtherModels, AreNotKeptBeyondTheMemoryBound) {
     for (int i = 0; i < 100; ++i) text += "2\n\nHe 0 0 0\nHe 0 0 1\n";
     ReadOptions options = withOthers(1);
     options.maxAtoms = 2;
-    const Molecule molecule = readMolecule("many.xyz", text, options);
+    const Molecule molecule = readMolecule("many.xyz", text, options);  // a file has most of them
     EXPECT_EQ(molecule.atoms.size(), 2u);
-    EXPECT_TRUE(molecule.others.empty());
-    EXPECT_NE(molecule.othersMissing, "");
+    EXPECT_EQ(molecule.others.size(), 99u);
+    EXPECT_EQ(molecule.others[98].positions[1], glm::vec3(0, 0, 1));
+    for (int i = 0; i < 100; ++i) text += "2\n\nNe 0 0 0\nHe 0 0 1\n";  // other atoms are held
+    const Molecule unlike = readMolecule("many.xyz", text, options);
+    EXPECT_EQ(unlike.atoms.size(), 2u);
+    EXPECT_TRUE(unlike.others.empty());
+    EXPECT_NE(unlike.othersMissing, "");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/movie/palette.h"
+#include "tests/support/measured_run.h"
 #include "tests/support/run_program.h"
 
 namespace nacre::app {
@@ -149,6 +150,81 @@ TEST(Movie, KeepsTheTransparencyOfItsViews) {
     EXPECT_NE(probed(folder / "a.png", "pix_fmt").find("rgba"), std::string::npos);
 }
 
+TEST(Movie, OptionsPrevailOverEachOfItsViews) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "a.json") << R"({"input": "sample:glucose", "occlusion": 16, "style": "licorice",
+        "rules": [{"color-by": "elem O=navy"}]})";
+    std::ofstream(folder / "b.json") << R"({"input": "sample:glucose", "orientation": [0.6, 0, 0.8, 0], "zoom": 2,
+        "background": "navy"})";
+    const std::string options =
+        " --occlusion off --style spacefill --color-by 'elem O=lime' --fog auto --label 'elem C=C' --size 64x48 -o ";
+    for (const char* name : {"a", "b"})
+        ASSERT_EQ(nacreIn(folder, "render --view " + std::string(name) + ".json" + options + name + ".png").code, 0);
+    const Outcome movie = nacreIn(folder, "movie --views a.json,b.json --fps 4 --seconds 1" + options + "f/");
+    ASSERT_EQ(movie.code, 0) << movie.err;
+    EXPECT_EQ(contentOf(folder / "f/frame_00001.png"), contentOf(folder / "a.png"));
+    EXPECT_EQ(contentOf(folder / "f/frame_00004.png"), contentOf(folder / "b.png"));
+}
+
+TEST(Movie, GoesAlongViewsOfSeveralInputs) {
+    const TemporaryFolder folder;
+    const std::string inputs = R"({"name": "sweet", "input": "sample:glucose", "further-inputs": [{"name": "ball",
+        "input": "sample:buckyball"}], "rules": [{"hide": "/sweet and elem H"}, {"color-by": "/ball=gold"}], )";
+    std::ofstream(folder / "a.json") << inputs << R"("zoom": 1})";
+    std::ofstream(folder / "b.json") << inputs << R"("zoom": 3})";
+    std::ofstream(folder / "c.json") << R"({"input": "sample:glucose"})";
+    const std::string options = " --occlusion off --size 64x48 --show /sweet=spacefill -o ";
+    for (const char* name : {"a", "b"})
+        ASSERT_EQ(nacreIn(folder, "render --view " + std::string(name) + ".json" + options + name + ".png").code, 0);
+    const Outcome movie = nacreIn(folder, "movie --views a.json,b.json --fps 3 --seconds 1" + options + "f/");
+    ASSERT_EQ(movie.code, 0) << movie.err;
+    EXPECT_EQ(contentOf(folder / "f/frame_00001.png"), contentOf(folder / "a.png"));
+    EXPECT_EQ(contentOf(folder / "f/frame_00003.png"), contentOf(folder / "b.png"));
+    const Outcome other = nacreIn(folder, "movie --views a.json,c.json -o c/");
+    EXPECT_NE(other.err.find("another molecule than the first: sample:glucose"), std::string::npos) << other.err;
+}
+
+TEST(Movie, WordsAlongViewsStandAsInEachView) {
+    const TemporaryFolder folder;
+    // Labels that crowd each other: where they stand goes with who came first.
+    const std::string view = R"({"input": "sample:glucose", "occlusion": "off", "labels": ["all={atom} {element}"],
+        "orientation": )";
+    std::ofstream(folder / "a.json") << view << "[1, 0, 0, 0]}";
+    std::ofstream(folder / "b.json") << view << "[0.6, 0, 0.8, 0]}";
+    const std::string size = " --size 96x96 -o ";
+    for (const char* name : {"a", "b"})
+        ASSERT_EQ(nacreIn(folder, "render --view " + std::string(name) + ".json" + size + name + ".png").code, 0);
+    const std::string movie = "movie --views a.json,b.json,a.json --fps 10 --seconds 0.9" + size;
+    ASSERT_EQ(nacreIn(folder, movie + "f/").code, 0);
+    EXPECT_EQ(contentOf(folder / "f/frame_00001.png"), contentOf(folder / "a.png"));
+    EXPECT_EQ(contentOf(folder / "f/frame_00005.png"), contentOf(folder / "b.png"));
+    EXPECT_EQ(contentOf(folder / "f/frame_00009.png"), contentOf(folder / "a.png"));
+    // A palette is made of some frames beforehand: that moves no label.
+    ASSERT_EQ(nacreIn(folder, movie + "a.gif").code, 0);
+    std::string drawn;
+    for (int i = 1; i <= 9; ++i) drawn += framesOf(folder / ("f/frame_0000" + std::to_string(i) + ".png"));
+    EXPECT_LE(largestDifference(framesOf(folder / "a.gif"), drawn), 60);
+}
+
+TEST(Movie, RocksToEitherSideAndBackWithoutAJump) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(nacreIn(folder, "movie sample:glucose -o f/ --rock 40 --fps 8 --seconds 1" + kSmall).code, 0);
+    const auto frame = [&](int i) { return framesOf(folder / ("f/frame_0000" + std::to_string(i) + ".png")); };
+    const auto rotated = [&](const char* degrees) {
+        EXPECT_EQ(
+            nacreIn(folder, std::string("render sample:glucose -o a.png --rotate 0,") + degrees + ",0" + kSmall).code,
+            0);
+        return framesOf(folder / "a.png");
+    };
+    EXPECT_EQ(frame(1), rotated("0"));
+    EXPECT_EQ(frame(3), rotated("40"));
+    EXPECT_EQ(frame(7), rotated("-40"));
+    // The last leads on to the first as the second comes from it.
+    EXPECT_LE(largestDifference(frame(8), rotated("-28.2842712474619")), 2);
+    EXPECT_LE(largestDifference(frame(2), rotated("28.2842712474619")), 2);
+    EXPECT_FALSE(std::filesystem::exists(folder / "f/frame_00009.png"));
+}
+
 TEST(Movie, ReportsEachFrame) {
     const TemporaryFolder folder;
     const Outcome outcome =
@@ -170,22 +246,91 @@ TEST(Movie, GoesThroughModels) {
     EXPECT_NE(contentOf(folder / "f/frame_00001.png"), contentOf(folder / "f/frame_00003.png"));
 }
 
+// The camera that all models share, or one for each; bonds and atoms are each model's own.
+TEST(Movie, ModelsAreThePicturesThatRenderDraws) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "m.xyz") << "2\nm\nC 0 0 0\nO 1.2 0 0\n2\nm\nC 0 5 0\nO 2.6 5 0\n3\nm\nC 0 0 3\nO 0 1.2 3\n"
+                                       "N 4 4 4\n";
+    for (const std::string options : {"", " --camera model", " --projection perspective --rotate 10,20,30"}) {
+        const Outcome movie = nacreIn(folder, "movie m.xyz -o f/ --models --fps 10" + kSmall + options);
+        ASSERT_EQ(movie.code, 0) << movie.err;
+        for (const char* model : {"1", "2", "3"}) {
+            ASSERT_EQ(nacreIn(folder, std::string("render m.xyz -o a.png --model ") + model + kSmall + options).code,
+                      0);
+            EXPECT_TRUE(contentOf(folder / ("f/frame_0000" + std::string(model) + ".png")) ==
+                        contentOf(folder / "a.png"))
+                << model << options;
+        }
+    }
+}
+
+TEST(Movie, ModelsGoOnAlongViews) {
+    const TemporaryFolder folder;
+    std::ofstream xyz(folder / "m.xyz");
+    for (int model = 0; model < 4; ++model) xyz << "2\nm\nC 0 0 0\nO 0 " << 1.2 + model << " 0\n";
+    xyz.close();
+    for (const char* name : {"a.json", "b.json"})
+        std::ofstream(folder / name) << R"({"input": "m.xyz", "orientation": [1, 0, 0, 0], "occlusion": "off"})";
+    for (const char* smooth : {"", " --smooth 3"}) {
+        const Outcome movie =
+            nacreIn(folder, std::string("movie --views a.json,b.json --models --fps 4 --seconds 1 -o f/ --size 64x48") +
+                                smooth);
+        ASSERT_EQ(movie.code, 0) << movie.err;
+        for (int i = 2; i <= 4; ++i)
+            EXPECT_NE(contentOf(folder / "f/frame_00001.png"),
+                      contentOf(folder / ("f/frame_0000" + std::to_string(i) + ".png")))
+                << i << smooth;
+    }
+}
+
+// A file that is longer than what is held of one, whose models are read as they are needed.
+TEST(Movie, HoldsNoMoreOfAFileThanItsModels) {
+    const TemporaryFolder folder;
+    std::string model;
+    for (int i = 0; i < 5000; ++i) {
+        char line[100];
+        std::snprintf(line, sizeof line, "ATOM  %5d  CA  GLY A%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\n", i, i,
+                      i % 20 * 4.0, i / 20 % 20 * 4.0, i / 400 * 4.0);
+        model += line;
+    }
+    const auto write = [&](const char* name, int models) {
+        std::ofstream out(folder / name);
+        for (int i = 1; i <= models; ++i) out << "MODEL " << i << "\n" << model << "ENDMDL\n";
+    };
+    write("few.pdb", 2);
+    write("many.pdb", 120);  // 48 MB
+    const auto peakOf = [&](const char* name) {
+        const test::MeasuredRun run =
+            test::runMeasured({"movie", folder / name, "--models", "--seconds", "0.3", "--fps", "10", "--size", "32x32",
+                               "--occlusion", "off", "--style", "spacefill", "-o", folder / "a.png", "-q"});
+        EXPECT_EQ(run.code, 0) << run.err;
+        return run.peakBytes;
+    };
+    const auto few = peakOf("few.pdb"), many = peakOf("many.pdb");
+    EXPECT_LT(many, few + (24u << 20)) << "the text is 48 MB, its positions 7";
+}
+
 TEST(Movie, FitsAndSmoothsModels) {
     const TemporaryFolder folder;
     // What shakes stands at its mean, at both ends that of two; what turns goes back. Beside the same written out.
-    const auto write = [&](const char* name, std::initializer_list<const char*> models) {
+    // Four atoms about it are where the camera that all models share goes by.
+    const std::string still = "C 0 0 0\nO 2 0 0\nN 0 2 0\n", frame = "He 4 0 0\nHe 0 4 0\nHe -4 0 0\nHe 0 -4 0\n",
+                      turned = "He 0 4 0\nHe -4 0 0\nHe 0 -4 0\nHe 4 0 0\n";
+    const auto write = [&](const char* name, std::initializer_list<std::string> models) {
         std::ofstream out(folder / name + ".xyz");
-        for (const char* atoms : models) out << "3\nm\n" << atoms << "\n";
+        for (const std::string& atoms : models) out << "7\nm\n" << atoms;
     };
-    write("shaken", {"C 0 0 0\nO 2 0 0\nN 0 2 0", "C 0 0.6 0\nO 2 0.6 0\nN 0 2.6 0", "C 0 0 0\nO 2 0 0\nN 0 2 0"});
-    write("smooth",
-          {"C 0 .3 0\nO 2 .3 0\nN 0 2.3 0", "C 0 .2 0\nO 2 .2 0\nN 0 2.2 0", "C 0 .3 0\nO 2 .3 0\nN 0 2.3 0"});
-    write("turned", {"C 0 0 0\nO 2 0 0\nN 0 2 0", "C 0 0 0\nO 0 2 0\nN -2 0 0"});
-    write("still", {"C 0 0 0\nO 2 0 0\nN 0 2 0", "C 0 0 0\nO 2 0 0\nN 0 2 0"});
+    const auto lifted = [&](const std::string& y, const std::string& top) {
+        return "C 0 " + y + " 0\nO 2 " + y + " 0\nN 0 " + top + " 0\n" + frame;
+    };
+    write("shaken", {still + frame, lifted("0.6", "2.6"), still + frame});
+    write("smooth", {lifted("0.3", "2.3"), lifted("0.2", "2.2"), lifted("0.3", "2.3")});
+    write("turned", {still + frame, "C 0 0 0\nO 0 2 0\nN -2 0 0\n" + turned});
+    write("still", {still + frame, still + frame});
     const auto frames = [&](const std::string& molecule, const std::string& options) {
         const std::string movie = std::to_string(folder.count()) + ".png";
-        const Outcome outcome = nacreIn(folder, "movie " + molecule + ".xyz -o " + movie + " --models --fps 10" +
-                                                    " --camera model " + options + kSmall);
+        const Outcome outcome =
+            nacreIn(folder, "movie " + molecule + ".xyz -o " + movie + " --models --fps 10 " + options + kSmall);
         EXPECT_EQ(outcome.code, 0) << outcome.err;
         return framesOf(folder / movie);
     };
@@ -197,11 +342,11 @@ TEST(Movie, FitsAndSmoothsModels) {
             sum += std::abs(static_cast<unsigned char>(a[i]) - static_cast<unsigned char>(b[i]));
         return sum / static_cast<double>(a.size());
     };
-    const std::string smooth = frames("smooth", ""), still = frames("still", "");
-    EXPECT_LT(apart(frames("shaken", "--smooth 3"), smooth), 0.3);
-    EXPECT_GT(apart(frames("shaken", ""), smooth), 1);
-    EXPECT_LT(apart(frames("turned", "--fit-frames all"), still), 0.3);
-    EXPECT_GT(apart(frames("turned", ""), still), 1);
+    const std::string smoothed = frames("smooth", ""), unmoved = frames("still", "");
+    EXPECT_LT(apart(frames("shaken", "--smooth 3"), smoothed), 0.3);
+    EXPECT_GT(apart(frames("shaken", ""), smoothed), 1);
+    EXPECT_LT(apart(frames("turned", "--fit-frames all"), unmoved), 0.3);
+    EXPECT_GT(apart(frames("turned", ""), unmoved), 1);
 }
 
 TEST(Movie, WordsGoWithTheAtomsThatTheyName) {
@@ -272,6 +417,10 @@ TEST(Movie, RefusesWhatCannotBeInOneLine) {
         {"sample:dna -o a.gif --spin y --fps 60", 1, "50 frames a second"},
         {"sample:dna -o a.mp4 --spin y --size 65x48", 1, "even numbers"},
         {"sample:dna -o a.gif --models", 1, "one alone"},
+        {"unlike.xyz -o a.gif --models --model 2", 2, "leave out --model"},
+        {"unlike.xyz -o a.gif --models --frame 2 --trajectory a.dcd", 2, "leave out --frame"},
+        {"-o a.gif --views a.json,a.json --view a.json", 2, "exclude each other"},
+        {"unlike.xyz -o a.gif --views a.json,a.json --models --camera model", 2, "camera that --views do not move"},
         {"- -o a.gif --models", 2, "not standard input"},
         {"-o a.gif --views a.json", 2, "two views or more"},
         {"-o a.gif --views a.json,b.json", 1, "another molecule"},

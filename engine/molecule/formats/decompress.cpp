@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -151,21 +152,23 @@ std::unique_ptr<Member> memberOf(std::string_view compression) {
 }
 
 /// Inflates the member at the front of the bytes, and takes it off.
-/// @param whole  bytes of the file, for the ratio
-void inflateMember(Member& member, std::string_view& bytes, std::size_t whole, std::size_t maxBytes, std::string& out) {
+/// @param whole  bytes of the file, for the ratio @param out  bytes that have come, before and after
+void inflateMember(Member& member, std::string_view& bytes, std::size_t whole, std::size_t maxBytes, std::uint64_t& out,
+                   const std::function<void(std::string_view)>& take) {
+    const auto part = std::make_unique<char[]>(kChunk);
     for (bool ended = false; !ended;) {
-        const std::size_t size = out.size(), input = std::min(bytes.size(), kMostInput);
-        if (size + kChunk > out.capacity()) out.reserve(std::min(2 * size, maxBytes) + kChunk);
-        out.resize(size + kChunk);
-        Window window{bytes.data(), input, out.data() + size, kChunk};
+        const std::size_t input = std::min(bytes.size(), kMostInput);
+        Window window{bytes.data(), input, part.get(), kChunk};
         ended = member.step(window);
         bytes.remove_prefix(input - window.inLeft);
-        out.resize(size + kChunk - window.outLeft);
-        if (out.size() > maxBytes)
+        const std::size_t size = kChunk - window.outLeft;
+        out += size;
+        if (out > maxBytes)
             throw Damage("it inflates to more than the limit of " + std::to_string(maxBytes) + " bytes");
-        if (out.size() > kFreeOfRatio && out.size() / kMaxRatio > whole - bytes.size())
+        if (out > kFreeOfRatio && out / kMaxRatio > whole - bytes.size())
             throw Damage("it inflates more than " + std::to_string(kMaxRatio) + "-fold, which no structure file does");
-        if (!ended && out.size() == size && window.inLeft == input) throw Damage("the file is truncated");
+        if (size > 0) take({part.get(), size});
+        if (!ended && size == 0 && window.inLeft == input) throw Damage("the file is truncated");
     }
 }
 
@@ -181,16 +184,25 @@ std::string_view compressionOf(std::string_view bytes) {
     return {};
 }
 
-std::string decompress(const std::string& name, std::string_view bytes, std::size_t maxBytes) {
+void decompress(const std::string& name, std::string_view bytes, std::size_t maxBytes,
+                const std::function<void(std::string_view)>& take) {
     const std::string_view compression = compressionOf(bytes);
     const std::size_t whole = bytes.size();
-    std::string out;
+    std::uint64_t out = 0;
     try {
-        do inflateMember(*memberOf(compression), bytes, whole, maxBytes, out);
+        do inflateMember(*memberOf(compression), bytes, whole, maxBytes, out, take);
         while (compressionOf(bytes) == compression);
     } catch (const Damage& damage) {
         throw Error("cannot inflate " + std::string(compression) + " file", name, damage.what());
     }
+}
+
+std::string decompress(const std::string& name, std::string_view bytes, std::size_t maxBytes) {
+    std::string out;
+    decompress(name, bytes, maxBytes, [&](std::string_view part) {
+        if (out.size() + part.size() > out.capacity()) out.reserve(std::min(2 * out.size(), maxBytes) + part.size());
+        out.append(part);
+    });
     return out;
 }
 

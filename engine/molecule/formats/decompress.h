@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -18,5 +19,8 @@ std::string_view compressionOf(std::string_view bytes);
 /// @param bytes those of which compressionOf() names the compression
 /// @throws Error if the stream is damaged or ends early, if its checksum is wrong, or if a bound is exceeded
 std::string decompress(const std::string& name, std::string_view bytes, std::size_t maxBytes);
+/// The same, part by part.
+void decompress(const std::string& name, std::string_view bytes, std::size_t maxBytes,
+                const std::function<void(std::string_view)>& take);
 
 }  // namespace nacre

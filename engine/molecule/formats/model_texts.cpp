@@ -2,51 +2,36 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
+#include "engine/molecule/formats/text_cutter.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
 namespace {
-
-/// Walks through a text by its lines, and cuts it between them.
-class Cutter {
-public:
-    explicit Cutter(std::string_view text) : text_(text), rest_(text) {}
-
-    bool atEnd() const { return rest_.empty(); }
-    std::string_view line() const { return rest_.substr(0, rest_.find('\n')); }
-    void pass() { rest_.remove_prefix(std::min(line().size() + 1, rest_.size())); }
-    /// Steps over lines; false if there are fewer.
-    bool pass(std::int64_t lines) {
-        for (; lines > 0 && !atEnd(); --lines) pass();
-        return lines == 0;
-    }
-    std::size_t place() const { return text_.size() - rest_.size(); }
-    std::string_view since(std::size_t begin) const { return text_.substr(begin, place() - begin); }
-    std::string_view rest() const { return rest_; }
-
-private:
-    std::string_view text_, rest_;
-};
 
 bool isAtom(std::string_view line) { return startsWith(line, "ATOM") || startsWith(line, "HETATM"); }
 bool isModel(std::string_view line) { return line == "MODEL" || startsWith(line, "MODEL "); }
 bool isEnd(std::string_view line) { return startsWith(line, "END") && trim(line) == "END"; }
 
 /// Frames that END divides. What stands before the first atom is every frame's.
-ModelTexts framesOfPdb(std::string_view text) {
-    // Which structure these speak of is for the reader of the whole to say.
-    for (const char* record : {"\nHELIX ", "\nSHEET ", "\nCONECT"})
-        if (text.find(record) != std::string_view::npos) return {};
+ModelTexts framesOfPdb(const TextSource& text) {
     ModelTexts texts;
-    Cutter cut(text);
-    while (!cut.atEnd() && !isAtom(cut.line())) cut.pass();
+    TextCutter cut(text);
+    // Which structure these speak of is for the reader of the whole to say.
+    const auto speaksOfOne = [&] {
+        const std::string_view line = cut.line();
+        return startsWith(line, "HELIX ") || startsWith(line, "SHEET ") || startsWith(line, "CONECT") || isModel(line);
+    };
+    for (; !cut.atEnd() && !isAtom(cut.line()); cut.pass())
+        if (speaksOfOne()) return {};
     texts.before = cut.since(0);
     while (!cut.atEnd()) {
-        const std::size_t begin = cut.place();
+        const std::uint64_t begin = cut.place();
         bool atoms = false;
         for (bool end = false; !cut.atEnd() && !end; cut.pass()) {
+            if (speaksOfOne()) return {};
             atoms = atoms || isAtom(cut.line());
             end = isEnd(cut.line());
         }
@@ -56,15 +41,15 @@ ModelTexts framesOfPdb(std::string_view text) {
 }
 
 /// Models between MODEL and ENDMDL, one after the other. What stands around them is every model's.
-ModelTexts modelsOfPdb(std::string_view text) {
+ModelTexts modelsOfPdb(const TextSource& text) {
     ModelTexts texts;
-    Cutter cut(text);
+    TextCutter cut(text);
     for (; !cut.atEnd() && !isModel(cut.line()); cut.pass())
         if (isAtom(cut.line())) return {};
     texts.before = cut.since(0);
-    std::size_t end = cut.place();
+    std::uint64_t end = cut.place();
     while (!cut.atEnd() && isModel(cut.line())) {
-        const std::size_t begin = cut.place();
+        const std::uint64_t begin = cut.place();
         bool atoms = false;
         for (cut.pass(); !cut.atEnd() && !startsWith(cut.line(), "ENDMDL"); cut.pass()) {
             if (isModel(cut.line())) return {};
@@ -75,10 +60,17 @@ ModelTexts modelsOfPdb(std::string_view text) {
         end = cut.place();
         while (!cut.atEnd() && trim(cut.line()).empty()) cut.pass();
     }
-    texts.after = text.substr(end);
+    texts.after = {end, text.size};
     for (; !cut.atEnd(); cut.pass())
         if (isAtom(cut.line()) || isModel(cut.line())) return {};
     return texts;
+}
+
+/// Whether MODEL comes before any atom.
+bool hasModels(const TextSource& text) {
+    TextCutter cut(text);
+    while (!cut.atEnd() && !isAtom(cut.line()) && !isModel(cut.line())) cut.pass();
+    return !cut.atEnd() && isModel(cut.line());
 }
 
 bool isCount(std::string_view line) {
@@ -86,56 +78,71 @@ bool isCount(std::string_view line) {
     return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-ModelTexts framesOfXyz(std::string_view text) {
+ModelTexts framesOfXyz(const TextSource& text) {
     ModelTexts texts;
-    for (Cutter cut(text); !cut.atEnd();) {
-        const std::size_t begin = cut.place();
+    TextCutter cut(text);
+    while (!cut.atEnd()) {
+        const std::uint64_t begin = cut.place();
         while (!cut.atEnd() && trim(cut.line()).empty()) cut.pass();
+        if (cut.atEnd()) break;
+        texts.complete = false;  // unless this is a frame
         if (!isCount(cut.line())) break;
         const auto count = parseInteger(cut.line());
-        if (!count || *count > static_cast<std::int64_t>(text.size())) break;
+        if (!count || *count > static_cast<std::int64_t>(text.size)) break;
         if (!cut.pass(2 + *count)) break;
+        texts.complete = true;
         texts.models.push_back(cut.since(begin));
     }
     return texts;
 }
 
-ModelTexts framesOfGro(std::string_view text) {
+/// Whether nothing but blank lines is left.
+bool isBlankFrom(TextCutter cut) {
+    while (!cut.atEnd() && trim(cut.line()).empty()) cut.pass();
+    return cut.atEnd();
+}
+
+ModelTexts framesOfGro(const TextSource& text) {
     ModelTexts texts;
-    for (Cutter cut(text); !trim(cut.rest()).empty();) {
-        const std::size_t begin = cut.place();
+    for (TextCutter cut(text); !cut.atEnd();) {
+        if (trim(cut.line()).empty() && isBlankFrom(cut)) break;  // a title may be blank
+        const std::uint64_t begin = cut.place();
+        texts.complete = false;  // unless this is a frame
         cut.pass();
         if (!isCount(cut.line())) break;
         const auto count = parseInteger(cut.line());
-        if (!count || *count > static_cast<std::int64_t>(text.size())) break;
+        if (!count || *count > static_cast<std::int64_t>(text.size)) break;
         if (!cut.pass(1 + *count)) break;
         cut.pass();  // the box, which the last frame may lack
+        texts.complete = true;
         texts.models.push_back(cut.since(begin));
     }
     return texts;
 }
 
-ModelTexts recordsOfSdf(std::string_view text) {
+ModelTexts recordsOfSdf(const TextSource& text) {
     ModelTexts texts;
-    for (Cutter cut(text); !cut.atEnd();) {
-        const std::size_t begin = cut.place();
-        while (!cut.atEnd() && !startsWith(cut.line(), "$$$$")) cut.pass();
+    for (TextCutter cut(text); !cut.atEnd();) {
+        const std::uint64_t begin = cut.place();
+        bool blank = true;
+        for (; !cut.atEnd() && !startsWith(cut.line(), "$$$$"); cut.pass()) blank = blank && trim(cut.line()).empty();
+        blank = blank && cut.atEnd();
         cut.pass();
-        if (!cut.atEnd() || !trim(cut.since(begin)).empty()) texts.models.push_back(cut.since(begin));
+        if (!blank) texts.models.push_back(cut.since(begin));
     }
     return texts;
 }
 
-ModelTexts recordsOfMol2(std::string_view text) {
+ModelTexts recordsOfMol2(const TextSource& text) {
     const auto begins = [](std::string_view line) {
         constexpr std::string_view kMark = "@<TRIPOS>";
         return startsWith(line, kMark) && trim(line.substr(kMark.size())) == "MOLECULE";
     };
     ModelTexts texts;
-    Cutter cut(text);
+    TextCutter cut(text);
     while (!cut.atEnd() && !begins(cut.line())) cut.pass();
     while (!cut.atEnd()) {
-        const std::size_t begin = cut.place();
+        const std::uint64_t begin = cut.place();
         do cut.pass();
         while (!cut.atEnd() && !begins(cut.line()));
         texts.models.push_back(cut.since(begin));
@@ -143,16 +150,89 @@ ModelTexts recordsOfMol2(std::string_view text) {
     return texts;
 }
 
+/// How many words a row of a CIF loop has, and one of them. 0 where a quote is not closed on the line.
+std::size_t wordsOfRow(std::string_view row, std::size_t wanted, std::string_view& word) {
+    std::size_t count = 0, at = 0;
+    const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+    for (;;) {
+        while (at < row.size() && blank(row[at])) ++at;
+        if (at == row.size()) return count;
+        const std::size_t begin = at;
+        if (const char quote = row[at]; quote == '\'' || quote == '"') {
+            do at = row.find(quote, at + 1);
+            while (at != std::string_view::npos && at + 1 < row.size() && !blank(row[at + 1]));
+            if (at == std::string_view::npos) return 0;
+            ++at;
+        } else {
+            while (at < row.size() && !blank(row[at])) ++at;
+        }
+        if (count++ == wanted) word = row.substr(begin, at - begin);
+    }
+}
+
+/// Whether rows further on are of another model than the one that follows, as far as some of a long text tell.
+bool mayHaveModels(const TextSource& text, const TextCutter& cut, std::size_t columns, std::size_t number) {
+    constexpr std::uint64_t kShort = std::uint64_t{4} << 20, kSample = 4096, kSamples = 16;
+    std::string_view first, word;
+    if (text.size < kShort || wordsOfRow(cut.line(), number, first) != columns) return true;
+    for (std::uint64_t i = 1; i < kSamples; ++i) {
+        std::string piece;
+        const std::uint64_t at = cut.place() + (text.size - cut.place()) / kSamples * i;
+        appendText(piece, text, {at, std::min(at + kSample, text.size)});
+        const std::size_t begin = piece.find('\n') + 1, end = piece.find('\n', begin);
+        if (begin == 0 || end == std::string::npos) continue;
+        const std::string_view row = std::string_view(piece).substr(begin, end - begin);
+        if (wordsOfRow(row, number, word) == columns && word != first) return true;
+    }
+    return false;
+}
+
+/// Rows of the one _atom_site, a line each, by the number of their model.
+ModelTexts modelsOfMmcif(const TextSource& text) {
+    ModelTexts texts;
+    TextCutter cut(text);
+    const auto tag = [&](std::string_view name) {
+        return lowerCase(trim(cut.line())) == "_atom_site." + lowerCase(name);
+    };
+    const auto isTag = [&] { return startsWith(lowerCase(cut.line().substr(0, 11)), "_atom_site."); };
+    while (!cut.atEnd() && !isTag()) cut.pass();
+    std::size_t columns = 0, number = std::string_view::npos;
+    for (; !cut.atEnd() && isTag(); cut.pass(), ++columns)
+        if (tag("pdbx_PDB_model_num")) number = columns;
+    if (number == std::string_view::npos) return {};
+    texts.before = cut.since(0);
+    if (!mayHaveModels(text, cut, columns, number)) return {};
+    std::vector<std::string> seen;
+    std::uint64_t begin = cut.place();
+    for (; !cut.atEnd(); cut.pass()) {
+        const std::string_view row = cut.line();
+        if (trim(row).empty() || row[0] == '#' || row[0] == '_' || startsWith(row, "loop_") || startsWith(row, "data_"))
+            break;
+        std::string_view word;
+        if (row[0] == ';' || wordsOfRow(row, number, word) != columns) return {};
+        if (!seen.empty() && word == seen.back()) continue;
+        if (std::find(seen.begin(), seen.end(), word) != seen.end()) return {};
+        if (!seen.empty()) texts.models.push_back(cut.since(begin));
+        begin = cut.place();
+        seen.emplace_back(word);
+    }
+    if (!seen.empty()) texts.models.push_back(cut.since(begin));
+    texts.after = {cut.place(), text.size};
+    for (; !cut.atEnd(); cut.pass())
+        if (isTag()) return {};
+    return texts;
+}
+
 }  // namespace
 
-ModelTexts modelTexts(Format format, std::string_view text) {
+ModelTexts modelTexts(Format format, const TextSource& text) {
     switch (format) {
         case Format::pdb:
         case Format::pdbqt:
-        case Format::pqr: {
-            const bool models = startsWith(text, "MODEL") || text.find("\nMODEL") != std::string_view::npos;
-            return models ? modelsOfPdb(text) : framesOfPdb(text);
-        }
+        case Format::pqr:
+            return hasModels(text) ? modelsOfPdb(text) : framesOfPdb(text);
+        case Format::mmcif:
+            return modelsOfMmcif(text);
         case Format::xyz:
             return framesOfXyz(text);
         case Format::gro:

@@ -32,12 +32,9 @@ private:
 }  // namespace
 
 std::unique_ptr<Trajectory> trajectoryOfModels(std::shared_ptr<const Molecule> molecule, int model) {
-    const std::vector<OtherModel>& others = molecule->others;
-    const auto moved = [&](const OtherModel& other) {
-        return !other.whole && other.positions.size() == molecule->atoms.size();
-    };
-    if (molecule->modelsAreInputs || others.empty() || molecule->atoms.empty() || model < 1 ||
-        static_cast<std::size_t>(model) > others.size() + 1 || !std::all_of(others.begin(), others.end(), moved))
+    if (molecule->modelsAreInputs || molecule->atoms.empty() || model < 1 ||
+        static_cast<std::size_t>(model) > molecule->others.size() + 1 ||
+        !molecule->others.allMove(molecule->atoms.size()))
         return nullptr;
     return std::make_unique<ModelTrajectory>(std::move(molecule), static_cast<std::size_t>(model - 1));
 }

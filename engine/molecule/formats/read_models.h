@@ -1,21 +1,13 @@
 #pragma once
-// The models of a file's content: one, or one after the other.
+// The models of a file's content: one, or all over each other.
 
-#include <cstddef>
+#include <optional>
 #include <string>
 
+#include "engine/molecule/formats/content.h"
 #include "engine/molecule/molecule.h"
-#include "engine/molecule/read.h"
 
 namespace nacre {
-
-constexpr std::size_t kMaxMessage = 600;  ///< bytes of text from a file that leave a reader
-
-/// A file's content as readers want it: inflated, text as UTF-8 with '\n' for every end of line.
-struct FileContent {
-    std::string bytes;
-    Format format;
-};
 
 /// The model that the options name, with all its bonds; with the places of the others, if they ask for those.
 /// @throws Error
@@ -23,5 +15,9 @@ Molecule readModel(const std::string& name, const FileContent& content, const Re
 
 /// All of them as one molecule. @throws Error
 Molecule readAllModels(const std::string& name, const FileContent& content, const ReadOptions& options);
+
+/// readModel() of a text that is read model by model and never held whole. Nothing if that cannot be, or if there is
+/// something to say that wants the whole text.
+std::optional<Molecule> readModelAlone(const std::string& name, TextContent content, const ReadOptions& options);
 
 }  // namespace nacre
