@@ -91,6 +91,10 @@ bool beginPng(png_structp png, png_infop info, const ImageRequest& request) {
     png_set_IHDR(png, info, request.width, request.height, request.samples == Samples::words ? 16 : 8,
                  request.channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    // Of pictures of molecules a third of the time, and files a twentieth larger than by the defaults, which try every
+    // filter on each row (docs/measurements.md).
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+    png_set_compression_level(png, 4);
     png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_ABSOLUTE);
     if (request.dotsPerInch > 0) {
         const auto perMetre = static_cast<png_uint_32>(std::lround(request.dotsPerInch / 0.0254));

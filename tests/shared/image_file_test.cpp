@@ -168,6 +168,16 @@ TEST(ImageFile, PngSaysWhoWroteItAndThatItsColoursAreSrgb) {
     for (const char* chunk : {"sRGB", "gAMA", "cHRM"}) EXPECT_NE(bytes.find(chunk), std::string::npos) << chunk;
 }
 
+TEST(ImageFile, PngIsCompressedFast) {
+    const TemporaryFolder folder;
+    write(folder / "a.png", ramp(), true);
+    const std::string bytes = test::contentOf(folder / "a.png");
+    const std::size_t data = bytes.find("IDAT");
+    ASSERT_NE(data, std::string::npos);
+    // The second byte of what zlib writes says how it did (RFC 1950): 1 fast, 2 by default.
+    EXPECT_EQ(static_cast<unsigned char>(bytes.at(data + 5)) >> 6, 1);
+}
+
 TEST(ImageFile, DotsAnInchAreSaid) {
     const TemporaryFolder folder;
     for (const char* name : {"a.png", "a.tif", "a.jpg"}) {
