@@ -42,7 +42,8 @@ uint listAt(uint i) { return texelFetch(listTexels, int(i)).x; }
 layout(set = 0, binding = 2, std430) readonly buffer Lists { uint lists[]; };
 uint listAt(uint i) { return lists[i]; }
 #endif
-layout(set = 0, binding = 3, std430) writeonly buffer Numbers { uint numbers[]; };
+layout(set = 0, binding = 3, std430) buffer Numbers { uint numbers[]; };
+layout(constant_id = kSeededId) const bool kSeeded = false;
 
 vec2 through[kPixels];
 float nearest[kPixels];
@@ -55,6 +56,17 @@ void keep(int i, Hit hit, uint candidate, bool live) {
     nearest[i] = wins ? depth : nearest[i];
     number[i] = wins ? candidate : number[i];
 }
+
+#ifdef TRIANGLES
+/// A pixel begins with the nearest triangle, where the host knows it: no list names that.
+void begin(int i, uint seed) {
+    Hit hit = facetHitThrough(facetOf(place(seed == 0u ? view.spheres + view.cylinders + 1u : seed)), through[i]);
+    float depth = encodedDepth(hit.order);
+    bool sees = seed != 0u && hit.inside && depth < 1.0;
+    nearest[i] = sees ? depth : 1.0;
+    number[i] = sees ? seed : 0u;
+}
+#endif
 
 /// Whether what follows in a list may come before what some pixel sees. @param next  of the chunk's last lane, as entryAt()
 bool goesOn(uint at, uint end, float next) {
@@ -209,6 +221,14 @@ void main() {
         nearest[i] = 1.0;
         number[i] = 0u;
     }
+    // Row by row of all bins.
+    uint pitch = view.across * uint(kTile * kTilesInBin);
+    uint here = (corner.y + lane / uint(kTile)) * pitch + corner.x + lane % uint(kTile);
+#ifdef TRIANGLES
+    if (kSeeded)
+        for (int i = 0; i < kPixels; ++i)
+            begin(i, numbers[here + uint((i * kLanes) / kTile) * pitch + uint((i * kLanes) % kTile)]);
+#endif
     vec2 middle = planePoint(vec2(corner) + float(kTile / 2));
     vec2 reach = vec2(float(kTile / 2) * view.pixel);
     bool more = true;  // tiles of empty bins are not drawn
@@ -260,9 +280,6 @@ void main() {
 #endif
         more = goesOn(at, end, e.next);
     } while (more);
-    // Row by row of all bins.
-    uint pitch = view.across * uint(kTile * kTilesInBin);
-    uint here = (corner.y + lane / uint(kTile)) * pitch + corner.x + lane % uint(kTile);
     float width = view.contourWidth, depth = view.contourDepth;
     view.contourWidth = 1e9;  // what was chosen and is not inside is on the line
     view.contourDepth = 0.0;

@@ -104,8 +104,8 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     const std::vector<TileCall> cylinders = callsOf(seen, seen.copies.cylinders, seen.constants.spheres);
     const std::vector<TileCall> triangles =
         callsOf(seen, seen.copies.triangles, seen.constants.spheres + seen.constants.cylinders);
-    const TileScenery scenery{r.spheres,   spheres,        r.cylinders, cylinders,
-                              r.triangles, r.meshVertices, triangles,   r.coarseTriangles};
+    const TileScenery scenery{r.spheres,      spheres,   r.cylinders,       cylinders, r.triangles,
+                              r.meshVertices, triangles, r.coarseTriangles, r.meshes};
     const auto build = [&] {
         TileView asked = tileView(seen, view, image, !work.edges);
         asked.layers = work.kept;
@@ -157,11 +157,21 @@ void TileFrames::prepareWords(PixelWords& words, const TileLists& lists, graph::
     for (const TileLists::Span& s : words.written)
         for (std::size_t x = s.x; x < s.endX; ++x) {
             const std::size_t bin = s.y * std::size_t{lists.across()} + x;
-            if (s.y < lists.down() && lists.offsets()[bin] != lists.offsets()[bin + 1]) continue;
+            if (s.y < lists.down() && lists.holds(bin)) continue;
             for (std::size_t y = s.y * kBin; y < (s.y + 1) * kBin; ++y)
                 std::fill_n(pixels + y * pitch + kept * x * kBin, kept * kBin, 0u);
         }
     words.written.assign(lists.spans().begin(), lists.spans().end());
+}
+
+/// Where the device reads which triangle a pixel begins with, it writes what the pixel shows.
+void TileFrames::writeSeeds(TileFrame& f) {
+    constexpr std::uint32_t kBin = TileLists::kBinPixels;
+    auto* words = reinterpret_cast<std::uint32_t*>(f.numbers.buffer.mapped);
+    const std::size_t pitch = std::size_t{f.lists.across()} * kBin;
+    for (const TileLists::Span& s : f.lists.spans())
+        for (std::uint32_t y = s.y * kBin; y < (s.y + 1u) * kBin; ++y)
+            f.lists.writeSeeds(s.x * kBin, y, (s.endX - s.x) * kBin, words + y * pitch + s.x * kBin);
 }
 
 void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const {
@@ -170,6 +180,7 @@ void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent 
     reserve(device_, f.words, 4 * lists.words(), kRead, vk::Format::eR32Uint, "lists of tiles");
     reserve(device_, f.rows, rowBytes, kRead, vk::Format::eR32G32B32A32Sfloat, "copies");
     prepareWords(f.numbers, lists, image, kept, "primitive numbers");
+    if (lists.seeded()) writeSeeds(f);
     reserve(device_, f.spans, lists.spans().size() * sizeof(TileSpanVertex), Usage::eVertexBuffer,
             vk::Format::eUndefined, "rows of tiles");
 

@@ -92,6 +92,7 @@ private:
     /// @param kept  words of a pixel
     void prepareWords(PixelWords& words, const TileLists& lists, graph::Extent image, std::uint32_t kept,
                       const char* name) const;
+    static void writeSeeds(TileFrame& frame);
     void upload(TileFrame& frame, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const;
     void uploadEdges(TileFrame& frame, graph::Extent image) const;
 

@@ -68,6 +68,7 @@ void findNearestByTiles(gpu::PassContext& context, const SceneView& view, std::o
         d.constants.set(layout::kTrianglesId, scene.triangleCount > 0);
     }
     d.constants.set(layout::kNumberedId, f.edges.drawn);
+    d.constants.set(layout::kSeededId, f.lists.seeded());
     d.constants.set(layout::kLanesId, caps.lanes);
     context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, context.pipelines.compute(d));
     const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);

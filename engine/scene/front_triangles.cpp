@@ -1,153 +1,355 @@
 #include "engine/scene/front_triangles.h"
 
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
-#include <glm/common.hpp>
+#include <cstring>
 #include <limits>
+#include <thread>
 
-#include "engine/scene/tile_lists.h"
+#include "engine/mesh/parallel.h"
+#include "engine/scene/tile_view.h"
 
 namespace nacre {
 namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr float kBehindAll = -std::numeric_limits<float>::max();
+constexpr std::uint32_t kGroup = 32, kLanes = 4;
 
-float side(float ax, float ay, float bx, float by) { return ax * by - ay * bx; }
+/// Neighbouring pixels, as processors take them at once.
+using Lanes = float __attribute__((vector_size(kLanes * sizeof(float))));
+using Mask = std::int32_t __attribute__((vector_size(kLanes * sizeof(float))));
+
+bool any(const Mask& mask) {
+    std::uint64_t halves[2];
+    std::memcpy(halves, &mask, sizeof halves);
+    return (halves[0] | halves[1]) != 0;
+}
+
+template <typename T>
+T side(T ax, T ay, T bx, T by) {
+    return ax * by - ay * bx;
+}
+float lesser(float a, float b) { return a < b ? a : b; }
+float greater(float a, float b) { return a > b ? a : b; }
+float least(float a, float b, float c) { return lesser(a, lesser(b, c)); }
+float most(float a, float b, float c) { return greater(a, greater(b, c)); }
 
 }  // namespace
 
-/// A triangle in the picture, counter-clockwise.
-struct FrontTriangles::Shape {
-    glm::vec3 a, b, c;          // pixel and key
-    float roomA, roomB, roomC;  // of an edge function, on the edge across from the corner: what rounding does to it
-    float perArea;              // 1 / (twice its area)
-    float nearest;              // key
-    float error;                // of a key within it
-    bool splinter;              // so narrow that nothing about it is certain
+/// How a view looks at triangles. The key of a depth is the larger, the nearer, and linear in the picture.
+struct FrontTriangles::Lens {
+    std::uint32_t width = 0, height = 0;
+    bool perspective = false;
+    float axisX = 0, axisY = 0, error = 0;  // pixels
+    float errorOfZ = 0;
+    bool clips = false;
+    float clipNear = 0, clipFar = 0;  // Z
+
+    float errorOfKey(float key) const { return errorOfZ * (perspective ? key * key : 1.0f); }
 };
 
-void FrontTriangles::begin(const TileView& view) {
-    width_ = view.width;
-    height_ = view.height;
-    perspective_ = view.perspective;
-    axisX_ = view.axis.x;
-    axisY_ = view.axis.y;
-    clipNear_ = view.clipNear;
-    clipFar_ = view.clipFar;
-    // Single precision has 6e-8 of the largest number, and some ten roundings follow one another.
-    error_ = 1e-6f * view.range * view.pixels;
-    errorOfZ_ = 1e-6f * std::max(view.range, view.origin);
-    drawn_ = 0;
-    pixels_.resize(std::max<std::size_t>(pixels_.size(), std::size_t{width_} * height_));
-    rows_.assign(height_, false);
-    doubts_.clear();
-}
+/// Triangles of a group in the picture, counter-clockwise: each number of theirs by itself, found in loops that a
+/// compiler makes vectors of.
+struct FrontTriangles::Shapes {
+    template <typename T>
+    using Row = std::array<T, kGroup>;
 
-void FrontTriangles::meet(Pixel& pixel, float key, float error, bool certain, std::uint32_t index) {
-    if (pixel.index != kNone && key + error < pixel.key - pixel.error) return;  // behind
-    const bool wins = pixel.index == kNone || key - error > pixel.key + pixel.error;
-    if (!certain) {
-        doubts_.push_back(index);
-    } else if (wins) {
-        pixel = {key, error, index};
-    } else if (key > pixel.key) {
-        doubts_.push_back(pixel.index);
-        pixel = {key, error, index};
-    } else {
-        doubts_.push_back(index);
-    }
-}
+    Row<float> x[3], y[3], key[3];               // of the corners
+    Row<std::int32_t> left, right, top, bottom;  // pixels whose centres it may hold; right and bottom are one past
+    Row<float> room[3];  // of an edge function, on the edge across from a corner: what rounding does to it
+    Row<float> perArea;  // 1 / (twice its area)
+    Row<float> error;    // of a key within it
+    Row<float> nearest;  // key
+    Row<float> nearestZ;
+    Row<std::int32_t> splinter;  // so narrow that nothing about it is certain
+    Row<std::int32_t> turnedAway;
 
-void FrontTriangles::drawShape(const Shape& s, std::uint32_t index) {
-    const float left = std::min(s.a.x, std::min(s.b.x, s.c.x)), right = std::max(s.a.x, std::max(s.b.x, s.c.x));
-    const float top = std::min(s.a.y, std::min(s.b.y, s.c.y)), bottom = std::max(s.a.y, std::max(s.b.y, s.c.y));
-    constexpr float kRoom = 1.0f / 32;
-    // Whole numbers are cut off towards 0, where the picture begins.
-    const auto pixelAt = [](float place, std::uint32_t size) {
-        return static_cast<std::uint32_t>(std::clamp(place, 0.0f, static_cast<float>(size)));
-    };
-    const std::uint32_t firstX = pixelAt(left + (0.5f - kRoom), width_), endX = pixelAt(right + (0.5f + kRoom), width_);
-    const std::uint32_t firstY = pixelAt(top + (0.5f - kRoom), height_),
-                        endY = pixelAt(bottom + (0.5f + kRoom), height_);
-    if (firstX >= endX) return;
-    for (std::uint32_t y = firstY; y < endY; ++y) {
-        Pixel* row = pixels_.data() + std::size_t{y} * width_;
-        if (!rows_[y]) std::fill_n(row, width_, Pixel{kBehindAll, 0, kNone}), rows_[y] = true;
-        const float ay = s.a.y - (static_cast<float>(y) + 0.5f), by = s.b.y - (static_cast<float>(y) + 0.5f),
-                    cy = s.c.y - (static_cast<float>(y) + 0.5f);
-        for (std::uint32_t x = firstX; x < endX; ++x) {
-            const float at = static_cast<float>(x) + 0.5f;
-            const float ax = s.a.x - at, bx = s.b.x - at, cx = s.c.x - at;
-            const float ofA = side(bx, by, cx, cy), ofB = side(cx, cy, ax, ay), ofC = side(ax, ay, bx, by);
-            if (ofA < -s.roomA || ofB < -s.roomB || ofC < -s.roomC) continue;
-            if (s.splinter) {
-                meet(row[x], s.nearest, 0, false, index);
-                continue;
+    void gather(const Triangle* triangles, std::uint32_t count, std::span<const glm::vec3> corners) {
+        for (std::uint32_t i = 0; i < kGroup; ++i) {
+            const Triangle& t = triangles[i < count ? i : count - 1];
+            const std::uint32_t at[] = {t.a, t.b, t.c};
+            for (int k = 0; k < 3; ++k) {
+                const glm::vec3& p = corners[at[k]];
+                x[k][i] = p.x;
+                y[k][i] = p.y;
+                key[k][i] = p.z;
             }
-            const float key = (ofA * s.a.z + ofB * s.b.z + ofC * s.c.z) * s.perArea;
-            bool certain = ofA > s.roomA && ofB > s.roomB && ofC > s.roomC;
-            const float Z = perspective_ ? 1.0f / key : -key;
-            const float room = perspective_ ? s.error * Z * Z : s.error;
-            if (Z + room < clipNear_ || Z - room > clipFar_) continue;
-            if (Z - room <= clipNear_ || Z + room >= clipFar_) certain = false;
-            meet(row[x], key, s.error, certain, index);
+        }
+    }
+
+    void find(const Lens& lens) {
+        findPlaces(lens);
+        findErrors(lens);
+    }
+
+    bool holdsCenter(std::uint32_t i) const { return left[i] < right[i] && top[i] < bottom[i]; }
+
+private:
+    void findPlaces(const Lens& lens) {
+        constexpr float kRoom = 1.0f / 32;
+        const float width = static_cast<float>(lens.width), height = static_cast<float>(lens.height);
+        // Whole numbers are cut off towards 0, where the picture begins.
+        const auto pixelAt = [](float place, float size) {
+            return static_cast<std::int32_t>(lesser(greater(place, 0.0f), size));
+        };
+        for (std::uint32_t i = 0; i < kGroup; ++i) {
+            left[i] = pixelAt(least(x[0][i], x[1][i], x[2][i]) + (0.5f - kRoom), width);
+            right[i] = pixelAt(most(x[0][i], x[1][i], x[2][i]) + (0.5f + kRoom), width);
+            top[i] = pixelAt(least(y[0][i], y[1][i], y[2][i]) + (0.5f - kRoom), height);
+            bottom[i] = pixelAt(most(y[0][i], y[1][i], y[2][i]) + (0.5f + kRoom), height);
+        }
+        for (std::uint32_t i = 0; i < kGroup; ++i) {
+            const float area = side(x[1][i] - x[0][i], y[1][i] - y[0][i], x[2][i] - x[0][i], y[2][i] - y[0][i]);
+            const bool turns = area < 0;
+            perArea[i] = turns ? -area : area;
+            turnedAway[i] = !turns;  // rows run downwards
+            nearestZ[i] = least(key[0][i], key[1][i], key[2][i]);
+            for (auto* of : {&x, &y, &key}) {
+                const float b = (*of)[1][i], c = (*of)[2][i];
+                (*of)[1][i] = turns ? c : b;
+                (*of)[2][i] = turns ? b : c;
+            }
+        }
+    }
+
+    void findErrors(const Lens& lens) {
+        const auto length = [&](int from, int to, std::uint32_t i) {
+            return std::abs(x[to][i] - x[from][i]) + std::abs(y[to][i] - y[from][i]);
+        };
+        for (int k = 0; k < 3; ++k)
+            for (std::uint32_t i = 0; i < kGroup; ++i) key[k][i] = lens.perspective ? 1 / key[k][i] : -key[k][i];
+        for (std::uint32_t i = 0; i < kGroup; ++i) {
+            float off = 0;
+            for (int k = 0; k < 3; ++k)
+                off = greater(off, greater(std::abs(x[k][i] - lens.axisX), std::abs(y[k][i] - lens.axisY)));
+            const float rounded = lens.error + 1e-6f * off;
+            const float ab = length(0, 1, i), bc = length(1, 2, i), ca = length(2, 0, i), around = ab + bc + ca;
+            room[0][i] = 2 * rounded * bc;
+            room[1][i] = 2 * rounded * ca;
+            room[2][i] = 2 * rounded * ab;
+            const float area = perArea[i];
+            const bool narrow = area < 16 * rounded * around;
+            splinter[i] = narrow;
+            perArea[i] = 1 / area;
+            nearest[i] = most(key[0][i], key[1][i], key[2][i]);
+            const float rise = nearest[i] - least(key[0][i], key[1][i], key[2][i]);
+            // A key may be off by as much as it rises on the way that a corner is off, and by what Z is rounded.
+            const float slanted = 4 * rounded * rise * around * perArea[i] + lens.errorOfKey(nearest[i]);
+            error[i] = narrow ? std::numeric_limits<float>::infinity() : slanted;
+        }
+    }
+};
+
+/// What one thread draws.
+class FrontTriangles::Layer {
+public:
+    void begin(const Lens& lens) {
+        const std::size_t pixels = std::size_t{lens.width} * lens.height + kLanes;
+        for (auto* plane : {&behind_, &before_}) plane->resize(std::max(plane->size(), pixels));
+        index_.resize(std::max(index_.size(), pixels));
+        rows_.assign(lens.height, 0);
+        doubts_.clear();
+    }
+
+    /// @param index  of the group's first triangle
+    void draw(const Lens& lens, const Group& group, std::uint32_t index, std::span<const glm::vec3> corners) {
+        shapes_.gather(group.triangles, group.count, corners);
+        shapes_.find(lens);
+        // Of a solid what is turned to the viewer lies before what is turned away.
+        std::array<std::uint32_t, 2 * kGroup> order;
+        std::size_t first = kGroup, end = kGroup;
+        for (std::uint32_t i = 0; i < group.count; ++i) {
+            const bool holds = shapes_.holdsCenter(i), away = shapes_.turnedAway[i];
+            order[end] = order[first - 1] = i;
+            end += holds && away;
+            first -= holds && !away;
+        }
+        if (lens.perspective) return drawBeforeEye(lens, group.count, index);
+        for (std::size_t k = first; k < end; ++k) draw(lens, order[k], index + order[k]);
+    }
+
+    /// As if this one had drawn what the other has.
+    void take(const Lens& lens, const Layer& other) {
+        doubts_.insert(doubts_.end(), other.doubts_.begin(), other.doubts_.end());
+        for (std::size_t y = 0; y < lens.height; ++y) {
+            if (!other.rows_[y]) continue;
+            beginRow(lens, y);
+            for (std::size_t at = y * lens.width; at < (y + 1) * lens.width; ++at)
+                if (other.index_[at] != kNone) meet(at, other.behind_[at], other.before_[at], other.index_[at]);
+        }
+    }
+
+    /// What is certain of a pixel; kNone: nothing.
+    std::uint32_t at(const Lens& lens, std::size_t x, std::size_t y) const {
+        return rows_[y] ? index_[y * lens.width + x] : kNone;
+    }
+    bool anyIn(std::size_t y) const { return rows_[y] != 0; }
+    const std::vector<std::uint32_t>& doubts() const { return doubts_; }
+
+private:
+    void drawBeforeEye(const Lens& lens, std::uint32_t count, std::uint32_t index) {
+        for (std::uint32_t i = 0; i < count; ++i)
+            if (!(shapes_.nearestZ[i] > 0))
+                doubts_.push_back(index + i);
+            else if (shapes_.holdsCenter(i))
+                draw(lens, i, index + i);
+    }
+
+    void beginRow(const Lens& lens, std::size_t y) {
+        if (rows_[y]) return;
+        rows_[y] = 1;
+        const std::size_t at = y * lens.width;
+        for (auto* plane : {&behind_, &before_})
+            std::fill_n(plane->begin() + static_cast<std::ptrdiff_t>(at), lens.width, kBehindAll);
+        std::fill_n(index_.begin() + static_cast<std::ptrdiff_t>(at), lens.width, kNone);
+    }
+
+    /// A triangle that certainly holds the centre, between two keys, and is not certainly behind what is there.
+    void meet(std::size_t at, float behind, float before, std::uint32_t index) {
+        if (before < behind_[at]) return;
+        const bool wins = behind > before_[at];
+        const bool nearer = behind + before > behind_[at] + before_[at];
+        if (!wins) doubts_.push_back(nearer ? index_[at] : index);
+        if (!wins && !nearer) return;
+        behind_[at] = behind;
+        before_[at] = before;
+        index_[at] = index;
+    }
+
+    void draw(const Lens& lens, std::uint32_t i, std::uint32_t index);
+
+    Shapes shapes_;
+    // Of the nearest triangle that certainly holds the centre: keys that its own lies between.
+    std::vector<float> behind_, before_;
+    std::vector<std::uint32_t> index_;
+    std::vector<std::uint8_t> rows_;     // that hold anything
+    std::vector<std::uint32_t> doubts_;  // triangles that may be nearer than those of the pixels
+};
+
+void FrontTriangles::Layer::draw(const Lens& lens, std::uint32_t i, std::uint32_t index) {
+    const Shapes& s = shapes_;
+    constexpr Lanes kCenters = {0.5f, 1.5f, 2.5f, 3.5f};
+    const float roomA = s.room[0][i], roomB = s.room[1][i], roomC = s.room[2][i], error = s.error[i];
+    for (std::int32_t y = s.top[i]; y < s.bottom[i]; ++y) {
+        beginRow(lens, static_cast<std::size_t>(y));
+        const std::size_t row = static_cast<std::size_t>(y) * lens.width;
+        const float down = static_cast<float>(y) + 0.5f;
+        const Lanes none{}, ay = none + (s.y[0][i] - down), by = none + (s.y[1][i] - down),
+                            cy = none + (s.y[2][i] - down);
+        for (std::int32_t x = s.left[i]; x < s.right[i]; x += static_cast<std::int32_t>(kLanes)) {
+            const std::size_t at = row + static_cast<std::size_t>(x);
+            const Lanes centers = kCenters + static_cast<float>(x);
+            const Lanes ax = s.x[0][i] - centers, bx = s.x[1][i] - centers, cx = s.x[2][i] - centers;
+            const Lanes ofA = side(bx, by, cx, cy), ofB = side(cx, cy, ax, ay), ofC = side(ax, ay, bx, by);
+            const Lanes key = (ofA * s.key[0][i] + ofB * s.key[1][i] + ofC * s.key[2][i]) * s.perArea[i];
+            Lanes there;
+            std::memcpy(&there, &behind_[at], sizeof there);
+            const Mask outside = (ofA < -roomA) | (ofB < -roomB) | (ofC < -roomC) | (key + error < there) |
+                                 (centers > static_cast<float>(s.right[i]));
+            if (!any(~outside)) continue;
+            for (std::size_t k = 0; k < kLanes; ++k) {
+                if (outside[k]) continue;
+                bool certain = !s.splinter[i] && ofA[k] > roomA && ofB[k] > roomB && ofC[k] > roomC;
+                if (lens.clips && !s.splinter[i]) {
+                    const float Z = lens.perspective ? 1.0f / key[k] : -key[k];
+                    const float room = lens.perspective ? error * Z * Z : error;
+                    if (Z + room < lens.clipNear || Z - room > lens.clipFar) continue;
+                    if (Z - room <= lens.clipNear || Z + room >= lens.clipFar) certain = false;
+                }
+                if (certain)
+                    meet(at + k, key[k] - error, key[k] + error, index);
+                else if (!s.splinter[i] || !(s.nearest[i] + lens.errorOfKey(s.nearest[i]) < behind_[at + k]))
+                    doubts_.push_back(index);
+            }
         }
     }
 }
 
-void FrontTriangles::draw(std::span<const Triangle> triangles, std::span<const glm::vec3> corners) {
-    for (const Triangle& t : triangles) {
-        const std::uint32_t index = drawn_++;
-        glm::vec3 a = corners[t.a], b = corners[t.b], c = corners[t.c];
-        const glm::vec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
-        if (perspective_ && !(low.z > 0)) {
-            doubts_.push_back(index);
-            continue;
+FrontTriangles::FrontTriangles() : lens_(std::make_unique<Lens>()) {}
+FrontTriangles::~FrontTriangles() = default;
+
+void FrontTriangles::begin(const TileView& view) {
+    Lens& l = *lens_;
+    l.width = view.width;
+    l.height = view.height;
+    l.perspective = view.perspective;
+    l.axisX = view.axis.x;
+    l.axisY = view.axis.y;
+    l.clipNear = view.clipNear;
+    l.clipFar = view.clipFar;
+    l.clips = view.clipNear > -1e29f || view.clipFar < 1e29f;
+    // Single precision has 6e-8 of the largest number, and some ten roundings follow one another.
+    l.error = 5e-7f * view.range * view.pixels;
+    l.errorOfZ = 1e-6f * std::max(view.range, view.origin);
+    groups_.clear();
+    used_ = 0;
+    layer(0);
+}
+
+FrontTriangles::Layer& FrontTriangles::layer(std::size_t number) {
+    while (layers_.size() <= number) layers_.push_back(std::make_unique<Layer>());
+    for (; used_ <= number; ++used_) layers_[used_]->begin(*lens_);
+    return *layers_[number];
+}
+
+void FrontTriangles::draw(std::span<const Run> runs, std::span<const glm::vec3> corners) {
+    const std::size_t before = groups_.size();
+    for (const Run& run : runs)
+        for (std::size_t first = 0; first < run.triangles.size(); first += kGroup) {
+            const auto count = static_cast<std::uint32_t>(std::min<std::size_t>(kGroup, run.triangles.size() - first));
+            groups_.push_back({&run.triangles[first], count, run.rows, run.number + static_cast<std::uint32_t>(first)});
         }
-        // Most hold no centre, which is known at once.
-        if (std::floor(high.x - 0.5f + 1.0f / 32) < low.x - 0.5f - 1.0f / 32) continue;
-        if (std::floor(high.y - 0.5f + 1.0f / 32) < low.y - 0.5f - 1.0f / 32) continue;
-        float area = side(b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y);
-        if (area < 0) std::swap(b, c), area = -area;
-        const float off = std::max(std::max(std::abs(low.x - axisX_), std::abs(high.x - axisX_)),
-                                   std::max(std::abs(low.y - axisY_), std::abs(high.y - axisY_)));
-        const float error = error_ + 2e-6f * off;
-        const auto length = [](const glm::vec3& from, const glm::vec3& to) {
-            return std::abs(to.x - from.x) + std::abs(to.y - from.y);
-        };
-        const float ab = length(a, b), bc = length(b, c), ca = length(c, a), around = ab + bc + ca;
-        Shape s{a, b, c, 2 * error * bc, 2 * error * ca, 2 * error * ab, 1 / area, 0, 0, area < 16 * error * around};
-        for (glm::vec3* corner : {&s.a, &s.b, &s.c}) corner->z = perspective_ ? 1 / corner->z : -corner->z;
-        s.nearest = std::max(s.a.z, std::max(s.b.z, s.c.z));
-        const float farthest = std::min(s.a.z, std::min(s.b.z, s.c.z));
-        // A key may be off by as much as it rises on the way that a corner is off, and by what Z is rounded.
-        s.error = 4 * error * (s.nearest - farthest) * around * s.perArea +
-                  errorOfZ_ * (perspective_ ? s.nearest * s.nearest : 1.0f);
-        drawShape(s, index);
-    }
+    const std::size_t count = groups_.size() - before;
+    constexpr std::size_t kGroupsOfThread = 512, kMostThreads = 8, kMostPixels = 8'000'000;  // of all layers
+    const std::size_t pixels = std::max<std::size_t>(std::size_t{lens_->width} * lens_->height, 1);
+    const std::size_t threads = std::min({count / kGroupsOfThread + 1, kMostThreads, kMostPixels / pixels + 1,
+                                          std::max<std::size_t>(std::thread::hardware_concurrency(), 1)});
+    layer(threads - 1);
+    inParallel(threads, static_cast<unsigned>(threads), [&](std::size_t thread) {
+        const std::size_t first = before + count * thread / threads, end = before + count * (thread + 1) / threads;
+        for (std::size_t i = first; i < end; ++i)
+            layers_[thread]->draw(*lens_, groups_[i], static_cast<std::uint32_t>(i) * kGroup, corners);
+    });
 }
 
 void FrontTriangles::end() {
-    front_.assign((std::size_t{drawn_} + 63) / 64, 0);
-    const auto mark = [&](std::uint32_t index) { front_[index / 64] |= std::uint64_t{1} << index % 64; };
-    for (std::uint32_t y = 0; y < height_; ++y) {
-        if (!rows_[y]) continue;
-        const Pixel* row = pixels_.data() + std::size_t{y} * width_;
-        for (std::uint32_t x = 0; x < width_; ++x)
-            if (row[x].index != kNone) mark(row[x].index);
-    }
-    for (const std::uint32_t index : doubts_) mark(index);
+    Layer& all = *layers_[0];
+    for (std::size_t i = 1; i < used_; ++i) all.take(*lens_, *layers_[i]);
+    doubts_ = all.doubts();
+    std::sort(doubts_.begin(), doubts_.end());
+    doubts_.erase(std::unique(doubts_.begin(), doubts_.end()), doubts_.end());
 }
 
-std::size_t FrontTriangles::next(std::size_t index) const {
-    for (std::size_t word = index / 64; word < front_.size(); ++word) {
-        const std::uint64_t bits =
-            front_[word] & (word == index / 64 ? ~std::uint64_t{0} << index % 64 : ~std::uint64_t{0});
-        if (bits != 0) return 64 * word + static_cast<std::size_t>(std::countr_zero(bits));
+std::uint32_t FrontTriangles::numberOf(std::uint32_t index) const {
+    return groups_[index / kGroup].number + index % kGroup;
+}
+
+const Triangle& FrontTriangles::doubt(std::size_t index, const glm::vec4*& rows, std::uint32_t& number) const {
+    const Group& group = groups_[doubts_[index] / kGroup];
+    rows = group.rows;
+    number = numberOf(doubts_[index]);
+    return group.triangles[doubts_[index] % kGroup];
+}
+
+bool FrontTriangles::isSeen(std::uint32_t x, std::uint32_t y, std::uint32_t endX, std::uint32_t endY) const {
+    const Layer& all = *layers_[0];
+    for (; y < std::min(endY, lens_->height); ++y) {
+        if (!all.anyIn(y)) continue;
+        for (std::uint32_t at = x; at < std::min(endX, lens_->width); ++at)
+            if (all.at(*lens_, at, y) != kNone) return true;
     }
-    return 64 * front_.size();
+    return false;
+}
+
+void FrontTriangles::write(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t* to) const {
+    const Layer& all = *layers_[0];
+    const bool any = y < lens_->height && all.anyIn(y);
+    for (const std::uint32_t end = x + count; x < end; ++x) {
+        const std::uint32_t index = any && x < lens_->width ? all.at(*lens_, x, y) : kNone;
+        *to++ = index == kNone ? 0 : numberOf(index);
+    }
 }
 
 }  // namespace nacre

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -15,35 +17,54 @@ struct TileView;
 /// Kept from frame to frame, it allocates nothing once it has seen the largest.
 class FrontTriangles {
 public:
+    /// Triangles that stand together in a stream, at one place.
+    struct Run {
+        std::span<const Triangle> triangles;
+        const glm::vec4* rows = nullptr;  ///< three: into view space
+        std::uint32_t number = 0;         ///< of the first primitive, not 0
+    };
+
+    FrontTriangles();
+    ~FrontTriangles();
+
     /// Forgets what was drawn. Pixels are asked at their centres alone, and triangles have no lines about them.
     void begin(const TileView& view);
-    /// Draws triangles, counted on from what was drawn before.
-    /// @param corners  of all vertices: pixel and Z
-    void draw(std::span<const Triangle> triangles, std::span<const glm::vec3> corners);
-    /// Finds those that no other certainly hides at each pixel that they may hold, whatever a shader rounds: it is as
-    /// if the others were not there.
+    /// Draws triangles by several threads if they are many.
+    /// @param corners  of all vertices at the place of the runs: pixel and Z
+    void draw(std::span<const Run> runs, std::span<const glm::vec3> corners);
+    /// Finds for each pixel the triangle that certainly is the nearest of all that were drawn, whatever a shader
+    /// rounds, but for doubtful ones.
     void end();
-    /// The first of these from one on, counted over all that was drawn; that many or more: there is none.
-    std::size_t next(std::size_t index) const;
+
+    /// Those that may be seen at some pixel for which they are not the certain ones.
+    std::size_t doubts() const { return doubts_.size(); }
+    /// @param number  becomes the triangle's
+    const Triangle& doubt(std::size_t index, const glm::vec4*& rows, std::uint32_t& number) const;
+
+    /// Whether a rectangle of pixels, to one past its end, has any that are certain.
+    bool isSeen(std::uint32_t x, std::uint32_t y, std::uint32_t endX, std::uint32_t endY) const;
+    /// Numbers of the certain ones of some pixels of a row, 0 where there is none; beyond the picture, too.
+    void write(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t* to) const;
 
 private:
-    struct Pixel {
-        float key, error;     // of the nearest triangle that certainly holds the centre: the larger, the nearer
-        std::uint32_t index;  // its own
+    struct Lens;
+    struct Shapes;
+    class Layer;
+    /// What is looked at together. Triangles are counted by groups, as if all were full.
+    struct Group {
+        const Triangle* triangles = nullptr;
+        std::uint32_t count = 0;
+        const glm::vec4* rows = nullptr;
+        std::uint32_t number = 0;
     };
-    struct Shape;
-    void drawShape(const Shape& shape, std::uint32_t index);
-    void meet(Pixel& pixel, float key, float error, bool certain, std::uint32_t index);
+    Layer& layer(std::size_t number);
+    std::uint32_t numberOf(std::uint32_t index) const;
 
-    std::uint32_t width_ = 0, height_ = 0, drawn_ = 0;
-    bool perspective_ = false;
-    float axisX_ = 0, axisY_ = 0, error_ = 0;  // pixels
-    float errorOfZ_ = 0;
-    float clipNear_ = 0, clipFar_ = 0;  // Z
-    std::vector<Pixel> pixels_;
-    std::vector<bool> rows_;             // that hold anything
-    std::vector<std::uint32_t> doubts_;  // triangles that may be nearer than those of the pixels
-    std::vector<std::uint64_t> front_;
+    std::unique_ptr<Lens> lens_;
+    std::vector<std::unique_ptr<Layer>> layers_;  // a thread's each
+    std::size_t used_ = 0;                        // of them
+    std::vector<Group> groups_;
+    std::vector<std::uint32_t> doubts_;
 };
 
 }  // namespace nacre

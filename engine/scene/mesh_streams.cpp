@@ -14,8 +14,6 @@
 namespace nacre {
 namespace {
 
-constexpr std::uint32_t kPositionBits = 21, kPositionMask = (1u << kPositionBits) - 1;
-constexpr std::uint32_t kMiddle = 1u << (kPositionBits - 1);  // of the range of a coordinate
 constexpr float kNormalSteps = 65535.0f;
 
 bool finite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
@@ -50,16 +48,40 @@ void checkMesh(const Mesh& mesh) {
     for (const MeshLevel& level : mesh.coarser) check(level.triangles);
 }
 
+/// The vertices of a mesh, those of its coarsest level first: then a view goes through no others.
+struct VertexOrder {
+    std::vector<std::uint32_t> vertices;  // of the mesh
+    std::vector<std::uint32_t> places;    // of each of them there
+    std::vector<std::uint32_t> ends;      // of each coarser level's
+
+    explicit VertexOrder(const Mesh& mesh) : places(mesh.positions.size(), kNone), ends(mesh.coarser.size()) {
+        vertices.reserve(places.size());
+        std::vector<bool> used(places.size());
+        for (std::size_t i = mesh.coarser.size(); i-- > 0;) {
+            for (const glm::uvec3& t : mesh.coarser[i].triangles) used[t.x] = used[t.y] = used[t.z] = true;
+            addThose(used);
+            ends[i] = static_cast<std::uint32_t>(vertices.size());
+        }
+        used.assign(places.size(), true);
+        addThose(used);
+    }
+
+private:
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+
+    void addThose(const std::vector<bool>& used) {
+        for (std::uint32_t v = 0; v < places.size(); ++v)
+            if (used[v] && places[v] == kNone) {
+                places[v] = static_cast<std::uint32_t>(vertices.size());
+                vertices.push_back(v);
+            }
+    }
+};
+
 }  // namespace
 
 const Triangle& drawnTriangle(const Representation& r, std::size_t number) {
     return number < r.triangles.size() ? r.triangles[number] : r.coarseTriangles[number - r.triangles.size()];
-}
-
-glm::vec3 positionOf(const MeshVertex& v, float step) {
-    const std::uint32_t x = v.xz & kPositionMask, y = v.yz & kPositionMask;
-    const std::uint32_t z = v.xz >> kPositionBits | v.yz >> kPositionBits << 11;
-    return (glm::vec3(x, y, z) - static_cast<float>(kMiddle)) * step;
 }
 
 glm::vec3 normalOf(const MeshVertex& v) {
@@ -82,12 +104,13 @@ void appendMesh(const Mesh& mesh, const glm::dvec3& shift, const std::function<S
     }
     const float step = stepFor(reach);
     const auto coordinate = [&](double v) {
-        const double steps = std::floor(v / static_cast<double>(step) + 0.5) + kMiddle;
+        const double steps = std::floor(v / static_cast<double>(step) + 0.5) + kMiddlePosition;
         return static_cast<std::uint32_t>(std::clamp(steps, 0.0, static_cast<double>(kPositionMask)));
     };
     const auto base = static_cast<std::uint32_t>(r.meshVertices.size());
+    const VertexOrder order(mesh);
     std::unordered_map<std::uint32_t, std::uint32_t> looks;
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    for (const std::uint32_t i : order.vertices) {
         const glm::dvec3 at = glm::dvec3(mesh.positions[i]) + shift;
         MeshVertex v;
         if (finite(at)) {
@@ -102,7 +125,7 @@ void appendMesh(const Mesh& mesh, const glm::dvec3& shift, const std::function<S
         r.meshVertices.push_back(v);
     }
     const auto samePlace = [&](std::uint32_t i, std::uint32_t k) {
-        const MeshVertex &a = r.meshVertices[base + i], &b = r.meshVertices[base + k];
+        const MeshVertex &a = r.meshVertices[base + order.places[i]], &b = r.meshVertices[base + order.places[k]];
         return a.xz == b.xz && a.yz == b.yz;
     };
     const auto isFinite = [&](std::uint32_t i) { return finite(glm::dvec3(mesh.positions[i]) + shift); };
@@ -112,7 +135,7 @@ void appendMesh(const Mesh& mesh, const glm::dvec3& shift, const std::function<S
         for (const glm::uvec3& t : triangles)
             if (isFinite(t.x) && isFinite(t.y) && isFinite(t.z) && !samePlace(t.x, t.y) && !samePlace(t.y, t.z) &&
                 !samePlace(t.z, t.x))
-                stream.push_back({base + t.x, base + t.y, base + t.z, step});
+                stream.push_back({base + order.places[t.x], base + order.places[t.y], base + order.places[t.z], step});
         orderByTranslucency(r, stream.begin() + static_cast<std::ptrdiff_t>(first), stream.end());
         return static_cast<std::uint32_t>(first);
     };
@@ -120,11 +143,14 @@ void appendMesh(const Mesh& mesh, const glm::dvec3& shift, const std::function<S
         return static_cast<std::uint32_t>(stream.size()) - first;
     };
     MeshRun run;
+    run.firstVertex = base;
+    run.endVertex = static_cast<std::uint32_t>(r.meshVertices.size());
     run.first = add(mesh.triangles, r.triangles);
     run.count = countFrom(run.first, r.triangles);
-    for (const MeshLevel& level : mesh.coarser) {
+    for (std::size_t i = 0; i < mesh.coarser.size(); ++i) {
+        const MeshLevel& level = mesh.coarser[i];
         const std::uint32_t first = add(level.triangles, r.coarseTriangles);
-        run.levels.push_back({level.error, first, countFrom(first, r.coarseTriangles)});
+        run.levels.push_back({level.error, first, countFrom(first, r.coarseTriangles), base + order.ends[i]});
     }
     r.meshes.push_back(std::move(run));
 }

@@ -34,16 +34,28 @@ struct MeshRun {
     struct Level {
         float error = 0;                     ///< Å, as MeshLevel has it
         std::uint32_t first = 0, count = 0;  ///< of Representation::coarseTriangles
+        std::uint32_t endVertex = 0;         ///< it has vertices from the mesh's first to here
     };
     std::uint32_t first = 0, count = 0;  ///< of Representation::triangles
     std::vector<Level> levels;           ///< by growing error
+    /// Of Representation::meshVertices: first those of the coarsest level, then what the next finer ones add.
+    std::uint32_t firstVertex = 0, endVertex = 0;
 };
 
 /// By its number among those that are drawn: coarse ones are numbered on.
 const Triangle& drawnTriangle(const Representation& representation, std::size_t number);
 
+constexpr std::uint32_t kPositionBits = 21, kPositionMask = (1u << kPositionBits) - 1;
+constexpr std::uint32_t kMiddlePosition = 1u << (kPositionBits - 1);  ///< of the range of a coordinate
+
 /// Where a vertex stands, as shaders have it. Å
-glm::vec3 positionOf(const MeshVertex& vertex, float step);
+inline glm::vec3 positionOf(const MeshVertex& v, float step) {
+    const std::uint32_t z = v.xz >> kPositionBits | v.yz >> kPositionBits << 11;
+    const auto coordinate = [&](std::uint32_t bits) {
+        return (static_cast<float>(static_cast<std::int32_t>(bits)) - static_cast<float>(kMiddlePosition)) * step;
+    };
+    return {coordinate(v.xz & kPositionMask), coordinate(v.yz & kPositionMask), coordinate(z)};
+}
 glm::vec3 normalOf(const MeshVertex& vertex);
 
 /// Adds a mesh to the streams. What is not finite or has no area is left out; the others' neighbours stay joined.

@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <utility>
+
+#include "engine/mesh/parallel.h"
 
 namespace nacre {
 namespace {
@@ -29,6 +32,32 @@ private:
     const TileView& view_;
     glm::vec4 x_{}, y_{}, z_;
 };
+
+struct VertexRange {
+    std::size_t first = SIZE_MAX, end = 0;
+    void add(const VertexRange& other) {
+        first = std::min(first, other.first);
+        end = std::max(end, other.end);
+    }
+};
+
+/// Where a mesh is drawn whole, or by much of it, it is known what vertices it has.
+VertexRange verticesOf(const TileScenery& s, const TileCall& call) {
+    constexpr std::uint32_t kFew = 8;  // of its triangles a share that is looked through
+    for (const MeshRun& mesh : s.meshes) {
+        const auto within = [&](std::uint32_t first, std::uint32_t count) {
+            return call.first >= first && call.first + call.count <= first + count && call.count >= count / kFew;
+        };
+        if (within(mesh.first, mesh.count)) return {mesh.firstVertex, mesh.endVertex};
+        for (const MeshRun::Level& level : mesh.levels)
+            if (within(static_cast<std::uint32_t>(s.triangles.size()) + level.first, level.count))
+                return {mesh.firstVertex, level.endVertex};
+    }
+    VertexRange range;
+    for (const Triangle& t : s.trianglesOf(call))
+        range.add({std::min({t.a, t.b, t.c}), std::max({t.a, t.b, t.c}) + std::size_t{1}});
+    return range;
+}
 
 /// Whether the centre of any pixel lies between two corners of a box. Shaders round differently: some of a pixel is
 /// allowed for.
@@ -98,15 +127,23 @@ std::vector<TileLists::MeshPart> TileLists::meshParts(const TileScenery& s) {
 
 /// Where the vertices of some triangles are seen, pixels, and their Z.
 void TileLists::placeCorners(const TileView& view, const TileScenery& s, const MeshPart& part) {
-    std::uint32_t first = UINT32_MAX, end = 0;
-    for (const TileCall& call : part.calls)
-        for (const Triangle& t : s.trianglesOf(call)) {
-            first = std::min({first, t.a, t.b, t.c});
-            end = std::max({end, t.a + 1, t.b + 1, t.c + 1});
-        }
     corners_.resize(s.vertices.size());
     const CornerPlace place(view, part.rows);
-    for (std::uint32_t i = first; i < end; ++i) corners_[i] = place(positionOf(s.vertices[i], part.step));
+    const auto placeRange = [&](const VertexRange& range) {
+        constexpr std::size_t kSlice = 16384;
+        if (range.first >= range.end) return;
+        inParallel((range.end - range.first) / kSlice + 1, 0, [&](std::size_t slice) {
+            const std::size_t first = range.first + slice * kSlice, end = std::min(first + kSlice, range.end);
+            for (std::size_t i = first; i < end; ++i) corners_[i] = place(positionOf(s.vertices[i], part.step));
+        });
+    };
+    VertexRange range;  // of neighbouring calls
+    for (const TileCall& call : part.calls) {
+        const VertexRange next = verticesOf(s, call);
+        if (next.first > range.end || range.first > next.end) placeRange(std::exchange(range, {}));
+        range.add(next);
+    }
+    placeRange(range);
 }
 
 void TileLists::addTriangle(const TileView& view, std::uint32_t number, const glm::vec3& a, const glm::vec3& b,
@@ -135,21 +172,29 @@ void TileLists::addFrontTriangles(const TileView& view, const TileScenery& s) {
     front_.begin(view);
     for (const MeshPart& part : meshParts(s)) {
         placeCorners(view, s, part);
-        for (const TileCall& call : part.calls) front_.draw(s.trianglesOf(call), corners_);
+        runs_.clear();
+        for (const TileCall& call : part.calls)
+            runs_.push_back({s.trianglesOf(call), call.rows, call.number + call.first});
+        front_.draw(runs_, corners_);
     }
     front_.end();
-    std::size_t before = 0;
-    for (const TileCall& call : s.triangleCalls) {
-        const CornerPlace place(view, call.rows);
-        const std::span<const Triangle> triangles = s.trianglesOf(call);
-        for (std::size_t at = front_.next(before); at < before + call.count; at = front_.next(at + 1)) {
-            const auto i = call.first + static_cast<std::uint32_t>(at - before);
-            const Triangle& t = triangles[at - before];
-            const auto corner = [&](std::uint32_t v) { return place(positionOf(s.vertices[v], t.step)); };
-            addTriangle(view, call.number + i, corner(t.a), corner(t.b), corner(t.c));
-        }
-        before += call.count;
+    for (std::size_t i = 0; i < front_.doubts(); ++i) {
+        const glm::vec4* rows = nullptr;
+        std::uint32_t number = 0;
+        const Triangle& t = front_.doubt(i, rows, number);
+        const CornerPlace place(view, rows);
+        const auto corner = [&](std::uint32_t v) { return place(positionOf(s.vertices[v], t.step)); };
+        addTriangle(view, number, corner(t.a), corner(t.b), corner(t.c));
     }
+    findSeeds();
+}
+
+void TileLists::findSeeds() {
+    seeds_.assign(std::size_t{across_} * down_, 0);
+    for (std::uint32_t y = 0; y < down_; ++y)
+        for (std::uint32_t x = 0; x < across_; ++x)
+            seeds_[std::size_t{y} * across_ + x] =
+                front_.isSeen(x * kBinPixels, y * kBinPixels, (x + 1) * kBinPixels, (y + 1) * kBinPixels);
 }
 
 void TileLists::order() {
@@ -177,7 +222,7 @@ void TileLists::listTiles() {
     for (std::uint32_t y = 0; y < down_; ++y)
         for (std::uint32_t x = 0; x < across_; ++x) {
             const std::size_t bin = std::size_t{y} * across_ + x;
-            if (offsets_[bin] == offsets_[bin + 1]) continue;
+            if (!holds(bin)) continue;
             const auto left = static_cast<std::uint16_t>(x), top = static_cast<std::uint16_t>(y);
             if (!spans_.empty() && spans_.back().y == y && spans_.back().endX == x)
                 ++spans_.back().endX;
@@ -203,7 +248,8 @@ void TileLists::build(const TileView& view, const TileScenery& s) {
     for (const TileCall& call : s.sphereCalls) addSpheres(view, s.spheres, call);
     keptSpheres_ = kept_.size();
     for (const TileCall& call : s.cylinderCalls) addCylinders(view, s.cylinders, call);
-    if (view.centers && view.layers == 1 && view.contour == 0 && !s.triangleCalls.empty())
+    seeded_ = view.centers && view.layers == 1 && view.contour == 0 && !s.triangleCalls.empty();
+    if (seeded_)
         addFrontTriangles(view, s);
     else
         addTriangles(view, s);

@@ -31,6 +31,7 @@ struct TileScenery {
     std::span<const MeshVertex> vertices = {};
     std::span<const TileCall> triangleCalls = {};
     std::span<const Triangle> coarseTriangles = {};  ///< numbered on from the others; no call has some of both
+    std::span<const MeshRun> meshes = {};            ///< may be left out
 
     /// Those of a call.
     std::span<const Triangle> trianglesOf(const TileCall& call) const {
@@ -39,8 +40,12 @@ struct TileScenery {
     }
 };
 
+/// Where pixels are asked at their centres alone, most triangles stand in no list: the host knows for nearly each pixel
+/// which of them is the nearest.
+///
 /// Bins of `kBinPixels` a side, row by row from the top left, each with its list, and the tiles of those bins whose
-/// list is not empty. Kept from frame to frame, it allocates nothing once it has seen the largest.
+/// list is not empty or that begin with triangles. Kept from frame to frame, it allocates nothing once it has seen the
+/// largest.
 class TileLists {
 public:
     static constexpr std::uint32_t kTilePixels = 8;
@@ -71,6 +76,14 @@ public:
     std::span<const std::uint32_t> offsets() const { return offsets_; }
     std::span<const Tile> tiles() const { return tiles_; }  ///< in the order to draw them, a bin's one after another
     std::span<const Span> spans() const { return spans_; }
+    /// Whether anything may show in a bin, counted row by row.
+    bool holds(std::size_t bin) const { return offsets_[bin] != offsets_[bin + 1] || (seeded_ && seeds_[bin]); }
+    /// Whether pixels may begin with a triangle: then with the one that writeSeeds() says.
+    bool seeded() const { return seeded_; }
+    /// Numbers of the nearest triangles of some pixels of a row, 0: none that is certain.
+    void writeSeeds(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t* to) const {
+        front_.write(x, y, count, to);
+    }
     std::size_t kept() const { return kept_.size(); }  ///< primitives in any list
     std::size_t keptSpheres() const { return keptSpheres_; }
     std::size_t entries() const { return offsets_.empty() ? 0 : offsets_.back(); }
@@ -94,6 +107,7 @@ private:
         std::uint32_t step;              // of depth
     };
 
+    void findSeeds();
     void add(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near);
     void addSpheres(const TileView& view, std::span<const Sphere> spheres, const TileCall& call);
     void addCylinders(const TileView& view, std::span<const Cylinder> cylinders, const TileCall& call);
@@ -113,6 +127,9 @@ private:
     std::vector<Tile> tiles_, bins_;
     std::vector<Span> spans_;
     std::vector<glm::vec3> corners_;  // pixel and Z of each vertex, at the place of a call
+    bool seeded_ = false;
+    std::vector<std::uint8_t> seeds_;  // of each bin: some pixel has one
+    std::vector<FrontTriangles::Run> runs_;
     FrontTriangles front_;
 };
 

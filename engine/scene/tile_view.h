@@ -24,7 +24,7 @@ struct TileView {
     float clipNear = -1e30f, clipFar = 1e30f;  ///< Z that planes cut at
     float contour = 0;                         ///< width of the line about a primitive, Å at z = 0
     /// Pixels are asked at their centres alone: triangles that lie between them are left out, and, where one layer is
-    /// asked for, such as lie behind others at all of them.
+    /// asked for, such as lie behind others at all of them; pixels begin with the nearest.
     bool centers = false;
     std::uint32_t layers = 1;  ///< how many of the nearest primitives a pixel shows
 };

@@ -147,12 +147,29 @@ std::vector<std::uint32_t> listsOf(TileLists& lists) {
     return {words.end() - static_cast<std::ptrdiff_t>(lists.entries()), words.end()};
 }
 
+/// The triangle that each pixel begins with, row by row; 0: none, and where lists begin with none.
+std::vector<std::uint32_t> seedsOf(const TileLists& lists, const TileView& v) {
+    std::vector<std::uint32_t> seeds(std::size_t{v.width} * v.height, 0);
+    for (std::uint32_t y = 0; lists.seeded() && y < v.height; ++y)
+        lists.writeSeeds(0, y, v.width, seeds.data() + std::size_t{y} * v.width);
+    return seeds;
+}
+
+/// All that may be seen somewhere.
+std::set<std::uint32_t> namedBy(TileLists& lists, const TileView& v) {
+    const std::vector<std::uint32_t> numbers = listsOf(lists), seeds = seedsOf(lists, v);
+    std::set<std::uint32_t> named(numbers.begin(), numbers.end());
+    named.insert(seeds.begin(), seeds.end());
+    named.erase(0);
+    return named;
+}
+
 class TileListsTest : public testing::TestWithParam<std::tuple<bool, int>> {};
 
 TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
     const auto [perspective, turns] = GetParam();
     TileLists lists;  // used again and again, as by a renderer
-    std::size_t met = 0, listed = 0, meetings = 0;
+    std::size_t met = 0, listed = 0, meetings = 0, begun = 0;
     for (std::uint32_t seed = 0; seed < 12; ++seed) {
         const Seen s = randomSeen(seed, perspective, turns);
         lists.build(s.view, s.scenery());
@@ -166,9 +183,14 @@ TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
             ofBin[bin] = {from, to};
             ASSERT_EQ(ofBin[bin].size(), static_cast<std::size_t>(to - from)) << "an entry twice";
         }
+        const std::vector<std::uint32_t> seeds = seedsOf(lists, s.view);
         const auto expect = [&](std::uint32_t number, std::uint32_t x, std::uint32_t y) {
             ++met;
-            EXPECT_TRUE(ofBin[y / kBin * lists.across() + x / kBin].contains(number))
+            const std::size_t bin = y / kBin * lists.across() + x / kBin;
+            const bool begins = seeds[std::size_t{y} * s.view.width + x] == number;
+            begun += begins;
+            EXPECT_TRUE(lists.holds(bin));
+            EXPECT_TRUE(begins || ofBin[bin].contains(number))
                 << "seed " << seed << ", number " << number << " at " << x << " " << y;
         };
         for (std::uint32_t y = seed % 3; y < s.view.height; y += 3)
@@ -202,6 +224,7 @@ TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
     }
     EXPECT_GT(met, 1000u);
     EXPECT_GT(meetings, 1000u);
+    EXPECT_GT(begun, 100u);
     EXPECT_GT(listed, 300u);
 }
 
@@ -235,8 +258,7 @@ TEST(TileLists, LeaveOutTrianglesBehindOthersAtAllCenters) {
     const auto listed = [&] {
         TileLists lists;
         lists.build(v, {{}, {}, {}, {}, r.triangles, r.meshVertices, {&call, 1}});
-        const std::vector<std::uint32_t> numbers = listsOf(lists);
-        return std::set<std::uint32_t>(numbers.begin(), numbers.end());
+        return namedBy(lists, v);
     };
     EXPECT_EQ(listed(), (std::set<std::uint32_t>{1, 2, 3, 4}));
     v.centers = true;
@@ -264,7 +286,7 @@ TEST(TileLists, LeaveOutTrianglesBetweenTheCentersOfPixels) {
         v.centers = centers;
         TileLists lists;
         lists.build(v, {{}, {}, {}, {}, r.triangles, r.meshVertices, {&call, 1}});
-        return lists.entries();
+        return namedBy(lists, v).size();
     };
     EXPECT_EQ(entries({1.7f, 1.7f}, true), 0u);
     EXPECT_EQ(entries({1.7f, 1.7f}, false), 1u);
@@ -318,7 +340,8 @@ TEST(TileLists, TilesAndSpansAreThoseOfBinsThatAreNotEmpty) {
         std::set<std::pair<std::uint32_t, std::uint32_t>> bins, inSpans;
         for (std::uint32_t y = 0; y < lists.down(); ++y)
             for (std::uint32_t x = 0; x < lists.across(); ++x)
-                if (const std::size_t bin = y * lists.across() + x; lists.offsets()[bin] < lists.offsets()[bin + 1])
+                if (const std::size_t bin = y * lists.across() + x;
+                    lists.holds(bin) || lists.offsets()[bin] < lists.offsets()[bin + 1])
                     bins.emplace(x, y);
         // Those of a bin stand together: what looks for edges takes them at once (shaders/tile_edge_pixels.comp).
         constexpr std::uint32_t kPerBin = TileLists::kTilesInBin;
