@@ -36,7 +36,10 @@ endif()
 if(NACRE_DESKTOP)
     list(APPEND NACRE_PARTS
         "GLFW|zlib|libglfw3-dev|glfw3|https://www.glfw.org"
-        "FriBidi|LGPL-2.1-or-later|libfribidi-dev|fribidi|https://github.com/fribidi/fribidi"
+        "FriBidi|LGPL-2.1-or-later|libfribidi-dev|fribidi|https://github.com/fribidi/fribidi")
+endif()
+if(NACRE_DESKTOP OR ANDROID OR IOS)
+    list(APPEND NACRE_PARTS
         "Dear ImGui|MIT|libimgui-dev|imgui|https://github.com/ocornut/imgui"
         "stb|MIT or public domain|libstb-dev|stb|https://github.com/nothings/stb")
 endif()

@@ -218,12 +218,11 @@ void AndroidSession::share() {
 }
 
 void AndroidSession::press(const std::string& role, const std::string& name) {
-    for (const Control& c : panel_->controls()) {
-        if (!c.seen() || c.role != role || c.name != name) continue;
-        const glm::dvec2 at = glm::dvec2(c.seenLeft + c.seenRight, c.seenTop + c.seenBottom) / 2.0 / scale_;
-        touch({0, TouchPhase::began, at}, steadySeconds());
-        return touch({0, TouchPhase::ended, at}, steadySeconds());
-    }
+    const Control* c = findControl(panel_->controls(), role, name);
+    if (!c) return;
+    const glm::dvec2 at = glm::dvec2(c->seenLeft + c->seenRight, c->seenTop + c->seenBottom) / 2.0 / scale_;
+    touch({0, TouchPhase::began, at}, steadySeconds());
+    touch({0, TouchPhase::ended, at}, steadySeconds());
 }
 
 /// The picture comes first, then what stands over it.

@@ -3,10 +3,12 @@
 // shared. Plain C++, so that it is tested where there is no iPhone. For the main thread.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/panel/panel.h"
 #include "app/viewer/session.h"
 
 namespace nacre::app {
@@ -21,6 +23,9 @@ struct MoleculeHost {
     std::function<std::vector<std::byte>()> loadPipelines;             ///< of an earlier run; may be empty
     std::function<void(const std::vector<std::byte>&)> keepPipelines;  ///< called once, after warm-up
     std::string occlusionCache;                                        ///< folder; empty: bakes are not kept
+    std::function<void()> pickDocument = {};                           ///< shows the system's picker
+    std::function<void(ViewerCommand)> share = {};                     ///< the picture or the view, with another app
+    bool dark = true;                                                  ///< what the system asks for
     bool validate = false;                                             ///< Khronos validation layer
 };
 
@@ -39,6 +44,19 @@ public:
     const Viewer& viewer() const { return session_.viewer(); }
 
     void resize(PixelSize pixels, double pixelsPerPoint, double now);
+    /// What the system covers of the window, pixels.
+    void setInsets(const Insets& insets);
+    // What the user does; the panel has it, or else the picture. Places in points.
+    void touch(const TouchEvent& event, double now);
+    /// One button of a mouse, as a finger that is not down between its phases.
+    void mouse(MouseButton button, const TouchEvent& event, Modifiers with, double now);
+    void run(ViewerCommand command, double now);
+    /// What stands in the window, for who cannot see it: the picture first, then the panel's controls. Pixels.
+    std::vector<Control> spoken() const;
+    /// Presses a control that is seen.
+    void press(const std::string& role, const std::string& name, double now);
+    /// Moves a slider a tenth of its way.
+    void adjust(const std::string& name, bool up, double now);
     /// The device works for apps that are seen alone: nothing is submitted from now on.
     void enterBackground();
     /// @throws Error if the device cannot be had again
@@ -61,11 +79,19 @@ public:
     const Renderer* renderer() const { return session_.renderer(); }
 
 private:
+    SessionHost sessionHost();
+    void makePanel(double pixelsPerPoint);
+    void tap(glm::dvec2 pixel, double now);
+
+    MoleculeHost host_;
+    std::unique_ptr<Panel> panel_;
     Session session_;
-    bool foreground_ = true;
+    double scale_ = 1;
+    bool foreground_ = true, panelDrag_ = false;
 };
 
-/// What a screen reader says of the picture besides title(): the last pick, its measurement, the message.
+/// What a screen reader says of the picture besides title(): what went wrong, the last pick, its measurement, the
+/// message.
 std::string spokenValue(const Annotations& annotations);
 
 }  // namespace nacre::app

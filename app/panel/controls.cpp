@@ -5,6 +5,12 @@
 
 namespace nacre::app {
 
+const Control* findControl(const std::vector<Control>& controls, const std::string& role, const std::string& name) {
+    const auto it = std::find_if(controls.begin(), controls.end(),
+                                 [&](const Control& c) { return c.seen() && c.role == role && c.name == name; });
+    return it == controls.end() ? nullptr : &*it;
+}
+
 std::string controlLines(const std::vector<Control>& controls) {
     std::string lines;
     const auto add = [&](std::string text, char end) {

@@ -15,10 +15,14 @@ struct Control {
     bool enabled = true, focused = false;
     bool cut = false;    ///< its words had no room
     float lines = 1;     ///< of text
+    float share = -1;    ///< of a slider: where it stands, 0 to 1
     std::string window;  ///< that it stands in
 
     bool seen() const { return seenRight > seenLeft && seenBottom > seenTop; }
 };
+
+/// One that is seen and can be pressed; null: there is none.
+const Control* findControl(const std::vector<Control>& controls, const std::string& role, const std::string& name);
 
 /// Those that are seen, a line each: role, name, value, whether it is enabled, left, top, right, bottom, with tabs
 /// between them.

@@ -243,6 +243,7 @@ bool Widgets::slide(const char* name, float& value, float low, float high, const
     char text[64];
     std::snprintf(text, sizeof text, "%.2f", static_cast<double>(value));
     note("slider", name, text);
+    if ((flags & ImGuiSliderFlags_Logarithmic) == 0) controls.back().share = (value - low) / (high - low);
     return moved;
 }
 
@@ -251,6 +252,7 @@ bool Widgets::slideWhole(const char* name, int& value, int low, int high, const 
     const bool moved = ImGui::SliderInt("##slider", &value, low, high, format, ImGuiSliderFlags_AlwaysClamp);
     ImGui::PopID();
     note("slider", name, std::to_string(value));
+    controls.back().share = static_cast<float>(value - low) / static_cast<float>(std::max(high - low, 1));
     return moved;
 }
 

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <thread>
 
-#include "app/apple/menu.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -193,49 +192,53 @@ TEST(MoleculeSession, SaysWhyAFileIsNotShown) {
     EXPECT_EQ(session.shareName(), "glucose");
 }
 
-TEST(MoleculeSession, TheMenuDoesWhatItSays) {
+TEST(MoleculeSession, VoiceOverHearsAndMovesEveryControl) {
     Host host;
-    MoleculeSession session(host.lend(), viewOf("/far/pair.pdb"));
+    MoleculeHost lent = host.lend();
+    std::vector<ViewerCommand> shared;
+    lent.share = [&](ViewerCommand what) { shared.push_back(what); };
+    MoleculeSession session(std::move(lent), viewOf("/far/pair.pdb"));
     begin(session, host);
+    session.resize(kSize, 1, host.now);  // as large as a tablet
     host.run(session);
-    Viewer& viewer = session.viewer();
-    const auto menu = [&] { return viewMenu(viewer, [&] { return host.now; }); };
-    const auto find = [](const std::vector<MenuItem>& items, const std::string& title) {
-        const auto at = std::find_if(items.begin(), items.end(), [&](const MenuItem& i) { return i.title == title; });
-        if (at == items.end()) throw std::out_of_range(title);
-        return *at;
+    const auto value = [&](const std::string& role, const std::string& name) {
+        for (const Control& c : session.spoken())
+            if (c.role == role && c.name == name) return c.value;
+        return std::string("it is not there");
     };
-    EXPECT_TRUE(find(find(menu(), "Style").children, "Space-filling").checked);
-    find(find(menu(), "Style").children, "Licorice").choose();
-    find(find(menu(), "Colours").children, "chain").choose();
-    find(find(menu(), "Show").children, "Perspective").choose();
-    EXPECT_EQ(viewer.view().look.style, Style::licorice);
-    EXPECT_EQ(viewer.view().look.color, ColorScheme::chain);
-    EXPECT_TRUE(find(find(menu(), "Style").children, "Licorice").checked);
-    EXPECT_TRUE(find(find(menu(), "Show").children, "Perspective").checked);
-
-    host.run(session);
-    const std::size_t bonds = viewer.document()->scene.drawnBonds;
-    EXPECT_EQ(bonds, 2u);
-    find(find(find(menu(), "Parts").children, "chain A").children, "Hide").choose();
-    host.run(session);
-    EXPECT_EQ(viewer.document()->scene.drawnBonds, 1u);
-    find(find(menu(), "Parts").children, "Undo hide chain A").choose();
-    host.run(session);
-    EXPECT_EQ(viewer.document()->scene.drawnBonds, bonds);
-    EXPECT_THROW(find(menu(), "Forget the picked atoms"), std::out_of_range);
-
-    // No item leaves a look that cannot be drawn.
-    const std::function<void(const std::vector<MenuItem>&)> chooseAll = [&](const std::vector<MenuItem>& items) {
-        for (const MenuItem& item : items) {
-            EXPECT_FALSE(item.title.empty());
-            chooseAll(item.children);
-            if (item.choose) item.choose();
-            EXPECT_NO_THROW(parseSavedView(savedViewJson(viewer.view()), item.title));
-            EXPECT_TRUE(item.choose || !item.children.empty()) << item.title;
-        }
+    const auto press = [&](const std::string& role, const std::string& name) {
+        session.press(role, name, host.now);
+        host.run(session);
     };
-    chooseAll(menu());
+    EXPECT_EQ(session.spoken().front().role, "image");
+    EXPECT_EQ(session.spoken().front().name, "pair.pdb - Nacre");
+    press("button", "Menu");
+    EXPECT_EQ(value("tab", "Look"), "on");
+    press("choice", "Sticks");
+    EXPECT_EQ(session.viewer().view().look.style, Style::licorice);
+    EXPECT_EQ(value("choice", "Sticks"), "on");
+    press("button", "Undo");
+    EXPECT_EQ(session.viewer().view().look.style, Style::spacefill);
+    press("button", "Save");
+    EXPECT_EQ(shared, std::vector{ViewerCommand::savePicture});
+    // A slider, a tenth of its way at a time.
+    SavedView look = session.viewer().view();
+    look.look.style = Style::surface;
+    session.viewer().setLook(look, host.now);
+    host.run(session);
+    EXPECT_EQ(value("slider", "Opacity of the surface"), "1.00");
+    session.adjust("Opacity of the surface", false, host.now);
+    host.run(session);
+    EXPECT_NEAR(session.viewer().view().look.surfaceOpacity, 0.9, 0.03);
+    session.viewer().undo(host.now);
+    session.viewer().undo(host.now);
+    press("tab", "Parts");
+    press("button", "Hide Chain A");
+    EXPECT_EQ(session.viewer().document()->scene.drawnBonds, 1u);
+    session.run(ViewerCommand::undo, host.now);  // as a shake does
+    host.run(session);
+    EXPECT_EQ(session.viewer().document()->scene.drawnBonds, 2u);
+    for (const Control& c : session.spoken()) EXPECT_NE(c.name, "") << c.role;
     expectValid(session);
 }
 

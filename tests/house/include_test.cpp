@@ -74,7 +74,7 @@ const std::vector<Arrows> kArrows = {
      {"app/viewer/", "app/panel/", "app/download/", "app/shared/", "app/apple/mac/opened_files.h", "engine/*.h",
       "engine/molecule/", "engine/scene/"}},
     {"app/android/", {"app/viewer/", "app/panel/", "app/shared/", "engine/*.h", "engine/molecule/", "engine/scene/"}},
-    {"app/apple/", {"app/viewer/", "app/shared/", "engine/*.h", "engine/molecule/", "engine/scene/"}},
+    {"app/apple/", {"app/viewer/", "app/panel/", "app/shared/", "engine/*.h", "engine/molecule/", "engine/scene/"}},
     {"app/apple/mac/", {"app/desktop/view_command.h"}},
 };
 

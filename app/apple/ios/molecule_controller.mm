@@ -8,11 +8,8 @@
 
 #import "app/apple/ios/document_access.h"
 #import "app/apple/ios/frame_clock.h"
-#import "app/apple/ios/help.h"
-#import "app/apple/ios/menus.h"
 #import "app/apple/ios/metal_surface.h"
 #import "app/apple/ios/molecule_view.h"
-#import "app/apple/ios/overlay_view.h"
 #import "app/apple/ios/sharing.h"
 #import "app/apple/ios/spoken.h"
 #import "app/apple/session.h"
@@ -51,8 +48,6 @@ void savePipelines(const std::vector<std::byte>& bytes) {
     SavedView _first;
     DocumentAccess* _document;
     SpokenMoleculeView* _molecule;
-    OverlayView* _overlay;
-    UIButton* _menuButton;
     FrameClock* _clock;
     BOOL _background;
 }
@@ -87,11 +82,8 @@ void savePipelines(const std::vector<std::byte>& bytes) {
 - (void)viewDidLoad {
     [super viewDidLoad];
     _molecule = [[SpokenMoleculeView alloc] initWithFrame:self.view.bounds];
-    _overlay = [[OverlayView alloc] initWithFrame:self.view.bounds];
-    for (UIView* view in @[ _molecule, _overlay ]) {
-        view.autoresizingMask = UIViewAutoresizingFlexibleWidth | UIViewAutoresizingFlexibleHeight;
-        [self.view addSubview:view];
-    }
+    _molecule.autoresizingMask = UIViewAutoresizingFlexibleWidth | UIViewAutoresizingFlexibleHeight;
+    [self.view addSubview:_molecule];
     _molecule.delegate = self;
     _molecule.speaker = self;
     __weak MoleculeController* weakSelf = self;
@@ -99,7 +91,6 @@ void savePipelines(const std::vector<std::byte>& bytes) {
         MoleculeController* controller = weakSelf;
         return controller ? [controller step:now interval:interval] : std::numeric_limits<double>::infinity();
     }];
-    [self addMenuButton];
 }
 
 - (void)viewDidAppear:(BOOL)animated {
@@ -107,33 +98,14 @@ void savePipelines(const std::vector<std::byte>& bytes) {
     [_molecule becomeFirstResponder];  // for the keys of a keyboard
 }
 
-- (void)addMenuButton {
-    _menuButton = [UIButton buttonWithType:UIButtonTypeSystem];
-    [_menuButton setImage:[UIImage systemImageNamed:@"ellipsis.circle"] forState:UIControlStateNormal];
-    _menuButton.accessibilityLabel = @"Menu";
-    _menuButton.showsMenuAsPrimaryAction = YES;
-    __weak MoleculeController* weakSelf = self;
-    UIDeferredMenuElement* fresh =
-        [UIDeferredMenuElement elementWithUncachedProvider:^(void (^completion)(NSArray<UIMenuElement*>*)) {
-          completion([weakSelf menu]);
-        }];
-    _menuButton.menu = [UIMenu menuWithTitle:@"" image:nil identifier:nil options:0 children:@[ fresh ]];
-    _menuButton.translatesAutoresizingMaskIntoConstraints = NO;
-    [self.view addSubview:_menuButton];
-    UILayoutGuide* safe = self.view.safeAreaLayoutGuide;
-    [NSLayoutConstraint activateConstraints:@[
-        [_menuButton.trailingAnchor constraintEqualToAnchor:safe.trailingAnchor constant:-8],
-        [_menuButton.topAnchor constraintEqualToAnchor:safe.topAnchor constant:8],
-        [_menuButton.widthAnchor constraintEqualToConstant:48],
-        [_menuButton.heightAnchor constraintEqualToConstant:48],
-    ]];
-}
-
 /// The view has its size: the device can be opened.
 - (void)moleculeViewResized:(MoleculeView*)view {
     if (!_session && !_background && view.pixels.width > 0) [self startSession];
     if (!_session) return;
     _session->resize(view.pixels, view.contentScaleFactor, CACurrentMediaTime());
+    const UIEdgeInsets safe = view.safeAreaInsets;
+    const auto pixels = [&](CGFloat points) { return static_cast<float>(points * view.contentScaleFactor); };
+    _session->setInsets({pixels(safe.left), pixels(safe.top), pixels(safe.right), pixels(safe.bottom)});
     [_clock wake];
 }
 
@@ -150,9 +122,14 @@ void savePipelines(const std::vector<std::byte>& bytes) {
     host.loadPipelines = loadPipelines;
     host.keepPipelines = savePipelines;
     host.occlusionCache = textOf(cachedFile(@"occlusion").path);
+    host.pickDocument = [weakSelf] { [weakSelf pickDocument]; };
+    host.share = [weakSelf](ViewerCommand what) {
+        what == ViewerCommand::saveView ? [weakSelf shareView] : [weakSelf sharePicture];
+    };
+    host.dark = self.traitCollection.userInterfaceStyle == UIUserInterfaceStyleDark;
     [self attempt:^{
       self->_session = std::make_unique<MoleculeSession>(host, self->_first);
-      self->_molecule.viewer = &self->_session->viewer();
+      self->_molecule.session = self->_session.get();
       self->_clock.suspended = NO;
     }];
 }
@@ -183,13 +160,8 @@ void savePipelines(const std::vector<std::byte>& bytes) {
         _clock.suspended = YES;  // it would fail again with the next frame
         return next;
     }
-    const Viewer& viewer = _session->viewer();
-    const BOOL more = UIAccessibilityDarkerSystemColorsEnabled() || UIAccessibilityIsReduceTransparencyEnabled();
-    const LabelColors colors = labelColors(viewer.settings().background, more);
-    [_overlay show:viewer.annotations() colors:colors];
-    _menuButton.tintColor = colorOf(colors.bare);
-    [_molecule say:stringOf(viewer.title()) value:stringOf(spokenValue(viewer.annotations()))];
-    self.view.window.windowScene.title = stringOf(viewer.title());
+    [_molecule say:_session->spoken()];
+    self.view.window.windowScene.title = stringOf(_session->viewer().title());
     return next;
 }
 
@@ -200,55 +172,13 @@ void savePipelines(const std::vector<std::byte>& bytes) {
 }
 
 - (void)moleculeView:(MoleculeView*)view command:(ViewerCommand)command {
-    switch (command) {
-        case ViewerCommand::savePicture:
-            return [self sharePicture];
-        case ViewerCommand::saveView:
-            return [self shareView];
-        case ViewerCommand::help:
-            return tell(@"Help", helpText(), self);
-        default:
-            if (_session) _session->viewer().run(command, CACurrentMediaTime());
-            [_clock wake];
-    }
+    if (_session) _session->run(command, CACurrentMediaTime());
+    [_clock wake];
 }
 
-- (NSArray<UIMenuElement*>*)menu {
-    if (!_session) return @[];
-    __weak MoleculeController* weakSelf = self;
-    const auto item = [weakSelf](const char* title, const char* symbol, void (^chosen)(MoleculeController*)) {
-        return MenuItem{title, symbol, false, [weakSelf, chosen] {
-                            if (MoleculeController* controller = weakSelf) chosen(controller);
-                        }};
-    };
-    const auto sample = [&](const char* title, const char* input) {
-        return item(title, "", ^(MoleculeController* controller) {
-          [controller openSample:input];
-        });
-    };
-    std::vector<MenuItem> items = {item("Open ...", "folder", ^(MoleculeController* controller) {
-      [controller pickDocument];
-    })};
-    MenuItem samples{"Samples", "testtube.2"};
-    samples.children = {sample("DNA", "sample:dna"), sample("Glucose", "sample:glucose"),
-                        sample("Buckyball", "sample:buckyball")};
-    items.push_back(std::move(samples));
-    for (MenuItem& look : viewMenu(_session->viewer(), CACurrentMediaTime)) items.push_back(std::move(look));
-    items.push_back(item("Share picture", "square.and.arrow.up", ^(MoleculeController* controller) {
-      [controller sharePicture];
-    }));
-    items.push_back(item("Share view", "square.and.arrow.up.on.square", ^(MoleculeController* controller) {
-      [controller shareView];
-    }));
-    items.push_back(item("Help", "questionmark.circle", ^(MoleculeController* controller) {
-      tell(@"Help", helpText(), controller);
-    }));
-    items.push_back(item("Licences", "doc.text", ^(MoleculeController* controller) {
-      showNotices(controller);
-    }));
-    return menuElements(items, ^{
-      [weakSelf wake];
-    });
+/// As everywhere on this system.
+- (void)motionEnded:(UIEventSubtype)motion withEvent:(nullable UIEvent*)event {
+    if (motion == UIEventSubtypeMotionShake) [self moleculeView:_molecule command:ViewerCommand::undo];
 }
 
 - (void)sharePicture {
@@ -256,14 +186,14 @@ void savePipelines(const std::vector<std::byte>& bytes) {
     [self attempt:^{
       NSData* png = pngOf(self->_session->picture());
       NSString* name = [stringOf(self->_session->shareName()) stringByAppendingString:@".png"];
-      if (png) share(png, name, self, self->_menuButton);
+      if (png) share(png, name, self, self->_molecule);
     }];
 }
 
 - (void)shareView {
     if (!_session) return;
     NSData* json = [stringOf(_session->state()) dataUsingEncoding:NSUTF8StringEncoding];
-    share(json, [stringOf(_session->shareName()) stringByAppendingString:@".view.json"], self, _menuButton);
+    share(json, [stringOf(_session->shareName()) stringByAppendingString:@".view.json"], self, _molecule);
 }
 
 // --- documents
@@ -292,7 +222,7 @@ void savePipelines(const std::vector<std::byte>& bytes) {
     [self attempt:^{
       self->_first = parseSavedView(readDocument(path), path);
       self->_document = nil;
-      self->_molecule.viewer = nullptr;
+      self->_molecule.session = nullptr;
       self->_session.reset();
       if (self.viewIfLoaded) [self moleculeViewResized:self->_molecule];
     }];
@@ -346,6 +276,16 @@ void savePipelines(const std::vector<std::byte>& bytes) {
 
 - (void)spokenView:(SpokenMoleculeView*)view command:(ViewerCommand)command {
     [self moleculeView:view command:command];
+}
+
+- (void)spokenView:(SpokenMoleculeView*)view press:(const nacre::app::Control&)control {
+    if (_session) _session->press(control.role, control.name, CACurrentMediaTime());
+    [_clock wake];
+}
+
+- (void)spokenView:(SpokenMoleculeView*)view adjust:(const nacre::app::Control&)control up:(BOOL)up {
+    if (_session) _session->adjust(control.name, up, CACurrentMediaTime());
+    [_clock wake];
 }
 
 @end

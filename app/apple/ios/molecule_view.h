@@ -4,7 +4,7 @@
 #import <QuartzCore/CAMetalLayer.h>
 #import <UIKit/UIKit.h>
 
-#include "app/viewer/viewer.h"
+#include "app/apple/session.h"
 
 NS_ASSUME_NONNULL_BEGIN
 
@@ -21,7 +21,7 @@ NS_ASSUME_NONNULL_BEGIN
 
 @property(nonatomic, weak) id<MoleculeViewDelegate> delegate;
 /// Not owned. Without one every touch is let go.
-@property(nonatomic, nullable) nacre::app::Viewer* viewer;
+@property(nonatomic, nullable) nacre::app::MoleculeSession* session;
 @property(nonatomic, readonly) CAMetalLayer* metalLayer;
 @property(nonatomic, readonly) nacre::PixelSize pixels;
 

@@ -15,6 +15,7 @@ using nacre::app::ViewerCommand;
 
 namespace {
 
+constexpr std::int64_t kPointer = -1;  // stands for a finger
 constexpr double kPointsPerStep = 40;  // of a two-finger scroll, to one step of a wheel
 
 glm::dvec2 placeOf(CGPoint point) { return {point.x, point.y}; }
@@ -81,25 +82,21 @@ nacre::app::Modifiers modifiersOf(UIKeyModifierFlags flags) {
 // --- fingers, pencil, mouse
 
 - (void)forward:(NSSet<UITouch*>*)touches event:(nullable UIEvent*)event phase:(TouchPhase)phase {
-    if (!self.viewer) return;
+    if (!self.session) return;
     for (UITouch* touch in touches) {
         const glm::dvec2 at = placeOf([touch locationInView:self]);
         if (touch.type == UITouchTypeIndirectPointer)
             [self mouse:at event:event phase:phase when:touch.timestamp];
         else
-            self.viewer->touch({nameOf(touch), phase, at}, touch.timestamp);
+            self.session->touch({nameOf(touch), phase, at}, touch.timestamp);
     }
     [self.delegate moleculeViewTouched:self];
 }
 
 - (void)mouse:(glm::dvec2)at event:(nullable UIEvent*)event phase:(TouchPhase)phase when:(double)when {
-    if (phase == TouchPhase::moved) {
-        self.viewer->mouseMove(at, when);
-        return;
-    }
-    const bool down = phase == TouchPhase::began;
-    if (down) _held = event.buttonMask & UIEventButtonMaskSecondary ? MouseButton::right : MouseButton::left;
-    self.viewer->mouseButton(_held, down, at, modifiersOf(event.modifierFlags), when);
+    if (phase == TouchPhase::began)
+        _held = event.buttonMask & UIEventButtonMaskSecondary ? MouseButton::right : MouseButton::left;
+    self.session->mouse(_held, {kPointer, phase, at}, modifiersOf(event.modifierFlags), when);
 }
 
 - (void)touchesBegan:(NSSet<UITouch*>*)touches withEvent:(UIEvent*)event {
@@ -128,21 +125,21 @@ nacre::app::Modifiers modifiersOf(UIKeyModifierFlags flags) {
 }
 
 - (void)scroll:(UIPanGestureRecognizer*)recognizer {
-    if (!self.viewer) return;
-    self.viewer->wheel([recognizer translationInView:self].y / kPointsPerStep,
-                       placeOf([recognizer locationInView:self]), CACurrentMediaTime());
+    if (!self.session) return;
+    self.session->viewer().wheel([recognizer translationInView:self].y / kPointsPerStep,
+                                 placeOf([recognizer locationInView:self]), CACurrentMediaTime());
     [recognizer setTranslation:CGPointZero inView:self];
     [self.delegate moleculeViewTouched:self];
 }
 
 - (void)transform:(UIGestureRecognizer*)recognizer scale:(double)scale turn:(double)turn {
-    if (!self.viewer) return;
+    if (!self.session) return;
     Gesture gesture;
     gesture.kind = Gesture::Kind::transform;
     gesture.at = placeOf([recognizer locationInView:self]);
     gesture.scale = scale;
     gesture.turn = turn;
-    self.viewer->gesture(gesture, CACurrentMediaTime());
+    self.session->viewer().gesture(gesture, CACurrentMediaTime());
     [self.delegate moleculeViewTouched:self];
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // The molecule's view for those who hear it: VoiceOver reads the title and the last pick, swipes zoom, and actions
-// turn.
+// turn. Over it lie the panel's controls, each with its name and its value.
 
 #import "app/apple/ios/molecule_view.h"
 
@@ -10,14 +10,15 @@ NS_ASSUME_NONNULL_BEGIN
 
 @protocol SpokenViewDelegate <NSObject>
 - (void)spokenView:(SpokenMoleculeView*)view command:(nacre::app::ViewerCommand)command;
+- (void)spokenView:(SpokenMoleculeView*)view press:(const nacre::app::Control&)control;
+- (void)spokenView:(SpokenMoleculeView*)view adjust:(const nacre::app::Control&)control up:(BOOL)up;
 @end
 
 @interface SpokenMoleculeView : MoleculeView
 
 @property(nonatomic, weak) id<SpokenViewDelegate> speaker;
-/// @param label what is shown
-/// @param value what was picked, measured or said last: read aloud when it changes
-- (void)say:(NSString*)label value:(NSString*)value;
+/// @param controls  the picture first; its value is read aloud when it changes
+- (void)say:(const std::vector<nacre::app::Control>&)controls;
 
 @end
 

@@ -1,5 +1,8 @@
 #import "app/apple/ios/spoken.h"
 
+#import "app/apple/ios/document_access.h"
+
+using nacre::app::Control;
 using nacre::app::ViewerCommand;
 
 namespace {
@@ -15,27 +18,82 @@ SpokenAction const kActions[] = {
     {@"Next colouring", ViewerCommand::nextColor},
 };
 
+UIAccessibilityTraits traitsOf(const Control& control) {
+    if (control.role == "image")
+        return UIAccessibilityTraitImage | UIAccessibilityTraitAdjustable | UIAccessibilityTraitAllowsDirectInteraction;
+    UIAccessibilityTraits traits = UIAccessibilityTraitButton;
+    if (control.role == "text") traits = UIAccessibilityTraitStaticText;
+    if (control.role == "slider") traits = UIAccessibilityTraitAdjustable;
+    if (control.role == "heading") traits = UIAccessibilityTraitHeader | UIAccessibilityTraitButton;
+    const bool chosen =
+        (control.role == "choice" || control.role == "tab" || control.role == "colour") && control.value == "on";
+    if (chosen) traits |= UIAccessibilityTraitSelected;
+    if (!control.enabled) traits |= UIAccessibilityTraitNotEnabled;
+    return traits;
+}
+
 }  // namespace
 
-@implementation SpokenMoleculeView
+/// One of the controls, as it was when VoiceOver was told of it.
+@interface SpokenControl : UIAccessibilityElement
+@property(nonatomic, weak) SpokenMoleculeView* view;
+- (void)tell:(const Control&)control;
+@end
 
-- (instancetype)initWithFrame:(CGRect)frame {
-    if ((self = [super initWithFrame:frame])) {
-        self.isAccessibilityElement = YES;
-        self.accessibilityTraits =
-            UIAccessibilityTraitImage | UIAccessibilityTraitAdjustable | UIAccessibilityTraitAllowsDirectInteraction;
-        NSMutableArray<UIAccessibilityCustomAction*>* actions = [NSMutableArray array];
-        for (const SpokenAction& action : kActions) {
-            const ViewerCommand command = action.command;
-            __weak SpokenMoleculeView* weakSelf = self;
-            [actions addObject:[[UIAccessibilityCustomAction alloc] initWithName:action.name
-                                                                   actionHandler:^BOOL(UIAccessibilityCustomAction*) {
-                                                                     return [weakSelf ask:command];
-                                                                   }]];
-        }
-        self.accessibilityCustomActions = actions;
+@implementation SpokenControl {
+    Control _control;
+}
+
+- (void)tell:(const Control&)control {
+    _control = control;
+    const CGFloat scale = self.view.contentScaleFactor;
+    self.accessibilityLabel = nacre::app::stringOf(control.name);
+    self.accessibilityValue = nacre::app::stringOf(control.value);
+    self.accessibilityTraits = traitsOf(control);
+    self.accessibilityFrameInContainerSpace =
+        CGRectMake(control.seenLeft / scale, control.seenTop / scale, (control.seenRight - control.seenLeft) / scale,
+                   (control.seenBottom - control.seenTop) / scale);
+}
+
+- (BOOL)accessibilityActivate {
+    if (_control.role == "image" || _control.role == "text") return NO;
+    [self.view.speaker spokenView:self.view press:_control];
+    return YES;
+}
+
+- (void)accessibilityIncrement {
+    [self step:YES];
+}
+
+- (void)accessibilityDecrement {
+    [self step:NO];
+}
+
+- (void)step:(BOOL)up {
+    if (_control.role == "image")
+        [self.view.speaker spokenView:self.view command:up ? ViewerCommand::zoomIn : ViewerCommand::zoomOut];
+    else
+        [self.view.speaker spokenView:self.view adjust:_control up:up];
+}
+
+@end
+
+@implementation SpokenMoleculeView {
+    NSMutableArray<SpokenControl*>* _elements;
+    std::string _told, _value;
+}
+
+- (NSArray<UIAccessibilityCustomAction*>*)actions {
+    NSMutableArray<UIAccessibilityCustomAction*>* actions = [NSMutableArray array];
+    for (const SpokenAction& action : kActions) {
+        const ViewerCommand command = action.command;
+        __weak SpokenMoleculeView* weakSelf = self;
+        [actions addObject:[[UIAccessibilityCustomAction alloc] initWithName:action.name
+                                                               actionHandler:^BOOL(UIAccessibilityCustomAction*) {
+                                                                 return [weakSelf ask:command];
+                                                               }]];
     }
-    return self;
+    return actions;
 }
 
 - (BOOL)ask:(ViewerCommand)command {
@@ -43,19 +101,29 @@ SpokenAction const kActions[] = {
     return self.speaker != nil;
 }
 
-- (void)accessibilityIncrement {
-    [self ask:ViewerCommand::zoomIn];
-}
-
-- (void)accessibilityDecrement {
-    [self ask:ViewerCommand::zoomOut];
-}
-
-- (void)say:(NSString*)label value:(NSString*)value {
-    self.accessibilityLabel = label;
-    if ([self.accessibilityValue isEqualToString:value]) return;
-    self.accessibilityValue = value;
-    if (value.length > 0) UIAccessibilityPostNotification(UIAccessibilityAnnouncementNotification, value);
+/// Elements stay as long as there are as many: VoiceOver keeps its place.
+- (void)say:(const std::vector<Control>&)controls {
+    const std::string lines = nacre::app::controlLines(controls);
+    if (lines == _told || controls.empty()) return;
+    _told = lines;
+    const bool others = _elements.count != controls.size();
+    if (others) {
+        _elements = [NSMutableArray array];
+        for (std::size_t i = 0; i < controls.size(); ++i) {
+            SpokenControl* element = [[SpokenControl alloc] initWithAccessibilityContainer:self];
+            element.view = self;
+            if (i == 0) element.accessibilityCustomActions = [self actions];
+            [_elements addObject:element];
+        }
+        self.accessibilityElements = _elements;
+    }
+    std::size_t i = 0;
+    for (SpokenControl* element in _elements) [element tell:controls[i++]];
+    if (others) UIAccessibilityPostNotification(UIAccessibilityLayoutChangedNotification, nil);
+    const std::string& value = controls.front().value;
+    if (value != _value && !value.empty())
+        UIAccessibilityPostNotification(UIAccessibilityAnnouncementNotification, nacre::app::stringOf(value));
+    _value = value;
 }
 
 @end

@@ -6,11 +6,14 @@
 #pragma clang assume_nonnull begin
 @class UIView, UITouch, UIEvent, UIPress, UIPressesEvent;
 
+typedef NS_ENUM(NSInteger, UIEventSubtype) { UIEventSubtypeNone = 0, UIEventSubtypeMotionShake = 1 };
+
 @interface UIResponder : NSObject
 - (void)touchesBegan:(NSSet<UITouch*>*)touches withEvent:(nullable UIEvent*)event;
 - (void)touchesMoved:(NSSet<UITouch*>*)touches withEvent:(nullable UIEvent*)event;
 - (void)touchesEnded:(NSSet<UITouch*>*)touches withEvent:(nullable UIEvent*)event;
 - (void)touchesCancelled:(NSSet<UITouch*>*)touches withEvent:(nullable UIEvent*)event;
+- (void)motionEnded:(UIEventSubtype)motion withEvent:(nullable UIEvent*)event;
 - (void)pressesBegan:(NSSet<UIPress*>*)presses withEvent:(nullable UIPressesEvent*)event;
 @property(nonatomic, readonly) BOOL canBecomeFirstResponder;
 - (BOOL)becomeFirstResponder;

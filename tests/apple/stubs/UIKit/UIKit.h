@@ -46,11 +46,20 @@ typedef NS_OPTIONS(NSUInteger, UIControlState) { UIControlStateNormal = 0 };
 
 // --- controllers
 
+typedef NS_ENUM(NSInteger, UIUserInterfaceStyle) {
+    UIUserInterfaceStyleUnspecified,
+    UIUserInterfaceStyleLight,
+    UIUserInterfaceStyleDark
+};
+@interface UITraitCollection : NSObject
+@property(nonatomic, readonly) UIUserInterfaceStyle userInterfaceStyle;
+@end
 @class UIPopoverPresentationController;
 @interface UIViewController : UIResponder
 - (instancetype)initWithNibName:(nullable NSString*)name bundle:(nullable NSBundle*)bundle NS_DESIGNATED_INITIALIZER;
 - (nullable instancetype)initWithCoder:(NSCoder*)coder NS_DESIGNATED_INITIALIZER;
 @property(null_resettable, nonatomic, strong) UIView* view;
+@property(nonatomic, readonly) UITraitCollection* traitCollection;
 @property(nullable, nonatomic, readonly, strong) UIView* viewIfLoaded;
 @property(nullable, nonatomic, readonly) UIPopoverPresentationController* popoverPresentationController;
 - (void)viewDidLoad;

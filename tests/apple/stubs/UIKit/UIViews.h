@@ -60,6 +60,9 @@ extern UIFontTextStyle const UIFontTextStyleBody, UIFontTextStyleHeadline, UIFon
 
 // --- views
 
+typedef struct UIEdgeInsets {
+    CGFloat top, left, bottom, right;
+} UIEdgeInsets;
 typedef NS_OPTIONS(NSUInteger, UIViewAutoresizing) {
     UIViewAutoresizingFlexibleWidth = 1 << 1,
     UIViewAutoresizingFlexibleHeight = 1 << 4,
@@ -80,6 +83,7 @@ typedef NS_OPTIONS(NSUInteger, UIViewAutoresizing) {
 @property(nonatomic) UIViewAutoresizing autoresizingMask;
 @property(nonatomic) BOOL translatesAutoresizingMaskIntoConstraints;
 @property(nonatomic, readonly, strong) UILayoutGuide* safeAreaLayoutGuide;
+@property(nonatomic, readonly) UIEdgeInsets safeAreaInsets;
 @property(nonatomic, readonly, strong) NSLayoutXAxisAnchor *trailingAnchor, *centerXAnchor;
 @property(nonatomic, readonly, strong) NSLayoutYAxisAnchor *topAnchor, *bottomAnchor;
 @property(nonatomic, readonly, strong) NSLayoutDimension *widthAnchor, *heightAnchor;
@@ -120,7 +124,8 @@ typedef NS_ENUM(NSInteger, UIStackViewAlignment) { UIStackViewAlignmentFill, UIS
 
 typedef uint64_t UIAccessibilityTraits;
 extern UIAccessibilityTraits UIAccessibilityTraitImage, UIAccessibilityTraitAdjustable,
-    UIAccessibilityTraitAllowsDirectInteraction;
+    UIAccessibilityTraitAllowsDirectInteraction, UIAccessibilityTraitButton, UIAccessibilityTraitStaticText,
+    UIAccessibilityTraitHeader, UIAccessibilityTraitSelected, UIAccessibilityTraitNotEnabled;
 @class UIAccessibilityCustomAction;
 @interface NSObject (UIAccessibility)
 @property(nonatomic) BOOL isAccessibilityElement;
@@ -129,14 +134,20 @@ extern UIAccessibilityTraits UIAccessibilityTraitImage, UIAccessibilityTraitAdju
 @property(nonatomic) UIAccessibilityTraits accessibilityTraits;
 @property(nullable, nonatomic, strong) NSArray<UIAccessibilityCustomAction*>* accessibilityCustomActions;
 - (void)accessibilityIncrement;
+@property(nullable, nonatomic, strong) NSArray* accessibilityElements;
 - (void)accessibilityDecrement;
+- (BOOL)accessibilityActivate;
+@end
+@interface UIAccessibilityElement : UIResponder
+- (instancetype)initWithAccessibilityContainer:(id)container;
+@property(nonatomic, assign) CGRect accessibilityFrameInContainerSpace;
 @end
 typedef BOOL (^UIAccessibilityCustomActionHandler)(UIAccessibilityCustomAction* action);
 @interface UIAccessibilityCustomAction : NSObject
 - (instancetype)initWithName:(NSString*)name actionHandler:(nullable UIAccessibilityCustomActionHandler)handler;
 @end
 typedef uint32_t UIAccessibilityNotifications;
-extern UIAccessibilityNotifications UIAccessibilityAnnouncementNotification;
+extern UIAccessibilityNotifications UIAccessibilityAnnouncementNotification, UIAccessibilityLayoutChangedNotification;
 extern "C" {
 void UIAccessibilityPostNotification(UIAccessibilityNotifications notification, id _Nullable argument);
 BOOL UIAccessibilityDarkerSystemColorsEnabled(void);
