@@ -138,7 +138,7 @@ void Window::connect() {
         eventsOf(w).key({capital ? c - 'A' + 'a' : c, {capital, false}});
     });
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
-        if (count > 0) eventsOf(w).dropped(paths[0]);
+        if (count > 0) eventsOf(w).dropped({paths, paths + count});
     });
 }
 
@@ -201,7 +201,7 @@ void Window::handleEvents(double seconds) {
     else
         glfwWaitEventsTimeout(seconds);
 #ifdef __APPLE__
-    for (const std::string& path : takeOpenedFiles()) events_.dropped(path);
+    if (const std::vector<std::string> paths = takeOpenedFiles(); !paths.empty()) events_.dropped(paths);
 #endif
 }
 

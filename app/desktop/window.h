@@ -25,7 +25,7 @@ struct WindowEvents {
     std::function<void(KeyEvent)> key;  ///< pressed or repeated
     std::function<void(SpecialKey, bool, Modifiers)> special;
     std::function<void(char32_t)> character;
-    std::function<void(std::string)> dropped;
+    std::function<void(const std::vector<std::string>&)> dropped;  ///< paths, one or more
 };
 
 class Window {

@@ -19,8 +19,8 @@ namespace nacre::app {
 namespace {
 
 constexpr std::uint32_t kSoftwareSamples = 2;  // a side of a pixel, of a refinement that a CPU draws
-constexpr double kSoftwareFrameSeconds =
-    0.025;  // of a motion that it draws: blocks are worse than 40 pictures a second
+// Of a motion that it draws: blocks are worse than 40 pictures a second, large ones than any number.
+constexpr double kSoftwareFrameSeconds = 0.025, kSoftwareScale = 0.7;
 
 }  // namespace
 
@@ -46,7 +46,7 @@ WindowSession::WindowSession(const ViewOptions& options)
     session_.open(now());
     if (renderer().stats().device.type == "software") {
         viewer().setMostSamples(kSoftwareSamples);
-        viewer().setLongestFrame(kSoftwareFrameSeconds);
+        viewer().keepSharp(kSoftwareFrameSeconds, kSoftwareScale);
     }
     viewer().setDebugView(options.debug, now());
     viewer().aim(options.aim, now());
@@ -105,16 +105,17 @@ void WindowSession::takeChosen() {
         savePath.swap(chosen_->savePath);
     }
     if (!savePath.empty()) panel_->setSavePath(savePath);
-    if (!path.empty()) openFile(path);
+    if (!path.empty()) openFiles({path});
 }
 
 /// From a dialog, or dropped on the window.
-void WindowSession::openFile(const std::string& path) {
+void WindowSession::openFiles(std::vector<std::string> paths) {
     const bool together = panel_->opensTogether();
     panel_->closeTop();
-    if (together) return viewer().add(lasting(path), now());
+    for (std::string& path : paths) path = lasting(path);
+    if (together) return viewer().add(paths, now());
     rememberFile();
-    viewer().open(lasting(path), now());
+    viewer().open(paths, now());
 }
 
 std::unique_ptr<Panel> WindowSession::makePanel() {
@@ -244,7 +245,7 @@ WindowEvents WindowSession::events() {
         if (key.with.control && panel_->ownsKeys()) return panel_->shortcut(key.key);
         if (const auto command = commandOf(key)) run(*command);
     };
-    e.dropped = [this](const std::string& path) { openFile(path); };
+    e.dropped = [this](const std::vector<std::string>& paths) { openFiles(paths); };
     return e;
 }
 

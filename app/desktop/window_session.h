@@ -46,7 +46,7 @@ private:
     void openDialog();
     void saveDialog(const std::string& suggested);
     void takeChosen();
-    void openFile(const std::string& path);
+    void openFiles(std::vector<std::string> paths);
     void rememberFile();
     std::string pictureName(const char* extension);
     void savePicture(const PictureWish& wish);

@@ -85,6 +85,7 @@ void Panel::drawPanel(Viewer& viewer, double now) {
         viewer.setLook(look, now, editing_);
         editing_ = ImGui::IsAnyItemActive();
     }
+    if (wanted_) viewer.show(*std::exchange(wanted_, std::nullopt), now);
     if (aim_) viewer.aim(*std::exchange(aim_, std::nullopt), now);
 }
 
@@ -240,7 +241,16 @@ void Panel::drawReading(Viewer& viewer, double now) {
     restless_ = std::max(restless_, 1);  // it goes on
 }
 
-/// What went wrong, until it is read.
+/// What went wrong, and what to do.
+void Panel::tellFailure(Viewer& viewer) {
+    Widgets& ui = state_->ui;
+    ui.warning("This did not work");
+    ui.paragraph(viewer.failure());
+    ui.caption(adviceFor(viewer.failure()));
+    if (ui.button(Icon::none, "Close")) viewer.dismissFailure();
+}
+
+/// The same in a card of its own, until it is read.
 void Panel::drawFailure(Viewer& viewer) {
     Widgets& ui = state_->ui;
     const Rectangle room = freeRoom();
@@ -250,10 +260,7 @@ void Panel::drawFailure(Viewer& viewer) {
     ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(width, room.bottom - room.top - ui.px(32)));
     beginWindow("Error", ImGuiWindowFlags_AlwaysAutoResize);
     if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
-    ui.warning("This did not work");
-    ui.paragraph(viewer.failure());
-    ui.caption(adviceFor(viewer.failure()));
-    if (ui.button(Icon::none, "Close")) viewer.dismissFailure();
+    tellFailure(viewer);
     ImGui::SameLine();
     if (ui.button(Icon::open, "Open another")) {
         viewer.dismissFailure();

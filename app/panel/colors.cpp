@@ -28,10 +28,24 @@ std::optional<ImU32> Widgets::pickColor(const char* name, std::optional<ImU32> c
     return taken;
 }
 
-bool Widgets::chooseColor(const char* name, std::array<float, 3>& color, float side) {
+void Widgets::showManyColors(ImVec2 corner, float side) const {
+    if (side <= 0) side = rowHeight();
+    const float in = px(7), cell = (side - 2 * in) / 2;
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::uint32_t c = app::swatches()[i == 2 ? 4 : i == 3 ? 5 : i].rgb;
+        const ImVec2 low(corner.x + in + static_cast<float>(i % 2) * cell,
+                         corner.y + in + static_cast<float>(i / 2) * cell);
+        ImGui::GetWindowDrawList()->AddRectFilled(low, ImVec2(low.x + cell, low.y + cell),
+                                                  IM_COL32(c >> 16 & 255, c >> 8 & 255, c & 255, 255));
+    }
+}
+
+bool Widgets::chooseColor(const char* name, std::array<float, 3>& color, float side, bool many) {
     const ImU32 packed = ImGui::ColorConvertFloat4ToU32(ImVec4(color[0], color[1], color[2], 1));
     ImGui::PushID(name);
-    if (swatch(name, packed, false, side)) ImGui::OpenPopup("Colour");
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (swatch(name, many ? ImGui::GetColorU32(theme_->field) : packed, false, side)) ImGui::OpenPopup("Colour");
+    if (many) showManyColors(at, side);
     bool taken = false;
     if (ImGui::BeginPopup("Colour")) {
         if (const auto other = pickColor((name + std::string(", any")).c_str(), packed)) {

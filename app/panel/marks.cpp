@@ -13,11 +13,12 @@ namespace {
 ImVec2 place(const glm::dvec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
 /// The halo is the text itself, a little to all sides.
-void drawText(ImDrawList& list, const TextMark& mark, std::uint32_t color, std::uint32_t halo, float haloWidth) {
+void drawText(ImDrawList& list, const TextMark& mark, const glm::dvec2& corner, std::uint32_t color, std::uint32_t halo,
+              float haloWidth) {
     const float size = static_cast<float>(mark.size) * kFontSizeOfEm;
     ImFont* font = fontOf(size);
     // One that is as large as asked for stands on whole pixels, and is as sharp as the panel.
-    ImVec2 at = place(mark.at);
+    ImVec2 at = place(mark.at + corner);
     at.y -= font->Ascent * size / font->FontSize;
     at = ImVec2(std::round(at.x), std::round(at.y));
     constexpr float kWays[][2] = {{1, 0},       {-1, 0},       {0, 1},        {0, -1},
@@ -34,25 +35,29 @@ void drawText(ImDrawList& list, const TextMark& mark, std::uint32_t color, std::
 void Panel::drawWords(const Viewer& viewer) {
     const PlacedWords& words = viewer.words();
     if (!words.any()) return;
+    // As in a picture of what the panel leaves free.
+    const RenderSettings settings = viewer.pictureSettings(viewer.freeSize());
     const Marks marks = layOut(
-        words, viewer.settings().view, viewer.textSize(), viewer.view().words.color, viewer.view().background,
+        words, settings.view, viewer.textSize(), viewer.view().words.color, viewer.view().background,
         [](const std::string& text, double em) {
             const float size = static_cast<float>(em) * kFontSizeOfEm;
             return static_cast<double>(fontOf(size)->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x);
         },
-        viewer.settings().effects.clip, &state_->wordMemory);
+        settings.effects.clip, &state_->wordMemory);
+    const glm::dvec2 corner = viewer.freeCorner();
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    const auto placeOf = [&](const glm::dvec2& p) { return place(p + corner); };
     const auto haloWidth = static_cast<float>(marks.haloWidth);
     const ImU32 halo = (marks.halo & 0xffffff) | 0xd8000000;
     for (const bool ink : {false, true})
         for (const LineMark& line : marks.lines)
             for (std::size_t i = 1; i < line.points.size(); ++i)
-                list.AddLine(place(line.points[i - 1]), place(line.points[i]), ink ? marks.color : halo,
+                list.AddLine(placeOf(line.points[i - 1]), placeOf(line.points[i]), ink ? marks.color : halo,
                              static_cast<float>(line.width) + (ink ? 0 : 1.6f * haloWidth));
     for (const DiscMark& disc : marks.discs) {
         const auto radius = static_cast<float>(disc.radius);
-        list.AddCircleFilled(place(disc.at), radius + 0.8f * haloWidth, halo, 32);
-        list.AddCircleFilled(place(disc.at), radius, disc.color ? disc.color : marks.color, 32);
+        list.AddCircleFilled(placeOf(disc.at), radius + 0.8f * haloWidth, halo, 32);
+        list.AddCircleFilled(placeOf(disc.at), radius, disc.color ? disc.color : marks.color, 32);
     }
     for (const RampMark& ramp : marks.ramps) {
         const auto steps = static_cast<double>(ramp.colors.size() - 1);
@@ -60,10 +65,10 @@ void Panel::drawWords(const Viewer& viewer) {
             const auto y = [&](std::size_t k) {
                 return std::round(ramp.low.y + (ramp.high.y - ramp.low.y) * static_cast<double>(k) / steps);
             };
-            list.AddRectFilled(place({ramp.low.x, y(i)}), place({ramp.high.x, y(i + 1)}), ramp.colors[i]);
+            list.AddRectFilled(placeOf({ramp.low.x, y(i)}), placeOf({ramp.high.x, y(i + 1)}), ramp.colors[i]);
         }
     }
-    for (const TextMark& text : marks.texts) drawText(list, text, marks.color, marks.halo, haloWidth);
+    for (const TextMark& text : marks.texts) drawText(list, text, corner, marks.color, marks.halo, haloWidth);
 }
 
 void Panel::drawAnnotations(const Annotations& a) {
@@ -84,6 +89,7 @@ void Panel::drawAnnotations(const Annotations& a) {
         list.AddCircle(placeOf(atom), 8 * scale(), kMarkEdge, 24, 5 * scale());
         list.AddCircle(placeOf(atom), 8 * scale(), kMark, 24, 2 * scale());
     }
+    drawHint(a.coarse);
     if (!a.error.empty()) return;  // that comes first
     float bottom = freeRoom().bottom - 14 * scale();
     const std::string& under = a.hover.empty() || a.hover == a.atom ? a.atom : a.hover;
@@ -92,6 +98,36 @@ void Panel::drawAnnotations(const Annotations& a) {
         if (text.empty()) continue;
         bottom = drawStatus(text, bottom, strong) - 6 * scale();
     }
+}
+
+/// Small, at the top right of what is free.
+void Panel::drawHint(const std::string& text) {
+    if (text.empty()) return;
+    const Theme& theme = state_->ui.theme();
+    ImFont* font = fontOf(TextSize::caption);
+    const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
+    const ImVec2 pad(8 * scale(), 4 * scale());
+    const Rectangle free = freeRoom();
+    const ImVec2 low(std::round(free.right - 10 * scale() - size.x - 2 * pad.x), std::round(free.top + 10 * scale()));
+    const ImVec2 high(low.x + size.x + 2 * pad.x, low.y + size.y + 2 * pad.y);
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddRectFilled(low, high, ImGui::GetColorU32(theme.ground), 7 * scale());
+    list.AddRect(low, high, ImGui::GetColorU32(theme.line), 7 * scale(), 0, scale());
+    list.AddText(font, font->FontSize, ImVec2(low.x + pad.x, low.y + pad.y), ImGui::GetColorU32(theme.faint),
+                 text.c_str());
+    noteStatus(text, low, high, 1);
+}
+
+/// Tells of a text over the picture.
+void Panel::noteStatus(const std::string& text, const ImVec2& low, const ImVec2& high, float lines) {
+    Control told;
+    told.role = "status";
+    told.name = text;
+    told.window = "Picture";
+    told.left = told.seenLeft = low.x, told.top = told.seenTop = low.y;
+    told.right = told.seenRight = high.x, told.bottom = told.seenBottom = high.y;
+    told.lines = lines;
+    state_->ui.controls.push_back(told);
 }
 
 /// In a box, low in the middle of what is free. @returns its top
@@ -106,14 +142,7 @@ float Panel::drawStatus(const std::string& text, float bottom, bool strong) {
     const ImVec2 low(left - pad.x, top - 2 * pad.y), high(left + size.x + pad.x, bottom);
     list.AddRectFilled(low, high, ImGui::GetColorU32(theme.ground), 7 * scale());
     list.AddRect(low, high, ImGui::GetColorU32(theme.line), 7 * scale(), 0, scale());
-    Control told;
-    told.role = "status";
-    told.name = text;
-    told.window = "Picture";
-    told.left = told.seenLeft = low.x, told.top = told.seenTop = low.y;
-    told.right = told.seenRight = high.x, told.bottom = told.seenBottom = high.y;
-    told.lines = size.y / ImGui::GetFontSize();
-    state_->ui.controls.push_back(told);
+    noteStatus(text, low, high, size.y / ImGui::GetFontSize());
     list.AddText(nullptr, 0, ImVec2(left, top - pad.y), ImGui::GetColorU32(strong ? theme.warning : theme.text),
                  text.c_str(), nullptr, widest);
     return low.y;

@@ -8,7 +8,7 @@ namespace nacre::app {
 
 void Panel::drawLabelsPage(SavedView& look, Viewer& viewer) {
     Widgets& ui = state_->ui;
-    ui.caption("What stands here is in saved pictures and views, too.");
+    ui.caption("All of this is in saved pictures and views.");
     ui.heading("Title");
     if (!state_->typingTitle) std::snprintf(state_->title, sizeof state_->title, "%s", look.words.title.c_str());
     ui.field("Title", "None", state_->title, sizeof state_->title);

@@ -55,6 +55,7 @@ void Panel::drawLookPage(SavedView& look, const Viewer& viewer) {
             if (chosen == preset.name) applyPreset(preset, look);
     ui.heading("Background");
     const float side = forFingers() ? ui.px(kFingerPoints) : ui.rowHeight();
+    bool named = false;
     for (const NamedColor& color : backgrounds()) {
         const std::array<float, 4> rgba = parseColor([&] {
             char text[16];
@@ -62,11 +63,12 @@ void Panel::drawLookPage(SavedView& look, const Viewer& viewer) {
             return std::string(text);
         }());
         const ImU32 packed = IM_COL32(color.rgb >> 16 & 255, color.rgb >> 8 & 255, color.rgb & 255, 255);
+        named |= look.background == rgba;
         if (ui.swatch(color.name, packed, look.background == rgba, side)) look.background = rgba;
         ui.wrapLine(side);
     }
     std::array<float, 3> own{look.background[0], look.background[1], look.background[2]};
-    if (ui.chooseColor("Own background", own, side)) look.background = {own[0], own[1], own[2], 1};
+    if (ui.chooseColor("Own background", own, side, named)) look.background = {own[0], own[1], own[2], 1};
     ui.heading("Light");
     ui.toggle("Light and shade", look.lighting);
     bool occlusion = look.occlusionDirections > 0;

@@ -44,7 +44,10 @@ void Panel::drawPartsPage(SavedView& look, Viewer& viewer) {
     std::size_t number = 0;
     for (const Part& part : state_->parts) {
         const bool another = part.input != input;
-        if (another && !part.input.empty()) ui.title(part.input);
+        if (another && !part.input.empty()) {
+            ui.title(part.input);
+            if (number > 0) drawFit(look, part.input, state_->parts.front().input);
+        }
         input = part.input;
         if (number == 0 || another || part.kind != last) {
             constexpr const char* kHeadings[] = {"Molecule", "Chains", "Ligands", "Ions", "Water"};
@@ -56,6 +59,19 @@ void Panel::drawPartsPage(SavedView& look, Viewer& viewer) {
     }
     if (state_->parts.size() >= kMostParts) ui.caption("Of more parts, the first 200 are listed.");
     ui.toggle("Hydrogens", look.drawn.hydrogens);
+}
+
+/// A molecule laid onto the first of several.
+void Panel::drawFit(const SavedView& look, const std::string& input, const std::string& onto) {
+    const auto isIt = [&](const FitOptions& fit) { return fit.moving.text == "/" + input; };
+    std::vector<FitOptions> fits = look.fits;
+    bool laid = std::any_of(fits.begin(), fits.end(), isIt);
+    if (!state_->ui.toggle(("Laid onto " + onto).c_str(), laid)) return;
+    std::erase_if(fits, isIt);
+    if (laid) fits.push_back({parseSelection("/" + input), parseSelection("/" + onto)});
+    wanted_ = look;
+    wanted_->fits = std::move(fits);
+    nameInputs(*wanted_);
 }
 
 void Panel::drawAssemblies(SavedView& look, const Molecule& molecule) {
@@ -142,16 +158,7 @@ void Panel::drawColorChoice(SavedView& look, const Part& part) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (ui.swatch(name.c_str(), shown, false)) ImGui::OpenPopup("Colour");
     ui.controls.back().value = of.coloring ? coloringText(*of.coloring) : "as all";
-    if (!own) {  // four corners of many colours
-        const float side = ui.rowHeight(), in = ui.px(7), cell = (side - 2 * in) / 2;
-        for (std::size_t i = 0; i < 4; ++i) {
-            const std::uint32_t c = swatches()[i == 2 ? 4 : i == 3 ? 5 : i].rgb;
-            const ImVec2 low(at.x + in + static_cast<float>(i % 2) * cell,
-                             at.y + in + static_cast<float>(i / 2) * cell);
-            ImGui::GetWindowDrawList()->AddRectFilled(low, ImVec2(low.x + cell, low.y + cell),
-                                                      IM_COL32(c >> 16 & 255, c >> 8 & 255, c & 255, 255));
-        }
-    }
+    if (!own) ui.showManyColors(at);
     if (!ImGui::BeginPopup("Colour")) return;
     const auto take = [&](std::optional<Coloring> coloring) {
         of.coloring = coloring;

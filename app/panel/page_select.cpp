@@ -30,7 +30,7 @@ void Panel::drawSelectPage(SavedView& look, Viewer& viewer) {
         std::snprintf(state_->selection, sizeof state_->selection, "%s", state_->selected.c_str());
     }
     ui.caption("Click on the molecule, choose below, or type.");
-    bool changed = false;
+    bool changed = false, goesOn = false;
     if (!forFingers()) {
         ui.field("Selection", "chain A and resi 10-20", state_->selection, sizeof state_->selection);
         changed = ImGui::IsItemEdited();
@@ -42,6 +42,7 @@ void Panel::drawSelectPage(SavedView& look, Viewer& viewer) {
                 const std::size_t end = text.find_last_not_of(' ');
                 const std::size_t space = text.find_last_of(' ', end);
                 const std::string word = text.substr(space == std::string::npos ? 0 : space + 1, end - space);
+                goesOn = true;
                 if (offered++ > 0) ui.wrapLine(ui.buttonWidth(word.c_str()));
                 if (!ui.button(Icon::none, word.c_str())) continue;
                 std::snprintf(state_->selection, sizeof state_->selection, "%s", text.c_str());
@@ -62,7 +63,9 @@ void Panel::drawSelectPage(SavedView& look, Viewer& viewer) {
         ruleError_.clear();
     }
     const SelectedAtoms& selection = viewer.selection();
-    if (!selection.error.empty())
+    if (!selection.error.empty() && goesOn)
+        ui.caption("Not yet a selection: it may go on as above.");
+    else if (!selection.error.empty())
         ui.warning(selection.error);
     else if (selection.any() && selection.count == 0)
         ui.caption("There are no such atoms.");

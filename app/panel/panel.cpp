@@ -142,8 +142,9 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     if (recording_ && viewer.document()) drawRecord(viewer, now);
     if (help_) drawHelp();
     drawRecording();
+    preview(viewer, now);
     drawReading(viewer, now);
-    if (!viewer.failure().empty()) drawFailure(viewer);
+    if (!viewer.failure().empty() && !(empty || start_)) drawFailure(viewer);
     if (viewer.question()) drawQuestion(viewer, now);
     scroll_ = 0;
     drawWords(viewer);

@@ -168,6 +168,7 @@ private:
     void drawEffects(SavedView& look, double radius);
     void drawPartsPage(SavedView& look, Viewer& viewer);
     void drawAssemblies(SavedView& look, const Molecule& molecule);
+    void drawFit(const SavedView& look, const std::string& input, const std::string& onto);
     void drawPart(SavedView& look, const Part& part, std::size_t number);
     void drawStyleChoice(SavedView& look, const Part& part, float width);
     void drawColorChoice(SavedView& look, const Part& part);
@@ -192,12 +193,14 @@ private:
     void beginProgress(const char* name);
     void drawReading(Viewer& viewer, double now);
     void drawFailure(Viewer& viewer);
+    void tellFailure(Viewer& viewer);
     void drawSave(const Viewer& viewer);
     void drawHelp();
     // record.cpp
     void drawRecord(Viewer& viewer, double now);
     void drawKeyViews(Viewer& viewer, double now);
     void drawFilmLength(const Viewer& viewer);
+    void preview(Viewer& viewer, double now);
     void drawRecording();
     void drawQuestion(Viewer& viewer, double now);
     void openInput(const std::string& input, Viewer& viewer, double now);
@@ -205,6 +208,8 @@ private:
     void drawWords(const Viewer& viewer);
     void drawAnnotations(const Annotations& annotations);
     float drawStatus(const std::string& text, float bottom, bool strong);
+    void drawHint(const std::string& text);
+    void noteStatus(const std::string& text, const ImVec2& low, const ImVec2& high, float lines);
 
     struct State;  // what only some pages need
     ImGuiContext* context_ = nullptr;
@@ -231,7 +236,8 @@ private:
     float bar_ = 0;         // pixels that the bar for playing takes, with its margins
     bool editing_ = false;  // a control that is held changed the look
     std::string ruleError_;
-    std::optional<Aim> aim_;  // that a button asked for in this frame
+    std::optional<Aim> aim_;           // that a button asked for in this frame
+    std::optional<SavedView> wanted_;  // the same, of which the molecules are read anew
     std::unique_ptr<State> state_;
     Overlay overlay_;
 };

@@ -58,6 +58,8 @@ struct Panel::State {
     bool filmLoop = false, filmTransparent = false;
     char film[512] = "";
     std::vector<SavedView> keys;  ///< views that it goes through
+    std::size_t previewed = 0;    ///< of them while they are shown in turn, counted from 1; 0: they are not
+    double previewDue = 0;        ///< when the next one is flown to
 };
 
 }  // namespace nacre::app

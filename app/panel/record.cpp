@@ -119,7 +119,32 @@ void Panel::drawKeyViews(Viewer& viewer, double now) {
         break;
     }
     if (ui.button(Icon::eye, "Keep the view as it is now", -1)) keepView(viewer, now);
-    if (keys.size() > 1) ui.toggle("Back to the first", state_->filmLoop);
+    if (keys.size() < 2) return;
+    ui.toggle("Back to the first", state_->filmLoop);
+    if (!ui.button(Icon::play, "Preview", -1)) return;
+    recording_ = false;
+    state_->previewed = 1;
+    state_->previewDue = now;
+}
+
+/// Flies from one kept view to the next, as long as the film takes, and comes back to the film.
+void Panel::preview(Viewer& viewer, double now) {
+    State& s = *state_;
+    if (s.previewed == 0) return;
+    const std::size_t stops = s.keys.size() + (s.filmLoop ? 1 : 0);
+    const bool over = help_ || saving_ || recording_ || start_ || s.keys.size() < 2;
+    if (over || (now >= s.previewDue && s.previewed > stops)) {
+        s.previewed = 0;
+        if (!over) showRecord();
+        return;
+    }
+    restless_ = std::max(restless_, 1);
+    if (now < s.previewDue) return;
+    const double stretch = std::max(static_cast<double>(s.filmSeconds), 0.5) / static_cast<double>(stops - 1);
+    const double flight = s.previewed == 1 ? CameraMotion::kFlightSeconds : stretch;
+    viewer.show(s.keys[(s.previewed - 1) % s.keys.size()], now, flight);
+    s.previewDue = now + flight;
+    ++s.previewed;
 }
 
 void Panel::keepView(const Viewer& viewer, double) {

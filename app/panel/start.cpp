@@ -56,6 +56,10 @@ void Panel::drawStart(Viewer& viewer, double now) {
     if (beginCard("Start", empty ? "Nacre" : "Open", kStartPoints, !empty)) start_ = false;
     ui.caption("Molecules, from files and databases");
     ImGui::Spacing();
+    if (!viewer.failure().empty()) {
+        tellFailure(viewer);
+        ImGui::Spacing();
+    }
     if (empty) state_->together = false;
     if (host_.add && !empty) ui.toggle("Beside what is open", state_->together);
     if (host_.openDialog && ui.button(Icon::open, "Open a file ...", 0, true)) host_.openDialog();

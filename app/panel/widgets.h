@@ -54,8 +54,11 @@ public:
     std::optional<ImU32> swatches(std::optional<ImU32> chosen, std::size_t perLine);
     /// The same, and below them a field for any colour. @param name  of that
     std::optional<ImU32> pickColor(const char* name, std::optional<ImU32> chosen);
-    /// A field of a colour that opens them. @param color  sRGB-coded  @returns whether it is another one
-    bool chooseColor(const char* name, std::array<float, 3>& color, float side = 0);
+    /// A field of a colour that opens them. @param color  sRGB-coded  @param many  it shows that there are many
+    /// @returns whether it is another one
+    bool chooseColor(const char* name, std::array<float, 3>& color, float side = 0, bool many = false);
+    /// Four squares of colours, over a swatch. @param corner  of it, upper left
+    void showManyColors(ImVec2 corner, float side = 0) const;
     /// A field of colour. @returns whether it was clicked
     bool swatch(const char* name, ImU32 color, bool chosen, float side = 0);
 

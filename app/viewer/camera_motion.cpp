@@ -87,9 +87,9 @@ void CameraMotion::release(double now) {
     lastAdvance_ = now;
 }
 
-void CameraMotion::fly(const Camera& to, double now) {
+void CameraMotion::fly(const Camera& to, double now, double seconds) {
     touch();
-    flight_ = Flight{camera_, to, now};
+    flight_ = Flight{camera_, to, now, seconds};
 }
 
 void CameraMotion::fit(double now) {
@@ -115,7 +115,7 @@ bool CameraMotion::advance(double now) {
     const double passed = lastAdvance_ ? std::max(now - *lastAdvance_, 0.0) : 0.0;
     lastAdvance_ = now;
     if (flight_) {
-        const double t = eased(std::clamp((now - flight_->start) / kFlightSeconds, 0.0, 1.0));
+        const double t = eased(std::clamp((now - flight_->start) / flight_->seconds, 0.0, 1.0));
         const Camera &a = flight_->from, &b = flight_->to;
         camera_.orientation = glm::normalize(glm::slerp(a.orientation, b.orientation, t));
         camera_.pan = glm::mix(a.pan, b.pan, t);

@@ -43,7 +43,7 @@ public:
     void fit(double now);
     /// Flies to where everything began.
     void reset(double now);
-    void fly(const Camera& to, double now);
+    void fly(const Camera& to, double now, double seconds = kFlightSeconds);
     void setAutoRotation(bool on) { autoRotation_ = on; }
     bool autoRotation() const { return autoRotation_; }
     /// Swings about the upright of the window, to the right first.
@@ -59,7 +59,7 @@ public:
 private:
     struct Flight {
         Camera from, to;
-        double start;
+        double start, seconds;
     };
     void turn(glm::dvec2 points);
 

@@ -1,20 +1,30 @@
 #include "app/viewer/frame_schedule.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace nacre::app {
 namespace {
 
-constexpr double kScales[] = {1.0, 0.85, 0.7, 0.55, 0.4};
-constexpr int kLowest = 4;
-constexpr double kRoom = 0.9;  // share of the display's interval that a frame may take and not miss it
+constexpr struct { double scale, meshError; } kLevels[] = {{1, 2}, {1, 8}, {0.85, 8}, {0.7, 8}, {0.55, 8}, {0.4, 8}};
+constexpr int kLevelOfMeshes = 1;  // nothing is gained there by what has none
+constexpr double kRoom = 0.9;      // share of the display's interval that a frame may take and not miss it
 
 }  // namespace
 
-double ResolutionControl::scale() const { return kScales[level_]; }
+double ResolutionControl::scale() const { return kLevels[level_].scale; }
+double ResolutionControl::meshError() const { return kLevels[level_].meshError; }
+
+/// The level that is a step on; the same where there is none.
+int ResolutionControl::nextLevel(int step) const {
+    int next = level_ + step;
+    if (next == kLevelOfMeshes && !meshes_) next += step;
+    const bool there = next >= 0 && next < static_cast<int>(std::size(kLevels)) && kLevels[next].scale >= leastScale_;
+    return there ? next : level_;
+}
 
 void ResolutionControl::change(int step) {
-    level_ += step;
+    level_ = nextLevel(step);
     slow_ = fast_ = 0;
     unsettled_ = kInFlight;
 }
@@ -27,14 +37,15 @@ void ResolutionControl::frameTook(double seconds, double device, double longest)
     // The device's own time tells how near it is to missing a picture; from outside one sees only that it did.
     const bool slow = device > 0 ? device > kRoom * longest : seconds > 1.5 * longest;
     slow_ = slow ? slow_ + 1 : 0;
-    if (slow_ >= kPatience && level_ < kLowest) return change(1);
+    if (slow_ >= kPatience && nextLevel(1) != level_) return change(1);
     if (device == 0 || level_ == 0) return;
-    const double more = kScales[level_ - 1] / kScales[level_];
+    // Triangles that come back cost about what a step of resolution does.
+    const double more = std::max(kLevels[nextLevel(-1)].scale / kLevels[level_].scale, 1.2);
     fast_ = device * more * more < 0.7 * longest ? fast_ + 1 : 0;
     if (fast_ >= kConfidence) change(-1);
 }
 
-void ResolutionControl::rest() { *this = {}; }
+void ResolutionControl::rest() { level_ = slow_ = fast_ = unsettled_ = 0; }
 
 void FrameSchedule::pictureChanged(double now) {
     pictureChanged_ = true;
@@ -54,6 +65,7 @@ FrameSchedule::Next FrameSchedule::next(double now, bool moving, double occlusio
     if (moving || pictureChanged_ || occlusion != shownOcclusion_) {
         next.draw = Draw::live;
         next.scale = moving ? resolution_.scale() : 1.0;
+        if (moving) next.meshError = resolution_.meshError();
         next.wake = now;
     } else if (refined_ >= samples_) {
         if (overlayChanged_) next.draw = Draw::keep;

@@ -13,7 +13,8 @@ struct MotionFrames {
     double smallestScale = 1;               ///< of one of them
 };
 
-/// Share of the window's resolution at which a moving picture keeps up.
+/// What a moving picture gives up to keep up: first what is finer than a moving eye sees, then resolution, each by the
+/// smallest step.
 class ResolutionControl {
 public:
     static constexpr int kPatience = 4;     ///< slow frames in a row before the resolution drops
@@ -21,6 +22,12 @@ public:
     static constexpr int kInFlight = 2;     ///< frames after a change that are still of the resolution before
 
     double scale() const;
+    /// As WindowFrame::meshError.
+    double meshError() const;
+    /// Cartoons or surfaces are seen: coarser ones are a step of their own.
+    void setMeshes(bool meshes) { meshes_ = meshes; }
+    /// The least share of the window's resolution that is taken.
+    void setLeastScale(double scale) { leastScale_ = scale; }
     /// @param seconds   from one frame of a motion to the next
     /// @param device    of which the device took so many; 0: nobody knows
     /// @param longest   that a frame may take: from one picture of the display to the next, or more
@@ -30,7 +37,10 @@ public:
 
 private:
     void change(int step);
+    int nextLevel(int step) const;
     int level_ = 0, slow_ = 0, fast_ = 0, unsettled_ = 0;
+    bool meshes_ = false;
+    double leastScale_ = 0;
 };
 
 enum class Draw {
@@ -54,7 +64,7 @@ public:
 
     struct Next {
         Draw draw = Draw::nothing;
-        double scale = 1;
+        double scale = 1, meshError = 2;
         std::uint32_t sample = 0;                               ///< of `refine`: which
         double wake = std::numeric_limits<double>::infinity();  ///< when to ask again, if nothing happens before
     };
@@ -72,6 +82,8 @@ public:
     double displayInterval() const { return interval_; }
     /// Seconds that a frame of a motion may take at full resolution, where that is more than the display's interval.
     void setLongestFrame(double seconds) { longest_ = seconds; }
+    void setMeshes(bool meshes) { resolution_.setMeshes(meshes); }
+    void setLeastScale(double scale) { resolution_.setLeastScale(scale); }
 
 private:
     ResolutionControl resolution_;

@@ -1,5 +1,6 @@
 #include "app/viewer/gestures.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
@@ -12,9 +13,12 @@ std::vector<Gesture> TouchGestures::handle(const TouchEvent& event, double now) 
     std::vector<Gesture> out = tick(now);
     switch (event.phase) {
         case TouchPhase::began:
-            if (fingers_.empty()) wandered_ = dragging_ = pressed_ = false;
+            if (fingers_.empty()) wandered_ = dragging_ = pressed_ = three_ = false;
             fingers_[event.finger] = {event.at, event.at, now};
             if (fingers_.size() > 1) wandered_ = true;
+            three_ |= fingers_.size() > 2;
+            pinching_ = false;
+            for (auto& [name, finger] : fingers_) finger.start = finger.at;
             out.push_back({Kind::touched, event.at});
             break;
         case TouchPhase::moved:
@@ -36,6 +40,7 @@ void TouchGestures::move(const TouchEvent& event, std::vector<Gesture>& out) {
     Finger& finger = it->second;
     const glm::dvec2 before = finger.at;
     if (fingers_.size() == 1) {
+        if (three_) return;
         if (!wandered_ && glm::distance(event.at, finger.start) <= kSlop) return;
         finger.at = event.at;
         // What the finger went before it was known to drag is not made up for: the picture must not jump.
@@ -46,10 +51,12 @@ void TouchGestures::move(const TouchEvent& event, std::vector<Gesture>& out) {
         wandered_ = true;
         return;
     }
-    // The two fingers that came first in order of their numbers lead; further ones rest.
-    const auto second = std::next(fingers_.begin());
     finger.at = event.at;
-    if (it != fingers_.begin() && it != second) return;
+    if (three_) return;
+    // Fingers that come down one after the other move nothing before it is known how many they are.
+    if (!pinching_ && glm::distance(event.at, finger.start) <= kSlop) return;
+    pinching_ = true;
+    const auto second = std::next(fingers_.begin());
     const glm::dvec2 other = it == second ? fingers_.begin()->second.at : second->second.at;
     const glm::dvec2 from = before - other, to = event.at - other;
     const double lengthFrom = glm::length(from), lengthTo = glm::length(to);
@@ -66,6 +73,7 @@ void TouchGestures::lift(const TouchEvent& event, double now, std::vector<Gestur
     const auto it = fingers_.find(event.finger);
     if (it == fingers_.end()) return;
     const Finger finger = it->second;
+    if (three_) swipe(out);
     fingers_.erase(it);
     if (!fingers_.empty()) return;
     if (dragging_) out.push_back({Kind::released, event.at});
@@ -75,6 +83,20 @@ void TouchGestures::lift(const TouchEvent& event, double now, std::vector<Gestur
     out.push_back({twice ? Kind::doubleTap : Kind::tap, finger.start});
     last_.reset();
     if (!twice) last_ = Tap{finger.start, now};
+}
+
+/// What three fingers meant, when the first of them goes.
+void TouchGestures::swipe(std::vector<Gesture>& out) {
+    if (fingers_.size() < 3) return;
+    double least = 1e9, most = -1e9, across = 0;
+    for (const auto& [name, finger] : fingers_) {
+        const glm::dvec2 went = finger.at - finger.start;
+        least = std::min(least, went.x);
+        most = std::max(most, went.x);
+        across = std::max(across, std::abs(went.y));
+    }
+    if (most < -kSwipe && across < -most) out.push_back({Kind::undo, fingers_.begin()->second.at});
+    if (least > kSwipe && across < least) out.push_back({Kind::redo, fingers_.begin()->second.at});
 }
 
 std::vector<Gesture> TouchGestures::tick(double now) {
@@ -91,7 +113,7 @@ std::optional<double> TouchGestures::wake() const {
 
 void TouchGestures::clear() {
     fingers_.clear();
-    wandered_ = dragging_ = pressed_ = false;
+    wandered_ = dragging_ = pressed_ = three_ = pinching_ = false;
 }
 
 }  // namespace nacre::app

@@ -19,6 +19,8 @@ struct Gesture {
         doubleTap,
         longPress,
         released,  ///< the last finger of a rotation or transformation went
+        undo,      ///< three fingers went to the left together
+        redo,      ///< and to the right
     };
     Kind kind{};
     glm::dvec2 at{};     ///< points
@@ -30,6 +32,7 @@ struct Gesture {
 class TouchGestures {
 public:
     static constexpr double kSlop = 8;          ///< points that a tap may wander
+    static constexpr double kSwipe = 50;        ///< points that three fingers go, at least
     static constexpr double kTapSeconds = 0.3;  ///< the longest tap
     static constexpr double kLongPressSeconds = 0.5;
     static constexpr double kDoubleTapSeconds = 0.35;  ///< from one tap to the next
@@ -53,12 +56,15 @@ private:
         double when;
     };
     void move(const TouchEvent& event, std::vector<Gesture>& out);
+    void swipe(std::vector<Gesture>& out);
     void lift(const TouchEvent& event, double now, std::vector<Gesture>& out);
 
     std::map<std::int64_t, Finger> fingers_;
     bool wandered_ = false;  // no tap any more: a finger moved, or there were two
     bool dragging_ = false;  // something has been rotated or transformed
     bool pressed_ = false;   // the long press has been told
+    bool three_ = false;     // there were so many: what they do is a swipe or nothing
+    bool pinching_ = false;  // two fingers have gone far enough apart from where they came down
     std::optional<Tap> last_;
 };
 

@@ -1,5 +1,7 @@
 #include "app/viewer/session.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -30,15 +32,20 @@ void Session::OwnScreen::awaitFrame() {
     if (session_.renderer_) session_.renderer_->awaitFrame();
 }
 
+/// The slower of the two that work on frames: lists of triangles cost the host more than pixels cost the device.
 double Session::OwnScreen::frameMilliseconds() const {
-    return session_.renderer_ ? session_.renderer_->stats().windowMilliseconds : 0;
+    const double device = session_.renderer_ ? session_.renderer_->stats().windowMilliseconds : 0;
+    return device > 0 ? std::max(device, hostMilliseconds_) : 0;
 }
 
 FrameOutcome Session::OwnScreen::present(const RenderSettings& settings, const WindowFrame& frame) {
     Renderer* renderer = session_.renderer();
     if (!renderer) return FrameOutcome::hidden;
     try {
+        renderer->awaitFrame();  // what is waited for is not the host's
+        const auto begin = std::chrono::steady_clock::now();
         const FrameOutcome outcome = renderer->present(settings, frame);
+        hostMilliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
         failures_ = 0;
         return outcome;
     } catch (const Error& error) {

@@ -73,7 +73,8 @@ private:
 
     private:
         Session& session_;
-        int failures_ = 0;  // to present, one after the other
+        int failures_ = 0;             // to present, one after the other
+        double hostMilliseconds_ = 0;  // of the last frame
     };
 
     void replace(double now);

@@ -93,6 +93,12 @@ void Viewer::apply(const std::vector<Gesture>& gestures, double now) {
             case Gesture::Kind::released:
                 motion_.release(now);
                 break;
+            case Gesture::Kind::undo:
+                undo(now);
+                break;
+            case Gesture::Kind::redo:
+                redo(now);
+                break;
         }
     }
 }

@@ -37,6 +37,7 @@ struct Annotations {
     std::string error;                 ///< what went wrong, until it is dismissed (ViewerOptions::errorsStay)
     std::vector<glm::dvec2> selected;  ///< atoms of the selection; of many, some
     std::string hover;                 ///< what the pointer rests on
+    std::string coarse;                ///< that a moving picture is not as sharp as one at rest
 };
 
 /// What is selected: a text that is being typed, or what was clicked.
@@ -74,11 +75,14 @@ public:
     /// One that the platform recognised itself: pinch and twist of a trackpad.
     void gesture(const Gesture& gesture, double now) { apply({gesture}, now); }
     void run(ViewerCommand command, double now);
-    void open(const std::string& path, double now);
-    /// Another molecule beside what is shown.
-    void add(const std::string& path, double now);
-    /// All that a view says: its molecule is read.
-    void show(const SavedView& view, double now);
+    /// Instead of what is shown; several stand together.
+    void open(const std::vector<std::string>& paths, double now);
+    void open(const std::string& path, double now) { open(std::vector{path}, now); }
+    /// Beside what is shown.
+    void add(const std::vector<std::string>& paths, double now);
+    void add(const std::string& path, double now) { add(std::vector{path}, now); }
+    /// All that a view says: its molecule is read. @param seconds  that the flight there takes
+    void show(const SavedView& view, double now, double seconds = CameraMotion::kFlightSeconds);
     /// What is being read is not wanted any more.
     void cancelLoading(double now);
     /// What a panel covers: the molecule stands in the middle of what it leaves.
@@ -138,6 +142,8 @@ public:
     double loadingProgress() const { return loader_.progress(); }
     const std::string& loadingName() const { return loader_.view().input; }
     void waitForLoading() const { loader_.wait(); }
+    /// The time that the last update() was told.
+    double lastUpdate() const { return updated_; }
     /// Until the frame that was asked for last is ready, if one was.
     void waitForFrame() const {
         if (player_) player_->wait();
@@ -168,6 +174,9 @@ public:
     /// The same in the middle of a picture of another size, for a file.
     RenderSettings pictureSettings(PixelSize size) const;
     PixelSize size() const { return size_; }
+    /// What the panel leaves of it: how large, and where it begins, pixels.
+    PixelSize freeSize() const;
+    glm::dvec2 freeCorner() const { return {covered_.left, covered_.top}; }
 
     /// Brings everything to a time and draws, if there is something to draw.
     /// @param overlay called before a frame is drawn; may be empty
@@ -179,8 +188,13 @@ public:
     /// Seconds from one picture of the display to the next; what no display has is not taken.
     void setDisplayInterval(double seconds) { schedule_.setDisplayInterval(seconds); }
     double displayInterval() const { return schedule_.displayInterval(); }
-    /// Seconds that a frame of a motion may take before its resolution drops, where the display would ask for less.
-    void setLongestFrame(double seconds) { schedule_.setLongestFrame(seconds); }
+    /// A processor draws: a frame of a motion may take so many seconds before its resolution drops, which it does not
+    /// below a share, and which is told.
+    void keepSharp(double seconds, double leastScale) {
+        schedule_.setLongestFrame(seconds);
+        schedule_.setLeastScale(leastScale);
+        tellsScale_ = true;
+    }
     const MotionFrames& motionFrames() const { return schedule_.motionFrames(); }
     /// The device was lost while drawing: make another screen, then screenLost().
     bool deviceLost() const { return deviceLost_; }
@@ -195,9 +209,10 @@ private:
     glm::dvec2 pointOf(const glm::dvec3& place, const View& view) const;
     void remember();
     bool unrememberedChange() const;
-    void restore(const SavedView& view, double now);
+    void restore(const SavedView& view, double now, double seconds = CameraMotion::kFlightSeconds);
     void putScene(double now);
     bool putWords(double now);
+    bool join(SavedView& view, const std::vector<std::string>& paths, double now);
     void advanceOcclusion(double now, bool moving);
     void failed(const std::exception& error, Retry& retry, double now);
     bool noticeLoss();
@@ -218,7 +233,6 @@ private:
     /// When a hand that moved the picture last counts as at rest.
     double handRests() const;
     static std::string nameOf(const std::string& input);
-    PixelSize freeSize() const;
     glm::dvec2 freeOrigin() const { return glm::dvec2(covered_.left, covered_.top) / scale_; }
     Viewport viewport() const { return {freeSize().width / scale_, freeSize().height / scale_}; }
     double radius() const { return document_.molecule ? document_.radius : 1.0; }
@@ -239,6 +253,9 @@ private:
     Insets covered_;
     double occlusion_ = 1;
     double handMoved_ = -1e9;
+    double drawnScale_ = 1;  // of the last frame
+    double updated_ = 0;
+    bool tellsScale_ = false;
     bool clipped_ = false;                            // by a close-up
     Aim aim_;                                         // of the molecule that is being read
     std::vector<std::uint32_t> picks_, picksBefore_;  // atoms, from 0

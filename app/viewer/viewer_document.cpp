@@ -7,14 +7,30 @@
 #include "engine/error.h"
 
 namespace nacre::app {
+namespace {
 
-void Viewer::open(const std::string& path, double now) {
+/// Which molecules a view is of, and where they come from.
+void takeInput(const SavedView& from, SavedView& to) {
+    to.input = from.input;
+    to.format = from.format;
+    to.model = from.model;
+    to.trajectory = from.trajectory;
+    to.name = from.name;
+    to.further = from.further;
+    to.fits = from.fits;
+    to.look.assembly = from.look.assembly;
+}
+
+}  // namespace
+
+void Viewer::open(const std::vector<std::string>& paths, double now) {
+    if (paths.empty()) return;
     question_.reset();
     dismissFailure();
     remember();
     restoring_ = false;
     SavedView fresh = view();
-    fresh.input = path;
+    fresh.input = paths.front();
     fresh.format.reset();
     fresh.model = 1;
     fresh.trajectory = {};
@@ -28,27 +44,38 @@ void Viewer::open(const std::string& path, double now) {
     fresh.words.title.clear();
     fresh.camera = {};
     fresh.camera.projection = view_.camera.projection;
+    if (!join(fresh, {paths.begin() + 1, paths.end()}, now)) return;
     loader_.open(fresh);
-    say("reading " + nameOf(path), now);
+    schedule_.overlayChanged();
 }
 
-void Viewer::add(const std::string& path, double now) {
-    if (!document()) return open(path, now);
+void Viewer::add(const std::vector<std::string>& paths, double now) {
+    if (!document()) return open(paths, now);
     question_.reset();
     dismissFailure();
     remember();
     restoring_ = false;
     SavedView more = view();
-    if (more.further.size() + 1 >= kMostInputs) return fail("more than 100 molecules are not shown together", now);
-    more.further.push_back({"", path, ""});
     more.model = 1;  // models of one are nothing to the others
     more.trajectory = {};
     more.look.assembly.clear();
     more.camera.pan = {};
     more.camera.zoom = 1;
-    colorApart(inputNames(inputOf(more)), more.look, more.further.size());
+    if (!join(more, paths, now)) return;
     loader_.read(more);
-    say("reading " + nameOf(path), now);
+    schedule_.overlayChanged();
+}
+
+/// Further molecules beside a view's. @returns whether there is room for them
+bool Viewer::join(SavedView& view, const std::vector<std::string>& paths, double now) {
+    const std::size_t before = view.further.size() + 1;
+    if (before + paths.size() > kMostInputs) {
+        fail("more than 100 molecules are not shown together", now);
+        return false;
+    }
+    for (const std::string& path : paths) view.further.push_back({"", path, ""});
+    if (!paths.empty()) colorApart(inputNames(inputOf(view)), view.look, before);
+    return true;
 }
 
 void Viewer::answer(bool yes, double now) {
@@ -59,7 +86,6 @@ void Viewer::answer(bool yes, double now) {
     if (!yes) return say("not opened", now);
     question.accept();
     loader_.read(asked_);
-    say("reading " + nameOf(asked_.input), now);
 }
 
 void Viewer::cancelLoading(double now) {
@@ -114,6 +140,7 @@ void Viewer::tookDocument(double now) {
         asked_ = loader_.view();
         return schedule_.overlayChanged();
     } catch (const std::exception& error) {
+        if (std::exchange(restoring_, false) && Viewer::document()) takeInput(document_.view, view_);
         fail(error.what(), now);
         return;
     }
@@ -133,14 +160,7 @@ void Viewer::tookDocument(double now) {
     document_ = std::move(*document);
     if (another) {
         picks_.clear();
-        view_.input = document_.view.input;
-        view_.format = document_.view.format;
-        view_.model = document_.view.model;
-        view_.trajectory = document_.view.trajectory;
-        view_.name = document_.view.name;
-        view_.further = document_.view.further;
-        view_.fits = document_.view.fits;
-        view_.look.assembly = document_.view.look.assembly;
+        takeInput(document_.view, view_);
         if (!step && !view_.look.style) {
             view_.look.style = document_.view.look.style;
             view_.look.color = document_.view.look.color;

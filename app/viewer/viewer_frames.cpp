@@ -68,6 +68,7 @@ double Viewer::advance(double now) {
 }
 
 double Viewer::update(double now, const std::function<const Overlay*()>& overlay) {
+    updated_ = now;
     tookDocument(now);
     const double due = advance(now);
     const bool hand = now < handRests();
@@ -79,6 +80,7 @@ double Viewer::update(double now, const std::function<const Overlay*()>& overlay
     if (deviceLost_) return now;
     if (!frameRetry_.due(now)) return std::min(due, frameRetry_.at());
     schedule_.setSamples(refinedSamples());
+    schedule_.setMeshes(!document_.scene.triangles.empty());
     const FrameSchedule::Next next = schedule_.next(now, moving, occlusion_);
     if (next.draw != Draw::nothing) draw(next, now, moving, overlay);
     const FrameSchedule::Next after = schedule_.next(now, moving, occlusion_);
@@ -117,7 +119,8 @@ void Viewer::draw(const FrameSchedule::Next& next, double now, bool moving,
     frame.quality = next.draw == Draw::live     ? WindowFrame::Quality::live
                     : next.draw == Draw::refine ? WindowFrame::Quality::refined
                                                 : WindowFrame::Quality::kept;
-    frame.scale = next.scale;
+    frame.scale = drawnScale_ = next.scale;
+    frame.meshError = next.meshError;
     frame.samples = refinedSamples();
     frame.sample = next.sample;
     if (overlay) frame.overlay = overlay();

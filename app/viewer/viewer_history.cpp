@@ -37,13 +37,13 @@ void Viewer::redo(double now) {
     restore(history_.redo(), now);
 }
 
-void Viewer::show(const SavedView& to, double now) {
+void Viewer::show(const SavedView& to, double now, double seconds) {
     remember();
-    restore(to, now);
+    restore(to, now, seconds);
     unremembered_ = true;
 }
 
-void Viewer::restore(const SavedView& to, double now) {
+void Viewer::restore(const SavedView& to, double now, double seconds) {
     const SavedView before = view();
     // What is shown may still be something else than what was asked for before.
     const SavedView& there = document_.view;
@@ -57,7 +57,7 @@ void Viewer::restore(const SavedView& to, double now) {
     camera.projection = to.camera.projection;
     camera.fovDegrees = to.camera.fovDegrees;
     motion_.set(camera);
-    motion_.fly(to.camera, now);
+    motion_.fly(to.camera, now, seconds);
     playback_.stop();
     clipped_ = false;
     unremembered_ = false;

@@ -142,6 +142,8 @@ Annotations Viewer::annotations() const {
     Annotations a;
     a.message = message_;
     a.error = failure_;
+    if (tellsScale_ && drawnScale_ < 1)
+        a.coarse = "While it moves: " + std::to_string(std::lround(100 * drawnScale_)) + " % of the sharpness";
     if (!document()) return a;
     const View view = settings().view;
     for (const glm::dvec3& place : selectedPlaces_) a.selected.push_back(pointOf(place, view));

@@ -106,7 +106,7 @@ ScreenFrame WindowFrames::declareFrame(const RenderSettings& settings, const pas
     if (frame.quality == Quality::refined) return declareRefined(settings, atlas, view, target, frame, imports);
     RenderSettings live = settings;
     live.supersample = 1;
-    live.meshError = 2 * settings.meshError;
+    live.meshError = frame.meshError * settings.meshError;
     if (frame.scale == 1.0 && !coded()) {
         target = {"window", swapchain_.format(), passes::Output::color, "impostor colour", clear, true};
         return frames_.declareNext(live, atlas, view, {&target, 1}, "screen", imports);

@@ -173,14 +173,14 @@ TEST_F(AndroidHost, SaysWhyADocumentCannotBeOpened) {
     document.refuses = true;
     Host refused(folder_, document);
     refused.open(320, 200);
-    EXPECT_TRUE(eventually([&] { return !toldOf(refused, "Open another").empty(); }));
+    EXPECT_TRUE(eventually([&] { return !toldOf(refused, "This did not work").empty(); }));
     EXPECT_FALSE(takeLog().empty());
     refused.destroy();
     document.refuses = false;
     document.bytes = "no molecule at all";
     Host senseless(folder_, document);
     senseless.open(320, 200);
-    EXPECT_TRUE(eventually([&] { return senseless.frames() > 0 && saysSomething(senseless.picture()); }));
+    EXPECT_TRUE(eventually([&] { return !toldOf(senseless, "This did not work").empty(); }));
 }
 
 TEST_F(AndroidHost, KeepsAFewOfTheOpenedFiles) {

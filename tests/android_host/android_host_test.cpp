@@ -48,9 +48,10 @@ TEST_F(AndroidHost, FingersRotateZoomAndFit) {
     const auto two = [](float apart) {
         return std::vector<AInputEvent::Pointer>{{4, 160 - apart, 160}, {9, 160 + apart, 160}};
     };
-    host.motion(AMOTION_EVENT_ACTION_DOWN, {{4, 120, 160}});
-    host.motion(AMOTION_EVENT_ACTION_POINTER_DOWN | 1 << AMOTION_EVENT_ACTION_POINTER_INDEX_SHIFT, two(40));
-    for (float apart = 45; apart <= 80; apart += 5) host.motion(AMOTION_EVENT_ACTION_MOVE, two(apart));
+    host.motion(AMOTION_EVENT_ACTION_DOWN, {{4, 125, 160}});
+    host.motion(AMOTION_EVENT_ACTION_POINTER_DOWN | 1 << AMOTION_EVENT_ACTION_POINTER_INDEX_SHIFT, two(35));
+    // The first 5 points tell that there are two.
+    for (float apart = 40; apart <= 80; apart += 5) host.motion(AMOTION_EVENT_ACTION_MOVE, two(apart));
     host.motion(AMOTION_EVENT_ACTION_POINTER_UP | 0 << AMOTION_EVENT_ACTION_POINTER_INDEX_SHIFT, two(80));
     host.motion(AMOTION_EVENT_ACTION_UP, {{9, 240, 160}});
     EXPECT_NEAR(host.view().camera.zoom, 2, 1e-5);

@@ -229,15 +229,15 @@ TEST(MoleculeSession, VoiceOverHearsAndMovesEveryControl) {
     EXPECT_EQ(value("slider", "Opacity of the surface"), "1.00");
     session.adjust("Opacity of the surface", false, host.now);
     host.run(session);
-    EXPECT_NEAR(session.viewer().view().look.surfaceOpacity, 0.9, 0.03);
+    EXPECT_NEAR(session.viewer().view().look.surfaceOpacity, 0.91, 0.05);
     session.viewer().undo(host.now);
     session.viewer().undo(host.now);
     press("tab", "Parts");
     press("button", "Hide Chain A");
-    EXPECT_EQ(session.viewer().document()->scene.drawnBonds, 1u);
+    EXPECT_EQ(session.viewer().document()->scene.drawnAtoms, 2u);
     session.run(ViewerCommand::undo, host.now);  // as a shake does
     host.run(session);
-    EXPECT_EQ(session.viewer().document()->scene.drawnBonds, 2u);
+    EXPECT_EQ(session.viewer().document()->scene.drawnAtoms, 4u);
     for (const Control& c : session.spoken()) EXPECT_NE(c.name, "") << c.role;
     expectValid(session);
 }

@@ -225,11 +225,11 @@ TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {
         std::ofstream bad(session.folder() / "bad.pdb");
         bad << "HEADER nothing\n";
     }
-    ASSERT_TRUE(session.drop(session.folder() / "two%20words.xyz"));
+    ASSERT_TRUE(session.drop({session.folder() / "two%20words.xyz"}));
     EXPECT_TRUE(session.waitForTitle("two words.xyz")) << session.title();
     session.settle();
     const WindowPicture before = session.picture();
-    ASSERT_TRUE(session.drop(session.folder() / "bad.pdb"));
+    ASSERT_TRUE(session.drop({session.folder() / "bad.pdb"}));
     // What went wrong stands over the picture until it is read.
     EXPECT_TRUE(session.waitUntil([&] { return session.picture() != before; }));
     session.sleep(4.3);  // longer than a message
@@ -237,6 +237,10 @@ TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {
     session.type("Escape");
     EXPECT_TRUE(session.waitUntil([&] { return session.picture() == before; }));
     EXPECT_TRUE(session.waitForTitle("two words.xyz"));
+    // Several stand together.
+    std::ofstream(session.folder() / "salt.xyz") << "2\nsalt\nNa 5 0 0\nCl 5 2.8 0\n";
+    ASSERT_TRUE(session.drop({session.folder() / "salt.xyz", session.folder() / "two%20words.xyz"}));
+    EXPECT_TRUE(session.waitForTitle("salt.xyz + two words.xyz")) << session.title();
     EXPECT_EQ(session.quit(), 0) << session.errors();
     // The next window without INPUT goes on there.
     EXPECT_NE(contentOf(session.folder() / "state/nacre/view.json").find("two words.xyz"), std::string::npos);

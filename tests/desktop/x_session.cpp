@@ -233,7 +233,7 @@ void XSession::restore() {
     XFlush(x_->display);
 }
 
-bool XSession::drop(const std::string& path) {
+bool XSession::drop(const std::vector<std::string>& paths) {
     Display* d = x_->display;
     const Window source = XCreateSimpleWindow(d, DefaultRootWindow(d), 0, 0, 1, 1, 0, 0, 0);
     const Atom selection = x_->atom("XdndSelection"), list = x_->atom("text/uri-list");
@@ -262,7 +262,8 @@ bool XSession::drop(const std::string& path) {
             finished = true;
         } else if (event.type == SelectionRequest) {
             const XSelectionRequestEvent& request = event.xselectionrequest;
-            const std::string uri = "file://" + path + "\r\n";
+            std::string uri;
+            for (const std::string& path : paths) uri += "file://" + path + "\r\n";
             XChangeProperty(d, request.requestor, request.property, request.target, 8, PropModeReplace,
                             reinterpret_cast<const unsigned char*>(uri.data()), static_cast<int>(uri.size()));
             XEvent answer{};

@@ -42,7 +42,7 @@ public:
     void iconify();
     void restore();
     /// Offers a file to the window as a file manager does (XDND version 5). @returns whether it was taken
-    bool drop(const std::string& path);
+    bool drop(const std::vector<std::string>& paths);
 
     std::string title() const;
     WindowPicture picture() const;

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 #include "tests/fault_layer/state.h"
@@ -73,12 +74,14 @@ void readEnvironment() {
     if (data && *data == '1') s.faultData = true;
     const char* fault = std::getenv("NACRE_FAULT");
     if (!fault || s.fromEnvironment) return;
-    const std::string text = fault;
-    const std::size_t first = text.find(':'), last = text.rfind(':');
     s.fromEnvironment = true;
-    if (first == last) return;  // watches alone
-    const std::uint64_t number = std::stoull(text.substr(first + 1, last - first - 1));
-    s.rules.push_back({text.substr(0, first), number, number, resultNamed(text.substr(last + 1))});
+    std::istringstream faults(fault);
+    for (std::string text; std::getline(faults, text, ';');) {
+        const std::size_t first = text.find(':'), last = text.rfind(':');
+        if (first == last) continue;  // watches alone
+        const std::uint64_t number = std::stoull(text.substr(first + 1, last - first - 1));
+        s.rules.push_back({text.substr(0, first), number, number, resultNamed(text.substr(last + 1))});
+    }
 }
 
 std::optional<VkResult> verdict(const char* function, bool runsOut, bool canBeLost) {

@@ -145,6 +145,38 @@ TEST(Panel, AnotherMoleculeStandsBesideWhatIsOpen) {
     EXPECT_TRUE(b.viewer.view().further.empty());
 }
 
+TEST(Panel, SeveralMoleculesAreLaidOntoTheFirst) {
+    Bench b("sample:dna", {1000, 900});
+    b.viewer.open(std::vector<std::string>{"sample:dna", "sample:dna"}, b.now);
+    b.settle();
+    ASSERT_EQ(b.viewer.document()->molecule->atoms.size(), 2u * 486u);
+    b.panel.showPage(Panel::Page::parts);
+    b.settle();
+    b.click("Laid onto dna");
+    ASSERT_EQ(b.viewer.view().fits.size(), 1u);
+    EXPECT_EQ(b.viewer.view().fits[0].fixed.text, "/dna");
+    EXPECT_EQ(b.viewer.document()->view.fits, b.viewer.view().fits) << b.viewer.failure();
+    expectReadable(b, "a fit");
+    b.click("Laid onto dna");
+    EXPECT_TRUE(b.viewer.view().fits.empty());
+    b.click("Undo");
+    EXPECT_EQ(b.viewer.view().fits.size(), 1u);
+    // What cannot be laid stays where it is, and the view does not say otherwise.
+    Sources unlike = sampleSources();
+    unlike.read = [read = unlike.read](const SavedView& view) {
+        if (!view.fits.empty()) throw Error("cannot fit", "/dna_2", "fewer than three of its atoms have their like");
+        return read(view);
+    };
+    Bench other("sample:dna", {1000, 900}, 1, PanelHand::mouse, unlike);
+    other.viewer.add("sample:dna", other.now);
+    other.panel.showPage(Panel::Page::parts);
+    other.settle();
+    other.click("Laid onto dna");
+    EXPECT_NE(other.viewer.failure(), "");
+    EXPECT_TRUE(other.viewer.view().fits.empty());
+    EXPECT_EQ(other.find("Laid onto dna")->value, "off");
+}
+
 TEST(Panel, ADragAcrossTheSequenceSelectsResidues) {
     Bench b("sample:dna", kUsual);
     b.panel.showPage(Panel::Page::parts);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/shared/trajectory_input.h"
@@ -148,7 +149,20 @@ TEST(Films, AreAskedForAsTheCardSays) {
     EXPECT_EQ(b.films.size(), 2u);
     b.click("Keep the view as it is now");
     b.viewer.run(ViewerCommand::zoomIn, b.now);
+    const double far = b.viewer.view().camera.zoom;
     b.click("Keep the view as it is now");
+    // The preview flies along them in the time that the film takes, and leads back to the card.
+    b.click("Preview");
+    EXPECT_FALSE(b.find("Preview"));
+    std::vector<double> zooms;
+    for (int i = 0; i < 200 && !b.find("Record"); ++i) {
+        b.frame();
+        zooms.push_back(b.viewer.view().camera.zoom);
+    }
+    EXPECT_TRUE(b.find("Record"));
+    EXPECT_EQ(*std::min_element(zooms.begin(), zooms.end()), 1);
+    EXPECT_NEAR(zooms.back(), far, 1e-6);
+    EXPECT_GT(std::count_if(zooms.begin(), zooms.end(), [&](double z) { return z > 1 && z < far; }), 60);
     b.click("Record");
     ASSERT_EQ(b.films.size(), 3u);
     EXPECT_EQ(b.keys, 2u);

@@ -108,6 +108,30 @@ TEST(TouchGestures, TwoFingersPanPinchAndTwist) {
     EXPECT_EQ(hand.count(Kind::longPress), 0);
 }
 
+TEST(TouchGestures, ThreeFingersToTheLeftUndoAndToTheRightRedo) {
+    for (const double by : {-80.0, 80.0, -30.0, 0.0}) {
+        Hand hand;
+        for (int finger = 1; finger <= 3; ++finger) {
+            hand.at(0.01 * finger, finger, TouchPhase::began, {100.0 * finger, 200});
+            hand.at(0.01 * finger + 0.005, finger, TouchPhase::moved, {100.0 * finger + 2, 203});
+        }
+        for (int step = 1; step <= 8; ++step)
+            for (int finger = 1; finger <= 3; ++finger)
+                hand.at(0.1 + 0.02 * step, finger, TouchPhase::moved, {100.0 * finger + by * step / 8, 210});
+        for (int finger = 1; finger <= 3; ++finger) {
+            hand.at(0.4 + 0.1 * finger, finger, TouchPhase::ended, {100.0 * finger + by, 210});
+            hand.at(0.45 + 0.1 * finger, 3, TouchPhase::moved, {150, 300});  // one that stays moves nothing
+        }
+        EXPECT_EQ(hand.count(Kind::undo), by == -80) << by;
+        EXPECT_EQ(hand.count(Kind::redo), by == 80) << by;
+        EXPECT_EQ(hand.count(Kind::transform) + hand.count(Kind::rotate) + hand.count(Kind::tap), 0) << by;
+        hand.at(2, 7, TouchPhase::began, {10, 10});
+        hand.at(2.1, 7, TouchPhase::moved, {50, 10});
+        hand.at(2.2, 7, TouchPhase::moved, {60, 10});
+        EXPECT_EQ(hand.count(Kind::rotate), 1) << "the next touch is a drag again";
+    }
+}
+
 TEST(TouchGestures, StrayAndCancelledFingersAreForgotten) {
     Hand hand;
     hand.at(0, 5, TouchPhase::moved, {1, 1});

@@ -62,7 +62,42 @@ void drag(Desk& d, std::mt19937& random, MouseButton button) {
 
 void changeLook(Desk& d, std::mt19937& random) {
     SavedView look = d.viewer.view();
-    switch (random() % 5) {
+    const auto share = [&] { return static_cast<double>(random() % 100) / 100; };
+    Effects& e = look.effects;
+    switch (random() % 12) {
+        case 5:
+            e.contours.width = 8 * share();
+            e.contours.weights = random() % 2 ? 3 : 1;
+            break;
+        case 6:
+            e.halos.width = 24 * share();
+            e.halos.strength = share();
+            break;
+        case 7:
+            e.fog.range = random() % 2 ? Fog::Range::given : Fog::Range::automatic;
+            e.fog.strength = share();
+            e.fog.start = e.fog.range == Fog::Range::given ? -9 * share() : 0;
+            e.fog.end = e.fog.range == Fog::Range::given ? 1 + 9 * share() : 0;
+            break;
+        case 8:
+            e.clip.near = random() % 2 ? -5 * share() : -Clip::kNone;
+            e.clip.far = random() % 2 ? 5 + share() : Clip::kNone;
+            break;
+        case 9:
+            e.shadow.strength = share();
+            e.light.highlight = 6 * share();
+            e.light.occlusion = share();
+            e.light.direct = 2 * share();
+            break;
+        case 10:
+            look.look.style = random() % 2 ? Style::cartoon : Style::surface;
+            look.look.cartoonOpacity = 0.1 + 0.9 * share();
+            look.look.surfaceOpacity = 0.1 + 0.9 * share();
+            break;
+        case 11:
+            e.contours.color = e.halos.color = {static_cast<float>(random() % 256) / 255.0f, 0, 1};
+            look.words.measures.push_back(parseMeasure("1," + std::to_string(2 + random() % 9)));
+            break;
         case 0:
             look.look.rules.push_back(parseHide("resi " + std::to_string(1 + random() % 9)));
             break;
@@ -103,6 +138,7 @@ void act(Desk& d, std::mt19937& random) {
         case 4:
             return changeLook(d, random);
         case 5:
+            if (random() % 4 == 0) d.viewer.add("sample:buckyball", d.now);
             if (random() % 4 == 0) d.viewer.open(random() % 2 ? "sample:glucose" : "sample:dna", d.now);
             return;
         default:

@@ -134,18 +134,49 @@ TEST(Viewer, ADisplayThatThereIsNotIsNotTaken) {
 
 TEST(Viewer, ADeviceOfSoftwareKeepsItsResolutionLonger) {
     // What takes less than 25 ms is whole; what takes a little more gives up the smallest step.
-    for (const auto& [milliseconds, scale] : {std::pair(24.5, 1.0), {25.5, 0.85}, {28.0, 0.85}, {40.0, 0.7}}) {
+    for (const auto& [milliseconds, scale] :
+         {std::pair(24.5, 1.0), {25.5, 0.85}, {28.0, 0.85}, {40.0, 0.7}, {200.0, 0.7}}) {
         Bench b;
-        b.viewer.setLongestFrame(0.025);
+        b.viewer.keepSharp(0.025, 0.7);
         b.run(2);
         b.viewer.run(ViewerCommand::autoRotate, b.now);
         b.screen.millisecondsOfWhole = milliseconds;
-        b.run(2, milliseconds / 1000);
+        b.run(2 + milliseconds / 50, milliseconds / 1000);
         EXPECT_EQ(b.screen.frames.back().scale, scale) << milliseconds;
         const MotionFrames& moved = b.viewer.motionFrames();
         EXPECT_EQ(moved.smallestScale, scale) << milliseconds;
         EXPECT_EQ(moved.reduced > 0, scale < 1) << milliseconds;
         EXPECT_GT(moved.frames, moved.reduced) << "the first are whole";
+        const std::string percent = std::to_string(std::lround(100 * scale)) + " %";
+        EXPECT_EQ(b.viewer.annotations().coarse.find(percent) != std::string::npos, scale < 1) << milliseconds;
+        b.viewer.run(ViewerCommand::autoRotate, b.now);
+        b.run(2);
+        EXPECT_EQ(b.viewer.annotations().coarse, "");
+    }
+}
+
+TEST(Viewer, CartoonsGiveUpTrianglesBeforePixels) {
+    for (const bool meshes : {true, false}) {
+        Bench b("sample:dna");
+        b.viewer.keepSharp(0.025, 0.7);
+        if (meshes) {
+            SavedView look = b.viewer.view();
+            look.look.style = Style::cartoon;
+            b.viewer.setLook(look, b.now);
+            b.load();
+        }
+        b.run(2);
+        b.viewer.run(ViewerCommand::autoRotate, b.now);
+        b.screen.milliseconds = 30;
+        const std::size_t before = b.screen.frames.size();
+        b.run(0.5, 0.03);
+        const auto reduced = std::find_if(b.screen.frames.begin() + static_cast<std::ptrdiff_t>(before),
+                                          b.screen.frames.end(), [](const WindowFrame& f) { return f.meshError > 2; });
+        ASSERT_NE(reduced, b.screen.frames.end());
+        EXPECT_EQ(reduced->scale, meshes ? 1 : 0.85);
+        b.viewer.run(ViewerCommand::autoRotate, b.now);
+        b.run(2);
+        EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
     }
 }
 

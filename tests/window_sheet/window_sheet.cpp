@@ -112,7 +112,7 @@ public:
         session_.step(0.02);
     }
     void drop(const std::string& path) {
-        events_.dropped(path);
+        events_.dropped({path});
         settle();
     }
     void run(ViewerCommand command) { events_.key({0, {}}), viewer().run(command, seconds()); }
