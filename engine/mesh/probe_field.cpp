@@ -1,14 +1,12 @@
 #include "engine/mesh/probe_field.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "engine/mesh/ball_grid.h"
-#include "engine/mesh/parallel.h"
+#include "engine/mesh/probe_places.h"
 #include "engine/mesh/unit_vectors.h"
 
 namespace nacre {
@@ -16,37 +14,9 @@ namespace {
 
 using glm::dvec3;
 
-constexpr double kTouch = 1e-9;  // Å: what touches a sphere is not inside it
 constexpr double kSlack = 0.05;  // Å^2, so that nothing is lost between a circle's wedge and its neighbours
 constexpr double kNowhere = 1e9;
 constexpr float kDeepInside = 1e3f;  // of nodes that no place of the probe is near
-
-/// Angles of a circle that no other ball covers, from 0 to 2 pi; `begin` may be below 0.
-struct OpenArc {
-    double begin = 0, end = 0;
-};
-
-/// Where two spheres meet, or what of it is open.
-struct ProbeCircle {
-    std::uint32_t a = 0, b = 0;  ///< balls
-    dvec3 center{}, axis{}, x{}, y{};
-    double radius = 0;
-    std::vector<OpenArc> arcs;
-
-    dvec3 at(double angle) const { return center + (x * std::cos(angle) + y * std::sin(angle)) * radius; }
-};
-
-/// An open point of three spheres.
-struct ProbePoint {
-    std::uint32_t a = 0, b = 0, c = 0;  ///< balls
-    dvec3 place{};
-};
-
-/// What a ball covers of a circle.
-struct CoveredArc {
-    double begin = 0, end = 0;
-    std::uint32_t by = 0;
-};
 
 class ProbeField : public SurfaceField {
 public:
@@ -55,9 +25,7 @@ public:
           probe_(probe),
           reach_(probe + step * 1.001),
           outside_(probe < step * 1.001 ? step * 1.001 : 0),
-          grid_(balls, probe) {
-        findCircles(threads);
-    }
+          places_(balls, probe, threads) {}
 
     std::vector<std::array<dvec3, 2>> reaches() const override {
         std::vector<std::array<dvec3, 2>> boxes;
@@ -65,13 +33,13 @@ public:
             const double reach = ball.radius + probe_ + outside_;
             boxes.push_back({ball.center - reach, ball.center + reach});
         }
-        for (const ProbeCircle& circle : circles_) {
+        for (const ProbeCircle& circle : places_.circles()) {
             const dvec3 half = circle.radius * glm::sqrt(glm::max(1.0 - circle.axis * circle.axis, dvec3(0)));
             const dvec3 &a = balls_[circle.a].center, &b = balls_[circle.b].center;
             boxes.push_back(
                 {glm::min(glm::min(a, b), circle.center - half), glm::max(glm::max(a, b), circle.center + half)});
         }
-        for (const ProbePoint& point : points_) boxes.push_back({point.place - reach_, point.place + reach_});
+        for (const ProbePoint& point : places_.points()) boxes.push_back({point.place - reach_, point.place + reach_});
         return boxes;
     }
 
@@ -84,8 +52,8 @@ public:
             if (source < balls_.size()) fillBall(block, source, values, origins);
         for (const std::uint32_t source : sources) {
             if (source < balls_.size()) {
-                if (open_[source]) nearBall(block, source, values, origins);
-            } else if (source < balls_.size() + circles_.size()) {
+                if (places_.isOpen(source)) nearBall(block, source, values, origins);
+            } else if (source < balls_.size() + places_.circles().size()) {
                 nearCircle(block, source, values, origins);
             } else {
                 nearPoint(block, source, values, origins);
@@ -138,11 +106,11 @@ private:
             const double reach = ball.radius + probe_;
             found = ball.center + unitOr(place - ball.center, dvec3(0, 0, 1)) * reach;
             return {found, unitOr(place - ball.center, dvec3(0, 0, 1)), reach - glm::distance(place, ball.center)};
-        } else if (source < balls_.size() + circles_.size()) {
-            const ProbeCircle& circle = circles_[source - balls_.size()];
+        } else if (source < balls_.size() + places_.circles().size()) {
+            const ProbeCircle& circle = places_.circles()[source - balls_.size()];
             found = circle.center + unitOr(across(place - circle.center, circle.axis), circle.x) * circle.radius;
         } else {
-            found = points_[source - balls_.size() - circles_.size()].place;
+            found = places_.points()[source - balls_.size() - places_.circles().size()].place;
         }
         return {found, {}, glm::distance(found, place)};
     }
@@ -151,11 +119,11 @@ private:
         if (source == kNoSource) return balls_[0].atom;
         if (source < balls_.size()) return balls_[source].atom;
         std::array<std::uint32_t, 3> of{};
-        if (source < balls_.size() + circles_.size()) {
-            const ProbeCircle& circle = circles_[source - balls_.size()];
+        if (source < balls_.size() + places_.circles().size()) {
+            const ProbeCircle& circle = places_.circles()[source - balls_.size()];
             of = {circle.a, circle.b, circle.b};
         } else {
-            const ProbePoint& point = points_[source - balls_.size() - circles_.size()];
+            const ProbePoint& point = places_.points()[source - balls_.size() - places_.circles().size()];
             of = {point.a, point.b, point.c};
         }
         const auto height = [&](std::uint32_t ball) {
@@ -164,8 +132,6 @@ private:
         return balls_[*std::min_element(of.begin(), of.end(), [&](auto a, auto b) { return height(a) < height(b); })]
             .atom;
     }
-
-    double reachOf(std::uint32_t ball) const { return balls_[ball].radius + probe_; }
 
     template <typename Visit>
     static void eachNode(const GridBlock& block, const NodeRange& range, const Visit& visit) {
@@ -180,7 +146,7 @@ private:
     void fillBall(const GridBlock& block, std::uint32_t number, std::vector<float>& values,
                   std::vector<std::uint32_t>& origins) const {
         const SurfaceBall& ball = balls_[number];
-        const double reach = reachOf(number), to = reach + outside_;
+        const double reach = places_.reachOf(number), to = reach + outside_;
         eachNode(block, {block, ball.center - to, ball.center + to}, [&](std::size_t i, const dvec3& place) {
             const dvec3 way = place - ball.center;
             const double squared = glm::dot(way, way);
@@ -208,8 +174,8 @@ private:
     void nearBall(const GridBlock& block, std::uint32_t number, std::vector<float>& values,
                   std::vector<std::uint32_t>& origins) const {
         const SurfaceBall& ball = balls_[number];
-        const double reach = reachOf(number), least = std::max(reach - reach_, 0.0);
-        const std::span<const std::uint32_t> neighbours = grid_.neighbours(number);
+        const double reach = places_.reachOf(number), least = std::max(reach - reach_, 0.0);
+        const std::span<const std::uint32_t> neighbours = places_.neighbours(number);
         std::size_t last = 0;  // who was in the way of the node before is likely to be again
         eachNode(block, {block, ball.center - reach, ball.center + reach}, [&](std::size_t i, const dvec3& place) {
             const dvec3 way = place - ball.center;
@@ -218,9 +184,9 @@ private:
             const double length = std::sqrt(squared);
             if (static_cast<float>(reach - length - probe_) >= values[i]) return;
             const dvec3 found = ball.center + unitOr(way, dvec3(0, 0, 1)) * reach;
-            if (last < neighbours.size() && covers(neighbours[last], found)) return;
+            if (last < neighbours.size() && places_.covers(neighbours[last], found)) return;
             for (std::size_t n = 0; n < neighbours.size(); ++n)
-                if (covers(neighbours[n], found)) {
+                if (places_.covers(neighbours[n], found)) {
                     last = n;
                     return;
                 }
@@ -228,16 +194,10 @@ private:
         });
     }
 
-    bool covers(std::uint32_t ball, const dvec3& place) const {
-        const dvec3 way = place - balls_[ball].center;
-        const double reach = reachOf(ball) - kTouch;
-        return glm::dot(way, way) < reach * reach;
-    }
-
     /// A node's nearest place is on a circle only if it lies between the ways from there to the two centres.
     void nearCircle(const GridBlock& block, std::uint32_t source, std::vector<float>& values,
                     std::vector<std::uint32_t>& origins) const {
-        const ProbeCircle& circle = circles_[source - balls_.size()];
+        const ProbeCircle& circle = places_.circles()[source - balls_.size()];
         const dvec3 half = circle.radius * glm::sqrt(glm::max(1.0 - circle.axis * circle.axis, dvec3(0)));
         const dvec3 &a = balls_[circle.a].center, &b = balls_[circle.b].center;
         const double heightA = glm::dot(a - circle.center, circle.axis),
@@ -270,7 +230,7 @@ private:
 
     void nearPoint(const GridBlock& block, std::uint32_t source, std::vector<float>& values,
                    std::vector<std::uint32_t>& origins) const {
-        const dvec3& point = points_[source - balls_.size() - circles_.size()].place;
+        const dvec3& point = places_.points()[source - balls_.size() - places_.circles().size()].place;
         eachNode(block, {block, point - reach_, point + reach_}, [&](std::size_t i, const dvec3& place) {
             const dvec3 way = place - point;
             const double squared = glm::dot(way, way);
@@ -278,113 +238,10 @@ private:
         });
     }
 
-    /// Circles of each ball with those of higher numbers, and the ends of their arcs.
-    void findCircles(unsigned threads) {
-        struct Found {
-            std::vector<ProbeCircle> circles;
-            std::vector<ProbePoint> points;
-        };
-        open_.assign(balls_.size(), 0);
-        std::vector<Found> found((balls_.size() + kTogether - 1) / kTogether);
-        std::vector<std::atomic<char>> open(balls_.size());
-        inParallel(found.size(), threads, [&](std::size_t part) {
-            const std::size_t end = std::min(balls_.size(), (part + 1) * kTogether);
-            for (std::size_t a = part * kTogether; a < end; ++a) {
-                const auto neighbours = grid_.neighbours(static_cast<std::uint32_t>(a));
-                for (const std::uint32_t b : neighbours) {
-                    if (b < a) continue;
-                    ProbeCircle circle;
-                    if (!circleOf(static_cast<std::uint32_t>(a), b, circle)) continue;
-                    if (!openArcs(circle, found[part].points)) continue;
-                    open[a] = open[b] = 1;
-                    found[part].circles.push_back(std::move(circle));
-                }
-            }
-        });
-        for (std::uint32_t i = 0; i < balls_.size(); ++i) open_[i] = open[i] || isAlone(i);
-        for (Found& part : found) {
-            std::move(part.circles.begin(), part.circles.end(), std::back_inserter(circles_));
-            points_.insert(points_.end(), part.points.begin(), part.points.end());
-        }
-    }
-
-    /// Of a ball without open circles: whether all of it is open, not covered.
-    bool isAlone(std::uint32_t ball) const {
-        const dvec3 place = balls_[ball].center + dvec3(0, 0, reachOf(ball));
-        const auto neighbours = grid_.neighbours(ball);
-        return std::none_of(neighbours.begin(), neighbours.end(), [&](auto other) { return covers(other, place); });
-    }
-
-    /// False if the spheres do not meet.
-    bool circleOf(std::uint32_t a, std::uint32_t b, ProbeCircle& circle) const {
-        const dvec3 way = balls_[b].center - balls_[a].center;
-        const double distance = glm::length(way), ra = reachOf(a), rb = reachOf(b);
-        if (distance < kTouch) return false;
-        const double height = (distance * distance + ra * ra - rb * rb) / (2 * distance);
-        const double squared = ra * ra - height * height;
-        if (squared <= kTouch) return false;
-        circle.a = a;
-        circle.b = b;
-        circle.axis = way / distance;
-        circle.center = balls_[a].center + circle.axis * height;
-        circle.radius = std::sqrt(squared);
-        circle.x = anyAcross(circle.axis);
-        circle.y = glm::cross(circle.axis, circle.x);
-        return true;
-    }
-
-    /// What no third ball covers. Adds the arcs' ends: each will be found on all three circles, or on as many as can
-    /// tell where more than three spheres meet.
-    /// @return false if nothing is open
-    bool openArcs(ProbeCircle& circle, std::vector<ProbePoint>& points) const {
-        constexpr double kTurn = 2 * std::numbers::pi;
-        std::vector<CoveredArc> covered;
-        for (const std::uint32_t other : grid_.neighbours(circle.a)) {
-            if (other == circle.b) continue;
-            const dvec3 way = balls_[other].center - circle.center;
-            const double x = glm::dot(way, circle.x), y = glm::dot(way, circle.y), reach = reachOf(other);
-            const double most = std::hypot(x, y);
-            const double least =
-                (glm::dot(way, way) + circle.radius * circle.radius - reach * reach) / (2 * circle.radius);
-            if (least >= most - kTouch) continue;
-            if (least <= -most) return false;
-            const double middle = std::atan2(y, x), half = std::acos(std::clamp(least / most, -1.0, 1.0));
-            double begin = middle - half;
-            if (begin < 0) begin += kTurn;
-            covered.push_back({begin, begin + 2 * half, other});
-        }
-        if (covered.empty()) {
-            circle.arcs.push_back({0, kTurn});
-            return true;
-        }
-        std::sort(covered.begin(), covered.end(),
-                  [](const CoveredArc& a, const CoveredArc& b) { return a.begin < b.begin; });
-        // Behind the one that reaches farthest over the end of the turn.
-        std::size_t farthest = 0;
-        for (std::size_t i = 0; i < covered.size(); ++i)
-            if (covered[i].end > covered[farthest].end) farthest = i;
-        double end = covered[farthest].end - kTurn;
-        std::uint32_t by = covered[farthest].by;
-        for (const CoveredArc& arc : covered) {
-            if (arc.begin > end) {
-                circle.arcs.push_back({end, arc.begin});
-                points.push_back({circle.a, circle.b, by, circle.at(end)});
-                points.push_back({circle.a, circle.b, arc.by, circle.at(arc.begin)});
-            }
-            if (arc.end > end) end = arc.end, by = arc.by;
-        }
-        return !circle.arcs.empty();
-    }
-
-    static constexpr std::size_t kTogether = 64;  // balls
-
     const std::vector<SurfaceBall>& balls_;
     double probe_, reach_;
     double outside_;  ///< Å, to which distances are known beyond the probe's places, of probes smaller than a cell
-    BallGrid grid_;
-    std::vector<char> open_;
-    std::vector<ProbeCircle> circles_;
-    std::vector<ProbePoint> points_;
+    ProbePlaces places_;
 };
 
 }  // namespace
