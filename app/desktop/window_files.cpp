@@ -164,6 +164,10 @@ void WindowSession::writeStats() {
     nlohmann::ordered_json json;
     json["window_frames"] = renderer().stats().windowFrames;
     json["seconds_since_last_frame"] = now() - lastShown_;
+    if (sceneShown_ > 0)
+        json["start_ms"] = {{"before_device", 1000 * (opening_ - kStarted)},
+                            {"device", 1000 * (open_ - opening_)},
+                            {"first_picture", 1000 * (sceneShown_ - kStarted)}};
     json["occlusion"] = viewer().occlusion();
     json["occlusion_cached"] = renderer().stats().occlusion.cached;
     json["occlusion_bytes"] = renderer().stats().occlusion.bytes;

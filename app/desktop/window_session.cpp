@@ -29,6 +29,8 @@ double WindowSession::now() {
     return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
 }
 
+const double WindowSession::kStarted = WindowSession::now();
+
 struct WindowSession::Chosen {
     std::mutex mutex;
     std::string path, savePath;
@@ -43,7 +45,9 @@ WindowSession::WindowSession(const ViewOptions& options)
       session_(host(), windowSources(options.input), firstView(), viewerOptions(), Window::wake),
       chosen_(std::make_shared<Chosen>()) {
     scale_ = window_.pixelsPerPoint();
-    session_.open(now());
+    opening_ = now();
+    session_.open(opening_);
+    open_ = now();
     if (renderer().stats().device.type == "software") {
         viewer().setMostSamples(kSoftwareSamples);
         viewer().keepSharp(kSoftwareFrameSeconds, kSoftwareScale);
@@ -81,6 +85,7 @@ double WindowSession::step(double longest) {
     if (shown) {
         shown_ = renderer().stats().windowFrames;
         lastShown_ = now();
+        if (sceneShown_ == 0 && viewer().document()) sceneShown_ = lastShown_;
         if (inputAt_ > 0) latencies_.push_back(1000 * (lastShown_ - inputAt_));
     }
     inputAt_ = 0;  // what is not answered by now changed nothing

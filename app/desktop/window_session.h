@@ -39,6 +39,7 @@ private:
     ViewerOptions viewerOptions() const;
     /// Seconds, from some time on.
     static double now();
+    static const double kStarted;  ///< when the program was
     void noteInput();
     void rescaled();
     void resized();
@@ -76,6 +77,8 @@ private:
     double inputAt_ = 0;             // when the first input came that no frame has answered; 0: none did
     std::vector<double> latencies_;  // of frames that answered some, milliseconds until they were handed to the display
     std::uint64_t shown_ = 0;        // frames, when lastShown_ was
+    double opening_ = 0, open_ = 0;  // when the device was asked for, and when it was there
+    double sceneShown_ = 0;          // when the first frame with a scene was handed to the display
     bool panelDrag_ = false, keyOwned_ = false;
     std::string remembered_;  // the input that stands first among the recent files
 };

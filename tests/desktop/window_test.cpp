@@ -121,6 +121,10 @@ TEST(Window, ShowsAndSavesWhatRenderDrawsAndThenRests) {
     EXPECT_EQ(session.quit(), 0) << session.errors();
     EXPECT_GE(session.stats()["seconds_since_last_frame"].get<double>(), 0.5);  // the last may have come late
     EXPECT_EQ(session.stats()["occlusion"], 1.0);
+    const nlohmann::json start = session.stats()["start_ms"];
+    EXPECT_GT(start["before_device"].get<double>(), 0);
+    EXPECT_GT(start["first_picture"].get<double>(),
+              start["before_device"].get<double>() + start["device"].get<double>());
     EXPECT_GT(contentOf(session.folder() / "cache/nacre/pipelines.bin").size(), 40u);
 }
 
