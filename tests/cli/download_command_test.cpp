@@ -117,6 +117,46 @@ TEST_F(DownloadCommand, TheCacheIsWhereTheUserWantsIt) {
     EXPECT_FALSE(fs::exists(folder_ / "cache"));
 }
 
+TEST_F(DownloadCommand, AMovieThroughModelsAsksOnce) {
+    std::string xyz =
+        "data_m\nloop_\n_atom_site.type_symbol\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+        "_atom_site.pdbx_PDB_model_num\n";
+    for (int model = 1; model <= 3; ++model)
+        xyz += "C 0 0 " + std::to_string(model) + " " + std::to_string(model) + "\n";
+    server_.serve("1mod.cif.gz", xyz);
+    const std::vector<std::string> movie{"movie",        "pdb:1MOD",    "--models", "--fps", "10",
+                                         "--cache",      "off",         "--size",   "16x16", "-o",
+                                         folder_ / "f/", "--occlusion", "off"};
+    const MeasuredRun run = test::runMeasured(movie, options("ok"));
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_TRUE(fs::exists(folder_ / "f/frame_00003.png"));
+    EXPECT_EQ(server_.requests().size(), 2u) << "for BinaryCIF, which is not there, and mmCIF";
+}
+
+// A view that somebody else wrote, with several inputs, for each of the commands that take one.
+TEST_F(DownloadCommand, AViewDownloadsNothingUnlessItIsAllowed) {
+    std::ofstream(folder_ / "v.json") << R"({"input": "sample:glucose", "further-inputs": [{"input": "pdb:1bna"}]})";
+    std::ofstream(folder_ / "w.json") << R"({"input": "pdb:1bna", "occlusion": "off"})";
+    const std::string v = folder_ / "v.json", w = folder_ / "w.json", small = "16x16";
+    const std::vector<std::vector<std::string>> commands{
+        {"render", "--view", v, "-o", folder_ / "a.png", "--size", small},
+        {"render", "--view", w, "-o", folder_ / "a.png", "--size", small},
+        {"movie", "--views", v + "," + v, "-o", folder_ / "a.gif", "--size", small},
+        {"movie", "--views", w + "," + w, "--models", "-o", folder_ / "a.gif", "--size", small},
+        {"movie", "--view", w, "--spin", "y", "-o", folder_ / "a.gif", "--size", small}};
+    for (const std::vector<std::string>& command : commands) {
+        const MeasuredRun run = test::runMeasured(command, options("ok"));
+        EXPECT_EQ(run.code, 1) << run.err;
+        EXPECT_NE(run.err.find("--allow-download gets it"), std::string::npos) << run.err;
+    }
+    EXPECT_TRUE(server_.requests().empty());
+    std::vector<std::string> allowed = commands[1];
+    allowed.insert(allowed.end(), {"--allow-download", "--water", "show"});
+    const MeasuredRun run = test::runMeasured(allowed, options("ok"));
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(server_.requests().size(), 2u) << "for BinaryCIF, which is not there, and mmCIF";
+}
+
 TEST_F(DownloadCommand, AFolderThatCannotBeUsedIsAnErrorOnlyIfItWasNamed) {
     const auto named = test::runMeasured({"info", "pdb:1bna", "--cache", "/proc/cache"}, options("ok"));
     EXPECT_EQ(named.code, 1);
