@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "tests/support/run_program.h"
 
@@ -16,18 +17,18 @@ using test::Outcome;
 using test::TemporaryFolder;
 
 std::string drawnBy(const TemporaryFolder& folder, const std::string& options) {
-    const Outcome outcome = nacreIn(
-        folder,
-        "looks sample:dna -o sheet.png --size 96x96 --rotate 0,30,0 --occlusion 16 --cache off --validate " + options);
+    const Outcome outcome =
+        nacreIn(folder, "looks sample:dna -o sheet.png --rotate 0,30,0 --occlusion 16 --cache off --validate --size " +
+                            options);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     return contentOf(folder / "sheet.png");
 }
 
 TEST(LooksSheet, IsTheSameOnEveryPathWithoutAWordFromValidation) {
     const TemporaryFolder folder;
-    const std::string sheet = drawnBy(folder, "--supersample 1 --visibility tiles");
+    const std::string sheet = drawnBy(folder, "96x96 --supersample 1 --visibility tiles");
     for (const char* path : {"encoded", "fragdepth", "deferred", "raster-order"}) {
-        const std::string other = drawnBy(folder, std::string("--supersample 1 --visibility ") + path);
+        const std::string other = drawnBy(folder, std::string("96x96 --supersample 1 --visibility ") + path);
         EXPECT_EQ(other == sheet, true) << path;
     }
 }
@@ -47,12 +48,14 @@ constexpr double kMostOnAverage = 0.5, kLittle = 10, kMostShare = 0.01;
 
 TEST(LooksSheet, IsWhatItWasWhenItWasLookedAt) {
     const TemporaryFolder folder;
-    const std::string golden = std::string(NACRE_SOURCE_DIR) + "/tests/cli/looks_sheet.png";
-    for (const char* path : {"tiles", "fragdepth"}) {
-        drawnBy(folder, std::string("--visibility ") + path);
+    for (const auto& [name, options] : {std::pair{"looks_sheet", "96x96 --visibility tiles"},
+                                        {"looks_sheet", "96x96 --visibility fragdepth"},
+                                        {"looks_cartoon_sheet", "80x80 --style cartoon"}}) {
+        drawnBy(folder, options);
         std::size_t width = 0, goldenWidth = 0;
         const std::vector<std::uint8_t> drawn = bytesOf(folder / "sheet.png", width),
-                                        wanted = bytesOf(golden, goldenWidth);
+                                        wanted = bytesOf(std::string(NACRE_SOURCE_DIR) + "/tests/cli/" + name + ".png",
+                                                         goldenWidth);
         ASSERT_EQ(drawn.size(), wanted.size());
         ASSERT_EQ(width, goldenWidth);
         double sum = 0, far = 0;
@@ -61,8 +64,8 @@ TEST(LooksSheet, IsWhatItWasWhenItWasLookedAt) {
             sum += apart;
             far += apart > kLittle;
         }
-        EXPECT_LE(sum / static_cast<double>(drawn.size()), kMostOnAverage) << path;
-        EXPECT_LE(far / static_cast<double>(drawn.size()), kMostShare) << path;
+        EXPECT_LE(sum / static_cast<double>(drawn.size()), kMostOnAverage) << options;
+        EXPECT_LE(far / static_cast<double>(drawn.size()), kMostShare) << options;
     }
 }
 
