@@ -28,6 +28,7 @@ TEST(Phone, IsTakenForWhatItSaysItIs) {
     EXPECT_EQ(device.visibility, onMoltenVk() ? "fragdepth" : "encoded");
     EXPECT_EQ(device.encodedFormat, onMoltenVk() ? "R32F" : "RGBA16F");
     EXPECT_TRUE(device.lazyMemory);
+    EXPECT_EQ(device.timestamps, !onMoltenVk());
     EXPECT_EQ(renderer->maxSize(), 4096u);
 }
 
@@ -168,6 +169,20 @@ TEST(Phone, TheDriverTellsWhatLeftTheTile) {
     EXPECT_NE(small.merges[0].why.find("the tile is full"), std::string::npos) << small.merges[0].why;
     ASSERT_EQ(small.transients.size(), large.transients.size());
     for (const TransientImage& image : small.transients) EXPECT_EQ(image.committedBytes, image.bytes) << image.name;
+}
+
+// Times are the device's own, or nobody tells any: a queue without a clock is asked for none, and bakes all the same.
+TEST(Phone, TellsTimesWhereItsQueueHasAClock) {
+    ValidatedRenderer renderer(Visibility::automatic);
+    const Representation r = scene("sample:glucose", Style::spacefill);
+    renderer->setScene(r);
+    RenderSettings s = settings(r, 48, Projection::orthographic);
+    s.supersample = 1;
+    s.occlusion.directions = 20;
+    s.tuning.timePasses = true;
+    renderer->render(s);
+    EXPECT_EQ(renderer->stats().passTimes.empty(), onMoltenVk());
+    EXPECT_EQ(renderer->stats().occlusion.done, 20);
 }
 
 // Tools that record frames are told where one ends that nobody presents. The validation layer here is older than the

@@ -6,16 +6,17 @@
 namespace nacre::phone {
 
 // What lies below. Looked up in time: later the loader would give this layer's own.
-#define NACRE_BELOW(X)                    \
-    X(DestroyInstance)                    \
-    X(EnumerateDeviceExtensionProperties) \
-    X(GetPhysicalDeviceProperties)        \
-    X(GetPhysicalDeviceProperties2)       \
-    X(GetPhysicalDeviceFeatures)          \
-    X(GetPhysicalDeviceFeatures2)         \
-    X(GetPhysicalDeviceFormatProperties)  \
-    X(GetPhysicalDeviceFormatProperties2) \
-    X(GetPhysicalDeviceMemoryProperties)  \
+#define NACRE_BELOW(X)                        \
+    X(DestroyInstance)                        \
+    X(EnumerateDeviceExtensionProperties)     \
+    X(GetPhysicalDeviceProperties)            \
+    X(GetPhysicalDeviceProperties2)           \
+    X(GetPhysicalDeviceFeatures)              \
+    X(GetPhysicalDeviceFeatures2)             \
+    X(GetPhysicalDeviceFormatProperties)      \
+    X(GetPhysicalDeviceFormatProperties2)     \
+    X(GetPhysicalDeviceMemoryProperties)      \
+    X(GetPhysicalDeviceQueueFamilyProperties) \
     X(GetPhysicalDeviceMemoryProperties2)
 #define NACRE_DEVICE_BELOW(X)       \
     X(AllocateMemory)               \

@@ -46,6 +46,9 @@ bool molten() {
     return phone && std::string_view(phone) == "moltenvk";
 }
 
+/// Where somebody listens: the validation layer here is older than the extension.
+bool marksFrames() { return !molten() && std::getenv("NACRE_PHONE_FRAMES"); }
+
 VKAPI_ATTR VkResult VKAPI_CALL CreateInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
                                               VkInstance* made) {
     const auto* below =
@@ -113,7 +116,14 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceFeatures2(VkPhysicalDevice of, VkPhy
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBPASS_MERGE_FEEDBACK_FEATURES_EXT)
             reinterpret_cast<VkPhysicalDeviceSubpassMergeFeedbackFeaturesEXT*>(s)->subpassMergeFeedback = !molten();
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAME_BOUNDARY_FEATURES_EXT)
-            reinterpret_cast<VkPhysicalDeviceFrameBoundaryFeaturesEXT*>(s)->frameBoundary = !molten();
+            reinterpret_cast<VkPhysicalDeviceFrameBoundaryFeaturesEXT*>(s)->frameBoundary = marksFrames();
+}
+
+/// The least iPhone's queue has no clock.
+VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceQueueFamilyProperties(VkPhysicalDevice of, std::uint32_t* count,
+                                                                  VkQueueFamilyProperties* families) {
+    nextGetPhysicalDeviceQueueFamilyProperties(of, count, families);
+    for (std::uint32_t i = 0; families && molten() && i < *count; ++i) families[i].timestampValidBits = 0;
 }
 
 VkFormatProperties seen(VkFormat format, VkFormatProperties p) {
@@ -154,7 +164,7 @@ VKAPI_ATTR VkResult VKAPI_CALL EnumerateDeviceExtensionProperties(VkPhysicalDevi
         VkExtensionProperties own{};  // what no software driver has
         std::strcpy(own.extensionName, name);
         own.specVersion = 1;
-        if (name != kFrameBoundary || !molten()) kept.push_back(own);
+        if (name != kFrameBoundary || marksFrames()) kept.push_back(own);
     }
     const auto room = list ? *count : 0;
     *count = static_cast<std::uint32_t>(kept.size());
