@@ -17,7 +17,8 @@ python3-pkg-resources/bookworm flex/bookworm bison/bookworm m4/bookworm libdrm-d
 libdrm2/bookworm-backports libdrm-nouveau2/bookworm-backports libdrm-amdgpu1/bookworm-backports
 libdrm-radeon1/bookworm-backports libdrm-intel1/bookworm-backports libelf-dev/bookworm libelf1/bookworm
 libarchive-dev/bookworm libarchive13/bookworm liblua5.3-dev/bookworm liblua5.3-0/bookworm libudev-dev/bookworm
-libudev1/bookworm""".split()
+libudev1/bookworm
+libxml2-dev/bookworm libxml2/bookworm libicu-dev/bookworm libicu72/bookworm""".split()
 TARGETS = {
     "turnip": ["src/freedreno/drm-shim/libfreedreno_noop_drm_shim.so", "src/freedreno/vulkan/libvulkan_freedreno.so",
                "src/freedreno/decode/cffdump"],
