@@ -26,9 +26,10 @@ TEST_F(AndroidHost, TheStateOutlivesTheProcess) {
         host.stop();
     }
     Host restored(folder_, std::nullopt, state);
+    restored.lowMemory();
     restored.open(160, 200);
     EXPECT_EQ(restored.saveState(), state);
-    expectAsRendered(restored);
+    expectAsRendered(restored, kMenu, "", 1);
     restored.destroy();
     Host again(folder_);  // from the launcher: as it was left
     EXPECT_EQ(again.saveState(), state);
@@ -54,10 +55,11 @@ TEST_F(AndroidHost, OpensWhatOtherAppsHandOver) {
     std::string state;
     {
         Host host(folder_, document);
+        host.lowMemory();
         host.open(120, 120);
         host.key(AKEYCODE_O, AKEY_EVENT_ACTION_DOWN);  // occlusion off
         ASSERT_TRUE(eventually([&] { return !host.view().input.empty(); }));
-        expectAsRendered(host);
+        expectAsRendered(host, kMenu, "", 1);
         const std::filesystem::path copy = host.view().input;
         EXPECT_EQ(copy.filename(), "two atoms.pdb");
         EXPECT_EQ(copy.parent_path().parent_path(), folder_ / "opened");
@@ -65,8 +67,9 @@ TEST_F(AndroidHost, OpensWhatOtherAppsHandOver) {
     }
     document.refuses = true;  // leave to read has gone with the activity
     Host host(folder_, document, state);
+    host.lowMemory();
     host.open(120, 120);
-    expectAsRendered(host);
+    expectAsRendered(host, kMenu, "", 1);
     EXPECT_EQ(host.saveState(), state);
 }
 

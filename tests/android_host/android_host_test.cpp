@@ -25,25 +25,27 @@ TEST_F(AndroidHost, ShowsTheSampleAndThenRests) {
 TEST_F(AndroidHost, TurnsPicturesForTheDisplay) {
     constexpr Covered kSmallMenu{50, 38};
     Host host(folder_, std::nullopt, kQuick, 80);
+    host.lowMemory();
     host.open(80, 100, 1);
-    expectAsRendered(host, kSmallMenu, "a quarter turn");
+    expectAsRendered(host, kSmallMenu, "a quarter turn", 1);
     host.resizeWindow(100, 80, 2);
-    expectAsRendered(host, kSmallMenu, "half a turn");
+    expectAsRendered(host, kSmallMenu, "half a turn", 1);
     host.resizeWindow(80, 100, 3);
-    expectAsRendered(host, kSmallMenu, "three quarters");
+    expectAsRendered(host, kSmallMenu, "three quarters", 1);
     host.resizeWindow(100, 80, 0);
-    expectAsRendered(host, kSmallMenu, "upright");
+    expectAsRendered(host, kSmallMenu, "upright", 1);
 }
 
 TEST_F(AndroidHost, FingersRotateZoomAndFit) {
     Host host(folder_, std::nullopt, kQuick);
+    host.lowMemory();  // no refinement, which other tests see
     host.open(320, 320);
     host.drag(100, 160, 210, 160, 11);  // the first 10 points tell a drag from a tap
     app::SavedView view = host.view();
     const double half = 50 * M_PI / 180;
     EXPECT_NEAR(view.camera.orientation.w, std::cos(half), 1e-5);
     EXPECT_NEAR(view.camera.orientation.y, std::sin(half), 1e-5);
-    expectAsRendered(host);
+    expectAsRendered(host, kMenu, "", 1);
 
     const auto two = [](float apart) {
         return std::vector<AInputEvent::Pointer>{{4, 160 - apart, 160}, {9, 160 + apart, 160}};
@@ -60,7 +62,7 @@ TEST_F(AndroidHost, FingersRotateZoomAndFit) {
 
     host.tap(250, 160, 2);
     EXPECT_TRUE(eventually([&] { return std::abs(host.view().camera.zoom - 1) < 1e-9; }));
-    expectAsRendered(host);
+    expectAsRendered(host, kMenu, "", 1);
 }
 
 TEST_F(AndroidHost, AKeyboardWorksToo) {
@@ -90,8 +92,9 @@ TEST_F(AndroidHost, ATapNamesAnAtom) {
 
 TEST_F(AndroidHost, ThePanelIsReachedByFingers) {
     Host host(folder_, std::nullopt, kQuick);
+    host.lowMemory();
     host.open(360, 480);
-    expectAsRendered(host);
+    expectAsRendered(host, kMenu, "", 1);
     EXPECT_FALSE(host.back());  // Android's, which ends the activity
     host.tap(40, 36);
     ASSERT_TRUE(eventually([&] { return host.picture().rgb[std::size_t{3} * (360 * 300 + 4)] < 60; }));
@@ -110,8 +113,9 @@ TEST_F(AndroidHost, ThePanelIsReachedByFingers) {
 
 TEST_F(AndroidHost, AWindowMayGoAndComeAgain) {
     Host host(folder_, std::nullopt, kQuick);
+    host.lowMemory();
     host.open(120, 160);
-    expectAsRendered(host);
+    expectAsRendered(host, kMenu, "", 1);
     host.pause();
     host.stop();
     host.destroyWindow();
@@ -137,8 +141,9 @@ TEST_F(AndroidHost, AWindowMayGoAndComeAgain) {
 
 TEST_F(AndroidHost, NothingIsDrawnWhileItIsNotSeen) {
     Host host(folder_, std::nullopt, kQuick);
+    host.lowMemory();
     host.open(160, 160);
-    expectAsRendered(host);
+    expectAsRendered(host, kMenu, "", 1);
     host.key(AKEYCODE_SPACE, AKEY_EVENT_ACTION_DOWN);  // turns by itself
     sleep(0.5);
     host.pause();
@@ -150,7 +155,47 @@ TEST_F(AndroidHost, NothingIsDrawnWhileItIsNotSeen) {
     EXPECT_EQ(host.frames(), before);
     host.start();
     host.resume();
-    expectAsRendered(host);
+    expectAsRendered(host, kMenu, "", 1);
+}
+
+bool logSays(const std::string& words) {
+    for (const std::string& line : takeLog())
+        if (line.find(words) != std::string::npos) return true;
+    return false;
+}
+
+TEST_F(AndroidHost, ALostDeviceIsReplacedAndOneThatGoesOnBeingLostIsTold) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.lowMemory();
+    host.open(120, 160);
+    expectAsRendered(host, kMenu, "", 1);
+    const int before = devicesMade();
+    loseDevices(1);
+    host.redraw();
+    ASSERT_TRUE(eventually([&] { return devicesMade() > before; }));
+    expectAsRendered(host, kMenu, "", 1);  // once what the viewer says of it has gone
+    EXPECT_FALSE(host.finishAsked());
+    EXPECT_TRUE(logSays("the device was lost"));
+    loseDevices(10);
+    host.redraw();
+    EXPECT_TRUE(eventually([&] { return host.finishAsked(); }));
+    loseDevices(0);
+    EXPECT_TRUE(logSays("drawing was given up"));
+}
+
+TEST_F(AndroidHost, ADeviceIsTriedAtItsFirstStartAlone) {
+    callDevicesPhones(true);
+    const auto started = [&] {
+        const int before = devicesMade();
+        Host host(folder_, std::nullopt, kQuick);
+        host.open(120, 160);
+        EXPECT_TRUE(eventually([&] { return host.frames() > 0; }));
+        return devicesMade() - before;
+    };
+    EXPECT_GT(started(), 1);  // one for each path
+    EXPECT_FALSE(std::filesystem::is_empty(folder_ / "devices"));
+    EXPECT_EQ(started(), 1);
+    callDevicesPhones(false);
 }
 
 /// Everything that the system may do next, one after the other, by chance.

@@ -23,7 +23,8 @@ std::map<VkInstance, VkDebugUtilsMessengerEXT> messengers;
 std::mutex faultsMutex;
 std::vector<std::string> faults;
 std::atomic<bool> broken{false};
-std::atomic<int> refused{0};
+std::atomic<bool> phones{false};
+std::atomic<int> refused{0}, losses{0}, made{0};
 
 template <typename Function>
 Function loaders(VkInstance instance, const char* name) {
@@ -133,6 +134,16 @@ VKAPI_ATTR VkResult VKAPI_CALL surfaceCapabilities(VkPhysicalDevice device, VkSu
 
 // --- devices
 
+VKAPI_ATTR void VKAPI_CALL properties(VkPhysicalDevice device, VkPhysicalDeviceProperties* told) {
+    NACRE_LOADERS(lastInstance, vkGetPhysicalDeviceProperties)(device, told);
+    if (phones) told->deviceType = VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU;
+}
+
+VKAPI_ATTR void VKAPI_CALL properties2(VkPhysicalDevice device, VkPhysicalDeviceProperties2* told) {
+    NACRE_LOADERS(lastInstance, vkGetPhysicalDeviceProperties2)(device, told);
+    if (phones) told->properties.deviceType = VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU;
+}
+
 VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
                                             const VkAllocationCallbacks* allocator, VkDevice* device) {
     const std::lock_guard lock(mutex);
@@ -140,6 +151,7 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkD
     if (result == VK_SUCCESS)
         devices[*device] = {lastInstance, physical, info->pQueueCreateInfos[0].queueFamilyIndex,
                             NACRE_LOADERS(lastInstance, vkGetDeviceProcAddr)};
+    ++made;
     return result;
 }
 
@@ -200,6 +212,9 @@ VKAPI_ATTR VkResult VKAPI_CALL acquire(VkDevice device, VkSwapchainKHR swapchain
         ANativeWindow& window = *swapchains.at(swapchain).window;
         const std::lock_guard windowLock(window.mutex);
         if (!window.alive) return VK_ERROR_SURFACE_LOST_KHR;
+        DeviceRecord& record = devices.at(device);
+        if (losses > 0 && !record.lost) --losses, record.lost = true;
+        if (record.lost) return VK_ERROR_DEVICE_LOST;
         if (refused > 0) {
             --refused;
             return VK_ERROR_OUT_OF_DATE_KHR;
@@ -248,6 +263,8 @@ PFN_vkVoidFunction replacementOf(const char* name) {
         NACRE_REPLACE(vkCreateAndroidSurfaceKHR, vkCreateAndroidSurfaceKHR),
         NACRE_REPLACE(vkDestroySurfaceKHR, destroySurface),
         NACRE_REPLACE(vkGetPhysicalDeviceSurfaceCapabilitiesKHR, surfaceCapabilities),
+        NACRE_REPLACE(vkGetPhysicalDeviceProperties, properties),
+        NACRE_REPLACE(vkGetPhysicalDeviceProperties2, properties2),
         NACRE_REPLACE(vkCreateDevice, createDevice),
         NACRE_REPLACE(vkDestroyDevice, destroyDevice),
         NACRE_REPLACE(vkGetDeviceQueue, getQueue),
@@ -284,6 +301,9 @@ PFN_vkVoidFunction loaderFunction(VkInstance instance, const char* name) {
 
 void setVulkanBroken(bool now) { broken = now; }
 void refuseFrames(int count) { refused = count; }
+void loseDevices(int count) { losses = count; }
+void callDevicesPhones(bool now) { phones = now; }
+int devicesMade() { return made; }
 
 void Faults::add(const std::string& fault) {
     const std::lock_guard lock(faultsMutex);

@@ -7,6 +7,15 @@ namespace nacre::test {
 /// No device from now on, as on a machine without a driver.
 void setVulkanBroken(bool broken);
 
+/// So many devices, one after the other, are lost when the next frame of a window is asked for.
+void loseDevices(int count);
+
+/// Devices say that they are a phone's, and no software that needs no trying.
+void callDevicesPhones(bool phones);
+
+/// Devices that were made since the process began.
+int devicesMade();
+
 /// Frames that are refused as out of date before the next one is taken.
 void refuseFrames(int count);
 

@@ -15,6 +15,7 @@ struct DeviceRecord {
     VkPhysicalDevice physical;
     std::uint32_t queueFamily;
     PFN_vkGetDeviceProcAddr procedure;  ///< the loader's
+    bool lost = false;
 };
 
 struct SwapchainRecord {

@@ -11,6 +11,8 @@
 #include <thread>
 
 #include "engine/error.h"
+#include "tests/fault_layer/faults.h"
+#include "tests/support/temporary_folder.h"
 
 namespace nacre::app {
 namespace {
@@ -177,6 +179,72 @@ TEST(MoleculeSession, IsRestoredFromItsState) {
     EXPECT_EQ(picture.rgba[0], 255);
     EXPECT_EQ(picture.rgba[3], 255);
     EXPECT_GT(std::count_if(picture.rgba.begin(), picture.rgba.end(), [](std::uint8_t v) { return v < 200; }), 100);
+}
+
+/// A layer that stands above the driver for as long as this lives.
+struct Layer {
+    Layer(const char* folder, const char* name) {
+        setenv("VK_ADD_LAYER_PATH", folder, 1);
+        setenv("VK_INSTANCE_LAYERS", name, 1);
+    }
+    ~Layer() {
+        for (const char* name : {"VK_ADD_LAYER_PATH", "VK_INSTANCE_LAYERS", "NACRE_PHONE", "NACRE_PHONE_WRONG"})
+            unsetenv(name);
+    }
+};
+
+TEST(MoleculeSession, ALostDeviceIsReplacedAndTheLossIsSaid) {
+    const Layer layer(NACRE_FAULT_LAYER_FOLDER, "VK_LAYER_NACRE_faults");
+    Host host;
+    MoleculeSession session(host.lend(), viewOf("/far/water.xyz"));
+    begin(session, host);
+    host.run(session);
+    const PictureBytes shown = session.picture(1);
+    faults::fail("vkQueueSubmit", 1, VK_ERROR_DEVICE_LOST);
+    session.viewer().resume(host.now);
+    for (int steps = 0; steps < 1000 && host.surfaces < 2; ++steps) session.step(host.now += 1.0 / 60);
+    EXPECT_EQ(host.surfaces, 2);
+    EXPECT_TRUE(spokenValue(session.viewer().annotations()).find("the device was lost") != std::string::npos)
+        << spokenValue(session.viewer().annotations());
+    host.run(session);
+    EXPECT_EQ(session.picture(1).rgba, shown.rgba);
+    expectValid(session);
+
+    // Again and again within a minute: no picture comes of that, and the app says so.
+    try {
+        for (int loss = 0; loss < 6; ++loss) {
+            faults::fail("vkQueueSubmit", 1, VK_ERROR_DEVICE_LOST);
+            session.viewer().resume(host.now);
+            for (int steps = 0, before = host.surfaces; steps < 1000 && host.surfaces == before; ++steps)
+                session.step(host.now += 1.0 / 60);
+        }
+        ADD_FAILURE() << "it goes on and on";
+    } catch (const Error& error) {
+        EXPECT_EQ(std::string(error.what()).rfind("drawing was given up: ", 0), 0u) << error.what();
+    }
+    faults::reset();
+}
+
+TEST(MoleculeSession, ADeviceIsTriedAtItsFirstStartAndAWrongPathIsNotTaken) {
+    const Layer layer(NACRE_PHONE_LAYER_FOLDER, "VK_LAYER_NACRE_phone");
+    const test::TemporaryFolder folder;
+    setenv("NACRE_PHONE", "moltenvk", 1);
+    setenv("NACRE_PHONE_WRONG", "min", 1);
+    std::string found;
+    for (int start = 0; start < 2; ++start) {
+        Host host;
+        MoleculeHost lent = host.lend();
+        lent.validate = false;  // what stands below the layer is no phone
+        lent.occlusionCache = folder / "occlusion";
+        const MoleculeSession session(std::move(lent), viewOf("/far/water.xyz"));
+        const DeviceInfo& device = session.renderer()->stats().device;
+        EXPECT_EQ(device.name, "the least iPhone");
+        EXPECT_NE(device.visibility, "encoded");
+        EXPECT_NE(device.selfTest.find("wrong"), std::string::npos) << device.selfTest;
+        EXPECT_TRUE(start == 0 || device.selfTest == found) << "its times are those of the first start";
+        found = device.selfTest;
+    }
+    EXPECT_FALSE(std::filesystem::is_empty(folder / "devices"));
 }
 
 TEST(MoleculeSession, SaysWhyAFileIsNotShown) {
