@@ -79,10 +79,10 @@ struct WindowFrame {
     };
     Quality quality = Quality::live;
     double scale = 1;
-    double meshError = 2;              ///< of a live frame, times RenderSettings::meshError
     std::uint32_t samples = 1;         ///< that a pixel of the refined picture has in the end: 1, 4, 9 or 16
     std::uint32_t sample = 0;          ///< the one that this frame adds; the first begins anew
     const Overlay* overlay = nullptr;  ///< good until the call returns
+    double meshError = 2;              ///< of a live frame, times RenderSettings::meshError
 };
 
 }  // namespace nacre
