@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 #include "engine/error.h"
@@ -28,7 +29,7 @@ std::string nameOf(const std::string& key) { return "paths-" + key; }
 
 std::string textOf(const SelfTest& test) {
     std::ostringstream text;
-    text << kHeading << '\n';
+    text << std::setprecision(std::numeric_limits<double>::max_digits10) << kHeading << '\n';
     for (const PathResult& r : test)
         text << visibilityName(r.visibility) << ' ' << kOutcomes[static_cast<int>(r.outcome)] << ' ' << r.milliseconds
              << ' ' << r.tries << ' ' << r.subpasses << ' ' << r.carried << ' ' << r.transientBytes << ' '
