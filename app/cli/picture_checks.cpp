@@ -1,6 +1,7 @@
 // What no option of a picture alone can tell.
 
 #include <algorithm>
+#include <iterator>
 
 #include "app/cli/movie_options.h"
 #include "app/cli/paper_options.h"
@@ -75,12 +76,14 @@ void checkDebug(const RenderOptions& options) {
         throw UsageError("--debug " + view + " takes one sample a pixel: leave out --supersample");
 }
 
-void checkFiles(const RenderOptions& options) {
+/// @param further  files that not every command has
+void checkFiles(const RenderOptions& options, std::vector<NamedFile> further = {}) {
     std::vector<NamedFile> files{{"INPUT", filePathOf(options.input)}, {"--view", options.view},
                                  {"--output", options.output, true},   {"--layers", options.layers, true},
                                  {"--stats", options.stats, true},     {"--capture", options.capture, true}};
     files.push_back({"--trajectory", options.input.trajectory.path});
-    for (const FurtherInput& further : options.input.further) files.push_back({"INPUT", further.path});
+    for (const FurtherInput& input : options.input.further) files.push_back({"INPUT", input.path});
+    std::move(further.begin(), further.end(), std::back_inserter(files));
     try {
         checkApart(files);
     } catch (const std::invalid_argument& error) {
@@ -139,7 +142,10 @@ void checkMovie(MovieOptions& options) {
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
     }
-    checkFiles(picture);
+    std::vector<NamedFile> further{{"--report", options.report, true}};
+    for (std::size_t i = 0; i < options.views.size(); ++i)
+        if (options.views[i] != picture.view) further.push_back({"--views", options.views[i]});
+    checkFiles(picture, std::move(further));
 }
 
 bool checkWindow(RenderOptions& first) {

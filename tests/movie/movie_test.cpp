@@ -423,6 +423,10 @@ TEST(Movie, RefusesWhatCannotBeInOneLine) {
         {"unlike.xyz -o a.gif --views a.json,a.json --models --camera model", 2, "camera that --views do not move"},
         {"- -o a.gif --models", 2, "not standard input"},
         {"-o a.gif --views a.json", 2, "two views or more"},
+        {"unlike.xyz -o a.gif --spin y --report ./unlike.xyz", 2, "INPUT and --report are the same file"},
+        {"-o a.gif --views a.json,a.json --report a.json", 2, "--report are the same file"},
+        {"-o a.gif --views a.json,b.json --report b.json", 2, "--report and --views are the same file"},
+        {"sample:dna -o a.gif --spin y --report a.gif", 2, "--output and --report are the same file"},
         {"-o a.gif --views a.json,b.json", 1, "another molecule"},
         {"-o a.gif --views a.json,none.json", 1, "none.json"},
         {"-o a.gif --spin y", 2, "INPUT is required"},
@@ -435,6 +439,7 @@ TEST(Movie, RefusesWhatCannotBeInOneLine) {
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     }
     EXPECT_EQ(folder.count(), 3u) << "something is left behind";
+    EXPECT_EQ(contentOf(folder / "a.json"), R"({"input": "sample:glucose"})");
     const Outcome outcome = nacreIn(folder, "movie sample:dna -o a.mp4 --spin y", "", "PATH=/nowhere");
     EXPECT_EQ(outcome.code, 1);
     EXPECT_NE(outcome.err.find("Debian's package ffmpeg"), std::string::npos) << outcome.err;
