@@ -4,17 +4,19 @@
 #include <string>
 
 #include "engine/error.h"
+#include "engine/molecule/drawn_atoms.h"
 
 namespace nacre {
 namespace {
 
 constexpr std::size_t kMostResidues = 20'000;
 
-/// Residues with a selected atom, in their order.
+/// Residues with a selected atom, in their order. Waters are none: their order in two files says nothing.
 std::vector<std::uint32_t> residuesOf(const Molecule& molecule, const std::vector<bool>& selected) {
     std::vector<std::uint32_t> residues;
     for (std::uint32_t i = 0; i < molecule.residues.size(); ++i) {
         const Residue& residue = molecule.residues[i];
+        if (isWater(residue.name)) continue;
         for (std::uint32_t atom = residue.firstAtom; atom < residue.firstAtom + residue.atomCount; ++atom) {
             if (!selected[atom]) continue;
             residues.push_back(i);

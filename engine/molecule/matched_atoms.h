@@ -14,7 +14,7 @@ struct AtomPairs {
 
 /// Residues are paired by aligning the sequences of their names (Needleman and Wunsch, gemmi's; a match counts 1,
 /// another residue or a gap -1), and in each pair the atoms of one name. Atoms that occur twice, as other conformers
-/// do, count once.
+/// do, count once, waters not at all.
 /// @param first, second  one value an atom
 /// @throws Error if a selection has more than 20,000 residues, or names of too many kinds
 AtomPairs matchAtoms(const Molecule& molecule, const std::vector<bool>& first, const std::vector<bool>& second);
