@@ -129,6 +129,9 @@ void WindowSession::saveView() {
         view.hash = fileHash(view.input);
         view.trajectory.hash = trajectoryHash(view.trajectory.path);
         for (FurtherInput& further : view.further) further.hash = fileHash(further.path);
+        view.input = pathInView(path, view.input);
+        view.trajectory.path = pathInView(path, view.trajectory.path);
+        for (FurtherInput& further : view.further) further.path = pathInView(path, further.path);
         writeText(file, savedViewJson(view));
         viewer().say("saved " + path, now());
     } catch (const Error& error) {

@@ -79,6 +79,11 @@ std::string outsideText(const std::string& view, const std::string& path) {
 
 }  // namespace
 
+std::string pathInView(const std::string& view, const std::string& path) {
+    if (path.empty() || !isFile(path) || isOutside(view, path)) return path;
+    return real(path).lexically_relative(real(view).parent_path()).string();
+}
+
 std::string fileHash(const std::string& path) { return hashOfFile(path, 0); }
 
 std::string trajectoryHash(const std::string& path) { return hashOfFile(path, std::uint64_t{16} << 20); }

@@ -14,6 +14,9 @@ namespace nacre::app {
 /// it, by whatever name.
 std::string filePathOf(const InputOptions& input);
 
+/// A path as a view of this name states it: from its folder on, if it leads into it, so that both can move together.
+std::string pathInView(const std::string& view, const std::string& path);
+
 /// What a file's content is known by: its length in bytes and its XXH3, "49842-1f0c...". Empty for what is no plain
 /// file or cannot be read.
 std::string fileHash(const std::string& path);

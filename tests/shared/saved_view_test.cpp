@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "app/shared/appearance_values.h"
+#include "app/shared/view_input.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -41,6 +42,17 @@ TEST(SavedView, ComesBackToTheLastDigit) {
     EXPECT_EQ(back.camera.orientation, view.camera.orientation);
     EXPECT_EQ(back.camera.pan, view.camera.pan);
     EXPECT_EQ(back.look, view.look);
+}
+
+TEST(SavedView, StatesFilesFromItsFolderOn) {
+    EXPECT_EQ(pathInView("/data/a.view.json", "/data/sub/1bna.pdb"), "sub/1bna.pdb");
+    EXPECT_EQ(pathInView("/data/a.view.json", "/data/1bna.pdb"), "1bna.pdb");
+    EXPECT_EQ(pathInView("/data/a.view.json", "/data/sub/../../other/1bna.pdb"), "/data/sub/../../other/1bna.pdb");
+    for (const char* none : {"", "-", "sample:dna", "pdb:1bna"}) EXPECT_EQ(pathInView("/data/a.view.json", none), none);
+    InputOptions input;  // which leads there again
+    input.path = "sub/1bna.pdb";
+    input.namedBy = "/data/a.view.json";
+    EXPECT_EQ(filePathOf(input), "/data/sub/1bna.pdb");
 }
 
 TEST(SavedView, AnEmptyObjectIsTheDefault) {
