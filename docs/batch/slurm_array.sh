@@ -6,6 +6,12 @@
 # afterwards draws what is missing.
 set -euo pipefail
 jobs=$1
+tasks=$SLURM_ARRAY_TASK_COUNT
+task=$((SLURM_ARRAY_TASK_ID - SLURM_ARRAY_TASK_MIN))
+if ((SLURM_ARRAY_TASK_MAX - SLURM_ARRAY_TASK_MIN + 1 != tasks)); then
+    echo "slurm_array.sh: the array leaves numbers out, and would leave jobs out" >&2
+    exit 2
+fi
 
-awk -v tasks="$SLURM_ARRAY_TASK_COUNT" -v task="$SLURM_ARRAY_TASK_ID" 'NR % tasks == task' "$jobs" |
+awk -v tasks="$tasks" -v task="$task" 'NR % tasks == task' "$jobs" |
     nacre batch - --resume --jobs "${SLURM_CPUS_PER_TASK:-1}" >"${jobs%.jsonl}.$SLURM_ARRAY_TASK_ID.report.jsonl"

@@ -68,11 +68,12 @@ class Examples(unittest.TestCase):
         (self.folder / "jobs.jsonl").write_text("".join(
             json.dumps({"input": s, "output": f"pictures/{pathlib.Path(s).stem}.png", "size": "64x64"}) + "\n"
             for s in self.structures))
-        for task in range(2):
+        for task in 1, 2:  # --array=1-2
             self.run_example(EXAMPLES / "slurm_array.sh", "jobs.jsonl", SLURM_ARRAY_TASK_COUNT="2",
-                             SLURM_ARRAY_TASK_ID=str(task), SLURM_CPUS_PER_TASK="2")
+                             SLURM_ARRAY_TASK_MIN="1", SLURM_ARRAY_TASK_MAX="2", SLURM_ARRAY_TASK_ID=str(task),
+                             SLURM_CPUS_PER_TASK="2")
         self.check_pictures("pictures")
-        self.assertEqual(self.statuses("jobs.0.report.jsonl", "jobs.1.report.jsonl"), ["done"] * 3)
+        self.assertEqual(self.statuses("jobs.1.report.jsonl", "jobs.2.report.jsonl"), ["done"] * 3)
 
     @needs("snakemake")
     def test_snakemake(self):
