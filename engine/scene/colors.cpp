@@ -65,10 +65,10 @@ std::uint32_t residueColor(std::string_view name) {
 }
 
 std::uint32_t copyTint(std::size_t tint, std::size_t count) {
-    constexpr std::size_t kMost = 6;
+    constexpr std::size_t kMostTones = 6;
     constexpr double kDarkest = 130;  // sRGB: a fifth of the light
-    const std::size_t steps = std::clamp<std::size_t>(count, 2, kMost) - 1;
-    const double share = static_cast<double>(tint % kMost) / static_cast<double>(steps);
+    const std::size_t steps = std::clamp<std::size_t>(count, 2, kMostTones) - 1;
+    const double share = static_cast<double>(tint % kMostTones) / static_cast<double>(steps);
     const auto grey = static_cast<std::uint32_t>(std::lround(255 - (255 - kDarkest) * share));
     return grey | grey << 8 | grey << 16 | 0xfe000000u;
 }
