@@ -1,0 +1,158 @@
+// Films through the models of a file.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <vector>
+
+#include "tests/movie/films.h"
+#include "tests/support/measured_run.h"
+
+namespace nacre::app {
+namespace {
+
+TEST(Movie, GoesThroughModels) {
+    const TemporaryFolder folder;
+    std::ofstream xyz(folder / "m.xyz");
+    for (int model = 0; model < 3; ++model) xyz << "2\nm\nC 0 0 0\nO " << 1.2 + model * 0.2 << " 0 0\n";
+    xyz.close();
+    const Outcome outcome = nacreIn(folder, "movie m.xyz -o f/ --models --fps 10" + kSmall);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(std::filesystem::exists(folder / "f/frame_00003.png"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "f/frame_00004.png"));
+    EXPECT_NE(contentOf(folder / "f/frame_00001.png"), contentOf(folder / "f/frame_00003.png"));
+}
+
+// The camera that all models share, or one for each; bonds and atoms are each model's own.
+TEST(Movie, ModelsAreThePicturesThatRenderDraws) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "m.xyz") << "2\nm\nC 0 0 0\nO 1.2 0 0\n2\nm\nC 0 5 0\nO 2.6 5 0\n3\nm\nC 0 0 3\nO 0 1.2 3\n"
+                                       "N 4 4 4\n";
+    for (const std::string options : {"", " --camera model", " --projection perspective --rotate 10,20,30"}) {
+        const Outcome movie = nacreIn(folder, "movie m.xyz -o f/ --models --fps 10" + kSmall + options);
+        ASSERT_EQ(movie.code, 0) << movie.err;
+        for (const char* model : {"1", "2", "3"}) {
+            ASSERT_EQ(nacreIn(folder, std::string("render m.xyz -o a.png --model ") + model + kSmall + options).code,
+                      0);
+            EXPECT_TRUE(contentOf(folder / ("f/frame_0000" + std::string(model) + ".png")) ==
+                        contentOf(folder / "a.png"))
+                << model << options;
+        }
+    }
+}
+
+TEST(Movie, ModelsGoOnAlongViews) {
+    const TemporaryFolder folder;
+    std::ofstream xyz(folder / "m.xyz");
+    for (int model = 0; model < 4; ++model) xyz << "2\nm\nC 0 0 0\nO 0 " << 1.2 + model << " 0\n";
+    xyz.close();
+    for (const char* name : {"a.json", "b.json"})
+        std::ofstream(folder / name) << R"({"input": "m.xyz", "orientation": [1, 0, 0, 0], "occlusion": "off"})";
+    for (const char* smooth : {"", " --smooth 3"}) {
+        const Outcome movie =
+            nacreIn(folder, std::string("movie --views a.json,b.json --models --fps 4 --seconds 1 -o f/ --size 64x48") +
+                                smooth);
+        ASSERT_EQ(movie.code, 0) << movie.err;
+        for (int i = 2; i <= 4; ++i)
+            EXPECT_NE(contentOf(folder / "f/frame_00001.png"),
+                      contentOf(folder / ("f/frame_0000" + std::to_string(i) + ".png")))
+                << i << smooth;
+    }
+}
+
+// A file that is longer than what is held of one, whose models are read as they are needed.
+TEST(Movie, HoldsNoMoreOfAFileThanItsModels) {
+    const TemporaryFolder folder;
+    std::string model;
+    for (int i = 0; i < 5000; ++i) {
+        char line[100];
+        std::snprintf(line, sizeof line, "ATOM  %5d  CA  GLY A%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\n", i, i,
+                      i % 20 * 4.0, i / 20 % 20 * 4.0, i / 400 * 4.0);
+        model += line;
+    }
+    const auto write = [&](const char* name, int models) {
+        std::ofstream out(folder / name);
+        for (int i = 1; i <= models; ++i) out << "MODEL " << i << "\n" << model << "ENDMDL\n";
+    };
+    write("few.pdb", 2);
+    write("many.pdb", 120);  // 48 MB
+    const auto peakOf = [&](const char* name) {
+        const test::MeasuredRun run =
+            test::runMeasured({"movie", folder / name, "--models", "--seconds", "0.3", "--fps", "10", "--size", "32x32",
+                               "--occlusion", "off", "--style", "spacefill", "-o", folder / "a.png", "-q"});
+        EXPECT_EQ(run.code, 0) << run.err;
+        return run.peakBytes;
+    };
+    const auto few = peakOf("few.pdb"), many = peakOf("many.pdb");
+    EXPECT_LT(many, few + (24u << 20)) << "the text is 48 MB, its positions 7";
+}
+
+TEST(Movie, FitsAndSmoothsModels) {
+    const TemporaryFolder folder;
+    // What shakes stands at its mean, at both ends that of two; what turns goes back. Beside the same written out.
+    // Four atoms about it are where the camera that all models share goes by.
+    const std::string still = "C 0 0 0\nO 2 0 0\nN 0 2 0\n", frame = "He 4 0 0\nHe 0 4 0\nHe -4 0 0\nHe 0 -4 0\n",
+                      turned = "He 0 4 0\nHe -4 0 0\nHe 0 -4 0\nHe 4 0 0\n";
+    const auto write = [&](const char* name, std::initializer_list<std::string> models) {
+        std::ofstream out(folder / name + ".xyz");
+        for (const std::string& atoms : models) out << "7\nm\n" << atoms;
+    };
+    const auto lifted = [&](const std::string& y, const std::string& top) {
+        return "C 0 " + y + " 0\nO 2 " + y + " 0\nN 0 " + top + " 0\n" + frame;
+    };
+    write("shaken", {still + frame, lifted("0.6", "2.6"), still + frame});
+    write("smooth", {lifted("0.3", "2.3"), lifted("0.2", "2.2"), lifted("0.3", "2.3")});
+    write("turned", {still + frame, "C 0 0 0\nO 0 2 0\nN -2 0 0\n" + turned});
+    write("still", {still + frame, still + frame});
+    const auto frames = [&](const std::string& molecule, const std::string& options) {
+        const std::string movie = std::to_string(folder.count()) + ".png";
+        const Outcome outcome =
+            nacreIn(folder, "movie " + molecule + ".xyz -o " + movie + " --models --fps 10 " + options + kSmall);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return framesOf(folder / movie);
+    };
+    // Outlines that pass through centres of pixels fall to either side.
+    const auto apart = [](const std::string& a, const std::string& b) {
+        EXPECT_EQ(a.size(), b.size());
+        double sum = 0;
+        for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+            sum += std::abs(static_cast<unsigned char>(a[i]) - static_cast<unsigned char>(b[i]));
+        return sum / static_cast<double>(a.size());
+    };
+    const std::string smoothed = frames("smooth", ""), unmoved = frames("still", "");
+    EXPECT_LT(apart(frames("shaken", "--smooth 3"), smoothed), 0.3);
+    EXPECT_GT(apart(frames("shaken", ""), smoothed), 1);
+    EXPECT_LT(apart(frames("turned", "--fit-frames all"), unmoved), 0.3);
+    EXPECT_GT(apart(frames("turned", ""), unmoved), 1);
+}
+
+TEST(Movie, WordsGoWithTheAtomsThatTheyName) {
+    const TemporaryFolder folder;
+    std::ofstream xyz(folder / "m.xyz");
+    for (const int y : {-4, 0, 4}) xyz << "3\nm\nC 0 -8 0\nC 0 8 0\nN 4 " << y << " 0\n";
+    xyz.close();
+    const auto frames = [&](const char* movie, const char* options) {
+        const Outcome outcome =
+            nacreIn(folder, std::string("movie m.xyz --models --smooth 3 --fps 10 -o ") + movie + kSmall + options);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return framesOf(folder / movie);
+    };
+    const std::string plain = frames("a.png", ""), named = frames("b.png", "--label 'element N=N'");
+    ASSERT_EQ(plain.size(), 3 * kFrameBytes);
+    ASSERT_EQ(named.size(), plain.size());
+    std::vector<double> rows;
+    for (std::size_t frame = 0; frame < 3; ++frame) {
+        double sum = 0, count = 0;
+        for (std::size_t i = 0; i < kFrameBytes; ++i)
+            if (plain[frame * kFrameBytes + i] != named[frame * kFrameBytes + i])
+                sum += static_cast<double>(i / (3 * 64)), ++count;
+        ASSERT_GT(count, 20) << frame;
+        rows.push_back(sum / count);
+    }
+    EXPECT_GT(rows[0], rows[1] + 1);
+    EXPECT_GT(rows[1], rows[2] + 1);
+}
+
+}  // namespace
+}  // namespace nacre::app
