@@ -12,6 +12,7 @@
 
 #include "engine/error.h"
 #include "tests/fault_layer/faults.h"
+#include "tests/support/headless_surface.h"
 #include "tests/support/temporary_folder.h"
 
 namespace nacre::app {
@@ -27,15 +28,10 @@ public:
     MoleculeHost lend() {
         MoleculeHost host;
         host.validate = true;
-        host.surface.instanceExtensions = {VK_KHR_SURFACE_EXTENSION_NAME, VK_EXT_HEADLESS_SURFACE_EXTENSION_NAME};
-        host.surface.create = [this](VkInstance instance) {
+        host.surface = test::headlessSurface();
+        host.surface.create = [this, create = host.surface.create](VkInstance instance) {
             ++surfaces;
-            const auto make = reinterpret_cast<PFN_vkCreateHeadlessSurfaceEXT>(
-                vkGetInstanceProcAddr(instance, "vkCreateHeadlessSurfaceEXT"));
-            const VkHeadlessSurfaceCreateInfoEXT info{VK_STRUCTURE_TYPE_HEADLESS_SURFACE_CREATE_INFO_EXT, nullptr, 0};
-            VkSurfaceKHR surface = VK_NULL_HANDLE;
-            EXPECT_EQ(make(instance, &info, nullptr, &surface), VK_SUCCESS);
-            return surface;
+            return create(instance);
         };
         host.readFile = [](const std::string& path) -> std::string {
             if (path == "/far/water.xyz") return "3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n";

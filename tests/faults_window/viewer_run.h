@@ -7,6 +7,7 @@
 
 #include "app/viewer/session.h"
 #include "tests/faults/fault_run.h"
+#include "tests/support/headless_surface.h"
 
 namespace nacre::test {
 
@@ -77,16 +78,7 @@ private:
         DeviceOptions options;
         options.validate = true;
         options.visibility = Visibility::encoded;
-        options.surface.instanceExtensions = {VK_KHR_SURFACE_EXTENSION_NAME, VK_EXT_HEADLESS_SURFACE_EXTENSION_NAME};
-        options.surface.create = [](VkInstance instance) {
-            const auto make = reinterpret_cast<PFN_vkCreateHeadlessSurfaceEXT>(
-                vkGetInstanceProcAddr(instance, "vkCreateHeadlessSurfaceEXT"));
-            const VkHeadlessSurfaceCreateInfoEXT info{VK_STRUCTURE_TYPE_HEADLESS_SURFACE_CREATE_INFO_EXT, nullptr, 0};
-            VkSurfaceKHR surface = VK_NULL_HANDLE;
-            const VkResult result = make(instance, &info, nullptr, &surface);
-            if (result != VK_SUCCESS) throw Error("cannot make a surface", "", std::to_string(result));
-            return surface;
-        };
+        options.surface = headlessSurface();
         return options;
     }
     static app::Sources sources() {

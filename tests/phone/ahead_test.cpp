@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "tests/renderer/scenes.h"
+#include "tests/support/headless_surface.h"
 #include "tests/support/temporary_folder.h"
 
 namespace nacre::test {
@@ -17,15 +18,7 @@ DeviceOptions window() {
     DeviceOptions options;
     options.validate = true;
     options.visibility = Visibility::encoded;
-    options.surface.instanceExtensions = {VK_KHR_SURFACE_EXTENSION_NAME, VK_EXT_HEADLESS_SURFACE_EXTENSION_NAME};
-    options.surface.create = [](VkInstance instance) {
-        const auto make = reinterpret_cast<PFN_vkCreateHeadlessSurfaceEXT>(
-            vkGetInstanceProcAddr(instance, "vkCreateHeadlessSurfaceEXT"));
-        const VkHeadlessSurfaceCreateInfoEXT info{VK_STRUCTURE_TYPE_HEADLESS_SURFACE_CREATE_INFO_EXT, nullptr, 0};
-        VkSurfaceKHR surface = VK_NULL_HANDLE;
-        EXPECT_EQ(make(instance, &info, nullptr, &surface), VK_SUCCESS);
-        return surface;
-    };
+    options.surface = headlessSurface();
     return options;
 }
 

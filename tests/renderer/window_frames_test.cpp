@@ -5,6 +5,7 @@
 
 #include "engine/error.h"
 #include "tests/renderer/scenes.h"
+#include "tests/support/headless_surface.h"
 
 namespace nacre::test {
 namespace {
@@ -17,15 +18,10 @@ DeviceOptions windowOptions(Visibility visibility) {
     DeviceOptions options;
     options.validate = true;
     options.visibility = visibility;
-    options.surface.instanceExtensions = {VK_KHR_SURFACE_EXTENSION_NAME, VK_EXT_HEADLESS_SURFACE_EXTENSION_NAME};
-    options.surface.create = [](VkInstance instance) {
+    options.surface = headlessSurface();
+    options.surface.create = [create = options.surface.create](VkInstance instance) {
         ++surfaces;
-        const auto make = reinterpret_cast<PFN_vkCreateHeadlessSurfaceEXT>(
-            vkGetInstanceProcAddr(instance, "vkCreateHeadlessSurfaceEXT"));
-        const VkHeadlessSurfaceCreateInfoEXT info{VK_STRUCTURE_TYPE_HEADLESS_SURFACE_CREATE_INFO_EXT, nullptr, 0};
-        VkSurfaceKHR surface = VK_NULL_HANDLE;
-        EXPECT_EQ(make(instance, &info, nullptr, &surface), VK_SUCCESS);
-        return surface;
+        return create(instance);
     };
     return options;
 }
