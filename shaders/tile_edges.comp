@@ -331,7 +331,9 @@ void main() {
         if (kListed) {
             uvec2 bin = uvec2(first & 0xffffu, first >> 16) / uint(kTile * kTilesInBin);
             uint list = view.offsets + bin.y * view.across + bin.x;
-            sampleList(some ? listAt(list) : 0u, some ? listAt(list + 1u) : 1u, lane);
+            // Without work, an empty list: the word before it is the number of a primitive.
+            uint at = listAt(some ? list : view.offsets);
+            sampleList(at, some ? listAt(list + 1u) : at, lane);
         } else {
             sampleNeighbours(ivec2(pixel));
         }

@@ -214,7 +214,6 @@ void main() {
     uvec2 bin = corner / uint(kTile * kTilesInBin);
     uint at = listAt(view.offsets + bin.y * view.across + bin.x);
     uint end = listAt(view.offsets + bin.y * view.across + bin.x + 1u);
-    bool empty = at == end;  // where pixels begin with all that they show; any number stands for its first
 
     vec2 first = vec2(corner + uvec2(lane % uint(kTile), lane / uint(kTile))) + 0.5;
     for (int i = 0; i < kPixels; ++i) {
@@ -232,7 +231,7 @@ void main() {
 #endif
     vec2 middle = planePoint(vec2(corner) + float(kTile / 2));
     vec2 reach = vec2(float(kTile / 2) * view.pixel);
-    bool more = true;  // tiles of empty bins are not drawn
+    bool more = true;  // the word before an empty list is the number of a primitive
     do {
 #ifdef TRIANGLES
         // Where a list holds few but triangles, a chunk without others takes no turn of their loops.
@@ -240,7 +239,7 @@ void main() {
         Entry e;
         do {
             bool mine = at + lane < end;
-            e = entryAt(empty ? 1u : listAt(min(at + lane, end - 1u)), middle, reach);
+            e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
             balls = ballotOf(mine && e.meets && !e.cylinder && !e.facet);
             sticks = ballotOf(mine && e.meets && e.cylinder);
             uint facets = ballotOf(mine && e.meets && e.facet);
@@ -256,7 +255,7 @@ void main() {
         } while ((balls | sticks) == 0u && goesOn(at, end, e.next));
 #else
         bool mine = at + lane < end;
-        Entry e = entryAt(empty ? 1u : listAt(min(at + lane, end - 1u)), middle, reach);
+        Entry e = entryAt(listAt(min(at + lane, end - 1u)), middle, reach);
         uint balls = ballotOf(mine && e.meets && !e.cylinder);
         uint sticks = ballotOf(mine && e.meets && e.cylinder);
         at += uint(kLanes);

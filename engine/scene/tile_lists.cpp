@@ -262,6 +262,7 @@ void TileLists::write(std::uint32_t* to) {
     for (const Tile& tile : tiles_) *to++ = tile.x | std::uint32_t{tile.y} << 16;
     const auto base = static_cast<std::uint32_t>(words() - entries());
     for (const std::uint32_t offset : offsets_) *to++ = base + offset;
+    *to++ = 1;
     cursors_.assign(offsets_.begin(), offsets_.end());
     for (const std::uint32_t i : order_) {
         const Kept& k = kept_[i];

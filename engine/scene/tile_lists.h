@@ -89,8 +89,9 @@ public:
     std::size_t entries() const { return offsets_.empty() ? 0 : offsets_.back(); }
     std::uint32_t longest() const { return longest_; }  ///< entries of a list
     /// What a device needs of it, in words: tiles (x | y << 16); where the bins' lists begin, and where the last ends;
-    /// the lists.
-    std::size_t words() const { return tiles_.size() + offsets_.size() + entries(); }
+    /// a primitive's number, 1; the lists. So the word before a list is a number of a primitive, and who goes through
+    /// one that is empty may read that in place of its first.
+    std::size_t words() const { return tiles_.size() + offsets_.size() + 1 + entries(); }
     void write(std::uint32_t* to);
 
 private:

@@ -361,6 +361,43 @@ TEST(TileLists, TilesAndSpansAreThoseOfBinsThatAreNotEmpty) {
     }
 }
 
+/// Shaders read the word before a list that is empty as if it were the list's: it has to be a number of a primitive.
+TEST(TileLists, TheWordBeforeAListIsTheNumberOfAPrimitive) {
+    Representation sheet;  // far wider than the picture: the host knows all that its pixels show
+    Mesh mesh;
+    mesh.positions = {{-90, -90, 0}, {90, -90, 0}, {0, 180, 0}};
+    mesh.normals.assign(3, {0, 0, 1});
+    mesh.atoms.assign(3, 0);
+    mesh.triangles = {{0, 1, 2}};
+    appendMesh(
+        mesh, glm::dvec3(0), [](std::uint32_t) { return SphereLook{}; }, sheet);
+    const std::vector<Sphere> spheres = {{{20, 20, 5}, 1}};
+    const std::vector<glm::vec4> rows = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
+    const TileCall ball{rows.data(), 0, 1, 1}, triangle{rows.data(), 0, 1, 2};
+    TileView view;
+    view.width = view.height = 64;
+    view.axis = {32, 32};
+    view.origin = 200;
+    view.range = 400;
+    view.centers = true;
+    for (const bool balls : {false, true}) {
+        const std::span<const TileCall> calls(&ball, balls ? 1 : 0);
+        TileLists lists;
+        lists.build(view, {spheres, calls, {}, {}, sheet.triangles, sheet.meshVertices, {&triangle, 1}});
+        ASSERT_EQ(lists.tiles().size(), 64u);
+        std::vector<std::uint32_t> words(lists.words(), 0xdeadbeefu);
+        lists.write(words.data());
+        const std::uint32_t* offsets = &words[lists.tiles().size()];
+        std::size_t empty = 0;
+        for (std::size_t bin = 0; bin < std::size_t{lists.across()} * lists.down(); ++bin) {
+            empty += offsets[bin] == offsets[bin + 1];
+            ASSERT_LE(offsets[bin + 1], words.size());
+            for (std::uint32_t at = offsets[bin] - 1; at < offsets[bin + 1]; ++at) EXPECT_EQ(words[at], 1u) << bin;
+        }
+        EXPECT_EQ(empty, balls ? 15u : 16u);
+    }
+}
+
 TEST(TileLists, WhatIsOutsideThePictureIsNotKept) {
     const std::vector<Sphere> spheres = {{{0, 0, 0}, 1}, {{100, 0, 0}, 1}, {{0, -100, 0}, 1}, {{-100, 100, 0}, 1}};
     const std::vector<glm::vec4> rows = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
