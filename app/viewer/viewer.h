@@ -236,6 +236,8 @@ private:
     glm::dvec2 freeOrigin() const { return glm::dvec2(covered_.left, covered_.top) / scale_; }
     Viewport viewport() const { return {freeSize().width / scale_, freeSize().height / scale_}; }
     double radius() const { return document_.molecule ? document_.radius : 1.0; }
+    /// Share of it that is done of what there is: nothing has none.
+    double bakedShare() const { return document_.molecule ? occlusion_ : 1.0; }
     void changed(double now) { schedule_.pictureChanged(now); }
 
     Screen& screen_;

@@ -81,9 +81,9 @@ double Viewer::update(double now, const std::function<const Overlay*()>& overlay
     if (!frameRetry_.due(now)) return std::min(due, frameRetry_.at());
     schedule_.setSamples(refinedSamples());
     schedule_.setMeshes(!document_.scene.triangles.empty());
-    const FrameSchedule::Next next = schedule_.next(now, moving, occlusion_);
+    const FrameSchedule::Next next = schedule_.next(now, moving, bakedShare());
     if (next.draw != Draw::nothing) draw(next, now, moving, overlay);
-    const FrameSchedule::Next after = schedule_.next(now, moving, occlusion_);
+    const FrameSchedule::Next after = schedule_.next(now, moving, bakedShare());
     double wake = after.draw != Draw::nothing ? now : after.wake;
     if (after.draw == Draw::nothing && !occlusionRetry_.due(now)) wake = occlusionRetry_.at();
     wake = std::min(wake, hand ? handRests() : kNever);
@@ -95,7 +95,7 @@ double Viewer::update(double now, const std::function<const Overlay*()>& overlay
 void Viewer::awaitFrame(double now) {
     const bool moving = motion_.moving() || now < handRests();
     if (!schedule_.visible() || deviceLost_ || !frameRetry_.due(now)) return;
-    if (schedule_.next(now, moving, occlusion_).draw != Draw::nothing) screen_.awaitFrame();
+    if (schedule_.next(now, moving, bakedShare()).draw != Draw::nothing) screen_.awaitFrame();
 }
 
 void Viewer::advanceOcclusion(double now, bool moving) {
@@ -133,7 +133,7 @@ void Viewer::draw(const FrameSchedule::Next& next, double now, bool moving,
     }
     switch (outcome) {
         case FrameOutcome::shown:
-            schedule_.shown(next, now, moving, occlusion_, screen_.frameMilliseconds() / 1000);
+            schedule_.shown(next, now, moving, bakedShare(), screen_.frameMilliseconds() / 1000);
             break;
         case FrameOutcome::resized:
             resize(screen_.windowSize(), scale_, now);

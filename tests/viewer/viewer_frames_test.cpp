@@ -28,6 +28,19 @@ TEST(Viewer, ConvergesRefinesOnceAndThenDrawsNothing) {
     EXPECT_TRUE(std::isinf(b.step()));
 }
 
+TEST(Viewer, AnEmptyOneRestsToo) {
+    Bench b("");
+    b.run(2);
+    const std::size_t drawn = b.screen.frames.size();
+    EXPECT_GT(drawn, 0u);
+    EXPECT_TRUE(std::isinf(b.step())) << "there is nothing to bake, and nobody is to wait for it";
+    b.viewer.open("sample:glucose", b.now);
+    b.load();
+    b.run(2);
+    EXPECT_EQ(b.screen.occlusion, 1);
+    EXPECT_TRUE(std::isinf(b.step()));
+}
+
 TEST(Viewer, EveryChangeIsDrawnAndRefinedOnce) {
     Bench b;
     b.run(2);
