@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -17,7 +18,7 @@ PortalAnswer openByPortal(const std::string&) { return {}; }
 PortalAnswer saveByPortal(const std::string&, const std::string&) { return {}; }
 #endif
 
-constexpr const char *kOpen = "Open a structure", *kSave = "Save the picture";
+constexpr const char *kOpen = "Open structures", *kSave = "Save the picture";
 
 bool preferKdialog() {
     const char* desktop = std::getenv("XDG_CURRENT_DESKTOP");
@@ -25,24 +26,28 @@ bool preferKdialog() {
     return hasProgram("kdialog") && (onKde || !hasProgram("zenity"));
 }
 
-/// A program's answer is a line.
-std::string lineOf(const std::optional<std::string>& answer) {
-    std::string path = answer.value_or("");
-    while (!path.empty() && path.back() == '\n') path.pop_back();
-    return path;
+/// Programs answer with a line a file.
+std::vector<std::string> linesOf(const std::optional<std::string>& answer) {
+    std::vector<std::string> lines;
+    std::istringstream text(answer.value_or(""));
+    for (std::string line; std::getline(text, line);)
+        if (!line.empty()) lines.push_back(line);
+    return lines;
 }
 
-std::string askToOpen() {
-    if (const PortalAnswer answer = openByPortal(kOpen); answer.there) return answer.path.value_or("");
-    return lineOf(preferKdialog() ? runProgram({"kdialog", "--title", kOpen, "--getopenfilename", "."})
-                                  : runProgram({"zenity", "--file-selection", std::string("--title=") + kOpen}));
+std::vector<std::string> askToOpen() {
+    if (PortalAnswer answer = openByPortal(kOpen); answer.there) return answer.paths;
+    return linesOf(preferKdialog() ? runProgram({"kdialog", "--title", kOpen, "--multiple", "--separate-output",
+                                                 "--getopenfilename", "."})
+                                   : runProgram({"zenity", "--file-selection", "--multiple", "--separator=\n",
+                                                 std::string("--title=") + kOpen}));
 }
 
-std::string askToSave(const std::string& suggested) {
-    if (const PortalAnswer answer = saveByPortal(kSave, suggested); answer.there) return answer.path.value_or("");
-    return lineOf(preferKdialog() ? runProgram({"kdialog", "--title", kSave, "--getsavefilename", suggested})
-                                  : runProgram({"zenity", "--file-selection", "--save", "--confirm-overwrite",
-                                                std::string("--title=") + kSave, "--filename=" + suggested}));
+std::vector<std::string> askToSave(const std::string& suggested) {
+    if (PortalAnswer answer = saveByPortal(kSave, suggested); answer.there) return answer.paths;
+    return linesOf(preferKdialog() ? runProgram({"kdialog", "--title", kSave, "--getsavefilename", suggested})
+                                   : runProgram({"zenity", "--file-selection", "--save", "--confirm-overwrite",
+                                                 std::string("--title=") + kSave, "--filename=" + suggested}));
 }
 
 }  // namespace
@@ -59,12 +64,12 @@ void FileDialog::save(const std::string& suggested, Chosen chosen) {
     run([suggested] { return askToSave(suggested); }, std::move(chosen));
 }
 
-void FileDialog::run(std::function<std::string()> ask, Chosen chosen) {
+void FileDialog::run(std::function<std::vector<std::string>()> ask, Chosen chosen) {
     if (busy_->exchange(true)) return;
     if (thread_.joinable()) thread_.join();
     thread_ = std::thread([ask = std::move(ask), chosen = std::move(chosen), busy = busy_] {
-        const std::string path = ask();
-        if (!path.empty()) chosen(path);
+        const std::vector<std::string> paths = ask();
+        if (!paths.empty()) chosen(paths);
         busy->store(false);
     });
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace nacre::app {
 
@@ -12,17 +13,19 @@ namespace nacre::app {
 /// zenity, kdialog.
 class FileDialog {
 public:
-    using Chosen = std::function<void(const std::string& path)>;
+    using Chosen = std::function<void(const std::vector<std::string>& paths)>;
 
     ~FileDialog();
     static bool available();
-    /// @param chosen  told the path, on the dialog's thread; not if the user cancels. Nothing happens while one is open
+    /// For one file or several.
+    /// @param chosen  told the paths, on the dialog's thread; not if the user cancels. Nothing happens while one is
+    /// open
     void open(Chosen chosen);
-    /// The same for a file that is to be written. @param suggested  its name, or a path
+    /// The same for one file that is to be written. @param suggested  its name, or a path
     void save(const std::string& suggested, Chosen chosen);
 
 private:
-    void run(std::function<std::string()> ask, Chosen chosen);
+    void run(std::function<std::vector<std::string>()> ask, Chosen chosen);
 
     std::thread thread_;
     std::shared_ptr<std::atomic<bool>> busy_ = std::make_shared<std::atomic<bool>>(false);

@@ -139,6 +139,12 @@ public:
             dbus_.message_iter_append_basic(&variant, DBUS_TYPE_STRING, &bytes);
         });
     }
+    void yes(const char* name) {
+        inVariant(name, "b", [&](DBusMessageIter& variant) {
+            const dbus_bool_t value = true;
+            dbus_.message_iter_append_basic(&variant, DBUS_TYPE_BOOLEAN, &value);
+        });
+    }
     /// A path, as the portals take them: bytes that end with 0.
     void folder(const char* name, const std::string& value) {
         inVariant(name, "ay", [&](DBusMessageIter& variant) {
@@ -175,26 +181,26 @@ std::string textAt(const Dbus& dbus, DBusMessageIter& at) {
     return text;
 }
 
-/// The first of "uris" in a response's results, if it is one of success.
-std::optional<std::string> chosenBy(const Dbus& dbus, DBusMessage* response) {
+/// "uris" in a response's results, if it is one of success.
+std::vector<std::string> chosenBy(const Dbus& dbus, DBusMessage* response) {
+    std::vector<std::string> paths;
     DBusMessageIter at, results, entry, variant, list;
-    if (!dbus.message_iter_init(response, &at) || dbus.message_iter_get_arg_type(&at) != DBUS_TYPE_UINT32)
-        return std::nullopt;
+    if (!dbus.message_iter_init(response, &at) || dbus.message_iter_get_arg_type(&at) != DBUS_TYPE_UINT32) return paths;
     dbus_uint32_t code = 2;
     dbus.message_iter_get_basic(&at, &code);
     if (code != 0 || !dbus.message_iter_next(&at) || dbus.message_iter_get_arg_type(&at) != DBUS_TYPE_ARRAY)
-        return std::nullopt;
+        return paths;
     for (dbus.message_iter_recurse(&at, &results); dbus.message_iter_get_arg_type(&results) == DBUS_TYPE_DICT_ENTRY;
          dbus.message_iter_next(&results)) {
         dbus.message_iter_recurse(&results, &entry);
         if (textAt(dbus, entry) != "uris" || !dbus.message_iter_next(&entry)) continue;
         dbus.message_iter_recurse(&entry, &variant);
         if (dbus.message_iter_get_arg_type(&variant) != DBUS_TYPE_ARRAY) continue;
-        dbus.message_iter_recurse(&variant, &list);
-        const std::string path = pathOfUri(textAt(dbus, list));
-        if (!path.empty()) return path;
+        for (dbus.message_iter_recurse(&variant, &list); dbus.message_iter_get_arg_type(&list) == DBUS_TYPE_STRING;
+             dbus.message_iter_next(&list))
+            if (const std::string path = pathOfUri(textAt(dbus, list)); !path.empty()) paths.push_back(path);
     }
-    return std::nullopt;
+    return paths;
 }
 
 PortalAnswer choose(const char* method, const std::string& title, const std::string& suggested) {
@@ -216,7 +222,9 @@ PortalAnswer choose(const char* method, const std::string& title, const std::str
     call.text(title);
     call.beginOptions();
     call.option("handle_token", token);
-    if (!suggested.empty()) {
+    if (suggested.empty()) {
+        call.yes("multiple");
+    } else {
         const std::filesystem::path whole = std::filesystem::absolute(suggested);
         call.option("current_name", whole.filename().string());
         call.folder("current_folder", whole.parent_path().string());
@@ -230,7 +238,7 @@ PortalAnswer choose(const char* method, const std::string& title, const std::str
         bus.listen(path);
     }
     const Bus::Message response = bus.await(path);
-    if (!response) return {true, std::nullopt};
+    if (!response) return {true, {}};
     return {true, chosenBy(*dbus, response.get())};
 }
 

@@ -33,7 +33,8 @@ const double WindowSession::kStarted = WindowSession::now();
 
 struct WindowSession::Chosen {
     std::mutex mutex;
-    std::string path, savePath;
+    std::vector<std::string> paths;
+    std::string savePath;
 };
 
 WindowSession::WindowSession(const ViewOptions& options)
@@ -103,14 +104,15 @@ double WindowSession::step(double longest) {
 
 /// What a dialog was told meanwhile.
 void WindowSession::takeChosen() {
-    std::string path, savePath;
+    std::vector<std::string> paths;
+    std::string savePath;
     {
         const std::lock_guard lock(chosen_->mutex);
-        path.swap(chosen_->path);
+        paths.swap(chosen_->paths);
         savePath.swap(chosen_->savePath);
     }
     if (!savePath.empty()) panel_->setSavePath(savePath);
-    if (!path.empty()) openFiles({path});
+    if (!paths.empty()) openFiles(std::move(paths));
 }
 
 /// From a dialog, or dropped on the window.
@@ -307,20 +309,20 @@ void WindowSession::run(ViewerCommand command) {
 }
 
 void WindowSession::openDialog() {
-    dialog_.open([chosen = chosen_](const std::string& path) {
+    dialog_.open([chosen = chosen_](const std::vector<std::string>& paths) {
         {
             const std::lock_guard lock(chosen->mutex);
-            chosen->path = path;
+            chosen->paths = paths;
         }
         Window::wake();
     });
 }
 
 void WindowSession::saveDialog(const std::string& suggested) {
-    dialog_.save(suggested, [chosen = chosen_](const std::string& path) {
+    dialog_.save(suggested, [chosen = chosen_](const std::vector<std::string>& paths) {
         {
             const std::lock_guard lock(chosen->mutex);
-            chosen->savePath = path;
+            chosen->savePath = paths.front();
         }
         Window::wake();
     });

@@ -25,13 +25,13 @@ class Request(dbus.service.Object):
 
 
 class Portal(dbus.service.Object):
-    def answer(self, sender, options, uri):
+    def answer(self, sender, options, *uris):
         if MODE == "refuse":
             raise Refused("no dialogs here")
         token = "mine" if MODE == "old" else options["handle_token"]
         path = "/org/freedesktop/portal/desktop/request/" + sender[1:].replace(".", "_") + "/" + token
         request = Request(bus, path)
-        results = {"uris": dbus.Array([uri], signature="s")}
+        results = {"uris": dbus.Array(uris, signature="s")}
         code, results = (1, {}) if MODE == "cancel" else (0, results)
         # At once, but for portals whose path is not known before: they take a while.
         GLib.timeout_add(300 if MODE == "old" else 0,
@@ -40,7 +40,8 @@ class Portal(dbus.service.Object):
 
     @dbus.service.method("org.freedesktop.portal.FileChooser", "ssa{sv}", "o", sender_keyword="sender")
     def OpenFile(self, parent, title, options, sender):
-        return self.answer(sender, options, "file:///tmp/two%20words%20%C3%A9.pdb")
+        several = ["file:///tmp/another.cif"] if options.get("multiple") else []
+        return self.answer(sender, options, "file:///tmp/two%20words%20%C3%A9.pdb", *several)
 
     @dbus.service.method("org.freedesktop.portal.FileChooser", "ssa{sv}", "o", sender_keyword="sender")
     def SaveFile(self, parent, title, options, sender):

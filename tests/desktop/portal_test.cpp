@@ -68,9 +68,9 @@ TEST(Portal, TellsWhatWasChosen) {
         const Companion mock(portal(mode));
         ASSERT_EQ(mock.line(), "ready") << "the mock needs python3-dbus and python3-gi";
         EXPECT_TRUE(hasPortal());
-        const PortalAnswer answer = openByPortal("Open a structure");
+        const PortalAnswer answer = openByPortal("Open structures");
         EXPECT_TRUE(answer.there) << mode;
-        EXPECT_EQ(answer.path, "/tmp/two words \u00e9.pdb") << mode;
+        EXPECT_EQ(answer.paths, (std::vector<std::string>{"/tmp/two words \u00e9.pdb", "/tmp/another.cif"})) << mode;
     }
 }
 
@@ -78,31 +78,32 @@ TEST(Portal, SavesUnderTheNameThatWasSuggested) {
     const Session session;
     const Companion mock(portal("choose"));
     const PortalAnswer answer = saveByPortal("Save the picture", "/tmp/a folder/1bna.png");
-    EXPECT_EQ(answer.path, "/tmp/a folder/chosen 1bna.png");
+    EXPECT_EQ(answer.paths, std::vector<std::string>{"/tmp/a folder/chosen 1bna.png"});
 }
 
 TEST(Portal, WhoCancelsHasChosenNothing) {
     const Session session;
     const Companion mock(portal("cancel"));
-    const PortalAnswer answer = openByPortal("Open a structure");
+    const PortalAnswer answer = openByPortal("Open structures");
     EXPECT_TRUE(answer.there);
-    EXPECT_EQ(answer.path, std::nullopt);
+    EXPECT_TRUE(answer.paths.empty());
 }
 
 using Ask = std::function<void(FileDialog&, const FileDialog::Chosen&)>;
 void askToOpen(FileDialog& dialog, const FileDialog::Chosen& chosen) { dialog.open(chosen); }
 void askToSave(FileDialog& dialog, const FileDialog::Chosen& chosen) { dialog.save("my picture.png", chosen); }
 
-std::string answerOf(const Ask& ask) {
-    std::promise<std::string> chosen;
-    std::future<std::string> answer = chosen.get_future();
+using Paths = std::vector<std::string>;
+Paths answerOf(const Ask& ask) {
+    std::promise<Paths> chosen;
+    std::future<Paths> answer = chosen.get_future();
     FileDialog dialog;
-    ask(dialog, [&](const std::string& name) { chosen.set_value(name); });
-    return answer.wait_for(std::chrono::seconds(60)) == std::future_status::ready ? answer.get() : "nothing";
+    ask(dialog, [&](const Paths& paths) { chosen.set_value(paths); });
+    return answer.wait_for(std::chrono::seconds(60)) == std::future_status::ready ? answer.get() : Paths{"nothing"};
 }
 
 /// What the dialog says, with a zenity on PATH that says so itself.
-std::string dialogWithZenity() {
+Paths dialogWithZenity() {
     const FakePrograms programs;
     programs.add("zenity", "echo /tmp/by-zenity.pdb");
     const Variable desktop("XDG_CURRENT_DESKTOP", "GNOME");
@@ -112,10 +113,11 @@ std::string dialogWithZenity() {
 TEST(FileDialog, AsksTheProgramOfTheDesktop) {
     const Variable none("DBUS_SESSION_BUS_ADDRESS", "unix:path=/nowhere/bus");
     const FakePrograms programs;
-    for (const char* name : {"zenity", "kdialog"}) programs.addAsked(name, "echo '/home/me/two words.pdb'");
+    for (const char* name : {"zenity", "kdialog"})
+        programs.addAsked(name, "echo '/home/me/two words.pdb'; echo /b.pdb");
     ASSERT_TRUE(FileDialog::available());
     const auto asked = [&](const char* program, const Ask& ask) {
-        EXPECT_EQ(answerOf(ask), "/home/me/two words.pdb");
+        EXPECT_EQ(answerOf(ask), (Paths{"/home/me/two words.pdb", "/b.pdb"}));
         const std::string words = test::contentOf(programs / (program + std::string(".asked")));
         for (const char* name : {"zenity", "kdialog"})
             std::filesystem::remove(programs / (name + std::string(".asked")));
@@ -123,13 +125,15 @@ TEST(FileDialog, AsksTheProgramOfTheDesktop) {
     };
     {
         const Variable desktop("XDG_CURRENT_DESKTOP", "GNOME");
-        EXPECT_EQ(asked("zenity", askToOpen), "--file-selection\n--title=Open a structure\n");
+        EXPECT_EQ(asked("zenity", askToOpen),
+                  "--file-selection\n--multiple\n--separator=\n\n--title=Open structures\n");
         EXPECT_EQ(asked("zenity", askToSave),
                   "--file-selection\n--save\n--confirm-overwrite\n--title=Save the picture\n"
                   "--filename=my picture.png\n");
     }
     const Variable desktop("XDG_CURRENT_DESKTOP", "KDE");
-    EXPECT_EQ(asked("kdialog", askToOpen), "--title\nOpen a structure\n--getopenfilename\n.\n");
+    EXPECT_EQ(asked("kdialog", askToOpen),
+              "--title\nOpen structures\n--multiple\n--separate-output\n--getopenfilename\n.\n");
     EXPECT_EQ(asked("kdialog", askToSave), "--title\nSave the picture\n--getsavefilename\nmy picture.png\n");
 }
 
@@ -138,20 +142,20 @@ TEST(Portal, ADesktopWithoutOneHasOtherDialogs) {
         const Variable none("DBUS_SESSION_BUS_ADDRESS", "unix:path=/nowhere/bus");
         EXPECT_FALSE(hasPortal());
         EXPECT_FALSE(openByPortal("Open").there);
-        EXPECT_EQ(dialogWithZenity(), "/tmp/by-zenity.pdb");
+        EXPECT_EQ(dialogWithZenity(), Paths{"/tmp/by-zenity.pdb"});
     }
     const Session session;
     EXPECT_FALSE(hasPortal());
-    EXPECT_EQ(dialogWithZenity(), "/tmp/by-zenity.pdb");
+    EXPECT_EQ(dialogWithZenity(), Paths{"/tmp/by-zenity.pdb"});
     const Companion mock(portal("refuse"));
     EXPECT_TRUE(hasPortal());
-    EXPECT_EQ(dialogWithZenity(), "/tmp/by-zenity.pdb");
+    EXPECT_EQ(dialogWithZenity(), Paths{"/tmp/by-zenity.pdb"});
 }
 
 TEST(Portal, ItsDialogComesBeforeThoseOfPrograms) {
     const Session session;
     const Companion mock(portal("choose"));
-    EXPECT_EQ(dialogWithZenity(), "/tmp/two words \u00e9.pdb");
+    EXPECT_EQ(dialogWithZenity(), (Paths{"/tmp/two words \u00e9.pdb", "/tmp/another.cif"}));
 }
 
 TEST(Portal, PathsOfUris) {
