@@ -53,6 +53,7 @@ void MoleculeSession::makePanel(double pixelsPerPoint) {
     host.openDialog = host_.pickDocument;
     host.statistics = [this] { return session_.statistics(); };
     host.dark = host_.dark;
+    host.shakes = true;
     panel_ = std::make_unique<Panel>(pixelsPerPoint, std::move(host), PanelHand::fingers);
 }
 

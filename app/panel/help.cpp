@@ -17,21 +17,25 @@ void Panel::drawHelp() {
     if (beginCard("Help", "Help", kHelpPoints)) help_ = false;
     float keys = 0;
     for (const PointerBinding& b : pointerBindings())
-        keys = std::max(keys, ImGui::CalcTextSize(forFingers() ? b.touch : b.mouse).x);
+        if (const char* hand = forFingers() ? b.touch : b.mouse) keys = std::max(keys, ImGui::CalcTextSize(hand).x);
     if (!forFingers())
         for (const Binding& b : keyBindings()) keys = std::max(keys, ImGui::CalcTextSize(b.keys).x);
     keys += ui.px(20);
+    const bool narrow = ImGui::GetContentRegionAvail().x < keys + ui.px(150);  // what keys do stands below them
     const auto line = [&](const char* left, const char* right) {
         const float x = ImGui::GetCursorPosX();
         ImGui::PushStyleColor(ImGuiCol_Text, ui.theme().faint);
         ImGui::TextUnformatted(left);
         ImGui::PopStyleColor();
         ui.note("text", left);
-        ImGui::SameLine(x + keys);
+        narrow ? ImGui::Indent(ui.px(12)) : ImGui::SameLine(x + keys);
         ui.paragraph(right);
+        if (narrow) ImGui::Unindent(ui.px(12));
     };
     ui.heading(forFingers() ? "Fingers" : "Mouse and trackpad");
-    for (const PointerBinding& b : pointerBindings()) line(forFingers() ? b.touch : b.mouse, b.what);
+    for (const PointerBinding& b : pointerBindings())
+        if (const char* hand = forFingers() ? b.touch : b.mouse) line(hand, b.what);
+    if (host_.shakes) line("shake", "Undo");
     if (!forFingers()) {
         ui.heading("Keys");
         line("Tab", "Go about in the panel; Enter presses, Esc leaves");

@@ -60,6 +60,7 @@ struct PanelHost {
     std::function<void(const char*)> setClipboard;
     bool downloads = false;                   ///< "pdb:1BNA" can be had
     bool captures = false;                    ///< a frame can be captured for RenderDoc
+    bool shakes = false;                      ///< who shakes the device takes something back
     std::function<std::string()> statistics;  ///< for developers, in lines
     bool dark = true;                         ///< what the system asks for
     FindFont fontWith;                        ///< for characters that the panel's font has not

@@ -79,6 +79,7 @@ constexpr PointerBinding kPointer[] = {
     {"click", "tap, long press",
      "Name an atom, select its residue; two atoms measure a distance, three an angle, four a torsion"},
     {"double click", "double tap", "Zoom to a residue; beside the molecule, to all of it"},
+    {nullptr, "three fingers", "To the left: undo; to the right: redo"},
 };
 
 }  // namespace

@@ -80,7 +80,7 @@ std::optional<ViewerCommand> commandOf(const KeyEvent& event);
 
 /// What the pointer and fingers do; for the help.
 struct PointerBinding {
-    const char* mouse;
+    const char* mouse;  ///< null: it has none
     const char* touch;
     const char* what;
 };
