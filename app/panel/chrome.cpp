@@ -14,7 +14,9 @@ namespace {
 
 constexpr int kWindow = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse;
-constexpr float kLowPoints = 400;  // of height: under it tools and tabs scroll with the page
+constexpr float kTightPoints = 320;  // of width: under it a card has all of it
+constexpr float kErrorPoints = 220;  // of height that what went wrong takes, with what to do
+constexpr float kLowPoints = 400;    // of height: under it tools and tabs scroll with the page
 
 std::string shortName(const std::string& input) {
     return input.starts_with("sample:") ? input.substr(7) : std::filesystem::path(input).filename().string();
@@ -132,7 +134,7 @@ void Panel::drawTools(const Viewer& viewer) {
                           {Icon::copy, "Copy", ViewerCommand::copyPicture, false, there},
                           {Icon::help, "Help", ViewerCommand::help}};
     const float room = ImGui::GetContentRegionAvail().x;
-    const std::size_t columns = room >= ui.px(8 * 72) ? 8 : 4;
+    const std::size_t columns = room >= ui.px(8 * 72) ? 8 : room >= ui.px(4 * 68) ? 4 : 2;
     const float gap = ui.px(4),
                 width = std::floor((room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
     const ImVec2 size(width, ui.px(forFingers() ? kFingerPoints : 42));
@@ -159,10 +161,12 @@ void Panel::drawTabs() {
                  {Icon::more, "More", Page::more}};
     ImGui::Separator();
     const float gap = ui.px(4);
-    const float width = std::floor((ImGui::GetContentRegionAvail().x - 4 * gap) / 5);
+    const float room = ImGui::GetContentRegionAvail().x;
+    const std::size_t columns = room >= ui.px(5 * 48) ? 5 : 3;
+    const float width = std::floor((room - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, ui.px(7)));
-    for (const auto& tab : kTabs) {
-        if (tab.page != Page::look) ImGui::SameLine();
+    for (std::size_t placed = 0; const auto& tab : kTabs) {
+        if (placed++ % columns != 0) ImGui::SameLine();
         if (ui.tool(tab.icon, tab.label, ImVec2(width, ui.px(forFingers() ? kFingerPoints : 42)), page_ == tab.page,
                     true, "tab"))
             showPage(tab.page);
@@ -190,8 +194,9 @@ void Panel::drawScrim(const char* below) {
 /// @returns whether it was closed
 bool Panel::beginCard(const char* name, const char* title, float points, bool closable) {
     Widgets& ui = state_->ui;
-    const float width = std::min(ui.px(points), window_.right - window_.left);
-    const float height = window_.bottom - window_.top;
+    const float room = window_.right - window_.left, edge = room < ui.px(kTightPoints) ? 0 : ui.px(8);
+    const float width = std::min(ui.px(points), room - 2 * edge);
+    const float height = window_.bottom - window_.top - 2 * edge;
     if (closable) drawScrim((std::string("Below ") + name).c_str());
     ImGui::SetNextWindowPos(
         ImVec2(std::round((window_.left + window_.right) / 2), std::round((window_.top + window_.bottom) / 2)),
@@ -201,16 +206,25 @@ bool Panel::beginCard(const char* name, const char* title, float points, bool cl
     if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
     const float x = ImGui::GetCursorPosX(), y = ImGui::GetCursorPosY();
     const float right = ImGui::GetContentRegionAvail().x - ui.rowHeight();
-    ImGui::PushFont(fontOf(TextSize::heading));
-    ImGui::TextUnformatted(title);
-    ImGui::PopFont();
-    ui.note("text", title);
+    ui.title(title, closable ? x + right : 0);
+    const float below = ImGui::GetCursorPosY();
     if (!closable) return false;
     ImGui::SetCursorPos(ImVec2(x + right, y));
-    return ui.sign(Icon::close, "Close");
+    const bool closed = ui.sign(Icon::close, "Close");
+    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), below));
+    return closed;
 }
 
-void Panel::endCard() { ImGui::End(); }
+void Panel::endCard() { endGrown(); }
+
+/// Ends a window that is as high as what stands in it, which shows a frame late: that frame is asked for.
+void Panel::endGrown() {
+    const float end = ImGui::GetCursorPosY();
+    float& before = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("##end"), 0);
+    if (std::abs(end - before) > 0.5f) restless_ = std::max(restless_, 2);
+    before = end;
+    ImGui::End();
+}
 
 /// At the top of what the panel leaves free: something that goes on, and can be stopped.
 void Panel::beginProgress(const char* name) {
@@ -237,7 +251,7 @@ void Panel::drawReading(Viewer& viewer, double now) {
         ui.progress(share, text);
     }
     if (ui.button(Icon::close, "Cancel")) viewer.cancelLoading(now);
-    ImGui::End();
+    endGrown();
     restless_ = std::max(restless_, 1);  // it goes on
 }
 
@@ -253,7 +267,8 @@ void Panel::tellFailure(Viewer& viewer) {
 /// The same in a card of its own, until it is read.
 void Panel::drawFailure(Viewer& viewer) {
     Widgets& ui = state_->ui;
-    const Rectangle room = freeRoom();
+    Rectangle room = freeRoom();
+    if (room.bottom - room.top < ui.px(kErrorPoints)) room = window_;
     const float width = std::min(ui.px(460), room.right - room.left - ui.px(16));
     ImGui::SetNextWindowPos(ImVec2(std::round((room.left + room.right) / 2), room.bottom - ui.px(16)), ImGuiCond_Always,
                             ImVec2(0.5f, 1));
@@ -261,12 +276,12 @@ void Panel::drawFailure(Viewer& viewer) {
     beginWindow("Error", ImGuiWindowFlags_AlwaysAutoResize);
     if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
     tellFailure(viewer);
-    ImGui::SameLine();
+    ui.wrapLine(ui.buttonWidth("Open another") + ui.px(23));
     if (ui.button(Icon::open, "Open another")) {
         viewer.dismissFailure();
         showStart();
     }
-    ImGui::End();
+    endGrown();
 }
 
 /// In the middle of the window, over everything else.
@@ -286,7 +301,7 @@ void Panel::drawQuestion(Viewer& viewer, double now) {
     if (ui.button(Icon::none, viewer.question()->yes().c_str(), half, true)) answer = true;
     ImGui::SameLine();
     if (ui.button(Icon::none, "Cancel", half)) answer = false;
-    ImGui::End();
+    endGrown();
     if (!answer) return;
     viewer.answer(*answer, now);
     restless_ = 2;

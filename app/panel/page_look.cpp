@@ -15,6 +15,8 @@
 namespace nacre::app {
 namespace {
 
+constexpr float kTwoColumnPoints = 256;  // that two names of styles take beside each other
+
 bool shows(Style style, const RepresentationOptions& look) {
     return look.style == style || std::any_of(look.rules.begin(), look.rules.end(), [style](const Rule& rule) {
                return rule.on && rule.action == Rule::Action::show && rule.style == style && !rule.opacity;
@@ -82,10 +84,12 @@ void Panel::drawLookPage(SavedView& look, const Viewer& viewer) {
 
 void Panel::drawStyles(SavedView& look) {
     Widgets& ui = state_->ui;
-    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    const float room = ImGui::GetContentRegionAvail().x;
+    const bool narrow = room < ui.px(kTwoColumnPoints);
+    const float half = narrow ? room : (room - ImGui::GetStyle().ItemSpacing.x) / 2;
     bool second = false;
     for (const StyleWord& word : styleWords()) {
-        if (second) ImGui::SameLine();
+        if (second && !narrow) ImGui::SameLine();
         if (ui.button(Icon::none, word.word, half, look.look.style == word.style)) {
             look.look.style.reset();
             if (word.style) setStyle(*word.style, look.look);

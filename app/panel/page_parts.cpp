@@ -96,13 +96,14 @@ void Panel::drawAssemblies(SavedView& look, const Molecule& molecule) {
         if (chosen == texts[i + 1]) look.look.assembly = molecule.assemblies[i].id;
 }
 
-/// A row: an eye, the name, a style and a colour. What finds no room for fingers unfolds below.
+/// A row: an eye, the name, a style and a colour. What finds no room, as for fingers, unfolds below.
 void Panel::drawPart(SavedView& look, const Part& part, std::size_t number) {
     Widgets& ui = state_->ui;
     ImGui::PushID(static_cast<int>(number));
     PartLook of = lookOf(look, part);
     const float x = ImGui::GetCursorPosX(), side = ui.rowHeight(), room = ImGui::GetContentRegionAvail().x;
-    const float styles = forFingers() ? 0 : ui.px(104), gap = ui.px(4);
+    const bool tight = forFingers() || room < ui.px(240);
+    const float styles = tight ? 0 : ui.px(104), gap = ui.px(4);
     const std::string eye = (of.seen ? "Hide " : "Show ") + part.name;
     if (ui.sign(of.seen ? Icon::eye : Icon::eyeOff, eye.c_str())) {
         of.seen = !of.seen;
@@ -111,7 +112,7 @@ void Panel::drawPart(SavedView& look, const Part& part, std::size_t number) {
     ImGui::SameLine(x + side + gap);
     const float nameWidth = room - 2 * side - styles - 4 * gap;
     const bool open = state_->unfolded == part.selection;
-    if (part.kind == Part::Kind::chain || forFingers()) {
+    if (part.kind == Part::Kind::chain || tight) {
         if (ui.row(open ? Icon::up : Icon::down, part.name, nameWidth)) {
             state_->unfolded = open ? "" : part.selection;
             state_->sequence.clear();
@@ -123,13 +124,13 @@ void Panel::drawPart(SavedView& look, const Part& part, std::size_t number) {
     } else {
         ui.name(part.name + " " + countOf(part), nameWidth);
     }
-    if (!forFingers()) {
+    if (!tight) {
         ImGui::SameLine(x + side + nameWidth + 2 * gap);
         drawStyleChoice(look, part, styles);
     }
     ImGui::SameLine(x + room - side);
     drawColorChoice(look, part);
-    if (forFingers() && open) drawStyleChoice(look, part, -1);
+    if (tight && open) drawStyleChoice(look, part, -1);
     ImGui::PopID();
 }
 

@@ -162,6 +162,7 @@ private:
     void drawScrim(const char* below);
     bool beginCard(const char* name, const char* title, float points, bool closable = true);
     void endCard();
+    void endGrown();
     // pages
     void drawLookPage(SavedView& look, const Viewer& viewer);
     void drawStyles(SavedView& look);

@@ -53,7 +53,7 @@ void Panel::drawPlayBar(Viewer& viewer, double now) {
         if (state_->playOptions) drawPlayOptions(viewer, now);
         bar_ = ImGui::GetWindowHeight() + 2 * margin;
         playBar_ = occupied_.back();
-        ImGui::End();
+        endGrown();
     }
     if (bar_ != before) restless_ = std::max(restless_, 2);
 }

@@ -107,7 +107,7 @@ void Panel::drawKeyViews(Viewer& viewer, double now) {
         ImGui::PushID(static_cast<int>(i));
         const std::string number = std::to_string(i + 1);
         const float signs = 2 * (ui.rowHeight() + ImGui::GetStyle().ItemSpacing.x);
-        if (ui.button(Icon::eye, ("Show view " + number).c_str(), ImGui::GetContentRegionAvail().x - signs))
+        if (ui.button(Icon::eye, ("View " + number).c_str(), ImGui::GetContentRegionAvail().x - signs))
             viewer.show(keys[i], now);
         ImGui::SameLine();
         if (ui.sign(Icon::up, ("Move view " + number + " up").c_str(), i > 0)) std::swap(keys[i], keys[i - 1]);
@@ -118,7 +118,7 @@ void Panel::drawKeyViews(Viewer& viewer, double now) {
         keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(i));
         break;
     }
-    if (ui.button(Icon::eye, "Keep the view as it is now", -1)) keepView(viewer, now);
+    if (ui.button(Icon::eye, "Keep this view", -1)) keepView(viewer, now);
     if (keys.size() < 2) return;
     ui.toggle("Back to the first", state_->filmLoop);
     if (!ui.button(Icon::play, "Preview", -1)) return;
@@ -190,7 +190,7 @@ void Panel::drawRecording() {
     if (ui.button(Icon::close, "Stop")) host_.stopRecording();
     ImGui::SameLine();
     ui.caption("What is done by then is kept.");
-    ImGui::End();
+    endGrown();
 }
 
 }  // namespace nacre::app

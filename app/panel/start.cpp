@@ -64,8 +64,12 @@ void Panel::drawStart(Viewer& viewer, double now) {
     if (host_.add && !empty) ui.toggle("Beside what is open", state_->together);
     if (host_.openDialog && ui.button(Icon::open, "Open a file ...", 0, true)) host_.openDialog();
     if (host_.goOn && empty) {
-        if (host_.openDialog) ImGui::SameLine();
-        if (ui.button(Icon::play, ("Go on with " + host_.lastView).c_str(), 0, !host_.openDialog)) host_.goOn();
+        const std::string words = "Go on with " + host_.lastView;
+        const float wide = ui.buttonWidth(words.c_str()) + ui.px(23);
+        if (host_.openDialog) ui.wrapLine(wide);
+        const bool fits = ImGui::GetContentRegionAvail().x >= wide;
+        if (ui.button(Icon::play, words.c_str(), fits ? 0 : -1, !host_.openDialog)) host_.goOn();
+        ui.controls.back().cut = false;  // a long name is shortened, as everywhere
     }
     if (!forFingers()) ui.caption("Or drop a file on this window.");
     if (!forFingers()) {

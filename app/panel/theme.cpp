@@ -47,13 +47,17 @@ void setPanelStyle(const Theme& theme, float pixelsPerPoint, bool fingers) {
     style.WindowRounding = style.ChildRounding = 10;
     style.FrameRounding = style.PopupRounding = style.GrabRounding = 6;
     style.WindowPadding = ImVec2(14, 12);
-    style.FramePadding = fingers ? ImVec2(14, (kFingerPoints - kTextPoints) / 2) : ImVec2(9, 6);
+    style.FramePadding = ImVec2(fingers ? 14 : 9, 6);
     style.ItemSpacing = ImVec2(8, 7);
     style.ScrollbarSize = 12;
     style.ScrollbarRounding = 6;
     style.GrabMinSize = fingers ? 24 : 14;
     style.WindowBorderSize = style.PopupBorderSize = 1;
     style.ScaleAllSizes(pixelsPerPoint);
+    // Not a pixel less than a finger.
+    if (fingers)
+        style.FramePadding.y =
+            std::ceil((kFingerPoints * pixelsPerPoint - std::round(kTextPoints * pixelsPerPoint)) / 2);
     ImVec4* colors = style.Colors;
     colors[ImGuiCol_Text] = theme.text;
     colors[ImGuiCol_TextDisabled] = theme.faint;

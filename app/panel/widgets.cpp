@@ -161,8 +161,9 @@ bool Widgets::unfold(const char* label) {
 
 /// A switch that slides, with its words to the right.
 bool Widgets::toggle(const char* label, bool& on) {
-    const float height = rowHeight(), track = px(30), thick = px(17);
-    const ImVec2 text = ImGui::CalcTextSize(label, nullptr, true);
+    const float track = px(30), thick = px(17), room = ImGui::GetContentRegionAvail().x - track - px(8);
+    const ImVec2 text = ImGui::CalcTextSize(label, nullptr, true, std::max(room, 1.0f));
+    const float height = std::max(rowHeight(), text.y + px(6));
     ImGui::PushID(label);
     const bool pressed =
         ImGui::InvisibleButton("##toggle", ImVec2(track + px(8) + text.x, height), ImGuiButtonFlags_None);
@@ -179,9 +180,11 @@ bool Widgets::toggle(const char* label, bool& on) {
     const float knob = thick / 2 - px(3);
     list.AddCircleFilled(ImVec2(on ? low.x + track - thick / 2 : low.x + thick / 2, y), knob,
                          ImGui::GetColorU32(on ? theme_->onAccent : theme_->faint), 20);
-    list.AddText(ImVec2(low.x + track + px(8), std::round(y - text.y / 2)), ImGui::GetColorU32(theme_->text), label);
+    list.AddText(nullptr, 0, ImVec2(low.x + track + px(8), std::round(y - text.y / 2)),
+                 ImGui::GetColorU32(theme_->text), label, nullptr, std::max(room, 1.0f));
     ringFocus();
     note("switch", std::string(label), on ? "on" : "off");
+    controls.back().lines = text.y / ImGui::GetFontSize();
     return pressed;
 }
 
@@ -304,14 +307,17 @@ void Widgets::countLines() {
 void Widgets::heading(const char* text) {
     ImGui::Dummy(ImVec2(0, px(3)));
     ImGui::PushStyleColor(ImGuiCol_Text, theme_->faint);
+    ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(text);
+    ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     note("text", text);
+    countLines();
 }
 
-void Widgets::title(const std::string& text) {
+void Widgets::title(const std::string& text, float right) {
     ImGui::PushFont(fontOf(TextSize::heading));
-    ImGui::PushTextWrapPos(0);
+    ImGui::PushTextWrapPos(right);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     note("text", text);

@@ -63,7 +63,8 @@ public:
     bool swatch(const char* name, ImU32 color, bool chosen, float side = 0);
 
     void heading(const char* text);
-    void title(const std::string& text);
+    /// @param right  where its lines end, from the window's left; 0: with the window
+    void title(const std::string& text, float right = 0);
     void caption(const std::string& text);
     void paragraph(const std::string& text);
     void warning(const std::string& text);

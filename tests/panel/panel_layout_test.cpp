@@ -45,10 +45,11 @@ struct Place {
     double scale;
     PanelHand hand;
 };
-constexpr Place kPlaces[] = {
-    {kUsual, 1, PanelHand::mouse},    {kNarrow, 1, PanelHand::mouse},   {kTall, 1, PanelHand::mouse},
-    {kWide, 1, PanelHand::mouse},     {kUsual, 2, PanelHand::mouse},    {kNarrow, 2, PanelHand::mouse},
-    {kNarrow, 2, PanelHand::fingers}, {kWide, 1.5, PanelHand::fingers}, {kSmall, 1, PanelHand::fingers}};
+constexpr Place kPlaces[] = {{kUsual, 1, PanelHand::mouse},    {kNarrow, 1, PanelHand::mouse},
+                             {kTall, 1, PanelHand::mouse},     {kWide, 1, PanelHand::mouse},
+                             {kUsual, 2, PanelHand::mouse},    {kNarrow, 2, PanelHand::mouse},
+                             {kNarrow, 2, PanelHand::fingers}, {kWide, 1.5, PanelHand::fingers},
+                             {kSmall, 1, PanelHand::fingers},  {{210, 380}, 2, PanelHand::mouse}};
 
 std::string nameOf(const Place& p) {
     return std::to_string(p.points.width) + "x" + std::to_string(p.points.height) + " at " + std::to_string(p.scale) +
@@ -70,7 +71,8 @@ TEST(Panel, EveryPageIsReadableEverywhere) {
 TEST(Panel, EveryCardIsReadableEverywhere) {
     for (const Place& place : kPlaces) {
         const std::string where = nameOf(place);
-        Bench b("sample:dna", place.points, place.scale, place.hand);
+        Bench b("sample:dna", place.points, place.scale, place.hand, sampleSources(),
+                [](PanelHost& host) { host.record = [](const RecordingWish&, const std::vector<SavedView>&) {}; });
         b.panel.toggleHelp();
         b.settle();
         EXPECT_GT(expectReadable(b, where + ", help"), 10u);
@@ -79,6 +81,17 @@ TEST(Panel, EveryCardIsReadableEverywhere) {
         b.settle();
         EXPECT_TRUE(b.find("Transparent background"));
         expectReadable(b, where + ", save");
+        b.panel.closeTop();
+        b.panel.keepView(b.viewer, b.now);
+        b.panel.keepView(b.viewer, b.now);
+        b.panel.showRecord();
+        b.settle();
+        EXPECT_TRUE(b.find("Record a film", "text"));
+        expectReadable(b, where + ", film");
+        b.click("Motion");
+        b.click("Kept views");
+        b.settle();
+        expectReadable(b, where + ", film of views");
         b.panel.closeTop();
         b.panel.showStart();
         b.settle();
@@ -90,7 +103,8 @@ TEST(Panel, EveryCardIsReadableEverywhere) {
         EXPECT_TRUE(b.find("Open another")) << where;
         expectReadable(b, where + ", error");
         Bench empty("", place.points, place.scale, place.hand);
-        EXPECT_TRUE(empty.find("DNA")) << where;
+        const std::vector<Control>& all = empty.panel.controls();  // low ones scroll
+        EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const Control& c) { return c.name == "DNA"; })) << where;
         expectReadable(empty, where + ", empty");
     }
 }

@@ -41,6 +41,17 @@ TEST(Panel, AnErrorStaysUntilItIsRead) {
     EXPECT_TRUE(b.find("DNA"));
 }
 
+TEST(Panel, ACardIsAsHighAsWhatComesToStandInIt) {
+    Bench b("", kUsual);
+    for (int i = 0; i < 10; ++i) b.frame();
+    ASSERT_FALSE(b.panel.restless());
+    b.viewer.fail("the file is gone", b.now);
+    // Frames are drawn as long as they are asked for, as in a shell.
+    b.frame();
+    for (int i = 0; i < 20 && b.panel.restless(); ++i) b.frame();
+    for (const char* name : {"Close", "Get it", "DNA", "Help"}) EXPECT_TRUE(b.find(name)) << name;
+}
+
 /// Of the controls of a window those that keys do not come to.
 std::vector<std::string> unreached(Bench& b, const std::string& window) {
     std::vector<std::string> missed;

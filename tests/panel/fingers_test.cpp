@@ -1,0 +1,106 @@
+// The panel under fingers: what they hit is large enough, and lists go on when they are let go.
+
+#include <cmath>
+
+#include "app/panel/theme.h"
+#include "app/shared/appearance_values.h"
+#include "tests/panel/panel_bench.h"
+
+namespace nacre::app::test {
+namespace {
+
+constexpr PixelSize kPhone{360, 640};
+
+/// Every control is at least as high and as wide as a finger, as the platforms ask for.
+void expectHit(const Bench& b, const std::string& state) {
+    const double least = kFingerPoints * b.scale - 0.5;
+    std::size_t looked = 0;
+    for (const Control& c : b.panel.controls()) {
+        if (c.role == "text" || c.role == "status" || c.role == "sequence") continue;
+        ++looked;
+        EXPECT_GE(c.bottom - c.top, least) << state << ": " << c.role << " \"" << c.name << "\"";
+        EXPECT_GE(c.right - c.left, least) << state << ": " << c.role << " \"" << c.name << "\"";
+    }
+    EXPECT_GT(looked, 0u) << state;
+}
+
+TEST(Fingers, HitEveryControl) {
+    for (const double scale : {1.0, 2.6}) {
+        Bench b("sample:dna", kPhone, scale, PanelHand::fingers, sampleSources(),
+                [](PanelHost& host) { host.record = [](const RecordingWish&, const std::vector<SavedView>&) {}; });
+        expectHit(b, "menu");
+        b.panel.togglePanel();
+        SavedView look = b.viewer.view();
+        look.look.rules = {parseHide("resi 1"), parseShow("chain B=licorice")};
+        look.words.labels.push_back(parseLabel("resi 3={residue}"));
+        look.effects.contours.width = look.effects.halos.width = 3;
+        look.effects.fog.range = Fog::Range::automatic;
+        b.viewer.setLook(look, b.now);
+        for (const Panel::Page page : kPages) {
+            b.panel.showPage(page);
+            b.settle();
+            expectHit(b, "page " + std::to_string(static_cast<int>(page)));
+        }
+        for (const auto& show : {&Panel::showSave, &Panel::showStart, &Panel::showRecord, &Panel::toggleHelp}) {
+            (b.panel.*show)();
+            b.settle();
+            expectHit(b, "a card");
+            b.panel.closeTop();
+        }
+        b.viewer.open("nothing.pdb", b.now);
+        b.settle();
+        expectHit(b, "an error");
+    }
+}
+
+/// Where a text of the page stands, which moves with it. Not a number: nowhere
+float placeOf(const Bench& b, const std::string& name) {
+    for (const Control& c : b.panel.controls())
+        if (c.name == name && c.window == "Nacre") return c.top;
+    return std::nanf("");
+}
+
+TEST(Fingers, ALetGoListGlidesOnAndComesToRest) {
+    Bench b("sample:dna", kPhone, 1, PanelHand::fingers);
+    b.panel.togglePanel();
+    b.settle();
+    const auto place = [&] { return placeOf(b, "Background"); };
+    const auto drag = [&](double to, bool rests) {
+        const double x = 180, from = 600;
+        EXPECT_TRUE(b.panel.touch({1, TouchPhase::began, {x, from}}));
+        for (int i = 1; i <= 8; ++i) {
+            b.panel.touch({1, TouchPhase::moved, {x, from + (to - from) * i / 8}});
+            b.frame();
+        }
+        for (int i = 0; i < 20 && rests; ++i) b.frame();
+        b.panel.touch({1, TouchPhase::ended, {x, to}});
+        b.frame();
+    };
+    const float before = place();
+    drag(500, false);
+    const float letGo = place();
+    EXPECT_NEAR(before - letGo, 100, 15) << "it goes with the finger";
+    EXPECT_TRUE(b.panel.restless());
+    for (int i = 0; i < 30; ++i) b.frame();
+    const float glided = place();
+    EXPECT_LT(glided, letGo - 40) << "and on, when it is let go";
+    for (int i = 0; i < 300; ++i) b.frame();
+    const float rested = place();
+    b.frame();
+    EXPECT_EQ(place(), rested);
+    EXPECT_FALSE(b.panel.restless());
+    // A finger that rests before it leaves stops it, and so does one that comes down.
+    drag(540, true);
+    const float still = place();
+    for (int i = 0; i < 30; ++i) b.frame();
+    EXPECT_EQ(place(), still);
+    drag(560, false);
+    b.panel.touch({2, TouchPhase::began, {180, 600}});
+    b.frame();
+    const float caught = place();
+    for (int i = 0; i < 30; ++i) b.frame();
+    EXPECT_EQ(place(), caught);
+}
+
+}  // namespace
+}  // namespace nacre::app::test
