@@ -86,7 +86,10 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
     ScreenFrame frame = frames_.declare(settings, atlas, view, targets, name, imports, fragments, edges);
     Drawn drawn;
     drawn.edges = frame.edges.has_value();
-    if (readBack)
+    drawn.colors = frame.colors;
+    if (drawn.colors)
+        frame.graph.output(frame.numbers);
+    else if (readBack)
         drawn.pixels = addReadBacks(device_, frame, targets, imageExtent(view), imports);
     else
         for (const graph::Image target : frame.targets) frame.graph.output(target);
@@ -100,6 +103,7 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
     stats_.frameMilliseconds = millisecondsSince(start);
     executor_.reset();
     for (const gpu::Buffer& pixels : drawn.pixels) pixels.invalidate();
+    if (drawn.colors) drawn.colors->numbers.buffer.invalidate();
     if (fragments) stats_.passes = fragments->counts();
     if (settings.tuning.timePasses) stats_.passTimes = timer_.times();
     tell(plan);
@@ -142,8 +146,9 @@ void PictureFrames::checkSize(const View& view) const {
 
 Picture PictureFrames::resolved(const Drawn& drawn, const RenderSettings& settings, const Wanted& wanted,
                                 std::uint32_t n) {
-    const std::byte* pixels = drawn.pixels[0].mapped;
-    const ResolvedPart part{imageExtent(wanted.view).width * n, n, wanted.inner};
+    const std::byte* pixels = drawn.colors ? drawn.colors->numbers.buffer.mapped : drawn.pixels[0].mapped;
+    const std::uint32_t row = drawn.colors ? drawn.colors->rowPixels() : imageExtent(wanted.view).width * n;
+    const ResolvedPart part{row, n, wanted.inner};
     if (isFine(settings))
         return resolvePicture(reinterpret_cast<const float*>(pixels), part, settings.background, stats_.coveredPixels);
     return resolvePicture(reinterpret_cast<const std::uint32_t*>(pixels), part, settings.background,

@@ -35,8 +35,9 @@ private:
     };
     /// What a frame left.
     struct Drawn {
-        std::vector<gpu::Buffer> pixels;  ///< of each target, if they were to be read back
-        bool edges = false;               ///< drawn from kEdgeSamples
+        std::vector<gpu::Buffer> pixels;                  ///< of each target, if they were to be read back
+        std::shared_ptr<const passes::TileFrame> colors;  ///< not null: the picture, which is where the host reads it
+        bool edges = false;                               ///< drawn from kEdgeSamples
     };
     Drawn draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                std::span<const ScreenTarget> targets, bool readBack, const char* name, bool edges = false);

@@ -138,10 +138,6 @@ graph::Record Recorder::colorsByTiles(Image atlas) const {
     return of([=](Context& c, const SceneView& scene) { passes::findNearestByTiles(c, scene, c.view(atlas)); });
 }
 
-graph::Record Recorder::copiedColors(graph::Buffer colors, Image image, graph::Extent extent) const {
-    return of([=](Context& c, const SceneView& scene) { passes::copyColors(c, scene, colors, image, extent); });
-}
-
 graph::Record Recorder::edgePixels() const {
     return of([](Context& c, const SceneView& scene) { passes::findEdgesByTiles(c, scene); });
 }

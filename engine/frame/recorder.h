@@ -54,9 +54,8 @@ public:
     graph::Record nearestByTiles() const;
     /// @param depth  goes to the depth buffer, too
     graph::Record shadedTiles(passes::Output output, graph::Image atlas, bool depth = false) const;
-    /// Both in one, and what makes a picture of the colours.
+    /// Both in one.
     graph::Record colorsByTiles(graph::Image atlas) const;
-    graph::Record copiedColors(graph::Buffer colors, graph::Image image, graph::Extent extent) const;
     graph::Record edgePixels() const;
     graph::Record edgesByTiles(graph::Image atlas) const;
     graph::Record edgeColors(const graph::Clear& clear) const;

@@ -128,6 +128,7 @@ ScreenFrame SceneFrames::declareSeen(const RenderSettings& asked, const passes::
                     seen->radiusPixels, seen->perspective, translucentCount};
     imports.bind(frame.atlas, atlas);
     if (seen->tiles) imports.bind(frame.numbers, seen->tiles->numbers.buffer);
+    if (options.shadedByTiles) frame.colors = seen->tiles;
     if (frame.layerNumbers) imports.bind(*frame.layerNumbers, seen->translucent->tiles->numbers.buffer);
     if (frame.edges) {
         imports.bind(*frame.edges, seen->tiles->edgeBuffer().buffer);

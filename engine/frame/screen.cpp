@@ -17,7 +17,8 @@ graph::PassBuilder& ScreenFrame::lit(graph::PassBuilder& pass) const {
 }
 
 ScreenFrame screenFrame(const ScreenOptions& options, const Recorder& recorder) {
-    ScreenFrame frame{graph::Graph(options.name), {}, {}, {}, {}, {}, {}, {}, {}, {}};
+    ScreenFrame frame;
+    frame.graph = graph::Graph(options.name);
     frame.depth = frame.nearest = frame.graph.image("depth", {VK_FORMAT_D32_SFLOAT, options.extent});
     frame.atlas = frame.graph.importImage(
         "occlusion atlas", options.atlas,

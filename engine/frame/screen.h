@@ -1,6 +1,7 @@
 #pragma once
 // The screen frame, declared: its images and passes. The renderer draws this graph and `nacre plan` prints it.
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,6 +12,10 @@
 #include "engine/graph/encoded_format.h"
 #include "engine/graph/graph.h"
 #include "engine/results.h"
+
+namespace nacre::passes {
+struct TileFrame;
+}
 
 namespace nacre {
 
@@ -53,7 +58,7 @@ struct ScreenOptions {
     std::span<const ScreenTarget> targets;
     bool prepass = true;                  ///< false: plates would reject nothing on this path (graph::platesReject)
     const char* name = "screen";          ///< images are kept by it: frames of several sizes want several names
-    bool shadedByTiles = false;           ///< `tiles`: compute shades, too; the target takes coded colour
+    bool shadedByTiles = false;           ///< `tiles`: compute shades, too: coded colour, no target
     bool edges = false;                   ///< of `tiles`: they are drawn from more samples than one
     bool rims = false;                    ///< of `deferred`: halos, or lines by groups
     std::uint32_t shadowPixels = 0;       ///< across the map of what the light sees; 0: there are no shadows
@@ -72,15 +77,16 @@ struct SceneCounts {
 
 struct ScreenFrame {
     graph::Graph graph{"screen"};
-    graph::Image depth;                  ///< hardware depth
-    graph::Image nearest;                ///< encoded depth or primitive numbers; `fragdepth`: depth itself
-    graph::Image atlas;                  ///< imported
-    graph::Buffer numbers;               ///< imported, of `tiles`: numbers of primitives, or their colours
-    std::optional<graph::Buffer> edges;  ///< imported, of `tiles`: what they need beside that
-    std::optional<graph::Image> shadow;  ///< what the light sees
-    std::vector<graph::Image> targets;
-    std::vector<graph::Image> layers;           ///< numbers of translucent triangles, of the nearest first
-    std::optional<graph::Buffer> layerNumbers;  ///< the same where tiles find them, imported
+    graph::Image depth;                               ///< hardware depth
+    graph::Image nearest;                             ///< encoded depth or primitive numbers; `fragdepth`: depth itself
+    graph::Image atlas;                               ///< imported
+    graph::Buffer numbers;                            ///< imported, of `tiles`: numbers of primitives, or their colours
+    std::optional<graph::Buffer> edges;               ///< imported, of `tiles`: what they need beside that
+    std::optional<graph::Image> shadow;               ///< what the light sees
+    std::vector<graph::Image> targets;                ///< none where `colors` are
+    std::shared_ptr<const passes::TileFrame> colors;  ///< of `tiles` that compute shades: `numbers` are the picture
+    std::vector<graph::Image> layers;                 ///< numbers of translucent triangles, of the nearest first
+    std::optional<graph::Buffer> layerNumbers;        ///< the same where tiles find them, imported
     SceneCounts counts{};
     graph::Buffer edgePixels{};  ///< imported, where `edges` are: their pixels
 

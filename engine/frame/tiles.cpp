@@ -11,9 +11,8 @@ graph::Buffer addPixels(ScreenFrame& f, const ScreenOptions& options, const char
     return f.graph.importBuffer(name, bytes * TileLists::pixelsOfBins(options.extent.width, options.extent.height));
 }
 
-/// Colours stand in a buffer row by row, and are laid over there; a copy makes a picture of it.
+/// Colours stand in a buffer row by row, where the host reads them: nothing makes an image of it.
 void declareShadedTiles(ScreenFrame& f, const ScreenOptions& options, const Recorder& draw) {
-    const ScreenTarget& target = options.targets[0];
     f.numbers = addPixels(f, options, "colours of tiles", kWord);
     if (options.edges) f.edges = addPixels(f, options, "primitive numbers", kWord);
     graph::PassBuilder nearest = f.graph.compute("nearest primitive, shaded");
@@ -27,11 +26,6 @@ void declareShadedTiles(ScreenFrame& f, const ScreenOptions& options, const Reco
             .writes(f.numbers)
             .record(draw.edgesByTiles(f.atlas));
     }
-    const graph::Image picture = f.add(target, options.extent);
-    f.graph.transfer(target.pass)
-        .copiesFrom(f.numbers)
-        .copiesTo(picture)
-        .record(draw.copiedColors(f.numbers, picture, options.extent));
 }
 
 }  // namespace

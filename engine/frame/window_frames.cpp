@@ -143,7 +143,8 @@ ScreenFrame WindowFrames::declareRefined(const RenderSettings& settings, const p
 }
 
 ScreenFrame WindowFrames::declareKept(gpu::Imports& imports) {
-    ScreenFrame f{graph::Graph("kept screen"), {}, {}, {}, {}, {}, {}, {}, {}, {}};
+    ScreenFrame f;
+    f.graph = graph::Graph("kept screen");
     const graph::Image sum =
         f.graph.importImage("sum of samples", {kSumFormat, swapchain_.extent()}, passes::kTextureState);
     imports.bind(sum, sum_);

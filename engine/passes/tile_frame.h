@@ -62,6 +62,7 @@ struct TileFrame {
     TileBuffer spans;     ///< TileLists::spans() as vertices
     TileEdges edges;
 
+    std::uint32_t rowPixels() const { return lists.across() * TileLists::kBinPixels; }
     /// What is made for the edges' sake.
     const TileBuffer& edgeBuffer() const { return shaded ? edges.numbers : edges.colors; }
     const PixelWords& sights() const { return shaded ? edges.numbers : numbers; }

@@ -130,13 +130,4 @@ void shadeSpans(gpu::PassContext& context, const SceneView& view, vk::ImageView 
     drawSpans(context, f);
 }
 
-void copyColors(gpu::PassContext& context, const SceneView& view, graph::Buffer colors, graph::Image image,
-                graph::Extent extent) {
-    const std::uint32_t pitch = view.tiles->lists.across() * TileLists::kBinPixels;
-    const vk::BufferImageCopy all(0, pitch, 0, {vk::ImageAspectFlagBits::eColor, 0, 0, 1}, {},
-                                  {extent.width, extent.height, 1});
-    context.commands.copyBufferToImage(context.buffer(colors), context.image(image),
-                                       vk::ImageLayout::eTransferDstOptimal, all);
-}
-
 }  // namespace nacre::passes

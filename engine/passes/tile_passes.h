@@ -17,8 +17,4 @@ void shadeTiles(gpu::PassContext& context, const SceneView& view, Output output,
 /// The same by a pipeline of which the fragment stage is set, and what it does to depth and colour.
 void shadeSpans(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas, gpu::GraphicsPipeline pipeline);
 
-/// Transfer: the picture of what findNearestByTiles() has shaded.
-void copyColors(gpu::PassContext& context, const SceneView& view, graph::Buffer colors, graph::Image image,
-                graph::Extent extent);
-
 }  // namespace nacre::passes
