@@ -13,7 +13,6 @@ namespace {
 
 using Quality = WindowFrame::Quality;
 
-constexpr VkFormat kPictureFormat = VK_FORMAT_R8G8B8A8_SRGB;
 /// Of sums of samples: blends on every device, and holds sixteen of them within a quarter of a step of 8 bits.
 constexpr VkFormat kSumFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
@@ -62,6 +61,10 @@ bool WindowFrames::coded() const {
     return swapchain_.format() == VK_FORMAT_B8G8R8A8_UNORM || swapchain_.format() == VK_FORMAT_R8G8B8A8_UNORM;
 }
 
+/// Of pictures that are brought to the window: the window's own where that can be, so that one set of pipelines draws
+/// them and the window.
+VkFormat WindowFrames::pictureFormat() const { return coded() ? VK_FORMAT_R8G8B8A8_SRGB : swapchain_.format(); }
+
 /// Brings swapchain and kept picture to the window's size. @returns whether there is anything to draw into
 bool WindowFrames::prepare(graph::Extent wanted) {
     if (!swapchain_.stale() && swapchain_.ready() && swapchain_.upright() == wanted) return true;
@@ -78,13 +81,26 @@ bool WindowFrames::prepare(graph::Extent wanted) {
 }
 
 /// The pass that brings a picture onto the window.
-graph::Image WindowFrames::addPicture(ScreenFrame& frame, graph::Image picture, std::uint32_t samples, float share) {
+graph::Image WindowFrames::addPicture(graph::Graph& frame, graph::Image picture, std::uint32_t samples, float share) {
     const graph::Image window =
-        frame.graph.importImage("window", {swapchain_.format(), swapchain_.extent()}, kWindowState, true);
-    frame.graph.graphics("resample").samples(picture).color(window).record([=, this](gpu::PassContext& c) {
+        frame.importImage("window", {swapchain_.format(), swapchain_.extent()}, kWindowState, true);
+    frame.graphics("resample").samples(picture).color(window).record([=, this](gpu::PassContext& c) {
         passes::resample(c, c.view(picture), {samples, coded(), share, false});
     });
     return window;
+}
+
+/// The pass that adds a sample of each pixel to those that there are. @returns the sum, to be bound
+graph::Image WindowFrames::addSum(graph::Graph& frame, graph::Image sample, const WindowFrame& which) {
+    const bool first = which.sample == 0;
+    const graph::Image sum =
+        frame.importImage("sum of samples", {kSumFormat, swapchain_.extent()}, passes::kTextureState, first);
+    std::optional<graph::Clear> clear;
+    if (first) clear = graph::Clear{0.0f};
+    frame.graphics("sum of samples").samples(sample).color(sum, clear).record([=](gpu::PassContext& c) {
+        passes::resample(c, c.view(sample), {1, false, 1, true});
+    });
+    return sum;
 }
 
 void WindowFrames::addOverlay(ScreenFrame& frame, graph::Image window, const Overlay* overlay, gpu::FrameSlot& slot) {
@@ -95,6 +111,21 @@ void WindowFrames::addOverlay(ScreenFrame& frame, graph::Image window, const Ove
     });
 }
 
+/// What brings smaller pictures, samples and their sum to the window is made before the first of them is drawn.
+void WindowFrames::prepareOthers() {
+    const graph::ImageDesc desc{pictureFormat(), swapchain_.extent()};
+    const auto prepare = [&](const auto& declare) {
+        graph::Graph graph("ahead");
+        declare(graph, graph.importImage("colour", desc, passes::kTextureState));
+        executor_.prepare(graph, graph::compile(graph, device_.caps().plan));
+    };
+    WindowFrame sample;
+    for (; sample.sample < 2; ++sample.sample)  // one that begins a sum, and one that is added
+        prepare(
+            [&](graph::Graph& graph, graph::Image colour) { addPicture(graph, addSum(graph, colour, sample), 1, 1); });
+    prepare([&](graph::Graph& graph, graph::Image colour) { addPicture(graph, colour, 0, 1); });
+}
+
 /// The frame but for the overlay. Its last target is the window.
 ScreenFrame WindowFrames::declareFrame(const RenderSettings& settings, const passes::Atlas& atlas,
                                        const WindowFrame& frame, gpu::Imports& imports) {
@@ -102,7 +133,7 @@ ScreenFrame WindowFrames::declareFrame(const RenderSettings& settings, const pas
     view.quarterTurns = swapchain_.quarterTurns();
     if (frame.quality == Quality::kept) return declareKept(imports);
     const graph::Clear clear = clearOf(settings.background);
-    ScreenTarget target{"colour", kPictureFormat, passes::Output::color, "impostor colour", clear};
+    ScreenTarget target{"colour", pictureFormat(), passes::Output::color, "impostor colour", clear};
     if (frame.quality == Quality::refined) return declareRefined(settings, atlas, view, target, frame, imports);
     RenderSettings live = settings;
     live.supersample = 1;
@@ -112,7 +143,7 @@ ScreenFrame WindowFrames::declareFrame(const RenderSettings& settings, const pas
         return frames_.declareNext(live, atlas, view, {&target, 1}, "screen", imports);
     }
     ScreenFrame f = frames_.declareNext(live, atlas, scaled(view, frame.scale), {&target, 1}, "scaled screen", imports);
-    f.targets.push_back(addPicture(f, f.targets[0], frame.scale == 1.0 ? 1 : 0, 1));
+    f.targets.push_back(addPicture(f.graph, f.targets[0], frame.scale == 1.0 ? 1 : 0, 1));
     return f;
 }
 
@@ -129,16 +160,9 @@ ScreenFrame WindowFrames::declareRefined(const RenderSettings& settings, const p
     }
     ScreenFrame f = frames_.declareNext(settings, atlas, throughSampleOf(view, frame.samples, frame.sample),
                                         {&target, 1}, "refinement", imports);
-    const bool first = frame.sample == 0;
-    const graph::Image sum = f.graph.importImage("sum of samples", desc, passes::kTextureState, first);
-    const graph::Image colour = f.targets[0];
+    const graph::Image sum = addSum(f.graph, f.targets[0], frame);
     imports.bind(sum, sum_);
-    std::optional<graph::Clear> clear;
-    if (first) clear = graph::Clear{0.0f};
-    f.graph.graphics("sum of samples").samples(colour).color(sum, clear).record([=](gpu::PassContext& c) {
-        passes::resample(c, c.view(colour), {1, false, 1, true});
-    });
-    f.targets.push_back(addPicture(f, sum, 1, 1.0f / static_cast<float>(frame.sample + 1)));
+    f.targets.push_back(addPicture(f.graph, sum, 1, 1.0f / static_cast<float>(frame.sample + 1)));
     return f;
 }
 
@@ -148,7 +172,7 @@ ScreenFrame WindowFrames::declareKept(gpu::Imports& imports) {
     const graph::Image sum =
         f.graph.importImage("sum of samples", {kSumFormat, swapchain_.extent()}, passes::kTextureState);
     imports.bind(sum, sum_);
-    f.targets.push_back(addPicture(f, sum, 1, 1.0f / static_cast<float>(summed_)));
+    f.targets.push_back(addPicture(f.graph, sum, 1, 1.0f / static_cast<float>(summed_)));
     return f;
 }
 
@@ -198,6 +222,7 @@ FrameOutcome WindowFrames::present(const RenderSettings& settings, const passes:
         submit(slot, settings, atlas, frame);
         if (frame.quality == Quality::refined) summed_ = frame.sample + 1;
         swapchain_.present(index);
+        if (!std::exchange(preparedOthers_, true)) prepareOthers();
         return FrameOutcome::shown;
     }
     return FrameOutcome::resized;  // faster than it can be followed: again at the next frame

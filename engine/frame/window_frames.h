@@ -40,9 +40,12 @@ private:
     ScreenFrame declareRefined(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                                const ScreenTarget& target, const WindowFrame& frame, gpu::Imports& imports);
     ScreenFrame declareKept(gpu::Imports& imports);
-    graph::Image addPicture(ScreenFrame& frame, graph::Image picture, std::uint32_t samples, float share);
+    void prepareOthers();
+    graph::Image addSum(graph::Graph& frame, graph::Image sample, const WindowFrame& which);
+    graph::Image addPicture(graph::Graph& frame, graph::Image picture, std::uint32_t samples, float share);
     void addOverlay(ScreenFrame& frame, graph::Image window, const Overlay* overlay, gpu::FrameSlot& slot);
     bool coded() const;
+    VkFormat pictureFormat() const;
 
     const gpu::Device& device_;
     gpu::Executor& executor_;
@@ -52,7 +55,8 @@ private:
     gpu::Retired retired_;  ///< by frames that are in flight; the next one takes it with it
     graph::PlanCache plans_;
     passes::OverlayPass overlay_;
-    gpu::Image sum_;            ///< of the refined picture's samples
+    gpu::Image sum_;  ///< of the refined picture's samples
+    bool preparedOthers_ = false;
     std::uint32_t summed_ = 0;  ///< of them, in it, or to be by what was submitted; 0: none are of use
 };
 

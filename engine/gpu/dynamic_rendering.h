@@ -41,6 +41,7 @@ public:
     /// Whether the device carries out such a render pass in this way.
     static bool takes(const Device& device, const graph::RenderPassPlan& plan);
 
+    RenderingFormats formatsOf(std::uint32_t subpass) const;
     void begin() const;
     /// What it draws to and reads from here on; orders it behind earlier ones.
     RenderingFormats beginSubpass(std::uint32_t subpass) const;
@@ -50,7 +51,6 @@ public:
 
 private:
     vk::ImageLayout layoutOf(std::uint32_t attachment) const;
-    RenderingFormats formatsOf(std::uint32_t subpass) const;
     void transition(bool entering) const;
 
     const Device& device_;

@@ -16,6 +16,17 @@ graph::RenderPassPlan essence(graph::RenderPassPlan plan) {
     return plan;
 }
 
+/// What its pipelines depend on: not what becomes of attachments before and after it ("Render Pass Compatibility" of
+/// the Vulkan specification).
+graph::RenderPassPlan compatibility(graph::RenderPassPlan essence) {
+    for (graph::Attachment& a : essence.attachments) {
+        a.load = {};
+        a.store = {};
+        a.initialLayout = a.finalLayout = VK_IMAGE_LAYOUT_UNDEFINED;
+    }
+    return essence;
+}
+
 const vk::SubpassBeginInfo kInline(vk::SubpassContents::eInline);
 
 /// What a plan carries out, in words: "screen: opaque prepass, impostor colour".
@@ -66,7 +77,10 @@ Executor::OwnedRenderPass& Executor::renderPass(const graph::RenderPassPlan& pla
         if (pass.plan == key) return pass;
     MergedSubpasses merged;
     vk::raii::RenderPass made = makeRenderPass(device_, plan, name, merged);
-    renderPasses_.push_back({key, std::move(made), std::move(merged), {}});
+    const auto compatible = std::ranges::find_if(
+        renderPasses_, [&](const OwnedRenderPass& p) { return compatibility(p.plan) == compatibility(key); });
+    const vk::RenderPass ofPipelines = compatible == renderPasses_.end() ? *made : compatible->ofPipelines;
+    renderPasses_.push_back({key, std::move(made), ofPipelines, std::move(merged), {}});
     return renderPasses_.back();
 }
 
@@ -119,7 +133,7 @@ void Executor::beginRenderPass(const graph::RenderPassPlan& pass, PassContext& c
     const vk::Rect2D area({0, 0}, {pass.extent.width, pass.extent.height});
     context.commands.beginRenderPass2KHR(
         vk::RenderPassBeginInfo(*owned.handle, framebuffer(owned, pass, context, name), area, clears), kInline);
-    context.renderPass = *owned.handle;
+    context.renderPass = owned.ofPipelines;
 }
 
 void Executor::recordRenderPass(const graph::Graph& graph, const graph::Plan& plan, const graph::RenderPassPlan& pass,
@@ -204,6 +218,29 @@ void Executor::record(const vk::raii::CommandBuffer& commands, const graph::Grap
     }
     barriers(commands, plan.after, graph, context);
     device_.endLabel(commands);
+}
+
+void Executor::prepare(const graph::Graph& graph, const graph::Plan& plan) {
+    const vk::raii::CommandBuffer none{nullptr};
+    PassContext context{none, device_, descriptors_, pipelines_, {}, {}};
+    context.ahead = true;
+    context.images.resize(graph.images().size());
+    context.buffers.resize(graph.buffers().size());
+    for (const graph::Step& step : plan.steps) {
+        const graph::RenderPassPlan& pass = step.renderPass;
+        const bool dynamic = DynamicRendering::takes(device_, pass);
+        context.extent = pass.extent;
+        for (std::uint32_t s = 0; s < pass.subpasses.size(); ++s) {
+            context.renderPass = dynamic ? nullptr : renderPass(pass, nameOf(graph, pass)).ofPipelines;
+            if (dynamic) context.rendering = DynamicRendering(device_, pass, context.images, none).formatsOf(s);
+            context.subpass = dynamic ? 0 : s;
+            context.colorCount = static_cast<std::uint32_t>(pass.subpasses[s].colors.size());
+            for (const std::uint32_t p : pass.subpasses[s].passes) {
+                context.pass = graph.passes()[p].name;
+                graph.passes()[p].record(context);
+            }
+        }
+    }
 }
 
 void Executor::run(const graph::Graph& graph, const graph::Plan& plan, const Imports& imports) {

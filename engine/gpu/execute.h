@@ -30,13 +30,14 @@ struct PassContext {
     DescriptorPool& descriptors;
     Pipelines& pipelines;
     std::string_view pass;      ///< its name in the graph
-    vk::RenderPass renderPass;  ///< graphics passes; null where they are rendered dynamically
+    vk::RenderPass renderPass;  ///< of graphics passes' pipelines; null where they are rendered dynamically
     std::uint32_t subpass = 0;
     RenderingFormats rendering{};                                           ///< of these
     vk::ImageLayout inputLayout = vk::ImageLayout::eShaderReadOnlyOptimal;  ///< of input attachments
     std::uint32_t colorCount = 0;                                           ///< colour attachments of the subpass
     graph::Extent extent{};
     bool inputIsSampled = false;     ///< input reads come as textures
+    bool ahead = false;              ///< nothing is to be recorded: the pipelines are wanted of Pipelines
     std::vector<ImageRef> images{};  ///< by graph index
     std::vector<vk::Buffer> buffers{};
 
@@ -62,6 +63,9 @@ public:
 
     /// Pipelines that frames are likely to ask for next are made on a thread of its own from now on.
     void makePipelinesAhead() { pipelines_.makeAhead(); }
+
+    /// Has the pipelines of a graph made by that thread. The graph's passes know of PassContext::ahead.
+    void prepare(const graph::Graph& graph, const graph::Plan& plan);
 
     /// Records the plan of a graph. Images of the same graph and name are kept from one execution to the next.
     /// For commands that are waited for before the next ones are recorded: their descriptor sets last until then.
@@ -106,6 +110,7 @@ private:
     struct OwnedRenderPass {
         graph::RenderPassPlan plan;  ///< without what changes from frame to frame
         vk::raii::RenderPass handle;
+        vk::RenderPass ofPipelines;  ///< the first that is compatible: a pipeline made for it serves this, too
         MergedSubpasses merged;
         std::list<Framebuffer> framebuffers;
     };

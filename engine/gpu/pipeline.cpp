@@ -191,6 +191,12 @@ void Pipelines::makeAhead() {
 
 void Pipelines::endAhead() { worker_.reset(); }
 
+void Pipelines::want(const GraphicsPipeline& description) {
+    if (worker_ &&
+        std::ranges::none_of(graphics_, [&](const auto& m) { return samePipeline(m.description, description); }))
+        worker_->want(description);
+}
+
 vk::Pipeline Pipelines::graphics(const GraphicsPipeline& description,
                                  const std::function<std::vector<GraphicsPipeline>()>& next) {
     for (const auto& made : graphics_)
@@ -202,9 +208,7 @@ vk::Pipeline Pipelines::graphics(const GraphicsPipeline& description,
     graphics_.push_back({kept, std::move(*made)});
     const vk::Pipeline pipeline = *graphics_.back().pipeline;
     if (!worker_ || !next) return pipeline;
-    for (const GraphicsPipeline& other : next())
-        if (std::ranges::none_of(graphics_, [&](const auto& m) { return samePipeline(m.description, other); }))
-            worker_->want(other);
+    for (const GraphicsPipeline& other : next()) want(other);
     return pipeline;
 }
 

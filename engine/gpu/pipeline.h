@@ -115,6 +115,8 @@ public:
     /// From now on what is likely to be asked for next is made on a thread of its own, until endAhead().
     void makeAhead();
     void endAhead();
+    /// To be made so, unless it is there; nothing where nobody makes pipelines ahead.
+    void want(const GraphicsPipeline& description);
 
     /// @param next  what is likely to be asked for after this one; called where it is new and somebody makes those
     vk::Pipeline graphics(const GraphicsPipeline& description,

@@ -136,8 +136,12 @@ private:
             Track& track = use.isImage ? images_[use.resource] : buffers_[use.resource];
             const bool discards = use.attachment && use.attachment->load != Load::load;
             const VkImageLayout wanted = use.isImage ? use.entry.layout : VK_IMAGE_LAYOUT_UNDEFINED;
-            const State from{track.before().stages, track.before().access,
-                             discards ? VK_IMAGE_LAYOUT_UNDEFINED : track.layout};
+            State from{track.before().stages, track.before().access,
+                       discards ? VK_IMAGE_LAYOUT_UNDEFINED : track.layout};
+            // Whoever drew a colour or sampled it before, all of fragments, so that passes that differ by that alone
+            // are compatible: one pipeline draws the window and a picture that is sampled.
+            if (discards && !isDepthFormat(use.attachment->format))
+                from.stages |= VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT | VK_PIPELINE_STAGE_FRAGMENT_SHADER_BIT;
             const State to{use.entry.stages, use.entry.access, wanted};
             if (use.attachment) {
                 use.attachment->initialLayout = discards ? VK_IMAGE_LAYOUT_UNDEFINED : wanted;

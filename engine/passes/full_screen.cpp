@@ -4,7 +4,10 @@
 
 namespace nacre::passes {
 
-void bindFullScreen(gpu::PassContext& context, const FullScreenPass& pass, const gpu::Layout& layout) {
+namespace {
+
+gpu::GraphicsPipeline pipelineOf(const gpu::PassContext& context, const FullScreenPass& pass,
+                                 const gpu::Layout& layout) {
     gpu::GraphicsPipeline d = context.pipeline();
     d.detail = pass.detail;
     d.vertex = shaders::screenVertex;
@@ -15,7 +18,18 @@ void bindFullScreen(gpu::PassContext& context, const FullScreenPass& pass, const
     d.blend = pass.blend;
     d.depth = pass.depth;
     d.strip = false;
-    context.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, context.pipelines.graphics(d));
+    return d;
+}
+
+}  // namespace
+
+void bindFullScreen(gpu::PassContext& context, const FullScreenPass& pass, const gpu::Layout& layout) {
+    const vk::Pipeline pipeline = context.pipelines.graphics(pipelineOf(context, pass, layout));
+    context.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
+}
+
+void wantFullScreen(gpu::PassContext& context, const FullScreenPass& pass, const gpu::Layout& layout) {
+    context.pipelines.want(pipelineOf(context, pass, layout));
 }
 
 void bindTextures(gpu::PassContext& context, const gpu::Layout& layout, vk::Filter filter,

@@ -15,6 +15,7 @@ void resample(gpu::PassContext& context, vk::ImageView picture, const Resampling
     pass.blend = how.add ? gpu::Blend::add : gpu::Blend::replace;
     pass.constants.set(layout::kSamplesId, how.samples);
     pass.constants.set(layout::kCodedId, how.coded);
+    if (context.ahead) return wantFullScreen(context, pass, layout);
     bindFullScreen(context, pass, layout);
     bindTextures(context, layout, vk::Filter::eLinear, {&picture, 1});
     drawFullScreen(context, layout, kStages, scale);

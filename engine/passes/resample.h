@@ -11,7 +11,7 @@ struct Resampling {
     bool add = false;           ///< to what the target holds
 };
 
-/// Takes a picture to another resolution.
+/// Takes a picture to another resolution. Knows PassContext::ahead.
 void resample(gpu::PassContext& context, vk::ImageView picture, const Resampling& how);
 
 }  // namespace nacre::passes

@@ -1,4 +1,5 @@
-// Pipelines of the window's next shapes are made on a thread of their own: a zoom waits for none. In a window that
+// Pipelines of the window's next shapes are made on a thread of their own: neither a zoom nor
+// a smaller or a refined picture waits for one. In a window that
 // nobody sees, which SwiftShader has, as a phone (tests/phone_layer), since software devices have one shape alone.
 
 #include <algorithm>
@@ -33,7 +34,7 @@ struct Made {
     }
 };
 
-TEST(PipelinesAhead, AZoomWaitsForNone) {
+TEST(PipelinesAhead, NeitherAZoomNorAnotherQualityWaitsForOne) {
     const TemporaryFolder folder;
     const std::string file = folder / "pipelines";
     setenv("NACRE_PHONE_PIPELINES", file.c_str(), 1);
@@ -44,20 +45,32 @@ TEST(PipelinesAhead, AZoomWaitsForNone) {
     s.occlusion.directions = 0;
     renderer.present(s, {});
     const PixelSize size = renderer.windowSize();
-    const auto show = [&](double zoom) {
+    const auto show = [&](double zoom, const WindowFrame& frame = {}) {
         Camera camera;
         camera.zoom = zoom;
         s.view = viewOf(camera, r.radius, size.width, size.height);
-        EXPECT_EQ(renderer.present(s, {}), FrameOutcome::shown);
+        EXPECT_EQ(renderer.present(s, frame), FrameOutcome::shown);
     };
     show(0.002);  // spheres of a pixel
     const int first = Made(file).here;
     EXPECT_GT(first, 0);
-    for (int i = 0; i < 3'000 && Made(file).elsewhere < 2; ++i)
+    for (int i = 0; i < 3'000 && Made(file).elsewhere < 6; ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    EXPECT_GE(Made(file).elsewhere, 2);  // octagons of plates and of impostors
+    // Octagons of plates and of impostors, a sum's first sample and its next, the sum onto the window, a smaller
+    // picture onto the window.
+    EXPECT_GE(Made(file).elsewhere, 6);
     for (const double zoom : {0.02, 0.1, 1.0, 0.002}) show(zoom);
     EXPECT_EQ(Made(file).here, first);
+    WindowFrame other;
+    other.scale = 0.5;
+    show(1, other);
+    EXPECT_EQ(Made(file).here, first) << "in a smaller picture";
+    other = {};
+    other.quality = WindowFrame::Quality::refined;
+    for (other.samples = 4; other.sample < 2; ++other.sample) show(1, other);
+    other.quality = WindowFrame::Quality::kept;
+    show(1, other);
+    EXPECT_EQ(Made(file).here, first) << "in a refined picture";
     unsetenv("NACRE_PHONE_PIPELINES");
     for (const std::string& message : renderer.validationMessages()) ADD_FAILURE() << message;
 }
