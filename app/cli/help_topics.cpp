@@ -12,7 +12,7 @@ namespace {
 struct Topic {
     const char* name;
     const char* text;
-    std::array<const char*, 10> options;  ///< of `render`, which say what stands there of them
+    std::array<const char*, 11> options;  ///< of `render`, which say what stands there of them
 };
 
 constexpr Topic kTopics[] = {
@@ -43,8 +43,8 @@ constexpr Topic kTopics[] = {
      "x to the right, y up, z to the viewer. `Shift S` in the window saves a view, a small JSON; `render --view` and\n"
      "`movie --views` draw it. Its keys are the options' names. What it names as its molecule is found beside it, "
      "too.\n",
-     {"--view", "--rotate", "--zoom", "--projection", "--fov", "--orient", "--look-at", "--zoom-to", "--size",
-      "--allow-download"}},
+     {"--view", "--rotate", "--zoom", "--projection", "--fov", "--orient", "--look-at", "--zoom-to", "--uncover",
+      "--size", "--allow-download"}},
     {"light",
      "Ambient occlusion is baked once for a molecule and its style, and kept on disk if that took long.\n",
      {"--occlusion", "--occlusion-detail", "--occlusion-memory", "--lighting", "--fog", "--contours", "--halos",

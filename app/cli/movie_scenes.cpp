@@ -145,9 +145,10 @@ void MovieScenes::addKeys() {
         RenderOptions options = keyOptions(options_, file);
         const auto same = std::find_if(looks_.begin(), looks_.end(),
                                        [&](const Look& look) { return sameLook(look.options, options); });
-        Key key{static_cast<std::size_t>(same - looks_.begin()), {}, options.effects.clip};
+        Key key{static_cast<std::size_t>(same - looks_.begin()), {}, {}};
         const PreparedPicture prepared = preparePicture(molecule_, options);
         key.view = prepared.settings.view;
+        key.clip = prepared.settings.effects.clip;
         lenses.push_back(lensOf(key.view, prepared.run.center));
         if (lenses.back().projection != lenses.front().projection)
             throw Error("cannot join views", file, "it is not of the same --projection as the first");

@@ -98,7 +98,7 @@ void nameInputs(RenderOptions& options) {
     const std::vector<std::string> names = inputNames(options.input);
     for (Rule& rule : options.look.rules) nameInputs(names, rule.selection);
     for (Label& label : options.words.labels) nameInputs(names, label.selection);
-    for (std::optional<Selection>* selection : {&options.aim.lookAt, &options.aim.zoomTo})
+    for (std::optional<Selection>* selection : {&options.aim.lookAt, &options.aim.zoomTo, &options.aim.uncover})
         if (*selection) nameInputs(names, **selection);
     // A view that holds several has the colours that it was saved with.
     if (options.input.namedBy.empty()) colorApart(names, options.look);

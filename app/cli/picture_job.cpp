@@ -17,6 +17,7 @@
 #include "app/shared/word_painter.h"
 #include "engine/error.h"
 #include "engine/scene/orientation.h"
+#include "engine/scene/uncover.h"
 
 namespace nacre::app {
 namespace {
@@ -106,6 +107,20 @@ void makeRoom(PreparedPicture& prepared, const RenderOptions& options) {
     view = beside;
 }
 
+/// What is to be seen whole is. A plane cuts where what is left out would not do: copies of an assembly share what
+/// they are made of, and a film goes around it.
+void uncoverTarget(PreparedPicture& prepared, const RenderOptions& options, const Aimed& aim,
+                   const Molecule& molecule) {
+    const std::optional<Selection>& target = uncoveredBy(options.aim);
+    if (!target) return;
+    double& clipNear = prepared.settings.effects.clip.near;
+    if (aim.clipNear && (options.aim.turns || !prepared.scene.copies.transforms.empty()))
+        clipNear = std::max(clipNear, *aim.clipNear);
+    if (options.aim.turns) return;
+    prepared.run.uncovers = target->text;
+    prepared.run.uncovered = uncover(prepared.scene, selectAtoms(molecule, *target), prepared.settings.view, clipNear);
+}
+
 }  // namespace
 
 PictureFormat formatOf(const RenderOptions& options) {
@@ -120,9 +135,9 @@ PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& op
     const Aimed aim = aimed(options.camera, options.aim, molecule, prepared.scene, options.size);
     prepared.settings = settingsOf(options, aim.camera, radius);
     if (prepared.scene.radius > radius) reachTo(prepared.settings.view, prepared.scene.radius);
-    if (aim.clipNear) prepared.settings.effects.clip.near = *aim.clipNear;
     RunStats& run = prepared.run;
     run.zoom = aim.camera.zoom;
+    uncoverTarget(prepared, options, aim, molecule);
     run.clip = effectOption("clip")->text(prepared.settings.effects);
     if (options.debug == DebugView::none) prepared.words = placeWords(options.words, molecule, prepared.scene);
     makeRoom(prepared, options);

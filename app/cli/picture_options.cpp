@@ -30,11 +30,15 @@ void addCamera(CommandSpec& command, RenderOptions& options) {
              });
     addValue(command, "--look-at", "SEL", "none", "Turn to the viewer the side from which a selection is hidden least",
              [&](const std::string& text) { options.aim.lookAt = parseSelection(text); });
-    addValue(
-        command, "--zoom-to", "SEL", "none: the whole molecule",
-        "Close in on a selection, with 3 Å around it, and cut away what hides it (unless --clip is given);\n--zoom "
-        "scales that",
-        [&](const std::string& text) { options.aim.zoomTo = parseSelection(text); });
+    addValue(command, "--zoom-to", "SEL", "none: the whole molecule",
+             "Close in on a selection, with 3 Å around it, and leave out what hides it (unless --clip or\n--uncover is "
+             "given); --zoom scales that",
+             [&](const std::string& text) { options.aim.zoomTo = parseSelection(text); });
+    addValue(command, "--uncover", "SEL|off", "what --zoom-to names", "Leave out what hides a selection in this view",
+             [&](const std::string& text) {
+                 options.aim.uncovers = false;
+                 options.aim.uncover = text == "off" ? std::nullopt : std::optional(parseSelection(text));
+             });
     addCameraValues(command, options.camera, "Degrees, right-handed, about the view axes, X first");
 }
 
@@ -210,14 +214,14 @@ void addEffects(CommandSpec& command, RenderOptions& options) {
         addValue(command, std::string("--") + option.name, option.type, option.fallback, option.help,
                  [&](const std::string& text) {
                      option.set(text, options.effects);
-                     if (option.name == std::string_view("clip")) options.aim.mayClip = false;
+                     if (option.name == std::string_view("clip")) options.aim.uncovers = false;
                      if (option.name == std::string_view("contours")) options.contourPoints = pointsOf(text);
                      if (option.name == std::string_view("halos")) options.haloPoints = pointsOf(text);
                  });
     addValue(command, "--slab", "A", "none", "Cuts away what is farther than half of this from the plane of the centre",
              [&](const std::string& text) {
                  setSlab(text, options.effects);
-                 options.aim.mayClip = false;
+                 options.aim.uncovers = false;
              })
         .excludes = "--clip";
 }

@@ -13,6 +13,7 @@ void applySavedView(const SavedView& view, RenderOptions& options) {
     options.look.rules.insert(options.look.rules.end(), rules.begin(), rules.end());
     options.drawn = view.drawn;
     options.camera = view.camera;
+    options.aim.uncover = view.uncover;
     options.aim.placed = view.camera.zoom != 1 || view.camera.pan != glm::dvec2(0);
     const std::vector<Label> labels = options.words.labels;
     const std::vector<Measure> measures = options.words.measures;
@@ -47,6 +48,7 @@ SavedView savedViewOf(const RenderOptions& options) {
     view.look = options.look;
     view.drawn = options.drawn;
     view.camera = options.camera;
+    view.uncover = options.aim.uncover;
     view.words = options.words;
     view.background = options.background;
     view.lighting = options.lighting;

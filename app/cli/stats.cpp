@@ -116,6 +116,15 @@ std::string statsJson(const RunStats& run, const View& view, const FrameStats& f
                     {"zoom", run.zoom},
                     {"clip", run.clip},
                     {"pan", {view.pan.x, view.pan.y}}};
+    if (!run.uncovers.empty()) {
+        const Uncovered& u = run.uncovered;
+        json["view"]["uncover"] = run.uncovers;
+        json["uncovered"] = {{"seen_before", u.before},
+                             {"seen", u.after},
+                             {"spheres_left_out", u.spheres},
+                             {"cylinders_left_out", u.cylinders},
+                             {"triangles_left_out", u.triangles}};
+    }
     json["atoms"] = {
         {"read", run.atomsRead}, {"drawn", run.atomsDrawn}, {"submitted", frame.spheres}, {"copies", frame.copies}};
     json["bonds"] = {{"known", run.bondsKnown}, {"drawn", run.bondsDrawn}, {"cylinders", frame.cylinders}};

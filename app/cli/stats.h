@@ -8,6 +8,7 @@
 #include "app/cli/options.h"
 #include "engine/results.h"
 #include "engine/scene/camera.h"
+#include "engine/scene/uncover.h"
 
 namespace nacre::app {
 
@@ -19,6 +20,8 @@ struct RunStats {
     glm::dvec3 center{};                      ///< of the view, Å
     double zoom = 1;                          ///< of the view
     std::string clip;                         ///< as --clip takes it
+    std::string uncovers;                     ///< the selection that is to be seen whole; empty: none
+    Uncovered uncovered;
     std::vector<Legend> legends;
     std::vector<std::string> warnings;  ///< of the file and of the rules
     double loadMs = 0;                  ///< reading, inflating, bonds

@@ -31,6 +31,11 @@ std::optional<double> clipBefore(const std::vector<glm::dvec4>& target, const st
 
 }  // namespace
 
+const std::optional<Selection>& uncoveredBy(const Aim& aim) {
+    static const std::optional<Selection> kNothing;
+    return aim.uncover ? aim.uncover : aim.uncovers ? aim.zoomTo : kNothing;
+}
+
 Aimed aimed(const Camera& camera, const Aim& aim, const Molecule& molecule, const Representation& scene,
             const Size& size) {
     Aimed result{camera, std::nullopt};
@@ -42,12 +47,15 @@ Aimed aimed(const Camera& camera, const Aim& aim, const Molecule& molecule, cons
                                                       glm::mat3_cast(result.camera.orientation));
     if (aim.principal && !aim.zoomTo && !aim.lookAt)
         result.camera = fitted(result.camera, all, scene.radius, size.width, size.height, kLargestZoom);
-    if (!aim.zoomTo) return result;
-    const std::vector<glm::dvec4> target = ballsOf(*aim.zoomTo, "cannot zoom to", molecule, scene);
-    result.camera = closeUp(result.camera, target, scene.radius, kZoomMargin, kLargestZoom);
+    if (aim.zoomTo) {
+        const std::vector<glm::dvec4> target = ballsOf(*aim.zoomTo, "cannot zoom to", molecule, scene);
+        result.camera = closeUp(result.camera, target, scene.radius, kZoomMargin, kLargestZoom);
+    }
+    const std::optional<Selection>& shown = uncoveredBy(aim);
+    if (!shown) return result;
     const glm::dmat3 rotation =
         rotationMatrix(result.camera.rotationDegrees) * glm::mat3_cast(result.camera.orientation);
-    if (aim.mayClip) result.clipNear = clipBefore(target, all, rotation);
+    result.clipNear = clipBefore(ballsOf(*shown, "cannot uncover", molecule, scene), all, rotation);
     return result;
 }
 

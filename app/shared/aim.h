@@ -15,17 +15,23 @@ struct Aim {
     std::optional<Selection> lookAt;  ///< what faces the viewer
     std::optional<Selection> zoomTo;  ///< what fills the picture
 
-    bool mayClip = true;  ///< what hides it is cut away
+    /// What hides is left out; empty: what hides zoomTo, if `uncovers`.
+    std::optional<Selection> uncover;
+    bool uncovers = true;
     bool placed = false;  ///< a saved view says where the molecule stands in the picture
     bool turns = false;   ///< pictures from other sides follow: there is to be room for all of them
 
-    bool any() const { return principal || lookAt || zoomTo; }
+    bool any() const { return principal || lookAt || zoomTo || uncover; }
 };
 
 struct Aimed {
     Camera camera;
-    std::optional<double> clipNear;  ///< Å from the centre away from the viewer, where what hides the target is cut
+    /// Å from the centre away from the viewer, where a plane cuts away most of what hides the target.
+    std::optional<double> clipNear;
 };
+
+/// What is to be seen whole, if anything.
+const std::optional<Selection>& uncoveredBy(const Aim& aim);
 
 /// The camera, aimed. Its rotation in degrees is applied last, its zoom is that of what is zoomed to.
 /// @throws Error if a selection has no drawn atom

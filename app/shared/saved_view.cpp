@@ -16,6 +16,7 @@
 #include "app/shared/trajectory_input.h"
 #include "engine/error.h"
 #include "engine/molecule/read.h"
+#include "engine/scene/uncover.h"
 
 namespace nacre::app {
 namespace {
@@ -243,6 +244,8 @@ void readKey(const std::string& key, const Json& value, SavedView& view) {
     } else if (key == "pan") {
         const auto pan = numbersOf<2>(value);
         view.camera.pan = {pan[0], pan[1]};
+    } else if (key == "uncover") {
+        view.uncover = parseSelection(textOf(value));
     } else if (key == "background") {
         view.background = parseColor(textOf(value));
     } else if (key == "lighting") {
@@ -318,6 +321,7 @@ std::string savedViewJson(const SavedView& view) {
     const glm::dquat& q = view.camera.orientation;
     json["orientation"] = {q.w, q.x, q.y, q.z};
     json["pan"] = {view.camera.pan.x, view.camera.pan.y};
+    if (view.uncover) json["uncover"] = view.uncover->text;
     json["background"] = backgroundText(view.background);
     json["lighting"] = view.lighting ? "on" : "off";
     json["occlusion"] = view.occlusionDirections ? OrderedJson(view.occlusionDirections) : OrderedJson("off");
@@ -340,8 +344,17 @@ InputOptions inputOf(const SavedView& view, InputOptions options) {
     return options;
 }
 
+void uncoverIn(Representation& scene, const Molecule& molecule, const SavedView& view) {
+    if (!view.uncover) return;
+    constexpr std::uint32_t kAnySize = 256;
+    uncover(scene, selectAtoms(molecule, *view.uncover), viewOf(view.camera, scene.radius, kAnySize, kAnySize),
+            view.effects.clip.near);
+}
+
 Representation sceneOfView(const Molecule& molecule, const SavedView& view) {
-    return sceneOf(molecule, view.input, view.drawn, view.look);
+    Representation scene = sceneOf(molecule, view.input, view.drawn, view.look);
+    uncoverIn(scene, molecule, view);
+    return scene;
 }
 
 }  // namespace nacre::app

@@ -6,6 +6,7 @@
 //    "rules": [{"show": "ligand=ball-and-stick"}, {"hide": "chain B"}, {"color-by": "chain A=#ff8000"}],
 //    "water": "hide", "hydrogens": "show", "projection": "ortho", "fov": 30, "zoom": 1.5,
 //    "orientation": [w, x, y, z], "pan": [x, y], "background": "white", "lighting": "on", "occlusion": 128}
+// "uncover": a selection that is to be seen whole from there,
 // and those of app/shared/effect_options.h, as they differ from the default.
 // and, of several molecules: "name": "receptor", "further-inputs": [{"name": "drug", "input": "b.sdf", "hash": "..."}],
 //   "fits": [["/drug", "/receptor and resn STI"]]
@@ -40,6 +41,7 @@ struct SavedView {
     DrawnAtomsOptions drawn;
     RepresentationOptions look;
     Camera camera;
+    std::optional<Selection> uncover;  ///< what hides it from the camera is left out
     Words words;
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha
     bool lighting = true;
@@ -58,6 +60,8 @@ std::string savedViewJson(const SavedView& view);
 
 /// What a view names, read as it says; everything else as in `options`.
 InputOptions inputOf(const SavedView& view, InputOptions options = {});
+/// Leaves out what hides the atoms that a view wants uncovered; `scene` shows its molecule, as it stands now.
+void uncoverIn(Representation& scene, const Molecule& molecule, const SavedView& view);
 /// What is drawn of a view's molecule. @throws Error if that is nothing
 Representation sceneOfView(const Molecule& molecule, const SavedView& view);
 

@@ -119,6 +119,7 @@ void nameInputs(SavedView& view) {
     const std::vector<std::string> names = inputNames(inputOf(view));
     for (Rule& rule : view.look.rules) nameInputs(names, rule.selection);
     for (Label& label : view.words.labels) nameInputs(names, label.selection);
+    if (view.uncover) nameInputs(names, *view.uncover);
     for (FitOptions& fit : view.fits) {
         nameInputs(names, fit.moving);
         nameInputs(names, fit.fixed);

@@ -66,6 +66,7 @@ void Loader::build(Document& document, bool moves) const {
     document.radius = document.moving->scene().radius;
     if (document.placed != document.molecule) document.moving->move(*document.placed);
     document.scene = document.moving->scene();
+    uncoverIn(document.scene, *document.placed, view);  // until it moves
 }
 
 void Loader::wait() const {

@@ -110,13 +110,15 @@ void Viewer::aim(const Aim& aim, double now) {
         takeAim(aim, true, now);
 }
 
-/// What a close-up cut away comes back.
+/// What a close-up cut away, or a view left out, comes back.
 void Viewer::unclip() {
     if (std::exchange(clipped_, false)) view_.effects.clip.near = -Clip::kNone;
+    if (!std::exchange(view_.uncover, std::nullopt) || !document_.molecule) return;
+    loader_.build(view(), document_);
 }
 
 void Viewer::takeAim(Aim aim, bool fly, double now) {
-    for (std::optional<Selection>* selection : {&aim.lookAt, &aim.zoomTo})
+    for (std::optional<Selection>* selection : {&aim.lookAt, &aim.zoomTo, &aim.uncover})
         if (*selection && !document_.view.further.empty()) nameInputs(inputNames(inputOf(document_.view)), **selection);
     try {
         Camera from = motion_.camera();

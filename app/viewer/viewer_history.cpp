@@ -65,7 +65,7 @@ void Viewer::restore(const SavedView& to, double now, double seconds) {
     restoring_ = another;
     if (another)
         loader_.read(to);
-    else if (to.look != before.look || to.drawn != before.drawn || loader_.busy())
+    else if (to.look != before.look || to.drawn != before.drawn || to.uncover != before.uncover || loader_.busy())
         loader_.build(to, document_);
     if (!another) putWords(now);
     if (frame) {

@@ -33,11 +33,16 @@ TEST(Aim, ViewsAreToldSoThatTheyCanBeRepeated) {
     // What it says, as a saved view: the same picture.
     const std::string picture = test::contentOf(folder / "a.png");
     json view = {{"input", "sample:dna"}};
-    for (const char* key : {"orientation", "zoom", "pan", "clip"}) view[key] = aimed[key];
+    for (const char* key : {"orientation", "zoom", "pan", "clip", "uncover"}) view[key] = aimed[key];
     std::ofstream(folder / "v.json") << view.dump();
     const json repeated = viewOf(folder, "--view v.json");
     EXPECT_TRUE(test::contentOf(folder / "a.png") == picture);  // bytes are no reading
     EXPECT_NEAR(repeated["pixels_per_angstrom"].get<double>(), aimed["pixels_per_angstrom"].get<double>(), 1e-9);
+    // What hides it is left out there, too; `off` leaves it.
+    EXPECT_EQ(aimed["uncover"], "chain A and resi 3");
+    EXPECT_FALSE(viewOf(folder, "--view v.json --uncover off").contains("uncover"));
+    EXPECT_FALSE(test::contentOf(folder / "a.png") == picture);
+    EXPECT_FALSE(viewOf(folder, "sample:dna --zoom-to 'chain A' --clip off").contains("uncover"));
     // The file's frame again, whatever the view says.
     EXPECT_EQ(viewOf(folder, "--view v.json --orient file")["orientation"], file["orientation"]);
     EXPECT_NE(viewOf(folder, "sample:dna --look-at 'chain B and resi 20'")["rotation"], file["rotation"]);
@@ -54,6 +59,7 @@ TEST(Aim, NothingToAimAtIsAnError) {
     EXPECT_EQ(fault("--look-at ligand"), "nacre: error: cannot look at: ligand: the molecule has no such atoms\n");
     EXPECT_EQ(fault("--hide 'chain A' --zoom-to 'chain A'"),
               "nacre: error: cannot zoom to: chain A: none of its atoms is drawn\n");
+    EXPECT_EQ(fault("--uncover ligand"), "nacre: error: cannot uncover: ligand: the molecule has no such atoms\n");
     EXPECT_NE(fault("--orient best").find("principal or file, not 'best'"), std::string::npos);
     EXPECT_NE(fault("--zoom-to 'chain'").find("--zoom-to"), std::string::npos);
 }

@@ -69,7 +69,7 @@ inline Sources sampleSources() {
                 if (v.input == "bad") throw Error("cannot read molecule", "bad", "it is bad");
                 return sampleMolecule(v.input.substr(7));
             },
-            [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m, v.drawn), v.look); }};
+            sceneOfView};
 }
 
 struct Bench {

@@ -153,6 +153,29 @@ TEST(Viewer, AimsAtWhatIsPicked) {
     EXPECT_GT(b.viewer.view().camera.zoom, 1);  // as large as fits
 }
 
+TEST(Viewer, LeavesOutWhatHidesThePartOfAView) {
+    Bench b("sample:dna");
+    b.run(2);
+    const std::size_t all = b.viewer.document()->scene.spheres.size();
+    SavedView view = b.viewer.view();
+    view.uncover = parseSelection("chain B and resi 19");
+    b.viewer.show(view, b.now, 0);
+    b.load();
+    b.run(1);
+    EXPECT_LT(b.viewer.document()->scene.spheres.size(), all);
+    EXPECT_EQ(b.viewer.view().uncover, view.uncover);
+    b.viewer.run(ViewerCommand::undo, b.now);
+    b.load();
+    EXPECT_EQ(b.viewer.document()->scene.spheres.size(), all);
+    b.viewer.show(view, b.now, 0);
+    b.load();
+    EXPECT_LT(b.viewer.document()->scene.spheres.size(), all);
+    b.viewer.run(ViewerCommand::fit, b.now);  // all of it
+    b.load();
+    EXPECT_EQ(b.viewer.document()->scene.spheres.size(), all);
+    EXPECT_FALSE(b.viewer.view().uncover);
+}
+
 TEST(Viewer, ADoubleTapFitsAndPicksNothing) {
     Bench b;
     b.run(2);
