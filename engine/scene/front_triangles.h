@@ -2,17 +2,15 @@
 // Which triangles may be the nearest at the centre of a pixel: of a mesh whose triangles are as small as pixels, few.
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "engine/scene/mesh_streams.h"
+#include "engine/scene/triangle_shapes.h"
 
 namespace nacre {
-
-struct TileView;
 
 /// Kept from frame to frame, it allocates nothing once it has seen the largest.
 class FrontTriangles {
@@ -31,7 +29,7 @@ public:
     void begin(const TileView& view);
     /// Draws triangles by several threads if they are many.
     /// @param corners  of all vertices at the place of the runs: pixel and Z
-    void draw(std::span<const Run> runs, std::span<const glm::vec3> corners);
+    void draw(std::span<const Run> runs, std::span<const glm::vec4> corners);
     /// Finds for each pixel the triangle that certainly is the nearest of all that were drawn, whatever a shader
     /// rounds, but for doubtful ones.
     void end();
@@ -47,8 +45,6 @@ public:
     void write(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t* to) const;
 
 private:
-    struct Lens;
-    struct Shapes;
     class Layer;
     /// What is looked at together. Triangles are counted by groups, as if all were full.
     struct Group {
@@ -60,7 +56,7 @@ private:
     Layer& layer(std::size_t number);
     std::uint32_t numberOf(std::uint32_t index) const;
 
-    std::unique_ptr<Lens> lens_;
+    TriangleLens lens_;
     std::vector<std::unique_ptr<Layer>> layers_;  // a thread's each
     std::size_t used_ = 0;                        // of them
     std::vector<Group> groups_;

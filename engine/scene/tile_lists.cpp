@@ -21,11 +21,11 @@ public:
         x_ = turned[view.quarterTurns & 3][0];
         y_ = turned[view.quarterTurns & 3][1];
     }
-    glm::vec3 operator()(const glm::vec3& p) const {
+    glm::vec4 operator()(const glm::vec3& p) const {
         const float Z = view_.origin - (z_.x * p.x + z_.y * p.y + z_.z * p.z + z_.w);
         const float scale = view_.perspective ? view_.origin / Z : 1.0f;
         return {view_.axis.x + (x_.x * p.x + x_.y * p.y + x_.z * p.z + x_.w) * scale,
-                view_.axis.y + (y_.x * p.x + y_.y * p.y + y_.z * p.z + y_.w) * scale, Z};
+                view_.axis.y + (y_.x * p.x + y_.y * p.y + y_.z * p.z + y_.w) * scale, Z, 0};
     }
 
 private:
@@ -170,7 +170,8 @@ void TileLists::addTriangles(const TileView& view, const TileScenery& s) {
 
 void TileLists::addFrontTriangles(const TileView& view, const TileScenery& s) {
     front_.begin(view);
-    for (const MeshPart& part : meshParts(s)) {
+    const std::vector<MeshPart> parts = meshParts(s);
+    for (const MeshPart& part : parts) {
         placeCorners(view, s, part);
         runs_.clear();
         for (const TileCall& call : part.calls)
@@ -182,6 +183,10 @@ void TileLists::addFrontTriangles(const TileView& view, const TileScenery& s) {
         const glm::vec4* rows = nullptr;
         std::uint32_t number = 0;
         const Triangle& t = front_.doubt(i, rows, number);
+        if (parts.size() == 1) {  // its corners are those of all
+            addTriangle(view, number, corners_[t.a], corners_[t.b], corners_[t.c]);
+            continue;
+        }
         const CornerPlace place(view, rows);
         const auto corner = [&](std::uint32_t v) { return place(positionOf(s.vertices[v], t.step)); };
         addTriangle(view, number, corner(t.a), corner(t.b), corner(t.c));

@@ -127,7 +127,7 @@ private:
     std::vector<std::uint32_t> order_, offsets_, cursors_;
     std::vector<Tile> tiles_, bins_;
     std::vector<Span> spans_;
-    std::vector<glm::vec3> corners_;  // pixel and Z of each vertex, at the place of a call
+    std::vector<glm::vec4> corners_;  // pixel and Z of each vertex, at the place of a call
     bool seeded_ = false;
     std::vector<std::uint8_t> seeds_;  // of each bin: some pixel has one
     std::vector<FrontTriangles::Run> runs_;
