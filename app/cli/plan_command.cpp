@@ -87,13 +87,24 @@ PlannedFrame framePlanned(const PlanOptions& options, const PlanReport& report, 
     return planned;
 }
 
-/// What each effect that is on costs by itself: the frame with it beside the frame without any.
+/// What one looks through a mesh by.
+const char* opacityOption(const RepresentationOptions& look) {
+    return look.surfaceOpacity < 1 ? "surface-opacity" : look.cartoonOpacity < 1 ? "cartoon-opacity" : "show";
+}
+
+/// What each effect that is on costs by itself: the frame with it beside the frame without any, of meshes that hide
+/// what is behind them.
 std::vector<EffectCost> costsOf(const PlanOptions& options, const PlanReport& report, const SceneCounts& counts) {
+    struct Alone {
+        const char* name;
+        Effects effects;
+        std::uint64_t translucent;
+    };
     const Effects& asked = options.picture.effects;
-    std::vector<std::pair<const char*, Effects>> alone;
+    std::vector<Alone> alone;
     const auto add = [&](const char* name, auto change) {
-        alone.emplace_back(name, Effects{});
-        change(alone.back().second);
+        alone.push_back({name, {}, 0});
+        change(alone.back().effects);
     };
     if (asked.contours.width > 0) add("contours", [&](Effects& e) { e.contours.width = asked.contours.width; });
     if (asked.linesByGroups()) add("contour-weights 3", [&](Effects& e) { e.contours = asked.contours; });
@@ -102,14 +113,19 @@ std::vector<EffectCost> costsOf(const PlanOptions& options, const PlanReport& re
     if (asked.shadow.strength > 0 && options.picture.lighting)
         add("shadow", [&](Effects& e) { e.shadow = asked.shadow; });
     if (asked.clip.on()) add("clip", [&](Effects& e) { e.clip = asked.clip; });
-    const PlannedFrame none = framePlanned(options, report, counts, {});
+    if (counts.translucent > 0) alone.push_back({opacityOption(options.picture.look), {}, counts.translucent});
+    SceneCounts opaque = counts;
+    opaque.translucent = 0;
+    const PlannedFrame none = framePlanned(options, report, opaque, {});
     const auto has = [&](const std::string& pass) {
         const auto& passes = none.frame.graph.passes();
         return std::any_of(passes.begin(), passes.end(), [&](const graph::PassDecl& p) { return p.name == pass; });
     };
     std::vector<EffectCost> costs;
-    for (const auto& [name, effects] : alone) {
-        const PlannedFrame with = framePlanned(options, report, counts, effects);
+    for (const auto& [name, effects, translucent] : alone) {
+        SceneCounts scene = opaque;
+        scene.translucent = translucent;
+        const PlannedFrame with = framePlanned(options, report, scene, effects);
         const auto more = [](std::uint64_t a, std::uint64_t b) {
             return static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b);
         };

@@ -143,6 +143,12 @@ TEST(Plan, TranslucentLayersLeaveTheTileAndTheOpaqueFrameStaysOnIt) {
     EXPECT_EQ(json["memory_bytes"]["loaded"], kPixels * 12);
     EXPECT_EQ(json["memory_bytes"]["stored"], kPixels * (4 + 12));
     EXPECT_EQ(json["tile_bytes_per_pixel"], opaque["tile_bytes_per_pixel"]);
+    // The same is told as what the option costs.
+    EXPECT_FALSE(opaque.contains("costs"));
+    ASSERT_EQ(json["costs"].size(), 1u);
+    EXPECT_EQ(json["costs"][0]["option"], "surface-opacity");
+    EXPECT_EQ(json["costs"][0]["loaded"], kPixels * 12);
+    EXPECT_EQ(json["costs"][0]["stored"], kPixels * 12);
     const auto passOf = [](const Json& plan, const std::string& name) {
         for (const Json& pass : plan["geometry"]["passes"])
             if (pass["name"] == name) return pass["triangles"].get<std::uint64_t>();
