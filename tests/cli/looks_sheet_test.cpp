@@ -50,7 +50,8 @@ TEST(LooksSheet, IsWhatItWasWhenItWasLookedAt) {
     const TemporaryFolder folder;
     for (const auto& [name, options] : {std::pair{"looks_sheet", "96x96 --visibility tiles"},
                                         {"looks_sheet", "96x96 --visibility fragdepth"},
-                                        {"looks_cartoon_sheet", "80x80 --style cartoon"}}) {
+                                        {"looks_cartoon_sheet", "80x80 --style cartoon"},
+                                        {"looks_surface_sheet", "64x64 --style surface --zoom 2"}}) {
         drawnBy(folder, options);
         std::size_t width = 0, goldenWidth = 0;
         const std::vector<std::uint8_t> drawn = bytesOf(folder / "sheet.png", width),
