@@ -121,6 +121,18 @@ void uncoverTarget(PreparedPicture& prepared, const RenderOptions& options, cons
     prepared.run.uncovered = uncover(prepared.scene, selectAtoms(molecule, *target), prepared.settings.view, clipNear);
 }
 
+/// Words of what is left out since it hides something go with it.
+void putWords(PreparedPicture& prepared, const RenderOptions& options, const Molecule& molecule) {
+    const bool some = !prepared.run.uncovers.empty();
+    prepared.words =
+        placeWords(options.words, molecule, prepared.scene, some ? WordsOfHidden::leftOut : WordsOfHidden::refused);
+    const std::vector<std::string>& gone = prepared.words.leftOut;
+    if (gone.empty()) return;
+    const std::string more = gone.size() > 1 ? " and " + std::to_string(gone.size() - 1) + " more" : "";
+    prepared.scene.warnings.push_back("no words at " + gone.front() + more + ": none of its atoms is drawn beside " +
+                                      prepared.run.uncovers + ", which they hide (--uncover off)");
+}
+
 }  // namespace
 
 PictureFormat formatOf(const RenderOptions& options) {
@@ -139,7 +151,7 @@ PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& op
     run.zoom = aim.camera.zoom;
     uncoverTarget(prepared, options, aim, molecule);
     run.clip = effectOption("clip")->text(prepared.settings.effects);
-    if (options.debug == DebugView::none) prepared.words = placeWords(options.words, molecule, prepared.scene);
+    if (options.debug == DebugView::none) putWords(prepared, options, molecule);
     makeRoom(prepared, options);
     run.atomsRead = molecule.atoms.size();
     run.bondsKnown = molecule.bonds.size();

@@ -103,8 +103,7 @@ TEST(RenderCapture, TheFrameIsRenderDocsWhereItStartedTheProgram) {
                                 "' 2>&1";
     ASSERT_EQ(std::system(command.c_str()), 0) << contentOf(folder / "log");
     // By the path that software devices take.
-    expectBakeAndScreen(inspect(folder / "started_capture.rdc")["submissions"],
-                        {"nearest primitive, shaded"});
+    expectBakeAndScreen(inspect(folder / "started_capture.rdc")["submissions"], {"nearest primitive, shaded"});
     EXPECT_NE(contentOf(folder / "log").find("captured to " + (folder / "started_capture.rdc")), std::string::npos);
 }
 

@@ -43,6 +43,12 @@ TEST(Aim, ViewsAreToldSoThatTheyCanBeRepeated) {
     EXPECT_FALSE(viewOf(folder, "--view v.json --uncover off").contains("uncover"));
     EXPECT_FALSE(test::contentOf(folder / "a.png") == picture);
     EXPECT_FALSE(viewOf(folder, "sample:dna --zoom-to 'chain A' --clip off").contains("uncover"));
+    // Labels of what is left out are left out with a word.
+    EXPECT_NE(nacreIn(folder,
+                      "render sample:dna -o a.png --size 64x48 --occlusion off --orient principal "
+                      "--zoom-to 'chain A and resi 3' --label 'chain B and resi 20 and name P=P'")
+                  .err.find("no words at chain B and resi 20 and name P: none"),
+              std::string::npos);
     // The file's frame again, whatever the view says.
     EXPECT_EQ(viewOf(folder, "--view v.json --orient file")["orientation"], file["orientation"]);
     EXPECT_NE(viewOf(folder, "sample:dna --look-at 'chain B and resi 20'")["rotation"], file["rotation"]);
