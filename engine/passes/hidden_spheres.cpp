@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <cmath>
+#include <thread>
+
+#include "engine/mesh/parallel.h"
 
 namespace nacre::passes {
 namespace {
@@ -13,21 +18,48 @@ const glm::vec4* rowsOf(const PlacedCopies& placed, std::uint32_t copy) {
     return placed.rows.data() + 3 * std::size_t{copy};
 }
 
+unsigned threadsFor(std::size_t chunks) {
+    constexpr std::size_t kWorth = 8192;  // chunks that are worth another thread
+    return static_cast<unsigned>(
+        std::min<std::size_t>(chunks / kWorth + 1, std::max(1u, std::thread::hardware_concurrency())));
+}
+
 }  // namespace
 
 void HiddenSpheres::list(const PlacedCopies& copies, const Chunks& chunks, const TileView& view) {
-    all_.clear();
-    for (const PlacedCopies::Call& call : copies.spheres) {
-        const glm::vec4& z = rowsOf(copies, call.copy)[2];
+    constexpr std::size_t kCalls = 16;  // at a time
+    const std::vector<PlacedCopies::Call>& calls = copies.spheres;
+    const auto chunkOf = [](std::uint32_t sphere) { return sphere / Chunk::kPrimitives; };
+    begins_.assign(1, 0);
+    for (const PlacedCopies::Call& call : calls)
+        begins_.push_back(begins_.back() + chunkOf(call.first + call.count - 1) + 1 - chunkOf(call.first));
+    all_.resize(begins_.back());
+    const auto listCall = [&](std::size_t c) {
+        const PlacedCopies::Call& call = calls[c];
+        const glm::vec4* rows = rowsOf(copies, call.copy);
+        Some* to = all_.data() + begins_[c];
         const std::uint32_t end = call.first + call.count;
         for (std::uint32_t first = call.first; first < end;) {
-            const std::uint32_t next = std::min(end, (first / Chunk::kPrimitives + 1) * Chunk::kPrimitives);
-            const Chunk& chunk = chunks.spheres[first / Chunk::kPrimitives];
-            const float depth = z.x * chunk.center.x + z.y * chunk.center.y + z.z * chunk.center.z + z.w;
-            all_.push_back({view.origin - depth - chunk.radius, call.copy, first, next - first, 0});
+            const std::uint32_t next = std::min(end, (chunkOf(first) + 1) * Chunk::kPrimitives);
+            const Chunk& chunk = chunks.spheres[chunkOf(first)];
+            const glm::vec3 center = placed(rows, chunk.center);
+            const Disc disc = discOf(view, center, reachOf(view, center.z, chunk.radius));
+            const glm::vec2 at = pixelOf(view, disc.center);
+            *to++ = {view.origin - center.z - chunk.radius,
+                     at.x,
+                     at.y,
+                     disc.radius * view.pixels,
+                     call.copy,
+                     first,
+                     next - first,
+                     0};
             first = next;
         }
-    }
+    };
+    inParallel((calls.size() + kCalls - 1) / kCalls, threadsFor(all_.size()), [&](std::size_t slice) {
+        const std::size_t end = std::min(calls.size(), (slice + 1) * kCalls);
+        for (std::size_t c = slice * kCalls; c < end; ++c) listCall(c);
+    });
 }
 
 void HiddenSpheres::order(const TileView& view) {
@@ -42,16 +74,67 @@ void HiddenSpheres::order(const TileView& view) {
     for (std::uint32_t i = 0; i < all_.size(); ++i) order_[at[depthOf(all_[i])]++] = i;
 }
 
-void HiddenSpheres::look(Some& some, const glm::vec4* rows, const Representation& r, const TileView& view) {
+void HiddenSpheres::part(std::size_t parts) {
+    const Coverage::Rows all = coverage_.rows();
+    parts_.clear();
+    if (parts <= 1) return parts_.push_back(all);
+    inRow_.assign(all.end, 0);
+    for (const Some& some : all_) {
+        const float row = std::min(std::max(some.y / coverage_.side(), 0.0f), static_cast<float>(all.end - 1));
+        ++inRow_[static_cast<std::uint32_t>(row)];
+    }
+    std::size_t before = 0;
+    std::uint32_t first = 0;
+    for (std::uint32_t row = 0; row < all.end; ++row) {
+        before += inRow_[row];
+        if (before * parts < all_.size() * (parts_.size() + 1) || parts_.size() + 1 == parts) continue;
+        parts_.push_back({first, row + 1});
+        first = row + 1;
+    }
+    parts_.push_back({first, all.end});
+}
+
+bool HiddenSpheres::hides(const Some& some, Coverage::Rows part) {
+    // A ball that is no ball reaches everywhere and hides nowhere.
+    if (!std::isfinite(some.x + some.y + some.reach)) return false;
+    const float row = some.y / coverage_.side(), rows = some.reach / coverage_.side() + 1;
+    if (row + rows < static_cast<float>(part.first) || row - rows > static_cast<float>(part.end)) return true;
+    return coverage_.hides({some.x, some.y}, some.reach, some.near - kMargin, part);
+}
+
+/// @returns those of some spheres that may show in a part, a bit each @param asked  of these
+std::uint32_t HiddenSpheres::shownOf(const Some& some, std::uint32_t asked, const Scenery& scenery, Coverage::Rows part,
+                                     bool covers) {
+    std::uint32_t shown = 0;
+    const glm::vec4* rows = rowsOf(scenery.copies, some.copy);
     for (std::uint32_t i = 0; i < some.count; ++i) {
-        const Sphere& s = r.spheres[some.first + i];
+        if (!(asked >> i & 1)) continue;
+        const Sphere& s = scenery.spheres[some.first + i];
         const glm::vec3 center = placed(rows, s.center);
-        const Disc disc = discOf(view, center, reachOf(view, center.z, s.radius));
-        const glm::vec2 at = pixelOf(view, disc.center);
-        const float reach = disc.radius * view.pixels;
-        if (coverage_.hides(at - reach, at + reach, view.origin - center.z - s.radius - kMargin)) continue;
-        some.shown |= 1u << i;
-        coverage_.cover(view, center, s.radius);
+        const Disc disc = discOf(scenery.view, center, reachOf(scenery.view, center.z, s.radius));
+        const float near = scenery.view.origin - center.z - s.radius - kMargin;
+        if (coverage_.hides(pixelOf(scenery.view, disc.center), disc.radius * scenery.view.pixels, near, part))
+            continue;
+        shown |= 1u << i;
+        if (covers) coverage_.cover(scenery.view, center, s.radius, part);
+    }
+    return shown;
+}
+
+void HiddenSpheres::look(const Scenery& scenery, std::size_t of) {
+    const Coverage::Rows part = parts_[of];
+    std::vector<Shown>& shown = shown_[of];
+    shown.clear();
+    for (const std::uint32_t i : order_) {
+        if (hides(all_[i], part)) continue;
+        const std::uint32_t here = shownOf(all_[i], ~0u, scenery, part, true);
+        if (here != 0) shown.push_back({i, here});
+    }
+    // Again, now that it is known what covers most.
+    for (const Shown& s : shown) {
+        const std::uint32_t here = shownOf(all_[s.some], s.spheres, scenery, part, false);
+        // What reaches over the border of two parts may show in one.
+        if (here != 0) std::atomic_ref(all_[s.some].shown).fetch_or(here, std::memory_order_relaxed);
     }
 }
 
@@ -60,7 +143,9 @@ void HiddenSpheres::drop(PlacedCopies& copies, const Representation& r, const Ch
     coverage_.begin(view, radiusPixels);
     list(copies, chunks, view);
     order(view);
-    for (const std::uint32_t i : order_) look(all_[i], rowsOf(copies, all_[i].copy), r, view);
+    part(threadsFor(all_.size()));
+    shown_.resize(std::max(shown_.size(), parts_.size()));
+    inParallel(parts_.size(), 0, [&](std::size_t p) { look({view, r.spheres, copies}, p); });
     // What shows, in the order of the stream: neighbours in one call.
     std::vector<PlacedCopies::Call>& calls = copies.spheres;
     calls.clear();

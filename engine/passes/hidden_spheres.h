@@ -10,7 +10,8 @@
 namespace nacre::passes {
 
 /// Goes through spheres from near to far, by chunks: one that those before certainly cover shows in no pixel. Pictures
-/// are the same to the bit. Kept from frame to frame, it allocates nothing once it has seen the most.
+/// are the same to the bit. Several threads take a part of the picture's rows each. Kept from frame to frame, it
+/// allocates nothing but those threads once it has seen the most.
 class HiddenSpheres {
 public:
     /// Takes them out of the calls, which get many. @param radiusPixels  mean radius of the spheres in the picture
@@ -20,18 +21,35 @@ public:
 private:
     /// Spheres of one chunk at one place.
     struct Some {
-        float near = 0;  // Z of the nearest point of a ball about them
+        float near = 0;      // Z of the nearest point of a ball about them
+        float x = 0, y = 0;  // pixel in the middle of what the ball covers
+        float reach = 0;     // pixels about that
         std::uint32_t copy = 0, first = 0, count = 0;
         std::uint32_t shown = 0;  // a bit each
     };
     static_assert(Chunk::kPrimitives == 32);
     void list(const PlacedCopies& placed, const Chunks& chunks, const TileView& view);
     void order(const TileView& view);
-    void look(Some& some, const glm::vec4* rows, const Representation& representation, const TileView& view);
+    /// Rows for each of some threads, with as many chunks each.
+    void part(std::size_t parts);
+    struct Scenery {
+        const TileView& view;
+        const std::vector<Sphere>& spheres;
+        const PlacedCopies& copies;
+    };
+    struct Shown {
+        std::uint32_t some, spheres;  // its place, and a bit each
+    };
+    bool hides(const Some& some, Coverage::Rows part);
+    std::uint32_t shownOf(const Some& some, std::uint32_t asked, const Scenery& scenery, Coverage::Rows part,
+                          bool covers);
+    void look(const Scenery& scenery, std::size_t part);
 
     Coverage coverage_;
     std::vector<Some> all_;
-    std::vector<std::uint32_t> order_;
+    std::vector<std::uint32_t> begins_, order_, inRow_;
+    std::vector<Coverage::Rows> parts_;
+    std::vector<std::vector<Shown>> shown_;  // of each
 };
 
 }  // namespace nacre::passes

@@ -44,6 +44,12 @@ bool mayShow(const Edges& edges, const glm::dvec3& center, double radius) {
                        [&](const Edge& e) { return glm::dot(e.out, center) - e.at <= radius; });
 }
 
+/// Whether all of a ball is inside of the picture's edges.
+bool showsWhole(const Edges& edges, const glm::dvec3& center, double radius) {
+    return std::all_of(edges.begin(), edges.end(),
+                       [&](const Edge& e) { return glm::dot(e.out, center) - e.at <= -radius; });
+}
+
 std::uint64_t total(const std::vector<PlacedCopies::Call>& calls) {
     std::uint64_t sum = 0;
     for (const PlacedCopies::Call& call : calls) sum += call.count;
@@ -83,7 +89,7 @@ void addCalls(const Copies& copies, const std::vector<PrimitiveRun>& runs, const
                 before(edges, view.rotation * glm::dmat3(place[0], place[1], place[2]), view.rotation * place[3]);
             if (!mayShow(here, run.center, run.radius)) continue;
             const PlacedCopies::Call call{copy, run.first, run.count};
-            if (chunks)
+            if (chunks && !showsWhole(here, run.center, run.radius))
                 addChunks(*chunks, here, call, calls);
             else
                 calls.push_back(call);

@@ -1,6 +1,7 @@
 #include "engine/scene/coverage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace nacre {
@@ -15,52 +16,72 @@ void Coverage::begin(const TileView& view, double radiusPixels) {
     constexpr double kCellsInRadius = 4;
     const auto side = static_cast<std::uint32_t>(std::clamp(radiusPixels / kCellsInRadius, 1.0, 64.0));
     side_ = static_cast<float>(side);
+    perSide_ = 1.0f / side_;
     across_ = (view.width + side - 1) / side;
     down_ = (view.height + side - 1) / side;
     // Of a pixel its middle must be covered, or, where it has samples, all of it.
     const float corner = (view.centers ? side_ - 1 : side_) * 0.5f * std::sqrt(2.0f);
     inset_ = corner + kRoomPixels;
-    centers_ = view.centers && side == 1;
-    ask_ = centers_ ? 0.5f : 0.0f;
+    outset_ = corner + kRoomPixels;
     depths_.assign(std::size_t{across_} * down_, std::numeric_limits<float>::max());
 }
 
-void Coverage::cover(const TileView& view, const glm::vec3& center, float radius) {
+/// Goes through the cells of some rows whose middles a disc holds. @param work  gets neighbours of a row, and tells
+/// whether to go on @returns whether it has gone through all
+template <typename Work>
+bool Coverage::eachRow(const CellDisc& disc, Rows rows, const Work& work) {
+    const glm::vec2 at = disc.at;
+    const float right = static_cast<float>(across_), first = static_cast<float>(rows.first);
+    // The cell in its middle tells most, and is all of a small one.
+    if (at.x >= 0 && at.x < right && at.y >= first && at.y < static_cast<float>(rows.end)) {
+        const auto x = static_cast<std::uint32_t>(at.x), y = static_cast<std::uint32_t>(at.y);
+        const float aside = at.x - static_cast<float>(x) - 0.5f, above = at.y - static_cast<float>(y) - 0.5f;
+        if (aside * aside + above * above <= disc.squared) {
+            float* cell = depths_.data() + std::size_t{y} * across_ + x;
+            if (!work(cell, cell + 1)) return false;
+        }
+        if (disc.radius < 0.5f) return true;
+    }
+    // Middles are whole numbers and a half; what is cut off of a positive number is less than one.
+    const float low = at.y - disc.radius - 0.5f, high = at.y + disc.radius - 0.5f;
+    std::uint32_t y =
+        low > first ? static_cast<std::uint32_t>(std::min(low, static_cast<float>(rows.end))) : rows.first;
+    for (; y < rows.end && static_cast<float>(y) <= high; ++y) {
+        const float away = static_cast<float>(y) + 0.5f - at.y, under = disc.squared - away * away;
+        if (!(under >= 0)) continue;
+        const float half = std::sqrt(under), from = at.x - half - 0.5f, to = at.x + half - 0.5f;
+        if (!(to >= 0) || !(from < right)) continue;
+        auto x = from > 0 ? static_cast<std::uint32_t>(from) : 0;
+        x += static_cast<float>(x) < from ? 1 : 0;
+        const std::uint32_t end = static_cast<std::uint32_t>(std::min(to, right - 1)) + 1;
+        float* row = depths_.data() + std::size_t{y} * across_;
+        if (x < end && !work(row + x, row + end)) return false;
+    }
+    return true;
+}
+
+void Coverage::cover(const TileView& view, const glm::vec3& center, float radius, Rows rows) {
     const float Z = view.origin - center.z;
     // A sphere that a plane cuts has lost some of its picture.
     if (!(Z - radius > view.clipNear) || !(Z + radius < view.clipFar)) return;
     if (view.perspective && !(Z > radius)) return;
     const float scale = view.perspective ? view.origin / Z : 1.0f;
-    const float reach = (radius * scale * view.pixels * (1 - kRoomShare) - inset_) / side_;
+    const float reach = (radius * scale * view.pixels * (1 - kRoomShare) - inset_) * perSide_;
     if (!(reach > 0)) return;
-    const glm::vec2 at = pixelOf(view, glm::vec2(center) * scale) / side_ - 0.5f;  // cells' middles are whole numbers
-    const float right = static_cast<float>(across_) - 1, bottom = static_cast<float>(down_) - 1;
-    const float top = std::max(std::ceil(at.y - reach), 0.0f), end = std::min(at.y + reach, bottom);
-    for (float y = top; y <= end; y += 1) {
-        const float half = std::sqrt(std::max(reach * reach - (y - at.y) * (y - at.y), 0.0f));
-        const float from = std::max(std::ceil(at.x - half), 0.0f), to = std::min(std::floor(at.x + half), right);
-        if (!(from <= to)) continue;
-        float* row = depths_.data() + static_cast<std::size_t>(y) * across_;
-        for (auto x = static_cast<std::uint32_t>(from); x <= static_cast<std::uint32_t>(to); ++x)
-            row[x] = std::min(row[x], Z);
-    }
+    const glm::vec2 at = pixelOf(view, glm::vec2(center) * scale) * perSide_;
+    eachRow({at, reach, reach * reach}, rows, [&](float* from, float* to) {
+        for (; from != to; ++from) *from = std::min(*from, Z);
+        return true;
+    });
 }
 
-bool Coverage::hides(glm::vec2 low, glm::vec2 high, float near) const {
-    const auto clamped = [](float cell, std::uint32_t end) {
-        return cell > 0 ? static_cast<std::uint32_t>(std::min(cell, static_cast<float>(end))) : 0;
-    };
-    // Cells that hold what is asked about of any pixel between the corners.
-    const glm::vec2 from = (low - kRoomPixels - ask_) / side_, to = (high + kRoomPixels - ask_) / side_;
-    const std::uint32_t left = clamped(centers_ ? std::ceil(from.x) : std::floor(from.x), across_);
-    const std::uint32_t top = clamped(centers_ ? std::ceil(from.y) : std::floor(from.y), down_);
-    const std::uint32_t right = clamped(std::floor(to.x) + 1, across_), bottom = clamped(std::floor(to.y) + 1, down_);
-    for (std::uint32_t y = top; y < bottom; ++y) {
-        const float* row = depths_.data() + std::size_t{y} * across_;
-        for (std::uint32_t x = left; x < right; ++x)
-            if (!(row[x] < near)) return false;
-    }
-    return true;
+bool Coverage::hides(glm::vec2 at, float reach, float near, Rows rows) {
+    const float radius = (reach + outset_) * perSide_;
+    return eachRow({at * perSide_, radius, radius * radius}, rows, [&](const float* from, const float* to) {
+        for (; from != to; ++from)
+            if (!(*from < near)) return false;
+        return true;
+    });
 }
 
 }  // namespace nacre

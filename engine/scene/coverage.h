@@ -13,22 +13,36 @@ namespace nacre {
 /// Kept from frame to frame, it allocates nothing once it has seen the largest.
 class Coverage {
 public:
+    /// Rows of cells: parts of a picture that threads may cover and ask at the same time.
+    struct Rows {
+        std::uint32_t first = 0, end = 0;
+    };
+
     /// Nothing is covered. @param radiusPixels  of a typical sphere
     void begin(const TileView& view, double radiusPixels);
     /// Covers what a sphere does. In perspective, too, its picture holds that of the disc about its centre which
     /// faces along z, and rays meet the sphere before they meet that.
     /// @param center  in view space, Å
-    void cover(const TileView& view, const glm::vec3& center, float radius);
-    /// Whether each cell that a box touches is covered before a depth. What is outside of the picture is no matter.
-    /// @param low, high  pixels @param near  Z, Å
-    bool hides(glm::vec2 low, glm::vec2 high, float near) const;
+    void cover(const TileView& view, const glm::vec3& center, float radius, Rows rows);
+    /// Whether each cell of some rows that a disc touches is covered before a depth. What is outside of the picture is
+    /// no matter.
+    /// @param at, reach  of the disc, pixels @param near  Z, Å
+    bool hides(glm::vec2 at, float reach, float near, Rows rows);
+    Rows rows() const { return {0, down_}; }  ///< all of them
+    float side() const { return side_; }      ///< of a cell, pixels
 
 private:
+    struct CellDisc {
+        glm::vec2 at;  // cells from the top left corner
+        float radius, squared;
+    };
+    template <typename Work>
+    bool eachRow(const CellDisc& disc, Rows rows, const Work& work);
+
     std::uint32_t across_ = 0, down_ = 0;  // cells
-    float side_ = 1;                       // pixels
-    bool centers_ = false;                 // a cell is the middle of a pixel
-    float ask_ = 0;                        // where that is
+    float side_ = 1, perSide_ = 1;         // pixels; one over that
     float inset_ = 0;                      // by which a disc is smaller that holds the middles of the cells it covers
+    float outset_ = 0;                     // by which one is larger that holds the middles of those it touches
     std::vector<float> depths_;            // Z; row by row
 };
 

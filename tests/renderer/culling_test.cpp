@@ -65,6 +65,29 @@ TEST_P(Culling, NeverChangesABit) {
     }
 }
 
+// Enough chunks for several threads, which share the picture's rows.
+TEST(CopiesBehindCopies, NeverChangeABit) {
+    Molecule m = molecule("sample:dna");
+    std::vector<glm::vec3> shifts;
+    for (int i = 0; i < 1200; ++i) shifts.emplace_back(i % 12 * 26, i / 12 % 10 * 40, i / 120 * 26);
+    addCopies(m, shifts);
+    RepresentationOptions options{Style::spacefill, ColorScheme::element};
+    options.assembly = "1";
+    const Representation r = represent(m, drawnAtoms(m), options);
+    ValidatedRenderer renderer(Visibility::tiles);
+    renderer->setScene(r);
+    for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+        RenderSettings s = settings(r, 160, projection, {12, 20, 5}, 1.5);
+        s.tuning.cull = false;
+        const Picture whole = renderer->render(s);
+        const std::uint64_t submitted = renderer->stats().spheres;
+        s.tuning.cull = true;
+        s.tuning.hideFrom = 0;
+        EXPECT_EQ(renderer->render(s).rgba, whole.rgba);
+        EXPECT_LT(renderer->stats().spheres * 8, submitted);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, Culling,
                          testing::Values(CulledCase{"sample:dna", Style::spacefill, Projection::orthographic, false},
                                          CulledCase{"sample:dna", Style::cartoon, Projection::perspective, true},

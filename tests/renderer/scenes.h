@@ -35,7 +35,7 @@ inline std::string testName(std::string file) {
 }
 
 /// Gives a molecule an assembly "1" of copies of all of it, moved by so much each.
-inline void addCopies(Molecule& m, std::initializer_list<glm::vec3> places) {
+inline void addCopies(Molecule& m, const std::vector<glm::vec3>& places) {
     if (m.subchains.empty()) m.subchains = {"A"};
     m.assemblies = {{"1", "", {{}}}};
     for (std::uint32_t i = 0; i < m.subchains.size(); ++i) m.assemblies[0].parts[0].subchains.push_back(i);
