@@ -3,23 +3,21 @@
 
 #include <sys/stat.h>
 
-#include <cerrno>
 #include <condition_variable>
-#include <cstring>
 #include <exception>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <ostream>
 #include <thread>
-#include <unordered_set>
 #include <vector>
 
+#include "app/cli/batch_files.h"
+#include "app/cli/batch_lines.h"
 #include "app/cli/batch_options.h"
 #include "app/cli/commands.h"
 #include "app/cli/picture_job.h"
+#include "app/movie/stop_request.h"
 #include "app/shared/json_text.h"
 #include "app/shared/messages.h"
 #include "engine/error.h"
@@ -28,54 +26,6 @@ namespace nacre::app {
 namespace {
 
 using JobJson = nlohmann::ordered_json;
-
-constexpr std::size_t kLongestLine = 1 << 20;
-
-struct Line {
-    std::uint64_t number;  ///< 1-based
-    std::string text;
-};
-
-/// The lines of a file or of standard input, one at a time.
-class Lines {
-public:
-    /// @throws Error
-    explicit Lines(const std::string& path) : path_(path), in_(path == "-" ? std::cin : file_) {
-        if (path == "-") return;
-        std::error_code error;
-        if (std::filesystem::is_directory(path, error)) throw Error("cannot read jobs", path, "it is a folder");
-        file_.open(path, std::ios::binary);
-        if (!file_) throw Error("cannot read jobs", path, std::strerror(errno));
-    }
-
-    /// The next line that is not empty; none at the end. @throws Error
-    std::optional<Line> next() {
-        const std::lock_guard lock(turn_);
-        for (std::string text; readLine(text);)
-            if (text.find_first_not_of(" \t\r") != std::string::npos) return Line{number_, std::move(text)};
-        return std::nullopt;
-    }
-
-private:
-    /// std::getline() takes whatever length there is.
-    bool readLine(std::string& text) {
-        text.clear();
-        ++number_;
-        char c = 0;
-        while (in_.get(c) && c != '\n') {
-            if (text.size() == kLongestLine)
-                throw Error("cannot read jobs", path_, "a line has more than 1 MB", number_);
-            text.push_back(c);
-        }
-        return in_ || !text.empty();
-    }
-
-    std::string path_;
-    std::ifstream file_;
-    std::istream& in_;
-    std::mutex turn_;
-    std::uint64_t number_ = 0;
-};
 
 /// There is no device: no other job needs to try.
 struct NoDevice : std::runtime_error {
@@ -152,9 +102,10 @@ private:
     int atWork_ = 0, most_ = 1, losses_ = 0;
 };
 
+/// Whether a job has no such file, or it is done. An empty one is none: it was made by something else, or by a crash.
 bool isThere(const std::string& path) {
     struct stat status {};
-    return path.empty() || (stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode));
+    return path.empty() || (stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_size > 0);
 }
 
 std::uint64_t bytesOf(const std::string& path) {
@@ -165,26 +116,35 @@ std::uint64_t bytesOf(const std::string& path) {
 class Batch {
 public:
     Batch(const BatchOptions& options, std::ostream& out)
-        : options_(options), out_(out), lines_(options.path), renderers_(options.tried.device, options.parallel) {}
+        : options_(options),
+          out_(out),
+          lines_(options.path, [this] { return stopped(); }),
+          renderers_(options.tried.device, options.parallel),
+          files_(options.path) {}
 
+    /// @returns whether all jobs are done @throws Error if they are stopped
     bool run() {
         std::vector<std::thread> threads;
         for (int i = 1; i < options_.parallel; ++i) threads.emplace_back([this] { work(); });
         work();
         for (std::thread& thread : threads) thread.join();
         if (failure_) std::rethrow_exception(failure_);
-        if (const double seconds = millisecondsSince(start_) / 1000; done_ + failed_ + skipped_ > 0)
-            sayNote(std::to_string(done_) + " jobs done, " + std::to_string(failed_) + " failed, " +
-                    std::to_string(skipped_) + " left out, in " + std::to_string(static_cast<int>(seconds)) + " s");
+        const double seconds = millisecondsSince(start_) / 1000;
+        const std::string summary = std::to_string(done_) + " jobs done, " + std::to_string(failed_) + " failed, " +
+                                    std::to_string(skipped_) + " left out, in " +
+                                    std::to_string(static_cast<int>(seconds)) + " s";
+        if (stop_.asked()) throw Error("stopped", options_.path, summary + " (--resume goes on)");
+        if (done_ + failed_ + skipped_ > 0) sayNote(summary);
         return failed_ == 0;
     }
 
 private:
-    /// What one thread does: job after job, until there are none, or something fails that concerns them all.
+    /// What one thread does: job after job, until there are none, they are to stop, or something fails that concerns
+    /// them all.
     void work() {
         try {
             while (!stopped()) {
-                const std::optional<Line> line = lines_.next();
+                const std::optional<BatchLine> line = lines_.next();
                 if (!line) return;
                 report(doJob(*line));
             }
@@ -196,22 +156,22 @@ private:
 
     bool stopped() {
         const std::lock_guard lock(turn_);
-        return failure_ != nullptr;
+        return failure_ != nullptr || stop_.asked();
     }
 
-    JobJson doJob(const Line& line) {
+    JobJson doJob(const BatchLine& line) {
         const Clock::time_point start = Clock::now();
-        JobJson told = {{"job", line.number}};
+        JobJson told = toldOf(line);
+        HeardMessages heard;
         try {
             const RenderOptions job = jobOf(line.text, options_);
-            told["input"] = job.input.path;
-            told["output"] = job.output;
-            claim(job);
+            if (told["input"].is_null()) told["input"] = job.input.path;
+            files_.claim(job);
             if (options_.resume && isThere(job.output) && isThere(job.layers) && isThere(job.stats)) {
                 told["status"] = "skipped";
                 return told;
             }
-            draw(job, told);
+            draw(job);
             told["status"] = "done";
             told["ms"] = millisecondsSince(start);
             told["bytes"] = bytesOf(job.output);
@@ -222,6 +182,17 @@ private:
         } catch (const std::exception& error) {
             fail(told, error.what(), start);
         }
+        if (!heard.warnings.empty()) told["warnings"] = heard.warnings;
+        if (!heard.notes.empty()) told["notes"] = heard.notes;
+        return told;
+    }
+
+    /// What the line says of its files, whatever else is wrong with it.
+    static JobJson toldOf(const BatchLine& line) {
+        JobJson told = {{"job", line.number}, {"input", nullptr}, {"output", nullptr}};
+        const JobJson job = JobJson::parse(line.text, nullptr, false);
+        for (const char* name : {"input", "output"})
+            if (job.is_object() && job.contains(name)) told[name] = job[name];
         return told;
     }
 
@@ -231,36 +202,14 @@ private:
         told["error"] = why;
     }
 
-    void draw(const RenderOptions& options, JobJson& told) {
+    void draw(const RenderOptions& options) {
         for (bool drawn = false; !drawn;) {
             PictureJob job(options, silent_);
             job.prepare();
+            for (const std::string& warning : job.warnings()) sayWarning(warning);
             drawn = renderers_.draw(job);
-            if (!drawn) continue;
-            job.write();
-            if (!job.warnings().empty()) told["warnings"] = job.warnings();
+            if (drawn) job.write();
         }
-    }
-
-    /// Two jobs of one file would each undo the other's work. @throws UsageError
-    void claim(const RenderOptions& job) {
-        const std::lock_guard lock(turn_);
-        std::vector<std::size_t> places;
-        for (const auto& [name, path] :
-             {std::pair{"output", &job.output}, {"layers", &job.layers}, {"stats", &job.stats}}) {
-            if (path->empty()) continue;
-            places.push_back(std::hash<std::string>{}(placeOf(*path)));
-            if (outputs_.count(places.back()))
-                throw UsageError("\"" + std::string(name) + "\": an earlier job has the same file: " + *path);
-        }
-        outputs_.insert(places.begin(), places.end());
-    }
-
-    /// Where a file is, whatever leads there.
-    static std::string placeOf(const std::string& path) {
-        std::error_code error;
-        const std::filesystem::path place = std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
-        return error ? path : place.string();
     }
 
     void report(const JobJson& told) {
@@ -275,17 +224,21 @@ private:
     const BatchOptions& options_;
     std::ostream& out_;
     Clock::time_point start_ = Clock::now();
-    Lines lines_;
+    StopRequest stop_;  // jobs that are in work end as they should; a second signal ends them at once
+    BatchLines lines_;
     Renderers renderers_;
+    BatchFiles files_;
     Progress silent_{false};
     std::mutex turn_;  // of all below
-    std::unordered_set<std::size_t> outputs_;
     std::uint64_t done_ = 0, failed_ = 0, skipped_ = 0;
     std::exception_ptr failure_;
 };
 
 }  // namespace
 
-bool batchCommand(const BatchOptions& options, std::ostream& out) { return Batch(options, out).run(); }
+bool batchCommand(const BatchOptions& options, std::ostream& out) {
+    removeUnfinishedOnSignals();  // what a second signal does
+    return Batch(options, out).run();
+}
 
 }  // namespace nacre::app

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/option_words.h"
+#include "app/shared/json_text.h"
 #include "engine/error.h"
 #include "engine/molecule/nearest_word.h"
 
@@ -28,6 +30,8 @@ const OptionSpec& optionOf(const std::string& name, const CommandSpec& command) 
 /// A text or number, or numbers that belong together: [640, 480] is "640x480" of a size, and "640,480" otherwise.
 std::string textOf(const Json& value, const OptionSpec& option) {
     if (value.is_string()) return value.get<std::string>();
+    if (option.positional() || takesFile(option))
+        refuse(plainName(option), "expected a text, not " + value.dump(-1, ' ', false, Json::error_handler_t::replace));
     if (value.is_number()) return value.dump();
     if (value.is_boolean() && option.type == "on|off") return value.get<bool>() ? "on" : "off";
     if (value.is_array() && !value.empty() &&
@@ -72,6 +76,8 @@ void addRules(std::vector<OptionValue>& values, const Json& rules, const Command
 }
 
 void set(const OptionSpec& option, const std::string& value) {
+    // Names of files would end there.
+    if (value.find('\0') != std::string::npos) throw UsageError(plainName(option) + ": it holds a NUL");
     try {
         option.set(value);
     } catch (const std::invalid_argument& error) {
@@ -114,8 +120,10 @@ OptionSpec recorded(OptionSpec option, std::vector<OptionValue>& values) {
 }
 
 std::vector<OptionValue> optionValuesOf(const std::string& json, const CommandSpec& command) {
-    const Json object = Json::parse(json, nullptr, false);
+    std::string twice;
+    const Json object = parseJson<Json>(json, twice);
     if (!object.is_object()) throw UsageError("it is no JSON object");
+    if (!twice.empty()) refuse(twice, "it is there twice");
     std::vector<OptionValue> values;
     for (const auto& [key, value] : object.items()) {
         std::string name = key;

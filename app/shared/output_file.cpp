@@ -9,9 +9,11 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <filesystem>
+#include <functional>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -25,7 +27,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kPrefix = ".nacre-";
-constexpr std::size_t kDigits = 16;
+constexpr std::size_t kDigits = 16, kHostDigits = 4;
 constexpr std::string_view kCapture = "_capture.rdc";  // what RenderDoc adds
 constexpr std::time_t kAbandonedSeconds = 600;
 constexpr const char* kDiskFull = "the data could not be written (is the disk full?)";
@@ -46,10 +48,7 @@ extern "C" void removeUnfinished(int signal) {
 }
 
 void remember(const std::string& temporary) {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
-        // Ignored it stays, as under nohup; who has a handler sees to the files by ending as usual.
-        if (struct sigaction now{}; sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_DFL)
-            std::signal(signal, removeUnfinished);
+    removeUnfinishedOnSignals();
     std::signal(SIGXFSZ, SIG_IGN);  // over a limit on file sizes, writing fails like on a full disk
     const std::lock_guard turn(unfinishedTurn);
     for (auto& name : unfinished)
@@ -73,6 +72,21 @@ bool isTemporaryName(std::string_view name) {
            (rest.empty() || rest[0] == '.' || rest == kCapture);
 }
 
+/// Of the machine that a file is written by: the first of its temporary name's digits.
+std::string hostDigits() {
+    char name[256] = {}, digits[kHostDigits + 1];
+    gethostname(name, sizeof name - 1);
+    std::snprintf(digits, sizeof digits, "%04x", static_cast<unsigned>(std::hash<std::string>{}(name)&0xFFFF));
+    return digits;
+}
+
+/// Whether nobody has a file of ours any more that is not locked. On the machine that it is written by the lock tells;
+/// elsewhere it may not be seen, nor is what a library of its own mind writes locked: there age tells.
+bool isAbandoned(const std::string& name, const struct stat& status) {
+    const bool here = name.compare(kPrefix.size(), kHostDigits, hostDigits()) == 0 && !name.ends_with(kCapture);
+    return here || std::time(nullptr) - status.st_mtime > kAbandonedSeconds;
+}
+
 /// Whether a folder is met for the first time. A run that writes many files into one would read it through for each.
 bool isNew(const std::string& folder) {
     constexpr std::size_t kMost = 4096;
@@ -88,13 +102,13 @@ void sweep(const std::string& folder) {
     if (!isNew(folder)) return;
     std::error_code error;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? "." : folder, error)) {
-        const std::string path = entry.path().string();
-        if (!isTemporaryName(entry.path().filename().string())) continue;
+        const std::string path = entry.path().string(), name = entry.path().filename().string();
+        if (!isTemporaryName(name)) continue;
         const int file = openPlain(path, O_RDONLY);
         if (file < 0) continue;
         struct stat status {};
-        if (fstat(file, &status) == 0 && status.st_uid == geteuid() &&
-            std::time(nullptr) - status.st_mtime > kAbandonedSeconds && flock(file, LOCK_EX | LOCK_NB) == 0)
+        if (fstat(file, &status) == 0 && status.st_uid == geteuid() && isAbandoned(name, status) &&
+            flock(file, LOCK_EX | LOCK_NB) == 0)
             unlink(path.c_str());
         close(file);
     }
@@ -116,6 +130,13 @@ bool sameFile(const std::string& a, const std::string& b) {
 }
 
 }  // namespace
+
+void removeUnfinishedOnSignals() {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        // Ignored it stays, as under nohup; who has a handler sees to the files by ending as usual.
+        if (struct sigaction now{}; sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_DFL)
+            std::signal(signal, removeUnfinished);
+}
 
 bool isStandardOutput(const std::string& path) {
     return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
@@ -141,12 +162,19 @@ OutputFile::OutputFile(const std::string& path, const std::string& extension) : 
 
 void OutputFile::makeTemporary(const std::string& folder, const std::string& extension) {
     sweep(folder);
-    temporary_ = (fs::path(folder) / (std::string(kPrefix) + unforeseenDigits() + extension)).string();
-    struct stat before {};
+    struct stat before {
+    }, now{};
     const bool replaces = !target_.empty() && stat(target_.c_str(), &before) == 0;
-    lock_ = openPlain(temporary_, O_WRONLY | O_CREAT | O_EXCL, target_.empty() ? 0600 : 0666);
-    if (lock_ < 0) fail(path_, std::strerror(errno));
-    flock(lock_, LOCK_EX | LOCK_NB);  // where a file system has no locks, only age tells what was left behind
+    // Until it is locked another run may take it for abandoned.
+    for (bool there = false; !there; there = stat(temporary_.c_str(), &now) == 0) {
+        if (lock_ >= 0) close(lock_);
+        temporary_ = (fs::path(folder) /
+                      (std::string(kPrefix) + hostDigits() + unforeseenDigits().substr(kHostDigits) + extension))
+                         .string();
+        lock_ = openPlain(temporary_, O_WRONLY | O_CREAT | O_EXCL, target_.empty() ? 0600 : 0666);
+        if (lock_ < 0) fail(path_, std::strerror(errno));
+        flock(lock_, LOCK_EX | LOCK_NB);  // where a file system has no locks, only age tells what was left behind
+    }
     if (replaces) fchmod(lock_, before.st_mode & 0777);
     remember(temporary_);
 }

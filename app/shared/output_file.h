@@ -12,8 +12,9 @@ bool isStandardOutput(const std::string& path);
 /// The other name is made at once, so that a folder that cannot be written to is refused before any work; nobody
 /// foresees it, and nothing that others put there is followed or overwritten. A file that is replaced keeps its
 /// permissions. What is for standard output is written to a temporary file and goes there when it is whole.
-/// An error, SIGINT, SIGTERM and SIGHUP remove it; what a crash leaves behind, the first that the next run makes in the
-/// same folder does, once it is ten minutes old. Each is one thread's at a time; several threads may have theirs.
+/// An error, SIGINT, SIGTERM and SIGHUP remove it; what a crash leaves behind, the first that the next run on the same
+/// machine makes in the same folder does, and one on another machine once it is ten minutes old. Each is one thread's
+/// at a time; several threads may have theirs.
 class OutputFile {
 public:
     /// @param extension  of the temporary file where standard output has none: ".png"
@@ -40,6 +41,10 @@ private:
     int lock_ = -1;  // held as long as the temporary file is somebody's
     bool committed_ = false;
 };
+
+/// From now on SIGINT, SIGTERM and SIGHUP remove what is not finished, where they would end the program; the first
+/// OutputFile sees to that, too.
+void removeUnfinishedOnSignals();
 
 /// Extension in lower case, with the dot; empty if there is none.
 std::string extensionOf(const std::string& path);

@@ -29,7 +29,11 @@ constexpr std::size_t kMostRules = 1000;
 
 /// A number or text as an option would have it.
 std::string textOf(const Json& value) {
-    if (value.is_string()) return value.get<std::string>();
+    if (value.is_string()) {
+        if (value.get_ref<const std::string&>().find('\0') != std::string::npos)
+            throw std::invalid_argument("it holds a NUL");  // where names of files would end
+        return value.get<std::string>();
+    }
     if (value.is_number()) return value.dump();
     throw std::invalid_argument("expected a text or a number");
 }
@@ -266,8 +270,10 @@ void readKey(const std::string& key, const Json& value, SavedView& view) {
 void setViewKey(const std::string& key, const std::string& value, SavedView& view) { readKey(key, value, view); }
 
 SavedView parseSavedView(const std::string& json, const std::string& name) {
-    const Json object = Json::parse(json, nullptr, false);
+    std::string twice;
+    const Json object = parseJson<Json>(json, twice);
     if (!object.is_object()) throw Error("cannot read view", name, "it is no JSON object");
+    if (!twice.empty()) throw Error("cannot read view", name, "\"" + twice + "\": it is there twice");
     SavedView view;
     for (const auto& [key, value] : object.items()) {
         try {

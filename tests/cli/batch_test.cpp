@@ -1,7 +1,12 @@
 // nacre batch, as a user meets it.
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <csignal>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -105,6 +110,11 @@ TEST(Batch, AFailedJobStopsNoOther) {
         {job("-", "c.png"), R"("input": a job's files have names)"},
         {R"({"input": "sample:dna"})", R"("output" is required)"},
         {R"({"output": "c.png"})", "INPUT is required"},
+        {R"({"input": 5, "output": "c.png"})", R"("input": expected a text, not 5)"},
+        {R"({"input": "sample:dna", "output": true})", R"("output": expected a text, not true)"},
+        {R"({"input": "sample:dna", "output": "c.png", "input": "sample:glucose"})", R"("input": it is there twice)"},
+        {job("sample:dna", R"(c\u0000.png)"), "output: it holds a NUL"},
+        {job(R"(no\u0000such)", "c.png"), "input: it holds a NUL"},
         {"[1, 2]", "no JSON object"},
         {R"({"input": "sample:dna", )", "no JSON object"}};
     std::vector<std::string> lines;
@@ -120,6 +130,10 @@ TEST(Batch, AFailedJobStopsNoOther) {
         const Json& told = report.at(static_cast<int>(i) + 1);
         EXPECT_EQ(told["status"], "failed") << told;
         EXPECT_NE(told["error"].get<std::string>().find(wrong[i].second), std::string::npos) << told;
+        // What is wrong with a job does not hide which one it is.
+        const Json said = Json::parse(wrong[i].first, nullptr, false);
+        for (const char* name : {"input", "output"})
+            EXPECT_EQ(told.at(name), said.is_object() ? said.value(name, Json()) : Json()) << told;
     }
     EXPECT_EQ(report.at(static_cast<int>(lines.size()))["status"], "done");
     EXPECT_EQ(folder.count(), 3u) << "the jobs, the bad file and the good picture";
@@ -147,6 +161,7 @@ TEST(Batch, ResumesWhereFilesAreMissing) {
                        job("sample:glucose", "c.png")});
     std::ofstream(folder / "a.png") << "kept";
     std::ofstream(folder / "b.png") << "its other file is missing";
+    std::ofstream(folder / "c.png").close();  // there, and nothing in it
     const std::string command = std::string("batch jobs.jsonl --resume") + kSmall;
     const Outcome first = nacreIn(folder, command);
     ASSERT_EQ(first.code, 0) << first.err;
@@ -225,33 +240,112 @@ TEST(Batch, ReadsStandardInputWhereverItEnds) {
     EXPECT_TRUE(std::filesystem::exists(folder / "a.png"));
 }
 
-// What is killed in the middle leaves whole pictures alone, and the next run makes the others.
-TEST(Batch, IsGoneOnWithAfterItWasKilled) {
+TEST(Batch, NoJobTakesAwayWhatIsRead) {
+    const TemporaryFolder folder;
+    const std::string molecule = "2\nm\nC 0 0 0\nO 1.2 0 0\n";
+    const char* const names[] = {"early.xyz", "late.xyz", "seen.xyz", "odd.png"};
+    for (const char* name : names) std::ofstream(folder / name) << molecule;
+    std::ofstream(folder / "v.json") << R"({"input": "seen.xyz"})";
+    const std::string seen = R"({"view": "v.json", "output": ")";
+    writeJobs(folder, {job("early.xyz", "a.png"), seen + "b.png\"}",
+                       job("sample:glucose", "c.png", R"("stats": "./early.xyz")"),
+                       job("sample:glucose", "d.png", R"("stats": "late.xyz")"), job("late.xyz", "e.png"),
+                       job("sample:glucose", "f.png", R"("stats": "v.json")"),
+                       job("sample:glucose", "g.png", R"("stats": "seen.xyz")"),
+                       job("sample:glucose", "h.png", R"("stats": "jobs.jsonl")"),
+                       job("sample:glucose", "i.png", R"("stats": "s.json")"), job("odd.png", "j.png"),
+                       job("sample:glucose", "odd.png")});
+    const std::string jobs = contentOf(folder / "jobs.jsonl");
+    const Outcome batch = nacreIn(folder, std::string("batch jobs.jsonl --jobs 1") + kSmall);
+    const auto report = reportOf(batch.out);
+    for (const int line : {1, 2, 5, 9, 10}) EXPECT_EQ(report.at(line)["status"], "done") << report.at(line);
+    const auto refused = [&](int line, const std::string& why) {
+        EXPECT_NE(report.at(line).value("error", "").find(why), std::string::npos) << report.at(line);
+    };
+    for (const int line : {3, 4, 6, 7, 8}) refused(line, R"("stats": )");
+    refused(4, "what is there is no such file: late.xyz");
+    refused(11, R"("output": an earlier job reads this file: odd.png)");
+    for (const char* name : names) EXPECT_EQ(contentOf(folder / name), molecule) << name;
+    EXPECT_EQ(contentOf(folder / "v.json"), R"({"input": "seen.xyz"})");
+    EXPECT_EQ(contentOf(folder / "jobs.jsonl"), jobs);
+    // Stats of a run before are replaced.
+    writeJobs(folder, {job("early.xyz", "a.png", R"("stats": "s.json")")});
+    EXPECT_EQ(reportOf(nacreIn(folder, std::string("batch jobs.jsonl --jobs 1") + kSmall).out).at(1)["status"], "done");
+}
+
+TEST(Batch, TellsOfEachJobWhatRenderSays) {
+    const TemporaryFolder folder, elsewhere;
+    std::ofstream(elsewhere / "m.xyz") << "2\nm\nC 0 0 0\nO 1.2 0 0\n";
+    std::ofstream(folder / "v.json") << R"({"input": ")" << elsewhere / "m.xyz"
+                                     << "\"}";
+    writeJobs(folder, {R"({"view": "v.json", "output": "a.png"})",
+                       R"({"input": ["a=sample:dna", "b=sample:dna"], "fit": ["/b", "/a"], "output": "b.png"})"});
+    const Outcome batch = nacreIn(folder, std::string("batch jobs.jsonl -q") + kSmall);
+    EXPECT_EQ(batch.err, "");
+    const auto report = reportOf(batch.out);
+    ASSERT_EQ(report.at(1)["warnings"].size(), 1u) << report.at(1);
+    EXPECT_EQ(report.at(1)["warnings"][0],
+              "v.json has this file opened, which is not in its folder: " + elsewhere / "m.xyz");
+    EXPECT_NE(report.at(2)["notes"].dump().find("RMSD 0.000"), std::string::npos) << report.at(2);
+}
+
+// What is killed in the middle leaves whole pictures alone, what is stopped ends what it began and says how far it
+// came, and the next run makes the others.
+TEST(Batch, IsGoneOnWithAfterItWasStopped) {
     const TemporaryFolder folder;
     std::vector<std::string> lines;
     for (int i = 0; i < 30; ++i) lines.push_back(job("sample:dna", folder / ("p" + std::to_string(i) + ".png")));
     writeJobs(folder, lines);
     const std::vector<std::string> command{
         "batch", folder / "jobs.jsonl", "--resume", "--size", "64x64", "--occlusion", "8", "--jobs", "2"};
+    const auto pictures = [&] {
+        std::vector<std::string> all;
+        for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+            if (entry.path().filename().string()[0] == 'p') all.push_back(contentOf(entry.path().string()));
+        return all;
+    };
     test::RunOptions options;
-    options.until = [&] { return folder.count() > 5; };
-    const test::MeasuredRun killed = test::runMeasured(command, options);
-    ASSERT_NE(killed.signal, 0) << "it was through before";
-    std::vector<std::string> whole;
-    for (const auto& entry : std::filesystem::directory_iterator(folder.path())) {
-        if (entry.path().extension() != ".png") continue;
-        EXPECT_EQ(entry.path().filename().string()[0], 'p') << entry.path();
-        whole.push_back(contentOf(entry.path().string()));
+    std::size_t enough = 4;
+    options.until = [&] { return pictures().size() >= enough; };
+    for (const int signal : {SIGKILL, SIGINT}) {  // a second SIGINT follows the first
+        options.signal = signal;
+        EXPECT_NE(test::runMeasured(command, options).signal, 0) << "it was through before";
+        enough += 5;
     }
-    const test::MeasuredRun second = test::runMeasured(command);
-    const std::string expected = contentOf(folder / "p0.png");
-    for (const std::string& content : whole) EXPECT_EQ(content, expected);
-    EXPECT_EQ(second.code, 0) << second.err;
-    std::set<std::string> statuses;
-    for (const auto& [line, told] : reportOf(second.out)) statuses.insert(told["status"]);
-    EXPECT_EQ(statuses, (std::set<std::string>{"done", "skipped"}));
-    for (int i = 0; i < 30; ++i) EXPECT_EQ(contentOf(folder / ("p" + std::to_string(i) + ".png")), expected) << i;
-    EXPECT_EQ(folder.count(), 31u);
+    options.once = true;
+    const std::size_t before = pictures().size();
+    const test::MeasuredRun stopped = test::runMeasured(command, options);
+    EXPECT_EQ(stopped.code, 1) << stopped.signal;
+    const auto told = reportOf(stopped.out);
+    const auto done = static_cast<std::size_t>(
+        std::count_if(told.begin(), told.end(), [](const auto& line) { return line.second.at("status") == "done"; }));
+    EXPECT_EQ(pictures().size(), before + done) << "what was begun is whole";
+    EXPECT_NE(stopped.err.find("nacre: error: stopped: " + folder / "jobs.jsonl: " + std::to_string(done) +
+                               " jobs done, 0 failed, "),
+              std::string::npos)
+        << stopped.err;
+    const test::MeasuredRun last = test::runMeasured(command);
+    EXPECT_EQ(last.code, 0) << last.err;
+    const std::vector<std::string> all = pictures();
+    EXPECT_EQ(all.size(), 30u);
+    for (const std::string& picture : all) EXPECT_EQ(picture, all.front());
+    EXPECT_EQ(folder.count(), 31u) << "something is left behind";
+}
+
+TEST(Batch, IsStoppedWhileItWaitsForJobs) {
+    const TemporaryFolder folder;
+    const std::string fifo = folder / "jobs";
+    ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+    const int writer = open(fifo.c_str(), O_RDWR | O_CLOEXEC);
+    const std::string line = job("sample:glucose", folder / "a.png") + "\n";
+    ASSERT_EQ(write(writer, line.data(), line.size()), static_cast<ssize_t>(line.size()));
+    test::RunOptions options;
+    options.until = [&] { return std::filesystem::exists(folder / "a.png"); };
+    options.once = true;
+    const test::MeasuredRun run = test::runMeasured({"batch", fifo, "--size", "16x16", "--occlusion", "off"}, options);
+    close(writer);
+    EXPECT_EQ(run.code, 1) << run.signal;
+    EXPECT_NE(run.err.find("1 jobs done"), std::string::npos) << run.err;
 }
 
 // Pipelines, descriptor sets, images, the driver's caches: hundreds of jobs more take no more memory.

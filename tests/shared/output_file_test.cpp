@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 
@@ -90,6 +92,24 @@ TEST(OutputFile, SweepsWhatCrashesLeftAndNothingElse) {
     EXPECT_TRUE(fs::exists(inUse.temporary()));
     EXPECT_TRUE(fs::exists(folder / ".nacre-fedcba9876543210.png"));
     EXPECT_TRUE(fs::is_symlink(folder / ".nacre-aaaaaaaaaaaaaaaa.png"));
+}
+
+// What a killed run left is gone with the next, at once: on the machine that wrote it its lock tells that nobody has
+// it.
+TEST(OutputFile, SweepsAtOnceWhatItsOwnMachineLeft) {
+    const TemporaryFolder folder;
+    const pid_t child = fork();
+    if (child == 0) {
+        const OutputFile file(folder / "a.png");
+        raise(SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    ASSERT_EQ(folder.count(), 1u);
+    const std::string left = fs::directory_iterator(folder.path())->path().string();
+    const OutputFile next(folder / "b.png");
+    EXPECT_FALSE(fs::exists(left)) << left;
+    EXPECT_TRUE(fs::exists(next.temporary()));
 }
 
 TEST(OutputFile, NoOutputReplacesWhatIsReadByAnyName) {

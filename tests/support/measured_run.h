@@ -35,7 +35,9 @@ struct MeasuredRun {
 struct RunOptions {
     std::vector<std::pair<std::string, std::string>> environment;
     bool terminal = false;        ///< standard error is a terminal
-    std::function<bool()> until;  ///< asked again and again; once it is true SIGINT ends the program
+    std::function<bool()> until;  ///< asked again and again; once it is true signals end the program
+    int signal = SIGINT;
+    bool once = false;  ///< no second signal follows the first
 };
 
 namespace detail {
@@ -92,8 +94,9 @@ inline MeasuredRun runMeasured(const std::vector<std::string>& arguments, const 
     }
     int status = 0;
     rusage usage{};
+    bool sent = false;
     while (options.until && wait4(child, &status, WNOHANG, &usage) == 0) {
-        if (options.until()) kill(child, SIGINT);
+        if (!(options.once && sent) && options.until()) sent = kill(child, options.signal) == 0;
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     if (!options.until) wait4(child, &status, 0, &usage);

@@ -1,0 +1,46 @@
+#pragma once
+// Jobs as lines of text, from a file or a pipe.
+
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace nacre::app {
+
+struct BatchLine {
+    std::uint64_t number;  ///< 1-based
+    std::string text;
+};
+
+/// The lines of a file or of standard input, one at a time; several threads may ask.
+class BatchLines {
+public:
+    /// @param stopped  asked while a pipe is waited for: then there are no more lines @throws Error
+    BatchLines(const std::string& path, std::function<bool()> stopped);
+    ~BatchLines();
+    BatchLines(const BatchLines&) = delete;
+    BatchLines& operator=(const BatchLines&) = delete;
+
+    /// The next line that is not empty; none at the end. @throws Error
+    std::optional<BatchLine> next();
+    /// Whether it can be read once more by another: a file can, a pipe cannot.
+    bool isFile() const { return isFile_; }
+
+private:
+    bool readLine(std::string& text);
+    bool fill();
+
+    static constexpr std::size_t kLongestLine = 1 << 20;
+    const std::string path_;
+    const std::function<bool()> stopped_;
+    int file_ = 0;
+    bool isFile_ = false;
+    std::string buffer_;  ///< what has been read
+    std::size_t at_ = 0;  ///< of it: what comes next
+    std::mutex turn_;
+    std::uint64_t number_ = 0;
+};
+
+}  // namespace nacre::app
