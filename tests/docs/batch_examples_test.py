@@ -46,9 +46,9 @@ class Examples(unittest.TestCase):
         lines = [line for report in reports for line in (self.folder / report).read_text().splitlines()]
         return sorted(json.loads(line)["status"] for line in lines)
 
-    def check_pictures(self, folder):
+    def check_pictures(self, folder, ending=".pdb.png"):
         for name in NAMES:
-            self.assertEqual((self.folder / folder / f"{name}.png").read_bytes()[1:4], b"PNG")
+            self.assertEqual((self.folder / folder / f"{name}{ending}").read_bytes()[1:4], b"PNG")
         self.assertFalse(list((self.folder / folder).glob(".nacre-*")))
 
     @needs("parallel")
@@ -57,10 +57,18 @@ class Examples(unittest.TestCase):
         self.run_example(*command)
         self.check_pictures("pictures")
         self.assertEqual(self.statuses("pictures/report.jsonl"), ["done"] * 3)
-        (self.folder / "pictures/dna.png").unlink()
+        (self.folder / "pictures/dna.pdb.png").unlink()
         self.run_example(*command)
         self.check_pictures("pictures")
         self.assertEqual(self.statuses("pictures/report.jsonl"), ["done", "skipped", "skipped"])
+        # One of another format has a picture of its own; two of one name have none.
+        other = self.folder / "structures/dna.ent"
+        shutil.copy(self.folder / self.structures[0], other)
+        self.run_example(*command, "structures/dna.ent")
+        self.assertTrue((self.folder / "pictures/dna.ent.png").exists())
+        run = subprocess.run([*command, "other/dna.pdb"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual((run.returncode, run.stderr),
+                         (2, "parallel.sh: other/dna.pdb and structures/dna.pdb would have one picture\n"))
 
     def test_slurm_array(self):
         """By the variables that Slurm sets for each task."""
@@ -72,7 +80,7 @@ class Examples(unittest.TestCase):
             self.run_example(EXAMPLES / "slurm_array.sh", "jobs.jsonl", SLURM_ARRAY_TASK_COUNT="2",
                              SLURM_ARRAY_TASK_MIN="1", SLURM_ARRAY_TASK_MAX="2", SLURM_ARRAY_TASK_ID=str(task),
                              SLURM_CPUS_PER_TASK="2")
-        self.check_pictures("pictures")
+        self.check_pictures("pictures", ".png")
         self.assertEqual(self.statuses("jobs.1.report.jsonl", "jobs.2.report.jsonl"), ["done"] * 3)
 
     @needs("snakemake")
@@ -81,7 +89,7 @@ class Examples(unittest.TestCase):
                    "structures=structures", "pictures=pictures", "batch=2"]
         self.run_example(*command)
         self.check_pictures("pictures")
-        (self.folder / "pictures/glucose.png").unlink()
+        (self.folder / "pictures/glucose.pdb.png").unlink()
         again = self.run_example(*command)
         self.assertIn("1 of 2 steps", again.stderr)  # the other batch is whole
         self.check_pictures("pictures")
