@@ -49,15 +49,20 @@ bool isPlain(const std::string& path) {
     return std::filesystem::is_regular_file(path, error);
 }
 
-/// Where a file is that a view names; what is to be said of that is said.
+/// Where a file is that a view names; what is to be said of that is said. @throws Error if it is no file, and might
+/// be waited for without an end
 std::string namedPath(const InputOptions& input) {
-    if (const std::string notice = outsideNotice(input); !notice.empty()) sayNote(notice);
+    if (input.path == "-") throw Error("cannot read molecule", input.namedBy, "a view names files, not standard input");
+    if (const std::string notice = outsideNotice(input); !notice.empty()) sayNotice(notice);
     const std::string named = (std::filesystem::path(input.namedBy).parent_path() / input.path).string();
     const std::string path = filePathOf(input);
     if (path != named && isPlain(path))
         sayNote(input.namedBy + " names a file that is gone; this one has its content: " + path);
     else if (!input.hash.empty() && isPlain(path) && fileHash(path) != input.hash)
-        sayNote(path + " is not as it was when " + input.namedBy + " was saved");
+        sayNotice(path + " is not as it was when " + input.namedBy + " was saved");
+    std::error_code error;
+    if (std::filesystem::exists(path, error) && !isPlain(path))
+        throw Error("cannot read molecule", path, input.namedBy + " names it, and it is no plain file");
     return path;
 }
 

@@ -13,9 +13,11 @@
 namespace nacre {
 
 std::shared_ptr<ByteFile> ByteFile::open(const std::string& path) {
-    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (file < 0) return nullptr;
     struct stat status {};
+    // A pipe that is opened may be waited for without an end.
+    if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return nullptr;
+    const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (file < 0) return nullptr;
     if (fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) {
         ::close(file);
         return nullptr;

@@ -1,6 +1,7 @@
 // What a run prints and writes: streams, aliases, what must not reach a terminal, and views from others.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
@@ -217,6 +218,23 @@ TEST(Outputs, AViewFromSomebodyElseFetchesNothingAndQuotesNothing) {
     for (const char* view : {"near", "own"}) {
         EXPECT_EQ(render(view).code, 0) << view;
         EXPECT_EQ(render(view).err, "") << view;
+    }
+    // Whoever wants no warnings wants these.
+    EXPECT_NE(render("outside", "-q").err.find("not in its folder"), std::string::npos);
+    // What might never end is not waited for.
+    ASSERT_EQ(mkfifo((folder / "view/pipe").c_str(), 0600), 0);
+    put(folder / "view/pipe.json", R"({"input": "pipe", "format": "pdb"})");
+    put(folder / "view/moves.json", R"({"input": "near.pdb", "trajectory": "pipe"})");
+    put(folder / "view/standard.json", R"({"input": "-", "format": "pdb"})");
+    const std::pair<const char*, const char*> endless[] = {
+        {"pipe", "error: cannot read molecule: view/pipe: view/pipe.json names it, and it is no plain file\n"},
+        {"moves", "error: cannot read trajectory: view/pipe: it is not a plain file\n"},
+        {"standard", "error: cannot read molecule: view/standard.json: a view names files, not standard input\n"}};
+    for (const auto& [view, why] : endless) {
+        const Outcome outcome =
+            nacreIn(folder, std::string("render --view view/") + view + ".json -o a.png", "", "exec </dev/zero");
+        EXPECT_EQ(outcome.code, 1) << view;
+        EXPECT_EQ(outcome.err, std::string("nacre: ") + why) << view;
     }
     const Outcome fetch = render("fetch");
     EXPECT_EQ(fetch.code, 1);

@@ -15,7 +15,7 @@
 namespace nacre {
 
 TrajectoryFile::TrajectoryFile(const std::string& path) : name_(path) {
-    file_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    file_ = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);  // a pipe is refused, not waited for
     if (file_ < 0) fail(std::strerror(errno));
     struct stat status {};
     const bool plain = fstat(file_, &status) == 0 && S_ISREG(status.st_mode);
