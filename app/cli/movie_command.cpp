@@ -50,7 +50,7 @@ void movieCommand(const MovieOptions& options) {
         for (; drawn < frames && !stop.asked(); ++drawn) {
             encoder.add(scenes.draw(drawn));
             progress.advanceTo(drawn + 1, frames);
-            report.drawn(drawn + 1, frames);
+            report.drawn(drawn + 1, frames, scenes.modelOf(drawn));
         }
         if (drawn == 0) stopped(path, 0, frames);
         progress.begin("writing");

@@ -37,10 +37,16 @@ void addMotion(CommandSpec& command, MovieOptions& options) {
     addValue(command, "--spin", "AXIS", "none",
              "Turn about x, y, z (across, up, to the viewer) or a vector X,Y,Z, right-handed; ends where it began",
              [&](const std::string& text) { options.spin = parseAxis(text); });
-    addValue(command, "--turns", "N", "1", "Of --spin, -100 to 100; a part of one ends elsewhere",
-             [&](const std::string& text) { options.turns = parseNumber(text, -100, 100); });
+    addValue(command, "--turns", "N", "1", "Of --spin, -100 to 100, not 0; a part of one ends elsewhere",
+             [&](const std::string& text) {
+                 options.turns = parseNumber(text, -100, 100);
+                 if (*options.turns == 0) throw std::invalid_argument("nothing moves by 0 turns");
+             });
     addValue(command, "--rock", "DEGREES", "none", "Swing to either side and back, up to 180",
-             [&](const std::string& text) { options.rock = parseNumber(text, 0, 180); });
+             [&](const std::string& text) {
+                 options.rock = parseNumber(text, 0, 180);
+                 if (*options.rock == 0) throw std::invalid_argument("nothing moves by 0 degrees");
+             });
     addValue(command, "--axis", "AXIS", "y", "Of --rock, as for --spin",
              [&](const std::string& text) { options.axis = parseAxis(text); });
     addFlag(command, "--models", options.models,
@@ -72,6 +78,11 @@ void checkMotion(const MovieOptions& options) {
     if (cameras > 1) throw UsageError("--spin, --rock and --views exclude each other");
     if (cameras == 0 && !options.models) throw UsageError("nothing moves: --spin, --rock, --views or --models");
     if (options.loop && options.views.empty()) throw UsageError("--loop is for --views");
+    if (options.turns && !options.spin) throw UsageError("--turns is for --spin");
+    if (options.axis && !options.rock) throw UsageError("--axis is for --rock (--spin names its own)");
+    if (options.easing && cameras == 0) throw UsageError("--easing is for --spin, --rock and --views");
+    if (options.easing == Easing::stops && options.views.empty())
+        throw UsageError("--easing stops is for --views, which it rests at");
     const bool trajectory = !options.picture.input.trajectory.path.empty();
     if (options.models && !trajectory && isGiven(options, "model"))
         throw UsageError("--models shows one model after the other: leave out --model");
@@ -108,8 +119,10 @@ double timeOf(const MovieOptions& options, std::uint64_t frame, std::uint64_t fr
 
 View viewAt(const MovieOptions& options, const View& view, double time) {
     const double t = eased(options.easing.value_or(Easing::linear), time);
-    if (options.spin) return turned(view, *options.spin, 360 * options.turns * t);
-    if (options.rock) return turned(view, options.axis, *options.rock * std::sin(2 * std::numbers::pi * t));
+    if (options.spin) return turned(view, *options.spin, 360 * options.turns.value_or(1) * t);
+    if (options.rock)
+        return turned(view, options.axis.value_or(glm::dvec3(0, 1, 0)),
+                      *options.rock * std::sin(2 * std::numbers::pi * t));
     return view;
 }
 

@@ -26,10 +26,11 @@ void MovieReport::baked(double share) {
     std::fflush(file_);
 }
 
-void MovieReport::drawn(std::uint64_t frame, std::uint64_t frames) {
+void MovieReport::drawn(std::uint64_t frame, std::uint64_t frames, std::optional<int> model) {
     if (!file_) return;
-    std::fprintf(file_, "{\"frame\": %llu, \"frames\": %llu}\n", static_cast<unsigned long long>(frame),
-                 static_cast<unsigned long long>(frames));
+    const std::string shown = model ? ", \"model\": " + std::to_string(*model) : "";
+    std::fprintf(file_, "{\"frame\": %llu, \"frames\": %llu%s}\n", static_cast<unsigned long long>(frame),
+                 static_cast<unsigned long long>(frames), shown.c_str());
     std::fflush(file_);
 }
 

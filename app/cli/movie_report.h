@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 namespace nacre::app {
@@ -17,8 +18,8 @@ public:
 
     /// {"baked": 0.43} while the first frame's occlusion is baked.
     void baked(double share);
-    /// {"frame": 12, "frames": 180} after each frame.
-    void drawn(std::uint64_t frame, std::uint64_t frames);
+    /// {"frame": 12, "frames": 180} after each frame. @param model  that it shows, where there are several: "model": 4
+    void drawn(std::uint64_t frame, std::uint64_t frames, std::optional<int> model);
 
 private:
     std::FILE* file_ = nullptr;

@@ -99,7 +99,12 @@ MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : opti
         molecule_ = file_->first();
         if (laid) layModels(input);
     } else {
-        molecule_ = loadMolecule(input, downloadProgress(progress_));
+        InputOptions still = input;
+        if (options.models) {  // the trajectory is opened below
+            still.trajectory = {};
+            still.alone = true;
+        }
+        molecule_ = loadMolecule(still, downloadProgress(progress_));
         if (options.models) {
             motion_ = openMotion(input.trajectory, molecule_);
             models_ = motion_->frames();
@@ -125,11 +130,10 @@ MovieScenes::~MovieScenes() = default;
 
 /// Models as the frames of a trajectory, to be fitted and smoothed.
 void MovieScenes::layModels(const InputOptions& input) {
-    auto models = trajectoryOfModels(std::make_shared<const Molecule>(molecule_), 1);
+    auto models = trajectoryOfModels(std::make_shared<const Molecule>(molecule_), 1, true);
     if (!models)
-        throw Error(
-            "cannot fit or smooth models", input.path,
-            molecule_.othersMissing.empty() ? "their atoms differ from one to the next" : molecule_.othersMissing);
+        throw Error("cannot fit or smooth models", input.path,
+                    molecule_.othersMissing.empty() ? differenceOfModels(molecule_) : molecule_.othersMissing);
     motion_ = std::make_unique<Motion>(std::move(models), molecule_, motionOptions(input.trajectory, molecule_));
 }
 
@@ -209,6 +213,7 @@ std::optional<Bounds> MovieScenes::frameOf(Look& look) const {
 /// Only positions change: what is drawn, and in what colours, is settled.
 void MovieScenes::moveTo(Look& look, int frame) {
     movePositions(molecule_, motion_->positions(static_cast<std::size_t>(frame - 1)));
+    if (!saidTorn_) saidTorn_ = sayTorn(*motion_, look.options.input.trajectory.path);
     look.moving->move(molecule_);
     look.model = frame;
     look.renderer->setScene(look.moving->scene());
@@ -272,6 +277,10 @@ Picture MovieScenes::drawKeys(double place, int model) {
 
 int MovieScenes::modelAt(std::uint64_t frame) const {
     return options_.models ? static_cast<int>(frame * models_ / frames_) + 1 : molecules_;
+}
+
+std::optional<int> MovieScenes::modelOf(std::uint64_t frame) const {
+    return options_.models ? std::optional(modelAt(frame)) : std::nullopt;
 }
 
 Picture MovieScenes::draw(std::uint64_t frame) {

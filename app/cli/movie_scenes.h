@@ -25,6 +25,8 @@ public:
     std::uint64_t frames() const { return frames_; }
     /// A frame, 0..frames() - 1, in any order; words go with what they name from the first of a row on. @throws Error
     Picture draw(std::uint64_t frame);
+    /// The model, record or frame of a trajectory that a frame shows, from 1; none if all show the same.
+    std::optional<int> modelOf(std::uint64_t frame) const;
     /// Called with the share that is done while occlusion is baked.
     std::function<void(double)> onBake;
 
@@ -67,6 +69,7 @@ private:
     std::vector<Look> looks_;
     std::vector<Key> keys_;
     std::optional<CameraPath> path_;
+    bool saidTorn_ = false;
     std::uint64_t frames_ = 1, models_ = 1;
     std::uint64_t next_ = 0;   ///< the frame that words go on to
     std::size_t stretch_ = 0;  ///< of the path, where words are

@@ -63,10 +63,10 @@ struct RenderOptions {
 struct MovieOptions {
     RenderOptions picture;
     std::optional<glm::dvec3> spin;  ///< axis of a turn
-    double turns = 1;
-    std::optional<double> rock;  ///< degrees to either side
-    glm::dvec3 axis{0, 1, 0};    ///< of rock
-    bool models = false;         ///< one after the other
+    std::optional<double> turns;     ///< of spin; empty: one
+    std::optional<double> rock;      ///< degrees to either side
+    std::optional<glm::dvec3> axis;  ///< of rock; empty: y
+    bool models = false;             ///< one after the other
     std::vector<std::string> views;
     std::vector<OptionValue> given;  ///< of `picture`: they prevail over each of the views
     bool loop = false;               ///< the last view is followed by the first

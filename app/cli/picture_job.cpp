@@ -27,14 +27,14 @@ namespace {
 double buildScene(const Molecule& molecule, const RenderOptions& options, const std::optional<Bounds>& frame,
                   Representation& scene) {
     const InputOptions& input = options.input;
-    TrajectoryOptions frames = input.trajectory;
-    frames.namedBy.clear();  // what there is to say of it was said when the molecule was read
+    const TrajectoryOptions& frames = input.trajectory;
     if (frames.path.empty() || frames.frame == 1 || options.look.ownFrame || !options.look.assembly.empty() ||
         !input.further.empty()) {
         scene = sceneOf(molecule, input.path, options.drawn, options.look, frame);
         return scene.radius;
     }
     Molecule first = molecule;
+    const HeardMessages again;  // what there is to say was said when the molecule was read
     movePositions(first, openMotion(frames, molecule)->positions(0));
     MovingScene moving = movingSceneOf(first, input.path, options.drawn, options.look);
     const double radius = moving.scene().radius;

@@ -32,7 +32,7 @@ MotionOptions motionOptions(const TrajectoryOptions& options, const Molecule& mo
 }
 
 std::unique_ptr<Motion> openMotion(const TrajectoryOptions& options, const Molecule& molecule) {
-    for (const std::string& notice : trajectoryNotices(options)) sayNote(notice);
+    for (const std::string& notice : trajectoryNotices(options)) sayNotice(notice);
     auto opened = std::make_unique<Motion>(openTrajectory(options.path), molecule, motionOptions(options, molecule));
     if (opened->trajectory().cutOff())
         sayWarning(options.path + " ends within a frame: the " + std::to_string(opened->frames()) +
@@ -48,6 +48,14 @@ void moveToFrame(const TrajectoryOptions& options, Molecule& molecule) {
             "cannot read trajectory", options.path,
             "there is no frame " + std::to_string(options.frame) + "; it has " + std::to_string(motion->frames()));
     movePositions(molecule, motion->positions(static_cast<std::size_t>(options.frame - 1)));
+    sayTorn(*motion, options.path);
+}
+
+bool sayTorn(const Motion& motion, const std::string& path) {
+    if (motion.torn())
+        sayWarning("frame " + std::to_string(*motion.torn() + 1) + " of " + path +
+                   " is fitted with molecules that the periodic box cuts: --whole puts them together");
+    return motion.torn().has_value();
 }
 
 void movePositions(Molecule& molecule, const std::vector<glm::vec3>& positions) {

@@ -17,8 +17,12 @@ TEST(Movie, GoesThroughModels) {
     std::ofstream xyz(folder / "m.xyz");
     for (int model = 0; model < 3; ++model) xyz << "2\nm\nC 0 0 0\nO " << 1.2 + model * 0.2 << " 0 0\n";
     xyz.close();
-    const Outcome outcome = nacreIn(folder, "movie m.xyz -o f/ --models --fps 10" + kSmall);
+    const Outcome outcome = nacreIn(folder, "movie m.xyz -o f/ --models --fps 10 --report -" + kSmall);
     ASSERT_EQ(outcome.code, 0) << outcome.err;
+    for (const char* model : {"1", "2", "3"})
+        EXPECT_NE(outcome.out.find(R"({"frame": )" + std::string(model) + R"(, "frames": 3, "model": )" + model + "}"),
+                  std::string::npos)
+            << outcome.out;
     EXPECT_TRUE(std::filesystem::exists(folder / "f/frame_00003.png"));
     EXPECT_FALSE(std::filesystem::exists(folder / "f/frame_00004.png"));
     EXPECT_NE(contentOf(folder / "f/frame_00001.png"), contentOf(folder / "f/frame_00003.png"));

@@ -219,6 +219,7 @@ TEST(Movie, RefusesWhatCannotBeInOneLine) {
     std::ofstream(folder / "a.json") << R"({"input": "sample:glucose"})";
     std::ofstream(folder / "b.json") << R"({"input": "sample:dna"})";
     std::ofstream(folder / "unlike.xyz") << "2\nm\nC 0 0 0\nO 1.2 0 0\n3\nm\nC 0 0 0\nO 1.2 0 0\nO -1.2 0 0\n";
+    std::ofstream(folder / "other.xyz") << "2\nm\nC 0 0 0\nO 1.2 0 0\n2\nm\nC 0 0 0\nN 1.2 0 0\n";
     const struct {
         const char* arguments;
         int code;
@@ -230,7 +231,14 @@ TEST(Movie, RefusesWhatCannotBeInOneLine) {
         {"sample:dna -o a.gif --spin y --loop", 2, "--loop is for --views"},
         {"sample:dna -o a.gif --spin y --smooth 3", 2, "--smooth are for the frames of --trajectory"},
         {"sample:dna -o a.gif --models --whole", 2, "--whole are for the frames of --trajectory"},
-        {"unlike.xyz -o a.gif --models --smooth 3", 1, "their atoms differ"},
+        {"unlike.xyz -o a.gif --models --smooth 3", 1, "model 2 has 3 atoms, the first 2"},
+        {"other.xyz -o a.gif --models --smooth 3", 1, "of model 2, atom 2 is N; of the first, atom 2 is O"},
+        {"sample:dna -o a.gif --rock 20 --turns 2", 2, "--turns is for --spin"},
+        {"sample:dna -o a.gif --spin y --axis x", 2, "--axis is for --rock"},
+        {"sample:dna -o a.gif --rock 0", 2, "nothing moves by 0 degrees"},
+        {"sample:dna -o a.gif --spin y --turns 0", 2, "nothing moves by 0 turns"},
+        {"other.xyz -o a.gif --models --easing smooth", 2, "--easing is for --spin, --rock and --views"},
+        {"sample:dna -o a.gif --spin y --easing stops", 2, "--easing stops is for --views"},
         {"sample:dna -o a.gif --spin 0,0,0", 2, "no direction"},
         {"sample:dna -o a.gif --spin y --seconds 80000 --fps 100", 2, "more than 100000 frames"},
         {"sample:dna -o a.gif --spin y --fps 60", 1, "50 frames a second"},
@@ -257,7 +265,7 @@ TEST(Movie, RefusesWhatCannotBeInOneLine) {
         EXPECT_NE(outcome.err.find(c.says), std::string::npos) << c.arguments << ": " << outcome.err;
         EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     }
-    EXPECT_EQ(folder.count(), 3u) << "something is left behind";
+    EXPECT_EQ(folder.count(), 4u) << "something is left behind";
     EXPECT_EQ(contentOf(folder / "a.json"), R"({"input": "sample:glucose"})");
     const Outcome outcome = nacreIn(folder, "movie sample:dna -o a.mp4 --spin y", "", "PATH=/nowhere");
     EXPECT_EQ(outcome.code, 1);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <random>
 
@@ -326,6 +327,57 @@ TEST(Motion, AveragesNothingAcrossTheBox) {
         // At the ends the mean is half a step or a step further on.
         EXPECT_LT(glm::distance(smooth.positions(0)[0], Drifting::placeOf(1, 0)), 1e-4);
     }
+}
+
+/// Two molecules that drift and turn together, each atom put back into a box of 20 Å; and a third that stays.
+class Parted : public Trajectory {
+public:
+    Parted() {
+        atoms_ = 6;
+        frames_ = 8;
+    }
+    static constexpr glm::vec3 kPlaces[] = {{0, 0, 0}, {1.5f, 0, 0}, {0, 4, 0}, {1, 4, 1}, {0, -7, 0}, {0, -7, 1.5f}};
+
+private:
+    void readFrame(std::size_t frame, TrajectoryFrame& result) override {
+        const auto t = static_cast<float>(frame);
+        for (std::size_t atom = 0; atom < 6; ++atom) {
+            glm::vec3 p = kPlaces[atom];
+            if (atom < 4)
+                p = glm::vec3(p.x * std::cos(t) - p.y * std::sin(t), p.x * std::sin(t) + p.y * std::cos(t), p.z) +
+                    6.f * t * glm::vec3(1, 1, 0.1f);
+            result.positions[atom] = p - 20.f * glm::floor(p / 20.f);
+        }
+        result.box = {glm::vec3(20, 0, 0), glm::vec3(0, 20, 0), glm::vec3(0, 0, 20)};
+    }
+};
+
+TEST(Motion, LaysMoleculesThatTheBoxPartedAsIfItHadNot) {
+    const Molecule molecule =
+        readMolecule("m.xyz", "6\n\nC 0 0 0\nC 1.5 0 0\nC 0 4 0\nC 1 4 1\nC 0 -7 0\nC 0 -7 1.5\n");
+    ASSERT_EQ(molecule.bonds.size(), 3u);
+    MotionOptions options;
+    options.fitted = {0, 1, 2, 3};
+    Motion torn(std::make_unique<Parted>(), molecule, options);
+    options.whole = true;
+    Motion whole(std::make_unique<Parted>(), molecule, options);
+    double farthest = 0;
+    for (const std::size_t frame : {7u, 0u, 1u, 2u, 3u, 4u, 5u, 6u}) {
+        const std::vector<glm::vec3> made = whole.positions(frame), first = whole.positions(0);
+        whole.positions(frame);
+        EXPECT_LT(whole.rmsd(), 1e-3) << frame;
+        for (std::size_t atom = 0; atom < 4; ++atom) {
+            EXPECT_LT(glm::distance(made[atom], first[atom]), 1e-3) << frame << " " << atom;
+            EXPECT_NEAR(glm::distance(made[atom], made[0]), glm::distance(Parted::kPlaces[atom], Parted::kPlaces[0]),
+                        1e-3);
+        }
+        EXPECT_LT(glm::distance(made[4], made[0]), 10 * std::sqrt(3.0)) << frame << ": half the box's diagonal";
+        torn.positions(frame);
+        farthest = std::max(farthest, torn.rmsd());
+    }
+    EXPECT_GT(farthest, 1);
+    EXPECT_TRUE(torn.torn());
+    EXPECT_FALSE(whole.torn());
 }
 
 TEST(Motion, WantsTheSameAtoms) { EXPECT_THROW(Motion(openTrajectory(written() / "few.xtc"), chains(), {}), Error); }

@@ -1,6 +1,8 @@
 // The models of one file as a trajectory, where all of them have the same atoms.
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "engine/molecule/trajectory/trajectory.h"
 
@@ -22,19 +24,59 @@ private:
             std::transform(molecule_->atoms.begin(), molecule_->atoms.end(), result.positions.begin(),
                            [](const Atom& atom) { return atom.position; });
         else
-            result.positions = molecule_->others[frame < own_ ? frame : frame - 1].positions;
+            takeOther(molecule_->others[frame < own_ ? frame : frame - 1], result.positions);
+    }
+
+    static void takeOther(OtherModel other, std::vector<glm::vec3>& positions) {
+        if (!other.whole) positions = std::move(other.positions);
+        for (std::size_t i = 0; other.whole && i < positions.size(); ++i) positions[i] = other.whole->atoms[i].position;
     }
 
     std::shared_ptr<const Molecule> molecule_;
     std::size_t own_;
 };
 
+/// "atom 12 is N of GLY 5"
+std::string atomText(const Molecule& molecule, std::size_t atom) {
+    const Atom& a = molecule.atoms[atom];
+    const Residue& residue = molecule.residues[a.residue];
+    std::string text = "atom " + std::to_string(atom + 1) + " is " + std::string(a.name.view());
+    if (!residue.name.view().empty())
+        text += " of " + std::string(residue.name.view()) + " " + std::to_string(residue.number);
+    return text;
+}
+
+bool sameAtom(const Molecule& a, const Molecule& b, std::size_t atom) {
+    const Atom &x = a.atoms[atom], &y = b.atoms[atom];
+    const Residue &r = a.residues[x.residue], &s = b.residues[y.residue];
+    return x.name == y.name && x.element == y.element && x.alternate == y.alternate && r.name == s.name &&
+           r.number == s.number && r.insertionCode == s.insertionCode &&
+           a.chains[r.chain].name == b.chains[s.chain].name;
+}
+
 }  // namespace
 
-std::unique_ptr<Trajectory> trajectoryOfModels(std::shared_ptr<const Molecule> molecule, int model) {
+std::string differenceOfModels(const Molecule& molecule) {
+    if (molecule.others.empty()) return "its records are different molecules";
+    for (std::size_t i = 0; i < molecule.others.size(); ++i) {
+        const std::shared_ptr<const Molecule> other = molecule.others[i].whole;
+        if (!other) continue;
+        const std::string model = "model " + std::to_string(i + 2);
+        const std::size_t count = molecule.atoms.size();
+        if (other->atoms.size() != count)
+            return model + " has " + std::to_string(other->atoms.size()) + " atoms, the first " + std::to_string(count);
+        for (std::size_t atom = 0; atom < count; ++atom)
+            if (!sameAtom(molecule, *other, atom))
+                return "of " + model + ", " + atomText(*other, atom) + "; of the first, " + atomText(molecule, atom);
+    }
+    return "";
+}
+
+std::unique_ptr<Trajectory> trajectoryOfModels(std::shared_ptr<const Molecule> molecule, int model, bool placesAlone) {
+    const bool places = molecule->others.allMove(molecule->atoms.size()) ||
+                        (placesAlone && !molecule->others.empty() && differenceOfModels(*molecule).empty());
     if (molecule->modelsAreInputs || molecule->atoms.empty() || model < 1 ||
-        static_cast<std::size_t>(model) > molecule->others.size() + 1 ||
-        !molecule->others.allMove(molecule->atoms.size()))
+        static_cast<std::size_t>(model) > molecule->others.size() + 1 || !places)
         return nullptr;
     return std::make_unique<ModelTrajectory>(std::move(molecule), static_cast<std::size_t>(model - 1));
 }

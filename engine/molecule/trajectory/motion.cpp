@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
 #include <numeric>
 
 #include "engine/error.h"
@@ -36,10 +38,16 @@ void Motion::change(MotionOptions options, const Molecule& molecule) {
     kept_.clear();
     first_.clear();
     steps_.clear();
-    const std::size_t atoms = molecule.atoms.size();
-    firstOf_.resize(atoms);
+    ways_.clear();
+    torn_.reset();
+    firstOf_.resize(molecule.atoms.size());
     std::iota(firstOf_.begin(), firstOf_.end(), std::uint32_t{0});
-    if (!options_.whole) return;
+    if (options_.whole) findSteps(molecule);
+    findFitted(molecule);
+}
+
+void Motion::findSteps(const Molecule& molecule) {
+    const std::size_t atoms = molecule.atoms.size();
     std::vector<std::vector<std::uint32_t>> bonded(atoms);
     for (const Bond& bond : molecule.bonds) {
         bonded[bond.a].push_back(bond.b);
@@ -62,6 +70,58 @@ void Motion::change(MotionOptions options, const Molecule& molecule) {
             }
         }
     }
+}
+
+void Motion::findFitted(const Molecule& molecule) {
+    fittedBonds_.clear();
+    fittedOfMolecules_.clear();
+    std::vector<bool> fitted(molecule.atoms.size());
+    std::map<std::uint32_t, std::size_t> places;  // by the molecule's first atom
+    for (const std::uint32_t atom : options_.fitted) {
+        fitted[atom] = true;
+        if (!options_.whole) continue;
+        const auto [place, isNew] = places.emplace(firstOf_[atom], places.size());
+        if (isNew) fittedOfMolecules_.emplace_back();
+        fittedOfMolecules_[place->second].push_back(atom);
+    }
+    for (const Bond& bond : molecule.bonds)
+        if (!options_.whole && (fitted[bond.a] || fitted[bond.b])) fittedBonds_.push_back({bond.a, bond.b});
+}
+
+/// Whole molecules at those of their images that belong together.
+void Motion::gather(std::vector<glm::vec3>& positions, const PeriodicBox& box, bool first) {
+    std::vector<glm::vec3> shifts(positions.size(), glm::vec3(0));  // by the molecule's first atom
+    std::vector<bool> settled(positions.size());
+    glm::vec3 origin(0);
+    if (first) ways_.assign(fittedOfMolecules_.size(), glm::vec3(0));
+    for (std::size_t i = 0; i < fittedOfMolecules_.size(); ++i) {
+        const std::vector<std::uint32_t>& atoms = fittedOfMolecules_[i];
+        glm::dvec3 sum(0);
+        for (const std::uint32_t atom : atoms) sum += glm::dvec3(positions[atom]);
+        const glm::vec3 middle(sum / static_cast<double>(atoms.size()));
+        if (i == 0) origin = middle;
+        const glm::vec3 way = middle - origin, image = ways_[i] + nearestImage(way - ways_[i], box);
+        shifts[firstOf_[atoms[0]]] = image - way;
+        settled[firstOf_[atoms[0]]] = true;
+        if (first) ways_[i] = image;
+    }
+    for (std::size_t atom = 0; atom < positions.size(); ++atom) {
+        const std::uint32_t molecule =
+            firstOf_[atom];  // at or before the atom: it has not moved yet, or knows its shift
+        if (!settled[molecule]) {
+            const glm::vec3 way = positions[molecule] - origin;
+            shifts[molecule] = nearestImage(way, box) - way;
+            settled[molecule] = true;
+        }
+        positions[atom] += shifts[molecule];
+    }
+}
+
+bool Motion::isTorn(const std::vector<glm::vec3>& positions, const PeriodicBox& box) const {
+    return std::any_of(fittedBonds_.begin(), fittedBonds_.end(), [&](const Step& bond) {
+        const glm::vec3 way = positions[bond.to] - positions[bond.from];
+        return glm::distance(way, nearestImage(way, box)) > 1e-3f * glm::length(box[0]);
+    });
 }
 
 /// Each atom goes to the image of it that is nearest to its neighbour.
@@ -97,9 +157,12 @@ std::vector<glm::dvec3> Motion::fittedOf(const std::vector<glm::vec3>& positions
 Motion::Kept Motion::lay(std::size_t frame) {
     TrajectoryFrame read = trajectory_->read(frame);
     if (options_.whole && read.box) makeWhole(read.positions, *read.box);
+    if (frame > 0 && !options_.fitted.empty() && first_.empty()) first_ = fittedOf(lay(0).positions);
+    if (!fittedOfMolecules_.empty() && read.box) gather(read.positions, *read.box, frame == 0);
+    if (!torn_ && read.box && isTorn(read.positions, *read.box)) torn_ = frame;
     Kept kept{frame, std::move(read.positions), read.box, {}, read.time};
     if (options_.fitted.empty()) return kept;
-    if (first_.empty()) first_ = fittedOf(frame == 0 ? kept.positions : lay(0).positions);
+    if (frame == 0) first_ = fittedOf(kept.positions);
     if (frame > 0) kept.onto = superpose(first_, fittedOf(kept.positions));
     return kept;
 }

@@ -49,8 +49,13 @@ protected:
 std::unique_ptr<Trajectory> openTrajectory(const std::string& path);
 
 /// The models of a molecule's file one after the other, if each has the molecule's own atoms (Molecule::others); else
-/// null. @param model  that the molecule is, counted from 1
-std::unique_ptr<Trajectory> trajectoryOfModels(std::shared_ptr<const Molecule> molecule, int model);
+/// null. @param model  that the molecule is, counted from 1 @param placesAlone  models may differ in what else is
+/// stated of the same atoms: B factors, occupancies, folds
+std::unique_ptr<Trajectory> trajectoryOfModels(std::shared_ptr<const Molecule> molecule, int model,
+                                               bool placesAlone = false);
+
+/// Why there is no such trajectory: "model 3 has 12 atoms, the first 14". @param molecule  the first model
+std::string differenceOfModels(const Molecule& molecule);
 
 /// Box vectors from lengths (Å) and angles (degrees) between b and c, a and c, a and b; none if they enclose nothing.
 std::optional<PeriodicBox> boxOf(const glm::dvec3& lengths, const glm::dvec3& angles);
