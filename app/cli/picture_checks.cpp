@@ -51,6 +51,10 @@ void checkSeveral(RenderOptions& options) {
                                               [](const FurtherInput& further) { return further.path == "-"; });
     if (standardInputs + (input.path == "-" ? 1 : 0) > 1) throw UsageError("standard input is one INPUT alone");
     const std::vector<std::string> names = inputNames(input);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (const std::string& given = i == 0 ? input.name : input.further[i - 1].name;
+            !given.empty() && given != names[i])
+            throw UsageError("two INPUTs have the name '" + given + "'");
     for (FitOptions& fit : input.fits) {
         nameInputs(names, fit.moving);
         nameInputs(names, fit.fixed);

@@ -12,6 +12,7 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/set_options.h"
 #include "app/download/load_molecule.h"
+#include "app/shared/messages.h"
 #include "app/shared/molecules.h"
 #include "engine/error.h"
 #include "engine/molecule/memory_bound.h"
@@ -140,7 +141,9 @@ Structure openInputs(const std::vector<std::string>& inputs, const std::string& 
     const auto standard = [](const auto& one) { return one.path == "-"; };
     if (standard(input) || std::any_of(input.further.begin(), input.further.end(), standard))
         throw app::UsageError("open() reads no standard input: hand over its bytes");
-    return {std::make_shared<const Molecule>(app::loadMolecule(input)), inputs};
+    const app::HeardMessages heard;
+    auto molecule = std::make_shared<const Molecule>(app::loadMolecule(input));
+    return {std::move(molecule), inputs, heard.warnings, heard.notes};
 }
 
 Structure openBytes(const std::string& name, std::string bytes, const std::string& options) {

@@ -16,7 +16,8 @@ namespace nacre::python {
 /// it.
 struct Structure {
     std::shared_ptr<const Molecule> molecule;
-    std::vector<std::string> inputs;  ///< one, or several that are drawn together
+    std::vector<std::string> inputs;                     ///< one, or several that are drawn together
+    std::vector<std::string> warnings = {}, notes = {};  ///< of how it was opened
 };
 
 struct Drawing {

@@ -233,6 +233,7 @@ PYBIND11_MODULE(_nacre, m) {
         .def_property_readonly("title", [](const Structure& s) { return py::bytes(s.molecule->file.title); })
         .def_property_readonly("format", [](const Structure& s) { return s.molecule->file.format; })
         .def_property_readonly("warnings", [](const Structure& s) { return s.molecule->warnings; })
+        .def_property_readonly("said", [](const Structure& s) { return std::pair(s.warnings, s.notes); })
         .def("__len__", [](const Structure& s) { return s.molecule->atoms.size(); })
         .def("atoms", &atomsOf)
         .def("bonds", &bondsOf);

@@ -1,10 +1,13 @@
 #include "app/shared/several_inputs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <glm/geometric.hpp>
 #include <stdexcept>
 
+#include "app/shared/messages.h"
 #include "engine/error.h"
 #include "engine/molecule/matched_atoms.h"
 #include "engine/molecule/overlay_models.h"
@@ -39,6 +42,16 @@ int inputOf(const Molecule& molecule, const std::vector<bool>& atoms, const Sele
     return input;
 }
 
+/// Root of the mean squared distance from the middle, Å.
+double spreadOf(const std::vector<glm::dvec3>& points) {
+    glm::dvec3 sum(0);
+    for (const glm::dvec3& point : points) sum += point;
+    const glm::dvec3 middle = sum / static_cast<double>(points.size());
+    double squares = 0;
+    for (const glm::dvec3& point : points) squares += glm::dot(point - middle, point - middle);
+    return std::sqrt(squares / static_cast<double>(points.size()));
+}
+
 std::string fitInput(Molecule& molecule, const FitOptions& fit) {
     const std::vector<bool> moving = selectAtoms(molecule, fit.moving), fixed = selectAtoms(molecule, fit.fixed);
     const int moved = inputOf(molecule, moving, fit.moving);
@@ -55,6 +68,13 @@ std::string fitInput(Molecule& molecule, const FitOptions& fit) {
     for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i)
         if (modelOf(molecule, i) == moved)
             molecule.atoms[i].position = glm::vec3(onto(glm::dvec3(molecule.atoms[i].position)));
+    // Of what belongs together less, were its sequences ever so different.
+    constexpr double kFarApart = 3, kShareOfSpread = 0.6;  // Å
+    const bool unlike = 10 * pairs.sameResidues < 3 * pairs.residues;
+    if (onto.rmsd > kFarApart && (unlike || onto.rmsd > kShareOfSpread * spreadOf(to)))
+        sayWarning("the fit of " + fit.moving.text + " onto " + fit.fixed.text +
+                   " may make no sense: " + std::to_string(pairs.sameResidues) + " of " +
+                   std::to_string(pairs.residues) + " residues have their like, and atoms end far from theirs");
     char rmsd[40];
     std::snprintf(rmsd, sizeof rmsd, "%.3f", onto.rmsd);
     return "fit of " + fit.moving.text + " onto " + fit.fixed.text + ": " + std::to_string(pairs.first.size()) +

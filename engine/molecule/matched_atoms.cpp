@@ -1,5 +1,6 @@
 #include "engine/molecule/matched_atoms.h"
 
+#include <algorithm>
 #include <gemmi/seqalign.hpp>
 #include <string>
 
@@ -51,7 +52,8 @@ std::vector<std::uint32_t> namedAtoms(const Molecule& molecule, const Residue& r
 AtomPairs matchAtoms(const Molecule& molecule, const std::vector<bool>& first, const std::vector<bool>& second) {
     const std::vector<std::uint32_t> a = residuesOf(molecule, first), b = residuesOf(molecule, second);
     AtomPairs pairs;
-    if (a.empty() || b.empty()) return pairs;
+    pairs.residues = std::min(a.size(), b.size());
+    if (pairs.residues == 0) return pairs;
     const gemmi::AlignmentResult aligned =
         gemmi::align_string_sequences(sequenceOf(molecule, a), sequenceOf(molecule, b), {}, gemmi::AlignmentScoring());
     if (aligned.cigar.empty()) throw Error("cannot fit", "", "the residues have names of more than 255 kinds");
@@ -60,6 +62,7 @@ AtomPairs matchAtoms(const Molecule& molecule, const std::vector<bool>& first, c
         const std::size_t length = item.len();
         if (item.op() == 'M') {
             for (std::size_t k = 0; k < length; ++k) {
+                pairs.sameResidues += molecule.residues[a[i + k]].name == molecule.residues[b[j + k]].name ? 1 : 0;
                 const auto others = namedAtoms(molecule, molecule.residues[b[j + k]], second);
                 for (const std::uint32_t atom : namedAtoms(molecule, molecule.residues[a[i + k]], first))
                     for (const std::uint32_t other : others) {

@@ -10,6 +10,8 @@ namespace nacre {
 /// Atoms of one selection and their counterparts in another, in pairs.
 struct AtomPairs {
     std::vector<std::uint32_t> first, second;  ///< of one length
+    std::size_t residues = 0;                  ///< of the selection with fewer
+    std::size_t sameResidues = 0;              ///< pairs of residues that have one name
 };
 
 /// Residues are paired by aligning the sequences of their names (Needleman and Wunsch, gemmi's; a match counts 1,

@@ -124,6 +124,17 @@ TEST(SeveralInputs, AreLaidOntoEachOther) {
     ASSERT_EQ(bent.code, 0) << bent.err;
     // By numpy's SVD (Kabsch's way) from the same numbers.
     EXPECT_NE(bent.err.find("8 pairs of atoms, RMSD 0.242 Å"), std::string::npos) << bent.err;
+    EXPECT_EQ(bent.err.find("no sense"), std::string::npos) << bent.err;
+    // Other residues in other places; and the same residues, in places that say otherwise.
+    std::string other = turned(0, 3);
+    for (std::size_t at; (at = other.find("ALA")) != std::string::npos;) other.replace(at, 3, "TRP");
+    for (std::size_t at; (at = other.find("GLY")) != std::string::npos;) other.replace(at, 3, "LYS");
+    std::ofstream(folder / "d.pdb") << turned(0, 30);
+    std::ofstream(folder / "e.pdb") << other;
+    const Outcome far = nacreIn(folder, "render a.pdb d.pdb --fit /d /a" + kSmall),
+                  unlike = nacreIn(folder, "render d.pdb e.pdb --fit /d /e" + kSmall);
+    EXPECT_NE(far.err.find("may make no sense: 8 of 8 residues have their like"), std::string::npos) << far.err;
+    EXPECT_NE(unlike.err.find("may make no sense: 0 of 8 residues have their like"), std::string::npos) << unlike.err;
 }
 
 TEST(SeveralInputs, FitWhatGemmiAndNumpyFit) {
@@ -156,6 +167,8 @@ TEST(SeveralInputs, RefuseWhatCannotBeInOneLine) {
         {"render sample:dna b=sample:glucose --fit '/b and name C1' /dna", 1, "fewer than three"},
         {"render sample:dna b=sample:glucose --fit '/b and chain Q' /dna", 1, "no atoms"},
         {"render sample:dna none.pdb", 1, "none.pdb"},
+        {"render a=sample:dna a=sample:glucose", 2, "two INPUTs have the name 'a'"},
+        {"render sample:dna dna=sample:glucose", 2, "two INPUTs have the name 'dna'"},
         {"render - -", 2, "standard input"},
         {"render sample:dna b=sample:dna --assembly 1", 2, "--assembly is for one INPUT"},
         {"movie sample:dna b=sample:dna --models", 2, "one INPUT"},

@@ -139,6 +139,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"not", "column 4: expected a selection"}, Fault{"within x of all", "column 8: expected a distance"},
         Fault{"within -1 of all", "column 8: expected a distance"}, Fault{"within nan of all", "column 8: expected"},
         Fault{"within inf of all", "column 8: expected"}, Fault{"within 5 protein", "column 10: expected 'of'"},
+        Fault{"within 5 off all", "(did you mean 'of'?)"}, Fault{"chain A adn chain B", "(did you mean 'and'?)"},
         Fault{"within 5 of", "column 12: expected a selection"},
         Fault{"byres ligand and chain A", "column 14: put parentheses around what 'byres' applies to"},
         Fault{"within 5 of ligand or ion", "column 20: put parentheses"},

@@ -53,10 +53,15 @@ def _kind(value):
 
 
 def _text(options):
-    try:
-        return _json.dumps(_plain(options), allow_nan=False)
-    except (TypeError, ValueError) as error:
-        raise UsageError(f"options: {error}") from None
+    texts = []
+    for name, value in options.items():
+        try:
+            texts.append(f"{_json.dumps(name)}: {_json.dumps(_plain(value), allow_nan=False)}")
+        except TypeError as error:
+            raise UsageError(f'"{name}": {error}') from None
+        except ValueError:
+            raise UsageError(f'"{name}": expected finite numbers, not {value!r}') from None
+    return f"{{{', '.join(texts)}}}"
 
 
 def _tell(warnings):
@@ -97,6 +102,11 @@ class Structure:
     def warnings(self):
         """What was read leniently, a sentence each."""
         return list(self._core.warnings)
+
+    @property
+    def notes(self):
+        """What there is to know of how it was opened, a sentence each: the RMSD of fit."""
+        return list(self._core.said[1])
 
     @property
     def atoms(self):
@@ -174,7 +184,9 @@ def open(source, *, name="", **options):  # noqa: A001: nacre.open, as PIL's Ima
             raise UsageError("open() takes bytes alone, not in a list: write them to a file")
         if not isinstance(one, (str, _os.PathLike)):
             raise UsageError(f"open() takes a list of paths, not of {_kind(one)}")
-    return Structure(_nacre.open_inputs([_os.fspath(one) for one in sources], _text(options)))
+    core = _nacre.open_inputs([_os.fspath(one) for one in sources], _text(options))
+    _tell(core.said[0])
+    return Structure(core)
 
 
 def from_arrays(positions, elements, bonds=None, *, names=(), residue_names=(), residue_numbers=(), chains=(),

@@ -36,7 +36,7 @@ public:
             throw Error("cannot read selection", "",
                         "it is longer than " + std::to_string(kLongestText) + " characters");
         expression();
-        if (!atEnd()) expected("'and', 'or' or the end");
+        if (!atEnd()) expected("'and', 'or' or the end", {"and", "or", "within", "around"});
         result_.text = printable(trim(text_), 200);
         return std::move(result_);
     }
@@ -86,7 +86,7 @@ private:
             result_.steps.push_back(std::move(step));
         } else if (acceptCharacter('(')) {
             expression();
-            if (!acceptCharacter(')')) expected("'and', 'or' or ')'");
+            if (!acceptCharacter(')')) expected("'and', 'or' or ')'", {"and", "or", "within", "around"});
         } else {
             test();
         }
@@ -120,7 +120,7 @@ private:
         const std::size_t beforeOf = position_;
         if (lowerCase(word()) != "of") {
             position_ = beforeOf;
-            expected("'of'");
+            expected("'of'", {"of"});
         }
         SelectionStep step;
         step.test = test;
@@ -134,7 +134,7 @@ private:
         const auto found = keyword();
         const std::string word = lowerCase(nextToken());
         if (!found || *found == conjunction || *found == disjunction)
-            expected("a selection such as 'chain A', 'resn HEM' or 'protein'", true);
+            expected("a selection such as 'chain A', 'resn HEM' or 'protein'", keywords());
         accept(*found);
         SelectionStep step;
         step.test = *found;

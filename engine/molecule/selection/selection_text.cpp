@@ -147,16 +147,17 @@ bool SelectionText::acceptCharacter(char wanted) {
     return true;
 }
 
-void SelectionText::expected(const std::string& wanted, bool keyword) {
+void SelectionText::expected(const std::string& wanted, const std::vector<std::string>& meant) {
     skipBlanks();
     std::string found = atEndHere() ? "the end" : "'" + printable(nextToken(), 24) + "'";
-    if (keyword) {
-        std::vector<std::string> words;
-        for (const Keyword& entry : kKeywords)
-            if (entry.word.size() > 2 && entry.word.back() != '.') words.emplace_back(entry.word);
-        found += suggestion(nextToken(), words);
-    }
-    fail("expected " + wanted + ", found " + found);
+    fail("expected " + wanted + ", found " + found + suggestion(nextToken(), meant));
+}
+
+std::vector<std::string> SelectionText::keywords() {
+    std::vector<std::string> words;
+    for (const Keyword& entry : kKeywords)
+        if (entry.word.size() > 2 && entry.word.back() != '.') words.emplace_back(entry.word);
+    return words;
 }
 
 void SelectionText::fail(const std::string& why) const {

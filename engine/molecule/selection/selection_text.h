@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/molecule/selection/selection.h"
 
@@ -28,8 +29,9 @@ protected:
     bool accept(SelectionTest wanted);
     bool acceptCharacter(char wanted);
 
-    /// @param keyword  one of the key words may be meant: the nearest is suggested
-    [[noreturn]] void expected(const std::string& wanted, bool keyword = false);
+    /// @param meant  what may be: the nearest is suggested
+    [[noreturn]] void expected(const std::string& wanted, const std::vector<std::string>& meant = {});
+    static std::vector<std::string> keywords();
     /// @throws Error with the column
     [[noreturn]] void fail(const std::string& why) const;
 
