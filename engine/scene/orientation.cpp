@@ -308,19 +308,29 @@ Camera fitted(Camera camera, const std::vector<glm::dvec4>& balls, double radius
 
 double hiddenShare(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,
                    const glm::dmat3& rotation) {
-    constexpr double kVertexReach =
-        0.6;  // Å: those of a surface or cartoon stand so near to each other that none shows between
-    const Balls others = without(all, target);
-    std::size_t hidden = 0;
-    for (const glm::dvec4& ball : target) {
-        const glm::dvec3 at = rotation * glm::dvec3(ball);
-        hidden += std::any_of(others.begin(), others.end(), [&](const glm::dvec4& other) {
-            const glm::dvec3 way = rotation * glm::dvec3(other) - at;
-            const double reach = other.w > 0 ? other.w : kVertexReach;
-            return way.x * way.x + way.y * way.y < reach * reach && way.z > ball.w;
+    // Å: those of a surface or cartoon stand so near to each other that none shows between
+    constexpr double kVertexReach = 0.6;
+    constexpr std::size_t kMostAsked = 1000;
+    Balls seen = sampleOf(target, kMostAsked);
+    const std::size_t asked = seen.size();
+    if (asked == 0) return 0;
+    glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
+    for (glm::dvec4& ball : seen) {
+        ball = glm::dvec4(rotation * glm::dvec3(ball), ball.w);
+        low = glm::min(low, glm::dvec2(ball));
+        high = glm::max(high, glm::dvec2(ball));
+    }
+    for (const glm::dvec4& other : without(all, target)) {
+        const double reach = other.w > 0 ? other.w : kVertexReach;
+        const glm::dvec3 at = rotation * glm::dvec3(other);
+        // Most of a large scene is beside it.
+        if (at.x < low.x - reach || at.y < low.y - reach || at.x > high.x + reach || at.y > high.y + reach) continue;
+        std::erase_if(seen, [&](const glm::dvec4& ball) {
+            const glm::dvec2 way = glm::dvec2(at) - glm::dvec2(ball);
+            return glm::dot(way, way) < reach * reach && at.z - ball.z > ball.w;
         });
     }
-    return target.empty() ? 0 : static_cast<double>(hidden) / static_cast<double>(target.size());
+    return static_cast<double>(asked - seen.size()) / static_cast<double>(asked);
 }
 
 }  // namespace nacre
