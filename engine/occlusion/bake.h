@@ -99,6 +99,7 @@ private:
         std::size_t askedThen = 0;
     };
     Work nextWork(const Allowance& allowance) const;
+    std::uint64_t mostInstances(const Allowance& allowance) const;
     void makeBuffers(const OpenTexels& open);
     layout::OcclusionConstants constants() const;
     /// Sticks throw thin shadows, which one tap misses: four stand for the directions between two of the set, which are

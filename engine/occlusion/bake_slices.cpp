@@ -1,5 +1,6 @@
 // How a bake is cut into submissions: whole directions, or parts of one.
 #include <algorithm>
+#include <cmath>
 
 #include "engine/occlusion/bake.h"
 
@@ -11,6 +12,8 @@ constexpr double kUnitsOfInstance = 20;
 // Parts of a direction are no smaller: a submission costs time of its own.
 constexpr std::uint64_t kLeastInstances = 256;
 constexpr std::size_t kLeastTexels = 8192;
+// Beside frames the host lists no more for tiles at a time: 20 to 40 ns each, which the device's clock does not see.
+constexpr std::uint64_t kMostListed = 65536;
 // So many directions tell which texels lie so deep that no light will come to matter: they stay dark, unasked.
 constexpr int kTellsDeepTexels = 32;
 
@@ -28,6 +31,12 @@ void Bake::step(gpu::Executor& executor, std::uint32_t most) {
     } while (work_);
 }
 
+/// Primitives that a slice draws.
+std::uint64_t Bake::mostInstances(const Allowance& allowance) const {
+    const std::uint64_t most = maps_.mostInstances();
+    return maps_.tiles() && std::isfinite(allowance.units) ? std::min(most, kMostListed) : most;
+}
+
 /// Directions that nobody has begun. None are left: of none.
 Bake::Work Bake::nextWork(const Allowance& allowance) const {
     const auto behind = std::min_element(doneOf_.begin(), doneOf_.end());
@@ -41,7 +50,8 @@ Bake::Work Bake::nextWork(const Allowance& allowance) const {
     const double fit = std::clamp(allowance.units / std::max(each, 1.0), 1.0, double{DepthMaps::kMostPerBatch});
     work.count = std::min({left, allowance.directions, maps_.perBatch(), static_cast<std::uint32_t>(fit)});
     // The next smaller size of a batch whose maps are drawn at once.
-    while (work.count > 1 && work.count * work.instances > maps_.mostInstances()) work.count = work.count > 4 ? 4 : 1;
+    const std::uint64_t most = mostInstances(allowance);
+    while (work.count > 1 && work.count * work.instances > most) work.count = work.count > 4 ? 4 : 1;
     // However the directions are dealt out: deep texels are dropped after the same one, and the sums come out the same.
     if (work.first < kTellsDeepTexels)
         work.count = std::min(work.count, static_cast<std::uint32_t>(kTellsDeepTexels - work.first));
@@ -68,9 +78,10 @@ double Bake::declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowanc
                                      gpu::PassContext& c) { recordAccumulation(c, maps, batch, model, first, end); });
         g.output(sums);  // the host drops deep texels by them
     };
+    const std::uint64_t most = mostInstances(allowance);
     const double drawing = static_cast<double>(w.instances) * kUnitsOfInstance;
     const double whole = w.count * (drawing + static_cast<double>(w.texels));
-    if (w.drawn == 0 && (w.count > 1 || (whole <= allowance.units && w.instances <= maps_.mostInstances()))) {
+    if (w.drawn == 0 && (w.count > 1 || (whole <= allowance.units && w.instances <= most))) {
         w.drawnThen = w.instances;
         w.askedThen = w.texels;
         accumulate(maps_.declare(g, imports, frames, batch, w.model));
@@ -78,9 +89,9 @@ double Bake::declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowanc
     }
     // Parts of one direction: first all primitives are drawn, then all texels asked.
     if (w.drawn < w.instances) {
-        const auto most = static_cast<std::uint64_t>(
-            std::min(allowance.units / kUnitsOfInstance, static_cast<double>(maps_.mostInstances())));
-        w.drawnThen = std::min(w.drawn + std::max(most, std::min(kLeastInstances, maps_.mostInstances())), w.instances);
+        const auto fit =
+            static_cast<std::uint64_t>(std::min(allowance.units / kUnitsOfInstance, static_cast<double>(most)));
+        w.drawnThen = std::min(w.drawn + std::max(fit, std::min(kLeastInstances, most)), w.instances);
         w.askedThen = 0;
         maps_.declarePart(g, imports, frames, w.model, w.drawn, w.drawnThen);
         return static_cast<double>(w.drawnThen - w.drawn) * kUnitsOfInstance;

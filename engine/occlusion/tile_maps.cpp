@@ -75,8 +75,9 @@ void TileMaps::begin(std::span<const passes::PlacedCopies> maps) {
     reserve(device_, rowTexels_, rows_.size() * sizeof(glm::vec4), kRead, vk::Format::eR32G32B32A32Sfloat,
             "copies on depth maps");
     std::memcpy(rowTexels_.buffer.mapped, rows_.data(), rows_.size() * sizeof(glm::vec4));
-    auto* height = reinterpret_cast<float*>(heights_.mapped);
-    std::fill_n(height, heights_.size / sizeof(float), kNothing);
+    // No more than there are maps: of a batch that is not whole, rows of them.
+    const std::size_t rowsOfMaps = (maps.size() + across_ - 1) / across_;
+    std::fill_n(reinterpret_cast<float*>(heights_.mapped), rowsOfMaps * apart_ * pitch(), kNothing);
 }
 
 TileView TileMaps::view() const {

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <thread>
 
+#include "engine/occlusion/bake.h"
 #include "tests/occlusion/scenes.h"
 
 namespace nacre::test {
@@ -145,6 +146,42 @@ TEST(OcclusionBesideFrames, EndsWithTheSceneWhereverItStands) {
         renderer->setScene(other);
         renderer->render(settings(other, 64, Projection::orthographic));
     }
+}
+
+/// Work is counted, not timed: the primitives that the host lists for one submission.
+TEST(OcclusionBesideFrames, ListsFewPrimitivesAtATimeHoweverFastTheDeviceIs) {
+    constexpr std::uint64_t kMost = 65536;
+    Molecule m = molecule("sample:dna");
+    std::vector<glm::vec3> places;
+    for (int i = 0; i < 300; ++i) places.emplace_back(i % 20 * 26, i / 20 * 40, 0);
+    addCopies(m, places);
+    RepresentationOptions options{Style::spacefill, ColorScheme::element};
+    options.assembly = "1";
+    const Representation r = represent(m, drawnAtoms(m), options);
+    const gpu::Device device{DeviceOptions{}};
+    gpu::Executor executor{device};
+    const passes::SceneBuffers buffers = passes::makeSceneBuffers(device, r);
+    const occlusion::BakeOptions baked{3, 4 << 20, OcclusionMaps::tiles, 4};
+    occlusion::Bake atOnce(device, buffers, r, baked), bySlices(device, buffers, r, baked);
+    ASSERT_GT(atOnce.maps().instances(0), 2 * kMost);
+    while (!atOnce.complete()) atOnce.step(executor);
+    // A device that would draw all in a moment; one primitive is 20 units.
+    const occlusion::Allowance allowance{16, 1e9};
+    for (int slices = 0; !bySlices.complete(); ++slices) {
+        ASSERT_LT(slices, 100);
+        const bool draws = bySlices.betweenSteps();
+        graph::Graph g("slice");
+        gpu::Imports imports;
+        const double units = bySlices.declareSlice(g, imports, allowance);
+        if (draws) {
+            EXPECT_EQ(units, 20.0 * kMost);
+        }
+        executor.run(g, imports);
+        bySlices.sliceDone();
+    }
+    atOnce.finish(executor);
+    bySlices.finish(executor);
+    EXPECT_EQ(bySlices.atlasTexels(), atOnce.atlasTexels());
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, OcclusionOfScene, testing::ValuesIn(kScenes),
