@@ -27,7 +27,7 @@ if(pybind11_FOUND)
     list(APPEND NACRE_PARTS "pybind11|BSD-3-Clause|pybind11-dev|pybind11|https://github.com/pybind/pybind11")
 endif()
 if(IOS)
-    list(FILTER NACRE_PARTS EXCLUDE REGEX "^(DejaVu fonts|FreeType|OpenImageIO|libwebp|libpng|GIFLIB|libcurl|CLI11)")
+    list(FILTER NACRE_PARTS EXCLUDE REGEX "^(OpenImageIO|libwebp|libpng|GIFLIB|libcurl|CLI11)")
 endif()
 if(APPLE)
     list(APPEND NACRE_PARTS

@@ -156,6 +156,9 @@ private:
         told.press = [this](const std::string& role, const std::string& name) {
             post([=](AndroidSession& s) { s.press(role, name); });
         };
+        told.typed = [this](const std::string& name, const std::string& text) {
+            post([=](AndroidSession& s) { s.typed(name, text); });
+        };
         return told;
     }
 
@@ -163,7 +166,9 @@ private:
         if (!platform_.there()) return {};
         return {[this] { platform_.pickDocument(); },
                 [this](const Picture& picture, const std::string& name) { platform_.share(picture, name); },
-                [this] { platform_.controlsChanged(); }};
+                [this] { platform_.controlsChanged(); },
+                [this](const std::string& name, const std::string& text) { platform_.askText(name, text); },
+                [this](const std::string& text, const std::string& name) { platform_.shareText(text, name); }};
     }
 
     /// Without a device there is nothing to show. On the render thread.

@@ -26,6 +26,11 @@ void press(JNIEnv* env, jclass, jlong platform, jstring role, jstring name) {
     toldBy(platform).press(java.text(role), java.text(name));
 }
 
+void typed(JNIEnv* env, jclass, jlong platform, jstring name, jstring text) {
+    const Java java(env);
+    toldBy(platform).typed(java.text(name), java.text(text));
+}
+
 void refreshes(JNIEnv*, jclass, jlong platform, jfloat rate) { toldBy(platform).refreshes(rate); }
 
 template <typename Function>
@@ -37,10 +42,12 @@ JNINativeMethod native(const char* name, const char* signature, Function functio
 
 Platform::Platform(ANativeActivity* activity, Told told) : activity_(activity), told_(std::move(told)) {
     const Java java(activity->env);
-    const JNINativeMethod methods[] = {
-        native("opened", "(JLandroid/net/Uri;)V", opened), native("failed", "(JLjava/lang/String;)V", failed),
-        native("controls", "(J)Ljava/lang/String;", controls),
-        native("press", "(JLjava/lang/String;Ljava/lang/String;)V", press), native("refreshes", "(JF)V", refreshes)};
+    const JNINativeMethod methods[] = {native("opened", "(JLandroid/net/Uri;)V", opened),
+                                       native("failed", "(JLjava/lang/String;)V", failed),
+                                       native("controls", "(J)Ljava/lang/String;", controls),
+                                       native("press", "(JLjava/lang/String;Ljava/lang/String;)V", press),
+                                       native("refreshes", "(JF)V", refreshes),
+                                       native("typed", "(JLjava/lang/String;Ljava/lang/String;)V", typed)};
     const jclass type = java.env()->GetObjectClass(activity->clazz);
     if (java.env()->RegisterNatives(type, methods, std::size(methods)) != JNI_OK) {
         java.env()->ExceptionClear();
@@ -80,6 +87,20 @@ void Platform::pickDocument() const {
 
 void Platform::controlsChanged() const {
     call([this](const Java& java) { java.nothing(activity_->clazz, "controlsChanged", "()V"); });
+}
+
+void Platform::askText(const std::string& name, const std::string& text) const {
+    call([&](const Java& java) {
+        java.nothing(activity_->clazz, "askText", "(Ljava/lang/String;Ljava/lang/String;)V", java.string(name.c_str()),
+                     java.string(text.c_str()));
+    });
+}
+
+void Platform::shareText(const std::string& text, const std::string& name) const {
+    call([&](const Java& java) {
+        java.nothing(activity_->clazz, "shareText", "(Ljava/lang/String;Ljava/lang/String;)V",
+                     java.string(text.c_str()), java.string(name.c_str()));
+    });
 }
 
 void Platform::share(const Picture& picture, const std::string& name) const {

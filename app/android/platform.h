@@ -19,6 +19,7 @@ public:
         std::function<void(const std::string& why)> failed;
         std::function<std::string()> controls;  ///< controlLines()
         std::function<void(const std::string& role, const std::string& name)> press;
+        std::function<void(const std::string& name, const std::string& text)> typed;  ///< into a field
         std::function<void(double rate)> refreshes;  ///< of the display, a second: at first, and when it changes
     };
 
@@ -32,7 +33,10 @@ public:
     void pickDocument() const;
     /// @param name  of the file, with its end
     void share(const Picture& picture, const std::string& name) const;
+    void shareText(const std::string& text, const std::string& name) const;
     void controlsChanged() const;
+    /// Shows the keyboard for a field.
+    void askText(const std::string& name, const std::string& text) const;
 
 private:
     template <typename Call>

@@ -72,6 +72,7 @@ void AndroidSession::makePanel(double pixelsPerPoint) {
     PanelHost host;
     host.run = [this](ViewerCommand command) { run(command); };
     host.openDialog = platform_.pickDocument;
+    host.askText = platform_.askText;
     host.fontWith = systemFont;
     host.statistics = [this] { return session_.statistics(); };
     panel_ = std::make_unique<Panel>(pixelsPerPoint, std::move(host), PanelHand::fingers);
@@ -200,8 +201,14 @@ void AndroidSession::run(ViewerCommand command) {
     if (command == ViewerCommand::help) panel_->toggleHelp();
     if (command == ViewerCommand::openFile) panel_->showStart();
     if (command == ViewerCommand::saveAs || command == ViewerCommand::savePicture) share();
+    if (command == ViewerCommand::saveView) shareView();
     viewer().overlayChanged();
     viewer().run(command, steadySeconds());
+}
+
+std::string AndroidSession::shareName(const char* extension) {
+    const std::string stem = std::filesystem::path(viewer().document()->view.input).stem().string();
+    return (stem.empty() ? "nacre" : stem) + extension;
 }
 
 /// The picture as it is seen, to whichever app the user chooses.
@@ -210,11 +217,25 @@ void AndroidSession::share() {
     try {
         RenderSettings settings = viewer().pictureSettings(viewer().size());
         settings.supersample = RenderSettings::kEdges;
-        const std::string stem = std::filesystem::path(viewer().document()->view.input).stem().string();
-        platform_.share(session_.renderer()->render(settings), (stem.empty() ? "nacre" : stem) + ".png");
+        Picture picture = session_.renderer()->render(settings);
+        viewer().paintWords(settings.view, viewer().textSize(), false, picture);
+        platform_.share(picture, shareName(".png"));
     } catch (const Error& error) {
         viewer().fail(error.what(), steadySeconds());
     }
+}
+
+/// The view as JSON, likewise.
+void AndroidSession::shareView() {
+    if (!platform_.shareText || !viewer().document()) return;
+    SavedView view = viewer().savedView();
+    view.input = std::filesystem::path(view.input).filename().string();  // another device has it elsewhere
+    platform_.shareText(savedViewJson(view), shareName(".view.json"));
+}
+
+void AndroidSession::typed(const std::string& name, const std::string& text) {
+    panel_->typed(name, text);
+    viewer().overlayChanged();
 }
 
 void AndroidSession::press(const std::string& role, const std::string& name) {

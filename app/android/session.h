@@ -38,6 +38,9 @@ struct PlatformCalls {
     std::function<void()> pickDocument;
     std::function<void(const Picture&, const std::string& name)> share;
     std::function<void()> controlsChanged;
+    /// Shows the keyboard for a field of the panel; AndroidSession::typed() hears of it.
+    std::function<void(const std::string& name, const std::string& text)> askText;
+    std::function<void(const std::string& text, const std::string& name)> shareText;
 };
 
 class AndroidSession {
@@ -70,6 +73,8 @@ public:
     void back();
     /// Presses a control that is seen, as a screen reader asks for it.
     void press(const std::string& role, const std::string& name);
+    /// As Panel::typed().
+    void typed(const std::string& name, const std::string& text);
     void open(const std::string& path);
     void say(const std::string& text);
     /// What could not be done, until it is read.
@@ -91,6 +96,8 @@ private:
     void run(ViewerCommand command);
     PixelSize size() const;
     void share();
+    void shareView();
+    std::string shareName(const char* extension);
     void tellControls();
 
     SessionFiles files_;

@@ -53,6 +53,7 @@ void MoleculeSession::makePanel(double pixelsPerPoint) {
     host.openDialog = host_.pickDocument;
     host.statistics = [this] { return session_.statistics(); };
     host.dark = host_.dark;
+    host.askText = host_.askText;
     host.shakes = true;
     panel_ = std::make_unique<Panel>(pixelsPerPoint, std::move(host), PanelHand::fingers);
 }
@@ -89,6 +90,11 @@ void MoleculeSession::mouse(MouseButton button, const TouchEvent& event, Modifie
         viewer().mouseMove(event.at, now);
     else
         viewer().mouseButton(button, down, event.at, with, now);
+}
+
+void MoleculeSession::typed(const std::string& name, const std::string& text) {
+    panel_->typed(name, text);
+    viewer().overlayChanged();
 }
 
 void MoleculeSession::run(ViewerCommand command, double now) {
@@ -177,7 +183,8 @@ double MoleculeSession::step(double now) {
 PictureBytes MoleculeSession::picture(std::uint32_t samples) {
     RenderSettings settings = viewer().pictureSettings(viewer().size());
     settings.supersample = samples;
-    const Picture picture = session_.renderer()->render(settings);
+    Picture picture = session_.renderer()->render(settings);
+    viewer().paintWords(settings.view, viewer().textSize(), false, picture);
     PictureBytes bytes{picture.width, picture.height, std::vector<std::uint8_t>(picture.rgba.size())};
     for (std::size_t i = 0; i < picture.rgba.size(); i += 4) codePixel(&picture.rgba[i], true, &bytes.rgba[i]);
     return bytes;

@@ -25,8 +25,10 @@ struct MoleculeHost {
     std::string occlusionCache;                                        ///< folder; empty: bakes are not kept
     std::function<void()> pickDocument = {};                           ///< shows the system's picker
     std::function<void(ViewerCommand)> share = {};                     ///< the picture or the view, with another app
-    bool dark = true;                                                  ///< what the system asks for
-    bool validate = false;                                             ///< Khronos validation layer
+    /// Shows the keyboard for a field of the panel; MoleculeSession::typed() hears of it.
+    std::function<void(const std::string& name, const std::string& text)> askText = {};
+    bool dark = true;       ///< what the system asks for
+    bool validate = false;  ///< Khronos validation layer
 };
 
 /// 8 bits a channel, sRGB, straight alpha, row 0 on top.
@@ -51,6 +53,8 @@ public:
     /// One button of a mouse, as a finger that is not down between its phases.
     void mouse(MouseButton button, const TouchEvent& event, Modifiers with, double now);
     void run(ViewerCommand command, double now);
+    /// As Panel::typed().
+    void typed(const std::string& name, const std::string& text);
     /// What stands in the window, for who cannot see it: the picture first, then the panel's controls. Pixels.
     std::vector<Control> spoken() const;
     /// Presses a control that is seen.

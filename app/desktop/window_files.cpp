@@ -12,7 +12,6 @@
 #include "app/shared/image_file.h"
 #include "app/shared/json_text.h"
 #include "app/shared/view_input.h"
-#include "app/shared/word_painter.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -58,16 +57,12 @@ void WindowSession::writePictureTo(const PictureWish& wish) {
     const std::uint32_t side = viewer().mostSamples();
     const bool grid = asShown && side * side != RenderSettings::kEdgeSamples;  // whose places are no grid
     settings.supersample = grid ? side : RenderSettings::kEdges;
-    const SavedView view = viewer().savedView();
-    std::array<float, 4> background = view.background;
-    if (transparent) settings.background = background = {0, 0, 0, 0};
-    const Document& document = *viewer().document();
+    if (transparent) settings.background = {0, 0, 0, 0};
     Picture drawn = renderer().render(settings);
     const double shorter = std::min(window_.size().width, window_.size().height);
     const double textSize =
         viewer().textSize() * (asShown ? 1 : std::min(size.width, size.height) / std::max(shorter, 1.0));
-    WordPainter().paint(placeWords(view.words, *document.placed, document.scene, WordsOfHidden::leftOut), settings.view,
-                        textSize, view.words.color, background, drawn);
+    viewer().paintWords(settings.view, textSize, transparent, drawn);
     PictureFormat format;
     format.alpha = transparent;
     format.dpi = dpi;

@@ -13,7 +13,7 @@ void Panel::drawLabelsPage(SavedView& look, Viewer& viewer) {
     if (!state_->typingTitle) std::snprintf(state_->title, sizeof state_->title, "%s", look.words.title.c_str());
     ui.field("Title", "None", state_->title, sizeof state_->title);
     state_->typingTitle = ImGui::IsItemActive();
-    if (ImGui::IsItemEdited()) {
+    if (ui.edited()) {
         try {
             look.words.title = parseTitle(state_->title);
             ruleError_.clear();
@@ -32,7 +32,8 @@ void Panel::drawLabelsPage(SavedView& look, Viewer& viewer) {
     ui.heading("Measurements");
     const std::size_t picked = viewer.picks().size();
     if (picked < 2) {
-        ui.caption("Click two atoms for a distance, three for an angle, four for a torsion.");
+        ui.caption(forFingers() ? "Tap two atoms for a distance, three for an angle, four for a torsion."
+                                : "Click two atoms for a distance, three for an angle, four for a torsion.");
     } else {
         ui.paragraph(viewer.annotations().measurement);
         if (ui.button(Icon::none, "Keep it in the picture")) host_.run(ViewerCommand::keepMeasurement);

@@ -29,11 +29,12 @@ void Panel::drawSelectPage(SavedView& look, Viewer& viewer) {
         state_->selected = viewer.selection().text;
         std::snprintf(state_->selection, sizeof state_->selection, "%s", state_->selected.c_str());
     }
-    ui.caption("Click on the molecule, choose below, or type.");
+    ui.caption(forFingers() ? "Tap the molecule, choose below, or type."
+                            : "Click on the molecule, choose below, or type.");
     bool changed = false, goesOn = false;
-    if (!forFingers()) {
+    if (ui.typable()) {
         ui.field("Selection", "chain A and resi 10-20", state_->selection, sizeof state_->selection);
-        changed = ImGui::IsItemEdited();
+        changed = ui.edited();
         // How it may go on.
         const std::string typed = state_->selection;
         std::size_t offered = 0;

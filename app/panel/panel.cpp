@@ -32,6 +32,7 @@ Panel::Panel(double pixelsPerPoint, PanelHost host, PanelHand hand)
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     addPanelFont(scale());
     state_ = std::make_unique<State>(darkTheme(), scale(), forFingers(), host_.fontWith);
+    state_->ui.askText = host_.askText;
     setBrightness(Brightness::system);
 #if IMGUI_VERSION_NUM < 18700
     mapKeys();
@@ -147,6 +148,7 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     if (!viewer.failure().empty() && !(empty || start_)) drawFailure(viewer);
     if (viewer.question()) drawQuestion(viewer, now);
     scroll_ = 0;
+    state_->ui.typed.reset();  // its field is gone, if it was not taken
     drawWords(viewer);
     drawAnnotations(viewer.annotations());
     ImGui::Render();

@@ -58,6 +58,8 @@ struct PanelHost {
     bool videos = false;  ///< what .mp4 and .webm need is there
     std::function<const char*()> clipboard;
     std::function<void(const char*)> setClipboard;
+    /// Shows the system's keyboard for a field; typed() hears of it. For fingers.
+    std::function<void(const std::string& name, const std::string& text)> askText;
     bool downloads = false;                   ///< "pdb:1BNA" can be had
     bool captures = false;                    ///< a frame can be captured for RenderDoc
     bool shakes = false;                      ///< who shakes the device takes something back
@@ -102,6 +104,8 @@ public:
     void setSavePath(const std::string& path);
     /// What a dialog was told to open, or was dropped, stands beside what is open.
     bool opensTogether() const;
+    /// What was typed into the field of a name, where the system's keyboard is asked for it.
+    void typed(const std::string& name, const std::string& text);
     void showSave() { saving_ = true, restless_ = 2; }
     void showRecord() { recording_ = static_cast<bool>(host_.record), restless_ = 2; }
     /// Keeps what is seen as a key of a film; forgets those of other molecules.

@@ -80,6 +80,11 @@ void Panel::character(char32_t c) {
     restless_ = 3;
 }
 
+void Panel::typed(const std::string& name, const std::string& text) {
+    state_->ui.typed = {name, text};
+    restless_ = 3;
+}
+
 void Panel::shortcut(char32_t letter) {
     const Turn turn(context_);
 #if IMGUI_VERSION_NUM < 18700

@@ -78,9 +78,9 @@ void Panel::drawRules(SavedView& look) {
 void Panel::drawRuleEditor(Rule& rule) {
     Widgets& ui = state_->ui;
     State& s = *state_;
-    if (!forFingers()) {
+    if (ui.typable()) {
         ui.field("Atoms of the rule", "chain A and resi 10-20", s.ruleAtoms, sizeof s.ruleAtoms);
-        if (ImGui::IsItemEdited()) {
+        if (ui.edited()) {
             try {
                 rule.selection = parseSelection(s.ruleAtoms);
                 ruleError_.clear();

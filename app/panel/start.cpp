@@ -72,8 +72,10 @@ void Panel::drawStart(Viewer& viewer, double now) {
         ui.controls.back().cut = false;  // a long name is shortened, as everywhere
     }
     if (!forFingers()) ui.caption("Or drop a file on this window.");
-    if (!forFingers()) {
-        ui.heading(host_.downloads ? "From a database, or by its path" : "By its path");
+    if (!forFingers() || (host_.downloads && ui.typable())) {
+        ui.heading(forFingers()      ? "From a database"
+                   : host_.downloads ? "From a database, or by its path"
+                                     : "By its path");
         const float go = ui.buttonWidth("Get it") + ui.px(2);
         const float room = ImGui::GetContentRegionAvail().x - go - ImGui::GetStyle().ItemSpacing.x;
         const bool entered = ui.field("Identifier or path",

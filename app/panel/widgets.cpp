@@ -271,12 +271,33 @@ bool Widgets::slideRate(const char* name, float& value, float low, float high, c
 }
 
 bool Widgets::field(const char* name, const char* hint, char* buffer, std::size_t size, float width, int flags) {
+    if (fingers_ && askText) return askedField(name, hint, buffer, size, width);
     ImGui::PushID(name);
     ImGui::SetNextItemWidth(width);
     const bool done = ImGui::InputTextWithHint("##field", hint, buffer, size, flags);
+    edited_ = ImGui::IsItemEdited();
     ImGui::PopID();
     note("field", name, buffer);
     return done;
+}
+
+/// What the system's own keyboard is for: a field that is pressed, and shows what was typed there.
+bool Widgets::askedField(const char* name, const char* hint, char* buffer, std::size_t size, float width) {
+    edited_ = typed && typed->first == name;
+    if (edited_) std::snprintf(buffer, size, "%s", typed->second.c_str());
+    if (edited_) typed.reset();
+    const float wide = width < 0 ? ImGui::GetContentRegionAvail().x : width, pad = px(10);
+    ImGui::PushID(name);
+    if (ImGui::Button("##field", ImVec2(wide, rowHeight()))) askText(name, buffer);
+    ImGui::PopID();
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const bool empty = buffer[0] == '\0';
+    ImGui::GetWindowDrawList()->AddText(
+        ImVec2(low.x + pad, std::round(low.y + (rowHeight() - ImGui::GetFontSize()) / 2)),
+        ImGui::GetColorU32(empty ? theme_->faint : theme_->text),
+        shortened(visualText(empty ? hint : buffer), wide - 2 * pad).c_str());
+    note("field", name, buffer);
+    return edited_;
 }
 
 bool Widgets::swatch(const char* name, ImU32 color, bool chosen, float side) {

@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -49,7 +50,11 @@ public:
     bool slideWhole(const char* name, int& value, int low, int high, const char* format);
     /// A number that counts by its ratio. Its width is what ImGui::SetNextItemWidth() said.
     bool slideRate(const char* name, float& value, float low, float high, const char* format);
+    /// A line of text. @returns as Dear ImGui's; edited() tells whether it was changed
     bool field(const char* name, const char* hint, char* buffer, std::size_t size, float width = -1, int flags = 0);
+    bool edited() const { return edited_; }
+    /// There is something to type on.
+    bool typable() const { return !fingers_ || askText; }
     /// Colours that are told apart, as fields in rows. @returns what was clicked
     std::optional<ImU32> swatches(std::optional<ImU32> chosen, std::size_t perLine);
     /// The same, and below them a field for any colour. @param name  of that
@@ -81,13 +86,18 @@ public:
 
     std::vector<Control> controls;  ///< of this frame so far
     std::string window;             ///< whose controls follow
+    /// For fingers: shows the system's keyboard for a field of a name and a text; `typed` is what came of it.
+    std::function<void(const std::string& name, const std::string& text)> askText;
+    std::optional<std::pair<std::string, std::string>> typed;
 
     /// About the item that was drawn last, where it is drawn by hand and keys have led to it.
     void ringFocus() const;
 
 private:
     void countLines();
+    bool askedField(const char* name, const char* hint, char* buffer, std::size_t size, float width);
 
+    bool edited_ = false;   // the field that was drawn last
     std::string unfolded_;  // the one list that is open, for fingers
     const Theme* theme_;
     float scale_;

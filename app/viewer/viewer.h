@@ -173,6 +173,9 @@ public:
     RenderSettings settings() const;
     /// The same in the middle of a picture of another size, for a file.
     RenderSettings pictureSettings(PixelSize size) const;
+    /// Labels, legend and the like, onto a picture that was drawn so. Only if document().
+    /// @param size  pixels of an em  @param transparent  it has no background
+    void paintWords(const View& view, double size, bool transparent, Picture& picture) const;
     PixelSize size() const { return size_; }
     /// What the panel leaves of it: how large, and where it begins, pixels.
     PixelSize freeSize() const;

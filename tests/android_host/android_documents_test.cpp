@@ -119,6 +119,35 @@ TEST_F(AndroidHost, SharesThePictureThatIsSeen) {
     EXPECT_GT(drawn, 500);
 }
 
+TEST_F(AndroidHost, WhatIsTypedIsInThePictureAndInTheView) {
+    Host host(folder_, std::nullopt, kQuick, 80);
+    host.open(240, 400);
+    const auto press = [&](const char* name) {
+        ASSERT_TRUE(eventually([&] { return !toldOf(host, name).empty(); })) << host.java().controls();
+        host.java().press(toldOf(host, name).substr(0, toldOf(host, name).find('\t')), name);
+    };
+    press("Menu");
+    press("Labels");
+    ASSERT_TRUE(eventually([&] { return host.java().controls().find("field\tTitle\t") != std::string::npos; }));
+    host.java().press("field", "Title");
+    ASSERT_TRUE(eventually([&] { return host.java().asked().first == "Title"; }));
+    host.java().typed("Title", "Sugar \u00e9");
+    ASSERT_TRUE(eventually([&] { return host.view().words.title == "Sugar \u00e9"; }));
+    EXPECT_TRUE(eventually([&] { return host.java().controls().find("field\tTitle\tSugar") != std::string::npos; }));
+    host.java().typed("no such field", "nobody hears of it");
+    host.key(AKEYCODE_S, AKEY_EVENT_ACTION_DOWN);
+    ASSERT_TRUE(eventually([&] { return host.java().shared().width > 0; }));
+    const JavaMachine::Shared shared = host.java().shared();
+    // It stands over the molecule, where nothing else is drawn.
+    int ink = 0;
+    for (int i = 0; i < 24 * shared.width; ++i) ink += (shared.pixels[static_cast<std::size_t>(i)] & 0xff) < 128;
+    EXPECT_GT(ink, 30);
+    host.key(AKEYCODE_S, AKEY_EVENT_ACTION_DOWN, AMETA_SHIFT_ON);
+    ASSERT_TRUE(eventually([&] { return !host.java().sharedText().first.empty(); }));
+    EXPECT_NE(host.java().sharedText().first.find("Sugar \u00e9"), std::string::npos);
+    EXPECT_TRUE(host.java().sharedText().second.ends_with(".view.json"));
+}
+
 TEST_F(AndroidHost, TellsScreenReadersWhatIsThere) {
     Host host(folder_, std::nullopt, kQuick);
     host.open(360, 640);

@@ -24,6 +24,8 @@ constexpr struct {
     {kActivity, "pickDocument", "()V"},
     {kActivity, "sharePicture", "([IIILjava/lang/String;)V"},
     {kActivity, "controlsChanged", "()V"},
+    {kActivity, "askText", "(Ljava/lang/String;Ljava/lang/String;)V"},
+    {kActivity, "shareText", "(Ljava/lang/String;Ljava/lang/String;)V"},
     {"android/content/Intent", "getData", "()Landroid/net/Uri;"},
     {"android/net/Uri", "getLastPathSegment", "()Ljava/lang/String;"},
     {"android/content/ContentResolver", "openInputStream", "(Landroid/net/Uri;)Ljava/io/InputStream;"},
@@ -114,6 +116,11 @@ void callVoid(JNIEnv* env, Object*, const std::string& name, va_list arguments) 
     if (name == "attach") machine.attached = va_arg(arguments, jlong);
     if (name == "pickDocument") ++machine.documentsAsked;
     if (name == "controlsChanged") ++machine.controlChanges;
+    if (name == "askText" || name == "shareText") {
+        auto& texts = name == "askText" ? machine.asked : machine.sharedText;
+        texts.first = in(va_arg(arguments, jobject))->text;
+        texts.second = in(va_arg(arguments, jobject))->text;
+    }
     if (name != "sharePicture") return;
     machine.shared.pixels.clear();
     for (const jint color : in(va_arg(arguments, jobject))->numbers) machine.shared.pixels.push_back(color);

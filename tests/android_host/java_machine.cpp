@@ -242,6 +242,16 @@ JavaMachine::Shared JavaMachine::shared() const {
     return impl_->shared;
 }
 
+std::pair<std::string, std::string> JavaMachine::asked() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->asked;
+}
+
+std::pair<std::string, std::string> JavaMachine::sharedText() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->sharedText;
+}
+
 namespace {
 
 /// A native method, as Java calls it: with references that go when it returns.
@@ -275,6 +285,12 @@ void JavaMachine::press(const std::string& role, const std::string& name) {
     callNative<void>(*impl_, "press(JLjava/lang/String;Ljava/lang/String;)V",
                      as<jstring>(impl_->make("java/lang/String", role)),
                      as<jstring>(impl_->make("java/lang/String", name)));
+}
+
+void JavaMachine::typed(const std::string& name, const std::string& text) {
+    callNative<void>(*impl_, "typed(JLjava/lang/String;Ljava/lang/String;)V",
+                     as<jstring>(impl_->make("java/lang/String", name)),
+                     as<jstring>(impl_->make("java/lang/String", text)));
 }
 
 void JavaMachine::displayRefreshes(float rate) { callNative<void>(*impl_, "refreshes(JF)V", rate); }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace nacre::test {
@@ -43,6 +44,10 @@ public:
         std::string name;
     };
     Shared shared() const;
+    /// Two texts that native code handed over last: a field's name and text, or a shared text and its name.
+    std::pair<std::string, std::string> asked() const;
+    std::pair<std::string, std::string> sharedText() const;
+    void typed(const std::string& name, const std::string& text);
     void documentPicked(const Document& document);
     std::string controls();
     void press(const std::string& role, const std::string& name);

@@ -71,7 +71,8 @@ struct JavaMachine::Impl {
     std::map<std::string, void*> natives;
     jlong attached = 0;  // what native code has itself called by
     std::atomic<int> documentsAsked{0}, controlChanges{0};
-    JavaMachine::Shared shared;  // under the mutex
+    JavaMachine::Shared shared;                             // under the mutex
+    std::pair<std::string, std::string> asked, sharedText;  // likewise
 };
 
 /// The machine of an environment.

@@ -13,7 +13,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "app/android/src/main/java"
-MOST_BYTES = 16000  # of the classes, before they are packed
+MOST_BYTES = 20000  # of the classes, before they are packed
 
 CONTEXT = """public String getPackageName() { return null; } public java.io.File getCacheDir() { return null; }
         public final <T> T getSystemService(Class<T> type) { return null; }"""
@@ -26,7 +26,8 @@ STUBS = {
     "android.os.Handler": "public class Handler { }",
     "android.view.Display": """public final class Display { public static final int DEFAULT_DISPLAY = 0;
         public float getRefreshRate() { return 60; } }""",
-    "android.R": "public final class R { public static final class id { public static final int content = 1; } }",
+    "android.R": """public final class R { public static final class id { public static final int content = 1; }
+        public static final class string { public static final int ok = 1, cancel = 2; } }""",
     "android.content.Context": "public abstract class Context { " + CONTEXT + " }",
     "android.content.ActivityNotFoundException":
         "public class ActivityNotFoundException extends RuntimeException { private static final long serialVersionUID = 1; }",
@@ -66,13 +67,28 @@ STUBS = {
         protected void onCreate(Bundle state) { } protected void onDestroy() { } protected void onActivityResult(int a, int b, Intent c) { }
         public android.view.Window getWindow() { return null; } public final void runOnUiThread(Runnable r) { }
         public void startActivityForResult(Intent i, int code) { } public void startActivity(Intent i) { } }""",
-    "android.view.Window": "public abstract class Window { public abstract View getDecorView(); }",
+    "android.view.Window": "public abstract class Window { public abstract View getDecorView(); public void setSoftInputMode(int m) { } }",
+    "android.view.WindowManager": """public interface WindowManager { public static class LayoutParams {
+        public static final int SOFT_INPUT_STATE_ALWAYS_VISIBLE = 5; } }""",
+    "android.text.Editable": "public interface Editable extends CharSequence { }",
+    "android.widget.EditText": """public class EditText extends android.view.View { public EditText(android.content.Context c) { }
+        public void setSingleLine() { } public void setText(CharSequence t) { } public void setSelection(int i) { }
+        public android.text.Editable getText() { return null; } }""",
+    "android.content.DialogInterface": """public interface DialogInterface {
+        interface OnClickListener { void onClick(DialogInterface d, int which); } }""",
+    "android.app.Dialog": """public class Dialog implements android.content.DialogInterface { public void show() { }
+        public android.view.Window getWindow() { return null; } }""",
+    "android.app.AlertDialog": """import android.content.DialogInterface; public class AlertDialog extends Dialog { public static class Builder {
+        public Builder(android.content.Context c) { } public Builder setTitle(CharSequence t) { return this; }
+        public Builder setView(android.view.View v) { return this; } public AlertDialog create() { return null; }
+        public Builder setPositiveButton(int t, DialogInterface.OnClickListener l) { return this; }
+        public Builder setNegativeButton(int t, DialogInterface.OnClickListener l) { return this; } } }""",
     "android.view.ViewParent": """public interface ViewParent {
         boolean requestSendAccessibilityEvent(View child, android.view.accessibility.AccessibilityEvent event); }""",
     "android.view.View": """import android.view.accessibility.*;
         public class View { public static final int IMPORTANT_FOR_ACCESSIBILITY_YES = 1;
         public static class AccessibilityDelegate { public AccessibilityNodeProvider getAccessibilityNodeProvider(View host) { return null; } }
-        public final <T extends View> T findViewById(int id) { return null; }
+        public final <T extends View> T findViewById(int id) { return null; } public final boolean requestFocus() { return true; }
         public void setImportantForAccessibility(int mode) { } public void setAccessibilityDelegate(AccessibilityDelegate d) { }
         public void sendAccessibilityEvent(int type) { } public void onInitializeAccessibilityNodeInfo(AccessibilityNodeInfo i) { }
         public void getLocationOnScreen(int[] at) { } public final ViewParent getParent() { return null; }

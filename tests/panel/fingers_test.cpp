@@ -102,5 +102,60 @@ TEST(Fingers, ALetGoListGlidesOnAndComesToRest) {
     EXPECT_EQ(place(), caught);
 }
 
+TEST(Fingers, TypeOnTheSystemsKeyboard) {
+    std::pair<std::string, std::string> asked;
+    Bench b("sample:dna", {1400, 1300}, 1, PanelHand::fingers, sampleSources(), [&](PanelHost& host) {
+        host.askText = [&](const std::string& name, const std::string& text) { asked = {name, text}; };
+        host.open = [&](const std::string& input) { asked = {"opened", input}; };
+    });
+    const auto tap = [&](const std::string& name) {
+        const Control* c = b.find(name);
+        ASSERT_TRUE(c) << name;
+        const glm::dvec2 at((c->seenLeft + c->seenRight) / 2, (c->seenTop + c->seenBottom) / 2);
+        b.panel.touch({1, TouchPhase::began, at});
+        b.panel.touch({1, TouchPhase::ended, at});
+        b.settle();
+    };
+    const auto type = [&](const std::string& name, const std::string& text) {
+        b.panel.typed(name, text);
+        b.settle();
+    };
+    b.panel.togglePanel();
+    b.panel.showPage(Panel::Page::labels);
+    b.settle();
+    tap("Title");
+    EXPECT_EQ(asked, std::pair(std::string("Title"), std::string()));
+    type("Title", "DNA");
+    EXPECT_EQ(b.viewer.view().words.title, "DNA");
+    tap("Title");
+    EXPECT_EQ(asked.second, "DNA") << "what stands there is gone on with";
+    // A selection, live, and a rule of it that is edited.
+    b.panel.showPage(Panel::Page::select);
+    b.settle();
+    tap("Selection");
+    type("Selection", "chain A");
+    EXPECT_GT(b.viewer.selection().count, 200u);
+    SavedView look = b.viewer.view();
+    look.look.rules = {parseHide("chain A")};
+    b.viewer.setLook(look, b.now);
+    b.viewer.select("");
+    b.settle();
+    tap("Hide chain A");
+    tap("Atoms of the rule");
+    EXPECT_EQ(asked.second, "chain A");
+    type("Atoms of the rule", "resi 1");
+    EXPECT_EQ(b.viewer.view().look.rules[0].selection.text, "resi 1");
+    // What a field was typed for that is gone changes nothing.
+    type("Title", "too late");
+    b.panel.showPage(Panel::Page::labels);
+    b.settle();
+    EXPECT_EQ(b.viewer.view().words.title, "DNA");
+    b.panel.showStart();
+    b.settle();
+    tap("Identifier or path");
+    type("Identifier or path", "pdb:1BNA");
+    EXPECT_EQ(asked, std::pair(std::string("opened"), std::string("pdb:1BNA")));
+}
+
 }  // namespace
 }  // namespace nacre::app::test

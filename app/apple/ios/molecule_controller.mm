@@ -126,6 +126,9 @@ void savePipelines(const std::vector<std::byte>& bytes) {
     host.share = [weakSelf](ViewerCommand what) {
         what == ViewerCommand::saveView ? [weakSelf shareView] : [weakSelf sharePicture];
     };
+    host.askText = [weakSelf](const std::string& name, const std::string& text) {
+        [weakSelf askFor:stringOf(name) text:stringOf(text)];
+    };
     host.dark = self.traitCollection.userInterfaceStyle == UIUserInterfaceStyleDark;
     [self attempt:^{
       self->_session = std::make_unique<MoleculeSession>(host, self->_first);
@@ -174,6 +177,17 @@ void savePipelines(const std::vector<std::byte>& bytes) {
 - (void)moleculeView:(MoleculeView*)view command:(ViewerCommand)command {
     if (_session) _session->run(command, CACurrentMediaTime());
     [_clock wake];
+}
+
+/// The keyboard, for a field of the panel.
+- (void)askFor:(NSString*)name text:(NSString*)text {
+    __weak MoleculeController* weakSelf = self;
+    ask(name, text, self, ^(NSString* typed) {
+      MoleculeController* controller = weakSelf;
+      if (!controller || !controller->_session) return;
+      controller->_session->typed(textOf(name), textOf(typed));
+      [controller wake];
+    });
 }
 
 /// As everywhere on this system.

@@ -17,6 +17,9 @@ void share(NSData* data, NSString* name, UIViewController* over, UIView* from);
 /// Says what went wrong, or shows a long text, with one button.
 void tell(NSString* title, NSString* _Nullable text, UIViewController* over);
 
+/// Has a line of text typed. @param typed  called with it; not if the user cancels
+void ask(NSString* title, NSString* text, UIViewController* over, void (^typed)(NSString* text));
+
 }  // namespace nacre::app
 
 NS_ASSUME_NONNULL_END

@@ -43,4 +43,21 @@ void tell(NSString* title, NSString* _Nullable text, UIViewController* over) {
     [over presentViewController:alert animated:YES completion:nil];
 }
 
+void ask(NSString* title, NSString* text, UIViewController* over, void (^typed)(NSString* text)) {
+    UIAlertController* alert = [UIAlertController alertControllerWithTitle:title
+                                                                   message:nil
+                                                            preferredStyle:UIAlertControllerStyleAlert];
+    [alert addTextFieldWithConfigurationHandler:^(UITextField* field) {
+      field.text = text;
+    }];
+    __weak UIAlertController* weakAlert = alert;
+    [alert addAction:[UIAlertAction actionWithTitle:@"Cancel" style:UIAlertActionStyleCancel handler:nil]];
+    [alert addAction:[UIAlertAction actionWithTitle:@"OK"
+                                              style:UIAlertActionStyleDefault
+                                            handler:^(UIAlertAction*) {
+                                              if (NSString* line = weakAlert.textFields.firstObject.text) typed(line);
+                                            }]];
+    [over presentViewController:alert animated:YES completion:nil];
+}
+
 }  // namespace nacre::app

@@ -88,11 +88,16 @@ typedef NS_ENUM(NSInteger, UIAlertActionStyle) { UIAlertActionStyleDefault, UIAl
                           style:(UIAlertActionStyle)style
                         handler:(void (^__nullable)(UIAlertAction* action))handler;
 @end
+@interface UITextField : UIView
+@property(nullable, nonatomic, copy) NSString* text;
+@end
 @interface UIAlertController : UIViewController
 + (instancetype)alertControllerWithTitle:(nullable NSString*)title
                                  message:(nullable NSString*)message
                           preferredStyle:(UIAlertControllerStyle)style;
 - (void)addAction:(UIAlertAction*)action;
+- (void)addTextFieldWithConfigurationHandler:(void (^__nullable)(UITextField* textField))configurationHandler;
+@property(nullable, nonatomic, readonly) NSArray<UITextField*>* textFields;
 @end
 
 @class UTType, UIDocumentPickerViewController;

@@ -1,5 +1,6 @@
 package org.nacre.viewer;
 
+import android.app.AlertDialog;
 import android.app.NativeActivity;
 import android.content.ActivityNotFoundException;
 import android.content.Intent;
@@ -9,15 +10,18 @@ import android.net.Uri;
 import android.os.Bundle;
 import android.view.Display;
 import android.view.View;
+import android.view.WindowManager;
+import android.widget.EditText;
 
 import java.io.File;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
 
 /**
- * What native code cannot do by itself: have a document picked, share a picture, tell a screen reader what is there, know
- * how often the display refreshes.
+ * What native code cannot do by itself: have a document picked and a text typed, share a picture, tell a screen reader what
+ * is there, know how often the display refreshes.
  */
 public final class NacreActivity extends NativeActivity implements DisplayManager.DisplayListener {
     private static final int PICKED = 1;
@@ -29,6 +33,7 @@ public final class NacreActivity extends NativeActivity implements DisplayManage
     static native String controls(long app);
     static native void press(long app, String role, String name);
     static native void refreshes(long app, float rate);
+    static native void typed(long app, String name, String text);
 
     private volatile long app;
 
@@ -88,24 +93,52 @@ public final class NacreActivity extends NativeActivity implements DisplayManage
         });
     }
 
+    /** The system's keyboard, for a field that native code draws: a line of text in a dialog. */
+    void askText(String name, String text) {
+        runOnUiThread(() -> {
+            EditText field = new EditText(this);
+            field.setSingleLine();
+            field.setText(text);
+            field.setSelection(text.length());
+            AlertDialog dialog = new AlertDialog.Builder(this).setTitle(name).setView(field)
+                    .setPositiveButton(android.R.string.ok, (it, which) -> {
+                        if (app != 0) typed(app, name, field.getText().toString());
+                    }).setNegativeButton(android.R.string.cancel, null).create();
+            dialog.getWindow().setSoftInputMode(WindowManager.LayoutParams.SOFT_INPUT_STATE_ALWAYS_VISIBLE);
+            dialog.show();
+            field.requestFocus();
+        });
+    }
+
     /** Colours as 0xAARRGGBB, rows from the top. */
     void sharePicture(int[] pixels, int width, int height, String name) {
+        Bitmap bitmap = Bitmap.createBitmap(pixels, width, height, Bitmap.Config.ARGB_8888);
+        share(name, out -> bitmap.compress(Bitmap.CompressFormat.PNG, 100, out));
+    }
+
+    void shareText(String text, String name) {
+        share(name, out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
+    }
+
+    private interface Content {
+        void write(OutputStream out) throws IOException;
+    }
+
+    private void share(String name, Content content) {
         try {
             File folder = SharedPictures.folder(this);
             File[] before = folder.listFiles();
             if (before != null) for (File file : before) file.delete();
-            File file = new File(folder, name);
-            Bitmap bitmap = Bitmap.createBitmap(pixels, width, height, Bitmap.Config.ARGB_8888);
-            try (OutputStream out = new FileOutputStream(file)) {
-                bitmap.compress(Bitmap.CompressFormat.PNG, 100, out);
+            try (OutputStream out = new FileOutputStream(new File(folder, name))) {
+                content.write(out);
             }
             Intent send = new Intent(Intent.ACTION_SEND);
-            send.setType(SharedPictures.TYPE);
+            send.setType(SharedPictures.typeOf(name));
             send.putExtra(Intent.EXTRA_STREAM, SharedPictures.uriOf(this, name));
             send.addFlags(Intent.FLAG_GRANT_READ_URI_PERMISSION);
             runOnUiThread(() -> startActivity(Intent.createChooser(send, null)));
         } catch (IOException | RuntimeException error) {
-            if (app != 0) failed(app, "cannot share the picture: " + error.getMessage());
+            if (app != 0) failed(app, "cannot share " + name + ": " + error.getMessage());
         }
     }
 

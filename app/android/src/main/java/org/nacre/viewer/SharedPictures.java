@@ -11,9 +11,11 @@ import android.os.ParcelFileDescriptor;
 import java.io.File;
 import java.io.FileNotFoundException;
 
-/** Hands the picture that is shared to the app that the user chose, and nothing else to nobody else. */
+/** Hands the picture or view that is shared to the app that the user chose, and nothing else to nobody else. */
 public final class SharedPictures extends ContentProvider {
-    static final String TYPE = "image/png";
+    static String typeOf(String name) {
+        return name.endsWith(".png") ? "image/png" : "application/json";
+    }
 
     static File folder(Context context) {
         File folder = new File(context.getCacheDir(), "shared");
@@ -41,7 +43,7 @@ public final class SharedPictures extends ContentProvider {
 
     @Override
     public String getType(Uri uri) {
-        return TYPE;
+        return typeOf(String.valueOf(uri.getLastPathSegment()));
     }
 
     @Override
