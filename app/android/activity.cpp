@@ -20,6 +20,7 @@
 #include "app/android/platform.h"
 #include "app/android/render_thread.h"
 #include "app/android/session.h"
+#include "app/download/database_id.h"
 #include "app/viewer/kept_files.h"
 
 namespace nacre::app {
@@ -42,9 +43,13 @@ double densityOf(const ANativeActivity* activity) {
 /// What was saved, if what it shows is still there.
 std::optional<SavedView> stillThere(std::optional<SavedView> view) {
     std::error_code ignored;
-    if (view && !view->input.starts_with("sample:") && !std::filesystem::exists(view->input, ignored))
-        return std::nullopt;
-    return view;
+    if (!view || view->input.starts_with("sample:") || std::filesystem::exists(view->input, ignored)) return view;
+    try {
+        if (parseDatabaseId(view->input)) return view;
+    } catch (const std::exception& error) {
+        logError(error.what());
+    }
+    return std::nullopt;
 }
 
 std::optional<SavedView> viewOf(const void* state, std::size_t size) {
@@ -75,10 +80,11 @@ public:
               [this](const char* why) { fail(why); }) {
         thread_.post([this, view = firstView(), density = density_] {
             const SessionFiles files{folder_ + "/view.json", folder_ + "/pipelines.bin", folder_ + "/occlusion",
-                                     folder_ + "/devices"};
+                                     folder_ + "/devices", folder_};
             session_ = std::make_unique<AndroidSession>(
                 files, view, density, shared_, [this] { thread_.post([] {}); }, platformCalls());
         });
+        setHttpFetch([this](const std::string& url, const HttpTake& take) { platform_.fetch(url, take); });
         if (document_) document_->open();
     }
 
@@ -87,6 +93,7 @@ public:
         detach();
         document_.reset();
         thread_.call([this] { session_.reset(); }, kForever);
+        setHttpFetch({});
     }
     App(const App&) = delete;
 

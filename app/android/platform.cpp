@@ -1,10 +1,12 @@
 #include "app/android/platform.h"
 
 #include <cstdint>
+#include <exception>
 #include <vector>
 
 #include "app/android/java.h"
 #include "app/android/log.h"
+#include "app/download/http.h"
 #include "app/shared/srgb.h"
 
 namespace nacre::app {
@@ -31,6 +33,24 @@ void typed(JNIEnv* env, jclass, jlong platform, jstring name, jstring text) {
     toldBy(platform).typed(java.text(name), java.text(text));
 }
 
+struct Transfer {
+    const HttpTake& take;
+    std::exception_ptr failed;  // what must not pass through Java
+};
+
+jboolean received(JNIEnv* env, jclass, jlong to, jbyteArray bytes, jint count, jlong all) {
+    auto& transfer = *reinterpret_cast<Transfer*>(to);
+    std::string part(static_cast<std::size_t>(count), '\0');
+    env->GetByteArrayRegion(bytes, 0, count, reinterpret_cast<jbyte*>(part.data()));
+    try {
+        transfer.take(part, 0, all > 0 ? static_cast<std::uint64_t>(all) : 0);
+        return JNI_TRUE;
+    } catch (...) {
+        transfer.failed = std::current_exception();
+        return JNI_FALSE;
+    }
+}
+
 void refreshes(JNIEnv*, jclass, jlong platform, jfloat rate) { toldBy(platform).refreshes(rate); }
 
 template <typename Function>
@@ -47,7 +67,8 @@ Platform::Platform(ANativeActivity* activity, Told told) : activity_(activity), 
                                        native("controls", "(J)Ljava/lang/String;", controls),
                                        native("press", "(JLjava/lang/String;Ljava/lang/String;)V", press),
                                        native("refreshes", "(JF)V", refreshes),
-                                       native("typed", "(JLjava/lang/String;Ljava/lang/String;)V", typed)};
+                                       native("typed", "(JLjava/lang/String;Ljava/lang/String;)V", typed),
+                                       native("received", "(J[BIJ)Z", received)};
     const jclass type = java.env()->GetObjectClass(activity->clazz);
     if (java.env()->RegisterNatives(type, methods, std::size(methods)) != JNI_OK) {
         java.env()->ExceptionClear();
@@ -79,6 +100,20 @@ void Platform::call(const Call& call) const {
     } catch (const JavaError& error) {
         logError(error.what());
     }
+}
+
+void Platform::fetch(const std::string& url, const HttpTake& take) const {
+    if (!there_) throw HttpFailure("there is no network here", false);
+    Transfer transfer{take, {}};
+    try {
+        const AttachedThread thread(activity_->vm);
+        const Java java(thread.env());
+        java.nothing(activity_->clazz, "fetch", "(Ljava/lang/String;J)V", java.string(url.c_str()),
+                     reinterpret_cast<jlong>(&transfer));
+    } catch (const JavaError& error) {
+        throw HttpFailure(error.what(), false);
+    }
+    if (transfer.failed) std::rethrow_exception(transfer.failed);
 }
 
 void Platform::pickDocument() const {

@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "app/download/http_host.h"
 #include "engine/results.h"
 
 namespace nacre::app {
@@ -30,6 +31,8 @@ public:
 
     bool there() const { return there_; }
     // From any thread
+    /// As HttpFetch.
+    void fetch(const std::string& url, const HttpTake& take) const;
     void pickDocument() const;
     /// @param name  of the file, with its end
     void share(const Picture& picture, const std::string& name) const;

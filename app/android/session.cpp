@@ -6,8 +6,9 @@
 #include "app/android/log.h"
 #include "app/android/render_thread.h"
 #include "app/android/surface.h"
+#include "app/download/molecule_sources.h"
+#include "app/shared/molecules.h"
 #include "app/viewer/kept_files.h"
-#include "app/viewer/local_molecules.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -18,6 +19,16 @@ ViewerOptions optionsOf(const SessionFiles& files) {
     options.occlusionCache = files.occlusion;
     options.errorsStay = true;
     return options;
+}
+
+/// A view that was kept asks before it downloads what the cache has no more.
+InputOptions inputOf(const SessionFiles& files, const SavedView& first) {
+    InputOptions input;
+    input.path = first.input;
+    if (!first.input.empty()) input.namedBy = "the last view";
+    input.cache = files.cache;
+    input.memoryMegabytes = static_cast<std::int64_t>(memoryShare(4) >> 20);
+    return input;
 }
 
 /// Of the fonts that every Android has, by script.
@@ -45,7 +56,7 @@ AndroidSession::AndroidSession(SessionFiles files, const SavedView& first, doubl
     : files_(std::move(files)),
       shared_(shared),
       platform_(std::move(platform)),
-      session_(host(), localMolecules(), first, optionsOf(files_), std::move(wake)) {
+      session_(host(), phoneSources(inputOf(files_, first)), first, optionsOf(files_), std::move(wake)) {
     makePanel(pixelsPerPoint);
     viewer().pause();
 }
@@ -73,6 +84,7 @@ void AndroidSession::makePanel(double pixelsPerPoint) {
     host.run = [this](ViewerCommand command) { run(command); };
     host.openDialog = platform_.pickDocument;
     host.askText = platform_.askText;
+    host.downloads = static_cast<bool>(platform_.askText);
     host.fontWith = systemFont;
     host.statistics = [this] { return session_.statistics(); };
     panel_ = std::make_unique<Panel>(pixelsPerPoint, std::move(host), PanelHand::fingers);

@@ -22,6 +22,7 @@ struct SessionFiles {
     std::string pipelines;  ///< what the driver compiled
     std::string occlusion;  ///< folder of finished bakes
     std::string devices;    ///< folder of what devices draw right
+    std::string cache;      ///< folder of what was downloaded, among others
 };
 
 /// What the main thread may ask at any time.

@@ -4,8 +4,9 @@
 #include <filesystem>
 #include <limits>
 
+#include "app/download/molecule_sources.h"
+#include "app/shared/molecules.h"
 #include "app/shared/srgb.h"
-#include "app/viewer/local_molecules.h"
 
 namespace nacre::app {
 namespace {
@@ -18,6 +19,17 @@ ViewerOptions viewerOptions(const std::string& occlusionCache) {
     options.occlusionCache = occlusionCache;
     options.errorsStay = true;
     return options;
+}
+
+/// A view that came from elsewhere, or was kept, asks before it downloads.
+InputOptions inputOf(const MoleculeHost& host, const SavedView& first) {
+    InputOptions input;
+    input.path = first.input;
+    if (!first.input.empty()) input.namedBy = "the view";
+    const std::filesystem::path folder = host.occlusionCache;
+    input.cache = folder.empty() ? "off" : folder.parent_path().string();
+    input.memoryMegabytes = static_cast<std::int64_t>(memoryShare(4) >> 20);
+    return input;
 }
 
 }  // namespace
@@ -40,7 +52,8 @@ SessionHost MoleculeSession::sessionHost() {
 
 MoleculeSession::MoleculeSession(MoleculeHost host, const SavedView& first)
     : host_(std::move(host)),
-      session_(sessionHost(), localMolecules(host_.readFile), first, viewerOptions(host_.occlusionCache), host_.wake) {
+      session_(sessionHost(), phoneSources(inputOf(host_, first), host_.readFile), first,
+               viewerOptions(host_.occlusionCache), host_.wake) {
     makePanel(scale_);
     session_.open(0);
 }
@@ -54,6 +67,7 @@ void MoleculeSession::makePanel(double pixelsPerPoint) {
     host.statistics = [this] { return session_.statistics(); };
     host.dark = host_.dark;
     host.askText = host_.askText;
+    host.downloads = host_.downloads;
     host.shakes = true;
     panel_ = std::make_unique<Panel>(pixelsPerPoint, std::move(host), PanelHand::fingers);
 }

@@ -27,8 +27,9 @@ struct MoleculeHost {
     std::function<void(ViewerCommand)> share = {};                     ///< the picture or the view, with another app
     /// Shows the keyboard for a field of the panel; MoleculeSession::typed() hears of it.
     std::function<void(const std::string& name, const std::string& text)> askText = {};
-    bool dark = true;       ///< what the system asks for
-    bool validate = false;  ///< Khronos validation layer
+    bool downloads = false;  ///< setHttpFetch() was called
+    bool dark = true;        ///< what the system asks for
+    bool validate = false;   ///< Khronos validation layer
 };
 
 /// 8 bits a channel, sRGB, straight alpha, row 0 on top.

@@ -9,7 +9,7 @@
 
 #include "app/desktop/processes.h"
 #include "app/desktop/state_files.h"
-#include "app/desktop/window_sources.h"
+#include "app/download/molecule_sources.h"
 #include "app/shared/cache_folder.h"
 #include "app/shared/messages.h"
 #include "app/shared/printable.h"

@@ -148,6 +148,39 @@ TEST_F(AndroidHost, WhatIsTypedIsInThePictureAndInTheView) {
     EXPECT_TRUE(host.java().sharedText().second.ends_with(".view.json"));
 }
 
+TEST_F(AndroidHost, ShowsWhatADatabaseHas) {
+    Host host(folder_, std::nullopt, kQuick, 80);
+    std::string entry =
+        "data_x\nloop_\n_atom_site.label_atom_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n"
+        "_atom_site.Cartn_z\nCA 0 0 0\nCB 1.5 0 0\n";
+    host.java().serve("https://files.rcsb.org/download/1xyz.cif.gz", entry + std::string(5000, '\n'));
+    host.open(240, 400);
+    const auto press = [&](const char* role, const char* name) {
+        const std::string line = std::string(role) + "\t" + name + "\t";
+        ASSERT_TRUE(eventually([&] { return host.java().controls().find(line) != std::string::npos; }))
+            << name << " is not in " << host.java().controls();
+        host.java().press(role, name);
+    };
+    press("button", "Menu");
+    press("button", "Open");
+    const auto ask = [&](const char* what) {
+        press("field", "Identifier or path");
+        ASSERT_TRUE(eventually([&] { return host.java().asked().first == "Identifier or path"; }));
+        host.java().typed("Identifier or path", what);
+    };
+    ask("pdb:1xyz");
+    ASSERT_TRUE(eventually([&] { return host.view().input == "pdb:1xyz"; }));
+    std::size_t kept = 0;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(folder_))
+        kept += file.path().filename() == "pdb-1xyz.cif.gz";
+    EXPECT_EQ(kept, 1u) << "it is downloaded once";
+    press("button", "Open");
+    ask("pdb:2xyz");
+    ASSERT_TRUE(eventually([&] { return !toldOf(host, "This did not work").empty(); }));
+    EXPECT_TRUE(eventually([&] { return host.java().controls().find("no such entry (404)") != std::string::npos; }));
+    EXPECT_EQ(host.view().input, "pdb:1xyz");
+}
+
 TEST_F(AndroidHost, TellsScreenReadersWhatIsThere) {
     Host host(folder_, std::nullopt, kQuick);
     host.open(360, 640);

@@ -24,6 +24,7 @@ constexpr struct {
     {kActivity, "pickDocument", "()V"},
     {kActivity, "sharePicture", "([IIILjava/lang/String;)V"},
     {kActivity, "controlsChanged", "()V"},
+    {kActivity, "fetch", "(Ljava/lang/String;J)V"},
     {kActivity, "askText", "(Ljava/lang/String;Ljava/lang/String;)V"},
     {kActivity, "shareText", "(Ljava/lang/String;Ljava/lang/String;)V"},
     {"android/content/Intent", "getData", "()Landroid/net/Uri;"},
@@ -109,8 +110,34 @@ Object* callObject(JNIEnv* env, Object* of, const std::string& name, va_list arg
     return nullptr;
 }
 
+/// As HttpURLConnection: in parts of some size.
+void fetch(JNIEnv* env, const std::string& url, jlong to) {
+    Impl& machine = machineOf(env);
+    std::string content;
+    void* received = nullptr;
+    {
+        const std::lock_guard lock(machine.mutex);
+        if (const auto found = machine.web.find(url); found != machine.web.end()) content = found->second;
+        received = machine.natives.at("received(J[BIJ)Z");
+    }
+    if (content.empty()) return raise(env, "java.io.IOException", "there is no such entry (404)");
+    Object* part = machine.make("[B");
+    for (std::size_t at = 0; at < content.size(); at += part->bytes.size()) {
+        const std::string some = content.substr(at, 1000);
+        part->bytes.assign(some.begin(), some.end());
+        using Received = jboolean (*)(JNIEnv*, jclass, jlong, jbyteArray, jint, jlong);
+        if (!reinterpret_cast<Received>(received)(env, nullptr, to, as<jbyteArray>(part),
+                                                  static_cast<jint>(some.size()), static_cast<jlong>(content.size())))
+            return;
+    }
+}
+
 void callVoid(JNIEnv* env, Object*, const std::string& name, va_list arguments) {
     Impl& machine = machineOf(env);
+    if (name == "fetch") {
+        const std::string url = in(va_arg(arguments, jobject))->text;
+        return fetch(env, url, va_arg(arguments, jlong));
+    }
     const std::lock_guard lock(machine.mutex);
     if (name == "close") ++machine.closed;
     if (name == "attach") machine.attached = va_arg(arguments, jlong);

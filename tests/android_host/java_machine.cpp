@@ -287,6 +287,11 @@ void JavaMachine::press(const std::string& role, const std::string& name) {
                      as<jstring>(impl_->make("java/lang/String", name)));
 }
 
+void JavaMachine::serve(const std::string& url, const std::string& bytes) {
+    const std::lock_guard lock(impl_->mutex);
+    impl_->web[url] = bytes;
+}
+
 void JavaMachine::typed(const std::string& name, const std::string& text) {
     callNative<void>(*impl_, "typed(JLjava/lang/String;Ljava/lang/String;)V",
                      as<jstring>(impl_->make("java/lang/String", name)),

@@ -48,6 +48,8 @@ public:
     std::pair<std::string, std::string> asked() const;
     std::pair<std::string, std::string> sharedText() const;
     void typed(const std::string& name, const std::string& text);
+    /// What the network has, by address.
+    void serve(const std::string& url, const std::string& bytes);
     void documentPicked(const Document& document);
     std::string controls();
     void press(const std::string& role, const std::string& name);

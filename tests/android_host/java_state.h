@@ -73,6 +73,7 @@ struct JavaMachine::Impl {
     std::atomic<int> documentsAsked{0}, controlChanges{0};
     JavaMachine::Shared shared;                             // under the mutex
     std::pair<std::string, std::string> asked, sharedText;  // likewise
+    std::map<std::string, std::string> web;                 // likewise
 };
 
 /// The machine of an environment.

@@ -13,7 +13,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = ROOT / "app/android/src/main/java"
-MOST_BYTES = 20000  # of the classes, before they are packed
+MOST_BYTES = 21000  # of the classes, before they are packed
 
 CONTEXT = """public String getPackageName() { return null; } public java.io.File getCacheDir() { return null; }
         public final <T> T getSystemService(Class<T> type) { return null; }"""

@@ -7,6 +7,7 @@
 #include <memory>
 
 #import "app/apple/ios/document_access.h"
+#include "app/apple/ios/fetching.h"
 #import "app/apple/ios/frame_clock.h"
 #import "app/apple/ios/metal_surface.h"
 #import "app/apple/ios/molecule_view.h"
@@ -110,6 +111,7 @@ void savePipelines(const std::vector<std::byte>& bytes) {
 }
 
 - (void)startSession {
+    nacre::app::setHttpFetch(nacre::app::fetchBySystem);
     __weak MoleculeController* weakSelf = self;
     MoleculeHost host;
     host.surface = surfaceOf(_molecule.metalLayer);
@@ -129,6 +131,7 @@ void savePipelines(const std::vector<std::byte>& bytes) {
     host.askText = [weakSelf](const std::string& name, const std::string& text) {
         [weakSelf askFor:stringOf(name) text:stringOf(text)];
     };
+    host.downloads = true;
     host.dark = self.traitCollection.userInterfaceStyle == UIUserInterfaceStyleDark;
     [self attempt:^{
       self->_session = std::make_unique<MoleculeSession>(host, self->_first);

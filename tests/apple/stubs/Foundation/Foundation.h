@@ -54,6 +54,13 @@ typedef NSObject* dispatch_queue_t;
 extern "C" {
 dispatch_queue_t dispatch_get_main_queue(void);
 void dispatch_async(dispatch_queue_t queue, dispatch_block_t block);
+typedef NSObject* dispatch_semaphore_t;
+typedef unsigned long long dispatch_time_t;
+enum : dispatch_time_t { DISPATCH_TIME_NOW = 0 };
+dispatch_time_t dispatch_time(dispatch_time_t when, long long delta);
+dispatch_semaphore_t dispatch_semaphore_create(long value);
+long dispatch_semaphore_wait(dispatch_semaphore_t semaphore, dispatch_time_t timeout);
+long dispatch_semaphore_signal(dispatch_semaphore_t semaphore);
 }
 
 @class NSString, NSDictionary, NSError, NSData, NSURL, NSArray, NSSet;
@@ -68,6 +75,7 @@ __attribute__((objc_root_class))
 - (instancetype)init;
 - (void)dealloc;
 + (Class)class;
+- (BOOL)isKindOfClass:(Class)type;
 @end
 @protocol NSCopying
 @end
@@ -158,6 +166,25 @@ typedef NS_OPTIONS(NSUInteger, NSURLBookmarkResolutionOptions) { NSURLBookmarkRe
                                       relativeToURL:(nullable NSURL*)relative
                                 bookmarkDataIsStale:(BOOL* _Nullable)stale
                                               error:(NSError* _Nullable __autoreleasing* _Nullable)error;
+@end
+
+@interface NSURLResponse : NSObject
+@end
+@interface NSHTTPURLResponse : NSURLResponse
+@property(readonly) NSInteger statusCode;
+@end
+@interface NSURLSessionTask : NSObject
+@property(readonly) int64_t countOfBytesReceived, countOfBytesExpectedToReceive;
+- (void)resume;
+- (void)cancel;
+@end
+@interface NSURLSessionDataTask : NSURLSessionTask
+@end
+@interface NSURLSession : NSObject
+@property(class, readonly, strong) NSURLSession* sharedSession;
+- (NSURLSessionDataTask*)dataTaskWithURL:(NSURL*)url
+                       completionHandler:(void (^)(NSData* _Nullable data, NSURLResponse* _Nullable response,
+                                                   NSError* _Nullable error))completionHandler;
 @end
 
 typedef NS_ENUM(NSUInteger, NSSearchPathDirectory) {

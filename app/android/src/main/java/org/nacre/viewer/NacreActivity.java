@@ -16,7 +16,10 @@ import android.widget.EditText;
 import java.io.File;
 import java.io.FileOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
+import java.net.HttpURLConnection;
+import java.net.URL;
 import java.nio.charset.StandardCharsets;
 
 /**
@@ -24,7 +27,7 @@ import java.nio.charset.StandardCharsets;
  * is there, know how often the display refreshes.
  */
 public final class NacreActivity extends NativeActivity implements DisplayManager.DisplayListener {
-    private static final int PICKED = 1;
+    private static final int PICKED = 1, PATIENCE = 30_000; // milliseconds
     private PanelNodes nodes;
 
     // Native code registers these when the activity is made. `app` is what it handed to attach(); 0: it is gone.
@@ -34,6 +37,7 @@ public final class NacreActivity extends NativeActivity implements DisplayManage
     static native void press(long app, String role, String name);
     static native void refreshes(long app, float rate);
     static native void typed(long app, String name, String text);
+    static native boolean received(long transfer, byte[] bytes, int count, long all);
 
     private volatile long app;
 
@@ -91,6 +95,26 @@ public final class NacreActivity extends NativeActivity implements DisplayManage
                 if (app != 0) failed(app, "no app here has documents");
             }
         });
+    }
+
+    /** Gets an address, and gives what comes to native code until that has enough. On a thread of native code's own. */
+    void fetch(String url, long transfer) throws IOException {
+        HttpURLConnection connection = (HttpURLConnection) new URL(url).openConnection();
+        try {
+            connection.setConnectTimeout(PATIENCE);
+            connection.setReadTimeout(PATIENCE);
+            connection.setRequestProperty("Accept-Encoding", "identity");
+            int code = connection.getResponseCode();
+            if (code == HttpURLConnection.HTTP_NOT_FOUND) throw new IOException("there is no such entry (404)");
+            if (code != HttpURLConnection.HTTP_OK) throw new IOException("the server answers " + code);
+            long all = connection.getContentLengthLong();
+            InputStream in = connection.getInputStream();
+            byte[] part = new byte[1 << 16];
+            for (int count = in.read(part); count >= 0; count = in.read(part))
+                if (!received(transfer, part, count, all)) return;
+        } finally {
+            connection.disconnect();
+        }
     }
 
     /** The system's keyboard, for a field that native code draws: a line of text in a dialog. */

@@ -1,4 +1,4 @@
-#include "app/desktop/window_sources.h"
+#include "app/download/molecule_sources.h"
 
 #include <atomic>
 #include <filesystem>
@@ -9,6 +9,7 @@
 #include "app/shared/printable.h"
 #include "app/shared/trajectory_input.h"
 #include "app/shared/view_input.h"
+#include "app/viewer/local_molecules.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -68,6 +69,17 @@ Sources windowSources(const InputOptions& first) {
     };
     all.progress = [progress] { return progress->share.load(); };
     all.cancel = [progress] { progress->cancelled = true; };
+    return all;
+}
+
+Sources phoneSources(const InputOptions& first, const std::function<std::string(const std::string&)>& readFile) {
+    Sources all = localMolecules(readFile);
+    const Sources downloads = windowSources(first);
+    all.read = [local = all.read, fetched = downloads.read](const SavedView& view) {
+        return parseDatabaseId(view.input) ? fetched(view) : local(view);
+    };
+    all.progress = downloads.progress;
+    all.cancel = downloads.cancel;
     return all;
 }
 

@@ -1,0 +1,39 @@
+#include "app/download/http_host.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "app/download/http.h"
+
+namespace nacre::app {
+namespace {
+
+std::mutex fetchMutex;
+HttpFetch theFetch;
+
+}  // namespace
+
+void setHttpFetch(HttpFetch fetch) {
+    const std::lock_guard lock(fetchMutex);
+    theFetch = std::move(fetch);
+}
+
+/// What broke off begins anew: systems do not tell what names a version.
+void httpGet(const std::string& url, const HttpLimits& limits, HttpBody& body,
+             const std::function<void(std::uint64_t, std::uint64_t)>& onProgress) {
+    HttpFetch fetch;
+    {
+        const std::lock_guard lock(fetchMutex);
+        fetch = theFetch;
+    }
+    if (!fetch) throw HttpFailure("there is no network here", false);
+    body.restart("");
+    fetch(url, [&](std::string_view bytes, std::uint64_t come, std::uint64_t all) {
+        if (all > limits.maxBytes || body.size() + bytes.size() > limits.maxBytes)
+            throw HttpFailure("it is larger than " + std::to_string(limits.maxBytes >> 20) + " MB", false);
+        body.append(bytes);
+        if (onProgress) onProgress(std::max(body.size(), come), all);
+    });
+}
+
+}  // namespace nacre::app
