@@ -115,6 +115,8 @@ public:
         events_.dropped({path});
         settle();
     }
+    void press(char32_t letter, Modifiers with) { events_.key({letter, with}); }
+    bool rests = true;  ///< the picture is taken once nothing moves
     void run(ViewerCommand command) { events_.key({0, {}}), viewer().run(command, seconds()); }
 
 private:
@@ -177,6 +179,16 @@ std::vector<State> states(const std::string& protein, const std::string& models)
     };
     const auto help = [](Driver& d) { d.panel().toggleHelp(); };
     const auto save = [](Driver& d) { d.panel().showSave(); };
+    const auto record = [](Driver& d) {
+        d.panel().showRecord();
+        d.pause(0.2);
+    };
+    const auto keep = [](Driver& d) {
+        d.panel().keepView(d.viewer(), seconds());
+        d.viewer().run(ViewerCommand::rotateLeft, seconds());
+        d.viewer().run(ViewerCommand::zoomIn, seconds());
+        d.panel().keepView(d.viewer(), seconds());
+    };
     const auto failure = [](Driver& d) { d.viewer().open("no such file.pdb", seconds()); };
     return {
         {"start", kUsual, "", [](Driver&) {}},
@@ -315,6 +327,57 @@ std::vector<State> states(const std::string& protein, const std::string& models)
              d.viewer().setLook(look, seconds());
              d.panel().showPage(Panel::Page::labels);
          }},
+        {"film", kUsual, "sample:dna", record},
+        {"film, kept views, narrow", kNarrow, "sample:dna",
+         [=](Driver& d) {
+             keep(d);
+             record(d);
+             d.click("Motion");
+             d.click("Kept views");
+         }},
+        {"film, kept views, dark", kUsual, "sample:dna",
+         [=](Driver& d) {
+             dark(d), keep(d), record(d);
+             d.click("Motion");
+             d.click("Kept views");
+         }},
+        {"film, preview", kUsual, "sample:dna",
+         [=](Driver& d) {
+             keep(d);
+             record(d);
+             d.click("Motion");
+             d.click("Kept views");
+             d.click("Preview");
+             d.pause(0.7);
+             d.rests = false;
+         }},
+        {"motion is coarser", kUsual, p,
+         [=](Driver& d) {
+             d.viewer().keepSharp(0.001, 0.7);
+             d.viewer().run(ViewerCommand::autoRotate, seconds());
+             d.pause(3);
+             d.rests = false;
+         }},
+        {"parts, laid onto", kUsual, "sample:dna",
+         [](Driver& d) {
+             d.viewer().open(std::vector<std::string>{"sample:dna", "sample:dna"}, seconds());
+             d.settle();
+             d.panel().showPage(Panel::Page::parts);
+             d.pause(0.2);
+             d.click("Laid onto dna");
+         }},
+        {"playing, options", kUsual, several, [](Driver& d) { d.click("How it is played"); }},
+        {"playing, options, narrow, light", kNarrow, several,
+         [=](Driver& d) { light(d), d.click("How it is played"); }},
+        {"view is saved", kUsual, "sample:dna",
+         [](Driver& d) {
+             d.press('s', {true, false});
+         }},
+        {"start, 420 pixels", {210, 380}, "", [](Driver&) {}},
+        {"look, 420 pixels", {210, 380}, p, page(Panel::Page::look)},
+        {"parts, 420 pixels", {210, 380}, p, page(Panel::Page::parts)},
+        {"help, 420 pixels", {210, 380}, "sample:dna", help},
+        {"error, 420 pixels", {210, 380}, "sample:dna", failure},
         {"error, narrow, light", kNarrow, "sample:dna", [=](Driver& d) { light(d), failure(d); }},
     };
 }
@@ -340,8 +403,10 @@ int main(int argc, char** argv) {
         }
         Driver driver(options);
         state.act(driver);
-        driver.settle();
-        driver.pause(0.2);
+        if (driver.rests) {
+            driver.settle();
+            driver.pause(0.2);
+        }
         const PixelSize size = driver.viewer().size();
         const std::string name = std::string(state.name) + (scale == 1 ? "" : ", 200 %");
         writePicture(display, folder + "/" + name + ".ppm", size.width, size.height);
