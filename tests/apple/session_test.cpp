@@ -10,6 +10,7 @@
 #include <cmath>
 #include <thread>
 
+#include "engine/devices.h"
 #include "engine/error.h"
 #include "tests/fault_layer/faults.h"
 #include "tests/support/headless_surface.h"
@@ -116,6 +117,38 @@ TEST(MoleculeSession, DrawsComesToRestAndPicks) {
     session.viewer().gesture(twist, host.now);
     EXPECT_NE(session.state(), before);
     EXPECT_EQ(host.pipelines.size(), 1u);
+    expectValid(session);
+}
+
+TEST(MoleculeSession, TheDebugPageTellsWhatTheRendererDoes) {
+    Host host;
+    MoleculeSession session(host.lend(), viewOf("/far/water.xyz"));
+    session.resize(kSize, 0.5, host.now);  // all of the panel has room
+    session.viewer().lowMemory();
+    host.run(session);
+    for (const auto& [role, name] : {std::pair("button", "Menu"), {"tab", "More"}, {"button", "For developers"}}) {
+        session.press(role, name, host.now);
+        host.run(session, 0.5);
+    }
+    const auto told = [&] {
+        const std::string& device = session.renderer()->stats().device.name;
+        for (const Control& control : session.spoken())
+            if (control.role == "text" && control.name.starts_with(device)) return control.name;
+        return std::string();
+    };
+    const FrameStats& stats = session.renderer()->stats();
+    // It is laid out before the frame that shows it.
+    const std::string frames = std::to_string(stats.windowFrames - 1);
+    std::string expected =
+        stats.device.name + "\n" + stats.device.visibility + ", " + frames + " frames, display 60 Hz";
+    if (const std::string driver = describe(session.renderer()->driverFeedback()); !driver.empty())
+        expected += "\n" + driver;
+    EXPECT_EQ(told(), expected);
+    session.viewer().setDisplayInterval(1 / 120.0);
+    session.viewer().overlayChanged();
+    host.run(session, 0.5);
+    EXPECT_NE(told().find("display 120 Hz"), std::string::npos) << told();
+    EXPECT_NE(told().find(", " + std::to_string(stats.windowFrames - 1) + " frames"), std::string::npos) << told();
     expectValid(session);
 }
 

@@ -38,8 +38,10 @@ public:
         ++scenes;
         occlusion = 0;
     }
-    double advanceOcclusion(const RenderSettings&, const OcclusionPace&) override {
+    std::vector<OcclusionPace> paces;
+    double advanceOcclusion(const RenderSettings&, const OcclusionPace& pace) override {
         mayFail();
+        paces.push_back(pace);
         return occlusion = std::min(occlusion + 0.125, 1.0);
     }
     std::string deviceLoss() const override { return loss; }

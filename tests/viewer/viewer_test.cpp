@@ -176,6 +176,30 @@ TEST(Viewer, LeavesOutWhatHidesThePartOfAView) {
     EXPECT_FALSE(b.viewer.view().uncover);
 }
 
+TEST(Viewer, ATouchIsAnsweredByTheNextFrameWhateverGoesOnAtRest) {
+    // While it bakes, between the samples of the picture at rest, and when nothing goes on any more.
+    for (const double rest : {0.0, 0.03, 0.06, 0.1, 0.3, 0.4, 3.0}) {
+        Bench b;
+        b.run(rest);
+        b.viewer.touch({1, TouchPhase::began, {300, 200}}, b.now);
+        b.viewer.touch({1, TouchPhase::moved, {300 + TouchGestures::kSlop + 1, 200}}, b.now);
+        b.step();
+        const std::size_t before = b.screen.frames.size();
+        const glm::dmat3 seen = b.screen.settings.back().view.rotation;
+        b.viewer.touch({1, TouchPhase::moved, {400, 200}}, b.now);
+        b.step(0.001);
+        ASSERT_EQ(b.screen.frames.size(), before + 1) << rest;
+        EXPECT_EQ(b.screen.frames.back().quality, WindowFrame::Quality::live) << rest;
+        EXPECT_NE(glm::dmat3(b.screen.settings.back().view.rotation), seen) << rest;
+        // What is baked beside it is as much as a moving picture leaves room for, and no submission of it is long.
+        for (const OcclusionPace& pace : b.screen.paces) EXPECT_LE(pace.sliceMilliseconds, 8) << rest;
+        if (b.screen.occlusion < 1) {
+            EXPECT_TRUE(b.screen.paces.back().mustFit) << rest;
+            EXPECT_LE(b.screen.paces.back().sliceMilliseconds, 4) << rest;
+        }
+    }
+}
+
 TEST(Viewer, ADoubleTapFitsAndPicksNothing) {
     Bench b;
     b.run(2);
