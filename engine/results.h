@@ -91,6 +91,7 @@ struct OcclusionStats {
     std::uint32_t mapPixels = 0;    ///< across one depth map
     std::uint32_t mapsPerBatch = 0;
     std::uint64_t bytes = 0;      ///< device memory while it bakes
+    std::uint64_t budget = 0;     ///< of which so much was allowed
     std::uint64_t neverSeen = 0;  ///< spheres that no direction saw
     bool cached = false;          ///< read from disk: nothing was baked
     std::uint64_t asked = 0;      ///< texels times the directions that each was asked about

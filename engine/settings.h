@@ -17,8 +17,11 @@ namespace nacre {
 /// The ambient occlusion bake of a scene: how much of it, and what it may take. Two bakes with the same first four are
 /// the same.
 struct OcclusionSettings {
-    int directions = 128;               ///< 0: no occlusion
-    std::uint64_t bytes = 64ull << 20;  ///< device memory budget of the bake, atlas and depth maps included
+    static constexpr std::uint64_t kUsualBytes = 64ull << 20;
+    int directions = 128;  ///< 0: no occlusion
+    /// Device memory budget of the bake, atlas and depth maps included. The usual one grows with meshes of more than a
+    /// million vertices: each has a value of its own.
+    std::uint64_t bytes = kUsualBytes;
     OcclusionMaps maps = OcclusionMaps::automatic;
     /// Texels across a sphere's patch, at most, 4 to 32. Small pictures show no more than 12 of them, and a bake's time
     /// goes with their square; depth maps, too, get no larger than the molecule wants them.

@@ -213,9 +213,11 @@ void addAppearance(CommandSpec& command, DrawnAtomsOptions& drawn, Representatio
 void addOcclusion(CommandSpec& command, OcclusionOptions& occlusion) {
     addValue(command, "--occlusion", "K|off", "128", "Ambient occlusion from K directions, 1 to 4096",
              [&](const std::string& text) { occlusion.directions = parseOcclusion(text); });
-    addValue(command, "--occlusion-memory", "MB", "64",
-             "Device memory for it, 1 to 65536; the more, the finer (says on standard error what was chosen)",
-             [&](const std::string& text) { occlusion.megabytes = parseInteger(text, 1, kMostOcclusionMegabytes); });
+    addValue(
+        command, "--occlusion-memory", "MB", "64",
+        "Device memory for it, 1 to 65536; the more, the finer (says on standard error what was chosen). 64 grows with "
+        "meshes of more than a million vertices",
+        [&](const std::string& text) { occlusion.megabytes = parseInteger(text, 1, kMostOcclusionMegabytes); });
 }
 
 void addVisibility(CommandSpec& command, DeviceOptions& device) {

@@ -66,13 +66,13 @@ RenderSettings settingsOf(const RenderOptions& options, const Camera& camera, do
 bool isCoarse(const OcclusionStats& occlusion) { return occlusion.directions > 0 && occlusion.patchTexels < 8; }
 
 /// What the memory budget led to.
-void sayOcclusion(const OcclusionStats& occlusion, const RenderSettings& settings) {
+void sayOcclusion(const OcclusionStats& occlusion) {
     const std::string patch = std::to_string(occlusion.patchTexels);
     std::string text = "ambient occlusion: " +
                        (occlusion.patchTexels == 1 ? "one value an atom" : patch + " x " + patch + " texels an atom");
     if (!occlusion.cached) text += ", depth maps of " + std::to_string(occlusion.mapPixels) + " pixels";
-    sayNote(text + ", " + std::to_string(occlusion.bytes >> 20) + " of " +
-            std::to_string(settings.occlusion.bytes >> 20) + " MB");
+    sayNote(text + ", " + std::to_string(occlusion.bytes >> 20) + " of " + std::to_string(occlusion.budget >> 20) +
+            " MB");
 }
 
 /// Draws the picture twice more: timed, since the first has compiled what it needs; and by shaders that count.
@@ -257,7 +257,7 @@ void PictureJob::draw(Renderer& renderer) {
     prepared_.run.driver = renderer.driverFeedback();
     prepared_.run.firstPictureMs = millisecondsSince(start_);
     if (options_.occlusion.megabytes || (isatty(STDERR_FILENO) && isCoarse(frame_.occlusion)))
-        sayOcclusion(frame_.occlusion, settings);
+        sayOcclusion(frame_.occlusion);
     if (layersFile_) layers_ = renderer.layers(settings);
     if (statsFile_ && !written_) tellOfPasses(renderer, settings, frame_);
     checkValidation(renderer);

@@ -9,8 +9,8 @@
 namespace nacre {
 
 std::vector<MeshLevel> cartoonLevels() {
-    // The finest is a tenth of a coil's width, at the coarsest a coil has three sides.
-    constexpr float kErrors[] = {0.045f, 0.09f, 0.18f, 0.36f, 0.72f};
+    // The finest is a tenth of a coil's width, from the last but one on bases are thin and a coil has three sides.
+    constexpr float kErrors[] = {0.0475f, 0.095f, 0.19f, 0.38f, 0.76f};
     std::vector<MeshLevel> levels;
     for (const float error : kErrors) levels.push_back({error, {}});
     return levels;

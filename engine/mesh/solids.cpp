@@ -82,12 +82,14 @@ private:
             triangles.emplace_back(last_ + picks[i], last_ + picks[(i + 1) % picks.size()], tip);
     }
 
-    /// Where the error allows it, a round end is flat, or a cone from its widest ring; else it has all its rings.
+    /// Where the error allows it, a round end is flat, or a cone from its widest ring; else it has all its rings. What
+    /// is no wider than the error is all a cone, from its first wide ring to its tip, if no atom changes on the way.
     void addCoarser(MeshLevel& level, std::uint32_t tip) {
         double widest = 0;
         for (const Ring& ring : rings_) widest = std::max(widest, ring.radius);
         const double error = static_cast<double>(level.error), ofCone = kConeError * widest;
         const bool flat = widest <= error, cone = !flat && ofCone <= 0.5 * error;
+        const bool spike = flat && std::all_of(rings_.begin(), rings_.end(), [](const Ring& r) { return r.joined; });
         const Picks picks = circlePicks(all_.size(), widest, cone ? error - ofCone : error);
         last_ = kNone;
         std::uint32_t first = kNone;
@@ -96,11 +98,13 @@ private:
             if (ring.joined && !(flat && last_ == kNone)) join(level.triangles, ring.first, picks);
             if (first == kNone) first = ring.first;
             last_ = ring.first;
+            if (spike) break;
         }
-        if (!flat) return close(level.triangles, tip, picks);
+        if (!flat || spike) close(level.triangles, tip, picks);
+        if (!flat) return;
         for (std::size_t i = 1; i + 1 < picks.size(); ++i) {
             level.triangles.emplace_back(first + picks[0], first + picks[i + 1], first + picks[i]);
-            level.triangles.emplace_back(last_ + picks[0], last_ + picks[i], last_ + picks[i + 1]);
+            if (!spike) level.triangles.emplace_back(last_ + picks[0], last_ + picks[i], last_ + picks[i + 1]);
         }
     }
 
@@ -174,19 +178,41 @@ void addBall(Mesh& mesh, const glm::dvec3& center, double radius, std::uint32_t 
 
 namespace {
 
-/// A convex plate of which every other corner is left out above, and the rest below: an antiprism.
-/// @param first  of the corners above, behind which those below are
-void addThinPlate(std::vector<glm::uvec3>& triangles, std::uint32_t first, std::size_t count) {
-    const auto n = static_cast<std::uint32_t>(count);
-    const std::uint32_t below = first + n;
-    for (std::uint32_t i = 2; i + 2 < n; i += 2) {
-        triangles.emplace_back(first, first + i, first + i + 2);
-        triangles.emplace_back(below + 1, below + i + 3 < below + n ? below + i + 3 : below + 1, below + i + 1);
+/// Corners of a plate by their numbers in its outline, counter-clockwise: every other one is kept above, the rest
+/// below. With an odd number of corners the first is kept on both sides.
+Picks thinCorners(const std::vector<std::uint32_t>& fan) {
+    Picks corners = fan;
+    if (corners.size() % 2 == 1) corners.insert(corners.begin(), fan[0]);
+    return corners;
+}
+
+/// How far a convex plate stands off what addThinPlate() leaves of it, at most: a corner that is left out, from the
+/// side between its neighbours and the same corner on the other side.
+double thinError(std::span<const glm::dvec3> outline, const Picks& corners, double thickness) {
+    double most = 0;
+    const std::size_t n = corners.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const glm::dvec3 &a = outline[corners[(i + n - 1) % n]], &b = outline[corners[(i + 1) % n]];
+        const glm::dvec3 out = across(outline[corners[i]] - a, unitOr(b - a, {}));
+        const double away = glm::length(out);
+        most = std::max(most, thickness * away / std::sqrt(away * away + thickness * thickness));
     }
-    for (std::uint32_t i = 0; i < n; i += 2) {
-        const std::uint32_t next = (i + 2) % n;
-        triangles.emplace_back(first + i, below + i + 1, first + next);
-        triangles.emplace_back(below + i + 1, below + (i + 3) % n, first + next);
+    return most;
+}
+
+/// An antiprism of a plate's corners.
+/// @param first  of all corners above, behind which those below are @param all  how many those are
+void addThinPlate(std::vector<glm::uvec3>& triangles, std::uint32_t first, std::uint32_t all, const Picks& corners) {
+    const std::size_t n = corners.size();
+    const auto above = [&](std::size_t i) { return first + corners[i % n]; };
+    const auto below = [&](std::size_t i) { return first + all + corners[i % n]; };
+    for (std::size_t i = 2; i + 2 < n; i += 2) {
+        triangles.emplace_back(above(0), above(i), above(i + 2));
+        triangles.emplace_back(below(1), below(i + 3), below(i + 1));
+    }
+    for (std::size_t i = 0; i < n; i += 2) {
+        triangles.emplace_back(above(i), below(i + 1), above(i + 2));
+        triangles.emplace_back(below(i + 1), below(i + 3), above(i + 2));
     }
 }
 
@@ -212,9 +238,14 @@ void addPlate(Mesh& mesh, std::span<const glm::dvec3> outline, const glm::dvec3&
         mesh.triangles.emplace_back(first, first + 1, first + 2);
         mesh.triangles.emplace_back(first, first + 2, first + 3);
     }
+    double error = 0;
+    for (const std::vector<std::uint32_t>& fan : fans)
+        error = std::max(error, thinError(outline, thinCorners(fan), 2 * halfThickness));
     for (MeshLevel& level : mesh.coarser)
-        if (fans.size() == 1 && outline.size() % 2 == 0 && level.error >= 2 * halfThickness)
-            addThinPlate(level.triangles, static_cast<std::uint32_t>(corners), outline.size());
+        if (error <= static_cast<double>(level.error))
+            for (const std::vector<std::uint32_t>& fan : fans)
+                addThinPlate(level.triangles, static_cast<std::uint32_t>(corners),
+                             static_cast<std::uint32_t>(outline.size()), thinCorners(fan));
         else
             level.triangles.insert(level.triangles.end(), mesh.triangles.begin() + before, mesh.triangles.end());
 }

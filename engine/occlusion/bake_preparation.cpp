@@ -12,6 +12,9 @@ namespace {
 constexpr std::uint64_t kBytesPerTexel = 2;     // of the atlas: the texel, and the byte that is copied into it
 constexpr std::uint64_t kBytesPerOpen = 4 + 8;  // list entry, sums
 
+/// Of a vertex: its texel, and two list entries, whose words are said to be a quarter as many.
+constexpr std::uint64_t kBytesPerVertex = kBytesPerTexel + 2 * kBytesPerOpen + sizeof(AtlasWord) / 2 + 1;
+
 /// Texels that a bake takes on, whatever the memory: its time goes with them. With few directions their noise outweighs
 /// what finer patches bring.
 std::uint64_t mostTexels(std::uint64_t primitives, int directions) {
@@ -60,10 +63,15 @@ std::uint64_t bakeBytes(const OcclusionLayout& layout, std::uint64_t openTexels,
            words * sizeof(AtlasWord);
 }
 
+std::uint64_t mapBudget(std::uint64_t bytes, const Representation& representation) {
+    const std::uint64_t vertices = std::min(representation.meshVertices.size() * kBytesPerVertex, bytes);
+    return std::min(bytes / 2, bytes - vertices);
+}
+
 BakePreparation prepareBake(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
                             const std::stop_token& stop) {
-    const std::uint64_t maps =
-        DepthMapSizes(caps, representation, options.path, options.budgetBytes / 2, options.detail).bytes;
+    const std::uint64_t room = mapBudget(options.budgetBytes, representation);
+    const std::uint64_t maps = DepthMapSizes(caps, representation, options.path, room, options.detail).bytes;
     BakePreparation result = prepared(caps, representation, options, maps, stop);
     if (!stop.stop_requested()) result.copies = occlusionCopies(representation, result.layout, result.open.texels);
     return result;

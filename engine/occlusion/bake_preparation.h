@@ -32,6 +32,9 @@ struct BakePreparation {
 BakePreparation prepareBake(const gpu::Caps& caps, const Representation& representation, const BakeOptions& options,
                             const std::stop_token& stop = {});
 
+/// Of a bake's memory what its depth maps may have: a half, less where vertices of meshes need more than the other.
+std::uint64_t mapBudget(std::uint64_t bytes, const Representation& representation);
+
 /// Device memory that a bake holds, but for its depth maps.
 /// @param words  of the atlas, that hold texels of the list
 std::uint64_t bakeBytes(const OcclusionLayout& layout, std::uint64_t openTexels, std::uint64_t words);

@@ -30,6 +30,12 @@ const char* nameOf(OcclusionMaps maps) {
     }
 }
 
+/// What a bake may take. @param vertices  of meshes
+std::uint64_t budgetOf(std::uint64_t bytes, std::size_t vertices) {
+    constexpr std::uint64_t kOfMaps = 16ull << 20, kOfVertex = 48;
+    return bytes == OcclusionSettings::kUsualBytes ? std::max(bytes, kOfMaps + kOfVertex * vertices) : bytes;
+}
+
 std::uint64_t countUnseen(const std::vector<bool>& seen) {
     return static_cast<std::uint64_t>(std::count(seen.begin(), seen.end(), false));
 }
@@ -95,7 +101,8 @@ void SceneOcclusion::prepare(const OcclusionSettings& settings) {
     of_ = scene_;
     began_ = Clock::now();
     baked_ = wanted;
-    options_ = {settings.directions, settings.bytes, settings.maps, settings.detail};
+    options_ = {settings.directions, budgetOf(settings.bytes, of_.representation->meshVertices.size()), settings.maps,
+                settings.detail};
     const bool tiles = device_.caps().plan.tiles;
     if (options_.path == OcclusionMaps::automatic || (options_.path == OcclusionMaps::tiles && !tiles))
         options_.path = automaticMaps(device_.caps(), tiles);
@@ -153,15 +160,11 @@ void SceneOcclusion::make() {
         bake_ = std::make_unique<Bake>(device_, *of_.buffers, *of_.representation, options_, std::move(p.bake));
     shown_ = kept ? 1 : 0;
     stats_.bakeMilliseconds = millisecondsSince(began_);
-    stats_.occlusion = {bake_->directions(),
-                        0,
-                        bake_->layout().sphereEdge,
-                        bake_->texels(),
-                        nameOf(options_.path),
-                        bake_->maps().pixels(),
-                        bake_->maps().perBatch(),
-                        bake_->bytes(),
-                        0};
+    stats_.occlusion = {bake_->directions(),        0,
+                        bake_->layout().sphereEdge, bake_->texels(),
+                        nameOf(options_.path),      bake_->maps().pixels(),
+                        bake_->maps().perBatch(),   bake_->bytes(),
+                        options_.budgetBytes,       0};
     if (!kept) return;
     stats_.occlusion.cached = true;
     stats_.occlusion.done = bake_->directions();

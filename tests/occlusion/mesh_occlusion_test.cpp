@@ -215,6 +215,29 @@ TEST(OcclusionOfMeshes, CountsVerticesWhereItDoesNotFit) {
     }
 }
 
+TEST(OcclusionOfMeshes, OfManyVerticesTakesMoreMemory) {
+    Representation r = meshScene(false);
+    ValidatedRenderer renderer(Visibility::automatic);
+    RenderSettings s = settings(r, 40, Projection::orthographic);
+    s.occlusion.directions = 1;
+    // Those of the mesh need more than a half: depth maps make do with the rest.
+    s.occlusion.bytes = 60 * r.meshVertices.size();
+    renderer->setScene(r);
+    renderer->render(s);
+    EXPECT_EQ(renderer->stats().occlusion.budget, s.occlusion.bytes);
+    EXPECT_LE(renderer->stats().occlusion.bytes, s.occlusion.bytes);
+    EXPECT_GT(renderer->stats().occlusion.bytes, s.occlusion.bytes / 2);
+    // So many that they do not fit what is usual; no triangle has them.
+    s.occlusion.bytes = OcclusionSettings::kUsualBytes;
+    renderer->render(s);
+    EXPECT_EQ(renderer->stats().occlusion.budget, OcclusionSettings::kUsualBytes);
+    r.meshVertices.resize(2'000'000, r.meshVertices.back());
+    renderer->setScene(r);
+    renderer->render(s);
+    EXPECT_GT(renderer->stats().occlusion.budget, OcclusionSettings::kUsualBytes);
+    EXPECT_LE(renderer->stats().occlusion.bytes, renderer->stats().occlusion.budget);
+}
+
 TEST(OcclusionOfMeshes, IsKeptOnDisk) {
     const TemporaryFolder folder;
     const Representation r = meshScene();
