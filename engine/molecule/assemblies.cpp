@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "engine/molecule/text.h"
 
@@ -126,6 +127,22 @@ void addPart(Assembly& assembly, const std::vector<glm::mat4x3>& transforms, std
         assembly.parts.push_back({{}, std::move(subchains)});
     auto& all = assembly.parts.back().transforms;
     all.insert(all.end(), transforms.begin(), transforms.end());
+}
+
+std::vector<Assembly> assembliesFor(const Molecule& to, const Molecule& from) {
+    std::map<std::string, std::uint32_t> places;
+    for (std::uint32_t i = 0; i < to.subchains.size(); ++i) places.emplace(to.subchains[i], i);
+    std::vector<Assembly> assemblies = from.assemblies;
+    for (Assembly& assembly : assemblies)
+        for (AssemblyPart& part : assembly.parts) {
+            std::vector<std::uint32_t> subchains;
+            for (const std::uint32_t i : part.subchains)
+                if (const auto found = places.find(from.subchains[i]); found != places.end())
+                    subchains.push_back(found->second);
+            std::sort(subchains.begin(), subchains.end());
+            part.subchains = std::move(subchains);
+        }
+    return assemblies;
 }
 
 }  // namespace nacre

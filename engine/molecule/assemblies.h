@@ -52,4 +52,7 @@ std::vector<glm::mat4x3> expandOperators(std::string_view expression, const Tran
 /// the same subchains. Without transforms or subchains nothing is added.
 void addPart(Assembly& assembly, const std::vector<glm::mat4x3>& transforms, std::vector<std::uint32_t> subchains);
 
+/// Assemblies of one molecule for another, whose subchains have other numbers.
+std::vector<Assembly> assembliesFor(const Molecule& to, const Molecule& from);
+
 }  // namespace nacre

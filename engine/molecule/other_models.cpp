@@ -1,10 +1,11 @@
 #include "engine/molecule/other_models.h"
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <string>
 #include <utility>
+
+#include "engine/molecule/assemblies.h"
 
 namespace nacre {
 namespace {
@@ -34,23 +35,6 @@ bool sameButForPlaces(const Molecule& a, const Molecule& b) {
 bool sameElements(const Molecule& a, const Molecule& b) {
     return std::equal(a.atoms.begin(), a.atoms.end(), b.atoms.begin(), b.atoms.end(),
                       [](const Atom& x, const Atom& y) { return x.element == y.element; });
-}
-
-/// Assemblies of one molecule for another, whose subchains have other numbers.
-std::vector<Assembly> assembliesFor(const Molecule& to, const Molecule& from) {
-    std::map<std::string, std::uint32_t> places;
-    for (std::uint32_t i = 0; i < to.subchains.size(); ++i) places.emplace(to.subchains[i], i);
-    std::vector<Assembly> assemblies = from.assemblies;
-    for (Assembly& assembly : assemblies)
-        for (AssemblyPart& part : assembly.parts) {
-            std::vector<std::uint32_t> subchains;
-            for (const std::uint32_t i : part.subchains)
-                if (const auto found = places.find(from.subchains[i]); found != places.end())
-                    subchains.push_back(found->second);
-            std::sort(subchains.begin(), subchains.end());
-            part.subchains = std::move(subchains);
-        }
-    return assemblies;
 }
 
 }  // namespace

@@ -98,6 +98,40 @@ INSTANTIATE_TEST_SUITE_P(Files, ModelFiles,
                                          "1en2.cif", "several/samples.pdb", "several/samples.sdf",
                                          "several/samples.mol2", "several/samples.xyz"));
 
+/// A BinaryCIF file is not written here: an mmJSON one has its models in the same tables.
+TEST(ModelFile, HoldsSomeOfTheModelsOfCommonTables) {
+    constexpr int kModels = 400, kAtoms = 300;
+    std::string columns[6];
+    for (int model = 1; model <= kModels; ++model)
+        for (int atom = 0; atom < kAtoms; ++atom) {
+            const char* comma = columns[0].empty() ? "" : ",";
+            const std::string cells[] = {std::to_string(model),
+                                         std::to_string(atom % 20 * 4 + model * 0.001),
+                                         std::to_string(atom / 20 * 4),
+                                         "0",
+                                         "\"C\"",
+                                         "\"CA\""};
+            for (std::size_t i = 0; i < 6; ++i) columns[i] += comma + cells[i];
+        }
+    const char* const names[] = {"pdbx_PDB_model_num", "Cartn_x", "Cartn_y", "Cartn_z", "type_symbol", "label_atom_id"};
+    std::string text = R"({"data_M": {"atom_site": {)";
+    for (std::size_t i = 0; i < 6; ++i)
+        text += std::string(i == 0 ? "\"" : ", \"") + names[i] + "\": [" + columns[i] + "]";
+    const TemporaryFolder folder;
+    std::ofstream(folder / "m.json") << text << "}}}";
+    for (const std::size_t held : {std::size_t{0}, std::size_t{1} << 31}) {
+        ModelFile file(folder / "m.json", of(1, held));
+        ASSERT_EQ(file.count(), kModels);
+        EXPECT_TRUE(file.first().others.allMove(kAtoms));
+        for (const int model : {1, 7, 400, 399, 8, 5}) {
+            const Molecule read = file.read(model);
+            ASSERT_EQ(read.atoms.size(), std::size_t{kAtoms});
+            EXPECT_NEAR(read.atoms[0].position.x, model * 0.001, 1e-5) << held;
+            EXPECT_EQ(read.chains.front().model, model);
+        }
+    }
+}
+
 std::string modelsOf(int count) {
     std::string text = "TITLE     MODELS\r\n";
     for (int i = 1; i <= count; ++i) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/error.h"
+#include "engine/molecule/assemblies.h"
 #include "engine/molecule/formats/readers.h"
 #include "engine/molecule/text.h"
 
@@ -12,6 +13,8 @@ namespace {
 
 constexpr std::size_t kMaxWarnings = 32;
 constexpr std::size_t kMostAround = std::size_t{32} << 20;            // text that every model is read with
+constexpr std::size_t kBytesOfAtom = 64;                              // with its share of residues
+constexpr std::int64_t kMostRuns = 64;                                // each goes through the whole file
 constexpr std::uint64_t kMostBytesOfPasses = std::uint64_t{1} << 32;  // that models read one by one take together
 
 std::vector<Molecule> alone(Molecule molecule) {
@@ -20,20 +23,21 @@ std::vector<Molecule> alone(Molecule molecule) {
     return models;
 }
 
-/// What the format's reader gives: one model or, of some formats and if all are wanted, all of them.
-std::vector<Molecule> dispatch(const std::string& name, const FileContent& content, const ReadOptions& options) {
+/// What the format's reader gives: one model or, of some formats, as many as are wanted.
+std::vector<Molecule> dispatch(const std::string& name, const FileContent& content, const ReadOptions& options,
+                               int lastModel) {
     const std::string_view bytes = content.bytes;
     switch (content.format) {
         case Format::pdb:
             return alone(readPdb(name, bytes, options));
         case Format::mmcif:
-            return readMmcif(name, bytes, options);
+            return readMmcif(name, bytes, options, lastModel);
         case Format::mmjson:
-            return readMmjson(name, bytes, options);
+            return readMmjson(name, bytes, options, lastModel);
         case Format::bcif:
-            return readBcif(name, bytes, options);
+            return readBcif(name, bytes, options, lastModel);
         case Format::mmtf:
-            return readMmtf(name, bytes, options);
+            return readMmtf(name, bytes, options, lastModel);
         case Format::sdf:
             return alone(readSdf(name, bytes, options));
         case Format::xyz:
@@ -52,7 +56,7 @@ std::vector<Molecule> dispatch(const std::string& name, const FileContent& conte
     throw Error("cannot read molecule", name, "no reader for its format");
 }
 
-bool readsAllAtOnce(Format format) {
+bool readsSeveral(Format format) {
     return format == Format::mmcif || format == Format::mmjson || format == Format::bcif || format == Format::mmtf;
 }
 
@@ -86,7 +90,7 @@ FileContent contentOfModel(const TextSource& text, const ModelTexts& texts, Form
 std::int64_t modelsOf(const FileSummary& file) { return std::max(file.models.value_or(1), file.records.value_or(1)); }
 
 Molecule readStated(const std::string& name, const FileContent& content, const ReadOptions& options) {
-    return cleaned(std::move(dispatch(name, content, options).front()), options.model);
+    return cleaned(std::move(dispatch(name, content, options, options.model).front()), options.model);
 }
 
 FileModels::FileModels(const std::string& name, const FileContent& content, const ReadOptions& options,
@@ -98,10 +102,13 @@ FileModels::FileModels(const std::string& name, const FileContent& content, cons
       count_(modelsOf(first.file)) {
     options_.others = false;
     if (count_ < 2) return;
-    if (readsAllAtOnce(content.format)) {
-        options_.model = kAllModels;
-        atOnce_ = dispatch(name, content, options_);
-        count_ = static_cast<std::int64_t>(atOnce_.size());
+    if (readsSeveral(content.format)) {
+        const std::size_t bytes = kBytesOfAtom * std::max<std::size_t>(first.atoms.size(), 1);
+        runLength_ = static_cast<int>(std::clamp<std::int64_t>(
+            std::max(static_cast<std::int64_t>(options.heldText / bytes), count_ / kMostRuns), 1, count_));
+        boundPasses(name, (count_ - 1) / runLength_ + 1, content.bytes.size());
+        subchains_.subchains = first.subchains;
+        subchains_.assemblies = first.assemblies;
         return;
     }
     texts_ = modelTexts(content.format, text_);
@@ -111,13 +118,29 @@ FileModels::FileModels(const std::string& name, const FileContent& content, cons
 }
 
 Molecule FileModels::read(int model, std::size_t maxAtoms) {
-    const auto index = static_cast<std::size_t>(model - 1);
-    if (!atOnce_.empty()) return cleaned(std::exchange(atOnce_[index], Molecule()), model);
+    if (readsRuns()) {
+        Molecule own = cleaned(ofRun(model), model);
+        // The reader has the assemblies at one of them.
+        if (own.assemblies.empty()) own.assemblies = assembliesFor(own, subchains_);
+        return own;
+    }
     options_.maxAtoms = maxAtoms;
     if (cut_)
         if (std::optional<Molecule> alone = readCut(model)) return std::move(*alone);
     options_.model = model;
     return readStated(name_, content_, options_);
+}
+
+const Molecule& FileModels::ofRun(int model) {
+    const int begin = (model - 1) / runLength_ * runLength_ + 1;
+    if (run_.empty() || begin != runBegin_) {
+        run_.clear();  // before the others take memory
+        options_.model = begin;
+        run_ = dispatch(name_, content_, options_,
+                        static_cast<int>(std::min<std::int64_t>(begin + runLength_ - 1, count_)));
+        runBegin_ = begin;
+    }
+    return run_.at(static_cast<std::size_t>(model - begin));
 }
 
 /// A model from its own text. Nothing if that is otherwise than the cut has it, or if something is to be said of it,

@@ -19,7 +19,8 @@ std::int64_t modelsOf(const FileSummary& file);
 Molecule readStated(const std::string& name, const FileContent& content, const ReadOptions& options);
 
 /// A reader takes one model and steps over the others; so that all of them need not take as many passes over the file,
-/// the text of each is cut out, unless the reader gives them all at once.
+/// the text of each is cut out; where models stand in common tables, as many are read in one go as take no more memory
+/// than ReadOptions::heldText, or a 64th of them.
 class FileModels {
 public:
     /// @param first          the first model, read from the whole
@@ -27,19 +28,25 @@ public:
     FileModels(const std::string& name, const FileContent& content, const ReadOptions& options, const Molecule& first);
 
     std::int64_t count() const { return count_; }
+    /// Whether models are read in such goes: in any order then.
+    bool readsRuns() const { return runLength_ > 0; }
     /// @param model     from 1; each at most once
     /// @param maxAtoms  of this one @throws Error
     Molecule read(int model, std::size_t maxAtoms);
 
 private:
     std::optional<Molecule> readCut(int model);
+    const Molecule& ofRun(int model);
 
     const std::string& name_;
     const FileContent& content_;
     ReadOptions options_;
     TextSource text_;
     std::int64_t count_;
-    std::vector<Molecule> atOnce_;
+    std::vector<Molecule> run_;
+    int runBegin_ = 0;  ///< the first model of the run
+    int runLength_ = 0;
+    Molecule subchains_;  ///< of the first model, with its assemblies; without atoms
     ModelTexts texts_;
     bool cut_ = false, told_ = false;
 };

@@ -56,8 +56,11 @@ bool MmcifAtoms::isKept(std::string_view column) {
 }
 
 MmcifAtoms::MmcifAtoms(std::deque<MoleculeBuilder>& builders, const std::vector<std::string>& columns,
-                       const ReadOptions& options)
-    : builders_(builders), wantedModel_(options.model), maxAtoms_(options.maxAtoms) {
+                       const ReadOptions& options, int lastModel)
+    : builders_(builders),
+      wantedFrom_(options.model),
+      wantedTo_(std::max(options.model, lastModel)),
+      maxAtoms_(options.maxAtoms) {
     for (int which = 0; which < columnCount; ++which) {
         column_[which] = -1;
         for (std::size_t i = columns.size(); i-- > 0;)
@@ -73,9 +76,9 @@ void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
     ++rows_;
     refuseLongCells(cells, line);
     const int index = modelIndex(text(cells, model));
-    if (wantedModel_ != kAllModels && index != wantedModel_) return;
+    if (index < wantedFrom_ || index > wantedTo_) return;
     if (atoms_++ == maxAtoms_)
-        throw tooManyAtoms(name() + (wantedModel_ == kAllModels ? ", all models" : ""), maxAtoms_);
+        throw tooManyAtoms(name() + (wantedFrom_ < wantedTo_ ? ", several models" : ""), maxAtoms_);
     MoleculeBuilder& builder = builderOf(index);
     Atom atom;
     atom.position = {coordinate(cells, 0, line), coordinate(cells, 1, line), coordinate(cells, 2, line)};
@@ -110,9 +113,9 @@ void MmcifAtoms::refuseLongCells(const MmcifCell* cells, std::uint64_t line) con
 }
 
 MoleculeBuilder& MmcifAtoms::builderOf(int index) {
-    if (wantedModel_ != kAllModels) return builders_.front();
-    while (builders_.size() < static_cast<std::size_t>(index)) builders_.emplace_back(name(), maxAtoms_);
-    return builders_[static_cast<std::size_t>(index) - 1];
+    const auto place = static_cast<std::size_t>(index - wantedFrom_);
+    while (builders_.size() <= place) builders_.emplace_back(name(), maxAtoms_);
+    return builders_[place];
 }
 
 int MmcifAtoms::modelIndex(std::string_view number) {
@@ -165,9 +168,9 @@ std::uint32_t MmcifAtoms::entityIndex(const MmcifCell& given) {
 
 void MmcifAtoms::summarise(FileSummary& file) const {
     const auto models = static_cast<std::int64_t>(models_.size());
-    if (rows_ > 0 && wantedModel_ > models)
+    if (rows_ > 0 && wantedFrom_ > models)
         throw Error("cannot read molecule", name(),
-                    "there is no model " + std::to_string(wantedModel_) + "; the file has " + std::to_string(models));
+                    "there is no model " + std::to_string(wantedFrom_) + "; the file has " + std::to_string(models));
     file.models = models;
     file.totalAtomsAllModels = rows_;
     if (column_[authAsym] >= 0) file.chainsAuth = static_cast<std::int64_t>(authChains_.size());

@@ -67,9 +67,10 @@ std::optional<std::string_view> MmcifTable::get(std::size_t row, std::initialize
     return std::nullopt;
 }
 
-MmcifModel::MmcifModel(const std::string& name, std::string_view document, const ReadOptions& options)
+MmcifModel::MmcifModel(const std::string& name, std::string_view document, const ReadOptions& options, int lastModel)
     : document_(document),
       options_(options),
+      lastModel_(lastModel),
       mostCells_(std::min(kMostCells, kFewCells + kCellsPerAtom * options.maxAtoms)) {
     builders_.emplace_back(name, options.maxAtoms);
 }
@@ -120,7 +121,7 @@ bool MmcifModel::beginCategory(const std::string& category, const std::vector<st
     const bool fractional = hasColumn(columns, "fract_") && !hasColumn(columns, "cartn_");
     if (category == "atom_site" && !fractional) {
         if (atoms_) throw Error("cannot read molecule", builders_.front().name(), "_atom_site occurs twice", line);
-        atoms_ = std::make_unique<MmcifAtoms>(builders_, columns, options_);
+        atoms_ = std::make_unique<MmcifAtoms>(builders_, columns, options_, lastModel_);
         table_ = nullptr;
         return true;
     }

@@ -50,13 +50,13 @@ public:
     std::optional<std::string_view> get(std::size_t row, std::initializer_list<const char*> names) const;
 };
 
-/// Rows of _atom_site, to the model that is wanted, or to all of them.
+/// Rows of _atom_site, to the models that are wanted.
 class MmcifAtoms {
 public:
-    /// @param builders  one; more are added as models begin, if kAllModels are wanted
+    /// @param builders  one; more are added as models begin, if several are wanted
     /// @throws Error naming the coordinate column that is missing
     MmcifAtoms(std::deque<MoleculeBuilder>& builders, const std::vector<std::string>& columns,
-               const ReadOptions& options);
+               const ReadOptions& options, int lastModel);
     /// Whether a column (lower case) is of any use.
     static bool isKept(std::string_view column);
     /// @param line 0 if unknown
@@ -112,8 +112,8 @@ private:
     int column_[columnCount];
     std::array<char, 32> buffers_[columnCount]{};
     std::deque<MoleculeBuilder>& builders_;
-    int wantedModel_;
-    std::size_t maxAtoms_;  ///< of all models that are kept
+    int wantedFrom_, wantedTo_;  ///< models
+    std::size_t maxAtoms_;       ///< of all models that are kept
     std::size_t atoms_ = 0;
     std::map<std::string, int, std::less<>> models_;  ///< pdbx_PDB_model_num -> 1-based position
     std::string lastModel_;
@@ -129,7 +129,8 @@ private:
 class MmcifModel {
 public:
     /// @param document  the file's content, which outlives this; cells that lie in it are not copied
-    MmcifModel(const std::string& name, std::string_view document, const ReadOptions& options);
+    /// @param lastModel  of those that are read: from the one of the options on
+    MmcifModel(const std::string& name, std::string_view document, const ReadOptions& options, int lastModel);
 
     /// Whether a category, or a column of one, is of any use; names as below. Readers need not give the others.
     static bool isKept(std::string_view category);
@@ -145,7 +146,7 @@ public:
     void expectRows(std::size_t rows, std::size_t columns) const;
 
     /// @param format "mmcif", "mmjson" or "bcif"
-    /// One molecule, or all models. @throws Error if there are no atoms
+    /// The models that are wanted. @throws Error if there are no atoms
     std::vector<Molecule> finish(const std::string& format);
 
 private:
@@ -153,9 +154,10 @@ private:
     void finishModels(FileSummary& file);
     void summarise(FileSummary& file, const char* titleOf);
 
-    std::deque<MoleculeBuilder> builders_;  ///< of all models, or of one
+    std::deque<MoleculeBuilder> builders_;  ///< of the models that are wanted
     std::string_view document_;
     ReadOptions options_;
+    int lastModel_;
     std::size_t mostCells_;  ///< of all tables
     std::deque<std::string> copies_;
     std::unique_ptr<MmcifAtoms> atoms_;

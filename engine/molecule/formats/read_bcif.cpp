@@ -102,8 +102,9 @@ private:
 
 }  // namespace
 
-std::vector<Molecule> readBcif(const std::string& name, std::string_view bytes, const ReadOptions& options) {
-    MmcifModel model(name, bytes, options);
+std::vector<Molecule> readBcif(const std::string& name, std::string_view bytes, const ReadOptions& options,
+                               int lastModel) {
+    MmcifModel model(name, bytes, options, lastModel);
     BcifWalker(name, bytes.size(), options.maxAtoms, model).document(parseMsgpack(name, bytes));
     return model.finish("bcif");
 }

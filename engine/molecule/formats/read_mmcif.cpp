@@ -159,8 +159,9 @@ NACRE_CIF_ACTION(field_sep, textDelimiter(in.iterator().line))
 #undef NACRE_CIF_ACTION
 
 /// @throws pegtl::parse_error where the text is no CIF
-std::vector<Molecule> parseCif(const std::string& name, std::string_view text, const ReadOptions& options) {
-    MmcifModel model(name, text, options);
+std::vector<Molecule> parseCif(const std::string& name, std::string_view text, const ReadOptions& options,
+                               int lastModel) {
+    MmcifModel model(name, text, options, lastModel);
     Walker walker(name, model);
     pegtl::memory_input<> input(text.data(), text.size(), "");
     try {
@@ -175,9 +176,10 @@ std::vector<Molecule> parseCif(const std::string& name, std::string_view text, c
 
 }  // namespace
 
-std::vector<Molecule> readMmcif(const std::string& name, std::string_view text, const ReadOptions& options) {
+std::vector<Molecule> readMmcif(const std::string& name, std::string_view text, const ReadOptions& options,
+                                int lastModel) {
     try {
-        return parseCif(name, text, options);
+        return parseCif(name, text, options, lastModel);
     } catch (const pegtl::parse_error&) {
     }
     // Words of old files may hold letters in some author's encoding, or zeros; the grammar takes them in quotes only.
@@ -190,7 +192,7 @@ std::vector<Molecule> readMmcif(const std::string& name, std::string_view text, 
         ++foreign;
     }
     try {
-        std::vector<Molecule> models = parseCif(name, replaced, options);
+        std::vector<Molecule> models = parseCif(name, replaced, options, lastModel);
         models.front().warnings.push_back("bytes that CIF does not allow, read as '?': " + std::to_string(foreign));
         return models;
     } catch (const pegtl::parse_error& fault) {

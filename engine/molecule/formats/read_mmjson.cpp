@@ -108,8 +108,9 @@ private:
 
 }  // namespace
 
-std::vector<Molecule> readMmjson(const std::string& name, std::string_view text, const ReadOptions& options) {
-    MmcifModel model(name, text, options);
+std::vector<Molecule> readMmjson(const std::string& name, std::string_view text, const ReadOptions& options,
+                                 int lastModel) {
+    MmcifModel model(name, text, options, lastModel);
     MmjsonReader(name, text, model).run();
     return model.finish("mmjson");
 }

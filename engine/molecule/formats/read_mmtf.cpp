@@ -20,8 +20,11 @@ constexpr const char* kPositions[3] = {"xCoordList", "yCoordList", "zCoordList"}
 
 class MmtfReader {
 public:
-    MmtfReader(const std::string& name, std::string_view bytes, const ReadOptions& options)
-        : fields_(name, bytes), maxAtoms_(options.maxAtoms), wanted_(static_cast<std::size_t>(options.model)) {
+    MmtfReader(const std::string& name, std::string_view bytes, const ReadOptions& options, int lastModel)
+        : fields_(name, bytes),
+          maxAtoms_(options.maxAtoms),
+          firstModel_(static_cast<std::size_t>(options.model)),
+          lastModel_(static_cast<std::size_t>(std::max(options.model, lastModel))) {
         builders_.emplace_back(name, options.maxAtoms);
     }
 
@@ -37,7 +40,8 @@ public:
         for (std::size_t i = 0; i < builders_.size(); ++i) {
             if (i > 0) {
                 builders_[i].molecule().file = models.front().file;
-                builders_[i].molecule().file.chainsLabel = static_cast<std::int64_t>(chainsOfModel_[i]);
+                builders_[i].molecule().file.chainsLabel =
+                    static_cast<std::int64_t>(chainsOfModel_[firstModel_ - 1 + i]);
             }
             models.push_back(builders_[i].finish());
         }
@@ -77,8 +81,9 @@ private:
         chains_ = fields_.count("numChains", kMaxChains);
         models_ = fields_.count("numModels", kMaxChains);
         if (atoms_ == 0) fields_.fail("it has no atoms");
-        if (wanted_ > models_)
-            fields_.fail("there is no model " + std::to_string(wanted_) + "; the file has " + std::to_string(models_));
+        if (firstModel_ > models_)
+            fields_.fail("there is no model " + std::to_string(firstModel_) + "; the file has " +
+                         std::to_string(models_));
         groupsOfChain_ = counts("groupsPerChain", chains_, groups_);
         chainsOfModel_ = counts("chainsPerModel", models_, chains_);
     }
@@ -100,13 +105,14 @@ private:
     void walk() {
         std::size_t chain = 0;
         for (std::size_t model = 1; model <= models_; ++model) {
-            const bool all = wanted_ == kAllModels, taken = all || model == wanted_;
-            if (all && model > 1) builders_.emplace_back(builders_.front().name(), maxAtoms_);
+            const bool taken = model >= firstModel_ && model <= lastModel_;
+            if (taken && model > firstModel_) builders_.emplace_back(builders_.front().name(), maxAtoms_);
             if (taken) begins_.push_back(next_);
             for (const std::size_t end = chain + chainsOfModel_[model - 1]; chain < end; ++chain)
                 for (std::uint32_t group = 0; group < groupsOfChain_[chain]; ++group) addGroup(chain, taken);
             if (!taken) continue;
-            if (all && next_ == begins_.back()) fields_.fail("model " + std::to_string(model) + " has no atoms");
+            if (firstModel_ < lastModel_ && next_ == begins_.back())
+                fields_.fail("model " + std::to_string(model) + " has no atoms");
             end_ = next_;
         }
         if (next_ != atoms_) fields_.fail("its groups have " + std::to_string(next_) + " atoms instead of numAtoms");
@@ -120,7 +126,8 @@ private:
         const MmtfGroup& type = types_[index];
         if (type.atoms.size() > atoms_ - next_) fields_.fail("its groups have more atoms than numAtoms");
         if (taken && next_ + type.atoms.size() - begins_.front() > maxAtoms_)
-            throw tooManyAtoms(builders_.front().name() + (wanted_ == kAllModels ? ", all models" : ""), maxAtoms_);
+            throw tooManyAtoms(builders_.front().name() + (firstModel_ < lastModel_ ? ", several models" : ""),
+                               maxAtoms_);
         MoleculeBuilder& builder = builders_.back();
         for (std::size_t i = 0; i < type.atoms.size(); ++i) {
             Atom atom = type.atoms[i];
@@ -255,15 +262,15 @@ private:
         file.totalAtomsAllModels = static_cast<std::int64_t>(atoms_);
         file.bonds = static_cast<std::int64_t>(bonds_);
         file.bondsAllModels = bondsOfAll_;
-        file.chainsLabel = static_cast<std::int64_t>(chainsOfModel_[std::max<std::size_t>(wanted_, 1) - 1]);
+        file.chainsLabel = static_cast<std::int64_t>(chainsOfModel_[firstModel_ - 1]);
         if (assemblies_ == 0) return;
         file.assemblies = assemblies_;
         file.biomtOperators = mostTransforms_;
     }
 
     MmtfFields fields_;
-    std::deque<MoleculeBuilder> builders_;  ///< of the models that are read
-    std::size_t maxAtoms_, wanted_;
+    std::deque<MoleculeBuilder> builders_;           ///< of the models that are read
+    std::size_t maxAtoms_, firstModel_, lastModel_;  ///< of models those that are read
     std::size_t atoms_ = 0, groups_ = 0, chains_ = 0, models_ = 0;
     std::vector<std::uint32_t> groupsOfChain_, chainsOfModel_;
     std::vector<MmtfGroup> types_;
@@ -279,8 +286,9 @@ private:
 
 }  // namespace
 
-std::vector<Molecule> readMmtf(const std::string& name, std::string_view bytes, const ReadOptions& options) {
-    return MmtfReader(name, bytes, options).read();
+std::vector<Molecule> readMmtf(const std::string& name, std::string_view bytes, const ReadOptions& options,
+                               int lastModel) {
+    return MmtfReader(name, bytes, options, lastModel).read();
 }
 
 }  // namespace nacre

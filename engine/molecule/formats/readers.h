@@ -19,10 +19,11 @@ namespace nacre {
 Error tooManyAtoms(const std::string& name, std::size_t maxAtoms);
 
 Molecule readPdb(const std::string& name, std::string_view text, const ReadOptions&);
-std::vector<Molecule> readMmcif(const std::string& name, std::string_view text, const ReadOptions&);
-std::vector<Molecule> readMmjson(const std::string& name, std::string_view text, const ReadOptions&);
-std::vector<Molecule> readBcif(const std::string& name, std::string_view bytes, const ReadOptions&);
-std::vector<Molecule> readMmtf(const std::string& name, std::string_view bytes, const ReadOptions&);
+/// The model of the options, and all after it up to `lastModel`.
+std::vector<Molecule> readMmcif(const std::string& name, std::string_view text, const ReadOptions&, int lastModel = 0);
+std::vector<Molecule> readMmjson(const std::string& name, std::string_view text, const ReadOptions&, int lastModel = 0);
+std::vector<Molecule> readBcif(const std::string& name, std::string_view bytes, const ReadOptions&, int lastModel = 0);
+std::vector<Molecule> readMmtf(const std::string& name, std::string_view bytes, const ReadOptions&, int lastModel = 0);
 Molecule readSdf(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readXyz(const std::string& name, std::string_view text, const ReadOptions&);
 Molecule readMol2(const std::string& name, std::string_view text, const ReadOptions&);
