@@ -58,7 +58,6 @@ RenderOptions keyOptions(const MovieOptions& options, const std::string& file) {
     CommandSpec seen{"movie", "", ""};
     addMoviePicture(seen, key);
     setOptions(seen, options.given);
-    key.aim.turns = true;
     key.input = options.picture.input;
     nameInputs(key);
     return key;

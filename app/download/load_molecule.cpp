@@ -52,7 +52,8 @@ bool isPlain(const std::string& path) {
 /// Where a file is that a view names; what is to be said of that is said. @throws Error if it is no file, and might
 /// be waited for without an end
 std::string namedPath(const InputOptions& input) {
-    if (input.path == "-") throw Error("cannot read molecule", input.namedBy, "a view names files, not standard input");
+    if (input.path == "-")
+        throw Error("cannot read molecule", input.namedBy, "it names standard input: name INPUT beside it");
     if (const std::string notice = outsideNotice(input); !notice.empty()) sayNotice(notice);
     const std::string named = (std::filesystem::path(input.namedBy).parent_path() / input.path).string();
     const std::string path = filePathOf(input);

@@ -229,7 +229,8 @@ TEST(Outputs, AViewFromSomebodyElseFetchesNothingAndQuotesNothing) {
     const std::pair<const char*, const char*> endless[] = {
         {"pipe", "error: cannot read molecule: view/pipe: view/pipe.json names it, and it is no plain file\n"},
         {"moves", "error: cannot read trajectory: view/pipe: it is not a plain file\n"},
-        {"standard", "error: cannot read molecule: view/standard.json: a view names files, not standard input\n"}};
+        {"standard",
+         "error: cannot read molecule: view/standard.json: it names standard input: name INPUT beside it\n"}};
     for (const auto& [view, why] : endless) {
         const Outcome outcome =
             nacreIn(folder, std::string("render --view view/") + view + ".json -o a.png", "", "exec </dev/zero");

@@ -232,6 +232,17 @@ TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {
     ASSERT_TRUE(session.drop({session.folder() / "two%20words.xyz"}));
     EXPECT_TRUE(session.waitForTitle("two words.xyz")) << session.title();
     session.settle();
+    // A view that is saved beside its molecule goes where both go, to whoever has neither its folder nor its name.
+    const std::string saved = saveView(session);
+    EXPECT_EQ(nlohmann::json::parse(contentOf(saved))["input"], "two words.xyz");
+    const TemporaryFolder elsewhere;
+    std::filesystem::copy(saved, elsewhere / "v.json");
+    std::filesystem::copy(session.folder() / "two words.xyz", elsewhere / "renamed.xyz");
+    for (const char* what : {"--view v.json -o v.png", "renamed.xyz -o r.png"}) {
+        const Outcome drawn = nacreIn(elsewhere, std::string("render ") + what + " --size 40x40 --occlusion off");
+        EXPECT_EQ(drawn.code, 0) << drawn.err;
+    }
+    EXPECT_EQ(contentOf(elsewhere / "v.png"), contentOf(elsewhere / "r.png"));
     const WindowPicture before = session.picture();
     ASSERT_TRUE(session.drop({session.folder() / "bad.pdb"}));
     // What went wrong stands over the picture until it is read.

@@ -81,7 +81,7 @@ TEST(Movie, KeepsTransparencyWhereTheFormatCan) {
 
 TEST(Movie, KeyViewsAreThePicturesOfTheirFiles) {
     const TemporaryFolder folder;
-    std::ofstream(folder / "a.json") << R"({"input": "sample:glucose", "orientation": [1, 0, 0, 0]})";
+    std::ofstream(folder / "a.json") << R"({"input": "sample:glucose", "orientation": [1, 0, 0, 0], "title": "Sugar"})";
     std::ofstream(folder / "b.json") << R"({"input": "sample:glucose", "orientation": [0.6, 0, 0.8, 0], "zoom": 2,
         "pan": [0.5, 1], "style": "licorice", "background": "navy"})";
     for (const char* name : {"a", "b"})

@@ -139,8 +139,8 @@ TEST(MeshLevels, OutlinesAreOffByNoMoreThanWasAskedFor) {
             s.meshError = error;
             const LayerPicture coarse = renderer->layers(s);
             EXPECT_LT(renderer->stats().triangles, all) << error;
-            // As far as from one sample of the finest to the next it may be off beside that. Each piece keeps within it:
-            // where the outlines of two cross, both may leave the corner out.
+            // As far as from one sample of the finest to the next it may be off beside that. Each piece keeps within
+            // it: where the outlines of two cross, both may leave the corner out.
             EXPECT_LE(outlinesFartherThan(error + 1.0 / kFiner, coarse, finest), coarse.id.size() / 20'000) << error;
         }
         // The measure tells: within a third of a pixel the coarsest is not.
