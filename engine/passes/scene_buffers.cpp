@@ -2,7 +2,9 @@
 
 #include <cstring>
 
+#include "engine/error.h"
 #include "engine/passes/corners.h"
+#include "engine/scene/mesh_levels.h"
 
 namespace nacre::passes {
 
@@ -23,6 +25,16 @@ gpu::Buffer joined(const gpu::Device& device, const std::string& name, const Str
     };
     (put(streams), ...);
     return buffer;
+}
+
+/// Texel buffers, where they are used, hold at least four times what storage buffers do: vectors of four words each.
+void checkFits(const gpu::Device& device, const Representation& r) {
+    const gpu::Caps& caps = device.caps();
+    const std::uint64_t most = caps.maxStorageBufferBytes * (caps.tiles.texels ? 4 : 1), bytes = shapeBytes(r);
+    if (bytes <= most) return;
+    throw Error("too much for this device", caps.deviceName,
+                "the shapes take " + std::to_string((bytes >> 20) + 1) + " MB, and its shaders read " +
+                    std::to_string(most >> 20) + " MB at most (draw fewer atoms, or a coarser --surface-resolution)");
 }
 
 /// Triangles and vertices as the device has them: they name places in the joined streams.
@@ -61,6 +73,7 @@ SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r
     scene.cylinderCount = static_cast<std::uint32_t>(r.cylinders.size());
     scene.triangleCount = static_cast<std::uint32_t>(r.triangles.size() + r.coarseTriangles.size());
     if (scene.empty()) return scene;
+    checkFits(device, r);
     scene.cylinderOffset = r.spheres.size() * sizeof(Sphere);
     scene.cylinderLookOffset = r.spheres.size() * sizeof(SphereLook);
     scene.shapes = joined(device, "stream A: shapes", r.spheres, r.cylinders, placedTriangles(r), placedVertices(r));

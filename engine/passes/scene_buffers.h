@@ -20,6 +20,7 @@ struct SceneBuffers {
     bool empty() const { return primitives() == 0; }  ///< then without buffers
 };
 
+/// @throws Error if its shaders cannot read so much
 SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& representation);
 
 }  // namespace nacre::passes

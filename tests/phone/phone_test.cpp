@@ -47,6 +47,29 @@ TEST(Phone, WhatIsTooMuchForItIsTold) {
     EXPECT_TRUE(renderer.validationMessages().empty());
 }
 
+TEST(Phone, AMeshThatItsShadersCannotReadIsRefused) {
+    DeviceOptions options;
+    options.validate = true;
+    Renderer renderer(options);
+    const Representation small = scene("sample:glucose", Style::spacefill);
+    const RenderSettings s = settings(small, 32, Projection::orthographic);
+    renderer.setScene(small);
+    const std::vector<float> before = renderer.render(s).rgba;
+    Representation large = small;
+    large.triangles.push_back({0, 1, 2, 1});
+    large.meshLooks.push_back({0xffffffffu, 1});
+    large.meshVertices.resize((std::size_t{1} << 27) / sizeof(MeshVertex));
+    try {
+        renderer.setScene(std::move(large));
+        ADD_FAILURE() << "it fits";
+    } catch (const Error& e) {
+        EXPECT_NE(std::string(e.what()).find("take 129 MB, and its shaders read 128 MB"), std::string::npos)
+            << e.what();
+    }
+    EXPECT_TRUE(renderer.render(s).rgba == before);  // the scene before stays
+    EXPECT_TRUE(renderer.validationMessages().empty());
+}
+
 TEST(Phone, TheValidationLayerKnowsItsLimits) {
     // And without this.
     DeviceOptions options;
