@@ -8,38 +8,22 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <random>
 
 #include "engine/error.h"
 #include "engine/molecule/read.h"
 #include "engine/molecule/superpose.h"
-#include "engine/molecule/trajectory/motion.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/trajectory/written_trajectories.h"
 
 namespace nacre {
 namespace {
 
 using test::contentOf;
+using test::numbersOf;
 using test::TemporaryFolder;
-
-/// The folder of what MDTraj wrote, once for all tests.
-const TemporaryFolder& written() {
-    static const TemporaryFolder folder;
-    static const int code = std::system(
-        ("/usr/bin/python3 '" NACRE_SOURCE_DIR "/tests/written/write_trajectories.py' '" + folder.path() + "' 2>&1")
-            .c_str());
-    EXPECT_EQ(code, 0) << "MDTraj (Debian's python3-mdtraj) is missing or failed";
-    return folder;
-}
-
-std::vector<float> numbersOf(const std::string& name) {
-    const std::string bytes = contentOf(written() / (name + ".bin"));
-    std::vector<float> numbers(bytes.size() / 4);
-    std::memcpy(numbers.data(), bytes.data(), numbers.size() * 4);
-    return numbers;
-}
+using test::written;
 
 void write(const std::string& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
 
@@ -232,156 +216,7 @@ TEST(Trajectory, IsToldFromOtherFiles) {
 
 // --- motions
 
-Molecule chains() { return readMoleculeFile(written() / "t.xyz"); }
-
-TEST(Motion, LaysFramesAsMdtrajDoes) {
-    const Molecule molecule = chains();
-    MotionOptions options;
-    for (std::uint32_t i = 0; i < 20; ++i) options.fitted.push_back(i);
-    Motion motion(openTrajectory(written() / "t.trr"), molecule, options);
-    const std::vector<float> laid = numbersOf("laid"), rmsd = numbersOf("rmsd");
-    ASSERT_EQ(rmsd.size(), 5u);
-    for (std::size_t frame = 5; frame-- > 0;) {
-        const std::vector<glm::vec3> positions = motion.positions(frame);
-        EXPECT_NEAR(motion.rmsd(), 10 * rmsd[frame], 2e-3) << frame;
-        for (std::size_t i = 0; i < 180; ++i)
-            ASSERT_NEAR(positions[i / 3][static_cast<int>(i % 3)], laid[frame * 189 + 9 + i], 2e-3)
-                << frame << " " << i;
-    }
-}
-
-TEST(Motion, MakesMoleculesWhole) {
-    const Molecule molecule = chains();
-    ASSERT_EQ(molecule.bonds.size(), 57u);
-    const std::unique_ptr<Trajectory> before = openTrajectory(written() / "t.trr");
-    const auto longest = [&](const std::vector<glm::vec3>& p) {
-        float length = 0;
-        for (const Bond& bond : molecule.bonds) length = std::max(length, glm::distance(p[bond.a], p[bond.b]));
-        return length;
-    };
-    Motion cut(openTrajectory(written() / "cut.trr"), molecule, {});
-    MotionOptions options;
-    options.whole = true;
-    Motion whole(openTrajectory(written() / "cut.trr"), molecule, options);
-    for (std::size_t frame = 0; frame < 5; ++frame) {
-        EXPECT_GT(longest(cut.positions(frame)), 10) << "nothing was cut";
-        const std::vector<glm::vec3> expected = before->read(frame).positions, made = whole.positions(frame);
-        for (const Bond& bond : molecule.bonds)
-            EXPECT_LT(glm::distance(made[bond.b] - made[bond.a], expected[bond.b] - expected[bond.a]), 1e-3);
-    }
-}
-
-TEST(Motion, SmoothsOverNeighbouringFrames) {
-    const Molecule molecule = chains();
-    MotionOptions options;
-    options.smoothed = 3;
-    Motion motion(openTrajectory(written() / "t.trr"), molecule, options);
-    const std::unique_ptr<Trajectory> t = openTrajectory(written() / "t.trr");
-    const auto mean = [&](std::size_t from, std::size_t to, std::size_t atom) {
-        glm::vec3 sum(0);
-        for (std::size_t i = from; i <= to; ++i) sum += t->read(i).positions[atom];
-        return sum / static_cast<float>(to - from + 1);
-    };
-    EXPECT_LT(glm::distance(motion.positions(2)[7], mean(1, 3, 7)), 1e-4);
-    EXPECT_LT(glm::distance(motion.positions(0)[7], mean(0, 1, 7)), 1e-4);
-    EXPECT_LT(glm::distance(motion.positions(4)[7], mean(3, 4, 7)), 1e-4);
-}
-
-/// Two bonded atoms that drift through the faces of a slanted box, 4 Å a frame.
-class Drifting : public Trajectory {
-public:
-    explicit Drifting(std::size_t frames) {
-        atoms_ = 2;
-        frames_ = frames;
-    }
-    static glm::vec3 placeOf(std::size_t frame, float atom) {
-        return {2 + 4 * static_cast<float>(frame) + atom, 3 * static_cast<float>(frame), 1};
-    }
-    static constexpr PeriodicBox kBox{glm::vec3(10, 0, 0), glm::vec3(3, 12, 0), glm::vec3(-2, 4, 9)};
-
-private:
-    void readFrame(std::size_t frame, TrajectoryFrame& result) override {
-        for (const int atom : {0, 1}) {
-            glm::vec3 p = placeOf(frame, static_cast<float>(atom));
-            for (int k = 2; k >= 0; --k)
-                p -= kBox[static_cast<std::size_t>(k)] * std::floor(p[k] / kBox[static_cast<std::size_t>(k)][k]);
-            result.positions[static_cast<std::size_t>(atom)] = p;
-        }
-        result.box = kBox;
-    }
-};
-
-TEST(Motion, AveragesNothingAcrossTheBox) {
-    const Molecule molecule = readMolecule("two.xyz", "2\n\nC 0 0 0\nC 1.5 0 0\n");
-    ASSERT_EQ(molecule.bonds.size(), 1u);
-    for (const bool whole : {false, true}) {
-        MotionOptions options;
-        options.whole = whole;
-        Motion plain(std::make_unique<Drifting>(12), molecule, options);
-        options.smoothed = 5;
-        Motion smooth(std::make_unique<Drifting>(12), molecule, options);
-        for (std::size_t frame = 2; frame + 2 < 12; ++frame)  // what drifts evenly is its own mean
-            for (const std::size_t atom : {0u, 1u})
-                EXPECT_LT(glm::distance(smooth.positions(frame)[atom], plain.positions(frame)[atom]), 1e-4)
-                    << whole << frame;
-        // At the ends the mean is half a step or a step further on.
-        EXPECT_LT(glm::distance(smooth.positions(0)[0], Drifting::placeOf(1, 0)), 1e-4);
-    }
-}
-
-/// Two molecules that drift and turn together, each atom put back into a box of 20 Å; and a third that stays.
-class Parted : public Trajectory {
-public:
-    Parted() {
-        atoms_ = 6;
-        frames_ = 8;
-    }
-    static constexpr glm::vec3 kPlaces[] = {{0, 0, 0}, {1.5f, 0, 0}, {0, 4, 0}, {1, 4, 1}, {0, -7, 0}, {0, -7, 1.5f}};
-
-private:
-    void readFrame(std::size_t frame, TrajectoryFrame& result) override {
-        const auto t = static_cast<float>(frame);
-        for (std::size_t atom = 0; atom < 6; ++atom) {
-            glm::vec3 p = kPlaces[atom];
-            if (atom < 4)
-                p = glm::vec3(p.x * std::cos(t) - p.y * std::sin(t), p.x * std::sin(t) + p.y * std::cos(t), p.z) +
-                    6.f * t * glm::vec3(1, 1, 0.1f);
-            result.positions[atom] = p - 20.f * glm::floor(p / 20.f);
-        }
-        result.box = {glm::vec3(20, 0, 0), glm::vec3(0, 20, 0), glm::vec3(0, 0, 20)};
-    }
-};
-
-TEST(Motion, LaysMoleculesThatTheBoxPartedAsIfItHadNot) {
-    const Molecule molecule =
-        readMolecule("m.xyz", "6\n\nC 0 0 0\nC 1.5 0 0\nC 0 4 0\nC 1 4 1\nC 0 -7 0\nC 0 -7 1.5\n");
-    ASSERT_EQ(molecule.bonds.size(), 3u);
-    MotionOptions options;
-    options.fitted = {0, 1, 2, 3};
-    Motion torn(std::make_unique<Parted>(), molecule, options);
-    options.whole = true;
-    Motion whole(std::make_unique<Parted>(), molecule, options);
-    double farthest = 0;
-    for (const std::size_t frame : {7u, 0u, 1u, 2u, 3u, 4u, 5u, 6u}) {
-        const std::vector<glm::vec3> made = whole.positions(frame), first = whole.positions(0);
-        whole.positions(frame);
-        EXPECT_LT(whole.rmsd(), 1e-3) << frame;
-        for (std::size_t atom = 0; atom < 4; ++atom) {
-            EXPECT_LT(glm::distance(made[atom], first[atom]), 1e-3) << frame << " " << atom;
-            EXPECT_NEAR(glm::distance(made[atom], made[0]), glm::distance(Parted::kPlaces[atom], Parted::kPlaces[0]),
-                        1e-3);
-        }
-        EXPECT_LT(glm::distance(made[4], made[0]), 10 * std::sqrt(3.0)) << frame << ": half the box's diagonal";
-        torn.positions(frame);
-        farthest = std::max(farthest, torn.rmsd());
-    }
-    EXPECT_GT(farthest, 1);
-    EXPECT_TRUE(torn.torn());
-    EXPECT_FALSE(whole.torn());
-}
-
-TEST(Motion, WantsTheSameAtoms) { EXPECT_THROW(Motion(openTrajectory(written() / "few.xtc"), chains(), {}), Error); }
-
+// Which no quaternion is the one answer for.
 TEST(Superpose, UndoesAMotionAndTakesNoMirrorImage) {
     std::vector<glm::dvec3> fixed, moving, mirrored;
     for (int i = 0; i < 9; ++i) fixed.emplace_back(i, i * i % 5, i * i * i % 7);
@@ -397,7 +232,6 @@ TEST(Superpose, UndoesAMotionAndTakesNoMirrorImage) {
     EXPECT_NEAR(glm::determinant(superpose(fixed, mirrored).rotation), 1, 1e-9);
 }
 
-// Which no quaternion is the one answer for.
 TEST(Superpose, LaysLinesAndPointsOntoEachOther) {
     std::mt19937 random(3);
     std::normal_distribution<double> normal;
