@@ -168,6 +168,25 @@ TEST(MeshFrame, HasNoGaps) {
     }
 }
 
+/// Where the host knows all that pixels show, tiles are drawn that no list names anything for.
+TEST(MeshFrame, IsDrawnWhereEveryListIsEmpty) {
+    Representation r;
+    appendMesh(icosphere(glm::vec3(0), 5, 0, 0), glm::dvec3(0), testLook, r);
+    r.radius = 5;
+    r.drawnAtoms = 1;
+    // The middle of a face, and nothing of its edges.
+    const RenderSettings s = settings(r, 40, Projection::orthographic, {20.905, 0, 0}, 12);
+    ValidatedRenderer tiles(Visibility::tiles), other(Visibility::encoded);
+    tiles->setScene(r);
+    other->setScene(r);
+    for (int frame = 0; frame < 2; ++frame) {
+        EXPECT_EQ(tiles->render(s).rgba, other->render(s).rgba);
+        EXPECT_GT(tiles->stats().lists.tiles, 0u);
+        EXPECT_EQ(tiles->stats().lists.entries, 0u);
+        EXPECT_EQ(tiles->stats().coveredPixels, 1600u);
+    }
+}
+
 TEST(MeshFrame, MeetsASphereWhereItDoesInSpace) {
     // A ball of triangles about a sphere that is a little smaller, and one that is a little larger than it.
     for (const float radius : {4.8f, 5.01f}) {
