@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <thread>
 
@@ -131,11 +130,7 @@ void HiddenSpheres::look(const Scenery& scenery, std::size_t of) {
         if (here != 0) shown.push_back({i, here});
     }
     // Again, now that it is known what covers most.
-    for (const Shown& s : shown) {
-        const std::uint32_t here = shownOf(all_[s.some], s.spheres, scenery, part, false);
-        // What reaches over the border of two parts may show in one.
-        if (here != 0) std::atomic_ref(all_[s.some].shown).fetch_or(here, std::memory_order_relaxed);
-    }
+    for (Shown& s : shown) s.spheres = shownOf(all_[s.some], s.spheres, scenery, part, false);
 }
 
 void HiddenSpheres::drop(PlacedCopies& copies, const Representation& r, const Chunks& chunks, const TileView& view,
@@ -146,6 +141,9 @@ void HiddenSpheres::drop(PlacedCopies& copies, const Representation& r, const Ch
     part(threadsFor(all_.size()));
     shown_.resize(std::max(shown_.size(), parts_.size()));
     inParallel(parts_.size(), 0, [&](std::size_t p) { look({view, r.spheres, copies}, p); });
+    // What reaches over the border of two parts may show in one.
+    for (std::size_t p = 0; p < parts_.size(); ++p)
+        for (const Shown& s : shown_[p]) all_[s.some].shown |= s.spheres;
     // What shows, in the order of the stream: neighbours in one call.
     std::vector<PlacedCopies::Call>& calls = copies.spheres;
     calls.clear();
