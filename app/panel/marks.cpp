@@ -1,5 +1,6 @@
 // Marks on picked atoms, and the lines of text below.
 
+#include <algorithm>
 #include <cfloat>
 #include <cmath>
 
@@ -11,6 +12,12 @@ namespace nacre::app {
 namespace {
 
 ImVec2 place(const glm::dvec2& p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
+
+/// Pixels of a text in the panel's font. @param em  pixels
+double textWidth(const std::string& text, double em) {
+    const float size = static_cast<float>(em) * kFontSizeOfEm;
+    return static_cast<double>(fontOf(size)->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x);
+}
 
 /// The halo is the text itself, a little to all sides.
 void drawText(ImDrawList& list, const TextMark& mark, const glm::dvec2& corner, std::uint32_t color, std::uint32_t halo,
@@ -31,19 +38,34 @@ void drawText(ImDrawList& list, const TextMark& mark, const glm::dvec2& corner, 
 
 }  // namespace
 
+/// What of a picture's right the legend takes, where it would stand over the molecule, all of it seen; 0 where it would
+/// not, or would leave less than half.
+float Panel::legendRoom(const PlacedWords& words, const View& view, double size) const {
+    PlacedWords alone;
+    alone.legends = words.legends;
+    const Marks marks = layOut(alone, view, size, {}, {1, 1, 1, 1}, textWidth);
+    const double width = view.width, height = view.height, radius = 0.475 * std::min(width, height);
+    double left = width, low = 0;
+    for (const TextMark& text : marks.texts) left = std::min(left, text.at.x), low = std::max(low, text.at.y);
+    for (const DiscMark& disc : marks.discs) left = std::min(left, disc.at.x - disc.radius);
+    for (const RampMark& ramp : marks.ramps) left = std::min(left, ramp.low.x);
+    const bool beside = std::hypot(std::max(left - width / 2, 0.0), std::max(height / 2 - low, 0.0)) > radius;
+    return beside || left < width / 2 ? 0 : static_cast<float>(std::ceil(width - left + size / 2));
+}
+
 /// Labels, measurements, legend and the like: what a saved picture has, too.
 void Panel::drawWords(const Viewer& viewer) {
     const PlacedWords& words = viewer.words();
+    // As in a picture of what the panel leaves free, whose molecule is beside the legend.
+    RenderSettings settings = viewer.pictureSettings(viewer.freeSize());
+    const float taken = state_->legendRoom;
+    settings.view.width += static_cast<std::uint32_t>(taken);
+    settings.view.pan.x -= static_cast<double>(taken) / 2 / settings.view.pixelsPerAngstrom;
+    state_->legendRoom = words.legends.empty() ? 0 : legendRoom(words, settings.view, viewer.textSize());
+    if (state_->legendRoom != taken) restless_ = std::max(restless_, 2);
     if (!words.any()) return;
-    // As in a picture of what the panel leaves free.
-    const RenderSettings settings = viewer.pictureSettings(viewer.freeSize());
-    const Marks marks = layOut(
-        words, settings.view, viewer.textSize(), viewer.view().words.color, viewer.view().background,
-        [](const std::string& text, double em) {
-            const float size = static_cast<float>(em) * kFontSizeOfEm;
-            return static_cast<double>(fontOf(size)->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x);
-        },
-        settings.effects.clip, &state_->wordMemory);
+    const Marks marks = layOut(words, settings.view, viewer.textSize(), viewer.view().words.color,
+                               viewer.view().background, textWidth, settings.effects.clip, &state_->wordMemory);
     const glm::dvec2 corner = viewer.freeCorner();
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const auto placeOf = [&](const glm::dvec2& p) { return place(p + corner); };

@@ -126,6 +126,7 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     if (open && sheet_) covered.bottom = io.DisplaySize.y - panel_.top;
     if (open && !sheet_) covered.left = panel_.right;
     covered.bottom += bar_;
+    covered.right += state_->legendRoom;
     viewer.setCovered(covered, now);
     if (!open) panel_ = {window_.left, window_.bottom, window_.left, window_.bottom};
 

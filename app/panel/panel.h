@@ -212,6 +212,7 @@ private:
     void openInput(const std::string& input, Viewer& viewer, double now);
     // marks.cpp
     void drawWords(const Viewer& viewer);
+    float legendRoom(const PlacedWords& words, const View& view, double size) const;
     void drawAnnotations(const Annotations& annotations);
     float drawStatus(const std::string& text, float bottom, bool strong);
     void drawHint(const std::string& text);

@@ -31,6 +31,7 @@ struct Panel::State {
     char title[256] = "";
     bool typingTitle = false;
     WordMemory wordMemory;
+    float legendRoom = 0;  ///< pixels at the right that the molecule leaves to the legend
     // Parts of the molecule that is shown
     std::shared_ptr<const Molecule> molecule;
     std::vector<Part> parts;

@@ -140,6 +140,37 @@ TEST(Panel, KeepsItsSizeAndLeavesTheMoleculeTheRest) {
     }
 }
 
+TEST(Panel, TheMoleculeStandsBesideTheLegend) {
+    const auto right = [](const Bench& b) {  // of the sphere about it, pixels
+        const View view = b.viewer.settings().view;
+        return view.width / 2.0 + (view.pan.x + view.radius) * view.pixelsPerAngstrom;
+    };
+    const auto showLegend = [](Bench& b, bool shown) {
+        SavedView look = b.viewer.view();
+        look.words.legend = shown;
+        b.viewer.setLook(look, b.now);
+        b.settle();
+    };
+    for (const double scale : {1.0, 2.0}) {
+        Bench b("sample:dna", kNarrow, scale);
+        const double alone = right(b);
+        showLegend(b, true);
+        ASSERT_FALSE(b.viewer.words().legends.empty());
+        // A swatch, a letter and the margin are no less than two ems.
+        EXPECT_LT(right(b), b.size.width - 2 * b.viewer.textSize());
+        const View fitted = b.viewer.settings().view;
+        EXPECT_GT(fitted.width / 2.0 + (fitted.pan.x - fitted.radius) * fitted.pixelsPerAngstrom, 0);
+        b.settle();
+        EXPECT_EQ(b.viewer.settings().view.pan, fitted.pan) << "it comes to rest there";
+        showLegend(b, false);
+        EXPECT_EQ(right(b), alone);
+    }
+    Bench wide("sample:dna", kWide);
+    const double alone = right(wide);
+    showLegend(wide, true);
+    EXPECT_EQ(right(wide), alone) << "they do not meet";
+}
+
 double luminance(const ImVec4& c) {
     const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
     return 0.2126 * linear(c.x) + 0.7152 * linear(c.y) + 0.0722 * linear(c.z);
