@@ -105,7 +105,7 @@ std::shared_ptr<passes::SceneView> lightScene(const gpu::Device& device, const S
 
 /// @param scene  with its representation, in order
 void completeScene(const gpu::Device& device, Scene& scene) {
-    fitBuffer(scene.representation, device.caps().maxStorageBufferBytes);
+    fitBuffer(scene.representation, passes::mostShapeBytes(device.caps()));
     scene.translucent = translucentRuns(scene.representation);
     scene.chunks = chunksOf(scene.representation);
     scene.buffers = passes::makeSceneBuffers(device, scene.representation);

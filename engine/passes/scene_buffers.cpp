@@ -27,12 +27,10 @@ gpu::Buffer joined(const gpu::Device& device, const std::string& name, const Str
     return buffer;
 }
 
-/// Texel buffers, where they are used, hold at least four times what storage buffers do: vectors of four words each.
 void checkFits(const gpu::Device& device, const Representation& r) {
-    const gpu::Caps& caps = device.caps();
-    const std::uint64_t most = caps.maxStorageBufferBytes * (caps.tiles.texels ? 4 : 1), bytes = shapeBytes(r);
+    const std::uint64_t most = mostShapeBytes(device.caps()), bytes = shapeBytes(r);
     if (bytes <= most) return;
-    throw Error("too much for this device", caps.deviceName,
+    throw Error("too much for this device", device.caps().deviceName,
                 "the shapes take " + std::to_string((bytes >> 20) + 1) + " MB, and its shaders read " +
                     std::to_string(most >> 20) + " MB at most (draw fewer atoms, or a coarser --surface-resolution)");
 }
@@ -66,6 +64,10 @@ std::vector<std::uint32_t> groupsOf(const Representation& r) {
 }
 
 }  // namespace
+
+std::uint64_t mostShapeBytes(const gpu::Caps& caps) {
+    return caps.maxStorageBufferBytes * (caps.tiles.texels ? sizeof(glm::uvec4) / sizeof(std::uint32_t) : 1);
+}
 
 SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r) {
     SceneBuffers scene;

@@ -20,6 +20,10 @@ struct SceneBuffers {
     bool empty() const { return primitives() == 0; }  ///< then without buffers
 };
 
+/// Bytes of shapes that a device's shaders read. Texel buffers, where they are used, hold at least as many vectors of
+/// four words as storage buffers hold words.
+std::uint64_t mostShapeBytes(const gpu::Caps& caps);
+
 /// @throws Error if its shaders cannot read so much
 SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& representation);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/error.h"
+#include "engine/passes/scene_buffers.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {
@@ -194,6 +195,15 @@ TEST(MeshLevels, AreLeftOutWhereABufferIsTooSmall) {
     EXPECT_EQ(drawnRuns(r, 10)[0].count, r.triangles.size());
     fitBuffer(r, 0);  // what there is without levels stays
     EXPECT_EQ(shapeBytes(r), all - levels);
+}
+
+TEST(MeshLevels, HaveTheRoomThatShadersRead) {
+    gpu::Caps caps;
+    caps.maxStorageBufferBytes = 1000;
+    caps.tiles.texels = false;
+    EXPECT_EQ(passes::mostShapeBytes(caps), 1000u);
+    caps.tiles.texels = true;  // as many vectors as there are words in the other
+    EXPECT_EQ(passes::mostShapeBytes(caps), 4000u);
 }
 
 TEST(MeshLevels, OfWhatMovesAreThoseOfWhereItIs) {
