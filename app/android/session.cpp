@@ -227,7 +227,7 @@ std::string AndroidSession::shareName(const char* extension) {
 void AndroidSession::share() {
     if (!platform_.share || !viewer().document() || !session_.renderer()) return;
     try {
-        RenderSettings settings = viewer().pictureSettings(viewer().size());
+        RenderSettings settings = viewer().pictureWithWords(viewer().size(), viewer().textSize());
         settings.supersample = RenderSettings::kEdges;
         Picture picture = session_.renderer()->render(settings);
         viewer().paintWords(settings.view, viewer().textSize(), false, picture);

@@ -195,7 +195,7 @@ double MoleculeSession::step(double now) {
 }
 
 PictureBytes MoleculeSession::picture(std::uint32_t samples) {
-    RenderSettings settings = viewer().pictureSettings(viewer().size());
+    RenderSettings settings = viewer().pictureWithWords(viewer().size(), viewer().textSize());
     settings.supersample = samples;
     Picture picture = session_.renderer()->render(settings);
     viewer().paintWords(settings.view, viewer().textSize(), false, picture);

@@ -51,17 +51,17 @@ void WindowSession::writePictureTo(const PictureWish& wish) {
     if (!isPictureName(path))
         throw Error("cannot save the picture", path, "its name ends in none of .png .tif .jpg .webp .exr");
     OutputFile file(path);
-    RenderSettings settings = viewer().pictureSettings(size);
-    // What is larger than the window is antialiased as pictures are; the window's own as the window is.
+    const double shorter = std::min(window_.size().width, window_.size().height);
     const bool asShown = size.width == window_.size().width && size.height == window_.size().height;
+    const double textSize =
+        viewer().textSize() * (asShown ? 1 : std::min(size.width, size.height) / std::max(shorter, 1.0));
+    RenderSettings settings = viewer().pictureWithWords(size, textSize);
+    // What is larger than the window is antialiased as pictures are; the window's own as the window is.
     const std::uint32_t side = viewer().mostSamples();
     const bool grid = asShown && side * side != RenderSettings::kEdgeSamples;  // whose places are no grid
     settings.supersample = grid ? side : RenderSettings::kEdges;
     if (transparent) settings.background = {0, 0, 0, 0};
     Picture drawn = renderer().render(settings);
-    const double shorter = std::min(window_.size().width, window_.size().height);
-    const double textSize =
-        viewer().textSize() * (asShown ? 1 : std::min(size.width, size.height) / std::max(shorter, 1.0));
     viewer().paintWords(settings.view, textSize, transparent, drawn);
     PictureFormat format;
     format.alpha = transparent;

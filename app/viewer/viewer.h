@@ -173,6 +173,9 @@ public:
     RenderSettings settings() const;
     /// The same in the middle of a picture of another size, for a file.
     RenderSettings pictureSettings(PixelSize size) const;
+    /// The same of one that words are painted on: the molecule stands beside them, as `nacre render --view` has it,
+    /// where it is seen whole.
+    RenderSettings pictureWithWords(PixelSize size, double textSize) const;
     /// Labels, legend and the like, onto a picture that was drawn so. Only if document().
     /// @param size  pixels of an em  @param transparent  it has no background
     void paintWords(const View& view, double size, bool transparent, Picture& picture) const;

@@ -272,6 +272,31 @@ TEST(Viewer, WhatItSavesIsWhereItGoesOn) {
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(glm::distance(x.rotation[i], y.rotation[i]), 0, 1e-12);
 }
 
+TEST(Viewer, AKeptPictureHasTheMoleculeBesideItsLegend) {
+    Bench b("sample:dna");
+    b.run(1);
+    const auto left = [&](double shown) {  // pixels that the sphere leaves at the right of a square picture
+        const View view = b.viewer.pictureWithWords({400, 400}, shown).view;
+        return 200 - (view.pan.x + view.radius) * view.pixelsPerAngstrom;
+    };
+    const double alone = left(14);
+    EXPECT_EQ(b.viewer.pictureWithWords({400, 400}, 14).view.pan, b.viewer.pictureSettings({400, 400}).view.pan);
+    SavedView look = b.viewer.view();
+    look.words.title = "A title that goes over the molecule";
+    look.words.legend = true;
+    b.viewer.setLook(look, b.now);
+    b.load();
+    const View beside = b.viewer.pictureWithWords({400, 400}, 40).view,
+               over = b.viewer.pictureSettings({400, 400}).view;
+    EXPECT_LT(beside.pixelsPerAngstrom, over.pixelsPerAngstrom);
+    EXPECT_GT(left(40), alone);
+    // What was placed by hand stays there.
+    b.viewer.wheel(2, {320, 240}, b.now);
+    b.run(1);
+    EXPECT_EQ(b.viewer.pictureWithWords({400, 400}, 40).view.pixelsPerAngstrom,
+              b.viewer.pictureSettings({400, 400}).view.pixelsPerAngstrom);
+}
+
 TEST(Viewer, WordsOfWhatIsHiddenWaitUntilItIsDrawnAgain) {
     Bench b;
     const auto show = [&](const SavedView& look) {
