@@ -84,9 +84,10 @@ class Projects(unittest.TestCase):
         self.assertIn("Metal", self.ios.frameworks)
 
     def test_the_phone_gets_no_desktop_part(self):
-        for part in ("cli/main.cpp", "download/", "desktop/", "image_file.cpp"):
+        for part in ("cli/main.cpp", "download/http.cpp", "desktop/", "image_file.cpp"):
             self.assertFalse([f for f in self.ios.compiled if part in f], part)
             self.assertTrue([f for f in self.mac.compiled if part in f], part)
+        self.assertTrue([f for f in self.ios.compiled if "download/http_host.cpp" in f], "its HTTP is the system's")
 
     def test_both_open_what_the_engine_reads(self):
         for project in (self.ios, self.mac):
