@@ -211,6 +211,7 @@ private:
     void doubleTap(glm::dvec2 at, double now);
     std::optional<std::uint32_t> atomUnder(glm::dvec2 at, double reach, double now);
     void hover(double now);
+    std::vector<std::uint32_t> markedAtoms(const std::vector<bool>& chosen) const;
     void placeSelection();
     glm::dvec2 pointOf(const glm::dvec3& place, const View& view) const;
     void remember();

@@ -23,6 +23,19 @@ Selection selectionOf(const std::string& text, const SavedView& view) {
     return selection;
 }
 
+/// Of each atom of the file, whether something that is drawn is of it.
+std::vector<bool> seenAtoms(const Representation& scene, std::size_t atoms) {
+    std::vector<bool> seen(atoms + 1);  // numbers begin at 1
+    const auto see = [&](std::uint32_t atom) {
+        if (atom <= atoms) seen[atom] = true;
+    };
+    for (const SphereLook& look : scene.sphereLooks) see(look.atom);
+    for (const CylinderLook& look : scene.cylinderLooks) see(look.atomA), see(look.atomB);
+    for (const SphereLook& look : scene.meshLooks) see(look.atom);
+    seen.erase(seen.begin());
+    return seen;
+}
+
 /// The residue of an atom, as one would type it; the atom where its residue is the whole molecule.
 std::string residueText(const Document& document, std::uint32_t atom) {
     const Molecule& molecule = *document.molecule;
@@ -107,6 +120,25 @@ void Viewer::select(const std::string& text) {
     placeSelection();
 }
 
+/// Which atoms are marked for those that are chosen: each that something is drawn of. A residue of which a ribbon or a
+/// surface is drawn without them is marked once, where that is.
+std::vector<std::uint32_t> Viewer::markedAtoms(const std::vector<bool>& chosen) const {
+    const Molecule& m = *document_.molecule;
+    const std::vector<bool> seen = seenAtoms(document_.scene, m.atoms.size());
+    std::vector<bool> marked(m.atoms.size());
+    std::vector<std::uint32_t> atoms;
+    for (const std::uint32_t atom : drawnAtoms(m, view_.drawn)) {
+        if (!chosen[atom]) continue;
+        const Residue& residue = m.residues[m.atoms[atom].residue];
+        std::uint32_t at = seen[atom] ? atom : residue.firstAtom;
+        while (at < residue.firstAtom + residue.atomCount && !seen[at]) ++at;
+        if (at == residue.firstAtom + residue.atomCount || marked[at]) continue;
+        marked[at] = true;
+        atoms.push_back(at);
+    }
+    return atoms;
+}
+
 /// Where the selection's atoms stand in the scene that is shown.
 void Viewer::placeSelection() {
     selectedPlaces_.clear();
@@ -116,9 +148,7 @@ void Viewer::placeSelection() {
     try {
         const std::vector<bool> chosen = selectAtoms(*document_.placed, selectionOf(selected_.text, document_.view));
         selected_.count = static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), true));
-        std::vector<std::uint32_t> shown;
-        for (const std::uint32_t atom : drawnAtoms(*document_.molecule, view_.drawn))
-            if (chosen[atom]) shown.push_back(atom);
+        const std::vector<std::uint32_t> shown = markedAtoms(chosen);
         const std::size_t step = shown.size() / kMostMarks + 1;
         for (std::size_t i = 0; i < shown.size(); i += step)
             selectedPlaces_.push_back(glm::dvec3(document_.placed->atoms[shown[i]].position) - document_.scene.center);

@@ -30,7 +30,7 @@ struct Stand {
     Viewer viewer;
     double now = 100;
 
-    Stand()
+    explicit Stand(Style style = Style::spacefill)
         : viewer(screen,
                  {[this](const SavedView& v) {
                       for (int i = 0; v.input == "slow" && !cancelled && i < 1000; ++i)
@@ -40,14 +40,15 @@ struct Stand {
                   },
                   [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m, v.drawn), v.look); },
                   [] { return 0.25; }, [this] { cancelled = true; }},
-                 first(), {}) {
+                 first(style), {}) {
         viewer.resize({640, 480}, 1, now);
         viewer.waitForLoading();
         rest(1);
     }
-    static SavedView first() {
+    static SavedView first(Style style) {
         SavedView v;
         v.input = "sample:dna";
+        v.look.style = style;
         return v;
     }
     void rest(double seconds) {
@@ -86,6 +87,18 @@ TEST(Pointing, AClickSelectsTheResidueAndOneBesideNothing) {
     s.click();
     EXPECT_EQ(s.viewer.selection().text, "");
     EXPECT_TRUE(s.viewer.annotations().selected.empty());
+}
+
+TEST(Pointing, ARibbonIsMarkedWhereItIs) {
+    Stand s(Style::cartoon);
+    s.viewer.select("chain A");
+    EXPECT_EQ(s.viewer.selection().count, 243u);
+    const std::size_t ofAll = s.viewer.annotations().selected.size();
+    EXPECT_GE(ofAll, 12u);  // nucleotides
+    EXPECT_LE(ofAll, 36u);  // their backbones and bases
+    s.viewer.select("chain A and name OP1");  // nothing is drawn of them alone
+    EXPECT_EQ(s.viewer.selection().count, 11u);
+    EXPECT_EQ(s.viewer.annotations().selected.size(), 11u);
 }
 
 TEST(Pointing, ADoubleClickZoomsToTheResidue) {
