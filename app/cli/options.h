@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,7 @@ struct RenderOptions {
     std::array<float, 4> background{1, 1, 1, 1};  ///< sRGB-coded, straight alpha
     bool lighting = true;
     Effects effects;
+    std::set<std::string> givenEffects;  ///< those that were named, not brought by a look or view
     OcclusionOptions occlusion;
     FrameTuning tuning;
     DebugView debug = DebugView::none;

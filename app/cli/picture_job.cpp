@@ -2,10 +2,12 @@
 
 #include <unistd.h>
 
+#include <iterator>
 #include <utility>
 #include <vector>
 
 #include "app/cli/banded_picture.h"
+#include "app/cli/idle_options.h"
 #include "app/download/load_molecule.h"
 #include "app/shared/cache_folder.h"
 #include "app/shared/capture_file.h"
@@ -152,6 +154,8 @@ PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& op
     uncoverTarget(prepared, options, aim, molecule);
     run.clip = effectOption("clip")->text(prepared.settings.effects);
     if (options.debug == DebugView::none) putWords(prepared, options, molecule);
+    std::ranges::copy(idleOptions(options, prepared.scene, prepared.settings.effects, prepared.scene.radius),
+                      std::back_inserter(prepared.scene.warnings));
     makeRoom(prepared, options);
     run.atomsRead = molecule.atoms.size();
     run.bondsKnown = molecule.bonds.size();

@@ -214,6 +214,7 @@ void addEffects(CommandSpec& command, RenderOptions& options) {
         addValue(command, std::string("--") + option.name, option.type, option.fallback, option.help,
                  [&](const std::string& text) {
                      option.set(text, options.effects);
+                     options.givenEffects.insert(option.name);
                      if (option.name == std::string_view("clip")) options.aim.uncovers = false;
                      if (option.name == std::string_view("contours")) options.contourPoints = pointsOf(text);
                      if (option.name == std::string_view("halos")) options.haloPoints = pointsOf(text);

@@ -90,37 +90,37 @@ constexpr EffectOption kOptions[] = {
      setContours, contoursText},
     {"contour-depth", "A", "1.5", "Angstroms by which depth jumps at a line",
      [](std::string_view text, Effects& e) { e.contours.depth = parseNumber(text, 0.01, kDeepest); },
-     [](const Effects& e) { return numberText(e.contours.depth); }},
+     [](const Effects& e) { return numberText(e.contours.depth); }, true, "contours"},
     {"contour-weights", "1|3", "1",
      "3: all of the width between chains and about all of it, two thirds between residues more than\n6 apart in a "
      "chain, a third where depth jumps within those. Drawn as --visibility deferred on every path",
      [](std::string_view text, Effects& e) {
          e.contours.weights = parseChoice(text, {"1", "3"}) == 0 ? 1 : 3;
      },
-     [](const Effects& e) { return std::to_string(e.contours.weights); }},
+     [](const Effects& e) { return std::to_string(e.contours.weights); }, true, "contours"},
     {"contour-color", "COLOR", "black", "An opaque colour as for --background",
      [](std::string_view text, Effects& e) { e.contours.color = parseOpaque(text); },
-     [](const Effects& e) { return opaqueText(e.contours.color); }},
+     [](const Effects& e) { return opaqueText(e.contours.color); }, true, "contours"},
     {"halos", "PIXELS|off", "off",
      "Soft rims about what stands in front of something, 0.1 to 64 pixels wide, denser the farther\nthat lies behind. "
      "Drawn as --visibility deferred on every path",
      setHalos, halosText},
     {"halo-depth", "A", "12", "Angstroms behind at which a halo is densest",
      [](std::string_view text, Effects& e) { e.halos.depth = parseNumber(text, 0.01, kDeepest); },
-     [](const Effects& e) { return numberText(e.halos.depth); }},
+     [](const Effects& e) { return numberText(e.halos.depth); }, true, "halos"},
     {"halo-strength", "F", "0.6", "Share of a halo's colour where it is densest, 0 to 1",
      [](std::string_view text, Effects& e) { e.halos.strength = parseNumber(text, 0, 1); },
-     [](const Effects& e) { return numberText(e.halos.strength); }},
+     [](const Effects& e) { return numberText(e.halos.strength); }, true, "halos"},
     {"halo-color", "COLOR", "black", "An opaque colour as for --background",
      [](std::string_view text, Effects& e) { e.halos.color = parseOpaque(text); },
-     [](const Effects& e) { return opaqueText(e.halos.color); }},
+     [](const Effects& e) { return opaqueText(e.halos.color); }, true, "halos"},
     {"fog", "auto|START,END|off", "off",
      "Fades into the background (white, if that is transparent) between two distances\nfrom the centre, in Angstroms "
      "away from the viewer; auto: from the centre to the far end",
      setFog, fogText},
     {"fog-strength", "F", "0.85", "Share of the background where fog ends, 0 to 1",
      [](std::string_view text, Effects& e) { e.fog.strength = parseNumber(text, 0, 1); },
-     [](const Effects& e) { return numberText(e.fog.strength); }},
+     [](const Effects& e) { return numberText(e.fog.strength); }, true, "fog"},
     {"shadow", "F|off", "off",
      "Share of the direct light that what stands before it takes, 0 to 1: one depth map a frame",
      [](std::string_view text, Effects& e) { e.shadow.strength = text == "off" ? 0 : parseNumber(text, 0, 1); },
@@ -142,7 +142,7 @@ constexpr EffectOption kOptions[] = {
      setClip, clipText, false},
     {"cap", "plain|dark|hatched", "plain", "How atoms and sticks look where the near plane cuts them",
      [](std::string_view text, Effects& e) { e.clip.cap = static_cast<Clip::Cap>(parseChoice(text, kCaps)); },
-     [](const Effects& e) { return std::string(kCaps[static_cast<int>(e.clip.cap)]); }},
+     [](const Effects& e) { return std::string(kCaps[static_cast<int>(e.clip.cap)]); }, true, "clip"},
 };
 
 }  // namespace

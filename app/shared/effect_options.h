@@ -18,6 +18,7 @@ struct EffectOption {
     void (*set)(std::string_view text, Effects& effects);
     std::string (*text)(const Effects& effects);  ///< what set() reads
     bool look = true;                             ///< part of a look; else of what is seen
+    const char* of = nullptr;                     ///< the option without which this one shows nothing
 };
 
 /// In the order of the help.

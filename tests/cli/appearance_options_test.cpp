@@ -162,6 +162,25 @@ TEST(AppearanceOptions, HiddenAtomsAreNotInThePicture) {
     EXPECT_GT(others, 500);
 }
 
+TEST(AppearanceOptions, WhatChangesNothingIsSaid) {
+    const TemporaryFolder folder;
+    const auto said = [&](const std::string& options) {
+        const Outcome outcome =
+            nacreIn(folder, "render sample:glucose -o a.png --size 16x16 --supersample 1 --occlusion off " + options);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome.err;
+    };
+    EXPECT_EQ(said("--cap hatched --halo-depth 3 --contours 1 --contour-depth 2"),
+              "nacre: warning: --cap changes nothing without --clip\n"
+              "nacre: warning: --halo-depth changes nothing without --halos\n");
+    EXPECT_EQ(said("--palette viridis --show-labels seen"),
+              "nacre: warning: --palette viridis changes nothing: nothing is coloured by numbers\n"
+              "nacre: warning: --show-labels changes nothing without --label\n");
+    EXPECT_EQ(said("--palette muted --color chain --fog auto --fog-strength 0.5 --slab 1 --cap dark"), "");
+    EXPECT_EQ(said("--look illustrative --contour-color navy"), "");  // whose contours these are
+    EXPECT_NE(said("--clip 500").find("the cut leaves nothing"), std::string::npos);
+}
+
 TEST(AppearanceOptions, ColoursAndLegendReachPictureAndStats) {
     const TemporaryFolder folder;
     const Outcome outcome =

@@ -94,8 +94,8 @@ TEST(Pointing, ARibbonIsMarkedWhereItIs) {
     s.viewer.select("chain A");
     EXPECT_EQ(s.viewer.selection().count, 243u);
     const std::size_t ofAll = s.viewer.annotations().selected.size();
-    EXPECT_GE(ofAll, 12u);  // nucleotides
-    EXPECT_LE(ofAll, 36u);  // their backbones and bases
+    EXPECT_GE(ofAll, 12u);                    // nucleotides
+    EXPECT_LE(ofAll, 36u);                    // their backbones and bases
     s.viewer.select("chain A and name OP1");  // nothing is drawn of them alone
     EXPECT_EQ(s.viewer.selection().count, 11u);
     EXPECT_EQ(s.viewer.annotations().selected.size(), 11u);

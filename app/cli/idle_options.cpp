@@ -1,0 +1,43 @@
+#include "app/cli/idle_options.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/shared/effect_options.h"
+#include "app/shared/option_text.h"
+#include "engine/scene/color_schemes.h"
+
+namespace nacre::app {
+namespace {
+
+/// Whether a colouring that is seen takes such a palette.
+bool takesPalette(const Representation& scene, Palette palette) {
+    const PaletteUse use = isRamp(palette) ? PaletteUse::ramp : PaletteUse::kinds;
+    return std::ranges::any_of(scene.legends, [&](const Legend& legend) {
+        const auto scheme = colorSchemeFromName(legend.scheme.substr(0, legend.scheme.find(':')));
+        return scheme && paletteUse(*scheme) == use;
+    });
+}
+
+}  // namespace
+
+std::vector<std::string> idleOptions(const RenderOptions& options, const Representation& scene, const Effects& effects,
+                                     double reach) {
+    std::vector<std::string> said;
+    for (const std::string& name : options.givenEffects) {
+        const char* of = effectOption(name)->of;
+        if (of && effectOption(of)->text(effects) == "off")
+            said.push_back("--" + name + " changes nothing without --" + of);
+    }
+    if (const Palette palette = options.look.palette; palette != Palette::automatic && !takesPalette(scene, palette))
+        said.push_back("--palette " + std::string(paletteName(palette)) + " changes nothing: nothing is coloured by " +
+                       (isRamp(palette) ? "numbers" : "kinds"));
+    if (options.words.seenOnly && options.words.labels.empty())
+        said.push_back("--show-labels changes nothing without --label");
+    if (effects.clip.near >= reach || effects.clip.far <= -reach)
+        said.push_back("the cut leaves nothing: the molecule reaches " + numberText(std::ceil(reach)) +
+                       " A from its centre");
+    return said;
+}
+
+}  // namespace nacre::app
