@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <mutex>
 
 #include "engine/error.h"
 
@@ -19,6 +20,8 @@ VKAPI_ATTR VkBool32 VKAPI_CALL collect(VkDebugUtilsMessageSeverityFlagBitsEXT, V
                                        const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
     auto& messages = *static_cast<std::vector<std::string>*>(user);
     constexpr std::size_t kMost = 100;
+    static std::mutex turn;  // pipelines are made on a thread of their own, too
+    const std::lock_guard lock(turn);
     if (messages.size() < kMost) messages.emplace_back(data->pMessage ? data->pMessage : "");
     return VK_FALSE;
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -43,6 +44,13 @@ State& state() {
     return state;
 }
 
+/// Held by whatever reads or changes the state: pipelines are made on a thread of their own, too. Again by the same
+/// thread, as calls come from within calls.
+std::lock_guard<std::recursive_mutex> hold() {
+    static std::recursive_mutex turn;
+    return std::lock_guard(turn);
+}
+
 /// FNV-1a over the return addresses. Of one process: addresses change from one to the next.
 std::uint64_t callSite() {
     std::array<void*, 24> frames{};
@@ -69,6 +77,7 @@ VkResult resultNamed(const std::string& name) {
 }  // namespace
 
 void readEnvironment() {
+    const auto held = hold();
     State& s = state();
     const char* data = std::getenv("NACRE_FAULT_DATA");
     if (data && *data == '1') s.faultData = true;
@@ -85,6 +94,7 @@ void readEnvironment() {
 }
 
 std::optional<VkResult> verdict(const char* function, bool runsOut, bool canBeLost) {
+    const auto held = hold();
     State& s = state();
     if (s.lost && canBeLost) return VK_ERROR_DEVICE_LOST;
     ++s.counts[function];
@@ -105,20 +115,28 @@ std::optional<VkResult> verdict(const char* function, bool runsOut, bool canBeLo
     return std::nullopt;
 }
 
-void made(const std::string& kind, std::int64_t count) { state().alive[kind] += count; }
+void made(const std::string& kind, std::int64_t count) {
+    const auto held = hold();
+    state().alive[kind] += count;
+}
 
-void newDevice() { state().lost = false; }
+void newDevice() {
+    const auto held = hold();
+    state().lost = false;
+}
 
 bool offersFaultData() { return state().faultData; }
 bool hidesSwapchainMaintenance() { return state().hidesMaintenance; }
 VkExtent2D windowSize() { return state().window; }
 
 void heard(const char* message) {
+    const auto held = hold();
     state().messages.emplace_back(message ? message : "");
     if (state().fromEnvironment) std::fprintf(stderr, "fault layer: validation: %s\n", message ? message : "");
 }
 
 void instanceGone() {
+    const auto held = hold();
     if (!state().fromEnvironment) return;
     if (!state().rules.empty() && state().struck == 0) std::fprintf(stderr, "fault layer: there was no such call\n");
     for (const auto& [kind, count] : state().alive)
@@ -127,6 +145,7 @@ void instanceGone() {
 }
 
 void reset() {
+    const auto held = hold();
     State& s = state();
     s.rules.clear();
     s.struck = 0;
@@ -136,25 +155,39 @@ void reset() {
 }
 
 void fail(const std::string& function, std::uint64_t number, VkResult result) {
+    const auto held = hold();
     const std::uint64_t at = state().counts[function] + number;
     state().rules.push_back({function, at, at, result});
 }
 
 void failFrom(const std::string& function, std::uint64_t number, VkResult result) {
+    const auto held = hold();
     state().rules.push_back({function, state().counts[function] + number, ~std::uint64_t{0}, result});
 }
 
-void failEverySite(const std::string& function, VkResult result) { state().rules.push_back({function, 0, 0, result}); }
+void failEverySite(const std::string& function, VkResult result) {
+    const auto held = hold();
+    state().rules.push_back({function, 0, 0, result});
+}
 
-std::uint64_t struck() { return state().struck; }
+std::uint64_t struck() {
+    const auto held = hold();
+    return state().struck;
+}
+
 void offerFaultData(bool offered) { state().faultData = offered; }
 void hideSwapchainMaintenance(bool hidden) { state().hidesMaintenance = hidden; }
 void setWindowSize(std::uint32_t width, std::uint32_t height) { state().window = {width, height}; }
 const std::vector<Call>& calls() { return state().calls; }
-std::uint64_t count(const std::string& function) { return state().counts[function]; }
+std::uint64_t count(const std::string& function) {
+    const auto held = hold();
+    return state().counts[function];
+}
+
 const std::vector<std::string>& messages() { return state().messages; }
 
 std::map<std::string, std::int64_t> alive() {
+    const auto held = hold();
     std::map<std::string, std::int64_t> alive = state().alive;
     std::erase_if(alive, [](const auto& entry) { return entry.second == 0; });
     return alive;

@@ -7,7 +7,7 @@
 // VK_ERROR_), and NACRE_FAULT_DATA=1 for a device that offers VK_EXT_device_fault. Such a process is told on standard
 // error when the instance goes while something made from it is left, or the fault never came.
 //
-// For one instance with one device at a time, and one thread.
+// For one instance with one device at a time. Calls may come from several threads; lists are read when those are done.
 
 #include <vulkan/vulkan_core.h>
 
