@@ -1,12 +1,15 @@
 // A Vulkan layer for tools/tilers: asks the driver for the statistics of every pipeline (VK_KHR_pipeline_executable_
 // properties) once the pipeline is given its name, and appends them to the file that NACRE_STATISTICS names, a line of
-// JSON for each shader.
+// JSON for each shader. Which pipeline is made and named it says on standard error, too, where drivers' compilers print
+// what they know besides: one at a time.
 
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -63,7 +66,12 @@ VkResult createPipelines(const char* name, VkDevice of, VkPipelineCache cache, s
                          const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
     std::vector<Info> asked(infos, infos + count);
     for (Info& info : asked) info.flags |= VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR;
-    return next<Call>(name)(of, cache, count, asked.data(), allocator, pipelines);
+    static std::mutex oneAtATime;
+    const std::lock_guard lock(oneAtATime);
+    std::fprintf(stderr, "nacre pipeline begun\n");
+    const VkResult result = next<Call>(name)(of, cache, count, asked.data(), allocator, pipelines);
+    std::fprintf(stderr, "nacre pipeline made %p\n", static_cast<void*>(pipelines[0]));
+    return result;
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL createGraphics(VkDevice of, VkPipelineCache cache, std::uint32_t count,
@@ -101,6 +109,7 @@ std::string valueOf(const VkPipelineExecutableStatisticKHR& s) {
 }
 
 void tell(VkPipeline pipeline, const char* name) {
+    std::fprintf(stderr, "nacre pipeline named %p %s\n", static_cast<void*>(pipeline), name);
     const char* file = std::getenv("NACRE_STATISTICS");
     if (!file) return;
     const auto executables = next<PFN_vkGetPipelineExecutablePropertiesKHR>("vkGetPipelineExecutablePropertiesKHR");

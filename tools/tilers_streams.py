@@ -105,22 +105,32 @@ def of_panvk(text, pixels):
         for frame, name in (("Pre Frame 0", "colour"), ("Pre Frame 1", "depth")):
             if get(frame) not in ("", "Never"):
                 found["loads"] += depth
-    if not found["passes"]:  # Mali's command streams of later generations, which are decoded no further
-        return {"passes": len(re.findall(r"(?m)^ *RUN_FRAGMENT", text)), "draws": len(re.findall(r"(?m)^ *RUN_IDVS", text))}
+    flags = 0
+    for word, draw in re.findall(r"(?m)^ *(?:MOVE32 r57, #0x(\w+)|(RUN_IDVS))", text):  # later generations' streams
+        flags = int(word, 16) if word else flags
+        if draw:
+            found["draws"] += 1
+            found["late"] += flags >> 4 & 3 == 3
+    if found["draws"]:
+        return found
     kills = re.findall(r"(?m)^ +ZS update operation: (.*)$", text)
     found["draws"], found["late"] = len(kills), sum("Early" not in k for k in kills)
     return found
 
 
-WORDS = {"instructions": ("Instruction Count",), "code_bytes": ("Code Size",),
-         "registers": ("Max Register Count", "Registers used"), "spills": ("STP Count", "Spill Size")}
+WORDS = {"instructions": ("Instruction Count", "instructions"), "loads": ("loads",),
+         "registers": ("Max Register Count", "Registers used", "registers"), "spills": ("STP Count", "Spill Size", "spills")}
 
 
-def pipelines_of(records):
-    """{"impostor colour, spheres, fragment": {"instructions": 202}}; the most of those that share a name."""
+def pipelines_of(records, look):
+    """{"impostor colour, spheres, fragment": {"instructions": 202}}; the most of those that share a name. What draws
+    every kind of primitive bears the look's name."""
     found = {}
     for record in records:
-        numbers = found.setdefault(f"{record['pipeline']}, {record['stage']}", {})
+        if not record["statistics"]:
+            continue
+        name = record["pipeline"] if "," in record["pipeline"] or look == "spheres" else f"{record['pipeline']} of {look}"
+        numbers = found.setdefault(f"{name}, {record['stage']}", {})
         for key, names in WORDS.items():
             value = next((record["statistics"][n] for n in names if n in record["statistics"]), None)
             if value is not None:
@@ -128,28 +138,74 @@ def pipelines_of(records):
     return found
 
 
+MALI = re.compile(r"SHADER-DB: MESA_SHADER_(\w+) shader: (\d+) inst,.* ([\d.]+) (?:ls|ldst), \d+ quadwords, (\d) threads"
+                  r".* (\d+):(\d+) spills")
+
+
+def of_mali(text):
+    """Records of what PanVK's compiler prints of a pipeline, up to where the layer says which it was. Vertices are two
+    shaders: positions first, then what they hand on. A shader that has more than half of the 64 registers runs half of
+    the threads."""
+    made, records = {}, []
+    for line in re.split(r"(?m)^nacre pipeline ", text):
+        words = line.split("\n", 1)[0].split(" ", 2)
+        if words[0] == "named" and words[1] in made:
+            records += [{"pipeline": words[2], "stage": stage, "statistics": numbers}
+                        for stage, numbers in made[words[1]].items()]
+        if words[0] != "made":
+            shaders = {}
+            for stage, count, loads, threads, spills, fills in MALI.findall(line):
+                stage = {"FRAGMENT": "fragment", "COMPUTE": "compute"}.get(stage, "vertex")
+                numbers = shaders.setdefault(stage, {"instructions": 0, "loads": 0, "registers": 0, "spills": 0})
+                numbers["instructions"] += int(count)
+                numbers["loads"] += round(float(loads))
+                numbers["registers"] = max(numbers["registers"], 64 // int(threads))
+                numbers["spills"] += int(spills) + int(fills)
+            last = shaders
+        else:
+            made[words[1]] = last
+    return records
+
+
+FEATURES = ("lazy_memory", "timestamps", "merge_feedback")
+
+
 def table(rows):
     """The numbers as a page of Markdown."""
     lines = []
     for name, row in rows.items():
+        has = [f.replace("_", " ") for f in FEATURES if row["features"][f]]
         lines += [f"## {name} ({row['driver']})", "", f"Path by default: `{row['visibility']}`: {row['why']}. Encoded depth "
                   f"{row['encoded_format']}; render passes by "
-                  f"{'dynamic rendering' if row['dynamic_rendering'] else 'VkRenderPass'}.", "",
-                  "| path | plan: passes, loads, stores | driver: passes, loads, stores | late depth tests | bins | "
-                  "fragment instructions |", "|---|---|---|---|---|---|"]
+                  f"{'dynamic rendering' if row['dynamic_rendering'] else 'VkRenderPass'}. Vulkan "
+                  f"{row['features']['api_version']}; has {', '.join(has) or 'none'} of "
+                  f"{', '.join(f.replace('_', ' ') for f in FEATURES)}.", "",
+                  "| path | plan: passes, loads, stores | driver: passes, loads, stores | late depth tests | bins |",
+                  "|---|---|---|---|---|"]
+        pipelines = dict(row["bake"])
         for path, entry in row["paths"].items():
             if "lacks" in entry:
-                lines.append(f"| {path} | {entry['lacks']} | | | | |")
+                lines.append(f"| {path} | {entry['lacks']} | | | |")
                 continue
             plan, stream = entry["plan"], entry["stream"]
-            fragments = ", ".join(f"{p.rsplit(', ', 1)[0]} " + (f"{n['instructions']}" if "instructions" in n else f"{n['code_bytes']} B") +
-                                  (f" ({n['spills']} spilled)" if n.get("spills") else "")
-                                  for p, n in entry["pipelines"].items() if p.endswith("fragment") and n)
             bins = stream.get("bins", "") + ("" if stream.get("tiles_by_default", True) else "; none by default")
             late = f"{stream['late']} of {stream['draws']}" if "late" in stream else "not told"
             late += f"; {stream['without_lrz']} without LRZ" if "without_lrz" in stream else ""
-            written = f"{stream['loads']}, {stream['stores']} B" if "loads" in stream else "not told"
             lines.append(f"| {path} | {plan['render_passes']}, {plan['loads']}, {plan['stores']} B | {stream['passes']}, "
-                         f"{written} | {late} | {bins} | {fragments} |")
-        lines.append("")
+                         f"{stream['loads']}, {stream['stores']} B | {late} | {bins} |")
+            pipelines |= {f"{path}: {n}": v for n, v in entry["pipelines"].items()}
+        lines += ["", *pipeline_table(pipelines), ""]
     return "\n".join(lines)
+
+
+def pipeline_table(pipelines):
+    """Numbers of each stage; a line for all the paths that have the same."""
+    keys = [k for k in ("instructions", "loads", "registers", "spills") if any(k in n for n in pipelines.values())]
+    same = {}
+    for name, numbers in pipelines.items():
+        path, _, pipeline = name.rpartition(": ")
+        same.setdefault((pipeline, tuple(numbers.get(k) for k in keys)), []).append(path)
+    lines = [f"| pipeline | of | {' | '.join(keys)} |", "|---" * (2 + len(keys)) + "|"]
+    lines += [f"| {pipeline} | {', '.join(paths) or 'bake'} | {' | '.join('' if v is None else str(v) for v in values)} |"
+              for (pipeline, values), paths in sorted(same.items(), key=lambda s: s[0][0])]
+    return lines

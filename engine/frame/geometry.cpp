@@ -42,10 +42,6 @@ Shape impostorOf(ImpostorShape shape) {
     }
 }
 
-bool has(const graph::PassDecl& pass, Verb verb) {
-    return std::any_of(pass.uses.begin(), pass.uses.end(), [&](const graph::Use& use) { return use.verb == verb; });
-}
-
 /// Whether a colour of the pass holds whole numbers: those of primitives, which the vertex stage hands on.
 bool numbers(const graph::Graph& graph, const graph::PassDecl& pass) {
     return std::any_of(pass.uses.begin(), pass.uses.end(), [&](const graph::Use& use) {
@@ -84,23 +80,23 @@ std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCount
         plate = plate + polygon(p.corners);
     std::vector<PassGeometry> list;
     for (const graph::PassDecl& pass : graph.passes()) {
-        const bool tests = has(pass, Verb::depth) || has(pass, Verb::depthTest) || has(pass, Verb::ordered);
+        const bool tests = pass.has(Verb::depth) || pass.has(Verb::depthTest) || pass.has(Verb::ordered);
         // None of the scene's primitives, but triangles over the screen.
-        const bool screen = has(pass, Verb::reads) || pass.name.starts_with(kTranslucentColor);
+        const bool screen = pass.has(Verb::reads) || pass.name.starts_with(kTranslucentColor);
         if (pass.kind != graph::PassKind::graphics || !tests || screen) continue;
         if (pass.name.starts_with(kTranslucentLayer)) {
             const std::uint64_t vertices = counts.translucent * triangle.vertices;
             list.push_back({pass.name, vertices, counts.translucent, vertices * (VertexBytes().triangle + kNumber)});
             continue;
         }
-        if (!has(pass, Verb::color) && !has(pass, Verb::ordered) && pass.name != kShadowPass) {
+        if (!pass.has(Verb::color) && !pass.has(Verb::ordered) && pass.name != kShadowPass) {
             const std::uint64_t flat = plate.vertices ? counts.triangles : 0;
             const std::uint64_t vertices = counts.spheres * plate.vertices + flat * triangle.vertices;
             list.push_back({pass.name, vertices, counts.spheres * plate.triangles + flat, vertices * kPosition});
             continue;
         }
         VertexBytes bytes;
-        if (has(pass, Verb::samples))  // the occlusion atlas: it shades
+        if (pass.has(Verb::samples))  // the occlusion atlas: it shades
             bytes = {bytes.sphere + kSphereLook, bytes.cylinder + kCylinderLook, bytes.triangle + kTriangleLook};
         else if (numbers(graph, pass) || pass.name == kRimPass)
             bytes = {bytes.sphere + kNumber, bytes.cylinder + kNumber, bytes.triangle + kNumber};

@@ -1,7 +1,5 @@
 #include "engine/frame/pass_notes.h"
 
-#include <algorithm>
-
 #include "engine/frame/screen.h"
 #include "engine/scene/representation.h"
 
@@ -29,10 +27,6 @@ constexpr const char* kConservative =
 constexpr const char* kLate =
     "gl_FragDepth is declared depth_greater, which this driver does not honour: every fragment is shaded, then tested";
 
-bool has(const graph::PassDecl& pass, graph::Verb verb) {
-    return std::any_of(pass.uses.begin(), pass.uses.end(), [&](const graph::Use& use) { return use.verb == verb; });
-}
-
 }  // namespace
 
 const char* depthTimingName(DepthTiming timing) {
@@ -51,17 +45,17 @@ const char* depthTimingName(DepthTiming timing) {
 
 PassNotes notesOf(const graph::PassDecl& pass, bool conservative) {
     using graph::Verb;
-    const bool shades = has(pass, Verb::samples);  // the occlusion atlas
+    const bool shades = pass.has(Verb::samples);  // the occlusion atlas
     if (pass.name.starts_with(kTranslucentLayer))
         return {conservative ? DepthTiming::conservative : DepthTiming::late,
-                has(pass, Verb::samples) ? "only what lies behind the layer before is kept; two layers need no sorting"
-                : conservative           ? kConservative
-                                         : kLate,
+                pass.has(Verb::samples) ? "only what lies behind the layer before is kept; two layers need no sorting"
+                : conservative          ? kConservative
+                                        : kLate,
                 {},
                 {},
                 kPrecisionHit};
     if (pass.name.starts_with(kTranslucentColor))
-        return {has(pass, Verb::depthTest) ? DepthTiming::late : DepthTiming::none,
+        return {pass.has(Verb::depthTest) ? DepthTiming::late : DepthTiming::none,
                 "a triangle over the screen; what is opaque hides a layer, or is seen through it",
                 {},
                 {},
@@ -77,17 +71,17 @@ PassNotes notesOf(const graph::PassDecl& pass, bool conservative) {
     if (pass.name == kRimPass)
         return {DepthTiming::early, "depth is only tested; of the rims at a pixel MAX keeps the densest", kPositions,
                 kPositions, kPrecisionHit};
-    if (has(pass, Verb::depth) && has(pass, Verb::reads))
+    if (pass.has(Verb::depth) && pass.has(Verb::reads))
         return {DepthTiming::late,
                 "triangles over the screen; each covered pixel is shaded once, and its depth is kept for translucent "
                 "layers",
                 {},
                 kRecordsOfPixel,
                 kPrecisionShade};
-    if (has(pass, Verb::depth)) {
+    if (pass.has(Verb::depth)) {
         if (pass.name == kShadowPass)
             return {DepthTiming::conservative, kConservative, kPositions, kPositions, kPrecisionHit};
-        if (!has(pass, Verb::color))
+        if (!pass.has(Verb::color))
             return {DepthTiming::early,
                     "depth comes from the plate's corners; the shader has no output",
                     kPlates,
@@ -96,13 +90,13 @@ PassNotes notesOf(const graph::PassDecl& pass, bool conservative) {
         return {conservative ? DepthTiming::conservative : DepthTiming::late, conservative ? kConservative : kLate,
                 kPositions, shades ? kRecords : kPositions, shades ? kPrecisionShade : kPrecisionHit};
     }
-    if (!has(pass, Verb::depthTest) && !shades && !has(pass, Verb::input))
+    if (!pass.has(Verb::depthTest) && !shades && !pass.has(Verb::input))
         return {DepthTiming::none,
                 "edge pixels, which are shaded by now, are laid over the picture",
                 {},
                 {},
                 "fp16: linear colour, coverage"};
-    if (!has(pass, Verb::depthTest))
+    if (!pass.has(Verb::depthTest))
         return {DepthTiming::none,
                 "triangles over the screen; each covered pixel is shaded once",
                 {},

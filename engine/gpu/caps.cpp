@@ -69,9 +69,11 @@ bool set(const char* variable) {
 /// Switches for drivers in doubt and for captures; the picture stays the same.
 ///   NACRE_NO_MERGE=1      every pass is a render pass of its own: no subpasses, no input attachments
 ///   NACRE_NO_DYNAMIC_RENDERING=1  render passes are VkRenderPasses, whatever the device can
+///   NACRE_BAKE_BY_PAIRS=1  the bake asks for two texels at a time, as for drivers that load uniforms one by one
 ///   NACRE_NO_TRANSIENT=1  every attachment has memory and is stored, so that a capture shows it
 void applyEnvironment(graph::PlanCaps& plan) {
     if (set("NACRE_NO_MERGE")) plan.merge = false;
+    if (set("NACRE_BAKE_BY_PAIRS")) plan.loadsUniforms = true;
     if (set("NACRE_NO_TRANSIENT")) {
         plan.transient = false;
         plan.storeAll = true;

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "engine/gpu/attachment_ops.h"
 #include "engine/gpu/caps.h"
 #include "engine/graph/plan_internal.h"
 
@@ -33,18 +34,6 @@ graph::State before(const graph::RenderPassPlan& plan) {
         state.access |= d.fromAccess;
     }
     return state;
-}
-
-VkAttachmentLoadOp loadOp(graph::Load load) {
-    return load == graph::Load::clear  ? VK_ATTACHMENT_LOAD_OP_CLEAR
-           : load == graph::Load::load ? VK_ATTACHMENT_LOAD_OP_LOAD
-                                       : VK_ATTACHMENT_LOAD_OP_DONT_CARE;
-}
-
-VkAttachmentStoreOp storeOp(graph::Store store) {
-    return store == graph::Store::store  ? VK_ATTACHMENT_STORE_OP_STORE
-           : store == graph::Store::none ? VK_ATTACHMENT_STORE_OP_NONE
-                                         : VK_ATTACHMENT_STORE_OP_DONT_CARE;
 }
 
 bool trusted(const vk::raii::PhysicalDevice& device) {
@@ -155,8 +144,8 @@ void DynamicRendering::begin() const {
         info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
         info.imageView = images_[attachment.image].view;
         info.imageLayout = static_cast<VkImageLayout>(layoutOf(a));
-        info.loadOp = loadOp(attachment.load);
-        info.storeOp = storeOp(attachment.store);
+        info.loadOp = static_cast<VkAttachmentLoadOp>(loadOp(attachment.load));
+        info.storeOp = static_cast<VkAttachmentStoreOp>(storeOp(attachment.store));
         if (graph::isDepthFormat(attachment.format))
             info.clearValue.depthStencil = {attachment.clear.value[0], 0};
         else

@@ -1,32 +1,9 @@
+#include "engine/gpu/attachment_ops.h"
 #include "engine/gpu/execute.h"
 #include "engine/graph/plan_internal.h"
 
 namespace nacre::gpu {
 namespace {
-
-vk::AttachmentLoadOp loadOp(graph::Load load) {
-    switch (load) {
-        case graph::Load::clear:
-            return vk::AttachmentLoadOp::eClear;
-        case graph::Load::load:
-            return vk::AttachmentLoadOp::eLoad;
-        case graph::Load::dontCare:
-            return vk::AttachmentLoadOp::eDontCare;
-    }
-    return {};
-}
-
-vk::AttachmentStoreOp storeOp(graph::Store store) {
-    switch (store) {
-        case graph::Store::store:
-            return vk::AttachmentStoreOp::eStore;
-        case graph::Store::dontCare:
-            return vk::AttachmentStoreOp::eDontCare;
-        case graph::Store::none:
-            return vk::AttachmentStoreOp::eNone;
-    }
-    return {};
-}
 
 vk::AttachmentReference2 reference(std::uint32_t attachment, graph::Verb verb, VkFormat format) {
     const auto aspect =

@@ -42,7 +42,7 @@ constexpr VkFormatFeatureFlags kSampled = VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT;
 constexpr VkFormatFeatureFlags kLinear = kSampled | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
 constexpr VkFormatFeatureFlags kDepth = VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT;
 
-constexpr std::array kFormats{
+constexpr std::array kRequired{
     RequiredFormat{VK_FORMAT_R8G8B8A8_SRGB, kColor | kLinear, "pictures"},
     RequiredFormat{VK_FORMAT_R8_UNORM, kColor | VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT | kLinear,
                    "the occlusion atlas, glyphs, counts of fragments"},
@@ -62,7 +62,7 @@ constexpr std::array kExtensions{VK_KHR_CREATE_RENDERPASS_2_EXTENSION_NAME};
 }  // namespace
 
 std::span<const RequiredLimit> requiredLimits() { return kLimits; }
-std::span<const RequiredFormat> requiredFormats() { return kFormats; }
+std::span<const RequiredFormat> requiredFormats() { return kRequired; }
 std::span<const char* const> requiredExtensions() { return kExtensions; }
 
 void checkRequirements(const vk::raii::PhysicalDevice& device, bool window) {
@@ -72,7 +72,7 @@ void checkRequirements(const vk::raii::PhysicalDevice& device, bool window) {
         if (properties.limits.*l.limit < l.least)
             refuse(properties, std::string(l.name) + " is " + std::to_string(properties.limits.*l.limit) + ", and " +
                                    std::to_string(l.least) + " are needed: " + l.why);
-    for (const RequiredFormat& f : kFormats) {
+    for (const RequiredFormat& f : kRequired) {
         const VkFormatProperties has = device.getFormatProperties(static_cast<vk::Format>(f.format));
         if ((has.optimalTilingFeatures & f.features) != f.features)
             refuse(properties, "its support of " + graph::formatName(f.format) + " does not do for " + f.why);

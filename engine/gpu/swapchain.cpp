@@ -10,8 +10,8 @@ namespace {
 constexpr std::uint32_t kImages = 3;
 
 /// What the renderer can write; sRGB first, whose hardware codes colour as picture files have it.
-constexpr vk::Format kFormats[] = {vk::Format::eB8G8R8A8Srgb, vk::Format::eR8G8B8A8Srgb, vk::Format::eB8G8R8A8Unorm,
-                                   vk::Format::eR8G8B8A8Unorm};
+constexpr vk::Format kPictureFormats[] = {vk::Format::eB8G8R8A8Srgb, vk::Format::eR8G8B8A8Srgb,
+                                          vk::Format::eB8G8R8A8Unorm, vk::Format::eR8G8B8A8Unorm};
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void Swapchain::makeSurface() {
 
 void Swapchain::chooseFormat(vk::SurfaceKHR surface) {
     const auto formats = device_.physical().getSurfaceFormatsKHR(surface);
-    for (const vk::Format wanted : kFormats)
+    for (const vk::Format wanted : kPictureFormats)
         for (const vk::SurfaceFormatKHR& f : formats)
             if (f.format == wanted && f.colorSpace == vk::ColorSpaceKHR::eSrgbNonlinear) {
                 format_ = f;

@@ -16,7 +16,8 @@ constexpr const char* kArmVertices =
     "Arm, 'Mali GPU Best Practices', index-driven vertex shading: positions and varyings are written to memory, and "
     "read "
     "from there by fragments";
-constexpr const char* kStoredVaryings = "positions and varyings go through memory: squares up to 10 pixels of radius";
+constexpr const char* kStoredVaryings =
+    "positions and varyings go through memory: shapes of few corners until spheres are large";
 constexpr Fact kMali[] = {
     {kStoredVaryings, kArmVertices},
     {"256 bits a pixel on the tile, hardware depth beside them", kMesaTiles},
@@ -76,6 +77,7 @@ constexpr Fact kPanvk[] = {
     {kStoredVaryings, kArmVertices},
     {"a framebuffer for each subpass", kShim},
     {"depth is stored although nobody asks for it", kShim},
+    {"every invocation loads the directions of a batch for itself: 48 of a texel's 53 loads on G610", kShim},
     {"what writes depth from the fragment shader tests late, whatever it declares: plates reject nothing there", kShim},
 };
 constexpr Fact kDesktop[] = {
@@ -91,10 +93,11 @@ PlanCaps plan(const char* name, std::uint32_t tileBytes, bool storeNone) {
     return caps;
 }
 
-/// Of GPUs that store varyings. Up to these sizes four corners fewer in memory, of two passes, are worth more than the
-/// fragments that a square has beside an octagon: estimates from instruction counts, at 100 pJ a byte and 10 an
-/// instruction.
-constexpr GeometryCaps kStored{true, 5, 10, 20};
+/// Where more corners begin to pay, by counts (docs/tilers.md): instructions of Mesa's compilers times vertices and
+/// fragments; of GPUs that store varyings at 100 pJ a byte and 10 an instruction. Where depth is tested late by
+/// default, octagons begin sooner: nothing but their outline spares fragments.
+constexpr GeometryCaps kDirect{false, 3.5, 6.5, 6.5}, kDirectLate{false, 3.5, 3.5, 6.5}, kV3dLate{false, 4.5, 5, 9.5},
+    kStored{true, 9, 20, 20}, kStoredLate{true, 9, 10, 20};
 
 std::vector<CapabilitySet> makeSets() {
     constexpr auto kTiler = DeviceKind::tiler;
@@ -107,19 +110,25 @@ std::vector<CapabilitySet> makeSets() {
     maliOld.geometry = kStored;
     PlanCaps powerVr = plan("powervr", 16, false);
     powerVr.geometry = kStored;
+    PlanCaps adreno = plan("adreno", 16, true);
+    adreno.geometry = kDirect;
     PlanCaps noSubpass = plan("adreno-no-subpass", 16, true);
+    noSubpass.geometry = kDirectLate;
     noSubpass.tileSubpasses = false;
     PlanCaps turnip = plan("turnip", 16, true);
     turnip.transient = false;
+    turnip.geometry = kDirect;
     turnip.conservativeDepth = false;
     PlanCaps v3dv = plan("v3dv", 16, false);
     v3dv.tileSubpasses = false;
+    v3dv.geometry = kV3dLate;
     v3dv.transient = false;
     v3dv.conservativeDepth = false;
     PlanCaps panvk = v3dv;
     panvk.name = "panvk";
     panvk.storeAll = true;
-    panvk.geometry = kStored;
+    panvk.loadsUniforms = true;
+    panvk.geometry = kStoredLate;
     PlanCaps apple = plan("apple-moltenvk", 32, false);
     apple.tileSubpasses = false;
     PlanCaps desktop = plan("desktop", 16, false);
@@ -127,7 +136,7 @@ std::vector<CapabilitySet> makeSets() {
     return {
         {mali, kTiler, kHalf, kMali},
         {maliOld, kTiler, kHalf, kMaliOld},
-        {plan("adreno", 16, true), kTiler, kHalf, kAdreno},
+        {adreno, kTiler, kHalf, kAdreno},
         {noSubpass, kTiler, kHalf, kAdrenoNoSubpass},
         {powerVr, kTiler, kHalf, kPowerVr},
         {turnip, kTiler, kFloat, kTurnip},

@@ -10,6 +10,7 @@
 
 #include <vulkan/vulkan_core.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -98,6 +99,10 @@ struct PassDecl {
     std::vector<Use> uses;
     Record record;
     bool sideEffect = false;  ///< kept although nothing reads what it writes
+
+    bool has(Verb verb) const {
+        return std::any_of(uses.begin(), uses.end(), [&](const Use& use) { return use.verb == verb; });
+    }
 };
 
 struct ImageDecl {

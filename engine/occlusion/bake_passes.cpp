@@ -123,7 +123,8 @@ void Bake::recordAccumulation(gpu::PassContext& context, std::optional<graph::Im
         context.commands.bindDescriptorSets(kCompute, pipelineLayout, 0, sets[run.group], {});
         context.commands.pushConstants<layout::OcclusionConstants>(pipelineLayout, vk::ShaderStageFlagBits::eCompute, 0,
                                                                    c);
-        dispatch(context.commands, to - from);
+        const bool pairs = asksByPairs(context.device.caps(), what);
+        dispatch(context.commands, pairs ? (to - from + 1) / 2 : to - from);
     }
 }
 

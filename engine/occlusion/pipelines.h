@@ -27,6 +27,8 @@ struct Accumulation {
 
 /// Storage buffers of shapes, directions (uniform), texels and sums, and the depth maps: an image, or heights.
 const gpu::Layout& accumulationLayout(gpu::PassContext& context, bool heights);
+/// Whether an invocation takes two texels of a list.
+bool asksByPairs(const gpu::Caps& caps, const Accumulation& accumulation);
 vk::Pipeline accumulationPipeline(gpu::PassContext& context, const Accumulation& accumulation);
 /// Storage buffers of sums, words and bytes.
 const gpu::Layout& finishLayout(gpu::PassContext& context);

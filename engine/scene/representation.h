@@ -31,7 +31,7 @@ struct Cylinder {
     glm::vec3 a;   ///< Å, relative to Representation::center
     float radius;  ///< Å
     glm::vec3 b;
-    float unused = 0;
+    float perLength = 0;  ///< 1 / Å; the device's alone, set where it gets them
 };
 struct CylinderLook {
     std::uint32_t colorA, colorB;  ///< of the half next to a and to b

@@ -62,7 +62,7 @@ TEST(Plan, CountsTheGeometryOfASceneThatIsGiven) {
     options.caps = "adreno";
     const Json adreno = jsonOf(options)["geometry"];
     EXPECT_EQ(adreno["memory_bytes"]["stored"], 0);
-    EXPECT_EQ(adreno["vertices"], spheres * (8 + 8 + 8));
+    EXPECT_EQ(adreno["vertices"], spheres * (8 + 4 + 4));  // octagons as plates, squares as impostors
 }
 
 TEST(Plan, AShadowIsAMapThatLeavesTheTileAndNothingElseDoes) {

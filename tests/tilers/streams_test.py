@@ -70,6 +70,26 @@ Color Render Targets @f7fc3100:
     ZS update operation: Force Late
 """
 
+COMMANDS = """
+  MOVE32 r57, #0x10183
+  RUN_IDVS.varying_srt0 r0, #0
+  RUN_IDVS.varying_srt0 r0, #0
+  MOVE32 r57, #0x30
+  RUN_IDVS.varying_srt0 r0, #200
+"""
+
+COMPILED = """
+SHADER-DB: MESA_SHADER_COMPUTE shader: 5 inst, 1.000000 cycles, 0.3 fma, 1.000000 ls, 9 quadwords, 2 threads, 0 loops, 0:0 spills:fills
+nacre pipeline begun
+SHADER-DB: MESA_SHADER_POSITION shader: 50 inst, 4.000000 cycles, 0.5 fma, 4.000000 ls, 32 quadwords, 2 threads, 0 loops, 0:0 spills:fills
+SHADER-DB: MESA_SHADER_VARYING shader: 10 inst, 3.000000 cycles, 0.1 fma, 3.000000 ls, 16 quadwords, 2 threads, 0 loops, 0:0 spills:fills
+SHADER-DB: MESA_SHADER_FRAGMENT shader: 90 inst, 70 tuples, 2.0 arith, 0.5 vary, 2.000000 ldst, 24 quadwords, 1 threads, 0 preloads, 0 loops, 1:2 spills:fills
+nacre pipeline made 0x1
+nacre pipeline begun
+nacre pipeline made 0x2
+nacre pipeline named 0x1 colour, spheres
+"""
+
 
 class Streams(unittest.TestCase):
     def test_each_tile_of_turnip_counts_as_its_share(self):
@@ -88,30 +108,66 @@ class Streams(unittest.TestCase):
         found = tilers_streams.of_panvk(FRAMEBUFFER, 1024)
         self.assertEqual(found, {"loads": 4, "stores": 12, "late": 1, "draws": 2, "passes": 1})
 
+    def test_of_later_mali_generations_flags_of_draws_are_in_a_register(self):
+        found = tilers_streams.of_panvk(FRAMEBUFFER.split("    ZS update")[0] + COMMANDS, 1024)
+        self.assertEqual(found, {"loads": 4, "stores": 12, "late": 1, "draws": 3, "passes": 1})
+
     def test_the_most_of_pipelines_that_share_a_name(self):
         record = {"pipeline": "colour", "stage": "fragment"}
-        found = tilers_streams.pipelines_of([{**record, "statistics": {"Instruction Count": 7, "STP Count": 0}},
-                                             {**record, "statistics": {"Instruction Count": 9, "STP Count": 0}}])
-        self.assertEqual(found, {"colour, fragment": {"instructions": 9, "spills": 0}})
+        records = [{**record, "statistics": {"Instruction Count": 7, "STP Count": 0}},
+                   {**record, "statistics": {"Instruction Count": 9, "STP Count": 0}}, {**record, "statistics": {}}]
+        self.assertEqual(tilers_streams.pipelines_of(records, "spheres"), {"colour, fragment": {"instructions": 9, "spills": 0}})
+        self.assertEqual(list(tilers_streams.pipelines_of(records, "ribbons")), ["colour of ribbons, fragment"])
+
+    def test_what_panvks_compiler_prints_belongs_to_the_pipeline_that_is_named_after_it(self):
+        found = tilers_streams.pipelines_of(tilers_streams.of_mali(COMPILED), "spheres")
+        self.assertEqual(found, {"colour, spheres, vertex": {"instructions": 60, "loads": 7, "registers": 32, "spills": 0},
+                                 "colour, spheres, fragment": {"instructions": 90, "loads": 2, "registers": 64, "spills": 3}})
 
 
 class Worse(unittest.TestCase):
     def row(self, **stream):
-        return {"paths": {"encoded": {"stream": {"loads": 0, "stores": 4, "late": 0, "tiles_by_default": True, **stream},
-                                      "pipelines": {"colour, fragment": {"instructions": 10 + stream.get("stores", 4)}}}}}
+        stream = {"passes": 1, "loads": 0, "stores": 4, "late": 0, "bins": "160x256", "tiles_by_default": True, **stream}
+        return {"visibility": "encoded", "bake": {"sums, compute": {"instructions": 5, "loads": stream["stores"]}},
+                "paths": {"encoded": {
+                    "plan": {"render_passes": stream["passes"], "loads": stream["loads"], "stores": stream["stores"]},
+                    "stream": stream, "pipelines": {"colour, fragment": {"instructions": 10 + stream["stores"]}}}}}
 
     def test_the_same_and_less_are_not_worse(self):
         self.assertEqual(tilers.worse("A", self.row(), self.row()), [])
-        self.assertEqual(tilers.worse("A", self.row(stores=8), self.row(stores=4)), [])
+        self.assertEqual(tilers.worse("A", self.row(stores=8, passes=2), self.row()), [])
+        self.assertEqual(tilers.worse("A", self.row(), self.row(bins="320x256")), [])
 
     def test_every_number_that_grows_is_told(self):
         self.assertEqual(tilers.worse("A", self.row(), self.row(stores=8)),
-                         ["A, encoded: stores 4, now 8", "A, encoded, colour, fragment: instructions 14, now 18"])
-        self.assertEqual(tilers.worse("A", self.row(), self.row(late=2)), ["A, encoded: late 0, now 2"])
+                         ["A, encoded: stores 4, now 8", "A, encoded, colour, fragment: instructions 14, now 18",
+                          "A, bake, sums, compute: loads 4, now 8"])
+        for name, value in (("late", 2), ("without_lrz", 1), ("passes", 2), ("loads", 4)):
+            found = tilers.worse("A", self.row(), self.row(**{name: value}))
+            self.assertEqual(found, [f"A, encoded: {name} {self.row()['paths']['encoded']['stream'].get(name, 0)}, now {value}"])
         self.assertEqual(tilers.worse("A", self.row(), self.row(tiles_by_default=False)),
                          ["A, encoded: drawn past the tiles by default"])
-        self.assertEqual(tilers.worse("A", self.row(), {"paths": {"encoded": {"lacks": "it ends the program"}}}),
-                         ["A, encoded: it ends the program"])
+        self.assertEqual(tilers.worse("A", self.row(), self.row(bins="96x256")),
+                         ["A, encoded: bins of 160x256, now 96x256"])
+        lacking = {**self.row(), "paths": {"encoded": {"lacks": "it ends the program"}}}
+        self.assertEqual(tilers.worse("A", self.row(), lacking), ["A, encoded: it ends the program"])
+        self.assertEqual(tilers.worse("A", self.row(), {**self.row(), "visibility": "fragdepth"}),
+                         ["A: fragdepth by default, in the table encoded"])
+
+    def test_nothing_goes_by_being_told_no_more(self):
+        now = self.row()
+        del now["paths"]["encoded"]["stream"]["late"]
+        now["paths"]["encoded"]["pipelines"] = {"colours, fragment": {"instructions": 1}}
+        self.assertEqual(tilers.worse("A", self.row(), now),
+                         ["A, encoded: late is told no more",
+                          "A, encoded, colours, fragment is not in the table: --write",
+                          "A, encoded, colour, fragment is told of no more"])
+
+    def test_a_plan_that_is_not_what_the_driver_does_is_told_whatever_the_table_says(self):
+        row = self.row(loads=4)
+        row["paths"]["encoded"]["plan"] |= {"loads": 0, "render_passes": 2}
+        self.assertEqual(tilers.worse("A", row, row),
+                         ["A, encoded: loads 4, by the plan 0", "A, encoded: 1 passes, by the plan 2"])
 
 
 if __name__ == "__main__":
