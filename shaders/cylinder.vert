@@ -9,7 +9,7 @@
 #include "common/outline.glsl"
 
 layout(location = 0) in vec4 inA;  // xyz, radius
-layout(location = 1) in vec4 inB;
+layout(location = 1) in vec4 inB;  // xyz, 1 / length
 #ifdef LOOK
 layout(location = 2) in uvec4 inLook;
 #ifdef ATOM
@@ -38,7 +38,7 @@ void main() {
     precise vec3 b = toView(inB.xyz);
     float radius = inA.w;
     endA = vec4(a, radius);
-    endB = vec4(b, 0.0);
+    endB = vec4(b, inB.w);
 #ifdef LOOK
 #ifdef ATOM
     atoms = inLook.zw;
@@ -46,7 +46,7 @@ void main() {
     baseA = linearColor(inLook.x);
     baseB = linearColor(inLook.y);
 #endif
-    axis = normalize(inB.xyz - inA.xyz);
+    axis = (inB.xyz - inA.xyz) * inB.w;
     place = patchPlace(cylinderPatch(uint(gl_InstanceIndex)));
 #endif
 #ifdef NUMBER

@@ -73,12 +73,12 @@ void showTriangle(uint index, inout Shown shown) {
 
 void showCylinder(uint index, inout Shown shown) {
     vec4 shapeA = shapeAt(view.spheres + 2u * index);
-    vec3 shapeB = shapeAt(view.spheres + 2u * index + 1u).xyz;
+    vec4 shapeB = shapeAt(view.spheres + 2u * index + 1u);
     precise vec3 a = toView(shapeA.xyz);
-    precise vec3 b = toView(shapeB);
+    precise vec4 b = endToView(shapeB);
     shown.hit = cylinderHit(a, b, shapeA.w, gl_FragCoord.xy);
     shown.look = 2u * view.spheres + 4u * index + (shown.hit.along < 0.5 ? 0u : 1u);
-    shown.at = cylinderCoordinate(shown.hit, normalize(shapeB - shapeA.xyz));
+    shown.at = cylinderCoordinate(shown.hit, (shapeB.xyz - shapeA.xyz) * shapeB.w);
     shown.texels = vec2(cylinderTexels());
     shown.patchAddress = cylinderPatch(index);
 }

@@ -4,6 +4,7 @@
 // CYLINDER, VERTEX: texels of cylinders, of meshes. WHOLE: one value for a sphere, asked at its point that faces the light.
 // HEIGHTS: the maps are a buffer of heights, as tile_depth.comp leaves them; else an image of encoded depth.
 // TEXELS: these and the directions are read as texels.
+// PAIRS: an invocation asks for two texels, and loads each direction once for both.
 // All lengths here are pixels of a depth map: directions turn, scale and shift into the map, rows downwards.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -77,42 +78,64 @@ bool frontmost(int i, vec3 center, vec3 axis, float radius, vec3 at, vec2 aside)
     return shows(i, ivec2(place), front + 1.0 + length(aside));
 }
 
+/// What direction d shows of a texel, as in Sums. @param i  of the direction in the batch
+vec2 asked(int i, Direction d, Texel texel) {
+    vec3 center = placed(d, texel.a);
+    float radius = texel.radius * bake.pixelsPerAngstrom;
+#ifdef WHOLE
+    // A sphere that lies in a surface is seen from half of all directions: that half is what shows of it.
+    float cosine = 0.5 * dot(d.w.xyz, d.w.xyz), counted = 2.0 * cosine;
+    vec3 at = vec3(center.xy, center.z + radius);
+    vec3 axis = vec3(0.0);
+#else
+    vec3 normal = turned(d, texel.normal);
+    float cosine = max(normal.z, 0.0), counted = cosine;
+    vec3 at = center + texel.radius * normal;
+    vec3 axis = turned(d, texel.axis) * bake.pixel;
+#endif
+    float seen = 0.0;
+    [[unroll]] for (int tap = 0; tap < kTaps; ++tap) {
+        // Four taps stand in a square, askew, so that each has its own column and row.
+        vec2 aside = tap % 2 == 0 ? vec2(0.75, 0.25) : vec2(-0.25, 0.75);
+        aside *= kTaps == 1 ? 0.0 : tap < 2 ? kSpread : -kSpread;
+        if (frontmost(i, center, axis, radius, at, aside)) seen += 1.0 / float(kTaps);
+    }
+    return vec2(seen * counted, cosine);
+}
+
+Texel texelOf(uint entry) {
+#if defined(VERTEX)
+    return vertexTexel(texels[entry]);
+#elif defined(CYLINDER)
+    return cylinderTexel(texels[entry]);
+#else
+    return sphereTexel(texels[entry]);
+#endif
+}
+
 void main() {
     uint listed = gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * gl_WorkGroupSize.x;
     // All lanes stay, as each has directions that the others want.
     uint entry = bake.firstEntry + min(listed, bake.entries - 1u);
     fetchDirections();
-#if defined(VERTEX)
-    Texel texel = vertexTexel(texels[entry]);
-#elif defined(CYLINDER)
-    Texel texel = cylinderTexel(texels[entry]);
-#else
-    Texel texel = sphereTexel(texels[entry]);
-#endif
-    float radius = texel.radius * bake.pixelsPerAngstrom;
+    Texel texel = texelOf(entry);
     precise vec2 sum = sums[entry];
+#ifdef PAIRS
+    uint apart = (bake.entries + 1u) / 2u, pair = bake.firstEntry + min(listed + apart, bake.entries - 1u);
+    Texel other = texelOf(pair);
+    precise vec2 sumOfOther = sums[pair];
+#endif
     [[unroll]] for (int i = 0; i < kBatch; ++i) {
         Direction d = directionOf(i);
-        vec3 center = placed(d, texel.a);
-#ifdef WHOLE
-        // A sphere that lies in a surface is seen from half of all directions: that half is what shows of it.
-        float cosine = 0.5 * dot(d.w.xyz, d.w.xyz), counted = 2.0 * cosine;
-        vec3 at = vec3(center.xy, center.z + radius);
-        vec3 axis = vec3(0.0);
-#else
-        vec3 normal = turned(d, texel.normal);
-        float cosine = max(normal.z, 0.0), counted = cosine;
-        vec3 at = center + texel.radius * normal;
-        vec3 axis = turned(d, texel.axis) * bake.pixel;
+        sum += asked(i, d, texel);
+#ifdef PAIRS
+        sumOfOther += asked(i, d, other);
 #endif
-        float seen = 0.0;
-        [[unroll]] for (int tap = 0; tap < kTaps; ++tap) {
-            // Four taps stand in a square, askew, so that each has its own column and row.
-            vec2 aside = tap % 2 == 0 ? vec2(0.75, 0.25) : vec2(-0.25, 0.75);
-            aside *= kTaps == 1 ? 0.0 : tap < 2 ? kSpread : -kSpread;
-            if (frontmost(i, center, axis, radius, at, aside)) seen += 1.0 / float(kTaps);
-        }
-        sum += vec2(seen * counted, cosine);
     }
+#ifdef PAIRS
+    if (listed < apart) sums[entry] = sum;
+    if (listed < apart && listed + apart < bake.entries) sums[pair] = sumOfOther;
+#else
     if (listed < bake.entries) sums[entry] = sum;
+#endif
 }

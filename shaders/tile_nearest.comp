@@ -88,7 +88,7 @@ uint sightAt(uint number, vec2 q) {
     if (index >= view.spheres) {
         uint at = 2u * index - view.spheres;
         vec4 a = shapeAt(at);
-        sight = sightOf(cylinderHitThrough(toView(a.xyz), toView(shapeAt(at + 1u).xyz), a.w, q), number);
+        sight = sightOf(cylinderHitThrough(toView(a.xyz), endToView(shapeAt(at + 1u)), a.w, q), number);
     } else
 #endif
     if (!kPlain) {
@@ -287,6 +287,7 @@ void main() {
 #ifdef CYLINDERS
     for (int i = 0; i < kPixels; ++i) {
         uvec2 on = uvec2(i * kLanes) / uvec2(1u, kTile) % uint(kTile);
+        if (number[i] != 0u) continue;
         numbers[here + on.y * pitch + on.x] = 0u;
         if (kNumbered) pixelNumbers[here + on.y * pitch + on.x] = 0u;
     }
@@ -296,15 +297,27 @@ void main() {
     if (kTriangles) shadeKind(kFacets, corner, pitch, lane, width, depth);
 #endif
 #else
-    // A turn a pixel, unrolled by no compiler: they move up to the first register, which costs less than the code.
-    uint i = 0u;
+    // A turn for the pixels of all lanes, unrolled by no compiler, unless all of them are empty.
+    uint shown = 0u;
+    for (int i = 0; i < kPixels; ++i) shown |= number[i] != 0u ? 1u << i : 0u;
+    shown = bitsOfAll(shown);
+    uint empty = ~shown & ((2u << (kPixels - 1)) - 1u);
     do {
-        uint seen = number[0];
-        for (int k = 0; k + 1 < kPixels; ++k) number[k] = number[k + 1];
+        uvec2 on = uvec2(lowestOf(empty) * uint(kLanes)) / uvec2(1u, kTile) % uint(kTile);
+        if (empty != 0u) {
+            numbers[here + on.y * pitch + on.x] = 0u;
+            if (kNumbered) pixelNumbers[here + on.y * pitch + on.x] = 0u;
+        }
+        empty &= empty - 1u;
+    } while (empty != 0u);
+    do {
+        uint i = lowestOf(shown), seen = number[0];
+        for (int k = 1; k < kPixels; ++k) seen = i == uint(k) ? number[k] : seen;
+        shown &= shown - 1u;
         uvec2 on = uvec2(i * uint(kLanes)) / uvec2(1u, kTile) % uint(kTile);
         numbers[here + on.y * pitch + on.x] = colorAt(seen, first + vec2(on), kBalls);
         if (kNumbered) pixelNumbers[here + on.y * pitch + on.x] = marked(seen, first + vec2(on), width, depth);
-    } while (++i < uint(kPixels));
+    } while (shown != 0u);
 #endif
 #else
     for (int i = 0; i < kPixels; ++i) {

@@ -1,12 +1,12 @@
 #include "engine/passes/debug_view.h"
 
+#include "engine/passes/bindings.h"
 #include "shaders.h"
 
 namespace nacre::passes {
 namespace {
 
-constexpr vk::DescriptorType kBindings[] = {vk::DescriptorType::eCombinedImageSampler,
-                                            vk::DescriptorType::eCombinedImageSampler};
+constexpr Type kLayers[] = {kSampled, kSampled};
 
 gpu::ShaderWords shaderOf(DebugView view) {
     switch (view) {
@@ -38,7 +38,7 @@ void drawShown(gpu::PassContext& context, const SceneView& view, FullScreenPass 
                std::span<const vk::ImageView> images) {
     constexpr auto kStages = vk::ShaderStageFlagBits::eFragment;
     const gpu::Layout& layout =
-        context.pipelines.layout({"debug view layout", kBindings, kStages, sizeof(layout::ViewConstants)});
+        context.pipelines.layout({"debug view layout", kLayers, kStages, sizeof(layout::ViewConstants)});
     const graph::EncodedFormat& encoded = context.device.caps().encoded;
     pass.constants.set(layout::kPerspectiveId, view.perspective);
     pass.constants.set(layout::kDepthChannelsId, encoded.channels);

@@ -1,18 +1,16 @@
 #include "engine/passes/deferred_shading.h"
 
+#include "engine/passes/bindings.h"
 #include "engine/passes/full_screen.h"
 #include "shaders.h"
 
 namespace nacre::passes {
 namespace {
 
-using Type = vk::DescriptorType;
-constexpr auto kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 // Atlas, effects, shadow map, numbers, shapes, looks, rows of copies.
-constexpr Type kSampled = Type::eCombinedImageSampler, kStorage = Type::eStorageBuffer;
-constexpr Type kInput[] = {kSampled, Type::eUniformBuffer, kSampled, Type::eInputAttachment, kStorage, kStorage,
-                           kStorage};
-constexpr Type kTexture[] = {kSampled, Type::eUniformBuffer, kSampled, kSampled, kStorage, kStorage, kStorage};
+constexpr Type kPlainInput[] = {kSampled, Type::eUniformBuffer, kSampled, Type::eInputAttachment, kStorage, kStorage,
+                                kStorage};
+constexpr Type kPlainTexture[] = {kSampled, Type::eUniformBuffer, kSampled, kSampled, kStorage, kStorage, kStorage};
 // And what is about primitives.
 constexpr Type kRimmedInput[] = {kSampled, Type::eUniformBuffer,  kSampled, Type::eInputAttachment, kStorage, kStorage,
                                  kStorage, Type::eInputAttachment};
@@ -71,7 +69,7 @@ void shade(gpu::PassContext& context, const SceneView& view, const gpu::LayoutDe
     bindFullScreen(context, pass, layout);
     bindReads(context, view, layout, reads, rims);
     bindCounter(context, view, layout);
-    drawFullScreen(context, layout, kStages, view.constants);
+    drawFullScreen(context, layout, kDraw, view.constants);
 }
 
 }  // namespace
@@ -80,7 +78,7 @@ void shadeNearestPrimitive(gpu::PassContext& context, const SceneView& view, Out
     if (view.buffers->empty()) return;
     const bool texture = reads.from == NearestFrom::texture;
     shade(context, view,
-          {"deferred shading layout", texture ? kTexture : kInput, kStages, sizeof(layout::ViewConstants),
+          {"deferred shading layout", texture ? kPlainTexture : kPlainInput, kDraw, sizeof(layout::ViewConstants),
            view.fragments != nullptr},
           {shaderOf(output, texture).of(view), {}, {}}, reads, {});
 }
@@ -94,7 +92,7 @@ void shadeRimmedPrimitive(gpu::PassContext& context, const SceneView& view, cons
     FullScreenPass pass{stage.of(view), {}, {}};
     for (int i = 0; i < 4; ++i) pass.constants.set(layout::kClearId + i, clear.value[static_cast<std::size_t>(i)]);
     shade(context, view,
-          {"deferred shading layout, rims", texture ? kRimmedTexture : kRimmedInput, kStages,
+          {"deferred shading layout, rims", texture ? kRimmedTexture : kRimmedInput, kDraw,
            sizeof(layout::ViewConstants), view.fragments != nullptr},
           std::move(pass), reads, rims);
 }

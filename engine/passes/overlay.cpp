@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/error.h"
+#include "engine/passes/bindings.h"
 #include "engine/passes/full_screen.h"
 #include "engine/passes/read_back.h"
 #include "shaders.h"
@@ -12,11 +13,10 @@
 namespace nacre::passes {
 namespace {
 
-constexpr vk::DescriptorType kBindings[] = {vk::DescriptorType::eCombinedImageSampler};
+constexpr Type kGlyphs[] = {kSampled};
 constexpr vk::VertexInputBindingDescription kStreams[] = {{0, sizeof(OverlayVertex), vk::VertexInputRate::eVertex}};
 constexpr vk::VertexInputAttributeDescription kAttributes[] = {
     {0, 0, vk::Format::eR32G32Sfloat, 0}, {1, 0, vk::Format::eR32G32Sfloat, 8}, {2, 0, vk::Format::eR8G8B8A8Unorm, 16}};
-constexpr vk::ShaderStageFlags kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 
 /// Makes room and copies; buffers grow by half, so that they seldom do.
 template <typename T>
@@ -74,7 +74,7 @@ void OverlayPass::draw(gpu::PassContext& context, const gpu::FrameSlot& slot, co
     const vk::raii::CommandBuffer& commands = context.commands;
     const std::array<float, 4> scale{2.0f / static_cast<float>(upright.width),
                                      2.0f / static_cast<float>(upright.height), 0, 0};
-    const gpu::Layout& layout = context.pipelines.layout({"overlay layout", kBindings, kStages, sizeof(scale)});
+    const gpu::Layout& layout = context.pipelines.layout({"overlay layout", kGlyphs, kDraw, sizeof(scale)});
     gpu::GraphicsPipeline d = context.pipeline();
     d.vertex = shaders::overlayVertex;
     d.fragment = shaders::overlayFragment;
@@ -88,7 +88,7 @@ void OverlayPass::draw(gpu::PassContext& context, const gpu::FrameSlot& slot, co
     commands.bindPipeline(vk::PipelineBindPoint::eGraphics, context.pipelines.graphics(d));
     const vk::ImageView glyphs = *glyphs_.view;
     bindTextures(context, layout, vk::Filter::eLinear, {&glyphs, 1});
-    commands.pushConstants<float>(*layout.pipeline, kStages, 0, scale);
+    commands.pushConstants<float>(*layout.pipeline, kDraw, 0, scale);
     commands.bindVertexBuffers(0, *slot.vertices.handle, {0});
     commands.bindIndexBuffer(*slot.indices.handle, 0, vk::IndexType::eUint32);
     for (const OverlayBatch& batch : overlay.batches) {

@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/passes/bindings.h"
 #include "engine/passes/corners.h"
 
 namespace nacre::passes {
 namespace {
 
-using Type = vk::DescriptorType;
-constexpr vk::ShaderStageFlags kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 constexpr auto kGraphics = vk::PipelineBindPoint::eGraphics;
 
 constexpr auto kInstance = vk::VertexInputRate::eInstance, kVertex = vk::VertexInputRate::eVertex;
@@ -33,7 +32,6 @@ gpu::VertexStreams streamsOf(Primitive primitive, bool looks) {
 
 /// Set 0 of a pass that reads: the atlas, what effects work with, the shadow map, and what holds the nearest depth.
 std::span<const Type> bindingsOf(const Reads* reads) {
-    static constexpr Type kSampled = Type::eCombinedImageSampler;
     static constexpr Type kAtlas[] = {kSampled, Type::eUniformBuffer, kSampled};
     static constexpr Type kInput[] = {kSampled, Type::eUniformBuffer, kSampled, Type::eInputAttachment};
     static constexpr Type kTexture[] = {kSampled, Type::eUniformBuffer, kSampled, kSampled};
@@ -51,8 +49,7 @@ std::span<const Type> bindingsOf(const Reads* reads) {
 }
 /// The same with the streams that the vertex stage of triangles reads. They have the same places whatever is read.
 std::span<const Type> triangleBindingsOf(const Reads* reads) {
-    static constexpr Type kAlone[] = {Type::eStorageBuffer, Type::eStorageBuffer};
-    static constexpr Type kSampled = Type::eCombinedImageSampler, kStorage = Type::eStorageBuffer;
+    static constexpr Type kAlone[] = {kStorage, kStorage};
     static constexpr Type kInput[] = {kSampled, Type::eUniformBuffer, kSampled, Type::eInputAttachment, kStorage,
                                       kStorage};
     static constexpr Type kTexture[] = {kSampled, Type::eUniformBuffer, kSampled, kSampled, kStorage, kStorage};
@@ -65,7 +62,7 @@ const gpu::Layout& layoutOf(gpu::PassContext& context, const SceneView& view, co
                             Primitive primitive) {
     const bool streams = pass.streams || primitive == Primitive::triangle;
     return context.pipelines.layout({pass.reads ? "shading layout" : "geometry layout",
-                                     streams ? triangleBindingsOf(pass.reads) : bindingsOf(pass.reads), kStages,
+                                     streams ? triangleBindingsOf(pass.reads) : bindingsOf(pass.reads), kDraw,
                                      sizeof(layout::ViewConstants), view.fragments != nullptr,
                                      streams && !pass.streams ? 2u : 0u});
 }
@@ -249,7 +246,7 @@ void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive 
         const glm::vec4* rows = &view.copies.rows[3 * std::size_t{call.copy}];
         constants.row0 = rows[0], constants.row1 = rows[1], constants.row2 = rows[2];
         constants.numberBefore = call.copy * constants.primitives;
-        commands.pushConstants<layout::ViewConstants>(*layout.pipeline, kStages, 0, constants);
+        commands.pushConstants<layout::ViewConstants>(*layout.pipeline, kDraw, 0, constants);
         if (triangle) {
             commands.draw(3 * call.count, 1, 3 * call.first, 0);
             continue;

@@ -1,12 +1,13 @@
 #include "engine/passes/resample.h"
 
+#include "engine/passes/bindings.h"
 #include "shaders.h"
 #include "shaders/common/layout.h"
 
 namespace nacre::passes {
 
 void resample(gpu::PassContext& context, vk::ImageView picture, const Resampling& how) {
-    static constexpr vk::DescriptorType kBindings[] = {vk::DescriptorType::eCombinedImageSampler};
+    static constexpr Type kBindings[] = {kSampled};
     constexpr auto kStages = vk::ShaderStageFlagBits::eFragment;
     const std::array<float, 4> scale{1.0f / static_cast<float>(context.extent.width),
                                      1.0f / static_cast<float>(context.extent.height), how.share, 0};

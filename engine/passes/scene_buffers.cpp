@@ -1,6 +1,8 @@
 #include "engine/passes/scene_buffers.h"
 
+#include <algorithm>
 #include <cstring>
+#include <glm/geometric.hpp>
 
 #include "engine/error.h"
 #include "engine/passes/corners.h"
@@ -33,6 +35,13 @@ void checkFits(const gpu::Device& device, const Representation& r) {
     throw Error("too much for this device", device.caps().deviceName,
                 "the shapes take " + std::to_string((bytes >> 20) + 1) + " MB, and its shaders read " +
                     std::to_string(most >> 20) + " MB at most (draw fewer atoms, or a coarser --surface-resolution)");
+}
+
+/// Cylinders as the device has them: it is told one over their length, Å, which each pixel would find out anew.
+std::vector<Cylinder> placedCylinders(const Representation& r) {
+    std::vector<Cylinder> cylinders = r.cylinders;
+    for (Cylinder& c : cylinders) c.perLength = 1.0f / std::max(glm::distance(c.a, c.b), 1e-12f);
+    return cylinders;
 }
 
 /// Triangles and vertices as the device has them: they name places in the joined streams.
@@ -78,7 +87,8 @@ SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r
     checkFits(device, r);
     scene.cylinderOffset = r.spheres.size() * sizeof(Sphere);
     scene.cylinderLookOffset = r.spheres.size() * sizeof(SphereLook);
-    scene.shapes = joined(device, "stream A: shapes", r.spheres, r.cylinders, placedTriangles(r), placedVertices(r));
+    scene.shapes =
+        joined(device, "stream A: shapes", r.spheres, placedCylinders(r), placedTriangles(r), placedVertices(r));
     scene.looks = joined(device, "stream B: looks", r.sphereLooks, r.cylinderLooks, r.meshLooks, groupsOf(r));
     scene.firstGroup =
         static_cast<std::uint32_t>(2 * r.spheres.size() + 4 * r.cylinders.size() + 2 * r.meshLooks.size());

@@ -4,12 +4,11 @@
 #include <algorithm>
 
 #include "engine/gpu/execute.h"
+#include "engine/passes/bindings.h"
 #include "engine/passes/primitives.h"
 #include "engine/passes/tile_frame.h"
 
 namespace nacre::passes {
-
-constexpr auto kTexel = vk::DescriptorType::eUniformTexelBuffer, kStorage = vk::DescriptorType::eStorageBuffer;
 
 /// What a scene has: spheres alone, cylinders beside them, or triangles beside both.
 enum class TileScene : std::uint8_t { spheres, cylinders, triangles };
@@ -42,16 +41,14 @@ public:
     void read(vk::BufferView view) { write({set_, at_++, 0, 1, kTexel, nullptr, nullptr, &view}); }
     void read(const TileBuffer& b) { read(b.buffer, b.texels); }
     void store(const gpu::Buffer& buffer) { whole(buffer, kStorage); }
-    void uniform(const gpu::Buffer& buffer) { whole(buffer, vk::DescriptorType::eUniformBuffer); }
+    void uniform(const gpu::Buffer& buffer) { whole(buffer, Type::eUniformBuffer); }
     void sample(vk::ImageView texture) {
         sample({context_.pipelines.sampler(vk::Filter::eLinear), texture, vk::ImageLayout::eShaderReadOnlyOptimal});
     }
-    void sample(const vk::DescriptorImageInfo& image) {
-        write({set_, at_++, 0, 1, vk::DescriptorType::eCombinedImageSampler, &image});
-    }
+    void sample(const vk::DescriptorImageInfo& image) { write({set_, at_++, 0, 1, kSampled, &image}); }
 
 private:
-    void whole(const gpu::Buffer& buffer, vk::DescriptorType type) {
+    void whole(const gpu::Buffer& buffer, Type type) {
         const vk::DescriptorBufferInfo info(*buffer.handle, 0, VK_WHOLE_SIZE);
         write({set_, at_++, 0, 1, type, nullptr, &info});
     }

@@ -6,10 +6,6 @@
 namespace nacre::passes {
 namespace {
 
-using Type = vk::DescriptorType;
-constexpr auto kCompute = vk::ShaderStageFlagBits::eCompute;
-constexpr vk::ShaderStageFlags kDraw = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
-
 // Atlas, effects; shapes, rows of copies, looks; lists, numbers, edge pixels; colours, which are written; shadow map;
 // cells of the atlas.
 constexpr Type kSampleTexels[] = {Type::eCombinedImageSampler,

@@ -8,7 +8,7 @@ namespace nacre::passes {
 namespace {
 
 using Usage = vk::BufferUsageFlagBits;
-constexpr auto kRead = Usage::eStorageBuffer | Usage::eUniformTexelBuffer;
+constexpr auto kReadByTiles = Usage::eStorageBuffer | Usage::eUniformTexelBuffer;
 
 /// The same where edges are drawn: a subgroup may go through it several times.
 constexpr std::uint32_t kLongestListOfEdges = 6000;
@@ -144,7 +144,7 @@ void TileFrames::prepareWords(PixelWords& words, const TileLists& lists, graph::
     const std::size_t bytes = 4 * kept * TileLists::pixelsOfBins(image.width, image.height);
     const bool grows = words.buffer.size < bytes;
     if (grows) words.quads = nullptr;
-    reserve(device_, words, bytes, kRead, vk::Format::eR32Uint, name);
+    reserve(device_, words, bytes, kReadByTiles, vk::Format::eR32Uint, name);
     if (grows && device_.caps().tiles.texels)
         words.quads = gpu::makeTexelView(device_, words.buffer, vk::Format::eR32G32B32A32Uint, name);
     if (grows || words.across != lists.across()) {
@@ -177,8 +177,8 @@ void TileFrames::writeSeeds(TileFrame& f) {
 void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent image, std::uint32_t kept) const {
     TileLists& lists = f.lists;
     const std::size_t rowBytes = copies.rows.size() * sizeof(glm::vec4);
-    reserve(device_, f.words, 4 * lists.words(), kRead, vk::Format::eR32Uint, "lists of tiles");
-    reserve(device_, f.rows, rowBytes, kRead, vk::Format::eR32G32B32A32Sfloat, "copies");
+    reserve(device_, f.words, 4 * lists.words(), kReadByTiles, vk::Format::eR32Uint, "lists of tiles");
+    reserve(device_, f.rows, rowBytes, kReadByTiles, vk::Format::eR32G32B32A32Sfloat, "copies");
     prepareWords(f.numbers, lists, image, kept, "primitive numbers");
     if (lists.seeded()) writeSeeds(f);
     reserve(device_, f.spans, lists.spans().size() * sizeof(TileSpanVertex), Usage::eVertexBuffer,
@@ -194,11 +194,12 @@ void TileFrames::upload(TileFrame& f, const PlacedCopies& copies, graph::Extent 
 
 void TileFrames::uploadEdges(TileFrame& f, graph::Extent image) const {
     const std::size_t pixels = TileLists::pixelsOfBins(image.width, image.height);
-    reserve(device_, f.edges.pixels, 4 * (layout::kEdgeHeader + pixels), kRead, vk::Format::eR32Uint, "edge pixels");
+    reserve(device_, f.edges.pixels, 4 * (layout::kEdgeHeader + pixels), kReadByTiles, vk::Format::eR32Uint,
+            "edge pixels");
     if (f.shaded)
         prepareWords(f.edges.numbers, f.lists, image, 1, "primitive numbers");
     else
-        reserve(device_, f.edges.colors, 8 * pixels, kRead, vk::Format::eR32G32Uint, "edge colours");
+        reserve(device_, f.edges.colors, 8 * pixels, kReadByTiles, vk::Format::eR32G32Uint, "edge colours");
     const std::uint32_t header[layout::kEdgeHeader] = {0, f.lists.down() * TileLists::kBinPixels};
     std::memcpy(f.edges.pixels.buffer.mapped, header, sizeof header);
     f.edges.groups = groupsOfEdges(f.lists, device_.caps().tiles);

@@ -7,15 +7,10 @@
 namespace nacre::passes {
 namespace {
 
-using Type = vk::DescriptorType;
-constexpr auto kCompute = vk::ShaderStageFlagBits::eCompute;
-constexpr vk::ShaderStageFlags kDraw = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
-
 // Shapes, rows of copies, lists; numbers, which are written.
 constexpr Type kNearestTexels[] = {kTexel, kTexel, kTexel, kStorage};
 constexpr Type kNearestStorage[] = {kStorage, kStorage, kStorage, kStorage};
 // Where it shades: looks, atlas, effects and cells of the atlas, too, numbers beside the colours, and the shadow map.
-constexpr Type kSampled = Type::eCombinedImageSampler;
 constexpr Type kNearestShaded[] = {kTexel, kTexel,   kTexel,  kStorage, kTexel, kSampled, Type::eUniformBuffer,
                                    kTexel, kStorage, kSampled};
 // Atlas, effects, shadow map, numbers, shapes, rows of copies, looks.

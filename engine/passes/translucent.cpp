@@ -2,24 +2,22 @@
 
 #include <algorithm>
 
+#include "engine/passes/bindings.h"
 #include "engine/passes/full_screen.h"
 #include "shaders.h"
 
 namespace nacre::passes {
 namespace {
 
-using Type = vk::DescriptorType;
 using Call = PlacedCopies::Call;
-constexpr auto kStages = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
-// Atlas, effects, shadow map, numbers, shapes, looks, rows of copies, nearest depth.
-constexpr Type kSampled = Type::eCombinedImageSampler, kStorage = Type::eStorageBuffer;
-constexpr Type kTested[] = {kSampled, Type::eUniformBuffer, kSampled, kSampled, kStorage, kStorage, kStorage};
-constexpr Type kInput[] = {kSampled, Type::eUniformBuffer,  kSampled, kSampled, kStorage, kStorage,
-                           kStorage, Type::eInputAttachment};
-constexpr Type kTexture[] = {kSampled, Type::eUniformBuffer, kSampled, kSampled, kStorage, kStorage, kStorage,
-                             kSampled};
-
+/// Atlas, effects, shadow map, numbers, shapes, looks, rows of copies, nearest depth.
 std::span<const Type> bindingsOf(NearestFrom from) {
+    static constexpr Type kTested[] = {kSampled, Type::eUniformBuffer, kSampled, kSampled, kStorage, kStorage,
+                                       kStorage};
+    static constexpr Type kInput[] = {kSampled, Type::eUniformBuffer,  kSampled, kSampled, kStorage, kStorage,
+                                      kStorage, Type::eInputAttachment};
+    static constexpr Type kTexture[] = {
+        kSampled, Type::eUniformBuffer, kSampled, kSampled, kStorage, kStorage, kStorage, kSampled};
     switch (from) {
         case NearestFrom::inputAttachment:
             return kInput;
@@ -115,9 +113,8 @@ void drawTranslucentLayer(gpu::PassContext& context, const SceneView& view, cons
 void shadeTranslucentLayer(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas, vk::ImageView numbers,
                            const Opaque& opaque) {
     if (view.copies.triangles.empty()) return;
-    const gpu::Layout& layout =
-        context.pipelines.layout({"translucent shading layout", bindingsOf(opaque.from), kStages,
-                                  sizeof(layout::ViewConstants), view.fragments != nullptr});
+    const gpu::Layout& layout = context.pipelines.layout({"translucent shading layout", bindingsOf(opaque.from), kDraw,
+                                                          sizeof(layout::ViewConstants), view.fragments != nullptr});
     FullScreenPass pass{shaderOf(opaque.from).of(view), {}, "layer"};
     pass.blend = gpu::Blend::over;
     pass.depth = opaque.from == NearestFrom::depthBuffer ? gpu::DepthUse::test : gpu::DepthUse::none;
@@ -128,7 +125,7 @@ void shadeTranslucentLayer(gpu::PassContext& context, const SceneView& view, vk:
     bindFullScreen(context, pass, layout);
     bindLayer(context, view, layout, atlas, numbers, opaque);
     bindCounter(context, view, layout);
-    drawFullScreen(context, layout, kStages, view.constants);
+    drawFullScreen(context, layout, kDraw, view.constants);
 }
 
 }  // namespace nacre::passes

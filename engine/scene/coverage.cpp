@@ -75,9 +75,8 @@ void Coverage::cover(const TileView& view, const glm::vec3& center, float radius
     });
 }
 
-bool Coverage::hides(glm::vec2 at, float reach, float near, Rows rows) {
-    const float radius = (reach + outset_) * perSide_;
-    return eachRow({at * perSide_, radius, radius * radius}, rows, [&](const float* from, const float* to) {
+bool Coverage::hidesLarge(const CellDisc& disc, float near, Rows rows) {
+    return eachRow(disc, rows, [&](const float* from, const float* to) {
         for (; from != to; ++from)
             if (!(*from < near)) return false;
         return true;

@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "engine/scene/lanes.h"
 #include "engine/scene/tile_view.h"
 
 namespace nacre {
@@ -27,7 +28,27 @@ public:
     /// Whether each cell of some rows that a disc touches is covered before a depth. What is outside of the picture is
     /// no matter.
     /// @param at, reach  of the disc, pixels @param near  Z, Å
-    bool hides(glm::vec2 at, float reach, float near, Rows rows);
+    bool hides(glm::vec2 at, float reach, float near, Rows rows) {
+        const CellDisc disc = discOf(at, reach);
+        return disc.radius < 0.5f ? hidesSmall(disc, near, rows) : hidesLarge(disc, near, rows);
+    }
+    /// The same of four discs, of which large ones are not told: -1 where it is certain.
+    Mask hidesSmall(Lanes x, Lanes y, Lanes reach, Lanes near, Rows rows) const {
+        const Lanes radius = (reach + outset_) * perSide_, none{};
+        x *= perSide_;
+        y *= perSide_;
+        const Mask inside = (x >= 0.0f) & (x < static_cast<float>(across_)) & (y >= static_cast<float>(rows.first)) &
+                            (y < static_cast<float>(rows.end));
+        const Mask column = __builtin_convertvector(inside ? x : none, Mask),
+                   row = __builtin_convertvector(inside ? y : none, Mask);
+        const Lanes aside = x - __builtin_convertvector(column, Lanes) - 0.5f,
+                    above = y - __builtin_convertvector(row, Lanes) - 0.5f;
+        Lanes depth;
+        for (std::uint32_t i = 0; i < kLanes; ++i)
+            depth[i] = depths_[static_cast<std::size_t>(row[i]) * across_ + static_cast<std::size_t>(column[i])];
+        const Mask misses = aside * aside + above * above > radius * radius;
+        return (radius < 0.5f) & (~inside | misses | (depth < near));
+    }
     Rows rows() const { return {0, down_}; }  ///< all of them
     float side() const { return side_; }      ///< of a cell, pixels
 
@@ -38,6 +59,21 @@ private:
     };
     template <typename Work>
     bool eachRow(const CellDisc& disc, Rows rows, const Work& work);
+    CellDisc discOf(glm::vec2 at, float reach) const {
+        const float radius = (reach + outset_) * perSide_;
+        return {at * perSide_, radius, radius * radius};
+    }
+    /// Of a disc that holds the middle of no cell but the one it stands in: of a million spheres that are smaller than
+    /// pixels nearly all are asked so.
+    bool hidesSmall(const CellDisc& disc, float near, Rows rows) const {
+        if (!(disc.at.x >= 0) || !(disc.at.x < static_cast<float>(across_)) ||
+            !(disc.at.y >= static_cast<float>(rows.first)) || !(disc.at.y < static_cast<float>(rows.end)))
+            return true;
+        const auto x = static_cast<std::uint32_t>(disc.at.x), y = static_cast<std::uint32_t>(disc.at.y);
+        const float aside = disc.at.x - static_cast<float>(x) - 0.5f, above = disc.at.y - static_cast<float>(y) - 0.5f;
+        return aside * aside + above * above > disc.squared || depths_[std::size_t{y} * across_ + x] < near;
+    }
+    bool hidesLarge(const CellDisc& disc, float near, Rows rows);
 
     std::uint32_t across_ = 0, down_ = 0;  // cells
     float side_ = 1, perSide_ = 1;         // pixels; one over that

@@ -236,10 +236,11 @@ void TileLists::listTiles() {
             bins_.push_back({left, top});
         }
     // A software device gives each thread a run of neighbouring workgroups: dealt out, all have as much to do.
-    constexpr std::size_t kHands = 16;
+    // A few bins beside each other at a time: they show the same primitives, whose occlusion is still at hand.
+    constexpr std::size_t kHands = 16, kRun = 4;
     tiles_.clear();
     for (std::size_t hand = 0; hand < kHands; ++hand)
-        for (std::size_t b = hand; b < bins_.size(); b += kHands)
+        for (std::size_t b = hand * kRun; b < bins_.size(); b += b % kRun + 1 < kRun ? 1 : (kHands - 1) * kRun + 1)
             for (std::uint32_t i = 0; i < kTilesInBin; ++i)
                 for (std::uint32_t j = 0; j < kTilesInBin; ++j)
                     tiles_.push_back({static_cast<std::uint16_t>(bins_[b].x * kTilesInBin + i),

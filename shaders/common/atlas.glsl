@@ -4,6 +4,8 @@
 #include "divide.glsl"
 #include "view.glsl"
 
+/// Rows of `inRow` patches that `patches` take.
+uint rowsOf(uint patches, uint inRow) { return dividedSmall(patches + inRow - 1u, inRow).x; }
 uint sphereEdge() { return view.patchTexels & 0xffu; }
 uvec2 cylinderTexels() { return uvec2(view.patchTexels >> 8 & 0xffu, view.patchTexels >> 16 & 0xffu); }
 
@@ -13,8 +15,7 @@ uint spherePatch(uint index) {
     return (at.y | at.x << 16) * sphereEdge();
 }
 uint cylinderPatch(uint index) {
-    uint spherePatches = view.patchesInRow & 0xffffu;
-    uint top = (view.spheres + spherePatches - 1u) / spherePatches * sphereEdge();
+    uint top = rowsOf(view.spheres, view.patchesInRow & 0xffffu) * sphereEdge();
     uvec2 at = dividedSmall(index, view.patchesInRow >> 16).yx * cylinderTexels();
     return at.x | (at.y + top) << 16;
 }
@@ -31,9 +32,8 @@ vec2 patchPlace(uint address) {
 
 /// Where a vertex's texel stands. @param side  0 the outer one, 1 the inner one
 ivec2 vertexPlace(uint vertex, uint side) {
-    uint spherePatches = view.patchesInRow & 0xffffu, cylinderPatches = view.patchesInRow >> 16;
-    uint top = (view.spheres + spherePatches - 1u) / spherePatches * sphereEdge() +
-               (view.cylinders + cylinderPatches - 1u) / cylinderPatches * cylinderTexels().y;
+    uint top = rowsOf(view.spheres, view.patchesInRow & 0xffffu) * sphereEdge() +
+               rowsOf(view.cylinders, view.patchesInRow >> 16) * cylinderTexels().y;
     uvec2 at = dividedSmall(2u * vertex + side, uint(1.0 / view.atlasTexel.x + 0.5));
     return ivec2(at.y, at.x + top);
 }

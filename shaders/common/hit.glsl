@@ -121,18 +121,19 @@ struct Stick {
     float sine;    // of its angle to the view direction, and what one divides by
     float perSine;
     float perFall; // 1 / axis.z
+    float perLen;
 };
-Stick stickOf(vec3 a, vec3 b, float radius) {
-    precise vec3 span = b - a;
-    precise float len = sqrt(dot(span, span));
-    precise float perLen = 1.0 / len;
-    precise vec3 axis = span * perLen;
+/// @param b  the other end, and 1 / their distance: known before, it spares each pixel a root and a division
+Stick stickOf(vec3 a, vec4 b, float radius) {
+    precise vec3 span = b.xyz - a;
+    precise vec3 axis = span * b.w;
+    precise float len = dot(span, axis);
     precise float flat_ = sqrt(dot(axis.xy, axis.xy));
     precise float sine = max(flat_, 1e-6);
     precise float perSine = 1.0 / sine;
     precise vec2 ahead = flat_ > 1e-6 ? axis.xy * perSine : vec2(1.0, 0.0);
     precise float perFall = 1.0 / (abs(axis.z) > 1e-12 ? axis.z : 1e-12);
-    return Stick(a, radius, axis, len, ahead, sine, perSine, perFall);
+    return Stick(a, radius, axis, len, ahead, sine, perSine, perFall, b.w);
 }
 
 /// A cylinder's hit where it is not cut, and what cuts and contour lines need to know.
@@ -249,11 +250,11 @@ Hit stickHitThrough(Stick c, vec2 q) {
         drawContour(hit, outside, view.contourWidth * (kPerspective ? Z / view.origin : 1.0), Z);
         if (hit.contour) on = along;
     }
-    hit.along = clamp(on / c.len, 0.0, 1.0);
+    hit.along = clamp(on * c.perLen, 0.0, 1.0);
     return hit;
 }
-Hit cylinderHitThrough(vec3 a, vec3 b, float r, vec2 q) { return stickHitThrough(stickOf(a, b, r), q); }
-Hit cylinderHit(vec3 a, vec3 b, float r, vec2 fragment) { return cylinderHitThrough(a, b, r, planePoint(fragment)); }
+Hit cylinderHitThrough(vec3 a, vec4 b, float r, vec2 q) { return stickHitThrough(stickOf(a, b, r), q); }
+Hit cylinderHit(vec3 a, vec4 b, float r, vec2 fragment) { return cylinderHitThrough(a, b, r, planePoint(fragment)); }
 
 /// A corner of a triangle as the picture has it: where it stands on the plane z = 0, and its Z, or, in perspective, 1 / Z,
 /// which is linear there.

@@ -28,13 +28,13 @@ Seen seenStick(uint index, vec2 q) {
     Seen seen;
     index -= view.spheres;
     vec4 shapeA = shapeAt(view.spheres + 2u * index);
-    vec3 shapeB = shapeAt(view.spheres + 2u * index + 1u).xyz;
+    vec4 shapeB = shapeAt(view.spheres + 2u * index + 1u);
     precise vec3 a = toView(shapeA.xyz);
-    precise vec3 b = toView(shapeB);
+    precise vec4 b = endToView(shapeB);
     seen.hit = cylinderHitThrough(a, b, shapeA.w, q);
     seen.look = 2u * view.spheres + 4u * index + (seen.hit.along < 0.5 ? 0u : 1u);
     seen.atom = seen.look + 2u;
-    vec3 axis = normalize(shapeB - shapeA.xyz);
+    vec3 axis = (shapeB.xyz - shapeA.xyz) * shapeB.w;
     seen.occlusion = shadesOcclusion(seen.hit) ? cylinderTexel(index, cylinderCoordinate(seen.hit, axis)) : 1.0;
     return seen;
 }

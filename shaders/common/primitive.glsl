@@ -4,8 +4,8 @@
 
 #if defined(CYLINDER)
 layout(location = 0) flat in vec4 endA;  // view space, radius
-layout(location = 1) flat in vec4 endB;
-Hit primitiveHit() { return cylinderHit(endA.xyz, endB.xyz, endA.w, gl_FragCoord.xy); }
+layout(location = 1) flat in vec4 endB;  // view space, 1 / length
+Hit primitiveHit() { return cylinderHit(endA.xyz, endB, endA.w, gl_FragCoord.xy); }
 #elif defined(TRIANGLE)
 layout(location = 0) flat in vec3 cornerA;  // projected()
 layout(location = 1) flat in vec3 cornerB;

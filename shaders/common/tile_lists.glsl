@@ -29,7 +29,8 @@ vec4 handed(vec4 v, uint from) {
 Stick handed(Stick c, uint from) {
     vec4 a = handed(vec4(c.a, c.radius), from), axis = handed(vec4(c.axis, c.len), from);
     vec4 seen = handed(vec4(c.ahead, c.sine, c.perSine), from);
-    return Stick(a.xyz, a.w, axis.xyz, axis.w, seen.xy, seen.z, seen.w, subgroupShuffle(c.perFall, from));
+    return Stick(a.xyz, a.w, axis.xyz, axis.w, seen.xy, seen.z, seen.w, subgroupShuffle(c.perFall, from),
+                 subgroupShuffle(c.perLen, from));
 }
 
 /// Whether what two discs on the plane z = 0 span may meet a rectangle there. No, if a line parts them along one of its
@@ -86,8 +87,8 @@ Entry entryAt(uint number, vec2 middle, vec2 reach) {
     vec2 outside = max(abs(away) - reach, 0.0);
     e.meets = dot(outside, outside) <= disc.z * disc.z;
 #ifdef CYLINDERS
-    vec3 end = toView(shapeAt(e.cylinder ? index + 1u : index).xyz);
-    vec3 other = discOf(end, reachOf(end.z, e.a.w));
+    vec4 end = endToView(shapeAt(e.cylinder ? index + 1u : index));
+    vec3 other = discOf(end.xyz, reachOf(end.z, e.a.w));
     e.meets = e.cylinder ? spanMeets(disc.xy, other.xy, max(disc.z, other.z), middle, reach) : e.meets;
     e.stick = stickOf(e.a.xyz, end, e.a.w);
     front = e.cylinder ? max(e.a.z, end.z) : front;

@@ -34,6 +34,8 @@ vec3 toView(vec3 p) {
     precise vec3 x = vec3(fma(copyRow0.x, p.x, w.x), fma(copyRow1.x, p.x, w.y), fma(copyRow2.x, p.x, w.z));
     return x;
 }
+/// A cylinder's second end, and one over its length.
+vec4 endToView(vec4 end) { return vec4(toView(end.xyz), end.w); }
 vec3 toObject(vec3 v) { return copyRow0.xyz * v.x + copyRow1.xyz * v.y + copyRow2.xyz * v.z; }
 
 /// The point of the plane z = 0 that this pixel looks through, Å.

@@ -35,12 +35,12 @@ LayerPicture baked(Renderer& renderer, const Representation& r, int directions) 
     return renderer.layers(s);
 }
 
-struct Difference {
+struct LayerDifference {
     double mean = 0, rootMeanSquare = 0;
 };
 
-Difference difference(const LayerPicture& a, const LayerPicture& b) {
-    Difference d;
+LayerDifference difference(const LayerPicture& a, const LayerPicture& b) {
+    LayerDifference d;
     std::size_t count = 0;
     for (std::size_t i = 0; i < a.id.size(); ++i) {
         if (a.id[i] == 0 || b.id[i] == 0) continue;
@@ -60,7 +60,7 @@ TEST(AssemblyOcclusion, OfARingIsThatOfItsAtomsWrittenOut) {
     ValidatedRenderer renderer(Visibility::automatic);
     const LayerPicture whole = baked(*renderer.operator->(), sceneOf(writtenOut(m, m.assemblies[0]), false), 256);
     const LayerPicture copies = baked(*renderer.operator->(), sceneOf(m, true), 256);
-    const Difference d = difference(copies, whole);
+    const LayerDifference d = difference(copies, whole);
     std::cout << "mean " << d.mean << ", RMS " << d.rootMeanSquare << "\n";
     // Each copy written out meets the directions in other places.
     EXPECT_LE(std::abs(d.mean), 0.01);
@@ -74,7 +74,7 @@ TEST(AssemblyOcclusion, OfCopiesThatDifferIsTheirMean) {
     ValidatedRenderer renderer(Visibility::automatic);
     const LayerPicture whole = baked(*renderer.operator->(), sceneOf(writtenOut(m, m.assemblies[0]), false), 255);
     const LayerPicture copies = baked(*renderer.operator->(), r, 255);
-    const Difference d = difference(copies, whole);
+    const LayerDifference d = difference(copies, whole);
     std::cout << "mean " << d.mean << ", RMS " << d.rootMeanSquare << "\n";
     EXPECT_LE(std::abs(d.mean), 0.03);
     EXPECT_LE(d.rootMeanSquare, 0.2);
@@ -114,7 +114,7 @@ TEST(AssemblyOcclusion, OfTwoPartsWithTheirOwnCopies) {
     ValidatedRenderer renderer(Visibility::automatic);
     const LayerPicture whole = baked(*renderer.operator->(), sceneOf(writtenOut(m, m.assemblies[0]), false), 128);
     const LayerPicture parts = baked(*renderer.operator->(), sceneOf(m, true), 128);
-    const Difference d = difference(parts, whole);
+    const LayerDifference d = difference(parts, whole);
     std::cout << "mean " << d.mean << ", RMS " << d.rootMeanSquare << "\n";
     EXPECT_LE(std::abs(d.mean), 0.005);
     EXPECT_LE(d.rootMeanSquare, 0.01);

@@ -17,7 +17,7 @@ protected:
     Representation scene_ = sceneOf(GetParam());
     RenderSettings settings_ = [this] {
         RenderSettings s = settings(scene_, 200, Projection::orthographic);
-        s.occlusion.directions = 70;  // no multiple of a batch
+        s.occlusion.directions = 38;  // no multiple of a batch
         return s;
     }();
     std::vector<float> baked(OcclusionMaps maps) {
@@ -35,6 +35,10 @@ TEST_P(OcclusionOfScene, IsTheSameByEveryPathOfTheDepthMaps) {
         ASSERT_NEAR(tiles[i], fragdepth[i], 1.01 / 255) << i;
         ASSERT_NEAR(tiles[i], encoded[i], 1.01 / 255) << i;
     }
+    setenv("NACRE_BAKE_BY_PAIRS", "1", 1);
+    const std::vector<float> pairs = baked(OcclusionMaps::fragdepth);
+    unsetenv("NACRE_BAKE_BY_PAIRS");
+    EXPECT_EQ(pairs, fragdepth);
 }
 
 TEST_P(OcclusionOfScene, IsTheSameHoweverTheWorkIsCut) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -15,6 +16,45 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr graph::GeometryCaps kSoftware{false, kNever, kNever, kNever};
 const graph::GeometryCaps kGpu, kStoring = graph::capabilitySet("mali").plan.geometry;
+
+/// Million instructions of a frame of 4HHB by mean radius and by shapes of plates and impostors, the prepass, the
+/// encoding and the colour together: tests/benchmark/shape_costs.py
+struct Cost {
+    double radius, squares, octagonsAndSquares, octagons, domesAndPyramids;
+};
+struct Measured {
+    const char* set;
+    Cost costs[8];
+};
+constexpr Measured kMeasured[] = {
+    {"turnip",
+     {{1.4, 5.3, 6.0, 9.2, 13.7},
+      {2.8, 8.3, 8.5, 11.3, 15.1},
+      {4.2, 13.3, 12.5, 14.6, 17.4},
+      {5.6, 20.4, 18.2, 19.2, 20.7},
+      {7.0, 29.2, 25.4, 25.2, 24.9},
+      {10.5, 60.6, 50.7, 46.0, 39.6},
+      {14.1, 104, 85.9, 75.0, 60.0},
+      {21.1, 229, 187, 158, 118}}},
+    {"v3dv",
+     {{1.4, 8.9, 10.9, 16.0, 25.9},
+      {2.8, 12.9, 14.2, 18.9, 28.0},
+      {4.2, 19.7, 19.8, 23.5, 31.5},
+      {5.6, 29.2, 27.6, 30.1, 36.3},
+      {7.0, 41.2, 37.6, 38.4, 42.5},
+      {10.5, 83.3, 72.6, 67.7, 64.2},
+      {14.1, 142, 121, 108, 94.5},
+      {21.1, 310, 261, 225, 181}}},
+    {"mali",
+     {{1.4, 42.4, 49.0, 83.3, 119},
+      {2.8, 45.6, 51.6, 85.5, 121},
+      {4.2, 51.0, 56.0, 89.1, 123},
+      {5.6, 58.7, 62.2, 94.2, 127},
+      {7.0, 68.3, 70.1, 101, 131},
+      {10.5, 102, 97.6, 124, 148},
+      {14.1, 150, 136, 155, 170},
+      {21.1, 284, 246, 246, 235}}},
+};
 
 constexpr PlateShape kShapes[] = {PlateShape::square, PlateShape::octagon, PlateShape::dome2, PlateShape::dome3};
 
@@ -33,9 +73,26 @@ TEST(Plates, LieInsideTheirSphereAndLeaveRoomForTheNext) {
     EXPECT_TRUE(platesOf(PlateShape::none).empty());
 }
 
+TEST(Plates, ShapesAreThoseThatCostLeast) {
+    for (const Measured& of : kMeasured)
+        for (const Cost& c : of.costs) {
+            SCOPED_TRACE(testing::Message() << of.set << ", " << c.radius << " pixels");
+            const graph::GeometryCaps& caps = graph::capabilitySet(of.set).plan.geometry;
+            const PlateShape plates = choosePlates(PlateShape::automatic, caps, c.radius);
+            const ImpostorShape impostor = chooseImpostor(ImpostorShape::automatic, caps, c.radius, false);
+            const double cost = impostor == ImpostorShape::pyramid   ? c.domesAndPyramids
+                                : impostor == ImpostorShape::octagon ? c.octagons
+                                : plates == PlateShape::octagon      ? c.octagonsAndSquares
+                                                                     : c.squares;
+            EXPECT_EQ(impostor == ImpostorShape::pyramid, plates == PlateShape::dome3);
+            EXPECT_LE(cost, 1.1 * std::min({c.squares, c.octagonsAndSquares, c.octagons, c.domesAndPyramids}));
+        }
+}
+
 // A pinch that goes to and fro across a threshold changes what is drawn by once, not with each turn.
 TEST(Plates, ShapesStayWhereAZoomGoesToAndFro) {
-    for (const graph::GeometryCaps& caps : {kGpu, kStoring})
+    const graph::GeometryCaps kDirect = graph::capabilitySet("turnip").plan.geometry;
+    for (const graph::GeometryCaps& caps : {kGpu, kStoring, kDirect})
         for (const double threshold : {caps.domes, caps.octagons, caps.plateOctagons}) {
             if (threshold <= 0 || !std::isfinite(threshold)) continue;
             double last = 0;
@@ -109,7 +166,8 @@ TEST(Plates, FewerCornersWhereTheyGoThroughMemory) {
     EXPECT_EQ(choosePlates(PlateShape::automatic, kStoring, 9.4), PlateShape::octagon);
     EXPECT_EQ(choosePlates(PlateShape::automatic, kStoring, 30), PlateShape::dome3);
     EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, kStoring, 9.4, false), ImpostorShape::square);
-    EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, kStoring, 15, false), ImpostorShape::octagon);
+    EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, kStoring, 15, false), ImpostorShape::square);
+    EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, kStoring, 30, true), ImpostorShape::octagon);
     EXPECT_EQ(chooseImpostor(ImpostorShape::automatic, kStoring, 30, false), ImpostorShape::pyramid);
 }
 

@@ -200,6 +200,33 @@ TEST_P(FrontTrianglesTest, WhatIsCertainIsWhatAnyShaderFinds) {
     EXPECT_GT(certain, 300u);
 }
 
+/// The sums that TriangleLens and TriangleBounds state. Roundings never all do their worst at once, so that the shaders
+/// of the other test are content with an eighth.
+TEST(TriangleBounds, LeaveWhatAllRoundingsAddUpTo) {
+    constexpr double u = 0x1p-24, kPicture = 1000, kRange = 50;
+    for (const double ofPicture : {0.01, 0.3, 4.0}) {
+        TileView view;
+        view.width = view.height = static_cast<std::uint32_t>(kPicture);
+        view.axis = glm::vec2(kPicture / 2);
+        view.range = view.origin = static_cast<float>(kRange);
+        view.pixels = static_cast<float>(ofPicture * kPicture / kRange);
+        const TriangleLens lens(view);
+        const double inPixels = ofPicture * kPicture, corner = (2.5 + 2) * u * inPixels + u * kPicture;
+        EXPECT_GE(static_cast<double>(lens.error), corner) << ofPicture;
+        // One as far from the axis as they are. An edge function is off by what both its corners are.
+        const auto far = static_cast<float>(kPicture / 2 + inPixels / 2), side = static_cast<float>(inPixels / 4);
+        const glm::vec4 corners[] = {{far, far, 40, 0}, {far - side, far, 40, 0}, {far, far - side, 40, 0}};
+        const Triangle triangle{0, 1, 2, 1};
+        TriangleShapes shapes;
+        shapes.place(lens, &triangle, 1, corners);
+        const TriangleBounds bounds(lens, shapes, 0);
+        const double off = corner + (4 + 8) * u * inPixels / 2;
+        EXPECT_GE(static_cast<double>(*std::min_element(bounds.room, bounds.room + 3)),
+                  2 * off * static_cast<double>(side))
+            << ofPicture;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Projections, FrontTrianglesTest, testing::Bool(),
                          [](const auto& tested) { return tested.param ? "Perspective" : "Parallel"; });
 
