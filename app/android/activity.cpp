@@ -78,7 +78,13 @@ public:
               },
               [this] { return session_ ? session_->step() : std::numeric_limits<double>::infinity(); },
               [this](const char* why) { fail(why); }) {
-        thread_.post([this, view = firstView(), density = density_] {
+        const SavedView first = firstView();
+        {
+            // Until the first step, which waits for the device, this is what there is to keep.
+            const std::lock_guard lock(shared_.mutex);
+            if (!first.input.empty()) shared_.view = first;
+        }
+        thread_.post([this, view = first, density = density_] {
             const SessionFiles files{folder_ + "/view.json", folder_ + "/pipelines.bin", folder_ + "/occlusion",
                                      folder_ + "/devices", folder_};
             session_ = std::make_unique<AndroidSession>(
@@ -107,7 +113,7 @@ public:
         return thread_.call([this, tell = std::move(tell)] { tell(*session_); }, seconds);
     }
 
-    /// JSON; empty before the first step.
+    /// JSON; empty before the first step of what nobody named yet.
     std::string lastView() {
         const std::lock_guard lock(shared_.mutex);
         return shared_.view ? savedViewJson(*shared_.view) : std::string();
@@ -162,6 +168,9 @@ private:
         told.refreshes = [this](double rate) { post([rate](AndroidSession& s) { s.displayRefreshes(rate); }); };
         told.press = [this](const std::string& role, const std::string& name) {
             post([=](AndroidSession& s) { s.press(role, name); });
+        };
+        told.adjust = [this](const std::string& name, bool up) {
+            post([=](AndroidSession& s) { s.adjust(name, up); });
         };
         told.typed = [this](const std::string& name, const std::string& text) {
             post([=](AndroidSession& s) { s.typed(name, text); });

@@ -1,5 +1,7 @@
 #include "app/android/java.h"
 
+#include "app/shared/code_points.h"
+
 namespace nacre::app {
 namespace {
 
@@ -40,8 +42,13 @@ void Java::check() const {
     throw JavaError(text(words));
 }
 
-jstring Java::string(const char* text) const {
-    const jstring made = env_->NewStringUTF(text);
+jstring newString(JNIEnv* env, const std::string& text) {
+    const std::u16string units = utf16Of(text);
+    return env->NewString(reinterpret_cast<const jchar*>(units.data()), static_cast<jsize>(units.size()));
+}
+
+jstring Java::string(const std::string& text) const {
+    const jstring made = newString(env_, text);
     check();
     return made;
 }
@@ -49,14 +56,9 @@ jstring Java::string(const char* text) const {
 std::string Java::text(jobject string) const {
     if (!string) return {};
     const auto it = static_cast<jstring>(string);
-    const char* letters = env_->GetStringUTFChars(it, nullptr);
-    if (!letters) {
-        env_->ExceptionClear();
-        return {};
-    }
-    std::string text = letters;
-    env_->ReleaseStringUTFChars(it, letters);
-    return text;
+    std::u16string units(static_cast<std::size_t>(env_->GetStringLength(it)), u'\0');
+    env_->GetStringRegion(it, 0, static_cast<jsize>(units.size()), reinterpret_cast<jchar*>(units.data()));
+    return utf8Of(units);
 }
 
 AttachedThread::AttachedThread(JavaVM* machine) : machine_(machine) {

@@ -14,6 +14,9 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// A Java string of UTF-8, by way of UTF-16: NewStringUTF takes a UTF-8 of Java's own, in which emoji are otherwise.
+jstring newString(JNIEnv* env, const std::string& text);
+
 /// Calls of one thread. Every local reference made meanwhile goes with this object.
 class Java {
 public:
@@ -47,7 +50,7 @@ public:
         check();
     }
 
-    jstring string(const char* text) const;
+    jstring string(const std::string& text) const;
     /// Empty for null.
     std::string text(jobject string) const;
     /// Throws what is pending as JavaError.

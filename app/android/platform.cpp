@@ -20,12 +20,16 @@ void failed(JNIEnv* env, jclass, jlong platform, jstring why) { toldBy(platform)
 
 jstring controls(JNIEnv* env, jclass, jlong platform) {
     // Not by Java, whose references go with it.
-    return env->NewStringUTF(toldBy(platform).controls().c_str());
+    return newString(env, toldBy(platform).controls());
 }
 
 void press(JNIEnv* env, jclass, jlong platform, jstring role, jstring name) {
     const Java java(env);
     toldBy(platform).press(java.text(role), java.text(name));
+}
+
+void adjust(JNIEnv* env, jclass, jlong platform, jstring name, jboolean up) {
+    toldBy(platform).adjust(Java(env).text(name), up == JNI_TRUE);
 }
 
 void typed(JNIEnv* env, jclass, jlong platform, jstring name, jstring text) {
@@ -66,6 +70,7 @@ Platform::Platform(ANativeActivity* activity, Told told) : activity_(activity), 
                                        native("failed", "(JLjava/lang/String;)V", failed),
                                        native("controls", "(J)Ljava/lang/String;", controls),
                                        native("press", "(JLjava/lang/String;Ljava/lang/String;)V", press),
+                                       native("adjust", "(JLjava/lang/String;Z)V", adjust),
                                        native("refreshes", "(JF)V", refreshes),
                                        native("typed", "(JLjava/lang/String;Ljava/lang/String;)V", typed),
                                        native("received", "(J[BIJ)Z", received)};
@@ -108,7 +113,7 @@ void Platform::fetch(const std::string& url, const HttpTake& take) const {
     try {
         const AttachedThread thread(activity_->vm);
         const Java java(thread.env());
-        java.nothing(activity_->clazz, "fetch", "(Ljava/lang/String;J)V", java.string(url.c_str()),
+        java.nothing(activity_->clazz, "fetch", "(Ljava/lang/String;J)V", java.string(url),
                      reinterpret_cast<jlong>(&transfer));
     } catch (const JavaError& error) {
         throw HttpFailure(error.what(), false);
@@ -126,15 +131,15 @@ void Platform::controlsChanged() const {
 
 void Platform::askText(const std::string& name, const std::string& text) const {
     call([&](const Java& java) {
-        java.nothing(activity_->clazz, "askText", "(Ljava/lang/String;Ljava/lang/String;)V", java.string(name.c_str()),
-                     java.string(text.c_str()));
+        java.nothing(activity_->clazz, "askText", "(Ljava/lang/String;Ljava/lang/String;)V", java.string(name),
+                     java.string(text));
     });
 }
 
 void Platform::shareText(const std::string& text, const std::string& name) const {
     call([&](const Java& java) {
-        java.nothing(activity_->clazz, "shareText", "(Ljava/lang/String;Ljava/lang/String;)V",
-                     java.string(text.c_str()), java.string(name.c_str()));
+        java.nothing(activity_->clazz, "shareText", "(Ljava/lang/String;Ljava/lang/String;)V", java.string(text),
+                     java.string(name));
     });
 }
 
@@ -152,7 +157,7 @@ void Platform::share(const Picture& picture, const std::string& name) const {
         java.check();
         java.env()->SetIntArrayRegion(array, 0, count, pixels.data());
         java.nothing(activity_->clazz, "sharePicture", "([IIILjava/lang/String;)V", array,
-                     static_cast<jint>(picture.width), static_cast<jint>(picture.height), java.string(name.c_str()));
+                     static_cast<jint>(picture.width), static_cast<jint>(picture.height), java.string(name));
     });
 }
 

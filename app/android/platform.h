@@ -20,6 +20,7 @@ public:
         std::function<void(const std::string& why)> failed;
         std::function<std::string()> controls;  ///< controlLines()
         std::function<void(const std::string& role, const std::string& name)> press;
+        std::function<void(const std::string& name, bool up)> adjust;                 ///< a slider
         std::function<void(const std::string& name, const std::string& text)> typed;  ///< into a field
         std::function<void(double rate)> refreshes;  ///< of the display, a second: at first, and when it changes
     };

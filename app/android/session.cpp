@@ -31,22 +31,6 @@ InputOptions inputOf(const SessionFiles& files, const SavedView& first) {
     return input;
 }
 
-/// Of the fonts that every Android has, by script.
-std::optional<FontFile> systemFont(const std::vector<char32_t>& characters) {
-    constexpr struct {
-        char32_t from, to;
-        const char* name;
-    } kFonts[] = {{0x590, 0x600, "NotoSansHebrew-Regular.ttf"},
-                  {0x600, 0x780, "NotoNaskhArabic-Regular.ttf"},
-                  {0x900, 0x980, "NotoSansDevanagari-Regular.otf"},
-                  {0xe00, 0xe80, "NotoSansThai-Regular.ttf"},
-                  {0x2e80, 0x10000, "NotoSansCJK-Regular.ttc"}};
-    for (const auto& font : kFonts)
-        if (characters.front() >= font.from && characters.front() < font.to)
-            return FontFile{std::string("/system/fonts/") + font.name};
-    return std::nullopt;
-}
-
 }  // namespace
 
 // --- window
@@ -85,7 +69,7 @@ void AndroidSession::makePanel(double pixelsPerPoint) {
     host.openDialog = platform_.pickDocument;
     host.askText = platform_.askText;
     host.downloads = static_cast<bool>(platform_.askText);
-    host.fontWith = systemFont;
+    host.fontWith = systemFontWith;
     host.statistics = [this] { return session_.statistics(); };
     panel_ = std::make_unique<Panel>(pixelsPerPoint, std::move(host), PanelHand::fingers);
 }
@@ -256,6 +240,13 @@ void AndroidSession::press(const std::string& role, const std::string& name) {
     const glm::dvec2 at = glm::dvec2(c->seenLeft + c->seenRight, c->seenTop + c->seenBottom) / 2.0 / scale_;
     touch({0, TouchPhase::began, at}, steadySeconds());
     touch({0, TouchPhase::ended, at}, steadySeconds());
+}
+
+void AndroidSession::adjust(const std::string& name, bool up) {
+    const auto at = placeOfStep(panel_->controls(), name, up);
+    if (!at) return;
+    touch({0, TouchPhase::began, *at / scale_}, steadySeconds());
+    touch({0, TouchPhase::ended, *at / scale_}, steadySeconds());
 }
 
 /// The picture comes first, then what stands over it.

@@ -74,6 +74,8 @@ public:
     void back();
     /// Presses a control that is seen, as a screen reader asks for it.
     void press(const std::string& role, const std::string& name);
+    /// Moves a slider that is seen, likewise, by a tenth of its way.
+    void adjust(const std::string& name, bool up);
     /// As Panel::typed().
     void typed(const std::string& name, const std::string& text);
     void open(const std::string& path);

@@ -160,10 +160,7 @@ void MoleculeSession::press(const std::string& role, const std::string& name, do
 }
 
 void MoleculeSession::adjust(const std::string& name, bool up, double now) {
-    const Control* c = findControl(panel_->controls(), "slider", name);
-    if (!c || c->share < 0) return;
-    const float share = std::clamp(c->share + (up ? 0.1f : -0.1f), 0.02f, 0.98f);
-    tap(glm::dvec2(c->left + share * (c->right - c->left), (c->seenTop + c->seenBottom) / 2), now);
+    if (const auto at = placeOfStep(panel_->controls(), name, up)) tap(*at, now);
 }
 
 void MoleculeSession::enterBackground() {

@@ -110,20 +110,6 @@ bool copyPng(const std::string& path) {
     return hands({"xclip", "-selection", "clipboard", "-t", "image/png", "-i"});
 }
 
-std::optional<FontFile> fontWith(const std::vector<char32_t>& characters) {
-    std::ostringstream pattern;
-    pattern << "sans:charset=" << std::hex;
-    for (std::size_t i = 0; i < characters.size(); ++i)
-        pattern << (i > 0 ? " " : "") << static_cast<std::uint32_t>(characters[i]);
-    const auto answer = runProgram({"fc-match", "-f", "%{file}\n%{index}\n", pattern.str()});
-    std::istringstream lines(answer.value_or(""));
-    FontFile font;
-    unsigned index = 0;
-    if (!std::getline(lines, font.path) || !(lines >> index)) return std::nullopt;
-    font.index = static_cast<int>(index & 0xffff);  // above it, which of a variable font
-    return font;
-}
-
 bool systemIsDark() {
     if (const std::string theme = variable("GTK_THEME"); !theme.empty()) return theme.find("dark") != std::string::npos;
     if (hasProgram("gsettings"))

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "app/panel/font_file.h"
-
 namespace nacre::app {
 
 /// Whether PATH has a program.
@@ -24,9 +22,6 @@ std::optional<std::string> runProgram(const std::vector<std::string>& arguments,
 bool copyPng(const std::string& path);
 /// What xclip or wl-copy have to be installed for, in a sentence.
 inline constexpr const char* kCopyNeeds = "install xclip, or on Wayland wl-clipboard, to copy pictures";
-
-/// A font of the system that has some characters, as fontconfig's fc-match finds it.
-std::optional<FontFile> fontWith(const std::vector<char32_t>& characters);
 
 /// Whether the desktop asks for dark windows: GTK_THEME, else GNOME's setting, else what GTK's or KDE's file says.
 bool systemIsDark();

@@ -160,7 +160,7 @@ PanelHost WindowSession::panelHost() {
     host.captures = options_.device.capture;
     host.statistics = [this] { return session_.statistics(); };
     host.dark = dark_;
-    host.fontWith = fontWith;
+    host.fontWith = systemFontWith;
     return host;
 }
 

@@ -109,7 +109,9 @@ void Panel::drawHeader(const Viewer& viewer) {
     }
     if (!document) return;
     std::string text = std::to_string(document->scene.drawnAtoms) + " atoms";
-    if (document->scene.drawnBonds > 0) text += ", " + std::to_string(document->scene.drawnBonds) + " bonds drawn";
+    // Of the few sticks beside ribbons it says nothing.
+    if (2 * document->scene.drawnBonds > document->scene.drawnAtoms)
+        text += ", " + std::to_string(document->scene.drawnBonds) + " bonds";
     if (viewer.occlusion() < 1 && !viewer.playing())
         text += ", shading " + std::to_string(static_cast<int>(100 * viewer.occlusion())) + " %";
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ui.px(6));

@@ -1,6 +1,8 @@
 #pragma once
 // What stands in the panel, for those who do not see it: screen readers, and tests.
 
+#include <glm/vec2.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,14 @@ struct Control {
 
 /// One that is seen and can be pressed; null: there is none.
 const Control* findControl(const std::vector<Control>& controls, const std::string& role, const std::string& name);
+
+/// What Tab goes on to: the place, in `controls`, of the one behind the one with the focus, or before it; round from
+/// the last to the first. Without a focus, the first, or the last.
+/// @param window  whose alone; empty: of all
+std::optional<std::size_t> nextStop(const std::vector<Control>& controls, bool back, const std::string& window);
+
+/// Where a finger presses a slider that is seen to move it by a tenth of its way, in pixels. Nothing: there is none.
+std::optional<glm::dvec2> placeOfStep(const std::vector<Control>& controls, const std::string& name, bool up);
 
 /// Those that are seen, a line each: role, name, value, whether it is enabled, left, top, right, bottom, with tabs
 /// between them.

@@ -8,10 +8,8 @@
 #include <string_view>
 
 #include "app/panel/theme.h"
+#include "app/shared/code_points.h"
 #include "app/shared/font.h"
-#ifdef NACRE_FRIBIDI
-#include <fribidi.h>
-#endif
 
 namespace nacre::app {
 namespace {
@@ -27,25 +25,6 @@ bool isOwn(char32_t c) {
     for (std::size_t i = 0; kGlyphs[i] != 0; i += 2)
         if (c >= kGlyphs[i] && c <= kGlyphs[i + 1]) return true;
     return false;
-}
-
-/// Characters of UTF-8; what is none is left out.
-std::vector<char32_t> charactersOf(const std::string& text) {
-    std::vector<char32_t> characters;
-    for (std::size_t i = 0; i < text.size();) {
-        const auto lead = static_cast<unsigned char>(text[i]);
-        const std::size_t length = lead < 0x80 ? 1 : lead >> 5 == 6 ? 2 : lead >> 4 == 14 ? 3 : lead >> 3 == 30 ? 4 : 0;
-        char32_t c = length == 1 ? lead : lead & (0x7f >> length);
-        bool whole = length > 0 && i + length <= text.size();
-        for (std::size_t k = 1; whole && k < length; ++k) {
-            const auto next = static_cast<unsigned char>(text[i + k]);
-            whole = next >> 6 == 2;
-            c = c << 6 | (next & 0x3f);
-        }
-        if (whole) characters.push_back(c);
-        i += whole ? length : 1;
-    }
-    return characters;
 }
 
 /// What a font has all of or nothing: Han, kana and Hangul together, Arabic with its joined forms, else 128 in a row.
@@ -85,7 +64,7 @@ float heightOf(const std::vector<char>& font, int index) {
 }  // namespace
 
 void ForeignGlyphs::read(const std::string& text) {
-    for (const char32_t c : charactersOf(text))
+    for (const char32_t c : codePoints(text))
         if (!isOwn(c) && c <= IM_UNICODE_CODEPOINT_MAX && met_.size() < kMostForeign) news_ |= met_.insert(c).second;
 }
 
@@ -128,29 +107,5 @@ void addPanelFont(float pixelsPerPoint, const std::vector<ForeignGlyphs::Font>& 
         }
     }
 }
-
-#ifdef NACRE_FRIBIDI
-std::string visualText(const std::string& text) {
-    // Nothing below U+0590 runs from right to left.
-    bool may = false;
-    for (const char c : text) may |= static_cast<unsigned char>(c) >= 0xd6;
-    if (!may) return text;
-    std::vector<FriBidiChar> logical, visual;
-    for (const char32_t c : charactersOf(text)) logical.push_back(c);
-    visual.resize(logical.size() + 1);
-    FriBidiParType direction = FRIBIDI_PAR_ON;
-    const auto count = static_cast<FriBidiStrIndex>(logical.size());
-    if (!fribidi_log2vis(logical.data(), count, &direction, visual.data(), nullptr, nullptr, nullptr)) return text;
-    std::string out(4 * logical.size() + 1, '\0');
-    out.resize(
-        static_cast<std::size_t>(fribidi_unicode_to_charset(FRIBIDI_CHAR_SET_UTF8, visual.data(), count, out.data())));
-    // Joined letters leave marks of no width behind.
-    for (const char* mark : {"\xef\xbb\xbf", "\xe2\x80\x8e", "\xe2\x80\x8f"})
-        for (std::size_t at; (at = out.find(mark)) != std::string::npos;) out.erase(at, 3);
-    return out;
-}
-#else
-std::string visualText(const std::string& text) { return text; }
-#endif
 
 }  // namespace nacre::app

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/panel/font_file.h"
+#include "app/shared/system_font.h"
+#include "app/shared/visual_text.h"
 
 namespace nacre::app {
 
@@ -39,9 +40,5 @@ private:
 
 /// Adds the fonts to the current context, in the sizes of the scale of text and of sub- and superscripts.
 void addPanelFont(float pixelsPerPoint, const std::vector<ForeignGlyphs::Font>& foreign = {});
-
-/// A line in the order in which it is drawn from left to right, letters joined as Arabic has it. As it is where
-/// nothing in it runs from right to left, and where the program was built without FriBidi.
-std::string visualText(const std::string& text);
 
 }  // namespace nacre::app

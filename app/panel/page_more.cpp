@@ -41,7 +41,7 @@ void Panel::drawForDevelopers(Viewer& viewer, double now) {
     if (ui.choose("Debug view", choices, chosen))
         for (std::size_t i = 0; i < choices.size(); ++i)
             if (chosen == choices[i]) viewer.setDebugView(static_cast<DebugView>(i), now);
-    if (host_.captures && ui.button(Icon::none, "Capture a frame", -1)) host_.run(ViewerCommand::captureFrame);
+    if (host_.captures && ui.button(Icon::none, "Capture a frame (F12)", -1)) host_.run(ViewerCommand::captureFrame);
     if (host_.statistics) ui.caption(host_.statistics());
 }
 

@@ -33,7 +33,9 @@ void Panel::drawSelectPage(SavedView& look, Viewer& viewer) {
                             : "Click on the molecule, choose below, or type.");
     bool changed = false, goesOn = false;
     if (ui.typable()) {
-        ui.field("Selection", "chain A and resi 10-20", state_->selection, sizeof state_->selection);
+        // Who clicks into it after clicking on the molecule means to write something else.
+        ui.field("Selection", "chain A and resi 10-20", state_->selection, sizeof state_->selection, -1,
+                 ImGuiInputTextFlags_AutoSelectAll);
         changed = ui.edited();
         // How it may go on.
         const std::string typed = state_->selection;

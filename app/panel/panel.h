@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "app/panel/controls.h"
-#include "app/panel/font_file.h"
 #include "app/panel/recording.h"
+#include "app/shared/system_font.h"
 #include "app/viewer/parts.h"
 #include "app/viewer/viewer.h"
 
@@ -233,9 +233,8 @@ private:
     mutable bool glyphsChanged_ = false;
     bool down_[3] = {false, false, false}, pressed_[3] = {false, false, false};
     std::optional<Finger> finger_;
-    float scroll_ = 0;                      // pixels that the finger dragged since the last frame
-    float dragged_ = 0, gliding_ = 0;       // pixels a second: of the finger, and that the list goes on with
-    std::optional<SpecialKey> pressedKey_;  // for one frame
+    float scroll_ = 0;                 // pixels that the finger dragged since the last frame
+    float dragged_ = 0, gliding_ = 0;  // pixels a second: of the finger, and that the list goes on with
     std::vector<Rectangle> occupied_;
     Rectangle window_{}, panel_{};  // pixels: all, and the panel where it is open
     bool sheet_ = false;

@@ -105,12 +105,14 @@ void Panel::key(SpecialKey key, bool down, Modifiers with) {
     ImGuiIO& io = ImGui::GetIO();
     restless_ = 3;
     const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-    if (key == SpecialKey::tab && !io.WantTextInput && !popup) {
-        if (!down) return;
-        // Into the panel, and on to its next control.
-        keyboard_ = shown_ == Shown::open || help_ || saving_ || start_;
-        key = with.shift ? SpecialKey::up : SpecialKey::down;
-        pressedKey_ = key;
+    if (key == SpecialKey::tab && !popup) {
+        // Into the panel, and on to its next control. A card keeps to itself.
+        const char* card = help_ ? "Help" : saving_ ? "Save" : recording_ ? "Record" : start_ ? "Start" : "";
+        const auto next = down ? nextStop(controls(), with.shift, card) : std::nullopt;
+        if (!next) return;
+        keyboard_ = true;
+        state_->ui.focusNext = {*next, controls()[*next].name};
+        return;
     }
     if (key == SpecialKey::escape && down && !popup && !io.WantTextInput) keyboard_ = false;
     if (state_->alongSequence && keyboard_ && (key == SpecialKey::left || key == SpecialKey::right)) {
@@ -119,6 +121,13 @@ void Panel::key(SpecialKey key, bool down, Modifiers with) {
         return;
     }
 #if IMGUI_VERSION_NUM < 18700
+    // There Enter goes into fields and sliders alone, and Space presses.
+    if (key == SpecialKey::enter && !io.WantTextInput) {
+        const auto focus =
+            std::find_if(controls().begin(), controls().end(), [](const Control& c) { return c.focused; });
+        const bool typing = focus != controls().end() && (focus->role == "field" || focus->role == "slider");
+        if (!typing && down) return shortcut(U' ');
+    }
     io.KeysDown[indexOf(key)] = down;
     io.KeyShift = with.shift;
     io.KeyCtrl = with.control;
@@ -184,13 +193,8 @@ void Panel::endKeys() {
 #if IMGUI_VERSION_NUM < 18700
     ImGuiIO& io = ImGui::GetIO();
     for (const auto& [theirs, ours] : kLetters) io.KeysDown[indexOf(ours)] = false;
-    if (pressedKey_) {
-        io.KeysDown[indexOf(*pressedKey_)] = false;
-        io.KeyShift = false;
-    }
     io.KeyCtrl = false;
 #endif
-    pressedKey_.reset();
 }
 
 /// A list that a finger let go while it moved goes on for a while.

@@ -77,11 +77,14 @@ void Panel::drawStart(Viewer& viewer, double now) {
                    : host_.downloads ? "From a database, or by its path"
                                      : "By its path");
         const float go = ui.buttonWidth("Get it") + ui.px(2);
-        const float room = ImGui::GetContentRegionAvail().x - go - ImGui::GetStyle().ItemSpacing.x;
-        const bool entered = ui.field("Identifier or path",
-                                      host_.downloads ? "pdb:1BNA, pubchem:aspirin, afdb:P69905" : "/home/me/1bna.pdb",
-                                      state_->input, sizeof state_->input, room, ImGuiInputTextFlags_EnterReturnsTrue);
-        ImGui::SameLine();
+        const float beside = ImGui::GetContentRegionAvail().x - go - ImGui::GetStyle().ItemSpacing.x;
+        const bool narrow = beside < ui.px(170);  // the button stands below the field
+        const char* hint = !host_.downloads ? "/home/me/1bna.pdb"
+                           : narrow         ? "pdb:1BNA"
+                                            : "pdb:1BNA, pubchem:aspirin, afdb:P69905";
+        const bool entered = ui.field("Identifier or path", hint, state_->input, sizeof state_->input,
+                                      narrow ? -1 : beside, ImGuiInputTextFlags_EnterReturnsTrue);
+        if (!narrow) ImGui::SameLine();
         if (ui.button(Icon::none, "Get it", go) || entered) openInput(state_->input, viewer, now);
         if (host_.downloads) {
             constexpr std::pair<const char*, const char*> kExamples[] = {
@@ -111,9 +114,7 @@ void Panel::drawStart(Viewer& viewer, double now) {
         if (ui.button(Icon::none, name)) openInput(input, viewer, now);
     }
     if (empty) {
-        ImGui::SameLine();
-        const float side = ui.buttonWidth("Help") + ui.px(23);
-        ui.wrapLine(side);
+        ImGui::Spacing();
         if (ui.button(Icon::help, "Help")) help_ = true;
     }
     endCard();

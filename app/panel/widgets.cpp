@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/panel/focus.h"
+
 namespace nacre::app {
 
 std::string shortened(const std::string& text, float width) {
@@ -35,6 +37,9 @@ void Widgets::note(const char* role, const std::string& name, const std::string&
     c.focused = ImGui::IsItemFocused() && ImGui::GetIO().NavVisible;
     c.window = window;
     controls.push_back(std::move(c));
+    if (!focusNext || focusNext->first + 1 != controls.size()) return;
+    if (focusNext->second == name) focusLastItem();
+    focusNext.reset();
 }
 
 void Widgets::ringFocus() const {

@@ -86,6 +86,8 @@ public:
 
     std::vector<Control> controls;  ///< of this frame so far
     std::string window;             ///< whose controls follow
+    /// Who gets the keyboard's focus when it comes: its place in `controls`, and its name.
+    std::optional<std::pair<std::size_t, std::string>> focusNext;
     /// For fingers: shows the system's keyboard for a field of a name and a text; `typed` is what came of it.
     std::function<void(const std::string& name, const std::string& text)> askText;
     std::optional<std::pair<std::string, std::string>> typed;

@@ -3,31 +3,10 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "app/shared/code_points.h"
+
 namespace nacre::app {
 namespace {
-
-struct Sign {
-    std::uint32_t code = 0;
-    std::size_t bytes = 1;
-    bool valid = false;
-};
-
-/// The first sign of a text that is not empty (RFC 3629: no overlong forms, no surrogates).
-Sign firstSign(std::string_view text) {
-    const auto at = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned char first = at(0);
-    if (first < 0x80) return {first, 1, true};
-    const std::size_t bytes = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
-    if (first < 0xc2 || first > 0xf4 || text.size() < bytes) return {first, 1, false};
-    std::uint32_t code = first & (0xffu >> (bytes + 1));
-    for (std::size_t i = 1; i < bytes; ++i) {
-        if ((at(i) & 0xc0) != 0x80) return {first, 1, false};
-        code = code << 6 | (at(i) & 0x3fu);
-    }
-    const bool overlong = (bytes == 3 && code < 0x800) || (bytes == 4 && code < 0x10000);
-    if (overlong || code > 0x10ffff || (code >= 0xd800 && code <= 0xdfff)) return {first, 1, false};
-    return {code, bytes, true};
-}
 
 /// What a terminal would obey, or what makes letters stand elsewhere than they are.
 bool commands(std::uint32_t code) {
@@ -45,7 +24,7 @@ std::string escaped(std::uint32_t code) {
 std::string shown(std::string_view text, bool keepLines) {
     std::string out;
     while (!text.empty()) {
-        const Sign sign = firstSign(text);
+        const CodePoint sign = firstCodePoint(text);
         if (sign.valid && keepLines && sign.code == '\n')
             out += '\n';
         else if (sign.valid && (sign.code == '\n' || sign.code == '\r' || sign.code == '\t'))
@@ -68,7 +47,7 @@ std::string printableLines(std::string_view text) { return shown(text, true); }
 std::string printableJson(std::string_view json) {
     std::string out;
     while (!json.empty()) {
-        const Sign sign = firstSign(json);
+        const CodePoint sign = firstCodePoint(json);
         if (sign.code >= 0x7f && sign.code <= 0xffff && commands(sign.code)) {
             char text[8];
             std::snprintf(text, sizeof text, "\\u%04x", static_cast<unsigned>(sign.code));

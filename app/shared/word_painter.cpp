@@ -6,36 +6,21 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <numbers>
 #include FT_FREETYPE_H
 #include FT_GLYPH_H
 #include FT_OUTLINE_H
 #include FT_STROKER_H
 
+#include "app/shared/code_points.h"
 #include "app/shared/font.h"
 #include "app/shared/srgb.h"
+#include "app/shared/visual_text.h"
 #include "engine/error.h"
 
 namespace nacre::app {
 namespace {
-
-/// Code points of UTF-8; what is none becomes U+FFFD.
-std::vector<std::uint32_t> codePoints(const std::string& text) {
-    std::vector<std::uint32_t> points;
-    for (std::size_t i = 0; i < text.size();) {
-        const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
-        const unsigned char lead = byte(i++);
-        const int more = lead < 0x80 ? 0 : lead >= 0xf0 ? 3 : lead >= 0xe0 ? 2 : lead >= 0xc0 ? 1 : -1;
-        std::uint32_t point = more == 0 ? lead : more == 3 ? lead & 7u : more == 2 ? lead & 15u : lead & 31u;
-        bool good = more >= 0;
-        for (int k = 0; good && k < more; ++k) {
-            good = i < text.size() && (byte(i) & 0xc0) == 0x80;
-            if (good) point = point << 6 | (byte(i++) & 0x3fu);
-        }
-        points.push_back(good ? point : 0xfffd);
-    }
-    return points;
-}
 
 FT_Pos fixed(double pixels) { return static_cast<FT_Pos>(std::lround(pixels * 64)); }
 
@@ -141,42 +126,74 @@ void rasterizeLine(FT_Library library, const LineMark& line, double grown, Cover
 
 struct WordPainter::Face {
     FT_Library library = nullptr;
-    FT_Face face = nullptr;
+    std::vector<FT_Face> faces;  // the built-in one, and those of the system that were needed
     FT_Stroker stroker = nullptr;
+    FindFont find;
+    std::map<char32_t, FT_Face> foreign;  // of what the built-in font has not; itself: nor has another
 
     ~Face() {
         FT_Stroker_Done(stroker);
-        FT_Done_Face(face);
+        for (FT_Face face : faces) FT_Done_Face(face);
         FT_Done_FreeType(library);
     }
 
-    /// Calls glyph(index, pen) for each, in font units. @returns the width, likewise
+    FT_Face faceOf(char32_t c) {
+        constexpr std::size_t kMostForeign = 2000;  // each may be asked of another program
+        if (c < 0x80 || FT_Get_Char_Index(faces[0], c)) return faces[0];
+        if (const auto it = foreign.find(c); it != foreign.end()) return it->second;
+        if (foreign.size() >= kMostForeign) return faces[0];
+        FT_Face& face = foreign.emplace(c, faces[0]).first->second;
+        for (std::size_t i = 1; i < faces.size() && face == faces[0]; ++i)
+            if (FT_Get_Char_Index(faces[i], c)) face = faces[i];
+        if (face == faces[0]) face = systemFaceOf(c);
+        return face;
+    }
+
+    /// The system's font that has it, opened; the built-in one if none has its outline.
+    FT_Face systemFaceOf(char32_t c) {
+        const std::optional<FontFile> file = find ? find({c}) : std::nullopt;
+        FT_Face face = nullptr;
+        if (!file || FT_New_Face(library, file->path.c_str(), file->index, &face)) return faces[0];
+        if (FT_IS_SCALABLE(face) && FT_Get_Char_Index(face, c)) return faces.emplace_back(face);
+        FT_Done_Face(face);
+        return faces[0];
+    }
+
+    /// Calls glyph(face, index, pen) for each, in ems. @returns the width, likewise
     template <typename OnGlyph>
-    double walk(const std::string& text, const OnGlyph& glyph) const {
+    double walk(const std::string& text, const OnGlyph& glyph) {
         double pen = 0;
         FT_UInt before = 0;
-        for (const std::uint32_t point : codePoints(text)) {
+        FT_Face last = nullptr;
+        for (const char32_t point : codePoints(visualText(text))) {
+            FT_Face face = faceOf(point);
             const FT_UInt index = FT_Get_Char_Index(face, point);
             FT_Vector kerning{};
-            if (before && index) FT_Get_Kerning(face, before, index, FT_KERNING_UNSCALED, &kerning);
-            pen += static_cast<double>(kerning.x);
-            glyph(index, pen);
+            if (before && index && face == last) FT_Get_Kerning(face, before, index, FT_KERNING_UNSCALED, &kerning);
+            pen += static_cast<double>(kerning.x) / face->units_per_EM;
+            glyph(face, index, pen);
             if (FT_Load_Glyph(face, index, FT_LOAD_NO_SCALE) == 0)
-                pen += static_cast<double>(face->glyph->metrics.horiAdvance);
-            before = index;
+                pen += static_cast<double>(face->glyph->metrics.horiAdvance) / face->units_per_EM;
+            before = index, last = face;
         }
         return pen;
     }
 
+    struct Placed {
+        FT_Face face;
+        FT_UInt index;
+        double pen;
+    };
+
     /// @param halo  pixels around the letters; 0: the letters
-    void addText(const TextMark& mark, double halo, Coverage& coverage) const {
-        const double scale = mark.size / face->units_per_EM;
+    void addText(const TextMark& mark, double halo, Coverage& coverage) {
         // Baselines stand on whole pixels, so that all letters of a line are equally sharp.
         const glm::dvec2 at(mark.at.x, std::round(mark.at.y));
-        if (FT_Set_Char_Size(face, 0, std::max<FT_F26Dot6>(fixed(mark.size), 1), 72, 72)) return;
-        std::vector<std::pair<FT_UInt, double>> glyphs;
-        walk(mark.text, [&](FT_UInt index, double pen) { glyphs.emplace_back(index, pen); });
-        for (const auto& [index, pen] : glyphs) {
+        std::vector<Placed> glyphs;
+        walk(mark.text, [&](FT_Face face, FT_UInt index, double pen) { glyphs.push_back({face, index, pen}); });
+        for (FT_Face face : faces)
+            if (FT_Set_Char_Size(face, 0, std::max<FT_F26Dot6>(fixed(mark.size), 1), 72, 72)) return;
+        for (const auto& [face, index, pen] : glyphs) {
             if (FT_Load_Glyph(face, index, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP)) continue;
             FT_Glyph glyph = nullptr;
             if (FT_Get_Glyph(face->glyph, &glyph)) continue;
@@ -186,7 +203,7 @@ struct WordPainter::Face {
             }
             if (glyph->format == FT_GLYPH_FORMAT_OUTLINE) {
                 FT_Outline& outline = reinterpret_cast<FT_OutlineGlyph>(glyph)->outline;
-                FT_Outline_Translate(&outline, fixed(at.x + pen * scale), fixed(-at.y));
+                FT_Outline_Translate(&outline, fixed(at.x + pen * mark.size), fixed(-at.y));
                 rasterize(library, outline, coverage);
             }
             FT_Done_Glyph(glyph);
@@ -194,18 +211,22 @@ struct WordPainter::Face {
     }
 };
 
-WordPainter::WordPainter() : face_(std::make_unique<Face>()) {
+WordPainter::WordPainter(FindFont find) : face_(std::make_unique<Face>()) {
     const std::span<const std::byte> font = fontFile();
+    face_->find = std::move(find);
+    FT_Face own = nullptr;
     if (FT_Init_FreeType(&face_->library) ||
         FT_New_Memory_Face(face_->library, reinterpret_cast<const FT_Byte*>(font.data()),
-                           static_cast<FT_Long>(font.size()), 0, &face_->face) ||
-        FT_Stroker_New(face_->library, &face_->stroker))
+                           static_cast<FT_Long>(font.size()), 0, &own))
         throw Error("cannot write words", "", "FreeType does not read the font that is built in");
+    face_->faces.push_back(own);
+    if (FT_Stroker_New(face_->library, &face_->stroker))
+        throw Error("cannot write words", "", "FreeType has no stroker");
 }
 WordPainter::~WordPainter() = default;
 
 double WordPainter::widthOf(const std::string& text, double size) const {
-    return face_->walk(text, [](FT_UInt, double) {}) * size / face_->face->units_per_EM;
+    return face_->walk(text, [](FT_Face, FT_UInt, double) {}) * size;
 }
 
 void WordPainter::paint(const Marks& marks, float* rgba, std::uint32_t width, std::uint32_t first,

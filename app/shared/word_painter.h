@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "app/shared/system_font.h"
 #include "app/shared/word_layout.h"
 #include "engine/results.h"
 
@@ -12,12 +13,13 @@ namespace nacre::app {
 /// Not for several threads at once.
 class WordPainter {
 public:
-    /// @throws Error if the font cannot be read
-    WordPainter();
+    /// @param find  a font for characters that the built-in one has not
+    /// @throws Error if the built-in font cannot be read
+    explicit WordPainter(FindFont find = systemFontWith);
     ~WordPainter();
     WordPainter(const WordPainter&) = delete;
 
-    /// Pixels, with kerning; a character that the font lacks is as wide as its box.
+    /// Pixels, with kerning; a character that no font has is as wide as its box.
     double widthOf(const std::string& text, double size) const;
 
     /// Draws what of the marks lies in some rows of a picture.

@@ -42,7 +42,9 @@ FrameOutcome Session::OwnScreen::present(const RenderSettings& settings, const W
     Renderer* renderer = session_.renderer();
     if (!renderer) return FrameOutcome::hidden;
     try {
-        renderer->awaitFrame();  // what is waited for is not the host's
+        // What is waited for is not the host's; nor is it asked for where the window has another size by now.
+        const PixelSize window = renderer->windowSize();
+        if (window.width == settings.view.width && window.height == settings.view.height) renderer->awaitFrame();
         const auto begin = std::chrono::steady_clock::now();
         const FrameOutcome outcome = renderer->present(settings, frame);
         hostMilliseconds_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();

@@ -11,6 +11,20 @@
 #include "engine/renderer.h"
 
 namespace nacre::test {
+namespace {
+
+Renderer& expectingRenderer() {
+    static Renderer renderer = [] {
+        DeviceOptions device;
+        device.visibility = Visibility::fragdepth;
+        return Renderer(device);
+    }();
+    return renderer;
+}
+
+}  // namespace
+
+const std::string& driverKey() { return expectingRenderer().stats().device.driverKey; }
 
 WindowPicture expectedPicture(const app::SavedView& view, std::uint32_t width, std::uint32_t height,
                               std::uint32_t samples) {
@@ -24,11 +38,7 @@ WindowPicture expectedPicture(const app::SavedView& view, std::uint32_t width, s
     settings.occlusion.directions = view.occlusionDirections;
     // Sixteen samples stand where those of a picture's edges do, not in rows; this path takes them all of every pixel.
     settings.supersample = samples * samples == RenderSettings::kEdgeSamples ? RenderSettings::kEdges : samples;
-    static Renderer renderer = [] {
-        DeviceOptions device;
-        device.visibility = Visibility::fragdepth;
-        return Renderer(device);
-    }();
+    Renderer& renderer = expectingRenderer();
     renderer.setScene(scene);
     const Picture picture = renderer.render(settings);
     WindowPicture result{width, height, {}};

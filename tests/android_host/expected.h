@@ -1,6 +1,8 @@
 #pragma once
 // What a window has to show: the same view, drawn without a window.
 
+#include <string>
+
 #include "app/viewer/viewer.h"
 #include "tests/android_host/window.h"
 
@@ -10,6 +12,9 @@ namespace nacre::test {
 /// @param samples a side of a pixel
 WindowPicture expectedPicture(const app::SavedView& view, std::uint32_t width, std::uint32_t height,
                               std::uint32_t samples);
+
+/// What is kept of devices is named by it.
+const std::string& driverKey();
 
 /// Part of a picture that the overlay may cover: not compared.
 struct Covered {

@@ -33,8 +33,8 @@ protected:
     /// Waits until the window shows the view that the activity would save, to the last pixel.
     static void expectAsRendered(Host& host, Covered covered = kMenu, const char* what = "",
                                  std::uint32_t samples = app::ViewerOptions{}.mostSamples) {
-        const app::SavedView view = host.view();
         EXPECT_TRUE(eventually([&] { return host.picture().width > 0; })) << what << ": there is no picture";
+        const app::SavedView view = host.view();
         const WindowPicture first = host.picture();
         const WindowPicture expected = expectedPicture(view, first.width, first.height, samples);
         Difference d;

@@ -1,8 +1,10 @@
 #include "tests/android_host/java_machine.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <climits>
+#include <clocale>
 #include <cstring>
+#include <cuchar>
 
 #include "tests/android_host/java_state.h"
 #include "tests/android_host/window.h"
@@ -62,6 +64,27 @@ namespace {
 
 // --- the table
 
+/// UTF-8 by the C library, which tests switch to it (the constructor).
+std::u16string unitsOf(const std::string& text) {
+    std::u16string units;
+    std::mbstate_t state{};
+    for (std::size_t at = 0; at < text.size();) {
+        char16_t unit = 0;
+        const std::size_t used = std::mbrtoc16(&unit, text.data() + at, text.size() - at, &state);
+        if (used == std::size_t(-1) || used == std::size_t(-2)) {
+            Faults::add("a text that is no UTF-8");
+            break;
+        }
+        units += unit;
+        if (used != std::size_t(-3)) at += std::max<std::size_t>(used, 1);
+        // The second half of a pair comes with the next call, whatever is left of the text.
+        if (at >= text.size() && unit >= 0xd800 && unit < 0xdc00 &&
+            std::mbrtoc16(&unit, "", 0, &state) == std::size_t(-3))
+            units += unit;
+    }
+    return units;
+}
+
 const Method& nameOf(JNIEnv* env, jobject of, jmethodID id, char result) {
     const auto& method = *reinterpret_cast<const Method*>(id);
     expectNothingPending(env, method.name.c_str());
@@ -90,13 +113,29 @@ void fillObjects(JNINativeInterface& f) {
         machine.methods.push_back({in(type)->text, name, signature});
         return reinterpret_cast<jmethodID>(&machine.methods.back());
     };
-    f.NewStringUTF = [](JNIEnv* env, const char* text) {
+    // Java's strings are UTF-16; the objects here keep UTF-8, by the C library's conversion.
+    f.NewString = [](JNIEnv* env, const jchar* units, jsize count) {
+        std::string text;
+        std::mbstate_t state{};
+        for (jsize i = 0; i < count; ++i) {
+            char part[MB_LEN_MAX];
+            const std::size_t bytes = std::c16rtomb(part, units[i], &state);
+            if (bytes == std::size_t(-1)) {
+                Faults::add("a Java string with half a character");
+                state = {};
+            } else {
+                text.append(part, bytes);
+            }
+        }
         return as<jstring>(local(env, machineOf(env).make("java/lang/String", text)));
     };
-    f.GetStringUTFChars = [](JNIEnv*, jstring string, jboolean*) -> const char* {
-        return strdup(in(string)->text.c_str());
+    f.GetStringLength = [](JNIEnv*, jstring string) { return static_cast<jsize>(unitsOf(in(string)->text).size()); };
+    f.GetStringRegion = [](JNIEnv* env, jstring string, jsize start, jsize count, jchar* to) {
+        const std::u16string units = unitsOf(in(string)->text);
+        if (start < 0 || count < 0 || static_cast<std::size_t>(start + count) > units.size())
+            return raise(env, "java.lang.StringIndexOutOfBoundsException", "");
+        std::copy_n(units.begin() + start, count, to);
     };
-    f.ReleaseStringUTFChars = [](JNIEnv*, jstring, const char* text) { std::free(const_cast<char*>(text)); };
     f.NewObjectArray = [](JNIEnv* env, jsize count, jclass, jobject first) {
         if (count != 1) Faults::add("an array of another size");
         return as<jobjectArray>(local(env, machineOf(env).make("[Ljava/lang/String;", in(first)->text)));
@@ -208,6 +247,7 @@ jint detach(JavaVM* vm) {
 }  // namespace
 
 JavaMachine::JavaMachine(std::optional<Document> document) : impl_(std::make_unique<Impl>(std::move(document))) {
+    std::setlocale(LC_CTYPE, "C.UTF-8");  // for the conversions
     fillObjects(impl_->functions);
     fillCalls(impl_->functions);
     fillReferences(impl_->functions);
@@ -285,6 +325,11 @@ void JavaMachine::press(const std::string& role, const std::string& name) {
     callNative<void>(*impl_, "press(JLjava/lang/String;Ljava/lang/String;)V",
                      as<jstring>(impl_->make("java/lang/String", role)),
                      as<jstring>(impl_->make("java/lang/String", name)));
+}
+
+void JavaMachine::adjust(const std::string& name, bool up) {
+    callNative<void>(*impl_, "adjust(JLjava/lang/String;Z)V", as<jstring>(impl_->make("java/lang/String", name)),
+                     static_cast<jboolean>(up ? JNI_TRUE : JNI_FALSE));
 }
 
 void JavaMachine::serve(const std::string& url, const std::string& bytes) {

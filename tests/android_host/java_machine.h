@@ -53,6 +53,7 @@ public:
     void documentPicked(const Document& document);
     std::string controls();
     void press(const std::string& role, const std::string& name);
+    void adjust(const std::string& name, bool up);
     void displayRefreshes(float rate);
 
     struct Impl;

@@ -97,7 +97,8 @@ STUBS = {
         public static final int HOST_VIEW_ID = -1; public AccessibilityNodeInfo createAccessibilityNodeInfo(int id) { return null; }
         public boolean performAction(int id, int action, android.os.Bundle arguments) { return false; } }""",
     "android.view.accessibility.AccessibilityNodeInfo": """import android.view.View; public class AccessibilityNodeInfo {
-        public static final int ACTION_CLICK = 16, ACTION_ACCESSIBILITY_FOCUS = 64, ACTION_CLEAR_ACCESSIBILITY_FOCUS = 128;
+        public static final int ACTION_CLICK = 16, ACTION_SCROLL_FORWARD = 4096, ACTION_SCROLL_BACKWARD = 8192,
+        ACTION_ACCESSIBILITY_FOCUS = 64, ACTION_CLEAR_ACCESSIBILITY_FOCUS = 128;
         public static AccessibilityNodeInfo obtain(View v) { return null; } public static AccessibilityNodeInfo obtain(View v, int id) { return null; }
         public void addChild(View v, int id) { } public void setParent(View v) { } public void setPackageName(CharSequence s) { }
         public void setClassName(CharSequence s) { } public void setContentDescription(CharSequence s) { }

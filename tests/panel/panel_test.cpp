@@ -58,20 +58,21 @@ std::vector<std::string> unreached(Bench& b, const std::string& window) {
     for (const Control& c : b.panel.controls())
         if (c.role != "text" && c.enabled && c.window == window) missed.push_back(c.name);
     EXPECT_GE(missed.size(), 2u);
-    const auto look = [&] {
-        for (const Control& c : b.panel.controls())
-            if (c.focused) std::erase(missed, c.name);
+    const std::size_t most = missed.size();
+    const auto look = [&](std::vector<std::string>& met) {
+        for (const Control& c : b.panel.controls()) {
+            if (!c.focused) continue;
+            EXPECT_TRUE(c.seen()) << c.name << " is scrolled to";
+            met.push_back(c.name);
+            std::erase(missed, c.name);
+        }
     };
-    for (int i = 0; i < 500 && !missed.empty(); ++i) {
-        // Down the rows, round from the last to the first, and along each of them.
-        b.press(i % 8 == 0 ? SpecialKey::tab : SpecialKey::right);
-        look();
-        for (int k = 0; k < 7 && i % 8 == 7; ++k) b.press(SpecialKey::left);
-    }
-    for (int i = 0; i < 60 && !missed.empty(); ++i) {  // and back
-        b.press(SpecialKey::tab, {true, false});
-        look();
-    }
+    // One after the other, as they stand, and back.
+    std::vector<std::string> forth, back;
+    for (std::size_t i = 0; i < most; ++i) b.press(SpecialKey::tab), look(forth);
+    for (std::size_t i = 1; i < most; ++i) b.press(SpecialKey::tab, {true, false}), look(back);
+    std::reverse(forth.begin(), forth.end());
+    EXPECT_EQ(std::vector(forth.begin() + 1, forth.end()), back);
     return missed;
 }
 
@@ -93,6 +94,29 @@ TEST(Panel, KeysReachEveryControl) {
         b.settle();
         EXPECT_EQ(unreached(b, window), std::vector<std::string>()) << window;
     }
+}
+
+TEST(Panel, EnterPressesWhatHasTheFocus) {
+    Bench b("sample:dna", kUsual);
+    const auto goTo = [&](const std::string& name) {
+        const auto there = [&] {
+            const auto& all = b.panel.controls();
+            return std::any_of(all.begin(), all.end(), [&](const Control& c) { return c.focused && c.name == name; });
+        };
+        for (int i = 0; i < 60 && !there(); ++i) b.press(SpecialKey::tab);
+        ASSERT_TRUE(there()) << name;
+    };
+    goTo("Sticks");
+    b.press(SpecialKey::enter);
+    EXPECT_EQ(b.viewer.view().look.style, Style::licorice);
+    goTo("Colours");
+    EXPECT_EQ(b.find("Colours")->value, "By element");
+    b.press(SpecialKey::enter);  // the list, whose second line is taken
+    b.press(SpecialKey::down);
+    b.press(SpecialKey::enter);
+    b.settle();
+    EXPECT_EQ(b.find("Colours")->value, "By chain");
+    EXPECT_EQ(b.viewer.view().look.style, Style::licorice);
 }
 
 TEST(Panel, RowsOfPartsHideAndColour) {
@@ -263,6 +287,18 @@ TEST(Panel, RulesAreSwitchedOffEditedAndMoved) {
     b.click("Remove");
     ASSERT_EQ(b.viewer.view().look.rules.size(), 1u);
     EXPECT_EQ(b.viewer.view().look.rules[0].action, Rule::Action::hide);
+    // What is typed after a click into the field replaces what stands there, as after a click on the molecule.
+    b.click("Nucleic acid");
+    b.settle();
+    EXPECT_EQ(b.viewer.selection().text, "nucleic");
+    b.click("Selection");
+    for (const char c : std::string("chain B")) {
+        b.panel.character(static_cast<char32_t>(c));
+        b.frame();
+    }
+    b.settle();
+    EXPECT_EQ(b.viewer.selection().text, "chain B");
+    b.press(SpecialKey::escape);
 }
 
 TEST(Panel, RibbonsAndSurfacesLetThroughWhatASliderSays) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/shared/code_points.h"
 #include "app/shared/json_text.h"
 
 namespace nacre::app {
@@ -31,6 +32,16 @@ TEST(Printable, ShowsWhatATerminalWouldObey) {
     EXPECT_EQ(printable("\xe2\x81\xa6x\xe2\x81\xa9"), "\\u2066x\\u2069");
     EXPECT_EQ(printable("\xe2\x80\xa8"), "\\u2028");
     EXPECT_EQ(printable(std::string_view("\0", 1)), "\\x00");
+}
+
+TEST(CodePoints, GoToUtf16AndBack) {
+    const std::string text = "a\u00e9\u4e2d\U0001f9ec";
+    EXPECT_EQ(utf16Of(text), u"a\u00e9\u4e2d\U0001f9ec");
+    EXPECT_EQ(utf8Of(utf16Of(text)), text);
+    EXPECT_EQ(codePoints(text), (std::vector<char32_t>{'a', 0xe9, 0x4e2d, 0x1f9ec}));
+    EXPECT_EQ(utf16Of("\xff z"), u"\ufffd z");
+    const char16_t halves[] = {0xdc00, u'x', 0xd83e, 0};  // of pairs
+    EXPECT_EQ(utf8Of(halves), "\ufffdx\ufffd");
 }
 
 TEST(Printable, ShowsBytesThatAreNoText) {

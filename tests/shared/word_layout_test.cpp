@@ -9,6 +9,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "app/shared/visual_text.h"
 #include "app/shared/word_painter.h"
 #include "engine/molecule/read.h"
 #include "engine/scene/palettes.h"
@@ -355,6 +356,47 @@ TEST(WordPainter, KnowsTheSignsOfTheField) {
     EXPECT_NEAR(painter.widthOf("HH", 100), 2 * painter.widthOf("H", 100), 1e-9);
     EXPECT_LT(painter.widthOf("AV", 100), painter.widthOf("A", 100) + painter.widthOf("V", 100));  // kerning
     EXPECT_EQ(painter.widthOf("", 100), 0);
+}
+
+/// What the built-in font has not comes from another, at an em's size; that is opened once, and only when needed.
+TEST(WordPainter, ForeignScriptsComeFromAnotherFont) {
+    std::vector<std::vector<char32_t>> asked;
+    const WordPainter painter([&](const std::vector<char32_t>& characters) {
+        asked.push_back(characters);
+        return systemFontWith(characters);
+    });
+    const auto drawn = [&](const WordPainter& by, const char* text) {
+        Picture picture = filled(64, 1, 1);
+        Marks marks;
+        marks.texts = {{{8, 48}, 40, text}};
+        by.paint(marks, picture.rgba.data(), 64, 0, 64);
+        return picture.rgba;
+    };
+    const WordPainter alone(FindFont{});
+    painter.widthOf("Hα′", 40);
+    EXPECT_TRUE(asked.empty());
+    EXPECT_EQ(drawn(alone, "蛋"), drawn(alone, "白")) << "boxes";
+    EXPECT_EQ(drawn(alone, "Ab"), drawn(painter, "Ab"));
+    if (!systemFontWith({U'蛋'}) || drawn(painter, "蛋") == drawn(alone, "蛋")) GTEST_SKIP() << "no Chinese font here";
+    EXPECT_NE(drawn(painter, "蛋"), drawn(painter, "白"));
+    EXPECT_EQ(asked.size(), 1u) << "the font that has one has the other";
+    EXPECT_NEAR(painter.widthOf("蛋白", 40), 80, 1) << "each fills an em";
+    EXPECT_EQ(painter.widthOf("\U0010fffd", 40), alone.widthOf("\U0010fffd", 40)) << "nobody has it";
+}
+
+TEST(WordPainter, RightToLeftRunsFromTheRight) {
+    const WordPainter painter;
+    const auto ink = [&](const char* text) {
+        Picture picture = filled(160, 1, 1);
+        Marks marks;
+        marks.texts = {{{8, 90}, 40, text}};
+        painter.paint(marks, picture.rgba.data(), 160, 0, 160);
+        return picture.rgba;
+    };
+    if (visualText("\u05d0\u05d1") == "\u05d0\u05d1") GTEST_SKIP() << "built without FriBidi";
+    // Alef and bet: written with marks that force the order, they look as without, the other way round.
+    EXPECT_EQ(ink("\u05d0\u05d1"), ink("\u202d\u05d1\u05d0\u202c"));
+    EXPECT_NE(ink("\u05d0\u05d1"), ink("\u05d1\u05d0"));
 }
 
 /// Letters on anything: at least 4.5:1 beside the halo, as WCAG 2.1 asks of text.

@@ -35,6 +35,7 @@ public final class NacreActivity extends NativeActivity implements DisplayManage
     static native void failed(long app, String why);
     static native String controls(long app);
     static native void press(long app, String role, String name);
+    static native void adjust(long app, String name, boolean up);
     static native void refreshes(long app, float rate);
     static native void typed(long app, String name, String text);
     static native boolean received(long transfer, byte[] bytes, int count, long all);

@@ -73,6 +73,10 @@ final class PanelNodes extends AccessibilityNodeProvider {
             node.setClickable(true);
             node.addAction(AccessibilityNodeInfo.ACTION_CLICK);
         }
+        if (control[ROLE].equals("slider")) { // readers offer their volume keys or a swipe for these
+            node.addAction(AccessibilityNodeInfo.ACTION_SCROLL_FORWARD);
+            node.addAction(AccessibilityNodeInfo.ACTION_SCROLL_BACKWARD);
+        }
         node.setAccessibilityFocused(focused == id);
         node.addAction(focused == id ? AccessibilityNodeInfo.ACTION_CLEAR_ACCESSIBILITY_FOCUS
                 : AccessibilityNodeInfo.ACTION_ACCESSIBILITY_FOCUS);
@@ -113,6 +117,12 @@ final class PanelNodes extends AccessibilityNodeProvider {
         switch (action) {
             case AccessibilityNodeInfo.ACTION_CLICK:
                 if (activity.app() != 0) NacreActivity.press(activity.app(), controls[id][ROLE], controls[id][NAME]);
+                return true;
+            case AccessibilityNodeInfo.ACTION_SCROLL_FORWARD:
+            case AccessibilityNodeInfo.ACTION_SCROLL_BACKWARD:
+                if (activity.app() != 0)
+                    NacreActivity.adjust(activity.app(), controls[id][NAME],
+                            action == AccessibilityNodeInfo.ACTION_SCROLL_FORWARD);
                 return true;
             case AccessibilityNodeInfo.ACTION_ACCESSIBILITY_FOCUS:
                 focused = id;

@@ -1,0 +1,274 @@
+// Every screen and state of the window: how it is come to.
+
+#include <filesystem>
+
+#include "app/shared/appearance_values.h"
+#include "tests/window_sheet/driver.h"
+
+namespace nacre::app {
+namespace {
+
+const Size kUsual{1000, 720}, kNarrow{420, 760}, kTall{620, 1000}, kWide{1300, 420};
+
+}  // namespace
+
+std::vector<State> states(const std::string& protein, const std::string& models) {
+    const char *p = protein.c_str(), *several = models.empty() ? p : models.c_str();
+    const auto page = [](Panel::Page which) { return [which](Driver& d) { d.panel().showPage(which); }; };
+    const auto light = [](Driver& d) { d.panel().setBrightness(Panel::Brightness::light); };
+    const auto dark = [](Driver& d) {
+        d.panel().setBrightness(Panel::Brightness::dark);
+        SavedView look = d.viewer().view();
+        look.background = parseColor("black");
+        d.viewer().setLook(look, seconds());
+    };
+    const auto rules = [](Driver& d) {
+        d.panel().showPage(Panel::Page::select);
+        d.pause(0.2);
+        d.click("Ligands");
+        d.settle();
+        d.click("Vermilion");
+        d.settle();
+        d.click("Protein");
+        d.click("Hide");
+        d.settle();
+        d.click("Switch off: Hide protein");
+        d.settle();
+        d.click("ligand: Vermilion");
+    };
+    const auto measured = [](Driver& d) {
+        SavedView look = d.viewer().view();
+        look.look.rules.push_back(parseShow("resi 1-16 or ligand=ball-and-stick"));
+        d.viewer().setLook(look, seconds());
+        d.settle();  // words are about atoms that are drawn
+        look = d.viewer().view();
+        look.words.measures.push_back(parseMeasure("78,92"));
+        look.words.labels.push_back(parseLabel("resn HEM={residue} {number}"));
+        look.words.legend = true;
+        look.words.scaleBar = ScaleBar::angstrom;
+        look.words.title = "Haemoglobin";
+        d.viewer().setLook(look, seconds());
+        d.panel().showPage(Panel::Page::labels);
+    };
+    const auto sequence = [](Driver& d) {
+        d.panel().showPage(Panel::Page::parts);
+        d.pause(0.2);
+        d.click("Chain A");
+    };
+    const auto help = [](Driver& d) { d.panel().toggleHelp(); };
+    const auto save = [](Driver& d) { d.panel().showSave(); };
+    const auto record = [](Driver& d) {
+        d.panel().showRecord();
+        d.pause(0.2);
+    };
+    const auto keep = [](Driver& d) {
+        d.panel().keepView(d.viewer(), seconds());
+        d.viewer().run(ViewerCommand::rotateLeft, seconds());
+        d.viewer().run(ViewerCommand::zoomIn, seconds());
+        d.panel().keepView(d.viewer(), seconds());
+    };
+    const auto recording = [](Driver& d) {
+        d.panel().showRecord();
+        d.pause(0.2);
+        d.click("Film format");
+        d.click("GIF");
+        d.click("Record");
+        for (int i = 0; i < 400 && !d.tells("frame "); ++i) d.pause(0.05);
+        d.rests = false;
+    };
+    const auto failure = [](Driver& d) { d.viewer().open("no such file.pdb", seconds()); };
+    return {
+        {"start", kUsual, "", [](Driver&) {}},
+        {"start, light", kUsual, "", light},
+        {"start, narrow", kNarrow, "", [](Driver&) {}},
+        {"start, wide", kWide, "", [](Driver&) {}},
+        {"start, not found", kUsual, "", failure},
+        {"open, over a molecule", kUsual, p, [](Driver& d) { d.panel().showStart(); }},
+        {"look", kUsual, p, page(Panel::Page::look)},
+        {"look, light", kUsual, p, light},
+        {"start, dark", kUsual, "", dark},
+        {"start, files of before", kUsual, p,
+         [=](Driver& d) {
+             d.drop(several);
+             d.drop(p);
+             d.panel().showStart();
+         }},
+        {"start, names of many scripts", kUsual, p,
+         [=](Driver& d) {
+             const std::filesystem::path folder = std::filesystem::temp_directory_path() / "nacre sheet";
+             std::filesystem::create_directories(folder);
+             for (const char* name : {"蛋白質 ヘモグロビン.pdb", "혈색소와 물.pdb", "هيموغلوبين ١.pdb", "המוגלובין.pdb",
+                                      "гемоглобин β.pdb"}) {
+                 const std::filesystem::path path = folder / name;
+                 std::filesystem::copy_file(several, path, std::filesystem::copy_options::overwrite_existing);
+                 d.drop(path.string());
+             }
+             d.panel().showStart();
+             d.settle();
+             std::filesystem::remove_all(folder);
+         }},
+        {"download goes on", kUsual, "sample:dna", [](Driver& d) { d.viewer().open("pdb:4hhb", seconds()); }},
+        {"download goes on, narrow, dark", kNarrow, "sample:dna",
+         [=](Driver& d) { dark(d), d.viewer().open("pdb:4hhb", seconds()); }},
+        {"download is asked for", kUsual, "pdb:4hhb", [](Driver&) {}},
+        {"look, dark", kUsual, p, dark},
+        {"look, narrow, dark", kNarrow, p, dark},
+        {"look, narrow", kNarrow, p, page(Panel::Page::look)},
+        {"look, tall", kTall, "sample:dna", page(Panel::Page::look)},
+        {"look, wide", kWide, "sample:dna", page(Panel::Page::look)},
+        {"look, list open", kUsual, "sample:dna", [](Driver& d) { d.click("Colours"); }},
+        {"look, sliders", kUsual, p,
+         [](Driver& d) {
+             d.click("Light, lines, fog");
+             for (int i = 0; i < 4; ++i) d.press(SpecialKey::tab);
+         }},
+        {"look, effects",
+         {1000, 1000},
+         "sample:dna",
+         [](Driver& d) {
+             SavedView look = d.viewer().view();
+             look.effects.contours.width = 2;
+             look.effects.halos.width = 6;
+             look.effects.fog.range = Fog::Range::automatic;
+             d.viewer().setLook(look, seconds());
+             d.click("Light, lines, fog");
+             d.click("Colour of the halos");
+         }},
+        {"parts", kUsual, p, page(Panel::Page::parts)},
+        {"parts, sequence", kUsual, p, sequence},
+        {"parts, sequence, light, narrow", kNarrow, p, [=](Driver& d) { light(d), sequence(d); }},
+        {"parts, sequence, dark", kUsual, p, [=](Driver& d) { dark(d), sequence(d); }},
+        {"parts, models", kUsual, several, page(Panel::Page::parts)},
+        {"parts, models, narrow", kNarrow, several, page(Panel::Page::parts)},
+        {"parts, assemblies", kUsual, p,
+         [](Driver& d) {
+             d.panel().showPage(Panel::Page::parts);
+             d.pause(0.2);
+             d.click("Assembly");
+         }},
+        {"parts, colour", kUsual, p,
+         [](Driver& d) {
+             d.panel().showPage(Panel::Page::parts);
+             d.pause(0.2);
+             d.click("Colour of Chain B");
+         }},
+        {"parts, two molecules", kUsual, "sample:dna",
+         [](Driver& d) {
+             d.viewer().add("sample:buckyball", seconds());
+             d.settle();
+             d.panel().showPage(Panel::Page::parts);
+         }},
+        {"open, beside", kUsual, "sample:dna",
+         [](Driver& d) {
+             d.panel().showStart();
+             d.pause(0.2);
+             d.click("Beside what is open");
+         }},
+        {"parts, small molecule", kUsual, "sample:glucose", page(Panel::Page::parts)},
+        {"select, nothing", kUsual, p, page(Panel::Page::select)},
+        {"select, rules", kUsual, p, rules},
+        {"select, rules, narrow", kNarrow, p, rules},
+        {"select, typed", kUsual, p,
+         [](Driver& d) {
+             d.panel().showPage(Panel::Page::select);
+             d.pause(0.2);
+             d.click("Selection");
+             d.type("chain A and si");
+         }},
+        {"labels", kUsual, p, measured},
+        {"labels, light, narrow", kNarrow, p, [=](Driver& d) { light(d), measured(d); }},
+        {"more, developers", kUsual, "sample:dna",
+         [](Driver& d) {
+             d.panel().showPage(Panel::Page::more);
+             d.pause(0.2);
+             d.click("For developers");
+         }},
+        {"folded", kUsual, p, [](Driver& d) { d.click("Fold the panel"); }},
+        {"picked and hovered", kUsual, p,
+         [](Driver& d) {
+             const double scale = d.viewer().size().height / 720.0;
+             d.clickAt(scale * glm::dvec2(600, 300));
+             d.clickAt(scale * glm::dvec2(690, 400));
+             d.pause(0.3);
+             d.moveTo(scale * glm::dvec2(640, 450));
+             d.pause(0.3);
+         }},
+        {"save", kUsual, "sample:dna", save},
+        {"save, paper, narrow", kNarrow, "sample:dna",
+         [=](Driver& d) {
+             save(d);
+             d.pause(0.2);
+             d.click("Size");
+             d.click("For paper");
+         }},
+        {"help", kUsual, "sample:dna", help},
+        {"help, dark", kUsual, "sample:dna", [=](Driver& d) { dark(d), help(d); }},
+        {"help, narrow, light", kNarrow, "sample:dna", [=](Driver& d) { light(d), help(d); }},
+        {"error", kUsual, "sample:dna", failure},
+        {"error, dark", kUsual, "sample:dna", [=](Driver& d) { dark(d), failure(d); }},
+        {"legends", kUsual, p,
+         [](Driver& d) {
+             SavedView look = d.viewer().view();
+             look.look.color = ColorScheme::secondaryStructure;
+             look.words.legend = true;
+             d.viewer().setLook(look, seconds());
+             d.panel().showPage(Panel::Page::labels);
+         }},
+        {"film", kUsual, "sample:dna", record},
+        {"film, kept views, narrow", kNarrow, "sample:dna",
+         [=](Driver& d) {
+             keep(d);
+             record(d);
+             d.click("Motion");
+             d.click("Kept views");
+         }},
+        {"film, kept views, dark", kUsual, "sample:dna",
+         [=](Driver& d) {
+             dark(d), keep(d), record(d);
+             d.click("Motion");
+             d.click("Kept views");
+         }},
+        {"film, preview", kUsual, "sample:dna",
+         [=](Driver& d) {
+             keep(d);
+             record(d);
+             d.click("Motion");
+             d.click("Kept views");
+             d.click("Preview");
+             d.pause(0.7);
+             d.rests = false;
+         }},
+        {"film, recording", kUsual, "sample:dna", recording},
+        {"film, recording, narrow, dark", kNarrow, "sample:dna", [=](Driver& d) { dark(d), recording(d); }},
+        {"motion is coarser", kUsual, p,
+         [=](Driver& d) {
+             d.viewer().keepSharp(0.001, 0.7);
+             d.viewer().run(ViewerCommand::autoRotate, seconds());
+             d.pause(3);
+             d.rests = false;
+         }},
+        {"parts, laid onto", kUsual, "sample:dna",
+         [](Driver& d) {
+             d.viewer().open(std::vector<std::string>{"sample:dna", "sample:dna"}, seconds());
+             d.settle();
+             d.panel().showPage(Panel::Page::parts);
+             d.pause(0.2);
+             d.click("Laid onto dna");
+         }},
+        {"playing, options", kUsual, several, [](Driver& d) { d.click("How it is played"); }},
+        {"playing, options, narrow, light", kNarrow, several,
+         [=](Driver& d) { light(d), d.click("How it is played"); }},
+        {"view is saved", kUsual, "sample:dna",
+         [](Driver& d) {
+             d.press('s', {true, false});
+         }},
+        {"start, 420 pixels", {210, 380}, "", [](Driver&) {}},
+        {"look, 420 pixels", {210, 380}, p, page(Panel::Page::look)},
+        {"parts, 420 pixels", {210, 380}, p, page(Panel::Page::parts)},
+        {"help, 420 pixels", {210, 380}, "sample:dna", help},
+        {"error, 420 pixels", {210, 380}, "sample:dna", failure},
+        {"error, narrow, light", kNarrow, "sample:dna", [=](Driver& d) { light(d), failure(d); }},
+    };
+}
+
+}  // namespace nacre::app
