@@ -10,32 +10,32 @@
 namespace nacre::app {
 namespace {
 
-using nlohmann::json;
 using test::nacreIn;
 using test::Outcome;
 using test::TemporaryFolder;
 
-json viewOf(const TemporaryFolder& folder, const std::string& options) {
+nlohmann::json viewOf(const TemporaryFolder& folder, const std::string& options) {
     const Outcome outcome =
         nacreIn(folder, "render -q -o a.png --size 64x48 --occlusion off --stats s.json " + options);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    return json::parse(test::contentOf(folder / "s.json"))["view"];
+    return nlohmann::json::parse(test::contentOf(folder / "s.json"))["view"];
 }
 
 TEST(Aim, ViewsAreToldSoThatTheyCanBeRepeated) {
     const TemporaryFolder folder;
-    const json file = viewOf(folder, "sample:dna");
-    EXPECT_EQ(file["orientation"], json({1.0, 0.0, 0.0, 0.0}));
+    const nlohmann::json file = viewOf(folder, "sample:dna");
+    EXPECT_EQ(file["orientation"], nlohmann::json({1.0, 0.0, 0.0, 0.0}));
     EXPECT_EQ(file["zoom"], 1.0);
-    const json aimed = viewOf(folder, "sample:dna --orient principal --zoom-to 'chain A and resi 3' --rotate 0,0,10");
+    const nlohmann::json aimed =
+        viewOf(folder, "sample:dna --orient principal --zoom-to 'chain A and resi 3' --rotate 0,0,10");
     EXPECT_NE(aimed["rotation"], file["rotation"]);
     EXPECT_GT(aimed["zoom"], 1.5);
     // What it says, as a saved view: the same picture.
     const std::string picture = test::contentOf(folder / "a.png");
-    json view = {{"input", "sample:dna"}};
+    nlohmann::json view = {{"input", "sample:dna"}};
     for (const char* key : {"orientation", "zoom", "pan", "clip", "uncover"}) view[key] = aimed[key];
     std::ofstream(folder / "v.json") << view.dump();
-    const json repeated = viewOf(folder, "--view v.json");
+    const nlohmann::json repeated = viewOf(folder, "--view v.json");
     EXPECT_TRUE(test::contentOf(folder / "a.png") == picture);  // bytes are no reading
     EXPECT_NEAR(repeated["pixels_per_angstrom"].get<double>(), aimed["pixels_per_angstrom"].get<double>(), 1e-9);
     // What hides it is left out there, too; `off` leaves it.

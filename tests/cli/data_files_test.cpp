@@ -8,8 +8,8 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
-#include "app/cli/commands.h"
 #include "engine/error.h"
 #include "engine/molecule/memory_bound.h"
 #include "tests/support/measured_run.h"
@@ -105,58 +105,74 @@ TEST(DataFiles, DamagedOnesEndInAPictureOrOneLineWithinBounds) {
     EXPECT_GT(files, 50);
 }
 
-/// Does what `nacre ARGUMENTS` does, here: starting the program takes as long as a small picture.
-MeasuredRun runHere(const std::vector<std::string>& arguments) {
-    std::vector<const char*> words{"nacre"};
-    for (const std::string& argument : arguments) words.push_back(argument.c_str());
-    MeasuredRun run;
-    testing::internal::CaptureStderr();
-    try {
-        app::renderCommand(app::parseCommandLine(static_cast<int>(words.size()), words.data()).render);
-        run.code = 0;
-        run.err = testing::internal::GetCapturedStderr();
-    } catch (const Error& error) {
-        run.code = 1;
-        run.err = testing::internal::GetCapturedStderr() + "nacre: error: " + error.what() + "\n";
+/// Draws files by one batch, small, with occlusion by 16 directions or none.
+class Drawn {
+public:
+    void add(const std::string& name, const std::string& path, bool occlusion) {
+        names_.push_back(name);
+        jobs_ << nlohmann::json{{"input", path}, {"output", output(name)}, {"occlusion", occlusion ? "16" : "off"}}
+              << "\n";
     }
-    return run;
-}
+    /// What was said of each, by its name.
+    std::map<std::string, nlohmann::json> draw() {
+        std::ofstream(folder_ / "jobs") << jobs_.str();
+        test::RunOptions options;
+        options.processorSeconds = 600;
+        const MeasuredRun run =
+            test::runMeasured({"batch", folder_ / "jobs", "--cache", "off", "--size", "96x96", "--jobs", "1"}, options);
+        EXPECT_EQ(run.signal, 0);
+        std::map<std::string, nlohmann::json> said;
+        std::istringstream lines(run.out);
+        for (std::string line; std::getline(lines, line);) {
+            const nlohmann::json one = nlohmann::json::parse(line);
+            if (one.contains("job")) said[names_.at(one["job"].get<std::size_t>() - 1)] = one;
+        }
+        EXPECT_EQ(said.size(), names_.size()) << run.err;
+        return said;
+    }
+    std::string output(const std::string& name) const {
+        return folder_ / (std::to_string(std::hash<std::string>{}(name)) + ".png");
+    }
+
+private:
+    TemporaryFolder folder_;
+    std::vector<std::string> names_;
+    std::ostringstream jobs_;
+};
 
 TEST(DataFiles, GoodOnesBecomePictures) {
     NACRE_NEEDS_WRITTEN_FILES();
-    for (const test::WrittenFile& file : oneOfEachKind("buckyball")) {
-        SCOPED_TRACE(file.name);
-        const TemporaryFolder folder;
-        const MeasuredRun run = runHere(
-            {"render", file.path, "-o", folder / "a.png", "--cache", "off", "--size", "96x96", "--occlusion", "16"});
-        expectPictureOrOneLine(run, file.path, folder);
-        EXPECT_EQ(run.code, 0);
+    Drawn drawn;
+    const std::vector<test::WrittenFile> written = oneOfEachKind("buckyball");
+    for (const test::WrittenFile& file : written) drawn.add(file.name, file.path, true);
+    if (test::dataFolder()) {
+        const nlohmann::json files = expectedFiles();
+        for (const auto& [file, expected] : files.items()) {
+            const bool many = expected["atoms"].is_number() && expected["atoms"] > kManyAtoms;
+            if (file.rfind("bad/", 0) != 0) drawn.add(file, test::dataFile(file), !many);
+        }
     }
-
-    if (!test::dataFolder()) return;
-    int drawn = 0;
-    const nlohmann::json files = expectedFiles();
-    for (const auto& [file, expected] : files.items()) {
-        if (file.rfind("bad/", 0) == 0) continue;
-        SCOPED_TRACE(file);
-        const TemporaryFolder folder;
-        const bool many = expected["atoms"].is_number() && expected["atoms"] > kManyAtoms;
-        const MeasuredRun run = runHere({"render", test::dataFile(file), "-o", folder / "a.png", "--cache", "off",
-                                         "--size", "96x96", "--occlusion", many ? "off" : "16"});
-        expectPictureOrOneLine(run, file, folder);
-        if (run.code == 0) {
-            ++drawn;
+    std::map<std::string, nlohmann::json> said = drawn.draw();
+    for (const test::WrittenFile& file : written) EXPECT_EQ(said[file.name]["status"], "done") << said[file.name];
+    int pictures = 0;
+    for (const auto& [name, how] : said) {
+        SCOPED_TRACE(how.dump());
+        if (how["status"] == "done") {
+            ++pictures;
+            EXPECT_EQ(test::contentOf(drawn.output(name)).substr(0, 4), "\x89PNG");
             continue;
         }
         // Refused only for a format that `--format` does not know either.
-        const std::size_t at = run.err.find("format ");
-        const std::size_t end = run.err.find(" is not supported");
-        ASSERT_NE(end, std::string::npos) << run.err;
+        EXPECT_FALSE(std::filesystem::exists(drawn.output(name)));
+        const std::string error = how["error"];
+        const std::size_t at = error.find("format ");
+        const std::size_t end = error.find(" is not supported");
+        ASSERT_NE(end, std::string::npos);
         if (at < end) {
-            EXPECT_FALSE(formatFromName(run.err.substr(at + 7, end - at - 7))) << run.err;
+            EXPECT_FALSE(formatFromName(error.substr(at + 7, end - at - 7)));
         }
     }
-    EXPECT_GT(drawn, 60);
+    EXPECT_GT(pictures, test::dataFolder() ? 75 : 14);
 }
 
 /// 4,000 atoms too far from each other for bonds.

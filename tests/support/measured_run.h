@@ -37,7 +37,8 @@ struct RunOptions {
     bool terminal = false;        ///< standard error is a terminal
     std::function<bool()> until;  ///< asked again and again; once it is true signals end the program
     int signal = SIGINT;
-    bool once = false;  ///< no second signal follows the first
+    bool once = false;               ///< no second signal follows the first
+    unsigned processorSeconds = 60;  ///< more of the processor ends it
 };
 
 namespace detail {
@@ -55,7 +56,7 @@ namespace detail {
     std::vector<char*> pointers{program.data()};
     for (std::string& argument : copies) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
-    const rlimit limit{60, 60};  // seconds of its processor; outlives the exec
+    const rlimit limit{options.processorSeconds, options.processorSeconds};  // outlives the exec
     setrlimit(RLIMIT_CPU, &limit);
     execv(program.c_str(), pointers.data());
     _exit(127);
