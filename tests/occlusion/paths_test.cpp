@@ -20,8 +20,8 @@ protected:
         s.occlusion.directions = 38;  // no multiple of a batch
         return s;
     }();
-    std::vector<float> baked(OcclusionMaps maps) {
-        ValidatedRenderer renderer(Visibility::automatic);
+    std::vector<float> baked(OcclusionMaps maps, ValidatedRenderer::Age age = ValidatedRenderer::any) {
+        ValidatedRenderer renderer(Visibility::automatic, age);
         renderer->setScene(scene_);
         settings_.occlusion.maps = maps;
         return renderer->layers(settings_).occlusion;
@@ -36,7 +36,7 @@ TEST_P(OcclusionOfScene, IsTheSameByEveryPathOfTheDepthMaps) {
         ASSERT_NEAR(tiles[i], encoded[i], 1.01 / 255) << i;
     }
     setenv("NACRE_BAKE_BY_PAIRS", "1", 1);
-    const std::vector<float> pairs = baked(OcclusionMaps::fragdepth);
+    const std::vector<float> pairs = baked(OcclusionMaps::fragdepth, ValidatedRenderer::fresh);
     unsetenv("NACRE_BAKE_BY_PAIRS");
     EXPECT_EQ(pairs, fragdepth);
 }

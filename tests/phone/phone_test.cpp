@@ -20,7 +20,7 @@ bool onMoltenVk() { return std::string_view(std::getenv("NACRE_PHONE")) == "molt
 constexpr Visibility kPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::deferred};
 
 TEST(Phone, IsTakenForWhatItSaysItIs) {
-    ValidatedRenderer renderer(Visibility::automatic);
+    ValidatedRenderer renderer(Visibility::automatic, ValidatedRenderer::fresh);
     const DeviceInfo& device = renderer->stats().device;
     EXPECT_EQ(device.name, onMoltenVk() ? "the least iPhone" : "the least phone");
     EXPECT_EQ(device.type, "integrated");
@@ -105,7 +105,7 @@ TEST(Phone, DrawsEveryPathAndStyleAlike) {
             const Representation r = scene("sample:glucose", style);
             std::vector<std::uint32_t> ids;
             for (const Visibility path : kPaths) {
-                ValidatedRenderer renderer(path);
+                ValidatedRenderer renderer(path, ValidatedRenderer::fresh);
                 renderer->setScene(r);
                 RenderSettings s = settings(r, 96, projection);
                 s.occlusion.directions = 4;
@@ -158,7 +158,7 @@ struct SmallTile {
 };
 
 DriverFeedback feedbackOf(Visibility path) {
-    ValidatedRenderer renderer(path);
+    ValidatedRenderer renderer(path, ValidatedRenderer::fresh);
     const Representation r = scene("sample:glucose", Style::spacefill);
     renderer->setScene(r);
     renderer->render(settings(r, 64, Projection::orthographic));
@@ -196,7 +196,7 @@ TEST(Phone, TheDriverTellsWhatLeftTheTile) {
 
 // Times are the device's own, or nobody tells any: a queue without a clock is asked for none, and bakes all the same.
 TEST(Phone, TellsTimesWhereItsQueueHasAClock) {
-    ValidatedRenderer renderer(Visibility::automatic);
+    ValidatedRenderer renderer(Visibility::automatic, ValidatedRenderer::fresh);
     const Representation r = scene("sample:glucose", Style::spacefill);
     renderer->setScene(r);
     RenderSettings s = settings(r, 48, Projection::orthographic);
@@ -250,7 +250,7 @@ TEST(Phone, BakesByEveryKindOfDepthMap) {
     for (const OcclusionMaps maps :
          {OcclusionMaps::automatic, OcclusionMaps::encoded, OcclusionMaps::fragdepth, OcclusionMaps::tiles})
         for (const int directions : {1, 20}) {
-            ValidatedRenderer renderer(Visibility::automatic);
+            ValidatedRenderer renderer(Visibility::automatic, ValidatedRenderer::fresh);
             renderer->setScene(r);
             RenderSettings s = settings(r, 64, Projection::orthographic);
             s.occlusion.directions = directions;
@@ -269,7 +269,7 @@ TEST(Phone, DrawsNoMoreInstancesAtOnceThanPhonesTake) {
     ASSERT_GT(r.spheres.size(), 512u);
     ASSERT_GT(r.cylinders.size(), 512u);
     for (const Visibility path : kPaths) {
-        ValidatedRenderer renderer(path);
+        ValidatedRenderer renderer(path, ValidatedRenderer::fresh);
         renderer->setScene(r);
         RenderSettings s = settings(r, 64, Projection::orthographic);
         s.occlusion.directions = 1;
@@ -300,7 +300,7 @@ TEST(Phone, ShowsEveryDebugViewAndRungOfEncodedDepth) {
 TEST(Phone, DrawsEveryKindOfPlateAndOutline) {
     Representation r = scene("sample:glucose", Style::ballAndStick);
     for (const Visibility path : kPaths) {
-        ValidatedRenderer renderer(path);
+        ValidatedRenderer renderer(path, ValidatedRenderer::fresh);
         renderer->setScene(r);
         RenderSettings s = settings(r, 64, Projection::orthographic);
         for (const PlateShape plates : {PlateShape::none, PlateShape::octagon, PlateShape::dome3})

@@ -164,7 +164,7 @@ TEST(SamePicture, TransientOrStored) {
     std::vector<std::vector<float>> pictures;
     for (const char* stored : {"0", "1"}) {
         setenv("NACRE_NO_TRANSIENT", stored, 1);
-        ValidatedRenderer renderer(Visibility::encoded);
+        ValidatedRenderer renderer(Visibility::encoded, ValidatedRenderer::fresh);
         renderer->setScene(r);
         pictures.push_back(renderer->render(s).rgba);
         // Stored attachments show in the frame's traffic: depth and encoded depth beside the colour.
@@ -186,7 +186,7 @@ TEST(SamePicture, TransientOrStored) {
 TEST(Frame, OfNothingIsTheBackground) {
     for (const Visibility path : kPaths)
         for (const bool set : {false, true}) {
-            ValidatedRenderer renderer(path);
+            ValidatedRenderer renderer(path, ValidatedRenderer::fresh);
             if (set) renderer->setScene({});
             RenderSettings s;
             s.supersample = 1;
@@ -209,7 +209,7 @@ TEST(Frame, OfNothingIsTheBackground) {
 TEST(Frame, IsSplitByTheEnvironment) {
     const Representation r = scene("sample:dna", Style::spacefill);
     setenv("NACRE_NO_MERGE", "1", 1);
-    ValidatedRenderer renderer(Visibility::encoded);
+    ValidatedRenderer renderer(Visibility::encoded, ValidatedRenderer::fresh);
     unsetenv("NACRE_NO_MERGE");
     renderer->setScene(r);
     renderer->render(settings(r, 64, Projection::orthographic));

@@ -8,6 +8,7 @@
 #include <memory>
 #include <numeric>
 #include <string>
+#include <vector>
 
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"
@@ -51,17 +52,51 @@ inline Representation scene(const std::string& name, Style style) {
     return represent(m, drawnAtoms(m), {style, ColorScheme::element});
 }
 
-/// A renderer on the driver that the environment names, with validation. Any message fails the test.
-class ValidatedRenderer {
+/// Renderers that no test uses at the moment. Making one and compiling its pipelines takes longer than most tests draw.
+class IdleRenderers : public testing::Environment {
 public:
-    explicit ValidatedRenderer(Visibility visibility) : renderer_({true, "", visibility}) {}
-    ~ValidatedRenderer() {
-        for (const std::string& message : renderer_.validationMessages()) ADD_FAILURE() << message;
+    std::unique_ptr<Renderer> take(Visibility visibility) {
+        std::vector<std::unique_ptr<Renderer>>& idle = idle_[visibility];
+        if (idle.empty()) return std::make_unique<Renderer>(DeviceOptions{true, "", visibility});
+        std::unique_ptr<Renderer> renderer = std::move(idle.back());
+        idle.pop_back();
+        return renderer;
     }
-    Renderer* operator->() { return &renderer_; }
+    void give(Visibility visibility, std::unique_ptr<Renderer> renderer) {
+        idle_[visibility].push_back(std::move(renderer));
+    }
+    void TearDown() override { idle_.clear(); }  // before the drivers go
 
 private:
-    Renderer renderer_;
+    std::map<Visibility, std::vector<std::unique_ptr<Renderer>>> idle_;
+};
+inline IdleRenderers* const idleRenderers =  // gtest's own
+    static_cast<IdleRenderers*>(testing::AddGlobalTestEnvironment(new IdleRenderers));
+
+/// A renderer on the driver that the environment names, with validation. Any message fails the test. It may have drawn
+/// for another test before, unless it is to be fresh: for tests that change the environment, or ask what came first.
+class ValidatedRenderer {
+public:
+    enum Age { any, fresh };
+    explicit ValidatedRenderer(Visibility visibility, Age age = any)
+        : visibility_(visibility),
+          age_(age),
+          renderer_(age == any ? idleRenderers->take(visibility)
+                               : std::make_unique<Renderer>(DeviceOptions{true, "", visibility})),
+          said_(renderer_->validationMessages().size()) {}
+    ValidatedRenderer(const ValidatedRenderer&) = delete;
+    ~ValidatedRenderer() {
+        const std::vector<std::string> messages = renderer_->validationMessages();
+        for (std::size_t i = said_; i < messages.size(); ++i) ADD_FAILURE() << messages[i];
+        if (age_ == any && !testing::Test::HasFailure()) idleRenderers->give(visibility_, std::move(renderer_));
+    }
+    Renderer* operator->() { return renderer_.get(); }
+
+private:
+    Visibility visibility_;
+    Age age_;
+    std::unique_ptr<Renderer> renderer_;
+    std::size_t said_;
 };
 
 /// A renderer for each path, made when it is first asked for.
