@@ -173,7 +173,10 @@ void OutputFile::makeTemporary(const std::string& folder, const std::string& ext
                          .string();
         lock_ = openPlain(temporary_, O_WRONLY | O_CREAT | O_EXCL, target_.empty() ? 0600 : 0666);
         if (lock_ < 0) fail(path_, std::strerror(errno));
-        flock(lock_, LOCK_EX | LOCK_NB);  // where a file system has no locks, only age tells what was left behind
+        // Another run that sweeps may have it: it is waited for, and then looked whether the file is still there. Where
+        // a file system has no locks, only age tells what was left behind.
+        while (flock(lock_, LOCK_EX) != 0 && errno == EINTR) {
+        }
     }
     if (replaces) fchmod(lock_, before.st_mode & 0777);
     remember(temporary_);

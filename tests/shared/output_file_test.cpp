@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -110,6 +111,39 @@ TEST(OutputFile, SweepsAtOnceWhatItsOwnMachineLeft) {
     const OutputFile next(folder / "b.png");
     EXPECT_FALSE(fs::exists(left)) << left;
     EXPECT_TRUE(fs::exists(next.temporary()));
+}
+
+TEST(OutputFile, IsNotLostToARunThatSweepsMeanwhile) {
+    constexpr int kRounds = 60, kRuns = 8;
+    for (int round = 0; round < kRounds; ++round) {
+        const TemporaryFolder folder;  // one that each run meets for the first time, and sweeps
+        int gate[2];
+        ASSERT_EQ(pipe(gate), 0);
+        std::array<pid_t, kRuns> runs{};
+        for (int i = 0; i < kRuns; ++i) {
+            runs[i] = fork();
+            if (runs[i] != 0) continue;
+            close(gate[1]);
+            char end = 0;
+            if (read(gate[0], &end, 1) != 0) _exit(1);  // all begin when the gate is closed
+            bool there = true;
+            try {
+                OutputFile file(folder / std::to_string(i));
+                usleep(500);
+                there = fs::exists(file.temporary());
+            } catch (const Error&) {
+                there = false;
+            }
+            _exit(there ? 0 : 1);
+        }
+        close(gate[0]);
+        close(gate[1]);
+        for (const pid_t run : runs) {
+            int status = -1;
+            ASSERT_EQ(waitpid(run, &status, 0), run);
+            EXPECT_EQ(status, 0) << "in round " << round;
+        }
+    }
 }
 
 TEST(OutputFile, NoOutputReplacesWhatIsReadByAnyName) {
