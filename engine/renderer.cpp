@@ -208,7 +208,7 @@ DriverFeedback Renderer::driverFeedback() const {
     return impl_->guarded([&] { return impl_->executor.feedback(); });
 }
 const std::string& Renderer::planText() const { return impl_->pictures.planText(); }
-const std::vector<std::string>& Renderer::validationMessages() const { return impl_->device.validationMessages(); }
+std::vector<std::string> Renderer::validationMessages() const { return impl_->device.validationMessages(); }
 std::uint32_t Renderer::maxSize() const { return impl_->device.caps().maxImageSize; }
 
 }  // namespace nacre

@@ -96,7 +96,7 @@ public:
     /// Plan of the last frame as text.
     const std::string& planText() const;
     /// What the validation layer said so far; empty is what is right.
-    const std::vector<std::string>& validationMessages() const;
+    std::vector<std::string> validationMessages() const;
     /// Largest picture side of this device, in pixels.
     std::uint32_t maxSize() const;
 

@@ -90,7 +90,7 @@ void tellOfPasses(Renderer& renderer, RenderSettings settings, FrameStats& frame
 }
 
 void checkValidation(const Renderer& renderer) {
-    const std::vector<std::string>& messages = renderer.validationMessages();
+    const std::vector<std::string> messages = renderer.validationMessages();
     if (messages.empty()) return;
     throw Error("Vulkan validation", renderer.stats().device.name,
                 std::to_string(messages.size()) + " messages, the first: " + messages.front());

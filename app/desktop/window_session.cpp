@@ -65,10 +65,9 @@ void WindowSession::loop() {
     saveState(viewer().view());
     rememberFile();
     if (!options_.stats.empty()) writeStats();
-    if (!renderer().validationMessages().empty())
+    if (const std::vector<std::string> messages = renderer().validationMessages(); !messages.empty())
         throw Error("Vulkan validation", renderer().stats().device.name,
-                    std::to_string(renderer().validationMessages().size()) +
-                        " messages, the first: " + renderer().validationMessages().front());
+                    std::to_string(messages.size()) + " messages, the first: " + messages.front());
 }
 
 double WindowSession::step(double longest) {

@@ -98,7 +98,7 @@ public:
             scene_ = request.scene;
         }
         auto drawn = draw(*renderer_, prepared.settings);
-        if (const auto& messages = renderer_->validationMessages(); !messages.empty())
+        if (const auto messages = renderer_->validationMessages(); !messages.empty())
             throw Error("Vulkan validation", renderer_->stats().device.name, messages.front());
         return drawn;
     }

@@ -12,6 +12,7 @@
 #include "engine/gpu/context.h"
 #include "engine/gpu/device_loss.h"
 #include "engine/gpu/local_read.h"
+#include "engine/gpu/validation_log.h"
 
 namespace nacre::gpu {
 
@@ -65,7 +66,7 @@ public:
     void endLabel(const vk::raii::CommandBuffer& commands) const;
 
     /// Messages of the validation layer so far; empty is what every frame must leave behind.
-    const std::vector<std::string>& validationMessages() const { return *messages_; }
+    std::vector<std::string> validationMessages() const { return messages_->messages(); }
 
     /// What is submitted, for the account of a loss. Whoever records tells it.
     SubmissionLog& log() const { return *log_; }
@@ -98,7 +99,7 @@ private:
 
     vk::raii::Context context_ = makeContext();
     vk::raii::Instance instance_{nullptr};
-    std::unique_ptr<std::vector<std::string>> messages_ = std::make_unique<std::vector<std::string>>();
+    std::unique_ptr<ValidationLog> messages_ = std::make_unique<ValidationLog>();
     vk::raii::DebugUtilsMessengerEXT messenger_{nullptr};
     vk::raii::PhysicalDevice physical_{nullptr};
     vk::raii::Device device_{nullptr};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <mutex>
 
 #include "engine/error.h"
 
@@ -18,11 +17,7 @@ bool hasExtension(const std::vector<vk::ExtensionProperties>& list, const char* 
 
 VKAPI_ATTR VkBool32 VKAPI_CALL collect(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                        const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
-    auto& messages = *static_cast<std::vector<std::string>*>(user);
-    constexpr std::size_t kMost = 100;
-    static std::mutex turn;  // pipelines are made on a thread of their own, too
-    const std::lock_guard lock(turn);
-    if (messages.size() < kMost) messages.emplace_back(data->pMessage ? data->pMessage : "");
+    static_cast<ValidationLog*>(user)->add(data->pMessage ? data->pMessage : "");
     return VK_FALSE;
 }
 
@@ -91,7 +86,7 @@ vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate,
     }
 }
 
-vk::raii::DebugUtilsMessengerEXT makeMessenger(const vk::raii::Instance& instance, std::vector<std::string>& messages) {
+vk::raii::DebugUtilsMessengerEXT makeMessenger(const vk::raii::Instance& instance, ValidationLog& messages) {
     using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
     using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
     return {instance, vk::DebugUtilsMessengerCreateInfoEXT({}, Severity::eWarning | Severity::eError,

@@ -5,6 +5,8 @@
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
+#include "engine/gpu/validation_log.h"
+
 namespace nacre::gpu {
 
 struct InstanceExtensions {
@@ -17,8 +19,8 @@ struct InstanceExtensions {
 vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate, InstanceExtensions& found,
                                 const std::vector<std::string>& wanted = {});
 
-/// Collects validation messages of warning severity and above.
-vk::raii::DebugUtilsMessengerEXT makeMessenger(const vk::raii::Instance& instance, std::vector<std::string>& messages);
+/// Collects validation messages of warning severity and above, for as long as the messenger lives.
+vk::raii::DebugUtilsMessengerEXT makeMessenger(const vk::raii::Instance& instance, ValidationLog& messages);
 
 /// The device that a number or part of a name means; empty: discrete, integrated, virtual, then software.
 /// @throws Error that lists what there is
