@@ -89,8 +89,14 @@ vk::raii::Instance makeInstance(const vk::raii::Context& context, bool validate,
 vk::raii::DebugUtilsMessengerEXT makeMessenger(const vk::raii::Instance& instance, ValidationLog& messages) {
     using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
     using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-    return {instance, vk::DebugUtilsMessengerCreateInfoEXT({}, Severity::eWarning | Severity::eError,
-                                                           Type::eValidation | Type::ePerformance, collect, &messages)};
+    // Vulkan-Hpp's own type of the callback differs from version to version, that of C does not.
+    VkDebugUtilsMessengerCreateInfoEXT info = {};
+    info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
+    info.messageSeverity = static_cast<VkFlags>(Severity::eWarning | Severity::eError);
+    info.messageType = static_cast<VkFlags>(Type::eValidation | Type::ePerformance);
+    info.pfnUserCallback = collect;
+    info.pUserData = &messages;
+    return {instance, vk::DebugUtilsMessengerCreateInfoEXT(info)};
 }
 
 vk::raii::PhysicalDevice pickDevice(const vk::raii::Instance& instance, const std::string& wanted) {

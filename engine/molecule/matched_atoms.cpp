@@ -1,6 +1,8 @@
 #include "engine/molecule/matched_atoms.h"
 
 #include <algorithm>
+#include <gemmi/fail.hpp>
+// After what it lacks in some versions.
 #include <gemmi/seqalign.hpp>
 #include <string>
 
@@ -11,6 +13,14 @@ namespace nacre {
 namespace {
 
 constexpr std::size_t kMostResidues = 20'000;
+
+/// A match counts 1, a mismatch and each residue of a gap -1. gemmi takes them by reference until 0.5, by pointer
+/// since.
+struct Scores {
+    gemmi::AlignmentScoring scoring;
+    operator const gemmi::AlignmentScoring&() const { return scoring; }
+    operator const gemmi::AlignmentScoring*() const { return &scoring; }
+};
 
 /// Residues with a selected atom, in their order. Waters are none: their order in two files says nothing.
 std::vector<std::uint32_t> residuesOf(const Molecule& molecule, const std::vector<bool>& selected) {
@@ -55,7 +65,7 @@ AtomPairs matchAtoms(const Molecule& molecule, const std::vector<bool>& first, c
     pairs.residues = std::min(a.size(), b.size());
     if (pairs.residues == 0) return pairs;
     const gemmi::AlignmentResult aligned =
-        gemmi::align_string_sequences(sequenceOf(molecule, a), sequenceOf(molecule, b), {}, gemmi::AlignmentScoring());
+        gemmi::align_string_sequences(sequenceOf(molecule, a), sequenceOf(molecule, b), {}, Scores());
     if (aligned.cigar.empty()) throw Error("cannot fit", "", "the residues have names of more than 255 kinds");
     std::size_t i = 0, j = 0;
     for (const gemmi::AlignmentResult::Item& item : aligned.cigar) {

@@ -253,7 +253,7 @@ void letFinish() {
 
 }  // namespace nacre::faults
 
-extern "C" VK_LAYER_EXPORT VKAPI_ATTR VkResult VKAPI_CALL
+extern "C" __attribute__((visibility("default"))) VKAPI_ATTR VkResult VKAPI_CALL
 vkNegotiateLoaderLayerInterfaceVersion(VkNegotiateLayerInterface* layer) {
     layer->loaderLayerInterfaceVersion = std::min(layer->loaderLayerInterfaceVersion, 2u);
     layer->pfnGetInstanceProcAddr = nacre::faults::instanceCall;

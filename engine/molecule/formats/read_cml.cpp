@@ -93,7 +93,13 @@ public:
 private:
     [[noreturn]] void fail(const std::string& why) const { throw Error("cannot read molecule", name_, why, line()); }
 
-    std::uint64_t line() const { return XML_GetCurrentLineNumber(parser_.get()); }
+    std::uint64_t line() const {
+#if XML_MAJOR_VERSION > 2 || (XML_MAJOR_VERSION == 2 && XML_MINOR_VERSION >= 9)
+        return XML_GetCurrentLineNumber64(parser_.get());
+#else
+        return XML_GetCurrentLineNumber(parser_.get());
+#endif
+    }
 
     /// Runs what may throw; an exception must not pass through expat, which is C.
     template <typename Work>
