@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <future>
 #include <random>
 
 #include "tests/android_host/host_fixture.h"
@@ -158,6 +159,52 @@ TEST_F(AndroidHost, NothingIsDrawnWhileItIsNotSeen) {
     host.start();
     host.resume();
     expectAsRendered(host, kMenu, "", 1);
+}
+
+/// Share of the window that is not background.
+double covered(const WindowPicture& p) {
+    std::size_t pixels = 0;
+    for (std::size_t i = 0; i < p.rgb.size(); i += 3) pixels += p.rgb[i] < 250 || p.rgb[i + 1] < 250;
+    return static_cast<double>(3 * pixels) / static_cast<double>(p.rgb.size());
+}
+
+// Fence and image first, then input: a touch that comes while the app waits for an image is in that very image.
+TEST_F(AndroidHost, AFrameShowsTheTouchesThatCameWhileItWaitedForItsImage) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.lowMemory();
+    host.open(240, 240);
+    expectAsRendered(host, kMenu, "", 1);
+    const double before = covered(host.picture());
+    host.key(AKEYCODE_SPACE, AKEY_EVENT_ACTION_DOWN);  // turns by itself: frame after frame
+    const std::uint64_t still = host.frames();
+    ASSERT_TRUE(eventually([&] { return host.frames() > still + 5; }));
+    std::promise<void> awaited, touched, shown, looked;
+    int images = 0, fences = 0;
+    whileImagesAreAwaited([&] {
+        if (++images == 1) {
+            fences = fenceWaits();
+            awaited.set_value();
+            touched.get_future().wait();
+        } else if (images == 2) {
+            fences = fenceWaits() - fences;
+            shown.set_value();
+            looked.get_future().wait();
+        }
+    });
+    awaited.get_future().wait();
+    const std::uint64_t frames = host.frames();
+    host.scroll(8, 120, 120);  // three times as large
+    touched.set_value();
+    shown.get_future().wait();
+    const double now = covered(host.picture());
+    const std::uint64_t framesNow = host.frames();
+    looked.set_value();
+    whileImagesAreAwaited({});
+    host.view();  // waits: nobody is in what was given up just now
+    EXPECT_EQ(framesNow, frames + 1);
+    EXPECT_LT(before, 0.5);
+    EXPECT_GT(now, before + 0.3);
+    EXPECT_EQ(fences, 1) << "the next frame's alone: none between the touch and what shows it";
 }
 
 bool logSays(const std::string& words) {

@@ -33,6 +33,11 @@ Function loaders(VkInstance instance, const char* name) {
 #define NACRE_LOADERS(instance, name) loaders<PFN_##name>(instance, #name)
 #define NACRE_DEVICES(device, name) reinterpret_cast<PFN_##name>(devices.at(device).procedure(device, #name))
 
+PFN_vkVoidFunction procedureOf(VkDevice device, const char* name) {
+    const std::lock_guard lock(mutex);
+    return devices.at(device).procedure(device, name);
+}
+
 VKAPI_ATTR VkBool32 VKAPI_CALL complain(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                                         const VkDebugUtilsMessengerCallbackDataEXT* data, void*) {
     Faults::add(std::string("validation: ") + (data->pMessage ? data->pMessage : ""));
@@ -221,7 +226,15 @@ VKAPI_ATTR VkResult VKAPI_CALL acquire(VkDevice device, VkSwapchainKHR swapchain
         }
         next = NACRE_DEVICES(device, vkAcquireNextImageKHR);
     }
+    imageIsAwaited();
     return next(device, swapchain, timeout, semaphore, fence, index);
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL waitForFences(VkDevice device, std::uint32_t count, const VkFence* fences, VkBool32 all,
+                                             std::uint64_t timeout) {
+    fenceIsAwaited();
+    return reinterpret_cast<PFN_vkWaitForFences>(procedureOf(device, "vkWaitForFences"))(device, count, fences, all,
+                                                                                         timeout);
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL present(VkQueue queue, const VkPresentInfoKHR* info) {
@@ -272,6 +285,7 @@ PFN_vkVoidFunction replacementOf(const char* name) {
         NACRE_REPLACE(vkDestroySwapchainKHR, destroySwapchain),
         NACRE_REPLACE(vkAcquireNextImageKHR, acquire),
         NACRE_REPLACE(vkQueuePresentKHR, present),
+        NACRE_REPLACE(vkWaitForFences, waitForFences),
         NACRE_REPLACE(vkGetDeviceProcAddr, deviceFunction),
         NACRE_REPLACE(vkGetInstanceProcAddr, vkGetInstanceProcAddr)};
     for (const Replacement& r : kReplacements)
@@ -281,8 +295,7 @@ PFN_vkVoidFunction replacementOf(const char* name) {
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceFunction(VkDevice device, const char* name) {
     if (const PFN_vkVoidFunction ours = replacementOf(name)) return ours;
-    const std::lock_guard lock(mutex);
-    return devices.at(device).procedure(device, name);
+    return procedureOf(device, name);
 }
 
 }  // namespace

@@ -2,7 +2,15 @@
 // What stands for Android's libvulkan.so: the machine's own loader, with VK_KHR_android_surface made of
 // VK_EXT_headless_surface. A window says its size and turn as Android's do, and what is presented is read back.
 
+#include <functional>
+
 namespace nacre::test {
+
+/// What happens on the app's thread while it waits for the next image of a window, until it has it; empty: nothing.
+void whileImagesAreAwaited(std::function<void()> happens);
+
+/// Waits for fences so far.
+int fenceWaits();
 
 /// No device from now on, as on a machine without a driver.
 void setVulkanBroken(bool broken);

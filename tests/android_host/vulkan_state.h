@@ -27,6 +27,10 @@ struct SwapchainRecord {
     std::vector<VkImage> images;
 };
 
+/// Told by the waits that vulkan.h lets a test watch.
+void imageIsAwaited();
+void fenceIsAwaited();
+
 /// The loader's function of an instance, or of none.
 PFN_vkVoidFunction loaderFunction(VkInstance instance, const char* name);
 

@@ -1,9 +1,10 @@
 // Pipelines of the window's next shapes are made on a thread of their own: neither a zoom nor
-// a smaller or a refined picture waits for one. In a window that
+// a smaller or a refined picture waits for one; and shapes stay while a zoom goes to and fro. In a window that
 // nobody sees, which SwiftShader has, as a phone (tests/phone_layer), since software devices have one shape alone.
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <thread>
@@ -73,6 +74,63 @@ TEST(PipelinesAhead, NeitherAZoomNorAnotherQualityWaitsForOne) {
     EXPECT_EQ(Made(file).here, first) << "in a refined picture";
     unsetenv("NACRE_PHONE_PIPELINES");
     for (const std::string& message : renderer.validationMessages()) ADD_FAILURE() << message;
+}
+
+/// What the window's frames draw, by zoom.
+class Shapes {
+public:
+    Shapes() : file_(folder_ / "draws"), renderer_(window()), scene_(scene("sample:glucose", Style::spacefill)) {
+        setenv("NACRE_PHONE_DRAWS", file_.c_str(), 1);
+        renderer_.setScene(scene_);
+        settings_ = settings(scene_, 32, Projection::orthographic);
+        settings_.occlusion.directions = 0;
+        renderer_.present(settings_, {});
+    }
+    ~Shapes() { unsetenv("NACRE_PHONE_DRAWS"); }
+
+    /// Corners of each draw of the next frame.
+    std::string at(double zoom) {
+        const PixelSize size = renderer_.windowSize();
+        Camera camera;
+        camera.zoom = zoom;
+        settings_.view = viewOf(camera, scene_.radius, size.width, size.height);
+        std::ofstream(file_, std::ios::trunc).close();
+        EXPECT_EQ(renderer_.present(settings_, {}), FrameOutcome::shown);
+        std::ostringstream draws;
+        draws << std::ifstream(file_).rdbuf();
+        EXPECT_FALSE(draws.str().empty());
+        return draws.str();
+    }
+
+    /// The zoom at which frames that come from one zoom no longer draw what they draw there, on the way to another.
+    double changes(double from, double to) {
+        const std::string there = at(from);
+        double same = from, other = to;
+        EXPECT_NE(at(to), there);
+        for (int i = 0; i < 12; ++i) {
+            const double middle = std::sqrt(same * other);
+            EXPECT_EQ(at(from), there);
+            (at(middle) == there ? same : other) = middle;
+        }
+        return other;
+    }
+
+private:
+    const TemporaryFolder folder_;
+    const std::string file_;
+    Renderer renderer_;
+    const Representation scene_;
+    RenderSettings settings_;
+};
+
+TEST(PipelinesAhead, ShapesStayWhileAZoomGoesToAndFro) {
+    Shapes shapes;
+    const double up = shapes.changes(0.002, 1);
+    const double down = shapes.changes(1.05 * up, 0.002);
+    EXPECT_GT(up, 1.3 * down);
+    const double between = std::sqrt(up * down);
+    const std::string before = shapes.at(0.94 * between);
+    for (int frame = 0; frame < 20; ++frame) EXPECT_EQ(shapes.at(between * (frame % 2 ? 0.94 : 1.06)), before);
 }
 
 }  // namespace

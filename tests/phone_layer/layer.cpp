@@ -5,7 +5,8 @@
 // "android" (of Arm's make) or "moltenvk"; NACRE_PHONE_WRONG a fault of its driver, NACRE_PHONE_TILE the tile of the
 // former (feedback.h); NACRE_PHONE_SHADERS may name a folder that takes every shader which the program hands over,
 // as 1.spv, 2.spv, ...; NACRE_PHONE_FRAMES a file that is told of frames (frames.h), NACRE_PHONE_PIPELINES one that
-// gets the thread which made a graphics pipeline, a line each.
+// gets the thread which made a graphics pipeline, a line each, NACRE_PHONE_DRAWS one that gets the corners of each
+// draw.
 
 #define VK_ENABLE_BETA_EXTENSIONS
 #include <vulkan/vk_layer.h>
@@ -232,15 +233,23 @@ void take(std::uint32_t instances) {
     std::abort();
 }
 
+/// Corners of one instance: what shape it is.
+void tell(const char* kind, std::uint32_t corners) {
+    if (const char* file = std::getenv("NACRE_PHONE_DRAWS"))
+        std::ofstream(file, std::ios::app) << kind << corners << '\n';
+}
+
 VKAPI_ATTR void VKAPI_CALL CmdDraw(VkCommandBuffer commands, std::uint32_t vertices, std::uint32_t instances,
                                    std::uint32_t firstVertex, std::uint32_t firstInstance) {
     take(instances);
+    tell("corners ", vertices);
     nextCmdDraw(commands, vertices, instances, firstVertex, firstInstance);
 }
 
 VKAPI_ATTR void VKAPI_CALL CmdDrawIndexed(VkCommandBuffer commands, std::uint32_t indices, std::uint32_t instances,
                                           std::uint32_t firstIndex, std::int32_t offset, std::uint32_t firstInstance) {
     take(instances);
+    tell("indices ", indices);
     nextCmdDrawIndexed(commands, indices, instances, firstIndex, offset, firstInstance);
 }
 
