@@ -237,6 +237,16 @@ VKAPI_ATTR VkResult VKAPI_CALL waitForFences(VkDevice device, std::uint32_t coun
                                                                                          timeout);
 }
 
+VKAPI_ATTR VkResult VKAPI_CALL submit(VkQueue queue, std::uint32_t count, const VkSubmitInfo* infos, VkFence fence) {
+    commandsAreSubmitted();
+    VkDevice device = VK_NULL_HANDLE;
+    {
+        const std::lock_guard lock(mutex);
+        device = queues.at(queue);
+    }
+    return reinterpret_cast<PFN_vkQueueSubmit>(procedureOf(device, "vkQueueSubmit"))(queue, count, infos, fence);
+}
+
 VKAPI_ATTR VkResult VKAPI_CALL present(VkQueue queue, const VkPresentInfoKHR* info) {
     const std::lock_guard lock(mutex);
     const VkDevice device = queues.at(queue);
@@ -285,6 +295,7 @@ PFN_vkVoidFunction replacementOf(const char* name) {
         NACRE_REPLACE(vkDestroySwapchainKHR, destroySwapchain),
         NACRE_REPLACE(vkAcquireNextImageKHR, acquire),
         NACRE_REPLACE(vkQueuePresentKHR, present),
+        NACRE_REPLACE(vkQueueSubmit, submit),
         NACRE_REPLACE(vkWaitForFences, waitForFences),
         NACRE_REPLACE(vkGetDeviceProcAddr, deviceFunction),
         NACRE_REPLACE(vkGetInstanceProcAddr, vkGetInstanceProcAddr)};

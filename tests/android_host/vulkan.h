@@ -9,8 +9,9 @@ namespace nacre::test {
 /// What happens on the app's thread while it waits for the next image of a window, until it has it; empty: nothing.
 void whileImagesAreAwaited(std::function<void()> happens);
 
-/// Waits for fences so far.
+/// Waits for fences so far; those that there had been at the latest submission.
 int fenceWaits();
+int fenceWaitsOfSubmission();
 
 /// No device from now on, as on a machine without a driver.
 void setVulkanBroken(bool broken);

@@ -30,6 +30,7 @@ struct SwapchainRecord {
 /// Told by the waits that vulkan.h lets a test watch.
 void imageIsAwaited();
 void fenceIsAwaited();
+void commandsAreSubmitted();
 
 /// The loader's function of an instance, or of none.
 PFN_vkVoidFunction loaderFunction(VkInstance instance, const char* name);

@@ -12,7 +12,7 @@ namespace {
 
 std::mutex waitsMutex;
 std::function<void()> whileAwaited;
-std::atomic<int> fencesAwaited{0};
+std::atomic<int> fencesAwaited{0}, awaitedAtSubmission{0};
 
 }  // namespace
 
@@ -32,5 +32,7 @@ void imageIsAwaited() {
 
 int fenceWaits() { return fencesAwaited; }
 void fenceIsAwaited() { ++fencesAwaited; }
+int fenceWaitsOfSubmission() { return awaitedAtSubmission; }
+void commandsAreSubmitted() { awaitedAtSubmission = fencesAwaited.load(); }
 
 }  // namespace nacre::test
