@@ -48,8 +48,8 @@ struct FrameTuning {
     bool transient = true;        ///< what a tile alone needs has no memory, where the device can; off: all is stored
     bool merge = true;            ///< neighbouring passes share a render pass
     bool cull = true;             ///< what certainly does not show is not drawn
-    /// Spheres of a view from which the host looks for those that others hide, for the `tiles` path: of fewer it costs
-    /// what it saves.
+    /// Spheres of a view from which the host draws them itself, or looks for those that others hide, for the `tiles`
+    /// path: of fewer it costs what it saves.
     std::uint32_t hideFrom = 1'500'000;
 };
 

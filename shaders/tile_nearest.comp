@@ -57,16 +57,19 @@ void keep(int i, Hit hit, uint candidate, bool live) {
     number[i] = wins ? candidate : number[i];
 }
 
-#ifdef TRIANGLES
-/// A pixel begins with the nearest triangle, where the host knows it: no list names that.
+/// A pixel begins with the nearest triangle, or sphere, where the host knows it: no list need name that.
 void begin(int i, uint seed) {
+#ifdef TRIANGLES
     Hit hit = facetHitThrough(facetOf(place(seed == 0u ? view.spheres + view.cylinders + 1u : seed)), through[i]);
+#else
+    vec4 shape = shapeAt(place(max(seed, 1u)));
+    Hit hit = sphereHitThrough(vec4(toView(shape.xyz), shape.w), through[i]);
+#endif
     float depth = encodedDepth(hit.order);
     bool sees = seed != 0u && hit.inside && depth < 1.0;
     nearest[i] = sees ? depth : 1.0;
     number[i] = sees ? seed : 0u;
 }
-#endif
 
 /// Whether what follows in a list may come before what some pixel sees. @param next  of the chunk's last lane, as entryAt()
 bool goesOn(uint at, uint end, float next) {
@@ -224,11 +227,9 @@ void main() {
     // Row by row of all bins.
     uint pitch = view.across * uint(kTile * kTilesInBin);
     uint here = (corner.y + lane / uint(kTile)) * pitch + corner.x + lane % uint(kTile);
-#ifdef TRIANGLES
     if (kSeeded)
         for (int i = 0; i < kPixels; ++i)
             begin(i, numbers[here + uint((i * kLanes) / kTile) * pitch + uint((i * kLanes) % kTile)]);
-#endif
     vec2 middle = planePoint(vec2(corner) + float(kTile / 2));
     vec2 reach = vec2(float(kTile / 2) * view.pixel);
     bool more = true;  // the word before an empty list is the number of a primitive

@@ -1,6 +1,7 @@
 #include "engine/frame/scene_frames.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "engine/error.h"
@@ -37,9 +38,21 @@ void SceneFrames::checkBlending(VkFormat format) const {
         "it does not blend 32 bits a channel, which layers and pictures of 16 bits are made of; ask for 8 bits");
 }
 
+bool SceneFrames::hides(const passes::SceneView& seen, const RenderSettings& settings) {
+    return settings.tuning.cull && seen.copies.sphereCount() >= settings.tuning.hideFrom;
+}
+
+const SphereBoxes* SceneFrames::boxesOf(const passes::SceneView& seen, const RenderSettings& settings, const View& view,
+                                        bool edges) const {
+    const SphereBoxes& boxes = scene_->chunks.sphereBoxes;
+    const bool drawn = hides(seen, settings) && seen.copies.triangles.empty() && std::isfinite(boxes.reach) &&
+                       FrontSpheres::tells(passes::tileView(seen, view, imageExtent(view), !edges));
+    return drawn ? &boxes : nullptr;
+}
+
 void SceneFrames::dropHidden(passes::SceneView& seen, const RenderSettings& settings, const View& view,
                              bool edges) const {
-    if (!settings.tuning.cull || seen.copies.sphereCount() < settings.tuning.hideFrom) return;
+    if (!hides(seen, settings)) return;
     hidden_.drop(seen.copies, scene_->representation, scene_->chunks,
                  passes::tileView(seen, view, imageExtent(view), !edges), seen.radiusPixels);
 }
@@ -95,16 +108,19 @@ ScreenFrame SceneFrames::declareSeen(const RenderSettings& asked, const passes::
     const graph::Extent image = imageExtent(view);
     const bool drawnEdges = edges && drawsEdges() && !debug;
     if (path == Visibility::tiles) {
-        if (!debug) dropHidden(*seen, settings, view, drawnEdges);
+        const SphereBoxes* boxes = debug ? nullptr : boxesOf(*seen, settings, view, drawnEdges);
+        if (!debug && !boxes) dropHidden(*seen, settings, view, drawnEdges);
         const bool shaded = seen->coded && !debug && !seen->fragments && device_.caps().tiles.shade;
-        seen->tiles = tiles_.prepare(scene_->representation, *seen, view, image, {shaded, drawnEdges});
+        seen->tiles = tiles_.prepare(scene_->representation, *seen, view, image, {shaded, drawnEdges, 1, boxes});
         if (!seen->tiles) path = Visibility::fragdepth;
+        if (!seen->tiles && boxes) dropHidden(*seen, settings, view, drawnEdges);
         if (seen->tiles && layered)
             seen->translucent->tiles = layerTiles_.prepare(scene_->representation, *seen->translucent, view, image,
-                                                           {false, false, kTranslucentLayers});
+                                                           {false, false, kTranslucentLayers, nullptr});
     }
     stats_.lists = seen->tiles ? passes::countsOf(seen->tiles->lists) : TileCounts();
     stats_.spheres = seen->copies.sphereCount();
+    if (seen->tiles) stats_.spheres = seen->tiles->lists.shownSpheres().value_or(stats_.spheres);
     stats_.cylinders = seen->copies.cylinderCount();
     const std::uint64_t translucentCount = layered ? seen->translucent->copies.triangleCount() : 0;
     stats_.triangles = seen->copies.triangleCount() + translucentCount;

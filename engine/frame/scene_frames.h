@@ -47,6 +47,11 @@ private:
                             std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
                             std::shared_ptr<passes::FragmentCounter> fragments, bool edges, double* lastRadius) const;
     /// Takes out of a view the spheres that others hide. @param edges  samples between the middles of pixels look at it
+    /// Whether a view has so many spheres that the host looks for those that others hide.
+    static bool hides(const passes::SceneView& seen, const RenderSettings& settings);
+    /// Where the host can draw them instead, boxes about them; else null.
+    const SphereBoxes* boxesOf(const passes::SceneView& seen, const RenderSettings& settings, const View& view,
+                               bool edges) const;
     void dropHidden(passes::SceneView& seen, const RenderSettings& settings, const View& view, bool edges) const;
     void checkBlending(VkFormat format) const;
 

@@ -6,7 +6,6 @@
 #include <thread>
 
 #include "engine/mesh/parallel.h"
-#include "engine/scene/lanes.h"
 
 namespace nacre::passes {
 namespace {
@@ -102,38 +101,11 @@ bool HiddenSpheres::hides(const Some& some, Coverage::Rows part) {
     return coverage_.hides({some.x, some.y}, some.reach, some.near - kMargin, part);
 }
 
-/// Of some spheres those that are hidden as it stands, four at a time: a bit each. None of them in perspective.
-std::uint32_t HiddenSpheres::hiddenOf(const Some& some, const Scenery& scenery, Coverage::Rows part) const {
-    const TileView& view = scenery.view;
-    if (view.perspective) return 0;
-    const glm::vec4* rows = rowsOf(scenery.copies, some.copy);
-    // As pixelOf().
-    const glm::vec4 across = rows[0] * view.pixels, up = rows[1] * view.pixels;
-    const glm::vec4 turned[4][2] = {{across, -up}, {up, across}, {-across, up}, {-up, -across}};
-    const glm::vec4 toX = turned[view.quarterTurns & 3][0], toY = turned[view.quarterTurns & 3][1];
-    const auto along = [](const glm::vec4& row, const LanePoints& p) {
-        return row.x * p.x + row.y * p.y + row.z * p.z + row.w;
-    };
-    std::uint32_t hidden = 0;
-    for (std::uint32_t i = 0; i + kLanes <= some.count; i += kLanes) {
-        const Sphere* s = scenery.spheres.data() + some.first + i;
-        const LanePoints centers(loadLanes(&s[0].center.x), loadLanes(&s[1].center.x), loadLanes(&s[2].center.x),
-                                 loadLanes(&s[3].center.x));
-        const Lanes radius{s[0].radius, s[1].radius, s[2].radius, s[3].radius};
-        const Lanes x = view.axis.x + along(toX, centers), y = view.axis.y + along(toY, centers);
-        const Lanes near = view.origin - along(rows[2], centers) - radius - kMargin;
-        const Mask hides = coverage_.hidesSmall(x, y, (radius + view.contour) * view.pixels, near, part);
-        for (std::uint32_t k = 0; k < kLanes; ++k) hidden |= static_cast<std::uint32_t>(hides[k] & 1) << (i + k);
-    }
-    return hidden;
-}
-
 /// @returns those of some spheres that may show in a part, a bit each @param asked  of these
 std::uint32_t HiddenSpheres::shownOf(const Some& some, std::uint32_t asked, const Scenery& scenery, Coverage::Rows part,
                                      bool covers) {
     std::uint32_t shown = 0;
     const glm::vec4* rows = rowsOf(scenery.copies, some.copy);
-    asked &= ~hiddenOf(some, scenery, part);
     for (std::uint32_t i = 0; i < some.count; ++i) {
         if (!(asked >> i & 1)) continue;
         const Sphere& s = scenery.spheres[some.first + i];

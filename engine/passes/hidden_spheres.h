@@ -41,7 +41,6 @@ private:
         std::uint32_t some, spheres;  // its place, and a bit each
     };
     bool hides(const Some& some, Coverage::Rows part);
-    std::uint32_t hiddenOf(const Some& some, const Scenery& scenery, Coverage::Rows part) const;
     std::uint32_t shownOf(const Some& some, std::uint32_t asked, const Scenery& scenery, Coverage::Rows part,
                           bool covers);
     void look(const Scenery& scenery, std::size_t part);

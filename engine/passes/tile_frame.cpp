@@ -105,7 +105,7 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     const std::vector<TileCall> triangles =
         callsOf(seen, seen.copies.triangles, seen.constants.spheres + seen.constants.cylinders);
     const TileScenery scenery{r.spheres,      spheres,   r.cylinders,       cylinders, r.triangles,
-                              r.meshVertices, triangles, r.coarseTriangles, r.meshes};
+                              r.meshVertices, triangles, r.coarseTriangles, r.meshes,  work.boxes};
     const auto build = [&] {
         TileView asked = tileView(seen, view, image, !work.edges);
         asked.layers = work.kept;

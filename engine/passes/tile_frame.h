@@ -46,9 +46,10 @@ struct TileEdges {
 
 /// What is asked of a frame.
 struct TileWork {
-    bool shaded = false;     ///< compute shades, too
-    bool edges = false;      ///< edges are drawn; none are where a list is longer than their loops
-    std::uint32_t kept = 1;  ///< numbers of a pixel
+    bool shaded = false;                 ///< compute shades, too
+    bool edges = false;                  ///< edges are drawn; none are where a list is longer than their loops
+    std::uint32_t kept = 1;              ///< numbers of a pixel
+    const SphereBoxes* boxes = nullptr;  ///< as TileScenery has it
 };
 
 struct TileFrame {

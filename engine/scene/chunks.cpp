@@ -120,6 +120,7 @@ Chunks chunksOf(const Representation& r) {
         chunksOfStream(r.cylinders.size(), [&](std::size_t i) { return ballOf(r.cylinders[i]); }),
         chunksOfStream(r.triangles.size() + r.coarseTriangles.size(),
                        [&](std::size_t i) { return ballOfTriangle(drawnTriangle(r, i)); }),
+        sphereBoxesOf(r.spheres),
     };
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/scene/representation.h"
+#include "engine/scene/sphere_boxes.h"
 
 namespace nacre {
 
@@ -19,6 +20,7 @@ struct Chunk {
 struct Chunks {
     std::vector<Chunk> spheres, cylinders;
     std::vector<Chunk> triangles;  ///< coarse ones numbered on
+    SphereBoxes sphereBoxes;
 };
 
 Chunks chunksOf(const Representation& representation);

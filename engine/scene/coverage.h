@@ -5,7 +5,6 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "engine/scene/lanes.h"
 #include "engine/scene/tile_view.h"
 
 namespace nacre {
@@ -31,23 +30,6 @@ public:
     bool hides(glm::vec2 at, float reach, float near, Rows rows) {
         const CellDisc disc = discOf(at, reach);
         return disc.radius < 0.5f ? hidesSmall(disc, near, rows) : hidesLarge(disc, near, rows);
-    }
-    /// The same of four discs, of which large ones are not told: -1 where it is certain.
-    Mask hidesSmall(Lanes x, Lanes y, Lanes reach, Lanes near, Rows rows) const {
-        const Lanes radius = (reach + outset_) * perSide_, none{};
-        x *= perSide_;
-        y *= perSide_;
-        const Mask inside = (x >= 0.0f) & (x < static_cast<float>(across_)) & (y >= static_cast<float>(rows.first)) &
-                            (y < static_cast<float>(rows.end));
-        const Mask column = __builtin_convertvector(inside ? x : none, Mask),
-                   row = __builtin_convertvector(inside ? y : none, Mask);
-        const Lanes aside = x - __builtin_convertvector(column, Lanes) - 0.5f,
-                    above = y - __builtin_convertvector(row, Lanes) - 0.5f;
-        Lanes depth;
-        for (std::uint32_t i = 0; i < kLanes; ++i)
-            depth[i] = depths_[static_cast<std::size_t>(row[i]) * across_ + static_cast<std::size_t>(column[i])];
-        const Mask misses = aside * aside + above * above > radius * radius;
-        return (radius < 0.5f) & (~inside | misses | (depth < near));
     }
     Rows rows() const { return {0, down_}; }  ///< all of them
     float side() const { return side_; }      ///< of a cell, pixels

@@ -191,15 +191,17 @@ void TileLists::addFrontTriangles(const TileView& view, const TileScenery& s) {
         const auto corner = [&](std::uint32_t v) { return place(positionOf(s.vertices[v], t.step)); };
         addTriangle(view, number, corner(t.a), corner(t.b), corner(t.c));
     }
-    findSeeds();
 }
 
 void TileLists::findSeeds() {
     seeds_.assign(std::size_t{across_} * down_, 0);
     for (std::uint32_t y = 0; y < down_; ++y)
-        for (std::uint32_t x = 0; x < across_; ++x)
-            seeds_[std::size_t{y} * across_ + x] =
-                front_.isSeen(x * kBinPixels, y * kBinPixels, (x + 1) * kBinPixels, (y + 1) * kBinPixels);
+        for (std::uint32_t x = 0; x < across_; ++x) {
+            const std::uint32_t left = x * kBinPixels, top = y * kBinPixels;
+            const std::uint32_t right = left + kBinPixels, bottom = top + kBinPixels;
+            seeds_[std::size_t{y} * across_ + x] = drawsSpheres_ ? frontSpheres_.isSeen(left, top, right, bottom)
+                                                                 : front_.isSeen(left, top, right, bottom);
+        }
 }
 
 void TileLists::order() {
@@ -251,14 +253,19 @@ void TileLists::build(const TileView& view, const TileScenery& s) {
     across_ = (view.width + kBinPixels - 1) / kBinPixels;
     down_ = (view.height + kBinPixels - 1) / kBinPixels;
     kept_.clear();
-    for (const TileCall& call : s.sphereCalls) addSpheres(view, s.spheres, call);
+    drawsSpheres_ = s.boxes != nullptr;
+    if (drawsSpheres_) frontSpheres_.draw(view, s.spheres, *s.boxes, s.sphereCalls);
+    for (const TileCall& call : drawsSpheres_ ? frontSpheres_.doubts() : s.sphereCalls)
+        addSpheres(view, s.spheres, call);
     keptSpheres_ = kept_.size();
     for (const TileCall& call : s.cylinderCalls) addCylinders(view, s.cylinders, call);
-    seeded_ = view.centers && view.layers == 1 && view.contour == 0 && !s.triangleCalls.empty();
-    if (seeded_)
+    const bool drawsTriangles = view.centers && view.layers == 1 && view.contour == 0 && !s.triangleCalls.empty();
+    if (drawsTriangles)
         addFrontTriangles(view, s);
     else
         addTriangles(view, s);
+    seeded_ = drawsTriangles || drawsSpheres_;
+    if (seeded_) findSeeds();
     order();
     count();
     listTiles();

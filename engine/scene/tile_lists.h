@@ -5,21 +5,16 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "engine/scene/front_spheres.h"
 #include "engine/scene/front_triangles.h"
 #include "engine/scene/representation.h"
 #include "engine/scene/tile_view.h"
 
 namespace nacre {
-
-/// Primitives of a stream at one place.
-struct TileCall {
-    const glm::vec4* rows = nullptr;  ///< three: into view space
-    std::uint32_t first = 0, count = 0;
-    std::uint32_t number = 0;  ///< of the stream's first primitive there
-};
 
 /// All that a view is asked about.
 struct TileScenery {
@@ -32,6 +27,9 @@ struct TileScenery {
     std::span<const TileCall> triangleCalls = {};
     std::span<const Triangle> coarseTriangles = {};  ///< numbered on from the others; no call has some of both
     std::span<const MeshRun> meshes = {};            ///< may be left out
+    /// About the spheres, if the host draws them, so that few stand in lists: of views that FrontSpheres can tell of,
+    /// without triangles. Null: all do.
+    const SphereBoxes* boxes = nullptr;
 
     /// Those of a call.
     std::span<const Triangle> trianglesOf(const TileCall& call) const {
@@ -41,7 +39,7 @@ struct TileScenery {
 };
 
 /// Where pixels are asked at their centres alone, most triangles stand in no list: the host knows for nearly each pixel
-/// which of them is the nearest.
+/// which of them is the nearest. So it is with spheres, where they have boxes.
 ///
 /// Bins of `kBinPixels` a side, row by row from the top left, each with its list, and the tiles of those bins whose
 /// list is not empty or that begin with triangles. Kept from frame to frame, it allocates nothing once it has seen the
@@ -78,11 +76,18 @@ public:
     std::span<const Span> spans() const { return spans_; }
     /// Whether anything may show in a bin, counted row by row.
     bool holds(std::size_t bin) const { return offsets_[bin] != offsets_[bin + 1] || (seeded_ && seeds_[bin]); }
-    /// Whether pixels may begin with a triangle: then with the one that writeSeeds() says.
+    /// Whether pixels may begin with a primitive: then with the one that writeSeeds() says.
     bool seeded() const { return seeded_; }
-    /// Numbers of the nearest triangles of some pixels of a row, 0: none that is certain.
+    /// Numbers of the nearest triangles, or spheres, of some pixels of a row, 0: none that is certain.
     void writeSeeds(std::uint32_t x, std::uint32_t y, std::uint32_t count, std::uint32_t* to) const {
-        front_.write(x, y, count, to);
+        if (drawsSpheres_)
+            frontSpheres_.write(x, y, count, to);
+        else
+            front_.write(x, y, count, to);
+    }
+    /// Of spheres that the host has drawn how many may show. None: all that it was given.
+    std::optional<std::size_t> shownSpheres() const {
+        return drawsSpheres_ ? std::optional(frontSpheres_.shown()) : std::nullopt;
     }
     std::size_t kept() const { return kept_.size(); }  ///< primitives in any list
     std::size_t keptSpheres() const { return keptSpheres_; }
@@ -128,10 +133,11 @@ private:
     std::vector<Tile> tiles_, bins_;
     std::vector<Span> spans_;
     std::vector<glm::vec4> corners_;  // pixel and Z of each vertex, at the place of a call
-    bool seeded_ = false;
+    bool seeded_ = false, drawsSpheres_ = false;
     std::vector<std::uint8_t> seeds_;  // of each bin: some pixel has one
     std::vector<FrontTriangles::Run> runs_;
     FrontTriangles front_;
+    FrontSpheres frontSpheres_;
 };
 
 }  // namespace nacre

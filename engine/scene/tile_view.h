@@ -29,6 +29,13 @@ struct TileView {
     std::uint32_t layers = 1;  ///< how many of the nearest primitives a pixel shows
 };
 
+/// Primitives of a stream at one place.
+struct TileCall {
+    const glm::vec4* rows = nullptr;  ///< three: into view space
+    std::uint32_t first = 0, count = 0;
+    std::uint32_t number = 0;  ///< of the stream's first primitive there
+};
+
 inline glm::vec3 placed(const glm::vec4* rows, const glm::vec3& p) {
     return {rows[0].x * p.x + rows[0].y * p.y + rows[0].z * p.z + rows[0].w,
             rows[1].x * p.x + rows[1].y * p.y + rows[1].z * p.z + rows[1].w,

@@ -52,7 +52,7 @@ const int kEverywhereId = 60;    // bool: every pixel is drawn as an edge
 const int kListedId = 68;        // bool: what an edge's samples see is looked for in lists, not among its neighbours
 const int kClearId = 61;         // float, four of them: what a picture is cleared to, linear and premultiplied
 const int kNumberedId = 65;      // bool: numbers of a frame with edges: sights; what shades writes them, too
-const int kSeededId = 69;        // bool: pixels of tiles begin with the triangle that the host found nearest
+const int kSeededId = 69;        // bool: pixels of tiles begin with the triangle or sphere that the host found nearest
 const int kRowsId = 66;          // bool: edges are coded words among the other pixels
 const int kLayerId = 67;         // of translucent triangles: 0 the nearest
 
