@@ -189,6 +189,11 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.timestampBits = device.getQueueFamilyProperties()[graphicsAndCompute(device)].timestampValidBits;
     caps.nanosecondsPerTick = properties.limits.timestampPeriod;
     caps.maxStorageBufferBytes = properties.limits.maxStorageBufferRange;
+    if (hasExtension(device, VK_KHR_MAINTENANCE_4_EXTENSION_NAME))
+        caps.maxBufferBytes =
+            device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceMaintenance4Properties>()
+                .get<vk::PhysicalDeviceMaintenance4Properties>()
+                .maxBufferSize;
 
     const graph::DeviceClass known = graph::classOf(identity);
     caps.plan = known.set->plan;

@@ -33,6 +33,7 @@ struct Caps {
     std::uint32_t timestampBits = 0;  ///< of the queue's clock; 0: it has none
     double nanosecondsPerTick = 1;    ///< of that clock
     std::uint64_t maxStorageBufferBytes = 1u << 27;
+    std::uint64_t maxBufferBytes = UINT64_MAX;  ///< of any buffer, where the device says so (VK_KHR_maintenance4)
     graph::PlanCaps plan;
     graph::EncodedFormat encoded;
     TileCaps tiles;

@@ -2,14 +2,24 @@
 
 #include <algorithm>
 
+#include "engine/error.h"
+
 namespace nacre::gpu {
 
 using Property = vk::MemoryPropertyFlagBits;
+
+void checkBuffer(const Caps& caps, vk::DeviceSize size, const std::string& name) {
+    if (size <= caps.maxBufferBytes) return;
+    throw Error("too much for this device", caps.deviceName,
+                name + " would take " + std::to_string((size >> 20) + 1) + " MB, and a buffer has " +
+                    std::to_string(caps.maxBufferBytes >> 20) + " MB at most (draw fewer atoms, or a smaller picture)");
+}
 
 Buffer makeBuffer(const Device& device, vk::DeviceSize size, vk::BufferUsageFlags usage, Access access,
                   const std::string& name) {
     Buffer buffer;
     buffer.size = std::max<vk::DeviceSize>(size, 16);
+    checkBuffer(device.caps(), buffer.size, name);
     buffer.handle = vk::raii::Buffer(*device, vk::BufferCreateInfo({}, buffer.size, usage));
     const auto requirements = buffer.handle.getMemoryRequirements();
     const auto coherent = Property::eHostVisible | Property::eHostCoherent;

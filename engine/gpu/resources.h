@@ -60,6 +60,10 @@ enum class Access {
     readback,  ///< the host, too: cached, and coherent where there is such memory
 };
 
+/// @throws Error if no buffer of a device is so large @param name  what it would be
+void checkBuffer(const Caps& caps, vk::DeviceSize size, const std::string& name);
+
+/// @throws Error if it is too large for the device, or there is no memory
 /// @param size bytes; 0 makes a buffer of the smallest size, so that empty streams can be bound
 Buffer makeBuffer(const Device& device, vk::DeviceSize size, vk::BufferUsageFlags usage, Access access,
                   const std::string& name);

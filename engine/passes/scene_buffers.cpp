@@ -34,7 +34,8 @@ void checkFits(const gpu::Device& device, const Representation& r) {
     if (bytes <= most) return;
     throw Error("too much for this device", device.caps().deviceName,
                 "the shapes take " + std::to_string((bytes >> 20) + 1) + " MB, and its shaders read " +
-                    std::to_string(most >> 20) + " MB at most (draw fewer atoms, or a coarser --surface-resolution)");
+                    std::to_string(most >> 20) +
+                    " MB at most (draw fewer atoms, or a surface with a coarser --surface-resolution)");
 }
 
 /// Cylinders as the device has them: it is told one over their length, Å, which each pixel would find out anew.
@@ -75,7 +76,8 @@ std::vector<std::uint32_t> groupsOf(const Representation& r) {
 }  // namespace
 
 std::uint64_t mostShapeBytes(const gpu::Caps& caps) {
-    return caps.maxStorageBufferBytes * (caps.tiles.texels ? sizeof(glm::uvec4) / sizeof(std::uint32_t) : 1);
+    return std::min(caps.maxBufferBytes,
+                    caps.maxStorageBufferBytes * (caps.tiles.texels ? sizeof(glm::uvec4) / sizeof(std::uint32_t) : 1));
 }
 
 SceneBuffers makeSceneBuffers(const gpu::Device& device, const Representation& r) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace nacre {
 namespace {
@@ -31,11 +32,17 @@ void addDrawn(const PrimitiveRun& bounds, const Drawn& drawn, std::vector<Primit
     runs.back().count = drawn.count;
 }
 
-/// Of all meshes that have one with the least error.
-void dropFinestLevel(Representation& r) {
+/// The least error that a level has.
+float finestLevel(const Representation& r) {
     float finest = std::numeric_limits<float>::max();
     for (const MeshRun& mesh : r.meshes)
         if (!mesh.levels.empty()) finest = std::min(finest, mesh.levels[0].error);
+    return finest;
+}
+
+/// Of all meshes that have it.
+void dropFinestLevel(Representation& r) {
+    const float finest = finestLevel(r);
     std::vector<Triangle> kept;
     for (MeshRun& mesh : r.meshes) {
         if (!mesh.levels.empty() && mesh.levels[0].error == finest) mesh.levels.erase(mesh.levels.begin());
@@ -47,6 +54,68 @@ void dropFinestLevel(Representation& r) {
         }
     }
     r.coarseTriangles = std::move(kept);
+}
+
+std::uint64_t finestBytes(const Representation& r) {
+    return shapeBytes(r) - r.coarseTriangles.size() * sizeof(Triangle);
+}
+
+/// Leaves vertices out that no triangle has.
+void dropVertices(Representation& r) {
+    std::vector<std::uint32_t> places(r.meshVertices.size() + 1);
+    for (const auto* stream : {&r.triangles, &r.coarseTriangles})
+        for (const Triangle& t : *stream) places[t.a + 1] = places[t.b + 1] = places[t.c + 1] = 1;
+    for (std::size_t v = 0; v < r.meshVertices.size(); ++v) {
+        if (places[v + 1]) r.meshVertices[places[v]] = r.meshVertices[v];
+        places[v + 1] += places[v];
+    }
+    r.meshVertices.resize(places.back());
+    for (auto* stream : {&r.triangles, &r.coarseTriangles})
+        for (Triangle& t : *stream) t = {places[t.a], places[t.b], places[t.c], t.step};
+    for (MeshRun& mesh : r.meshes) {
+        mesh.firstVertex = places[mesh.firstVertex];
+        mesh.endVertex = places[mesh.endVertex];
+        for (MeshRun::Level& level : mesh.levels) level.endVertex = places[level.endVertex];
+    }
+}
+
+/// Those meshes that have a level of the least error are that level from here on.
+void dropFinestMeshes(Representation& r) {
+    const float finest = finestLevel(r);
+    std::vector<Triangle> kept;
+    // Where triangles stood before, in the order of meshes, and where they stand now. Runs begin and end with meshes
+    // that have levels.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> moved;
+    for (MeshRun& mesh : r.meshes) {
+        const auto first = static_cast<std::uint32_t>(kept.size());
+        moved.emplace_back(mesh.first, first);
+        auto from = r.triangles.begin() + mesh.first;
+        if (!mesh.levels.empty() && mesh.levels[0].error == finest) {
+            from = r.coarseTriangles.begin() + mesh.levels[0].first;
+            mesh.count = mesh.levels[0].count;
+            mesh.error = finest;
+        }
+        kept.insert(kept.end(), from, from + mesh.count);
+        mesh.first = first;
+    }
+    moved.emplace_back(static_cast<std::uint32_t>(r.triangles.size()), static_cast<std::uint32_t>(kept.size()));
+    const auto placeOf = [&](std::uint32_t number) {
+        const auto after = std::upper_bound(moved.begin(), moved.end(), std::pair{number, ~0u});
+        const auto& [was, is] = *(after - 1);
+        return is + number - was;
+    };
+    const auto move = [&](auto& runs) {
+        for (auto& run : runs) {
+            const std::uint32_t end = placeOf(run.first + run.count);
+            run.first = placeOf(run.first);
+            run.count = end - run.first;
+        }
+    };
+    move(r.copies.triangles);
+    move(r.triangleModels);
+    r.triangles = std::move(kept);
+    dropFinestLevel(r);
+    dropVertices(r);
 }
 
 }  // namespace
@@ -83,6 +152,7 @@ std::uint64_t shapeBytes(const Representation& r) {
 }
 
 void fitBuffer(Representation& r, std::uint64_t bytes) {
+    while (finestBytes(r) > bytes && !r.coarseTriangles.empty()) dropFinestMeshes(r);
     while (shapeBytes(r) > bytes && !r.coarseTriangles.empty()) dropFinestLevel(r);
 }
 
@@ -93,7 +163,7 @@ std::vector<MeshLevelCount> levelsOf(const Representation& r, std::span<const Tr
     };
     std::vector<Part> parts;
     for (const MeshRun& mesh : r.meshes) {
-        parts.push_back({mesh.first, mesh.count, 0});
+        parts.push_back({mesh.first, mesh.count, mesh.error});
         for (const MeshRun::Level& level : mesh.levels)
             parts.push_back({static_cast<std::uint32_t>(r.triangles.size()) + level.first, level.count, level.error});
     }

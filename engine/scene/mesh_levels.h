@@ -22,7 +22,8 @@ std::vector<PrimitiveRun> drawnRuns(const Representation& representation, double
 /// Bytes of the shapes that a device reads: spheres, sticks, triangles of all levels, and vertices.
 std::uint64_t shapeBytes(const Representation& representation);
 
-/// Leaves levels out, the finest first, as long as all shapes together are more than a device's buffer holds.
+/// Leaves levels out, the finest first, as long as all shapes together are more than a device's buffer holds. Where
+/// meshes are more than that by themselves, they become their finest level that is not, if they have one.
 void fitBuffer(Representation& representation, std::uint64_t bytes);
 
 /// Triangles of a frame, as drawnTriangle() numbers them.

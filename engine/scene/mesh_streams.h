@@ -40,6 +40,7 @@ struct MeshRun {
     std::vector<Level> levels;           ///< by growing error
     /// Of Representation::meshVertices: first those of the coarsest level, then what the next finer ones add.
     std::uint32_t firstVertex = 0, endVertex = 0;
+    float error = 0;  ///< Å, of its own triangles: not 0 where all of them were too many for a device
 };
 
 /// By its number among those that are drawn: coarse ones are numbered on.

@@ -197,6 +197,53 @@ TEST(MeshLevels, AreLeftOutWhereABufferIsTooSmall) {
     EXPECT_EQ(shapeBytes(r), all - levels);
 }
 
+/// What is drawn at an error: the corners of its triangles.
+std::vector<glm::vec3> drawnPlaces(const Representation& r, double error) {
+    std::vector<glm::vec3> places;
+    for (const PrimitiveRun& run : drawnRuns(r, error))
+        for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+            const Triangle& t = drawnTriangle(r, i);
+            for (const std::uint32_t v : {t.a, t.b, t.c}) places.push_back(positionOf(r.meshVertices[v], t.step));
+        }
+    return places;
+}
+
+TEST(MeshLevels, AreDrawnForMeshesThatABufferHasNoRoomFor) {
+    for (const auto& [copies, models] : {std::pair{false, false}, {true, false}, {false, true}}) {
+        const Representation whole = levelsScene({"DNA", Projection::orthographic, 1, copies, models});
+        const std::size_t levels = whole.meshes[0].levels.size();
+        Representation r = whole;
+        fitBuffer(r, shapeBytes(whole) - whole.coarseTriangles.size() * sizeof(Triangle) - 1);
+        ASSERT_EQ(r.meshes.size(), whole.meshes.size());
+        EXPECT_LT(shapeBytes(r), shapeBytes(whole) - whole.coarseTriangles.size() * sizeof(Triangle));
+        ASSERT_EQ(r.meshes[0].levels.size(), levels - 1);
+        EXPECT_EQ(r.meshes[0].error, whole.meshes[0].levels[0].error);
+        // What its levels show is what they showed.
+        for (std::size_t i = 0; i < levels; ++i) {
+            const double error = 1.001 * static_cast<double>(whole.meshes[0].levels[i].error);
+            EXPECT_TRUE(drawnPlaces(r, error) == drawnPlaces(whole, error)) << error;
+        }
+        fitBuffer(r, 0);
+        EXPECT_EQ(r.meshes[0].error, whole.meshes[0].levels.back().error);
+        EXPECT_TRUE(r.coarseTriangles.empty());
+        std::size_t placed = 0, ofModels = 0;
+        for (const PrimitiveRun& run : r.copies.triangles) placed += run.count;
+        for (const ModelRun& run : r.triangleModels) ofModels += run.count;
+        EXPECT_EQ(placed, copies ? r.triangles.size() : 0);
+        EXPECT_EQ(ofModels, models ? r.triangles.size() : 0);
+        ValidatedRenderer renderer(Visibility::tiles);
+        RenderSettings s = settings(whole, 72, Projection::orthographic);
+        renderer->setScene(r);
+        const LayerPicture few = renderer->layers(s);
+        EXPECT_EQ(renderer->stats().meshLevels[0].error, static_cast<double>(r.meshes[0].error));
+        s.meshError = 1.001 * static_cast<double>(r.meshes[0].error) * s.view.pixelsPerAngstrom;
+        renderer->setScene(whole);
+        const LayerPicture coarsest = renderer->layers(s);
+        EXPECT_TRUE(few.id == coarsest.id);
+        EXPECT_TRUE(few.z == coarsest.z);
+    }
+}
+
 TEST(MeshLevels, HaveTheRoomThatShadersRead) {
     gpu::Caps caps;
     caps.maxStorageBufferBytes = 1000;
@@ -204,6 +251,10 @@ TEST(MeshLevels, HaveTheRoomThatShadersRead) {
     EXPECT_EQ(passes::mostShapeBytes(caps), 1000u);
     caps.tiles.texels = true;  // as many vectors as there are words in the other
     EXPECT_EQ(passes::mostShapeBytes(caps), 4000u);
+    caps.maxBufferBytes = 3000;
+    EXPECT_EQ(passes::mostShapeBytes(caps), 3000u);
+    EXPECT_NO_THROW(gpu::checkBuffer(caps, 3000, "pixels"));
+    EXPECT_THROW(gpu::checkBuffer(caps, 3001, "pixels"), Error);
 }
 
 TEST(MeshLevels, OfWhatMovesAreThoseOfWhereItIs) {
