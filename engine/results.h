@@ -116,9 +116,9 @@ struct FrameStats {
     DeviceInfo device;                ///< with the path and reason in force
     double bakeMilliseconds = 0;      ///< ambient occlusion, from streams to atlas
     double frameMilliseconds = 0;     ///< the last picture's frames, submission to completion
-    std::uint64_t coveredPixels = 0;  ///< of the last picture; of N x N samples a pixel, samples
+    std::uint64_t coveredPixels = 0;  ///< of the last picture; of N x N samples a pixel that were asked for, samples
     std::uint32_t samples = 1;        ///< a pixel of the last picture or frame has at most
-    std::uint32_t frames = 1;         ///< that the last picture is the mean of, or a picture of the last frame would be
+    std::uint32_t frames = 1;         ///< that drew the last picture, block by block
     std::vector<PassCount> passes;    ///< of the last frame that counted
     std::vector<PassTime> passTimes;  ///< of the last frame that was timed; none if the device cannot
     /// Submitted for the last picture, in all copies.

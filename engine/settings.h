@@ -57,6 +57,10 @@ struct RenderSettings {
     /// Of a picture: kEdgeSamples where a pixel shows an edge, one elsewhere. Debug views have one everywhere.
     static constexpr std::uint32_t kEdges = 0;
     static constexpr std::uint32_t kEdgeSamples = 16;
+    /// Where a frame does not draw those (it is not of the `tiles` path; one looks through meshes; halos, lines of
+    /// three weights; lists that are too long), a picture has as many everywhere, so many a side.
+    static constexpr std::uint32_t kBlockSamples = 4;
+    static_assert(kBlockSamples * kBlockSamples == kEdgeSamples);
 
     View view;
     std::uint32_t supersample = kEdges;           ///< N x N samples a pixel, or kEdges

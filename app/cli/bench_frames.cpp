@@ -114,7 +114,6 @@ Json pathsJson(const BenchOptions& options, double radius, const std::vector<Tim
                          {"processor", timesJson(t.samples.processor)},
                          {"frames", t.samples.wall.size()},
                          {"samples_per_pixel", stats.samples},
-                         {"frames_per_picture", stats.frames},
                          {"bake", stats.bakeMilliseconds},
                          {"geometry", geometryJson(stats.geometry, stats.storesVaryings)},
                          {"tile_bytes_per_pixel", stats.tileBytesPerPixel},
@@ -251,8 +250,6 @@ void printFrames(const Json& report, std::ostream& out) {
         if (path.contains("lists"))
             out << name << ": " << path["lists"]["kept"] << " primitives in " << path["lists"]["entries"]
                 << " entries of lists, " << path["lists"]["tiles"] << " tiles\n";
-        if (path["frames_per_picture"] > 1)
-            out << name << ": a picture takes " << path["frames_per_picture"] << " such frames\n";
     }
     for (const Json& path : report["lacks"]) out << path["why"].get<std::string>() << "\n";
     out << report["spheres"]["submitted"] << " spheres, " << report["cylinders"]["submitted"] << " cylinders, "

@@ -61,7 +61,7 @@ SceneCounts countsOfInput(const PlanOptions& options) {
 
 struct PlannedFrame {
     Visibility visibility;
-    std::uint32_t frames;  ///< that a picture is the mean of
+    std::uint32_t samples;  ///< of it that a pixel of a picture has
     ScreenFrame frame;
     graph::Plan plan;
 };
@@ -80,8 +80,8 @@ PlannedFrame framePlanned(const PlanOptions& options, const PlanReport& report, 
     screen.edges = options.edges && visibility == Visibility::tiles && counts.translucent == 0;
     constexpr std::uint32_t kShadowPixels = 1024;  // of all but the largest scenes
     screen.shadowPixels = effects.shadow.strength > 0 ? kShadowPixels : 0;
-    const std::uint32_t frames = options.edges && !screen.edges ? RenderSettings::kEdgeSamples : 1;
-    PlannedFrame planned{visibility, frames, screenFrame(screen), {}};
+    const std::uint32_t samples = options.edges && !screen.edges ? RenderSettings::kEdgeSamples : 1;
+    PlannedFrame planned{visibility, samples, screenFrame(screen), {}};
     for (const graph::Image target : planned.frame.targets) planned.frame.graph.output(target);
     planned.plan = graph::compile(planned.frame.graph, report.plannedWith);
     return planned;
@@ -129,7 +129,7 @@ std::vector<EffectCost> costsOf(const PlanOptions& options, const PlanReport& re
         const auto more = [](std::uint64_t a, std::uint64_t b) {
             return static_cast<std::int64_t>(a) - static_cast<std::int64_t>(b);
         };
-        EffectCost cost{name, visibilityName(with.visibility), {}, with.frames, 0, 0, 0};
+        EffectCost cost{name, visibilityName(with.visibility), {}, with.samples, 0, 0, 0};
         for (const graph::PassDecl& pass : with.frame.graph.passes())
             if (!has(pass.name)) cost.passes.push_back(pass.name);
         cost.loaded = more(with.plan.total.loaded, none.plan.total.loaded);
@@ -166,7 +166,7 @@ PlanReport planReport(const PlanOptions& options) {
         report.why = "lines and halos ask which primitive a pixel shows";
     PlannedFrame planned = framePlanned(options, report, counts, effects);
     report.visibility = planned.visibility;
-    report.frames = planned.frames;
+    report.samples = planned.samples;
     report.frame = std::move(planned.frame);
     report.plan = std::move(planned.plan);
     graph::PlanCaps alone = caps;

@@ -18,7 +18,7 @@ struct EffectCost {
     std::string option;               ///< without its dashes
     const char* visibility;           ///< that it is drawn by
     std::vector<std::string> passes;  ///< that the frame without it has not
-    std::uint32_t frames;             ///< that a picture is the mean of
+    std::uint32_t samples;            ///< of such a frame that a pixel of a picture has
     std::int64_t loaded, stored;      ///< bytes a frame
     std::int64_t tileBytes;           ///< a pixel
 };
@@ -35,7 +35,7 @@ struct PlanReport {
     graph::Plan plan, unmerged;
     graph::Graph paperGraph;
     graph::Plan paper;
-    std::uint32_t frames = 1;              ///< that a picture is the mean of
+    std::uint32_t samples = 1;             ///< of such a frame that a pixel of a picture has
     std::vector<PassGeometry> geometry{};  ///< of the scene that was given
     std::vector<MeshLevelCount> meshLevels{};
     std::vector<EffectCost> costs{};  ///< of the effects that are on

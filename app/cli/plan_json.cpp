@@ -103,7 +103,7 @@ Json costsJson(const PlanReport& report) {
         list.push_back({{"option", cost.option},
                         {"visibility", cost.visibility},
                         {"passes", cost.passes},
-                        {"frames", cost.frames},
+                        {"samples", cost.samples},
                         {"loaded", cost.loaded},
                         {"stored", cost.stored},
                         {"tile_bytes_per_pixel", cost.tileBytes}});
@@ -117,7 +117,7 @@ std::string planJson(const PlanReport& report) {
               {"visibility", visibilityName(report.visibility)},
               {"why", report.why},
               {"size", {report.extent.width, report.extent.height}},
-              {"frames", report.frames},
+              {"samples", report.samples},
               {"merge", report.plannedWith.merge},
               {"compute_passes", Json::array()},
               {"render_passes", Json::array()},

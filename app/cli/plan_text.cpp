@@ -168,14 +168,15 @@ void memoryText(std::ostream& out, const PlanReport& report) {
 /// What each effect adds, by itself, to the frame without any.
 void costsText(std::ostream& out, const PlanReport& report) {
     out << "\nwhat each option adds to a frame without the others\n";
-    std::vector<Row> rows{{"option", "passes that it needs", "B loaded", "stored", "on the tile, B a pixel", "frames"}};
+    std::vector<Row> rows{
+        {"option", "passes that it needs", "B loaded", "stored", "on the tile, B a pixel", "samples"}};
     const auto more = [](std::int64_t bytes) {
         const std::string number = grouped(static_cast<std::uint64_t>(std::abs(bytes)));
         return bytes > 0 ? "+" + number : bytes < 0 ? "-" + number : "0";
     };
     for (const EffectCost& cost : report.costs)
         rows.push_back({"--" + cost.option, list(cost.passes, "none: some instructions of those there are"),
-                        more(cost.loaded), more(cost.stored), more(cost.tileBytes), std::to_string(cost.frames)});
+                        more(cost.loaded), more(cost.stored), more(cost.tileBytes), std::to_string(cost.samples)});
     table(out, "  ", rows, 2);
 }
 
@@ -208,7 +209,7 @@ std::string planText(const PlanReport& report) {
     std::ostringstream out;
     out << report.caps << ", " << report.extent.width << "x" << report.extent.height << '\n'
         << "visibility " << visibilityName(report.visibility) << ": " << report.why << "\n";
-    if (report.frames > 1) out << "a picture is the mean of " << report.frames << " such frames\n";
+    if (report.samples > 1) out << "a pixel of a picture is the mean of " << report.samples << " of its pixels\n";
     out << '\n';
     for (const graph::Step& step : report.plan.steps) {
         barriersText(out, report, step.before);

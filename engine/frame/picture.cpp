@@ -33,9 +33,11 @@ Picture resolve(const ResolvedPart& part, const std::array<float, 4>& background
     for (std::uint32_t y = part.rect.y; y < part.rect.y + part.rect.height; ++y)
         for (std::uint32_t x = part.rect.x; x < part.rect.x + part.rect.width; ++x) {
             std::array<float, 4> sum{};
+            std::uint64_t here = 0;
             for (std::uint32_t j = 0; j < n; ++j)
                 for (std::uint32_t i = 0; i < n; ++i)
-                    covered += add((std::size_t{y} * n + j) * part.rowPixels + std::size_t{x} * n + i, sum) ? 1 : 0;
+                    here += add((std::size_t{y} * n + j) * part.rowPixels + std::size_t{x} * n + i, sum) ? 1 : 0;
+            covered += part.counted ? std::min<std::uint64_t>(here, 1) : here;
             const float alpha = sum[3] / samples;
             for (std::size_t c = 0; c < 3; ++c) picture.rgba.push_back(sum[c] / samples + (1 - alpha) * behind[c]);
             picture.rgba.push_back(alpha + (1 - alpha) * behind[3]);
@@ -70,21 +72,6 @@ Picture resolvePicture(const float* pixels, const ResolvedPart& part, const std:
         sum[3] += p[3];
         return true;
     });
-}
-
-void PictureMean::add(Picture picture) {
-    if (count_++ == 0) {
-        sum_ = std::move(picture);
-        return;
-    }
-    for (std::size_t i = 0; i < sum_.rgba.size(); ++i) sum_.rgba[i] += picture.rgba[i];
-}
-
-Picture PictureMean::take() {
-    const float share = 1.0f / static_cast<float>(count_);
-    for (float& value : sum_.rgba) value *= share;
-    count_ = 0;
-    return std::move(sum_);
 }
 
 LayerPicture assembleLayers(std::uint32_t width, std::uint32_t height, const float* color, const float* surface,

@@ -15,6 +15,7 @@ struct ResolvedPart {
     std::uint32_t rowPixels;  ///< in a row of the device's
     std::uint32_t n;          ///< n x n of them are one of the picture
     PictureRect rect;         ///< of the picture's pixels that are wanted
+    bool counted = false;     ///< as pixels of the picture that are covered, and not as samples
 };
 
 /// Averages in linear light and lays the result over a background.
@@ -26,17 +27,6 @@ Picture resolvePicture(const std::uint32_t* pixels, const ResolvedPart& part, co
 /// The same of pixels of four floats each, premultiplied and linear.
 Picture resolvePicture(const float* pixels, const ResolvedPart& part, const std::array<float, 4>& background,
                        std::uint64_t& covered);
-
-/// A picture's mean, which grows sum by sum.
-class PictureMean {
-public:
-    void add(Picture picture);
-    Picture take();
-
-private:
-    Picture sum_;
-    std::uint32_t count_ = 0;
-};
 
 /// @param color    RGBA, linear, premultiplied; @param surface normal and Z; @param identity atom and occlusion's bits
 LayerPicture assembleLayers(std::uint32_t width, std::uint32_t height, const float* color, const float* surface,

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "engine/error.h"
 #include "engine/frame/geometry.h"
 #include "engine/frame/picture.h"
 #include "engine/milliseconds.h"
-#include "engine/passes/edge_samples.h"
 #include "engine/passes/read_back.h"
 #include "engine/scene/tile_lists.h"
 
@@ -26,6 +27,9 @@ constexpr ScreenTarget kFineTargets[] = {kLayerTargets[0]};
 constexpr ScreenTarget kSolidTargets[] = {kLayerTargets[1], kLayerTargets[2]};
 
 constexpr ScreenTarget kPickTargets[] = {{"identity", VK_FORMAT_R32G32_UINT, Output::identity, "identity layer"}};
+
+constexpr std::uint32_t kBlockPixels = 384;  ///< a side: 2 million samples and those of their rim
+static_assert(kBlockPixels % PictureRect::kStep == 0);
 
 /// Copies of the frame's targets to the host.
 std::vector<gpu::Buffer> addReadBacks(const gpu::Device& device, ScreenFrame& frame,
@@ -62,6 +66,23 @@ void addTimes(std::vector<PassTime>& sum, const std::vector<PassTime>& times) {
 /// Debug views are no finer than the eye.
 bool isFine(const RenderSettings& settings) { return settings.fine && settings.debug == DebugView::none; }
 
+/// Pixels about a part that may change what is in it: those beside an edge, and as far as lines and halos reach.
+std::uint32_t rimOf(const RenderSettings& settings) {
+    constexpr std::uint32_t kRim = PictureRect::kStep;
+    static_assert(kRim == TileLists::kBinPixels);  // its bins are those of the whole
+    const double reach = std::max(settings.effects.contours.width, settings.effects.halos.width);
+    return kRim * std::max(static_cast<std::uint32_t>(std::ceil(reach / kRim)), 1u);
+}
+
+/// A rectangle of a view with a rim, as far as the view has one, and where the rectangle is in that.
+std::pair<View, PictureRect> withRim(const View& whole, const PictureRect& part, std::uint32_t rim) {
+    const std::uint32_t left = part.x - std::min(part.x, rim), top = part.y - std::min(part.y, rim);
+    const std::uint32_t right = std::min(part.x + part.width + rim, whole.width);
+    const std::uint32_t bottom = std::min(part.y + part.height + rim, whole.height);
+    return {partOf(whole, left, top, right - left, bottom - top),
+            {part.x - left, part.y - top, part.width, part.height}};
+}
+
 void addCounts(std::vector<PassCount>& sum, const std::vector<PassCount>& counts) {
     sum.resize(counts.size());
     for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -86,6 +107,7 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
     ScreenFrame frame = frames_.declare(settings, atlas, view, targets, name, imports, fragments, edges);
     Drawn drawn;
     drawn.edges = frame.edges.has_value();
+    if (edges && !drawn.edges) return drawn;
     drawn.colors = frame.colors;
     if (drawn.colors)
         frame.graph.output(frame.numbers);
@@ -148,7 +170,7 @@ Picture PictureFrames::resolved(const Drawn& drawn, const RenderSettings& settin
                                 std::uint32_t n) {
     const std::byte* pixels = drawn.colors ? drawn.colors->numbers.buffer.mapped : drawn.pixels[0].mapped;
     const std::uint32_t row = drawn.colors ? drawn.colors->rowPixels() : imageExtent(wanted.view).width * n;
-    const ResolvedPart part{row, n, wanted.inner};
+    const ResolvedPart part{row, n, wanted.inner, wantsEdges(settings)};
     if (isFine(settings))
         return resolvePicture(reinterpret_cast<const float*>(pixels), part, settings.background, stats_.coveredPixels);
     return resolvePicture(reinterpret_cast<const std::uint32_t*>(pixels), part, settings.background,
@@ -161,27 +183,24 @@ Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atl
 }
 
 Picture PictureFrames::part(const RenderSettings& settings, const passes::Atlas& atlas, const PictureRect& part) {
-    // What is about a pixel matters to edges.
-    constexpr std::uint32_t kRim = PictureRect::kStep;
-    static_assert(kRim == TileLists::kBinPixels);  // its bins are those of the whole
-    const View& whole = settings.view;
-    const std::uint32_t left = part.x < kRim ? 0 : part.x - kRim, top = part.y < kRim ? 0 : part.y - kRim;
-    const std::uint32_t right = std::min(part.x + part.width + kRim, whole.width);
-    const std::uint32_t bottom = std::min(part.y + part.height + kRim, whole.height);
-    return picture(
-        settings, atlas,
-        {partOf(whole, left, top, right - left, bottom - top), {part.x - left, part.y - top, part.width, part.height}});
+    const auto [view, inner] = withRim(settings.view, part, rimOf(settings));
+    return picture(settings, atlas, {view, inner});
 }
 
 Picture PictureFrames::picture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted) {
     stats_.frames = 1;
     if (!wantsEdges(settings)) return sampledPicture(settings, atlas, wanted, std::max(settings.supersample, 1u));
     stats_.samples = RenderSettings::kEdgeSamples;
-    if (!frames_.drawsEdges() || settings.effects.rims()) return meanOfFrames(settings, atlas, wanted);
     checkSize(wanted.view);
-    const Drawn drawn = draw(settings, atlas, wanted.view, pictureTargets(settings), true, "screen", true);
-    if (!drawn.edges) return meanOfFrames(settings, atlas, wanted);  // a list was too long
-    return resolved(drawn, settings, wanted, 1);
+    if (drawsEdges(settings)) {
+        const Drawn drawn = draw(settings, atlas, wanted.view, pictureTargets(settings), true, "screen", true);
+        if (drawn.edges) return resolved(drawn, settings, wanted, 1);  // else a list was too long
+    }
+    return blocksOfSamples(settings, atlas, wanted, true);
+}
+
+bool PictureFrames::drawsEdges(const RenderSettings& settings) const {
+    return frames_.drawsEdges() && !settings.effects.rims();
 }
 
 /// N x N samples a pixel, in one frame.
@@ -193,25 +212,43 @@ Picture PictureFrames::sampledPicture(const RenderSettings& settings, const pass
     return resolved(draw(settings, atlas, view, pictureTargets(settings), true, "screen"), settings, wanted, n);
 }
 
-/// A frame for each sample, whose pixels look through that.
-Picture PictureFrames::meanOfFrames(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted) {
-    checkSize(wanted.view);
-    PictureMean mean;
-    double milliseconds = 0;
-    std::vector<PassCount> passes;
-    std::vector<PassTime> times;
-    for (std::uint32_t i = 0; i < RenderSettings::kEdgeSamples; ++i) {
-        const View view = throughSample(wanted.view, i);
-        mean.add(resolved(draw(settings, atlas, view, pictureTargets(settings), true, "screen"), settings, wanted, 1));
-        milliseconds += stats_.frameMilliseconds;
-        addCounts(passes, stats_.passes);
-        addTimes(times, stats_.passTimes);
-    }
-    stats_.frames = RenderSettings::kEdgeSamples;
-    stats_.frameMilliseconds = milliseconds;
-    stats_.passes = passes;
-    stats_.passTimes = times;
-    return mean.take();
+/// As many samples on a grid, in blocks, so that memory does not grow with the picture. A frame for each sample would
+/// list the scene as often; and lists that were too long are not, of a quarter of the pixels' side.
+Picture PictureFrames::blocksOfSamples(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
+                                       bool readBack) {
+    const PictureRect& all = wanted.inner;
+    Picture whole{all.width, all.height, {}};
+    if (readBack) whole.rgba.resize(std::size_t{4} * all.width * all.height);
+    FrameStats sum;
+    sum.frames = 0;
+    const std::uint32_t most = wanted.view.quarterTurns == 0 ? kBlockPixels : std::max(all.width, all.height);
+    for (std::uint32_t top = 0; top < all.height; top += most)
+        for (std::uint32_t left = 0; left < all.width; left += most) {
+            const PictureRect rect{all.x + left, all.y + top, std::min(most, all.width - left),
+                                   std::min(most, all.height - top)};
+            Wanted block{wanted.view, rect};
+            if (rect.width < all.width || rect.height < all.height)
+                std::tie(block.view, block.inner) = withRim(wanted.view, rect, rimOf(settings));
+            const View view = scaled(block.view, RenderSettings::kBlockSamples);
+            checkSize(view);
+            const Drawn drawn = draw(settings, atlas, view, pictureTargets(settings), readBack, "screen");
+            ++sum.frames;
+            sum.frameMilliseconds += stats_.frameMilliseconds;
+            addCounts(sum.passes, stats_.passes);
+            addTimes(sum.passTimes, stats_.passTimes);
+            if (!readBack) continue;
+            const Picture part = resolved(drawn, settings, block, RenderSettings::kBlockSamples);
+            sum.coveredPixels += stats_.coveredPixels;
+            for (std::uint32_t row = 0; row < rect.height; ++row)
+                std::copy_n(part.rgba.data() + std::size_t{4} * row * rect.width, std::size_t{4} * rect.width,
+                            whole.rgba.data() + std::size_t{4} * ((std::size_t{top} + row) * all.width + left));
+        }
+    stats_.frames = sum.frames;
+    stats_.frameMilliseconds = sum.frameMilliseconds;
+    stats_.passes = sum.passes;
+    stats_.passTimes = sum.passTimes;
+    if (readBack) stats_.coveredPixels = sum.coveredPixels;
+    return whole;
 }
 
 LayerPicture PictureFrames::layers(const RenderSettings& settings, const passes::Atlas& atlas) {
@@ -234,10 +271,17 @@ void PictureFrames::frame(const RenderSettings& settings, const passes::Atlas& a
     const std::uint32_t n = edges ? 1 : std::max(settings.supersample, 1u);
     const View view = scaled(settings.view, n);
     checkSize(view);
-    const Drawn drawn = draw(settings, atlas, view, pictureTargets(settings), false, "screen", edges);
-    const bool mean = edges && !drawn.edges;  // one of many
-    stats_.samples = drawn.edges ? RenderSettings::kEdgeSamples : n * n;
-    stats_.frames = mean ? RenderSettings::kEdgeSamples : 1;
+    stats_.frames = 1;
+    stats_.samples = edges ? RenderSettings::kEdgeSamples : n * n;
+    const bool inFrame = edges && drawsEdges(settings);
+    const auto drawn = [&] {
+        return draw(settings, atlas, view, pictureTargets(settings), false, "screen", inFrame).edges;
+    };
+    const graph::Extent image = imageExtent(view);
+    if (edges && !(inFrame && drawn()))
+        blocksOfSamples(settings, atlas, {view, {0, 0, image.width, image.height}}, false);
+    else if (!edges)
+        drawn();
 }
 
 std::uint32_t PictureFrames::atomAt(const RenderSettings& settings, double x, double y, double reach) {

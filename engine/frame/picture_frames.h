@@ -17,8 +17,8 @@ public:
     /// As Renderer::renderPart.
     Picture part(const RenderSettings& settings, const passes::Atlas& atlas, const PictureRect& part);
     LayerPicture layers(const RenderSettings& settings, const passes::Atlas& atlas);
-    /// A frame of which nothing is read back. Of RenderSettings::kEdges, one that draws edges if one can; else one of
-    /// those that a picture is the mean of.
+    /// A frame of which nothing is read back. Of RenderSettings::kEdges, one that draws edges if one can, or the blocks
+    /// of a picture; where a picture is the mean of frames, one of them.
     void frame(const RenderSettings& settings, const passes::Atlas& atlas);
     /// As Renderer::atomAt.
     std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach);
@@ -41,12 +41,14 @@ private:
     };
     Drawn draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                std::span<const ScreenTarget> targets, bool readBack, const char* name, bool edges = false);
+    bool drawsEdges(const RenderSettings& settings) const;  ///< in the frame itself
     void checkSize(const View& view) const;
     Picture picture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
     Picture resolved(const Drawn& drawn, const RenderSettings& settings, const Wanted& wanted, std::uint32_t n);
     Picture sampledPicture(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
                            std::uint32_t n);
-    Picture meanOfFrames(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted);
+    Picture blocksOfSamples(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
+                            bool readBack);
     const graph::Plan& planOf(const graph::Graph& graph, const FrameTuning& tuning);
     void tell(const graph::Plan& plan);
 

@@ -30,7 +30,7 @@ public:
     ScreenFrame declareNext(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                             std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports) const;
 
-    /// Whether one frame can draw edges from more samples than what lies between them; else it takes many frames.
+    /// Whether one frame can draw edges from more samples than what lies between them; else all pixels have as many.
     bool drawsEdges() const {
         return device_.caps().visibility == Visibility::tiles && device_.caps().tiles.drawsEdges && !translucent();
     }

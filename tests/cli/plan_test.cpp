@@ -265,7 +265,7 @@ TEST(Plan, OfAPictureTellsHowItsEdgesAreDrawn) {
     options.picture.device.visibility = Visibility::tiles;
     options.edges = true;
     const Json json = jsonOf(options);
-    EXPECT_EQ(json["frames"], 1);
+    EXPECT_EQ(json["samples"], 1);
     ASSERT_EQ(json["compute_passes"].size(), 3u);
     EXPECT_EQ(
         json["compute_passes"][1],
@@ -277,9 +277,14 @@ TEST(Plan, OfAPictureTellsHowItsEdgesAreDrawn) {
     ASSERT_EQ(json["render_passes"][0]["subpasses"].size(), 1u);
     EXPECT_EQ(json["render_passes"][0]["subpasses"][0]["name"], "impostor colour + edge colour");
     EXPECT_EQ(planText(planReport(options)).find("the mean of"), std::string::npos);
+    options.picture.effects.halos.width = 6;
+    EXPECT_EQ(jsonOf(options)["samples"], 16);
+    EXPECT_EQ(jsonOf(options)["costs"][0]["samples"], 16);
+    EXPECT_NE(planText(planReport(options)).find("a pixel of a picture is the mean of 16 of its pixels"),
+              std::string::npos);
+    options.picture.effects.halos.width = 0;
     options.picture.device.visibility = Visibility::encoded;
-    EXPECT_EQ(jsonOf(options)["frames"], 16);
-    EXPECT_NE(planText(planReport(options)).find("a picture is the mean of 16 such frames"), std::string::npos);
+    EXPECT_EQ(jsonOf(options)["samples"], 16);
 }
 
 TEST(Plan, RefusesWhatTheDeviceCannotDo) {
