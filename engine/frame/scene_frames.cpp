@@ -44,8 +44,12 @@ bool SceneFrames::hides(const passes::SceneView& seen, const RenderSettings& set
 
 const SphereBoxes* SceneFrames::boxesOf(const passes::SceneView& seen, const RenderSettings& settings, const View& view,
                                         bool edges) const {
+    // Smaller than that, lists and tiles take longer over them.
+    constexpr double kSmallPixels = 2.5;
+    constexpr std::uint64_t kMany = 100'000;
     const SphereBoxes& boxes = scene_->chunks.sphereBoxes;
-    const bool drawn = hides(seen, settings) && seen.copies.triangles.empty() && std::isfinite(boxes.reach) &&
+    const bool pays = settings.tuning.cull && seen.radiusPixels <= kSmallPixels && seen.copies.sphereCount() >= kMany;
+    const bool drawn = (pays || hides(seen, settings)) && seen.copies.triangles.empty() && std::isfinite(boxes.reach) &&
                        FrontSpheres::tells(passes::tileView(seen, view, imageExtent(view), !edges));
     return drawn ? &boxes : nullptr;
 }

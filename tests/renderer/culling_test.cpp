@@ -82,6 +82,9 @@ TEST(CopiesBehindCopies, NeverChangeABit) {
         const Picture whole = renderer->render(s);
         const std::uint64_t submitted = renderer->stats().spheres;
         s.tuning.cull = true;
+        // Small ones along parallel rays are hidden from fewer on.
+        EXPECT_EQ(renderer->render(s).rgba, whole.rgba);
+        EXPECT_EQ(renderer->stats().spheres * 8 < submitted, projection == Projection::orthographic);
         s.tuning.hideFrom = 0;
         EXPECT_EQ(renderer->render(s).rgba, whole.rgba);
         EXPECT_LT(renderer->stats().spheres * 8, submitted);
