@@ -3,6 +3,9 @@
 #include <charconv>
 #include <exception>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/download/partial_file.h"
 #include "engine/error.h"
@@ -30,6 +33,35 @@ private:
     std::string bytes_, validator_;
 };
 
+/// A transfer that failed, and which.
+struct FailureAt : HttpFailure {
+    FailureAt(std::string url, const std::string& why) : HttpFailure(why, false), address(std::move(url)) {}
+    std::string address;
+};
+
+/// What failed, each reason once, behind all addresses in a row that it is true of.
+class Causes {
+public:
+    void add(const std::string& address, const std::string& why) {
+        const bool same = !list_.empty() && list_.back().second == why;
+        if (!same) return list_.push_back({{address}, why});
+        auto& addresses = list_.back().first;
+        if (addresses.back() != address) addresses.push_back(address);
+    }
+    std::string text() const {
+        std::string all;
+        for (const auto& [addresses, why] : list_) {
+            if (!all.empty()) all += "; ";
+            for (std::size_t i = 0; i < addresses.size(); ++i) all += (i == 0 ? "" : ", ") + addresses[i];
+            all += (addresses.front().empty() ? "" : ": ") + why;
+        }
+        return all;
+    }
+
+private:
+    std::vector<std::pair<std::vector<std::string>, std::string>> list_;
+};
+
 void get(const std::string& url, const HttpLimits& limits, HttpBody& body, const DownloadSettings& settings) {
     const auto progress = [&](std::uint64_t done, std::uint64_t all) {
         if (settings.onProgress && all > 0) settings.onProgress(static_cast<double>(done) / static_cast<double>(all));
@@ -38,7 +70,7 @@ void get(const std::string& url, const HttpLimits& limits, HttpBody& body, const
             httpGet(url, limits, body, progress);
             return;
         } catch (const HttpFailure& failure) {
-            if (!failure.brokeOff || attempt == kAttempts) throw HttpFailure(url + ": " + failure.what(), false);
+            if (!failure.brokeOff || attempt == kAttempts) throw FailureAt(url, failure.what());
         }
 }
 
@@ -51,7 +83,7 @@ std::string addressOf(const Source& source, const std::string& accession, const 
     limits.maxBytes = kLargestList;
     get(source.url, limits, body, settings);
     const auto list = nlohmann::json::parse(body.bytes(), nullptr, false);
-    const auto fail = [&](const char* why) { throw HttpFailure(source.url + ": " + why, false); };
+    const auto fail = [&](const char* why) { throw FailureAt(source.url, why); };
     if (!list.is_array()) fail("the answer is no list of predictions");
     if (list.empty()) fail("there is no such entry");
     const nlohmann::json* chosen = &list.front();
@@ -149,17 +181,17 @@ Molecule downloadMolecule(const DatabaseId& id, const ReadOptions& options, cons
     if (settings.offline)
         throw Error("cannot download", id.input,
                     cache.on() ? "--offline, and " + cache.folder() + " does not hold it" : "--offline, and no cache");
-    std::string causes;
+    Causes causes;
     for (const Source& source : sources) try {
             return fetch(cache, source, addressOf(source, id.id, settings), options, settings);
         } catch (const NotInIt& problem) {
             std::rethrow_exception(problem.why);
-        } catch (const HttpFailure& failure) {
-            causes += (causes.empty() ? "" : "; ") + std::string(failure.what());
+        } catch (const FailureAt& failure) {
+            causes.add(failure.address, failure.what());
         } catch (const Error& error) {
-            causes += (causes.empty() ? "" : "; ") + std::string(error.what());
+            causes.add("", error.what());
         }
-    throw Error("cannot download", id.input, causes);
+    throw Error("cannot download", id.input, causes.text());
 }
 
 }  // namespace nacre::app

@@ -173,6 +173,11 @@ void setOptions(CURL* handle, const std::string& url, const HttpLimits& limits, 
         case CURLE_HTTP2:
         case CURLE_HTTP2_STREAM:
             throw HttpFailure("the connection was lost before the end of the file", true);
+        case CURLE_COULDNT_RESOLVE_HOST:
+        case CURLE_COULDNT_RESOLVE_PROXY:
+            throw HttpFailure("no server of that name is found (is there a network?)", false);
+        case CURLE_COULDNT_CONNECT:
+            throw HttpFailure("the server cannot be reached (is there a network?)", false);
         default:
             throw HttpFailure(*message ? message : curl_easy_strerror(code), false);
     }

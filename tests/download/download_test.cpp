@@ -265,6 +265,24 @@ TEST_F(Download, ServersThatAreNotThere) {
     EXPECT_EQ(kept(), Names{});
 }
 
+TEST_F(Download, WhatIsTrueOfBothAddressesIsSaidOnce) {
+    const auto failureAt = [&](const char* base, const char* input) {
+        settings_.environment = [=](const char*) { return std::string(base); };
+        try {
+            downloadMolecule(*parseDatabaseId(input), {}, settings_);
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(failureAt("http://no-such-host.invalid", "pdb:1bna"),
+              "cannot download: pdb:1bna: http://no-such-host.invalid/1bna.bcif.gz, "
+              "http://no-such-host.invalid/1bna.cif.gz: no server of that name is found (is there a network?)");
+    EXPECT_EQ(failureAt("http://localhost:1", "afdb:P69905"),
+              "cannot download: afdb:P69905: http://localhost:1/api/prediction/P69905: "
+              "the server cannot be reached (is there a network?)");
+}
+
 TEST_F(Download, AKeptFileThatWasDamagedIsFetchedAnew) {
     get("ok", "pdb:1bna");
     const fs::path entry = fs::path(settings_.cacheFolder) / "pdb-1bna.bcif.gz";
