@@ -88,6 +88,7 @@ void Renderer::setScene(Representation representation) {
         auto scene = std::make_shared<const Scene>(makeScene(impl_->device, std::move(representation)));
         impl_->occlusion.setScene(toBake(scene));
         impl_->scene = std::move(scene);
+        impl_->frames.letGo();
     });
     impl_->stats.copies = std::max<std::uint64_t>(impl_->scene->representation.copies.transforms.size(), 1);
 }
@@ -99,6 +100,7 @@ void Renderer::moveScene(Representation representation) {
             std::make_shared<const Scene>(makeMovedScene(impl_->device, std::move(representation), *impl_->scene));
         impl_->occlusion.moveScene(toBake(scene));
         impl_->scene = std::move(scene);
+        impl_->frames.letGo();
     });
 }
 

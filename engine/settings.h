@@ -75,6 +75,13 @@ struct RenderSettings {
     DebugView debug = DebugView::none;  ///< of pictures and window frames; layers and picks are not concerned
     OcclusionSettings occlusion;
     FrameTuning tuning;
+
+    /// What a frame goes by: all but how a bake is made, which is in strings and functions.
+    RenderSettings ofFrame() const {
+        RenderSettings frame{view, supersample, background, fine, lighting, effects, meshError, debug, {}, tuning};
+        frame.occlusion.directions = occlusion.directions;
+        return frame;
+    }
 };
 
 /// How a frame for the window is drawn.

@@ -57,7 +57,8 @@ SceneCounts countsOf(Representation r, const View& view, double meshError) {
     const Chunks chunks = chunksOf(r);
     const passes::PlacedCopies placed = passes::placeCopies(r, view, &chunks, 0, errorInSpace(view, meshError));
     passes::PlacedCopies translucent;
-    translucent.triangles = passes::chosen(placed.triangles, translucentRuns(r), passes::Triangles::translucent);
+    translucent.triangles = placed.triangles;
+    passes::choose(translucent.triangles, translucentRuns(r), passes::Triangles::translucent);
     const std::uint64_t layered = translucent.triangleCount();
     double radii = 0;
     for (const Sphere& s : r.spheres) radii += s.radius;
@@ -71,14 +72,23 @@ SceneCounts countsOf(Representation r, const View& view, double meshError) {
             placed.triangleLevels(r)};
 }
 
-std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCounts& counts,
-                                     const graph::GeometryCaps& caps, PlateShape plates, ImpostorShape impostor) {
+void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const graph::GeometryCaps& caps,
+                  PlateShape plates, ImpostorShape impostor, std::vector<PassGeometry>& list) {
     const Shape sphere = impostorOf(passes::chooseImpostor(impostor, caps, counts.radiusPixels, counts.perspective));
     const Shape cylinder = polygon(4), triangle = polygon(3);
     Shape plate;
     for (const passes::Plate& p : passes::platesOf(passes::choosePlates(plates, caps, counts.radiusPixels)))
         plate = plate + polygon(p.corners);
-    std::vector<PassGeometry> list;
+    std::size_t told = 0;
+    const auto tell = [&](const graph::PassDecl& pass, std::uint64_t vertices, std::uint64_t triangles,
+                          std::uint64_t varyingBytes) {
+        if (told == list.size()) list.emplace_back();
+        PassGeometry& geometry = list[told++];
+        geometry.name = pass.name;
+        geometry.vertices = vertices;
+        geometry.triangles = triangles;
+        geometry.varyingBytes = varyingBytes;
+    };
     for (const graph::PassDecl& pass : graph.passes()) {
         const bool tests = pass.has(Verb::depth) || pass.has(Verb::depthTest) || pass.has(Verb::ordered);
         // None of the scene's primitives, but triangles over the screen.
@@ -86,13 +96,13 @@ std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCount
         if (pass.kind != graph::PassKind::graphics || !tests || screen) continue;
         if (pass.name.starts_with(kTranslucentLayer)) {
             const std::uint64_t vertices = counts.translucent * triangle.vertices;
-            list.push_back({pass.name, vertices, counts.translucent, vertices * (VertexBytes().triangle + kNumber)});
+            tell(pass, vertices, counts.translucent, vertices * (VertexBytes().triangle + kNumber));
             continue;
         }
         if (!pass.has(Verb::color) && !pass.has(Verb::ordered) && pass.name != kShadowPass) {
             const std::uint64_t flat = plate.vertices ? counts.triangles : 0;
             const std::uint64_t vertices = counts.spheres * plate.vertices + flat * triangle.vertices;
-            list.push_back({pass.name, vertices, counts.spheres * plate.triangles + flat, vertices * kPosition});
+            tell(pass, vertices, counts.spheres * plate.triangles + flat, vertices * kPosition);
             continue;
         }
         VertexBytes bytes;
@@ -103,10 +113,17 @@ std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCount
         const std::uint64_t spheres = counts.spheres * sphere.vertices,
                             triangles = counts.triangles * triangle.vertices,
                             cylinders = counts.cylinders * cylinder.vertices;
-        list.push_back({pass.name, spheres + cylinders + triangles,
-                        counts.spheres * sphere.triangles + counts.cylinders * cylinder.triangles + counts.triangles,
-                        spheres * bytes.sphere + cylinders * bytes.cylinder + triangles * bytes.triangle});
+        tell(pass, spheres + cylinders + triangles,
+             counts.spheres * sphere.triangles + counts.cylinders * cylinder.triangles + counts.triangles,
+             spheres * bytes.sphere + cylinders * bytes.cylinder + triangles * bytes.triangle);
     }
+    list.resize(told);
+}
+
+std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCounts& counts,
+                                     const graph::GeometryCaps& caps, PlateShape plates, ImpostorShape impostor) {
+    std::vector<PassGeometry> list;
+    tellGeometry(graph, counts, caps, plates, impostor, list);
     return list;
 }
 

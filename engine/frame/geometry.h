@@ -22,6 +22,10 @@ SceneCounts countsOf(Representation representation, const View& view, double mes
 std::vector<PassGeometry> geometryOf(const graph::Graph& graph, const SceneCounts& counts,
                                      const graph::GeometryCaps& caps, PlateShape plates, ImpostorShape impostor);
 
+/// The same, into what an earlier frame was told in.
+void tellGeometry(const graph::Graph& graph, const SceneCounts& counts, const graph::GeometryCaps& caps,
+                  PlateShape plates, ImpostorShape impostor, std::vector<PassGeometry>& list);
+
 /// In all.
 PassGeometry sumOf(std::span<const PassGeometry> passes);
 

@@ -31,21 +31,36 @@ constexpr ScreenTarget kPickTargets[] = {{"identity", VK_FORMAT_R32G32_UINT, Out
 constexpr std::uint32_t kBlockPixels = 384;  ///< a side: 2 million samples and those of their rim
 static_assert(kBlockPixels % PictureRect::kStep == 0);
 
-/// Copies of the frame's targets to the host.
-std::vector<gpu::Buffer> addReadBacks(const gpu::Device& device, ScreenFrame& frame,
-                                      std::span<const ScreenTarget> targets, graph::Extent extent,
-                                      gpu::Imports& imports) {
+std::string pixelsOf(const ScreenTarget& target) { return std::string(target.image) + " pixels"; }
+
+std::uint64_t pixelBytes(const ScreenTarget& target, graph::Extent extent) {
+    return std::uint64_t{extent.width} * extent.height * graph::bytesPerTexel(target.format);
+}
+
+/// What becomes of the targets, or of the colours that compute has shaded.
+void declareEnd(ScreenFrame& frame, const FrameShape& shape) {
+    if (shape.options.shadedByTiles) return frame.graph.output(frame.numbers);
+    for (std::size_t i = 0; i < frame.targets.size(); ++i) {
+        if (shape.end == FrameEnd::left) {
+            frame.graph.output(frame.targets[i]);
+            continue;
+        }
+        const ScreenTarget& target = shape.options.targets[i];
+        const graph::Extent extent = shape.options.extent;
+        frame.pixels.push_back(frame.graph.importBuffer(pixelsOf(target), pixelBytes(target, extent)));
+        passes::readBack(frame.graph, frame.targets[i], {target.format, extent}, frame.pixels.back());
+    }
+}
+
+/// Where the host reads the frame's targets.
+std::vector<gpu::Buffer> bindPixels(const gpu::Device& device, DeclaredFrame& declared) {
     std::vector<gpu::Buffer> pixels;
-    pixels.reserve(targets.size());
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-        const std::string what = std::string(targets[i].image) + " pixels";
-        const std::uint64_t bytes =
-            std::uint64_t{extent.width} * extent.height * graph::bytesPerTexel(targets[i].format);
-        pixels.push_back(
-            gpu::makeBuffer(device, bytes, vk::BufferUsageFlagBits::eTransferDst, gpu::Access::readback, what));
-        const auto buffer = frame.graph.importBuffer(what, bytes);
-        imports.bind(buffer, pixels.back());
-        passes::readBack(frame.graph, frame.targets[i], {targets[i].format, extent}, buffer);
+    for (std::size_t i = 0; i < declared.frame.pixels.size(); ++i) {
+        const ScreenTarget& target = declared.targets[i];
+        pixels.push_back(gpu::makeBuffer(device, pixelBytes(target, declared.shape.options.extent),
+                                         vk::BufferUsageFlagBits::eTransferDst, gpu::Access::readback,
+                                         pixelsOf(target)));
+        declared.imports.bind(declared.frame.pixels[i], pixels.back());
     }
     return pixels;
 }
@@ -98,27 +113,27 @@ std::span<const ScreenTarget> PictureFrames::pictureTargets(const RenderSettings
     return device_.caps().tiles.shade && !frames_.translucent() ? kCodedTargets : kScreenTargets;
 }
 
+const std::shared_ptr<DeclaredFrame>& PictureFrames::declare(const SeenFrame& seen) {
+    return declared_.of(seen.shape, [&](ScreenFrame& frame) { declareEnd(frame, seen.shape); });
+}
+
 PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
                                          std::span<const ScreenTarget> targets, bool readBack, const char* name,
                                          bool edges) {
     std::shared_ptr<passes::FragmentCounter> fragments;
     if (settings.tuning.countFragments) fragments = std::make_shared<passes::FragmentCounter>(device_);
-    gpu::Imports imports;
-    ScreenFrame frame = frames_.declare(settings, atlas, view, targets, name, imports, fragments, edges);
+    const FrameEnd end = readBack ? FrameEnd::readBack : FrameEnd::left;
+    const SeenFrame seen = frames_.see({settings, atlas, view, targets, name, end, fragments, edges});
+    const std::shared_ptr<DeclaredFrame> declared = declare(seen);
+    SceneFrames::bind(*declared, seen);
     Drawn drawn;
-    drawn.edges = frame.edges.has_value();
+    drawn.edges = seen.shape.options.edges;
     if (edges && !drawn.edges) return drawn;
-    drawn.colors = frame.colors;
-    if (drawn.colors)
-        frame.graph.output(frame.numbers);
-    else if (readBack)
-        drawn.pixels = addReadBacks(device_, frame, targets, imageExtent(view), imports);
-    else
-        for (const graph::Image target : frame.targets) frame.graph.output(target);
-    const graph::Plan& plan = planOf(frame.graph, settings.tuning);
+    drawn.colors = seen.colors();
+    drawn.pixels = bindPixels(device_, *declared);
     const auto start = Clock::now();
     const auto record = [&](const vk::raii::CommandBuffer& c) {
-        executor_.record(c, frame.graph, plan, imports, settings.tuning.timePasses ? &timer_ : nullptr);
+        executor_.record(c, *declared->recording, declared->imports, settings.tuning.timePasses ? &timer_ : nullptr);
         if (fragments) fragments->finish(c);
     };
     device_.submitAndWait(record, gpu::Device::Ends::frame);
@@ -128,33 +143,27 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
     if (drawn.colors) drawn.colors->numbers.buffer.invalidate();
     if (fragments) stats_.passes = fragments->counts();
     if (settings.tuning.timePasses) stats_.passTimes = timer_.times();
-    tell(plan);
-    stats_.geometry = geometryOf(frame.graph, frame.counts, device_.caps().plan.geometry, settings.tuning.plates,
-                                 settings.tuning.impostor);
-    stats_.storesVaryings = device_.caps().plan.geometry.storesVaryings;
+    if (last_ != declared) planText_.clear();
+    last_ = declared;
+    tell(seen, settings.tuning);
     return drawn;
 }
 
-const graph::Plan& PictureFrames::planOf(const graph::Graph& graph, const FrameTuning& tuning) {
-    const graph::Plan& plan = plans_.planOf(graph, frames_.planCaps(tuning));
-    if (lastPlan_ != plan) {
-        lastGraph_ = graph.declarations();
-        lastPlan_ = plan;
-        planText_.clear();
-    }
-    return plan;
-}
-
-void PictureFrames::tell(const graph::Plan& plan) {
+/// What the last frame was.
+void PictureFrames::tell(const SeenFrame& seen, const FrameTuning& tuning) {
+    const graph::Plan& plan = last_->plan;
     stats_.tileBytesPerPixel = graph::tileBytesPerPixel(plan);
     stats_.loadedBytes = plan.total.loaded;
     stats_.storedBytes = plan.total.stored;
     stats_.deviceBytes = device_.peakAllocatedBytes();
     stats_.deviceBytesHeld = device_.allocatedBytes();
+    const graph::GeometryCaps& caps = device_.caps().plan.geometry;
+    tellGeometry(last_->frame.graph, seen.counts, caps, tuning.plates, tuning.impostor, stats_.geometry);
+    stats_.storesVaryings = caps.storesVaryings;
 }
 
 const std::string& PictureFrames::planText() const {
-    if (planText_.empty()) planText_ = graph::describe(lastGraph_, lastPlan_);
+    if (planText_.empty() && last_) planText_ = graph::describe(last_->frame.graph, last_->plan);
     return planText_;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 // Frames that the host waits for: pictures, layers, and what lies under a point.
 
+#include "engine/frame/declared_frames.h"
 #include "engine/frame/scene_frames.h"
-#include "engine/graph/plan_cache.h"
 
 namespace nacre {
 
@@ -10,7 +10,12 @@ class PictureFrames {
 public:
     /// All of them outlive this. `stats` is told of the last frame.
     PictureFrames(const gpu::Device& device, gpu::Executor& executor, const SceneFrames& frames, FrameStats& stats)
-        : device_(device), executor_(executor), frames_(frames), stats_(stats) {}
+        : device_(device),
+          executor_(executor),
+          frames_(frames),
+          stats_(stats),
+          timer_(device),
+          declared_(device.caps().plan) {}
 
     /// @throws Error if the picture is larger than the device draws, or memory runs out
     Picture picture(const RenderSettings& settings, const passes::Atlas& atlas);
@@ -49,18 +54,17 @@ private:
                            std::uint32_t n);
     Picture blocksOfSamples(const RenderSettings& settings, const passes::Atlas& atlas, const Wanted& wanted,
                             bool readBack);
-    const graph::Plan& planOf(const graph::Graph& graph, const FrameTuning& tuning);
-    void tell(const graph::Plan& plan);
+    const std::shared_ptr<DeclaredFrame>& declare(const SeenFrame& seen);
+    void tell(const SeenFrame& seen, const FrameTuning& tuning);
 
     const gpu::Device& device_;
     gpu::Executor& executor_;
     const SceneFrames& frames_;
     FrameStats& stats_;
-    gpu::Timer timer_{device_};
-    graph::PlanCache plans_;
-    graph::Graph lastGraph_{"none"};
-    graph::Plan lastPlan_;
-    mutable std::string planText_;  // of both; made when it is asked for
+    gpu::Timer timer_;
+    DeclaredFrames declared_;
+    std::shared_ptr<const DeclaredFrame> last_;
+    mutable std::string planText_;  // of it; made when it is asked for
 };
 
 }  // namespace nacre

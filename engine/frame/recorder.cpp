@@ -24,8 +24,8 @@ using Context = gpu::PassContext;
 
 template <typename Pass>
 graph::Record Recorder::of(Pass pass) const {
-    if (!scene_) return {};
-    return [scene = scene_, pass](Context& c) { pass(c, *scene); };
+    if (!shown_) return {};
+    return [shown = shown_, pass](Context& c) { pass(c, *shown->scene); };
 }
 
 graph::Record Recorder::plates() const { return of(passes::drawPlates); }

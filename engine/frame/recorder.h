@@ -16,11 +16,16 @@ struct SceneView;
 
 namespace nacre {
 
-/// Gives each pass the function that records it. One without a scene gives empty ones: its frame is only looked at.
+/// The scene that the passes of a frame record at the moment: a frame is declared once, and shows one after another.
+struct ShownScene {
+    const passes::SceneView* scene = nullptr;
+};
+
+/// Gives each pass the function that records it. One that shows nothing gives empty ones: its frame is only looked at.
 class Recorder {
 public:
     Recorder() = default;
-    explicit Recorder(std::shared_ptr<const passes::SceneView> scene) : scene_(std::move(scene)) {}
+    explicit Recorder(std::shared_ptr<const ShownScene> shown) : shown_(std::move(shown)) {}
 
     graph::Record plates() const;
     graph::Record shadowMap() const;
@@ -69,7 +74,7 @@ private:
     template <typename Pass>
     graph::Record of(Pass pass) const;
 
-    std::shared_ptr<const passes::SceneView> scene_;
+    std::shared_ptr<const ShownScene> shown_;
 };
 
 }  // namespace nacre

@@ -79,9 +79,9 @@ void addShadow(layout::EffectConstants& c, const RenderSettings& settings) {
 
 /// What the light sees of a scene. Where planes cut, what stands before the near one by its middle is left out.
 std::shared_ptr<passes::SceneView> lightScene(const gpu::Device& device, const Scene& scene,
-                                              const RenderSettings& settings, const View& view) {
+                                              const RenderSettings& settings, const View& view, SceneViews& views) {
     const View light = lightView(settings, view);
-    auto seen = std::make_shared<passes::SceneView>();
+    const auto seen = views.next();
     layout::ViewConstants& c = seen->constants;
     c = passes::viewConstants(light, device.caps().snapPixels, light.width / 2.0, light.height / 2.0);
     const Clip& clip = settings.effects.clip;
@@ -95,9 +95,9 @@ std::shared_ptr<passes::SceneView> lightScene(const gpu::Device& device, const S
     }
     seen->buffers = &scene.buffers;
     // As the view does, so that nothing shades itself.
-    seen->copies = passes::placeCopies(scene.representation, light, nullptr, 0, meshErrorOf(settings, view));
+    passes::placeCopies(seen->copies, scene.representation, light, nullptr, 0, meshErrorOf(settings, view));
     // Light goes through what is translucent.
-    seen->copies.triangles = passes::chosen(seen->copies.triangles, scene.translucent, passes::Triangles::opaque);
+    passes::choose(seen->copies.triangles, scene.translucent, passes::Triangles::opaque);
     seen->impostor = settings.tuning.impostor;
     seen->radiusPixels = scene.meanRadius * light.pixelsPerAngstrom;
     return seen;
@@ -194,10 +194,23 @@ graph::Extent imageExtent(const View& view) {
     return view.quarterTurns % 2 ? graph::Extent{view.height, view.width} : graph::Extent{view.width, view.height};
 }
 
+std::shared_ptr<passes::SceneView> SceneViews::next() {
+    auto free = std::find_if(views_.begin(), views_.end(), [](const auto& view) { return view.use_count() == 1; });
+    if (free == views_.end()) free = views_.insert(free, std::make_shared<passes::SceneView>());
+    (*free)->clear();
+    return *free;
+}
+
+void SceneViews::letGo() {
+    for (int held = 0; held < 2; ++held)  // a view holds what the light sees, and what is translucent
+        for (const auto& view : views_)
+            if (view.use_count() == 1) view->clear();
+}
+
 std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Scene& scene,
                                              const RenderSettings& settings, const View& view,
-                                             const passes::Atlas& atlas) {
-    auto seen = std::make_shared<passes::SceneView>();
+                                             const passes::Atlas& atlas, SceneViews& views) {
+    const auto seen = views.next();
     const graph::Extent image = imageExtent(view);
     layout::ViewConstants& c = seen->constants;
     c = passes::viewConstants(view, device.caps().snapPixels, image.width / 2.0, image.height / 2.0);
@@ -212,12 +225,12 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     seen->effects = settings.effects;
     seen->rims = rimsOf(settings);
     seen->copyColors = static_cast<int>(scene.representation.copies.colors.size());
-    if (shadowPixels(settings) > 0) seen->light = lightScene(device, scene, settings, view);
+    if (shadowPixels(settings) > 0) seen->light = lightScene(device, scene, settings, view, views);
     seen->buffers = &scene.buffers;
-    seen->copies = passes::placeCopies(scene.representation, view, settings.tuning.cull ? &scene.chunks : nullptr,
-                                       std::max(settings.effects.contours.width, settings.effects.halos.width) *
-                                           view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom,
-                                       meshErrorOf(settings, view));
+    passes::placeCopies(seen->copies, scene.representation, view, settings.tuning.cull ? &scene.chunks : nullptr,
+                        std::max(settings.effects.contours.width, settings.effects.halos.width) *
+                            view.pixelsPerAngstrom / settings.view.pixelsPerAngstrom,
+                        meshErrorOf(settings, view));
     seen->perspective = view.projection == Projection::perspective;
     seen->quarterTurns = view.quarterTurns;
     seen->plates = settings.tuning.plates;

@@ -2,6 +2,7 @@
 // The renderer's scene, and how one view sees it.
 
 #include <memory>
+#include <vector>
 
 #include "engine/graph/graph.h"
 #include "engine/passes/scene_view.h"
@@ -40,9 +41,21 @@ double meshErrorOf(const RenderSettings& settings, const View& view);
 /// Pixels across the map of what the light sees of a scene; 0 if the settings ask for no shadows.
 std::uint32_t shadowPixels(const RenderSettings& settings);
 
+/// Views of frames, of which some are in flight. One that no frame holds any more is used again.
+class SceneViews {
+public:
+    /// An empty one.
+    std::shared_ptr<passes::SceneView> next();
+    /// What no frame holds any more lets go of the scene, too.
+    void letGo();
+
+private:
+    std::vector<std::shared_ptr<passes::SceneView>> views_;
+};
+
 /// The scene as a view sees it. @param scene  outlives what is returned
 std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Scene& scene,
                                              const RenderSettings& settings, const View& view,
-                                             const passes::Atlas& atlas);
+                                             const passes::Atlas& atlas, SceneViews& views);
 
 }  // namespace nacre

@@ -6,6 +6,7 @@
 
 #include "engine/error.h"
 #include "engine/frame/debug_frame.h"
+#include "engine/graph/visibility.h"
 #include "engine/passes/plates.h"
 #include "engine/passes/read_back.h"
 #include "engine/passes/translucent.h"
@@ -61,108 +62,127 @@ void SceneFrames::dropHidden(passes::SceneView& seen, const RenderSettings& sett
                  passes::tileView(seen, view, imageExtent(view), !edges), seen.radiusPixels);
 }
 
-ScreenFrame SceneFrames::declare(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
-                                 std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
-                                 std::shared_ptr<passes::FragmentCounter> fragments, bool edges) const {
-    return declareSeen(settings, atlas, view, targets, name, imports, std::move(fragments), edges, nullptr);
-}
-
-ScreenFrame SceneFrames::declareNext(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
-                                     std::span<const ScreenTarget> targets, const char* name,
-                                     gpu::Imports& imports) const {
-    return declareSeen(settings, atlas, view, targets, name, imports, nullptr, false, &windowRadius_);
-}
-
-ScreenFrame SceneFrames::declareSeen(const RenderSettings& asked, const passes::Atlas& baked, const View& view,
-                                     std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
-                                     std::shared_ptr<passes::FragmentCounter> fragments, bool edges,
-                                     double* lastRadius) const {
-    RenderSettings settings = asked;
-    const passes::Atlas used = settings.occlusion.directions > 0 ? baked : passes::Atlas{};
-    const gpu::Image& atlas = used.image ? *used.image : white_;
+/// Leaves out of the settings what such a frame does not draw. @returns the path that it takes
+Visibility SceneFrames::settle(RenderSettings& settings, const FrameRequest& request) const {
     // Layers and picks take several targets or another one.
-    const bool picture = targets.size() == 1 && targets[0].output == passes::Output::color;
-    const bool debug = settings.debug != DebugView::none && picture;
+    const bool picture = request.targets.size() == 1 && request.targets[0].output == passes::Output::color;
+    if (!picture) settings.debug = DebugView::none;
+    const bool debug = settings.debug != DebugView::none;
     // What tells of a pixel's atom tells nothing of lines about it.
     if (!picture || debug) settings.effects.contours.width = settings.effects.halos.width = 0;
-    const bool color = std::any_of(targets.begin(), targets.end(),
+    const bool color = std::any_of(request.targets.begin(), request.targets.end(),
                                    [](const ScreenTarget& t) { return t.output == passes::Output::color; });
     if (debug || !color) settings.effects.shadow = {};
     const Visibility usual = device_.caps().visibility;
-    Visibility path = debug ? debugVisibility(settings.debug, usual) : usual;
-    const bool rims = settings.effects.rims();
-    if (rims) path = Visibility::deferred;
-    const auto seen = viewScene(device_, *scene_, settings, view, used);
-    seen->owner = scene_;
-    seen->coded = picture && targets[0].format == VK_FORMAT_R8G8B8A8_UNORM;
-    seen->powers = !device_.caps().software;
-    seen->fragments = std::move(fragments);
-    if (lastRadius)
-        seen->radiusPixels = *lastRadius =
-            passes::steadyRadius(*lastRadius, seen->radiusPixels, device_.caps().plan.geometry);
-    seen->effectConstants = effectsOf(settings);
-    const bool layered = picture && !debug && translucent();
-    if (layered) checkBlending(targets[0].format);
-    if (path == Visibility::deferred || layered)
-        seen->copyRows = copyRows_.upload(std::as_bytes(std::span(std::as_const(seen->copies.rows))));
-    const std::vector<MeshLevelCount> drawnLevels = seen->copies.triangleLevels(scene_->representation);
-    if (layered) seen->translucent = passes::translucentView(*seen, scene_->translucent);
-    seen->copies.triangles = passes::chosen(seen->copies.triangles, scene_->translucent,
-                                            layered ? passes::Triangles::opaque : passes::Triangles::solid);
-    const graph::Extent image = imageExtent(view);
-    const bool drawnEdges = edges && drawsEdges() && !debug;
-    if (path == Visibility::tiles) {
-        const SphereBoxes* boxes = debug ? nullptr : boxesOf(*seen, settings, view, drawnEdges);
-        if (!debug && !boxes) dropHidden(*seen, settings, view, drawnEdges);
-        const bool shaded = seen->coded && !debug && !seen->fragments && device_.caps().tiles.shade;
-        seen->tiles = tiles_.prepare(scene_->representation, *seen, view, image, {shaded, drawnEdges, 1, boxes});
-        if (!seen->tiles) path = Visibility::fragdepth;
-        if (!seen->tiles && boxes) dropHidden(*seen, settings, view, drawnEdges);
-        if (seen->tiles && layered)
-            seen->translucent->tiles = layerTiles_.prepare(scene_->representation, *seen->translucent, view, image,
-                                                           {false, false, kTranslucentLayers, nullptr});
-    }
-    stats_.lists = seen->tiles ? passes::countsOf(seen->tiles->lists) : TileCounts();
-    stats_.spheres = seen->copies.sphereCount();
-    if (seen->tiles) stats_.spheres = seen->tiles->lists.shownSpheres().value_or(stats_.spheres);
-    stats_.cylinders = seen->copies.cylinderCount();
-    const std::uint64_t translucentCount = layered ? seen->translucent->copies.triangleCount() : 0;
-    stats_.triangles = seen->copies.triangleCount() + translucentCount;
-    stats_.meshLevels = drawnLevels;
-    // Without plates the passes that write depth themselves need no pass before them.
-    const bool plates =
-        seen->plates != PlateShape::none || (path != Visibility::fragdepth && path != Visibility::deferred);
-    const bool prepass = plates && graph::platesReject(path, device_.caps().plan);
-    ScreenOptions options{image, path, device_.caps().encoded, atlas.desc, targets, prepass, name};
-    options.shadedByTiles = seen->tiles && seen->tiles->shaded;
-    options.edges = seen->tiles && seen->tiles->edges.drawn;
-    options.shadowPixels = shadowPixels(settings);
-    options.rims = rims;
-    options.translucentLayers = layered ? kTranslucentLayers : 0;
-    options.layersByTiles = layered && seen->translucent->tiles;
-    ScreenFrame frame =
-        debug ? debugFrame(settings.debug, options, Recorder(seen)) : screenFrame(options, Recorder(seen));
-    seen->shadow = frame.shadow;
-    if (layered) seen->translucent->shadow = frame.shadow;
-    frame.counts = {stats_.spheres,     stats_.cylinders,  seen->copies.triangleCount(),
-                    seen->radiusPixels, seen->perspective, translucentCount};
-    imports.bind(frame.atlas, atlas);
-    if (seen->tiles) imports.bind(frame.numbers, seen->tiles->numbers.buffer);
-    if (options.shadedByTiles) frame.colors = seen->tiles;
-    if (frame.layerNumbers) imports.bind(*frame.layerNumbers, seen->translucent->tiles->numbers.buffer);
-    if (frame.edges) {
-        imports.bind(*frame.edges, seen->tiles->edgeBuffer().buffer);
-        imports.bind(frame.edgePixels, seen->tiles->edges.pixels.buffer);
-    }
-    return frame;
+    if (settings.effects.rims()) return Visibility::deferred;
+    return debug ? debugVisibility(settings.debug, usual) : usual;
 }
 
-graph::PlanCaps SceneFrames::planCaps(const FrameTuning& tuning) const {
-    graph::PlanCaps caps = device_.caps().plan;
-    caps.merge = caps.merge && tuning.merge;
-    caps.transient = caps.transient && tuning.transient;
-    caps.storeAll = caps.storeAll || !tuning.transient;
-    return caps;
+/// The tiles' lists, where the path takes them and they are short enough.
+void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, const FrameRequest& request) const {
+    ScreenOptions& options = seen.shape.options;
+    passes::SceneView& view = *seen.view;
+    if (options.visibility != Visibility::tiles) return;
+    const bool debug = seen.shape.debug != DebugView::none;
+    const bool edges = request.edges && drawsEdges() && !debug;
+    const SphereBoxes* boxes = debug ? nullptr : boxesOf(view, settings, request.view, edges);
+    if (!debug && !boxes) dropHidden(view, settings, request.view, edges);
+    const bool shaded = view.coded && !debug && !view.fragments && device_.caps().tiles.shade;
+    view.tiles = tiles_.prepare(scene_->representation, view, request.view, options.extent, {shaded, edges, 1, boxes});
+    if (!view.tiles) {
+        options.visibility = Visibility::fragdepth;
+        if (boxes) dropHidden(view, settings, request.view, edges);
+        return;
+    }
+    if (view.translucent)
+        view.translucent->tiles = layerTiles_.prepare(scene_->representation, *view.translucent, request.view,
+                                                      options.extent, {false, false, kTranslucentLayers, nullptr});
+    options.shadedByTiles = view.tiles->shaded;
+    options.edges = view.tiles->edges.drawn;
+    options.layersByTiles = view.translucent && view.translucent->tiles;
+}
+
+/// What the frame submits, to itself and to whoever asks for statistics.
+void SceneFrames::tell(SeenFrame& seen) const {
+    const passes::SceneView& view = *seen.view;
+    const std::uint64_t translucent = view.translucent ? view.translucent->copies.triangleCount() : 0;
+    const std::uint64_t spheres = view.copies.sphereCount();
+    seen.counts = {view.tiles ? view.tiles->lists.shownSpheres().value_or(spheres) : spheres,
+                   view.copies.cylinderCount(),
+                   view.copies.triangleCount(),
+                   view.radiusPixels,
+                   view.perspective,
+                   translucent};
+    stats_.lists = view.tiles ? passes::countsOf(view.tiles->lists) : TileCounts();
+    stats_.spheres = seen.counts.spheres;
+    stats_.cylinders = seen.counts.cylinders;
+    stats_.triangles = seen.counts.triangles + translucent;
+}
+
+SeenFrame SceneFrames::see(const FrameRequest& request) const {
+    letGo();
+    RenderSettings settings = request.settings.ofFrame();
+    const passes::Atlas used = settings.occlusion.directions > 0 ? request.atlas : passes::Atlas{};
+    const Visibility path = settle(settings, request);
+    const bool picture = request.targets.size() == 1 && request.targets[0].output == passes::Output::color;
+    SeenFrame seen;
+    seen.atlas = used.image ? used.image : &white_;
+    seen.shape.debug = settings.debug;
+    seen.shape.end = request.end;
+    seen.shape.merge = settings.tuning.merge;
+    seen.shape.transient = settings.tuning.transient;
+    seen.view = viewScene(device_, *scene_, settings, request.view, used, views_);
+    passes::SceneView& view = *seen.view;
+    const graph::GeometryCaps& geometry = device_.caps().plan.geometry;
+    view.owner = scene_;
+    view.coded = picture && request.targets[0].format == VK_FORMAT_R8G8B8A8_UNORM;
+    view.powers = !device_.caps().software;
+    view.fragments = request.fragments;
+    if (request.next)
+        view.radiusPixels = windowRadius_ = passes::steadyRadius(windowRadius_, view.radiusPixels, geometry);
+    view.effectConstants = effectsOf(settings);
+    const bool layered = picture && settings.debug == DebugView::none && translucent();
+    if (layered) checkBlending(request.targets[0].format);
+    if (path == Visibility::deferred || layered)
+        view.copyRows = copyRows_.upload(std::as_bytes(std::span(std::as_const(view.copies.rows))));
+    stats_.meshLevels = view.copies.triangleLevels(scene_->representation);
+    if (layered) {
+        const auto over = views_.next();
+        passes::seeTranslucent(*over, view, scene_->translucent);
+        view.translucent = over;
+    }
+    passes::choose(view.copies.triangles, scene_->translucent,
+                   layered ? passes::Triangles::opaque : passes::Triangles::solid);
+    ScreenOptions& options = seen.shape.options;
+    options = {
+        imageExtent(request.view), path, device_.caps().encoded, seen.atlas->desc, request.targets, true, request.name};
+    addLists(seen, settings, request);
+    // Without plates the passes that write depth themselves need no pass before them.
+    const bool plates = view.plates != PlateShape::none ||
+                        (options.visibility != Visibility::fragdepth && options.visibility != Visibility::deferred);
+    options.prepass = plates && graph::platesReject(options.visibility, device_.caps().plan);
+    options.shadowPixels = shadowPixels(settings);
+    options.rims = settings.effects.rims();
+    options.translucentLayers = layered ? kTranslucentLayers : 0;
+    tell(seen);
+    return seen;
+}
+
+void SceneFrames::bind(DeclaredFrame& declared, const SeenFrame& seen) {
+    const ScreenFrame& frame = declared.frame;
+    passes::SceneView& view = *seen.view;
+    declared.shown->scene = &view;
+    view.shadow = frame.shadow;
+    if (view.translucent) view.translucent->shadow = frame.shadow;
+    gpu::Imports& imports = declared.imports;
+    imports.clear();
+    imports.bind(frame.atlas, *seen.atlas);
+    if (view.tiles) imports.bind(frame.numbers, view.tiles->numbers.buffer);
+    if (frame.layerNumbers) imports.bind(*frame.layerNumbers, view.translucent->tiles->numbers.buffer);
+    if (frame.edges) {
+        imports.bind(*frame.edges, view.tiles->edgeBuffer().buffer);
+        imports.bind(frame.edgePixels, view.tiles->edges.pixels.buffer);
+    }
 }
 
 }  // namespace nacre

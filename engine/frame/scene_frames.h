@@ -1,6 +1,7 @@
 #pragma once
 // Frames of the renderer's scene, for pictures and for the window.
 
+#include "engine/frame/declared_frames.h"
 #include "engine/frame/scene.h"
 #include "engine/frame/screen.h"
 #include "engine/gpu/execute.h"
@@ -11,24 +12,44 @@
 
 namespace nacre {
 
+/// What is asked of a frame.
+struct FrameRequest {
+    const RenderSettings& settings;
+    const passes::Atlas& atlas;  ///< of the occlusion that is there so far; not looked at if the settings ask for none
+    const View& view;
+    std::span<const ScreenTarget> targets;
+    const char* name = "screen";  ///< of the graph, by which its images are kept
+    FrameEnd end = FrameEnd::left;
+    std::shared_ptr<passes::FragmentCounter> fragments = nullptr;  ///< counts them, if not null
+    bool edges = false;  ///< whether they are to be drawn from kEdgeSamples; the shape tells whether they are
+    bool next = false;   ///< of a window, whose frames follow each other: a zoom to and fro keeps its pipelines
+};
+
+/// A scene as a frame shows it.
+struct SeenFrame {
+    FrameShape shape;
+    std::shared_ptr<passes::SceneView> view;  ///< what the frame's commands use, for as long as they are in flight
+    const gpu::Image* atlas = nullptr;
+    SceneCounts counts;
+
+    /// Of `tiles` that compute shades: they are the picture.
+    std::shared_ptr<const passes::TileFrame> colors() const {
+        return shape.options.shadedByTiles ? view->tiles : nullptr;
+    }
+};
+
 class SceneFrames {
 public:
     /// All of them outlive this. `stats` is told what frames submit.
     SceneFrames(const gpu::Device& device, gpu::Executor& executor, const std::shared_ptr<const Scene>& scene,
                 FrameStats& stats);
 
-    /// Declares a frame, with the debug view that the settings ask for, and binds what it imports but for a window's
-    /// image.
-    /// @param atlas  of the occlusion that is there so far; not looked at if the settings ask for none
-    /// @param name  of the graph, by which its images are kept
-    /// @param fragments  counts them, if not null
-    /// @param edges  whether they are to be drawn from kEdgeSamples; the frame tells whether they are
-    ScreenFrame declare(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
-                        std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
-                        std::shared_ptr<passes::FragmentCounter> fragments = nullptr, bool edges = false) const;
-    /// The same for a window, whose frames follow each other: pipelines stay the same where a zoom goes to and fro.
-    ScreenFrame declareNext(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
-                            std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports) const;
+    /// What a frame will show, and the shape of it, with the debug view that the settings ask for.
+    SeenFrame see(const FrameRequest& request) const;
+    /// Has a frame of that shape show it, and binds what it imports but for what its end does.
+    static void bind(DeclaredFrame& declared, const SeenFrame& seen);
+    /// Nothing but frames in flight holds on to a scene any more.
+    void letGo() const { views_.letGo(); }
 
     /// Whether one frame can draw edges from more samples than what lies between them; else all pixels have as many.
     bool drawsEdges() const {
@@ -38,20 +59,17 @@ public:
     /// Whether one looks through some of the scene: colours are blended then, and coded by no shader.
     bool translucent() const { return !scene_->translucent.empty(); }
 
-    /// How the device's caps and the settings want such a frame planned.
-    graph::PlanCaps planCaps(const FrameTuning& tuning) const;
-
 private:
     std::shared_ptr<const gpu::Buffer> effectsOf(const RenderSettings& settings) const;
-    ScreenFrame declareSeen(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
-                            std::span<const ScreenTarget> targets, const char* name, gpu::Imports& imports,
-                            std::shared_ptr<passes::FragmentCounter> fragments, bool edges, double* lastRadius) const;
-    /// Takes out of a view the spheres that others hide. @param edges  samples between the middles of pixels look at it
+    Visibility settle(RenderSettings& settings, const FrameRequest& request) const;
+    void addLists(SeenFrame& seen, const RenderSettings& settings, const FrameRequest& request) const;
+    void tell(SeenFrame& seen) const;
     /// Whether a view has so many spheres that the host looks for those that others hide.
     static bool hides(const passes::SceneView& seen, const RenderSettings& settings);
     /// Where the host can draw them instead, boxes about them; else null.
     const SphereBoxes* boxesOf(const passes::SceneView& seen, const RenderSettings& settings, const View& view,
                                bool edges) const;
+    /// Takes out of a view the spheres that others hide. @param edges  samples between the middles of pixels look at it
     void dropHidden(passes::SceneView& seen, const RenderSettings& settings, const View& view, bool edges) const;
     void checkBlending(VkFormat format) const;
 
@@ -59,6 +77,7 @@ private:
     const std::shared_ptr<const Scene>& scene_;  ///< changes between frames
     FrameStats& stats_;
     gpu::Image white_;  // the atlas of scenes without occlusion
+    mutable SceneViews views_;
     mutable passes::TileFrames tiles_, layerTiles_;
     mutable passes::HiddenSpheres hidden_;
     mutable double windowRadius_ = 0;  // by which the window's last frame chose its shapes

@@ -1,7 +1,6 @@
 #pragma once
 // The screen frame, declared: its images and passes. The renderer draws this graph and `nacre plan` prints it.
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,10 +11,6 @@
 #include "engine/graph/encoded_format.h"
 #include "engine/graph/graph.h"
 #include "engine/results.h"
-
-namespace nacre::passes {
-struct TileFrame;
-}
 
 namespace nacre {
 
@@ -77,18 +72,18 @@ struct SceneCounts {
 
 struct ScreenFrame {
     graph::Graph graph{"screen"};
-    graph::Image depth;                               ///< hardware depth
-    graph::Image nearest;                             ///< encoded depth or primitive numbers; `fragdepth`: depth itself
-    graph::Image atlas;                               ///< imported
-    graph::Buffer numbers;                            ///< imported, of `tiles`: numbers of primitives, or their colours
-    std::optional<graph::Buffer> edges;               ///< imported, of `tiles`: what they need beside that
-    std::optional<graph::Image> shadow;               ///< what the light sees
-    std::vector<graph::Image> targets;                ///< none where `colors` are
-    std::shared_ptr<const passes::TileFrame> colors;  ///< of `tiles` that compute shades: `numbers` are the picture
-    std::vector<graph::Image> layers;                 ///< numbers of translucent triangles, of the nearest first
-    std::optional<graph::Buffer> layerNumbers;        ///< the same where tiles find them, imported
-    SceneCounts counts{};
-    graph::Buffer edgePixels{};  ///< imported, where `edges` are: their pixels
+    graph::Image depth;                         ///< hardware depth
+    graph::Image nearest;                       ///< encoded depth or primitive numbers; `fragdepth`: depth itself
+    graph::Image atlas;                         ///< imported
+    graph::Buffer numbers;                      ///< imported, of `tiles`: numbers of primitives, or their colours
+    std::optional<graph::Buffer> edges;         ///< imported, of `tiles`: what they need beside that
+    std::optional<graph::Image> shadow;         ///< what the light sees
+    std::vector<graph::Image> targets;          ///< none where compute shades: `numbers` are the picture
+    std::vector<graph::Image> layers;           ///< numbers of translucent triangles, of the nearest first
+    std::optional<graph::Buffer> layerNumbers;  ///< the same where tiles find them, imported
+    graph::Buffer edgePixels{};                 ///< imported, where `edges` are: their pixels
+    std::vector<graph::Buffer> pixels;          ///< imported, of targets that the host reads
+    std::optional<graph::Image> sum;            ///< imported, of a window: of its picture's samples
 
     /// A pass that shades samples what light is told by. @returns the pass
     graph::PassBuilder& lit(graph::PassBuilder& pass) const;

@@ -42,6 +42,7 @@ WindowFrames::WindowFrames(const gpu::Device& device, gpu::Executor& executor, c
       frames_(frames),
       swapchain_(device, source.create),
       ring_(device),
+      declared_(device.caps().plan),
       overlay_(device, executor) {
     executor_.makePipelinesAhead();
 }
@@ -81,18 +82,17 @@ bool WindowFrames::prepare(graph::Extent wanted) {
 }
 
 /// The pass that brings a picture onto the window.
-graph::Image WindowFrames::addPicture(graph::Graph& frame, graph::Image picture, std::uint32_t samples, float share) {
+graph::Image WindowFrames::addPicture(graph::Graph& frame, graph::Image picture, std::uint32_t samples) const {
     const graph::Image window =
         frame.importImage("window", {swapchain_.format(), swapchain_.extent()}, kWindowState, true);
     frame.graphics("resample").samples(picture).color(window).record([=, this](gpu::PassContext& c) {
-        passes::resample(c, c.view(picture), {samples, coded(), share, false});
+        passes::resample(c, c.view(picture), {samples, coded(), share_, false});
     });
     return window;
 }
 
 /// The pass that adds a sample of each pixel to those that there are. @returns the sum, to be bound
-graph::Image WindowFrames::addSum(graph::Graph& frame, graph::Image sample, const WindowFrame& which) {
-    const bool first = which.sample == 0;
+graph::Image WindowFrames::addSum(graph::Graph& frame, graph::Image sample, bool first) const {
     const graph::Image sum =
         frame.importImage("sum of samples", {kSumFormat, swapchain_.extent()}, passes::kTextureState, first);
     std::optional<graph::Clear> clear;
@@ -103,11 +103,9 @@ graph::Image WindowFrames::addSum(graph::Graph& frame, graph::Image sample, cons
     return sum;
 }
 
-void WindowFrames::addOverlay(ScreenFrame& frame, graph::Image window, const Overlay* overlay, gpu::FrameSlot& slot) {
-    if (!overlay || overlay->batches.empty()) return;
-    overlay_.upload(slot, *overlay);
-    frame.graph.graphics("overlay").color(window).record([=, this, &slot](gpu::PassContext& c) {
-        overlay_.draw(c, slot, *overlay, swapchain_.upright(), swapchain_.quarterTurns(), coded());
+void WindowFrames::addOverlay(graph::Graph& frame, graph::Image window) const {
+    frame.graphics("overlay").color(window).record([this](gpu::PassContext& c) {
+        overlay_.draw(c, *slot_, *overlaid_, swapchain_.upright(), swapchain_.quarterTurns(), coded());
     });
 }
 
@@ -119,79 +117,105 @@ void WindowFrames::prepareOthers() {
         declare(graph, graph.importImage("colour", desc, passes::kTextureState));
         executor_.prepare(graph, graph::compile(graph, device_.caps().plan));
     };
-    WindowFrame sample;
-    for (; sample.sample < 2; ++sample.sample)  // one that begins a sum, and one that is added
-        prepare(
-            [&](graph::Graph& graph, graph::Image colour) { addPicture(graph, addSum(graph, colour, sample), 1, 1); });
-    prepare([&](graph::Graph& graph, graph::Image colour) { addPicture(graph, colour, 0, 1); });
+    for (const bool first : {true, false})  // a sample that begins a sum, and one that is added
+        prepare([&](graph::Graph& graph, graph::Image colour) { addPicture(graph, addSum(graph, colour, first), 1); });
+    prepare([&](graph::Graph& graph, graph::Image colour) { addPicture(graph, colour, 0); });
 }
 
-/// The frame but for the overlay. Its last target is the window.
-ScreenFrame WindowFrames::declareFrame(const RenderSettings& settings, const passes::Atlas& atlas,
-                                       const WindowFrame& frame, gpu::Imports& imports) {
+FrameEnd WindowFrames::endOf(const WindowFrame& frame) const {
+    if (frame.quality == Quality::kept) return FrameEnd::sumOnWindow;
+    if (frame.quality == Quality::refined) return frame.sample == 0 ? FrameEnd::firstSample : FrameEnd::nextSample;
+    if (frame.scale != 1.0) return FrameEnd::scaledOnWindow;
+    return coded() ? FrameEnd::onWindow : FrameEnd::window;
+}
+
+/// The passes behind a scene's own. The last target is the window.
+void WindowFrames::declareEnd(ScreenFrame& frame, const FrameShape& shape) {
+    graph::Graph& g = frame.graph;
+    switch (shape.end) {
+        case FrameEnd::firstSample:
+        case FrameEnd::nextSample:
+            frame.sum = addSum(g, frame.targets[0], shape.end == FrameEnd::firstSample);
+            break;
+        case FrameEnd::sumOnWindow:
+            frame.sum = g.importImage("sum of samples", {kSumFormat, swapchain_.extent()}, passes::kTextureState);
+            break;
+        case FrameEnd::onWindow:
+        case FrameEnd::scaledOnWindow:
+            frame.targets.push_back(addPicture(g, frame.targets[0], shape.end == FrameEnd::onWindow ? 1 : 0));
+            break;
+        case FrameEnd::left:
+        case FrameEnd::readBack:
+        case FrameEnd::window:
+            break;
+    }
+    if (frame.sum) frame.targets.push_back(addPicture(g, *frame.sum, 1));
+    if (shape.overlay) addOverlay(g, frame.targets.back());
+}
+
+/// The image that samples are added up in, as large as the window.
+void WindowFrames::makeSum() {
+    const graph::ImageDesc desc{kSumFormat, swapchain_.extent()};
+    if (sum_.desc == desc) return;
+    executor_.retireFramebuffers(retired_);
+    retired_.images.push_back(std::move(sum_));
+    sum_ = gpu::makeImage(device_, desc, vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled,
+                          false, "sum of samples");
+}
+
+/// The scene as the frame shows it, and the frame's shape.
+SeenFrame WindowFrames::see(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame) {
+    SeenFrame seen;
     View view = settings.view;
     view.quarterTurns = swapchain_.quarterTurns();
-    if (frame.quality == Quality::kept) return declareKept(imports);
+    const FrameEnd end = endOf(frame);
     const graph::Clear clear = clearOf(settings.background);
-    ScreenTarget target{"colour", pictureFormat(), passes::Output::color, "impostor colour", clear};
-    if (frame.quality == Quality::refined) return declareRefined(settings, atlas, view, target, frame, imports);
-    RenderSettings live = settings;
-    live.supersample = 1;
-    live.meshError = frame.meshError * settings.meshError;
-    if (frame.scale == 1.0 && !coded()) {
-        target = {"window", swapchain_.format(), passes::Output::color, "impostor colour", clear, true};
-        return frames_.declareNext(live, atlas, view, {&target, 1}, "screen", imports);
+    target_ = {"colour", pictureFormat(), passes::Output::color, "impostor colour", clear};
+    RenderSettings drawn = settings.ofFrame();
+    if (end == FrameEnd::sumOnWindow) {
+        seen.shape.options.name = "kept screen";
+        seen.shape.end = end;
+    } else if (frame.quality == Quality::refined) {
+        view = throughSampleOf(view, frame.samples, frame.sample);
+        seen = frames_.see({drawn, atlas, view, {&target_, 1}, "refinement", end, nullptr, false, true});
+    } else {
+        drawn.supersample = 1;
+        drawn.meshError = frame.meshError * settings.meshError;
+        const bool direct = end == FrameEnd::window;
+        if (direct) target_ = {"window", swapchain_.format(), target_.output, target_.pass, clear, true};
+        view = scaled(view, frame.scale);
+        seen = frames_.see(
+            {drawn, atlas, view, {&target_, 1}, direct ? "screen" : "scaled screen", end, nullptr, false, true});
     }
-    ScreenFrame f = frames_.declareNext(live, atlas, scaled(view, frame.scale), {&target, 1}, "scaled screen", imports);
-    f.targets.push_back(addPicture(f.graph, f.targets[0], frame.scale == 1.0 ? 1 : 0, 1));
-    return f;
-}
-
-/// One sample of each pixel, added to those that there are. Their mean is shown.
-ScreenFrame WindowFrames::declareRefined(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
-                                         const ScreenTarget& target, const WindowFrame& frame, gpu::Imports& imports) {
-    const graph::ImageDesc desc{kSumFormat, swapchain_.extent()};
-    if (sum_.desc != desc) {
-        executor_.retireFramebuffers(retired_);
-        retired_.images.push_back(std::move(sum_));
-        sum_ =
-            gpu::makeImage(device_, desc, vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eSampled,
-                           false, "sum of samples");
-    }
-    ScreenFrame f = frames_.declareNext(settings, atlas, throughSampleOf(view, frame.samples, frame.sample),
-                                        {&target, 1}, "refinement", imports);
-    const graph::Image sum = addSum(f.graph, f.targets[0], frame);
-    imports.bind(sum, sum_);
-    f.targets.push_back(addPicture(f.graph, sum, 1, 1.0f / static_cast<float>(frame.sample + 1)));
-    return f;
-}
-
-ScreenFrame WindowFrames::declareKept(gpu::Imports& imports) {
-    ScreenFrame f;
-    f.graph = graph::Graph("kept screen");
-    const graph::Image sum =
-        f.graph.importImage("sum of samples", {kSumFormat, swapchain_.extent()}, passes::kTextureState);
-    imports.bind(sum, sum_);
-    f.targets.push_back(addPicture(f.graph, sum, 1, 1.0f / static_cast<float>(summed_)));
-    return f;
+    seen.shape.window = swapchain_.extent();
+    seen.shape.overlay = frame.overlay && !frame.overlay->batches.empty();
+    return seen;
 }
 
 /// Draws the frame into the image that the slot has.
 void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
                           const WindowFrame& frame) {
-    gpu::Imports imports;
-    const auto f = std::make_shared<ScreenFrame>(declareFrame(settings, atlas, frame, imports));
-    slot.held = f;
-    const graph::Image window = f->targets.back();
-    imports.bind(window, swapchain_.image(*slot.image));
-    addOverlay(*f, window, frame.overlay, slot);
-    const graph::Plan& plan = plans_.planOf(f->graph, frames_.planCaps(settings.tuning));
+    const SeenFrame seen = see(settings, atlas, frame);
+    slot.held = seen.view;
+    DeclaredFrame& declared = *declared_.of(seen.shape, [&](ScreenFrame& f) { declareEnd(f, seen.shape); });
+    declared.imports.clear();
+    if (seen.view) SceneFrames::bind(declared, seen);
+    declared.imports.bind(declared.frame.targets.back(), swapchain_.image(*slot.image));
+    share_ = 1;
+    if (declared.frame.sum) {
+        if (seen.view) makeSum();
+        declared.imports.bind(*declared.frame.sum, sum_);
+        share_ = 1.0f / static_cast<float>(seen.view ? frame.sample + 1 : summed_);
+    }
+    slot_ = &slot;
+    overlaid_ = frame.overlay;
+    if (seen.shape.overlay) overlay_.upload(slot, *frame.overlay);
     device_.log().begin();
     slot.commands.reset();
     slot.commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     slot.timer.begin(slot.commands);
-    executor_.record(slot.commands, f->graph, plan, imports, slot.descriptors, nullptr, &retired_);
-    slot.timer.lap(slot.commands, f->graph.name());
+    executor_.record(slot.commands, *declared.recording, declared.imports, slot.descriptors, nullptr, &retired_);
+    slot.timer.lap(slot.commands, declared.frame.graph.name());
     slot.commands.end();
     ring_.submit(slot, swapchain_.drawn(*slot.image));
     slot.retired = std::exchange(retired_, {});  // by what was submitted before this

@@ -4,10 +4,10 @@
 
 #include <optional>
 
+#include "engine/frame/declared_frames.h"
 #include "engine/frame/scene_frames.h"
 #include "engine/gpu/frame_ring.h"
 #include "engine/gpu/swapchain.h"
-#include "engine/graph/plan_cache.h"
 #include "engine/passes/overlay.h"
 
 namespace nacre {
@@ -35,15 +35,14 @@ private:
     bool prepare(graph::Extent wanted);
     void submit(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
                 const WindowFrame& frame);
-    ScreenFrame declareFrame(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame,
-                             gpu::Imports& imports);
-    ScreenFrame declareRefined(const RenderSettings& settings, const passes::Atlas& atlas, const View& view,
-                               const ScreenTarget& target, const WindowFrame& frame, gpu::Imports& imports);
-    ScreenFrame declareKept(gpu::Imports& imports);
+    FrameEnd endOf(const WindowFrame& frame) const;
+    SeenFrame see(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame);
+    void declareEnd(ScreenFrame& frame, const FrameShape& shape);
+    void makeSum();
     void prepareOthers();
-    graph::Image addSum(graph::Graph& frame, graph::Image sample, const WindowFrame& which);
-    graph::Image addPicture(graph::Graph& frame, graph::Image picture, std::uint32_t samples, float share);
-    void addOverlay(ScreenFrame& frame, graph::Image window, const Overlay* overlay, gpu::FrameSlot& slot);
+    graph::Image addSum(graph::Graph& frame, graph::Image sample, bool first) const;
+    graph::Image addPicture(graph::Graph& frame, graph::Image picture, std::uint32_t samples) const;
+    void addOverlay(graph::Graph& frame, graph::Image window) const;
     bool coded() const;
     VkFormat pictureFormat() const;
 
@@ -53,8 +52,13 @@ private:
     gpu::Swapchain swapchain_;
     gpu::FrameRing ring_;
     gpu::Retired retired_;  ///< by frames that are in flight; the next one takes it with it
-    graph::PlanCache plans_;
+    DeclaredFrames declared_;
     passes::OverlayPass overlay_;
+    // Of the frame that is recorded, for its passes:
+    ScreenTarget target_{};
+    float share_ = 1;  ///< of a sum that is shown
+    const Overlay* overlaid_ = nullptr;
+    const gpu::FrameSlot* slot_ = nullptr;
     gpu::Image sum_;  ///< of the refined picture's samples
     bool preparedOthers_ = false;
     std::uint32_t summed_ = 0;  ///< of them, in it, or to be by what was submitted; 0: none are of use

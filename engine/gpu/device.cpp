@@ -1,6 +1,8 @@
 #include "engine/gpu/device.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "engine/error.h"
 #include "engine/gpu/dynamic_rendering.h"
@@ -103,8 +105,9 @@ void Device::createDevice(const DeviceOptions& options) {
     device_ = vk::raii::Device(physical_, info);
     if (readsHere) localReadCalls_ = localReadCallsOf(device_);
     queue_ = device_.getQueue(queueFamily_, 0);
-    pool_ = vk::raii::CommandPool(device_,
-                                  vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eTransient, queueFamily_));
+    constexpr auto kAgain = vk::CommandPoolCreateFlagBits::eResetCommandBuffer;
+    pool_ = vk::raii::CommandPool(
+        device_, vk::CommandPoolCreateInfo(kAgain | vk::CommandPoolCreateFlagBits::eTransient, queueFamily_));
 }
 
 Device::Allocation Device::allocate(const vk::MemoryRequirements& requirements,
@@ -131,8 +134,10 @@ Device::Allocation Device::allocate(const vk::MemoryRequirements& requirements,
 
 void Device::name(vk::ObjectType type, std::uint64_t handle, std::string_view name) const {
     if (!debugUtils_) return;
+    std::array<char, 512> text;  // longer ones are cut: a string would allocate in each frame
+    text[name.copy(text.data(), text.size() - 1)] = '\0';
     try {
-        device_.setDebugUtilsObjectNameEXT({type, handle, std::string(name).c_str()});
+        device_.setDebugUtilsObjectNameEXT({type, handle, text.data()});
     } catch (const vk::SystemError&) {
         // The object is as good without its name.
     }
@@ -146,32 +151,39 @@ void Device::endLabel(const vk::raii::CommandBuffer& commands) const {
     if (debugUtils_) commands.endDebugUtilsLabelEXT();
 }
 
-vk::raii::CommandBuffer Device::begin() const {
-    vk::raii::CommandBuffers buffers(device_, {*pool_, vk::CommandBufferLevel::ePrimary, 1});
-    buffers[0].begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+Device::Single Device::begin() const {
+    Single single = std::exchange(*kept_, {});
+    if (!*single.commands) {
+        vk::raii::CommandBuffers buffers(device_, {*pool_, vk::CommandBufferLevel::ePrimary, 1});
+        single.commands = std::move(buffers[0]);
+        single.done = vk::raii::Fence(device_, vk::FenceCreateInfo());
+        name(*single.done, "single commands are done");
+    }
+    single.commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     log_->begin();
-    return std::move(buffers[0]);
+    return single;
 }
 
-void Device::finish(const vk::raii::CommandBuffer& commands, Ends ends) const {
-    commands.end();
-    const vk::raii::Fence fence(device_, vk::FenceCreateInfo());
-    name(*fence, "single commands are done");
+void Device::finish(Single& single, Ends ends) const {
+    single.commands.end();
     log_->submitted();
-    vk::SubmitInfo info({}, {}, *commands);
+    vk::SubmitInfo info({}, {}, *single.commands);
     VkFrameBoundaryEXT boundary{};
     boundary.sType = VK_STRUCTURE_TYPE_FRAME_BOUNDARY_EXT;
     boundary.frameID = *frame_;
     if (ends == Ends::frame) boundary.flags = VK_FRAME_BOUNDARY_FRAME_END_BIT_EXT, ++*frame_;
     if (marksFrames_) info.pNext = &boundary;
     try {
-        queue_.submit(info, *fence);
-        if (device_.waitForFences(*fence, true, UINT64_MAX) != vk::Result::eSuccess)
+        queue_.submit(info, *single.done);
+        if (device_.waitForFences(*single.done, true, UINT64_MAX) != vk::Result::eSuccess)
             throw Error("the device stopped", caps_.deviceName, "waiting for a submission failed");
     } catch (...) {
         settle();
         throw;
     }
+    single.commands.reset();  // they hold on to nothing
+    device_.resetFences(*single.done);
+    *kept_ = std::move(single);
 }
 
 void Device::settle() const noexcept {

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
@@ -85,14 +86,19 @@ public:
     /// If any of that fails, nothing of it is in flight any more.
     template <typename RecordCommands>
     void submitAndWait(RecordCommands&& record, Ends ends = Ends::nothing) const {
-        const vk::raii::CommandBuffer commands = begin();
-        record(commands);
-        finish(commands, ends);
+        Single single = begin();
+        record(std::as_const(single.commands));
+        finish(single, ends);
     }
 
 private:
-    vk::raii::CommandBuffer begin() const;
-    void finish(const vk::raii::CommandBuffer& commands, Ends ends) const;
+    /// Commands that are waited for. One is kept for the next that are.
+    struct Single {
+        vk::raii::CommandBuffer commands{nullptr};
+        vk::raii::Fence done{nullptr};
+    };
+    Single begin() const;
+    void finish(Single& single, Ends ends) const;
     void createInstance(const DeviceOptions& options);
     void createDevice(const DeviceOptions& options);
     void nameOwn() const;
@@ -105,6 +111,7 @@ private:
     vk::raii::Device device_{nullptr};
     vk::raii::Queue queue_{nullptr};
     vk::raii::CommandPool pool_{nullptr};
+    std::unique_ptr<Single> kept_ = std::make_unique<Single>();
     vk::raii::PipelineCache pipelineCache_{nullptr};
     std::uint32_t queueFamily_ = 0;
     bool debugUtils_ = false, tellsOfFaults_ = false;

@@ -28,14 +28,16 @@ std::string wordsOf(const char (&text)[size]) {
 }  // namespace
 
 void SubmissionLog::submitted() {
-    submitted_.push_front(recording_.empty() ? "unnamed work" : std::move(recording_));
-    if (submitted_.size() > kKept) submitted_.pop_back();
+    if (recording_.empty()) recording_ = "unnamed work";
+    std::rotate(submitted_.begin(), submitted_.end() - 1, submitted_.end());
+    std::swap(submitted_.front(), recording_);
     recording_.clear();
 }
 
 std::string SubmissionLog::text() const {
     std::string text;
-    for (const std::string& work : submitted_) text += (text.empty() ? "" : ", before it ") + ("[" + work + "]");
+    for (const std::string& work : submitted_)
+        if (!work.empty()) text += (text.empty() ? "" : ", before it ") + ("[" + work + "]");
     return text;
 }
 

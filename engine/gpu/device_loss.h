@@ -1,7 +1,7 @@
 #pragma once
 // What is known when a device is lost: the work that was handed to it last, and the driver's own account.
 
-#include <deque>
+#include <array>
 #include <string>
 #include <vulkan/vulkan_raii.hpp>
 
@@ -15,14 +15,17 @@ public:
     /// Forgets what was recorded and not submitted.
     void begin() { recording_.clear(); }
     /// A graph or pass is being recorded: "screen: opaque prepass, depth encoding, impostor colour".
-    void record(const std::string& work) { recording_ += (recording_.empty() ? "" : "; ") + work; }
+    void record(const std::string& work) {
+        if (!recording_.empty()) recording_ += "; ";
+        recording_ += work;
+    }
     void submitted();
     /// Newest first; empty if there was none.
     std::string text() const;
 
 private:
     std::string recording_;
-    std::deque<std::string> submitted_;
+    std::array<std::string, kKept> submitted_;  // newest first; empty: there was none
 };
 
 /// Whether the driver tells what it knows of a loss (VK_EXT_device_fault).

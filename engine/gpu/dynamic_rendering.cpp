@@ -77,7 +77,7 @@ LocalReadCalls localReadCallsOf(const vk::raii::Device& device) {
 }
 
 DynamicRendering::DynamicRendering(const Device& device, const graph::RenderPassPlan& plan,
-                                   const std::vector<ImageRef>& images, const vk::raii::CommandBuffer& commands)
+                                   std::span<const ImageRef> images, const vk::raii::CommandBuffer& commands)
     : device_(device), plan_(plan), images_(images), commands_(commands) {
     for (std::uint32_t a = 0; a < plan.attachments.size(); ++a)
         if (graph::isDepthFormat(plan.attachments[a].format))

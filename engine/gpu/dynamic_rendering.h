@@ -4,6 +4,7 @@
 // pass are there from its beginning to its end; each subpass says which of them it draws to, and which it reads.
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "engine/gpu/local_read.h"
@@ -36,7 +37,7 @@ LocalReadCalls localReadCallsOf(const vk::raii::Device& device);
 class DynamicRendering {
 public:
     /// @param images  by graph index; all outlive this
-    DynamicRendering(const Device& device, const graph::RenderPassPlan& plan, const std::vector<ImageRef>& images,
+    DynamicRendering(const Device& device, const graph::RenderPassPlan& plan, std::span<const ImageRef> images,
                      const vk::raii::CommandBuffer& commands);
     /// Whether the device carries out such a render pass in this way.
     static bool takes(const Device& device, const graph::RenderPassPlan& plan);
@@ -55,7 +56,7 @@ private:
 
     const Device& device_;
     const graph::RenderPassPlan& plan_;
-    const std::vector<ImageRef>& images_;
+    std::span<const ImageRef> images_;
     const vk::raii::CommandBuffer& commands_;
     std::vector<std::uint32_t> colors_;  // attachments
     std::int32_t depth_ = -1;

@@ -29,26 +29,6 @@ graph::RenderPassPlan compatibility(graph::RenderPassPlan essence) {
 
 const vk::SubpassBeginInfo kInline(vk::SubpassContents::eInline);
 
-/// What a plan carries out, in words: "screen: opaque prepass, impostor colour".
-std::string workOf(const graph::Graph& graph, const graph::Plan& plan) {
-    std::string text;
-    const auto add = [&](std::uint32_t pass) { text += (text.empty() ? ": " : ", ") + graph.passes()[pass].name; };
-    for (const graph::Step& step : plan.steps) {
-        if (step.kind != graph::PassKind::graphics) add(step.pass);
-        for (const graph::Subpass& subpass : step.renderPass.subpasses)
-            for (const std::uint32_t pass : subpass.passes) add(pass);
-    }
-    return graph.name() + text;
-}
-
-/// "opaque prepass + depth encoding"
-std::string nameOf(const graph::Graph& graph, const graph::RenderPassPlan& pass) {
-    std::string name;
-    for (const graph::Subpass& subpass : pass.subpasses)
-        for (const std::uint32_t p : subpass.passes) name += (name.empty() ? "" : " + ") + graph.passes()[p].name;
-    return name;
-}
-
 }  // namespace
 
 Executor::Executor(const Device& device) : device_(device), pipelines_(device), descriptors_(device) {}
@@ -71,7 +51,7 @@ const Image& Executor::own(const std::string& key, const graph::ImageDesc& desc,
     return images_.emplace(key, OwnedImage{planned.usage, planned.transient, std::move(image)}).first->second.image;
 }
 
-Executor::OwnedRenderPass& Executor::renderPass(const graph::RenderPassPlan& plan, const std::string& name) {
+OwnedRenderPass& Executor::renderPass(const graph::RenderPassPlan& plan, const std::string& name) {
     const graph::RenderPassPlan key = essence(plan);
     for (OwnedRenderPass& pass : renderPasses_)
         if (pass.plan == key) return pass;
@@ -84,60 +64,61 @@ Executor::OwnedRenderPass& Executor::renderPass(const graph::RenderPassPlan& pla
     return renderPasses_.back();
 }
 
-vk::Framebuffer Executor::framebuffer(OwnedRenderPass& pass, const graph::RenderPassPlan& plan,
-                                      const PassContext& context, const std::string& name) {
-    std::vector<VkImageView> views;
-    for (const graph::Attachment& a : plan.attachments) views.push_back(context.images[a.image].view);
+vk::Framebuffer Executor::framebuffer(OwnedRenderPass& pass, const graph::RenderPassPlan& plan, Recording& recording,
+                                      const std::string& name) {
+    std::vector<VkImageView>& views = recording.views_;
+    views.clear();
+    for (const graph::Attachment& a : plan.attachments) views.push_back(recording.images_[a.image].view);
     for (const Framebuffer& f : pass.framebuffers)
         if (f.views == views && f.extent == plan.extent) return *f.handle;
     std::vector<vk::ImageView> handles(views.begin(), views.end());
     vk::raii::Framebuffer handle(*device_, vk::FramebufferCreateInfo({}, *pass.handle, handles, plan.extent.width,
                                                                      plan.extent.height, plan.layers));
     device_.name(*handle, name);
-    pass.framebuffers.push_back({std::move(views), plan.extent, std::move(handle)});
+    pass.framebuffers.push_back({views, plan.extent, std::move(handle)});
     return *pass.framebuffers.back().handle;
 }
 
 void Executor::barriers(const vk::raii::CommandBuffer& commands, const std::vector<graph::Barrier>& list,
-                        const graph::Graph& graph, const PassContext& context) const {
+                        Recording& recording) const {
     if (list.empty()) return;
     vk::PipelineStageFlags from, to;
-    std::vector<vk::ImageMemoryBarrier> images;
-    std::vector<vk::BufferMemoryBarrier> buffers;
+    auto& images = recording.imageBarriers_;
+    auto& buffers = recording.bufferBarriers_;
+    images.clear(), buffers.clear();
     for (const graph::Barrier& b : list) {
         from |= vk::PipelineStageFlags(b.from.stages);
         to |= vk::PipelineStageFlags(b.to.stages);
         const vk::AccessFlags fromAccess(b.from.access), toAccess(b.to.access);
         if (!b.isImage) {
             buffers.emplace_back(fromAccess, toAccess, VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
-                                 context.buffers[b.resource], 0, VK_WHOLE_SIZE);
+                                 recording.buffers_[b.resource], 0, VK_WHOLE_SIZE);
             continue;
         }
-        const graph::ImageDesc& desc = graph.images()[b.resource].desc;
+        const graph::ImageDesc& desc = recording.graph_.images()[b.resource].desc;
         const auto aspect =
             graph::isDepthFormat(desc.format) ? vk::ImageAspectFlagBits::eDepth : vk::ImageAspectFlagBits::eColor;
         images.emplace_back(fromAccess, toAccess, static_cast<vk::ImageLayout>(b.from.layout),
                             static_cast<vk::ImageLayout>(b.to.layout), VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED,
-                            context.images[b.resource].handle, vk::ImageSubresourceRange(aspect, 0, 1, 0, desc.layers));
+                            recording.images_[b.resource].handle,
+                            vk::ImageSubresourceRange(aspect, 0, 1, 0, desc.layers));
     }
     commands.pipelineBarrier(from, to, {}, {}, buffers, images);
 }
 
-void Executor::beginRenderPass(const graph::RenderPassPlan& pass, PassContext& context, const std::string& name) {
-    OwnedRenderPass& owned = renderPass(pass, name);
-    std::vector<vk::ClearValue> clears;
-    for (const graph::Attachment& a : pass.attachments)
-        clears.push_back(graph::isDepthFormat(a.format)
-                             ? vk::ClearValue(vk::ClearDepthStencilValue(a.clear.value[0], 0))
-                             : vk::ClearValue(vk::ClearColorValue(a.clear.value)));
+void Executor::beginRenderPass(Recording& recording, std::size_t step, PassContext& context) {
+    const graph::RenderPassPlan& pass = recording.plan_.steps[step].renderPass;
+    Recording::RenderPass& own = recording.renderPasses_[step];
+    if (!own.made) own.made = &renderPass(pass, own.name);
     const vk::Rect2D area({0, 0}, {pass.extent.width, pass.extent.height});
     context.commands.beginRenderPass2KHR(
-        vk::RenderPassBeginInfo(*owned.handle, framebuffer(owned, pass, context, name), area, clears), kInline);
-    context.renderPass = owned.ofPipelines;
+        vk::RenderPassBeginInfo(*own.made->handle, framebuffer(*own.made, pass, recording, own.name), area, own.clears),
+        kInline);
+    context.renderPass = own.made->ofPipelines;
 }
 
-void Executor::recordRenderPass(const graph::Graph& graph, const graph::Plan& plan, const graph::RenderPassPlan& pass,
-                                PassContext& context) {
+void Executor::recordRenderPass(Recording& recording, std::size_t step, PassContext& context) {
+    const graph::RenderPassPlan& pass = recording.plan_.steps[step].renderPass;
     std::optional<DynamicRendering> dynamic;
     context.extent = pass.extent;
     context.renderPass = nullptr;
@@ -147,7 +128,7 @@ void Executor::recordRenderPass(const graph::Graph& graph, const graph::Plan& pl
         dynamic.emplace(device_, pass, context.images, context.commands).begin();
         context.inputLayout = DynamicRendering::kInputLayout;
     } else {
-        beginRenderPass(pass, context, nameOf(graph, pass));
+        beginRenderPass(recording, step, context);
     }
     const vk::Rect2D area({0, 0}, {pass.extent.width, pass.extent.height});
     for (std::uint32_t s = 0; s < pass.subpasses.size(); ++s) {
@@ -158,13 +139,14 @@ void Executor::recordRenderPass(const graph::Graph& graph, const graph::Plan& pl
         context.subpass = dynamic ? 0 : s;
         context.colorCount = static_cast<std::uint32_t>(pass.subpasses[s].colors.size());
         for (const std::uint32_t p : pass.subpasses[s].passes) {
-            device_.beginLabel(context.commands, graph.passes()[p].name);
-            context.inputIsSampled = plan.inputIsSampled[p];
+            const graph::PassDecl& declared = recording.graph_.passes()[p];
+            device_.beginLabel(context.commands, declared.name);
+            context.inputIsSampled = recording.plan_.inputIsSampled[p];
             context.commands.setViewport(0, vk::Viewport(0, 0, static_cast<float>(pass.extent.width),
                                                          static_cast<float>(pass.extent.height), 0, 1));
             context.commands.setScissor(0, area);
-            context.pass = graph.passes()[p].name;
-            if (graph.passes()[p].record) graph.passes()[p].record(context);
+            context.pass = declared.name;
+            if (declared.record) declared.record(context);
             device_.endLabel(context.commands);
         }
     }
@@ -174,39 +156,51 @@ void Executor::recordRenderPass(const graph::Graph& graph, const graph::Plan& pl
         context.commands.endRenderPass2KHR(vk::SubpassEndInfo());
 }
 
-void Executor::record(const vk::raii::CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan,
-                      const Imports& imports, DescriptorPool& descriptors, Timer* timer, Retired* retired) {
-    PassContext context{commands, device_, descriptors, pipelines_, {}, {}};
+/// Finds the images and buffers that the graph names.
+void Executor::bind(Recording& recording, const Imports& imports, Retired* retired) {
+    const graph::Graph& graph = recording.graph_;
+    const std::vector<graph::PlannedImage>& planned = recording.plan_.images;
+    recording.images_.clear(), recording.buffers_.clear();
     for (std::uint32_t i = 0; i < graph.images().size(); ++i) {
         const graph::ImageDecl& decl = graph.images()[i];
         ImageRef image;
         if (decl.imported) {
-            const auto it = imports.images.find(i);
-            if (it != imports.images.end()) image = it->second;
-            if (!image.handle && plan.images[i].used)
+            if (const ImageRef* bound = imports.image(i)) image = *bound;
+            if (!image.handle && planned[i].used)
                 throw graph::GraphError("graph '" + graph.name() + "', image '" + decl.name +
                                         "': imported, but not bound");
-        } else if (plan.images[i].used) {
-            image = own(graph.name() + ": " + decl.name, decl.desc, plan.images[i], retired);
+        } else if (planned[i].used) {
+            image = own(recording.owned_[i], decl.desc, planned[i], retired);
         }
-        context.images.push_back(image);
+        recording.images_.push_back(image);
     }
     for (std::uint32_t i = 0; i < graph.buffers().size(); ++i) {
-        const auto it = imports.buffers.find(i);
-        if (it == imports.buffers.end())
+        const vk::Buffer* bound = imports.buffer(i);
+        if (!bound)
             throw graph::GraphError("graph '" + graph.name() + "', buffer '" + graph.buffers()[i].name +
                                     "': not bound");
-        context.buffers.push_back(it->second);
+        recording.buffers_.push_back(*bound);
     }
+}
+
+void Executor::record(const vk::raii::CommandBuffer& commands, Recording& recording, const Imports& imports,
+                      DescriptorPool& descriptors, Timer* timer, Retired* retired) {
+    const graph::Graph& graph = recording.graph_;
+    const graph::Plan& plan = recording.plan_;
+    bind(recording, imports, retired);
+    PassContext context{commands, device_, descriptors, pipelines_, {}, {}};
+    context.images = recording.images_;
+    context.buffers = recording.buffers_;
     device_.name(*commands, graph.name());  // here, since RenderDoc keeps names given while a buffer is recorded
-    device_.log().record(workOf(graph, plan));
+    device_.log().record(recording.work_);
     device_.beginLabel(commands, graph.name());
     if (timer) timer->begin(commands);
-    for (const graph::Step& step : plan.steps) {
-        barriers(commands, step.before, graph, context);
+    for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+        const graph::Step& step = plan.steps[i];
+        barriers(commands, step.before, recording);
         if (step.kind == graph::PassKind::graphics) {
-            recordRenderPass(graph, plan, step.renderPass, context);
-            if (timer) timer->lap(commands, nameOf(graph, step.renderPass));
+            recordRenderPass(recording, i, context);
+            if (timer) timer->lap(commands, recording.renderPasses_[i].name);
             continue;
         }
         const graph::PassDecl& pass = graph.passes()[step.pass];
@@ -216,23 +210,26 @@ void Executor::record(const vk::raii::CommandBuffer& commands, const graph::Grap
         device_.endLabel(commands);
         if (timer) timer->lap(commands, pass.name);
     }
-    barriers(commands, plan.after, graph, context);
+    barriers(commands, plan.after, recording);
     device_.endLabel(commands);
 }
 
 void Executor::prepare(const graph::Graph& graph, const graph::Plan& plan) {
     const vk::raii::CommandBuffer none{nullptr};
+    const std::vector<ImageRef> images(graph.images().size());
+    const std::vector<vk::Buffer> buffers(graph.buffers().size());
+    Recording recording(graph, plan);
     PassContext context{none, device_, descriptors_, pipelines_, {}, {}};
     context.ahead = true;
-    context.images.resize(graph.images().size());
-    context.buffers.resize(graph.buffers().size());
-    for (const graph::Step& step : plan.steps) {
-        const graph::RenderPassPlan& pass = step.renderPass;
+    context.images = images;
+    context.buffers = buffers;
+    for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+        const graph::RenderPassPlan& pass = plan.steps[i].renderPass;
         const bool dynamic = DynamicRendering::takes(device_, pass);
         context.extent = pass.extent;
         for (std::uint32_t s = 0; s < pass.subpasses.size(); ++s) {
-            context.renderPass = dynamic ? nullptr : renderPass(pass, nameOf(graph, pass)).ofPipelines;
-            if (dynamic) context.rendering = DynamicRendering(device_, pass, context.images, none).formatsOf(s);
+            context.renderPass = dynamic ? nullptr : renderPass(pass, recording.renderPasses_[i].name).ofPipelines;
+            if (dynamic) context.rendering = DynamicRendering(device_, pass, images, none).formatsOf(s);
             context.subpass = dynamic ? 0 : s;
             context.colorCount = static_cast<std::uint32_t>(pass.subpasses[s].colors.size());
             for (const std::uint32_t p : pass.subpasses[s].passes) {

@@ -6,22 +6,13 @@
 #include <memory>
 
 #include "engine/gpu/pipeline.h"
+#include "engine/gpu/recording.h"
 #include "engine/gpu/resources.h"
 #include "engine/gpu/timer.h"
 #include "engine/graph/plan.h"
 #include "engine/results.h"
 
 namespace nacre::gpu {
-
-class Executor;
-
-/// Resources from outside, by the handles under which the graph imported them.
-struct Imports {
-    std::map<std::uint32_t, ImageRef> images;
-    std::map<std::uint32_t, vk::Buffer> buffers;
-    void bind(graph::Image handle, const ImageRef& image) { images[handle.index] = image; }
-    void bind(graph::Buffer handle, const Buffer& buffer) { buffers[handle.index] = *buffer.handle; }
-};
 
 /// What a pass gets when it records.
 struct PassContext {
@@ -36,10 +27,10 @@ struct PassContext {
     vk::ImageLayout inputLayout = vk::ImageLayout::eShaderReadOnlyOptimal;  ///< of input attachments
     std::uint32_t colorCount = 0;                                           ///< colour attachments of the subpass
     graph::Extent extent{};
-    bool inputIsSampled = false;     ///< input reads come as textures
-    bool ahead = false;              ///< nothing is to be recorded: the pipelines are wanted of Pipelines
-    std::vector<ImageRef> images{};  ///< by graph index
-    std::vector<vk::Buffer> buffers{};
+    bool inputIsSampled = false;         ///< input reads come as textures
+    bool ahead = false;                  ///< nothing is to be recorded: the pipelines are wanted of Pipelines
+    std::span<const ImageRef> images{};  ///< by graph index
+    std::span<const vk::Buffer> buffers{};
 
     vk::ImageView view(graph::Image image) const { return images[image.index].view; }
     vk::Image image(graph::Image image) const { return images[image.index].handle; }
@@ -56,6 +47,19 @@ struct PassContext {
     }
 };
 
+struct Framebuffer {
+    std::vector<VkImageView> views;
+    graph::Extent extent;
+    vk::raii::Framebuffer handle;
+};
+struct OwnedRenderPass {
+    graph::RenderPassPlan plan;  ///< without what changes from frame to frame
+    vk::raii::RenderPass handle;
+    vk::RenderPass ofPipelines;  ///< the first that is compatible: a pipeline made for it serves this, too
+    MergedSubpasses merged;
+    std::list<Framebuffer> framebuffers;
+};
+
 class Executor {
 public:
     explicit Executor(const Device& device);
@@ -67,20 +71,29 @@ public:
     /// Has the pipelines of a graph made by that thread. The graph's passes know of PassContext::ahead.
     void prepare(const graph::Graph& graph, const graph::Plan& plan);
 
-    /// Records the plan of a graph. Images of the same graph and name are kept from one execution to the next.
+    /// Records a graph as planned. Images of the same graph and name are kept from one execution to the next.
     /// For commands that are waited for before the next ones are recorded: their descriptor sets last until then.
+    void record(const vk::raii::CommandBuffer& commands, Recording& recording, const Imports& imports,
+                Timer* timer = nullptr) {
+        reset();  // what failed half way may have left some
+        record(commands, recording, imports, descriptors_, timer);
+    }
     void record(const vk::raii::CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan,
                 const Imports& imports, Timer* timer = nullptr) {
-        reset();  // what failed half way may have left some
-        record(commands, graph, plan, imports, descriptors_, timer);
+        Recording once(graph, plan);
+        record(commands, once, imports, timer);
     }
     /// The same, with descriptor sets from a pool of the caller's, for frames that overlap.
     /// @param timer    not null: takes a lap for each render pass, dispatch and copy
     /// @param retired  not null: gets what is replaced, as images are when their size changes, until these commands are
     ///                 done. Else that is waited for
+    void record(const vk::raii::CommandBuffer& commands, Recording& recording, const Imports& imports,
+                DescriptorPool& descriptors, Timer* timer = nullptr, Retired* retired = nullptr);
     void record(const vk::raii::CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan,
-                const Imports& imports, DescriptorPool& descriptors, Timer* timer = nullptr,
-                Retired* retired = nullptr);
+                const Imports& imports, DescriptorPool& descriptors, Timer* timer = nullptr) {
+        Recording once(graph, plan);
+        record(commands, once, imports, descriptors, timer);
+    }
     /// Compiles a graph, by the device's caps, carries it out and waits until it is done.
     void run(const graph::Graph& graph, const Imports& imports);
     void run(const graph::Graph& graph, const graph::Plan& plan, const Imports& imports);
@@ -102,29 +115,16 @@ private:
         bool transient;
         Image image;
     };
-    struct Framebuffer {
-        std::vector<VkImageView> views;
-        graph::Extent extent;
-        vk::raii::Framebuffer handle;
-    };
-    struct OwnedRenderPass {
-        graph::RenderPassPlan plan;  ///< without what changes from frame to frame
-        vk::raii::RenderPass handle;
-        vk::RenderPass ofPipelines;  ///< the first that is compatible: a pipeline made for it serves this, too
-        MergedSubpasses merged;
-        std::list<Framebuffer> framebuffers;
-    };
-
     const Image& own(const std::string& key, const graph::ImageDesc& desc, const graph::PlannedImage& planned,
                      Retired* retired);
     OwnedRenderPass& renderPass(const graph::RenderPassPlan& plan, const std::string& name);
-    vk::Framebuffer framebuffer(OwnedRenderPass& pass, const graph::RenderPassPlan& plan, const PassContext& context,
+    vk::Framebuffer framebuffer(OwnedRenderPass& pass, const graph::RenderPassPlan& plan, Recording& recording,
                                 const std::string& name);
+    void bind(Recording& recording, const Imports& imports, Retired* retired);
     void barriers(const vk::raii::CommandBuffer& commands, const std::vector<graph::Barrier>& barriers,
-                  const graph::Graph& graph, const PassContext& context) const;
-    void beginRenderPass(const graph::RenderPassPlan& pass, PassContext& context, const std::string& name);
-    void recordRenderPass(const graph::Graph& graph, const graph::Plan& plan, const graph::RenderPassPlan& pass,
-                          PassContext& context);
+                  Recording& recording) const;
+    void beginRenderPass(Recording& recording, std::size_t step, PassContext& context);
+    void recordRenderPass(Recording& recording, std::size_t step, PassContext& context);
 
     const Device& device_;
     Pipelines pipelines_;

@@ -197,8 +197,7 @@ void Pipelines::want(const GraphicsPipeline& description) {
         worker_->want(description);
 }
 
-vk::Pipeline Pipelines::graphics(const GraphicsPipeline& description,
-                                 const std::function<std::vector<GraphicsPipeline>()>& next) {
+vk::Pipeline Pipelines::graphics(const GraphicsPipeline& description) {
     for (const auto& made : graphics_)
         if (samePipeline(made.description, description)) return *made.pipeline;
     std::optional<vk::raii::Pipeline> made = worker_ ? worker_->take(description) : std::nullopt;
@@ -206,10 +205,7 @@ vk::Pipeline Pipelines::graphics(const GraphicsPipeline& description,
     GraphicsPipeline kept = description;
     kept.name = kept.detail = {};
     graphics_.push_back({kept, std::move(*made)});
-    const vk::Pipeline pipeline = *graphics_.back().pipeline;
-    if (!worker_ || !next) return pipeline;
-    for (const GraphicsPipeline& other : next()) want(other);
-    return pipeline;
+    return *graphics_.back().pipeline;
 }
 
 vk::Pipeline Pipelines::compute(const ComputePipeline& description) {
@@ -246,7 +242,9 @@ DescriptorPool::DescriptorPool(const Device& device) : device_(device) {
 
 vk::DescriptorSet DescriptorPool::allocate(const vk::raii::DescriptorSetLayout& layout, std::string_view name) {
     const vk::DescriptorSetAllocateInfo info(*pool_, *layout);
-    const vk::DescriptorSet set = (**device_).allocateDescriptorSets(info).front();
+    vk::DescriptorSet set;
+    if (const vk::Result result = (**device_).allocateDescriptorSets(&info, &set); result != vk::Result::eSuccess)
+        throw vk::SystemError(vk::make_error_code(result), "vk::Device::allocateDescriptorSets");
     // Mesa (22.3) never lets go of a set's name where the pool is reset, which a pool of a frame is again and again.
     if (device_.watched()) device_.name(set, name);
     return set;

@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <functional>
 #include <list>
 #include <map>
 #include <memory>
@@ -118,9 +117,17 @@ public:
     /// To be made so, unless it is there; nothing where nobody makes pipelines ahead.
     void want(const GraphicsPipeline& description);
 
-    /// @param next  what is likely to be asked for after this one; called where it is new and somebody makes those
-    vk::Pipeline graphics(const GraphicsPipeline& description,
-                          const std::function<std::vector<GraphicsPipeline>()>& next = {});
+    vk::Pipeline graphics(const GraphicsPipeline& description);
+    /// @param next  returns what is likely to be asked for after this one; called where it is new and somebody makes
+    ///              those
+    template <typename Next>
+    vk::Pipeline graphics(const GraphicsPipeline& description, const Next& next) {
+        const std::size_t before = graphics_.size();
+        const vk::Pipeline pipeline = graphics(description);
+        if (worker_ && graphics_.size() > before)
+            for (const GraphicsPipeline& other : next()) want(other);
+        return pipeline;
+    }
     vk::Pipeline compute(const ComputePipeline& description);
     const Layout& layout(const LayoutDescription& description);
     vk::Sampler sampler(vk::Filter filter);

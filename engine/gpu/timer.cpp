@@ -3,7 +3,6 @@
 namespace nacre::gpu {
 namespace {
 
-constexpr std::uint32_t kStamps = 64;
 constexpr auto kEnd = vk::PipelineStageFlagBits::eBottomOfPipe;
 
 }  // namespace
@@ -28,34 +27,35 @@ void Timer::lap(const vk::raii::CommandBuffer& commands, std::string part) {
     commands.writeTimestamp(kEnd, *pool_, static_cast<std::uint32_t>(parts_.size()));
 }
 
-/// As many as were written; none if the device does not tell.
-std::vector<std::uint64_t> Timer::stamps() const {
-    if (!begun_ || parts_.empty()) return {};
+std::size_t Timer::read(Stamps& stamps) const {
+    if (!begun_ || parts_.empty()) return 0;
     const auto count = static_cast<std::uint32_t>(parts_.size() + 1);
-    const auto [result, stamps] = pool_.getResults<std::uint64_t>(0, count, count * sizeof(std::uint64_t),
-                                                                  sizeof(std::uint64_t), vk::QueryResultFlagBits::e64);
-    return result == vk::Result::eSuccess ? stamps : std::vector<std::uint64_t>{};
+    const vk::Result result = (**device_).getQueryPoolResults(
+        *pool_, 0, count, count * sizeof(stamps[0]), stamps.data(), sizeof(stamps[0]), vk::QueryResultFlagBits::e64);
+    return result == vk::Result::eSuccess ? count : 0;
 }
 
-std::vector<PassTime> Timer::times() const {
-    const std::vector<std::uint64_t> at = stamps();
-    if (at.empty()) return {};
+double Timer::millisecondsBetween(std::uint64_t from, std::uint64_t to) const {
     // A queue's counter may be narrower than its stamps, and begins anew when it is full.
     const std::uint32_t bits = device_.caps().timestampBits;
     const std::uint64_t mask = bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
+    return static_cast<double>((to - from) & mask) * device_.caps().nanosecondsPerTick * 1e-6;
+}
+
+std::vector<PassTime> Timer::times() const {
+    Stamps at;
     std::vector<PassTime> times;
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-        const auto ticks = static_cast<double>((at[i + 1] - at[i]) & mask);
-        times.push_back({parts_[i], ticks * device_.caps().nanosecondsPerTick * 1e-6});
-    }
+    for (std::size_t i = 1, count = read(at); i < count; ++i)
+        times.push_back({parts_[i - 1], millisecondsBetween(at[i - 1], at[i])});
     return times;
 }
 
 std::optional<double> Timer::milliseconds() const {
-    const std::vector<PassTime> parts = times();
-    if (parts.empty()) return {};
+    Stamps at;
+    const std::size_t count = read(at);
+    if (count == 0) return {};
     double sum = 0;
-    for (const PassTime& part : parts) sum += part.milliseconds;
+    for (std::size_t i = 1; i < count; ++i) sum += millisecondsBetween(at[i - 1], at[i]);
     return sum;
 }
 

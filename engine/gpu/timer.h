@@ -1,6 +1,7 @@
 #pragma once
 // How long the device takes for the parts of what is submitted, by timestamps where its queue has them.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,7 +30,11 @@ public:
     std::optional<double> milliseconds() const;
 
 private:
-    std::vector<std::uint64_t> stamps() const;
+    static constexpr std::uint32_t kStamps = 64;
+    using Stamps = std::array<std::uint64_t, kStamps>;
+    /// As many as were written, and how many those are; 0 if the device does not tell.
+    std::size_t read(Stamps& stamps) const;
+    double millisecondsBetween(std::uint64_t from, std::uint64_t to) const;
 
     const Device& device_;
     vk::raii::QueryPool pool_{nullptr};

@@ -144,7 +144,7 @@ layout::ViewConstants DepthMaps::constants(const glm::dmat3& frame, std::uint32_
 passes::PlacedCopies DepthMaps::placed(const glm::dmat3& frame, std::uint32_t model, MapPart part) const {
     passes::PlacedCopies all = passes::placeCopies(representation_, view(frame));
     // Light goes through what is translucent.
-    all.triangles = passes::chosen(all.triangles, translucent_, passes::Triangles::opaque);
+    passes::choose(all.triangles, translucent_, passes::Triangles::opaque);
     if (runs_.size() > 1) {
         all.spheres = within(all.spheres, runs_[model].spheres);
         all.cylinders = within(all.cylinders, runs_[model].cylinders);

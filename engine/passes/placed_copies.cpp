@@ -111,12 +111,20 @@ std::vector<MeshLevelCount> PlacedCopies::triangleLevels(const Representation& r
 
 PlacedCopies placeCopies(const Representation& r, const View& view, const Chunks* chunks, double room, double error) {
     PlacedCopies placed;
+    placeCopies(placed, r, view, chunks, room, error);
+    return placed;
+}
+
+void placeCopies(PlacedCopies& placed, const Representation& r, const View& view, const Chunks* chunks, double room,
+                 double error) {
+    placed.clear();
     // Impostors reach a little beyond their spheres.
     const Edges edges = edgesOf(view, 2.0 + room);
     const auto* spheres = chunks ? &chunks->spheres : nullptr;
     const auto* cylinders = chunks ? &chunks->cylinders : nullptr;
     const auto* triangles = chunks ? &chunks->triangles : nullptr;
-    const std::vector<PrimitiveRun> meshes = drawnRuns(r, error);
+    std::vector<PrimitiveRun> meshes;
+    if (!r.triangles.empty()) meshes = drawnRuns(r, error);
     if (r.copies.transforms.empty()) {
         addRows(view, glm::dmat4x3(1.0), placed.rows);
         const Edges here = before(edges, view.rotation, {});
@@ -131,14 +139,13 @@ PlacedCopies placeCopies(const Representation& r, const View& view, const Chunks
         add(0, r.spheres.size(), spheres, placed.spheres);
         add(0, r.cylinders.size(), cylinders, placed.cylinders);
         for (const PrimitiveRun& run : meshes) add(run.first, run.count, triangles, placed.triangles);
-        return placed;
+        return;
     }
     placed.rows.reserve(3 * r.copies.transforms.size());
     for (const glm::dmat4x3& transform : r.copies.transforms) addRows(view, transform, placed.rows);
     addCalls(r.copies, r.copies.spheres, view, edges, spheres, placed.spheres);
     addCalls(r.copies, r.copies.cylinders, view, edges, cylinders, placed.cylinders);
     addCalls(r.copies, meshes, view, edges, triangles, placed.triangles);
-    return placed;
 }
 
 }  // namespace nacre::passes

@@ -21,6 +21,7 @@ struct PlacedCopies {
     std::vector<glm::vec4> rows;  ///< three a transform: into view space, as ViewConstants has them
     std::vector<Call> spheres, cylinders, triangles;
 
+    void clear() { rows.clear(), spheres.clear(), cylinders.clear(), triangles.clear(); }
     /// Of all calls together.
     std::uint64_t sphereCount() const;
     std::uint64_t cylinderCount() const;
@@ -36,5 +37,8 @@ struct PlacedCopies {
 /// @param error   Å that meshes may be off by (drawnRuns())
 PlacedCopies placeCopies(const Representation& representation, const View& view, const Chunks* chunks = nullptr,
                          double room = 0, double error = 0);
+/// The same, where an earlier view's have their room.
+void placeCopies(PlacedCopies& placed, const Representation& representation, const View& view, const Chunks* chunks,
+                 double room, double error);
 
 }  // namespace nacre::passes

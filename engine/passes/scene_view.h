@@ -2,6 +2,7 @@
 // The scene as one view sees it: what every pass of a frame draws with.
 
 #include <optional>
+#include <utility>
 
 #include "engine/device_options.h"
 #include "engine/effects.h"
@@ -57,6 +58,14 @@ struct SceneView {
     double radiusPixels = 0;                     ///< mean radius of the spheres in the picture
     double smallestPixels = 0;                   ///< half the width of the narrowest primitive or line in the picture
     std::shared_ptr<FragmentCounter> fragments;  ///< null: none are counted
+
+    /// Lets go of all that it holds, but for the room of its lists.
+    void clear() {
+        PlacedCopies room = std::move(copies);
+        room.clear();
+        *this = {};
+        copies = std::move(room);
+    }
 };
 
 }  // namespace nacre::passes

@@ -20,14 +20,12 @@ constexpr double kSmallPixels = 0.75;
 /// And from which on what a pixel's samples see is seen in the middle of one of the nine about it, nearly always.
 constexpr double kLargePixels = 6;
 
-std::vector<TileCall> callsOf(const SceneView& seen, const std::vector<PlacedCopies::Call>& calls,
-                              std::uint32_t first) {
-    std::vector<TileCall> list;
-    list.reserve(calls.size());
+void listCalls(const SceneView& seen, const std::vector<PlacedCopies::Call>& calls, std::uint32_t first,
+               std::vector<TileCall>& list) {
+    list.clear();
     for (const PlacedCopies::Call& c : calls)
         list.push_back({&seen.copies.rows[3 * std::size_t{c.copy}], c.first, c.count,
                         c.copy * seen.constants.primitives + first + 1});
-    return list;
 }
 
 /// How far before its place in a list what a primitive is compared by may stand, encoded depth.
@@ -100,19 +98,19 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     auto free = std::find_if(frames_.begin(), frames_.end(), [](const auto& frame) { return frame.use_count() == 1; });
     if (free == frames_.end()) free = frames_.insert(free, std::make_shared<TileFrame>());
     TileFrame& frame = **free;
-    const std::vector<TileCall> spheres = callsOf(seen, seen.copies.spheres, 0);
-    const std::vector<TileCall> cylinders = callsOf(seen, seen.copies.cylinders, seen.constants.spheres);
-    const std::vector<TileCall> triangles =
-        callsOf(seen, seen.copies.triangles, seen.constants.spheres + seen.constants.cylinders);
-    const TileScenery scenery{r.spheres,      spheres,   r.cylinders,       cylinders, r.triangles,
-                              r.meshVertices, triangles, r.coarseTriangles, r.meshes,  work.boxes};
+    const std::uint32_t firstTriangle = seen.constants.spheres + seen.constants.cylinders;
+    listCalls(seen, seen.copies.spheres, 0, spheres_);
+    listCalls(seen, seen.copies.cylinders, seen.constants.spheres, cylinders_);
+    listCalls(seen, seen.copies.triangles, firstTriangle, triangles_);
+    const TileScenery scenery{r.spheres,      spheres_,   r.cylinders,       cylinders_, r.triangles,
+                              r.meshVertices, triangles_, r.coarseTriangles, r.meshes,   work.boxes};
     const auto build = [&] {
         TileView asked = tileView(seen, view, image, !work.edges);
         asked.layers = work.kept;
         frame.lists.build(asked, scenery);
     };
     build();
-    if (frame.lists.longest() > kLongestListOfEdges && std::exchange(work.edges, false) && !triangles.empty()) build();
+    if (frame.lists.longest() > kLongestListOfEdges && std::exchange(work.edges, false) && !triangles_.empty()) build();
     if (frame.lists.longest() > kLongestList) return nullptr;
     frame.copies = !r.copies.transforms.empty();
     frame.constants = constantsOf(seen.constants, seen.copies, frame.lists);

@@ -100,6 +100,7 @@ private:
 
     const gpu::Device& device_;
     std::vector<std::shared_ptr<TileFrame>> frames_;
+    std::vector<TileCall> spheres_, cylinders_, triangles_;  // of one frame
 };
 
 }  // namespace nacre::passes

@@ -1,6 +1,7 @@
 #include "engine/passes/translucent.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/passes/bindings.h"
 #include "engine/passes/full_screen.h"
@@ -70,8 +71,9 @@ void bindLayer(gpu::PassContext& context, const SceneView& view, const gpu::Layo
 
 }  // namespace
 
-std::vector<Call> chosen(const std::vector<Call>& calls, const TranslucentRuns& runs, Triangles which) {
-    if (runs.empty()) return which == Triangles::translucent ? std::vector<Call>() : calls;
+void choose(std::vector<Call>& calls, const TranslucentRuns& runs, Triangles which) {
+    if (runs.empty() && which == Triangles::translucent) calls.clear();
+    if (runs.empty()) return;
     std::vector<Call> list;
     for (const Call& call : calls) {
         std::uint32_t at = call.first;
@@ -86,19 +88,18 @@ std::vector<Call> chosen(const std::vector<Call>& calls, const TranslucentRuns& 
         }
         if (which != Triangles::translucent) addPart(call, at, call.first + call.count, list);
     }
-    return list;
+    calls = std::move(list);
 }
 
-std::shared_ptr<SceneView> translucentView(const SceneView& all, const TranslucentRuns& runs) {
-    auto view = std::make_shared<SceneView>(all);
-    view->copies.spheres.clear();
-    view->copies.cylinders.clear();
-    view->copies.triangles = chosen(all.copies.triangles, runs, Triangles::translucent);
-    view->effects.contours.width = 0;
-    view->rims = {};
-    view->constants.contourWidth = 0;
-    view->coded = false;  // layers are blended, in linear light
-    return view;
+void seeTranslucent(SceneView& view, const SceneView& all, const TranslucentRuns& runs) {
+    view = all;
+    view.copies.spheres.clear();
+    view.copies.cylinders.clear();
+    choose(view.copies.triangles, runs, Triangles::translucent);
+    view.effects.contours.width = 0;
+    view.rims = {};
+    view.constants.contourWidth = 0;
+    view.coded = false;  // layers are blended, in linear light
 }
 
 void drawTranslucentLayer(gpu::PassContext& context, const SceneView& view, const Reads* before) {

@@ -16,13 +16,12 @@ enum class Triangles : std::uint8_t {
     translucent,
     solid,  ///< all but what is faint: what a pixel is said to show
 };
-/// Those of some calls, in their order.
-std::vector<PlacedCopies::Call> chosen(const std::vector<PlacedCopies::Call>& calls, const TranslucentRuns& runs,
-                                       Triangles which);
+/// Leaves those of some calls, in their order.
+void choose(std::vector<PlacedCopies::Call>& calls, const TranslucentRuns& runs, Triangles which);
 
 /// The translucent triangles of a scene, as a view that shows nothing else, and no lines.
 /// @param all  a view whose copies are those of the whole scene
-std::shared_ptr<SceneView> translucentView(const SceneView& all, const TranslucentRuns& runs);
+void seeTranslucent(SceneView& view, const SceneView& all, const TranslucentRuns& runs);
 
 /// Numbers and depths of a pixel's nearest triangles.
 /// @param before  atlas and depth of the layer before, behind which they are looked for; none: this is the first

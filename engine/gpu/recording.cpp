@@ -1,0 +1,42 @@
+#include "engine/gpu/recording.h"
+
+namespace nacre::gpu {
+namespace {
+
+std::string workOf(const graph::Graph& graph, const graph::Plan& plan) {
+    std::string text;
+    const auto add = [&](std::uint32_t pass) { text += (text.empty() ? ": " : ", ") + graph.passes()[pass].name; };
+    for (const graph::Step& step : plan.steps) {
+        if (step.kind != graph::PassKind::graphics) add(step.pass);
+        for (const graph::Subpass& subpass : step.renderPass.subpasses)
+            for (const std::uint32_t pass : subpass.passes) add(pass);
+    }
+    return graph.name() + text;
+}
+
+std::string nameOf(const graph::Graph& graph, const graph::RenderPassPlan& pass) {
+    std::string name;
+    for (const graph::Subpass& subpass : pass.subpasses)
+        for (const std::uint32_t p : subpass.passes) name += (name.empty() ? "" : " + ") + graph.passes()[p].name;
+    return name;
+}
+
+std::vector<vk::ClearValue> clearsOf(const graph::RenderPassPlan& pass) {
+    std::vector<vk::ClearValue> clears;
+    for (const graph::Attachment& a : pass.attachments)
+        clears.push_back(graph::isDepthFormat(a.format)
+                             ? vk::ClearValue(vk::ClearDepthStencilValue(a.clear.value[0], 0))
+                             : vk::ClearValue(vk::ClearColorValue(a.clear.value)));
+    return clears;
+}
+
+}  // namespace
+
+Recording::Recording(const graph::Graph& graph, const graph::Plan& plan)
+    : graph_(graph), plan_(plan), work_(workOf(graph, plan)) {
+    for (const graph::ImageDecl& image : graph.images()) owned_.push_back(graph.name() + ": " + image.name);
+    for (const graph::Step& step : plan.steps)
+        renderPasses_.push_back({nameOf(graph, step.renderPass), clearsOf(step.renderPass), nullptr});
+}
+
+}  // namespace nacre::gpu
