@@ -26,11 +26,11 @@ namespace {
 /// Pieces that frames of a turn take, after two turns by which lists have grown to what they need.
 std::uint64_t takenByATurn(Renderer& renderer, RenderSettings s, double radius) {
     const auto turn = [&] {
-        constexpr int kTurn = 12;
+        constexpr int kTurn = 5;
         for (int i = 0; i < kTurn; ++i) {
             Camera camera;
             camera.rotationDegrees.y = 360.0 * i / kTurn;
-            s.view = viewOf(camera, radius, 96, 96);
+            s.view = viewOf(camera, radius, 64, 64);
             renderer.drawFrame(s);
         }
     };
@@ -48,7 +48,7 @@ TEST(HostMemory, ASteadyFrameTakesNone) {
         for (const Style style : {Style::spacefill, Style::ballAndStick}) {
             const Representation r = scene("sample:dna", style);
             renderer.setScene(r);
-            RenderSettings s = settings(r, 96, Projection::orthographic);
+            RenderSettings s = settings(r, 64, Projection::orthographic);
             s.occlusion.directions = 0;
             s.occlusion.cache = "a folder whose name is too long to fit into a string itself";
             s.occlusion.onProgress = [s](double) {};
