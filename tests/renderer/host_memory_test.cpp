@@ -52,7 +52,6 @@ TEST(HostMemory, ASteadyFrameTakesNone) {
             s.occlusion.directions = 0;
             s.occlusion.cache = "a folder whose name is too long to fit into a string itself";
             s.occlusion.onProgress = [s](double) {};
-            s.tuning.hideFrom = 0;
             for (const std::uint32_t samples : {1u, RenderSettings::kEdges}) {
                 s.supersample = samples;
                 EXPECT_EQ(takenByATurn(renderer, s, r.radius), 0u) << visibilityName(path) << ", " << samples;
