@@ -57,9 +57,7 @@ void WindowSession::writePictureTo(const PictureWish& wish) {
         viewer().textSize() * (asShown ? 1 : std::min(size.width, size.height) / std::max(shorter, 1.0));
     RenderSettings settings = viewer().pictureWithWords(size, textSize);
     // What is larger than the window is antialiased as pictures are; the window's own as the window is.
-    const std::uint32_t side = viewer().mostSamples();
-    const bool grid = asShown && side * side != RenderSettings::kEdgeSamples;  // whose places are no grid
-    settings.supersample = grid ? side : RenderSettings::kEdges;
+    settings.supersample = asShown ? viewer().mostSamples() : RenderSettings::kEdges;
     if (transparent) settings.background = {0, 0, 0, 0};
     Picture drawn = renderer().render(settings);
     viewer().paintWords(settings.view, textSize, transparent, drawn);

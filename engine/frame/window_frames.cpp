@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "engine/frame/picture.h"
-#include "engine/passes/edge_samples.h"
 #include "engine/passes/read_back.h"
 #include "engine/passes/resample.h"
 
@@ -16,10 +15,10 @@ using Quality = WindowFrame::Quality;
 /// Of sums of samples: blends on every device, and holds sixteen of them within a quarter of a step of 8 bits.
 constexpr VkFormat kSumFormat = VK_FORMAT_R16G16B16A16_SFLOAT;
 
-/// The view whose pixels look through the i-th of so many samples. Sixteen are those of a picture's edges, each far
-/// from the ones before; fewer stand in rows.
+/// The view whose pixels look through the i-th of so many samples, which stand in rows as those of a picture do. Each
+/// of sixteen is far from the ones before.
 View throughSampleOf(View view, std::uint32_t samples, std::uint32_t i) {
-    if (samples == RenderSettings::kEdgeSamples) return throughSample(view, i * 5 % samples);
+    if (samples == RenderSettings::kEdgeSamples) i = i * 5 % samples;
     const auto side = static_cast<std::uint32_t>(std::lround(std::sqrt(samples)));
     const glm::dvec2 at = (glm::dvec2(i % side, i / side) + 0.5) / static_cast<double>(side) - 0.5;
     view.pan += glm::dvec2(-at.x, at.y) / view.pixelsPerAngstrom;

@@ -36,8 +36,7 @@ WindowPicture expectedPicture(const app::SavedView& view, std::uint32_t width, s
     settings.background = view.background;
     settings.lighting = view.lighting;
     settings.occlusion.directions = view.occlusionDirections;
-    // Sixteen samples stand where those of a picture's edges do, not in rows; this path takes them all of every pixel.
-    settings.supersample = samples * samples == RenderSettings::kEdgeSamples ? RenderSettings::kEdges : samples;
+    settings.supersample = samples;
     Renderer& renderer = expectingRenderer();
     renderer.setScene(scene);
     const Picture picture = renderer.render(settings);
