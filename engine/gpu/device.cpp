@@ -48,7 +48,6 @@ void Device::nameOwn() const {
     // lavapipe 22.3 does.
     name(*device_, "device");
     name(*queue_, "queue");
-    name(*pool_, "single commands");
     name(*pipelineCache_, "pipelines");
 }
 
@@ -105,9 +104,6 @@ void Device::createDevice(const DeviceOptions& options) {
     device_ = vk::raii::Device(physical_, info);
     if (readsHere) localReadCalls_ = localReadCallsOf(device_);
     queue_ = device_.getQueue(queueFamily_, 0);
-    constexpr auto kAgain = vk::CommandPoolCreateFlagBits::eResetCommandBuffer;
-    pool_ = vk::raii::CommandPool(
-        device_, vk::CommandPoolCreateInfo(kAgain | vk::CommandPoolCreateFlagBits::eTransient, queueFamily_));
 }
 
 Device::Allocation Device::allocate(const vk::MemoryRequirements& requirements,
@@ -153,21 +149,21 @@ void Device::endLabel(const vk::raii::CommandBuffer& commands) const {
 
 Device::Single Device::begin() const {
     Single single = std::exchange(*kept_, {});
-    if (!*single.commands) {
-        vk::raii::CommandBuffers buffers(device_, {*pool_, vk::CommandBufferLevel::ePrimary, 1});
-        single.commands = std::move(buffers[0]);
+    if (!single.commands) {
+        single.commands = CommandBuffer(device_, queueFamily_);
+        name(single.commands.pool(), "single commands");
         single.done = vk::raii::Fence(device_, vk::FenceCreateInfo());
         name(*single.done, "single commands are done");
     }
-    single.commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    single.commands->begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     log_->begin();
     return single;
 }
 
 void Device::finish(Single& single, Ends ends) const {
-    single.commands.end();
+    single.commands->end();
     log_->submitted();
-    vk::SubmitInfo info({}, {}, *single.commands);
+    vk::SubmitInfo info({}, {}, **single.commands);
     VkFrameBoundaryEXT boundary{};
     boundary.sType = VK_STRUCTURE_TYPE_FRAME_BOUNDARY_EXT;
     boundary.frameID = *frame_;
@@ -183,7 +179,7 @@ void Device::finish(Single& single, Ends ends) const {
     }
     single.commands.reset();  // they hold on to nothing
     device_.resetFences(*single.done);
-    *kept_ = std::move(single);
+    if (!kept_->commands) *kept_ = std::move(single);
 }
 
 void Device::settle() const noexcept {

@@ -10,6 +10,7 @@
 #include "engine/error.h"
 #include "engine/gpu/caps.h"
 #include "engine/gpu/capture_hook.h"
+#include "engine/gpu/command_buffer.h"
 #include "engine/gpu/context.h"
 #include "engine/gpu/device_loss.h"
 #include "engine/gpu/local_read.h"
@@ -87,14 +88,14 @@ public:
     template <typename RecordCommands>
     void submitAndWait(RecordCommands&& record, Ends ends = Ends::nothing) const {
         Single single = begin();
-        record(std::as_const(single.commands));
+        record(*single.commands);
         finish(single, ends);
     }
 
 private:
     /// Commands that are waited for. One is kept for the next that are.
     struct Single {
-        vk::raii::CommandBuffer commands{nullptr};
+        CommandBuffer commands;
         vk::raii::Fence done{nullptr};
     };
     Single begin() const;
@@ -110,7 +111,6 @@ private:
     vk::raii::PhysicalDevice physical_{nullptr};
     vk::raii::Device device_{nullptr};
     vk::raii::Queue queue_{nullptr};
-    vk::raii::CommandPool pool_{nullptr};
     std::unique_ptr<Single> kept_ = std::make_unique<Single>();
     vk::raii::PipelineCache pipelineCache_{nullptr};
     std::uint32_t queueFamily_ = 0;

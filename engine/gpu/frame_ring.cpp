@@ -4,16 +4,10 @@
 
 namespace nacre::gpu {
 
-FrameRing::FrameRing(const Device& device)
-    : device_(device),
-      pool_(*device, vk::CommandPoolCreateInfo(
-                         vk::CommandPoolCreateFlagBits::eResetCommandBuffer | vk::CommandPoolCreateFlagBits::eTransient,
-                         device.queueFamily())),
-      slots_{FrameSlot(device), FrameSlot(device)} {
-    device.name(*pool_, "frames");
-    vk::raii::CommandBuffers buffers(*device, {*pool_, vk::CommandBufferLevel::ePrimary, kInFlight});
+FrameRing::FrameRing(const Device& device) : device_(device), slots_{FrameSlot(device), FrameSlot(device)} {
     for (std::size_t i = 0; i < kInFlight; ++i) {
-        slots_[i].commands = std::move(buffers[i]);
+        slots_[i].commands = CommandBuffer(*device, device.queueFamily());
+        device.name(slots_[i].commands.pool(), "frame " + std::to_string(i));
         slots_[i].done = vk::raii::Fence(*device, vk::FenceCreateInfo());
         device.name(*slots_[i].done, "frame " + std::to_string(i) + " is done");
     }
@@ -51,7 +45,7 @@ void FrameRing::submit(FrameSlot& slot, std::span<const vk::CommandBuffer> comma
 }
 
 void FrameRing::submit(FrameSlot& slot, vk::Semaphore drawn) {
-    const vk::CommandBuffer commands = *slot.commands;
+    const vk::CommandBuffer commands = **slot.commands;
     slot.drawn = slot.image;
     submit(slot, {&commands, 1}, {&drawn, 1});
 }

@@ -13,7 +13,7 @@
 namespace nacre::gpu {
 
 struct FrameSlot {
-    vk::raii::CommandBuffer commands{nullptr};
+    CommandBuffer commands;
     vk::raii::Fence done{nullptr};
     bool submitted = false;                 ///< and `done` tells when it is done
     vk::raii::Semaphore acquired{nullptr};  ///< the window's image may be drawn into
@@ -52,7 +52,6 @@ private:
     void submit(FrameSlot& slot, std::span<const vk::CommandBuffer> commands, std::span<const vk::Semaphore> signals);
 
     const Device& device_;
-    vk::raii::CommandPool pool_;
     std::array<FrameSlot, kInFlight> slots_;
     std::size_t at_ = 0;
     double milliseconds_ = 0;

@@ -6,15 +6,11 @@ namespace nacre::gpu {
 
 Submission::Submission(const Device& device, const std::string& name)
     : device_(device),
-      pool_(*device, vk::CommandPoolCreateInfo(
-                         vk::CommandPoolCreateFlagBits::eResetCommandBuffer | vk::CommandPoolCreateFlagBits::eTransient,
-                         device.queueFamily())),
+      commands_(*device, device.queueFamily()),
       fence_(*device, vk::FenceCreateInfo()),
       descriptors_(device),
       timer_(device) {
-    vk::raii::CommandBuffers buffers(*device, {*pool_, vk::CommandBufferLevel::ePrimary, 1});
-    commands_ = std::move(buffers[0]);
-    device.name(*pool_, name);
+    device.name(commands_.pool(), name);
     device.name(*fence_, name + " is done");
 }
 
@@ -26,15 +22,15 @@ const vk::raii::CommandBuffer& Submission::begin() {
     descriptors_.reset();
     device_.log().begin();
     commands_.reset();
-    commands_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-    return commands_;
+    commands_->begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    return *commands_;
 }
 
 void Submission::end() {
-    commands_.end();
+    commands_->end();
     device_->resetFences(*fence_);
     device_.log().submitted();
-    device_.queue().submit(vk::SubmitInfo({}, {}, *commands_), *fence_);
+    device_.queue().submit(vk::SubmitInfo({}, {}, **commands_), *fence_);
     pending_ = true;
 }
 

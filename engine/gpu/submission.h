@@ -36,8 +36,7 @@ private:
     void end();
 
     const Device& device_;
-    vk::raii::CommandPool pool_;
-    vk::raii::CommandBuffer commands_{nullptr};
+    CommandBuffer commands_;
     vk::raii::Fence fence_;
     DescriptorPool descriptors_;
     Timer timer_;

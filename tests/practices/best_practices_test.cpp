@@ -75,7 +75,6 @@ constexpr Allowed kOfLayers[] = {
 };
 
 constexpr Allowed kOfSamples[] = {
-    {"Pipeline-SortAndBind", "AMD, NVIDIA: a picture of many samples is many frames, each with its pipelines", kAmd},
     {"AllocateMemory-ReuseAllocations", "NVIDIA: what the samples are added up in goes with the picture", kNvidia,
      true},
 };
