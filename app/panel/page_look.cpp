@@ -46,13 +46,13 @@ void Panel::drawLookPage(SavedView& look, const Viewer& viewer) {
     for (const Look& named : looks()) names.push_back(named.name.c_str());
     std::string chosen = names[0];
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-    if (ui.choose("Look", names, chosen, forFingers() ? -1 : half) && chosen != names[0])
+    if (ui.choose("Ready-made look", names, chosen, forFingers() ? -1 : half) && chosen != names[0])
         applyLook(lookOf(chosen), look);
     names.assign({"Views"});
     for (const Preset& preset : presets()) names.push_back(preset.name);
     chosen = names[0];
     if (!forFingers()) ImGui::SameLine();
-    if (ui.choose("View", names, chosen, -1))
+    if (ui.choose("Ready-made view", names, chosen, -1))
         for (const Preset& preset : presets())
             if (chosen == preset.name) applyPreset(preset, look);
     ui.heading("Background");

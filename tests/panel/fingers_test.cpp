@@ -1,6 +1,7 @@
 // The panel under fingers: what they hit is large enough, and lists go on when they are let go.
 
 #include <cmath>
+#include <set>
 
 #include "app/panel/theme.h"
 #include "app/shared/appearance_values.h"
@@ -155,6 +156,21 @@ TEST(Fingers, TypeOnTheSystemsKeyboard) {
     tap("Identifier or path");
     type("Identifier or path", "pdb:1BNA");
     EXPECT_EQ(asked, std::pair(std::string("opened"), std::string("pdb:1BNA")));
+}
+
+TEST(Fingers, AreToldListsByOtherNamesThanTabs) {
+    Bench b("sample:dna", {1400, 1300}, 1, PanelHand::fingers);
+    b.panel.togglePanel();
+    b.settle();
+    std::set<std::string> tabs;
+    for (const Control& c : b.panel.controls())
+        if (c.role == "tab") tabs.insert(c.name);
+    EXPECT_EQ(tabs.size(), 5u);
+    for (const Panel::Page page : kPages) {
+        b.panel.showPage(page);
+        b.settle();
+        for (const Control& c : b.panel.controls()) EXPECT_FALSE(c.role == "list" && tabs.contains(c.name)) << c.name;
+    }
 }
 
 }  // namespace
