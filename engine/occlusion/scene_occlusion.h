@@ -104,7 +104,7 @@ private:
     BakeOptions options_;  // of what is being prepared
     Clock::time_point began_;
 
-    double unitsPerMillisecond_ = 50'000;          // that the device takes on, lately; first a small phone's
+    double unitsPerMillisecond_ = 10'000;          // that the device takes on, lately; first too few for any phone
     std::unique_ptr<gpu::Submission> submission_;  // beside frames
     std::unique_ptr<gpu::Timer> timer_;            // of what is waited for
     double submittedUnits_ = 0;                    // of the bake in it; 0: none

@@ -25,6 +25,9 @@ namespace nacre::phone {
     X(QueueSubmit)                  \
     X(CmdDraw)                      \
     X(CmdDrawIndexed)               \
+    X(CmdDispatch)                  \
+    X(CmdWriteTimestamp)            \
+    X(GetQueryPoolResults)          \
     X(CreateShaderModule)           \
     X(CreateGraphicsPipelines)      \
     X(GetImageMemoryRequirements)   \

@@ -10,6 +10,7 @@
 
 #include "engine/gpu/frame_boundary.h"
 #include "tests/phone_layer/below.h"
+#include "tests/phone_layer/clock.h"
 #include "tests/phone_layer/feedback.h"
 
 namespace nacre::phone {
@@ -25,6 +26,7 @@ inline VKAPI_ATTR VkResult VKAPI_CALL QueueSubmit(VkQueue queue, std::uint32_t c
         if (info.pNext != frame) std::abort();  // nothing else is chained to a submission
         info.pNext = frame->pNext;              // the driver knows nothing of it
     }
+    tellWork();
     return nextQueueSubmit(queue, count, below.data(), fence);
 }
 

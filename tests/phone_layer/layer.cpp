@@ -6,7 +6,7 @@
 // former (feedback.h); NACRE_PHONE_SHADERS may name a folder that takes every shader which the program hands over,
 // as 1.spv, 2.spv, ...; NACRE_PHONE_FRAMES a file that is told of frames (frames.h), NACRE_PHONE_PIPELINES one that
 // gets the thread which made a graphics pipeline, a line each, NACRE_PHONE_DRAWS one that gets the corners of each
-// draw.
+// draw, NACRE_PHONE_WORK one that gets what each submission takes of its device (clock.h).
 
 #define VK_ENABLE_BETA_EXTENSIONS
 #include <vulkan/vk_layer.h>
@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "tests/phone_layer/below.h"
+#include "tests/phone_layer/clock.h"
 #include "tests/phone_layer/feedback.h"
 #include "tests/phone_layer/floor.h"
 #include "tests/phone_layer/frames.h"
@@ -243,6 +244,7 @@ VKAPI_ATTR void VKAPI_CALL CmdDraw(VkCommandBuffer commands, std::uint32_t verti
                                    std::uint32_t firstVertex, std::uint32_t firstInstance) {
     take(instances);
     tell("corners ", vertices);
+    work(double{1} * vertices * instances);
     nextCmdDraw(commands, vertices, instances, firstVertex, firstInstance);
 }
 
@@ -250,6 +252,7 @@ VKAPI_ATTR void VKAPI_CALL CmdDrawIndexed(VkCommandBuffer commands, std::uint32_
                                           std::uint32_t firstIndex, std::int32_t offset, std::uint32_t firstInstance) {
     take(instances);
     tell("indices ", indices);
+    work(double{1} * indices * instances);
     nextCmdDrawIndexed(commands, indices, instances, firstIndex, offset, firstInstance);
 }
 
