@@ -102,7 +102,7 @@ void Panel::drawHeader(const Viewer& viewer) {
         for (const FurtherInput& further : document->view.further) name += " + " + shortName(further.path);
     ui.name(name, room);
     ImGui::SameLine(x + room + ui.px(4));
-    if (ui.sign(Icon::fold, "Fold the panel")) {
+    if (ui.sign(sheet_ ? Icon::down : Icon::fold, "Fold the panel")) {
         shown_ = Shown::folded;
         keyboard_ = false;
         restless_ = 2;

@@ -24,26 +24,26 @@ void chooseColor(Widgets& ui, const char* name, std::array<float, 3>& color) {
 }
 
 void slideLines(Widgets& ui, Contours& lines) {
-    slide(ui, "Lines", lines.width, 0, 8, lines.width > 0 ? "lines %.1f px" : "no lines");
+    slide(ui, "Lines", lines.width, 0, 8, lines.width > 0 ? "Lines %.1f px" : "No lines");
     if (lines.width <= 0) return;
-    slide(ui, "Depth of lines", lines.depth, 0.1, 20, "where depth jumps %.1f Å", ImGuiSliderFlags_Logarithmic);
+    slide(ui, "Depth of lines", lines.depth, 0.1, 20, "Where depth jumps %.1f Å", ImGuiSliderFlags_Logarithmic);
     bool three = lines.weights == 3;
     if (ui.toggle("Wider between chains and residues", three)) lines.weights = three ? 3 : 1;
     chooseColor(ui, "Colour of the lines", lines.color);
 }
 
 void slideHalos(Widgets& ui, Halos& halos) {
-    slide(ui, "Halos", halos.width, 0, 24, halos.width > 0 ? "halos %.1f px" : "no halos");
+    slide(ui, "Halos", halos.width, 0, 24, halos.width > 0 ? "Halos %.1f px" : "No halos");
     if (halos.width <= 0) return;
-    slide(ui, "Strength of halos", halos.strength, 0, 1, "halo strength %.2f");
-    slide(ui, "Depth of halos", halos.depth, 0.5, 60, "densest over %.1f Å", ImGuiSliderFlags_Logarithmic);
+    slide(ui, "Strength of halos", halos.strength, 0, 1, "Halo strength %.2f");
+    slide(ui, "Depth of halos", halos.depth, 0.5, 60, "Densest over %.1f Å", ImGuiSliderFlags_Logarithmic);
     chooseColor(ui, "Colour of the halos", halos.color);
 }
 
 /// At its lower end it is off. @param radius  of the scene, Å: by itself fog is from the centre to it
 void slideFog(Widgets& ui, Fog& fog, double radius) {
     double share = fog.range == Fog::Range::off ? 0 : fog.strength;
-    if (slide(ui, "Fog", share, 0, 1, share > 0 ? "fog %.2f" : "no fog")) {
+    if (slide(ui, "Fog", share, 0, 1, share > 0 ? "Fog %.2f" : "No fog")) {
         const bool off = share <= 0;
         fog.strength = off ? Fog{}.strength : share;
         if (off || fog.range == Fog::Range::off) fog.range = off ? Fog::Range::off : Fog::Range::automatic;
@@ -54,8 +54,8 @@ void slideFog(Widgets& ui, Fog& fog, double radius) {
     double start = fits ? 0 : fog.start, end = fits ? reach : fog.end;
     const bool was = fits;
     ui.toggle("Fog from the middle to the far end", fits);
-    const bool startMoved = slide(ui, "Start of fog", start, -2 * reach, 2 * reach, "fog begins at %.1f Å");
-    const bool endMoved = slide(ui, "End of fog", end, -2 * reach, 2 * reach, "fog is full at %.1f Å");
+    const bool startMoved = slide(ui, "Start of fog", start, -2 * reach, 2 * reach, "Fog begins at %.1f Å");
+    const bool endMoved = slide(ui, "End of fog", end, -2 * reach, 2 * reach, "Fog is full at %.1f Å");
     if (fits != was) fog.range = fits ? Fog::Range::automatic : Fog::Range::given;
     if (startMoved || endMoved) fog.range = Fog::Range::given;
     if (fog.range != Fog::Range::given) {
@@ -74,10 +74,10 @@ void slidePlanes(Widgets& ui, Clip& clip, double radius) {
     const double reach = std::ceil(radius);
     double near = std::max(clip.near, -reach), far = std::min(clip.far, reach);
     if (slide(ui, "Cut before", near, -reach, reach,
-              clip.near > -Clip::kNone ? "cut before %.1f Å" : "cut nothing before"))
+              clip.near > -Clip::kNone ? "Cut before %.1f Å" : "Cut nothing before"))
         clip.near = near <= -reach ? -Clip::kNone : near;
     if (slide(ui, "Cut behind", far, -reach, reach,
-              clip.far < Clip::kNone ? "cut behind %.1f Å" : "cut nothing behind"))
+              clip.far < Clip::kNone ? "Cut behind %.1f Å" : "Cut nothing behind"))
         clip.far = far >= reach ? Clip::kNone : far;
     // Whichever moved, the other gives way.
     if (clip.near >= clip.far) clip.far = Clip::kNone;
@@ -89,11 +89,11 @@ void Panel::drawEffects(SavedView& look, double radius) {
     Widgets& ui = state_->ui;
     Effects& e = look.effects;
     if (ui.unfold("Light, lines, fog")) {
-        slide(ui, "Light all around", e.light.ambient, 0, 2, "light all around %.2f");
-        slide(ui, "Light from a side", e.light.direct, 0, 2, "light from a side %.2f");
-        slide(ui, "Shadow", e.shadow.strength, 0, 1, e.shadow.strength > 0 ? "shadow %.2f" : "no shadow");
-        slide(ui, "Highlight", e.light.highlight, 0, 6, "highlight %.2f");
-        slide(ui, "Occlusion", e.light.occlusion, 0, 1, "occlusion %.2f");
+        slide(ui, "Light all around", e.light.ambient, 0, 2, "Light all around %.2f");
+        slide(ui, "Light from a side", e.light.direct, 0, 2, "Light from a side %.2f");
+        slide(ui, "Shadow", e.shadow.strength, 0, 1, e.shadow.strength > 0 ? "Shadow %.2f" : "No shadow");
+        slide(ui, "Highlight", e.light.highlight, 0, 6, "Highlight %.2f");
+        slide(ui, "Strength of soft shadows", e.light.occlusion, 0, 1, "Soft shadows %.2f");
         slideLines(ui, e.contours);
         slideHalos(ui, e.halos);
         slideFog(ui, e.fog, radius);

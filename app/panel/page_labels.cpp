@@ -1,10 +1,21 @@
 // Words in the picture: labels, measurements, title, scale and legend. All of them are saved with it.
 
 #include <cstdio>
+#include <string>
 
 #include "app/panel/panel_state.h"
 
 namespace nacre::app {
+namespace {
+
+/// What a measurement is of and says; while its atoms are not drawn, what it is of as it was written.
+std::string rowText(const Measure& measure, const PlacedWords& placed) {
+    for (const PlacedMeasure& at : placed.measures)
+        if (at.of == measure.text) return at.text + ", " + at.atoms;
+    return "Atoms " + measure.text;
+}
+
+}  // namespace
 
 void Panel::drawLabelsPage(SavedView& look, Viewer& viewer) {
     Widgets& ui = state_->ui;
@@ -50,7 +61,7 @@ void Panel::drawLabelsPage(SavedView& look, Viewer& viewer) {
     };
     std::vector<Measure>& measures = look.words.measures;
     for (std::size_t i = 0; i < measures.size(); ++i)
-        if (row(static_cast<int>(i), "Atoms " + measures[i].text)) {
+        if (row(static_cast<int>(i), rowText(measures[i], viewer.words()))) {
             measures.erase(measures.begin() + static_cast<std::ptrdiff_t>(i));
             break;
         }

@@ -99,9 +99,9 @@ void Panel::drawStyles(SavedView& look) {
         second = !second;
     }
     if (shows(Style::cartoon, look.look))
-        slideOpacity(ui, "Opacity of ribbons", "ribbons %.2f", look.look.cartoonOpacity);
+        slideOpacity(ui, "Opacity of ribbons", "Ribbons: opacity %.2f", look.look.cartoonOpacity);
     if (shows(Style::surface, look.look))
-        slideOpacity(ui, "Opacity of the surface", "surface %.2f", look.look.surfaceOpacity);
+        slideOpacity(ui, "Opacity of the surface", "Surface: opacity %.2f", look.look.surfaceOpacity);
 }
 
 void Panel::drawColors(SavedView& look) {

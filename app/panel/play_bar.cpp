@@ -16,7 +16,7 @@ constexpr float kNarrowPoints = 460;     // under it the text has a line of its 
 constexpr float kTextPointsOfBar = 190;  // of the text beside the slider
 constexpr int kMostSmoothing = 25;       // that the slider offers
 
-constexpr std::array kOrders = {"Again and again", "To and fro", "Once"};
+constexpr std::array kOrders = {"Loop", "Back and forth", "Once"};
 constexpr std::array kFits = {"Frames as they are", "Lay backbones together", "Lay all atoms together"};
 constexpr std::array kFitSelections = {"", "backbone", "all"};
 

@@ -71,7 +71,7 @@ void Panel::drawStart(Viewer& viewer, double now) {
         if (ui.button(Icon::play, words.c_str(), fits ? 0 : -1, !host_.openDialog)) host_.goOn();
         ui.controls.back().cut = false;  // a long name is shortened, as everywhere
     }
-    if (!forFingers()) ui.caption("Or drop a file on this window.");
+    if (!forFingers()) ui.caption(host_.openDialog ? "Or drop a file on this window." : "Drop a file on this window.");
     if (!forFingers() || (host_.downloads && ui.typable())) {
         ui.heading(forFingers()      ? "From a database"
                    : host_.downloads ? "From a database, or by its path"

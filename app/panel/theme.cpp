@@ -13,16 +13,14 @@ ImVec4 rgb(unsigned value, float alpha = 1) {
 }  // namespace
 
 const Theme& darkTheme() {
-    static const Theme theme{true,          rgb(0x171a1f), rgb(0x21252b), rgb(0x2d323a), rgb(0x3a414c),
-                             rgb(0x434b57), rgb(0xf4f6f8), rgb(0xbcc3cb), rgb(0x2a68ad), rgb(0xffffff),
-                             rgb(0x78bdff), rgb(0xffcc73), rgb(0x2a68ad)};
+    static const Theme theme{true,          rgb(0x171a1f), rgb(0x21252b), rgb(0x2d323a), rgb(0x3a414c), rgb(0x434b57),
+                             rgb(0xf4f6f8), rgb(0xbcc3cb), rgb(0x2a68ad), rgb(0xffffff), rgb(0x78bdff), rgb(0xffcc73)};
     return theme;
 }
 
 const Theme& lightTheme() {
-    static const Theme theme{false,         rgb(0xfafbfc), rgb(0xf0f2f5), rgb(0xe3e7ec), rgb(0xd3d9e1),
-                             rgb(0xb4bcc7), rgb(0x14171b), rgb(0x474f59), rgb(0x1f61ab), rgb(0xffffff),
-                             rgb(0x1a5fae), rgb(0x7a4300), rgb(0x8fb9ea)};
+    static const Theme theme{false,         rgb(0xfafbfc), rgb(0xf0f2f5), rgb(0xe3e7ec), rgb(0xd3d9e1), rgb(0xb4bcc7),
+                             rgb(0x14171b), rgb(0x474f59), rgb(0x1f61ab), rgb(0xffffff), rgb(0x1a5fae), rgb(0x7a4300)};
     return theme;
 }
 
@@ -72,8 +70,6 @@ void setPanelStyle(const Theme& theme, float pixelsPerPoint, bool fingers) {
     for (const int which : {ImGuiCol_FrameBgActive, ImGuiCol_ButtonActive, ImGuiCol_HeaderActive})
         colors[which] = theme.hovered;
     colors[ImGuiCol_CheckMark] = theme.mark;
-    // Words of sliders stand upon it.
-    colors[ImGuiCol_SliderGrab] = colors[ImGuiCol_SliderGrabActive] = theme.grab;
     colors[ImGuiCol_NavHighlight] = theme.mark;
     colors[ImGuiCol_PlotHistogram] = theme.accent;
     colors[ImGuiCol_TextSelectedBg] = theme.accent;

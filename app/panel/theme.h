@@ -20,9 +20,8 @@ struct Theme {
     ImVec4 faint;     ///< explanations
     ImVec4 accent;    ///< of what is chosen
     ImVec4 onAccent;  ///< text upon it
-    ImVec4 mark;      ///< of switches, and of the focus
+    ImVec4 mark;      ///< of switches and sliders, and of the focus
     ImVec4 warning;   ///< text
-    ImVec4 grab;      ///< of sliders, below their words
 };
 const Theme& darkTheme();
 const Theme& lightTheme();

@@ -243,38 +243,6 @@ bool Widgets::choose(const char* name, std::span<const char* const> choices, std
     return taken;
 }
 
-bool Widgets::slide(const char* name, float& value, float low, float high, const char* format, int flags) {
-    ImGui::PushID(name);
-    ImGui::SetNextItemWidth(-1);
-    const bool moved = ImGui::SliderFloat("##slider", &value, low, high, format, flags | ImGuiSliderFlags_AlwaysClamp);
-    ImGui::PopID();
-    char text[64];
-    std::snprintf(text, sizeof text, "%.2f", static_cast<double>(value));
-    note("slider", name, text);
-    if ((flags & ImGuiSliderFlags_Logarithmic) == 0) controls.back().share = (value - low) / (high - low);
-    return moved;
-}
-
-bool Widgets::slideWhole(const char* name, int& value, int low, int high, const char* format) {
-    ImGui::PushID(name);
-    const bool moved = ImGui::SliderInt("##slider", &value, low, high, format, ImGuiSliderFlags_AlwaysClamp);
-    ImGui::PopID();
-    note("slider", name, std::to_string(value));
-    controls.back().share = static_cast<float>(value - low) / static_cast<float>(std::max(high - low, 1));
-    return moved;
-}
-
-bool Widgets::slideRate(const char* name, float& value, float low, float high, const char* format) {
-    ImGui::PushID(name);
-    const bool moved = ImGui::SliderFloat("##slider", &value, low, high, format,
-                                          ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_Logarithmic);
-    ImGui::PopID();
-    char text[64];
-    std::snprintf(text, sizeof text, format, static_cast<double>(value));
-    note("slider", name, text);
-    return moved;
-}
-
 bool Widgets::field(const char* name, const char* hint, char* buffer, std::size_t size, float width, int flags) {
     if (fingers_ && askText) return askedField(name, hint, buffer, size, width);
     ImGui::PushID(name);

@@ -45,7 +45,7 @@ public:
     /// One of several choices: a drop-down list for a mouse, one that unfolds in place for fingers.
     /// @returns whether another one was taken
     bool choose(const char* name, std::span<const char* const> choices, std::string& current, float width = -1);
-    /// A number. @param format  says it in words: "fog %.2f"
+    /// A number (sliders.cpp). @param format  says it in words: "Fog %.2f"
     bool slide(const char* name, float& value, float low, float high, const char* format, int flags = 0);
     bool slideWhole(const char* name, int& value, int low, int high, const char* format);
     /// A number that counts by its ratio. Its width is what ImGui::SetNextItemWidth() said.
@@ -97,6 +97,9 @@ public:
 
 private:
     void countLines();
+    template <typename Slide>
+    bool slider(const char* name, Slide&& slide);
+    bool drawSlider(float share, const std::string& words, const std::string& number);
     bool askedField(const char* name, const char* hint, char* buffer, std::size_t size, float width);
 
     bool edited_ = false;   // the field that was drawn last

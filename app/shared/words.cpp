@@ -238,6 +238,18 @@ void placeLabel(const Label& label, const Molecule& molecule, const DrawnAtoms& 
     }
 }
 
+/// "HIS 87 NE2", or what there is of it.
+std::string shortAtomText(const Molecule& molecule, std::uint32_t index) {
+    const Atom& atom = molecule.atoms[index];
+    const Residue& residue = molecule.residues[atom.residue];
+    std::string text;
+    if (!residue.name.view().empty()) text = std::string(residue.name.view()) + " " + std::to_string(residue.number);
+    if (residue.insertionCode) text += residue.insertionCode;
+    const std::string name(atom.name.view());
+    if (name.empty()) return text + (text.empty() ? "atom " : ", atom ") + std::to_string(index + 1);
+    return text + (text.empty() ? "" : " ") + name;
+}
+
 void placeMeasure(const Measure& measure, const Molecule& molecule, const DrawnAtoms& drawn, WordsOfHidden hidden,
                   PlacedWords& placed) {
     PlacedMeasure result;
@@ -248,7 +260,9 @@ void placeMeasure(const Measure& measure, const Molecule& molecule, const DrawnA
             throw Error("cannot measure", point.text,
                         "it has " + std::to_string(atoms.size()) + " drawn atoms, where one is needed (name CA, say)");
         result.points.push_back(drawn.places[atoms.front()].at);
+        result.atoms += (result.atoms.empty() ? "" : " to ") + shortAtomText(molecule, atoms.front());
     }
+    result.of = measure.text;
     result.text = measuredValue(result.points);
     placed.measures.push_back(std::move(result));
 }

@@ -79,6 +79,8 @@ struct PlacedLabel {
 struct PlacedMeasure {
     std::vector<glm::dvec3> points;
     std::string text;
+    std::string of = {};     ///< Measure::text
+    std::string atoms = {};  ///< by their names: "HIS 87 NE2 to HEM 142 FE"
 };
 
 /// What a scene has of the words.

@@ -188,7 +188,6 @@ TEST(Panel, TextStandsOutFromWhatItStandsOn) {
             EXPECT_GE(contrast(theme->faint, *ground), 4.5) << theme->dark << " " << (ground - &theme->ground);
         }
         EXPECT_GE(contrast(theme->warning, theme->ground), 4.5);
-        EXPECT_GE(contrast(theme->text, theme->grab), 4.5);
         EXPECT_GE(contrast(theme->onAccent, theme->accent), 4.5);
         EXPECT_GE(contrast(theme->mark, theme->ground), 3);
         EXPECT_GE(contrast(theme->mark, theme->field), 3);

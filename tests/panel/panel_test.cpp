@@ -372,5 +372,29 @@ TEST(Panel, LinesHalosAndFogHaveSlidersAndColours) {
     EXPECT_EQ(parseSavedView(savedViewJson(b.viewer.view()), "view").effects, effects());
 }
 
+TEST(Panel, MeasurementsAreToldByTheirAtoms) {
+    Bench b("sample:dna", kUsual);
+    SavedView look = b.viewer.view();
+    look.words.measures.push_back(parseMeasure("chain A and resi 1 and name C1',chain B and resi 24 and name C1'"));
+    b.viewer.setLook(look, b.now);
+    b.panel.showPage(Panel::Page::labels);
+    b.settle();
+    const auto told = [&](const std::string& words) {
+        return std::any_of(b.panel.controls().begin(), b.panel.controls().end(), [&](const Control& c) {
+            return c.role == "text" && c.name.find(words) != std::string::npos;
+        });
+    };
+    EXPECT_TRUE(told(" Å, DC 1 C1' to DG 24 C1'"));
+    EXPECT_FALSE(told("Atoms "));
+    // Of what is not drawn nothing is measured: the row stays, so that it can be removed.
+    b.viewer.run(ViewerCommand::undo, b.now);
+    look.look.rules.push_back(parseHide("chain B"));
+    b.viewer.setLook(look, b.now);
+    b.settle();
+    EXPECT_TRUE(told("Atoms chain A and resi 1 and name C1',chain B"));
+    b.click("Remove");
+    EXPECT_TRUE(b.viewer.view().words.measures.empty());
+}
+
 }  // namespace
 }  // namespace nacre::app::test

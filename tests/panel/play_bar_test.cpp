@@ -72,7 +72,7 @@ TEST(PlayBar, StepsPlaysAndScrubs) {
     EXPECT_TRUE(b.find("Pause"));
     b.click("How it is played");
     b.click("Order");
-    b.click("To and fro");
+    b.click("Back and forth");
     EXPECT_EQ(b.viewer.playback().order(), PlayOrder::toAndFro);
     b.click("Pause");
     b.click("Fit");

@@ -95,6 +95,8 @@ TEST(Words, MeasuresAreThoseOfTheWindow) {
     EXPECT_EQ(placed.measures[0].text, distance);
     EXPECT_NE(placed.measures[1].text.find("°"), std::string::npos);
     EXPECT_EQ(placed.measures[2].points.size(), 4u);
+    EXPECT_EQ(placed.measures[3].of, words.measures[3].text);
+    EXPECT_EQ(placed.measures[3].atoms, "DC 1 C1' to DG 24 C1'");
 }
 
 TEST(Words, MarkupRaisesAndLowers) {
