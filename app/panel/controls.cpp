@@ -29,8 +29,9 @@ std::optional<std::size_t> nextStop(const std::vector<Control>& controls, bool b
 std::optional<glm::dvec2> placeOfStep(const std::vector<Control>& controls, const std::string& name, bool up) {
     const Control* c = findControl(controls, "slider", name);
     if (!c || c->share < 0) return std::nullopt;
-    const double share = std::clamp(c->share + (up ? 0.1f : -0.1f), 0.02f, 0.98f);
-    return glm::dvec2(c->left + share * (c->right - c->left), (c->seenTop + c->seenBottom) / 2);
+    const double share = std::clamp(c->share + (up ? 0.1f : -0.1f), 0.0f, 1.0f);
+    return glm::dvec2(c->left + c->inset + share * (c->right - c->left - 2 * c->inset),
+                      (c->seenTop + c->seenBottom) / 2);
 }
 
 std::string controlLines(const std::vector<Control>& controls) {

@@ -18,6 +18,7 @@ struct Control {
     bool cut = false;    ///< its words had no room
     float lines = 1;     ///< of text
     float share = -1;    ///< of a slider: where it stands, 0 to 1
+    float inset = 0;     ///< of a slider: from its sides to the ends of its track, pixels
     std::string window;  ///< that it stands in
 
     bool seen() const { return seenRight > seenLeft && seenBottom > seenTop; }

@@ -35,6 +35,7 @@ void Panel::drawHelp() {
     ui.heading(forFingers() ? "Fingers" : "Mouse and trackpad");
     for (const PointerBinding& b : pointerBindings())
         if (const char* hand = forFingers() ? b.touch : b.mouse) line(hand, b.what);
+    if (!forFingers()) line("double click a slider", "Type its number");
     if (host_.shakes) line("shake", "Undo");
     if (!forFingers()) {
         ui.heading("Keys");

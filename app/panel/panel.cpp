@@ -108,11 +108,7 @@ const Overlay* Panel::draw(Viewer& viewer, PixelSize size, double now) {
     io.DisplaySize = ImVec2(static_cast<float>(size.width), static_cast<float>(size.height));
     io.DeltaTime = static_cast<float>(std::clamp(now - last_, 1e-3, 0.1));
     last_ = now;
-    // A click that came and went between two frames is still a click.
-    for (int i = 0; i < 3; ++i) {
-        io.MouseDown[i] = down_[i] || pressed_[i];
-        pressed_[i] = false;
-    }
+    pressButtons();
     if (restless_ > 0) --restless_;
     if (forFingers() && restless_ == 0 && !finger_) io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);  // the finger is gone
     window_ = {insets_.left, insets_.top, std::max(io.DisplaySize.x - insets_.right, insets_.left + 1),

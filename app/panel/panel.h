@@ -4,6 +4,7 @@
 // below it where the window is narrow or tall, and folds away. For a mouse everything is small and the panel stands
 // open; for fingers every widget is 48 points high, a button opens the panel, and a drag in it scrolls.
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -149,6 +150,7 @@ private:
     Rectangle freeRoom() const;
     void followFinger();
     void glide(float passed);
+    void pressButtons();
     void endKeys();
     void remember();
     void collect();
@@ -233,6 +235,8 @@ private:
     mutable bool glyphsChanged_ = false;
     bool down_[3] = {false, false, false}, pressed_[3] = {false, false, false};
     std::optional<Finger> finger_;
+    std::deque<glm::dvec2> taps_;      // pixels: not yet pressed
+    std::optional<glm::dvec2> tap_;    // pressed in the last frame
     float scroll_ = 0;                 // pixels that the finger dragged since the last frame
     float dragged_ = 0, gliding_ = 0;  // pixels a second: of the finger, and that the list goes on with
     std::vector<Rectangle> occupied_;

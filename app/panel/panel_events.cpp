@@ -179,13 +179,33 @@ bool Panel::touch(const TouchEvent& event) {
     finger_->at = event.at;
     restless_ = 3;
     if (event.phase == TouchPhase::moved) return true;
-    if (event.phase == TouchPhase::ended && !finger_->scrolls) {
-        ImGui::GetIO().MousePos = ImVec2(static_cast<float>(pixel.x), static_cast<float>(pixel.y));
-        pressed_[0] = true;
-    }
+    if (event.phase == TouchPhase::ended && !finger_->scrolls) taps_.push_back(pixel);
     if (event.phase == TouchPhase::ended && finger_->scrolls) gliding_ = dragged_;
     finger_.reset();
     return true;
+}
+
+/// A click that came and went between two frames is still a click. A tap is pressed in one frame and let go in the
+/// next, where it was: one that comes meanwhile waits for its turn.
+void Panel::pressButtons() {
+    ImGuiIO& io = ImGui::GetIO();
+    for (std::size_t i = 0; i < std::size(down_); ++i) {
+        io.MouseDown[i] = down_[i] || pressed_[i];
+        pressed_[i] = false;
+    }
+    const auto moveTo = [&](const glm::dvec2& at) {
+        io.MousePos = ImVec2(static_cast<float>(at.x), static_cast<float>(at.y));
+    };
+    if (tap_) {
+        moveTo(*tap_);
+        tap_.reset();
+    } else if (!taps_.empty() && !io.MouseDown[0]) {
+        tap_ = taps_.front();
+        taps_.pop_front();
+        moveTo(*tap_);
+        io.MouseDown[0] = true;
+    }
+    if (tap_ || !taps_.empty()) restless_ = std::max(restless_, 3);
 }
 
 /// Keys that were pressed for one frame go up again.

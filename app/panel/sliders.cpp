@@ -65,7 +65,12 @@ bool Widgets::slider(const char* name, Slide&& slide) {
     const ImVec4 unseen(0, 0, 0, 0);
     for (const int which : {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive}) ImGui::PushStyleColor(which, unseen);
     ImGui::PushStyleColor(ImGuiCol_Text, typing ? theme_->text : unseen);
+    // A double click types a number, too, not Ctrl and a click alone.
+    ImGuiIO& io = ImGui::GetIO();
+    const bool control = io.KeyCtrl;
+    io.KeyCtrl = control || io.MouseDoubleClicked[0];
     const bool moved = slide();
+    io.KeyCtrl = control;
     ImGui::PopStyleColor(3);
     ImGui::PopID();
     return moved;
@@ -84,6 +89,7 @@ bool Widgets::slide(const char* name, float& value, float low, float high, const
     std::snprintf(told, sizeof told, "%.2f", static_cast<double>(value));
     note("slider", name, told);
     controls.back().cut = cut;
+    controls.back().inset = ImGui::GetStyle().FramePadding.x;
     if (!byRatio) controls.back().share = share;
     return moved;
 }
@@ -97,6 +103,7 @@ bool Widgets::slideWhole(const char* name, int& value, int low, int high, const 
     const bool cut = drawSlider(share, text.words, text.number);
     note("slider", name, std::to_string(value));
     controls.back().cut = cut;
+    controls.back().inset = ImGui::GetStyle().FramePadding.x;
     controls.back().share = share;
     return moved;
 }

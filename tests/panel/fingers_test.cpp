@@ -173,5 +173,37 @@ TEST(Fingers, AreToldListsByOtherNamesThanTabs) {
     }
 }
 
+TEST(Fingers, ATapRightBehindAnotherIsOneOfItsOwn) {
+    Bench b("sample:dna", {1400, 1300}, 1, PanelHand::fingers);
+    b.panel.togglePanel();
+    SavedView look = b.viewer.view();
+    look.look.style = Style::surface;
+    b.viewer.setLook(look, b.now);
+    b.settle();
+    const auto tap = [&](glm::dvec2 at) {
+        b.panel.touch({1, TouchPhase::began, at});
+        b.panel.touch({1, TouchPhase::ended, at});
+    };
+    // What a screen reader steps a slider by.
+    const auto step = placeOfStep(b.panel.controls(), "Opacity of the surface", false);
+    const Control* after = b.find("Perspective");
+    ASSERT_TRUE(step && after);
+    const glm::dvec2 at(after->left + 10, (after->seenTop + after->seenBottom) / 2);
+    for (const bool frameBetween : {true, false}) {
+        tap(*step);
+        if (frameBetween) b.frame();
+        tap(at);
+        b.settle();
+        const bool on = frameBetween;
+        EXPECT_EQ(b.viewer.view().camera.projection, on ? Projection::perspective : Projection::orthographic);
+        EXPECT_NEAR(b.viewer.view().look.surfaceOpacity, 0.91, 0.015) << "the slider did not follow the second tap";
+    }
+    // A double tap is two presses.
+    tap(at);
+    tap(at);
+    b.settle();
+    EXPECT_EQ(b.viewer.view().camera.projection, Projection::orthographic);
+}
+
 }  // namespace
 }  // namespace nacre::app::test

@@ -396,5 +396,28 @@ TEST(Panel, MeasurementsAreToldByTheirAtoms) {
     EXPECT_TRUE(b.viewer.view().words.measures.empty());
 }
 
+TEST(Panel, ADoubleClickOnASliderTypesItsNumber) {
+    Bench b("sample:dna", kUsual);
+    SavedView look = b.viewer.view();
+    look.look.style = Style::cartoon;
+    b.viewer.setLook(look, b.now);
+    b.settle();
+    const Control* slider = b.find("Opacity of ribbons");
+    ASSERT_NE(slider, nullptr);
+    b.panel.pointer({(slider->left + slider->right) / 2, (slider->top + slider->bottom) / 2});
+    for (int i = 0; i < 2; ++i) {
+        b.panel.button(MouseButton::left, true);
+        b.frame();
+        b.panel.button(MouseButton::left, false);
+        b.frame();
+    }
+    ASSERT_TRUE(b.panel.ownsKeys());
+    for (const char c : std::string("0.25")) b.panel.character(static_cast<char32_t>(c)), b.frame();
+    b.press(SpecialKey::enter);
+    b.settle();
+    EXPECT_EQ(b.viewer.view().look.cartoonOpacity, 0.25);
+    EXPECT_FALSE(b.panel.ownsKeys());
+}
+
 }  // namespace
 }  // namespace nacre::app::test
