@@ -75,6 +75,7 @@ void Panel::drawRecord(Viewer& viewer, double now) {
     if (s.filmFormat > 0) ui.toggle("Transparent background", s.filmTransparent);
     ui.heading("Where to");
     ui.field("Film path", "film.mp4", s.film, sizeof s.film);
+    ui.folderOf(s.film);
     ImGui::Spacing();
     const bool can = s.film[0] != '\0' && (!views || s.keys.size() > 1) && (!video || host_.videos);
     ImGui::BeginDisabled(!can);

@@ -86,12 +86,7 @@ void Panel::drawSave(const Viewer& viewer) {
         ImGui::SameLine();
         if (ui.button(Icon::none, "Choose ...", choose)) host_.saveDialog(s.path);
     }
-    if (!forFingers()) {
-        std::error_code none;
-        const std::filesystem::path whole = std::filesystem::absolute(s.path, none);
-        if (!none && whole.has_parent_path())
-            ui.caption(shortened("In " + whole.parent_path().string(), ImGui::GetContentRegionAvail().x));
-    }
+    ui.folderOf(s.path);
     ImGui::Spacing();
     wish.transparent = s.transparent && s.format != kJpeg;
     wish.path = s.path;

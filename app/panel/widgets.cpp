@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 #include "app/panel/focus.h"
 
@@ -342,6 +343,18 @@ void Widgets::paragraph(const std::string& text) {
     ImGui::PopTextWrapPos();
     note("text", text);
     countLines();
+}
+
+void Widgets::folderOf(const char* path) {
+    if (fingers_) return;
+    std::error_code none;
+    const std::filesystem::path whole = std::filesystem::absolute(path, none).lexically_normal();
+    if (none || !whole.has_parent_path()) return;
+    ImGui::PushFont(fontOf(TextSize::caption));
+    const std::string shown =
+        shortened(visualText("In " + whole.parent_path().string()), ImGui::GetContentRegionAvail().x);
+    ImGui::PopFont();
+    caption(shown);
 }
 
 void Widgets::warning(const std::string& text) {

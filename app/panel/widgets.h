@@ -72,6 +72,8 @@ public:
     void title(const std::string& text, float right = 0);
     void caption(const std::string& text);
     void paragraph(const std::string& text);
+    /// The folder that a file goes to, on desktops. @param path  of the file, as it was typed
+    void folderOf(const char* path);
     void warning(const std::string& text);
     /// A bar, and below it what it tells. @param share  0 to 1
     void progress(double share, const std::string& text);
