@@ -41,6 +41,7 @@ const SavedView& Viewer::view() const {
 void Viewer::resize(PixelSize pixels, double pixelsPerPoint, double now) {
     size_ = {std::max(pixels.width, 1u), std::max(pixels.height, 1u)};
     scale_ = pixelsPerPoint;
+    hoverAgain(now);
     schedule_.windowChanged(now);
 }
 
@@ -51,8 +52,15 @@ void Viewer::mouseMove(glm::dvec2 at, double now) {
     const bool held = mouse_.held();
     apply(mouse_.move(at, freeOrigin() + glm::dvec2(v.width / 2, v.height / 2)), now);
     if (held) return pointerLeft();
-    hoverAt_ = at;
+    pointerAt_ = at;
     hoverDue_ = now + kHoverSeconds;
+}
+
+/// Something else may lie under the pointer by now: what did has no name any longer, and what does is looked for when
+/// it has come to rest.
+void Viewer::hoverAgain(double now) {
+    hovered_ = 0;
+    if (pointerAt_) hoverDue_ = now + kHoverSeconds;
 }
 
 void Viewer::mouseButton(MouseButton button, bool down, glm::dvec2 at, Modifiers with, double now) {
@@ -153,6 +161,7 @@ void Viewer::resume(double now) {
 void Viewer::setCovered(const Insets& pixels, double now) {
     if (pixels == covered_) return;
     covered_ = pixels;
+    hoverAgain(now);
     schedule_.windowChanged(now);
 }
 

@@ -211,6 +211,7 @@ private:
     void doubleTap(glm::dvec2 at, double now);
     std::optional<std::uint32_t> atomUnder(glm::dvec2 at, double reach, double now);
     void hover(double now);
+    void hoverAgain(double now);
     std::vector<std::uint32_t> markedAtoms(const std::vector<bool>& chosen) const;
     void placeSelection();
     glm::dvec2 pointOf(const glm::dvec3& place, const View& view) const;
@@ -245,7 +246,7 @@ private:
     double radius() const { return document_.molecule ? document_.radius : 1.0; }
     /// Share of it that is done of what there is: nothing has none.
     double bakedShare() const { return document_.molecule ? occlusion_ : 1.0; }
-    void changed(double now) { schedule_.pictureChanged(now); }
+    void changed(double now) { hoverAgain(now), schedule_.pictureChanged(now); }
 
     Screen& screen_;
     ViewerOptions options_;
@@ -270,9 +271,9 @@ private:
     std::vector<std::uint32_t> picks_, picksBefore_;  // atoms, from 0
     SelectedAtoms selected_;
     std::vector<glm::dvec3> selectedPlaces_;  // from the scene's centre
-    std::optional<glm::dvec2> hoverAt_;       // where the pointer rests
-    double hoverDue_ = 0;
-    std::uint32_t hovered_ = 0;  // atom, from 1
+    std::optional<glm::dvec2> pointerAt_;     // over the molecule
+    std::optional<double> hoverDue_;          // when what is there is looked for; empty: it is known
+    std::uint32_t hovered_ = 0;               // atom, from 1
     History history_;
     bool restoring_ = false;     // what is being read belongs to the view as it is
     bool unremembered_ = false;  // the view may differ from what the history has last

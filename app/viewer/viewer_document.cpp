@@ -181,7 +181,7 @@ void Viewer::tookDocument(double now) {
     putWords(now);
     if (another) select(step ? selected_.text : "");
     placeSelection();
-    hovered_ = 0;
+    hoverAgain(now);
     if (history_.empty())
         history_.begin(view());
     else if (!std::exchange(restoring_, false))

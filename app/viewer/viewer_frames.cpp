@@ -60,9 +60,9 @@ double Viewer::advance(double now) {
         message_.clear();
         schedule_.overlayChanged();
     }
-    if (hoverAt_ && now >= hoverDue_) hover(now);
+    if (hoverDue_ && now >= *hoverDue_) hover(now);
     double due = std::min(played, message_.empty() ? kNever : messageUntil_);
-    if (hoverAt_) due = std::min(due, hoverDue_);
+    if (hoverDue_) due = std::min(due, *hoverDue_);
     if (const auto wake = touches_.wake()) due = std::min(due, *wake);
     return due;
 }

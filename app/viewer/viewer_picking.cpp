@@ -95,17 +95,17 @@ void Viewer::doubleTap(glm::dvec2 at, double now) {
 }
 
 void Viewer::hover(double now) {
-    const glm::dvec2 at = *hoverAt_;
-    hoverAt_.reset();
-    if (motion_.moving()) return;
-    const std::uint32_t atom = atomUnder(at, kHoverPoints, now).value_or(0);
+    hoverDue_.reset();
+    if (motion_.moving() || !pointerAt_) return;
+    const std::uint32_t atom = atomUnder(*pointerAt_, kHoverPoints, now).value_or(0);
     if (atom == hovered_) return;
     hovered_ = atom;
     schedule_.overlayChanged();
 }
 
 void Viewer::pointerLeft() {
-    hoverAt_.reset();
+    pointerAt_.reset();
+    hoverDue_.reset();
     if (hovered_ == 0) return;
     hovered_ = 0;
     schedule_.overlayChanged();

@@ -166,7 +166,6 @@ void Viewer::showPlayed(double now) {
     if (view_.occlusionDirections) occlusion_ = 0;
     if (!view_.words.labels.empty() || !view_.words.measures.empty()) putWords(now);
     placeSelection();
-    hovered_ = 0;
     changed(now);
 }
 

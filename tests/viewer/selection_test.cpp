@@ -75,6 +75,32 @@ TEST(Pointing, ANameIsLookedForOnceThePointerRests) {
     EXPECT_EQ(s.viewer.annotations().hover, "");
 }
 
+TEST(Pointing, ANameGoesWithWhatMovesAwayUnderThePointer) {
+    Stand s;
+    s.screen.atom = 40;
+    s.viewer.mouseMove({300, 200}, s.now);
+    s.rest(1);
+    ASSERT_NE(s.viewer.annotations().hover.find("atom 40"), std::string::npos);
+    s.screen.atom = 41;
+    s.viewer.run(ViewerCommand::autoRotate, s.now);
+    s.rest(1);
+    EXPECT_EQ(s.viewer.annotations().hover, "") << "what turns has no name";
+    EXPECT_EQ(s.screen.asked, 1) << "and is not looked for in each frame";
+    s.viewer.run(ViewerCommand::autoRotate, s.now);
+    s.rest(2);
+    EXPECT_NE(s.viewer.annotations().hover.find("atom 41"), std::string::npos);
+    EXPECT_EQ(s.screen.asked, 2);
+    s.screen.atom = 42;
+    s.viewer.resize({500, 300}, 1, s.now);
+    s.rest(1);
+    EXPECT_NE(s.viewer.annotations().hover.find("atom 42"), std::string::npos);
+    s.viewer.pointerLeft();
+    s.viewer.resize({600, 400}, 1, s.now);
+    s.rest(1);
+    EXPECT_EQ(s.viewer.annotations().hover, "");
+    EXPECT_EQ(s.screen.asked, 3);
+}
+
 TEST(Pointing, AClickSelectsTheResidueAndOneBesideNothing) {
     Stand s;
     s.screen.atom = 1;
