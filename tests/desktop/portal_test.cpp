@@ -8,11 +8,13 @@
 
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <future>
 
 #include "app/desktop/file_dialog.h"
 #include "tests/desktop/environment.h"
+#include "tests/support/temporary_folder.h"
 
 namespace nacre::app {
 namespace {
@@ -53,8 +55,19 @@ private:
     std::string line_;
 };
 
-struct Session {
-    Companion bus{{"dbus-daemon", "--session", "--nofork", "--nosyslog", "--print-address"}};
+/// A bus that starts no services: a portal that is installed here stays out of it.
+class Session {
+    std::string settings() const {
+        std::ofstream(folder_ / "bus.conf")
+            << "<busconfig><type>session</type><listen>unix:dir=" << folder_.path() << "</listen><auth>EXTERNAL</auth>"
+            << "<policy context='default'><allow send_destination='*' eavesdrop='true'/><allow eavesdrop='true'/>"
+            << "<allow own='*'/></policy></busconfig>\n";
+        return "--config-file=" + (folder_ / "bus.conf");
+    }
+    const test::TemporaryFolder folder_;
+
+public:
+    Companion bus{{"dbus-daemon", settings(), "--nofork", "--nosyslog", "--print-address"}};
     Variable address{"DBUS_SESSION_BUS_ADDRESS", bus.line()};
 };
 
