@@ -4,7 +4,7 @@
 
 namespace nacre::app {
 
-/// Opens a window and stays until it is closed. @throws Error
+/// Opens a window and stays until it is closed, or a signal ends it: then, too, its state is kept. @throws Error
 void viewCommand(const ViewOptions& options);
 
 }  // namespace nacre::app

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <utility>
 
+#include "app/desktop/end_signals.h"
 #include "app/desktop/processes.h"
 #include "app/desktop/state_files.h"
 #include "app/download/molecule_sources.h"
@@ -61,7 +62,7 @@ WindowSession::WindowSession(const ViewOptions& options)
 }
 
 void WindowSession::loop() {
-    while (!window_.closing()) step(std::numeric_limits<double>::infinity());
+    while (!window_.closing() && !EndSignals::came()) step(std::numeric_limits<double>::infinity());
     saveState(viewer().view());
     rememberFile();
     if (!options_.stats.empty()) writeStats();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <csignal>
 #include <fstream>
 #include <glm/gtc/quaternion.hpp>
 #include <random>
@@ -259,6 +260,19 @@ TEST(Window, ADroppedFileIsShownAndABadOneIsToldOf) {
     EXPECT_EQ(session.quit(), 0) << session.errors();
     // The next window without INPUT goes on there.
     EXPECT_NE(contentOf(session.folder() / "state/nacre/view.json").find("two words.xyz"), std::string::npos);
+}
+
+TEST(Window, ALogOutKeepsWhatClosingKeeps) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "salt.xyz") << "2\nsalt\nNa 5 0 0\nCl 5 2.8 0\n";
+    for (const int signal : {SIGTERM, SIGINT}) {
+        XSession session((folder / "salt.xyz") + " --size 300x200");
+        EXPECT_EQ(session.end(signal), signal) << session.errors();
+        for (const char* kept : {"view.json", "recent.json"})
+            EXPECT_NE(contentOf(session.folder() / (std::string("state/nacre/") + kept)).find("salt.xyz"),
+                      std::string::npos)
+                << kept;
+    }
 }
 
 TEST(Window, WhatCannotBeReadIsAnErrorBeforeThereIsAWindow) {

@@ -352,16 +352,26 @@ bool XSession::waitForTitle(const std::string& text) const {
 
 int XSession::quit() {
     type("q");
+    const int status = awaitEnd();
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+int XSession::end(int signal) {
+    kill(nacre_, signal);
+    const int status = awaitEnd();
+    return WIFSIGNALED(status) ? WTERMSIG(status) : -WEXITSTATUS(status);
+}
+
+/// @returns as waitpid() tells it; after a minute it is stopped by force
+int XSession::awaitEnd() {
     const double end = now() + 60;
     int status = 0;
-    while (now() < end) {
-        if (waitpid(nacre_, &status, WNOHANG) == nacre_) {
-            nacre_ = -1;
-            return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-        }
+    while (waitpid(nacre_, &status, WNOHANG) != nacre_) {
+        if (now() > end) kill(nacre_, SIGKILL);
         sleep(0.05);
     }
-    return -1;
+    nacre_ = -1;
+    return status;
 }
 
 }  // namespace nacre::test

@@ -55,6 +55,8 @@ public:
     void sleep(double seconds) const;
     /// Types Q and waits. @returns the exit status of nacre; its standard error is errors()
     int quit();
+    /// Sends a signal and waits. @returns the one that nacre ended by, or the negative of its exit status
+    int end(int signal);
     std::string errors() const { return contentOf(folder_ / "log"); }
     nlohmann::json stats() const { return nlohmann::json::parse(contentOf(folder_ / "stats.json")); }
 
@@ -63,6 +65,7 @@ public:
 private:
     void startNacre(const std::string& arguments);
     void findWindow();
+    int awaitEnd();
 
     TemporaryFolder folder_;
     int nacre_ = -1;

@@ -1,0 +1,49 @@
+#include "app/desktop/end_signals.h"
+
+#include <unistd.h>
+
+#include <csignal>
+
+namespace nacre::app {
+namespace {
+
+constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
+
+volatile std::sig_atomic_t cameFirst = 0;
+int wakeUp[2] = {-1, -1};  // the handler's end of a pipe, and the thread's
+
+extern "C" void tellOfEnd(int signal) {
+    cameFirst = signal;
+    for (const int each : kSignals) std::signal(each, SIG_DFL);
+    const char byte = 1;
+    [[maybe_unused]] const auto written = write(wakeUp[1], &byte, 1);
+}
+
+}  // namespace
+
+EndSignals::EndSignals(void (*wake)()) {
+    cameFirst = 0;
+    if (pipe(wakeUp) != 0) return;  // they end the program, as ever
+    thread_ = std::thread([wake, from = wakeUp[0]] {
+        for (char byte = 0; read(from, &byte, 1) == 1 && byte == 1;) wake();
+    });
+    for (const int signal : kSignals)
+        // Where a parent has one ignored, as nohup does, it stays so.
+        if (struct sigaction now{}; sigaction(signal, nullptr, &now) == 0 && now.sa_handler != SIG_IGN)
+            std::signal(signal, tellOfEnd);
+}
+
+EndSignals::~EndSignals() {
+    if (!thread_.joinable()) return;
+    for (const int signal : kSignals)
+        if (struct sigaction now{}; sigaction(signal, nullptr, &now) == 0 && now.sa_handler == tellOfEnd)
+            std::signal(signal, SIG_DFL);
+    const char byte = 0;
+    [[maybe_unused]] const auto written = write(wakeUp[1], &byte, 1);
+    thread_.join();
+    for (const int end : wakeUp) close(end);
+}
+
+int EndSignals::came() { return cameFirst; }
+
+}  // namespace nacre::app
