@@ -104,6 +104,8 @@ void Renderer::moveScene(Representation representation) {
     });
 }
 
+void Renderer::makePipelinesAhead() { impl_->executor.makePipelinesAhead(); }
+
 Picture Renderer::render(const RenderSettings& settings) {
     return impl_->guarded([&] {
         impl_->occlusion.finish(settings.occlusion);

@@ -43,6 +43,10 @@ public:
     /// For each sphere of the scene whether any direction of the bake saw any of it; empty before the bake is done.
     std::vector<bool> seenSpheres() const;
 
+    /// From now on pipelines that the next passes of a picture are going to want are made on a thread of their own,
+    /// while the first is made. What goes wrong there goes wrong again, and is told, where they are wanted.
+    void makePipelinesAhead();
+
     /// @throws Error if the picture is larger than the device draws, or memory runs out
     Picture render(const RenderSettings& settings);
     /// A rectangle of the picture that render() draws, to the byte, which may be larger than the device draws.

@@ -17,6 +17,7 @@ void renderCommand(const RenderOptions& options) {
             "this device and driver are tried out, once: which ways of drawing are right on it, and how fast they are");
     };
     Renderer renderer(device);
+    renderer.makePipelinesAhead();
     job.draw(renderer);
     job.write();
 }

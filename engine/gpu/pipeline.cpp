@@ -170,11 +170,12 @@ bool samePipeline(const GraphicsPipeline& a, const GraphicsPipeline& b) {
            a.depth == b.depth && a.blend == b.blend && a.ordered == b.ordered && a.strip == b.strip;
 }
 
-namespace {
-
-bool same(const ComputePipeline& a, const ComputePipeline& b) {
+bool samePipeline(const ComputePipeline& a, const ComputePipeline& b) {
     return sameTable(a.code, b.code) && a.constants == b.constants && a.layout == b.layout;
 }
+
+namespace {
+
 bool same(const LayoutDescription& a, const LayoutDescription& b) {
     return std::ranges::equal(a.bindings, b.bindings) && a.stages == b.stages &&
            a.pushConstantBytes == b.pushConstantBytes && a.counter == b.counter && a.ofVertices == b.ofVertices;
@@ -197,6 +198,12 @@ void Pipelines::want(const GraphicsPipeline& description) {
         worker_->want(description);
 }
 
+void Pipelines::want(const ComputePipeline& description) {
+    if (worker_ &&
+        std::ranges::none_of(compute_, [&](const auto& m) { return samePipeline(m.description, description); }))
+        worker_->want(description);
+}
+
 vk::Pipeline Pipelines::graphics(const GraphicsPipeline& description) {
     for (const auto& made : graphics_)
         if (samePipeline(made.description, description)) return *made.pipeline;
@@ -210,10 +217,12 @@ vk::Pipeline Pipelines::graphics(const GraphicsPipeline& description) {
 
 vk::Pipeline Pipelines::compute(const ComputePipeline& description) {
     for (const auto& made : compute_)
-        if (same(made.description, description)) return *made.pipeline;
+        if (samePipeline(made.description, description)) return *made.pipeline;
+    std::optional<vk::raii::Pipeline> made = worker_ ? worker_->take(description) : std::nullopt;
+    if (!made) made = makePipeline(device_, description);
     ComputePipeline kept = description;
     kept.name = {};
-    compute_.push_back({kept, makePipeline(device_, description)});
+    compute_.push_back({kept, std::move(*made)});
     return *compute_.back().pipeline;
 }
 

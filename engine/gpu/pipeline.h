@@ -101,6 +101,7 @@ Layout makeLayout(const Device& device, const LayoutDescription& description);
 
 /// Names are for people: two pipelines that differ by them alone are the same.
 bool samePipeline(const GraphicsPipeline& a, const GraphicsPipeline& b);
+bool samePipeline(const ComputePipeline& a, const ComputePipeline& b);
 
 class PipelineWorker;
 
@@ -114,8 +115,10 @@ public:
     /// From now on what is likely to be asked for next is made on a thread of its own, until endAhead().
     void makeAhead();
     void endAhead();
+    bool makesAhead() const { return worker_ != nullptr; }
     /// To be made so, unless it is there; nothing where nobody makes pipelines ahead.
     void want(const GraphicsPipeline& description);
+    void want(const ComputePipeline& description);
 
     vk::Pipeline graphics(const GraphicsPipeline& description);
     /// @param next  returns what is likely to be asked for after this one; called where it is new and somebody makes

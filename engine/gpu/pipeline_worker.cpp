@@ -13,26 +13,36 @@ PipelineWorker::~PipelineWorker() {
     if (thread_.joinable()) thread_.join();
 }
 
-std::list<PipelineWorker::Wanted>::iterator PipelineWorker::find(const GraphicsPipeline& description) {
-    return std::ranges::find_if(wanted_, [&](const Wanted& w) { return samePipeline(w.description, description); });
+namespace {
+
+bool same(const PipelineDescription& a, const PipelineDescription& b) {
+    if (const auto* graphics = std::get_if<GraphicsPipeline>(&a))
+        return std::holds_alternative<GraphicsPipeline>(b) && samePipeline(*graphics, std::get<GraphicsPipeline>(b));
+    return std::holds_alternative<ComputePipeline>(b) &&
+           samePipeline(std::get<ComputePipeline>(a), std::get<ComputePipeline>(b));
 }
 
-void PipelineWorker::want(const GraphicsPipeline& description) {
+}  // namespace
+
+std::list<PipelineWorker::Wanted>::iterator PipelineWorker::find(const PipelineDescription& description) {
+    return std::ranges::find_if(wanted_, [&](const Wanted& w) { return same(w.description, description); });
+}
+
+void PipelineWorker::want(const PipelineDescription& description) {
     {
         const std::lock_guard lock(mutex_);
         if (find(description) != wanted_.end()) return;
         Wanted& w = wanted_.emplace_back();
-        w.name = description.name;
-        w.detail = description.detail;
         w.description = description;
-        w.description.name = w.name;
-        w.description.detail = w.detail;
+        // Names are the caller's, and may go before it is made.
+        std::visit([&](auto& d) { w.name = d.name, d.name = w.name; }, w.description);
+        if (auto* d = std::get_if<GraphicsPipeline>(&w.description)) w.detail = d->detail, d->detail = w.detail;
     }
     changed_.notify_all();
     if (!thread_.joinable()) thread_ = std::thread([this] { run(); });
 }
 
-std::optional<vk::raii::Pipeline> PipelineWorker::take(const GraphicsPipeline& description) {
+std::optional<vk::raii::Pipeline> PipelineWorker::take(const PipelineDescription& description) {
     std::unique_lock lock(mutex_);
     const auto it = find(description);
     if (it == wanted_.end()) return std::nullopt;
@@ -56,7 +66,7 @@ void PipelineWorker::run() {
         lock.unlock();
         State state = State::failed;  // then the frame that wants it makes it, and tells why it cannot
         try {
-            w.pipeline = makePipeline(device_, w.description);
+            w.pipeline = std::visit([&](const auto& d) { return makePipeline(device_, d); }, w.description);
             state = State::made;
         } catch (const std::exception&) {
         }

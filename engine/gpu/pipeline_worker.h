@@ -1,6 +1,6 @@
 #pragma once
 // Pipelines that are made on a thread of their own before a frame asks for them, so that none waits for a driver that
-// compiles: what a zoom is going to want.
+// compiles: what a zoom is going to want, or the next pass of the same picture.
 
 #include <condition_variable>
 #include <list>
@@ -8,10 +8,13 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <variant>
 
 #include "engine/gpu/pipeline.h"
 
 namespace nacre::gpu {
+
+using PipelineDescription = std::variant<GraphicsPipeline, ComputePipeline>;
 
 class PipelineWorker {
 public:
@@ -22,21 +25,21 @@ public:
     PipelineWorker(const PipelineWorker&) = delete;
 
     /// To be made, in the order of the calls, unless it is already wanted.
-    void want(const GraphicsPipeline& description);
+    void want(const PipelineDescription& description);
     /// The pipeline if it was wanted and could be made, once. Waits for one that is being made; one that is not yet
     /// begun is the caller's to make.
-    std::optional<vk::raii::Pipeline> take(const GraphicsPipeline& description);
+    std::optional<vk::raii::Pipeline> take(const PipelineDescription& description);
 
 private:
     enum class State : std::uint8_t { waits, beingMade, made, failed };
     struct Wanted {
         std::string name, detail;
-        GraphicsPipeline description;
+        PipelineDescription description;
         State state = State::waits;
         vk::raii::Pipeline pipeline{nullptr};
     };
     void run();
-    std::list<Wanted>::iterator find(const GraphicsPipeline& description);
+    std::list<Wanted>::iterator find(const PipelineDescription& description);
 
     const Device& device_;
     std::mutex mutex_;

@@ -39,22 +39,55 @@ Stage sampleStage(bool texels, TileScene scene) {
     return {NACRE_TILE_STAGE(tileEdges, ), NACRE_TILE_STAGE(tileEdges, Counting)};
 }
 
+const gpu::Layout& findLayout(gpu::PassContext& context) {
+    return context.pipelines.layout({"edge pixels", context.device.caps().tiles.texels ? kFindTexels : kFindStorage,
+                                     kCompute, sizeof(layout::TileConstants)});
+}
+
+gpu::ComputePipeline findPipeline(gpu::PassContext& context, const SceneView& view) {
+    const gpu::TileCaps& caps = context.device.caps().tiles;
+    gpu::ComputePipeline d{"edge pixels",
+                           caps.texels ? shaders::tileEdgePixelsTexels : shaders::tileEdgePixelsStorage,
+                           {},
+                           *findLayout(context).pipeline};
+    d.constants.set(layout::kLanesId, caps.lanes);
+    setTileView(d.constants, view);
+    d.constants.set(layout::kEverywhereId, view.tiles->edges.everywhere);
+    d.constants.set(layout::kRowsId, view.tiles->shaded);
+    return d;
+}
+
+const gpu::Layout& sampleLayout(gpu::PassContext& context, const SceneView& view) {
+    const std::span<const Type> types =
+        context.device.caps().tiles.texels ? std::span<const Type>(kSampleTexels) : kSampleStorage;
+    return context.pipelines.layout(
+        {"edges by tiles", types, kCompute, sizeof(layout::TileConstants), view.fragments != nullptr});
+}
+
+gpu::ComputePipeline samplePipeline(gpu::PassContext& context, const SceneView& view) {
+    const gpu::TileCaps& caps = context.device.caps().tiles;
+    const Stage stage = sampleStage(caps.texels, tileScene(*view.buffers));
+    gpu::ComputePipeline d{"edge samples", stage.of(view), {}, *sampleLayout(context, view).pipeline};
+    setTileView(d.constants, view);
+    setShadingConstants(d.constants, view);
+    d.constants.set(layout::kLanesId, caps.lanes);
+    d.constants.set(layout::kListedId, view.tiles->edges.listed);
+    d.constants.set(layout::kRowsId, view.tiles->shaded);
+    return d;
+}
+
 }  // namespace
+
+void wantEdgesByTiles(gpu::PassContext& context, const SceneView& view) {
+    context.pipelines.want(samplePipeline(context, view));  // which takes a driver longer
+    context.pipelines.want(findPipeline(context, view));
+}
 
 void findEdgesByTiles(gpu::PassContext& context, const SceneView& view) {
     const TileFrame& f = *view.tiles;
-    const gpu::TileCaps& caps = context.device.caps().tiles;
     if (f.lists.tiles().empty()) return;
-    const gpu::Layout& layout = context.pipelines.layout(
-        {"edge pixels", caps.texels ? kFindTexels : kFindStorage, kCompute, sizeof(layout::TileConstants)});
-    gpu::ComputePipeline d{context.pass,
-                           caps.texels ? shaders::tileEdgePixelsTexels : shaders::tileEdgePixelsStorage,
-                           {},
-                           *layout.pipeline};
-    d.constants.set(layout::kLanesId, caps.lanes);
-    setTileView(d.constants, view);
-    d.constants.set(layout::kEverywhereId, f.edges.everywhere);
-    d.constants.set(layout::kRowsId, f.shaded);
+    const gpu::Layout& layout = findLayout(context);
+    const gpu::ComputePipeline d = findPipeline(context, view);
     context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, context.pipelines.compute(d));
     const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
     TileBindings bindings(context, set, 0);
@@ -71,18 +104,9 @@ void findEdgesByTiles(gpu::PassContext& context, const SceneView& view) {
 void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas) {
     const TileFrame& f = *view.tiles;
     const SceneBuffers& scene = *view.buffers;
-    const gpu::TileCaps& caps = context.device.caps().tiles;
     if (f.lists.tiles().empty()) return;
-    const std::span<const Type> types = caps.texels ? std::span<const Type>(kSampleTexels) : kSampleStorage;
-    const gpu::Layout& layout = context.pipelines.layout(
-        {"edges by tiles", types, kCompute, sizeof(layout::TileConstants), view.fragments != nullptr});
-    const Stage stage = sampleStage(caps.texels, tileScene(scene));
-    gpu::ComputePipeline d{context.pass, stage.of(view), {}, *layout.pipeline};
-    setTileView(d.constants, view);
-    setShadingConstants(d.constants, view);
-    d.constants.set(layout::kLanesId, caps.lanes);
-    d.constants.set(layout::kListedId, f.edges.listed);
-    d.constants.set(layout::kRowsId, f.shaded);
+    const gpu::Layout& layout = sampleLayout(context, view);
+    const gpu::ComputePipeline d = samplePipeline(context, view);
     context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, context.pipelines.compute(d));
     const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
     TileBindings bindings(context, set, 0);
@@ -97,7 +121,8 @@ void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::Imag
     bindings.store(f.shaded ? f.numbers.buffer : f.edges.colors.buffer);
     bindings.sample(shadowOf(context, view, atlas));
     // Never left unwritten, even where the shader reads none: lavapipe looks at it.
-    if (caps.texels) bindings.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
+    if (context.device.caps().tiles.texels)
+        bindings.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline, 0, set, {});
     bindCounter(context, view, layout, vk::PipelineBindPoint::eCompute);
     context.commands.pushConstants<layout::TileConstants>(*layout.pipeline, kCompute, 0, f.constants);

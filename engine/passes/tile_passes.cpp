@@ -2,6 +2,7 @@
 
 #include "engine/passes/primitives.h"
 #include "engine/passes/tile_bindings.h"
+#include "engine/passes/tile_edges.h"
 #include "shaders.h"
 
 namespace nacre::passes {
@@ -53,6 +54,7 @@ void findNearestByTiles(gpu::PassContext& context, const SceneView& view, std::o
                                                       : kNearestStorage;
     const gpu::Layout& layout =
         context.pipelines.layout({"nearest primitive by tiles", types, kCompute, sizeof(layout::TileConstants)});
+    if (f.edges.drawn && context.pipelines.makesAhead()) wantEdgesByTiles(context, view);
     const gpu::ShaderWords code = nearestShader(caps.texels, tileScene(scene), atlas.has_value());
     gpu::ComputePipeline d{context.pass, code, {}, *layout.pipeline};
     setTileView(d.constants, view);

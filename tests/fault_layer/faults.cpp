@@ -101,7 +101,7 @@ std::optional<VkResult> verdict(const char* function, bool runsOut, bool canBeLo
     const std::uint64_t site = callSite();
     if (runsOut) {
         ++s.counts["*"];
-        s.calls.push_back({function, site});
+        s.calls.push_back({function, site, std::this_thread::get_id()});
     }
     for (Rule& rule : s.rules) {
         if (!rule.concerns(function, runsOut) || !rule.strikes(s.counts[rule.function], function, site)) continue;

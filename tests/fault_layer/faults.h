@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace nacre::faults {
@@ -22,6 +23,7 @@ namespace nacre::faults {
 struct Call {
     std::string function;  ///< "vkCreateBuffer"
     std::uint64_t site;    ///< of the program: a hash of the addresses that it was called from
+    std::thread::id thread;
 };
 
 /// Forgets calls, faults and messages, and counts from 1 again.
