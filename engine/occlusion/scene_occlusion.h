@@ -57,7 +57,15 @@ private:
     /// Does some work on the bake. One that failed half way may have counted directions that it does not know of, and
     /// is dropped: the next begins anew.
     template <typename Work>
-    void orDrop(Work&& work);
+    void orDrop(Work&& work) {
+        try {
+            work();
+        } catch (...) {
+            dropFailed();
+            throw;
+        }
+    }
+    void dropFailed();
     /// What a thread of its own finds out of a bake before it can begin.
     struct Prepared {
         std::string cacheName;
