@@ -68,8 +68,21 @@ public:
     /// Pipelines that frames are likely to ask for next are made on a thread of its own from now on.
     void makePipelinesAhead() { pipelines_.makeAhead(); }
 
-    /// Has the pipelines of a graph made by that thread. The graph's passes know of PassContext::ahead.
+    bool makesPipelinesAhead() const { return pipelines_.makesAhead(); }
+    /// Whether that thread is still at what it was asked for.
+    bool makesPipelines() const { return pipelines_.busyAhead(); }
+
+    /// Has the pipelines of a graph made by that thread. The graph's passes know of PassContext::ahead, or bind none.
     void prepare(const graph::Graph& graph, const graph::Plan& plan);
+    /// The same of compute pipelines, outside any graph.
+    /// @param want  gets a context that is ahead
+    template <typename Want>
+    void prepare(const Want& want) {
+        const vk::raii::CommandBuffer none{nullptr};
+        PassContext context{none, device_, descriptors_, pipelines_, {}, {}};
+        context.ahead = true;
+        want(context);
+    }
 
     /// Records a graph as planned. Images of the same graph and name are kept from one execution to the next.
     /// For commands that are waited for before the next ones are recorded: their descriptor sets last until then.

@@ -192,6 +192,8 @@ void Pipelines::makeAhead() {
 
 void Pipelines::endAhead() { worker_.reset(); }
 
+bool Pipelines::busyAhead() const { return worker_ && worker_->busy(); }
+
 void Pipelines::want(const GraphicsPipeline& description) {
     if (worker_ &&
         std::ranges::none_of(graphics_, [&](const auto& m) { return samePipeline(m.description, description); }))

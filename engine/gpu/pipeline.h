@@ -116,6 +116,8 @@ public:
     void makeAhead();
     void endAhead();
     bool makesAhead() const { return worker_ != nullptr; }
+    /// Whether it is at that.
+    bool busyAhead() const;
     /// To be made so, unless it is there; nothing where nobody makes pipelines ahead.
     void want(const GraphicsPipeline& description);
     void want(const ComputePipeline& description);

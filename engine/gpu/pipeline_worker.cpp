@@ -53,6 +53,12 @@ std::optional<vk::raii::Pipeline> PipelineWorker::take(const PipelineDescription
     return pipeline;
 }
 
+bool PipelineWorker::busy() const {
+    const std::lock_guard lock(mutex_);
+    return std::ranges::any_of(wanted_,
+                               [](const Wanted& w) { return w.state == State::waits || w.state == State::beingMade; });
+}
+
 void PipelineWorker::run() {
     std::unique_lock lock(mutex_);
     for (;;) {

@@ -29,6 +29,8 @@ public:
     /// The pipeline if it was wanted and could be made, once. Waits for one that is being made; one that is not yet
     /// begun is the caller's to make.
     std::optional<vk::raii::Pipeline> take(const PipelineDescription& description);
+    /// Whether any that is wanted is still to be made.
+    bool busy() const;
 
 private:
     enum class State : std::uint8_t { waits, beingMade, made, failed };
@@ -42,7 +44,7 @@ private:
     std::list<Wanted>::iterator find(const PipelineDescription& description);
 
     const Device& device_;
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::condition_variable changed_;
     std::list<Wanted> wanted_;
     bool ends_ = false;

@@ -44,6 +44,10 @@ public:
     /// Sums -> atlas, for the directions done so far.
     void finish(gpu::Executor& executor);
 
+    /// Has the pipelines of what is to come made ahead, where somebody makes those.
+    /// @param least, most  what single submissions will take on
+    void wantPipelines(gpu::Executor& executor, const Allowance& least, const Allowance& most) const;
+
     // The same for who submits himself, in parts that a submission can take.
     /// Declares the next part: of as many directions as are allowed or, where not even one is, some of its primitives
     /// or texels. It is to run before anything else of the bake is called, and sliceDone() then.
@@ -98,10 +102,16 @@ private:
         std::uint64_t drawnThen = 0;  ///< when the slice has run
         std::size_t askedThen = 0;
     };
+    /// Maps in a batch that has so many directions.
+    static std::uint32_t batchFor(std::uint32_t directions) { return directions > 4 ? 16 : directions > 1 ? 4 : 1; }
     Work nextWork(const Allowance& allowance) const;
     std::uint64_t mostInstances(const Allowance& allowance) const;
+    static double unitsOf(const Work& work);
+    /// Or in parts.
+    bool drawnAtOnce(const Work& work, const Allowance& allowance) const;
     void makeBuffers(const OpenTexels& open);
     layout::OcclusionConstants constants() const;
+    Accumulation accumulation(OcclusionCopies::Run::Of of, std::uint32_t batch) const;
     /// Sticks throw thin shadows, which one tap misses: four stand for the directions between two of the set, which are
     /// the farther apart the fewer they are. @returns pixels; 0: one tap
     float spreadOfTaps() const;

@@ -24,9 +24,12 @@ double SceneOcclusion::advanceBeside(const OcclusionSettings& settings, const Oc
     orDrop([&] {
         prepareBeside(settings, !pace.mustFit);
         if (preparing_.valid()) {
-            if (preparing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) make();
+            constexpr double kAny = 1e300;  // the host lists no more for it than beside frames
+            if (preparing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+                make(allowed(pace.sliceMilliseconds), {DepthMaps::kMostPerBatch, kAny});
             return;  // the next call begins with it
         }
+        if (executor_.makesPipelines()) return;
         if (!bake_ || shown_ == 1) return;
         if (submission_ && submission_->pending()) {
             if (!submission_->done()) return;

@@ -65,6 +65,35 @@ float Bake::spreadOfVertices() const {
     return layout_.vertexCount <= kMost ? widestTaps() : spreadOfTaps();
 }
 
+/// How texels of a kind ask a batch's maps.
+Accumulation Bake::accumulation(OcclusionCopies::Run::Of of, std::uint32_t batch) const {
+    using Of = OcclusionCopies::Run::Of;
+    const Texels spheres = layout_.sphereEdge == 1 ? Texels::wholeSpheres : Texels::spheres;
+    const bool vertices = of == Of::vertices;
+    return {vertices              ? Texels::vertices
+            : of == Of::cylinders ? Texels::cylinders
+                                  : spheres,
+            batch,
+            maps_.encoded(),
+            maps_.tiles() != nullptr,
+            maps_.across(batch),
+            vertices ? spreadOfVertices() : spreadOfTaps()};
+}
+
+void Bake::wantPipelines(gpu::Executor& executor, const Allowance& least, const Allowance& most) const {
+    if (!executor.makesPipelinesAhead() || complete()) return;
+    const Work first = nextWork(least);
+    const std::uint32_t smallest = batchFor(first.count), largest = batchFor(nextWork(most).count);
+    executor.prepare([&](gpu::PassContext& c) {
+        for (std::uint32_t batch = smallest; batch <= largest; batch *= 4)
+            for (const OcclusionCopies::Run& run : copies_.runs)
+                if (run.count > 0) c.pipelines.want(accumulationPipeline(c, accumulation(run.of, batch)));
+        c.pipelines.want(finishPipeline(c));
+    });
+    // Last: whoever waits for the bake makes the first of them himself, meanwhile.
+    maps_.wantPipelines(executor, !drawnAtOnce(first, least));
+}
+
 vk::DescriptorSet Bake::accumulationSet(gpu::PassContext& context, std::optional<graph::Image> maps,
                                         std::uint32_t group) {
     const vk::DescriptorSet set =
@@ -94,7 +123,6 @@ void Bake::recordAccumulation(gpu::PassContext& context, std::optional<graph::Im
                               std::uint32_t model, std::size_t first, std::size_t end) {
     constexpr auto kCompute = vk::PipelineBindPoint::eCompute;
     const vk::PipelineLayout pipelineLayout = *accumulationLayout(context, !maps).pipeline;
-    const Texels spheres = layout_.sphereEdge == 1 ? Texels::wholeSpheres : Texels::spheres;
     layout::OcclusionConstants c = constants();
     std::vector<vk::DescriptorSet> sets(copies_.groups.size());
     std::size_t at = 0;  // of the model's texels
@@ -108,18 +136,10 @@ void Bake::recordAccumulation(gpu::PassContext& context, std::optional<graph::Im
         c.firstDirection = run.group * static_cast<std::uint32_t>(kGroupBytes / sizeof(glm::vec4));
         c.firstEntry = static_cast<std::uint32_t>(run.first + from);
         c.entries = static_cast<std::uint32_t>(to - from);
-        using Of = OcclusionCopies::Run::Of;
-        const bool vertices = run.of == Of::vertices;
         c.step = run.step;
-        const Accumulation what{vertices                  ? Texels::vertices
-                                : run.of == Of::cylinders ? Texels::cylinders
-                                                          : spheres,
-                                batch,
-                                maps_.encoded(),
-                                !maps,
-                                maps_.across(batch),
-                                vertices ? spreadOfVertices() : spreadOfTaps()};
-        context.commands.bindPipeline(kCompute, accumulationPipeline(context, what));
+        const Accumulation what = accumulation(run.of, batch);
+        const gpu::ComputePipeline pipeline = accumulationPipeline(context, what);
+        context.commands.bindPipeline(kCompute, context.pipelines.compute(pipeline));
         context.commands.bindDescriptorSets(kCompute, pipelineLayout, 0, sets[run.group], {});
         context.commands.pushConstants<layout::OcclusionConstants>(pipelineLayout, vk::ShaderStageFlagBits::eCompute, 0,
                                                                    c);
@@ -156,7 +176,7 @@ void Bake::declareFinish(graph::Graph& g, gpu::Imports& imports) {
         bind(device_, set, 0, Type::eStorageBuffer, *sums_.handle);
         bind(device_, set, 1, Type::eStorageBuffer, *words_.handle);
         bind(device_, set, 2, Type::eStorageBuffer, *bytes_.handle);
-        c.commands.bindPipeline(vk::PipelineBindPoint::eCompute, finishPipeline(c));
+        c.commands.bindPipeline(vk::PipelineBindPoint::eCompute, c.pipelines.compute(finishPipeline(c)));
         c.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *finishLayout(c).pipeline, 0, set, {});
         c.commands.pushConstants<std::uint32_t>(*finishLayout(c).pipeline, vk::ShaderStageFlagBits::eCompute, 0,
                                                 static_cast<std::uint32_t>(wordCount_));

@@ -17,8 +17,6 @@ constexpr std::uint64_t kMostListed = 65536;
 // So many directions tell which texels lie so deep that no light will come to matter: they stay dark, unasked.
 constexpr int kTellsDeepTexels = 32;
 
-std::uint32_t batchFor(std::uint32_t directions) { return directions > 4 ? 16 : directions > 1 ? 4 : 1; }
-
 }  // namespace
 
 void Bake::step(gpu::Executor& executor, std::uint32_t most) {
@@ -58,6 +56,14 @@ Bake::Work Bake::nextWork(const Allowance& allowance) const {
     return work;
 }
 
+double Bake::unitsOf(const Work& work) {
+    return work.count * (static_cast<double>(work.instances) * kUnitsOfInstance + static_cast<double>(work.texels));
+}
+
+bool Bake::drawnAtOnce(const Work& work, const Allowance& allowance) const {
+    return work.count > 1 || (unitsOf(work) <= allowance.units && work.instances <= mostInstances(allowance));
+}
+
 double Bake::declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowance& allowance) {
     if (!work_) {
         const Work next = nextWork(allowance);
@@ -79,13 +85,11 @@ double Bake::declareSlice(graph::Graph& g, gpu::Imports& imports, const Allowanc
         g.output(sums);  // the host drops deep texels by them
     };
     const std::uint64_t most = mostInstances(allowance);
-    const double drawing = static_cast<double>(w.instances) * kUnitsOfInstance;
-    const double whole = w.count * (drawing + static_cast<double>(w.texels));
-    if (w.drawn == 0 && (w.count > 1 || (whole <= allowance.units && w.instances <= most))) {
+    if (w.drawn == 0 && drawnAtOnce(w, allowance)) {
         w.drawnThen = w.instances;
         w.askedThen = w.texels;
         accumulate(maps_.declare(g, imports, frames, batch, w.model));
-        return std::max(whole, 1.0);
+        return std::max(unitsOf(w), 1.0);
     }
     // Parts of one direction: first all primitives are drawn, then all texels asked.
     if (w.drawn < w.instances) {

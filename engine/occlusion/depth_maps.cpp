@@ -170,8 +170,10 @@ graph::Record DepthMaps::eachMap(std::span<const glm::dmat3> frames, std::uint32
         const auto side = static_cast<float>(pixels());
         for (std::uint32_t i = 0; i < frames.size(); ++i) {
             const std::uint32_t x = i % across * pixels(), y = i / across * pixels();
-            c.commands.setViewport(0, vk::Viewport(static_cast<float>(x), static_cast<float>(y), side, side, 0, 1));
-            c.commands.setScissor(0, vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {pixels(), pixels()}));
+            if (!c.ahead) {
+                c.commands.setViewport(0, vk::Viewport(static_cast<float>(x), static_cast<float>(y), side, side, 0, 1));
+                c.commands.setScissor(0, vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {pixels(), pixels()}));
+            }
             passes::SceneView scene;
             scene.buffers = &scene_;
             scene.copies = placed(frames[i], model, part);
@@ -189,10 +191,9 @@ void DepthMaps::beginTiles(std::span<const glm::dmat3> frames, std::uint32_t mod
     tiles_->begin(maps);
 }
 
-/// @param maps  none: hardware depth is what they hold
-void DepthMaps::declareDrawn(graph::Graph& g, graph::Image depth, std::optional<graph::Image> maps,
-                             std::span<const glm::dmat3> frames, std::uint32_t across, std::uint32_t model,
-                             MapPart part) const {
+void DepthMaps::declareDrawn(graph::Graph& g, const Images& images, std::span<const glm::dmat3> frames,
+                             std::uint32_t across, std::uint32_t model, MapPart part) const {
+    const auto& [depth, maps] = images;
     std::optional<graph::Clear> clear, clearMaps;
     const graph::EncodedFormat& encoded = device_.caps().encoded;
     if (part.first == 0) clear = graph::Clear{1.0f}, clearMaps = graph::Clear{encoded.farthest};
@@ -212,19 +213,54 @@ void DepthMaps::declareDrawn(graph::Graph& g, graph::Image depth, std::optional<
             }));
 }
 
+DepthMaps::Images DepthMaps::addImages(graph::Graph& g, std::uint32_t across) const {
+    const graph::Extent extent{pixels() * across, pixels() * across};
+    const auto depth = g.image("depth maps' hardware depth", {VK_FORMAT_D32_SFLOAT, extent});
+    if (!encoded()) return {depth, {}};
+    return {depth, g.image("depth maps", {device_.caps().encoded.format, extent})};
+}
+
+DepthMaps::Images DepthMaps::addPartImages(graph::Graph& g, bool begins) const {
+    const graph::Extent extent{pixels(), pixels()};
+    const VkFormat format = encoded() ? device_.caps().encoded.format : VK_FORMAT_D32_SFLOAT;
+    const graph::Image map = g.importImage("depth map in parts", {format, extent}, kPartState, begins);
+    if (!encoded()) return {map, {}};
+    const graph::State depth = graph::stateOf(graph::Verb::depth, graph::PassKind::graphics);
+    return {g.importImage("its hardware depth", {VK_FORMAT_D32_SFLOAT, extent}, depth, begins), map};
+}
+
+void DepthMaps::wantPipelines(gpu::Executor& executor, bool parts) const {
+    if (tiles_) return executor.prepare([this](gpu::PassContext& c) { tiles_->wantPipelines(c); });
+    const glm::dmat3 frame(1);
+    // Render passes are compatible where the same comes before and after.
+    const auto prepare = [&](std::uint32_t model, MapPart part, const auto& add) {
+        graph::Graph g("occlusion ahead");
+        const Images images = add(g);
+        declareDrawn(g, images, {&frame, 1}, 1, model, part);
+        const auto state = graph::stateOf(graph::Verb::writes, graph::PassKind::compute);
+        const auto sums = g.importBuffer("occlusion sums", sizeof(glm::vec2), state);
+        g.compute("occlusion accumulation").samples(images.maps.value_or(images.depth)).writes(sums);
+        g.output(sums);
+        executor.prepare(g, graph::compile(g, device_.caps().plan));
+    };
+    for (std::uint32_t model = 0; model < models(); ++model) {
+        prepare(model, {}, [&](graph::Graph& g) { return addImages(g, 1); });
+        if (!parts) continue;
+        prepare(model, {}, [&](graph::Graph& g) { return addPartImages(g, true); });
+        prepare(model, {1}, [&](graph::Graph& g) { return addPartImages(g, false); });
+    }
+}
+
 DrawnMaps DepthMaps::declare(graph::Graph& g, gpu::Imports& imports, std::span<const glm::dmat3> frames,
                              std::uint32_t batch, std::uint32_t model) {
     const std::uint32_t across = mapsAcross(batch);
-    const graph::Extent extent{pixels() * across, pixels() * across};
     if (tiles_) {
         beginTiles(frames, model);
         return {{}, tiles_->declare(g, imports, 0, frames.size() * instances(model))};
     }
-    const auto depth = g.image("depth maps' hardware depth", {VK_FORMAT_D32_SFLOAT, extent});
-    std::optional<graph::Image> maps;
-    if (encoded()) maps = g.image("depth maps", {device_.caps().encoded.format, extent});
-    declareDrawn(g, depth, maps, frames, across, model, {});
-    return {maps ? maps : depth, {}};
+    const Images images = addImages(g, across);
+    declareDrawn(g, images, frames, across, model, {});
+    return {images.maps.value_or(images.depth), {}};
 }
 
 void DepthMaps::makePartImages() {
@@ -250,14 +286,10 @@ void DepthMaps::declarePart(graph::Graph& g, gpu::Imports& imports, std::span<co
     }
     makePartImages();
     const MapPart part{first, end};
-    const bool begins = first == 0;
-    const auto map = g.importImage("depth map in parts", partMap_.desc, kPartState, begins);
-    imports.bind(map, partMap_);
-    if (!encoded()) return declareDrawn(g, map, {}, frame, 1, model, part);
-    const auto depth = g.importImage("its hardware depth", partDepth_.desc,
-                                     graph::stateOf(graph::Verb::depth, graph::PassKind::graphics), begins);
-    imports.bind(depth, partDepth_);
-    declareDrawn(g, depth, map, frame, 1, model, part);
+    const Images images = addPartImages(g, first == 0);
+    imports.bind(images.maps.value_or(images.depth), partMap_);
+    if (images.maps) imports.bind(images.depth, partDepth_);
+    declareDrawn(g, images, frame, 1, model, part);
 }
 
 DrawnMaps DepthMaps::drawnParts(graph::Graph& g, gpu::Imports& imports) const {

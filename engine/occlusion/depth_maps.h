@@ -76,6 +76,9 @@ public:
                      std::uint64_t first, std::uint64_t end);
     /// What all parts have drawn, for the graphs that follow.
     DrawnMaps drawnParts(graph::Graph& g, gpu::Imports& imports) const;
+    /// Has the pipelines that draw them made ahead.
+    /// @param parts  some will be drawn in parts
+    void wantPipelines(gpu::Executor& executor, bool parts) const;
     /// Whether the maps hold encoded depth, not depth itself.
     bool encoded() const { return path_ == OcclusionMaps::encoded; }
     /// Drops the memory of the maps.
@@ -88,6 +91,13 @@ private:
     struct Runs {
         std::vector<ModelRun> spheres, cylinders, triangles;
     };
+    /// What is drawn into. No maps: hardware depth is what they hold.
+    struct Images {
+        graph::Image depth;
+        std::optional<graph::Image> maps;
+    };
+    Images addImages(graph::Graph& g, std::uint32_t across) const;
+    Images addPartImages(graph::Graph& g, bool begins) const;
     passes::PlacedCopies placed(const glm::dmat3& frame, std::uint32_t model, MapPart part = {}) const;
     layout::ViewConstants constants(const glm::dmat3& frame, std::uint32_t i, std::uint32_t across) const;
     /// Draws every map of a batch by a pass over the scene.
@@ -95,9 +105,8 @@ private:
     graph::Record eachMap(std::span<const glm::dmat3> frames, std::uint32_t across, std::uint32_t model, MapPart part,
                           Pass&& pass) const;
     void beginTiles(std::span<const glm::dmat3> frames, std::uint32_t model);
-    void declareDrawn(graph::Graph& g, graph::Image depth, std::optional<graph::Image> maps,
-                      std::span<const glm::dmat3> frames, std::uint32_t across, std::uint32_t model,
-                      MapPart part) const;
+    void declareDrawn(graph::Graph& g, const Images& images, std::span<const glm::dmat3> frames, std::uint32_t across,
+                      std::uint32_t model, MapPart part) const;
     void makePartImages();
 
     const gpu::Device& device_;

@@ -59,7 +59,7 @@ bool asksByPairs(const gpu::Caps& caps, const Accumulation& accumulation) {
     return caps.plan.loadsUniforms && !accumulation.heights && accumulation.texels != Texels::cylinders;
 }
 
-vk::Pipeline accumulationPipeline(gpu::PassContext& context, const Accumulation& accumulation) {
+gpu::ComputePipeline accumulationPipeline(gpu::PassContext& context, const Accumulation& accumulation) {
     const bool heights = accumulation.heights, pairs = asksByPairs(context.device.caps(), accumulation);
     gpu::ComputePipeline d{"occlusion accumulation, spheres",
                            NACRE_ACCUMULATION_OR_PAIRS(Sphere),
@@ -86,15 +86,14 @@ vk::Pipeline accumulationPipeline(gpu::PassContext& context, const Accumulation&
         d.constants.set(layout::kTapsId, 4u);
         d.constants.set(layout::kSpreadId, accumulation.spread);
     }
-    return context.pipelines.compute(d);
+    return d;
 }
 
-vk::Pipeline finishPipeline(gpu::PassContext& context) {
-    return context.pipelines.compute(
-        {"occlusion finish", shaders::occlusionFinish, {}, *finishLayout(context).pipeline});
+gpu::ComputePipeline finishPipeline(gpu::PassContext& context) {
+    return {"occlusion finish", shaders::occlusionFinish, {}, *finishLayout(context).pipeline};
 }
 
-vk::Pipeline tileMapsPipeline(gpu::PassContext& context, bool cylinders) {
+gpu::ComputePipeline tileMapsPipeline(gpu::PassContext& context, bool cylinders) {
     const bool texels = context.device.caps().tiles.texels;
     const auto code = texels ? (cylinders ? shaders::tileDepthTexelsCylinders : shaders::tileDepthTexelsSpheres)
                              : (cylinders ? shaders::tileDepthStorageCylinders : shaders::tileDepthStorageSpheres);
@@ -102,7 +101,7 @@ vk::Pipeline tileMapsPipeline(gpu::PassContext& context, bool cylinders) {
     d.constants.set(layout::kCopiesId, true);
     d.constants.set(layout::kTilesInBinId, TileLists::kTilesInBin);
     d.constants.set(layout::kLanesId, context.device.caps().tiles.lanes);
-    return context.pipelines.compute(d);
+    return d;
 }
 
 }  // namespace nacre::occlusion

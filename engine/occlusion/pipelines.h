@@ -29,13 +29,13 @@ struct Accumulation {
 const gpu::Layout& accumulationLayout(gpu::PassContext& context, bool heights);
 /// Whether an invocation takes two texels of a list.
 bool asksByPairs(const gpu::Caps& caps, const Accumulation& accumulation);
-vk::Pipeline accumulationPipeline(gpu::PassContext& context, const Accumulation& accumulation);
+gpu::ComputePipeline accumulationPipeline(gpu::PassContext& context, const Accumulation& accumulation);
 /// Storage buffers of sums, words and bytes.
 const gpu::Layout& finishLayout(gpu::PassContext& context);
-vk::Pipeline finishPipeline(gpu::PassContext& context);
+gpu::ComputePipeline finishPipeline(gpu::PassContext& context);
 /// Texels of shapes, rows of copies, lists and maps, and the maps once more, to be written.
 const gpu::Layout& tileMapsLayout(gpu::PassContext& context);
-vk::Pipeline tileMapsPipeline(gpu::PassContext& context, bool cylinders);
+gpu::ComputePipeline tileMapsPipeline(gpu::PassContext& context, bool cylinders);
 
 /// Maps in a row of the image of a batch.
 constexpr std::uint32_t mapsAcross(std::uint32_t batch) { return batch > 4 ? 4 : batch > 1 ? 2 : 1; }

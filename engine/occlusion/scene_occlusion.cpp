@@ -79,7 +79,8 @@ void SceneOcclusion::begin(const OcclusionSettings& settings) {
     orDrop([&] {
         if (!isCurrent() && (bake_ || preparing_.valid())) device_->waitIdle(), drop();
         prepare(settings);
-        if (preparing_.valid()) make();
+        const Allowance waited = device_.caps().software ? Allowance() : allowed(kWaitedMilliseconds);
+        if (preparing_.valid()) make(waited, Allowance());
         if (bake_ && !bake_->shows()) finishFlight(), bake_->finish(executor_);
     });
 }
@@ -128,7 +129,7 @@ void SceneOcclusion::drop() {
     before_.reset();
 }
 
-void SceneOcclusion::make() {
+void SceneOcclusion::make(const Allowance& least, const Allowance& most) {
     Prepared p = preparing_.get();
     cacheName_ = p.cacheName;
     const bool kept = p.kept.has_value();
@@ -137,6 +138,7 @@ void SceneOcclusion::make() {
         bake_ = std::make_unique<Bake>(device_, executor_, *of_.buffers, *of_.representation, options_, *p.kept);
     else
         bake_ = std::make_unique<Bake>(device_, *of_.buffers, *of_.representation, options_, std::move(p.bake));
+    bake_->wantPipelines(executor_, least, most);
     shown_ = kept ? 1 : 0;
     stats_.bakeMilliseconds = millisecondsSince(began_);
     stats_.occlusion = {bake_->directions(),        0,

@@ -81,7 +81,8 @@ private:
     bool isCurrent() const { return of_.buffers == scene_.buffers; }
     void drop();
     /// Makes the bake when it is prepared.
-    void make();
+    /// @param least, most  what its submissions take on
+    void make(const Allowance& least, const Allowance& most);
     void forgetPreparation();
     void runSlice(const Allowance& allowance);
     void submit(const OcclusionPace& pace);

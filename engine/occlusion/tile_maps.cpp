@@ -80,6 +80,11 @@ void TileMaps::begin(std::span<const passes::PlacedCopies> maps) {
     std::fill_n(reinterpret_cast<float*>(heights_.mapped), rowsOfMaps * apart_ * pitch(), kNothing);
 }
 
+void TileMaps::wantPipelines(gpu::PassContext& context) const {
+    if (scene_.sphereCount + scene_.cylinderCount > 0)
+        context.pipelines.want(tileMapsPipeline(context, scene_.cylinderCount > 0));
+}
+
 TileView TileMaps::view() const {
     TileView v;
     v.width = v.height = pitch();
@@ -177,7 +182,8 @@ void TileMaps::record(gpu::PassContext& context, const Part& part) const {
     c.depthStep = 2.0f / TileLists::kDepthSteps;
     c.binsOfMap = apart_ / TileLists::kBinPixels;
     c.copies = copies_;
-    context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, tileMapsPipeline(context, scene_.cylinderCount > 0));
+    const gpu::ComputePipeline pipeline = tileMapsPipeline(context, scene_.cylinderCount > 0);
+    context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, context.pipelines.compute(pipeline));
     const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
     passes::TileBindings bindings(context, set, 0);
     bindings.read(scene_.shapes, scene_.shapeTexels);

@@ -73,7 +73,7 @@ CornerRange impostorCorners(ImpostorShape shape) {
                                              : kPyramid;
 }
 
-/// Pipelines of spheres by the shapes that a zoom goes over to: they differ by the polygon alone.
+/// Pipelines of spheres by the shapes that a zoom goes over to, as no bake does: they differ by the polygon alone.
 std::vector<gpu::GraphicsPipeline> otherShapes(const gpu::PassContext& context, const SceneView& view,
                                                const PrimitivePass& pass, const gpu::GraphicsPipeline& of) {
     const graph::GeometryCaps& caps = context.device.caps().plan.geometry;
@@ -96,8 +96,8 @@ std::vector<gpu::GraphicsPipeline> otherShapes(const gpu::PassContext& context, 
     return others;
 }
 
-vk::Pipeline pipelineOf(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
-                        const Shaders& shaders, Primitive primitive, std::uint32_t corners) {
+gpu::GraphicsPipeline pipelineOf(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
+                                 const Shaders& shaders, Primitive primitive, std::uint32_t corners) {
     gpu::GraphicsPipeline d = context.pipeline();
     constexpr const char* kNames[] = {"spheres", "cylinders", "triangles"};
     d.detail = kNames[static_cast<std::size_t>(primitive)];
@@ -117,11 +117,17 @@ vk::Pipeline pipelineOf(gpu::PassContext& context, const SceneView& view, const 
     d.blend = pass.blend;
     d.ordered = pass.reads && pass.reads->from == NearestFrom::ownAttachment;
     d.strip = corners != kPyramid.count && primitive != Primitive::triangle;
-    return context.pipelines.graphics(d, [&] {
+    return d;
+}
+
+void bindPipeline(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
+                  const gpu::GraphicsPipeline& d, Primitive primitive) {
+    const vk::Pipeline pipeline = context.pipelines.graphics(d, [&] {
         std::vector<gpu::GraphicsPipeline> next;
-        if (primitive == Primitive::sphere) next = otherShapes(context, view, pass, d);
+        if (primitive == Primitive::sphere && view.wholeImage) next = otherShapes(context, view, pass, d);
         return next;
     });
+    context.commands.bindPipeline(kGraphics, pipeline);
 }
 
 void writeReads(gpu::PassContext& context, const SceneView& view, vk::DescriptorSet set, const Reads& reads,
@@ -226,9 +232,11 @@ void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive 
     if (calls.empty() || scene.empty()) return;
     const CornerRange corners = cornersOf(context, view, pass, primitive);
     const bool pyramid = sphere && corners.count == kPyramid.count;
+    const gpu::GraphicsPipeline pipeline = pipelineOf(context, view, pass, shaders, primitive, corners.count);
+    if (context.ahead) return context.pipelines.want(pipeline);
     const gpu::Layout& layout = layoutOf(context, view, pass, primitive);
     const vk::raii::CommandBuffer& commands = context.commands;
-    commands.bindPipeline(kGraphics, pipelineOf(context, view, pass, shaders, primitive, corners.count));
+    bindPipeline(context, view, pass, pipeline, primitive);
     bindReads(context, view, layout, pass.reads, triangle || pass.streams);
     bindCounter(context, view, layout);
     if (!triangle)
