@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <limits>
 #include <thread>
 
@@ -33,6 +34,9 @@ public:
         doubts_.clear();
     }
 
+    /// Makes room for the doubts about so many groups.
+    void expect(std::size_t groups) { doubts_.resize(groups); }
+
     /// @param index  of the group's first triangle
     void draw(const TriangleLens& lens, const Group& group, std::uint32_t index, const glm::vec4* corners) {
         shapes_.place(lens, group.triangles, group.count, corners);
@@ -50,29 +54,34 @@ public:
             if (!isHidden(lens, order[k])) draw(lens, order[k], index + order[k]);
     }
 
-    /// As if this one had drawn what the other has.
-    void take(const TriangleLens& lens, const Layer& other) {
-        doubts_.insert(doubts_.end(), other.doubts_.begin(), other.doubts_.end());
-        for (std::size_t y = 0; y < lens.height; ++y) {
-            if (!other.rows_[y]) continue;
-            beginRow(lens, y);
-            for (std::size_t at = y * lens.width; at < (y + 1) * lens.width; ++at)
-                if (other.index_[at] != kNone) meet(at, other.behind_[at], other.before_[at], other.index_[at]);
-        }
+    /// In a row of pixels as if this one had drawn what the other has.
+    /// @param doubtful  takes triangles about which there is doubt only now
+    template <typename Doubtful>
+    void takeRow(const TriangleLens& lens, const Layer& other, std::size_t y, const Doubtful& doubtful) {
+        if (!other.rows_[y]) return;
+        beginRow(lens, y);
+        for (std::size_t at = y * lens.width; at < (y + 1) * lens.width; ++at)
+            if (other.index_[at] != kNone) meet(at, other.behind_[at], other.before_[at], other.index_[at], doubtful);
     }
+    void takeDoubts(const Layer& other) {
+        doubts_.resize(std::max(doubts_.size(), other.doubts_.size()));
+        for (std::size_t group = 0; group < other.doubts_.size(); ++group) doubts_[group] |= other.doubts_[group];
+    }
+    void doubt(std::uint32_t index) { doubts_[index / kGroup] |= 1u << index % kGroup; }
 
     /// What is certain of a pixel; kNone: nothing.
     std::uint32_t at(const TriangleLens& lens, std::size_t x, std::size_t y) const {
         return rows_[y] ? index_[y * lens.width + x] : kNone;
     }
     bool anyIn(std::size_t y) const { return rows_[y] != 0; }
+    /// Of each group the triangles that may be nearer than those of the pixels, a bit each.
     const std::vector<std::uint32_t>& doubts() const { return doubts_; }
 
 private:
     void drawBeforeEye(const TriangleLens& lens, std::uint32_t count, std::uint32_t index) {
         for (std::uint32_t i = 0; i < count; ++i)
             if (!(shapes_.nearest[i] > 0))
-                doubts_.push_back(index + i);
+                doubt(index + i);
             else if (shapes_.holdsCenter(i) && !isHidden(lens, i))
                 draw(lens, i, index + i);
     }
@@ -101,11 +110,12 @@ private:
     }
 
     /// A triangle that certainly holds the centre, between two keys, and is not certainly behind what is there.
-    void meet(std::size_t at, float behind, float before, std::uint32_t index) {
+    template <typename Doubtful>
+    void meet(std::size_t at, float behind, float before, std::uint32_t index, const Doubtful& doubtful) {
         if (before < behind_[at]) return;
         const bool wins = behind > before_[at];
         const bool nearer = behind + before > behind_[at] + before_[at];
-        if (!wins) doubts_.push_back(nearer ? index_[at] : index);
+        if (!wins) doubtful(nearer ? index_[at] : index);
         if (!wins && !nearer) return;
         behind_[at] = behind;
         before_[at] = before;
@@ -119,7 +129,7 @@ private:
     std::vector<float> behind_, before_;
     std::vector<std::uint32_t> index_;
     std::vector<std::uint8_t> rows_;     // that hold anything
-    std::vector<std::uint32_t> doubts_;  // triangles that may be nearer than those of the pixels
+    std::vector<std::uint32_t> doubts_;  // doubts()
 };
 
 void FrontTriangles::Layer::draw(const TriangleLens& lens, std::uint32_t i, std::uint32_t index) {
@@ -139,7 +149,7 @@ void FrontTriangles::Layer::draw(const TriangleLens& lens, std::uint32_t i, std:
             const Lanes centers = kCenters + static_cast<float>(x);
             const Lanes ax = s.x[0][i] - centers, bx = s.x[1][i] - centers, cx = s.x[2][i] - centers;
             const Lanes ofA = edgeSide(bx, by, cx, cy), ofB = edgeSide(cx, cy, ax, ay), ofC = edgeSide(ax, ay, bx, by);
-            const Lanes key = (ofA * t.key[0] + ofB * t.key[1] + ofC * t.key[2]) * t.perArea;
+            const Lanes key = t.key[0] + (ofB * (t.key[1] - t.key[0]) + ofC * (t.key[2] - t.key[0])) * t.perArea;
             const Mask outside = (ofA < -roomA) | (ofB < -roomB) | (ofC < -roomC) |
                                  (key + error < loadLanes(&behind_[at])) | (centers > static_cast<float>(s.right[i]));
             if (!any(~outside)) continue;
@@ -153,9 +163,9 @@ void FrontTriangles::Layer::draw(const TriangleLens& lens, std::uint32_t i, std:
                     if (Z - room <= lens.clipNear || Z + room >= lens.clipFar) certain = false;
                 }
                 if (certain)
-                    meet(at + k, key[k] - error, key[k] + error, index);
+                    meet(at + k, key[k] - error, key[k] + error, index, [&](std::uint32_t other) { doubt(other); });
                 else if (!t.splinter || !(before < behind_[at + k]))
-                    doubts_.push_back(index);
+                    doubt(index);
             }
         }
     }
@@ -190,6 +200,7 @@ void FrontTriangles::draw(std::span<const Run> runs, std::span<const glm::vec4> 
     const std::size_t threads = std::min({count / kGroupsOfThread + 1, kMostThreads, kMostPixels / pixels + 1,
                                           std::max<std::size_t>(std::thread::hardware_concurrency(), 1)});
     layer(threads - 1);
+    for (std::size_t i = 0; i < threads; ++i) layers_[i]->expect(groups_.size());
     inParallel(threads, static_cast<unsigned>(threads), [&](std::size_t thread) {
         const std::size_t first = before + count * thread / threads, end = before + count * (thread + 1) / threads;
         for (std::size_t i = first; i < end; ++i)
@@ -198,11 +209,27 @@ void FrontTriangles::draw(std::span<const Run> runs, std::span<const glm::vec4> 
 }
 
 void FrontTriangles::end() {
+    constexpr std::size_t kRows = 64;  // of a slice
     Layer& all = *layers_[0];
-    for (std::size_t i = 1; i < used_; ++i) all.take(lens_, *layers_[i]);
-    doubts_ = all.doubts();
-    std::sort(doubts_.begin(), doubts_.end());
-    doubts_.erase(std::unique(doubts_.begin(), doubts_.end()), doubts_.end());
+    if (used_ > 1) {
+        const std::size_t slices = (lens_.height + kRows - 1) / kRows;
+        doubtsOfSlices_.resize(std::max(doubtsOfSlices_.size(), slices));
+        inParallel(slices, 0, [&](std::size_t slice) {
+            std::vector<std::uint32_t>& doubts = doubtsOfSlices_[slice];
+            doubts.clear();
+            for (std::size_t i = 1; i < used_; ++i)
+                for (std::size_t y = slice * kRows; y < std::min<std::size_t>((slice + 1) * kRows, lens_.height); ++y)
+                    all.takeRow(lens_, *layers_[i], y, [&](std::uint32_t index) { doubts.push_back(index); });
+        });
+        for (std::size_t i = 1; i < used_; ++i) all.takeDoubts(*layers_[i]);
+        for (std::size_t slice = 0; slice < slices; ++slice)
+            for (const std::uint32_t index : doubtsOfSlices_[slice]) all.doubt(index);
+    }
+    doubts_.clear();
+    for (std::size_t group = 0; group < all.doubts().size(); ++group)
+        for (std::uint32_t bits = all.doubts()[group]; bits != 0; bits &= bits - 1)
+            doubts_.push_back(static_cast<std::uint32_t>(group) * kGroup +
+                              static_cast<std::uint32_t>(std::countr_zero(bits)));
 }
 
 std::uint32_t FrontTriangles::numberOf(std::uint32_t index) const {

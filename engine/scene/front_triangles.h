@@ -61,6 +61,7 @@ private:
     std::size_t used_ = 0;                        // of them
     std::vector<Group> groups_;
     std::vector<std::uint32_t> doubts_;
+    std::vector<std::vector<std::uint32_t>> doubtsOfSlices_;
 };
 
 }  // namespace nacre

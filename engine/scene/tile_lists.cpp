@@ -59,6 +59,21 @@ VertexRange verticesOf(const TileScenery& s, const TileCall& call) {
     return range;
 }
 
+/// One past the triangles of the mesh, or of its level, that has this one; 0 if it is of none.
+std::uint32_t endOfMesh(const TileScenery& s, std::uint32_t triangle) {
+    for (const MeshRun& mesh : s.meshes) {
+        const auto has = [&](std::uint32_t first, std::uint32_t count) {
+            return triangle >= first && triangle - first < count;
+        };
+        if (has(mesh.first, mesh.count)) return mesh.first + mesh.count;
+        for (const MeshRun::Level& level : mesh.levels) {
+            const std::uint32_t first = static_cast<std::uint32_t>(s.triangles.size()) + level.first;
+            if (has(first, level.count)) return first + level.count;
+        }
+    }
+    return 0;
+}
+
 /// Whether the centre of any pixel lies between two corners of a box. Shaders round differently: some of a pixel is
 /// allowed for.
 bool holdsCenter(glm::vec2 low, glm::vec2 high) {
@@ -69,7 +84,8 @@ bool holdsCenter(glm::vec2 low, glm::vec2 high) {
 
 }  // namespace
 
-void TileLists::add(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near) {
+void TileLists::add(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near,
+                    std::vector<Kept>& kept) const {
     constexpr float kBin = 1.0f / kBinPixels;
     // A pixel is met at its centre: that leaves half a pixel of room at the bins' edges for what rounding does.
     const float x0 = low.x * kBin, y0 = low.y * kBin, x1 = high.x * kBin, y1 = high.y * kBin;
@@ -82,7 +98,7 @@ void TileLists::add(const TileView& view, std::uint32_t number, glm::vec2 low, g
     k.endY = static_cast<std::uint16_t>(std::min(y1 + 1.0f, static_cast<float>(down_)));
     k.step = static_cast<std::uint32_t>(
         std::clamp((near - view.nearest) * (kDepthSteps / view.range), 0.0f, static_cast<float>(kDepthSteps - 1)));
-    kept_.push_back(k);
+    kept.push_back(k);
 }
 
 void TileLists::addSpheres(const TileView& view, std::span<const Sphere> spheres, const TileCall& call) {
@@ -93,7 +109,7 @@ void TileLists::addSpheres(const TileView& view, std::span<const Sphere> spheres
         const Disc disc = discOf(view, center, reachOf(view, center.z, radius));
         const glm::vec2 at = pixelOf(view, disc.center);
         const float reach = disc.radius * view.pixels;
-        add(view, call.number + i, at - reach, at + reach, Z - radius);
+        add(view, call.number + i, at - reach, at + reach, Z - radius, kept_);
     }
 }
 
@@ -106,7 +122,7 @@ void TileLists::addCylinders(const TileView& view, std::span<const Cylinder> cyl
         const glm::vec2 pa = pixelOf(view, da.center), pb = pixelOf(view, db.center);
         const float ra = da.radius * view.pixels, rb = db.radius * view.pixels;
         add(view, call.number + i, glm::min(pa - ra, pb - rb), glm::max(pa + ra, pb + rb),
-            view.origin - std::max(a.z, b.z) - c.radius);
+            view.origin - std::max(a.z, b.z) - c.radius, kept_);
     }
 }
 
@@ -116,6 +132,8 @@ std::vector<TileLists::MeshPart> TileLists::meshParts(const TileScenery& s) {
         const std::span<const Triangle> triangles = s.trianglesOf(call);
         for (std::uint32_t first = 0, end = 0; end < call.count; first = end) {
             const float step = triangles[first].step;
+            if (const std::uint32_t mesh = endOfMesh(s, call.first + first); mesh != 0)
+                end = std::min(call.count, mesh - call.first);  // a mesh has one step
             while (end < call.count && triangles[end].step == step) ++end;
             if (parts.empty() || parts.back().rows != call.rows || parts.back().step != step)
                 parts.push_back({call.rows, step, {}});
@@ -147,14 +165,14 @@ void TileLists::placeCorners(const TileView& view, const TileScenery& s, const M
 }
 
 void TileLists::addTriangle(const TileView& view, std::uint32_t number, const glm::vec3& a, const glm::vec3& b,
-                            const glm::vec3& c) {
+                            const glm::vec3& c, std::vector<Kept>& kept) const {
     constexpr float kRoom = 1e-3f;  // Å, for what rounding does to Z
     const float outside = view.contour * view.pixels;
     const glm::vec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
     if (high.z + kRoom < view.clipNear || low.z - kRoom > view.clipFar) return;
     const glm::vec2 from = glm::vec2(low) - outside, to = glm::vec2(high) + outside;
     if (view.centers && !holdsCenter(from, to)) return;
-    add(view, number, from, to, low.z - kRoom);
+    add(view, number, from, to, low.z - kRoom, kept);
 }
 
 void TileLists::addTriangles(const TileView& view, const TileScenery& s) {
@@ -163,7 +181,7 @@ void TileLists::addTriangles(const TileView& view, const TileScenery& s) {
         for (const TileCall& call : part.calls) {
             std::uint32_t number = call.number + call.first;
             for (const Triangle& t : s.trianglesOf(call))
-                addTriangle(view, number++, corners_[t.a], corners_[t.b], corners_[t.c]);
+                addTriangle(view, number++, corners_[t.a], corners_[t.b], corners_[t.c], kept_);
         }
     }
 }
@@ -179,18 +197,29 @@ void TileLists::addFrontTriangles(const TileView& view, const TileScenery& s) {
         front_.draw(runs_, corners_);
     }
     front_.end();
-    for (std::size_t i = 0; i < front_.doubts(); ++i) {
-        const glm::vec4* rows = nullptr;
-        std::uint32_t number = 0;
-        const Triangle& t = front_.doubt(i, rows, number);
-        if (parts.size() == 1) {  // its corners are those of all
-            addTriangle(view, number, corners_[t.a], corners_[t.b], corners_[t.c]);
-            continue;
-        }
-        const CornerPlace place(view, rows);
-        const auto corner = [&](std::uint32_t v) { return place(positionOf(s.vertices[v], t.step)); };
-        addTriangle(view, number, corner(t.a), corner(t.b), corner(t.c));
-    }
+    // They are spread over all of the memory, so that to fetch them takes longest.
+    constexpr std::size_t kSlice = 2048;
+    const std::size_t slices = (front_.doubts() + kSlice - 1) / kSlice;
+    keptOfSlices_.resize(std::max(keptOfSlices_.size(), slices));
+    inParallel(slices, 0, [&](std::size_t slice) {
+        keptOfSlices_[slice].clear();
+        for (std::size_t i = slice * kSlice; i < std::min((slice + 1) * kSlice, front_.doubts()); ++i)
+            addDoubt(view, s, i, parts.size() == 1, keptOfSlices_[slice]);
+    });
+    for (std::size_t slice = 0; slice < slices; ++slice)
+        kept_.insert(kept_.end(), keptOfSlices_[slice].begin(), keptOfSlices_[slice].end());
+}
+
+/// @param placed  whether its corners are among those that were placed last
+void TileLists::addDoubt(const TileView& view, const TileScenery& s, std::size_t index, bool placed,
+                         std::vector<Kept>& kept) const {
+    const glm::vec4* rows = nullptr;
+    std::uint32_t number = 0;
+    const Triangle& t = front_.doubt(index, rows, number);
+    if (placed) return addTriangle(view, number, corners_[t.a], corners_[t.b], corners_[t.c], kept);
+    const CornerPlace place(view, rows);
+    const auto corner = [&](std::uint32_t v) { return place(positionOf(s.vertices[v], t.step)); };
+    addTriangle(view, number, corner(t.a), corner(t.b), corner(t.c), kept);
 }
 
 void TileLists::findSeeds() {

@@ -114,12 +114,15 @@ private:
     };
 
     void findSeeds();
-    void add(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near);
+    void add(const TileView& view, std::uint32_t number, glm::vec2 low, glm::vec2 high, float near,
+             std::vector<Kept>& kept) const;
     void addSpheres(const TileView& view, std::span<const Sphere> spheres, const TileCall& call);
     void addCylinders(const TileView& view, std::span<const Cylinder> cylinders, const TileCall& call);
     void placeCorners(const TileView& view, const TileScenery& scenery, const MeshPart& part);
     void addTriangle(const TileView& view, std::uint32_t number, const glm::vec3& a, const glm::vec3& b,
-                     const glm::vec3& c);
+                     const glm::vec3& c, std::vector<Kept>& kept) const;
+    void addDoubt(const TileView& view, const TileScenery& scenery, std::size_t index, bool placed,
+                  std::vector<Kept>& kept) const;
     void addTriangles(const TileView& view, const TileScenery& scenery);
     void addFrontTriangles(const TileView& view, const TileScenery& scenery);
     void order();
@@ -128,6 +131,7 @@ private:
 
     std::uint32_t across_ = 0, down_ = 0, longest_ = 0;
     std::vector<Kept> kept_;
+    std::vector<std::vector<Kept>> keptOfSlices_;
     std::size_t keptSpheres_ = 0;
     std::vector<std::uint32_t> order_, offsets_, cursors_;
     std::vector<Tile> tiles_, bins_;

@@ -239,6 +239,72 @@ TEST_P(FrontTrianglesTest, NothingIsCertainOfDepthsThatRoundingMayExchange) {
     EXPECT_GT(judgement.certain, 300u);
 }
 
+/// So many that threads share them, and each once more with nothing between: of both one is in doubt, whoever drew
+/// them.
+TEST(FrontTriangles, OfManyTheNearestAreCertainOrInDoubt) {
+    constexpr std::uint32_t kMany = 24'000;
+    Dice dice(5);
+    std::vector<glm::vec4> corners;
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 0; i < kMany; ++i) {
+        const std::uint32_t first = 3 * i, twin = i % 4 == 3 ? i - 1 : i - kMany / 2;
+        const bool again = i % 4 == 3 || (i % 4 == 1 && i >= kMany / 2);
+        const glm::dvec3 middle(dice(0, kSide), dice(0, kSide), dice(1, 40));
+        for (int k = 0; k < 3; ++k)
+            corners.push_back(again ? corners[3 * twin + static_cast<std::uint32_t>(k)]
+                                    : glm::vec4(middle + glm::dvec3(dice(-3, 3), dice(-3, 3), 0), 0));
+        triangles.push_back({first, first + 1, first + 2, 1});
+    }
+    TileView view;
+    view.width = view.height = kSide;
+    view.axis = glm::vec2(kSide / 2);
+    view.range = view.origin = 40;
+    view.pixels = 3;
+    FrontTriangles front;
+    front.begin(view);
+    const FrontTriangles::Run run{triangles, nullptr, 1};
+    front.draw({&run, 1}, corners);
+    front.end();
+    std::vector<bool> doubtful(kMany + 1);
+    for (std::size_t i = 0; i < front.doubts(); ++i) {
+        const glm::vec4* rows = nullptr;
+        std::uint32_t number = 0;
+        front.doubt(i, rows, number);
+        doubtful[number] = true;
+    }
+    std::vector<std::vector<std::pair<double, std::uint32_t>>> seen(kSide * kSide);  // depth and number
+    for (std::uint32_t i = 0; i < kMany; ++i) {
+        const glm::dvec3 a(corners[3 * i]), b(corners[3 * i + 1]), c(corners[3 * i + 2]);
+        const auto clamped = [](double at) { return static_cast<std::uint32_t>(std::clamp<double>(at, 0, kSide)); };
+        for (std::uint32_t y = clamped(std::min({a.y, b.y, c.y})); y < clamped(std::max({a.y, b.y, c.y}) + 1); ++y)
+            for (std::uint32_t x = clamped(std::min({a.x, b.x, c.x})); x < clamped(std::max({a.x, b.x, c.x}) + 1);
+                 ++x) {
+                const auto side = [&](const glm::dvec3& from, const glm::dvec3& to) {
+                    return (from.x - x - 0.5) * (to.y - y - 0.5) - (from.y - y - 0.5) * (to.x - x - 0.5);
+                };
+                const double ab = side(a, b), bc = side(b, c), ca = side(c, a);
+                if (std::min({ab, bc, ca}) > 0 || std::max({ab, bc, ca}) < 0)
+                    seen[y * kSide + x].emplace_back(a.z, i + 1);
+            }
+    }
+    std::size_t certain = 0, wrong = 0, twins = 0;
+    for (std::uint32_t pixel = 0; pixel < kSide * kSide; ++pixel) {
+        std::vector<std::pair<double, std::uint32_t>>& there = seen[pixel];
+        std::sort(there.begin(), there.end());
+        std::uint32_t seed = 0;
+        front.write(pixel % kSide, pixel / kSide, 1, &seed);
+        certain += seed != 0;
+        for (const auto& [depth, number] : there) {
+            if (depth > there[0].first) break;
+            wrong += number != seed && !doubtful[number];
+            twins += number != there[0].second;
+        }
+    }
+    EXPECT_EQ(wrong, 0u);
+    EXPECT_GT(certain, kSide * kSide / 2);
+    EXPECT_GT(twins, 1000u);
+}
+
 /// The sums that TriangleLens and TriangleBounds state. Roundings never all do their worst at once, so that the shaders
 /// of the other test are content with an eighth.
 TEST(TriangleBounds, LeaveWhatAllRoundingsAddUpTo) {

@@ -29,7 +29,8 @@ struct Seen {
     TileView view;
 
     TileScenery scenery() const {
-        return {spheres, sphereCalls, cylinders, cylinderCalls, mesh.triangles, mesh.meshVertices, triangleCalls};
+        return {spheres,       sphereCalls,          cylinders,  cylinderCalls, mesh.triangles, mesh.meshVertices,
+                triangleCalls, mesh.coarseTriangles, mesh.meshes};
     }
 };
 
