@@ -46,6 +46,10 @@ public:
           origin_(origin),
           outline_(outlineOf(piece.shape, sides)) {
         for (const OutlinePoint& point : outline_) round_.emplace_back(point.x, point.y);
+        for (std::size_t k = piece.first; k <= piece.last; ++k) {
+            sides_.push_back(frames[k].side * section(k).width);
+            normals_.push_back(frames[k].normal * section(k).thickness);
+        }
     }
 
     void run() {
@@ -88,32 +92,53 @@ private:
         return most;
     }
 
-    /// How far what lies between two rings stands off the straight way from one to the other, at most. A ring's points
-    /// are its centre and, within the unit circle, so much of its side and its normal: what those three are off by,
-    /// together. Then the fold of a quad whose corners lie in no plane.
-    double bendOf(std::size_t from, std::size_t to, const glm::dvec2& widest) const {
-        const auto side = [&](std::size_t k) { return frames_[k].side * section(k).width; };
-        const auto normal = [&](std::size_t k) { return frames_[k].normal * section(k).thickness; };
-        double most = 0;
-        for (std::size_t k = from + 1; k < to; ++k) {
-            const double t = static_cast<double>(k - from) / static_cast<double>(to - from);
-            const auto off = [&](const auto& of) { return of(k) - (of(from) * (1 - t) + of(to) * t); };
-            const glm::dvec3 center = off([&](std::size_t i) { return frames_[i].center; });
-            const glm::dvec3 x = off(side), y = off(normal);
-            most = std::max(most, glm::length(center) + std::sqrt(glm::dot(x, x) + glm::dot(y, y)));
+    /// For each point of the outline one on a polygon of some of them, near it.
+    std::vector<glm::dvec2> nearestOn(const Picks& picks) const {
+        glm::dvec2 axes(0);
+        for (const Section& s : piece_.sections) axes = glm::max(axes, glm::dvec2(s.width, s.thickness));
+        std::vector<glm::dvec2> nearest = round_;
+        for (std::size_t i = 0; i < picks.size(); ++i) {
+            const std::size_t n = round_.size(), to = i + 1 < picks.size() ? picks[i + 1] : picks[0] + n;
+            const glm::dvec2 a = round_[picks[i]], along = round_[to % n] - a, scaled = along * axes;
+            for (std::size_t k = picks[i] + 1; k < to; ++k) {
+                const double t = glm::dot((round_[k % n] - a) * axes, scaled) / glm::dot(scaled, scaled);
+                nearest[k % n] = a + along * std::clamp(t, 0.0, 1.0);
+            }
         }
-        const double fold =
-            widest.x * glm::length(side(to) - side(from)) + widest.y * glm::length(normal(to) - normal(from));
-        return most + fold / 4;
+        return nearest;
     }
 
-    /// The farthest that neighbours of a polygon stand apart, in half axes.
-    glm::dvec2 widestSide(const Picks& picks) const {
-        glm::dvec2 widest(0);
+    /// Whether what lies between two rings, or they themselves, may stand off what goes straight from one polygon to
+    /// the other by more than an error. All is straight from ring to ring and from point to point, so that it is most
+    /// at some point. Then the fold of a quad whose corners lie in no plane.
+    bool bends(std::size_t from, std::size_t to, const std::vector<glm::dvec2>& nearest,
+               const std::vector<glm::dvec2>& edges, double error) const {
+        const glm::dvec3 turnX = sides_[to] - sides_[from], turnY = normals_[to] - normals_[from];
+        double fold = 0;
+        for (const glm::dvec2& edge : edges) fold = std::max(fold, glm::length(turnX * edge.x + turnY * edge.y));
+        const double most = error - fold / 4;
+        if (most < 0) return true;
+        for (std::size_t k = from; k <= to; ++k) {
+            const double t = static_cast<double>(k - from) / static_cast<double>(to - from);
+            const auto middle = [&](std::size_t i) { return frames_[piece_.first + i].center; };
+            const glm::dvec3 center = middle(k) - (middle(from) * (1 - t) + middle(to) * t);
+            const glm::dvec3 x = sides_[from] + turnX * t, y = normals_[from] + turnY * t;
+            for (std::size_t i = 0; i < round_.size(); ++i) {
+                const glm::dvec2 &p = round_[i], &q = nearest[i];
+                const glm::dvec3 away = center + (sides_[k] * p.x - x * q.x) + (normals_[k] * p.y - y * q.y);
+                if (glm::dot(away, away) > most * most) return true;
+            }
+        }
+        return false;
+    }
+
+    /// From each corner of a polygon to the next, in half axes.
+    std::vector<glm::dvec2> edgesOf(const Picks& picks) const {
+        std::vector<glm::dvec2> edges;
         const bool flat = piece_.shape == SectionShape::rectangle;
         for (std::size_t i = 0; i < picks.size(); i += flat ? 2 : 1)
-            widest = glm::max(widest, glm::abs(round_[picks[i]] - round_[picks[(i + 1) % picks.size()]]));
-        return widest;
+            edges.push_back(round_[picks[(i + 1) % picks.size()]] - round_[picks[i]]);
+        return edges;
     }
 
     /// A coarser form: which points of each ring it has, which rings, and what error the ends may add.
@@ -125,25 +150,25 @@ private:
     };
 
     /// With as few rings as an error allows.
-    Form formOf(Picks picks, double rest) const {
-        const glm::dvec2 widest = widestSide(picks);
+    Form formOf(Picks picks, double error, double rest) const {
+        const std::vector<glm::dvec2> nearest = nearestOn(picks), edges = edgesOf(picks);
         Form form{std::move(picks), {0}, rest};
         for (std::size_t from = 0, to = 1; from + 1 < rings_.size(); from = to++) {
-            while (!rings_[to].divides && bendOf(piece_.first + from, piece_.first + to + 1, widest) <= rest) ++to;
+            while (!rings_[to].divides && !bends(from, to + 1, nearest, edges, error)) ++to;
             form.rings.push_back(to);
         }
         return form;
     }
 
-    /// Few sides leave less of the error to the rings: of all polygons the one with the fewest triangles.
+    /// With few sides it takes more rings: of all polygons the one with the fewest triangles.
     Form fewest(double error) const {
-        if (piece_.shape == SectionShape::rectangle) return formOf(allPicks(outline_.size()), error);
+        if (piece_.shape == SectionShape::rectangle) return formOf(allPicks(outline_.size()), error, error);
         std::optional<Form> best;
         for (Picks& picks : polygonsOf(outline_.size())) {
             if (best && picks.size() * leastRings_ >= best->quads()) break;
             const double ofSides = picks.size() < outline_.size() ? sideErrorOf(picks) : 0;
             if (ofSides > 0.9 * error) continue;
-            Form form = formOf(std::move(picks), error - ofSides);
+            Form form = formOf(std::move(picks), error, error - ofSides);
             if (!best || form.quads() < best->quads()) best = std::move(form);
         }
         return *best;
@@ -282,9 +307,10 @@ private:
     std::span<const std::uint32_t> owners_;
     glm::dvec3 origin_;
     std::vector<OutlinePoint> outline_;
-    std::vector<glm::dvec2> round_;  // its points alone
-    std::vector<Ring> rings_;        // from frame piece.first on
-    std::size_t leastRings_ = 0;     // that divide residues
+    std::vector<glm::dvec2> round_;            // its points alone
+    std::vector<glm::dvec3> sides_, normals_;  // half axes of the rings
+    std::vector<Ring> rings_;                  // from frame piece.first on
+    std::size_t leastRings_ = 0;               // that divide residues
     Cap begin_, end_;
 };
 
