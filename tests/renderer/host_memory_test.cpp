@@ -1,18 +1,24 @@
-// What a frame like the one before takes of the host's memory: operator new of the whole program counts.
+// What a frame like the one before takes of the host's memory, and which thread takes what: operator new of the whole
+// program counts.
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <new>
+#include <thread>
 
 #include "tests/renderer/scenes.h"
 
 namespace {
 std::atomic<std::uint64_t> allocations{0};
-}
+thread_local std::size_t largestHere = 0;  // piece that this thread has taken
+}  // namespace
 
 // NOLINTBEGIN: the others of the standard library come to this one
 void* operator new(std::size_t size) {
     ++allocations;
+    largestHere = std::max(largestHere, size);
     if (void* memory = std::malloc(size)) return memory;
     throw std::bad_alloc();
 }
@@ -59,6 +65,25 @@ TEST(HostMemory, ASteadyFrameTakesNone) {
             s.effects.shadow.strength = 0.5;
             EXPECT_EQ(takenByATurn(renderer, s, r.radius), 0u) << visibilityName(path) << " with shadows";
         }
+    }
+}
+
+/// Whoever works them out has all of them in one piece in the end.
+TEST(HostMemory, WhichTexelsOfABakeAreOpenTheFramesThreadDoesNotWorkOut) {
+    for (const Style style : {Style::spacefill, Style::ballAndStick}) {
+        const Representation r = scene("sample:dna", style);
+        Renderer renderer(DeviceOptions{});
+        renderer.setScene(r);
+        RenderSettings s = settings(r, 64, Projection::orthographic);
+        s.occlusion.directions = 16;
+        ASSERT_EQ(renderer.stats().occlusion.texels, 0u);
+        largestHere = 0;
+        for (int i = 0; i < 60'000 && renderer.stats().occlusion.texels == 0; ++i) {
+            EXPECT_EQ(renderer.advanceOcclusion(s, OcclusionPace()), 0);
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        EXPECT_GT(renderer.stats().occlusion.texels, 10'000u);
+        EXPECT_LT(largestHere, renderer.stats().occlusion.texels * sizeof(std::uint32_t));
     }
 }
 
