@@ -4,6 +4,7 @@
 #include "engine/renderer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/error.h"
 #include "engine/frame/picture_frames.h"
@@ -168,6 +169,32 @@ FrameOutcome Renderer::present(const RenderSettings& settings, const WindowFrame
         impl_->stats.windowMilliseconds = impl_->window->milliseconds();
         return outcome;
     });
+}
+
+void Renderer::expectScene(Representation like, const RenderSettings& settings, const WindowFrame& frame) {
+    const auto expect = [&] {
+        const FrameStats stats = impl_->stats;
+        auto scene = std::make_shared<const Scene>(makeScene(impl_->device, std::move(like)));
+        std::swap(scene, impl_->scene);
+        const auto back = [&] {
+            std::swap(scene, impl_->scene);
+            impl_->stats = stats;
+            impl_->frames.letGo();
+        };
+        try {
+            impl_->window->prepareScene(settings, frame);
+        } catch (...) {
+            back();
+            throw;
+        }
+        back();
+        return true;
+    };
+    try {
+        impl_->unlessLost(false, expect);
+    } catch (const Error&) {
+        // The scene itself meets the same.
+    }
 }
 
 BakedOcclusion Renderer::bakedOcclusion(const OcclusionSettings& settings) {

@@ -67,6 +67,10 @@ public:
     /// queues it for the display. Does not wait for the device unless two frames are in flight already.
     /// @param settings its view has the window's size; `supersample` and `countFragments` are not looked at
     FrameOutcome present(const RenderSettings& settings, const WindowFrame& frame);
+    /// A scene like this one is about to be set, as while a file is read: the pipelines of a window's frame of it are
+    /// made on a thread of their own meanwhile. Nothing is drawn; what cannot be made is told when it is asked for.
+    /// @param like  has primitives of the same kinds; how many, and how large, is all the same
+    void expectScene(Representation like, const RenderSettings& settings, const WindowFrame& frame);
     PixelSize windowSize() const;
     /// Lets go of the window's surface, which is about to go; the next frame makes another.
     void releaseWindow();

@@ -11,6 +11,8 @@ public:
     virtual void setScene(const Representation& scene) = 0;
     /// As Renderer::moveScene.
     virtual void moveScene(const Representation& scene) { setScene(scene); }
+    /// As Renderer::expectScene.
+    virtual void expectScene(Representation, const RenderSettings&, const WindowFrame&) {}
     virtual double advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) = 0;
     /// As Renderer::awaitFrame.
     virtual void awaitFrame() {}

@@ -24,6 +24,10 @@ void Session::OwnScreen::moveScene(const Representation& scene) {
     if (session_.renderer_) session_.renderer_->moveScene(scene);
 }
 
+void Session::OwnScreen::expectScene(Representation like, const RenderSettings& settings, const WindowFrame& frame) {
+    if (session_.renderer_) session_.renderer_->expectScene(std::move(like), settings, frame);
+}
+
 double Session::OwnScreen::advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) {
     return session_.renderer_ ? session_.renderer_->advanceOcclusion(settings, pace) : 0;
 }

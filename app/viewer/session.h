@@ -63,6 +63,7 @@ private:
         explicit OwnScreen(Session& session) : session_(session) {}
         void setScene(const Representation& scene) override;
         void moveScene(const Representation& scene) override;
+        void expectScene(Representation like, const RenderSettings& settings, const WindowFrame& frame) override;
         double advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) override;
         void awaitFrame() override;
         double frameMilliseconds() const override;

@@ -219,6 +219,8 @@ private:
     bool unrememberedChange() const;
     void restore(const SavedView& view, double now, double seconds = CameraMotion::kFlightSeconds);
     void putScene(double now);
+    /// Has made what the first frame of what is being read is going to want.
+    void expectScene(const WindowFrame& frame);
     bool putWords(double now);
     bool join(SavedView& view, const std::vector<std::string>& paths, double now);
     void advanceOcclusion(double now, bool moving);
@@ -291,7 +293,8 @@ private:
     std::optional<double> frameTime_;     // ps
     double frameRmsd_ = 0;
     bool deviceLost_ = false, firstDocument_ = true;
-    bool sceneThere_ = true;  // the document's scene is on the screen
+    bool sceneThere_ = true;       // the document's scene is on the screen
+    std::vector<Style> expected_;  // of what was read last, or is being read
     Retry sceneRetry_, occlusionRetry_, frameRetry_;
     std::string loss_;  // of the device, until another is there
 };

@@ -134,6 +134,7 @@ void Viewer::draw(const FrameSchedule::Next& next, double now, bool moving,
     switch (outcome) {
         case FrameOutcome::shown:
             schedule_.shown(next, now, moving, bakedShare(), screen_.frameMilliseconds() / 1000);
+            expectScene(frame);
             break;
         case FrameOutcome::resized:
             resize(screen_.windowSize(), scale_, now);
@@ -152,6 +153,7 @@ void Viewer::screenLost(double now) {
     deviceLost_ = false;
     if (!loss_.empty()) say(loss_, now);
     loss_.clear();
+    expected_.clear();
     sceneThere_ = !document();
     sceneRetry_ = occlusionRetry_ = frameRetry_ = {};
     putScene(now);

@@ -28,6 +28,14 @@ graph::Record Recorder::of(Pass pass) const {
     return [shown = shown_, pass](Context& c) { pass(c, *shown->scene); };
 }
 
+/// Of one that has no pipelines made ahead.
+template <typename Pass>
+graph::Record Recorder::later(Pass pass) const {
+    return of([pass](Context& c, const SceneView& scene) {
+        if (!c.ahead) pass(c, scene);
+    });
+}
+
 graph::Record Recorder::plates() const { return of(passes::drawPlates); }
 graph::Record Recorder::shadowMap() const {
     return of([](Context& c, const SceneView& scene) { passes::drawNearestDepth(c, *scene.light); });
@@ -41,7 +49,7 @@ graph::Record Recorder::rims(Image atlas, Image numbers) const {
         passes::drawRims(c, scene, {from, c.view(atlas), c.view(numbers)});
     });
 }
-graph::Record Recorder::overdraw() const { return of(passes::drawOverdraw); }
+graph::Record Recorder::overdraw() const { return later(passes::drawOverdraw); }
 
 graph::Record Recorder::encodedDepth(const graph::EncodedFormat& format) const {
     return of([encoding = passes::Encoding(format)](Context& c, const SceneView& scene) {
@@ -105,7 +113,7 @@ graph::Record Recorder::shadedTiles(Output output, Image atlas, bool depth) cons
 }
 
 graph::Record Recorder::translucentLayer(Image atlas, std::optional<Image> before) const {
-    return of([=](Context& c, const SceneView& scene) {
+    return later([=](Context& c, const SceneView& scene) {
         if (!before) return passes::drawTranslucentLayer(c, *scene.translucent, nullptr);
         const passes::Reads reads{NearestFrom::texture, c.view(atlas), c.view(*before)};
         passes::drawTranslucentLayer(c, *scene.translucent, &reads);
@@ -114,7 +122,7 @@ graph::Record Recorder::translucentLayer(Image atlas, std::optional<Image> befor
 
 graph::Record Recorder::translucentColor(Image atlas, Image numbers, std::optional<Image> nearest,
                                          const graph::EncodedFormat& format) const {
-    return of([=, encoding = passes::Encoding(format)](Context& c, const SceneView& scene) {
+    return later([=, encoding = passes::Encoding(format)](Context& c, const SceneView& scene) {
         passes::Opaque opaque;
         if (nearest) {
             const auto from = c.inputIsSampled ? NearestFrom::texture : NearestFrom::inputAttachment;
@@ -125,11 +133,11 @@ graph::Record Recorder::translucentColor(Image atlas, Image numbers, std::option
 }
 
 graph::Record Recorder::layersByTiles() const {
-    return of([](Context& c, const SceneView& scene) { passes::findLayersByTiles(c, *scene.translucent); });
+    return later([](Context& c, const SceneView& scene) { passes::findLayersByTiles(c, *scene.translucent); });
 }
 
 graph::Record Recorder::layerOfTiles(Image atlas, std::uint32_t layer) const {
-    return of([=](Context& c, const SceneView& scene) {
+    return later([=](Context& c, const SceneView& scene) {
         passes::shadeLayerByTiles(c, *scene.translucent, c.view(atlas), layer);
     });
 }
@@ -139,23 +147,23 @@ graph::Record Recorder::colorsByTiles(Image atlas) const {
 }
 
 graph::Record Recorder::edgePixels() const {
-    return of([](Context& c, const SceneView& scene) { passes::findEdgesByTiles(c, scene); });
+    return later([](Context& c, const SceneView& scene) { passes::findEdgesByTiles(c, scene); });
 }
 
 graph::Record Recorder::edgesByTiles(Image atlas) const {
-    return of([=](Context& c, const SceneView& scene) { passes::drawEdgesByTiles(c, scene, c.view(atlas)); });
+    return later([=](Context& c, const SceneView& scene) { passes::drawEdgesByTiles(c, scene, c.view(atlas)); });
 }
 
 graph::Record Recorder::edgeColors(const graph::Clear& clear) const {
-    return of([=](Context& c, const SceneView& scene) { passes::drawEdgeColors(c, scene, clear); });
+    return later([=](Context& c, const SceneView& scene) { passes::drawEdgeColors(c, scene, clear); });
 }
 
 graph::Record Recorder::tileMean(std::uint32_t tile, Image source) const {
-    return of([=](Context& c, const SceneView& scene) { passes::drawTileMean(c, scene, tile, c.view(source)); });
+    return later([=](Context& c, const SceneView& scene) { passes::drawTileMean(c, scene, tile, c.view(source)); });
 }
 
 graph::Record Recorder::debugView(DebugView what, std::uint32_t tile, Image source, std::optional<Image> under) const {
-    return of([=](Context& c, const SceneView& scene) {
+    return later([=](Context& c, const SceneView& scene) {
         passes::drawDebugView(c, scene, what, tile, c.view(source), under ? c.view(*under) : vk::ImageView());
     });
 }

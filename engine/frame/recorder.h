@@ -73,6 +73,8 @@ public:
 private:
     template <typename Pass>
     graph::Record of(Pass pass) const;
+    template <typename Pass>
+    graph::Record later(Pass pass) const;
 
     std::shared_ptr<const ShownScene> shown_;
 };

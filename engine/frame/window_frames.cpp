@@ -104,6 +104,7 @@ graph::Image WindowFrames::addSum(graph::Graph& frame, graph::Image sample, bool
 
 void WindowFrames::addOverlay(graph::Graph& frame, graph::Image window) const {
     frame.graphics("overlay").color(window).record([this](gpu::PassContext& c) {
+        if (c.ahead) return passes::OverlayPass::want(c, swapchain_.quarterTurns(), coded());
         overlay_.draw(c, *slot_, *overlaid_, swapchain_.upright(), swapchain_.quarterTurns(), coded());
     });
 }
@@ -163,7 +164,9 @@ void WindowFrames::makeSum() {
 }
 
 /// The scene as the frame shows it, and the frame's shape.
-SeenFrame WindowFrames::see(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame) {
+/// @param next  of the frames that are shown: shapes stay steady from one to the next
+SeenFrame WindowFrames::see(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame,
+                            bool next) {
     SeenFrame seen;
     View view = settings.view;
     view.quarterTurns = swapchain_.quarterTurns();
@@ -176,7 +179,7 @@ SeenFrame WindowFrames::see(const RenderSettings& settings, const passes::Atlas&
         seen.shape.end = end;
     } else if (frame.quality == Quality::refined) {
         view = throughSampleOf(view, frame.samples, frame.sample);
-        seen = frames_.see({drawn, atlas, view, {&target_, 1}, "refinement", end, nullptr, false, true});
+        seen = frames_.see({drawn, atlas, view, {&target_, 1}, "refinement", end, nullptr, false, next});
     } else {
         drawn.supersample = 1;
         drawn.meshError = frame.meshError * settings.meshError;
@@ -184,19 +187,33 @@ SeenFrame WindowFrames::see(const RenderSettings& settings, const passes::Atlas&
         if (direct) target_ = {"window", swapchain_.format(), target_.output, target_.pass, clear, true};
         view = scaled(view, frame.scale);
         seen = frames_.see(
-            {drawn, atlas, view, {&target_, 1}, direct ? "screen" : "scaled screen", end, nullptr, false, true});
+            {drawn, atlas, view, {&target_, 1}, direct ? "screen" : "scaled screen", end, nullptr, false, next});
     }
     seen.shape.window = swapchain_.extent();
     seen.shape.overlay = frame.overlay && !frame.overlay->batches.empty();
     return seen;
 }
 
+DeclaredFrame& WindowFrames::declared(const SeenFrame& seen) {
+    return *declared_.of(seen.shape, [&](ScreenFrame& f) { declareEnd(f, seen.shape); });
+}
+
+void WindowFrames::prepareScene(const RenderSettings& settings, const WindowFrame& frame) {
+    if (!swapchain_.ready()) return;
+    WindowFrame first = frame;
+    first.quality = Quality::live;
+    const SeenFrame seen = see(settings, {}, first, false);
+    DeclaredFrame& wanted = declared(seen);
+    SceneFrames::bind(wanted, seen);
+    executor_.prepare(wanted.frame.graph, wanted.plan);
+}
+
 /// Draws the frame into the image that the slot has.
 void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
                           const WindowFrame& frame) {
-    const SeenFrame seen = see(settings, atlas, frame);
+    const SeenFrame seen = see(settings, atlas, frame, true);
     slot.held = seen.view;
-    DeclaredFrame& declared = *declared_.of(seen.shape, [&](ScreenFrame& f) { declareEnd(f, seen.shape); });
+    DeclaredFrame& declared = this->declared(seen);
     declared.imports.clear();
     if (seen.view) SceneFrames::bind(declared, seen);
     declared.imports.bind(declared.frame.targets.back(), swapchain_.image(*slot.image));

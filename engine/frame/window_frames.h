@@ -22,6 +22,9 @@ public:
     /// @param settings  its view is that of the upright window; one of another size is not drawn, and told by
     ///                  FrameOutcome::resized
     FrameOutcome present(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame);
+    /// Has the pipelines of a frame that shows the scene made ahead, of whatever size its spheres will be. Nothing is
+    /// drawn; and nothing happens before there was a frame.
+    void prepareScene(const RenderSettings& settings, const WindowFrame& frame);
     /// Waits until there is room for another frame and, if it can be had, for an image to draw it into: so that what
     /// present() shows can be found out after that.
     void await();
@@ -36,7 +39,8 @@ private:
     void submit(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
                 const WindowFrame& frame);
     FrameEnd endOf(const WindowFrame& frame) const;
-    SeenFrame see(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame);
+    SeenFrame see(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame, bool next);
+    DeclaredFrame& declared(const SeenFrame& seen);
     void declareEnd(ScreenFrame& frame, const FrameShape& shape);
     void makeSum();
     void prepareOthers();

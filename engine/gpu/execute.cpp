@@ -225,6 +225,12 @@ void Executor::prepare(const graph::Graph& graph, const graph::Plan& plan) {
     context.buffers = buffers;
     for (std::size_t i = 0; i < plan.steps.size(); ++i) {
         const graph::RenderPassPlan& pass = plan.steps[i].renderPass;
+        const auto ask = [&](std::uint32_t p) {
+            context.pass = graph.passes()[p].name;
+            context.inputIsSampled = plan.inputIsSampled[p];
+            if (graph.passes()[p].record) graph.passes()[p].record(context);
+        };
+        if (plan.steps[i].kind == graph::PassKind::compute) ask(plan.steps[i].pass);
         const bool dynamic = DynamicRendering::takes(device_, pass);
         context.extent = pass.extent;
         for (std::uint32_t s = 0; s < pass.subpasses.size(); ++s) {
@@ -232,10 +238,7 @@ void Executor::prepare(const graph::Graph& graph, const graph::Plan& plan) {
             if (dynamic) context.rendering = DynamicRendering(device_, pass, images, none).formatsOf(s);
             context.subpass = dynamic ? 0 : s;
             context.colorCount = static_cast<std::uint32_t>(pass.subpasses[s].colors.size());
-            for (const std::uint32_t p : pass.subpasses[s].passes) {
-                context.pass = graph.passes()[p].name;
-                graph.passes()[p].record(context);
-            }
+            for (const std::uint32_t p : pass.subpasses[s].passes) ask(p);
         }
     }
 }

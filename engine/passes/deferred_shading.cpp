@@ -66,6 +66,7 @@ void shade(gpu::PassContext& context, const SceneView& view, const gpu::LayoutDe
     pass.constants.set(layout::kCopiesId, view.copies.rows.size() > 3);
     pass.constants.set(layout::kCylindersId, view.buffers->cylinderCount > 0);
     pass.constants.set(layout::kTrianglesId, view.buffers->triangleCount > 0);
+    if (context.ahead) return wantFullScreen(context, pass, layout);
     bindFullScreen(context, pass, layout);
     bindReads(context, view, layout, reads, rims);
     bindCounter(context, view, layout);

@@ -52,6 +52,26 @@ vk::Rect2D scissorOf(const OverlayBatch& b, graph::Extent upright, int quarterTu
     }
 }
 
+using Scale = std::array<float, 4>;
+
+const gpu::Layout& overlayLayout(gpu::PassContext& context) {
+    return context.pipelines.layout({"overlay layout", kGlyphs, kDraw, sizeof(Scale)});
+}
+
+gpu::GraphicsPipeline overlayPipeline(gpu::PassContext& context, int quarterTurns, bool coded) {
+    gpu::GraphicsPipeline d = context.pipeline();
+    d.vertex = shaders::overlayVertex;
+    d.fragment = shaders::overlayFragment;
+    d.constants.set(layout::kQuarterTurnsId, quarterTurns);
+    d.constants.set(layout::kCodedId, coded);
+    d.streams = {kStreams, kAttributes};
+    d.layout = *overlayLayout(context).pipeline;
+    d.colorsWritten = 1;
+    d.blend = gpu::Blend::over;
+    d.strip = false;
+    return d;
+}
+
 }  // namespace
 
 OverlayPass::OverlayPass(const gpu::Device& device, gpu::Executor& executor)
@@ -69,23 +89,17 @@ void OverlayPass::upload(gpu::FrameSlot& slot, const Overlay& overlay) const {
     put(device_, slot.indices, overlay.indices, vk::BufferUsageFlagBits::eIndexBuffer, "overlay indices");
 }
 
+void OverlayPass::want(gpu::PassContext& context, int quarterTurns, bool coded) {
+    context.pipelines.want(overlayPipeline(context, quarterTurns, coded));
+}
+
 void OverlayPass::draw(gpu::PassContext& context, const gpu::FrameSlot& slot, const Overlay& overlay,
                        graph::Extent upright, int quarterTurns, bool coded) const {
     const vk::raii::CommandBuffer& commands = context.commands;
-    const std::array<float, 4> scale{2.0f / static_cast<float>(upright.width),
-                                     2.0f / static_cast<float>(upright.height), 0, 0};
-    const gpu::Layout& layout = context.pipelines.layout({"overlay layout", kGlyphs, kDraw, sizeof(scale)});
-    gpu::GraphicsPipeline d = context.pipeline();
-    d.vertex = shaders::overlayVertex;
-    d.fragment = shaders::overlayFragment;
-    d.constants.set(layout::kQuarterTurnsId, quarterTurns);
-    d.constants.set(layout::kCodedId, coded);
-    d.streams = {kStreams, kAttributes};
-    d.layout = *layout.pipeline;
-    d.colorsWritten = 1;
-    d.blend = gpu::Blend::over;
-    d.strip = false;
-    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, context.pipelines.graphics(d));
+    const Scale scale{2.0f / static_cast<float>(upright.width), 2.0f / static_cast<float>(upright.height), 0, 0};
+    const gpu::Layout& layout = overlayLayout(context);
+    const gpu::GraphicsPipeline pipeline = overlayPipeline(context, quarterTurns, coded);
+    commands.bindPipeline(vk::PipelineBindPoint::eGraphics, context.pipelines.graphics(pipeline));
     const vk::ImageView glyphs = *glyphs_.view;
     bindTextures(context, layout, vk::Filter::eLinear, {&glyphs, 1});
     commands.pushConstants<float>(*layout.pipeline, kDraw, 0, scale);

@@ -120,14 +120,25 @@ gpu::GraphicsPipeline pipelineOf(gpu::PassContext& context, const SceneView& vie
     return d;
 }
 
+/// What is likely to be asked for after a pipeline.
+std::vector<gpu::GraphicsPipeline> nextOf(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
+                                          const gpu::GraphicsPipeline& d, Primitive primitive) {
+    std::vector<gpu::GraphicsPipeline> next;
+    if (primitive == Primitive::sphere && view.wholeImage) next = otherShapes(context, view, pass, d);
+    return next;
+}
+
 void bindPipeline(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
                   const gpu::GraphicsPipeline& d, Primitive primitive) {
-    const vk::Pipeline pipeline = context.pipelines.graphics(d, [&] {
-        std::vector<gpu::GraphicsPipeline> next;
-        if (primitive == Primitive::sphere && view.wholeImage) next = otherShapes(context, view, pass, d);
-        return next;
-    });
+    const vk::Pipeline pipeline =
+        context.pipelines.graphics(d, [&] { return nextOf(context, view, pass, d, primitive); });
     context.commands.bindPipeline(kGraphics, pipeline);
+}
+
+void wantPipelines(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
+                   const gpu::GraphicsPipeline& d, Primitive primitive) {
+    context.pipelines.want(d);
+    for (const gpu::GraphicsPipeline& next : nextOf(context, view, pass, d, primitive)) context.pipelines.want(next);
 }
 
 void writeReads(gpu::PassContext& context, const SceneView& view, vk::DescriptorSet set, const Reads& reads,
@@ -233,7 +244,7 @@ void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive 
     const CornerRange corners = cornersOf(context, view, pass, primitive);
     const bool pyramid = sphere && corners.count == kPyramid.count;
     const gpu::GraphicsPipeline pipeline = pipelineOf(context, view, pass, shaders, primitive, corners.count);
-    if (context.ahead) return context.pipelines.want(pipeline);
+    if (context.ahead) return wantPipelines(context, view, pass, pipeline, primitive);
     const gpu::Layout& layout = layoutOf(context, view, pass, primitive);
     const vk::raii::CommandBuffer& commands = context.commands;
     bindPipeline(context, view, pass, pipeline, primitive);

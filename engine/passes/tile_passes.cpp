@@ -67,6 +67,7 @@ void findNearestByTiles(gpu::PassContext& context, const SceneView& view, std::o
     d.constants.set(layout::kNumberedId, f.edges.drawn);
     d.constants.set(layout::kSeededId, f.lists.seeded());
     d.constants.set(layout::kLanesId, caps.lanes);
+    if (context.ahead) return context.pipelines.want(d);
     context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, context.pipelines.compute(d));
     const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
     TileBindings bindings(context, set, 0);
@@ -111,6 +112,7 @@ void shadeSpans(gpu::PassContext& context, const SceneView& view, vk::ImageView 
     d.streams = spanStreams();
     d.layout = *layout.pipeline;
     d.colorsWritten = 1;
+    if (context.ahead) return context.pipelines.want(d);
     context.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, context.pipelines.graphics(d));
     const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
     TileBindings bindings(context, set, 0);

@@ -64,6 +64,15 @@ public:
         return session_.renderer()->render(s).rgba;
     }
 
+    /// What a shell lays over the picture.
+    static Overlay triangle() {
+        Overlay overlay;
+        overlay.vertices = {{5, 5, 0, 0, 0xff0000ff}, {60, 5, 0, 0, 0xff00ff00}, {5, 60, 0, 0, 0xffff0000}};
+        overlay.indices = {0, 1, 2};
+        overlay.batches = {{0, 0, 1000, 1000, 0, 3}};
+        return overlay;
+    }
+
 private:
     app::SessionHost host() {
         app::SessionHost host;
@@ -97,13 +106,6 @@ private:
         app::ViewerOptions options;
         options.mostSamples = 1;  // of a refinement that a software driver draws at the size of the window
         return options;
-    }
-    static Overlay triangle() {
-        Overlay overlay;
-        overlay.vertices = {{5, 5, 0, 0, 0xff0000ff}, {60, 5, 0, 0, 0xff00ff00}, {5, 60, 0, 0, 0xffff0000}};
-        overlay.indices = {0, 1, 2};
-        overlay.batches = {{0, 0, 1000, 1000, 0, 3}};
-        return overlay;
     }
 
     double now_ = 100;
