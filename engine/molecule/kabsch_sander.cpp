@@ -8,6 +8,7 @@
 
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/residue_positions.h"
+#include "engine/molecule/zhang_skolnik.h"
 
 namespace nacre {
 namespace {
@@ -297,7 +298,13 @@ std::vector<SecondaryStructure> kabschSander(const Molecule& molecule) {
 }
 
 std::vector<SecondaryStructure> secondaryStructure(const Molecule& molecule) {
-    if (!molecule.statesSecondaryStructure) return kabschSander(molecule);
+    if (!molecule.statesSecondaryStructure) {
+        std::vector<SecondaryStructure> kinds = kabschSander(molecule);
+        const std::vector<SecondaryStructure> ofCarbons = zhangSkolnik(molecule);  // other chains'
+        for (std::size_t i = 0; i < kinds.size(); ++i)
+            if (ofCarbons[i] != SecondaryStructure::none) kinds[i] = ofCarbons[i];
+        return kinds;
+    }
     std::vector<SecondaryStructure> stated;
     stated.reserve(molecule.residues.size());
     for (const Residue& residue : molecule.residues) stated.push_back(residue.secondary);

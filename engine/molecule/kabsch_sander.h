@@ -7,7 +7,8 @@
 
 namespace nacre {
 
-/// What each residue's place in the fold is: as the file states it, or by kabschSander() if it states nothing.
+/// What each residue's place in the fold is: as the file states it or, if it states nothing, by kabschSander(), and by
+/// zhangSkolnik() in chains of alpha carbons.
 std::vector<SecondaryStructure> secondaryStructure(const Molecule& molecule);
 
 /// Helices and strands by the pattern of hydrogen bonds between peptide groups, of each residue; whatever the file
