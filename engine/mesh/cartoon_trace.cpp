@@ -41,6 +41,14 @@ struct Guided {
     bool nucleic = false;
     std::array<std::uint32_t, kGuideNames> atoms{};
     std::uint32_t guide = kNoAtom;
+    /// The atom whose colour and number it has: a carbon, if it may be. By element, phosphorus would have strands of
+    /// one colour in all chains, and ends without it another.
+    std::uint32_t shows() const {
+        if (!nucleic) return guide;
+        for (const GuideName name : {kGuideC4, kGuideC3, kGuideC5})
+            if (atoms[name] != kNoAtom) return atoms[name];
+        return guide;
+    }
 };
 
 bool isFinite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
@@ -153,7 +161,7 @@ std::vector<Trace> cartoonTraces(const Molecule& molecule, std::span<const std::
         Trace& trace = traces.back();
         const Atom& guide = molecule.atoms[residue.guide];
         trace.points.emplace_back(guide.position);
-        trace.atoms.push_back(residue.guide);
+        trace.atoms.push_back(residue.shows());
         trace.residues.push_back(residue.residue);
         trace.kinds.push_back(residue.nucleic || residue.residue >= secondary.size() ? SecondaryStructure::none
                                                                                      : secondary[residue.residue]);

@@ -26,7 +26,7 @@ struct Trace {
     /// are phosphates, the way to the next.
     double shift = 0.5;
     std::vector<glm::dvec3> points;       ///< Å, in the file's frame; of a nucleic acid one more, at its 3' end
-    std::vector<std::uint32_t> atoms;     ///< of each residue: its guide atom, whose colour and number it has
+    std::vector<std::uint32_t> atoms;     ///< of each residue: whose colour and number it has, CA or C4'
     std::vector<std::uint32_t> residues;  ///< index into the molecule's residues, of the first at the position
     std::vector<SecondaryStructure> kinds;
     std::vector<bool> shown;

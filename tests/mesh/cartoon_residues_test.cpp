@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <set>
+#include <string_view>
 
 #include "engine/mesh/cartoon_trace.h"
 #include "engine/molecule/read.h"
@@ -136,6 +137,21 @@ TEST(CartoonResidues, BasesArePlatesOrRungs) {
         plates += name == "DA" || name == "DG" ? 14 + 18 : 8 + 12;
     }
     EXPECT_EQ(triangles[2] - triangles[0], 2 * rods * dna.residues.size() + plates);
+}
+
+TEST(CartoonResidues, NucleotidesShowTheColourOfACarbon) {
+    Molecule dna = sampleMolecule("dna");
+    CartoonOptions options;
+    options.bases = BaseForm::none;
+    const auto namesOf = [&](const Mesh& mesh) {
+        std::set<std::string_view> names;
+        for (const std::uint32_t atom : mesh.atoms) names.insert(dna.atoms[atom].name.view());
+        return names;
+    };
+    EXPECT_EQ(namesOf(cartoonOf(dna, options)), std::set<std::string_view>{"C4'"});  // of the first, without P, too
+    for (Atom& atom : dna.atoms)
+        if (atom.name.view().starts_with('C')) atom.name = Name("X");
+    EXPECT_EQ(namesOf(cartoonOf(dna, options)), (std::set<std::string_view>{"O5'", "P"}));
 }
 
 TEST(CartoonResidues, WhatCannotBeDrawnIsLeftOut) {
