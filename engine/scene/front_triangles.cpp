@@ -16,11 +16,6 @@ constexpr std::uint32_t kNone = 0xffffffffu;
 constexpr std::uint32_t kGroup = TriangleShapes::kMost;
 constexpr float kBehindAll = -std::numeric_limits<float>::max();
 
-template <typename T>
-T edgeSide(T ax, T ay, T bx, T by) {
-    return ax * by - ay * bx;
-}
-
 }  // namespace
 
 /// What one thread draws.
@@ -40,18 +35,22 @@ public:
     /// @param index  of the group's first triangle
     void draw(const TriangleLens& lens, const Group& group, std::uint32_t index, const glm::vec4* corners) {
         shapes_.place(lens, group.triangles, group.count, corners);
+        for (std::uint32_t first = 0; first < group.count; first += kLanes) {
+            const bool drawn = !isHidden(lens, shapes_.boxes[first / kLanes]);
+            if (drawn) shapes_.findPlanes(lens, first);
+            for (std::uint32_t i = first; i < first + kLanes; ++i) drawn_[i] = drawn;
+        }
+        if (lens.perspective) keepFromEye(group.count, index);
         // Of a solid what is turned to the viewer lies before what is turned away.
         std::array<std::uint32_t, 2 * kGroup> order;
         std::size_t first = kGroup, end = kGroup;
         for (std::uint32_t i = 0; i < group.count; ++i) {
-            const bool holds = shapes_.holdsCenter(i), away = shapes_.turnedAway[i];
+            const bool holds = drawn_[i] && shapes_.holdsCenter(i), away = shapes_.turnedAway[i];
             order[end] = order[first - 1] = i;
             end += holds && away;
             first -= holds && !away;
         }
-        if (lens.perspective) return drawBeforeEye(lens, group.count, index);
-        for (std::size_t k = first; k < end; ++k)
-            if (!isHidden(lens, order[k])) draw(lens, order[k], index + order[k]);
+        for (std::size_t k = first; k < end; ++k) draw(lens, order[k], index + order[k]);
     }
 
     /// In a row of pixels as if this one had drawn what the other has.
@@ -78,24 +77,27 @@ public:
     const std::vector<std::uint32_t>& doubts() const { return doubts_; }
 
 private:
-    void drawBeforeEye(const TriangleLens& lens, std::uint32_t count, std::uint32_t index) {
+    /// What is not all before the eye is not drawn.
+    void keepFromEye(std::uint32_t count, std::uint32_t index) {
         for (std::uint32_t i = 0; i < count; ++i)
-            if (!(shapes_.nearest[i] > 0))
+            if (!(shapes_.nearest[i] > 0)) {
                 doubt(index + i);
-            else if (shapes_.holdsCenter(i) && !isHidden(lens, i))
-                draw(lens, i, index + i);
+                drawn_[i] = false;
+            }
     }
 
-    /// Whether the nearest that it has is certainly behind what each of its pixels shows.
-    bool isHidden(const TriangleLens& lens, std::uint32_t i) const {
-        constexpr Mask kLane = {0, 1, 2, 3};
-        const float nearest = lens.keyOf(shapes_.nearest[i]);
+    /// Whether the nearest in a box is certainly behind what each of its pixels shows.
+    bool isHidden(const TriangleLens& lens, const TriangleShapes::Box& box) const {
+        if (lens.perspective && !(box.nearest > 0)) return false;
+        const float nearest = lens.keyOf(box.nearest);
         const Lanes key = Lanes{} + (nearest + lens.errorOfKey(nearest));
-        for (std::int32_t y = shapes_.top[i]; y < shapes_.bottom[i]; ++y) {
+        for (std::int32_t y = box.top; y < box.bottom; ++y) {
             if (!rows_[static_cast<std::size_t>(y)]) return false;
             const float* behind = &behind_[static_cast<std::size_t>(y) * lens.width];
-            for (std::int32_t x = shapes_.left[i]; x < shapes_.right[i]; x += static_cast<std::int32_t>(kLanes))
-                if (any(~(key < loadLanes(behind + x)) & (kLane < shapes_.right[i] - x))) return false;
+            for (std::int32_t x = box.left; x < box.right; x += static_cast<std::int32_t>(kLanes)) {
+                const Lanes within = static_cast<float>(box.right - x) - 0.5f - Lanes{0, 1, 2, 3};
+                if (signsOf(bitsOf(key - loadLanes(behind + x)) | bitsOf(within)) != (1u << kLanes) - 1) return false;
+            }
         }
         return true;
     }
@@ -122,9 +124,26 @@ private:
         index_[at] = index;
     }
 
+    /// One that may hold a centre, with the largest key that it may have there.
+    void hold(const TriangleLens& lens, std::uint32_t i, std::uint32_t index, std::size_t at, float before,
+              bool certain) {
+        const float error = shapes_.error[i];
+        if (lens.clips && !shapes_.splinter[i]) {
+            const float key = before - error, Z = lens.perspective ? 1.0f / key : -key;
+            const float room = lens.perspective ? error * Z * Z : error;
+            if (Z + room < lens.clipNear || Z - room > lens.clipFar) return;
+            if (Z - room <= lens.clipNear || Z + room >= lens.clipFar) certain = false;
+        }
+        if (certain)
+            meet(at, before - 2 * error, before, index, [&](std::uint32_t other) { doubt(other); });
+        else
+            doubt(index);
+    }
+
     void draw(const TriangleLens& lens, std::uint32_t i, std::uint32_t index);
 
     TriangleShapes shapes_;
+    std::array<bool, kGroup> drawn_{};
     // Of the nearest triangle that certainly holds the centre: keys that its own lies between.
     std::vector<float> behind_, before_;
     std::vector<std::uint32_t> index_;
@@ -133,39 +152,29 @@ private:
 };
 
 void FrontTriangles::Layer::draw(const TriangleLens& lens, std::uint32_t i, std::uint32_t index) {
-    constexpr Lanes kCenters = {0.5f, 1.5f, 2.5f, 3.5f};
     const TriangleShapes& s = shapes_;
-    const TriangleBounds t(lens, s, i);
-    const float roomA = t.room[0], roomB = t.room[1], roomC = t.room[2], error = t.error;
-    const float nearest = lens.keyOf(s.nearest[i]), before = nearest + lens.errorOfKey(nearest);
-    for (std::int32_t y = s.top[i]; y < s.bottom[i]; ++y) {
-        beginRow(lens, static_cast<std::size_t>(y));
-        const std::size_t row = static_cast<std::size_t>(y) * lens.width;
-        const float down = static_cast<float>(y) + 0.5f;
-        const Lanes none{}, ay = none + (s.y[0][i] - down), by = none + (s.y[1][i] - down),
-                            cy = none + (s.y[2][i] - down);
-        for (std::int32_t x = s.left[i]; x < s.right[i]; x += static_cast<std::int32_t>(kLanes)) {
-            const std::size_t at = row + static_cast<std::size_t>(x);
-            const Lanes centers = kCenters + static_cast<float>(x);
-            const Lanes ax = s.x[0][i] - centers, bx = s.x[1][i] - centers, cx = s.x[2][i] - centers;
-            const Lanes ofA = edgeSide(bx, by, cx, cy), ofB = edgeSide(cx, cy, ax, ay), ofC = edgeSide(ax, ay, bx, by);
-            const Lanes key = t.key[0] + (ofB * (t.key[1] - t.key[0]) + ofC * (t.key[2] - t.key[0])) * t.perArea;
-            const Mask outside = (ofA < -roomA) | (ofB < -roomB) | (ofC < -roomC) |
-                                 (key + error < loadLanes(&behind_[at])) | (centers > static_cast<float>(s.right[i]));
-            if (!any(~outside)) continue;
-            for (std::size_t k = 0; k < kLanes; ++k) {
-                if (outside[k]) continue;
-                bool certain = !t.splinter && ofA[k] > roomA && ofB[k] > roomB && ofC[k] > roomC;
-                if (lens.clips && !t.splinter) {
-                    const float Z = lens.perspective ? 1.0f / key[k] : -key[k];
-                    const float room = lens.perspective ? error * Z * Z : error;
-                    if (Z + room < lens.clipNear || Z - room > lens.clipFar) continue;
-                    if (Z - room <= lens.clipNear || Z + room >= lens.clipFar) certain = false;
-                }
-                if (certain)
-                    meet(at + k, key[k] - error, key[k] + error, index, [&](std::uint32_t other) { doubt(other); });
-                else if (!t.splinter || !(before < behind_[at + k]))
-                    doubt(index);
+    const std::int32_t left = s.left[i], right = s.right[i], top = s.top[i], bottom = s.bottom[i];
+    for (std::int32_t y = top; y < bottom; ++y) beginRow(lens, static_cast<std::size_t>(y));
+    const Lanes inside[] = {Lanes{} + s.inside[0][i], Lanes{} + s.inside[1][i], Lanes{} + s.inside[2][i]};
+    for (std::int32_t x = left; x < right; x += static_cast<std::int32_t>(kLanes)) {
+        const Lanes columns = Lanes{0, 1, 2, 3} + static_cast<float>(x - left);
+        const auto inRow = [&](const TriangleShapes::Plane& p) { return p.start[i] + p.right[i] * columns; };
+        const Lanes a = inRow(s.edges[0]), b = inRow(s.edges[1]), c = inRow(s.edges[2]),
+                    key = inRow(s.key) + s.error[i];
+        const Mask within = bitsOf(static_cast<float>(right - left) - 0.5f - columns);
+        std::size_t at = static_cast<std::size_t>(top) * lens.width + static_cast<std::size_t>(x);
+        float down = 0;
+        for (std::int32_t y = top; y < bottom; ++y, ++down, at += lens.width) {
+            const Lanes ofA = a + s.edges[0].down[i] * down, ofB = b + s.edges[1].down[i] * down,
+                        ofC = c + s.edges[2].down[i] * down, before = key + s.key.down[i] * down;
+            const Mask outside = bitsOf(ofA) | bitsOf(ofB) | bitsOf(ofC) | bitsOf(before - loadLanes(&behind_[at]));
+            std::uint32_t held = ~signsOf(outside | within) & ((1u << kLanes) - 1);
+            if (held == 0) continue;
+            const std::uint32_t certain =
+                signsOf(bitsOf(inside[0] - ofA) & bitsOf(inside[1] - ofB) & bitsOf(inside[2] - ofC));
+            for (; held != 0; held &= held - 1) {
+                const auto k = static_cast<std::uint32_t>(std::countr_zero(held));
+                hold(lens, i, index, at + k, before[k], (certain >> k & 1) != 0);
             }
         }
     }

@@ -16,16 +16,44 @@ inline Lanes loadLanes(const float* from) {
     std::memcpy(&lanes, from, sizeof lanes);
     return lanes;
 }
+inline Mask loadLanes(const std::int32_t* from) {
+    Mask lanes;
+    std::memcpy(&lanes, from, sizeof lanes);
+    return lanes;
+}
 inline void storeLanes(Lanes lanes, float* to) { std::memcpy(to, &lanes, sizeof lanes); }
 inline void storeLanes(Mask lanes, std::int32_t* to) { std::memcpy(to, &lanes, sizeof lanes); }
 
 inline Lanes lesser(Lanes a, Lanes b) { return a < b ? a : b; }
 inline Lanes greater(Lanes a, Lanes b) { return a > b ? a : b; }
 
+inline float leastOf(Lanes lanes) {
+    const Lanes two = lesser(lanes, __builtin_shufflevector(lanes, lanes, 2, 3, 0, 1));
+    return lesser(two, __builtin_shufflevector(two, two, 1, 0, 3, 2))[0];
+}
+
 inline bool any(Mask mask) {
     std::uint64_t halves[2];
     std::memcpy(halves, &mask, sizeof halves);
     return (halves[0] | halves[1]) != 0;
+}
+
+inline Mask bitsOf(Lanes lanes) {
+    Mask bits;
+    std::memcpy(&bits, &lanes, sizeof bits);
+    return bits;
+}
+/// The sign bits of four numbers, the first one's lowest.
+inline std::uint32_t signsOf(Mask bits) {
+#if defined(__SSE__)
+    Lanes lanes;
+    std::memcpy(&lanes, &bits, sizeof lanes);
+    return static_cast<std::uint32_t>(__builtin_ia32_movmskps(lanes));
+#else
+    std::uint32_t signs = 0;
+    for (std::uint32_t i = 0; i < kLanes; ++i) signs |= static_cast<std::uint32_t>(bits[i] < 0) << i;
+    return signs;
+#endif
 }
 
 /// Of four points the first three coordinates, each by itself.

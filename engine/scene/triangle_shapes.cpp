@@ -20,7 +20,7 @@ TriangleLens::TriangleLens(const TileView& view)
     // A number is rounded by u = 2^-24 of itself, and with P, the range in pixels, no corner is farther than P / 2 from
     // the axis. To place one there the host rounds each of three coefficients, products and sums once: 2.5 u P; a
     // shader 2 u P. To count from the picture's corner takes u times the picture's size, the ray of a pixel 4 u times
-    // its way from the axis, perspective 8 u times that: the latter two are in what TriangleBounds adds, 16 u. This
+    // its way from the axis, perspective 8 u times that: the latter two are in what findPlanes() adds, 16 u. This
     // is 8.4 u P, or 2.5 u times the picture, of which then no more than 2.4 are needed.
     const float picture = std::max({static_cast<float>(std::max(width, height)), std::abs(axisX), std::abs(axisY)});
     error = 5e-7f * std::max(view.range * view.pixels, 0.3f * picture);
@@ -29,12 +29,6 @@ TriangleLens::TriangleLens(const TileView& view)
 
 void TriangleShapes::place(const TriangleLens& lens, const Triangle* triangles, std::uint32_t count,
                            const glm::vec4* corners) {
-    constexpr float kRoom = 1.0f / 32;
-    const Lanes none{}, width = none + static_cast<float>(lens.width), height = none + static_cast<float>(lens.height);
-    // Whole numbers are cut off towards 0, where the picture begins.
-    const auto pixelAt = [&](Lanes place, Lanes size) {
-        return __builtin_convertvector(lesser(greater(place, none), size), Mask);
-    };
     for (std::uint32_t first = 0; first < count; first += kLanes) {
         const Triangle* four[kLanes];
         for (std::uint32_t i = 0; i < kLanes; ++i) four[i] = &triangles[std::min(first + i, count - 1)];
@@ -42,48 +36,102 @@ void TriangleShapes::place(const TriangleLens& lens, const Triangle* triangles, 
             const auto at = [&](const Triangle& t) { return loadLanes(&corners[t.*corner].x); };
             return LanePoints(at(*four[0]), at(*four[1]), at(*four[2]), at(*four[3]));
         };
-        const LanePoints a = points(&Triangle::a), b = points(&Triangle::b), c = points(&Triangle::c);
-        const Lanes twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-        const Mask turns = twice < none;
-        const auto store = [&](Row<float>* of, Lanes ofA, Lanes ofB, Lanes ofC) {
-            storeLanes(ofA, &of[0][first]);
-            storeLanes(turns ? ofC : ofB, &of[1][first]);
-            storeLanes(turns ? ofB : ofC, &of[2][first]);
-        };
-        store(x, a.x, b.x, c.x);
-        store(y, a.y, b.y, c.y);
-        store(z, a.z, b.z, c.z);
-        storeLanes(turns ? -twice : twice, &area[first]);
-        storeLanes(~turns, &turnedAway[first]);  // rows run downwards
-        storeLanes(lesser(a.z, lesser(b.z, c.z)), &nearest[first]);
-        storeLanes(pixelAt(lesser(a.x, lesser(b.x, c.x)) + (0.5f - kRoom), width), &left[first]);
-        storeLanes(pixelAt(greater(a.x, greater(b.x, c.x)) + (0.5f + kRoom), width), &right[first]);
-        storeLanes(pixelAt(lesser(a.y, lesser(b.y, c.y)) + (0.5f - kRoom), height), &top[first]);
-        storeLanes(pixelAt(greater(a.y, greater(b.y, c.y)) + (0.5f + kRoom), height), &bottom[first]);
+        placeFour(lens, points(&Triangle::a), points(&Triangle::b), points(&Triangle::c), first);
     }
 }
 
-TriangleBounds::TriangleBounds(const TriangleLens& lens, const TriangleShapes& s, std::uint32_t i) {
-    float off = 0;
-    for (int k = 0; k < 3; ++k) {
-        off = std::max({off, std::abs(s.x[k][i] - lens.axisX), std::abs(s.y[k][i] - lens.axisY)});
-        key[k] = lens.keyOf(s.z[k][i]);
+namespace {
+
+Lanes ofLeast(Lanes a, Lanes b, Lanes c) { return lesser(a, lesser(b, c)); }
+Lanes ofMost(Lanes a, Lanes b, Lanes c) { return greater(a, greater(b, c)); }
+Lanes farther(Lanes low, Lanes high, float axis) { return greater(high - axis, axis - low); }
+
+/// Twice the area that an edge makes with a place, which is positive to one side of it.
+struct LaneEdge {
+    Lanes start, right, down, length;
+    LaneEdge(Lanes fromX, Lanes fromY, Lanes toX, Lanes toY)
+        : start(fromX * toY - fromY * toX), right(fromY - toY), down(toX - fromX) {
+        length = greater(right, -right) + greater(down, -down);
     }
-    const auto length = [&](int from, int to) {
-        return std::abs(s.x[to][i] - s.x[from][i]) + std::abs(s.y[to][i] - s.y[from][i]);
+};
+
+}  // namespace
+
+void TriangleShapes::placeFour(const TriangleLens& lens, LanePoints a, LanePoints b, LanePoints c,
+                               std::uint32_t first) {
+    constexpr float kRoom = 1.0f / 32;
+    const Lanes none{}, width = none + static_cast<float>(lens.width), height = none + static_cast<float>(lens.height);
+    const Lanes twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    const Mask turns = twice < none;
+    const auto store = [&](Row<float>* of, Lanes ofA, Lanes ofB, Lanes ofC) {
+        storeLanes(ofA, &of[0][first]);
+        storeLanes(turns ? ofC : ofB, &of[1][first]);
+        storeLanes(turns ? ofB : ofC, &of[2][first]);
     };
-    const float rounded = lens.error + 1e-6f * off;
-    const float ab = length(0, 1), bc = length(1, 2), ca = length(2, 0), around = ab + bc + ca;
-    room[0] = 2 * rounded * bc;
-    room[1] = 2 * rounded * ca;
-    room[2] = 2 * rounded * ab;
-    splinter = s.area[i] < 16 * rounded * around;
-    perArea = 1 / s.area[i];
-    const float nearest = std::max({key[0], key[1], key[2]});
-    const float rise = nearest - std::min({key[0], key[1], key[2]});
+    store(x_, a.x, b.x, c.x);
+    store(y_, a.y, b.y, c.y);
+    store(z_, a.z, b.z, c.z);
+    storeLanes(turns ? -twice : twice, &area_[first]);
+    storeLanes(~turns, &turnedAway[first]);  // rows run downwards
+    // Whole numbers are cut off towards 0, where the picture begins.
+    const auto seen = [&](Lanes place, Lanes size) { return lesser(greater(place, none), size); };
+    const auto pixelsOf = [&](Lanes place) { return __builtin_convertvector(place, Mask); };
+    const Lanes leftmost = seen(ofLeast(a.x, b.x, c.x) + (0.5f - kRoom), width),
+                rightmost = seen(ofMost(a.x, b.x, c.x) + (0.5f + kRoom), width),
+                topmost = seen(ofLeast(a.y, b.y, c.y) + (0.5f - kRoom), height),
+                lowest = seen(ofMost(a.y, b.y, c.y) + (0.5f + kRoom), height), Z = ofLeast(a.z, b.z, c.z);
+    storeLanes(pixelsOf(leftmost), &left[first]);
+    storeLanes(pixelsOf(rightmost), &right[first]);
+    storeLanes(pixelsOf(topmost), &top[first]);
+    storeLanes(pixelsOf(lowest), &bottom[first]);
+    storeLanes(Z, &nearest[first]);
+    const auto pixel = [](float place) { return static_cast<std::int32_t>(place); };
+    boxes[first / kLanes] = {pixel(leastOf(leftmost)), pixel(-leastOf(-rightmost)), pixel(leastOf(topmost)),
+                             pixel(-leastOf(-lowest)), leastOf(Z)};
+}
+
+void TriangleShapes::findPlanes(const TriangleLens& lens, std::uint32_t first) {
+    const Lanes none{};
+    const auto corner = [&](const Row<float>* of, int k) { return loadLanes(&of[k][first]); };
+    const auto pixel = [&](const Row<std::int32_t>& of) { return loadLanes(&of[first]); };
+    const Mask leftmost = pixel(left), topmost = pixel(top);
+    const Lanes x = __builtin_convertvector(leftmost, Lanes) + 0.5f, y = __builtin_convertvector(topmost, Lanes) + 0.5f;
+    const Lanes ax = corner(x_, 0) - x, bx = corner(x_, 1) - x, cx = corner(x_, 2) - x;
+    const Lanes ay = corner(y_, 0) - y, by = corner(y_, 1) - y, cy = corner(y_, 2) - y;
+    const LaneEdge edge[] = {{bx, by, cx, cy}, {cx, cy, ax, ay}, {ax, ay, bx, by}};
+    const Lanes off = greater(farther(ofLeast(ax, bx, cx) + x, ofMost(ax, bx, cx) + x, lens.axisX),
+                              farther(ofLeast(ay, by, cy) + y, ofMost(ay, by, cy) + y, lens.axisY));
+    const Lanes area = loadLanes(&area_[first]), around = edge[0].length + edge[1].length + edge[2].length;
+    const Lanes rounded = lens.error + 1e-6f * off;  // pixels that a corner may be off
+    const Mask narrow = ~(area > 16 * rounded * around);
+    storeLanes(narrow, &splinter[first]);
+    Mask outside[4] = {};  // of the first pixels
+    for (int k = 0; k < 3; ++k) {
+        const Lanes room = 2 * rounded * edge[k].length, start = edge[k].start + room, below = start + edge[k].down;
+        const Lanes at[] = {start, start + edge[k].right, below, below + edge[k].right};
+        for (int i = 0; i < 4; ++i) outside[i] |= bitsOf(at[i]);
+        storeLanes(start, &edges[k].start[first]);
+        storeLanes(edge[k].right, &edges[k].right[first]);
+        storeLanes(edge[k].down, &edges[k].down[first]);
+        storeLanes(narrow ? none + std::numeric_limits<float>::infinity() : 2 * room, &inside[k][first]);
+    }
+    // Most triangles of a fold are as small as pixels, and lie between their centres.
+    const Mask missed = (outside[0] & outside[1] & outside[2] & outside[3]) < 0;
+    const Mask small = (pixel(right) - leftmost <= 2) & (pixel(bottom) - topmost <= 2);
+    storeLanes(missed & small ? topmost : pixel(bottom), &bottom[first]);
+
+    const auto keyAt = [&](Lanes Z) { return lens.perspective ? 1 / Z : -Z; };
+    const Lanes ofA = keyAt(corner(z_, 0)), ofB = keyAt(corner(z_, 1)), ofC = keyAt(corner(z_, 2));
+    const Lanes most = ofMost(ofA, ofB, ofC), rise = most - ofLeast(ofA, ofB, ofC), perArea = 1 / area;
+    const Lanes errorOfMost = lens.perspective ? lens.errorOfZ * most * most : none + lens.errorOfZ;
+    const auto mean = [&](Lanes LaneEdge::*of) {
+        return (edge[1].*of * (ofB - ofA) + edge[2].*of * (ofC - ofA)) * perArea;
+    };
+    storeLanes(narrow ? most + errorOfMost : ofA + mean(&LaneEdge::start), &key.start[first]);
+    storeLanes(narrow ? none : mean(&LaneEdge::right), &key.right[first]);
+    storeLanes(narrow ? none : mean(&LaneEdge::down), &key.down[first]);
     // A key may be off by as much as it rises on the way that a corner is off, and by what Z is rounded.
-    error = splinter ? std::numeric_limits<float>::infinity()
-                     : 4 * rounded * rise * around * perArea + lens.errorOfKey(nearest);
+    storeLanes(narrow ? none : 4 * rounded * rise * around * perArea + errorOfMost, &error[first]);
 }
 
 }  // namespace nacre

@@ -305,9 +305,9 @@ TEST(FrontTriangles, OfManyTheNearestAreCertainOrInDoubt) {
     EXPECT_GT(twins, 1000u);
 }
 
-/// The sums that TriangleLens and TriangleBounds state. Roundings never all do their worst at once, so that the shaders
+/// The sums that TriangleLens and TriangleShapes state. Roundings never all do their worst at once, so that the shaders
 /// of the other test are content with an eighth.
-TEST(TriangleBounds, LeaveWhatAllRoundingsAddUpTo) {
+TEST(TriangleShapes, LeaveWhatAllRoundingsAddUpTo) {
     constexpr double u = 0x1p-24, kPicture = 1000, kRange = 50;
     for (const double ofPicture : {0.01, 0.3, 4.0}) {
         TileView view;
@@ -324,9 +324,10 @@ TEST(TriangleBounds, LeaveWhatAllRoundingsAddUpTo) {
         const Triangle triangle{0, 1, 2, 1};
         TriangleShapes shapes;
         shapes.place(lens, &triangle, 1, corners);
-        const TriangleBounds bounds(lens, shapes, 0);
+        shapes.findPlanes(lens, 0);
         const double off = corner + (4 + 8) * u * inPixels / 2;
-        EXPECT_GE(static_cast<double>(*std::min_element(bounds.room, bounds.room + 3)),
+        // What is added to an edge's plane is half of where inside begins.
+        EXPECT_GE(static_cast<double>(std::min({shapes.inside[0][0], shapes.inside[1][0], shapes.inside[2][0]})) / 2,
                   2 * off * static_cast<double>(side))
             << ofPicture;
     }
