@@ -20,6 +20,8 @@ namespace {
 
 VkInstance instance = VK_NULL_HANDLE;
 VkDevice device = VK_NULL_HANDLE;
+// Pipelines are made and named on several threads: what one prints never stands amid what another's compiler does.
+std::mutex oneAtATime;
 PFN_vkGetInstanceProcAddr nextInstanceCall = nullptr;
 PFN_vkGetDeviceProcAddr nextDeviceCall = nullptr;
 
@@ -66,7 +68,6 @@ VkResult createPipelines(const char* name, VkDevice of, VkPipelineCache cache, s
                          const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
     std::vector<Info> asked(infos, infos + count);
     for (Info& info : asked) info.flags |= VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR;
-    static std::mutex oneAtATime;
     const std::lock_guard lock(oneAtATime);
     std::fprintf(stderr, "nacre pipeline begun\n");
     const VkResult result = next<Call>(name)(of, cache, count, asked.data(), allocator, pipelines);
@@ -109,6 +110,7 @@ std::string valueOf(const VkPipelineExecutableStatisticKHR& s) {
 }
 
 void tell(VkPipeline pipeline, const char* name) {
+    const std::lock_guard lock(oneAtATime);
     std::fprintf(stderr, "nacre pipeline named %p %s\n", static_cast<void*>(pipeline), name);
     const char* file = std::getenv("NACRE_STATISTICS");
     if (!file) return;
