@@ -4,6 +4,7 @@
 // CYLINDER, VERTEX: texels of cylinders, of meshes. WHOLE: one value for a sphere, asked at its point that faces the light.
 // HEIGHTS: the maps are a buffer of heights, as tile_depth.comp leaves them; else an image of encoded depth.
 // TEXELS: these and the directions are read as texels.
+// NARROW: directions are few words each (layout.h), where every invocation loads them.
 // PAIRS: an invocation asks for two texels, and loads each direction once for both.
 // All lengths here are pixels of a depth map: directions turn, scale and shift into the map, rows downwards.
 #extension GL_GOOGLE_include_directive : require

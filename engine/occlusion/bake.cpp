@@ -1,6 +1,9 @@
 #include "engine/occlusion/bake.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "engine/occlusion/directions.h"
 #include "engine/passes/read_back.h"
@@ -9,6 +12,19 @@ namespace nacre::occlusion {
 namespace {
 
 using Usage = vk::BufferUsageFlagBits;
+
+/// Whether all places but turn and move, exactly enough that two rows of a rotation tell the third.
+bool allTurn(const std::vector<std::vector<glm::dmat4x3>>& groups) {
+    constexpr double kMost = 1e-5;
+    for (const std::vector<glm::dmat4x3>& places : groups)
+        for (const glm::dmat4x3& place : places) {
+            const glm::dmat3 rows = glm::transpose(glm::dmat3(place[0], place[1], place[2]));
+            if (glm::length(glm::cross(rows[0], rows[1]) - rows[2]) > kMost ||
+                std::abs(glm::length(rows[0]) - 1) > kMost)
+                return false;
+        }
+    return true;
+}
 
 }  // namespace
 
@@ -54,6 +70,7 @@ void Bake::makeBuffers(const OpenTexels& open) {
     texelCount_ = open.texels.size();
     wordCount_ = open.words.size();
     firstOfSphere_ = open.firstOfSphere;
+    narrow_ = device_.caps().plan.loadsUniforms && !maps_.tiles() && allTurn(copies_.groups);
     batchDirections_ = gpu::makeBuffer(device_, kGroupBytes * copies_.groups.size(),
                                        Usage::eUniformBuffer | Usage::eUniformTexelBuffer, gpu::Access::upload,
                                        "occlusion directions");

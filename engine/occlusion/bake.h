@@ -141,6 +141,7 @@ private:
     std::uint64_t asked_ = 0;
     std::optional<Work> work_;
     gpu::Buffer batchDirections_, list_, sums_, words_, bytes_;
+    bool narrow_ = false;  // directions are layout::NarrowDirections
     vk::raii::BufferView directionTexels_{nullptr};
     gpu::Image atlas_;
     std::uint64_t budgetBytes_ = 0;

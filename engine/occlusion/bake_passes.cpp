@@ -1,6 +1,8 @@
 // What a bake dispatches: questions to the depth maps, and their sums into the atlas.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 
@@ -26,6 +28,16 @@ void dispatch(const vk::raii::CommandBuffer& commands, std::uint64_t invocations
     const auto groups = static_cast<std::uint32_t>((invocations + kGroup - 1) / kGroup);
     const std::uint32_t wide = std::min(groups, kGroupsPerRow);
     if (groups) commands.dispatch(wide, (groups + wide - 1) / wide, 1);
+}
+
+layout::NarrowDirections narrowed(std::span<const layout::Direction> directions) {
+    layout::NarrowDirections few{};
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        few.rows[2 * i] = directions[i].u;
+        few.rows[2 * i + 1] = directions[i].v;
+        few.heights[i / 4][static_cast<int>(i % 4)] = directions[i].w.w;
+    }
+    return few;
 }
 
 }  // namespace
@@ -76,6 +88,7 @@ Accumulation Bake::accumulation(OcclusionCopies::Run::Of of, std::uint32_t batch
             batch,
             maps_.encoded(),
             maps_.tiles() != nullptr,
+            narrow_,
             maps_.across(batch),
             vertices ? spreadOfVertices() : spreadOfTaps()};
 }
@@ -143,7 +156,7 @@ void Bake::recordAccumulation(gpu::PassContext& context, std::optional<graph::Im
         context.commands.bindDescriptorSets(kCompute, pipelineLayout, 0, sets[run.group], {});
         context.commands.pushConstants<layout::OcclusionConstants>(pipelineLayout, vk::ShaderStageFlagBits::eCompute, 0,
                                                                    c);
-        const bool pairs = asksByPairs(context.device.caps(), what);
+        const bool pairs = asksByPairs(what);
         dispatch(context.commands, pairs ? (to - from + 1) / 2 : to - from);
     }
 }
@@ -152,19 +165,26 @@ void Bake::recordAccumulation(gpu::PassContext& context, std::optional<graph::Im
 /// place first. Of those that a batch lacks all is zero. Lengths are a map's pixels, its rows run downwards.
 /// @param first  number of the batch's first direction
 void Bake::writeDirections(std::span<const glm::dmat3> frames, int first) {
-    auto* direction = reinterpret_cast<layout::Direction*>(batchDirections_.mapped);
+    auto* group = batchDirections_.mapped;
     const double scale = maps_.view(glm::dmat3(1)).pixelsPerAngstrom, middle = maps_.pixels() / 2.0;
     const glm::dmat3 toPixels(scale, 0, 0, 0, -scale, 0, 0, 0, scale);
-    for (const std::vector<glm::dmat4x3>& places : copies_.groups)
-        for (std::size_t i = 0; i < DepthMaps::kMostPerBatch; ++i, ++direction) {
-            *direction = {};
-            if (i >= frames.size()) continue;
+    for (const std::vector<glm::dmat4x3>& places : copies_.groups) {
+        std::array<layout::Direction, DepthMaps::kMostPerBatch> directions{};
+        for (std::size_t i = 0; i < frames.size(); ++i) {
             const glm::dmat4x3& place = places[(static_cast<std::size_t>(first) + i) % places.size()];
             const glm::dmat3 frame = toPixels * frames[i];
             const glm::dmat3 rows = glm::transpose(frame * glm::dmat3(place[0], place[1], place[2]));
             const glm::dvec3 shift = frame * place[3] + glm::dvec3(middle, middle, 0);
-            *direction = {glm::vec4(rows[0], shift.x), glm::vec4(rows[1], shift.y), glm::vec4(rows[2], shift.z)};
+            directions[i] = {glm::vec4(rows[0], shift.x), glm::vec4(rows[1], shift.y), glm::vec4(rows[2], shift.z)};
         }
+        if (narrow_) {
+            const layout::NarrowDirections few = narrowed(directions);
+            std::memcpy(group, &few, sizeof few);
+        } else {
+            std::memcpy(group, directions.data(), sizeof directions);
+        }
+        group += kGroupBytes;
+    }
 }
 
 void Bake::declareFinish(graph::Graph& g, gpu::Imports& imports) {

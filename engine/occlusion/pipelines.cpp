@@ -52,28 +52,29 @@ const gpu::Layout& tileMapsLayout(gpu::PassContext& context) {
     (!heights                             ? shaders::occlusionAccumulate##of         \
      : context.device.caps().tiles.texels ? shaders::occlusionAccumulate##of##Texels \
                                           : shaders::occlusionAccumulate##of##Storage)
-/// And by pairs, where that pays: cylinders would keep more at a time than Mali has registers for.
-#define NACRE_ACCUMULATION_OR_PAIRS(of) (pairs ? shaders::occlusionAccumulate##of##Pairs : NACRE_ACCUMULATION(of))
+/// And where the directions are narrow; by pairs, but of cylinders, which would keep more at a time than Mali has
+/// registers for.
+#define NACRE_ACCUMULATION_OR_NARROW(of) (narrow ? shaders::occlusionAccumulate##of##Narrow : NACRE_ACCUMULATION(of))
 
-bool asksByPairs(const gpu::Caps& caps, const Accumulation& accumulation) {
-    return caps.plan.loadsUniforms && !accumulation.heights && accumulation.texels != Texels::cylinders;
+bool asksByPairs(const Accumulation& accumulation) {
+    return accumulation.narrow && accumulation.texels != Texels::cylinders;
 }
 
 gpu::ComputePipeline accumulationPipeline(gpu::PassContext& context, const Accumulation& accumulation) {
-    const bool heights = accumulation.heights, pairs = asksByPairs(context.device.caps(), accumulation);
+    const bool heights = accumulation.heights, narrow = accumulation.narrow;
     gpu::ComputePipeline d{"occlusion accumulation, spheres",
-                           NACRE_ACCUMULATION_OR_PAIRS(Sphere),
+                           NACRE_ACCUMULATION_OR_NARROW(Sphere),
                            {},
                            *accumulationLayout(context, heights).pipeline};
     if (accumulation.texels == Texels::wholeSpheres) {
         d.name = "occlusion accumulation, whole spheres";
-        d.code = NACRE_ACCUMULATION_OR_PAIRS(Whole);
+        d.code = NACRE_ACCUMULATION_OR_NARROW(Whole);
     } else if (accumulation.texels == Texels::cylinders) {
         d.name = "occlusion accumulation, cylinders";
-        d.code = NACRE_ACCUMULATION(Cylinder);
+        d.code = NACRE_ACCUMULATION_OR_NARROW(Cylinder);
     } else if (accumulation.texels == Texels::vertices) {
         d.name = "occlusion accumulation, vertices";
-        d.code = NACRE_ACCUMULATION_OR_PAIRS(Vertex);
+        d.code = NACRE_ACCUMULATION_OR_NARROW(Vertex);
     }
     const graph::EncodedFormat& encoded = context.device.caps().encoded;
     d.constants.set(layout::kBatchId, accumulation.batch);

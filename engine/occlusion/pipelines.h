@@ -21,6 +21,7 @@ struct Accumulation {
     std::uint32_t batch = 1;   ///< depth maps in the image: 1, 4 or 16
     bool encoded = false;      ///< these hold encoded depth, not depth itself
     bool heights = false;      ///< they are a buffer of heights instead
+    bool narrow = false;       ///< directions are layout::NarrowDirections
     std::uint32_t across = 1;  ///< maps in a row
     float spread = 0;          ///< of the four pixels asked for a texel, pixels; 0: one is asked
 };
@@ -28,7 +29,7 @@ struct Accumulation {
 /// Storage buffers of shapes, directions (uniform), texels and sums, and the depth maps: an image, or heights.
 const gpu::Layout& accumulationLayout(gpu::PassContext& context, bool heights);
 /// Whether an invocation takes two texels of a list.
-bool asksByPairs(const gpu::Caps& caps, const Accumulation& accumulation);
+bool asksByPairs(const Accumulation& accumulation);
 gpu::ComputePipeline accumulationPipeline(gpu::PassContext& context, const Accumulation& accumulation);
 /// Storage buffers of sums, words and bytes.
 const gpu::Layout& finishLayout(gpu::PassContext& context);

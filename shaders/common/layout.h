@@ -194,6 +194,13 @@ struct MapConstants {
 struct Direction {
     vec4 u, v, w;
 };
+/// A batch for drivers that load uniforms for every invocation: three quarters of the words. A rotation's third row
+/// follows from the others.
+const int kMostDirections = 16;
+struct NarrowDirections {
+    vec4 rows[2 * kMostDirections];     // u and v
+    vec4 heights[kMostDirections / 4];  // w.w of four directions
+};
 
 #ifdef __cplusplus
 static_assert(sizeof(ViewConstants) == 128, "push constants: 128 bytes at most");
@@ -205,7 +212,7 @@ static_assert(sizeof(TileConstants) == 128 && offsetof(TileConstants, axisPixel)
 static_assert(sizeof(EffectConstants) == 144 + 16 * kMostCopyColors && offsetof(EffectConstants, fogStart) == 32 &&
               offsetof(EffectConstants, shadowSpread) == 96 && offsetof(EffectConstants, halo) == 112);
 static_assert(sizeof(OcclusionConstants) == 68 && sizeof(MapConstants) == 56);
-static_assert(sizeof(Direction) == 48);
+static_assert(sizeof(Direction) == 48 && sizeof(NarrowDirections) == 36 * kMostDirections);
 }  // namespace nacre::layout
 #endif
 #endif

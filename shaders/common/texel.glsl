@@ -36,8 +36,16 @@ Direction directionOf(int i) {
     return Direction(handed(shareU[i / kLanes], from), handed(shareV[i / kLanes], from),
                      handed(shareW[i / kLanes], from));
 }
+#elif defined(NARROW)
+layout(set = 0, binding = 1, std140) uniform Directions { NarrowDirections directions; };
+void fetchDirections() {}
+/// u and v are `pixelsPerAngstrom` long, and v runs downwards.
+Direction directionOf(int i) {
+    vec4 u = directions.rows[2 * i], v = directions.rows[2 * i + 1], heights = directions.heights[i / 4];
+    return Direction(u, v, vec4(cross(v.xyz, u.xyz) * bake.pixel, heights[i % 4]));
+}
 #else
-layout(set = 0, binding = 1, std140) uniform Directions { Direction directions[16]; };
+layout(set = 0, binding = 1, std140) uniform Directions { Direction directions[kMostDirections]; };
 void fetchDirections() {}
 Direction directionOf(int i) { return directions[i]; }
 #endif
