@@ -130,9 +130,10 @@ TEST(AppearanceOptions, ACartoonIsOfGuideAtomsAndItsParts) {
             if (id != 0) pixels[std::string(dna.atoms.at(id - 1).name.view())] += count;
         return pixels;
     };
-    // The backbone is its P's (its O5' where a strand begins), sticks are the C1's, plates the C4's.
+    // The backbone is its C4's, of carbon as proteins' CA are; sticks are the C1's, plates the C4's.
     auto plates = atomsOf("");
-    EXPECT_GT(plates["P"], 500);
+    EXPECT_GT(plates["C4'"], 500);
+    EXPECT_EQ(plates["P"], 0);
     EXPECT_GT(plates["C4"], 200);
     EXPECT_GT(plates["C1'"], 100);
     EXPECT_LE(plates.size(), 4u);

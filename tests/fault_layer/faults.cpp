@@ -89,7 +89,8 @@ void readEnvironment() {
         const std::size_t first = text.find(':'), last = text.rfind(':');
         if (first == last) continue;  // watches alone
         const std::uint64_t number = std::stoull(text.substr(first + 1, last - first - 1));
-        s.rules.push_back({text.substr(0, first), number, number, resultNamed(text.substr(last + 1))});
+        const std::uint64_t end = text[last - 1] == '+' ? ~std::uint64_t{0} : number;
+        s.rules.push_back({text.substr(0, first), number, end, resultNamed(text.substr(last + 1))});
     }
 }
 
