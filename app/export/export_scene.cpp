@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <glm/geometric.hpp>
 #include <map>
-#include <tuple>
+#include <unordered_map>
 
 #include "engine/error.h"
 #include "engine/mesh/solids.h"
@@ -24,9 +25,7 @@ struct ExportGroup {
     std::uint32_t list = 0;
     std::string chain, kind;
     std::uint32_t color = 0;  ///< of instances
-    bool operator<(const ExportGroup& o) const {
-        return std::tie(list, chain, kind, color) < std::tie(o.list, o.chain, o.kind, o.color);
-    }
+    auto operator<=>(const ExportGroup&) const = default;
 };
 
 class SceneExporter {
@@ -54,8 +53,8 @@ public:
 private:
     struct GroupMesh {
         Mesh mesh;
-        std::map<std::uint32_t, std::uint32_t> places;  ///< of the scene's vertices
-        std::vector<float> occlusion;                   ///< of the mesh's
+        std::unordered_map<std::uint32_t, std::uint32_t> places;  ///< of the scene's vertices
+        std::vector<float> occlusion;                             ///< of the mesh's
     };
 
     int sidesThatFit() const {
@@ -84,7 +83,9 @@ private:
     }
 
     GroupMesh& meshOf(std::uint32_t list, std::uint32_t atom, const char* kind) {
-        return meshes_[{list, chainOf(atom), kind, 0}];
+        const ExportGroup group{list, chainOf(atom), kind, 0};
+        if (last_ == meshes_.end() || last_->first != group) last_ = meshes_.try_emplace(group).first;
+        return last_->second;
     }
 
     void addTriangle(std::size_t i, std::uint32_t list) {
@@ -210,6 +211,7 @@ private:
     bool instances_;
     const BakedOcclusion* baked_;
     std::map<ExportGroup, GroupMesh> meshes_;
+    std::map<ExportGroup, GroupMesh>::iterator last_ = meshes_.end();  // that was asked for
     std::map<ExportGroup, std::vector<ExportInstances::Place>> placed_;
     ExportScene result_;
 };
