@@ -8,6 +8,8 @@
 #include <numbers>
 #include <set>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "engine/error.h"
 #include "engine/mesh/marching_cubes.h"
@@ -15,6 +17,7 @@
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/read.h"
+#include "engine/molecule/residue_kind.h"
 #include "tests/mesh/mesh_checks.h"
 #include "tests/molecule/build_molecule.h"
 #include "tests/support/test_data.h"
@@ -204,6 +207,27 @@ TEST(Surface, CrambinsIsWhatOthersFind) {
     test::expectSound(excluded, crambin.atoms.size());
     // As it comes, without a word about the grid.
     expectMeasures(surfaceOf(crambin), kEdtArea, kEdtVolume, 0.01);
+}
+
+/// As they come, beside the areas and volumes that BALL 1.5 (Debian's libball1.5-dev: calculateSESArea() and
+/// calculateSESVolume() of analyticalSES.h, after Connolly, no grid) has of the same spheres and a probe of 1.4 Å.
+TEST(Surface, OfProteinsAndDnaIsWhatAnotherProgramFinds) {
+    NACRE_NEEDS_DATA();
+    for (const auto& [name, atoms, area, volume] : {std::tuple{"1crn.pdb", 327u, 2319.02, 4664.37},
+                                                    {"1bna.cif", 486u, 3495.00, 5841.51},
+                                                    {"trna-4tra.pdb", 1652u, 11262.65, 20240.44},
+                                                    {"4hhb.pdb", 4384u, 27513.48, 66271.64}}) {
+        SCOPED_TRACE(name);
+        const Molecule molecule = readMoleculeFile(test::dataFile(name));
+        const std::vector<ResidueKind> kinds = residueKinds(molecule);
+        std::vector<std::uint32_t> chain = drawnAtoms(molecule);
+        std::erase_if(chain, [&](std::uint32_t atom) {
+            const ResidueKind kind = kinds[molecule.atoms[atom].residue];
+            return kind != ResidueKind::protein && kind != ResidueKind::nucleic;
+        });
+        EXPECT_EQ(chain.size(), atoms);
+        expectMeasures(surface(molecule, chain, {}, {}), area, volume, 0.01);
+    }
 }
 
 TEST(Surface, WhatCannotBeMadeIsNot) {
