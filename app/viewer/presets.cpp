@@ -27,7 +27,7 @@ std::span<const Preset> presets() {
          kWhite},
         {"Sticks", {licorice, ColorScheme::element}, kWhite},
         {"N to C", {spacefill, ColorScheme::rainbow}, kWhite},
-        {"Predicted confidence", {spacefill, ColorScheme::plddt}, kWhite},
+        {"Predicted confidence", {cartoon, ColorScheme::plddt}, kWhite},
         {"Hydrophobic and polar", {spacefill, ColorScheme::hydrophobicity}, kWhite},
         {"On black", {spacefill, ColorScheme::element}, kBlack},
     };
@@ -49,7 +49,9 @@ void firstLook(const Molecule& molecule, SavedView& view) {
     if (look.style || !look.rules.empty() || look.color != Coloring()) return;
     std::size_t aminoAcids = 0;
     for (const ChainSummary& chain : summariseChains(molecule)) aminoAcids += chain.aminoAcids;
-    if (aminoAcids > kFewResidues) setStyle(Style::cartoon, look);
+    const bool predicted = aminoAcids > 0 && molecule.file.confidence;
+    if (predicted) look.color = ColorScheme::plddt;
+    if (predicted || aminoAcids > kFewResidues) setStyle(Style::cartoon, look);
 }
 
 std::span<const char* const> colorChoices() {

@@ -18,7 +18,8 @@ std::span<const Preset> presets();
 void applyPreset(const Preset& preset, SavedView& view);
 
 /// How a molecule looks at first where nothing was asked for: proteins of over 200 residues as cartoons, their ligands
-/// as sticks. Anything else, and any view that says something of styles, colours or selections, stays as it is.
+/// as sticks; a prediction that states its confidence as a cartoon coloured by it. Anything else, and any view that
+/// says something of styles, colours or selections, stays as it is.
 void firstLook(const Molecule& molecule, SavedView& view);
 
 /// What the panel offers, as `--color` and `--background` take it.

@@ -2,6 +2,7 @@
 
 #include "app/viewer/loader.h"
 #include "app/viewer/presets.h"
+#include "tests/molecule/build_molecule.h"
 #include "tests/molecule/build_peptide.h"
 
 namespace nacre::app {
@@ -15,6 +16,20 @@ TEST(FirstLook, LargeProteinsAreCartoons) {
     SavedView small;
     firstLook(test::chainOf(200, -57, -47), small);
     EXPECT_EQ(small.look, RepresentationOptions());
+}
+
+TEST(FirstLook, PredictionsShowTheirConfidence) {
+    Molecule molecule = test::chainOf(20, -57, -47);
+    molecule.file.confidence = true;
+    SavedView view;
+    firstLook(molecule, view);
+    EXPECT_EQ(view.look.style, Style::cartoon);
+    EXPECT_EQ(view.look.color, Coloring(ColorScheme::plddt));
+    Molecule ligand = test::MoleculeText().residue("LIG").atom("C", "C", {}).molecule;
+    ligand.file.confidence = true;
+    SavedView other;
+    firstLook(ligand, other);
+    EXPECT_EQ(other.look, RepresentationOptions());
 }
 
 TEST(FirstLook, WhatWasAskedForStays) {
