@@ -4,6 +4,7 @@
 
 #include "app/cli/info_command.h"
 #include "app/shared/messages.h"
+#include "app/shared/printable.h"
 #include "engine/molecule/kabsch_sander.h"
 #include "engine/molecule/residue_kind.h"
 
