@@ -54,6 +54,9 @@ constexpr Synonym kColorSynonyms[] = {{"cpk", "element"},
                                       {"chain-id", "chain"},
                                       {"spectrum", "rainbow"},
                                       {"sequence-id", "rainbow"},
+                                      {"structure", "secondary-structure"},
+                                      {"secondary", "secondary-structure"},
+                                      {"b", "b-factor"},
                                       {"temperature", "b-factor"},
                                       {"bfactors", "b-factor"},
                                       {"confidence", "plddt"},
@@ -118,6 +121,8 @@ std::array<float, 4> parseColor(std::string_view text) {
 }
 
 Style parseStyle(std::string_view text) {
+    if (lowerCase(text) == "putty")
+        throw std::invalid_argument("putty is a form of cartoons: --style cartoon --putty on");
     constexpr Style kStyles[] = {Style::spacefill, Style::ballAndStick, Style::licorice, Style::cartoon,
                                  Style::surface};
     return kStyles[parseChoice(ours(text, kStyleSynonyms),

@@ -48,6 +48,9 @@ TEST(Synonyms, OfOtherProgramsAreTaken) {
     EXPECT_EQ(parseStyle("ball+stick"), Style::ballAndStick);
     EXPECT_EQ(parseColoring("cpk"), ColorScheme::element);
     EXPECT_EQ(parseColoring("spectrum"), ColorScheme::rainbow);
+    EXPECT_EQ(parseColoring("structure"), ColorScheme::secondaryStructure);
+    EXPECT_EQ(parseColoring("b"), ColorScheme::bFactor);
+    EXPECT_NE(reason([] { parseStyle("Putty"); }).find("--putty on"), std::string::npos);
     EXPECT_EQ(parseShow("ligand=sticks").style, Style::licorice);
 }
 
