@@ -7,98 +7,16 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <limits>
-#include <random>
 #include <set>
 
 #include "engine/scene/camera.h"
+#include "tests/scene/listed_scene.h"
 
 namespace nacre::test {
 namespace {
 
 constexpr std::uint32_t kBin = TileLists::kBinPixels;
-
-struct Seen {
-    std::vector<Sphere> spheres;
-    std::vector<Cylinder> cylinders;
-    std::vector<glm::vec4> rows;
-    std::vector<TileCall> sphereCalls, cylinderCalls;
-    Representation mesh;
-    std::vector<TileCall> triangleCalls;
-    TileView view;
-
-    TileScenery scenery() const {
-        return {spheres,       sphereCalls,          cylinders,  cylinderCalls, mesh.triangles, mesh.meshVertices,
-                triangleCalls, mesh.coarseTriangles, mesh.meshes};
-    }
-};
-
-class Numbers {
-public:
-    explicit Numbers(std::uint32_t seed) : engine_(seed) {}
-    double operator()(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
-    glm::dvec3 within(double reach) { return {(*this)(-reach, reach), (*this)(-reach, reach), (*this)(-reach, reach)}; }
-
-private:
-    std::mt19937 engine_;
-};
-
-/// Two meshes of triangles large and small, in two steps.
-void addTriangles(Numbers& number, Seen& s) {
-    for (const double reach : {8.0, 2.5}) {
-        Mesh mesh;
-        for (std::uint32_t i = 0; i < 20; ++i) {
-            mesh.positions.push_back(glm::vec3(number.within(reach)));
-            mesh.normals.emplace_back(0, 0, 1);
-            mesh.atoms.push_back(0);
-            if (i >= 2) mesh.triangles.emplace_back(i, i - 1, i - 2);
-        }
-        appendMesh(
-            mesh, glm::dvec3(0), [](std::uint32_t) { return SphereLook{}; }, s.mesh);
-    }
-}
-
-/// Balls, sticks and triangles of many sizes at the places of one to three copies, seen from anywhere, zoomed in or
-/// out.
-Seen randomSeen(std::uint32_t seed, bool perspective, int quarterTurns) {
-    Numbers number(seed);
-    Seen s;
-    for (int i = 0; i < 40; ++i)
-        s.spheres.push_back({glm::vec3(number.within(8)), static_cast<float>(std::exp(number(-4, 1)))});
-    for (int i = 0; i < 25; ++i) {
-        const glm::dvec3 a = number.within(8);
-        s.cylinders.push_back(
-            {glm::vec3(a), static_cast<float>(std::exp(number(-4, 0))), glm::vec3(a + number.within(3)), 0});
-    }
-    addTriangles(number, s);
-    const int copies = static_cast<int>(number(1, 3.99));
-    for (int c = 0; c < copies; ++c) {
-        const glm::dmat3 turn =
-            glm::mat3_cast(glm::normalize(glm::dquat(number(-1, 1), number(-1, 1), number(-1, 1), number(-1, 1))));
-        const glm::dvec3 shift = number.within(4);
-        for (int i = 0; i < 3; ++i) s.rows.emplace_back(turn[0][i], turn[1][i], turn[2][i], shift[i]);
-    }
-    for (int c = 0; c < copies; ++c) {
-        const auto base = static_cast<std::uint32_t>(200 * c + 1);
-        s.sphereCalls.push_back({&s.rows[static_cast<std::size_t>(3 * c)], 5, 35, base});
-        s.cylinderCalls.push_back({&s.rows[static_cast<std::size_t>(3 * c)], 0, 25, base + 40});
-        s.triangleCalls.push_back({&s.rows[static_cast<std::size_t>(3 * c)], 3, 30, base + 65});
-    }
-    TileView& v = s.view;
-    v.width = static_cast<std::uint32_t>(number(20, 150));
-    v.height = static_cast<std::uint32_t>(number(20, 150));
-    v.perspective = perspective;
-    v.quarterTurns = quarterTurns;
-    v.centers = seed % 2 == 0;
-    v.pixels = static_cast<float>(std::exp(number(-0.5, 3)));
-    v.axis = {static_cast<float>(v.width * number(0, 1)), static_cast<float>(v.height * number(0, 1))};
-    constexpr float kRadius = 24;
-    v.origin = perspective ? kRadius * 3 : kRadius;
-    v.nearest = v.origin - kRadius - 1;
-    v.range = 2 * (kRadius + 1);
-    return s;
-}
 
 /// The ray of a pixel's centre, view space.
 struct Ray {
@@ -142,29 +60,6 @@ double distanceTo(const Ray& ray, const glm::vec4* rows, const Representation& m
     return inside ? glm::dot(normal, a) / glm::dot(normal, ray.direction) : std::numeric_limits<double>::infinity();
 }
 
-std::vector<std::uint32_t> listsOf(TileLists& lists) {
-    std::vector<std::uint32_t> words(lists.words());
-    lists.write(words.data());
-    return {words.end() - static_cast<std::ptrdiff_t>(lists.entries()), words.end()};
-}
-
-/// The triangle that each pixel begins with, row by row; 0: none, and where lists begin with none.
-std::vector<std::uint32_t> seedsOf(const TileLists& lists, const TileView& v) {
-    std::vector<std::uint32_t> seeds(std::size_t{v.width} * v.height, 0);
-    for (std::uint32_t y = 0; lists.seeded() && y < v.height; ++y)
-        lists.writeSeeds(0, y, v.width, seeds.data() + std::size_t{y} * v.width);
-    return seeds;
-}
-
-/// All that may be seen somewhere.
-std::set<std::uint32_t> namedBy(TileLists& lists, const TileView& v) {
-    const std::vector<std::uint32_t> numbers = listsOf(lists), seeds = seedsOf(lists, v);
-    std::set<std::uint32_t> named(numbers.begin(), numbers.end());
-    named.insert(seeds.begin(), seeds.end());
-    named.erase(0);
-    return named;
-}
-
 class TileListsTest : public testing::TestWithParam<std::tuple<bool, int>> {};
 
 TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
@@ -172,7 +67,7 @@ TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
     TileLists lists;  // used again and again, as by a renderer
     std::size_t met = 0, listed = 0, meetings = 0, begun = 0;
     for (std::uint32_t seed = 0; seed < 12; ++seed) {
-        const Seen s = randomSeen(seed, perspective, turns);
+        const ListedScene s = randomListedScene(seed, perspective, turns);
         lists.build(s.view, s.scenery());
         const std::vector<std::uint32_t> numbers = listsOf(lists);
         listed += numbers.size();
@@ -227,18 +122,6 @@ TEST_P(TileListsTest, NoPrimitiveThatAPixelMeetsIsLeftOut) {
     EXPECT_GT(meetings, 1000u);
     EXPECT_GT(begun, 100u);
     EXPECT_GT(listed, 300u);
-}
-
-constexpr glm::vec4 kUnturned[] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
-
-/// Of 16 x 16 pixels, an angstrom each.
-TileView smallView() {
-    TileView v;
-    v.width = v.height = 16;
-    v.axis = glm::vec2(8);
-    v.origin = 4;
-    v.range = 8;
-    return v;
 }
 
 TEST(TileLists, LeaveOutTrianglesBehindOthersAtAllCenters) {
@@ -298,7 +181,7 @@ TEST(TileLists, LeaveOutTrianglesBetweenTheCentersOfPixels) {
 TEST_P(TileListsTest, EveryListGoesFromNearToFar) {
     const auto [perspective, turns] = GetParam();
     for (std::uint32_t seed = 100; seed < 110; ++seed) {
-        const Seen s = randomSeen(seed, perspective, turns);
+        const ListedScene s = randomListedScene(seed, perspective, turns);
         TileLists lists;
         lists.build(s.view, s.scenery());
         const std::vector<std::uint32_t> numbers = listsOf(lists);
@@ -332,91 +215,6 @@ TEST_P(TileListsTest, EveryListGoesFromNearToFar) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Views, TileListsTest, testing::Combine(testing::Bool(), testing::Values(0, 1, 2, 3)));
-
-TEST(TileLists, TilesAndSpansAreThoseOfBinsThatAreNotEmpty) {
-    for (std::uint32_t seed = 200; seed < 230; ++seed) {
-        const Seen s = randomSeen(seed, false, 0);
-        TileLists lists;
-        lists.build(s.view, s.scenery());
-        std::set<std::pair<std::uint32_t, std::uint32_t>> bins, inSpans;
-        for (std::uint32_t y = 0; y < lists.down(); ++y)
-            for (std::uint32_t x = 0; x < lists.across(); ++x)
-                if (const std::size_t bin = y * lists.across() + x;
-                    lists.holds(bin) || lists.offsets()[bin] < lists.offsets()[bin + 1])
-                    bins.emplace(x, y);
-        // Those of a bin stand together: what looks for edges takes them at once (shaders/tile_edge_pixels.comp).
-        constexpr std::uint32_t kPerBin = TileLists::kTilesInBin;
-        std::set<std::pair<std::uint32_t, std::uint32_t>> tiles;
-        for (std::size_t i = 0; i < lists.tiles().size(); ++i) {
-            const TileLists::Tile& tile = lists.tiles()[i];
-            const TileLists::Tile& first = lists.tiles()[i / (kPerBin * kPerBin) * (kPerBin * kPerBin)];
-            EXPECT_TRUE(tiles.emplace(tile.x, tile.y).second);
-            EXPECT_TRUE(bins.contains({tile.x / kPerBin, tile.y / kPerBin}));
-            EXPECT_EQ(tile.x / kPerBin, first.x / kPerBin);
-            EXPECT_EQ(tile.y / kPerBin, first.y / kPerBin);
-        }
-        EXPECT_EQ(tiles.size(), bins.size() * kPerBin * kPerBin);
-        for (const TileLists::Span& span : lists.spans())
-            for (std::uint32_t x = span.x; x < span.endX; ++x) EXPECT_TRUE(inSpans.emplace(x, span.y).second);
-        EXPECT_EQ(inSpans, bins);
-    }
-}
-
-/// Shaders read the word before a list that is empty as if it were the list's: it has to be a number of a primitive.
-TEST(TileLists, TheWordBeforeAListIsTheNumberOfAPrimitive) {
-    Representation sheet;  // far wider than the picture: the host knows all that its pixels show
-    Mesh mesh;
-    mesh.positions = {{-90, -90, 0}, {90, -90, 0}, {0, 180, 0}};
-    mesh.normals.assign(3, {0, 0, 1});
-    mesh.atoms.assign(3, 0);
-    mesh.triangles = {{0, 1, 2}};
-    appendMesh(
-        mesh, glm::dvec3(0), [](std::uint32_t) { return SphereLook{}; }, sheet);
-    const std::vector<Sphere> spheres = {{{20, 20, 5}, 1}};
-    const std::vector<glm::vec4> rows = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
-    const TileCall ball{rows.data(), 0, 1, 1}, triangle{rows.data(), 0, 1, 2};
-    TileView view;
-    view.width = view.height = 64;
-    view.axis = {32, 32};
-    view.origin = 200;
-    view.range = 400;
-    view.centers = true;
-    for (const bool balls : {false, true}) {
-        const std::span<const TileCall> calls(&ball, balls ? 1 : 0);
-        TileLists lists;
-        lists.build(view, {spheres, calls, {}, {}, sheet.triangles, sheet.meshVertices, {&triangle, 1}});
-        ASSERT_EQ(lists.tiles().size(), 64u);
-        std::vector<std::uint32_t> words(lists.words(), 0xdeadbeefu);
-        lists.write(words.data());
-        const std::uint32_t* offsets = &words[lists.tiles().size()];
-        std::size_t empty = 0;
-        for (std::size_t bin = 0; bin < std::size_t{lists.across()} * lists.down(); ++bin) {
-            empty += offsets[bin] == offsets[bin + 1];
-            ASSERT_LE(offsets[bin + 1], words.size());
-            for (std::uint32_t at = offsets[bin] - 1; at < offsets[bin + 1]; ++at) EXPECT_EQ(words[at], 1u) << bin;
-        }
-        EXPECT_EQ(empty, balls ? 15u : 16u);
-    }
-}
-
-TEST(TileLists, WhatIsOutsideThePictureIsNotKept) {
-    const std::vector<Sphere> spheres = {{{0, 0, 0}, 1}, {{100, 0, 0}, 1}, {{0, -100, 0}, 1}, {{-100, 100, 0}, 1}};
-    const std::vector<glm::vec4> rows = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
-    const TileCall call{rows.data(), 0, 4, 1};
-    TileView view;
-    view.width = view.height = 64;
-    view.axis = {32, 32};
-    view.origin = 120;
-    view.range = 240;
-    TileLists lists;
-    lists.build(view, {spheres, {&call, 1}, {}, {}});
-    EXPECT_EQ(lists.kept(), 1u);
-    EXPECT_EQ(listsOf(lists), std::vector<std::uint32_t>(4, 1));  // about the corner of four bins
-    lists.build(view, {});
-    EXPECT_EQ(lists.kept(), 0u);
-    EXPECT_TRUE(lists.tiles().empty());
-    EXPECT_TRUE(lists.spans().empty());
-}
 
 }  // namespace
 }  // namespace nacre::test
