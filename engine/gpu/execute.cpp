@@ -75,7 +75,7 @@ vk::Framebuffer Executor::framebuffer(OwnedRenderPass& pass, const graph::Render
     vk::raii::Framebuffer handle(*device_, vk::FramebufferCreateInfo({}, *pass.handle, handles, plan.extent.width,
                                                                      plan.extent.height, plan.layers));
     device_.name(*handle, name);
-    pass.framebuffers.push_back({views, plan.extent, std::move(handle)});
+    pass.framebuffers.push_back({views, plan.extent, std::move(handle), recording.graph_.name()});
     return *pass.framebuffers.back().handle;
 }
 
@@ -275,7 +275,8 @@ void Executor::retireFramebuffers(Retired& retired) {
 }
 
 void Executor::forget(const std::string& graph) {
-    forgetFramebuffers();
+    for (OwnedRenderPass& pass : renderPasses_)
+        pass.framebuffers.remove_if([&](const Framebuffer& f) { return f.graph == graph; });
     std::erase_if(images_, [&](const auto& entry) { return entry.first.starts_with(graph + ": "); });
 }
 

@@ -51,6 +51,7 @@ struct Framebuffer {
     std::vector<VkImageView> views;
     graph::Extent extent;
     vk::raii::Framebuffer handle;
+    std::string graph;  ///< that it was made for
 };
 struct OwnedRenderPass {
     graph::RenderPassPlan plan;  ///< without what changes from frame to frame
@@ -112,7 +113,8 @@ public:
     void run(const graph::Graph& graph, const graph::Plan& plan, const Imports& imports);
     /// Call when nothing that was recorded is in flight: frees descriptor sets.
     void reset() { descriptors_.reset(); }
-    /// Drops every image of this name's graph, so that its memory can be used for something else.
+    /// Drops every image of this name's graph, so that its memory can be used for something else. Call when nothing
+    /// that was recorded of it is in flight; what else is, nobody waits for.
     void forget(const std::string& graph);
     /// What the driver made of the render passes that were recorded so far, and of transient images. Not for every
     /// frame: it asks the driver.

@@ -31,7 +31,8 @@ struct Rule {
 struct State {
     std::vector<Rule> rules;
     std::uint64_t struck = 0;
-    bool lost = false, faultData = false, hidesMaintenance = false, fromEnvironment = false;
+    bool lost = false, faultData = false, fromEnvironment = false;
+    std::set<std::string> hidden;
     VkExtent2D window{0, 0};
     std::vector<Call> calls;
     std::map<std::string, std::uint64_t> counts;
@@ -127,7 +128,7 @@ void newDevice() {
 }
 
 bool offersFaultData() { return state().faultData; }
-bool hidesSwapchainMaintenance() { return state().hidesMaintenance; }
+bool hides(const std::string& extension) { return state().hidden.contains(extension); }
 VkExtent2D windowSize() { return state().window; }
 
 void heard(const char* message) {
@@ -177,7 +178,7 @@ std::uint64_t struck() {
 }
 
 void offerFaultData(bool offered) { state().faultData = offered; }
-void hideSwapchainMaintenance(bool hidden) { state().hidesMaintenance = hidden; }
+void hideExtensions(std::set<std::string> names) { state().hidden = std::move(names); }
 void setWindowSize(std::uint32_t width, std::uint32_t height) { state().window = {width, height}; }
 const std::vector<Call>& calls() { return state().calls; }
 std::uint64_t count(const std::string& function) {

@@ -14,6 +14,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -32,7 +33,7 @@ void reset();
 
 /// Lets the number-th call from now on of a function fail; "*": of all that may run out of memory.
 /// After VK_ERROR_DEVICE_LOST everything that can tells the same until another device is made. Acquiring and presenting
-/// with VK_SUBOPTIMAL_KHR is done, and says so.
+/// with VK_SUBOPTIMAL_KHR is done, and says so; likewise a fence is asked for its status, with VK_NOT_READY.
 void fail(const std::string& function, std::uint64_t number, VkResult result);
 /// The number-th call and all that follow fail, until reset().
 void failFrom(const std::string& function, std::uint64_t number, VkResult result);
@@ -44,8 +45,8 @@ std::uint64_t struck();
 /// A device that offers VK_EXT_device_fault, and made-up data when it is lost. Takes hold of the next instance.
 void offerFaultData(bool offered);
 
-/// Devices that are made from now on do not offer VK_EXT_swapchain_maintenance1, whatever they have.
-void hideSwapchainMaintenance(bool hidden);
+/// Devices that are made from now on do not offer these extensions, whatever they have.
+void hideExtensions(std::set<std::string> names);
 /// What surfaces say that their window measures from now on, in pixels; 0 and 0: what they know.
 void setWindowSize(std::uint32_t width, std::uint32_t height);
 

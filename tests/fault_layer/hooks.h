@@ -101,6 +101,7 @@ struct Hook<Tag, void(VKAPI_PTR*)(Parent, Handle, const VkAllocationCallbacks*)>
     X(DestroyFence, other, "Fence")                              \
     X(ResetFences, runsOut, nullptr)                             \
     X(WaitForFences, runsOutOrLost, nullptr)                     \
+    X(GetFenceStatus, lost, nullptr)                             \
     X(CreateSemaphore, runsOut, "Semaphore")                     \
     X(DestroySemaphore, other, "Semaphore")                      \
     X(QueueSubmit, runsOutOrLost, nullptr)                       \

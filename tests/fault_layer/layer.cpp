@@ -145,7 +145,7 @@ VKAPI_ATTR void VKAPI_CALL destroyDevice(VkDevice gone, const VkAllocationCallba
     made("Device", -1);
 }
 
-// --- extensions: VK_EXT_device_fault, made up, and one that may be hidden
+// --- extensions: VK_EXT_device_fault, made up, and what is hidden
 
 VKAPI_ATTR VkResult VKAPI_CALL deviceExtensions(VkPhysicalDevice physical, const char* layer, std::uint32_t* count,
                                                 VkExtensionProperties* list) {
@@ -157,10 +157,7 @@ VKAPI_ATTR VkResult VKAPI_CALL deviceExtensions(VkPhysicalDevice physical, const
     VkExtensionProperties fault{};
     std::strcpy(fault.extensionName, VK_EXT_DEVICE_FAULT_EXTENSION_NAME);
     if (offersFaultData()) all.push_back(fault);
-    if (hidesSwapchainMaintenance())
-        std::erase_if(all, [](const VkExtensionProperties& e) {
-            return std::string_view(e.extensionName) == VK_EXT_SWAPCHAIN_MAINTENANCE_1_EXTENSION_NAME;
-        });
+    std::erase_if(all, [](const VkExtensionProperties& e) { return hides(e.extensionName); });
     const auto wanted = static_cast<std::uint32_t>(all.size());
     if (list) std::copy_n(all.data(), std::min(*count, wanted), list);
     const bool whole = !list || *count >= wanted;

@@ -15,7 +15,7 @@ std::optional<VkResult> verdict(const char* function, bool runsOut, bool canBeLo
 void made(const std::string& kind, std::int64_t count);
 void newDevice();
 bool offersFaultData();
-bool hidesSwapchainMaintenance();
+bool hides(const std::string& extension);
 VkExtent2D windowSize();
 void heard(const char* message);
 void instanceGone();

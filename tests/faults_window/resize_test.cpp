@@ -9,9 +9,11 @@ namespace {
 
 /// Devices that are made while this lives tell when the display is done with what was presented, or do not.
 struct Maintained {
-    explicit Maintained(bool on) { faults::hideSwapchainMaintenance(!on); }
+    explicit Maintained(bool on) {
+        if (!on) faults::hideExtensions({VK_EXT_SWAPCHAIN_MAINTENANCE_1_EXTENSION_NAME});
+    }
     ~Maintained() {
-        faults::hideSwapchainMaintenance(false);
+        faults::hideExtensions({});
         faults::setWindowSize(0, 0);
     }
 };

@@ -1,0 +1,45 @@
+// A bake beside frames: one submission of it is in flight, and no call waits for it; counted by the fault layer, which
+// says that a fence is not there yet for as long as a test likes.
+
+#include <chrono>
+#include <thread>
+
+#include "tests/faults/fault_run.h"
+
+namespace nacre::test {
+namespace {
+
+std::uint64_t waits() {
+    return faults::count("vkWaitForFences") + faults::count("vkQueueWaitIdle") + faults::count("vkDeviceWaitIdle");
+}
+
+TEST(BakeBesideFrames, HasOneSubmissionInFlightAndNobodyWaits) {
+    const Representation molecule = scene("sample:glucose", Style::ballAndStick);
+    RenderSettings s = settings(molecule, 64, Projection::orthographic);
+    s.occlusion.directions = 16;
+    ValidatedRenderer renderer(Visibility::encoded, ValidatedRenderer::fresh);
+    renderer->setScene(molecule);
+    const auto advance = [&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return renderer->advanceOcclusion(s, OcclusionPace{1e-4, 0, false});
+    };
+    faults::reset();
+    faults::failFrom("vkGetFenceStatus", 1, VK_NOT_READY);
+    EXPECT_EQ(advance(), 0);
+    EXPECT_EQ(faults::count("vkQueueSubmit"), 0u) << "the first picture comes before any of it";
+    for (int call = 0; call < 60'000 && faults::count("vkQueueSubmit") == 0; ++call) EXPECT_EQ(advance(), 0);
+    for (int call = 0; call < 50; ++call) EXPECT_EQ(advance(), 0);
+    EXPECT_EQ(faults::count("vkQueueSubmit"), 1u);
+    EXPECT_GE(faults::struck(), 49u);
+    EXPECT_EQ(waits(), 0u);
+
+    faults::reset();
+    for (int call = 0; call < 60'000 && advance() < 1;) ++call;
+    EXPECT_GT(faults::count("vkQueueSubmit"), 16u);  // a direction is more than one takes on
+    EXPECT_GE(faults::count("vkGetFenceStatus"), faults::count("vkQueueSubmit"));
+    EXPECT_EQ(waits(), 0u);
+    EXPECT_EQ(renderer->stats().occlusion.done, 16);
+}
+
+}  // namespace
+}  // namespace nacre::test
