@@ -83,6 +83,20 @@ TEST(SelfTest, APathThatDrawsWronglyIsNeverTaken) {
     EXPECT_EQ(Renderer(asked).stats().device.visibility, "encoded");
 }
 
+TEST(SelfTest, AnotherDriverIsTriedAnew) {
+    const TemporaryFolder folder;
+    int tries = 0;
+    setenv("NACRE_PHONE_DRIVER", "the first", 1);
+    const std::string key = started(folder, &tries).driverKey;
+    setenv("NACRE_PHONE_DRIVER", "its update", 1);
+    EXPECT_NE(started(folder, &tries).driverKey, key);
+    EXPECT_EQ(tries, 2);
+    setenv("NACRE_PHONE_DRIVER", "the first", 1);
+    EXPECT_EQ(started(folder, &tries).driverKey, key);
+    unsetenv("NACRE_PHONE_DRIVER");
+    EXPECT_EQ(tries, 2);  // both answers are kept
+}
+
 TEST(SelfTest, APathThatEndedTheProgramTwiceIsNotTriedAgain) {
     const TemporaryFolder folder;
     const std::string key = started(folder).driverKey, file = folder / ("devices/paths-" + key);

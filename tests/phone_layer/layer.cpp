@@ -2,11 +2,12 @@
 // and the memory types of tile-based GPUs: one that the host sees coherently and does not cache, one that it caches and
 // must invalidate, one that is lazily allocated. What the host may not see yet, it does not see here. Under the
 // validation layer a program that asks for more is told. The environment variable NACRE_PHONE names the phone:
-// "android" (of Arm's make) or "moltenvk"; NACRE_PHONE_WRONG a fault of its driver, NACRE_PHONE_TILE the tile of the
-// former (feedback.h); NACRE_PHONE_SHADERS may name a folder that takes every shader which the program hands over,
-// as 1.spv, 2.spv, ...; NACRE_PHONE_FRAMES a file that is told of frames (frames.h), NACRE_PHONE_PIPELINES one that
-// gets the thread which made a graphics pipeline, a line each, NACRE_PHONE_DRAWS one that gets the corners of each
-// draw, NACRE_PHONE_WORK one that gets what each submission takes of its device (clock.h).
+// "android" (of Arm's make) or "moltenvk"; NACRE_PHONE_DRIVER its driver's UUID, NACRE_PHONE_WRONG a fault of that,
+// NACRE_PHONE_TILE the tile of the former (feedback.h); NACRE_PHONE_SHADERS may name a folder that takes every shader
+// which the program hands over, as 1.spv, 2.spv, ...; NACRE_PHONE_FRAMES a file that is told of frames (frames.h),
+// NACRE_PHONE_PIPELINES one that gets the thread which made a graphics pipeline, a line each, NACRE_PHONE_DRAWS one
+// that gets the corners of each draw, NACRE_PHONE_WORK one that gets what each submission takes of its device
+// (clock.h).
 
 #define VK_ENABLE_BETA_EXTENSIONS
 #include <vulkan/vk_layer.h>
@@ -86,6 +87,11 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceProperties(VkPhysicalDevice of, VkPh
     *p = seen(*p);
 }
 
+void tellDriver(VkPhysicalDeviceIDProperties& p) {
+    if (const char* driver = std::getenv("NACRE_PHONE_DRIVER"))
+        std::strncpy(reinterpret_cast<char*>(p.driverUUID), driver, VK_UUID_SIZE);
+}
+
 VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceProperties2(VkPhysicalDevice of, VkPhysicalDeviceProperties2* p) {
     nextGetPhysicalDeviceProperties2(of, p);
     p->properties = seen(p->properties);
@@ -93,6 +99,8 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceProperties2(VkPhysicalDevice of, VkP
         if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PORTABILITY_SUBSET_PROPERTIES_KHR)
             reinterpret_cast<VkPhysicalDevicePortabilitySubsetPropertiesKHR*>(s)->minVertexInputBindingStrideAlignment =
                 4;
+        else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ID_PROPERTIES)
+            tellDriver(*reinterpret_cast<VkPhysicalDeviceIDProperties*>(s));
 }
 
 VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceFeatures(VkPhysicalDevice of, VkPhysicalDeviceFeatures* f) {
