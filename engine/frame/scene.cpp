@@ -219,6 +219,7 @@ std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Sc
     c.primitives = scene.buffers.primitives();
     if (atlas.image) addAtlas(c, atlas);
     seen->occlusionCells = atlas.cells;
+    seen->atlasOwner = atlas.owner;
     addEffects(c, settings, view);
     seen->lighting = settings.lighting;
     seen->occlusion = settings.occlusion.directions > 0;

@@ -12,7 +12,7 @@ void SceneOcclusion::prepareBeside(const OcclusionSettings& settings, bool hurry
             // It is shown until the next is done; the one before it went with the end of this one.
             before_ = std::move(bake_);
         } else if (hurry && before_) {
-            std::unique_ptr<Bake> shown = std::move(before_);
+            std::shared_ptr<Bake> shown = std::move(before_);
             drop();
             before_ = std::move(shown);
         }

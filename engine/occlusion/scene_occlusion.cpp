@@ -77,7 +77,7 @@ void SceneOcclusion::moveScene(SceneToBake scene) {
 
 void SceneOcclusion::begin(const OcclusionSettings& settings) {
     orDrop([&] {
-        if (!isCurrent() && (bake_ || preparing_.valid())) device_->waitIdle(), drop();
+        if (!isCurrent() && (bake_ || preparing_.valid())) drop();
         prepare(settings);
         const Allowance waited = device_.caps().software ? Allowance() : allowed(kWaitedMilliseconds);
         if (preparing_.valid()) make(waited, Allowance());
@@ -89,8 +89,7 @@ void SceneOcclusion::prepare(const OcclusionSettings& settings) {
     const Wanted wanted{settings.directions, settings.bytes, settings.maps, settings.detail};
     if (settings.directions == 0 || ((bake_ || preparing_.valid()) && baked_ == wanted)) return;
     if (scene_.buffers == nullptr || scene_.buffers->empty()) return;  // no atlas of no patches
-    if (bake_ || before_) device_->waitIdle();                         // frames for the window may still read its atlas
-    std::unique_ptr<Bake> shown = baked_ == wanted ? std::move(before_) : nullptr;
+    std::shared_ptr<Bake> shown = baked_ == wanted ? std::move(before_) : nullptr;
     drop();
     before_ = std::move(shown);
     of_ = scene_;
@@ -135,9 +134,9 @@ void SceneOcclusion::make(const Allowance& least, const Allowance& most) {
     const bool kept = p.kept.has_value();
     const std::uint64_t atlasBytes = kept ? p.kept->atlas.size() : 0;
     if (kept)
-        bake_ = std::make_unique<Bake>(device_, executor_, *of_.buffers, *of_.representation, options_, *p.kept);
+        bake_ = std::make_shared<Bake>(device_, executor_, *of_.buffers, *of_.representation, options_, *p.kept);
     else
-        bake_ = std::make_unique<Bake>(device_, *of_.buffers, *of_.representation, options_, std::move(p.bake));
+        bake_ = std::make_shared<Bake>(device_, *of_.buffers, *of_.representation, options_, std::move(p.bake));
     bake_->wantPipelines(executor_, least, most);
     shown_ = kept ? 1 : 0;
     stats_.bakeMilliseconds = millisecondsSince(began_);
@@ -170,7 +169,6 @@ void SceneOcclusion::wrapUp() {
     bake_->release();
     stats_.occlusion.neverSeen = countUnseen(bake_->seenSpheres());
     keep(std::move(atlas));
-    if (before_) device_->waitIdle();  // frames for the window may still read its atlas
     before_.reset();
 }
 
@@ -211,12 +209,18 @@ BakedOcclusion SceneOcclusion::baked(const OcclusionSettings& settings) {
 }
 
 passes::Atlas SceneOcclusion::atlas() const {
-    const Bake* shown = before_ ? before_.get() : bake_.get();
+    const std::shared_ptr<Bake>& shown = before_ ? before_ : bake_;
     if (!shown || !shown->shows()) return {};
     const OcclusionLayout& layout = shown->layout();
-    return {
-        &shown->atlas(),        layout.sphereEdge,        layout.around,  layout.along,
-        layout.spherePatches(), layout.cylinderPatches(), shown->cells(), before_ || !isCurrent() ? kLeastOfMoved : 0};
+    return {&shown->atlas(),
+            layout.sphereEdge,
+            layout.around,
+            layout.along,
+            layout.spherePatches(),
+            layout.cylinderPatches(),
+            shown->cells(),
+            before_ || !isCurrent() ? kLeastOfMoved : 0,
+            shown};
 }
 
 double SceneOcclusion::share() const {

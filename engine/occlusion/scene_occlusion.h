@@ -100,8 +100,9 @@ private:
     SceneToBake scene_;  // as it is now
     SceneToBake of_;     // that bake_ is of, or will be
     bool moved_ = false;
-    std::unique_ptr<Bake> before_;  // of other places, done: what is shown until bake_ is
-    std::unique_ptr<Bake> bake_;
+    // Frames in flight hold the one that they show.
+    std::shared_ptr<Bake> before_;  // of other places, done: what is shown until bake_ is
+    std::shared_ptr<Bake> bake_;
     Wanted baked_{};         // directions, budget, maps, detail: of bake_, or of what is being prepared
     DiskCache cache_;        // off: the bake is not to be kept
     std::string cacheName_;  // of the bake in it

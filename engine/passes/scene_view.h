@@ -22,6 +22,7 @@ struct Atlas {
     std::uint32_t spherePatches = 1, cylinderPatches = 1;  ///< in a row
     vk::BufferView cells = {};  ///< a word for what lies between four texels; null: the device interpolates
     std::uint32_t least = 0;    ///< that no texel falls below, in 255ths: of places that the scene has left since
+    std::shared_ptr<const void> owner = {};  ///< of the image and the cells
 };
 
 struct TileFrame;
@@ -44,7 +45,8 @@ struct SceneView {
     int quarterTurns = 0;    ///< as in View
     bool wholeImage = true;  ///< the viewport is the whole image; else it has the view axis in its middle
     bool lighting = true, occlusion = false;
-    vk::BufferView occlusionCells;  ///< Atlas::cells
+    vk::BufferView occlusionCells;           ///< Atlas::cells
+    std::shared_ptr<const void> atlasOwner;  ///< Atlas::owner: both stay as long as a frame is in flight
     Effects effects;
     Rims rims;                               ///< lines by groups and halos
     int copyColors = 0;                      ///< that copies take in turn

@@ -41,5 +41,28 @@ TEST(BakeBesideFrames, HasOneSubmissionInFlightAndNobodyWaits) {
     EXPECT_EQ(renderer->stats().occlusion.done, 16);
 }
 
+/// What is shown until the next bake is done stays as long as a frame shows it, and no longer.
+TEST(BakeBesideFrames, OfAMoleculeThatMovesNobodyWaits) {
+    Representation molecule = scene("sample:glucose", Style::ballAndStick);
+    RenderSettings s = settings(molecule, 64, Projection::orthographic);
+    s.occlusion.directions = 16;
+    ValidatedRenderer renderer(Visibility::encoded, ValidatedRenderer::fresh);
+    renderer->setScene(molecule);
+    const auto bake = [&] {
+        for (int call = 0; call < 60'000 && renderer->advanceOcclusion(s, OcclusionPace{1, 0, false}) < 1; ++call)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    };
+    bake();
+    for (int turn = 0; turn < 3; ++turn) {
+        for (Sphere& sphere : molecule.spheres) sphere.center.x += 0.1f;
+        renderer->moveScene(molecule);
+        faults::reset();
+        bake();
+        EXPECT_GT(faults::count("vkQueueSubmit"), 0u);
+        EXPECT_EQ(waits(), 0u) << turn;
+        EXPECT_EQ(renderer->stats().occlusion.done, 16);
+    }
+}
+
 }  // namespace
 }  // namespace nacre::test
