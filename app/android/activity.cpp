@@ -6,6 +6,7 @@
 #include <android/looper.h>
 #include <android/native_activity.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -54,12 +55,9 @@ std::optional<SavedView> stillThere(std::optional<SavedView> view) {
 
 std::optional<SavedView> viewOf(const void* state, std::size_t size) {
     if (!state || size == 0) return std::nullopt;
-    try {
-        return parseSavedView(std::string(static_cast<const char*>(state), size), "saved state");
-    } catch (const std::exception& error) {
-        logError(error.what());
-        return std::nullopt;
-    }
+    const auto view = viewOfState(std::string(static_cast<const char*>(state), size));
+    if (!view) logError("the saved state is no view");
+    return view;
 }
 
 class App {
@@ -76,19 +74,20 @@ public:
               [this] {
                   if (session_) session_->awaitFrame();
               },
-              [this] { return session_ ? session_->step() : std::numeric_limits<double>::infinity(); },
-              [this](const char* why) { fail(why); }) {
+              [this] { return step(); }, [this](const char* why) { fail(why); }) {
         const SavedView first = firstView();
         {
             // Until the first step, which waits for the device, this is what there is to keep.
-            const std::lock_guard lock(shared_.mutex);
-            if (!first.input.empty()) shared_.view = first;
+            const std::lock_guard lock(mutex_);
+            if (!first.input.empty()) view_ = first;
         }
-        thread_.post([this, view = first, density = density_] {
-            const SessionFiles files{folder_ + "/view.json", folder_ + "/pipelines.bin", folder_ + "/occlusion",
-                                     folder_ + "/devices", folder_};
-            session_ = std::make_unique<AndroidSession>(
-                files, view, density, shared_, [this] { thread_.post([] {}); }, platformCalls());
+        thread_.post([this, first, density = density_] {
+            PhoneHost host;
+            host.wake = [this] { thread_.post([] {}); };
+            host.log = [](const std::string& text) { logError(text); };
+            host.cache = folder_;
+            platform_.lend(host);
+            session_ = std::make_unique<AndroidSession>(std::move(host), first, density, folder_ + "/view.json");
         });
         setHttpFetch([this](const std::string& url, const HttpTake& take) { platform_.fetch(url, take); });
         if (document_) document_->open();
@@ -104,19 +103,21 @@ public:
     App(const App&) = delete;
 
     /// Tells the session something, on its thread.
-    using Tell = std::function<void(AndroidSession&)>;
+    using Tell = Platform::Tell;
     void post(Tell tell) {
         thread_.post([this, tell = std::move(tell)] { tell(*session_); });
     }
-    /// The same, and waits. @returns whether it happened
-    bool call(double seconds, Tell tell) {
-        return thread_.call([this, tell = std::move(tell)] { tell(*session_); }, seconds);
+    /// The same, and waits.
+    void call(double seconds, Tell tell) {
+        thread_.call([this, tell = std::move(tell)] { tell(*session_); }, seconds);
     }
 
-    /// JSON; empty before the first step of what nobody named yet.
+    /// JSON; empty before the first step of what nobody named yet. Should the thread be busy for long, the view of its
+    /// last step.
     std::string lastView() {
-        const std::lock_guard lock(shared_.mutex);
-        return shared_.view ? savedViewJson(*shared_.view) : std::string();
+        call(kPatience, [](AndroidSession&) {});
+        const std::lock_guard lock(mutex_);
+        return view_ ? savedViewJson(*view_) : std::string();
     }
 
     void readDensity() {
@@ -145,52 +146,55 @@ private:
 
     /// @param uri  null: of the intent
     std::unique_ptr<IntentDocument> documentOf(jobject uri) {
-        return std::make_unique<IntentDocument>(
-            activity_, uri, OpenedFiles(folder_ + "/opened"),
-            [this](const std::string& path) { post([path](AndroidSession& s) { s.open(path); }); },
-            [this](const std::string& why) { post([why](AndroidSession& s) { s.fail(why); }); });
+        return std::make_unique<IntentDocument>(activity_, uri, OpenedFiles(folder_ + "/opened"),
+                                                [this](Tell tell) { post(std::move(tell)); });
     }
 
     Platform::Told told() {
         Platform::Told told;
+        told.post = [this](Tell tell) { post(std::move(tell)); };
         told.opened = [this](jobject uri) {
             document_.reset();
             document_ = documentOf(uri);
             document_->open();
         };
-        told.failed = [this](const std::string& why) { post([why](AndroidSession& s) { s.fail(why); }); };
         told.controls = [this] {
             // From the first question on, the table is kept up to date.
-            if (!shared_.read.exchange(true)) thread_.post([] {});
-            const std::lock_guard lock(shared_.mutex);
-            return shared_.lines;
-        };
-        told.refreshes = [this](double rate) { post([rate](AndroidSession& s) { s.displayRefreshes(rate); }); };
-        told.press = [this](const std::string& role, const std::string& name) {
-            post([=](AndroidSession& s) { s.press(role, name); });
-        };
-        told.adjust = [this](const std::string& name, bool up) {
-            post([=](AndroidSession& s) { s.adjust(name, up); });
-        };
-        told.typed = [this](const std::string& name, const std::string& text) {
-            post([=](AndroidSession& s) { s.typed(name, text); });
+            if (!read_.exchange(true)) thread_.post([] {});
+            const std::lock_guard lock(mutex_);
+            return lines_;
         };
         return told;
     }
 
-    PlatformCalls platformCalls() const {
-        if (!platform_.there()) return {};
-        return {[this] { platform_.pickDocument(); },
-                [this](const Picture& picture, const std::string& name) { platform_.share(picture, name); },
-                [this] { platform_.controlsChanged(); },
-                [this](const std::string& name, const std::string& text) { platform_.askText(name, text); },
-                [this](const std::string& text, const std::string& name) { platform_.shareText(text, name); }};
+    /// On the render thread, like the two that follow.
+    double step() {
+        if (!session_) return std::numeric_limits<double>::infinity();
+        const double wake = session_->step();
+        if (read_) tellControls();
+        wantsBack_ = session_->wantsBack();
+        const std::lock_guard lock(mutex_);
+        view_ = session_->viewer().view();
+        return wake;
     }
 
-    /// Without a device there is nothing to show. On the render thread.
+    void tellControls() {
+        const std::string lines = controlLines(session_->spoken());
+        {
+            const std::lock_guard lock(mutex_);
+            if (lines == lines_) return;
+            lines_ = lines;
+        }
+        platform_.controlsChanged();
+    }
+
+    /// Without a device there is nothing to show.
     void fail(const char* why) {
         logError(why);
-        if (session_) session_->giveUp();
+        if (session_) {
+            session_->setSeen(false);
+            session_->lowMemory();
+        }
         ANativeActivity_finish(activity_);
     }
 
@@ -212,12 +216,14 @@ private:
         if (AInputEvent_getType(event) == AINPUT_EVENT_TYPE_KEY && AKeyEvent_getKeyCode(event) == AKEYCODE_BACK) {
             // Down and up go the same way, or Android takes half a key for a whole one.
             const bool down = AKeyEvent_getAction(event) == AKEY_EVENT_ACTION_DOWN;
-            if (down) ownsBack_ = shared_.wantsBack;
+            if (down) ownsBack_ = wantsBack_;
             if (ownsBack_ && !down) post([](AndroidSession& s) { s.back(); });
             return ownsBack_;
         }
         if (const auto key = keyOf(event)) {
-            post([key = *key](AndroidSession& s) { s.key(key); });
+            post([key = *key](AndroidSession& s) {
+                if (const auto command = commandOf(key)) s.run(*command);
+            });
             return true;
         }
         if (const auto wheel = wheelOf(event, density_)) {
@@ -240,7 +246,12 @@ private:
     bool ownsBack_ = false;
     Platform platform_;
     std::unique_ptr<IntentDocument> document_;
-    SharedState shared_;
+    // What the main thread may ask at any time
+    std::atomic<bool> wantsBack_{false};  // the back key is ours, to close the panel or the help
+    std::atomic<bool> read_{false};       // a screen reader wants to know what is there
+    std::mutex mutex_;
+    std::optional<SavedView> view_;  // under the mutex: as it was after the last step
+    std::string lines_;              // likewise: controlLines() of what the reader is told of
     RenderThread thread_;
     std::unique_ptr<AndroidSession> session_;  // the thread's
 };
@@ -249,8 +260,6 @@ App& appOf(ANativeActivity* activity) { return *static_cast<App*>(activity->inst
 
 void* saveState(ANativeActivity* activity, std::size_t* size) {
     *size = 0;
-    // Should the thread be busy for long, the view of its last step is what there is.
-    appOf(activity).call(kPatience, [](AndroidSession&) {});
     const std::string text = appOf(activity).lastView();
     void* state = text.empty() ? nullptr : std::malloc(text.size());
     if (!state) return nullptr;

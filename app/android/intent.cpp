@@ -1,9 +1,9 @@
 #include "app/android/intent.h"
 
-#include <unistd.h>
-
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <memory>
 
 #include "app/android/java.h"
 #include "app/android/log.h"
@@ -36,24 +36,6 @@ std::string nameOf(const Java& java, jobject resolver, jobject uri) {
     }
     return java.text(java.object(uri, "getLastPathSegment", "()Ljava/lang/String;"));
 }
-
-class Descriptor {
-public:
-    explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
-    ~Descriptor() { close(descriptor_); }
-    Descriptor(const Descriptor&) = delete;
-
-    std::size_t read(char* to, std::size_t most) const {
-        for (;;) {
-            const ssize_t count = ::read(descriptor_, to, most);
-            if (count >= 0) return static_cast<std::size_t>(count);
-            if (errno != EINTR) throw Error("cannot open file", "", std::strerror(errno));
-        }
-    }
-
-private:
-    int descriptor_;
-};
 
 /// The document's bytes by java.io.InputStream: for providers that have no file to give.
 ReadBytes streamOf(const Java& java, jobject resolver, jobject uri) {
@@ -89,8 +71,8 @@ int descriptorOf(const Java& java, jobject resolver, jobject uri) {
 
 }  // namespace
 
-IntentDocument::IntentDocument(ANativeActivity* activity, jobject uri, OpenedFiles files, Done done, Failed failed)
-    : activity_(activity), files_(std::move(files)), done_(std::move(done)), failed_(std::move(failed)) {
+IntentDocument::IntentDocument(ANativeActivity* activity, jobject uri, OpenedFiles files, Post post)
+    : activity_(activity), files_(std::move(files)), post_(std::move(post)) {
     try {
         const Java java(activity->env);
         if (!uri) {
@@ -110,10 +92,17 @@ IntentDocument::~IntentDocument() {
 }
 
 void IntentDocument::open() {
-    if (uri_) thread_ = std::thread([this] { copy(); });
+    if (!uri_) return;
+    thread_ = std::thread([this] {
+        try {
+            post_([path = copy()](AndroidSession& session) { session.open(path); });
+        } catch (const std::exception& error) {
+            post_([why = std::string(error.what())](AndroidSession& session) { session.fail(why); });
+        }
+    });
 }
 
-void IntentDocument::copy() const {
+std::string IntentDocument::copy() const {
     try {
         const AttachedThread thread(activity_->vm);
         const Java java(thread.env());
@@ -121,13 +110,15 @@ void IntentDocument::copy() const {
             java.object(activity_->clazz, "getContentResolver", "()Landroid/content/ContentResolver;");
         const std::string name = nameOf(java, resolver, uri_);
         const int number = descriptorOf(java, resolver, uri_);
-        if (number < 0) return done_(files_.keep(name, streamOf(java, resolver, uri_)));
-        const Descriptor descriptor(number);
-        done_(files_.keep(name, [&](char* to, std::size_t most) { return descriptor.read(to, most); }));
+        if (number < 0) return files_.keep(name, streamOf(java, resolver, uri_));
+        const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(fdopen(number, "rb"), std::fclose);
+        return files_.keep(name, [&](char* to, std::size_t most) {
+            const std::size_t count = file ? std::fread(to, 1, most, file.get()) : 0;
+            if (!file || std::ferror(file.get())) throw Error("cannot open file", "", std::strerror(errno));
+            return count;
+        });
     } catch (const JavaError& error) {
-        failed_(std::string("cannot open file: ") + error.what());
-    } catch (const std::exception& error) {
-        failed_(error.what());
+        throw Error("cannot open file", "", error.what());
     }
 }
 

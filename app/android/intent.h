@@ -8,18 +8,18 @@
 #include <thread>
 
 #include "app/android/opened_files.h"
+#include "app/android/session.h"
 
 namespace nacre::app {
 
 class IntentDocument {
 public:
-    using Done = std::function<void(const std::string& path)>;
-    using Failed = std::function<void(const std::string& why)>;
+    using Post = std::function<void(std::function<void(AndroidSession&)>)>;
 
     /// Call on the main thread, like all the rest.
     /// @param uri  of the document; null: what the activity was started to show
-    /// @param done, failed one of them is called on the other thread
-    IntentDocument(ANativeActivity* activity, jobject uri, OpenedFiles files, Done done, Failed failed);
+    /// @param post  has the session told, on the other thread: of the copy, or why there is none
+    IntentDocument(ANativeActivity* activity, jobject uri, OpenedFiles files, Post post);
     /// Waits for the thread.
     ~IntentDocument();
     IntentDocument(const IntentDocument&) = delete;
@@ -30,12 +30,11 @@ public:
     void open();
 
 private:
-    void copy() const;
+    std::string copy() const;
 
     ANativeActivity* activity_;
     OpenedFiles files_;
-    Done done_;
-    Failed failed_;
+    Post post_;
     jobject uri_ = nullptr;  // a global reference
     std::thread thread_;
 };

@@ -7,34 +7,27 @@
 #include "app/android/java.h"
 #include "app/android/log.h"
 #include "app/download/http.h"
-#include "app/shared/srgb.h"
 
 namespace nacre::app {
 namespace {
 
 const Platform::Told& toldBy(jlong platform) { return *reinterpret_cast<const Platform::Told*>(platform); }
 
-void opened(JNIEnv*, jclass, jlong platform, jobject uri) { toldBy(platform).opened(uri); }
+std::string fromJava(JNIEnv* env, jstring text) { return Java(env).text(text); }
+bool fromJava(JNIEnv*, jboolean value) { return value == JNI_TRUE; }
+double fromJava(JNIEnv*, jfloat value) { return value; }
 
-void failed(JNIEnv* env, jclass, jlong platform, jstring why) { toldBy(platform).failed(Java(env).text(why)); }
+/// Has the session told by one of its functions.
+template <auto kCall, typename... Values>
+void tell(JNIEnv* env, jclass, jlong platform, Values... values) {
+    toldBy(platform).post([... told = fromJava(env, values)](AndroidSession& session) { (session.*kCall)(told...); });
+}
+
+void opened(JNIEnv*, jclass, jlong platform, jobject uri) { toldBy(platform).opened(uri); }
 
 jstring controls(JNIEnv* env, jclass, jlong platform) {
     // Not by Java, whose references go with it.
     return newString(env, toldBy(platform).controls());
-}
-
-void press(JNIEnv* env, jclass, jlong platform, jstring role, jstring name) {
-    const Java java(env);
-    toldBy(platform).press(java.text(role), java.text(name));
-}
-
-void adjust(JNIEnv* env, jclass, jlong platform, jstring name, jboolean up) {
-    toldBy(platform).adjust(Java(env).text(name), up == JNI_TRUE);
-}
-
-void typed(JNIEnv* env, jclass, jlong platform, jstring name, jstring text) {
-    const Java java(env);
-    toldBy(platform).typed(java.text(name), java.text(text));
 }
 
 struct Transfer {
@@ -55,8 +48,6 @@ jboolean received(JNIEnv* env, jclass, jlong to, jbyteArray bytes, jint count, j
     }
 }
 
-void refreshes(JNIEnv*, jclass, jlong platform, jfloat rate) { toldBy(platform).refreshes(rate); }
-
 template <typename Function>
 JNINativeMethod native(const char* name, const char* signature, Function function) {
     return {const_cast<char*>(name), const_cast<char*>(signature), reinterpret_cast<void*>(function)};
@@ -66,14 +57,16 @@ JNINativeMethod native(const char* name, const char* signature, Function functio
 
 Platform::Platform(ANativeActivity* activity, Told told) : activity_(activity), told_(std::move(told)) {
     const Java java(activity->env);
-    const JNINativeMethod methods[] = {native("opened", "(JLandroid/net/Uri;)V", opened),
-                                       native("failed", "(JLjava/lang/String;)V", failed),
-                                       native("controls", "(J)Ljava/lang/String;", controls),
-                                       native("press", "(JLjava/lang/String;Ljava/lang/String;)V", press),
-                                       native("adjust", "(JLjava/lang/String;Z)V", adjust),
-                                       native("refreshes", "(JF)V", refreshes),
-                                       native("typed", "(JLjava/lang/String;Ljava/lang/String;)V", typed),
-                                       native("received", "(J[BIJ)Z", received)};
+    using S = AndroidSession;
+    const JNINativeMethod methods[] = {
+        native("opened", "(JLandroid/net/Uri;)V", opened),
+        native("failed", "(JLjava/lang/String;)V", tell<&S::fail, jstring>),
+        native("controls", "(J)Ljava/lang/String;", controls),
+        native("press", "(JLjava/lang/String;Ljava/lang/String;)V", tell<&S::press, jstring, jstring>),
+        native("adjust", "(JLjava/lang/String;Z)V", tell<&S::adjust, jstring, jboolean>),
+        native("refreshes", "(JF)V", tell<&S::displayRefreshes, jfloat>),
+        native("typed", "(JLjava/lang/String;Ljava/lang/String;)V", tell<&S::typed, jstring, jstring>),
+        native("received", "(J[BIJ)Z", received)};
     const jclass type = java.env()->GetObjectClass(activity->clazz);
     if (java.env()->RegisterNatives(type, methods, std::size(methods)) != JNI_OK) {
         java.env()->ExceptionClear();
@@ -121,33 +114,30 @@ void Platform::fetch(const std::string& url, const HttpTake& take) const {
     if (transfer.failed) std::rethrow_exception(transfer.failed);
 }
 
-void Platform::pickDocument() const {
-    call([this](const Java& java) { java.nothing(activity_->clazz, "pickDocument", "()V"); });
+template <typename... Texts>
+void Platform::ask(const char* method, const char* signature, const Texts&... texts) const {
+    call([&](const Java& java) { java.nothing(activity_->clazz, method, signature, java.string(texts)...); });
 }
 
-void Platform::controlsChanged() const {
-    call([this](const Java& java) { java.nothing(activity_->clazz, "controlsChanged", "()V"); });
+void Platform::controlsChanged() const { ask("controlsChanged", "()V"); }
+
+void Platform::lend(PhoneHost& host) const {
+    if (!there_) return;
+    host.downloads = true;
+    host.pickDocument = [this] { ask("pickDocument", "()V"); };
+    host.askText = [this](const std::string& name, const std::string& text) {
+        ask("askText", "(Ljava/lang/String;Ljava/lang/String;)V", name, text);
+    };
+    host.shareText = [this](const std::string& text, const std::string& name) {
+        ask("shareText", "(Ljava/lang/String;Ljava/lang/String;)V", text, name);
+    };
+    host.sharePicture = [this](const PictureBytes& picture, const std::string& name) { share(picture, name); };
 }
 
-void Platform::askText(const std::string& name, const std::string& text) const {
-    call([&](const Java& java) {
-        java.nothing(activity_->clazz, "askText", "(Ljava/lang/String;Ljava/lang/String;)V", java.string(name),
-                     java.string(text));
-    });
-}
-
-void Platform::shareText(const std::string& text, const std::string& name) const {
-    call([&](const Java& java) {
-        java.nothing(activity_->clazz, "shareText", "(Ljava/lang/String;Ljava/lang/String;)V", java.string(text),
-                     java.string(name));
-    });
-}
-
-void Platform::share(const Picture& picture, const std::string& name) const {
+void Platform::share(const PictureBytes& picture, const std::string& name) const {
     std::vector<jint> pixels(std::size_t{picture.width} * picture.height);
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        std::uint8_t code[4];
-        codePixel(&picture.rgba[4 * i], true, code);
+        const std::uint8_t* code = &picture.rgba[4 * i];
         pixels[i] = static_cast<jint>(std::uint32_t{code[3]} << 24 | std::uint32_t{code[0]} << 16 |
                                       std::uint32_t{code[1]} << 8 | code[2]);
     }

@@ -16,9 +16,7 @@ public:
     using Task = std::function<void()>;
 
     /// @param step   returns when to be called again, in seconds of steadySeconds(); infinity: after the next task
-    /// @param await  called when something is to be done, before it is looked up what: input that comes while it waits
-    /// is
-    ///               still taken
+    /// @param await  called when something is to be done, before it is looked up: input that comes meanwhile is taken
     /// @param failed called on the thread with what a task or step threw; nothing is run after that
     RenderThread(std::function<void()> await, std::function<double()> step, std::function<void(const char*)> failed);
     /// Runs what was posted and ends.
@@ -28,8 +26,7 @@ public:
     /// From any thread.
     void post(Task task);
     /// The same, and waits until it ran and the step after it was taken, but no longer than `seconds`.
-    /// @returns whether it ran
-    bool call(Task task, double seconds);
+    void call(Task task, double seconds);
 
 private:
     void run();

@@ -136,7 +136,7 @@ def check_natives(described, native):
     methods = dict(re.findall(r"(\w+)\([^\n]*;\n\s+descriptor: (\S+)", described))
     of_java = set(re.findall(r"native [^\n]*?(\w+)\(", described))
     registered = dict(re.findall(r'native\("(\w+)", "([^"]+)"', native))
-    called = dict(re.findall(r'clazz, "(\w+)", "([^"]+)"', native))
+    called = dict(re.findall(r'(?:clazz, |ask\()"(\w+)", "([^"]+)"', native))
     if of_java != set(registered):
         sys.exit(f"natives of Java {of_java} are not those that are registered {set(registered)}")
     if len(called) < 4:

@@ -75,10 +75,9 @@ const std::vector<Arrows> kArrows = {
     {"app/desktop/",
      {"app/viewer/", "app/panel/", "app/download/", "app/shared/", "app/apple/mac/opened_files.h", "engine/*.h",
       "engine/molecule/", "engine/scene/"}},
-    {"app/android/",
-     {"app/viewer/", "app/panel/", "app/download/", "app/shared/", "engine/*.h", "engine/molecule/", "engine/scene/"}},
-    {"app/apple/",
-     {"app/viewer/", "app/panel/", "app/download/", "app/shared/", "engine/*.h", "engine/molecule/", "engine/scene/"}},
+    {"app/phone/", {"app/viewer/", "app/panel/", "app/download/", "app/shared/", "engine/*.h"}},
+    {"app/android/", {"app/phone/", "app/viewer/", "app/panel/", "app/download/", "app/shared/", "engine/*.h"}},
+    {"app/apple/", {"app/phone/", "app/viewer/", "app/panel/", "app/download/", "app/shared/", "engine/*.h"}},
     {"app/apple/mac/", {"app/desktop/view_command.h"}},
 };
 
@@ -181,7 +180,8 @@ TEST(House, WhatPointsTheWrongWayIsNoticed) {
         {"app/cli/main.cpp", "app/viewer/viewer.h"},
         {"app/cli/stats.cpp", "engine/gpu/device.h"},
         {"app/desktop/window.h", "app/cli/options.h"},
-        {"app/android/session.h", "app/apple/session.h"},
+        {"app/android/session.h", "app/apple/ios/sharing.h"},
+        {"app/phone/session.h", "app/android/session.h"},
         {"app/android/session.h", "app/desktop/window.h"},
         {"app/apple/mac/main.mm", "app/cli/options.h"},
         {"app/download/http.cpp", "engine/renderer/internal.h"},
@@ -214,7 +214,7 @@ TEST(House, IncludesAreFoundHoweverTheyAreWritten) {
     };
     EXPECT_TRUE(has("app/cli/main.cpp", "app/cli/commands.h", false));
     EXPECT_TRUE(has("app/desktop/window.cpp", "GLFW/glfw3.h", true));
-    EXPECT_TRUE(has("app/apple/ios/molecule_controller.mm", "app/apple/session.h", false));
+    EXPECT_TRUE(has("app/apple/ios/molecule_view.h", "app/phone/session.h", false));
 }
 
 }  // namespace

@@ -9,10 +9,9 @@ NS_ASSUME_NONNULL_BEGIN
 
 @interface FrameClock : NSObject
 
-/// @param step given the time in seconds, as UITouch.timestamp and CACurrentMediaTime() count them, and the seconds
-/// that
-///             the display takes for a picture; returns when it wants to be called again, infinity for never
-- (instancetype)initWithStep:(std::function<double(double now, double interval)>)step;
+/// @param step given the seconds that the display takes for a picture; returns when it wants to be called again, in
+///             seconds of CACurrentMediaTime(), infinity for never
+- (instancetype)initWithStep:(std::function<double(double interval)>)step;
 - (instancetype)init NS_UNAVAILABLE;
 
 /// Something happened: step with the next frame of the display.

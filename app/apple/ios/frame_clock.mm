@@ -5,12 +5,12 @@
 #include <cmath>
 
 @implementation FrameClock {
-    std::function<double(double, double)> _step;
+    std::function<double(double)> _step;
     CADisplayLink* _link;
     NSTimer* _alarm;
 }
 
-- (instancetype)initWithStep:(std::function<double(double, double)>)step {
+- (instancetype)initWithStep:(std::function<double(double)>)step {
     if ((self = [super init])) {
         _step = std::move(step);
         _link = [CADisplayLink displayLinkWithTarget:self selector:@selector(frame:)];
@@ -24,7 +24,7 @@
 - (void)frame:(CADisplayLink*)link {
     const double now = CACurrentMediaTime();
     // What the display is asked for lately, not its best: it slows down in low power mode, and when it is hot.
-    const double next = _step(now, link.targetTimestamp - link.timestamp);
+    const double next = _step(link.targetTimestamp - link.timestamp);
     if (next <= now + link.duration) return;
     link.paused = YES;
     [_alarm invalidate];

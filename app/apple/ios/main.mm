@@ -1,4 +1,7 @@
-#import "app/apple/ios/app_delegate.h"
+#import <UIKit/UIKit.h>
+
+@interface AppDelegate : UIResponder <UIApplicationDelegate>
+@end
 
 // Scenes are told in Info.plist; the app itself has nothing to do.
 @implementation AppDelegate

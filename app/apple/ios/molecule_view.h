@@ -4,7 +4,7 @@
 #import <QuartzCore/CAMetalLayer.h>
 #import <UIKit/UIKit.h>
 
-#include "app/apple/session.h"
+#include "app/phone/session.h"
 
 NS_ASSUME_NONNULL_BEGIN
 
@@ -12,18 +12,18 @@ NS_ASSUME_NONNULL_BEGIN
 
 @protocol MoleculeViewDelegate <NSObject>
 - (void)moleculeViewResized:(MoleculeView*)view;
-/// The viewer was told of something, or has to be: a command that is not the viewer's alone.
+/// The session was told of something.
 - (void)moleculeViewTouched:(MoleculeView*)view;
-- (void)moleculeView:(MoleculeView*)view command:(nacre::app::ViewerCommand)command;
 @end
 
 @interface MoleculeView : UIView
 
 @property(nonatomic, weak) id<MoleculeViewDelegate> delegate;
 /// Not owned. Without one every touch is let go.
-@property(nonatomic, nullable) nacre::app::MoleculeSession* session;
+@property(nonatomic, nullable) nacre::app::PhoneSession* session;
 @property(nonatomic, readonly) CAMetalLayer* metalLayer;
 @property(nonatomic, readonly) nacre::PixelSize pixels;
+- (void)run:(nacre::app::ViewerCommand)command;
 
 @end
 

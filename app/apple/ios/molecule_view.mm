@@ -3,12 +3,11 @@
 #import <QuartzCore/QuartzCore.h>
 
 #include <cmath>
-
-#include "app/apple/ios/keys.h"
+#include <optional>
 
 using nacre::app::Gesture;
 using nacre::app::MouseButton;
-using nacre::app::MouseGestures;
+using nacre::app::SpecialKey;
 using nacre::app::TouchEvent;
 using nacre::app::TouchPhase;
 using nacre::app::ViewerCommand;
@@ -24,6 +23,34 @@ std::int64_t nameOf(UITouch* touch) { return reinterpret_cast<std::intptr_t>((__
 
 nacre::app::Modifiers modifiersOf(UIKeyModifierFlags flags) {
     return {(flags & UIKeyModifierShift) != 0, (flags & UIKeyModifierControl) != 0};
+}
+
+std::optional<char32_t> codeOf(UIKey* key) {
+    switch (key.keyCode) {
+        case UIKeyboardHIDUsageKeyboardLeftArrow:
+            return nacre::app::keyOf(SpecialKey::left);
+        case UIKeyboardHIDUsageKeyboardRightArrow:
+            return nacre::app::keyOf(SpecialKey::right);
+        case UIKeyboardHIDUsageKeyboardUpArrow:
+            return nacre::app::keyOf(SpecialKey::up);
+        case UIKeyboardHIDUsageKeyboardDownArrow:
+            return nacre::app::keyOf(SpecialKey::down);
+        case UIKeyboardHIDUsageKeyboardHome:
+            return nacre::app::keyOf(SpecialKey::home);
+        case UIKeyboardHIDUsageKeyboardEscape:
+            return nacre::app::keyOf(SpecialKey::escape);
+        default:
+            break;
+    }
+    NSString* typed = key.characters.lowercaseString;
+    return typed.length == 1 ? std::optional<char32_t>([typed characterAtIndex:0]) : std::nullopt;
+}
+
+/// What a key of a hardware keyboard asks for, by the table that every shell shares.
+std::optional<ViewerCommand> commandOfKey(UIKey* key) {
+    if (key.modifierFlags & (UIKeyModifierCommand | UIKeyModifierAlternate)) return std::nullopt;  // the system's
+    const std::optional<char32_t> code = codeOf(key);
+    return code ? nacre::app::commandOf({*code, modifiersOf(key.modifierFlags)}) : std::nullopt;
 }
 
 }  // namespace
@@ -126,8 +153,8 @@ nacre::app::Modifiers modifiersOf(UIKeyModifierFlags flags) {
 
 - (void)scroll:(UIPanGestureRecognizer*)recognizer {
     if (!self.session) return;
-    self.session->viewer().wheel([recognizer translationInView:self].y / kPointsPerStep,
-                                 placeOf([recognizer locationInView:self]), CACurrentMediaTime());
+    self.session->wheel([recognizer translationInView:self].y / kPointsPerStep,
+                        placeOf([recognizer locationInView:self]));
     [recognizer setTranslation:CGPointZero inView:self];
     [self.delegate moleculeViewTouched:self];
 }
@@ -155,6 +182,11 @@ nacre::app::Modifiers modifiersOf(UIKeyModifierFlags flags) {
 
 // --- keys
 
+- (void)run:(ViewerCommand)command {
+    if (self.session) self.session->run(command);
+    [self.delegate moleculeViewTouched:self];
+}
+
 - (BOOL)canBecomeFirstResponder {
     return YES;
 }
@@ -163,10 +195,10 @@ nacre::app::Modifiers modifiersOf(UIKeyModifierFlags flags) {
     BOOL known = NO;
     for (UIPress* press in presses) {
         UIKey* key = press.key;
-        const auto command = key ? nacre::app::commandOfKey(key) : std::nullopt;
+        const auto command = key ? commandOfKey(key) : std::nullopt;
         if (!command) continue;
         known = YES;
-        [self.delegate moleculeView:self command:*command];
+        [self run:*command];
     }
     if (!known) [super pressesBegan:presses withEvent:event];
 }

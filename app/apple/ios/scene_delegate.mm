@@ -1,6 +1,8 @@
-#import "app/apple/ios/scene_delegate.h"
-
 #import "app/apple/ios/molecule_controller.h"
+
+@interface SceneDelegate : UIResponder <UIWindowSceneDelegate>
+@property(nonatomic, strong, nullable) UIWindow* window;
+@end
 
 namespace {
 NSString* const kActivity = @"org.nacre.app.view";  // NSUserActivityTypes in Info.plist

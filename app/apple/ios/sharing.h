@@ -2,7 +2,7 @@
 
 #import <UIKit/UIKit.h>
 
-#include "app/apple/session.h"
+#include "app/phone/session.h"
 
 NS_ASSUME_NONNULL_BEGIN
 

@@ -6,17 +6,8 @@
 
 NS_ASSUME_NONNULL_BEGIN
 
-@class SpokenMoleculeView;
-
-@protocol SpokenViewDelegate <NSObject>
-- (void)spokenView:(SpokenMoleculeView*)view command:(nacre::app::ViewerCommand)command;
-- (void)spokenView:(SpokenMoleculeView*)view press:(const nacre::app::Control&)control;
-- (void)spokenView:(SpokenMoleculeView*)view adjust:(const nacre::app::Control&)control up:(BOOL)up;
-@end
-
 @interface SpokenMoleculeView : MoleculeView
 
-@property(nonatomic, weak) id<SpokenViewDelegate> speaker;
 /// @param controls  the picture first; its value is read aloud when it changes
 - (void)say:(const std::vector<nacre::app::Control>&)controls;
 

@@ -57,7 +57,8 @@ UIAccessibilityTraits traitsOf(const Control& control) {
 
 - (BOOL)accessibilityActivate {
     if (_control.role == "image" || _control.role == "text") return NO;
-    [self.view.speaker spokenView:self.view press:_control];
+    if (self.view.session) self.view.session->press(_control.role, _control.name);
+    [self.view.delegate moleculeViewTouched:self.view];
     return YES;
 }
 
@@ -70,10 +71,9 @@ UIAccessibilityTraits traitsOf(const Control& control) {
 }
 
 - (void)step:(BOOL)up {
-    if (_control.role == "image")
-        [self.view.speaker spokenView:self.view command:up ? ViewerCommand::zoomIn : ViewerCommand::zoomOut];
-    else
-        [self.view.speaker spokenView:self.view adjust:_control up:up];
+    if (_control.role == "image") return [self.view run:up ? ViewerCommand::zoomIn : ViewerCommand::zoomOut];
+    if (self.view.session) self.view.session->adjust(_control.name, up);
+    [self.view.delegate moleculeViewTouched:self.view];
 }
 
 @end
@@ -90,15 +90,12 @@ UIAccessibilityTraits traitsOf(const Control& control) {
         __weak SpokenMoleculeView* weakSelf = self;
         [actions addObject:[[UIAccessibilityCustomAction alloc] initWithName:action.name
                                                                actionHandler:^BOOL(UIAccessibilityCustomAction*) {
-                                                                 return [weakSelf ask:command];
+                                                                 SpokenMoleculeView* view = weakSelf;
+                                                                 [view run:command];
+                                                                 return view != nil;
                                                                }]];
     }
     return actions;
-}
-
-- (BOOL)ask:(ViewerCommand)command {
-    [self.speaker spokenView:self command:command];
-    return self.speaker != nil;
 }
 
 /// Elements stay as long as there are as many: VoiceOver keeps its place.

@@ -60,7 +60,7 @@ typedef NS_ENUM(NSInteger, UIUserInterfaceStyle) {
 - (nullable instancetype)initWithCoder:(NSCoder*)coder NS_DESIGNATED_INITIALIZER;
 @property(null_resettable, nonatomic, strong) UIView* view;
 @property(nonatomic, readonly) UITraitCollection* traitCollection;
-@property(nullable, nonatomic, readonly, strong) UIView* viewIfLoaded;
+- (void)loadViewIfNeeded;
 @property(nullable, nonatomic, readonly) UIPopoverPresentationController* popoverPresentationController;
 - (void)viewDidLoad;
 - (void)viewDidAppear:(BOOL)animated;

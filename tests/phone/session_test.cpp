@@ -1,13 +1,14 @@
-// The iOS app's session on a window that nobody sees, as UIKit would lead it: SwiftShader, which has
+// The session of the phones' apps on a window that nobody sees, as their systems would lead it: SwiftShader, which has
 // VK_EXT_headless_surface.
 
-#include "app/apple/session.h"
+#include "app/phone/session.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <thread>
 
 #include "engine/devices.h"
@@ -23,11 +24,11 @@ namespace {
 constexpr PixelSize kSize{1280, 720};
 constexpr double kScale = 2;  // pixels a point
 
-/// UIKit's part: a surface, a file, a clock.
+/// The system's part: a surface, a file, a clock.
 class Host {
 public:
-    MoleculeHost lend() {
-        MoleculeHost host;
+    PhoneHost lend() {
+        PhoneHost host;
         host.validate = true;
         host.surface = test::headlessSurface();
         host.surface.create = [this, create = host.surface.create](VkInstance instance) {
@@ -44,15 +45,15 @@ public:
             throw Error("cannot read molecule", path, "it is gone");
         };
         host.wake = [] {};
-        host.loadPipelines = [] { return std::vector<std::byte>(); };
-        host.keepPipelines = [this](const std::vector<std::byte>& bytes) { pipelines.push_back(bytes.size()); };
+        host.clock = [this] { return now; };
+        host.cache = folder / "cache";
         return host;
     }
 
     /// As the display link does: steps until nothing is due for `quiet` seconds.
-    void run(MoleculeSession& session, double quiet = 5) {
+    void run(PhoneSession& session, double quiet = 5) {
         for (int steps = 0; steps < 20'000; ++steps) {
-            const double wake = session.step(now);
+            const double wake = session.step();
             if (session.viewer().loading())
                 session.viewer().waitForLoading();
             else if (wake > now + quiet)
@@ -65,7 +66,7 @@ public:
     }
 
     int surfaces = 0;
-    std::vector<std::size_t> pipelines;
+    const test::TemporaryFolder folder;
     double now = 100;
 };
 
@@ -77,28 +78,29 @@ SavedView viewOf(const std::string& input) {
     return view;
 }
 
-std::uint64_t framesOf(const MoleculeSession& session) { return session.renderer()->stats().windowFrames; }
+std::uint64_t framesOf(const PhoneSession& session) { return session.renderer()->stats().windowFrames; }
 
-void expectValid(const MoleculeSession& session) {
+void expectValid(const PhoneSession& session) {
     for (const std::string& message : session.renderer()->validationMessages()) ADD_FAILURE() << message;
 }
 
 /// A window, and refinements of one sample: SwiftShader takes a second for sixteen.
-void begin(MoleculeSession& session, Host& host) {
-    session.resize(kSize, kScale, host.now);
+void begin(PhoneSession& session) {
+    session.resize(kSize, kScale);
+    session.setSeen(true);
     session.viewer().lowMemory();
 }
 
-TEST(MoleculeSession, DrawsComesToRestAndPicks) {
+TEST(PhoneSession, DrawsComesToRestAndPicks) {
     Host host;
-    MoleculeSession session(host.lend(), viewOf("/far/water.xyz"));
-    begin(session, host);
+    PhoneSession session(host.lend(), viewOf("/far/water.xyz"));
+    begin(session);
     host.run(session);
     ASSERT_TRUE(session.viewer().document());
     const std::uint64_t drawn = framesOf(session);
     EXPECT_GT(drawn, 0u);
     host.now += 60;
-    EXPECT_TRUE(std::isinf(session.step(host.now)));
+    EXPECT_TRUE(std::isinf(session.step()));
     EXPECT_EQ(framesOf(session), drawn) << "a picture that stands still is not drawn again";
 
     // A tap in the middle; the display link wakes for the time that a second one would take.
@@ -116,18 +118,19 @@ TEST(MoleculeSession, DrawsComesToRestAndPicks) {
     twist.turn = 0.5;
     session.viewer().gesture(twist, host.now);
     EXPECT_NE(session.state(), before);
-    EXPECT_EQ(host.pipelines.size(), 1u);
+    EXPECT_TRUE(std::filesystem::exists(host.folder / "cache/pipelines.bin"));
     expectValid(session);
 }
 
-TEST(MoleculeSession, TheDebugPageTellsWhatTheRendererDoes) {
+TEST(PhoneSession, TheDebugPageTellsWhatTheRendererDoes) {
     Host host;
-    MoleculeSession session(host.lend(), viewOf("/far/water.xyz"));
-    session.resize(kSize, 0.5, host.now);  // all of the panel has room
+    PhoneSession session(host.lend(), viewOf("/far/water.xyz"));
+    session.setSeen(true);
+    session.resize(kSize, 0.5);  // all of the panel has room
     session.viewer().lowMemory();
     host.run(session);
     for (const auto& [role, name] : {std::pair("button", "Menu"), {"tab", "More"}, {"button", "For developers"}}) {
-        session.press(role, name, host.now);
+        session.press(role, name);
         host.run(session, 0.5);
     }
     const auto told = [&] {
@@ -152,27 +155,27 @@ TEST(MoleculeSession, TheDebugPageTellsWhatTheRendererDoes) {
     expectValid(session);
 }
 
-TEST(MoleculeSession, SubmitsNothingInTheBackgroundAndComesBackWithWhatItHad) {
+TEST(PhoneSession, SubmitsNothingInTheBackgroundAndComesBackWithWhatItHad) {
     Host host;
-    MoleculeSession session(host.lend(), viewOf("sample:glucose"));
-    begin(session, host);
+    PhoneSession session(host.lend(), viewOf("sample:glucose"));
+    begin(session);
     host.run(session);
     const PictureBytes before = session.picture(1);
     const std::string state = session.state();
 
-    session.enterBackground();
+    session.setSeen(false);
     const std::uint64_t drawn = framesOf(session);
     session.viewer().run(ViewerCommand::autoRotate, host.now);
-    for (int i = 0; i < 10; ++i) EXPECT_TRUE(std::isinf(session.step(host.now += 1)));
+    for (int i = 0; i < 10; ++i, host.now += 1) EXPECT_TRUE(std::isinf(session.step()));
     EXPECT_EQ(framesOf(session), drawn);
     session.viewer().run(ViewerCommand::autoRotate, host.now);
 
     session.lowMemory();
-    EXPECT_FALSE(session.holdsDevice());
-    EXPECT_TRUE(std::isinf(session.step(host.now)));
+    EXPECT_FALSE(session.renderer());
+    EXPECT_TRUE(std::isinf(session.step()));
     session.lowMemory();
     EXPECT_EQ(session.state(), state);
-    session.enterForeground(host.now);
+    session.setSeen(true);
     host.run(session);
     EXPECT_EQ(host.surfaces, 2);
     EXPECT_GT(framesOf(session), 0u);
@@ -181,16 +184,16 @@ TEST(MoleculeSession, SubmitsNothingInTheBackgroundAndComesBackWithWhatItHad) {
 
     // And in the foreground it keeps what it draws with.
     session.lowMemory();
-    EXPECT_TRUE(session.holdsDevice());
+    EXPECT_TRUE(session.renderer());
 }
 
-TEST(MoleculeSession, IsRestoredFromItsState) {
+TEST(PhoneSession, IsRestoredFromItsState) {
     Host host;
     PictureBytes picture;
     std::string state;
     {
-        MoleculeSession session(host.lend(), viewOf("/far/water.xyz"));
-        begin(session, host);
+        PhoneSession session(host.lend(), viewOf("/far/water.xyz"));
+        begin(session);
         host.run(session);
         session.viewer().run(ViewerCommand::rotateLeft, host.now);
         session.viewer().run(ViewerCommand::licorice, host.now);
@@ -199,8 +202,8 @@ TEST(MoleculeSession, IsRestoredFromItsState) {
         picture = session.picture(1);
         EXPECT_EQ(session.shareName(), "water");
     }
-    MoleculeSession session(host.lend(), parseSavedView(state, "state"));
-    begin(session, host);
+    PhoneSession session(host.lend(), parseSavedView(state, "state"));
+    begin(session);
     host.run(session);
     EXPECT_EQ(session.picture(1).rgba, picture.rgba);
     // Not a blank sheet: white about the molecule, opaque, and not white on it.
@@ -222,16 +225,16 @@ struct Layer {
     }
 };
 
-TEST(MoleculeSession, ALostDeviceIsReplacedAndTheLossIsSaid) {
+TEST(PhoneSession, ALostDeviceIsReplacedAndTheLossIsSaid) {
     const Layer layer(NACRE_FAULT_LAYER_FOLDER, "VK_LAYER_NACRE_faults");
     Host host;
-    MoleculeSession session(host.lend(), viewOf("/far/water.xyz"));
-    begin(session, host);
+    PhoneSession session(host.lend(), viewOf("/far/water.xyz"));
+    begin(session);
     host.run(session);
     const PictureBytes shown = session.picture(1);
     faults::fail("vkQueueSubmit", 1, VK_ERROR_DEVICE_LOST);
     session.viewer().resume(host.now);
-    for (int steps = 0; steps < 1000 && host.surfaces < 2; ++steps) session.step(host.now += 1.0 / 60);
+    for (int steps = 0; steps < 1000 && host.surfaces < 2; ++steps, host.now += 1.0 / 60) session.step();
     EXPECT_EQ(host.surfaces, 2);
     EXPECT_TRUE(spokenValue(session.viewer().annotations()).find("the device was lost") != std::string::npos)
         << spokenValue(session.viewer().annotations());
@@ -244,8 +247,9 @@ TEST(MoleculeSession, ALostDeviceIsReplacedAndTheLossIsSaid) {
         for (int loss = 0; loss < 6; ++loss) {
             faults::fail("vkQueueSubmit", 1, VK_ERROR_DEVICE_LOST);
             session.viewer().resume(host.now);
-            for (int steps = 0, before = host.surfaces; steps < 1000 && host.surfaces == before; ++steps)
-                session.step(host.now += 1.0 / 60);
+            for (int steps = 0, before = host.surfaces; steps < 1000 && host.surfaces == before;
+                 ++steps, host.now += 1.0 / 60)
+                session.step();
         }
         ADD_FAILURE() << "it goes on and on";
     } catch (const Error& error) {
@@ -254,7 +258,7 @@ TEST(MoleculeSession, ALostDeviceIsReplacedAndTheLossIsSaid) {
     faults::reset();
 }
 
-TEST(MoleculeSession, ADeviceIsTriedAtItsFirstStartAndAWrongPathIsNotTaken) {
+TEST(PhoneSession, ADeviceIsTriedAtItsFirstStartAndAWrongPathIsNotTaken) {
     const Layer layer(NACRE_PHONE_LAYER_FOLDER, "VK_LAYER_NACRE_phone");
     const test::TemporaryFolder folder;
     setenv("NACRE_PHONE", "moltenvk", 1);
@@ -262,10 +266,11 @@ TEST(MoleculeSession, ADeviceIsTriedAtItsFirstStartAndAWrongPathIsNotTaken) {
     std::string found;
     for (int start = 0; start < 2; ++start) {
         Host host;
-        MoleculeHost lent = host.lend();
+        PhoneHost lent = host.lend();
         lent.validate = false;  // what stands below the layer is no phone
-        lent.occlusionCache = folder / "occlusion";
-        const MoleculeSession session(std::move(lent), viewOf("/far/water.xyz"));
+        lent.cache = folder / "cache";
+        PhoneSession session(std::move(lent), viewOf("/far/water.xyz"));
+        session.setSeen(true);
         const DeviceInfo& device = session.renderer()->stats().device;
         EXPECT_EQ(device.name, "the least iPhone");
         EXPECT_NE(device.visibility, "encoded");
@@ -273,30 +278,37 @@ TEST(MoleculeSession, ADeviceIsTriedAtItsFirstStartAndAWrongPathIsNotTaken) {
         EXPECT_TRUE(start == 0 || device.selfTest == found) << "its times are those of the first start";
         found = device.selfTest;
     }
-    EXPECT_FALSE(std::filesystem::is_empty(folder / "devices"));
+    EXPECT_FALSE(std::filesystem::is_empty(folder / "cache/devices"));
 }
 
-TEST(MoleculeSession, SaysWhyAFileIsNotShown) {
+TEST(PhoneSession, SaysWhyAFileIsNotShown) {
     Host host;
-    MoleculeSession session(host.lend(), viewOf("sample:glucose"));
-    begin(session, host);
+    PhoneSession session(host.lend(), viewOf("sample:glucose"));
+    begin(session);
     host.run(session);
     session.viewer().open("/far/gone.pdb", host.now);
     session.viewer().waitForLoading();
-    session.step(host.now);
+    session.step();
     EXPECT_NE(spokenValue(session.viewer().annotations()).find("it is gone"), std::string::npos);
     EXPECT_EQ(session.viewer().document()->view.input, "sample:glucose");
     EXPECT_EQ(session.shareName(), "glucose");
 }
 
-TEST(MoleculeSession, VoiceOverHearsAndMovesEveryControl) {
+TEST(PhoneSession, VoiceOverHearsAndMovesEveryControl) {
     Host host;
-    MoleculeHost lent = host.lend();
-    std::vector<ViewerCommand> shared;
-    lent.share = [&](ViewerCommand what) { shared.push_back(what); };
-    MoleculeSession session(std::move(lent), viewOf("/far/pair.pdb"));
-    begin(session, host);
-    session.resize(kSize, 1, host.now);  // as large as a tablet
+    PhoneHost lent = host.lend();
+    std::vector<std::string> shared;
+    lent.sharePicture = [&](const PictureBytes& picture, const std::string& name) {
+        EXPECT_EQ(picture.rgba.size(), 4u * kSize.width * kSize.height);
+        shared.push_back(name);
+    };
+    lent.shareText = [&](const std::string& text, const std::string& name) {
+        EXPECT_EQ(parseSavedView(text, name).input, "pair.pdb") << "another device has it elsewhere";
+        shared.push_back(name);
+    };
+    PhoneSession session(std::move(lent), viewOf("/far/pair.pdb"));
+    begin(session);
+    session.resize(kSize, 1);  // as large as a tablet
     host.run(session);
     const auto value = [&](const std::string& role, const std::string& name) {
         for (const Control& c : session.spoken())
@@ -304,7 +316,7 @@ TEST(MoleculeSession, VoiceOverHearsAndMovesEveryControl) {
         return std::string("it is not there");
     };
     const auto press = [&](const std::string& role, const std::string& name) {
-        session.press(role, name, host.now);
+        session.press(role, name);
         host.run(session);
     };
     EXPECT_EQ(session.spoken().front().role, "image");
@@ -317,14 +329,15 @@ TEST(MoleculeSession, VoiceOverHearsAndMovesEveryControl) {
     press("button", "Undo");
     EXPECT_EQ(session.viewer().view().look.style, Style::spacefill);
     press("button", "Save");
-    EXPECT_EQ(shared, std::vector{ViewerCommand::savePicture});
+    session.run(ViewerCommand::saveView);
+    EXPECT_EQ(shared, (std::vector<std::string>{"pair.png", "pair.view.json"}));
     // A slider, a tenth of its way at a time.
     SavedView look = session.viewer().view();
     look.look.style = Style::surface;
     session.viewer().setLook(look, host.now);
     host.run(session);
     EXPECT_EQ(value("slider", "Opacity of the surface"), "1.00");
-    session.adjust("Opacity of the surface", false, host.now);
+    session.adjust("Opacity of the surface", false);
     host.run(session);
     EXPECT_NEAR(session.viewer().view().look.surfaceOpacity, 0.91, 0.05);
     session.viewer().undo(host.now);
@@ -332,7 +345,7 @@ TEST(MoleculeSession, VoiceOverHearsAndMovesEveryControl) {
     press("tab", "Parts");
     press("button", "Hide Chain A");
     EXPECT_EQ(session.viewer().document()->scene.drawnAtoms, 2u);
-    session.run(ViewerCommand::undo, host.now);  // as a shake does
+    session.run(ViewerCommand::undo);  // as a shake does
     host.run(session);
     EXPECT_EQ(session.viewer().document()->scene.drawnAtoms, 4u);
     for (const Control& c : session.spoken()) EXPECT_NE(c.name, "") << c.role;

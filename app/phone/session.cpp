@@ -1,0 +1,272 @@
+#include "app/phone/session.h"
+
+#include <filesystem>
+#include <limits>
+
+#include "app/download/molecule_sources.h"
+#include "app/shared/molecules.h"
+#include "app/shared/srgb.h"
+#include "app/viewer/kept_files.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr std::string_view kSample = "sample:";
+
+/// In the folder of the cache; empty without one.
+std::string kept(const PhoneHost& host, const char* name) {
+    return host.cache.empty() ? std::string() : host.cache + "/" + name;
+}
+
+ViewerOptions viewerOptions(const PhoneHost& host) {
+    ViewerOptions options;
+    options.occlusionCache = kept(host, "occlusion");
+    options.errorsStay = true;
+    return options;
+}
+
+/// A view that came from elsewhere, or was kept, asks before it downloads.
+InputOptions inputOf(const PhoneHost& host, const SavedView& first) {
+    InputOptions input;
+    input.path = first.input;
+    if (!first.input.empty()) input.namedBy = "the last view";
+    input.cache = host.cache.empty() ? "off" : host.cache;
+    input.memoryMegabytes = static_cast<std::int64_t>(memoryShare(4) >> 20);
+    return input;
+}
+
+}  // namespace
+
+PhoneSession::PhoneSession(PhoneHost host, const SavedView& first, double pixelsPerPoint)
+    : host_(std::move(host)),
+      session_(sessionHost(), phoneSources(inputOf(host_, first), host_.readFile), first, viewerOptions(host_),
+               host_.wake) {
+    makePanel(pixelsPerPoint);
+    viewer().pause();
+}
+
+SessionHost PhoneSession::sessionHost() {
+    SessionHost session;
+    session.device = [this] {
+        DeviceOptions device;
+        device.validate = host_.validate;
+        device.surface = host_.surface;
+        device.selfTests = kept(host_, "devices");
+        return device;
+    };
+    session.loadPipelines = [this] { return loadPipelineCache(kept(host_, "pipelines.bin")); };
+    session.keepPipelines = [this](const std::vector<std::byte>& data) {
+        keepPipelineCache(kept(host_, "pipelines.bin"), data);
+    };
+    session.prepare = [this](Renderer& renderer) { renderer.setOverlayGlyphs(panel_->glyphs()); };
+    session.lost = host_.log;
+    session.windowMayGo = host_.windowMayGo;
+    return session;
+}
+
+void PhoneSession::makePanel(double pixelsPerPoint) {
+    scale_ = pixelsPerPoint;
+    panel_.reset();
+    PanelHost host;
+    host.run = [this](ViewerCommand command) { run(command); };
+    host.openDialog = host_.pickDocument;
+    host.askText = host_.askText;
+    host.downloads = host_.downloads;
+    host.fontWith = systemFontWith;
+    host.statistics = [this] { return session_.statistics(); };
+    host.dark = host_.dark;
+    host.shakes = host_.shakes;
+    panel_ = std::make_unique<Panel>(pixelsPerPoint, std::move(host), PanelHand::fingers);
+}
+
+// --- the window
+
+void PhoneSession::resize(PixelSize pixels, double pixelsPerPoint) {
+    if (pixelsPerPoint != scale_) {
+        makePanel(pixelsPerPoint);
+        if (Renderer* held = session_.renderer()) held->setOverlayGlyphs(panel_->glyphs());
+    }
+    if (pixels.width && pixels.height) viewer().resize(pixels, scale_, now());
+}
+
+void PhoneSession::setInsets(const Insets& insets) {
+    panel_->setInsets(insets);
+    viewer().overlayChanged();
+}
+
+void PhoneSession::setSeen(bool seen) {
+    seen_ = seen;
+    if (!seen) return viewer().pause();
+    if (!session_.renderer()) session_.open(now());
+    viewer().resume(now());
+}
+
+void PhoneSession::releaseWindow() {
+    if (Renderer* held = session_.renderer()) held->releaseWindow();
+}
+
+void PhoneSession::lowMemory() {
+    viewer().lowMemory();
+    if (!seen_) session_.close();
+}
+
+// --- the user
+
+void PhoneSession::touch(const TouchEvent& event, double when) {
+    if (panel_->touch(event))
+        viewer().overlayChanged();
+    else
+        viewer().touch(event, when);
+}
+
+void PhoneSession::mouse(MouseButton button, const TouchEvent& event, Modifiers with, double when) {
+    const bool down = event.phase == TouchPhase::began;
+    if (down) panelDrag_ = panel_->touch(event);
+    if (panelDrag_) {
+        if (!down) panel_->touch(event);
+        return viewer().overlayChanged();
+    }
+    if (event.phase == TouchPhase::moved)
+        viewer().mouseMove(event.at, when);
+    else
+        viewer().mouseButton(button, down, event.at, with, when);
+}
+
+void PhoneSession::run(ViewerCommand command) {
+    viewer().overlayChanged();
+    switch (command) {
+        case ViewerCommand::panel:
+            return panel_->togglePanel();
+        case ViewerCommand::help:
+            return panel_->toggleHelp();
+        case ViewerCommand::openFile:
+            return panel_->showStart();
+        case ViewerCommand::saveAs:
+        case ViewerCommand::savePicture:
+            return sharePicture();
+        case ViewerCommand::saveView:
+            return shareView();
+        case ViewerCommand::clearPicks:
+            if (panel_->closeTop()) return;
+            break;
+        default:
+            break;
+    }
+    viewer().run(command, now());
+}
+
+bool PhoneSession::back() {
+    const bool closed = panel_->closeTop(), open = !closed && panel_->panelOpen();
+    if (open) panel_->togglePanel();
+    viewer().overlayChanged();
+    return closed || open;
+}
+
+void PhoneSession::typed(const std::string& name, const std::string& text) {
+    panel_->typed(name, text);
+    viewer().overlayChanged();
+}
+
+void PhoneSession::fail(const std::string& text) {
+    if (host_.log) host_.log(text);
+    viewer().fail(text, now());
+}
+
+void PhoneSession::sharePicture() {
+    if (!host_.sharePicture || !viewer().document() || !session_.renderer()) return;
+    try {
+        host_.sharePicture(picture(), shareName() + ".png");
+    } catch (const Error& error) {
+        viewer().fail(error.what(), now());
+    }
+}
+
+/// As JSON. Another device has the molecule elsewhere: its file's name alone is told.
+void PhoneSession::shareView() {
+    if (!host_.shareText || !viewer().document()) return;
+    SavedView view = viewer().savedView();
+    view.input = std::filesystem::path(view.input).filename().string();
+    host_.shareText(savedViewJson(view), shareName() + ".view.json");
+}
+
+PictureBytes PhoneSession::picture(std::uint32_t samples) {
+    RenderSettings settings = viewer().pictureWithWords(viewer().size(), viewer().textSize());
+    settings.supersample = samples;
+    Picture picture = session_.renderer()->render(settings);
+    viewer().paintWords(settings.view, viewer().textSize(), false, picture);
+    PictureBytes bytes{picture.width, picture.height, std::vector<std::uint8_t>(picture.rgba.size())};
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4) codePixel(&picture.rgba[i], true, &bytes.rgba[i]);
+    return bytes;
+}
+
+std::string PhoneSession::shareName() const {
+    const std::string& input = viewer().view().input;
+    const std::size_t colon = input.starts_with(kSample) ? kSample.size() : 0;
+    std::string name = std::filesystem::path(input.substr(colon)).filename().string();
+    if (const std::size_t dot = name.find('.', 1); dot != std::string::npos) name.resize(dot);
+    return name.empty() ? "nacre" : name;
+}
+
+// --- for those who do not see it
+
+std::vector<Control> PhoneSession::spoken() const {
+    Control picture;
+    picture.role = "image";
+    picture.name = viewer().title();
+    picture.value = spokenValue(viewer().annotations());
+    picture.seenRight = static_cast<float>(viewer().size().width);
+    picture.seenBottom = static_cast<float>(viewer().size().height);
+    std::vector<Control> all{picture};
+    for (const Control& control : panel_->controls())
+        if (control.seen() && control.role != "status") all.push_back(control);  // the picture's value has that
+    return all;
+}
+
+void PhoneSession::tap(glm::dvec2 pixel) {
+    touch({0, TouchPhase::began, pixel / scale_}, now());
+    touch({0, TouchPhase::ended, pixel / scale_}, now());
+}
+
+void PhoneSession::press(const std::string& role, const std::string& name) {
+    if (const Control* c = findControl(panel_->controls(), role, name))
+        tap(glm::dvec2(c->seenLeft + c->seenRight, c->seenTop + c->seenBottom) / 2.0);
+}
+
+void PhoneSession::adjust(const std::string& name, bool up) {
+    if (const auto at = placeOfStep(panel_->controls(), name, up)) tap(*at);
+}
+
+// --- the loop
+
+double PhoneSession::step() {
+    if (!seen_ && session_.renderer() && !host_.windowMayGo) return kNever;
+    const double time = now();
+    const double wake = session_.step(time, [&] {
+        const Overlay* overlay = panel_->draw(viewer(), viewer().size(), time);
+        if (panel_->glyphsChanged()) session_.renderer()->setOverlayGlyphs(panel_->glyphs());
+        return overlay;
+    });
+    if (!seen_ || !panel_->restless()) return wake;
+    viewer().overlayChanged();
+    return time;
+}
+
+std::optional<SavedView> viewOfState(const std::string& json) {
+    try {
+        return parseSavedView(json, "the last view");
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+std::string spokenValue(const Annotations& annotations) {
+    std::string text;
+    for (const std::string* part :
+         {&annotations.error, &annotations.atom, &annotations.measurement, &annotations.message})
+        if (!part->empty()) text += (text.empty() ? "" : ". ") + *part;
+    return text;
+}
+
+}  // namespace nacre::app
