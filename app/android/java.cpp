@@ -1,6 +1,6 @@
 #include "app/android/java.h"
 
-#include "app/shared/code_points.h"
+#include "app/files/code_points.h"
 
 namespace nacre::app {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "app/shared/printable.h"
+#include "app/files/printable.h"
 
 namespace nacre::app {
 

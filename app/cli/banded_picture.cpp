@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/shared/image_codec.h"
+#include "app/images/image_codec.h"
 
 namespace nacre::app {
 namespace {

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "app/shared/word_layout.h"
-#include "app/shared/word_painter.h"
+#include "app/annotation/layout.h"
+#include "app/annotation/painter.h"
 #include "engine/renderer.h"
 
 namespace nacre::app {

@@ -17,9 +17,9 @@
 #include "app/cli/batch_options.h"
 #include "app/cli/commands.h"
 #include "app/cli/picture_job.h"
+#include "app/files/json_text.h"
+#include "app/files/messages.h"
 #include "app/movie/stop_request.h"
-#include "app/shared/json_text.h"
-#include "app/shared/messages.h"
 #include "engine/error.h"
 
 namespace nacre::app {

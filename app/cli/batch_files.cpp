@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/cli/command_spec.h"
-#include "app/shared/view_input.h"
+#include "app/input/input_files.h"
 
 namespace nacre::app {
 namespace fs = std::filesystem;

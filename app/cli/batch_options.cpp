@@ -7,7 +7,7 @@
 
 #include "app/cli/common_options.h"
 #include "app/cli/picture_options.h"
-#include "app/shared/output_file.h"
+#include "app/files/output_file.h"
 
 namespace nacre::app {
 namespace {

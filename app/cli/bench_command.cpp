@@ -7,9 +7,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/stats.h"
 #include "app/download/load_molecule.h"
-#include "app/shared/json_text.h"
-#include "app/shared/messages.h"
-#include "app/shared/molecules.h"
+#include "app/drawing/scenes.h"
+#include "app/files/json_text.h"
+#include "app/files/messages.h"
 #include "engine/error.h"
 #include "engine/milliseconds.h"
 

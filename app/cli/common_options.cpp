@@ -1,9 +1,9 @@
 #include "app/cli/common_options.h"
 
-#include "app/shared/appearance_values.h"
-#include "app/shared/mesh_options.h"
-#include "app/shared/several_inputs.h"
-#include "app/shared/trajectory_input.h"
+#include "app/picture/appearance_values.h"
+#include "app/picture/input_names.h"
+#include "app/picture/mesh_options.h"
+#include "app/picture/option_values.h"
 #include "engine/error.h"
 
 namespace nacre::app {

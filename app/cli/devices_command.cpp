@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/cli/commands.h"
-#include "app/shared/cache_folder.h"
-#include "app/shared/json_text.h"
+#include "app/files/cache_folder.h"
+#include "app/files/json_text.h"
 #include "engine/error.h"
 #include "engine/renderer.h"
 #include "engine/self_test.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/shared/effect_options.h"
-#include "app/shared/option_text.h"
+#include "app/picture/effect_options.h"
+#include "app/picture/option_text.h"
 #include "engine/scene/color_schemes.h"
 
 namespace nacre::app {

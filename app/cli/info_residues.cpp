@@ -3,8 +3,8 @@
 #include <sstream>
 
 #include "app/cli/info_command.h"
-#include "app/shared/messages.h"
-#include "app/shared/printable.h"
+#include "app/files/messages.h"
+#include "app/files/printable.h"
 #include "engine/molecule/kabsch_sander.h"
 #include "engine/molecule/residue_kind.h"
 

@@ -7,10 +7,10 @@
 #include "app/cli/picture_job.h"
 #include "app/cli/saved_options.h"
 #include "app/download/load_molecule.h"
-#include "app/shared/image_file.h"
-#include "app/shared/json_text.h"
-#include "app/shared/looks.h"
-#include "app/shared/messages.h"
+#include "app/files/json_text.h"
+#include "app/files/messages.h"
+#include "app/images/image_file.h"
+#include "app/picture/looks.h"
 #include "engine/error.h"
 
 namespace nacre::app {

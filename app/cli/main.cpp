@@ -13,9 +13,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/loopback.h"
 #include "app/cli/options.h"
-#include "app/shared/messages.h"
-#include "app/shared/notices.h"
-#include "app/shared/printable.h"
+#include "app/files/messages.h"
+#include "app/files/notices.h"
+#include "app/files/printable.h"
 #ifdef NACRE_DESKTOP
 #include "app/desktop/view_command.h"
 #endif

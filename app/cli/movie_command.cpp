@@ -2,9 +2,9 @@
 #include "app/cli/movie_options.h"
 #include "app/cli/movie_report.h"
 #include "app/cli/movie_scenes.h"
+#include "app/files/messages.h"
 #include "app/movie/movie_encoder.h"
 #include "app/movie/stop_request.h"
-#include "app/shared/messages.h"
 #include "engine/error.h"
 
 namespace nacre::app {

@@ -4,7 +4,7 @@
 #include <csignal>
 #include <cstring>
 
-#include "app/shared/output_file.h"
+#include "app/files/output_file.h"
 #include "engine/error.h"
 
 namespace nacre::app {

@@ -8,8 +8,8 @@
 #include "app/cli/movie_options.h"
 #include "app/cli/picture_job.h"
 #include "app/cli/progress.h"
-#include "app/shared/trajectory_input.h"
 #include "engine/molecule/model_file.h"
+#include "engine/molecule/trajectory/motion.h"
 
 namespace nacre::app {
 

@@ -10,7 +10,7 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/saved_options.h"
 #include "app/export/scene_files.h"
-#include "app/shared/output_file.h"
+#include "app/files/output_file.h"
 #include "engine/error.h"
 #include "engine/graph/capability_sets.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "app/cli/common_options.h"
-#include "app/shared/output_file.h"
+#include "app/files/output_file.h"
 
 namespace nacre::app {
 namespace {

@@ -6,11 +6,11 @@
 #include "app/cli/movie_options.h"
 #include "app/cli/paper_options.h"
 #include "app/cli/picture_options.h"
+#include "app/files/output_file.h"
+#include "app/images/image_file.h"
+#include "app/input/input_files.h"
 #include "app/movie/movie_file.h"
-#include "app/shared/image_file.h"
-#include "app/shared/output_file.h"
-#include "app/shared/several_inputs.h"
-#include "app/shared/view_input.h"
+#include "app/picture/input_names.h"
 
 namespace nacre::app {
 namespace {

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "app/annotation/layout.h"
 #include "app/cli/options.h"
 #include "app/cli/progress.h"
 #include "app/cli/stats.h"
-#include "app/shared/image_file.h"
-#include "app/shared/output_file.h"
-#include "app/shared/word_layout.h"
+#include "app/files/output_file.h"
+#include "app/images/image_file.h"
 #include "engine/milliseconds.h"
 #include "engine/renderer.h"
 

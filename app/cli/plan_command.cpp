@@ -5,7 +5,7 @@
 
 #include "app/cli/commands.h"
 #include "app/download/load_molecule.h"
-#include "app/shared/molecules.h"
+#include "app/drawing/scenes.h"
 #include "engine/device_plan.h"
 #include "engine/error.h"
 

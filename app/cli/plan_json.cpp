@@ -1,7 +1,7 @@
 
 #include "app/cli/plan_command.h"
 #include "app/cli/stats.h"
-#include "app/shared/json_text.h"
+#include "app/files/json_text.h"
 
 namespace nacre::app {
 namespace {

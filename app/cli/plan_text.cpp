@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "app/cli/plan_command.h"
-#include "app/shared/option_text.h"
+#include "app/picture/option_text.h"
 
 namespace nacre::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/shared/messages.h"
+#include "app/files/messages.h"
 
 namespace nacre::app {
 namespace {

@@ -1,7 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/picture_job.h"
-#include "app/shared/cache_folder.h"
-#include "app/shared/messages.h"
+#include "app/files/cache_folder.h"
+#include "app/files/messages.h"
 
 namespace nacre::app {
 

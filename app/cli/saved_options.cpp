@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "app/shared/view_input.h"
+#include "app/input/input_files.h"
 
 namespace nacre::app {
 

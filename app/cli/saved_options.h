@@ -2,8 +2,8 @@
 // Between the options of the command line and a saved view.
 
 #include "app/cli/options.h"
-#include "app/shared/looks.h"
-#include "app/shared/saved_view.h"
+#include "app/picture/looks.h"
+#include "app/picture/saved_view.h"
 
 namespace nacre::app {
 

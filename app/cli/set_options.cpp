@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/option_words.h"
-#include "app/shared/json_text.h"
+#include "app/files/json_text.h"
 #include "engine/error.h"
 #include "engine/molecule/nearest_word.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
-#include "app/shared/json_text.h"
+#include "app/files/json_text.h"
 #include "engine/frame/geometry.h"
 #include "engine/scene/mesh_streams.h"
 #include "engine/scene/palettes.h"

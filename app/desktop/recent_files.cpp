@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/shared/json_text.h"
-#include "app/shared/srgb.h"
+#include "app/files/json_text.h"
+#include "app/picture/srgb.h"
 #include "app/viewer/kept_files.h"
 
 namespace nacre::app {

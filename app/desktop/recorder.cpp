@@ -14,9 +14,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "app/shared/option_text.h"
-#include "app/shared/output_file.h"
-#include "app/shared/view_input.h"
+#include "app/files/output_file.h"
+#include "app/input/input_files.h"
+#include "app/picture/option_text.h"
 #include "engine/error.h"
 
 extern char** environ;

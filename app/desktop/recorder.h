@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/panel/recording.h"
-#include "app/shared/saved_view.h"
+#include "app/picture/saved_view.h"
 
 namespace nacre::app {
 

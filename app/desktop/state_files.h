@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/shared/saved_view.h"
+#include "app/picture/saved_view.h"
 
 namespace nacre::app {
 

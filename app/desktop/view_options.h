@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <string>
 
-#include "app/shared/aim.h"
-#include "app/shared/option_values.h"
-#include "app/shared/saved_view.h"
+#include "app/picture/aim.h"
+#include "app/picture/option_values.h"
+#include "app/picture/saved_view.h"
 #include "engine/settings.h"
 
 namespace nacre::app {

@@ -8,10 +8,10 @@
 #include "app/desktop/processes.h"
 #include "app/desktop/state_files.h"
 #include "app/desktop/window_session.h"
-#include "app/shared/capture_file.h"
-#include "app/shared/image_file.h"
-#include "app/shared/json_text.h"
-#include "app/shared/view_input.h"
+#include "app/files/capture_file.h"
+#include "app/files/json_text.h"
+#include "app/images/image_file.h"
+#include "app/input/input_files.h"
 #include "engine/error.h"
 
 namespace nacre::app {

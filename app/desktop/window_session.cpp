@@ -11,9 +11,9 @@
 #include "app/desktop/processes.h"
 #include "app/desktop/state_files.h"
 #include "app/download/molecule_sources.h"
-#include "app/shared/cache_folder.h"
-#include "app/shared/messages.h"
-#include "app/shared/printable.h"
+#include "app/files/cache_folder.h"
+#include "app/files/messages.h"
+#include "app/files/printable.h"
 #include "engine/error.h"
 
 namespace nacre::app {

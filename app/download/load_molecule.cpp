@@ -3,12 +3,12 @@
 #include <filesystem>
 
 #include "app/download/download.h"
-#include "app/shared/cache_folder.h"
-#include "app/shared/messages.h"
-#include "app/shared/molecules.h"
-#include "app/shared/several_inputs.h"
-#include "app/shared/trajectory_input.h"
-#include "app/shared/view_input.h"
+#include "app/files/cache_folder.h"
+#include "app/files/messages.h"
+#include "app/input/input_files.h"
+#include "app/input/join_inputs.h"
+#include "app/input/read_input.h"
+#include "app/input/trajectory_input.h"
 #include "engine/error.h"
 #include "engine/molecule/memory_bound.h"
 

@@ -3,7 +3,7 @@
 #include <functional>
 #include <memory>
 
-#include "app/shared/input_options.h"
+#include "app/picture/input_options.h"
 #include "engine/error.h"
 #include "engine/molecule/model_file.h"
 #include "engine/molecule/molecule.h"

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "app/shared/input_options.h"
+#include "app/picture/input_options.h"
 #include "app/viewer/loader.h"
 
 namespace nacre::app {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "app/export/scene_files.h"
-#include "app/shared/srgb.h"
+#include "app/picture/srgb.h"
 #include "engine/scene/colors.h"
 
 namespace nacre::app {

@@ -9,7 +9,7 @@
 #include <unordered_map>
 
 #include "app/export/scene_files.h"
-#include "app/shared/output_file.h"
+#include "app/files/output_file.h"
 
 namespace nacre::app {
 namespace {

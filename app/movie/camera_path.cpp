@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/shared/option_values.h"
+#include "app/picture/option_values.h"
 
 namespace nacre::app {
 namespace {

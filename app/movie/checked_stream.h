@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "app/shared/output_file.h"
+#include "app/files/output_file.h"
 
 namespace nacre::app {
 

@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "app/files/messages.h"
+#include "app/images/image_file.h"
 #include "app/movie/movie_file.h"
-#include "app/shared/image_file.h"
-#include "app/shared/messages.h"
 #include "engine/error.h"
 
 namespace nacre::app {

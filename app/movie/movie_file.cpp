@@ -4,8 +4,8 @@
 #include <cstring>
 #include <filesystem>
 
-#include "app/shared/output_file.h"
-#include "app/shared/srgb.h"
+#include "app/files/output_file.h"
+#include "app/picture/srgb.h"
 
 namespace nacre::app {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/shared/option_values.h"
+#include "app/picture/option_values.h"
 #include "engine/results.h"
 
 namespace nacre::app {

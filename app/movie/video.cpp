@@ -11,8 +11,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "app/files/output_file.h"
 #include "app/movie/movie_file.h"
-#include "app/shared/output_file.h"
 #include "engine/error.h"
 
 extern "C" char** environ;

@@ -7,9 +7,9 @@
 #include <map>
 #include <string_view>
 
+#include "app/annotation/font.h"
+#include "app/files/code_points.h"
 #include "app/panel/theme.h"
-#include "app/shared/code_points.h"
-#include "app/shared/font.h"
 
 namespace nacre::app {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/shared/system_font.h"
-#include "app/shared/visual_text.h"
+#include "app/annotation/system_font.h"
+#include "app/annotation/visual_text.h"
 
 namespace nacre::app {
 

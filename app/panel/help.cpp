@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "app/files/notices.h"
 #include "app/panel/panel_state.h"
-#include "app/shared/notices.h"
 
 namespace nacre::app {
 namespace {

@@ -4,8 +4,8 @@
 #include <cfloat>
 #include <cmath>
 
+#include "app/annotation/layout.h"
 #include "app/panel/panel_state.h"
-#include "app/shared/word_layout.h"
 
 namespace nacre::app {
 

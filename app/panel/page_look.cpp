@@ -6,10 +6,10 @@
 
 #include "app/panel/panel_state.h"
 #include "app/panel/words.h"
-#include "app/shared/appearance_values.h"
-#include "app/shared/looks.h"
-#include "app/shared/mesh_options.h"
-#include "app/shared/option_text.h"
+#include "app/picture/appearance_values.h"
+#include "app/picture/looks.h"
+#include "app/picture/mesh_options.h"
+#include "app/picture/option_text.h"
 #include "app/viewer/presets.h"
 
 namespace nacre::app {

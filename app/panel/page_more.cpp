@@ -1,7 +1,7 @@
 // Motion, the window itself, and what developers look at.
 
+#include "app/files/notices.h"
 #include "app/panel/panel_state.h"
-#include "app/shared/notices.h"
 
 namespace nacre::app {
 

@@ -5,8 +5,8 @@
 
 #include "app/panel/panel_state.h"
 #include "app/panel/words.h"
-#include "app/shared/option_values.h"
-#include "app/shared/several_inputs.h"
+#include "app/picture/input_names.h"
+#include "app/picture/option_values.h"
 #include "engine/scene/colors.h"
 
 namespace nacre::app {

@@ -5,8 +5,8 @@
 
 #include "app/panel/panel_state.h"
 #include "app/panel/words.h"
-#include "app/shared/appearance_values.h"
-#include "app/shared/option_text.h"
+#include "app/picture/appearance_values.h"
+#include "app/picture/option_text.h"
 
 namespace nacre::app {
 namespace {

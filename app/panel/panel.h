@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "app/annotation/system_font.h"
 #include "app/panel/controls.h"
 #include "app/panel/recording.h"
-#include "app/shared/system_font.h"
 #include "app/viewer/parts.h"
 #include "app/viewer/viewer.h"
 

@@ -1,10 +1,10 @@
 #pragma once
 // What the panel's pages keep from frame to frame.
 
+#include "app/annotation/layout.h"
 #include "app/panel/fonts.h"
 #include "app/panel/panel.h"
 #include "app/panel/widgets.h"
-#include "app/shared/word_layout.h"
 
 namespace nacre::app {
 

@@ -6,7 +6,7 @@
 
 #include "app/panel/panel_state.h"
 #include "app/panel/words.h"
-#include "app/shared/appearance_values.h"
+#include "app/picture/appearance_values.h"
 
 namespace nacre::app {
 namespace {

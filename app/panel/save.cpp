@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "app/panel/panel_state.h"
-#include "app/shared/option_values.h"
+#include "app/picture/option_values.h"
 
 namespace nacre::app {
 namespace {

@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "app/download/molecule_sources.h"
-#include "app/shared/molecules.h"
-#include "app/shared/srgb.h"
+#include "app/input/read_input.h"
+#include "app/picture/srgb.h"
 #include "app/viewer/kept_files.h"
 #include "engine/error.h"
 

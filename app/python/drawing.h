@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/shared/image_file.h"
+#include "app/images/image_file.h"
 #include "engine/molecule/molecule.h"
 #include "engine/results.h"
 

@@ -8,8 +8,8 @@
 #include <cstring>
 
 #include "app/cli/command_spec.h"
+#include "app/picture/srgb.h"
 #include "app/python/drawing.h"
-#include "app/shared/srgb.h"
 #include "engine/error.h"
 #include "engine/molecule/bonds/bonds.h"
 #include "engine/molecule/element.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <mutex>
 
-#include "app/shared/output_file.h"
+#include "app/files/output_file.h"
 #include "engine/error.h"
 #include "engine/storage/plain_file.h"
 

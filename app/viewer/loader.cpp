@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "app/shared/molecules.h"
-#include "app/shared/trajectory_input.h"
+#include "app/drawing/scenes.h"
+#include "app/input/trajectory_input.h"
 #include "app/viewer/presets.h"
 #include "engine/error.h"
 

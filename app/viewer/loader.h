@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "app/shared/saved_view.h"
+#include "app/picture/saved_view.h"
 #include "engine/molecule/molecule.h"
 #include "engine/molecule/trajectory/motion.h"
 

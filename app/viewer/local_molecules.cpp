@@ -1,6 +1,7 @@
 #include "app/viewer/local_molecules.h"
 
-#include "app/shared/molecules.h"
+#include "app/drawing/scenes.h"
+#include "app/input/read_input.h"
 
 namespace nacre::app {
 

@@ -1,7 +1,7 @@
 #include "app/viewer/presets.h"
 
-#include "app/shared/appearance_values.h"
-#include "app/shared/mesh_options.h"
+#include "app/picture/appearance_values.h"
+#include "app/picture/mesh_options.h"
 #include "engine/molecule/chain_summary.h"
 
 namespace nacre::app {

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "app/shared/saved_view.h"
+#include "app/picture/saved_view.h"
 
 namespace nacre::app {
 

@@ -4,8 +4,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "app/shared/measurement.h"
-#include "app/shared/several_inputs.h"
+#include "app/annotation/measurement.h"
+#include "app/drawing/aim.h"
+#include "app/picture/input_names.h"
 #include "engine/error.h"
 
 namespace nacre::app {

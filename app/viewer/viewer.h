@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "app/shared/aim.h"
-#include "app/shared/words.h"
+#include "app/annotation/placed_words.h"
+#include "app/picture/aim.h"
 #include "app/viewer/camera_motion.h"
 #include "app/viewer/commands.h"
 #include "app/viewer/events.h"

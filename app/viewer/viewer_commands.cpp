@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <glm/trigonometric.hpp>
 
-#include "app/shared/appearance_values.h"
-#include "app/shared/looks.h"
-#include "app/shared/option_text.h"
+#include "app/picture/appearance_values.h"
+#include "app/picture/looks.h"
+#include "app/picture/option_text.h"
 #include "app/viewer/presets.h"
 #include "app/viewer/viewer.h"
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/shared/several_inputs.h"
+#include "app/picture/input_names.h"
 #include "app/viewer/viewer.h"
 #include "engine/error.h"
 

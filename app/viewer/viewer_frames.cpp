@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "app/shared/molecules.h"
+#include "app/drawing/scenes.h"
 #include "app/viewer/viewer.h"
 #include "engine/error.h"
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/shared/measurement.h"
-#include "app/shared/several_inputs.h"
+#include "app/annotation/measurement.h"
+#include "app/picture/input_names.h"
 #include "app/viewer/parts.h"
 #include "app/viewer/viewer.h"
 #include "engine/error.h"

@@ -1,6 +1,6 @@
 // Words of pictures that are kept or shared.
 
-#include "app/shared/word_painter.h"
+#include "app/annotation/painter.h"
 #include "app/viewer/viewer.h"
 #include "engine/scene/orientation.h"
 

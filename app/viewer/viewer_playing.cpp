@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "app/shared/trajectory_input.h"
+#include "app/input/trajectory_input.h"
 #include "app/viewer/viewer.h"
 #include "engine/error.h"
 

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "app/shared/option_values.h"
-#include "app/shared/srgb.h"
+#include "app/picture/option_values.h"
+#include "app/picture/srgb.h"
 #include "app/viewer/local_molecules.h"
 #include "engine/renderer.h"
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/shared/saved_view.h"
+#include "app/picture/saved_view.h"
 #include "tests/android_host/java_machine.h"
 #include "tests/android_host/native.h"
 #include "tests/android_host/vulkan.h"

@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "app/shared/capture_file.h"
+#include "app/files/capture_file.h"
 #include "tests/capture/inspect.h"
 #include "tests/support/run_program.h"
 

@@ -5,8 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/cli/picture_job.h"
-#include "app/shared/image_codec.h"
-#include "app/shared/molecules.h"
+#include "app/images/image_codec.h"
 #include "engine/molecule/read.h"
 
 namespace nacre::app {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/shared/view_input.h"
+#include "app/input/input_files.h"
 #include "tests/support/run_program.h"
 
 namespace nacre::test {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "app/cli/saved_options.h"
-#include "app/shared/appearance_values.h"
-#include "app/shared/view_input.h"
+#include "app/input/input_files.h"
+#include "app/picture/appearance_values.h"
 #include "tests/support/run_program.h"
 
 namespace nacre {

@@ -1,7 +1,5 @@
 // Several INPUTs in one picture: names, fits, colours.
 
-#include "app/shared/several_inputs.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "app/picture/input_names.h"
 #include "engine/error.h"
 #include "tests/support/run_program.h"
 #include "tests/support/test_data.h"

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "app/panel/theme.h"
-#include "app/shared/appearance_values.h"
+#include "app/picture/appearance_values.h"
 #include "tests/panel/panel_bench.h"
 
 namespace nacre::app::test {

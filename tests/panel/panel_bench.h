@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "app/input/join_inputs.h"
 #include "app/panel/panel.h"
-#include "app/shared/several_inputs.h"
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/read.h"

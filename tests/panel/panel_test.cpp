@@ -3,7 +3,7 @@
 #include "app/panel/panel.h"
 
 #include "app/panel/theme.h"
-#include "app/shared/appearance_values.h"
+#include "app/picture/appearance_values.h"
 #include "tests/panel/panel_bench.h"
 
 namespace nacre::app::test {

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/shared/trajectory_input.h"
+#include "app/drawing/scenes.h"
+#include "app/input/trajectory_input.h"
 #include "tests/panel/panel_bench.h"
 
 namespace nacre::app::test {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/shared/appearance_values.h"
-#include "app/shared/option_text.h"
+#include "app/picture/appearance_values.h"
+#include "app/picture/option_text.h"
 #include "app/viewer/presets.h"
 
 namespace nacre::app {

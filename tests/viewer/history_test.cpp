@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "app/shared/appearance_values.h"
+#include "app/picture/appearance_values.h"
 #include "app/viewer/parts.h"
 #include "app/viewer/viewer.h"
 #include "engine/error.h"

@@ -4,7 +4,8 @@
 
 #include <cmath>
 
-#include "app/shared/trajectory_input.h"
+#include "app/drawing/scenes.h"
+#include "app/input/trajectory_input.h"
 #include "app/viewer/viewer.h"
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/shared/appearance_values.h"
-#include "app/shared/words.h"
+#include "app/picture/appearance_values.h"
+#include "app/picture/words.h"
 #include "tests/viewer/viewer_bench.h"
 
 namespace nacre::app::test {

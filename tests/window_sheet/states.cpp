@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "app/shared/appearance_values.h"
+#include "app/picture/appearance_values.h"
 #include "tests/window_sheet/driver.h"
 
 namespace nacre::app {

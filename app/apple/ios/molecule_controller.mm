@@ -13,7 +13,7 @@
 #import "app/apple/ios/molecule_view.h"
 #import "app/apple/ios/sharing.h"
 #import "app/apple/ios/spoken.h"
-#import "app/shared/option_values.h"
+#import "app/picture/option_values.h"
 
 using namespace nacre::app;
 

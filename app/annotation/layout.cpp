@@ -1,0 +1,209 @@
+#include "app/annotation/layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <numeric>
+
+#include "app/annotation/room.h"
+
+namespace nacre::app {
+
+struct WordMemory::Lists {
+    std::vector<Held> labels, measures;
+};
+
+namespace {
+
+void layTitle(Room& room, const std::string& text) {
+    if (text.empty()) return;
+    double em = 1.45 * room.size;
+    const double most = room.view.width - 2 * room.margin;
+    const double wide = room.widthOfRuns(text, em);
+    if (wide > most) em *= most / wide;
+    const double left = (room.view.width - room.widthOfRuns(text, em)) / 2;
+    room.put(text, {left, room.margin + kRise * em}, em);
+    room.titleDepth = 2.1 * room.size;
+}
+
+/// A length of 1, 2 or 5 times a power of ten that takes at most a fifth of the picture.
+void layScaleBar(Room& room, ScaleBar unit) {
+    if (unit == ScaleBar::off) return;
+    const double most = room.view.width / 5.0 / room.view.pixelsPerAngstrom;  // Å
+    const double ten = std::pow(10.0, std::floor(std::log10(most)));
+    const double length = most >= 5 * ten ? 5 * ten : most >= 2 * ten ? 2 * ten : ten;
+    char number[32];
+    std::snprintf(number, sizeof number, "%.12g", unit == ScaleBar::nanometre ? length / 10 : length);
+    const std::string text = std::string(number) + (unit == ScaleBar::nanometre ? " nm" : " Å");
+    const double pixels = length * room.view.pixelsPerAngstrom, tick = 0.28 * room.size;
+    const glm::dvec2 right(room.view.width - room.margin, room.view.height - room.margin - tick);
+    const glm::dvec2 left = right - glm::dvec2(pixels, 0);
+    const double width = std::max(1.5, 0.11 * room.size);
+    room.marks.lines.push_back({{left - glm::dvec2(0, tick), left + glm::dvec2(0, tick)}, width});
+    room.marks.lines.push_back({{right - glm::dvec2(0, tick), right + glm::dvec2(0, tick)}, width});
+    room.marks.lines.push_back({{left, right}, width});
+    room.taken.push_back(Area{left - tick, right + tick}.grown(width));
+    const double wide = room.widthOfRuns(text, room.size);
+    room.put(text, {std::min(right.x - wide, (left.x + right.x - wide) / 2), left.y - tick - (kDrop + 0.2) * room.size},
+             room.size);
+}
+
+/// @param held  of each, before and after
+void layMeasures(Room& room, const std::vector<PlacedMeasure>& measures, std::vector<Held>& held) {
+    held.resize(measures.size());
+    for (std::size_t m = 0; m < measures.size(); ++m) {
+        const PlacedMeasure& measure = measures[m];
+        std::vector<Room::Seen> points;
+        std::vector<glm::dvec2> path;
+        for (const glm::dvec3& p : measure.points) {
+            points.push_back(room.seen(p));
+            path.push_back(points.back().at);
+        }
+        if (std::none_of(points.begin(), points.end(), [](const Room::Seen& s) { return s.inPicture; })) continue;
+        room.dashed(path);
+        glm::dvec2 anchor = (path[0] + path[1]) / 2.0, way = path[1] - path[0];
+        if (path.size() == 3) {
+            // An arc in the angle, in space, so that it is seen as the angle is.
+            const glm::dvec3 corner = measure.points[1];
+            const glm::dvec3 u = measure.points[0] - corner, v = measure.points[2] - corner;
+            const double radius = 0.45 * std::min(glm::length(u), glm::length(v));
+            const double angle = std::acos(std::clamp(glm::dot(glm::normalize(u), glm::normalize(v)), -1.0, 1.0));
+            LineMark arc{{}, std::max(1.0, 0.07 * room.size)};
+            for (int i = 0; i <= 16 && angle > 1e-3 && angle < std::numbers::pi - 1e-3; ++i) {
+                const double t = angle * i / 16;
+                const glm::dvec3 across = glm::normalize(v - u * (glm::dot(u, v) / glm::dot(u, u)));
+                arc.points.push_back(
+                    room.seen(corner + radius * (std::cos(t) * glm::normalize(u) + std::sin(t) * across)).at);
+            }
+            if (!arc.points.empty()) {
+                anchor = arc.points[8];
+                way = arc.points[16] - arc.points[0];
+                room.marks.lines.push_back(std::move(arc));
+            }
+        } else if (path.size() == 4) {
+            anchor = (path[1] + path[2]) / 2.0, way = path[2] - path[1];
+        }
+        const double length = glm::length(way);
+        const glm::dvec2 side = length > 1e-6 ? glm::dvec2(-way.y, way.x) / length : glm::dvec2(0, -1);
+        const glm::dvec2 half(room.widthOfRuns(measure.text, room.size) / 2, (kRise + kDrop) / 2 * room.size);
+        const double off = glm::dot(glm::abs(side), half) + 0.25 * room.size;
+        const glm::dvec2 up = side.y <= 0 ? side : -side;
+        room.place(measure.text, anchor, {up * off, -up * off, up * (1.6 * off), -up * (1.6 * off)}, path, held[m]);
+    }
+}
+
+/// Which labels are asked for a place, and in what order: those that have one keep it, then what is nearer chooses
+/// first.
+std::vector<std::size_t> choosingOrder(const std::vector<Room::Seen>& anchors, const std::vector<Held>& held) {
+    std::vector<std::size_t> order(anchors.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        const bool first = held[a].placed, second = held[b].placed;
+        if (first != second) return first;
+        return first ? held[a].rank < held[b].rank : anchors[a].z > anchors[b].z;
+    });
+    return order;
+}
+
+/// Notes which labels other atoms hide. One that shows goes on showing until hardly anything of it is seen.
+void judgeSight(const PlacedWords& words, const View& view, const Clip& clip, std::vector<Held>& held) {
+    constexpr double kSeen = 0.25, kHardly = 0.1;
+    std::vector<double> shares(words.labels.size(), 1);
+    if (words.sight) {
+        std::vector<const LabelSight::Named*> named;
+        for (const PlacedLabel& label : words.labels) named.push_back(&label.named);
+        shares = words.sight->openShares(named, view, clip);
+    }
+    for (std::size_t i = 0; i < shares.size(); ++i) held[i].shown = shares[i] >= (held[i].shown ? kHardly : kSeen);
+}
+
+/// @param held  of each, before and after
+void layLabels(Room& room, const PlacedWords& words, const Clip& clip, std::vector<Held>& held) {
+    const std::vector<PlacedLabel>& labels = words.labels;
+    held.resize(labels.size());
+    judgeSight(words, room.view, clip, held);
+    std::vector<Room::Seen> anchors;
+    std::vector<glm::dvec2> points;
+    for (const PlacedLabel& label : labels) {
+        anchors.push_back(room.seen(label.at));
+        points.push_back(anchors.back().at);
+    }
+    std::size_t rank = 0;
+    for (const std::size_t i : choosingOrder(anchors, held)) {
+        if (!anchors[i].inPicture || !held[i].shown) {
+            held[i].placed = false;
+            continue;
+        }
+        std::vector<glm::dvec2> wishes{{0, 0}};
+        const glm::dvec2 half(room.widthOfRuns(labels[i].text, room.size) / 2, (kRise + kDrop) / 2 * room.size);
+        const double radius = labels[i].radius * anchors[i].scale, beside = radius + 0.25 * room.size;
+        const double corner = 0.72 * beside;
+        // An atom whose picture has room for its label wears it.
+        if (labels[i].ofAtom && radius < half.x + 0.3 * room.size)
+            wishes = {{corner + half.x, -corner - 0.5 * half.y},
+                      {beside + half.x, 0},
+                      {-corner - half.x, -corner - 0.5 * half.y},
+                      {-beside - half.x, 0},
+                      {0, -beside - half.y},
+                      {0, beside + half.y}};
+        std::vector<glm::dvec2> others = points;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+        held[i].rank = rank++;
+        if (!room.place(labels[i].text, anchors[i].at, wishes, others, held[i])) ++room.marks.crowded;
+    }
+}
+
+double luminance(const std::array<float, 3>& c) {
+    const auto linear = [](float v) {
+        return static_cast<double>(v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f));
+    };
+    return 0.2126 * linear(c[0]) + 0.7152 * linear(c[1]) + 0.0722 * linear(c[2]);
+}
+
+std::uint32_t packed(const std::array<float, 3>& c) {
+    std::uint32_t rgb = 0;
+    for (const float v : c) rgb = rgb << 8 | static_cast<std::uint32_t>(std::lround(std::clamp(v, 0.0f, 1.0f) * 255));
+    return packedColor(rgb);
+}
+
+}  // namespace
+
+void layBlocks(Room& room, const PlacedWords& words) {
+    layTitle(room, words.title);
+    layScaleBar(room, words.scaleBar);
+    layLegends(room, words.legends);
+}
+
+double usualTextSize(std::uint32_t width, std::uint32_t height) {
+    return std::max(9.0, std::min(width, height) / 42.0);
+}
+
+WordMemory::WordMemory() : held_(std::make_unique<Lists>()) {}
+WordMemory::~WordMemory() = default;
+std::vector<Held>& WordMemory::labels() { return held_->labels; }
+std::vector<Held>& WordMemory::measures() { return held_->measures; }
+
+Marks layOut(const PlacedWords& words, const View& view, double size, const std::optional<std::array<float, 3>>& color,
+             const std::array<float, 4>& background, const TextWidth& widthOf, const Clip& clip, WordMemory* memory) {
+    const double em = size > 0 ? size : usualTextSize(view.width, view.height);
+    Room room(view, em, widthOf);
+    WordMemory none;
+    if (!memory) memory = &none;
+    layBlocks(room, words);
+    layMeasures(room, words.measures, memory->measures());
+    layLabels(room, words, clip, memory->labels());
+    Marks marks = std::move(room.marks);
+    // Where the background shows through, paper is white.
+    const float a = background[3];
+    const std::array<float, 3> ground{background[0] * a + 1 - a, background[1] * a + 1 - a, background[2] * a + 1 - a};
+    constexpr double kMiddleGray = 0.18;
+    const bool dark = color ? luminance(*color) < kMiddleGray : luminance(ground) >= kMiddleGray;
+    marks.color = color ? packed(*color) : packedColor(dark ? 0x1c1e22 : 0xf4f5f6);
+    marks.halo = packedColor(dark ? 0xffffff : 0x101114);
+    marks.haloWidth = std::max(1.2, 0.115 * em);
+    return marks;
+}
+
+}  // namespace nacre::app

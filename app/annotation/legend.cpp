@@ -1,0 +1,120 @@
+// The legend: what the colours mean.
+
+#include <algorithm>
+#include <span>
+
+#include "app/annotation/room.h"
+#include "engine/scene/palettes.h"
+
+namespace nacre::app {
+namespace {
+
+struct LegendRow {
+    std::string text;
+    std::uint32_t color = 0;  // 0: a heading
+    bool gapBefore = false;
+    const Legend* ramp = nullptr;
+    std::size_t stop = 0;  // of the ramp, from the top
+};
+
+std::string headingOf(const Legend& legend) {
+    const std::string scheme = legend.scheme.substr(0, legend.scheme.find(':'));
+    constexpr std::pair<const char*, const char*> kNames[] = {{"b-factor", "B factor (Å²)"},
+                                                              {"plddt", "Confidence (pLDDT)"},
+                                                              {"hydrophobicity", "Hydropathy (Kyte–Doolittle)"},
+                                                              {"secondary-structure", "Secondary structure"},
+                                                              {"chain-carbons", "Carbons by chain"},
+                                                              {"copy", "Copy"},
+                                                              {"copy-chain", "Copy, chain"},
+                                                              {"copy-entity", "Copy, entity"},
+                                                              {"rainbow", "Along the chain"}};
+    std::string heading;
+    for (const auto& [name, text] : kNames)
+        if (scheme == name) heading = text;
+    if (heading.empty() && !scheme.empty() && scheme[0] != '#') {
+        heading = scheme;
+        if (heading[0] >= 'a' && heading[0] <= 'z') heading[0] = static_cast<char>(heading[0] - 'a' + 'A');
+    }
+    if (legend.selection == "all") return heading;
+    return heading.empty() ? "" : heading + ", " + legend.selection;
+}
+
+/// A text of the program or the file, safe from being read as markup.
+std::string escaped(const std::string& text) {
+    std::string safe;
+    for (const char c : text) {
+        if (c == '_' || c == '^' || c == '\\') safe += '\\';
+        safe += c;
+    }
+    return safe;
+}
+
+/// Headings and entries of all legends, one below the other.
+std::vector<LegendRow> rowsOf(const std::vector<Legend>& legends) {
+    std::vector<LegendRow> rows;
+    for (const Legend& legend : legends) {
+        const std::string heading = headingOf(legend);
+        if (!heading.empty()) rows.push_back({escaped(heading), 0, !rows.empty()});
+        // One colour alone is named by what it colours.
+        const bool named = legend.entries.size() == 1 && heading.empty() && legend.selection != "all";
+        for (std::size_t i = 0; i < legend.entries.size(); ++i) {
+            // The end of a ramp on top, as on an axis.
+            const bool ramp = i < legend.stops;
+            const LegendEntry& entry = legend.entries[ramp ? legend.stops - 1 - i : i];
+            const bool first = !rows.empty() && i == 0 && heading.empty();
+            rows.push_back(
+                {escaped(named ? legend.selection : entry.label), entry.color, first, ramp ? &legend : nullptr, i});
+        }
+    }
+    return rows;
+}
+
+/// A row's swatch: a disc, or its part of a ramp, about its middle.
+void legendSwatch(Room& room, const LegendRow& row, const glm::dvec2& middle, double radius, double line) {
+    if (!row.ramp) {
+        room.marks.discs.push_back({middle, radius, row.color});
+        return;
+    }
+    RampMark ramp{middle - glm::dvec2(radius, line / 2), middle + glm::dvec2(radius, line / 2), {}};
+    const double last = static_cast<double>(row.ramp->stops - 1), stop = static_cast<double>(row.stop);
+    for (int k = 0; k <= 8; ++k) ramp.colors.push_back(paletteColor(row.ramp->ramp, 1 - (stop - 0.5 + k / 8.0) / last));
+    room.marks.ramps.push_back(std::move(ramp));
+}
+
+}  // namespace
+
+void layLegends(Room& room, const std::vector<Legend>& legends) {
+    constexpr std::size_t kColumns = 3;
+    const double size = 0.92 * room.size, line = 1.42 * size, swatch = 0.36 * size, indent = 1.25 * size;
+    std::vector<LegendRow> rows = rowsOf(legends);
+    if (rows.empty()) return;
+    const double top = room.margin + room.titleDepth;
+    const double bottom = room.view.height - room.margin - 2.6 * room.size;
+    const auto perColumn = static_cast<std::size_t>(std::max(3.0, (bottom - top) / line - 1));
+    if (rows.size() > kColumns * perColumn) {
+        const std::size_t left = rows.size() - kColumns * perColumn + 1;
+        rows.resize(kColumns * perColumn - 1);
+        rows.push_back({"and " + std::to_string(left) + " more"});
+    }
+    double right = room.view.width - room.margin;
+    for (std::size_t column = (rows.size() + perColumn - 1) / perColumn; column-- > 0;) {
+        const auto part =
+            std::span(rows).subspan(column * perColumn).first(std::min(perColumn, rows.size() - column * perColumn));
+        double width = 0;
+        for (const LegendRow& row : part)
+            width = std::max(width, room.widthOfRuns(row.text, size) + (row.color ? indent : 0));
+        const double left = right - width;
+        double y = top;
+        for (const LegendRow& row : part) {
+            if (row.gapBefore && &row != part.data()) y += 0.7 * line;
+            const double baseline = y + kRise * size;
+            room.put(row.text, {left + (row.color ? indent : 0), baseline}, size);
+            if (row.color) legendSwatch(room, row, {left + swatch, baseline - kMiddle * size}, swatch, line);
+            y += line;
+        }
+        room.taken.push_back({{left - 0.3 * size, top}, {right, y}});
+        right = left - 1.2 * size;
+    }
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,307 @@
+#include "app/annotation/painter.h"
+
+#include <ft2build.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+#include <numbers>
+#include FT_FREETYPE_H
+#include FT_GLYPH_H
+#include FT_OUTLINE_H
+#include FT_STROKER_H
+
+#include "app/annotation/font.h"
+#include "app/annotation/visual_text.h"
+#include "app/files/code_points.h"
+#include "app/picture/srgb.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+FT_Pos fixed(double pixels) { return static_cast<FT_Pos>(std::lround(pixels * 64)); }
+
+/// How much of each pixel of a band of rows is covered; it grows from mark to mark by the larger value.
+class Coverage {
+public:
+    Coverage(std::uint32_t width, std::uint32_t first, std::uint32_t rows)
+        : width_(static_cast<int>(width)), first_(static_cast<int>(first)), rows_(static_cast<int>(rows)) {}
+
+    /// Spans of one shape, in rows of the picture.
+    void add(int y, int from, int count, std::uint8_t share) {
+        y -= first_;
+        if (y < 0 || y >= rows_) return;
+        const int to = std::min(from + count, width_);
+        from = std::max(from, 0);
+        if (from >= to) return;
+        if (shares_.empty()) shares_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows_));
+        low_ = std::min(low_, y), high_ = std::max(high_, y + 1);
+        std::uint8_t* row = shares_.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
+        for (int x = from; x < to; ++x) row[x] = std::max(row[x], share);
+    }
+
+    /// Lays a colour over the picture where something is covered, and forgets it. Mixed as code values, as all text on
+    /// screens is: in linear light dark letters would look thin.
+    void pour(std::uint32_t color, double strength, float* rgba) {
+        std::array<float, 3> ink{};
+        for (std::size_t c = 0; c < 3; ++c) ink[c] = static_cast<float>(color >> (8 * c) & 0xff) / 255.0f;
+        const std::size_t width = static_cast<std::size_t>(width_);
+        for (std::size_t i = static_cast<std::size_t>(low_) * width;
+             !shares_.empty() && i < static_cast<std::size_t>(high_) * width; ++i) {
+            if (shares_[i] == 0) continue;
+            const float share = static_cast<float>(shares_[i] / 255.0 * strength);
+            float* pixel = rgba + 4 * i;
+            const float before = std::clamp(pixel[3], 0.0f, 1.0f), after = share + (1 - share) * before;
+            const float weight = share / after;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const float light = before > 0 ? pixel[c] / before : 0.0f;
+                const float coded = linearToSrgb(light);
+                pixel[c] = srgbToLinear(coded + (ink[c] - coded) * weight) * after;
+            }
+            pixel[3] = after;
+            shares_[i] = 0;
+        }
+        low_ = rows_, high_ = 0;
+    }
+
+private:
+    int width_, first_, rows_;
+    int low_ = 0x7fffffff, high_ = 0;
+    std::vector<std::uint8_t> shares_;
+};
+
+/// Adds an outline whose y points up from the picture's top edge, in 64ths of a pixel.
+void rasterize(FT_Library library, FT_Outline& outline, Coverage& coverage) {
+    FT_Raster_Params parameters{};
+    parameters.flags = FT_RASTER_FLAG_AA | FT_RASTER_FLAG_DIRECT;
+    parameters.user = &coverage;
+    parameters.gray_spans = [](int y, int count, const FT_Span* spans, void* user) {
+        for (int i = 0; i < count; ++i)
+            static_cast<Coverage*>(user)->add(-1 - y, spans[i].x, spans[i].len, spans[i].coverage);
+    };
+    FT_BBox box;
+    FT_Outline_Get_CBox(&outline, &box);
+    parameters.flags |= FT_RASTER_FLAG_CLIP;
+    parameters.clip_box = {box.xMin / 64 - 1, box.yMin / 64 - 1, box.xMax / 64 + 2, box.yMax / 64 + 2};
+    FT_Outline_Render(library, &outline, &parameters);
+}
+
+void rasterizePolygon(FT_Library library, const std::vector<glm::dvec2>& corners, Coverage& coverage) {
+    std::vector<FT_Vector> points;
+    for (const glm::dvec2& corner : corners) points.push_back({fixed(corner.x), fixed(-corner.y)});
+    std::vector<char> tags(points.size(), FT_CURVE_TAG_ON);
+    short end = static_cast<short>(points.size() - 1);
+    FT_Outline outline{1, static_cast<short>(points.size()), points.data(), tags.data(), &end, FT_OUTLINE_NONE};
+    rasterize(library, outline, coverage);
+}
+
+void rasterizeDisc(FT_Library library, const glm::dvec2& at, double radius, Coverage& coverage) {
+    const int corners = std::clamp(static_cast<int>(radius * 4), 16, 256);
+    std::vector<glm::dvec2> points;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = 2 * std::numbers::pi * i / corners;
+        points.push_back(at + radius * glm::dvec2(std::cos(angle), std::sin(angle)));
+    }
+    rasterizePolygon(library, points, coverage);
+}
+
+/// Segments with round ends, which meet without gaps.
+void rasterizeLine(FT_Library library, const LineMark& line, double grown, Coverage& coverage) {
+    const double half = line.width / 2 + grown;
+    for (std::size_t i = 1; i < line.points.size(); ++i) {
+        const glm::dvec2 a = line.points[i - 1], b = line.points[i];
+        const double length = glm::distance(a, b);
+        if (length < 1e-9) continue;
+        const glm::dvec2 way = (b - a) / length, side = glm::dvec2(-way.y, way.x) * half;
+        const glm::dvec2 more = line.points.size() == 2 ? way * grown : way * 0.0;  // halos go round single strokes
+        rasterizePolygon(library, {a - more + side, b + more + side, b + more - side, a - more - side}, coverage);
+        if (i > 1) rasterizeDisc(library, a, half, coverage);
+    }
+}
+
+}  // namespace
+
+struct WordPainter::Face {
+    FT_Library library = nullptr;
+    std::vector<FT_Face> faces;  // the built-in one, and those of the system that were needed
+    FT_Stroker stroker = nullptr;
+    FindFont find;
+    std::map<char32_t, FT_Face> foreign;  // of what the built-in font has not; itself: nor has another
+
+    ~Face() {
+        FT_Stroker_Done(stroker);
+        for (FT_Face face : faces) FT_Done_Face(face);
+        FT_Done_FreeType(library);
+    }
+
+    FT_Face faceOf(char32_t c) {
+        constexpr std::size_t kMostForeign = 2000;  // each may be asked of another program
+        if (c < 0x80 || FT_Get_Char_Index(faces[0], c)) return faces[0];
+        if (const auto it = foreign.find(c); it != foreign.end()) return it->second;
+        if (foreign.size() >= kMostForeign) return faces[0];
+        FT_Face& face = foreign.emplace(c, faces[0]).first->second;
+        for (std::size_t i = 1; i < faces.size() && face == faces[0]; ++i)
+            if (FT_Get_Char_Index(faces[i], c)) face = faces[i];
+        if (face == faces[0]) face = systemFaceOf(c);
+        return face;
+    }
+
+    /// The system's font that has it, opened; the built-in one if none has its outline.
+    FT_Face systemFaceOf(char32_t c) {
+        const std::optional<FontFile> file = find ? find({c}) : std::nullopt;
+        FT_Face face = nullptr;
+        if (!file || FT_New_Face(library, file->path.c_str(), file->index, &face)) return faces[0];
+        if (FT_IS_SCALABLE(face) && FT_Get_Char_Index(face, c)) return faces.emplace_back(face);
+        FT_Done_Face(face);
+        return faces[0];
+    }
+
+    /// Calls glyph(face, index, pen) for each, in ems. @returns the width, likewise
+    template <typename OnGlyph>
+    double walk(const std::string& text, const OnGlyph& glyph) {
+        double pen = 0;
+        FT_UInt before = 0;
+        FT_Face last = nullptr;
+        for (const char32_t point : codePoints(visualText(text))) {
+            FT_Face face = faceOf(point);
+            const FT_UInt index = FT_Get_Char_Index(face, point);
+            FT_Vector kerning{};
+            if (before && index && face == last) FT_Get_Kerning(face, before, index, FT_KERNING_UNSCALED, &kerning);
+            pen += static_cast<double>(kerning.x) / face->units_per_EM;
+            glyph(face, index, pen);
+            if (FT_Load_Glyph(face, index, FT_LOAD_NO_SCALE) == 0)
+                pen += static_cast<double>(face->glyph->metrics.horiAdvance) / face->units_per_EM;
+            before = index, last = face;
+        }
+        return pen;
+    }
+
+    struct Placed {
+        FT_Face face;
+        FT_UInt index;
+        double pen;
+    };
+
+    /// @param halo  pixels around the letters; 0: the letters
+    void addText(const TextMark& mark, double halo, Coverage& coverage) {
+        // Baselines stand on whole pixels, so that all letters of a line are equally sharp.
+        const glm::dvec2 at(mark.at.x, std::round(mark.at.y));
+        std::vector<Placed> glyphs;
+        walk(mark.text, [&](FT_Face face, FT_UInt index, double pen) { glyphs.push_back({face, index, pen}); });
+        for (FT_Face face : faces)
+            if (FT_Set_Char_Size(face, 0, std::max<FT_F26Dot6>(fixed(mark.size), 1), 72, 72)) return;
+        for (const auto& [face, index, pen] : glyphs) {
+            if (FT_Load_Glyph(face, index, FT_LOAD_NO_HINTING | FT_LOAD_NO_BITMAP)) continue;
+            FT_Glyph glyph = nullptr;
+            if (FT_Get_Glyph(face->glyph, &glyph)) continue;
+            if (halo > 0) {
+                FT_Stroker_Set(stroker, fixed(halo), FT_STROKER_LINECAP_ROUND, FT_STROKER_LINEJOIN_ROUND, 0);
+                FT_Glyph_Stroke(&glyph, stroker, 1);
+            }
+            if (glyph->format == FT_GLYPH_FORMAT_OUTLINE) {
+                FT_Outline& outline = reinterpret_cast<FT_OutlineGlyph>(glyph)->outline;
+                FT_Outline_Translate(&outline, fixed(at.x + pen * mark.size), fixed(-at.y));
+                rasterize(library, outline, coverage);
+            }
+            FT_Done_Glyph(glyph);
+        }
+    }
+};
+
+WordPainter::WordPainter(FindFont find) : face_(std::make_unique<Face>()) {
+    const std::span<const std::byte> font = fontFile();
+    face_->find = std::move(find);
+    FT_Face own = nullptr;
+    if (FT_Init_FreeType(&face_->library) ||
+        FT_New_Memory_Face(face_->library, reinterpret_cast<const FT_Byte*>(font.data()),
+                           static_cast<FT_Long>(font.size()), 0, &own))
+        throw Error("cannot write words", "", "FreeType does not read the font that is built in");
+    face_->faces.push_back(own);
+    if (FT_Stroker_New(face_->library, &face_->stroker))
+        throw Error("cannot write words", "", "FreeType has no stroker");
+}
+WordPainter::~WordPainter() = default;
+
+double WordPainter::widthOf(const std::string& text, double size) const {
+    return face_->walk(text, [](FT_Face, FT_UInt, double) {}) * size;
+}
+
+void WordPainter::paint(const Marks& marks, float* rgba, std::uint32_t width, std::uint32_t first,
+                        std::uint32_t rows) const {
+    constexpr double kHaloStrength = 0.85;
+    FT_Library library = face_->library;
+    Coverage coverage(width, first, rows);
+    const auto nearRows = [&](double y, double reach) {
+        return y + reach >= first && y - reach <= static_cast<double>(first) + rows;
+    };
+    const auto nearLine = [&](const LineMark& line) {
+        return std::any_of(line.points.begin(), line.points.end(), [&](const glm::dvec2& p) {
+            return nearRows(p.y, line.width + marks.haloWidth + glm::distance(line.points.front(), line.points.back()));
+        });
+    };
+    for (const LineMark& line : marks.lines)
+        if (nearLine(line)) rasterizeLine(library, line, marks.haloWidth * 0.8, coverage);
+    for (const DiscMark& disc : marks.discs)
+        if (nearRows(disc.at.y, disc.radius + marks.haloWidth))
+            rasterizeDisc(library, disc.at, disc.radius + marks.haloWidth * 0.8, coverage);
+    for (const TextMark& text : marks.texts)
+        if (nearRows(text.at.y, 2 * text.size)) face_->addText(text, marks.haloWidth, coverage);
+    coverage.pour(marks.halo, kHaloStrength, rgba);
+    for (const LineMark& line : marks.lines)
+        if (nearLine(line)) rasterizeLine(library, line, 0, coverage);
+    for (const DiscMark& disc : marks.discs)
+        if (disc.color == 0 && nearRows(disc.at.y, disc.radius)) rasterizeDisc(library, disc.at, disc.radius, coverage);
+    coverage.pour(marks.color, 1, rgba);
+    for (const DiscMark& disc : marks.discs) {
+        if (disc.color == 0 || !nearRows(disc.at.y, disc.radius)) continue;
+        rasterizeDisc(library, disc.at, disc.radius, coverage);
+        coverage.pour(disc.color, 1, rgba);
+    }
+    for (const RampMark& ramp : marks.ramps)
+        for (std::size_t i = 0; i + 1 < ramp.colors.size(); ++i) {
+            const auto steps = static_cast<double>(ramp.colors.size() - 1);
+            // On whole pixels, so that no seam shows between two steps.
+            const auto y = [&](std::size_t k) {
+                return std::round(ramp.low.y + (ramp.high.y - ramp.low.y) * static_cast<double>(k) / steps);
+            };
+            if (y(i) >= static_cast<double>(first) + rows || y(i + 1) < first) continue;
+            rasterizePolygon(library,
+                             {{ramp.low.x, y(i)}, {ramp.high.x, y(i)}, {ramp.high.x, y(i + 1)}, {ramp.low.x, y(i + 1)}},
+                             coverage);
+            coverage.pour(ramp.colors[i], 1, rgba);
+        }
+    for (const TextMark& text : marks.texts)
+        if (nearRows(text.at.y, 2 * text.size)) face_->addText(text, 0, coverage);
+    coverage.pour(marks.color, 1, rgba);
+}
+
+Marks WordPainter::layOut(const PlacedWords& words, const View& view, double size,
+                          const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background,
+                          const Clip& clip, WordMemory* memory) const {
+    return app::layOut(
+        words, view, size, color, background, [this](const std::string& text, double em) { return widthOf(text, em); },
+        clip, memory);
+}
+
+View WordPainter::besideWords(const View& view, const PlacedWords& words, double size,
+                              const std::vector<glm::dvec4>& balls, double zoom) const {
+    return app::besideWords(view, words, size, balls, zoom,
+                            [this](const std::string& text, double em) { return widthOf(text, em); });
+}
+
+std::size_t WordPainter::paint(const PlacedWords& words, const View& view, double size,
+                               const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background,
+                               Picture& picture, const Clip& clip, WordMemory* memory) const {
+    if (!words.any()) return 0;
+    const Marks marks = layOut(words, view, size, color, background, clip, memory);
+    constexpr std::uint32_t kBand = 256;
+    for (std::uint32_t row = 0; row < picture.height; row += kBand)
+        paint(marks, picture.rgba.data() + std::size_t{row} * picture.width * 4, picture.width, row,
+              std::min(kBand, picture.height - row));
+    return marks.crowded;
+}
+
+}  // namespace nacre::app

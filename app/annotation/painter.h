@@ -1,0 +1,49 @@
+#pragma once
+// Draws the marks of word_layout.h into pictures, by FreeType: text from the outlines of its glyphs, and everything
+// else by the same rasteriser, at whatever size.
+
+#include <memory>
+
+#include "app/annotation/layout.h"
+#include "app/annotation/system_font.h"
+#include "engine/results.h"
+
+namespace nacre::app {
+
+/// Not for several threads at once.
+class WordPainter {
+public:
+    /// @param find  a font for characters that the built-in one has not
+    /// @throws Error if the built-in font cannot be read
+    explicit WordPainter(FindFont find = systemFontWith);
+    ~WordPainter();
+    WordPainter(const WordPainter&) = delete;
+
+    /// Pixels, with kerning; a character that no font has is as wide as its box.
+    double widthOf(const std::string& text, double size) const;
+
+    /// Draws what of the marks lies in some rows of a picture.
+    /// @param rgba   linear light, premultiplied; 4 a pixel; `rows` rows of `width` pixels
+    /// @param first  row of the picture that `rgba` begins with
+    void paint(const Marks& marks, float* rgba, std::uint32_t width, std::uint32_t first, std::uint32_t rows) const;
+
+    /// layOut() with the widths of this font.
+    Marks layOut(const PlacedWords& words, const View& view, double size,
+                 const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background,
+                 const Clip& clip = {}, WordMemory* memory = nullptr) const;
+
+    /// besideWords() with the widths of this font.
+    View besideWords(const View& view, const PlacedWords& words, double size, const std::vector<glm::dvec4>& balls,
+                     double zoom) const;
+
+    /// Lays words out over a whole picture, and draws them. @returns the labels that found no room
+    std::size_t paint(const PlacedWords& words, const View& view, double size,
+                      const std::optional<std::array<float, 3>>& color, const std::array<float, 4>& background,
+                      Picture& picture, const Clip& clip = {}, WordMemory* memory = nullptr) const;
+
+private:
+    struct Face;
+    std::unique_ptr<Face> face_;
+};
+
+}  // namespace nacre::app

@@ -1,0 +1,233 @@
+#include "app/annotation/placed_words.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+
+#include "app/annotation/measurement.h"
+#include "app/picture/label_fields.h"
+#include "engine/error.h"
+#include "engine/molecule/element.h"
+#include "engine/molecule/residue_kind.h"
+
+namespace nacre::app {
+namespace {
+
+LabelScope scopeOf(std::string_view text) {
+    LabelScope scope = LabelScope::selection;
+    eachPiece(
+        text, [](std::string_view) {}, [&](const LabelField& field) { scope = std::max(scope, field.scope); });
+    return scope;
+}
+
+/// A value as it stands in the file, safe from being read as markup; primes are primes.
+std::string plainValue(std::string_view value) {
+    std::string text;
+    for (const char c : value) {
+        if (c == '\'') {
+            text += "′";
+        } else if (c == '"') {
+            text += "″";
+        } else {
+            if (c == '_' || c == '^' || c == '\\' || c == '{' || c == '}') text += '\\';
+            text += c;
+        }
+    }
+    return text;
+}
+
+std::string titled(std::string_view symbol) {
+    std::string text(symbol);
+    for (std::size_t i = 1; i < text.size(); ++i)
+        text[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[i])));
+    return text;
+}
+
+std::string fieldValue(std::string_view name, const Molecule& molecule, std::uint32_t index) {
+    const Atom& atom = molecule.atoms[index];
+    const Residue& residue = molecule.residues[atom.residue];
+    const Chain& chain = molecule.chains[residue.chain];
+    if (name == "residue") return plainValue(residue.name.view());
+    if (name == "number")
+        return std::to_string(residue.number) + (residue.insertionCode ? std::string(1, residue.insertionCode) : "");
+    if (name == "letter") {
+        const char amino = aminoAcidLetter(residue.name);
+        const char letter = amino ? amino : nucleotideLetter(residue.name);
+        return letter ? std::string(1, letter) : plainValue(residue.name.view());
+    }
+    if (name == "chain") return plainValue(chain.name);
+    if (name == "model") return std::to_string(chain.model);
+    if (name == "atom") return plainValue(atom.name.view());
+    if (name == "element") return plainValue(titled(elementSymbol(atom.element)));
+    if (name == "id") return std::to_string(index + 1);
+    if (name == "altloc") return atom.alternate ? plainValue(std::string_view(&atom.alternate, 1)) : "";
+    const double value = static_cast<double>(name == "b-factor" ? atom.temperatureFactor : atom.occupancy);
+    char text[32];
+    std::snprintf(text, sizeof text, name == "b-factor" ? "%.1f" : "%.2f", value);
+    return text;
+}
+
+std::string filledIn(std::string_view text, const Molecule& molecule, std::uint32_t atom) {
+    std::string filled;
+    eachPiece(
+        text, [&](std::string_view plain) { filled += plain; },
+        [&](const LabelField& field) { filled += fieldValue(field.name, molecule, atom); });
+    return filled;
+}
+
+/// The drawn atoms and where they stand: of an assembly, in its first copy.
+struct DrawnAtoms {
+    struct Place {
+        glm::dvec3 at{};
+        double radius = -1;  ///< negative: not drawn
+    };
+    std::vector<Place> places;  ///< by atom
+
+    DrawnAtoms(const Molecule& molecule, const Representation& scene) : places(molecule.atoms.size()) {
+        const auto put = [&](std::size_t i, const glm::dmat4x3& transform) {
+            places[scene.sphereLooks[i].atom - 1] = {transform * glm::dvec4(scene.spheres[i].center, 1.0),
+                                                     static_cast<double>(scene.spheres[i].radius)};
+        };
+        if (scene.copies.transforms.empty())
+            for (std::size_t i = 0; i < scene.spheres.size(); ++i) put(i, glm::dmat4x3(1.0));
+        for (const PrimitiveRun& run : scene.copies.spheres)
+            for (std::size_t i = run.first; i < run.first + run.count; ++i)
+                put(i, scene.copies.transforms[scene.copies.lists[run.list].front()]);
+        addMeshAtoms(molecule, scene);
+    }
+
+    /// Atoms of cartoons and surfaces, where they would stand.
+    void addMeshAtoms(const Molecule& molecule, const Representation& scene) {
+        const auto put = [&](const Triangle& triangle, const glm::dmat4x3& transform) {
+            for (const std::uint32_t vertex : {triangle.a, triangle.b, triangle.c}) {
+                const std::uint32_t atom = scene.meshLooks[scene.meshVertices[vertex].look].atom - 1;
+                if (places[atom].radius >= 0) continue;
+                const glm::dvec3 center = glm::dvec3(molecule.atoms[atom].position) - scene.center;
+                places[atom] = {transform * glm::dvec4(center, 1.0),
+                                static_cast<double>(vanDerWaalsRadius(molecule.atoms[atom].element))};
+            }
+        };
+        if (scene.copies.transforms.empty())
+            for (const Triangle& triangle : scene.triangles) put(triangle, glm::dmat4x3(1.0));
+        for (const PrimitiveRun& run : scene.copies.triangles)
+            for (std::size_t i = run.first; i < run.first + run.count; ++i)
+                put(scene.triangles[i], scene.copies.transforms[scene.copies.lists[run.list].front()]);
+    }
+};
+
+/// The atoms of a selection that are drawn; none only of what may be left out, which `placed` then lists.
+std::vector<std::uint32_t> drawnOf(const Selection& selection, const Molecule& molecule, const DrawnAtoms& drawn,
+                                   const char* what, WordsOfHidden hidden, PlacedWords& placed) {
+    const std::vector<bool> chosen = selectAtoms(molecule, selection);
+    std::vector<std::uint32_t> atoms;
+    for (std::uint32_t i = 0; i < chosen.size(); ++i)
+        if (chosen[i] && drawn.places[i].radius >= 0) atoms.push_back(i);
+    if (!atoms.empty()) return atoms;
+    const bool any = std::find(chosen.begin(), chosen.end(), true) != chosen.end();
+    if (!any || hidden == WordsOfHidden::refused)
+        throw Error(what, selection.text, any ? "none of its atoms is drawn" : "the molecule has no such atoms");
+    placed.leftOut.push_back(selection.text);
+    return {};
+}
+
+constexpr std::size_t kMostAsked = 24;  // atoms of a label that are asked whether they are seen
+
+/// All atoms of the residues of some, as looks number them: what is bonded to an atom does not hide its label.
+std::vector<std::uint32_t> numbersOfResidues(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
+    std::set<std::uint32_t> residues;
+    for (const std::uint32_t atom : atoms) residues.insert(molecule.atoms[atom].residue);
+    std::vector<std::uint32_t> numbers;
+    for (const std::uint32_t i : residues)
+        for (std::uint32_t k = 0; k < molecule.residues[i].atomCount; ++k)
+            numbers.push_back(molecule.residues[i].firstAtom + k + 1);
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+}
+
+void placeLabel(const Label& label, const Molecule& molecule, const DrawnAtoms& drawn, WordsOfHidden hidden,
+                PlacedWords& placed) {
+    const LabelScope scope = scopeOf(label.text);
+    // Atoms of one label, in the file's order of the first of each.
+    std::map<std::uint32_t, std::size_t> groupOf;
+    std::vector<std::vector<std::uint32_t>> groups;
+    for (const std::uint32_t atom : drawnOf(label.selection, molecule, drawn, "cannot label", hidden, placed)) {
+        const std::uint32_t residue = molecule.atoms[atom].residue;
+        const std::uint32_t key = scope == LabelScope::atom      ? atom
+                                  : scope == LabelScope::residue ? residue
+                                  : scope == LabelScope::chain   ? molecule.residues[residue].chain
+                                                                 : 0;
+        const auto [found, added] = groupOf.emplace(key, groups.size());
+        if (added) groups.emplace_back();
+        groups[found->second].push_back(atom);
+    }
+    if (placed.labels.size() + groups.size() > kMostLabels)
+        throw Error("cannot label", label.selection.text,
+                    std::to_string(placed.labels.size() + groups.size()) + " labels are more than the bound of " +
+                        std::to_string(kMostLabels) + " (select fewer atoms, or name residues or chains)");
+    for (const std::vector<std::uint32_t>& group : groups) {
+        PlacedLabel one;
+        for (const std::uint32_t atom : group) one.at += drawn.places[atom].at / static_cast<double>(group.size());
+        one.ofAtom = group.size() == 1;
+        one.radius = drawn.places[group.front()].radius;
+        one.text = filledIn(label.text, molecule, group.front());
+        if (placed.sight) {
+            one.named.atoms = numbersOfResidues(molecule, group);
+            const std::size_t step = (group.size() + kMostAsked - 1) / kMostAsked;
+            for (std::size_t i = 0; i < group.size(); i += step) {
+                one.named.places.push_back(drawn.places[group[i]].at);
+                one.named.radii.push_back(drawn.places[group[i]].radius);
+            }
+        }
+        placed.labels.push_back(std::move(one));
+    }
+}
+
+/// "HIS 87 NE2", or what there is of it.
+std::string shortAtomText(const Molecule& molecule, std::uint32_t index) {
+    const Atom& atom = molecule.atoms[index];
+    const Residue& residue = molecule.residues[atom.residue];
+    std::string text;
+    if (!residue.name.view().empty()) text = std::string(residue.name.view()) + " " + std::to_string(residue.number);
+    if (residue.insertionCode) text += residue.insertionCode;
+    const std::string name(atom.name.view());
+    if (name.empty()) return text + (text.empty() ? "atom " : ", atom ") + std::to_string(index + 1);
+    return text + (text.empty() ? "" : " ") + name;
+}
+
+void placeMeasure(const Measure& measure, const Molecule& molecule, const DrawnAtoms& drawn, WordsOfHidden hidden,
+                  PlacedWords& placed) {
+    PlacedMeasure result;
+    for (const Selection& point : measure.points) {
+        const std::vector<std::uint32_t> atoms = drawnOf(point, molecule, drawn, "cannot measure", hidden, placed);
+        if (atoms.empty()) return;
+        if (atoms.size() > 1)
+            throw Error("cannot measure", point.text,
+                        "it has " + std::to_string(atoms.size()) + " drawn atoms, where one is needed (name CA, say)");
+        result.points.push_back(drawn.places[atoms.front()].at);
+        result.atoms += (result.atoms.empty() ? "" : " to ") + shortAtomText(molecule, atoms.front());
+    }
+    result.of = measure.text;
+    result.text = measuredValue(result.points);
+    placed.measures.push_back(std::move(result));
+}
+
+}  // namespace
+
+PlacedWords placeWords(const Words& words, const Molecule& molecule, const Representation& scene,
+                       WordsOfHidden hidden) {
+    PlacedWords placed;
+    placed.title = words.title;
+    placed.scaleBar = words.scaleBar;
+    if (words.legend) placed.legends = scene.legends;
+    if (words.labels.empty() && words.measures.empty()) return placed;
+    const DrawnAtoms drawn(molecule, scene);
+    if (words.seenOnly && !words.labels.empty()) placed.sight = std::make_shared<const LabelSight>(scene);
+    for (const Label& label : words.labels) placeLabel(label, molecule, drawn, hidden, placed);
+    for (const Measure& measure : words.measures) placeMeasure(measure, molecule, drawn, hidden, placed);
+    return placed;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,54 @@
+#pragma once
+// Words as they follow from a molecule and its scene. layout.h decides where they go in a picture.
+
+#include <glm/vec3.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/annotation/label_sight.h"
+#include "app/picture/words.h"
+#include "engine/molecule/molecule.h"
+#include "engine/scene/representation.h"
+
+namespace nacre::app {
+
+/// A text with its place: Å from the scene's centre.
+struct PlacedLabel {
+    glm::dvec3 at{};
+    std::string text;           ///< with markup
+    bool ofAtom = false;        ///< stands beside an atom, not upon what it names
+    double radius = 0;          ///< of that atom, Å
+    LabelSight::Named named{};  ///< where labels may be hidden: its atoms
+};
+struct PlacedMeasure {
+    std::vector<glm::dvec3> points;
+    std::string text;
+    std::string of = {};     ///< Measure::text
+    std::string atoms = {};  ///< by their names: "HIS 87 NE2 to HEM 142 FE"
+};
+
+/// What a scene has of the words.
+struct PlacedWords {
+    std::vector<PlacedLabel> labels;
+    std::vector<PlacedMeasure> measures;
+    std::string title;
+    ScaleBar scaleBar = ScaleBar::off;
+    std::vector<Legend> legends;
+    std::shared_ptr<const LabelSight> sight;  ///< null: every label shows, whatever lies before it
+    std::vector<std::string> leftOut;         ///< selections of labels and measurements of which nothing is drawn
+
+    bool any() const {
+        return !labels.empty() || !measures.empty() || !title.empty() || scaleBar != ScaleBar::off || !legends.empty();
+    }
+};
+
+/// What becomes of words about atoms that the molecule has and nobody draws.
+enum class WordsOfHidden { refused, leftOut };
+
+/// Of an assembly, words stand at the first copy.
+/// @throws Error if a label's selection has no drawn atom, a measurement's not just one, or the labels are too many
+PlacedWords placeWords(const Words& words, const Molecule& molecule, const Representation& scene,
+                       WordsOfHidden hidden = WordsOfHidden::refused);
+
+}  // namespace nacre::app

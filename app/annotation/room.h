@@ -1,0 +1,74 @@
+#pragma once
+// The room that a picture has for words: what is taken, what was drawn, and where the next text goes. Of
+// word_layout.cpp and word_legend.cpp alone.
+
+#include <utility>
+
+#include "app/annotation/layout.h"
+
+namespace nacre::app {
+
+// In ems of the font (DejaVu Sans): what stands above and below the baseline.
+constexpr double kRise = 0.76, kDrop = 0.24, kMiddle = 0.36;
+constexpr double kSmall = 0.68, kRaised = 0.36, kLowered = 0.16;  // sub- and superscripts
+
+struct Area {
+    glm::dvec2 low{}, high{};
+    bool overlaps(const Area& other) const {
+        return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
+    }
+    bool within(const Area& other) const {
+        return low.x >= other.low.x && low.y >= other.low.y && high.x <= other.high.x && high.y <= other.high.y;
+    }
+    bool holds(const glm::dvec2& p) const { return p.x > low.x && p.x < high.x && p.y > low.y && p.y < high.y; }
+    Area grown(double by) const { return {low - by, high + by}; }
+    glm::dvec2 middle() const { return (low + high) / 2.0; }
+    glm::dvec2 nearest(const glm::dvec2& p) const { return glm::clamp(p, low, high); }
+};
+
+/// Where something stood in the picture before this one.
+struct Held {
+    bool placed = false;
+    glm::dvec2 offset{};   ///< of its middle from its anchor
+    bool shown = false;    ///< that nothing hid it
+    std::size_t rank = 0;  ///< in the order of choosing
+};
+
+struct Room {
+    Room(const View& view, double size, const TextWidth& widthOf);
+
+    struct Seen {
+        glm::dvec2 at{};
+        double z = 0, scale = 1;  ///< pixels an Å there
+        bool inPicture = false;
+    };
+    Seen seen(const glm::dvec3& place) const;
+
+    double widthOfRuns(const std::string& text, double em) const;
+    /// Sets a text, which takes its place. @param at  left end of its baseline
+    void put(const std::string& text, glm::dvec2 at, double em);
+    bool isFree(const Area& area) const;
+    /// Looks for a place for a text near an anchor, the first of `wishes` (offsets of its middle) if it is free, else
+    /// farther and farther away. Where it stood before, moving costs: it stays, or gives way little by little.
+    /// @param held  in: the place before; out: the new one @returns whether there is one
+    bool place(const std::string& text, const glm::dvec2& anchor, const std::vector<glm::dvec2>& wishes,
+               const std::vector<glm::dvec2>& avoided, Held& held);
+    double driftCost(const Area& area, const glm::dvec2& anchor, bool beside) const;
+    void dashed(const std::vector<glm::dvec2>& points);
+
+    const View& view;
+    double size, margin, titleDepth = 0;
+    const TextWidth& widthOf;
+    Area frame;
+    std::vector<Area> taken;
+    std::vector<std::pair<glm::dvec2, glm::dvec2>> leaders;
+    Marks marks;
+};
+
+/// Title, scale bar and legends, which stand where they do whatever the molecule does.
+void layBlocks(Room& room, const PlacedWords& words);
+
+/// In columns from the right edge on, as many as are needed, three at most.
+void layLegends(Room& room, const std::vector<Legend>& legends);
+
+}  // namespace nacre::app

@@ -1,0 +1,62 @@
+#include "app/drawing/aim.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/error.h"
+#include "engine/scene/orientation.h"
+
+namespace nacre::app {
+namespace {
+
+std::vector<glm::dvec4> ballsOf(const Selection& selection, const char* what, const Molecule& molecule,
+                                const Representation& scene) {
+    const std::vector<bool> chosen = selectAtoms(molecule, selection);
+    std::vector<glm::dvec4> balls = chosenBalls(scene, chosen);
+    if (!balls.empty()) return balls;
+    const bool any = std::find(chosen.begin(), chosen.end(), true) != chosen.end();
+    throw Error(what, selection.text, any ? "none of its atoms is drawn" : "the molecule has no such atoms");
+}
+
+/// In front of what is zoomed to, if a tenth of it or more is hidden.
+std::optional<double> clipBefore(const std::vector<glm::dvec4>& target, const std::vector<glm::dvec4>& all,
+                                 const glm::dmat3& rotation) {
+    constexpr double kHidden = 0.1, kRoom = 0.3;  // Å
+    if (hiddenShare(target, all, rotation) < kHidden) return std::nullopt;
+    double front = -std::numeric_limits<double>::infinity();
+    for (const glm::dvec4& ball : target) front = std::max(front, (rotation * glm::dvec3(ball)).z + ball.w);
+    return std::round(-(front + kRoom) * 100) / 100;  // as people write it
+}
+
+}  // namespace
+
+const std::optional<Selection>& uncoveredBy(const Aim& aim) {
+    static const std::optional<Selection> kNothing;
+    return aim.uncover ? aim.uncover : aim.uncovers ? aim.zoomTo : kNothing;
+}
+
+Aimed aimed(const Camera& camera, const Aim& aim, const Molecule& molecule, const Representation& scene,
+            const Size& size) {
+    Aimed result{camera, std::nullopt};
+    if (!aim.any()) return result;
+    const std::vector<glm::dvec4> all = drawnBalls(scene);
+    if (aim.principal) result.camera.orientation = principalOrientation(all, size.width >= size.height);
+    if (aim.lookAt)
+        result.camera.orientation = facingOrientation(ballsOf(*aim.lookAt, "cannot look at", molecule, scene), all,
+                                                      glm::mat3_cast(result.camera.orientation));
+    if (aim.principal && !aim.zoomTo && !aim.lookAt)
+        result.camera = fitted(result.camera, all, scene.radius, size.width, size.height, kLargestZoom);
+    if (aim.zoomTo) {
+        const std::vector<glm::dvec4> target = ballsOf(*aim.zoomTo, "cannot zoom to", molecule, scene);
+        result.camera = closeUp(result.camera, target, scene.radius, kZoomMargin, kLargestZoom);
+    }
+    const std::optional<Selection>& shown = uncoveredBy(aim);
+    if (!shown) return result;
+    const glm::dmat3 rotation =
+        rotationMatrix(result.camera.rotationDegrees) * glm::mat3_cast(result.camera.orientation);
+    result.clipNear = clipBefore(ballsOf(*shown, "cannot uncover", molecule, scene), all, rotation);
+    return result;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,49 @@
+#include "app/drawing/scenes.h"
+
+#include "engine/error.h"
+#include "engine/scene/shared_frame.h"
+#include "engine/scene/uncover.h"
+
+namespace nacre::app {
+namespace {
+
+std::vector<std::uint32_t> someDrawnAtoms(const Molecule& molecule, const std::string& name,
+                                          const DrawnAtomsOptions& options) {
+    std::vector<std::uint32_t> drawn = drawnAtoms(molecule, options);
+    if (drawn.empty())
+        throw Error("cannot draw molecule", name,
+                    "none of its " + std::to_string(molecule.atoms.size()) +
+                        " atoms is drawn: they are water or hydrogens, which are hidden");
+    return drawn;
+}
+
+}  // namespace
+
+MovingScene movingSceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawn,
+                          const RepresentationOptions& look) {
+    return {molecule, someDrawnAtoms(molecule, name, drawn), look, sharedFrame(molecule, drawn, look)};
+}
+
+Representation sceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawnOptions,
+                       const RepresentationOptions& look, const std::optional<Bounds>& frame) {
+    const std::vector<std::uint32_t> drawn = someDrawnAtoms(molecule, name, drawnOptions);
+    Representation scene = represent(molecule, drawn, look, frame ? frame : sharedFrame(molecule, drawnOptions, look));
+    if (!look.ownFrame && !molecule.othersMissing.empty())
+        scene.warnings.push_back("the camera is this model's own, not that of all models: " + molecule.othersMissing);
+    return scene;
+}
+
+void uncoverIn(Representation& scene, const Molecule& molecule, const SavedView& view) {
+    if (!view.uncover) return;
+    constexpr std::uint32_t kAnySize = 256;
+    uncover(scene, selectAtoms(molecule, *view.uncover), viewOf(view.camera, scene.radius, kAnySize, kAnySize),
+            view.effects.clip.near);
+}
+
+Representation sceneOfView(const Molecule& molecule, const SavedView& view) {
+    Representation scene = sceneOf(molecule, view.input, view.drawn, view.look);
+    uncoverIn(scene, molecule, view);
+    return scene;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,281 @@
+#include "app/picture/appearance_values.h"
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "app/picture/option_values.h"
+#include "app/picture/srgb.h"
+#include "engine/molecule/floating_point.h"
+#include "engine/molecule/text.h"
+#include "engine/scene/palettes.h"
+
+namespace nacre::app {
+namespace {
+
+/// What other programs call the same.
+struct Synonym {
+    std::string_view theirs, ours;
+};
+// PyMOL, ChimeraX, Mol*, Jmol and RasMol, VMD.
+constexpr Synonym kStyleSynonyms[] = {{"sticks", "licorice"},
+                                      {"stick", "licorice"},
+                                      {"spheres", "spacefill"},
+                                      {"sphere", "spacefill"},
+                                      {"vdw", "spacefill"},
+                                      {"cpk", "spacefill"},
+                                      {"space-filling", "spacefill"},
+                                      {"spacefilling", "spacefill"},
+                                      {"balls-and-sticks", "ball-and-stick"},
+                                      {"ball+stick", "ball-and-stick"},
+                                      {"ballandstick", "ball-and-stick"},
+                                      {"ball-stick", "ball-and-stick"},
+                                      {"cartoons", "cartoon"},
+                                      {"ribbon", "cartoon"},
+                                      {"ribbons", "cartoon"},
+                                      {"newcartoon", "cartoon"},
+                                      {"molecular-surface", "surface"},
+                                      {"surf", "surface"},
+                                      {"quicksurf", "surface"}};
+constexpr Synonym kColorSynonyms[] = {{"cpk", "element"},
+                                      {"elements", "element"},
+                                      {"byelement", "element"},
+                                      {"element-symbol", "element"},
+                                      {"heteroatom", "element"},
+                                      {"chains", "chain"},
+                                      {"cbc", "chain-carbons"},
+                                      {"carbons-by-chain", "chain-carbons"},
+                                      {"byhetero", "chain-carbons"},
+                                      {"by-copy", "copy"},
+                                      {"operator-name", "copy"},
+                                      {"symmetry", "copy"},
+                                      {"bychain", "chain"},
+                                      {"chain-id", "chain"},
+                                      {"spectrum", "rainbow"},
+                                      {"sequence-id", "rainbow"},
+                                      {"structure", "secondary-structure"},
+                                      {"secondary", "secondary-structure"},
+                                      {"b", "b-factor"},
+                                      {"temperature", "b-factor"},
+                                      {"bfactors", "b-factor"},
+                                      {"confidence", "plddt"},
+                                      {"hydrophobic", "hydrophobicity"},
+                                      {"byresidue", "residue"}};
+
+std::string_view ours(std::string_view text, std::span<const Synonym> synonyms) {
+    const std::string word = lowerCase(text);
+    for (const Synonym& synonym : synonyms)
+        if (synonym.theirs == word) return synonym.ours;
+    return text;
+}
+
+struct NamedColor {
+    std::string_view name;
+    std::uint32_t rgba;
+};
+
+// CSS Color Module Level 4: the sixteen basic names, gray spelt the other way, and those that pictures of molecules ask
+// for most.
+constexpr NamedColor kNamedColors[] = {
+    {"transparent", 0x00000000}, {"black", 0x000000ff},     {"silver", 0xc0c0c0ff},     {"gray", 0x808080ff},
+    {"grey", 0x808080ff},        {"white", 0xffffffff},     {"maroon", 0x800000ff},     {"red", 0xff0000ff},
+    {"purple", 0x800080ff},      {"fuchsia", 0xff00ffff},   {"green", 0x008000ff},      {"lime", 0x00ff00ff},
+    {"olive", 0x808000ff},       {"yellow", 0xffff00ff},    {"navy", 0x000080ff},       {"blue", 0x0000ffff},
+    {"teal", 0x008080ff},        {"aqua", 0x00ffffff},      {"orange", 0xffa500ff},     {"cyan", 0x00ffffff},
+    {"magenta", 0xff00ffff},     {"pink", 0xffc0cbff},      {"brown", 0xa52a2aff},      {"gold", 0xffd700ff},
+    {"violet", 0xee82eeff},      {"salmon", 0xfa8072ff},    {"coral", 0xff7f50ff},      {"tomato", 0xff6347ff},
+    {"orchid", 0xda70d6ff},      {"skyblue", 0x87ceebff},   {"steelblue", 0x4682b4ff},  {"indigo", 0x4b0082ff},
+    {"turquoise", 0x40e0d0ff},   {"khaki", 0xf0e68cff},     {"wheat", 0xf5deb3ff},      {"lightgray", 0xd3d3d3ff},
+    {"lightgrey", 0xd3d3d3ff},   {"darkgray", 0xa9a9a9ff},  {"darkgrey", 0xa9a9a9ff},   {"lightblue", 0xadd8e6ff},
+    {"lightgreen", 0x90ee90ff},  {"darkgreen", 0x006400ff}, {"darkred", 0x8b0000ff},    {"darkblue", 0x00008bff},
+    {"firebrick", 0xb22222ff},   {"crimson", 0xdc143cff},   {"forestgreen", 0x228b22ff}};
+
+std::vector<std::string> colorNames() {
+    std::vector<std::string> names;
+    for (const NamedColor& entry : kNamedColors) names.emplace_back(entry.name);
+    return names;
+}
+
+std::array<float, 4> unpack(std::uint32_t rgba) {
+    const auto channel = [&](int shift) { return static_cast<float>(rgba >> shift & 0xff) / 255.0f; };
+    return {channel(24), channel(16), channel(8), channel(0)};
+}
+
+}  // namespace
+
+std::array<float, 4> parseColor(std::string_view text) {
+    const std::string word = lowerCase(text);
+    for (const NamedColor& entry : kNamedColors)
+        if (entry.name == word) return unpack(entry.rgba);
+    const std::string digits = !word.empty() && word[0] == '#' ? word.substr(1) : std::string();
+    std::uint32_t value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+    if (error == std::errc() && end == digits.data() + digits.size()) {
+        if (digits.size() == 3)
+            return unpack((value >> 8) * 0x11000000u | (value >> 4 & 15) * 0x110000u | (value & 15) * 0x1100u | 0xffu);
+        if (digits.size() == 6) return unpack(value << 8 | 0xffu);
+        if (digits.size() == 8) return unpack(value);
+    }
+    refuse(text, "'transparent', a colour's name, #rgb, #rrggbb or #rrggbbaa", colorNames());
+}
+
+Style parseStyle(std::string_view text) {
+    if (lowerCase(text) == "putty")
+        throw std::invalid_argument("putty is a form of cartoons: --style cartoon --putty on");
+    constexpr Style kStyles[] = {Style::spacefill, Style::ballAndStick, Style::licorice, Style::cartoon,
+                                 Style::surface};
+    return kStyles[parseChoice(ours(text, kStyleSynonyms),
+                               {"spacefill", "ball-and-stick", "licorice", "cartoon", "surface"})];
+}
+
+namespace {
+
+/// A colour that atoms can have, packed as the engine's are.
+std::uint32_t parseAtomColor(std::string_view text) {
+    const std::array<float, 4> color = parseColor(text);
+    if (color[3] < 1.0f) throw std::invalid_argument("atoms cannot be transparent: '" + std::string(text) + "'");
+    std::uint32_t rgb = 0;
+    for (std::size_t i = 0; i < 3; ++i) rgb = rgb << 8 | toByte(color[i]);
+    return packedColor(rgb);
+}
+
+bool isColor(std::string_view text) {
+    try {
+        parseColor(text);
+    } catch (const std::invalid_argument&) {
+        return false;
+    }
+    return true;
+}
+
+bool readWhole(std::string_view text, double& value) {
+    const auto [end, error] = fromChars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size();
+}
+
+/// "LOW..HIGH", two numbers that differ.
+std::optional<ColorRange> parseRange(std::string_view text) {
+    const std::size_t dots = text.find("..");
+    if (dots == std::string_view::npos) return std::nullopt;
+    ColorRange range;
+    if (!readWhole(text.substr(0, dots), range.first) || !readWhole(text.substr(dots + 2), range.last) ||
+        !std::isfinite(range.first) || !std::isfinite(range.last) || range.first == range.last)
+        refuse(text, "FROM..TO, two numbers that differ, as 10..60");
+    return range;
+}
+
+/// What stands behind a scheme's name: its range, its palette, or the colour of its carbons.
+void parseColoringPart(std::string_view text, Coloring& coloring) {
+    const std::string name(colorSchemeName(coloring.scheme));
+    const PaletteUse use = paletteUse(coloring.scheme);
+    if (const auto range = parseRange(text)) {
+        if (!takesRange(coloring.scheme))
+            throw std::invalid_argument("'" + name + "' takes no range; b-factor and occupancy do");
+        coloring.range = range;
+    } else if (const auto palette = paletteFromName(lowerCase(text))) {
+        if (use != (isRamp(*palette) ? PaletteUse::ramp : PaletteUse::kinds))
+            throw std::invalid_argument("'" + name + "' takes no palette" +
+                                        (use == PaletteUse::none   ? std::string()
+                                         : use == PaletteUse::ramp ? " of kinds: one of " + paletteNames(true)
+                                                                   : " of numbers: one of " + paletteNames(false)));
+        coloring.palette = *palette;
+    } else if (coloring.scheme == ColorScheme::element) {
+        coloring.color = parseAtomColor(text);
+    } else if (use != PaletteUse::none) {
+        std::vector<std::string> words;
+        for (const Palette p : allPalettes()) words.emplace_back(paletteName(p));
+        refuse(text,
+               (takesRange(coloring.scheme) ? "a range as 10..60 or " : "") + std::string("one of ") +
+                   paletteNames(use == PaletteUse::ramp) + " behind '" + name + ":'",
+               words);
+    } else {
+        throw std::invalid_argument("'" + name + "' takes nothing behind it, not '" + std::string(text) +
+                                    "' (element:COLOR has a colour for carbons)");
+    }
+}
+
+}  // namespace
+
+std::string paletteNames(bool ramps) {
+    std::string names;
+    for (const Palette palette : allPalettes())
+        if (isRamp(palette) == ramps) names += (names.empty() ? "" : ", ") + std::string(paletteName(palette));
+    return names;
+}
+
+Palette parsePalette(std::string_view text) {
+    if (const auto palette = paletteFromName(lowerCase(text))) return *palette;
+    std::vector<std::string> words;
+    for (const Palette palette : allPalettes()) words.emplace_back(paletteName(palette));
+    refuse(text, "one of " + paletteNames(false) + " for kinds, or " + paletteNames(true) + " for numbers", words);
+}
+
+Coloring parseColoring(std::string_view text) {
+    std::string_view rest = text;
+    const auto part = [&] {
+        const std::size_t colon = rest.find(':');
+        const std::string_view first = rest.substr(0, colon);
+        rest = colon == std::string_view::npos ? std::string_view() : rest.substr(colon + 1);
+        return first;
+    };
+    if (const auto scheme = colorSchemeFromName(ours(part(), kColorSynonyms)); scheme && !text.ends_with(':')) {
+        Coloring coloring(*scheme);
+        while (!rest.empty()) parseColoringPart(part(), coloring);
+        return coloring;
+    }
+    if (isColor(text)) return Coloring::uniform(parseAtomColor(text));
+    constexpr const char* kWanted =
+        "element, chain, chain-carbons, copy, copy-chain, copy-entity, residue, hydrophobicity, charge, "
+        "secondary-structure, b-factor, plddt, "
+        "rainbow, occupancy, entity, a colour's name, #rrggbb or element:COLOR for carbons in one colour";
+    std::vector<std::string> words = colorNames();
+    for (int s = 0; s < static_cast<int>(ColorScheme::uniform); ++s)
+        words.emplace_back(colorSchemeName(static_cast<ColorScheme>(s)));
+    refuse(text, kWanted, words);
+}
+
+namespace {
+
+/// A selection may hold no '=', so that the last one is what divides.
+std::pair<std::string_view, std::string_view> divide(std::string_view text, const char* wanted) {
+    const std::size_t sign = text.rfind('=');
+    if (sign == std::string_view::npos) refuse(text, wanted);
+    return {text.substr(0, sign), text.substr(sign + 1)};
+}
+
+}  // namespace
+
+Rule parseShow(std::string_view text) {
+    // What follows a style behind a colon has a sign of its own.
+    constexpr std::string_view kOpacity = ":opacity=";
+    const std::size_t at = text.rfind(kOpacity);
+    const auto [selection, style] = divide(text.substr(0, at), "SELECTION=STYLE");
+    Rule rule;
+    rule.action = Rule::Action::show;
+    rule.selection = parseSelection(selection);
+    rule.style = parseStyle(style);
+    if (at == std::string_view::npos) return rule;
+    if (rule.style != Style::cartoon && rule.style != Style::surface)
+        throw std::invalid_argument("only cartoons and surfaces have an opacity: '" + std::string(text) + "'");
+    rule.opacity = parseNumber(text.substr(at + kOpacity.size()), kLeastOpacity, 1);
+    return rule;
+}
+
+Rule parseHide(std::string_view text) {
+    Rule rule;
+    rule.action = Rule::Action::hide;
+    rule.selection = parseSelection(text);
+    return rule;
+}
+
+Rule parseColorBy(std::string_view text) {
+    const auto [selection, coloring] = divide(text, "SELECTION=SCHEME or SELECTION=COLOR");
+    Rule rule;
+    rule.action = Rule::Action::color;
+    rule.selection = parseSelection(selection);
+    rule.coloring = parseColoring(coloring);
+    return rule;
+}
+
+}  // namespace nacre::app

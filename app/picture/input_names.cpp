@@ -1,0 +1,104 @@
+#include "app/picture/input_names.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+
+#include "engine/scene/palettes.h"
+
+namespace nacre::app {
+namespace {
+
+/// "1crn" of "data/1crn.cif.gz", "dna" of "sample:dna".
+std::string nameOf(const std::string& path) {
+    std::string name = std::filesystem::path(path.substr(path.rfind(':') + 1)).filename().string();
+    name.resize(std::min(name.find('.'), name.size()));
+    for (char& c : name)
+        if (!isInputName(std::string(1, c))) c = '_';
+    return name.empty() || path == "-" ? "input" : name;
+}
+
+}  // namespace
+
+bool isInputName(const std::string& text) {
+    constexpr const char* kLetters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+    return !text.empty() && text.find_first_not_of(kLetters) == std::string::npos;
+}
+
+void addInput(InputOptions& input, const std::string& text) {
+    if (input.further.size() + 1 >= kMostInputs)
+        throw std::invalid_argument("more than " + std::to_string(kMostInputs) + " of them");
+    const std::size_t equals = text.find('=');
+    std::error_code error;
+    FurtherInput next{"", text, ""};
+    if (equals != std::string::npos && isInputName(text.substr(0, equals)) && !std::filesystem::exists(text, error))
+        next = {text.substr(0, equals), text.substr(equals + 1), ""};
+    if (input.path.empty()) {
+        input.path = next.path;
+        input.name = next.name;
+    } else {
+        input.further.push_back(next);
+    }
+}
+
+std::vector<std::string> inputNames(const InputOptions& input) {
+    std::vector<std::string> names;
+    const auto add = [&](const std::string& name, const std::string& path) {
+        std::string wanted = name.empty() ? nameOf(path) : name, free = wanted;
+        for (int i = 2; std::find(names.begin(), names.end(), free) != names.end(); ++i)
+            free = wanted + "_" + std::to_string(i);
+        names.push_back(free);
+    };
+    add(input.name, input.path);
+    for (const FurtherInput& further : input.further) add(further.name, further.path);
+    return names;
+}
+
+void nameInputs(const std::vector<std::string>& names, Selection& selection) {
+    for (SelectionStep& step : selection.steps) {
+        if (step.test != SelectionTest::chain) continue;
+        std::vector<NumberRange> models;
+        for (const std::string& word : step.words) {
+            const auto at = std::find(names.begin(), names.end(), word);
+            if (at == names.end()) break;
+            const auto number = static_cast<std::int32_t>(at - names.begin() + 1);
+            models.push_back({number, number, '\0', '\0'});
+        }
+        if (models.empty() || models.size() != step.words.size()) continue;
+        step.test = SelectionTest::model;
+        step.words.clear();
+        step.numbers = models;
+    }
+}
+
+void nameInputs(SavedView& view) {
+    if (view.further.empty()) return;
+    const std::vector<std::string> names = inputNames(inputOf(view));
+    for (Rule& rule : view.look.rules) nameInputs(names, rule.selection);
+    for (Label& label : view.words.labels) nameInputs(names, label.selection);
+    if (view.uncover) nameInputs(names, *view.uncover);
+    for (FitOptions& fit : view.fits) {
+        nameInputs(names, fit.moving);
+        nameInputs(names, fit.fixed);
+    }
+}
+
+void colorApart(const std::vector<std::string>& names, RepresentationOptions& look, std::size_t from) {
+    if (look.color != Coloring(ColorScheme::element)) return;
+    std::vector<Rule> rules;
+    for (std::size_t i = from; i < names.size(); ++i) {
+        Rule rule;
+        rule.action = Rule::Action::color;
+        const auto number = static_cast<std::int32_t>(i + 1);
+        SelectionStep step;
+        step.test = SelectionTest::model;
+        step.numbers.push_back({number, number, '\0', '\0'});
+        rule.selection.text = "/" + names[i];
+        rule.selection.steps.push_back(step);
+        rule.coloring = Coloring::elementWithCarbons(kindColor(i));
+        rules.push_back(rule);
+    }
+    look.rules.insert(look.rules.begin(), rules.begin(), rules.end());
+}
+
+}  // namespace nacre::app

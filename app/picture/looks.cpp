@@ -1,0 +1,127 @@
+#include "app/picture/looks.h"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "app/files/json_text.h"
+#include "app/picture/effect_options.h"
+#include "engine/error.h"
+#include "engine/molecule/nearest_word.h"
+
+namespace nacre::app {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+/// Keys of a look beside those of effects.
+constexpr std::array kOwnKeys{"background", "lighting", "occlusion", "color"};
+
+bool isLookKey(const std::string& key) {
+    if (std::find(kOwnKeys.begin(), kOwnKeys.end(), key) != kOwnKeys.end()) return true;
+    const EffectOption* option = effectOption(key);
+    return option && option->look;
+}
+
+Look lookFromFile(const std::string& path) {
+    Look look{path, "", {}};
+    const SavedView view = readSavedView(path);  // judges every key and value
+    const auto keys = OrderedJson::parse(readViewText(path));
+    for (const auto& [key, value] : keys.items())
+        if (isLookKey(key)) look.options.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
+    return look;
+}
+
+std::string textOf(const std::vector<std::pair<std::string, std::string>>& options) {
+    OrderedJson json = OrderedJson::object();
+    for (const auto& [key, value] : options) json[key] = value;
+    return jsonText(json);
+}
+
+}  // namespace
+
+std::span<const Look> looks() {
+    static const std::vector<Look> kLooks{
+        {"default", "calm colours, soft light, ambient occlusion", {}},
+        {"qutemol",
+         "on grey, deep clefts, a shadow: after QuteMol (Tarini, Cignoni, Montani 2006)",
+         {{"background", "#808080"},
+          {"color", "element:#a8a8a8"},
+          {"ambient", "0.75"},
+          {"direct", "0.95"},
+          {"highlight", "0.6"},
+          {"gloss", "20"},
+          {"shadow", "0.85"}}},
+        {"illustrative",
+         "flat colours by chain, lines of three weights: after Goodsell's Illustrate",
+         {{"color", "chain"},
+          {"lighting", "off"},
+          {"occlusion-strength", "0.3"},
+          {"contours", "2.5"},
+          {"contour-weights", "3"},
+          {"contour-depth", "1.3"}}},
+        {"textbook",
+         "pale light, thin lines, the far side fades",
+         {{"ambient", "1.15"},
+          {"direct", "0.5"},
+          {"highlight", "0.4"},
+          {"gloss", "20"},
+          {"occlusion-strength", "0.7"},
+          {"contours", "1"},
+          {"contour-depth", "2.5"},
+          {"contour-color", "#303030"},
+          {"fog", "auto"},
+          {"fog-strength", "0.6"}}},
+        {"flat", "colour and occlusion, no light", {{"lighting", "off"}, {"occlusion-strength", "0.75"}}},
+        {"matte", "like paper or clay", {{"ambient", "1.2"}, {"direct", "0.6"}, {"highlight", "0"}}},
+        {"glossy",
+         "like polished plastic",
+         {{"ambient", "0.85"}, {"direct", "1.05"}, {"highlight", "4.5"}, {"gloss", "110"}}},
+        {"dark",
+         "on black, side light, the far side in darkness",
+         {{"background", "black"},
+          {"ambient", "0.45"},
+          {"direct", "1.5"},
+          {"highlight", "1.3"},
+          {"shadow", "0.6"},
+          {"fog", "auto"},
+          {"fog-strength", "0.9"}}},
+    };
+    return kLooks;
+}
+
+Look lookOf(const std::string& nameOrFile) {
+    std::vector<std::string> names;
+    std::string list;
+    for (const Look& look : looks()) {
+        if (look.name == nameOrFile) return look;
+        names.push_back(look.name);
+        list += look.name + ", ";
+    }
+    if (nameOrFile.ends_with(".json")) return lookFromFile(nameOrFile);
+    throw std::invalid_argument("expected " + list + "or a file that ends in .json, not '" + nameOrFile + "'" +
+                                suggestion(nameOrFile, names));
+}
+
+void applyLook(const Look& look, SavedView& view) {
+    const SavedView plain;
+    const Clip clip = view.effects.clip;
+    view.effects = plain.effects;
+    view.effects.clip = clip;
+    view.background = plain.background;
+    view.lighting = plain.lighting;
+    view.occlusionDirections = plain.occlusionDirections;
+    for (const auto& [key, value] : look.options) setViewKey(key, value, view);
+}
+
+std::string lookJson(const Look& look) { return textOf(look.options); }
+
+std::string lookJson(const SavedView& view) {
+    const auto all = OrderedJson::parse(savedViewJson(view));
+    std::vector<std::pair<std::string, std::string>> options;
+    for (const auto& [key, value] : all.items())
+        if (isLookKey(key)) options.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
+    return textOf(options);
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,53 @@
+#include "app/picture/option_text.h"
+
+#include <cstdio>
+
+#include "app/picture/appearance_values.h"
+#include "app/picture/srgb.h"
+
+namespace nacre::app {
+
+std::string numberText(double value) {
+    std::array<char, 32> digits{};
+    return {digits.data(), static_cast<std::size_t>(std::snprintf(digits.data(), digits.size(), "%.12g", value))};
+}
+
+const char* styleName(Style style) {
+    switch (style) {
+        case Style::spacefill:
+            return "spacefill";
+        case Style::ballAndStick:
+            return "ball-and-stick";
+        case Style::licorice:
+            return "licorice";
+        case Style::cartoon:
+            return "cartoon";
+        case Style::surface:
+            return "surface";
+    }
+    return "";
+}
+
+std::string backgroundText(const std::array<float, 4>& color) {
+    for (const char* name : {"white", "black", "gray", "lightgray", "transparent"})
+        if (color == parseColor(name)) return name;
+    char text[16];
+    std::snprintf(text, sizeof text, color[3] < 1 ? "#%02x%02x%02x%02x" : "#%02x%02x%02x", toByte(color[0]),
+                  toByte(color[1]), toByte(color[2]), toByte(color[3]));
+    return text;
+}
+
+std::pair<std::string, std::string> ruleText(const Rule& rule) {
+    switch (rule.action) {
+        case Rule::Action::show:
+            return {"show", rule.selection.text + "=" + styleName(rule.style) +
+                                (rule.opacity ? ":opacity=" + numberText(*rule.opacity) : std::string())};
+        case Rule::Action::hide:
+            return {"hide", rule.selection.text};
+        case Rule::Action::color:
+            return {"color-by", rule.selection.text + "=" + coloringText(rule.coloring)};
+    }
+    return {};
+}
+
+}  // namespace nacre::app

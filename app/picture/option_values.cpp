@@ -1,0 +1,158 @@
+#include "app/picture/option_values.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "app/picture/option_text.h"
+#include "engine/molecule/floating_point.h"
+#include "engine/molecule/nearest_word.h"
+#include "engine/molecule/trajectory/motion.h"
+#include "engine/settings.h"
+
+namespace nacre::app {
+namespace {
+
+template <class Number>
+bool parseWhole(std::string_view text, Number& value) {
+    const auto [end, error] = fromChars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size();
+}
+
+}  // namespace
+
+void refuse(std::string_view text, const std::string& wanted, std::span<const std::string> words) {
+    throw std::invalid_argument("expected " + wanted + ", not '" + std::string(text) + "'" + suggestion(text, words));
+}
+
+Size parseSize(std::string_view text) {
+    const std::string wanted = "WIDTHxHEIGHT, each 1 to " + std::to_string(kLargestSide);
+    const std::size_t cross = text.find('x');
+    Size size;
+    if (cross == std::string_view::npos || !parseWhole(text.substr(0, cross), size.width) ||
+        !parseWhole(text.substr(cross + 1), size.height))
+        refuse(text, wanted);
+    for (const std::uint32_t side : {size.width, size.height})
+        if (side < 1 || side > kLargestSide) refuse(text, wanted);
+    return size;
+}
+
+Length parseLength(std::string_view text) {
+    constexpr std::pair<std::string_view, double> kUnits[] = {{"mm", 1 / 25.4}, {"cm", 1 / 2.54}, {"in", 1}};
+    double scale = 1;
+    bool inches = false;
+    std::string_view number = text;
+    for (const auto& [unit, ofInch] : kUnits)
+        if (text.ends_with(unit)) {
+            number.remove_suffix(unit.size());
+            scale = ofInch;
+            inches = true;
+        }
+    if (text.ends_with("px")) number.remove_suffix(2);
+    double value = 0;
+    if (!parseWhole(number, value) || !(value > 0) || !(value <= kLargestSide))
+        refuse(text, "a length such as 85mm, 8.5cm, 3.3in or 1200px");
+    return {value * scale, inches};
+}
+
+std::optional<double> pointsOf(std::string_view text) {
+    double points = 0;
+    if (!text.ends_with("pt") || !parseWhole(text.substr(0, text.size() - 2), points)) return std::nullopt;
+    return points;
+}
+
+double parsePixels(std::string_view text, double least, double most) {
+    if (const std::optional<double> points = pointsOf(text)) {
+        const double pixels = *points * 96 / 72;
+        if (!(pixels >= least && pixels <= most))
+            refuse(text, "from " + numberText(least) + " to " + numberText(most) + " pixels, of which 96 are 72pt");
+        return pixels;
+    }
+    if (text.ends_with("px")) text.remove_suffix(2);
+    return parseNumber(text, least, most);
+}
+
+glm::dvec3 parseRotation(std::string_view text) {
+    glm::dvec3 angles(0);
+    std::string_view rest = text;
+    for (int i = 0; i < 3; ++i) {
+        const std::size_t comma = i < 2 ? rest.find(',') : rest.size();
+        if (comma == std::string_view::npos || !parseWhole(rest.substr(0, comma), angles[i]) ||
+            !std::isfinite(angles[i]))
+            refuse(text, "three angles X,Y,Z in degrees");
+        rest.remove_prefix(i < 2 ? comma + 1 : comma);
+    }
+    return angles;
+}
+
+double parseNumber(std::string_view text, double low, double high) {
+    double value = 0;
+    if (!parseWhole(text, value) || !(value >= low && value <= high))
+        refuse(text, "a number from " + numberText(low) + " to " + numberText(high));
+    return value;
+}
+
+std::int64_t parseInteger(std::string_view text, std::int64_t low, std::int64_t high) {
+    std::int64_t value = 0;
+    if (!parseWhole(text, value) || value < low || value > high)
+        refuse(text, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    return value;
+}
+
+int parseModel(std::string_view text) {
+    if (text == "all") return kAllModels;
+    int value = 0;
+    if (!parseWhole(text, value) || value < 1) refuse(text, "'all' or a model's number from 1");
+    return value;
+}
+
+std::int64_t parseFrame(std::string_view text) { return parseInteger(text, 1, std::int64_t{1} << 40); }
+
+std::int64_t parseSmoothing(std::string_view text) {
+    const std::int64_t frames = parseInteger(text, 1, Motion::kMostSmoothed);
+    if (frames % 2 == 0) throw std::invalid_argument("expected an odd number");
+    return frames;
+}
+
+int parseOcclusion(std::string_view text) {
+    if (text == "off") return 0;
+    std::int64_t value = 0;
+    if (!parseWhole(text, value) || value < 1 || value > kMostDirections)
+        refuse(text, "'off' or a number of directions from 1 to " + std::to_string(kMostDirections));
+    return static_cast<int>(value);
+}
+
+std::size_t parseChoice(std::string_view text, std::initializer_list<const char*> choices) {
+    return parseChoice(text, std::span(choices.begin(), choices.size()));
+}
+
+std::size_t parseChoice(std::string_view text, std::span<const char* const> choices) {
+    std::string list;
+    std::size_t index = 0;
+    for (const std::string_view choice : choices) {
+        if (choice == text) return index;
+        list += std::string(index == 0 ? "" : index + 1 == choices.size() ? " or " : ", ") + std::string(choice);
+        ++index;
+    }
+    refuse(text, list, std::vector<std::string>(choices.begin(), choices.end()));
+}
+
+std::uint32_t parseSupersample(std::string_view text) {
+    if (text == "auto") return RenderSettings::kEdges;
+    std::uint32_t value = 0;
+    if (!parseWhole(text, value) || value < 1 || value > kMostSupersample)
+        refuse(text, "'auto' or a whole number from 1 to " + std::to_string(kMostSupersample));
+    return value;
+}
+
+void checkSamples(const Size& size, std::uint32_t supersample, std::uint64_t most) {
+    supersample = std::max(supersample, 1u);  // samples of edges need no pixels of their own
+    const std::uint64_t samples = std::uint64_t{size.width} * size.height * supersample * supersample;
+    if (samples > most)
+        throw std::invalid_argument("--size times --supersample squared is " + std::to_string(samples) +
+                                    " samples; at most " + std::to_string(most) + " are drawn");
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,80 @@
+#pragma once
+// What the values of options mean. Every function throws std::invalid_argument with the reason, in words that
+// continue "--option: "; those that take a selection also nacre::Error.
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "engine/molecule/read.h"
+
+namespace nacre::app {
+
+constexpr std::uint32_t kLargestSide = 32768;                       ///< pixels
+constexpr double kLargestMeshError = 4;                             ///< as RenderSettings::meshError
+constexpr std::uint32_t kMostSupersample = 8;                       ///< samples a side of a pixel
+constexpr std::uint64_t kMostSamples = std::uint64_t{1} << 32;      ///< width x height x supersample^2
+constexpr std::uint64_t kMostSamplesHeld = std::uint64_t{1} << 27;  ///< of a picture that is held whole
+constexpr int kMostDirections = 4096;                               ///< occlusion
+constexpr double kSmallestZoom = 1e-4, kLargestZoom = 1e4;
+constexpr double kSmallestFov = 1, kLargestFov = 120;  ///< degrees
+
+/// The reason why `text` is no value. @param words  of which the nearest is suggested
+[[noreturn]] void refuse(std::string_view text, const std::string& wanted, std::span<const std::string> words = {});
+
+/// Of a side of a picture: pixels, or paper.
+struct Length {
+    double value = 0;
+    bool inches = false;
+    /// @param dpi  dots an inch
+    double pixels(double dpi) const { return inches ? value * dpi : value; }
+};
+
+/// "85mm", "8.5cm", "3.3in"; "1200px" or "1200".
+Length parseLength(std::string_view text);
+
+struct Size {
+    std::uint32_t width = 1024, height = 1024;
+};
+
+/// "640x480"; each side 1 to kLargestSide.
+Size parseSize(std::string_view text);
+
+/// "X,Y,Z" in degrees, finite.
+glm::dvec3 parseRotation(std::string_view text);
+
+/// A finite number of the whole text within [low, high].
+double parseNumber(std::string_view text, double low, double high);
+
+/// A whole number of the whole text within [low, high].
+std::int64_t parseInteger(std::string_view text, std::int64_t low, std::int64_t high);
+
+/// "all" is kAllModels; otherwise a number from 1.
+int parseModel(std::string_view text);
+
+/// A frame's number, from 1. @throws std::invalid_argument
+std::int64_t parseFrame(std::string_view text);
+/// How many frames a position is the mean of: odd, to Motion::kMostSmoothed. @throws std::invalid_argument
+std::int64_t parseSmoothing(std::string_view text);
+
+/// "off" is 0; otherwise 1 to kMostDirections.
+int parseOcclusion(std::string_view text);
+
+/// The position of text among choices; the reason lists them.
+std::size_t parseChoice(std::string_view text, std::span<const char* const> choices);
+std::size_t parseChoice(std::string_view text, std::initializer_list<const char*> choices);
+
+/// "auto" is RenderSettings::kEdges; otherwise 1 to kMostSupersample.
+std::uint32_t parseSupersample(std::string_view text);
+
+/// Refuses more than `most`. @param supersample  as parseSupersample() gives it
+void checkSamples(const Size& size, std::uint32_t supersample, std::uint64_t most = kMostSamples);
+
+/// The points of "1.5pt"; none where it is another unit.
+std::optional<double> pointsOf(std::string_view text);
+/// "2", "2px"; "1.5pt" at 96 dots an inch.
+double parsePixels(std::string_view text, double least, double most);
+
+}  // namespace nacre::app

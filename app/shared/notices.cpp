@@ -1,9 +1,0 @@
-#include "app/shared/notices.h"
-
-namespace nacre::app {
-
-extern const unsigned char kNoticesBytes[];  // third_party/notices.cmake
-
-const char* notices() { return reinterpret_cast<const char*>(kNoticesBytes); }
-
-}  // namespace nacre::app
