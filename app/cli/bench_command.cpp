@@ -3,7 +3,6 @@
 #include <ostream>
 
 #include "app/cli/bench_frames.h"
-#include "app/cli/bench_shapes.h"
 #include "app/cli/commands.h"
 #include "app/cli/stats.h"
 #include "app/download/load_molecule.h"
@@ -20,13 +19,10 @@ void printTable(const Json& report, std::ostream& out) {
     out << report["input"].get<std::string>() << ": " << report["atoms"]["drawn"] << " atoms, " << report["size"][0]
         << "x" << report["size"][1] << ", " << report["device"]["name"].get<std::string>() << "\n"
         << std::fixed << std::setprecision(2);
-    if (report.contains("paths")) printFrames(report, out);
-    if (report.contains("shapes")) printShapes(report["shapes"], out);
-    if (report.contains("occlusion")) printOcclusion(report["occlusion"], out);
+    printFrames(report, out);
 }
 
 Json benchOf(const BenchOptions& options, const InputOptions& input) {
-    using Part = BenchOptions::Part;
     Progress progress;
     progress.begin("reading");
     const auto start = Clock::now();
@@ -38,20 +34,7 @@ Json benchOf(const BenchOptions& options, const InputOptions& input) {
                 {"size", {options.size.width, options.size.height}},
                 {"device", Json::object()},
                 {"times", {{"load", load}, {"scene", millisecondsSince(start) - load}}}};
-    const auto wants = [&](Part part) { return options.only == Part::all || options.only == part; };
-    if (wants(Part::frames)) addFrames(options, scene, report, progress);
-    if (wants(Part::shapes) || wants(Part::bake)) {
-        DeviceOptions encoded = options.device;
-        encoded.visibility = Visibility::encoded;
-        Renderer renderer(encoded);
-        const DeviceInfo device = renderer.stats().device;
-        if (!wants(Part::frames)) report["device"] = {{"name", device.name}, {"driver", device.driver}};
-        renderer.setScene(scene);
-        progress.begin("comparing shapes");
-        if (wants(Part::shapes)) report["shapes"] = compareShapes(options, scene, renderer, progress);
-        progress.begin("comparing bakes");
-        if (wants(Part::bake)) report["occlusion"] = compareMaps(benchFrame(options, scene.radius, 0), renderer);
-    }
+    addFrames(options, scene, report, progress);
     report["memory"] = {{"resident_peak", peakResidentBytes()}};
     return report;
 }

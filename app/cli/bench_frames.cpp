@@ -7,16 +7,61 @@
 #include <memory>
 #include <ostream>
 #include <unordered_set>
+#include <vector>
 
 #include "app/cli/stats.h"
 #include "engine/device_plan.h"
 #include "engine/error.h"
+#include "engine/renderer.h"
 
 namespace nacre::app {
 namespace {
 
 constexpr Visibility kTimedPaths[] = {Visibility::encoded, Visibility::fragdepth, Visibility::deferred,
                                       Visibility::rasterOrder, Visibility::tiles};
+
+/// When to end the rounds of a part: as many as were asked for, or 20 and no more than some seconds hold.
+class BenchRounds {
+public:
+    explicit BenchRounds(const BenchOptions& options) : options_(options) {}
+    /// @param round  counted from 0; what comes before warms up
+    bool goesOn(int round) const {
+        if (options_.frames) return round < *options_.frames;
+        return round < kRounds && (round < kLeast || spent_ < kMilliseconds);
+    }
+    void spend(double milliseconds) { spent_ += milliseconds; }
+    double share(int round) const {
+        const double done = std::max(round, 0) / static_cast<double>(options_.frames.value_or(kRounds));
+        return options_.frames ? done : std::max(done, spent_ / kMilliseconds);
+    }
+
+private:
+    static constexpr int kRounds = 20, kLeast = 3;
+    static constexpr double kMilliseconds = 3'000;
+    const BenchOptions& options_;
+    double spent_ = 0;
+};
+
+/// {"min", "median", "p99"} of times; at least one.
+Json timesJson(std::vector<double> samples) {
+    std::sort(samples.begin(), samples.end());
+    return {{"min", samples.front()},
+            {"median", samples[samples.size() / 2]},
+            {"p99", samples[(samples.size() * 99 + 99) / 100 - 1]}};
+}
+
+/// The settings of a frame of a turn about the vertical axis. @param radius  of the scene @param frame  from 0
+RenderSettings benchFrame(const BenchOptions& options, double radius, int frame) {
+    Camera camera = options.camera;
+    camera.rotationDegrees.y += 5.0 * frame;
+    RenderSettings settings;
+    settings.view = viewOf(camera, radius, options.size.width, options.size.height);
+    settings.supersample = options.supersample;
+    settings.meshError = options.meshError;
+    settings.occlusion.directions = options.occlusion.directions;
+    settings.occlusion.bytes = options.occlusion.bytes();
+    return settings;
+}
 
 /// Milliseconds that frames took by the clock, and of all processors together.
 struct Samples {
@@ -71,7 +116,7 @@ std::vector<Timed> timedPaths(const BenchOptions& options, const Representation&
 /// Times whole frames, from declaring the graph to the device being done; every path in turn within a round, so that
 /// the machine's moods meet all of them.
 void timeFrames(const BenchOptions& options, double radius, std::vector<Timed>& timed, Progress& progress) {
-    BenchRounds rounds(options, 3);
+    BenchRounds rounds(options);
     for (int frame = -3; rounds.goesOn(frame); ++frame) {
         progress.advance(rounds.share(frame));
         for (Timed& t : timed)
@@ -165,7 +210,7 @@ Json floorJson(const BenchOptions& options, const Representation& part, const Ti
     least.setScene(part);
     least.render(settings);
     Samples whole, floor;
-    BenchRounds rounds(options, 3);
+    BenchRounds rounds(options);
     for (int frame = -2; rounds.goesOn(frame); ++frame) {
         rounds.spend(timeFrame(*timed.renderer, settings, frame >= 0 ? &whole : nullptr));
         rounds.spend(timeFrame(least, settings, frame >= 0 ? &floor : nullptr));
@@ -198,18 +243,6 @@ void tellOfFirstFrame(const BenchOptions& options, const Representation& scene, 
 }
 
 }  // namespace
-
-RenderSettings benchFrame(const BenchOptions& options, double radius, int frame) {
-    Camera camera = options.camera;
-    camera.rotationDegrees.y += 5.0 * frame;
-    RenderSettings settings;
-    settings.view = viewOf(camera, radius, options.size.width, options.size.height);
-    settings.supersample = options.supersample;
-    settings.meshError = options.meshError;
-    settings.occlusion.directions = options.occlusion.directions;
-    settings.occlusion.bytes = options.occlusion.bytes();
-    return settings;
-}
 
 void addFrames(const BenchOptions& options, const Representation& scene, Json& report, Progress& progress) {
     progress.begin("baking and drawing first frames");

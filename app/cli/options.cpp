@@ -34,12 +34,6 @@ void addBench(CommandSpec& command, BenchOptions& options) {
     addMeshError(command, "0.5", options.meshError);
     addValue(command, "--frames", "N", "20, or what 3 seconds hold", "Timed frames a path, 1 to 10000",
              [&](const std::string& text) { options.frames = static_cast<int>(parseInteger(text, 1, 10000)); });
-    addValue(command, "--only", "PART", "everything", "frames (by path), shapes (of plates and impostors) or bake",
-             [&](const std::string& text) {
-                 constexpr BenchOptions::Part kParts[] = {BenchOptions::Part::frames, BenchOptions::Part::shapes,
-                                                          BenchOptions::Part::bake};
-                 options.only = kParts[parseChoice(text, {"frames", "shapes", "bake"})];
-             });
     addVisibility(command, options.device);
     addOcclusion(command, options.occlusion);
     addDeviceName(command, options.device);
@@ -70,9 +64,7 @@ void addPlan(CommandSpec& command, PlanOptions& options) {
              });
     addMeshError(command, "0.25", picture.meshError);
     addOnOff(command, "--merge", options.merge, "Passes as subpasses of one render pass");
-    const auto format = [&](PlanFormat value) { return [&, value](const std::string&) { options.format = value; }; };
-    command.add({"--json", "", "", "As one JSON object", format(PlanFormat::json)});
-    command.add({"--dot", "", "", "As a Graphviz graph", format(PlanFormat::dot)}).excludes = "--json";
+    addFlag(command, "--json", options.json, "As one JSON object");
 }
 
 void addExport(CommandSpec& command, ExportCommandOptions& options) {
@@ -137,9 +129,9 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     addInputs(info, line.info.paths, line.info.input);
     addFlag(info, "--residues", line.info.residues, "Each residue, with helix, strand or coil");
     addFlag(info, "--json", line.info.json, "As one JSON object");
-    CommandSpec bench{"bench", "Time frames and count shaded fragments",
+    CommandSpec bench{"bench", "Time frames by each visibility path",
                       "Examples:\n  nacre bench 1bna.pdb\n  nacre bench 1aon.pdb.gz --frames 50 --json\n"
-                      "  nacre bench 1bna.pdb 4hhb.cif.gz --only frames --visibility tiles --zoom 10"};
+                      "  nacre bench 1bna.pdb 4hhb.cif.gz --visibility tiles --zoom 10"};
     addBench(bench, line.bench);
     CommandSpec plan{"plan", "Show what a frame becomes on a GPU: render passes and memory traffic",
                      "Examples:\n"
@@ -147,7 +139,7 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
                      "  nacre plan 1aon.pdb.gz --caps mali --size 1170x2532\n"
                      "  nacre plan --caps mali --look illustrative --halos 6 --shadow 0.5\n"
                      "  nacre plan --caps adreno --merge off --json\n"
-                     "  nacre plan --device 0 --visibility deferred --dot | dot -Tsvg -o plan.svg"};
+                     "  nacre plan --device 0 --visibility deferred"};
     addPlan(plan, line.plan);
     CommandSpec devices{"devices", "List the Vulkan devices",
                         "Examples:\n  nacre devices\n  nacre devices --self-test --json"};

@@ -94,7 +94,6 @@ struct InfoOptions {
 };
 
 struct BenchOptions {
-    enum class Part { all, frames, shapes, bake };
     std::vector<std::string> paths;  ///< one or more, each timed by itself
     InputOptions input;              ///< how each of them is read
     DrawnAtomsOptions drawn;
@@ -104,7 +103,6 @@ struct BenchOptions {
     std::uint32_t supersample = 1;  ///< as RenderSettings::supersample
     double meshError = 0.5;         ///< as RenderSettings::meshError
     std::optional<int> frames;      ///< of a path; empty: 20, or fewer that take long
-    Part only = Part::all;
     OcclusionOptions occlusion;
     DeviceOptions device;
     bool json = false;
@@ -134,14 +132,12 @@ struct ExportCommandOptions {
     std::string output, stats;
 };
 
-enum class PlanFormat { text, json, dot };
-
 struct PlanOptions {
     RenderOptions picture;  ///< that the frame is of; `input`: whose geometry is counted, without a path none is
     std::string caps;       ///< name of a capability set; empty: the real device
     bool edges = false;     ///< as a picture's are drawn
     bool merge = true;
-    PlanFormat format = PlanFormat::text;
+    bool json = false;
 };
 
 enum class Command { help, version, notices, render, movie, batch, looks, exporting, view, info, devices, bench, plan };

@@ -241,17 +241,7 @@ std::uint64_t bytesOf(const graph::ImageDecl& image) {
 
 void planCommand(const PlanOptions& options, std::ostream& out) {
     const PlanReport report = planReport(options);
-    switch (options.format) {
-        case PlanFormat::text:
-            out << planText(report);
-            break;
-        case PlanFormat::json:
-            out << planJson(report);
-            break;
-        case PlanFormat::dot:
-            out << planDot(report);
-            break;
-    }
+    out << (options.json ? planJson(report) : planText(report));
 }
 
 }  // namespace nacre::app

@@ -47,8 +47,6 @@ PlanReport planReport(const PlanOptions& options);
 std::string planText(const PlanReport& report);
 /// The keys are stable: snake_case, bytes as whole numbers.
 std::string planJson(const PlanReport& report);
-/// For `dot -Tsvg`.
-std::string planDot(const PlanReport& report);
 
 /// What a subpass does to an image, in words: "depth" "test".
 struct NamedUse {

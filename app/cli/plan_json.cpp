@@ -40,7 +40,8 @@ Json renderPassJson(const PlanReport& report, const graph::RenderPassPlan& pass)
                                        {"format", graph::formatName(a.format)},
                                        {"load", loadName(a.load)},
                                        {"store", storeName(a.store)},
-                                       {"transient", a.transient}});
+                                       {"transient", a.transient},
+                                       {"bytes", bytesOf(g.images()[a.image])}});
     for (const graph::Dependency& d : pass.dependencies)
         json["dependencies"].push_back({{"from", d.from == VK_SUBPASS_EXTERNAL ? Json("external") : Json(d.from)},
                                         {"to", d.to},

@@ -22,7 +22,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 
 def nacre(program, *arguments):
     """The report of `nacre bench` about the path that `auto` takes on software devices."""
-    command = [program, "bench", *arguments, "--only", "frames", "--visibility", "tiles", "--json"]
+    command = [program, "bench", *arguments, "--visibility", "tiles", "--json"]
     report = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
     return {"atoms": report["atoms"]["drawn"], "covered_pixels": report["covered_pixels"],
             "wall": report["times"]["frame"]["min"], "processor": report["times"]["frame_processor"]["min"],

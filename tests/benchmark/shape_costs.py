@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """What plates and impostors of each shape cost on tilers by the size of spheres: docs/tilers.md has the table.
 
-usage: NACRE_DATA=FOLDER tests/benchmark/shape_costs.py PROGRAM
+usage: NACRE_DATA=FOLDER tests/benchmark/shape_costs.py BENCHMARK
 
-Instructions as docs/tilers.json has them of each stage, times the vertices of 4HHB's spheres and the fragments that a
+BENCHMARK is shape_benchmark, built by the preset `benchmark`. Instructions as docs/tilers.json has them of each stage, times the vertices of 4HHB's spheres and the fragments that a
 software device counts by each shape. GPUs that bin vertices run them twice; to those that store varyings a byte,
 written and read, counts as twenty instructions (at 100 pJ a byte and 10 an instruction).
 """
@@ -42,15 +42,14 @@ def main():
     kept = json.loads((ROOT / "docs/tilers.json").read_text())
     print("| device | radius, pixels |" + "".join(f" {p}, {i} |" for p, i in SHAPES))
     print("|---" * (2 + len(SHAPES)) + "|")
-    for size in SIZES:
-        bench = json.loads(subprocess.run(
-            [sys.argv[1], "bench", f"{DATA}/4hhb.pdb", "--only", "shapes", "--occlusion", "off", "--size", f"{size}x{size}",
-             "--frames", "1", "--json"], check=True, capture_output=True, text=True).stdout)
+    benches = json.loads(subprocess.run([sys.argv[1], f"{DATA}/4hhb.pdb", *(f"{size}x{size}" for size in SIZES)],
+                                        check=True, capture_output=True, text=True).stdout)
+    for size, bench in zip(SIZES, benches):
         shapes = {(s["plates"], s["impostor"]): s for s in bench["shapes"]}
         radius = size * 0.95 / 2 / SCENE_RADIUS * MEAN_RADIUS
         for device, stores in DEVICES.items():
             pipelines = kept[device]["paths"]["encoded"]["pipelines"]
-            costs = [cost(pipelines, shapes[s], bench["atoms"]["drawn"], stores) for s in SHAPES]
+            costs = [cost(pipelines, shapes[s], bench["atoms"], stores) for s in SHAPES]
             print(f"| {device} | {radius:.1f} |" + "".join(f" {c:.1f} |" for c in costs))
 
 

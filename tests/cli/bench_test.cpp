@@ -18,7 +18,7 @@ constexpr const char* kSmall = "bench sample:dna --size 96x96 --occlusion 4 --fr
 
 TEST(Bench, FramesOfEveryPathAndTheFloorOfTheOneInUse) {
     const TemporaryFolder folder;
-    const Outcome outcome = nacreIn(folder, std::string(kSmall) + " --only frames --rotate 10,20,30 --json");
+    const Outcome outcome = nacreIn(folder, std::string(kSmall) + " --rotate 10,20,30 --json");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const auto report = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(report["paths"].size() + report["lacks"].size(), 5u);
@@ -36,7 +36,6 @@ TEST(Bench, FramesOfEveryPathAndTheFloorOfTheOneInUse) {
             EXPECT_EQ(path["frame"], report["times"]["frame"]);
         }
     }
-    EXPECT_FALSE(report.contains("shapes") || report.contains("occlusion"));
     EXPECT_GT(report["floor"]["ratio"], 0);
     EXPECT_LT(report["atoms"]["visible"], report["atoms"]["drawn"]);
     const auto& spheres = report["spheres"];
@@ -57,7 +56,7 @@ TEST(Bench, FramesOfEveryPathAndTheFloorOfTheOneInUse) {
 
 TEST(Bench, OnePathCloserBy) {
     const TemporaryFolder folder;
-    const std::string deferred = std::string(kSmall) + " --only frames --visibility deferred --json";
+    const std::string deferred = std::string(kSmall) + " --visibility deferred --json";
     const auto report = nlohmann::json::parse(nacreIn(folder, deferred).out);
     const auto close = nlohmann::json::parse(nacreIn(folder, deferred + " --zoom 4").out);
     ASSERT_EQ(close["paths"].size(), 1u);
@@ -69,7 +68,7 @@ TEST(Bench, OnePathCloserBy) {
 
 TEST(Bench, SeveralInputsEachByItselfAndWhatIsSaidOfOneThatFails) {
     const TemporaryFolder folder;
-    const std::string flags = " --only frames --size 64x64 --occlusion off --frames 1 --visibility tiles";
+    const std::string flags = " --size 64x64 --occlusion off --frames 1 --visibility tiles";
     const Outcome outcome = nacreIn(folder, "bench sample:glucose nothing.pdb sample:buckyball --json" + flags);
     EXPECT_EQ(outcome.code, 1);
     EXPECT_NE(outcome.err.find("nothing.pdb"), std::string::npos) << outcome.err;
@@ -92,7 +91,7 @@ TEST(Bench, EdgesByTilesAndByMoreSamples) {
     for (const Case& c :
          {Case{"tiles --supersample auto", 16}, Case{"encoded --supersample auto", 16},
           Case{"tiles --supersample auto --show all=surface:opacity=0.5", 16}, Case{"encoded --supersample 2", 4}}) {
-        const Outcome outcome = nacreIn(folder, std::string("bench sample:glucose --only frames --size 64x64 ") +
+        const Outcome outcome = nacreIn(folder, std::string("bench sample:glucose --size 64x64 ") +
                                                     "--occlusion off --frames 1 --json --visibility " + c.options);
         const auto path = nlohmann::json::parse(outcome.out)["paths"][0];
         EXPECT_EQ(path["samples_per_pixel"], c.samples) << c.options;
@@ -103,27 +102,13 @@ TEST(Bench, ModelsDrawnTogetherHaveAFloor) {
     const TemporaryFolder folder;
     std::ofstream(folder / "two.xyz") << "2\none\nO 0 0 0\nC 0 0 3\n2\ntwo\nO 4 0 0\nC 4 0 3\n";
     const Outcome outcome = nacreIn(folder,
-                                    "bench two.xyz --model all --style spacefill --only frames --size 64x64 "
+                                    "bench two.xyz --model all --style spacefill --size 64x64 "
                                     "--occlusion 4 --frames 1 --visibility tiles --json");
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     const auto report = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(report["spheres"]["submitted"], 4);
     EXPECT_EQ(report["spheres"]["visible"], 2);  // two hide behind the others
     EXPECT_GT(report["floor"]["ratio"], 0);
-}
-
-TEST(Bench, ShapesAndBakesAlone) {
-    const TemporaryFolder folder;
-    const Outcome shapes = nacreIn(folder, std::string(kSmall) + " --only shapes");
-    EXPECT_EQ(shapes.code, 0) << shapes.err;
-    for (const char* word : {"shaded fragments per visible pixel", "dome of 3", "pyramid"})
-        EXPECT_NE(shapes.out.find(word), std::string::npos) << word;
-    EXPECT_EQ(shapes.out.find("raster-order"), std::string::npos);
-    const Outcome bake = nacreIn(folder, std::string(kSmall) + " --only bake --json");
-    const auto report = nlohmann::json::parse(bake.out);
-    EXPECT_EQ(report["occlusion"].size(), 3u);
-    EXPECT_FALSE(report.contains("paths") || report.contains("shapes"));
-    EXPECT_EQ(nacreIn(folder, std::string(kSmall) + " --only pictures").code, 2);
 }
 
 }  // namespace

@@ -76,10 +76,9 @@ TEST_P(WrongUsage, IsOneLine) {
 INSTANTIATE_TEST_SUITE_P(
     CommandLine, WrongUsage,
     testing::Values(
-        "", "plan --caps voodoo", "plan --caps mali --device 0", "plan --caps mali --json --dot",
-        "plan --caps mali --size 0x1", "frob", "--frob", "render", "render sample:dna", "render -o a.png",
-        "render sample:dna -o", "render sample:dna -o a.bmp", "render sample:dna -o a",
-        "render sample:dna -o a.png --frob", "render sample:dna -o a.png --assembly",
+        "", "plan --caps voodoo", "plan --caps mali --device 0", "plan --caps mali --size 0x1", "frob", "--frob",
+        "render", "render sample:dna", "render -o a.png", "render sample:dna -o", "render sample:dna -o a.bmp",
+        "render sample:dna -o a", "render sample:dna -o a.png --frob", "render sample:dna -o a.png --assembly",
         "render sample:dna -o a.png --assembly ''", "render sample:dna -o a.png --show A=licorice",
         "render sample:dna -o a.png --show all", "render sample:dna -o a.png --show all=hologram",
         "render sample:dna -o a.png --hide 'chain A and'", "render sample:dna -o a.png --hide",

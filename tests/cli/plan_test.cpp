@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/plan_command.h"
 #include "engine/error.h"
+#include "tests/support/temporary_folder.h"
 
 namespace nacre::app {
 namespace {
@@ -225,11 +227,23 @@ TEST(Plan, TextNamesEveryPassAndImage) {
     }
 }
 
+/// What tools/plan_dot makes of `nacre plan OPTIONS`.
+std::string dotOf(const std::string& options) {
+    const test::TemporaryFolder folder;
+    const std::string drawn = folder / "plan.dot";
+    const std::string command =
+        "'" NACRE_PROGRAM "' plan " + options + " --json | '" NACRE_SOURCE_DIR "/tools/plan_dot' >'" + drawn + "'";
+    EXPECT_EQ(std::system(command.c_str()), 0) << options;
+    return test::contentOf(drawn);
+}
+
 TEST(Plan, DotHasABoxForEveryRenderPassAndBalances) {
-    PlanOptions options = phone("mali");
-    options.merge = false;
-    const std::string dot = planDot(planReport(options));
+    const std::string merged = dotOf("--caps mali --size 1170x2532");
+    const std::string dot = dotOf("--caps mali --size 1170x2532 --merge off");
     EXPECT_EQ(dot.rfind("digraph plan {", 0), 0u);
+    EXPECT_NE(merged.find("cluster0"), std::string::npos);
+    EXPECT_EQ(merged.find("cluster1"), std::string::npos);
+    EXPECT_EQ(merged.find("load "), std::string::npos);
     for (const char* word : {"cluster0", "cluster1", "cluster2", "store 23.7 MB", "load 11.8 MB"})
         EXPECT_NE(dot.find(word), std::string::npos) << word;
     EXPECT_EQ(std::count(dot.begin(), dot.end(), '{'), std::count(dot.begin(), dot.end(), '}'));
@@ -255,9 +269,11 @@ TEST(Plan, OfTilesTellsTheComputePassAndWhatItHandsOn) {
     const std::string text = planText(planReport(options));
     for (const char* word : {"compute: nearest primitive", "primitive numbers (buffer)", "visibility tiles"})
         EXPECT_NE(text.find(word), std::string::npos) << text;
-    const std::string dot = planDot(planReport(options));
-    EXPECT_NE(dot.find("compute: nearest primitive"), std::string::npos);
-    EXPECT_EQ(std::count(dot.begin(), dot.end(), '{'), std::count(dot.begin(), dot.end(), '}'));
+    const std::string dot = dotOf("--visibility tiles --supersample auto");
+    for (const char* line : {R"(label="primitive numbers\nloads 12.6 MB, stores 4.2 MB")",
+                             R"("compute nearest primitive" -> "memory primitive numbers" [label="write")",
+                             R"("memory occlusion atlas" -> "compute edge samples" [label="texture")"})
+        EXPECT_NE(dot.find(line), std::string::npos) << dot;
 }
 
 TEST(Plan, OfAPictureTellsHowItsEdgesAreDrawn) {
