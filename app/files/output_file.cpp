@@ -121,12 +121,21 @@ fs::path realPath(const std::string& path) {
     return error ? fs::path(path) : real;
 }
 
-bool sameFile(const std::string& a, const std::string& b) {
-    std::error_code error;
+/// The file behind a name. Standard streams are asked by their descriptors: not every machine has a /dev/stdin.
+/// @returns whether it is there
+bool find(const NamedFile& file, struct stat& status) {
+    if (file.written && isStandardOutput(file.path)) return fstat(STDOUT_FILENO, &status) == 0;
+    if (file.path == "-") return fstat(STDIN_FILENO, &status) == 0;
+    return stat(file.path.c_str(), &status) == 0;
+}
+
+bool sameFile(const NamedFile& a, const NamedFile& b) {
+    struct stat one {
+    }, other{};
     // Streams may well share a terminal or /dev/null.
-    if (fs::exists(a, error) && fs::exists(b, error))
-        return fs::equivalent(a, b, error) && fs::is_regular_file(a, error);
-    return realPath(a) == realPath(b);
+    if (find(a, one) && find(b, other))
+        return one.st_dev == other.st_dev && one.st_ino == other.st_ino && S_ISREG(one.st_mode);
+    return realPath(a.path) == realPath(b.path);
 }
 
 }  // namespace
@@ -243,10 +252,6 @@ void writeText(OutputFile& file, const std::string& text) {
 }
 
 void checkApart(std::span<const NamedFile> files) {
-    const auto place = [](const NamedFile& file) -> std::string {
-        if (file.path == "-") return file.written ? "/dev/stdout" : "/dev/stdin";
-        return file.path;
-    };
     for (std::size_t i = 0; i < files.size(); ++i)
         for (std::size_t j = i + 1; j < files.size(); ++j) {
             const NamedFile &a = files[i], &b = files[j];
@@ -254,7 +259,7 @@ void checkApart(std::span<const NamedFile> files) {
             const bool both = a.written && b.written;
             if (both && isStandardOutput(a.path) && isStandardOutput(b.path))
                 throw std::invalid_argument(std::string(a.name) + " and " + b.name + " are both standard output");
-            if (sameFile(place(a), place(b)))
+            if (sameFile(a, b))
                 throw std::invalid_argument(std::string(a.name) + " and " + b.name + " are the same file: " + b.path);
         }
 }

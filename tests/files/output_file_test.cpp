@@ -1,6 +1,8 @@
 #include "app/files/output_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -167,6 +169,25 @@ TEST(OutputFile, NoOutputReplacesWhatIsReadByAnyName) {
     EXPECT_THROW(checkApart(streams), std::invalid_argument);
     const NamedFile both[] = {{"INPUT", folder / "in.pdb"}, {"--view", folder / "in.pdb"}};
     EXPECT_NO_THROW(checkApart(both));
+}
+
+TEST(OutputFile, NoOutputReplacesStandardInputWhereDevIsEmpty) {
+    const TemporaryFolder folder;
+    put(folder / "in.pdb");
+    put(folder / "other.pdb");
+    const pid_t child = fork();
+    if (child == 0) {
+        const int input = open((folder / "in.pdb").c_str(), O_RDONLY);
+        if (dup2(input, STDIN_FILENO) != 0) _exit(2);
+        if (chroot(folder.path().c_str()) != 0)  // whoever is not root is so in a namespace of their own
+            if (unshare(CLONE_NEWUSER) != 0 || chroot(folder.path().c_str()) != 0) _exit(3);
+        if (chdir("/") != 0 || fs::exists("/dev/stdin")) _exit(4);
+        _exit(!apart("-", "in.pdb") && apart("-", "other.pdb") && apart("-", "new.json") ? 0 : 1);
+    }
+    int status = -1;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    if (WEXITSTATUS(status) == 3) GTEST_SKIP() << "this user may change no root";
+    EXPECT_EQ(status, 0);
 }
 
 }  // namespace
