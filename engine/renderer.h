@@ -17,6 +17,13 @@ namespace nacre {
 
 /// After an Error the renderer is as good as before: the same call, or one that asks for less, may succeed. Only a
 /// device that was lost stays so.
+///
+/// Threads. One thread at a time calls a renderer, const functions included; it need not be the same one. Several
+/// renderers may be called by as many threads. Functions that a caller hands over (DeviceOptions, RenderSettings) are
+/// called by the thread that called the renderer, before that call returns. References that are handed out are good
+/// until the next call that is not const. A renderer starts threadsPerTask() - 1 threads for the time of a task
+/// (threads.h: an embedder sets how many), one to prepare each bake and, from makePipelinesAhead() on, one that makes
+/// pipelines; drivers start their own.
 class Renderer {
 public:
     /// @throws Error if no suitable device is there

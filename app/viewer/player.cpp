@@ -1,6 +1,5 @@
 #include "app/viewer/player.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace nacre::app {
@@ -10,6 +9,7 @@ Player::Player(std::shared_ptr<const Molecule> molecule, std::shared_ptr<Motion>
       motion_(std::move(motion)),
       frames_(motion_->frames()),
       wake_(std::move(wake)),
+      free_(std::make_shared<FreeMolecules>()),
       thread_([this] { run(); }) {}
 
 Player::~Player() {
@@ -98,10 +98,22 @@ PlayedFrame Player::make(std::size_t frame, MovingScene& scene) {
 
 /// A copy of the molecule that nobody else holds, without the places of other models.
 std::shared_ptr<Molecule> Player::freeMolecule() {
-    const auto isFree = [](const std::shared_ptr<Molecule>& molecule) { return molecule.use_count() == 1; };
-    const auto found = std::find_if(molecules_.begin(), molecules_.end(), isFree);
-    if (found != molecules_.end()) return *found;
-    auto copy = std::make_shared<Molecule>();
+    const auto shared = [this](std::unique_ptr<Molecule> molecule) {
+        return std::shared_ptr<Molecule>(molecule.release(), [free = free_](Molecule* done) {
+            std::unique_ptr<Molecule> owned(done);
+            const std::lock_guard lock(free->mutex);
+            free->molecules.push_back(std::move(owned));
+        });
+    };
+    {
+        const std::lock_guard lock(free_->mutex);
+        if (!free_->molecules.empty()) {
+            std::unique_ptr<Molecule> molecule = std::move(free_->molecules.back());
+            free_->molecules.pop_back();
+            return shared(std::move(molecule));
+        }
+    }
+    auto copy = std::make_unique<Molecule>();
     const Molecule& m = *molecule_;
     copy->atoms = m.atoms;
     copy->residues = m.residues;
@@ -113,8 +125,7 @@ std::shared_ptr<Molecule> Player::freeMolecule() {
     copy->partialCharges = m.partialCharges;
     copy->radii = m.radii;
     copy->file = m.file;
-    molecules_.push_back(copy);
-    return copy;
+    return shared(std::move(copy));
 }
 
 }  // namespace nacre::app

@@ -49,12 +49,18 @@ private:
     PlayedFrame make(std::size_t frame, MovingScene& scene);
     std::shared_ptr<Molecule> freeMolecule();
 
+    /// Copies of the molecule that nobody holds any more. Whoever lets go of one, on whatever thread, puts it here.
+    struct FreeMolecules {
+        std::mutex mutex;
+        std::vector<std::unique_ptr<Molecule>> molecules;
+    };
+
     std::shared_ptr<const Molecule> molecule_;
     std::shared_ptr<Motion> motion_;  // the thread's
     std::size_t frames_;
     std::function<void()> wake_;
-    std::vector<std::shared_ptr<Molecule>> molecules_;  // the thread's: used again when nobody looks at them
-    std::mutex mutex_;                                  // of all below
+    std::shared_ptr<FreeMolecules> free_;
+    std::mutex mutex_;  // of all below
     std::condition_variable changed_;
     std::shared_ptr<MovingScene> scene_;
     std::optional<MotionOptions> newMotion_;

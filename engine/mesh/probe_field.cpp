@@ -20,12 +20,12 @@ constexpr float kDeepInside = 1e3f;  // of nodes that no place of the probe is n
 
 class ProbeField : public SurfaceField {
 public:
-    ProbeField(const std::vector<SurfaceBall>& balls, double probe, double step, unsigned threads)
+    ProbeField(const std::vector<SurfaceBall>& balls, double probe, double step)
         : balls_(balls),
           probe_(probe),
           reach_(probe + step * 1.001),
           outside_(probe < step * 1.001 ? step * 1.001 : 0),
-          places_(balls, probe, threads) {}
+          places_(balls, probe) {}
 
     std::vector<std::array<dvec3, 2>> reaches() const override {
         std::vector<std::array<dvec3, 2>> boxes;
@@ -246,9 +246,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<SurfaceField> probeField(const std::vector<SurfaceBall>& balls, double probe, double step,
-                                         unsigned threads) {
-    return std::make_unique<ProbeField>(balls, probe, step, threads);
+std::unique_ptr<SurfaceField> probeField(const std::vector<SurfaceBall>& balls, double probe, double step) {
+    return std::make_unique<ProbeField>(balls, probe, step);
 }
 
 }  // namespace nacre

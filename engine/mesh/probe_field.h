@@ -14,9 +14,7 @@ namespace nacre {
 /// The boundary of those places is that of a union of balls: parts of spheres, circles where two meet, points where
 /// three do. From a point inside, the nearest of it is straight away from a ball's centre, or on a circle, or such a
 /// point; each is asked only where it can be the nearest.
-/// @param threads  that make it
-std::unique_ptr<SurfaceField> probeField(const std::vector<SurfaceBall>& balls, double probe, double step,
-                                         unsigned threads);
+std::unique_ptr<SurfaceField> probeField(const std::vector<SurfaceBall>& balls, double probe, double step);
 
 /// sum exp(-s d^2 / r^2) / exp(-s) - 1.
 std::unique_ptr<SurfaceField> gaussianField(const std::vector<SurfaceBall>& balls);

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <utility>
 
-#include "engine/mesh/parallel.h"
 #include "engine/mesh/unit_vectors.h"
+#include "engine/threads.h"
 
 namespace nacre {
 namespace {
@@ -23,7 +23,7 @@ struct CoveredArc {
 }  // namespace
 
 /// Circles of each ball with those of higher numbers, and the ends of their arcs.
-ProbePlaces::ProbePlaces(const std::vector<SurfaceBall>& balls, double probe, unsigned threads)
+ProbePlaces::ProbePlaces(const std::vector<SurfaceBall>& balls, double probe)
     : balls_(balls), probe_(probe), grid_(balls, probe) {
     struct Found {
         std::vector<ProbeCircle> circles;
@@ -32,7 +32,7 @@ ProbePlaces::ProbePlaces(const std::vector<SurfaceBall>& balls, double probe, un
     open_.assign(balls_.size(), 0);
     std::vector<Found> found((balls_.size() + kTogether - 1) / kTogether);
     std::vector<std::atomic<char>> open(balls_.size());
-    inParallel(found.size(), threads, [&](std::size_t part) {
+    inParallel(found.size(), [&](std::size_t part) {
         const std::size_t end = std::min(balls_.size(), (part + 1) * kTogether);
         for (std::size_t a = part * kTogether; a < end; ++a) {
             const auto neighbours = grid_.neighbours(static_cast<std::uint32_t>(a));

@@ -37,8 +37,8 @@ struct ProbePoint {
 /// Spheres about the balls, as much larger than they as the probe is wide, and where those of several meet.
 class ProbePlaces {
 public:
-    /// @param balls  outlive this @param threads  that find it
-    ProbePlaces(const std::vector<SurfaceBall>& balls, double probe, unsigned threads);
+    /// @param balls  outlive this
+    ProbePlaces(const std::vector<SurfaceBall>& balls, double probe);
 
     const std::vector<ProbeCircle>& circles() const { return circles_; }
     const std::vector<ProbePoint>& points() const { return points_; }

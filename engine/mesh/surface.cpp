@@ -14,11 +14,11 @@
 #include "engine/error.h"
 #include "engine/mesh/marching_cubes.h"
 #include "engine/mesh/mesh_measures.h"
-#include "engine/mesh/parallel.h"
 #include "engine/mesh/probe_field.h"
 #include "engine/mesh/solids.h"
 #include "engine/mesh/surface_field.h"
 #include "engine/molecule/element.h"
+#include "engine/threads.h"
 
 namespace nacre {
 namespace {
@@ -222,14 +222,13 @@ Mesh surface(const Molecule& molecule, std::span<const std::uint32_t> atoms, con
     const double wanted = options.resolution > 0 ? options.resolution : surfaceResolution(balls.size());
     const double step = std::clamp(wanted, kFinestSurface, kCoarsestSurface);
     checkSurfaceSize(balls, step);
-    const std::unique_ptr<SurfaceField> field = options.kind == SurfaceKind::gaussian
-                                                    ? gaussianField(balls)
-                                                    : probeField(balls, accessible ? 0 : probe, step, options.threads);
+    const std::unique_ptr<SurfaceField> field =
+        options.kind == SurfaceKind::gaussian ? gaussianField(balls) : probeField(balls, accessible ? 0 : probe, step);
     const auto blocks = blocksOf(*field, step);
     std::vector<std::pair<glm::ivec3, const std::vector<std::uint32_t>*>> list;
     for (const auto& [place, sources] : blocks) list.emplace_back(place, &sources);
     std::vector<BlockMesh> meshes(list.size());
-    inParallel(list.size(), options.threads, [&](std::size_t i) {
+    inParallel(list.size(), [&](std::size_t i) {
         const glm::ivec3 first = list[i].first * kBlockCells;
         meshes[i] = BlockCutter(*field, {first, first + kBlockCells, step}, middle - origin).cut(*list[i].second);
     });

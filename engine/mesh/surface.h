@@ -22,7 +22,6 @@ struct SurfaceOptions {
     double probe = 1.4;     ///< Å, radius; 0 is the van der Waals surface
     double resolution = 0;  ///< Å, edge of the grid's cells; 0: surfaceResolution() of the atoms
     bool cavities = true;   ///< surfaces that are closed off from the outside are kept
-    unsigned threads = 0;   ///< 0: all cores
     friend bool operator==(const SurfaceOptions&, const SurfaceOptions&) = default;
 };
 
@@ -38,8 +37,8 @@ double surfaceResolution(std::size_t atoms);
 /// mesh of which each vertex lies on the surface itself and has its normal, and belongs to the atom whose own sphere is
 /// nearest. Marching cubes; where a distance is asked for it is that to the nearest place of the probe's centre among
 /// spheres, circles and points that are worked out exactly, not to the next of the grid's cells. The grid is made in
-/// blocks, by all cores, so that memory goes with the surface. The same atoms give the same mesh, whatever the number
-/// of threads.
+/// blocks, by several threads, so that memory goes with the surface. The same atoms give the same mesh, whatever the
+/// number of threads.
 /// @param atoms  indices of atoms, ascending
 /// @param origin  what the positions are relative to, Å, in the file's frame
 /// @return empty without atoms

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <future>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <numbers>
 #include <span>
-#include <thread>
+
+#include "engine/threads.h"
 
 namespace nacre {
 namespace {
@@ -276,23 +276,18 @@ OpenTexels openTexels(const OcclusionLayout& layout, const Representation& r, co
     if (whole) openSpheres(all, spheres);
     const std::uint32_t first = whole ? spheres : 0;
 
-    const std::uint32_t parts = std::clamp(std::thread::hardware_concurrency(), 1u, 16u);
+    const std::uint32_t parts = std::min(threadsPerTask(), 16u);
     std::vector<Finder> finders(parts, Finder(layout, r, tree));
-    {
-        std::vector<std::future<void>> threads;
-        for (std::uint32_t part = 0; part < parts; ++part)
-            threads.push_back(std::async(std::launch::async, [&, part] {
-                const auto bound = [&](std::uint32_t n) {
-                    return first + static_cast<std::uint32_t>(std::uint64_t{count - first} * n / parts);
-                };
-                for (std::uint32_t i = bound(part); i < bound(part + 1) && !stop.stop_requested(); ++i)
-                    if (i < spheres)
-                        finders[part].sphere(i);
-                    else
-                        finders[part].cylinder(i - spheres);
-            }));
-        for (std::future<void>& thread : threads) thread.get();
-    }
+    inParallel(parts, [&](std::size_t part) {
+        const auto bound = [&](std::size_t n) {
+            return first + static_cast<std::uint32_t>(std::uint64_t{count - first} * n / parts);
+        };
+        for (std::uint32_t i = bound(part); i < bound(part + 1) && !stop.stop_requested(); ++i)
+            if (i < spheres)
+                finders[part].sphere(i);
+            else
+                finders[part].cylinder(i - spheres);
+    });
     for (const Finder& finder : finders) append(all, finder.found);
     all.firstOfSphere.push_back(static_cast<std::uint32_t>(all.sphereTexels));
     addVertices(all, layout);

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstring>
 
-#include "engine/mesh/parallel.h"
 #include "engine/occlusion/pipelines.h"
 #include "engine/passes/tile_bindings.h"
 #include "engine/passes/view_constants.h"
+#include "engine/threads.h"
 
 namespace nacre::occlusion {
 namespace {
@@ -122,7 +122,7 @@ void TileMaps::take(std::uint64_t first, std::uint64_t end) {
 /// Maps share no pixel, so each may be drawn by a thread of its own.
 void TileMaps::drawTriangles() {
     meshes_.resize(std::max(meshes_.size(), triangles_.size()));
-    inParallel(triangles_.size(), 0, [&](std::size_t map) {
+    inParallel(triangles_.size(), [&](std::size_t map) {
         const auto across = static_cast<std::size_t>(across_);
         float* heights = reinterpret_cast<float*>(heights_.mapped) + (map / across * pitch() + map % across) * apart_;
         for (const TileCall& call : triangles_[map])

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <thread>
 
-#include "engine/mesh/parallel.h"
+#include "engine/threads.h"
 
 namespace nacre::passes {
 namespace {
@@ -17,16 +16,14 @@ const glm::vec4* rowsOf(const PlacedCopies& placed, std::uint32_t copy) {
     return placed.rows.data() + 3 * std::size_t{copy};
 }
 
-unsigned threadsFor(std::size_t chunks) {
+std::size_t threadsFor(std::size_t chunks) {
     constexpr std::size_t kWorth = 8192;  // chunks that are worth another thread
-    return static_cast<unsigned>(
-        std::min<std::size_t>(chunks / kWorth + 1, std::max(1u, std::thread::hardware_concurrency())));
+    return std::min<std::size_t>(chunks / kWorth + 1, threadsPerTask());
 }
 
 }  // namespace
 
 void HiddenSpheres::list(const PlacedCopies& copies, const Chunks& chunks, const TileView& view) {
-    constexpr std::size_t kCalls = 16;  // at a time
     const std::vector<PlacedCopies::Call>& calls = copies.spheres;
     const auto chunkOf = [](std::uint32_t sphere) { return sphere / Chunk::kPrimitives; };
     begins_.assign(1, 0);
@@ -55,9 +52,10 @@ void HiddenSpheres::list(const PlacedCopies& copies, const Chunks& chunks, const
             first = next;
         }
     };
-    inParallel((calls.size() + kCalls - 1) / kCalls, threadsFor(all_.size()), [&](std::size_t slice) {
-        const std::size_t end = std::min(calls.size(), (slice + 1) * kCalls);
-        for (std::size_t c = slice * kCalls; c < end; ++c) listCall(c);
+    const std::size_t threads = threadsFor(all_.size());
+    inParallel(threads, [&](std::size_t t) {
+        const std::size_t end = calls.size() * (t + 1) / threads;
+        for (std::size_t c = calls.size() * t / threads; c < end; ++c) listCall(c);
     });
 }
 
@@ -143,7 +141,7 @@ void HiddenSpheres::drop(PlacedCopies& copies, const Representation& r, const Ch
     order(view);
     part(threadsFor(all_.size()));
     shown_.resize(std::max(shown_.size(), parts_.size()));
-    inParallel(parts_.size(), 0, [&](std::size_t p) { look({view, r.spheres, copies}, p); });
+    inParallel(parts_.size(), [&](std::size_t p) { look({view, r.spheres, copies}, p); });
     // What reaches over the border of two parts may show in one.
     for (std::size_t p = 0; p < parts_.size(); ++p)
         for (const Shown& s : shown_[p]) all_[s.some].shown |= s.spheres;

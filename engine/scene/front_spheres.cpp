@@ -5,10 +5,9 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <thread>
 
-#include "engine/mesh/parallel.h"
 #include "engine/scene/lanes.h"
+#include "engine/threads.h"
 
 namespace nacre {
 namespace {
@@ -230,7 +229,8 @@ void FrontSpheres::drawSpheres(Band& band, const Scenery& s, const TileCall& cal
         if (!any(reach + room_ >= 0.5f)) {  // no more than one centre each
             const Mask inside =
                 (x >= 0.0f) & (x < across) & (y >= low) & (y < high) & (kLane < static_cast<std::int32_t>(count));
-            const Mask column = whole(inside ? x : none), row = whole(inside ? y : none);
+            // The others ask in the band, too: its rows alone are this thread's.
+            const Mask column = whole(inside ? x : none), row = whole(inside ? y : low);
             const Lanes aside = x - toLanes(column) - 0.5f, above = y - toLanes(row) - 0.5f;
             const Lanes h = squared - aside * aside - above * above;
             std::size_t at[kLanes];
@@ -322,10 +322,10 @@ void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, c
     begin(view, s);
     list(s);
     order(view);
-    part(std::min<std::size_t>(groups_.size() / kWorth + 1, std::max(1u, std::thread::hardware_concurrency())));
+    part(std::min<std::size_t>(groups_.size() / kWorth + 1, threadsPerTask()));
     z_.resize(std::max(z_.size(), pitch_ * height_));
     number_.resize(std::max(number_.size(), pitch_ * height_));
-    inParallel(used_, static_cast<unsigned>(used_), [&](std::size_t b) {
+    inParallel(used_, [&](std::size_t b) {
         Band& band = bands_[b];
         band.doubts.clear();
         for (std::size_t y = band.first; y < band.end; ++y) {

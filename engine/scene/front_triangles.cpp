@@ -4,10 +4,9 @@
 #include <array>
 #include <bit>
 #include <limits>
-#include <thread>
 
-#include "engine/mesh/parallel.h"
 #include "engine/scene/lanes.h"
+#include "engine/threads.h"
 
 namespace nacre {
 namespace {
@@ -206,11 +205,11 @@ void FrontTriangles::draw(std::span<const Run> runs, std::span<const glm::vec4> 
     const std::size_t count = groups_.size() - before;
     constexpr std::size_t kGroupsOfThread = 512, kMostThreads = 8, kMostPixels = 8'000'000;  // of all layers
     const std::size_t pixels = std::max<std::size_t>(std::size_t{lens_.width} * lens_.height, 1);
-    const std::size_t threads = std::min({count / kGroupsOfThread + 1, kMostThreads, kMostPixels / pixels + 1,
-                                          std::max<std::size_t>(std::thread::hardware_concurrency(), 1)});
+    const std::size_t threads =
+        std::min({count / kGroupsOfThread + 1, kMostThreads, kMostPixels / pixels + 1, std::size_t{threadsPerTask()}});
     layer(threads - 1);
     for (std::size_t i = 0; i < threads; ++i) layers_[i]->expect(groups_.size());
-    inParallel(threads, static_cast<unsigned>(threads), [&](std::size_t thread) {
+    inParallel(threads, [&](std::size_t thread) {
         const std::size_t first = before + count * thread / threads, end = before + count * (thread + 1) / threads;
         for (std::size_t i = first; i < end; ++i)
             layers_[thread]->draw(lens_, groups_[i], static_cast<std::uint32_t>(i) * kGroup, corners.data());
@@ -223,7 +222,7 @@ void FrontTriangles::end() {
     if (used_ > 1) {
         const std::size_t slices = (lens_.height + kRows - 1) / kRows;
         doubtsOfSlices_.resize(std::max(doubtsOfSlices_.size(), slices));
-        inParallel(slices, 0, [&](std::size_t slice) {
+        inParallel(slices, [&](std::size_t slice) {
             std::vector<std::uint32_t>& doubts = doubtsOfSlices_[slice];
             doubts.clear();
             for (std::size_t i = 1; i < used_; ++i)

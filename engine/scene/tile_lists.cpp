@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
-#include "engine/mesh/parallel.h"
+#include "engine/threads.h"
 
 namespace nacre {
 namespace {
@@ -150,7 +150,7 @@ void TileLists::placeCorners(const TileView& view, const TileScenery& s, const M
     const auto placeRange = [&](const VertexRange& range) {
         constexpr std::size_t kSlice = 16384;
         if (range.first >= range.end) return;
-        inParallel((range.end - range.first) / kSlice + 1, 0, [&](std::size_t slice) {
+        inParallel((range.end - range.first) / kSlice + 1, [&](std::size_t slice) {
             const std::size_t first = range.first + slice * kSlice, end = std::min(first + kSlice, range.end);
             for (std::size_t i = first; i < end; ++i) corners_[i] = place(positionOf(s.vertices[i], part.step));
         });
@@ -201,7 +201,7 @@ void TileLists::addFrontTriangles(const TileView& view, const TileScenery& s) {
     constexpr std::size_t kSlice = 2048;
     const std::size_t slices = (front_.doubts() + kSlice - 1) / kSlice;
     keptOfSlices_.resize(std::max(keptOfSlices_.size(), slices));
-    inParallel(slices, 0, [&](std::size_t slice) {
+    inParallel(slices, [&](std::size_t slice) {
         keptOfSlices_[slice].clear();
         for (std::size_t i = slice * kSlice; i < std::min((slice + 1) * kSlice, front_.doubts()); ++i)
             addDoubt(view, s, i, parts.size() == 1, keptOfSlices_[slice]);

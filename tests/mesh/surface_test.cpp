@@ -18,6 +18,7 @@
 #include "engine/molecule/element.h"
 #include "engine/molecule/read.h"
 #include "engine/molecule/residue_kind.h"
+#include "engine/threads.h"
 #include "tests/mesh/mesh_checks.h"
 #include "tests/molecule/build_molecule.h"
 #include "tests/support/test_data.h"
@@ -166,10 +167,11 @@ TEST(Surface, CavitiesAreKeptOrDropped) {
 
 TEST(Surface, ThreadsAndPlacesChangeNothing) {
     Molecule dna = sampleMolecule("dna");
-    SurfaceOptions one = at(0.7), four = at(0.7);
-    one.threads = 1;
-    four.threads = 4;
-    const Mesh a = surfaceOf(dna, one), b = surfaceOf(dna, four);
+    setThreadsPerTask(1);
+    const Mesh a = surfaceOf(dna, at(0.7));
+    setThreadsPerTask(4);
+    const Mesh b = surfaceOf(dna, at(0.7));
+    setThreadsPerTask(0);
     EXPECT_EQ(a.positions, b.positions);
     EXPECT_EQ(a.triangles, b.triangles);
     EXPECT_EQ(a.atoms, b.atoms);

@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "engine/threads.h"
 #include "tests/renderer/scenes.h"
 
 namespace nacre::test {
@@ -82,12 +83,19 @@ TEST(CopiesBehindCopies, NeverChangeABit) {
         const Picture whole = renderer->render(s);
         const std::uint64_t submitted = renderer->stats().spheres;
         s.tuning.cull = true;
-        // Small ones along parallel rays are hidden from fewer on.
+        // Small ones along parallel rays are hidden from fewer on, by two threads at least.
+        setThreadsPerTask(2);
         EXPECT_EQ(renderer->render(s).rgba, whole.rgba);
         EXPECT_EQ(renderer->stats().spheres * 8 < submitted, projection == Projection::orthographic);
         s.tuning.hideFrom = 0;
         EXPECT_EQ(renderer->render(s).rgba, whole.rgba);
         EXPECT_LT(renderer->stats().spheres * 8, submitted);
+        // Smaller than pixels.
+        s = settings(r, 160, projection, {12, 20, 5}, 0.6);
+        const Picture by2 = renderer->render(s);
+        setThreadsPerTask(1);
+        EXPECT_EQ(renderer->render(s).rgba, by2.rgba);
+        setThreadsPerTask(0);
     }
 }
 

@@ -12,6 +12,8 @@
 #include <random>
 #include <set>
 
+#include "engine/threads.h"
+
 namespace nacre::test {
 namespace {
 
@@ -175,6 +177,29 @@ TEST(FrontSpheres, DrawNothingOfNothing) {
     EXPECT_EQ(std::count(told.seeds.begin(), told.seeds.end(), 0u), static_cast<std::ptrdiff_t>(told.seeds.size()));
     EXPECT_EQ(front.shown(), 0u);
     EXPECT_EQ(told.doubts.size(), 0u);
+}
+
+// Spheres that stand in one thread's rows are asked for in another's.
+TEST(FrontSpheres, AreTheSameBySeveralThreads) {
+    constexpr std::uint32_t kSpheres = 300'000;  // more than are worth one thread
+    Crowd c(1, 0.3, 0);
+    Chance chance(7);
+    c.spheres.clear();
+    for (std::uint32_t i = 0; i < kSpheres; ++i) c.spheres.push_back({glm::vec3(chance.within(150)), 1.9f});
+    c.calls.resize(1);
+    c.calls[0] = {&c.rows[0], 0, kSpheres, 1};
+    c.view.axis = {c.view.width / 2.0, c.view.height / 2.0};
+    const auto toldByThreads = [&](unsigned threads) {
+        FrontSpheres front;
+        setThreadsPerTask(threads);
+        Told told = toldBy(front, c);
+        setThreadsPerTask(0);
+        return told;
+    };
+    const Told one = toldByThreads(1), two = toldByThreads(2);
+    EXPECT_GT(std::count_if(one.seeds.begin(), one.seeds.end(), [](std::uint32_t seed) { return seed != 0; }), 10);
+    EXPECT_EQ(one.seeds, two.seeds);
+    EXPECT_EQ(one.doubts, two.doubts);
 }
 
 TEST(FrontSpheres, TellOfParallelRaysThroughCentersAlone) {

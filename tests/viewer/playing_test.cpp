@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "app/drawing/scenes.h"
 #include "app/input/trajectory_input.h"
@@ -139,6 +140,35 @@ struct PlayingBench {
     MovingScreen screen;
     Viewer viewer;
 };
+
+// What is shown is read on one thread, and let go of, while another makes the frames that follow.
+TEST(Player, MakesFramesInMoleculesThatNobodyHoldsAnyMore) {
+    ReadOptions options;
+    options.others = true;
+    const auto molecule = std::make_shared<const Molecule>(readMolecule("five.xyz", fiveModels(), options));
+    auto motion = std::make_shared<Motion>(trajectoryOfModels(molecule, 1), *molecule, MotionOptions());
+    Player player(molecule, std::move(motion), {});
+    const std::vector<std::uint32_t> drawn{0, 1};
+    player.setScene(std::make_shared<MovingScene>(*molecule, drawn, RepresentationOptions()));
+    const auto frame = [&](std::size_t number) {
+        player.want(number);
+        player.wait();
+        const std::optional<PlayedFrame> played = player.take();
+        return played ? played->molecule : nullptr;
+    };
+    const std::shared_ptr<const Molecule> held = frame(3);
+    std::set<const Molecule*> places;
+    for (std::size_t i = 0; i < 200; ++i) {
+        const std::shared_ptr<const Molecule> shown = frame(i % 5);
+        ASSERT_TRUE(shown);
+        EXPECT_NE(shown, held);
+        player.want((i + 1) % 5);  // is made while this one is looked at
+        EXPECT_EQ(shown->atoms[1].position.x, 1 + 0.5f * static_cast<float>(i % 5));
+        places.insert(shown.get());
+    }
+    EXPECT_LE(places.size(), 4u) << "molecules are used again";
+    EXPECT_EQ(held->atoms[1].position.x, 2.5f);
+}
 
 TEST(Playing, ModelsOfOneMoleculeMoveWithoutBeingReadAgain) {
     PlayingBench b;

@@ -1,0 +1,51 @@
+#pragma once
+// How many threads share one of the engine's tasks, and what shares it among them.
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace nacre {
+
+namespace detail {
+inline std::atomic<unsigned> threadsPerTask{0};
+}
+
+/// The number of threads that share a task, of every renderer and mesh in this process, from the next task on. The
+/// thread that calls the engine is one of them: 1 starts none. Tasks that run at the same time have as many each.
+/// @param count  0: one per core, as from the start
+inline void setThreadsPerTask(unsigned count) { detail::threadsPerTask = count; }
+inline unsigned threadsPerTask() {
+    const unsigned set = detail::threadsPerTask;
+    return set > 0 ? set : std::max(1u, std::thread::hardware_concurrency());
+}
+
+/// Does work(0) to work(count - 1), in no certain order, by threadsPerTask() threads or fewer.
+/// @throws what the first that failed threw
+template <typename Work>
+void inParallel(std::size_t count, const Work& work) {
+    const auto threads = std::min<std::size_t>(threadsPerTask(), count);
+    std::atomic<std::size_t> next{0};
+    std::exception_ptr failure;
+    std::mutex mutex;
+    const auto run = [&] {
+        try {
+            for (std::size_t i = next++; i < count; i = next++) work(i);
+        } catch (...) {
+            const std::lock_guard lock(mutex);
+            if (!failure) failure = std::current_exception();
+            next = count;
+        }
+    };
+    std::vector<std::thread> others;
+    for (std::size_t t = 1; t < threads; ++t) others.emplace_back(run);
+    run();
+    for (std::thread& thread : others) thread.join();
+    if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace nacre

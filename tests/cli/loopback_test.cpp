@@ -1,0 +1,22 @@
+// Libraries that the program loads listen on this machine alone.
+
+#include <gtest/gtest.h>
+
+#include "tests/support/run_program.h"
+
+namespace nacre::test {
+namespace {
+
+TEST(Loopback, IsWhereLibrariesListenThatAskForAnyAddress) {
+    const TemporaryFolder folder;
+    const std::string preload =
+        "export LD_PRELOAD='" NACRE_LATE_BIND "' ASAN_OPTIONS=\"$ASAN_OPTIONS:verify_asan_link_order=0\"";
+    const Outcome run = nacreIn(folder, "--version", "", preload);
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_TRUE(run.out.ends_with("bound to 127.0.0.1\nbound to ::1\nbound to 127.0.0.2\n") ||
+                run.out.ends_with("bound to 127.0.0.1\nnot bound\nbound to 127.0.0.2\n"))  // no IPv6 here
+        << run.out;
+}
+
+}  // namespace
+}  // namespace nacre::test
