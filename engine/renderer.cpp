@@ -31,9 +31,9 @@ struct Renderer::Impl {
     gpu::Executor executor{device};
     FrameStats stats;
     std::shared_ptr<const Scene> scene = std::make_shared<Scene>();
-    occlusion::SceneOcclusion occlusion{device, executor, stats};
-    SceneFrames frames = guarded([&] { return SceneFrames(device, executor, scene, stats); });
-    PictureFrames pictures{device, executor, frames, stats};
+    occlusion::SceneOcclusion occlusion{device, executor};
+    SceneFrames frames = guarded([&] { return SceneFrames(device, executor, scene); });
+    PictureFrames pictures{device, executor, frames};
     std::unique_ptr<WindowFrames> window;
 
     explicit Impl(const DeviceOptions& options) : device(options) {
@@ -58,6 +58,34 @@ struct Renderer::Impl {
         const TestedPath taken = choosePath(*test, caps.visibility, caps.visibilityReason);
         device.choose(taken.visibility, taken.why);
         return describe(*test);
+    }
+
+    // What the parts measured, put together for stats():
+    void noteBake() { static_cast<BakeStats&>(stats) = occlusion.stats(); }
+    /// @param counts  of the last frame
+    void noteFrame(const SceneCounts& counts) {
+        stats.spheres = counts.spheres;
+        stats.cylinders = counts.cylinders;
+        stats.triangles = counts.triangles + counts.translucent;
+        stats.meshLevels = counts.meshLevels;
+        stats.lists = counts.lists;
+    }
+
+    void notePicture() {
+        noteBake();
+        static_cast<PictureStats&>(stats) = pictures.stats();
+        noteFrame(pictures.counts());
+    }
+
+    /// Draws something that shows all of the occlusion that it asks for.
+    template <typename Draw>
+    auto drawFinished(const RenderSettings& settings, const Draw& draw) {
+        return guarded([&] {
+            occlusion.finish(settings.occlusion);
+            auto drawn = draw(occlusion.atlas());
+            notePicture();
+            return drawn;
+        });
     }
 
     /// Does something, and gives `lost` instead of its outcome if the device is gone.
@@ -108,24 +136,18 @@ void Renderer::moveScene(Representation representation) {
 void Renderer::makePipelinesAhead() { impl_->executor.makePipelinesAhead(); }
 
 Picture Renderer::render(const RenderSettings& settings) {
-    return impl_->guarded([&] {
-        impl_->occlusion.finish(settings.occlusion);
-        return impl_->pictures.picture(settings, impl_->occlusion.atlas());
-    });
+    return impl_->drawFinished(settings,
+                               [&](const passes::Atlas& atlas) { return impl_->pictures.picture(settings, atlas); });
 }
 
 Picture Renderer::renderPart(const RenderSettings& settings, const PictureRect& part) {
-    return impl_->guarded([&] {
-        impl_->occlusion.finish(settings.occlusion);
-        return impl_->pictures.part(settings, impl_->occlusion.atlas(), part);
-    });
+    return impl_->drawFinished(settings,
+                               [&](const passes::Atlas& atlas) { return impl_->pictures.part(settings, atlas, part); });
 }
 
 LayerPicture Renderer::layers(const RenderSettings& settings) {
-    return impl_->guarded([&] {
-        impl_->occlusion.finish(settings.occlusion);
-        return impl_->pictures.layers(settings, impl_->occlusion.atlas());
-    });
+    return impl_->drawFinished(settings,
+                               [&](const passes::Atlas& atlas) { return impl_->pictures.layers(settings, atlas); });
 }
 
 double Renderer::drawFrame(const RenderSettings& settings) {
@@ -133,7 +155,9 @@ double Renderer::drawFrame(const RenderSettings& settings) {
         impl_->occlusion.begin(settings.occlusion);
         const auto start = Clock::now();
         impl_->pictures.frame(settings, impl_->occlusion.atlas());
-        return millisecondsSince(start);
+        const double milliseconds = millisecondsSince(start);
+        impl_->notePicture();
+        return milliseconds;
     });
 }
 
@@ -142,13 +166,18 @@ double Renderer::advanceOcclusion(const RenderSettings& settings, double millise
     return impl_->unlessLost(0.0, [&] {  // present() tells of the loss
         impl_->occlusion.begin(settings.occlusion);
         impl_->occlusion.advance(milliseconds);
+        impl_->noteBake();
         return impl_->occlusion.share();
     });
 }
 
 double Renderer::advanceOcclusion(const RenderSettings& settings, const OcclusionPace& pace) {
     if (settings.occlusion.directions == 0) return 1;
-    return impl_->unlessLost(0.0, [&] { return impl_->occlusion.advanceBeside(settings.occlusion, pace); });
+    return impl_->unlessLost(0.0, [&] {
+        const double share = impl_->occlusion.advanceBeside(settings.occlusion, pace);
+        impl_->noteBake();
+        return share;
+    });
 }
 
 void Renderer::awaitFrame() {
@@ -166,6 +195,7 @@ FrameOutcome Renderer::present(const RenderSettings& settings, const WindowFrame
     return impl_->unlessLost(FrameOutcome::lost, [&] {
         const FrameOutcome outcome = impl_->window->present(settings, impl_->occlusion.atlas(), frame);
         if (outcome == FrameOutcome::shown) ++impl_->stats.windowFrames;
+        impl_->noteFrame(impl_->window->counts());
         impl_->stats.windowMilliseconds = impl_->window->milliseconds();
         return outcome;
     });
@@ -173,12 +203,10 @@ FrameOutcome Renderer::present(const RenderSettings& settings, const WindowFrame
 
 void Renderer::expectScene(Representation like, const RenderSettings& settings, const WindowFrame& frame) {
     const auto expect = [&] {
-        const FrameStats stats = impl_->stats;
         auto scene = std::make_shared<const Scene>(makeScene(impl_->device, std::move(like)));
         std::swap(scene, impl_->scene);
         const auto back = [&] {
             std::swap(scene, impl_->scene);
-            impl_->stats = stats;
             impl_->frames.letGo();
         };
         try {
@@ -198,11 +226,19 @@ void Renderer::expectScene(Representation like, const RenderSettings& settings, 
 }
 
 BakedOcclusion Renderer::bakedOcclusion(const OcclusionSettings& settings) {
-    return impl_->guarded([&] { return impl_->occlusion.baked(settings); });
+    return impl_->guarded([&] {
+        BakedOcclusion baked = impl_->occlusion.baked(settings);
+        impl_->noteBake();
+        return baked;
+    });
 }
 
 std::uint32_t Renderer::atomAt(const RenderSettings& settings, double x, double y, double reach) {
-    return impl_->guarded([&] { return impl_->pictures.atomAt(settings, x, y, reach); });
+    return impl_->guarded([&] {
+        const std::uint32_t atom = impl_->pictures.atomAt(settings, x, y, reach);
+        impl_->notePicture();
+        return atom;
+    });
 }
 
 std::vector<bool> Renderer::seenSpheres() const {

@@ -112,29 +112,37 @@ struct MeshLevelCount {
     std::uint64_t drawn = 0;      ///< of them for the last picture, in all copies
 };
 
-struct FrameStats {
-    DeviceInfo device;                ///< with the path and reason in force
-    double bakeMilliseconds = 0;      ///< ambient occlusion, from streams to atlas
-    double frameMilliseconds = 0;     ///< the last picture's frames, submission to completion
-    std::uint64_t coveredPixels = 0;  ///< of the last picture; of N x N samples a pixel that were asked for, samples
-    std::uint32_t samples = 1;        ///< a pixel of the last picture or frame has at most
-    std::uint32_t frames = 1;         ///< that drew the last picture, block by block
-    std::vector<PassCount> passes;    ///< of the last frame that counted
-    std::vector<PassTime> passTimes;  ///< of the last frame that was timed; none if the device cannot
-    /// Submitted for the last picture, in all copies.
+/// Of the last picture, and the frames that drew it.
+struct PictureStats {
+    double frameMilliseconds = 0;       ///< of its frames, submission to completion
+    std::uint64_t coveredPixels = 0;    ///< of N x N samples a pixel that were asked for, samples
+    std::uint32_t samples = 1;          ///< a pixel of the last picture or frame has at most
+    std::uint32_t frames = 1;           ///< that drew it, block by block
+    std::vector<PassCount> passes;      ///< of the last frame that counted
+    std::vector<PassTime> passTimes;    ///< of the last frame that was timed; none if the device cannot
+    std::uint64_t deviceBytes = 0;      ///< peak device memory
+    std::uint64_t deviceBytesHeld = 0;  ///< after it
+    std::uint32_t tileBytesPerPixel = 0;
+    std::uint64_t loadedBytes = 0, storedBytes = 0;  ///< of attachments, a frame
+    std::vector<PassGeometry> geometry;
+    bool storesVaryings = false;  ///< the device writes varyings to memory, and reads them back
+};
+
+/// Of the bake that was begun last.
+struct BakeStats {
+    double bakeMilliseconds = 0;  ///< ambient occlusion, from streams to atlas
+    OcclusionStats occlusion;
+};
+
+struct FrameStats : PictureStats, BakeStats {
+    DeviceInfo device;  ///< with the path and reason in force
+    /// Submitted for the last picture or frame, in all copies.
     std::uint64_t spheres = 0, cylinders = 0, triangles = 0;
     std::vector<MeshLevelCount> meshLevels;  ///< the finest first; none without meshes
     std::uint64_t copies = 1;                ///< of an assembly
     TileCounts lists;                        ///< of the last frame
-    OcclusionStats occlusion;
-    std::uint64_t deviceBytes = 0;      ///< peak device memory
-    std::uint64_t deviceBytesHeld = 0;  ///< after the last picture
-    std::uint64_t windowFrames = 0;     ///< submitted to the window so far
-    double windowMilliseconds = 0;      ///< what the device took for one lately; 0: it has no clock
-    std::uint32_t tileBytesPerPixel = 0;
-    std::uint64_t loadedBytes = 0, storedBytes = 0;  ///< of attachments, a frame
-    std::vector<PassGeometry> geometry;              ///< of the last picture's frame
-    bool storesVaryings = false;                     ///< the device writes varyings to memory, and reads them back
+    std::uint64_t windowFrames = 0;          ///< submitted to the window so far
+    double windowMilliseconds = 0;           ///< what the device took for one lately; 0: it has no clock
 };
 
 enum class FrameOutcome {

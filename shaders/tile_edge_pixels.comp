@@ -15,7 +15,7 @@
 layout(push_constant) uniform Push { TileConstants view; };
 layout(constant_id = kLanesId) const int kLanes = 8;
 layout(constant_id = kTilesInBinId) const int kTilesInBin = 2;
-layout(local_size_x_id = 14) in;  // kLanes
+layout(local_size_x_id = 50) in;  // kLanesId
 #include "common/lanes.glsl"
 layout(constant_id = kContoursId) const bool kContours = false;
 layout(constant_id = kEverywhereId) const bool kEverywhere = false;

@@ -11,8 +11,6 @@ namespace nacre::app {
 
 /// @param options  outlives the command, as what its options write to
 void addBatch(CommandSpec& command, BatchOptions& options);
-/// @throws UsageError
-void checkBatch(const BatchOptions& options);
 
 /// A picture of a batch: its line, after the options that hold for all. @throws UsageError
 RenderOptions jobOf(const std::string& json, const BatchOptions& batch);

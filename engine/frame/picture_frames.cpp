@@ -123,7 +123,7 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
     std::shared_ptr<passes::FragmentCounter> fragments;
     if (settings.tuning.countFragments) fragments = std::make_shared<passes::FragmentCounter>(device_);
     const FrameEnd end = readBack ? FrameEnd::readBack : FrameEnd::left;
-    const SeenFrame seen = frames_.see({settings, atlas, view, targets, name, end, fragments, edges});
+    SeenFrame seen = frames_.see({settings, atlas, view, targets, name, end, fragments, edges});
     const std::shared_ptr<DeclaredFrame> declared = declare(seen);
     SceneFrames::bind(*declared, seen);
     Drawn drawn;
@@ -146,6 +146,7 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
     if (last_ != declared) planText_.clear();
     last_ = declared;
     tell(seen, settings.tuning);
+    counts_ = std::move(seen.counts);
     return drawn;
 }
 
@@ -228,7 +229,7 @@ Picture PictureFrames::blocksOfSamples(const RenderSettings& settings, const pas
     const PictureRect& all = wanted.inner;
     Picture whole{all.width, all.height, {}};
     if (readBack) whole.rgba.resize(std::size_t{4} * all.width * all.height);
-    FrameStats sum;
+    PictureStats sum;
     sum.frames = 0;
     const std::uint32_t most = wanted.view.quarterTurns == 0 ? kBlockPixels : std::max(all.width, all.height);
     for (std::uint32_t top = 0; top < all.height; top += most)

@@ -8,14 +8,9 @@ namespace nacre {
 
 class PictureFrames {
 public:
-    /// All of them outlive this. `stats` is told of the last frame.
-    PictureFrames(const gpu::Device& device, gpu::Executor& executor, const SceneFrames& frames, FrameStats& stats)
-        : device_(device),
-          executor_(executor),
-          frames_(frames),
-          stats_(stats),
-          timer_(device),
-          declared_(device.caps().plan) {}
+    /// All of them outlive this.
+    PictureFrames(const gpu::Device& device, gpu::Executor& executor, SceneFrames& frames)
+        : device_(device), executor_(executor), frames_(frames), timer_(device), declared_(device.caps().plan) {}
 
     /// @throws Error if the picture is larger than the device draws, or memory runs out
     Picture picture(const RenderSettings& settings, const passes::Atlas& atlas);
@@ -28,6 +23,9 @@ public:
     /// As Renderer::atomAt.
     std::uint32_t atomAt(const RenderSettings& settings, double x, double y, double reach);
 
+    const PictureStats& stats() const { return stats_; }
+    /// Of the last frame.
+    const SceneCounts& counts() const { return counts_; }
     /// Plan of the last frame as text.
     const std::string& planText() const;
 
@@ -59,8 +57,9 @@ private:
 
     const gpu::Device& device_;
     gpu::Executor& executor_;
-    const SceneFrames& frames_;
-    FrameStats& stats_;
+    SceneFrames& frames_;
+    PictureStats stats_;
+    SceneCounts counts_;
     gpu::Timer timer_;
     DeclaredFrames declared_;
     std::shared_ptr<const DeclaredFrame> last_;

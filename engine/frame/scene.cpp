@@ -22,10 +22,9 @@ void addAtlas(layout::ViewConstants& c, const passes::Atlas& atlas) {
 /// Planes and lines, in the numbers of the passes.
 void addEffects(layout::ViewConstants& c, const RenderSettings& settings, const View& view) {
     const Effects& e = settings.effects;
-    constexpr double kFar = 1e30;
     const double center = view.projection == Projection::perspective ? view.eyeDistance : view.radius;  // its Z
-    c.clipNear = static_cast<float>(std::max(center + e.clip.near, -kFar));
-    c.clipFar = static_cast<float>(std::min(center + e.clip.far, kFar));
+    c.clipNear = static_cast<float>(std::max<double>(center + e.clip.near, -layout::kNoPlane));
+    c.clipFar = static_cast<float>(std::min<double>(center + e.clip.far, layout::kNoPlane));
     // `view` may have more pixels than the picture: as many times as wide is the line then.
     c.contourWidth = static_cast<float>(e.contours.width / settings.view.pixelsPerAngstrom);
     c.contourDepth = static_cast<float>(e.contours.depth);
@@ -87,10 +86,7 @@ std::shared_ptr<passes::SceneView> lightScene(const gpu::Device& device, const S
     const Clip& clip = settings.effects.clip;
     if (clip.near > -Clip::kNone) {
         const glm::dvec3 viewer = light.rotation * glm::transpose(view.rotation) * glm::dvec3(0, 0, 1);
-        c.clipNear = static_cast<float>(viewer.x);
-        c.clipFar = static_cast<float>(viewer.y);
-        c.contourWidth = static_cast<float>(viewer.z);
-        c.contourDepth = static_cast<float>(-clip.near);
+        layout::setCutPlane(c, glm::vec4(viewer, -clip.near));
         seen->cut = true;
     }
     seen->buffers = &scene.buffers;

@@ -13,18 +13,16 @@
 
 namespace nacre {
 
-SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, const std::shared_ptr<const Scene>& scene,
-                         FrameStats& stats)
+SceneFrames::SceneFrames(const gpu::Device& device, gpu::Executor& executor, const std::shared_ptr<const Scene>& scene)
     : device_(device),
       scene_(scene),
-      stats_(stats),
       white_(passes::makeWhiteTexture(device, executor)),
       tiles_(device),
       layerTiles_(device),
       effectBuffers_(device, vk::BufferUsageFlagBits::eUniformBuffer, "effects"),
       copyRows_(device, vk::BufferUsageFlagBits::eStorageBuffer, "copies") {}
 
-std::shared_ptr<const gpu::Buffer> SceneFrames::effectsOf(const RenderSettings& settings) const {
+std::shared_ptr<const gpu::Buffer> SceneFrames::effectsOf(const RenderSettings& settings) {
     const layout::EffectConstants wanted = effectConstants(settings, *scene_);
     if (effects_ && std::memcmp(&wanted, &lastEffects_, sizeof wanted) == 0) return effects_;
     lastEffects_ = wanted;
@@ -55,8 +53,7 @@ const SphereBoxes* SceneFrames::boxesOf(const passes::SceneView& seen, const Ren
     return drawn ? &boxes : nullptr;
 }
 
-void SceneFrames::dropHidden(passes::SceneView& seen, const RenderSettings& settings, const View& view,
-                             bool edges) const {
+void SceneFrames::dropHidden(passes::SceneView& seen, const RenderSettings& settings, const View& view, bool edges) {
     if (!hides(seen, settings)) return;
     hidden_.drop(seen.copies, scene_->representation, scene_->chunks,
                  passes::tileView(seen, view, imageExtent(view), !edges), seen.radiusPixels);
@@ -79,7 +76,7 @@ Visibility SceneFrames::settle(RenderSettings& settings, const FrameRequest& req
 }
 
 /// The tiles' lists, where the path takes them and they are short enough.
-void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, const FrameRequest& request) const {
+void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, const FrameRequest& request) {
     ScreenOptions& options = seen.shape.options;
     passes::SceneView& view = *seen.view;
     if (options.visibility != Visibility::tiles) return;
@@ -102,24 +99,21 @@ void SceneFrames::addLists(SeenFrame& seen, const RenderSettings& settings, cons
     options.layersByTiles = view.translucent && view.translucent->tiles;
 }
 
-/// What the frame submits, to itself and to whoever asks for statistics.
-void SceneFrames::tell(SeenFrame& seen) const {
+/// What the frame submits, beside the levels of meshes, which are counted before some of them are left out.
+void SceneFrames::count(SeenFrame& seen) {
     const passes::SceneView& view = *seen.view;
-    const std::uint64_t translucent = view.translucent ? view.translucent->copies.triangleCount() : 0;
+    SceneCounts& counts = seen.counts;
     const std::uint64_t spheres = view.copies.sphereCount();
-    seen.counts = {view.tiles ? view.tiles->lists.shownSpheres().value_or(spheres) : spheres,
-                   view.copies.cylinderCount(),
-                   view.copies.triangleCount(),
-                   view.radiusPixels,
-                   view.perspective,
-                   translucent};
-    stats_.lists = view.tiles ? passes::countsOf(view.tiles->lists) : TileCounts();
-    stats_.spheres = seen.counts.spheres;
-    stats_.cylinders = seen.counts.cylinders;
-    stats_.triangles = seen.counts.triangles + translucent;
+    counts.spheres = view.tiles ? view.tiles->lists.shownSpheres().value_or(spheres) : spheres;
+    counts.cylinders = view.copies.cylinderCount();
+    counts.triangles = view.copies.triangleCount();
+    counts.radiusPixels = view.radiusPixels;
+    counts.perspective = view.perspective;
+    counts.translucent = view.translucent ? view.translucent->copies.triangleCount() : 0;
+    if (view.tiles) counts.lists = passes::countsOf(view.tiles->lists);
 }
 
-SeenFrame SceneFrames::see(const FrameRequest& request) const {
+SeenFrame SceneFrames::see(const FrameRequest& request) {
     letGo();
     RenderSettings settings = request.settings.ofFrame();
     const passes::Atlas used = settings.occlusion.directions > 0 ? request.atlas : passes::Atlas{};
@@ -138,14 +132,14 @@ SeenFrame SceneFrames::see(const FrameRequest& request) const {
     view.coded = picture && request.targets[0].format == VK_FORMAT_R8G8B8A8_UNORM;
     view.powers = !device_.caps().software;
     view.fragments = request.fragments;
-    if (request.next)
-        view.radiusPixels = windowRadius_ = passes::steadyRadius(windowRadius_, view.radiusPixels, geometry);
+    if (request.radiusBefore)
+        view.radiusPixels = passes::steadyRadius(*request.radiusBefore, view.radiusPixels, geometry);
     view.effectConstants = effectsOf(settings);
     const bool layered = picture && settings.debug == DebugView::none && translucent();
     if (layered) checkBlending(request.targets[0].format);
     if (path == Visibility::deferred || layered)
         view.copyRows = copyRows_.upload(std::as_bytes(std::span(std::as_const(view.copies.rows))));
-    stats_.meshLevels = view.copies.triangleLevels(scene_->representation);
+    seen.counts.meshLevels = view.copies.triangleLevels(scene_->representation);
     if (layered) {
         const auto over = views_.next();
         passes::seeTranslucent(*over, view, scene_->translucent);
@@ -164,7 +158,7 @@ SeenFrame SceneFrames::see(const FrameRequest& request) const {
     options.shadowPixels = shadowPixels(settings);
     options.rims = settings.effects.rims();
     options.translucentLayers = layered ? kTranslucentLayers : 0;
-    tell(seen);
+    count(seen);
     return seen;
 }
 

@@ -22,7 +22,9 @@ struct FrameRequest {
     FrameEnd end = FrameEnd::left;
     std::shared_ptr<passes::FragmentCounter> fragments = nullptr;  ///< counts them, if not null
     bool edges = false;  ///< whether they are to be drawn from kEdgeSamples; the shape tells whether they are
-    bool next = false;   ///< of a window, whose frames follow each other: a zoom to and fro keeps its pipelines
+    /// Of a window, whose frames follow each other: what SceneCounts::radiusPixels was of the one before, or 0. A zoom
+    /// to and fro keeps its pipelines by it.
+    std::optional<double> radiusBefore = {};
 };
 
 /// A scene as a frame shows it.
@@ -40,16 +42,15 @@ struct SeenFrame {
 
 class SceneFrames {
 public:
-    /// All of them outlive this. `stats` is told what frames submit.
-    SceneFrames(const gpu::Device& device, gpu::Executor& executor, const std::shared_ptr<const Scene>& scene,
-                FrameStats& stats);
+    /// All of them outlive this.
+    SceneFrames(const gpu::Device& device, gpu::Executor& executor, const std::shared_ptr<const Scene>& scene);
 
     /// What a frame will show, and the shape of it, with the debug view that the settings ask for.
-    SeenFrame see(const FrameRequest& request) const;
+    SeenFrame see(const FrameRequest& request);
     /// Has a frame of that shape show it, and binds what it imports but for what its end does.
     static void bind(DeclaredFrame& declared, const SeenFrame& seen);
     /// Nothing but frames in flight holds on to a scene any more.
-    void letGo() const { views_.letGo(); }
+    void letGo() { views_.letGo(); }
 
     /// Whether one frame can draw edges from more samples than what lies between them; else all pixels have as many.
     bool drawsEdges() const {
@@ -60,31 +61,29 @@ public:
     bool translucent() const { return !scene_->translucent.empty(); }
 
 private:
-    std::shared_ptr<const gpu::Buffer> effectsOf(const RenderSettings& settings) const;
+    std::shared_ptr<const gpu::Buffer> effectsOf(const RenderSettings& settings);
     Visibility settle(RenderSettings& settings, const FrameRequest& request) const;
-    void addLists(SeenFrame& seen, const RenderSettings& settings, const FrameRequest& request) const;
-    void tell(SeenFrame& seen) const;
+    void addLists(SeenFrame& seen, const RenderSettings& settings, const FrameRequest& request);
+    static void count(SeenFrame& seen);
     /// Whether a view has so many spheres that the host looks for those that others hide.
     static bool hides(const passes::SceneView& seen, const RenderSettings& settings);
     /// Where the host can draw them instead, boxes about them; else null.
     const SphereBoxes* boxesOf(const passes::SceneView& seen, const RenderSettings& settings, const View& view,
                                bool edges) const;
     /// Takes out of a view the spheres that others hide. @param edges  samples between the middles of pixels look at it
-    void dropHidden(passes::SceneView& seen, const RenderSettings& settings, const View& view, bool edges) const;
+    void dropHidden(passes::SceneView& seen, const RenderSettings& settings, const View& view, bool edges);
     void checkBlending(VkFormat format) const;
 
     const gpu::Device& device_;
     const std::shared_ptr<const Scene>& scene_;  ///< changes between frames
-    FrameStats& stats_;
-    gpu::Image white_;  // the atlas of scenes without occlusion
-    mutable SceneViews views_;
-    mutable passes::TileFrames tiles_, layerTiles_;
-    mutable passes::HiddenSpheres hidden_;
-    mutable double windowRadius_ = 0;  // by which the window's last frame chose its shapes
-    // Frames in flight hold theirs; the last one serves as long as nothing changes.
-    mutable layout::EffectConstants lastEffects_{};
-    mutable std::shared_ptr<const gpu::Buffer> effects_;
-    mutable gpu::FrameBuffers effectBuffers_, copyRows_;
+    gpu::Image white_;                           // the atlas of scenes without occlusion
+    // Memory that frames are made in, used again when those in flight are done: nothing of one shows in the next.
+    SceneViews views_;
+    passes::TileFrames tiles_, layerTiles_;
+    passes::HiddenSpheres hidden_;
+    layout::EffectConstants lastEffects_{};
+    std::shared_ptr<const gpu::Buffer> effects_;  // of these
+    gpu::FrameBuffers effectBuffers_, copyRows_;
 };
 
 }  // namespace nacre

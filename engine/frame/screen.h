@@ -68,6 +68,7 @@ struct SceneCounts {
     bool perspective = false;
     std::uint64_t translucent = 0;  ///< triangles beside the others, which one looks through
     std::vector<MeshLevelCount> meshLevels{};
+    TileCounts lists{};  ///< that it is drawn from
 };
 
 struct ScreenFrame {

@@ -34,7 +34,7 @@ graph::Clear clearOf(const std::array<float, 4>& background) {
 
 }  // namespace
 
-WindowFrames::WindowFrames(const gpu::Device& device, gpu::Executor& executor, const SceneFrames& frames,
+WindowFrames::WindowFrames(const gpu::Device& device, gpu::Executor& executor, SceneFrames& frames,
                            const SurfaceSource& source)
     : device_(device),
       executor_(executor),
@@ -164,9 +164,9 @@ void WindowFrames::makeSum() {
 }
 
 /// The scene as the frame shows it, and the frame's shape.
-/// @param next  of the frames that are shown: shapes stay steady from one to the next
+/// @param radiusBefore  as FrameRequest has it
 SeenFrame WindowFrames::see(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame,
-                            bool next) {
+                            std::optional<double> radiusBefore) {
     SeenFrame seen;
     View view = settings.view;
     view.quarterTurns = swapchain_.quarterTurns();
@@ -179,15 +179,22 @@ SeenFrame WindowFrames::see(const RenderSettings& settings, const passes::Atlas&
         seen.shape.end = end;
     } else if (frame.quality == Quality::refined) {
         view = throughSampleOf(view, frame.samples, frame.sample);
-        seen = frames_.see({drawn, atlas, view, {&target_, 1}, "refinement", end, nullptr, false, next});
+        seen = frames_.see({drawn, atlas, view, {&target_, 1}, "refinement", end, nullptr, false, radiusBefore});
     } else {
         drawn.supersample = 1;
         drawn.meshError = frame.meshError * settings.meshError;
         const bool direct = end == FrameEnd::window;
         if (direct) target_ = {"window", swapchain_.format(), target_.output, target_.pass, clear, true};
         view = scaled(view, frame.scale);
-        seen = frames_.see(
-            {drawn, atlas, view, {&target_, 1}, direct ? "screen" : "scaled screen", end, nullptr, false, next});
+        seen = frames_.see({drawn,
+                            atlas,
+                            view,
+                            {&target_, 1},
+                            direct ? "screen" : "scaled screen",
+                            end,
+                            nullptr,
+                            false,
+                            radiusBefore});
     }
     seen.shape.window = swapchain_.extent();
     seen.shape.overlay = frame.overlay && !frame.overlay->batches.empty();
@@ -202,7 +209,7 @@ void WindowFrames::prepareScene(const RenderSettings& settings, const WindowFram
     if (!swapchain_.ready()) return;
     WindowFrame first = frame;
     first.quality = Quality::live;
-    const SeenFrame seen = see(settings, {}, first, false);
+    const SeenFrame seen = see(settings, {}, first, {});
     DeclaredFrame& wanted = declared(seen);
     SceneFrames::bind(wanted, seen);
     executor_.prepare(wanted.frame.graph, wanted.plan);
@@ -211,7 +218,8 @@ void WindowFrames::prepareScene(const RenderSettings& settings, const WindowFram
 /// Draws the frame into the image that the slot has.
 void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
                           const WindowFrame& frame) {
-    const SeenFrame seen = see(settings, atlas, frame, true);
+    const SeenFrame seen = see(settings, atlas, frame, counts_.radiusPixels);
+    if (seen.view) counts_ = seen.counts;
     slot.held = seen.view;
     DeclaredFrame& declared = this->declared(seen);
     declared.imports.clear();

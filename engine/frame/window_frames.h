@@ -15,8 +15,7 @@ namespace nacre {
 class WindowFrames {
 public:
     /// @param frames  outlives this
-    WindowFrames(const gpu::Device& device, gpu::Executor& executor, const SceneFrames& frames,
-                 const SurfaceSource& source);
+    WindowFrames(const gpu::Device& device, gpu::Executor& executor, SceneFrames& frames, const SurfaceSource& source);
     ~WindowFrames() { device_.settle(); }
 
     /// @param settings  its view is that of the upright window; one of another size is not drawn, and told by
@@ -30,6 +29,8 @@ public:
     void await();
     /// What the device took for a frame lately, milliseconds; 0: nobody knows.
     double milliseconds() const { return ring_.milliseconds(); }
+    /// Of the last frame that drew the scene.
+    const SceneCounts& counts() const { return counts_; }
     void setGlyphs(const OverlayGlyphs& glyphs);
     void release();
     graph::Extent size() const { return swapchain_.upright(); }
@@ -39,7 +40,8 @@ private:
     void submit(gpu::FrameSlot& slot, const RenderSettings& settings, const passes::Atlas& atlas,
                 const WindowFrame& frame);
     FrameEnd endOf(const WindowFrame& frame) const;
-    SeenFrame see(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame, bool next);
+    SeenFrame see(const RenderSettings& settings, const passes::Atlas& atlas, const WindowFrame& frame,
+                  std::optional<double> radiusBefore);
     DeclaredFrame& declared(const SeenFrame& seen);
     void declareEnd(ScreenFrame& frame, const FrameShape& shape);
     void makeSum();
@@ -52,11 +54,12 @@ private:
 
     const gpu::Device& device_;
     gpu::Executor& executor_;
-    const SceneFrames& frames_;
+    SceneFrames& frames_;
     gpu::Swapchain swapchain_;
     gpu::FrameRing ring_;
     gpu::Retired retired_;  ///< by frames that are in flight; the next one takes it with it
     DeclaredFrames declared_;
+    SceneCounts counts_;
     passes::OverlayPass overlay_;
     // Of the frame that is recorded, for its passes:
     ScreenTarget target_{};

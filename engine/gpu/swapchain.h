@@ -35,7 +35,6 @@ public:
     bool ready() const { return static_cast<bool>(*swapchain_); }
     /// The next image is to be preceded by recreate().
     bool stale() const { return stale_; }
-    void markStale() { stale_ = true; }
 
     graph::Extent extent() const { return extent_; }    ///< of the images
     graph::Extent upright() const { return upright_; }  ///< of the picture as it is seen

@@ -25,9 +25,8 @@ struct SceneToBake {
 
 class SceneOcclusion {
 public:
-    /// All of them outlive this. `stats` is told what was chosen and done.
-    SceneOcclusion(const gpu::Device& device, gpu::Executor& executor, FrameStats& stats)
-        : device_(device), executor_(executor), stats_(stats) {}
+    /// Both outlive this.
+    SceneOcclusion(const gpu::Device& device, gpu::Executor& executor) : device_(device), executor_(executor) {}
     ~SceneOcclusion() { drop(); }
 
     /// Waits for what is in flight, and drops all that was baked.
@@ -50,6 +49,8 @@ public:
     const Bake* bake() const { return bake_.get(); }
     /// What is shown of it so far.
     passes::Atlas atlas() const;
+    /// What was chosen and done.
+    const BakeStats& stats() const { return stats_; }
     /// The share that is done, 0..1; 1 if there is nothing to bake.
     double share() const;
 
@@ -96,7 +97,7 @@ private:
 
     const gpu::Device& device_;
     gpu::Executor& executor_;
-    FrameStats& stats_;
+    BakeStats stats_;
     SceneToBake scene_;  // as it is now
     SceneToBake of_;     // that bake_ is of, or will be
     bool moved_ = false;

@@ -30,7 +30,7 @@ void listCalls(const SceneView& seen, const std::vector<PlacedCopies::Call>& cal
 
 /// How far before its place in a list what a primitive is compared by may stand, encoded depth.
 float depthStepOf(const layout::ViewConstants& c) {
-    const bool cut = c.clipNear > -1e29f;
+    const bool cut = c.clipNear > -layout::kNoPlane;
     return 2.0f / TileLists::kDepthSteps + (cut ? layout::kCapDepth * c.perRange : 0.0f);
 }
 
@@ -70,6 +70,8 @@ std::uint32_t groupsOfEdges(const TileLists& lists, const gpu::TileCaps& caps) {
 }
 
 }  // namespace
+
+static_assert(TileView::kNoPlane == layout::kNoPlane);
 
 TileView tileView(const SceneView& seen, const View& view, graph::Extent image, bool centers) {
     const layout::ViewConstants& c = seen.constants;

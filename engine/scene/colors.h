@@ -17,7 +17,6 @@ std::uint32_t elementColor(Element element);
 
 /// What tells chains and copies apart where no palette is asked for.
 constexpr Palette kChainPalette = Palette::distinct;
-inline std::uint32_t chainColor(std::size_t chain) { return kindColor(chain, kChainPalette); }
 
 /// A colour that is only a tint of the copy's that an atom stands in: a grey, by which that is darkened. The first of
 /// some is white, so the copy's own.

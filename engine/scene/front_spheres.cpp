@@ -43,8 +43,7 @@ struct FrontSpheres::Rectangles {
 };
 
 bool FrontSpheres::tells(const TileView& view) {
-    return view.centers && !view.perspective && view.layers == 1 && view.contour == 0 && view.clipNear < -1e29f &&
-           view.clipFar > 1e29f;
+    return view.centers && !view.perspective && view.layers == 1 && view.contour == 0 && !view.clips();
 }
 
 void FrontSpheres::begin(const TileView& view, const Scenery& s) {

@@ -15,18 +15,21 @@ namespace nacre {
 struct TileView {
     std::uint32_t width = 0, height = 0;  ///< pixels of the image
     bool perspective = false;
-    int quarterTurns = 0;                      ///< as in View
-    glm::vec2 axis{};                          ///< pixel of the view axis
-    float pixels = 1;                          ///< per Å at z = 0
-    float origin = 0;                          ///< Z is origin - z; in perspective the eye stands there
-    float nearest = 0;                         ///< Z of the nearest depth
-    float range = 1;                           ///< from there to the farthest, Å
-    float clipNear = -1e30f, clipFar = 1e30f;  ///< Z that planes cut at
-    float contour = 0;                         ///< width of the line about a primitive, Å at z = 0
+    int quarterTurns = 0;                            ///< as in View
+    glm::vec2 axis{};                                ///< pixel of the view axis
+    float pixels = 1;                                ///< per Å at z = 0
+    float origin = 0;                                ///< Z is origin - z; in perspective the eye stands there
+    float nearest = 0;                               ///< Z of the nearest depth
+    float range = 1;                                 ///< from there to the farthest, Å
+    static constexpr float kNoPlane = 1e30f;         ///< Z of a far plane that cuts nothing; a near one's is -kNoPlane
+    float clipNear = -kNoPlane, clipFar = kNoPlane;  ///< Z that planes cut at
+    float contour = 0;                               ///< width of the line about a primitive, Å at z = 0
     /// Pixels are asked at their centres alone: triangles that lie between them are left out, and, where one layer is
     /// asked for, such as lie behind others at all of them; pixels begin with the nearest.
     bool centers = false;
     std::uint32_t layers = 1;  ///< how many of the nearest primitives a pixel shows
+
+    bool clips() const { return clipNear > -kNoPlane || clipFar < kNoPlane; }
 };
 
 /// Primitives of a stream at one place.

@@ -14,7 +14,7 @@ TriangleLens::TriangleLens(const TileView& view)
       perspective(view.perspective),
       axisX(view.axis.x),
       axisY(view.axis.y),
-      clips(view.clipNear > -1e29f || view.clipFar < 1e29f),
+      clips(view.clips()),
       clipNear(view.clipNear),
       clipFar(view.clipFar) {
     // A number is rounded by u = 2^-24 of itself, and with P, the range in pixels, no corner is farther than P / 2 from

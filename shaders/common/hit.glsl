@@ -308,7 +308,7 @@ Hit triangleHitThrough(vec3 a, vec3 b, vec3 c, uint joins, vec2 q) {
     if (kClip) {
         hit.inside = hit.inside && hit.Z >= view.clipNear && hit.Z <= view.clipFar;
 #ifndef TRANSLUCENT
-        hit.cap = hit.inside && hit.back && view.clipNear > -1e29;
+        hit.cap = hit.inside && hit.back && view.clipNear > -kNoPlane;
 #endif
     }
     hit.order = hit.Z;

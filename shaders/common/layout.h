@@ -10,52 +10,63 @@ namespace nacre::layout {
 using glm::vec2;
 using glm::vec4;
 using uint = std::uint32_t;
+#else
+#define constexpr const
 #endif
 
 // Specialization constants: a number means one thing, in every stage that has it.
-const int kPerspectiveId = 0;    // bool
-const int kDepthChannelsId = 1;  // of encoded depth
-const int kDepthStepsId = 2;     // of a channel of encoded depth, less one; 0: the channel is the depth
-const int kCornersId = 3;        // of the polygon that a primitive is drawn in
-const int kRimId = 4;            // float: of a plate, in radii of its sphere
-const int kQuarterTurnsId = 5;   // clockwise, from the upright picture to the image
-const int kTileId = 6;           // pixels across a tile of debug views
-const int kCodedId = 7;          // bool: the target takes sRGB-coded colour as it is
-const int kSamplesId = 8;        // n x n texels of a picture for a pixel; 0: bilinear
-const int kBatchId = 9;          // depth maps of a batch
-const int kMapsAcrossId = 10;    // of them in a row of the image
-const int kTapsId = 11;          // pixels of a depth map that are asked for a texel: 1 or 4
-const int kSpreadId = 12;        // float: of four taps, pixels
-const int kCopiesId = 13;        // bool: primitives stand at the places of copies
-const int kLanesId = 14;         // of the subgroup that draws a tile
-const int kTilesInBinId = 15;    // a side, of those that share a list
-const int kLightingId = 16;      // bool: off, base colour times occlusion
-const int kOcclusionId = 17;     // bool: the atlas is read
-const int kWholeImageId = 18;    // bool: the viewport is the whole image, else it has the view axis in its middle
-const int kClipId = 19;          // bool: two planes cut the scene
-const int kCapId = 20;           // what a cut shows: 0 plain, 1 dark, 2 hatched
-const int kContoursId = 21;      // bool: a contour line, or a rim, goes about each primitive
-const int kFogId = 22;           // bool
-const int kAmbientId = 23;       // float: shares of light, 1 as in common/shading.glsl
-const int kDirectId = 24;        // float
-const int kHighlightId = 25;     // float
-const int kGlossId = 26;         // float: exponent of the highlight
-const int kDeepeningId = 27;     // float: how much of the occlusion counts, 0..1
-const int kCellsId = 28;         // bool: shaders interpolate occlusion themselves, as its cells are
-const int kShadowId = 29;        // bool: the light's depth map is asked
-const int kCutId = 30;           // bool: what a plane cuts off casts no shadow
-const int kCylindersId = 33;     // bool: the scene has cylinders
-const int kTrianglesId = 34;     // bool: and triangles
-const int kSpheresId = 36;       // bool: and spheres
-const int kPowersId = 35;        // bool: the device raises to powers in a few instructions
-const int kEverywhereId = 60;    // bool: every pixel is drawn as an edge
-const int kListedId = 68;        // bool: what an edge's samples see is looked for in lists, not among its neighbours
-const int kClearId = 61;         // float, four of them: what a picture is cleared to, linear and premultiplied
-const int kNumberedId = 65;      // bool: numbers of a frame with edges: sights; what shades writes them, too
-const int kSeededId = 69;        // bool: pixels of tiles begin with the triangle or sphere that the host found nearest
-const int kRowsId = 66;          // bool: edges are coded words among the other pixels
-const int kLayerId = 67;         // of translucent triangles: 0 the nearest
+// The view, and what of the scene is drawn.
+const int kPerspectiveId = 0;   // bool
+const int kQuarterTurnsId = 1;  // clockwise, from the upright picture to the image
+const int kWholeImageId = 2;    // bool: the viewport is the whole image, else it has the view axis in its middle
+const int kClipId = 3;          // bool: two planes cut the scene
+const int kCutId = 4;           // bool: what a plane cuts off casts no shadow
+const int kContoursId = 5;      // bool: a contour line, or a rim, goes about each primitive
+const int kCopiesId = 6;        // bool: primitives stand at the places of copies
+const int kSpheresId = 7;       // bool: the scene has spheres
+const int kCylindersId = 8;     // bool: and cylinders
+const int kTrianglesId = 9;     // bool: and triangles
+// Polygons, and depth.
+const int kCornersId = 10;        // of the polygon that a primitive is drawn in
+const int kRimId = 11;            // float: of a plate, in radii of its sphere
+const int kDepthChannelsId = 12;  // of encoded depth
+const int kDepthStepsId = 13;     // of a channel of encoded depth, less one; 0: the channel is the depth
+// Shading.
+const int kLightingId = 20;    // bool: off, base colour times occlusion
+const int kAmbientId = 21;     // float: shares of light, 1 as in common/shading.glsl
+const int kDirectId = 22;      // float
+const int kHighlightId = 23;   // float
+const int kGlossId = 24;       // float: exponent of the highlight
+const int kPowersId = 25;      // bool: the device raises to powers in a few instructions
+const int kOcclusionId = 26;   // bool: the atlas is read
+const int kDeepeningId = 27;   // float: how much of the occlusion counts, 0..1
+const int kCellsId = 28;       // bool: shaders interpolate occlusion themselves, as its cells are
+const int kCapId = 29;         // what a cut shows: 0 plain, 1 dark, 2 hatched
+const int kFogId = 30;         // bool
+const int kShadowId = 31;      // bool: the light's depth map is asked
+const int kCopyColorsId = 32;  // colours that the copies of an assembly take in turn; 0: they all look the same
+// Pictures.
+const int kCodedId = 40;    // bool: the target takes sRGB-coded colour as it is
+const int kSamplesId = 41;  // n x n texels of a picture for a pixel; 0: bilinear
+const int kTileId = 42;     // pixels across a tile of debug views
+const int kClearId = 43;    // float, four of them: what a picture is cleared to, linear and premultiplied
+// Drawing by tiles.
+const int kLanesId = 50;       // of the subgroup that draws a tile
+const int kTilesInBinId = 51;  // a side, of those that share a list
+const int kSeededId = 52;      // bool: pixels of tiles begin with the triangle or sphere that the host found nearest
+const int kNumberedId = 53;    // bool: numbers of a frame with edges: sights; what shades writes them, too
+const int kEverywhereId = 54;  // bool: every pixel is drawn as an edge
+const int kListedId = 55;      // bool: what an edge's samples see is looked for in lists, not among its neighbours
+const int kRowsId = 56;        // bool: edges are coded words among the other pixels
+const int kLayerId = 57;       // of translucent triangles: 0 the nearest
+// The occlusion bake.
+const int kBatchId = 60;       // depth maps of a batch
+const int kMapsAcrossId = 61;  // of them in a row of the image
+const int kTapsId = 62;        // pixels of a depth map that are asked for a texel: 1 or 4
+const int kSpreadId = 63;      // float: of four taps, pixels
 
+/// Z of a far plane that clips nothing; a near one's is -kNoPlane.
+constexpr float kNoPlane = 1e30f;
 /// Rows of the samples of an edge pixel, 0..15, four bits each: sample i stands in column i. A search for the order of
 /// rows that errs least about the share of a pixel that lies on one side of a straight line.
 const uint kSampleRowsLow = 0x04BF851Cu;
@@ -71,8 +82,6 @@ const float kCapDepth = 0.02f;
 const uint kNoEdge = 0xffffffffu;
 /// Words before that list: how often it fills a subgroup, and the rows of pixels that the bins have.
 const uint kEdgeHeader = 4u;
-
-const int kCopyColorsId = 32;  // colours that the copies of an assembly take in turn; 0: they all look the same
 
 /// Colours that copies take in turn, at most.
 const int kMostCopyColors = 16;
@@ -103,6 +112,16 @@ struct ViewConstants {
     float contourWidth;  // at z = 0
     float contourDepth;  // Å by which depth jumps behind a contour line
 };
+
+/// A light's view neither clips nor draws lines. Where the viewer's near plane clips (kCutId), it has that plane in
+/// their place: its normal, and how far from the origin along it nothing throws a shadow any more.
+#ifdef __cplusplus
+inline void setCutPlane(ViewConstants& c, const vec4& plane) {
+    c.clipNear = plane.x, c.clipFar = plane.y, c.contourWidth = plane.z, c.contourDepth = plane.w;
+}
+#else
+#define CUT_PLANE(view) vec4(view.clipNear, view.clipFar, view.contourWidth, view.contourDepth)
+#endif
 
 /// Push constants of the passes that draw by tiles. What stands in ViewConstants, too, means the same.
 struct TileConstants {

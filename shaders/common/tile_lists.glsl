@@ -3,7 +3,7 @@
 
 layout(constant_id = kLanesId) const int kLanes = 8;
 layout(constant_id = kTilesInBinId) const int kTilesInBin = 2;
-layout(local_size_x_id = 14) in;  // kLanes
+layout(local_size_x_id = 50) in;  // kLanesId
 const int kTile = 8;
 #include "lanes.glsl"
 

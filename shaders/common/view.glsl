@@ -50,9 +50,10 @@ float encodedDepth(float Z) {
     return d;
 }
 #ifndef TILES
-/// Whether a light's view leaves a primitive out: beyond the plane that its clipping numbers are then.
+/// Whether a light's view leaves a primitive out: beyond the viewer's clipping plane.
 bool isCutOff(vec3 center) {
-    return kCut && dot(vec3(view.clipNear, view.clipFar, view.contourWidth), center) > view.contourDepth;
+    vec4 plane = CUT_PLANE(view);
+    return kCut && dot(plane.xyz, center) > plane.w;
 }
 #endif
 /// Radius of a ball that holds a sphere with its contour line, whatever pixel looks at it. @param z  of the centre

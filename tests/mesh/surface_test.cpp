@@ -183,7 +183,7 @@ TEST(Surface, ThreadsAndPlacesChangeNothing) {
     EXPECT_EQ(twice, 0u);
     // Relative to its atoms the grid stays, wherever they are.
     for (Atom& atom : dna.atoms) atom.position += glm::vec3(512, -256, 64);
-    const Mesh moved = surface(dna, drawnAtoms(dna), one, {512, -256, 64});
+    const Mesh moved = surface(dna, drawnAtoms(dna), at(0.7), {512, -256, 64});
     EXPECT_EQ(moved.triangles.size(), a.triangles.size());
     EXPECT_NEAR(measure(moved).volume, measure(a).volume, 1e-3 * measure(a).volume);
 }

@@ -221,7 +221,7 @@ TEST(ColorSchemes, CopiesOfAnAssemblyTakeTheirColoursInTurn) {
     RepresentationOptions options;
     options.color = ColorScheme::copy;
     const Representation alone = represent(m, atoms, options);
-    EXPECT_EQ(alone.sphereLooks[0].color, chainColor(0));
+    EXPECT_EQ(alone.sphereLooks[0].color, kindColor(0, kChainPalette));
     EXPECT_NE(alone.warnings.at(0).find("--assembly"), std::string::npos);
     options.assembly = "1";
     options.palette = Palette::bright;
@@ -262,12 +262,12 @@ TEST(ColorSchemes, ChainsOfACopyAreTintsOfItsColour) {
         EXPECT_EQ(look.color, copyTint(m.residues[m.atoms[look.atom - 1].residue].chain, 2));
     ASSERT_EQ(r.legends.at(0).entries.size(), 4u);  // two copies, two chains
     EXPECT_EQ(r.legends[0].entries[3].label, "chain B");
-    EXPECT_EQ(r.legends[0].entries[3].color, tintedColor(chainColor(0), copyTint(1, 2)));
+    EXPECT_EQ(r.legends[0].entries[3].color, tintedColor(kindColor(0, kChainPalette), copyTint(1, 2)));
     // Alone, a molecule shows the tints of its one copy.
     options.assembly.clear();
     const Representation alone = represent(m, atoms, options);
-    EXPECT_EQ(alone.sphereLooks.front().color, chainColor(0));
-    EXPECT_EQ(alone.sphereLooks.back().color, tintedColor(chainColor(0), copyTint(1, 2)));
+    EXPECT_EQ(alone.sphereLooks.front().color, kindColor(0, kChainPalette));
+    EXPECT_EQ(alone.sphereLooks.back().color, tintedColor(kindColor(0, kChainPalette), copyTint(1, 2)));
     // Both strands are one kind of molecule.
     options.color = ColorScheme::copyEntity;
     EXPECT_LE(represent(m, atoms, options).legends.at(0).entries.size(), 3u);

@@ -218,9 +218,9 @@ TEST(Colors, EveryElementIsOpaqueAndNoneIsBlack) {
 
 TEST(Colors, ChainsDifferAndRepeatAfterSixteen) {
     std::set<std::uint32_t> different;
-    for (std::size_t i = 0; i < 16; ++i) different.insert(chainColor(i));
+    for (std::size_t i = 0; i < 16; ++i) different.insert(kindColor(i, kChainPalette));
     EXPECT_EQ(different.size(), 16u);
-    EXPECT_EQ(chainColor(16), chainColor(0));
+    EXPECT_EQ(kindColor(16, kChainPalette), kindColor(0, kChainPalette));
 }
 
 TEST(Colors, ResiduesByKind) {
@@ -236,8 +236,8 @@ TEST(Colors, SchemesReachTheStreams) {
     molecule.residues = {{Name("ASP"), 1, '\0', 0, 0, 1}, {Name("LYS"), 2, '\0', 1, 1, 1}};
     molecule.atoms[1].residue = 1;
     const auto byChain = represent(molecule, everyAtom(molecule), {Style::spacefill, ColorScheme::chain});
-    EXPECT_EQ(byChain.sphereLooks[0].color, chainColor(0));
-    EXPECT_EQ(byChain.sphereLooks[1].color, chainColor(1));
+    EXPECT_EQ(byChain.sphereLooks[0].color, kindColor(0, kChainPalette));
+    EXPECT_EQ(byChain.sphereLooks[1].color, kindColor(1, kChainPalette));
     const auto byResidue = represent(molecule, everyAtom(molecule), {Style::spacefill, ColorScheme::residue});
     EXPECT_EQ(byResidue.sphereLooks[0].color, residueColor("ASP"));
     EXPECT_EQ(byResidue.sphereLooks[1].color, residueColor("LYS"));

@@ -151,7 +151,7 @@ TEST(TileLists, LeaveOutTrianglesBehindOthersAtAllCenters) {
     EXPECT_EQ(listed(), (std::set<std::uint32_t>{1, 4}));
     v.clipNear = 4.5f;  // and those in the middle
     EXPECT_EQ(listed(), (std::set<std::uint32_t>{2}));
-    v.clipNear = -1e30f;
+    v.clipNear = -TileView::kNoPlane;
     v.contour = 0.1f;  // there are lines about them
     EXPECT_EQ(listed(), (std::set<std::uint32_t>{1, 2, 3, 4}));
 }
