@@ -12,7 +12,7 @@ void declareFragdepth(ScreenFrame& f, const ScreenOptions& options, const Record
     for (const ScreenTarget& target : options.targets) {
         f.lit(f.graph.graphics(target.pass).depth(f.depth, clear))
             .color(f.add(target, options.extent), target.clear)
-            .record(draw.impostorsByDepthBuffer(target.output, f.atlas));
+            .record(draw.impostors(target.output, passes::NearestFrom::depthBuffer, f.atlas));
         clear.reset();
     }
 }

@@ -3,6 +3,8 @@
 
 namespace nacre {
 
+using passes::NearestFrom;
+
 void declareRasterOrder(ScreenFrame& f, const ScreenOptions& options, const Recorder& draw) {
     f.graph.graphics("opaque prepass").depth(f.depth, graph::Clear{1.0f}).record(draw.plates());
 
@@ -15,7 +17,7 @@ void declareRasterOrder(ScreenFrame& f, const ScreenOptions& options, const Reco
         f.lit(f.graph.graphics(target.pass).depthTest(f.depth))
             .color(image, target.clear)
             .ordered(f.nearest, graph::Clear{1.0f})
-            .record(draw.impostorsInOrder(target.output, f.atlas, f.nearest));
+            .record(draw.impostors(target.output, NearestFrom::ownAttachment, f.atlas, f.nearest));
         return;
     }
     f.graph.graphics("depth encoding")
@@ -26,7 +28,7 @@ void declareRasterOrder(ScreenFrame& f, const ScreenOptions& options, const Reco
         f.lit(f.graph.graphics(target.pass).depthTest(f.depth))
             .color(f.add(target, options.extent), target.clear)
             .samples(f.nearest)
-            .record(draw.impostorsAtNearestDepth(target.output, f.atlas, f.nearest));
+            .record(draw.impostors(target.output, NearestFrom::texture, f.atlas, f.nearest));
 }
 
 }  // namespace nacre

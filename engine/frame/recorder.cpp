@@ -2,15 +2,8 @@
 
 #include "engine/passes/debug_view.h"
 #include "engine/passes/deferred_shading.h"
-#include "engine/passes/depth_encoding.h"
-#include "engine/passes/impostor_color.h"
-#include "engine/passes/nearest_depth.h"
-#include "engine/passes/nearest_primitive.h"
-#include "engine/passes/opaque_prepass.h"
-#include "engine/passes/overdraw.h"
-#include "engine/passes/rims.h"
+#include "engine/passes/geometry_passes.h"
 #include "engine/passes/tile_edges.h"
-#include "engine/passes/tile_layers.h"
 #include "engine/passes/tile_passes.h"
 #include "engine/passes/translucent.h"
 
@@ -19,150 +12,163 @@ namespace nacre {
 using graph::Image;
 using passes::NearestFrom;
 using passes::Output;
+using passes::Reads;
 using passes::SceneView;
 using Context = gpu::PassContext;
 
-template <typename Pass>
-graph::Record Recorder::of(Pass pass) const {
+namespace {
+
+// What is read counts for a pipeline by its kind alone: only what records needs the images.
+vk::ImageView viewOf(const Context& c, Image image) { return c.view(image); }
+vk::ImageView viewOf(const gpu::PipelineContext&, Image) { return {}; }
+
+template <typename Any>
+Reads readsOf(const Any& c, NearestFrom from, Image atlas, std::optional<Image> nearest = {}) {
+    return {from, viewOf(c, atlas), nearest ? viewOf(c, *nearest) : vk::ImageView()};
+}
+
+/// What an earlier pass left: on the tile, or in memory.
+NearestFrom left(const gpu::PipelineContext& c) {
+    return c.inputIsSampled ? NearestFrom::texture : NearestFrom::inputAttachment;
+}
+
+}  // namespace
+
+/// @param describe  returns the pass that a scene is drawn by, which passes::draw() and passes::want() know
+template <typename Describe>
+graph::Work Recorder::of(Describe describe) const {
     if (!shown_) return {};
-    return [shown = shown_, pass](Context& c) { pass(c, *shown->scene); };
+    return {[shown = shown_, describe](Context& c) { passes::draw(c, *shown->scene, describe(c, *shown->scene)); },
+            [shown = shown_, describe](gpu::PipelineContext& c) {
+                passes::want(c, *shown->scene, describe(c, *shown->scene));
+            }};
 }
 
-/// Of one that has no pipelines made ahead.
+/// Of one whose pipelines nobody asks for ahead.
 template <typename Pass>
-graph::Record Recorder::later(Pass pass) const {
-    return of([pass](Context& c, const SceneView& scene) {
-        if (!c.ahead) pass(c, scene);
+graph::Work Recorder::later(Pass pass) const {
+    if (!shown_) return {};
+    return {[shown = shown_, pass](Context& c) { pass(c, *shown->scene); }, {}};
+}
+
+graph::Work Recorder::plates() const {
+    return of(
+        [](const auto&, const SceneView& scene) { return passes::opaquePrepass(scene.plates != PlateShape::none); });
+}
+
+graph::Work Recorder::shadowMap() const {
+    if (!shown_) return {};
+    return {
+        [shown = shown_](Context& c) { passes::draw(c, *shown->scene->light, passes::nearestDepth()); },
+        [shown = shown_](gpu::PipelineContext& c) { passes::want(c, *shown->scene->light, passes::nearestDepth()); }};
+}
+
+graph::Work Recorder::nearestPrimitive(bool distance) const {
+    return of([=](const auto&, const SceneView&) { return passes::nearestPrimitive(distance); });
+}
+
+graph::Work Recorder::rims(Image atlas, Image numbers) const {
+    return of([=](const auto& c, const SceneView& scene) {
+        return passes::rims(scene, readsOf(c, left(c), atlas, numbers));
     });
 }
 
-graph::Record Recorder::plates() const { return of(passes::drawPlates); }
-graph::Record Recorder::shadowMap() const {
-    return of([](Context& c, const SceneView& scene) { passes::drawNearestDepth(c, *scene.light); });
+graph::Work Recorder::overdraw() const {
+    return later([](Context& c, const SceneView& scene) { passes::draw(c, scene, passes::overdraw()); });
 }
-graph::Record Recorder::nearestPrimitive(bool distance) const {
-    return of([=](Context& c, const SceneView& scene) { passes::drawNearestPrimitive(c, scene, distance); });
-}
-graph::Record Recorder::rims(Image atlas, Image numbers) const {
-    return of([=](Context& c, const SceneView& scene) {
-        const auto from = c.inputIsSampled ? NearestFrom::texture : NearestFrom::inputAttachment;
-        passes::drawRims(c, scene, {from, c.view(atlas), c.view(numbers)});
-    });
-}
-graph::Record Recorder::overdraw() const { return later(passes::drawOverdraw); }
 
-graph::Record Recorder::encodedDepth(const graph::EncodedFormat& format) const {
-    return of([encoding = passes::Encoding(format)](Context& c, const SceneView& scene) {
-        passes::encodeDepth(c, scene, encoding);
+graph::Work Recorder::encodedDepth(const graph::EncodedFormat& format) const {
+    return of([encoding = passes::Encoding(format)](const auto&, const SceneView&) {
+        return passes::depthEncoding(encoding);
     });
 }
 
-graph::Record Recorder::encodedDepthInOrder(Image atlas, Image nearest) const {
-    return of([=](Context& c, const SceneView& scene) {
-        passes::encodeDepthInOrder(c, scene, c.view(atlas), c.view(nearest));
+graph::Work Recorder::encodedDepthInOrder(Image atlas, Image nearest) const {
+    return of([=](const auto& c, const SceneView&) {
+        return passes::orderedDepth(readsOf(c, NearestFrom::ownAttachment, atlas, nearest));
     });
 }
 
-graph::Record Recorder::impostorsByDepthBuffer(Output output, Image atlas) const {
-    return of([=](Context& c, const SceneView& scene) {
-        passes::drawImpostorColor(c, scene, output, {NearestFrom::depthBuffer, c.view(atlas), {}}, {}, false);
+graph::Work Recorder::impostors(Output output, NearestFrom from, Image atlas, std::optional<Image> nearest) const {
+    return of([=](const auto& c, const SceneView&) {
+        return passes::impostorColor(output, readsOf(c, from, atlas, nearest));
     });
 }
 
-graph::Record Recorder::impostorsAtEncodedDepth(Output output, Image atlas, Image nearest,
-                                                const graph::EncodedFormat& format) const {
-    return of([=, encoding = passes::Encoding(format), settles = format.settles()](Context& c, const SceneView& scene) {
-        const auto from = c.inputIsSampled ? NearestFrom::texture : NearestFrom::inputAttachment;
-        passes::drawImpostorColor(c, scene, output, {from, c.view(atlas), c.view(nearest)}, encoding, settles);
+graph::Work Recorder::impostorsAtEncodedDepth(Output output, Image atlas, Image nearest,
+                                              const graph::EncodedFormat& format) const {
+    return of([=, encoding = passes::Encoding(format), settles = format.settles()](const auto& c, const SceneView&) {
+        return passes::impostorColor(output, readsOf(c, left(c), atlas, nearest), encoding, settles);
     });
 }
 
-graph::Record Recorder::impostorsAtNearestDepth(Output output, Image atlas, Image nearest) const {
-    return of([=](Context& c, const SceneView& scene) {
-        passes::drawImpostorColor(c, scene, output, {NearestFrom::texture, c.view(atlas), c.view(nearest)}, {}, false);
+graph::Work Recorder::shadedPrimitives(Output output, Image atlas, Image numbers) const {
+    return of([=](const auto& c, const SceneView&) {
+        return passes::DeferredPass{output, readsOf(c, left(c), atlas, numbers)};
     });
 }
 
-graph::Record Recorder::impostorsInOrder(Output output, Image atlas, Image nearest) const {
-    return of([=](Context& c, const SceneView& scene) {
-        passes::drawImpostorColor(c, scene, output, {NearestFrom::ownAttachment, c.view(atlas), c.view(nearest)}, {},
-                                  false);
+graph::Work Recorder::rimmedPrimitives(Image atlas, Image numbers, Image rims, const graph::Clear& clear) const {
+    return of([=](const auto& c, const SceneView&) {
+        return passes::DeferredPass{Output::color, readsOf(c, left(c), atlas, numbers),
+                                    passes::DeferredPass::Rims{viewOf(c, rims), clear}};
     });
 }
 
-graph::Record Recorder::shadedPrimitives(Output output, Image atlas, Image numbers) const {
-    return of([=](Context& c, const SceneView& scene) {
-        const auto from = c.inputIsSampled ? NearestFrom::texture : NearestFrom::inputAttachment;
-        passes::shadeNearestPrimitive(c, scene, output, {from, c.view(atlas), c.view(numbers)});
-    });
+graph::Work Recorder::nearestByTiles() const {
+    return of([](const auto&, const SceneView&) { return passes::NearestByTiles(); });
 }
 
-graph::Record Recorder::rimmedPrimitives(Image atlas, Image numbers, Image rims, const graph::Clear& clear) const {
-    return of([=](Context& c, const SceneView& scene) {
-        const auto from = c.inputIsSampled ? NearestFrom::texture : NearestFrom::inputAttachment;
-        passes::shadeRimmedPrimitive(c, scene, {from, c.view(atlas), c.view(numbers)}, c.view(rims), clear);
-    });
+graph::Work Recorder::colorsByTiles(Image atlas) const {
+    return of([=](const auto& c, const SceneView&) { return passes::NearestByTiles{viewOf(c, atlas)}; });
 }
 
-graph::Record Recorder::nearestByTiles() const {
-    return of([](Context& c, const SceneView& scene) { passes::findNearestByTiles(c, scene, {}); });
+graph::Work Recorder::shadedTiles(Output output, Image atlas, bool depth) const {
+    return of([=](const auto& c, const SceneView&) { return passes::TileShading{viewOf(c, atlas), output, depth}; });
 }
 
-graph::Record Recorder::shadedTiles(Output output, Image atlas, bool depth) const {
-    return of([=](Context& c, const SceneView& scene) { passes::shadeTiles(c, scene, output, c.view(atlas), depth); });
-}
-
-graph::Record Recorder::translucentLayer(Image atlas, std::optional<Image> before) const {
+graph::Work Recorder::translucentLayer(Image atlas, std::optional<Image> before) const {
     return later([=](Context& c, const SceneView& scene) {
-        if (!before) return passes::drawTranslucentLayer(c, *scene.translucent, nullptr);
-        const passes::Reads reads{NearestFrom::texture, c.view(atlas), c.view(*before)};
-        passes::drawTranslucentLayer(c, *scene.translucent, &reads);
+        std::optional<Reads> reads;
+        if (before) reads = readsOf(c, NearestFrom::texture, atlas, before);
+        passes::draw(c, *scene.translucent, passes::translucentLayer(reads));
     });
 }
 
-graph::Record Recorder::translucentColor(Image atlas, Image numbers, std::optional<Image> nearest,
-                                         const graph::EncodedFormat& format) const {
+graph::Work Recorder::translucentColor(Image atlas, Image numbers, std::optional<Image> nearest,
+                                       const graph::EncodedFormat& format) const {
     return later([=, encoding = passes::Encoding(format)](Context& c, const SceneView& scene) {
         passes::Opaque opaque;
-        if (nearest) {
-            const auto from = c.inputIsSampled ? NearestFrom::texture : NearestFrom::inputAttachment;
-            opaque = {from, c.view(*nearest), encoding};
-        }
+        if (nearest) opaque = {left(c), c.view(*nearest), encoding};
         passes::shadeTranslucentLayer(c, *scene.translucent, c.view(atlas), c.view(numbers), opaque);
     });
 }
 
-graph::Record Recorder::layersByTiles() const {
+graph::Work Recorder::layersByTiles() const {
     return later([](Context& c, const SceneView& scene) { passes::findLayersByTiles(c, *scene.translucent); });
 }
 
-graph::Record Recorder::layerOfTiles(Image atlas, std::uint32_t layer) const {
+graph::Work Recorder::layerOfTiles(Image atlas, std::uint32_t layer) const {
     return later([=](Context& c, const SceneView& scene) {
-        passes::shadeLayerByTiles(c, *scene.translucent, c.view(atlas), layer);
+        passes::draw(c, *scene.translucent, passes::TileShading{c.view(atlas), Output::color, false, layer});
     });
 }
 
-graph::Record Recorder::colorsByTiles(Image atlas) const {
-    return of([=](Context& c, const SceneView& scene) { passes::findNearestByTiles(c, scene, c.view(atlas)); });
-}
+graph::Work Recorder::edgePixels() const { return later(passes::findEdgesByTiles); }
 
-graph::Record Recorder::edgePixels() const {
-    return later([](Context& c, const SceneView& scene) { passes::findEdgesByTiles(c, scene); });
-}
-
-graph::Record Recorder::edgesByTiles(Image atlas) const {
+graph::Work Recorder::edgesByTiles(Image atlas) const {
     return later([=](Context& c, const SceneView& scene) { passes::drawEdgesByTiles(c, scene, c.view(atlas)); });
 }
 
-graph::Record Recorder::edgeColors(const graph::Clear& clear) const {
+graph::Work Recorder::edgeColors(const graph::Clear& clear) const {
     return later([=](Context& c, const SceneView& scene) { passes::drawEdgeColors(c, scene, clear); });
 }
 
-graph::Record Recorder::tileMean(std::uint32_t tile, Image source) const {
+graph::Work Recorder::tileMean(std::uint32_t tile, Image source) const {
     return later([=](Context& c, const SceneView& scene) { passes::drawTileMean(c, scene, tile, c.view(source)); });
 }
 
-graph::Record Recorder::debugView(DebugView what, std::uint32_t tile, Image source, std::optional<Image> under) const {
+graph::Work Recorder::debugView(DebugView what, std::uint32_t tile, Image source, std::optional<Image> under) const {
     return later([=](Context& c, const SceneView& scene) {
         passes::drawDebugView(c, scene, what, tile, c.view(source), under ? c.view(*under) : vk::ImageView());
     });

@@ -84,9 +84,12 @@ bool WindowFrames::prepare(graph::Extent wanted) {
 graph::Image WindowFrames::addPicture(graph::Graph& frame, graph::Image picture, std::uint32_t samples) const {
     const graph::Image window =
         frame.importImage("window", {swapchain_.format(), swapchain_.extent()}, kWindowState, true);
-    frame.graphics("resample").samples(picture).color(window).record([=, this](gpu::PassContext& c) {
-        passes::resample(c, c.view(picture), {samples, coded(), share_, false});
-    });
+    const auto how = [=, this] { return passes::Resampling{samples, coded(), share_, false}; };
+    frame.graphics("resample")
+        .samples(picture)
+        .color(window)
+        .record({[=](gpu::PassContext& c) { passes::resample(c, c.view(picture), how()); },
+                 [=](gpu::PipelineContext& c) { passes::wantResampling(c, how()); }});
     return window;
 }
 
@@ -96,17 +99,23 @@ graph::Image WindowFrames::addSum(graph::Graph& frame, graph::Image sample, bool
         frame.importImage("sum of samples", {kSumFormat, swapchain_.extent()}, passes::kTextureState, first);
     std::optional<graph::Clear> clear;
     if (first) clear = graph::Clear{0.0f};
-    frame.graphics("sum of samples").samples(sample).color(sum, clear).record([=](gpu::PassContext& c) {
-        passes::resample(c, c.view(sample), {1, false, 1, true});
-    });
+    constexpr passes::Resampling kAdded{1, false, 1, true};
+    frame.graphics("sum of samples")
+        .samples(sample)
+        .color(sum, clear)
+        .record({[=](gpu::PassContext& c) { passes::resample(c, c.view(sample), kAdded); },
+                 [=](gpu::PipelineContext& c) { passes::wantResampling(c, kAdded); }});
     return sum;
 }
 
 void WindowFrames::addOverlay(graph::Graph& frame, graph::Image window) const {
-    frame.graphics("overlay").color(window).record([this](gpu::PassContext& c) {
-        if (c.ahead) return passes::OverlayPass::want(c, swapchain_.quarterTurns(), coded());
+    const auto draw = [this](gpu::PassContext& c) {
         overlay_.draw(c, *slot_, *overlaid_, swapchain_.upright(), swapchain_.quarterTurns(), coded());
-    });
+    };
+    const auto want = [this](gpu::PipelineContext& c) {
+        passes::OverlayPass::want(c, swapchain_.quarterTurns(), coded());
+    };
+    frame.graphics("overlay").color(window).record({draw, want});
 }
 
 /// What brings smaller pictures, samples and their sum to the window is made before the first of them is drawn.

@@ -146,7 +146,7 @@ void Executor::recordRenderPass(Recording& recording, std::size_t step, PassCont
                                                          static_cast<float>(pass.extent.height), 0, 1));
             context.commands.setScissor(0, area);
             context.pass = declared.name;
-            if (declared.record) declared.record(context);
+            if (declared.work.record) declared.work.record(context);
             device_.endLabel(context.commands);
         }
     }
@@ -188,7 +188,7 @@ void Executor::record(const vk::raii::CommandBuffer& commands, Recording& record
     const graph::Graph& graph = recording.graph_;
     const graph::Plan& plan = recording.plan_;
     bind(recording, imports, retired);
-    PassContext context{commands, device_, descriptors, pipelines_, {}, {}};
+    PassContext context{{device_, pipelines_}, commands, descriptors};
     context.images = recording.images_;
     context.buffers = recording.buffers_;
     device_.name(*commands, graph.name());  // here, since RenderDoc keeps names given while a buffer is recorded
@@ -206,7 +206,7 @@ void Executor::record(const vk::raii::CommandBuffer& commands, Recording& record
         const graph::PassDecl& pass = graph.passes()[step.pass];
         device_.beginLabel(commands, pass.name);
         context.pass = pass.name;
-        if (pass.record) pass.record(context);
+        if (pass.work.record) pass.work.record(context);
         device_.endLabel(commands);
         if (timer) timer->lap(commands, pass.name);
     }
@@ -217,18 +217,14 @@ void Executor::record(const vk::raii::CommandBuffer& commands, Recording& record
 void Executor::prepare(const graph::Graph& graph, const graph::Plan& plan) {
     const vk::raii::CommandBuffer none{nullptr};
     const std::vector<ImageRef> images(graph.images().size());
-    const std::vector<vk::Buffer> buffers(graph.buffers().size());
     Recording recording(graph, plan);
-    PassContext context{none, device_, descriptors_, pipelines_, {}, {}};
-    context.ahead = true;
-    context.images = images;
-    context.buffers = buffers;
+    PipelineContext context{device_, pipelines_};
     for (std::size_t i = 0; i < plan.steps.size(); ++i) {
         const graph::RenderPassPlan& pass = plan.steps[i].renderPass;
         const auto ask = [&](std::uint32_t p) {
             context.pass = graph.passes()[p].name;
             context.inputIsSampled = plan.inputIsSampled[p];
-            if (graph.passes()[p].record) graph.passes()[p].record(context);
+            if (graph.passes()[p].work.want) graph.passes()[p].work.want(context);
         };
         if (plan.steps[i].kind == graph::PassKind::compute) ask(plan.steps[i].pass);
         const bool dynamic = DynamicRendering::takes(device_, pass);

@@ -14,27 +14,18 @@
 
 namespace nacre::gpu {
 
-/// What a pass gets when it records.
-struct PassContext {
-    const vk::raii::CommandBuffer& commands;
+/// What a pass's pipelines depend on.
+struct PipelineContext {
     const Device& device;
-    DescriptorPool& descriptors;
     Pipelines& pipelines;
-    std::string_view pass;      ///< its name in the graph
-    vk::RenderPass renderPass;  ///< of graphics passes' pipelines; null where they are rendered dynamically
+    std::string_view pass{};      ///< its name in the graph
+    vk::RenderPass renderPass{};  ///< of graphics passes' pipelines; null where they are rendered dynamically
     std::uint32_t subpass = 0;
-    RenderingFormats rendering{};                                           ///< of these
-    vk::ImageLayout inputLayout = vk::ImageLayout::eShaderReadOnlyOptimal;  ///< of input attachments
-    std::uint32_t colorCount = 0;                                           ///< colour attachments of the subpass
+    RenderingFormats rendering{};  ///< of these
+    std::uint32_t colorCount = 0;  ///< colour attachments of the subpass
     graph::Extent extent{};
-    bool inputIsSampled = false;         ///< input reads come as textures
-    bool ahead = false;                  ///< nothing is to be recorded: the pipelines are wanted of Pipelines
-    std::span<const ImageRef> images{};  ///< by graph index
-    std::span<const vk::Buffer> buffers{};
+    bool inputIsSampled = false;  ///< input reads come as textures
 
-    vk::ImageView view(graph::Image image) const { return images[image.index].view; }
-    vk::Image image(graph::Image image) const { return images[image.index].handle; }
-    vk::Buffer buffer(graph::Buffer buffer) const { return buffers[buffer.index]; }
     /// A pipeline of this pass: its name, render pass, subpass and number of colour attachments.
     GraphicsPipeline pipeline() const {
         GraphicsPipeline p;
@@ -45,6 +36,19 @@ struct PassContext {
         p.colorCount = colorCount;
         return p;
     }
+};
+
+/// What a pass gets when it records.
+struct PassContext : PipelineContext {
+    const vk::raii::CommandBuffer& commands;
+    DescriptorPool& descriptors;
+    vk::ImageLayout inputLayout = vk::ImageLayout::eShaderReadOnlyOptimal;  ///< of input attachments
+    std::span<const ImageRef> images{};                                     ///< by graph index
+    std::span<const vk::Buffer> buffers{};
+
+    vk::ImageView view(graph::Image image) const { return images[image.index].view; }
+    vk::Image image(graph::Image image) const { return images[image.index].handle; }
+    vk::Buffer buffer(graph::Buffer buffer) const { return buffers[buffer.index]; }
 };
 
 struct Framebuffer {
@@ -73,15 +77,12 @@ public:
     /// Whether that thread is still at what it was asked for.
     bool makesPipelines() const { return pipelines_.busyAhead(); }
 
-    /// Has the pipelines of a graph made by that thread. The graph's passes know of PassContext::ahead, or bind none.
+    /// Has the pipelines that a graph's passes want (graph::Work) made by that thread.
     void prepare(const graph::Graph& graph, const graph::Plan& plan);
     /// The same of compute pipelines, outside any graph.
-    /// @param want  gets a context that is ahead
     template <typename Want>
     void prepare(const Want& want) {
-        const vk::raii::CommandBuffer none{nullptr};
-        PassContext context{none, device_, descriptors_, pipelines_, {}, {}};
-        context.ahead = true;
+        PipelineContext context{device_, pipelines_};
         want(context);
     }
 

@@ -71,7 +71,7 @@ void Graph::output(Buffer buffer) {
 
 Graph Graph::declarations() const {
     Graph copy = *this;
-    for (PassDecl& pass : copy.passes_) pass.record = {};
+    for (PassDecl& pass : copy.passes_) pass.work = {};
     return copy;
 }
 
@@ -99,8 +99,8 @@ PassBuilder& PassBuilder::sideEffect() {
     return *this;
 }
 
-PassBuilder& PassBuilder::record(Record record) {
-    graph_.passes_[pass_].record = std::move(record);
+PassBuilder& PassBuilder::record(Work work) {
+    graph_.passes_[pass_].work = std::move(work);
     return *this;
 }
 

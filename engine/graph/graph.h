@@ -19,13 +19,19 @@
 #include <string>
 #include <vector>
 
-namespace nacre::gpu {
-struct PassContext;  // engine/gpu/execute.h: what a pass gets when it records
-}
+namespace nacre::gpu {   // engine/gpu/execute.h
+struct PassContext;      // what a pass gets when it records
+struct PipelineContext;  // what its pipelines depend on
+}  // namespace nacre::gpu
 
 namespace nacre::graph {
 
 using Record = std::function<void(gpu::PassContext&)>;
+/// Of a pass: what it records, and what asks for its pipelines ahead of that; none, where nobody is to.
+struct Work {
+    Record record{};
+    std::function<void(gpu::PipelineContext&)> want{};
+};
 
 struct Extent {
     std::uint32_t width = 0, height = 0;
@@ -97,7 +103,7 @@ struct PassDecl {
     std::string name;
     PassKind kind{};
     std::vector<Use> uses;
-    Record record;
+    Work work;
     bool sideEffect = false;  ///< kept although nothing reads what it writes
 
     bool has(Verb verb) const {
@@ -141,7 +147,8 @@ public:
     PassBuilder& writes(Buffer buffer) { return use(Verb::writes, buffer); }
     PassBuilder& vertices(Buffer buffer) { return use(Verb::vertices, buffer); }
     PassBuilder& sideEffect();
-    PassBuilder& record(Record record);
+    PassBuilder& record(Record recorded) { return record(Work{std::move(recorded), {}}); }
+    PassBuilder& record(Work work);
 
 private:
     friend class Graph;

@@ -97,7 +97,7 @@ void Bake::wantPipelines(gpu::Executor& executor, const Allowance& least, const 
     if (!executor.makesPipelinesAhead() || complete()) return;
     const Work first = nextWork(least);
     const std::uint32_t smallest = batchFor(first.count), largest = batchFor(nextWork(most).count);
-    executor.prepare([&](gpu::PassContext& c) {
+    executor.prepare([&](gpu::PipelineContext& c) {
         for (std::uint32_t batch = smallest; batch <= largest; batch *= 4)
             for (const OcclusionCopies::Run& run : copies_.runs)
                 if (run.count > 0) c.pipelines.want(accumulationPipeline(c, accumulation(run.of, batch)));

@@ -4,9 +4,7 @@
 #include <cmath>
 
 #include "engine/occlusion/pipelines.h"
-#include "engine/passes/depth_encoding.h"
-#include "engine/passes/nearest_depth.h"
-#include "engine/passes/opaque_prepass.h"
+#include "engine/passes/geometry_passes.h"
 #include "engine/passes/translucent.h"
 #include "engine/passes/view_constants.h"
 
@@ -163,26 +161,28 @@ std::uint64_t DepthMaps::instances(std::uint32_t model) const {
     return all.sphereCount() + all.cylinderCount() + all.triangleCount();
 }
 
-template <typename Pass>
-graph::Record DepthMaps::eachMap(std::span<const glm::dmat3> frames, std::uint32_t across, std::uint32_t model,
-                                 MapPart part, Pass&& pass) const {
-    return [=, this](gpu::PassContext& c) {
+graph::Work DepthMaps::eachMap(std::span<const glm::dmat3> frames, std::uint32_t across, std::uint32_t model,
+                               MapPart part, const passes::GeometryPass& pass) const {
+    const auto seen = [=, this](std::uint32_t i) {
+        passes::SceneView scene;
+        scene.buffers = &scene_;
+        scene.copies = placed(frames[i], model, part);
+        scene.radiusPixels = meanRadius_ * pixels() / (2.0 * radius_);
+        scene.constants = constants(frames[i], i, across);
+        scene.wholeImage = false;
+        return scene;
+    };
+    const auto record = [=, this](gpu::PassContext& c) {
         const auto side = static_cast<float>(pixels());
         for (std::uint32_t i = 0; i < frames.size(); ++i) {
             const std::uint32_t x = i % across * pixels(), y = i / across * pixels();
-            if (!c.ahead) {
-                c.commands.setViewport(0, vk::Viewport(static_cast<float>(x), static_cast<float>(y), side, side, 0, 1));
-                c.commands.setScissor(0, vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {pixels(), pixels()}));
-            }
-            passes::SceneView scene;
-            scene.buffers = &scene_;
-            scene.copies = placed(frames[i], model, part);
-            scene.radiusPixels = meanRadius_ * pixels() / (2.0 * radius_);
-            scene.constants = constants(frames[i], i, across);
-            scene.wholeImage = false;
-            pass(c, scene);
+            c.commands.setViewport(0, vk::Viewport(static_cast<float>(x), static_cast<float>(y), side, side, 0, 1));
+            c.commands.setScissor(0, vk::Rect2D({static_cast<int>(x), static_cast<int>(y)}, {pixels(), pixels()}));
+            passes::draw(c, seen(i), pass);
         }
     };
+    const auto want = [=](gpu::PipelineContext& c) { passes::want(c, seen(0), pass); };  // of the others the same
+    return {record, want};
 }
 
 void DepthMaps::beginTiles(std::span<const glm::dmat3> frames, std::uint32_t model) {
@@ -199,18 +199,15 @@ void DepthMaps::declareDrawn(graph::Graph& g, const Images& images, std::span<co
     if (part.first == 0) clear = graph::Clear{1.0f}, clearMaps = graph::Clear{encoded.farthest};
     g.graphics("opaque prepass")
         .depth(depth, clear)
-        .record(eachMap(frames, across, model, part, passes::drawSpherePlates));
+        .record(eachMap(frames, across, model, part, passes::opaquePrepass(false)));
     if (!maps) {
-        g.graphics("nearest depth").depth(depth).record(eachMap(frames, across, model, part, passes::drawNearestDepth));
+        g.graphics("nearest depth").depth(depth).record(eachMap(frames, across, model, part, passes::nearestDepth()));
         return;
     }
     g.graphics("depth encoding")
         .depthTest(depth)
         .color(*maps, clearMaps)
-        .record(
-            eachMap(frames, across, model, part, [encoding = passes::Encoding(encoded)](auto& c, const auto& scene) {
-                passes::encodeDepth(c, scene, encoding);
-            }));
+        .record(eachMap(frames, across, model, part, passes::depthEncoding(passes::Encoding(encoded))));
 }
 
 DepthMaps::Images DepthMaps::addImages(graph::Graph& g, std::uint32_t across) const {
@@ -230,7 +227,7 @@ DepthMaps::Images DepthMaps::addPartImages(graph::Graph& g, bool begins) const {
 }
 
 void DepthMaps::wantPipelines(gpu::Executor& executor, bool parts) const {
-    if (tiles_) return executor.prepare([this](gpu::PassContext& c) { tiles_->wantPipelines(c); });
+    if (tiles_) return executor.prepare([this](gpu::PipelineContext& c) { tiles_->wantPipelines(c); });
     const glm::dmat3 frame(1);
     // Render passes are compatible where the same comes before and after.
     const auto prepare = [&](std::uint32_t model, MapPart part, const auto& add) {

@@ -101,9 +101,8 @@ private:
     passes::PlacedCopies placed(const glm::dmat3& frame, std::uint32_t model, MapPart part = {}) const;
     layout::ViewConstants constants(const glm::dmat3& frame, std::uint32_t i, std::uint32_t across) const;
     /// Draws every map of a batch by a pass over the scene.
-    template <typename Pass>
-    graph::Record eachMap(std::span<const glm::dmat3> frames, std::uint32_t across, std::uint32_t model, MapPart part,
-                          Pass&& pass) const;
+    graph::Work eachMap(std::span<const glm::dmat3> frames, std::uint32_t across, std::uint32_t model, MapPart part,
+                        const passes::GeometryPass& pass) const;
     void beginTiles(std::span<const glm::dmat3> frames, std::uint32_t model);
     void declareDrawn(graph::Graph& g, const Images& images, std::span<const glm::dmat3> frames, std::uint32_t across,
                       std::uint32_t model, MapPart part) const;

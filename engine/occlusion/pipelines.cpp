@@ -26,7 +26,7 @@ constexpr Type kThreeBuffers[] = {Type::eStorageBuffer, Type::eStorageBuffer, Ty
 
 }  // namespace
 
-const gpu::Layout& accumulationLayout(gpu::PassContext& context, bool heights) {
+const gpu::Layout& accumulationLayout(gpu::PipelineContext& context, bool heights) {
     const auto types = [&]() -> std::span<const Type> {
         if (!heights) return kAccumulate;
         if (context.device.caps().tiles.texels) return kAccumulateTexels;
@@ -36,11 +36,11 @@ const gpu::Layout& accumulationLayout(gpu::PassContext& context, bool heights) {
         {"occlusion accumulation layout", types, kCompute, sizeof(layout::OcclusionConstants)});
 }
 
-const gpu::Layout& finishLayout(gpu::PassContext& context) {
+const gpu::Layout& finishLayout(gpu::PipelineContext& context) {
     return context.pipelines.layout({"occlusion finish layout", kThreeBuffers, kCompute, sizeof(std::uint32_t)});
 }
 
-const gpu::Layout& tileMapsLayout(gpu::PassContext& context) {
+const gpu::Layout& tileMapsLayout(gpu::PipelineContext& context) {
     const bool texels = context.device.caps().tiles.texels;
     return context.pipelines.layout({"depth maps by tiles layout",
                                      texels ? std::span<const Type>(kTileMapsTexels) : kTileMapsStorage, kCompute,
@@ -60,7 +60,7 @@ bool asksByPairs(const Accumulation& accumulation) {
     return accumulation.narrow && accumulation.texels != Texels::cylinders;
 }
 
-gpu::ComputePipeline accumulationPipeline(gpu::PassContext& context, const Accumulation& accumulation) {
+gpu::ComputePipeline accumulationPipeline(gpu::PipelineContext& context, const Accumulation& accumulation) {
     const bool heights = accumulation.heights, narrow = accumulation.narrow;
     gpu::ComputePipeline d{"occlusion accumulation, spheres",
                            NACRE_ACCUMULATION_OR_NARROW(Sphere),
@@ -90,11 +90,11 @@ gpu::ComputePipeline accumulationPipeline(gpu::PassContext& context, const Accum
     return d;
 }
 
-gpu::ComputePipeline finishPipeline(gpu::PassContext& context) {
+gpu::ComputePipeline finishPipeline(gpu::PipelineContext& context) {
     return {"occlusion finish", shaders::occlusionFinish, {}, *finishLayout(context).pipeline};
 }
 
-gpu::ComputePipeline tileMapsPipeline(gpu::PassContext& context, bool cylinders) {
+gpu::ComputePipeline tileMapsPipeline(gpu::PipelineContext& context, bool cylinders) {
     const bool texels = context.device.caps().tiles.texels;
     const auto code = texels ? (cylinders ? shaders::tileDepthTexelsCylinders : shaders::tileDepthTexelsSpheres)
                              : (cylinders ? shaders::tileDepthStorageCylinders : shaders::tileDepthStorageSpheres);

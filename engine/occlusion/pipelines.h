@@ -27,16 +27,16 @@ struct Accumulation {
 };
 
 /// Storage buffers of shapes, directions (uniform), texels and sums, and the depth maps: an image, or heights.
-const gpu::Layout& accumulationLayout(gpu::PassContext& context, bool heights);
+const gpu::Layout& accumulationLayout(gpu::PipelineContext& context, bool heights);
 /// Whether an invocation takes two texels of a list.
 bool asksByPairs(const Accumulation& accumulation);
-gpu::ComputePipeline accumulationPipeline(gpu::PassContext& context, const Accumulation& accumulation);
+gpu::ComputePipeline accumulationPipeline(gpu::PipelineContext& context, const Accumulation& accumulation);
 /// Storage buffers of sums, words and bytes.
-const gpu::Layout& finishLayout(gpu::PassContext& context);
-gpu::ComputePipeline finishPipeline(gpu::PassContext& context);
+const gpu::Layout& finishLayout(gpu::PipelineContext& context);
+gpu::ComputePipeline finishPipeline(gpu::PipelineContext& context);
 /// Texels of shapes, rows of copies, lists and maps, and the maps once more, to be written.
-const gpu::Layout& tileMapsLayout(gpu::PassContext& context);
-gpu::ComputePipeline tileMapsPipeline(gpu::PassContext& context, bool cylinders);
+const gpu::Layout& tileMapsLayout(gpu::PipelineContext& context);
+gpu::ComputePipeline tileMapsPipeline(gpu::PipelineContext& context, bool cylinders);
 
 /// Maps in a row of the image of a batch.
 constexpr std::uint32_t mapsAcross(std::uint32_t batch) { return batch > 4 ? 4 : batch > 1 ? 2 : 1; }

@@ -80,7 +80,7 @@ void TileMaps::begin(std::span<const passes::PlacedCopies> maps) {
     std::fill_n(reinterpret_cast<float*>(heights_.mapped), rowsOfMaps * apart_ * pitch(), kNothing);
 }
 
-void TileMaps::wantPipelines(gpu::PassContext& context) const {
+void TileMaps::wantPipelines(gpu::PipelineContext& context) const {
     if (scene_.sphereCount + scene_.cylinderCount > 0)
         context.pipelines.want(tileMapsPipeline(context, scene_.cylinderCount > 0));
 }

@@ -32,8 +32,8 @@ public:
     /// Declares the passes that draw primitives of the batch, counted from map to map, into the maps. What was declared
     /// before has run.
     graph::Buffer declare(graph::Graph& g, gpu::Imports& imports, std::uint64_t first, std::uint64_t end);
-    /// Has the pipelines of these passes made ahead.
-    void wantPipelines(gpu::PassContext& context) const;
+    /// Asks for the pipelines of these passes.
+    void wantPipelines(gpu::PipelineContext& context) const;
     /// The maps, for passes that draw or read them.
     graph::Buffer import(graph::Graph& g, gpu::Imports& imports) const;
 

@@ -58,44 +58,47 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
     context.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, set, {});
 }
 
-void shade(gpu::PassContext& context, const SceneView& view, const gpu::LayoutDescription& described,
-           FullScreenPass pass, const Reads& reads, vk::ImageView rims) {
-    const gpu::Layout& layout = context.pipelines.layout(described);
+const gpu::Layout& layoutOf(gpu::PipelineContext& context, const SceneView& view, const DeferredPass& pass) {
+    const bool texture = pass.reads.from == NearestFrom::texture;
+    if (pass.rims)
+        return context.pipelines.layout({"deferred shading layout, rims", texture ? kRimmedTexture : kRimmedInput,
+                                         kDraw, sizeof(layout::ViewConstants), view.fragments != nullptr});
+    return context.pipelines.layout({"deferred shading layout", texture ? kPlainTexture : kPlainInput, kDraw,
+                                     sizeof(layout::ViewConstants), view.fragments != nullptr});
+}
+
+FullScreenPass fullScreenOf(const SceneView& view, const DeferredPass& deferred) {
+    const bool texture = deferred.reads.from == NearestFrom::texture;
+    FullScreenPass pass{shaderOf(deferred.output, texture).of(view), {}, {}};
+    if (deferred.rims) {
+        const Stage stage = texture ? Stage{shaders::rimmedDeferredSampled, shaders::rimmedDeferredSampledCounting}
+                                    : Stage{shaders::rimmedDeferredInput, shaders::rimmedDeferredInputCounting};
+        pass.fragment = stage.of(view);
+        for (int i = 0; i < 4; ++i)
+            pass.constants.set(layout::kClearId + i, deferred.rims->clear.value[static_cast<std::size_t>(i)]);
+    }
     setGeometryConstants(pass.constants, view);
     setShadingConstants(pass.constants, view);
     pass.constants.set(layout::kCopiesId, view.copies.rows.size() > 3);
     pass.constants.set(layout::kCylindersId, view.buffers->cylinderCount > 0);
     pass.constants.set(layout::kTrianglesId, view.buffers->triangleCount > 0);
-    if (context.ahead) return wantFullScreen(context, pass, layout);
-    bindFullScreen(context, pass, layout);
-    bindReads(context, view, layout, reads, rims);
-    bindCounter(context, view, layout);
-    drawFullScreen(context, layout, kDraw, view.constants);
+    return pass;
 }
 
 }  // namespace
 
-void shadeNearestPrimitive(gpu::PassContext& context, const SceneView& view, Output output, const Reads& reads) {
+void draw(gpu::PassContext& context, const SceneView& view, const DeferredPass& pass) {
     if (view.buffers->empty()) return;
-    const bool texture = reads.from == NearestFrom::texture;
-    shade(context, view,
-          {"deferred shading layout", texture ? kPlainTexture : kPlainInput, kDraw, sizeof(layout::ViewConstants),
-           view.fragments != nullptr},
-          {shaderOf(output, texture).of(view), {}, {}}, reads, {});
+    const gpu::Layout& layout = layoutOf(context, view, pass);
+    bindFullScreen(context, fullScreenOf(view, pass), layout);
+    bindReads(context, view, layout, pass.reads, pass.rims ? pass.rims->image : vk::ImageView());
+    bindCounter(context, view, layout);
+    drawFullScreen(context, layout, kDraw, view.constants);
 }
 
-void shadeRimmedPrimitive(gpu::PassContext& context, const SceneView& view, const Reads& reads, vk::ImageView rims,
-                          const graph::Clear& clear) {
+void want(gpu::PipelineContext& context, const SceneView& view, const DeferredPass& pass) {
     if (view.buffers->empty()) return;
-    const bool texture = reads.from == NearestFrom::texture;
-    const Stage stage = texture ? Stage{shaders::rimmedDeferredSampled, shaders::rimmedDeferredSampledCounting}
-                                : Stage{shaders::rimmedDeferredInput, shaders::rimmedDeferredInputCounting};
-    FullScreenPass pass{stage.of(view), {}, {}};
-    for (int i = 0; i < 4; ++i) pass.constants.set(layout::kClearId + i, clear.value[static_cast<std::size_t>(i)]);
-    shade(context, view,
-          {"deferred shading layout, rims", texture ? kRimmedTexture : kRimmedInput, kDraw,
-           sizeof(layout::ViewConstants), view.fragments != nullptr},
-          std::move(pass), reads, rims);
+    wantFullScreen(context, fullScreenOf(view, pass), layoutOf(context, view, pass));
 }
 
 }  // namespace nacre::passes

@@ -8,11 +8,17 @@ namespace nacre::passes {
 
 /// Shades every covered pixel once: the hit is rebuilt from the pixel and the record of the primitive whose number it
 /// holds.
-/// @param reads  `nearest` holds the numbers, as an input attachment or a texture
-void shadeNearestPrimitive(gpu::PassContext& context, const SceneView& view, Output output, const Reads& reads);
-
-/// The same, under lines and halos. @param rims  as drawRims() leaves them @param clear  of the picture
-void shadeRimmedPrimitive(gpu::PassContext& context, const SceneView& view, const Reads& reads, vk::ImageView rims,
-                          const graph::Clear& clear);
+struct DeferredPass {
+    struct Rims {
+        vk::ImageView image;  ///< as rims() leaves them
+        graph::Clear clear;   ///< of the picture
+    };
+    Output output = Output::color;
+    Reads reads;                 ///< `nearest` holds the numbers, as an input attachment or a texture
+    std::optional<Rims> rims{};  ///< lines and halos that are laid over
+};
+void draw(gpu::PassContext& context, const SceneView& view, const DeferredPass& pass);
+/// Asks for the pipeline of that.
+void want(gpu::PipelineContext& context, const SceneView& view, const DeferredPass& pass);
 
 }  // namespace nacre::passes

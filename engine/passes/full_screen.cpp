@@ -6,7 +6,7 @@ namespace nacre::passes {
 
 namespace {
 
-gpu::GraphicsPipeline pipelineOf(const gpu::PassContext& context, const FullScreenPass& pass,
+gpu::GraphicsPipeline pipelineOf(const gpu::PipelineContext& context, const FullScreenPass& pass,
                                  const gpu::Layout& layout) {
     gpu::GraphicsPipeline d = context.pipeline();
     d.detail = pass.detail;
@@ -28,7 +28,7 @@ void bindFullScreen(gpu::PassContext& context, const FullScreenPass& pass, const
     context.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, pipeline);
 }
 
-void wantFullScreen(gpu::PassContext& context, const FullScreenPass& pass, const gpu::Layout& layout) {
+void wantFullScreen(gpu::PipelineContext& context, const FullScreenPass& pass, const gpu::Layout& layout) {
     context.pipelines.want(pipelineOf(context, pass, layout));
 }
 

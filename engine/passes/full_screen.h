@@ -16,7 +16,7 @@ struct FullScreenPass {
 /// The pass's pipeline, bound. @param layout  outlives what is recorded
 void bindFullScreen(gpu::PassContext& context, const FullScreenPass& pass, const gpu::Layout& layout);
 /// The same pipeline, wanted ahead.
-void wantFullScreen(gpu::PassContext& context, const FullScreenPass& pass, const gpu::Layout& layout);
+void wantFullScreen(gpu::PipelineContext& context, const FullScreenPass& pass, const gpu::Layout& layout);
 
 /// The triangle, with its push constants.
 template <typename Push>

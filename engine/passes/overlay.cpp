@@ -54,11 +54,11 @@ vk::Rect2D scissorOf(const OverlayBatch& b, graph::Extent upright, int quarterTu
 
 using Scale = std::array<float, 4>;
 
-const gpu::Layout& overlayLayout(gpu::PassContext& context) {
+const gpu::Layout& overlayLayout(gpu::PipelineContext& context) {
     return context.pipelines.layout({"overlay layout", kGlyphs, kDraw, sizeof(Scale)});
 }
 
-gpu::GraphicsPipeline overlayPipeline(gpu::PassContext& context, int quarterTurns, bool coded) {
+gpu::GraphicsPipeline overlayPipeline(gpu::PipelineContext& context, int quarterTurns, bool coded) {
     gpu::GraphicsPipeline d = context.pipeline();
     d.vertex = shaders::overlayVertex;
     d.fragment = shaders::overlayFragment;
@@ -89,7 +89,7 @@ void OverlayPass::upload(gpu::FrameSlot& slot, const Overlay& overlay) const {
     put(device_, slot.indices, overlay.indices, vk::BufferUsageFlagBits::eIndexBuffer, "overlay indices");
 }
 
-void OverlayPass::want(gpu::PassContext& context, int quarterTurns, bool coded) {
+void OverlayPass::want(gpu::PipelineContext& context, int quarterTurns, bool coded) {
     context.pipelines.want(overlayPipeline(context, quarterTurns, coded));
 }
 

@@ -20,8 +20,8 @@ public:
     /// @param coded   the target takes sRGB-coded colour
     void draw(gpu::PassContext& context, const gpu::FrameSlot& slot, const Overlay& overlay, graph::Extent upright,
               int quarterTurns, bool coded) const;
-    /// Its pipeline, wanted ahead.
-    static void want(gpu::PassContext& context, int quarterTurns, bool coded);
+    /// Asks for the pipeline of that.
+    static void want(gpu::PipelineContext& context, int quarterTurns, bool coded);
 
 private:
     const gpu::Device& device_;

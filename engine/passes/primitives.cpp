@@ -31,7 +31,7 @@ gpu::VertexStreams streamsOf(Primitive primitive, bool looks) {
 }
 
 /// Set 0 of a pass that reads: the atlas, what effects work with, the shadow map, and what holds the nearest depth.
-std::span<const Type> bindingsOf(const Reads* reads) {
+std::span<const Type> bindingsOf(const std::optional<Reads>& reads) {
     static constexpr Type kAtlas[] = {kSampled, Type::eUniformBuffer, kSampled};
     static constexpr Type kInput[] = {kSampled, Type::eUniformBuffer, kSampled, Type::eInputAttachment};
     static constexpr Type kTexture[] = {kSampled, Type::eUniformBuffer, kSampled, kSampled};
@@ -48,7 +48,7 @@ std::span<const Type> bindingsOf(const Reads* reads) {
     return kInput;
 }
 /// The same with the streams that the vertex stage of triangles reads. They have the same places whatever is read.
-std::span<const Type> triangleBindingsOf(const Reads* reads) {
+std::span<const Type> triangleBindingsOf(const std::optional<Reads>& reads) {
     static constexpr Type kAlone[] = {kStorage, kStorage};
     static constexpr Type kInput[] = {kSampled, Type::eUniformBuffer, kSampled, Type::eInputAttachment, kStorage,
                                       kStorage};
@@ -58,7 +58,7 @@ std::span<const Type> triangleBindingsOf(const Reads* reads) {
     return input ? kInput : kTexture;
 }
 
-const gpu::Layout& layoutOf(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
+const gpu::Layout& layoutOf(gpu::PipelineContext& context, const SceneView& view, const GeometryPass& pass,
                             Primitive primitive) {
     const bool streams = pass.streams || primitive == Primitive::triangle;
     return context.pipelines.layout({pass.reads ? "shading layout" : "geometry layout",
@@ -73,11 +73,48 @@ CornerRange impostorCorners(ImpostorShape shape) {
                                              : kPyramid;
 }
 
+/// Primitives of one kind, in one polygon each.
+struct Draw {
+    Primitive primitive;
+    const Shaders& shaders;
+    const Plate* plate;  ///< null: an impostor, or a triangle
+    CornerRange corners;
+};
+
+const std::vector<PlacedCopies::Call>& callsOf(const SceneView& view, Primitive primitive) {
+    return primitive == Primitive::sphere     ? view.copies.spheres
+           : primitive == Primitive::cylinder ? view.copies.cylinders
+                                              : view.copies.triangles;
+}
+
+/// @param work  gets each Draw of a pass
+template <typename Work>
+void eachDraw(const gpu::PipelineContext& context, const SceneView& view, const GeometryPass& pass, const Work& work) {
+    if (view.buffers->empty()) return;
+    const graph::GeometryCaps& caps = context.device.caps().plan.geometry;
+    const auto has = [&](Primitive primitive, const Shaders& shaders) {
+        return !shaders.vertex.empty() && !callsOf(view, primitive).empty();
+    };
+    const auto& [sphere, cylinder, triangle] = pass.shaders;
+    if (has(Primitive::sphere, sphere)) {
+        if (!pass.plates)
+            work({Primitive::sphere, sphere, nullptr,
+                  impostorCorners(chooseImpostor(view.impostor, caps, view.radiusPixels, view.perspective))});
+        else
+            for (const Plate& plate : platesOf(choosePlates(view.plates, caps, view.radiusPixels)))
+                work({Primitive::sphere, sphere, &plate,
+                      plate.corners == kPlateSquare.count ? kPlateSquare : kPlateOctagon});
+    }
+    if (has(Primitive::cylinder, cylinder)) work({Primitive::cylinder, cylinder, nullptr, {0, 4}});
+    if (has(Primitive::triangle, triangle)) work({Primitive::triangle, triangle, nullptr, {0, 3}});
+}
+
 /// Pipelines of spheres by the shapes that a zoom goes over to, as no bake does: they differ by the polygon alone.
-std::vector<gpu::GraphicsPipeline> otherShapes(const gpu::PassContext& context, const SceneView& view,
-                                               const PrimitivePass& pass, const gpu::GraphicsPipeline& of) {
+std::vector<gpu::GraphicsPipeline> otherShapes(const gpu::PipelineContext& context, const SceneView& view,
+                                               const Draw& drawn, const gpu::GraphicsPipeline& of) {
     const graph::GeometryCaps& caps = context.device.caps().plan.geometry;
     std::vector<gpu::GraphicsPipeline> others;
+    if (drawn.primitive != Primitive::sphere || !view.wholeImage) return others;
     const auto add = [&](std::uint32_t corners, const Plate* plate) {
         gpu::GraphicsPipeline d = of;
         d.constants.change(layout::kCornersId, corners);
@@ -87,7 +124,7 @@ std::vector<gpu::GraphicsPipeline> otherShapes(const gpu::PassContext& context, 
     };
     for (const double radius : {0.0, caps.plateOctagons, caps.octagons, caps.domes}) {
         if (std::isinf(radius)) continue;  // never reached
-        if (!pass.plate)
+        if (!drawn.plate)
             add(impostorCorners(chooseImpostor(view.impostor, caps, radius, view.perspective)).count, nullptr);
         else
             for (const Plate& plate : platesOf(choosePlates(PlateShape::automatic, caps, radius)))
@@ -96,49 +133,28 @@ std::vector<gpu::GraphicsPipeline> otherShapes(const gpu::PassContext& context, 
     return others;
 }
 
-gpu::GraphicsPipeline pipelineOf(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
-                                 const Shaders& shaders, Primitive primitive, std::uint32_t corners) {
+gpu::GraphicsPipeline pipelineOf(gpu::PipelineContext& context, const SceneView& view, const GeometryPass& pass,
+                                 const Draw& drawn) {
     gpu::GraphicsPipeline d = context.pipeline();
     constexpr const char* kNames[] = {"spheres", "cylinders", "triangles"};
-    d.detail = kNames[static_cast<std::size_t>(primitive)];
-    d.vertex = shaders.vertex;
-    d.fragment = shaders.fragment.of(view);
+    d.detail = kNames[static_cast<std::size_t>(drawn.primitive)];
+    d.vertex = drawn.shaders.vertex;
+    d.fragment = drawn.shaders.fragment.of(view);
     setGeometryConstants(d.constants, view, pass.rim);
     if (pass.rim > 0) d.constants.set(layout::kFogId, view.effects.fog.range != Fog::Range::off);
     if (pass.looks) setShadingConstants(d.constants, view);
     d.constants.set(layout::kDepthChannelsId, pass.encoding.channels);
     d.constants.set(layout::kDepthStepsId, pass.encoding.steps);
-    d.constants.set(layout::kCornersId, corners);
-    if (pass.plate) d.constants.set(layout::kRimId, pass.plate->rim);
-    d.streams = streamsOf(primitive, pass.looks);
-    d.layout = *layoutOf(context, view, pass, primitive).pipeline;
+    d.constants.set(layout::kCornersId, drawn.corners.count);
+    if (drawn.plate) d.constants.set(layout::kRimId, drawn.plate->rim);
+    d.streams = streamsOf(drawn.primitive, pass.looks);
+    d.layout = *layoutOf(context, view, pass, drawn.primitive).pipeline;
     d.colorsWritten = pass.colorsWritten;
     d.depth = pass.depth;
     d.blend = pass.blend;
     d.ordered = pass.reads && pass.reads->from == NearestFrom::ownAttachment;
-    d.strip = corners != kPyramid.count && primitive != Primitive::triangle;
+    d.strip = drawn.corners.count != kPyramid.count && drawn.primitive != Primitive::triangle;
     return d;
-}
-
-/// What is likely to be asked for after a pipeline.
-std::vector<gpu::GraphicsPipeline> nextOf(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
-                                          const gpu::GraphicsPipeline& d, Primitive primitive) {
-    std::vector<gpu::GraphicsPipeline> next;
-    if (primitive == Primitive::sphere && view.wholeImage) next = otherShapes(context, view, pass, d);
-    return next;
-}
-
-void bindPipeline(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
-                  const gpu::GraphicsPipeline& d, Primitive primitive) {
-    const vk::Pipeline pipeline =
-        context.pipelines.graphics(d, [&] { return nextOf(context, view, pass, d, primitive); });
-    context.commands.bindPipeline(kGraphics, pipeline);
-}
-
-void wantPipelines(gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
-                   const gpu::GraphicsPipeline& d, Primitive primitive) {
-    context.pipelines.want(d);
-    for (const gpu::GraphicsPipeline& next : nextOf(context, view, pass, d, primitive)) context.pipelines.want(next);
 }
 
 void writeReads(gpu::PassContext& context, const SceneView& view, vk::DescriptorSet set, const Reads& reads,
@@ -164,8 +180,8 @@ void writeReads(gpu::PassContext& context, const SceneView& view, vk::Descriptor
 }
 
 /// Set 0: what the pass reads, and the streams where a stage fetches from them by numbers.
-void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout, const Reads* reads,
-               bool streams) {
+void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout,
+               const std::optional<Reads>& reads, bool streams) {
     if (!reads && !streams) return;
     const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
     if (reads) writeReads(context, view, set, *reads, streams);
@@ -180,14 +196,45 @@ void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layo
     context.commands.bindDescriptorSets(kGraphics, *layout.pipeline, 0, set, {});
 }
 
-/// Corners of the polygon that a primitive is drawn in.
-CornerRange cornersOf(const gpu::PassContext& context, const SceneView& view, const PrimitivePass& pass,
-                      Primitive primitive) {
-    if (primitive == Primitive::triangle) return {0, 3};
-    if (primitive != Primitive::sphere) return {0, 4};
-    if (pass.plate) return pass.plate->corners == kPlateSquare.count ? kPlateSquare : kPlateOctagon;
-    const graph::GeometryCaps& caps = context.device.caps().plan.geometry;
-    return impostorCorners(chooseImpostor(view.impostor, caps, view.radiusPixels, view.perspective));
+void record(gpu::PassContext& context, const SceneView& view, const GeometryPass& pass, const Draw& drawn) {
+    const bool sphere = drawn.primitive == Primitive::sphere, triangle = drawn.primitive == Primitive::triangle;
+    const bool pyramid = sphere && drawn.corners.count == kPyramid.count;
+    const SceneBuffers& scene = *view.buffers;
+    const gpu::GraphicsPipeline pipeline = pipelineOf(context, view, pass, drawn);
+    const gpu::Layout& layout = layoutOf(context, view, pass, drawn.primitive);
+    const vk::raii::CommandBuffer& commands = context.commands;
+    commands.bindPipeline(
+        kGraphics, context.pipelines.graphics(pipeline, [&] { return otherShapes(context, view, drawn, pipeline); }));
+    bindReads(context, view, layout, pass.reads, triangle || pass.streams);
+    bindCounter(context, view, layout);
+    if (!triangle)
+        commands.bindVertexBuffers(0, {*scene.shapes.handle, *scene.looks.handle},
+                                   {sphere ? 0 : scene.cylinderOffset, sphere ? 0 : scene.cylinderLookOffset});
+    if (sphere) commands.bindVertexBuffers(2, *scene.corners.handle, vk::DeviceSize{0});
+    if (pyramid) commands.bindIndexBuffer(*scene.pyramid.handle, 0, vk::IndexType::eUint16);
+    layout::ViewConstants constants = view.constants;
+    // By these the vertex stage finds the triangles, whoever looks: a viewer, a light, or a bake.
+    constants.spheres = scene.sphereCount;
+    constants.cylinders = scene.cylinderCount;
+    constants.primitives = scene.primitives();
+    if (pass.rim > 0) constants.contourWidth = pass.rim;
+    for (const PlacedCopies::Call& call : callsOf(view, drawn.primitive)) {  // copies differ by their push constants
+        const glm::vec4* rows = &view.copies.rows[3 * std::size_t{call.copy}];
+        constants.row0 = rows[0], constants.row1 = rows[1], constants.row2 = rows[2];
+        constants.numberBefore = call.copy * constants.primitives;
+        commands.pushConstants<layout::ViewConstants>(*layout.pipeline, kDraw, 0, constants);
+        if (triangle) {
+            commands.draw(3 * call.count, 1, 3 * call.first, 0);
+            continue;
+        }
+        for (std::uint32_t first = call.first, end = first + call.count; first < end; first += kMostInstances) {
+            const std::uint32_t count = std::min(end - first, kMostInstances);
+            if (pyramid)
+                commands.drawIndexed(kPyramidIndices, count, 0, static_cast<std::int32_t>(drawn.corners.first), first);
+            else
+                commands.draw(drawn.corners.count, count, drawn.corners.first, first);
+        }
+    }
 }
 
 }  // namespace
@@ -233,51 +280,17 @@ void bindCounter(gpu::PassContext& context, const SceneView& view, const gpu::La
     context.commands.bindDescriptorSets(point, *layout.pipeline, 1, set, {});
 }
 
-void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive primitive, const Shaders& shaders,
-                    const PrimitivePass& pass) {
-    const bool sphere = primitive == Primitive::sphere, triangle = primitive == Primitive::triangle;
-    const std::vector<PlacedCopies::Call>& calls = sphere     ? view.copies.spheres
-                                                   : triangle ? view.copies.triangles
-                                                              : view.copies.cylinders;
-    const SceneBuffers& scene = *view.buffers;
-    if (calls.empty() || scene.empty()) return;
-    const CornerRange corners = cornersOf(context, view, pass, primitive);
-    const bool pyramid = sphere && corners.count == kPyramid.count;
-    const gpu::GraphicsPipeline pipeline = pipelineOf(context, view, pass, shaders, primitive, corners.count);
-    if (context.ahead) return wantPipelines(context, view, pass, pipeline, primitive);
-    const gpu::Layout& layout = layoutOf(context, view, pass, primitive);
-    const vk::raii::CommandBuffer& commands = context.commands;
-    bindPipeline(context, view, pass, pipeline, primitive);
-    bindReads(context, view, layout, pass.reads, triangle || pass.streams);
-    bindCounter(context, view, layout);
-    if (!triangle)
-        commands.bindVertexBuffers(0, {*scene.shapes.handle, *scene.looks.handle},
-                                   {sphere ? 0 : scene.cylinderOffset, sphere ? 0 : scene.cylinderLookOffset});
-    if (sphere) commands.bindVertexBuffers(2, *scene.corners.handle, vk::DeviceSize{0});
-    if (pyramid) commands.bindIndexBuffer(*scene.pyramid.handle, 0, vk::IndexType::eUint16);
-    layout::ViewConstants constants = view.constants;
-    // By these the vertex stage finds the triangles, whoever looks: a viewer, a light, or a bake.
-    constants.spheres = scene.sphereCount;
-    constants.cylinders = scene.cylinderCount;
-    constants.primitives = scene.primitives();
-    if (pass.rim > 0) constants.contourWidth = pass.rim;
-    for (const PlacedCopies::Call& call : calls) {  // copies differ by their push constants alone
-        const glm::vec4* rows = &view.copies.rows[3 * std::size_t{call.copy}];
-        constants.row0 = rows[0], constants.row1 = rows[1], constants.row2 = rows[2];
-        constants.numberBefore = call.copy * constants.primitives;
-        commands.pushConstants<layout::ViewConstants>(*layout.pipeline, kDraw, 0, constants);
-        if (triangle) {
-            commands.draw(3 * call.count, 1, 3 * call.first, 0);
-            continue;
-        }
-        for (std::uint32_t first = call.first, end = first + call.count; first < end; first += kMostInstances) {
-            const std::uint32_t count = std::min(end - first, kMostInstances);
-            if (pyramid)
-                commands.drawIndexed(kPyramidIndices, count, 0, static_cast<std::int32_t>(corners.first), first);
-            else
-                commands.draw(corners.count, count, corners.first, first);
-        }
-    }
+void draw(gpu::PassContext& context, const SceneView& view, const GeometryPass& pass) {
+    eachDraw(context, view, pass, [&](const Draw& drawn) { record(context, view, pass, drawn); });
+}
+
+void want(gpu::PipelineContext& context, const SceneView& view, const GeometryPass& pass) {
+    eachDraw(context, view, pass, [&](const Draw& drawn) {
+        const gpu::GraphicsPipeline pipeline = pipelineOf(context, view, pass, drawn);
+        context.pipelines.want(pipeline);
+        for (const gpu::GraphicsPipeline& next : otherShapes(context, view, drawn, pipeline))
+            context.pipelines.want(next);
+    });
 }
 
 }  // namespace nacre::passes

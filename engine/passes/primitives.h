@@ -1,8 +1,11 @@
 #pragma once
 // What the passes over the scene's primitives have in common: streams, copies, sets and the draws.
 
+#include <optional>
+
 #include "engine/gpu/execute.h"
 #include "engine/graph/encoded_format.h"
+#include "engine/passes/output.h"
 #include "engine/passes/plates.h"
 #include "engine/passes/scene_view.h"
 
@@ -12,14 +15,6 @@ namespace nacre::passes {
 struct Stage {
     gpu::ShaderWords plain, counting;
     gpu::ShaderWords of(const SceneView& view) const { return view.fragments ? counting : plain; }
-};
-
-/// Where a pass finds the nearest depth of a pixel.
-enum class NearestFrom : std::uint8_t {
-    depthBuffer,      ///< by the depth test alone
-    inputAttachment,  ///< what an earlier subpass left
-    texture,          ///< the same, where it left the tile
-    ownAttachment,    ///< which the pass itself keeps, in raster order
 };
 
 /// How depth is encoded there.
@@ -41,30 +36,37 @@ struct Shaders {
     Stage fragment;
 };
 
-/// What a pass does to each primitive.
-struct PrimitivePass {
-    bool looks = false;            ///< stream B is fetched, too
-    const Reads* reads = nullptr;  ///< null: none
+/// Those of a pass; none for what it leaves out.
+struct PrimitiveShaders {
+    Shaders sphere, cylinder, triangle;
+};
+
+/// A pass over the scene's primitives.
+struct GeometryPass {
+    PrimitiveShaders shaders;
+    bool looks = false;  ///< stream B is fetched, too
+    std::optional<Reads> reads{};
     Encoding encoding{};
     gpu::DepthUse depth = gpu::DepthUse::test;
     gpu::Blend blend = gpu::Blend::replace;
     std::uint32_t colorsWritten = 1;
-    const Plate* plate = nullptr;  ///< drawn instead of impostors
-    bool streams = false;          ///< the fragment stage reads the streams, too
-    float rim = 0;                 ///< width of what is drawn about a primitive, Å at z = 0; 0: its contour line's
+    bool plates = false;   ///< of spheres, instead of impostors
+    bool streams = false;  ///< the fragment stage reads the streams, too
+    float rim = 0;         ///< width of what is drawn about a primitive, Å at z = 0; 0: its contour line's
 };
 
 enum class Primitive : std::uint8_t { sphere, cylinder, triangle };
 
-/// Draws the scene's primitives of a kind, all copies.
-void drawPrimitives(gpu::PassContext& context, const SceneView& view, Primitive primitive, const Shaders& shaders,
-                    const PrimitivePass& pass);
+/// Draws the scene's primitives, all copies.
+void draw(gpu::PassContext& context, const SceneView& view, const GeometryPass& pass);
+/// Asks for the pipelines of that, and for those that a zoom goes over to.
+void want(gpu::PipelineContext& context, const SceneView& view, const GeometryPass& pass);
 
 /// Instances of one call: more make Mali-G71 and some PowerVR lose the device (measured by others: 2^14 to 2^16).
 constexpr std::uint32_t kMostInstances = 512;
 
 /// What every stage that knows the view must know of it, and, if it shades, of light.
-/// @param rim  of PrimitivePass
+/// @param rim  of GeometryPass
 void setGeometryConstants(gpu::Specialization& constants, const SceneView& view, float rim = 0);
 void setShadingConstants(gpu::Specialization& constants, const SceneView& view);
 

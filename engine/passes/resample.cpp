@@ -5,21 +5,37 @@
 #include "shaders/common/layout.h"
 
 namespace nacre::passes {
+namespace {
 
-void resample(gpu::PassContext& context, vk::ImageView picture, const Resampling& how) {
-    static constexpr Type kBindings[] = {kSampled};
-    constexpr auto kStages = vk::ShaderStageFlagBits::eFragment;
-    const std::array<float, 4> scale{1.0f / static_cast<float>(context.extent.width),
-                                     1.0f / static_cast<float>(context.extent.height), how.share, 0};
-    const gpu::Layout& layout = context.pipelines.layout({"resample layout", kBindings, kStages, sizeof(scale)});
+constexpr Type kPicture[] = {kSampled};
+constexpr auto kFragments = vk::ShaderStageFlagBits::eFragment;
+using Scale = std::array<float, 4>;
+
+const gpu::Layout& resampleLayout(gpu::PipelineContext& context) {
+    return context.pipelines.layout({"resample layout", kPicture, kFragments, sizeof(Scale)});
+}
+
+FullScreenPass passOf(const Resampling& how) {
     FullScreenPass pass{shaders::resampleFragment, {}, {}};
     pass.blend = how.add ? gpu::Blend::add : gpu::Blend::replace;
     pass.constants.set(layout::kSamplesId, how.samples);
     pass.constants.set(layout::kCodedId, how.coded);
-    if (context.ahead) return wantFullScreen(context, pass, layout);
-    bindFullScreen(context, pass, layout);
+    return pass;
+}
+
+}  // namespace
+
+void resample(gpu::PassContext& context, vk::ImageView picture, const Resampling& how) {
+    const Scale scale{1.0f / static_cast<float>(context.extent.width), 1.0f / static_cast<float>(context.extent.height),
+                      how.share, 0};
+    const gpu::Layout& layout = resampleLayout(context);
+    bindFullScreen(context, passOf(how), layout);
     bindTextures(context, layout, vk::Filter::eLinear, {&picture, 1});
-    drawFullScreen(context, layout, kStages, scale);
+    drawFullScreen(context, layout, kFragments, scale);
+}
+
+void wantResampling(gpu::PipelineContext& context, const Resampling& how) {
+    wantFullScreen(context, passOf(how), resampleLayout(context));
 }
 
 }  // namespace nacre::passes

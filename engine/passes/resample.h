@@ -11,7 +11,9 @@ struct Resampling {
     bool add = false;           ///< to what the target holds
 };
 
-/// Takes a picture to another resolution. Knows PassContext::ahead.
+/// Takes a picture to another resolution.
 void resample(gpu::PassContext& context, vk::ImageView picture, const Resampling& how);
+/// Asks for the pipeline of that.
+void wantResampling(gpu::PipelineContext& context, const Resampling& how);
 
 }  // namespace nacre::passes

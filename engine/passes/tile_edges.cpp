@@ -39,12 +39,12 @@ Stage sampleStage(bool texels, TileScene scene) {
     return {NACRE_TILE_STAGE(tileEdges, ), NACRE_TILE_STAGE(tileEdges, Counting)};
 }
 
-const gpu::Layout& findLayout(gpu::PassContext& context) {
+const gpu::Layout& findLayout(gpu::PipelineContext& context) {
     return context.pipelines.layout({"edge pixels", context.device.caps().tiles.texels ? kFindTexels : kFindStorage,
                                      kCompute, sizeof(layout::TileConstants)});
 }
 
-gpu::ComputePipeline findPipeline(gpu::PassContext& context, const SceneView& view) {
+gpu::ComputePipeline findPipeline(gpu::PipelineContext& context, const SceneView& view) {
     const gpu::TileCaps& caps = context.device.caps().tiles;
     gpu::ComputePipeline d{"edge pixels",
                            caps.texels ? shaders::tileEdgePixelsTexels : shaders::tileEdgePixelsStorage,
@@ -57,14 +57,14 @@ gpu::ComputePipeline findPipeline(gpu::PassContext& context, const SceneView& vi
     return d;
 }
 
-const gpu::Layout& sampleLayout(gpu::PassContext& context, const SceneView& view) {
+const gpu::Layout& sampleLayout(gpu::PipelineContext& context, const SceneView& view) {
     const std::span<const Type> types =
         context.device.caps().tiles.texels ? std::span<const Type>(kSampleTexels) : kSampleStorage;
     return context.pipelines.layout(
         {"edges by tiles", types, kCompute, sizeof(layout::TileConstants), view.fragments != nullptr});
 }
 
-gpu::ComputePipeline samplePipeline(gpu::PassContext& context, const SceneView& view) {
+gpu::ComputePipeline samplePipeline(gpu::PipelineContext& context, const SceneView& view) {
     const gpu::TileCaps& caps = context.device.caps().tiles;
     const Stage stage = sampleStage(caps.texels, tileScene(*view.buffers));
     gpu::ComputePipeline d{"edge samples", stage.of(view), {}, *sampleLayout(context, view).pipeline};
@@ -78,7 +78,7 @@ gpu::ComputePipeline samplePipeline(gpu::PassContext& context, const SceneView& 
 
 }  // namespace
 
-void wantEdgesByTiles(gpu::PassContext& context, const SceneView& view) {
+void wantEdgesByTiles(gpu::PipelineContext& context, const SceneView& view) {
     context.pipelines.want(samplePipeline(context, view));  // which takes a driver longer
     context.pipelines.want(findPipeline(context, view));
 }

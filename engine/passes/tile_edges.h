@@ -5,8 +5,8 @@
 
 namespace nacre::passes {
 
-/// The pipelines of the next two, wanted ahead: while that of the nearest primitives is made.
-void wantEdgesByTiles(gpu::PassContext& context, const SceneView& view);
+/// Asks for the pipelines of the next two: while that of the nearest primitives is made.
+void wantEdgesByTiles(gpu::PipelineContext& context, const SceneView& view);
 
 /// Compute: lists the pixels through which an edge runs, of the numbers that findNearestByTiles() wrote, and its
 /// colours.

@@ -102,15 +102,6 @@ void seeTranslucent(SceneView& view, const SceneView& all, const TranslucentRuns
     view.coded = false;  // layers are blended, in linear light
 }
 
-void drawTranslucentLayer(gpu::PassContext& context, const SceneView& view, const Reads* before) {
-    PrimitivePass pass;
-    pass.depth = gpu::DepthUse::write;
-    pass.reads = before;
-    const Shaders first{shaders::numberTriangleVertex, {shaders::identifyTriangle, shaders::identifyTriangleCounting}};
-    const Shaders next{shaders::numberTriangleReadsVertex, {shaders::peelTriangle, shaders::peelTriangleCounting}};
-    drawPrimitives(context, view, Primitive::triangle, before ? next : first, pass);
-}
-
 void shadeTranslucentLayer(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas, vk::ImageView numbers,
                            const Opaque& opaque) {
     if (view.copies.triangles.empty()) return;

@@ -2,8 +2,6 @@
 // Layers of translucent triangles: which of them is nearest to the viewer, which is next behind that, and what they
 // add to the picture of what is opaque.
 
-#include <optional>
-
 #include "engine/passes/output.h"
 #include "engine/passes/primitives.h"
 #include "engine/scene/translucency.h"
@@ -22,10 +20,6 @@ void choose(std::vector<PlacedCopies::Call>& calls, const TranslucentRuns& runs,
 /// The translucent triangles of a scene, as a view that shows nothing else, and no lines.
 /// @param all  a view whose copies are those of the whole scene
 void seeTranslucent(SceneView& view, const SceneView& all, const TranslucentRuns& runs);
-
-/// Numbers and depths of a pixel's nearest triangles.
-/// @param before  atlas and depth of the layer before, behind which they are looked for; none: this is the first
-void drawTranslucentLayer(gpu::PassContext& context, const SceneView& view, const Reads* before);
 
 /// How a layer knows whether what is opaque hides it.
 struct Opaque {
