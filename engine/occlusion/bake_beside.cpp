@@ -6,11 +6,11 @@
 namespace nacre::occlusion {
 
 void SceneOcclusion::prepareBeside(const OcclusionSettings& settings, bool hurry) {
-    if (!isCurrent() && (bake_ || preparing_.valid())) {
-        const bool done = bake_ && shown_ == 1;
-        if (done) {
+    if (isOutdated()) {
+        if (const auto* finished = std::get_if<Finished>(&state_)) {
             // It is shown until the next is done; the one before it went with the end of this one.
-            before_ = std::move(bake_);
+            before_ = finished->bake;
+            state_.emplace<Idle>();
         } else if (hurry && before_) {
             std::shared_ptr<Bake> shown = std::move(before_);
             drop();
@@ -23,33 +23,35 @@ void SceneOcclusion::prepareBeside(const OcclusionSettings& settings, bool hurry
 double SceneOcclusion::advanceBeside(const OcclusionSettings& settings, const OcclusionPace& pace) {
     orDrop([&] {
         prepareBeside(settings, !pace.mustFit);
-        if (preparing_.valid()) {
+        if (const auto* preparing = std::get_if<Preparing>(&state_)) {
             constexpr double kAny = 1e300;  // the host lists no more for it than beside frames
-            if (preparing_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+            if (preparing->result.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
                 make(allowed(pace.sliceMilliseconds), {DepthMaps::kMostPerBatch, kAny});
             return;  // the next call begins with it
         }
         if (executor_.makesPipelines()) return;
-        if (!bake_ || shown_ == 1) return;
         if (submission_ && submission_->pending()) {
             if (!submission_->done()) return;
-            collect();
+            collect(std::get<Baking>(state_));
         }
-        if (shown_ < 1) submit(pace);
+        if (auto* baking = std::get_if<Baking>(&state_)) submit(*baking, pace);
     });
-    if (!isCurrent() && bake_) return 0;
-    return bake_ ? shown_ : preparing_.valid() ? 0 : 1;
+    if (is<Idle>()) return 1;
+    if (is<Preparing>() || isOutdated()) return 0;
+    const auto* baking = std::get_if<Baking>(&state_);
+    return baking ? baking->shown : 1;
 }
 
 /// Submits what frames are to show, if there is enough of it, and the next part of the bake, if it may.
-void SceneOcclusion::submit(const OcclusionPace& pace) {
-    const bool showing = bake_->betweenSteps() && share() > shown_ &&
-                         (bake_->complete() || (!before_ && unshown_ >= pace.showMilliseconds));
+void SceneOcclusion::submit(Baking& baking, const OcclusionPace& pace) {
+    Bake& bake = *baking.bake;
+    const bool showing = bake.betweenSteps() && share() > baking.shown &&
+                         (bake.complete() || (!before_ && baking.unshown >= pace.showMilliseconds));
     const Allowance allowance = allowed(pace.sliceMilliseconds);
-    const bool working = !bake_->complete() && (!pace.mustFit || bake_->leastUnits() <= allowance.units);
+    const bool working = !bake.complete() && (!pace.mustFit || bake.leastUnits() <= allowance.units);
     if (!showing && !working) return;
     if (!submission_) submission_ = std::make_unique<gpu::Submission>(device_, "occlusion");
-    submittedAt_ = Clock::now();
+    baking.submittedAt = Clock::now();
     const double share = this->share();
     submission_->submit([&](const vk::raii::CommandBuffer& commands) {
         const auto record = [&](const graph::Graph& g, const gpu::Imports& imports, gpu::Timer* timer) {
@@ -59,44 +61,42 @@ void SceneOcclusion::submit(const OcclusionPace& pace) {
         if (showing) {
             graph::Graph g("occlusion finish");
             gpu::Imports imports;
-            bake_->declareFinish(g, imports);
+            bake.declareFinish(g, imports);
             record(g, imports, nullptr);
         }
         if (!working) return;
         graph::Graph g("occlusion");
         gpu::Imports imports;
-        submittedUnits_ = bake_->declareSlice(g, imports, allowance);
+        baking.submittedUnits = bake.declareSlice(g, imports, allowance);
         record(g, imports, &submission_->timer());
     });
     if (!showing) return;
     // Frames that are submitted from here on see it. All is shown when it is known to be done.
-    shown_ = bake_->complete() ? shown_ : share;
-    unshown_ = 0;
-    stats_.occlusion.done = bake_->directionsDone();
-    stats_.occlusion.asked = bake_->asked();
+    if (!bake.complete()) baking.shown = share;
+    baking.unshown = 0;
+    stats_.occlusion.done = bake.directionsDone();
+    stats_.occlusion.asked = bake.asked();
 }
 
 /// What was submitted is done.
-void SceneOcclusion::collect() {
-    const double waited = millisecondsSince(submittedAt_);
-    if (submittedUnits_ > 0) {
+void SceneOcclusion::collect(Baking& baking) {
+    const double waited = millisecondsSince(baking.submittedAt);
+    if (baking.submittedUnits > 0) {
         const double took = submission_->timer().milliseconds().value_or(waited);
-        learn(std::exchange(submittedUnits_, 0.0), took);
-        unshown_ += took;
+        learn(std::exchange(baking.submittedUnits, 0.0), took);
+        baking.unshown += took;
         stats_.bakeMilliseconds += took;
-        bake_->sliceDone();
-        return;
+        baking.bake->sliceDone();
+    } else if (baking.bake->complete()) {
+        wrapUp();
     }
-    if (!bake_->complete()) return;
-    shown_ = 1;
-    wrapUp();
 }
 
 /// Waits for what is in flight beside frames.
 void SceneOcclusion::finishFlight() {
     if (!submission_ || !submission_->pending()) return;
     submission_->wait();
-    collect();
+    collect(std::get<Baking>(state_));
 }
 
 }  // namespace nacre::occlusion

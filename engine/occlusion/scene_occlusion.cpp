@@ -50,12 +50,16 @@ std::string howBaked(const gpu::Caps& caps, const BakeOptions& options) {
 
 }  // namespace
 
+std::shared_ptr<Bake> SceneOcclusion::there() const {
+    if (const auto* baking = std::get_if<Baking>(&state_)) return baking->bake;
+    if (const auto* finished = std::get_if<Finished>(&state_)) return finished->bake;
+    return nullptr;
+}
+
 void SceneOcclusion::dropFailed() {
     device_.settle();
-    forgetPreparation();
     submission_.reset();
-    bake_.reset();
-    before_.reset();
+    drop();
     try {
         executor_.forget("occlusion");
     } catch (const vk::SystemError&) {
@@ -77,24 +81,22 @@ void SceneOcclusion::moveScene(SceneToBake scene) {
 
 void SceneOcclusion::begin(const OcclusionSettings& settings) {
     orDrop([&] {
-        if (!isCurrent() && (bake_ || preparing_.valid())) drop();
+        if (isOutdated()) drop();
         prepare(settings);
-        const Allowance waited = device_.caps().software ? Allowance() : allowed(kWaitedMilliseconds);
-        if (preparing_.valid()) make(waited, Allowance());
-        if (bake_ && !bake_->shows()) finishFlight(), bake_->finish(executor_);
+        if (is<Preparing>()) make(device_.caps().software ? Allowance() : allowed(kWaitedMilliseconds), Allowance());
+        if (const auto bake = there(); bake && !bake->shows()) finishFlight(), bake->finish(executor_);
     });
 }
 
 void SceneOcclusion::prepare(const OcclusionSettings& settings) {
     const Wanted wanted{settings.directions, settings.bytes, settings.maps, settings.detail};
-    if (settings.directions == 0 || ((bake_ || preparing_.valid()) && baked_ == wanted)) return;
+    if (settings.directions == 0 || (!is<Idle>() && wanted_ == wanted)) return;
     if (scene_.buffers == nullptr || scene_.buffers->empty()) return;  // no atlas of no patches
-    std::shared_ptr<Bake> shown = baked_ == wanted ? std::move(before_) : nullptr;
+    std::shared_ptr<Bake> shown = wanted_ == wanted ? std::move(before_) : nullptr;
     drop();
     before_ = std::move(shown);
     of_ = scene_;
-    began_ = Clock::now();
-    baked_ = wanted;
+    wanted_ = wanted;
     options_ = {settings.directions, budgetOf(settings.bytes, of_.representation->meshVertices.size()), settings.maps,
                 settings.detail};
     const bool tiles = device_.caps().plan.tiles;
@@ -102,84 +104,78 @@ void SceneOcclusion::prepare(const OcclusionSettings& settings) {
         options_.path = automaticMaps(device_.caps(), tiles);
     cache_ = occlusionCache(moved_ ? std::string() : settings.cache);  // a place among thousands is not seen again
     worthKeeping_ = settings.worthKeeping;
-    stopPreparing_.emplace();
-    preparing_ = std::async(std::launch::async, [this, scene = of_.representation, options = options_, cache = cache_,
-                                                 stop = stopPreparing_->get_token()] {
-        Prepared p;
-        if (cache.on()) p.cacheName = occlusionCacheName(*scene, howBaked(device_.caps(), options));
-        p.kept = readOcclusion(cache, p.cacheName, *scene, device_.caps().maxImageSize);
-        if (!p.kept) p.bake = prepareBake(device_.caps(), *scene, options, stop);
-        return p;
-    });
-}
-
-void SceneOcclusion::forgetPreparation() {
-    if (stopPreparing_) stopPreparing_->request_stop();
-    if (preparing_.valid()) preparing_.wait();
-    preparing_ = {};
+    auto& preparing = state_.emplace<Preparing>();
+    preparing.result =
+        std::async(std::launch::async, [&caps = device_.caps(), scene = of_.representation, options = options_,
+                                        cache = cache_, stop = preparing.stop.get_token()] {
+            Prepared p;
+            if (cache.on()) p.cacheName = occlusionCacheName(*scene, howBaked(caps, options));
+            p.kept = readOcclusion(cache, p.cacheName, *scene, caps.maxImageSize);
+            if (!p.kept) p.bake = prepareBake(caps, *scene, options, stop);
+            return p;
+        });
 }
 
 void SceneOcclusion::drop() {
-    forgetPreparation();
     if (submission_ && submission_->pending()) device_.settle();
     submission_.reset();
-    submittedUnits_ = unshown_ = shown_ = 0;
-    bake_.reset();
+    state_.emplace<Idle>();
     before_.reset();
 }
 
 void SceneOcclusion::make(const Allowance& least, const Allowance& most) {
-    Prepared p = preparing_.get();
+    auto& preparing = std::get<Preparing>(state_);
+    Prepared p = preparing.result.get();
+    const Clock::time_point began = preparing.began;
     cacheName_ = p.cacheName;
     const bool kept = p.kept.has_value();
     const std::uint64_t atlasBytes = kept ? p.kept->atlas.size() : 0;
+    const auto bake =
+        kept ? std::make_shared<Bake>(device_, executor_, *of_.buffers, *of_.representation, options_, *p.kept)
+             : std::make_shared<Bake>(device_, *of_.buffers, *of_.representation, options_, std::move(p.bake));
+    bake->wantPipelines(executor_, least, most);
     if (kept)
-        bake_ = std::make_shared<Bake>(device_, executor_, *of_.buffers, *of_.representation, options_, *p.kept);
+        state_.emplace<Finished>(bake);
     else
-        bake_ = std::make_shared<Bake>(device_, *of_.buffers, *of_.representation, options_, std::move(p.bake));
-    bake_->wantPipelines(executor_, least, most);
-    shown_ = kept ? 1 : 0;
-    stats_.bakeMilliseconds = millisecondsSince(began_);
-    stats_.occlusion = {bake_->directions(),        0,
-                        bake_->layout().sphereEdge, bake_->texels(),
-                        nameOf(options_.path),      bake_->maps().pixels(),
-                        bake_->maps().perBatch(),   bake_->bytes(),
-                        options_.budgetBytes,       0};
+        state_.emplace<Baking>(bake);
+    stats_.bakeMilliseconds = millisecondsSince(began);
+    stats_.occlusion = {bake->directions(),        0,
+                        bake->layout().sphereEdge, bake->texels(),
+                        nameOf(options_.path),     bake->maps().pixels(),
+                        bake->maps().perBatch(),   bake->bytes(),
+                        options_.budgetBytes,      0};
     if (!kept) return;
     stats_.occlusion.cached = true;
-    stats_.occlusion.done = bake_->directions();
+    stats_.occlusion.done = bake->directions();
     stats_.occlusion.mapPixels = stats_.occlusion.mapsPerBatch = 0;  // none were drawn
     stats_.occlusion.bytes = atlasBytes;
-    stats_.occlusion.neverSeen = countUnseen(bake_->seenSpheres());
+    stats_.occlusion.neverSeen = countUnseen(bake->seenSpheres());
 }
 
-/// Keeps the finished bake_ on disk, if it took long enough.
-void SceneOcclusion::keep(std::vector<std::uint8_t> atlas) {
-    if (!cache_.on() || stats_.bakeMilliseconds < worthKeeping_) return;
-    writeOcclusion(cache_, cacheName_,
-                   {bake_->layout(), std::move(atlas), bake_->seenSpheres(), stats_.occlusion.texels});
-}
-
-/// Drops what only the bake needs, when all of it is shown.
+/// Drops what only the bake needs, when all of it is shown, and keeps on disk what took long enough.
 void SceneOcclusion::wrapUp() {
+    const std::shared_ptr<Bake> bake = there();
     executor_.forget("occlusion");
     std::vector<std::uint8_t> atlas;
-    if (cache_.on() || texels_) atlas = bake_->atlasTexels();
+    if (cache_.on() || texels_) atlas = bake->atlasTexels();
     if (texels_) *texels_ = atlas;
-    bake_->release();
-    stats_.occlusion.neverSeen = countUnseen(bake_->seenSpheres());
-    keep(std::move(atlas));
+    bake->release();
+    stats_.occlusion.neverSeen = countUnseen(bake->seenSpheres());
+    if (cache_.on() && stats_.bakeMilliseconds >= worthKeeping_)
+        writeOcclusion(cache_, cacheName_,
+                       {bake->layout(), std::move(atlas), bake->seenSpheres(), stats_.occlusion.texels});
     before_.reset();
+    state_.emplace<Finished>(bake);
 }
 
 /// Shows what is done so far.
-void SceneOcclusion::show(Clock::time_point start) {
-    bake_->finish(executor_);
-    shown_ = share();
-    stats_.occlusion.done = bake_->directionsDone();
-    stats_.occlusion.asked = bake_->asked();
+void SceneOcclusion::show(Baking& baking, Clock::time_point start) {
+    baking.bake->finish(executor_);
+    baking.shown = share();
+    stats_.occlusion.done = baking.bake->directionsDone();
+    stats_.occlusion.asked = baking.bake->asked();
     stats_.bakeMilliseconds += millisecondsSince(start);
-    if (bake_->complete()) wrapUp();
+    if (baking.bake->complete()) wrapUp();
 }
 
 BakedOcclusion SceneOcclusion::baked(const OcclusionSettings& settings) {
@@ -195,8 +191,9 @@ BakedOcclusion SceneOcclusion::baked(const OcclusionSettings& settings) {
         throw;
     }
     texels_ = nullptr;
-    if (!bake_) return {};
-    const OcclusionLayout& layout = bake_->layout();
+    const std::shared_ptr<Bake> bake = there();
+    if (!bake) return {};
+    const OcclusionLayout& layout = bake->layout();
     BakedOcclusion baked;
     baked.sphereEdge = layout.sphereEdge;
     baked.around = layout.around;
@@ -209,7 +206,7 @@ BakedOcclusion SceneOcclusion::baked(const OcclusionSettings& settings) {
 }
 
 passes::Atlas SceneOcclusion::atlas() const {
-    const std::shared_ptr<Bake>& shown = before_ ? before_ : bake_;
+    const std::shared_ptr<Bake> shown = before_ ? before_ : there();
     if (!shown || !shown->shows()) return {};
     const OcclusionLayout& layout = shown->layout();
     return {&shown->atlas(),
@@ -219,12 +216,13 @@ passes::Atlas SceneOcclusion::atlas() const {
             layout.spherePatches(),
             layout.cylinderPatches(),
             shown->cells(),
-            before_ || !isCurrent() ? kLeastOfMoved : 0,
+            before_ || isOutdated() ? kLeastOfMoved : 0,
             shown};
 }
 
 double SceneOcclusion::share() const {
-    return bake_ ? static_cast<double>(bake_->mapsDone()) / static_cast<double>(bake_->mapsInAll()) : 1;
+    const std::shared_ptr<Bake> bake = there();
+    return bake ? static_cast<double>(bake->mapsDone()) / static_cast<double>(bake->mapsInAll()) : 1;
 }
 
 /// What the device is done with in so long. A processor has nobody who stops it.
@@ -239,11 +237,11 @@ void SceneOcclusion::learn(double units, double milliseconds) {
     unitsPerMillisecond_ = std::min(rate, unitsPerMillisecond_ + 0.5 * std::max(rate - unitsPerMillisecond_, 0.0));
 }
 
-void SceneOcclusion::runSlice(const Allowance& allowance) {
+void SceneOcclusion::runSlice(Bake& bake, const Allowance& allowance) {
     const auto start = Clock::now();
     graph::Graph g("occlusion");
     gpu::Imports imports;
-    const double units = bake_->declareSlice(g, imports, allowance);
+    const double units = bake.declareSlice(g, imports, allowance);
     const graph::Plan plan = graph::compile(g, device_.caps().plan);
     // From outside a first submission takes what the driver's compiler does, too. Software devices finish each pass for
     // a stamp, and what they are told to do they do as it comes.
@@ -255,36 +253,39 @@ void SceneOcclusion::runSlice(const Allowance& allowance) {
     executor_.reset();
     const double took = millisecondsSince(start);
     learn(units, timed ? timer_->milliseconds().value_or(took) : took);
-    bake_->sliceDone();
+    bake.sliceDone();
 }
 
 void SceneOcclusion::advance(double milliseconds) {
-    if (!bake_) return;
     orDrop([&] {
         finishFlight();
+        auto* baking = std::get_if<Baking>(&state_);
+        if (!baking) return;
+        Bake& bake = *baking->bake;
         const auto start = Clock::now();
-        const std::uint64_t before = bake_->mapsDone();
-        while (!bake_->complete()) {
+        const std::uint64_t before = bake.mapsDone();
+        while (!bake.complete()) {
             const double left = milliseconds - millisecondsSince(start);
-            if (bake_->mapsDone() > before && bake_->betweenSteps() && left <= 0) break;
-            runSlice(allowed(std::max(left, 0.0)));
+            if (bake.mapsDone() > before && bake.betweenSteps() && left <= 0) break;
+            runSlice(bake, allowed(std::max(left, 0.0)));
         }
-        if (bake_->mapsDone() > before) show(start);
+        if (bake.mapsDone() > before) show(*baking, start);
     });
 }
 
 void SceneOcclusion::finish(const OcclusionSettings& settings) {
     begin(settings);
-    if (settings.directions == 0 || !bake_) return;
+    if (settings.directions == 0) return;
     orDrop([&] {
         finishFlight();
-        if (shown_ == 1) return;
+        auto* baking = std::get_if<Baking>(&state_);
+        if (!baking) return;
         const auto start = Clock::now();
-        while (!bake_->complete()) {
-            runSlice(device_.caps().software ? Allowance() : allowed(kWaitedMilliseconds));
-            if (settings.onProgress && bake_->betweenSteps()) settings.onProgress(share());
+        while (!baking->bake->complete()) {
+            runSlice(*baking->bake, device_.caps().software ? Allowance() : allowed(kWaitedMilliseconds));
+            if (settings.onProgress && baking->bake->betweenSteps()) settings.onProgress(share());
         }
-        show(start);
+        show(*baking, start);
     });
 }
 

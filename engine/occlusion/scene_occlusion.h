@@ -6,6 +6,7 @@
 #include <optional>
 #include <stop_token>
 #include <tuple>
+#include <variant>
 
 #include "engine/baked_occlusion.h"
 #include "engine/gpu/submission.h"
@@ -46,7 +47,7 @@ public:
     /// As Renderer::advanceOcclusion beside frames. @returns the share that is shown
     double advanceBeside(const OcclusionSettings& settings, const OcclusionPace& pace);
     /// Null: nothing was asked for yet, or there is nothing to bake.
-    const Bake* bake() const { return bake_.get(); }
+    const Bake* bake() const { return there().get(); }
     /// What is shown of it so far.
     passes::Atlas atlas() const;
     /// What was chosen and done.
@@ -73,55 +74,76 @@ private:
         std::optional<FinishedOcclusion> kept;
         BakePreparation bake;
     };
+
+    // The states, each with what it alone has:
+    //   Idle       nothing was asked for, or there is nothing to bake             prepare() -> Preparing
+    //   Preparing  a thread finds out what the bake needs, or what was kept       make() -> Baking, or Finished if kept
+    //   Baking     the device takes one direction after the other                 wrapUp() -> Finished
+    //   Finished   all directions are shown, and what only the bake needs is gone
+    // drop() leads from each of them to Idle. Where the scene has moved on, a Finished one becomes before_.
+    struct Idle {};
+    struct Preparing {
+        std::stop_source stop;
+        std::future<Prepared> result;  // whose destructor waits
+        Clock::time_point began = Clock::now();
+        ~Preparing() { stop.request_stop(); }
+    };
+    struct Baking {
+        std::shared_ptr<Bake> bake;
+        double shown = 0;           // the share that frames show
+        double unshown = 0;         // milliseconds of work that they do not show yet
+        double submittedUnits = 0;  // of the bake that are in flight beside frames; 0: none
+        Clock::time_point submittedAt{};
+    };
+    struct Finished {
+        std::shared_ptr<Bake> bake;
+    };
+    template <typename State>
+    bool is() const {
+        return std::holds_alternative<State>(state_);
+    }
+    /// The bake, if there is one by now.
+    std::shared_ptr<Bake> there() const;
+
     using Wanted = std::tuple<int, std::uint64_t, OcclusionMaps, std::uint32_t>;
     /// Begins to prepare what the settings ask for, unless it is there, or on its way, or there is nothing to bake.
     void prepare(const OcclusionSettings& settings);
     /// The same beside frames, of a scene that moves: a bake that was begun goes on, and what was finished is shown
     /// until the next is. @param hurry  one that was begun for other places is given up
     void prepareBeside(const OcclusionSettings& settings, bool hurry);
-    bool isCurrent() const { return of_.buffers == scene_.buffers; }
+    /// Whether there is a bake, or will be, of places that the scene has left.
+    bool isOutdated() const { return !is<Idle>() && of_.buffers != scene_.buffers; }
     void drop();
     /// Makes the bake when it is prepared.
     /// @param least, most  what its submissions take on
     void make(const Allowance& least, const Allowance& most);
-    void forgetPreparation();
-    void runSlice(const Allowance& allowance);
-    void submit(const OcclusionPace& pace);
+    void runSlice(Bake& bake, const Allowance& allowance);
+    void submit(Baking& baking, const OcclusionPace& pace);
     void finishFlight();
-    void collect();
+    void collect(Baking& baking);
     void wrapUp();
     Allowance allowed(double milliseconds) const;
     void learn(double units, double milliseconds);
-    void keep(std::vector<std::uint8_t> atlas);
-    void show(Clock::time_point start);
+    void show(Baking& baking, Clock::time_point start);
 
     const gpu::Device& device_;
     gpu::Executor& executor_;
     BakeStats stats_;
     SceneToBake scene_;  // as it is now
-    SceneToBake of_;     // that bake_ is of, or will be
+    SceneToBake of_;     // that the bake is of, or will be
     bool moved_ = false;
-    // Frames in flight hold the one that they show.
-    std::shared_ptr<Bake> before_;  // of other places, done: what is shown until bake_ is
-    std::shared_ptr<Bake> bake_;
-    Wanted baked_{};         // directions, budget, maps, detail: of bake_, or of what is being prepared
-    DiskCache cache_;        // off: the bake is not to be kept
-    std::string cacheName_;  // of the bake in it
+    std::variant<Idle, Preparing, Baking, Finished> state_;
+    std::shared_ptr<Bake> before_;  // of other places, finished: what is shown until this one is
+    Wanted wanted_{};               // directions, budget, maps, detail: of the bake, or of before_
+    BakeOptions options_;           // the same, as it is carried out
+    DiskCache cache_;               // off: the bake is not to be kept
+    std::string cacheName_;         // of the bake in it
     double worthKeeping_ = 0;
     std::vector<std::uint8_t>* texels_ = nullptr;  // who wants those of the finished atlas; null: nobody
-
-    std::optional<std::stop_source> stopPreparing_;
-    std::future<Prepared> preparing_;
-    BakeOptions options_;  // of what is being prepared
-    Clock::time_point began_;
 
     double unitsPerMillisecond_ = 10'000;          // that the device takes on, lately; first too few for any phone
     std::unique_ptr<gpu::Submission> submission_;  // beside frames
     std::unique_ptr<gpu::Timer> timer_;            // of what is waited for
-    double submittedUnits_ = 0;                    // of the bake in it; 0: none
-    Clock::time_point submittedAt_;
-    double unshown_ = 0;  // milliseconds of work that frames do not show yet
-    double shown_ = 0;    // the share that they show
 };
 
 }  // namespace nacre::occlusion
