@@ -21,21 +21,8 @@ enum class Visibility {
 
 /// As the command line spells it.
 inline const char* visibilityName(Visibility visibility) {
-    switch (visibility) {
-        case Visibility::automatic:
-            return "auto";
-        case Visibility::encoded:
-            return "encoded";
-        case Visibility::fragdepth:
-            return "fragdepth";
-        case Visibility::deferred:
-            return "deferred";
-        case Visibility::rasterOrder:
-            return "raster-order";
-        case Visibility::tiles:
-            return "tiles";
-    }
-    return "";
+    constexpr const char* kNames[] = {"auto", "encoded", "fragdepth", "raster-order", "deferred", "tiles"};
+    return kNames[static_cast<std::size_t>(visibility)];
 }
 
 /// The opaque plates of the prepass, per sphere; domes are stacks of smaller octagons nearer to the viewer.

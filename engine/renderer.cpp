@@ -1,5 +1,5 @@
 // What a renderer is made of, and what its calls come to. From here a picture goes to frame/picture_frames.cpp, which
-// declares its passes (frame/encoded.cpp and its like), plans them (graph/) and has them recorded (passes/).
+// declares its passes (frame/screen.cpp), plans them (graph/) and has them recorded (passes/).
 
 #include "engine/renderer.h"
 

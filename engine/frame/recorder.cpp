@@ -5,7 +5,6 @@
 #include "engine/passes/geometry_passes.h"
 #include "engine/passes/tile_edges.h"
 #include "engine/passes/tile_passes.h"
-#include "engine/passes/translucent.h"
 
 namespace nacre {
 
@@ -138,9 +137,10 @@ graph::Work Recorder::translucentLayer(Image atlas, std::optional<Image> before)
 graph::Work Recorder::translucentColor(Image atlas, Image numbers, std::optional<Image> nearest,
                                        const graph::EncodedFormat& format) const {
     return later([=, encoding = passes::Encoding(format)](Context& c, const SceneView& scene) {
-        passes::Opaque opaque;
-        if (nearest) opaque = {left(c), c.view(*nearest), encoding};
-        passes::shadeTranslucentLayer(c, *scene.translucent, c.view(atlas), c.view(numbers), opaque);
+        passes::DeferredPass pass{Output::color, readsOf(c, NearestFrom::texture, atlas, numbers)};
+        pass.over.emplace();
+        if (nearest) pass.over = {left(c), c.view(*nearest), encoding};
+        passes::draw(c, *scene.translucent, pass);
     });
 }
 

@@ -80,7 +80,7 @@ void addShadow(layout::EffectConstants& c, const RenderSettings& settings) {
 std::shared_ptr<passes::SceneView> lightScene(const gpu::Device& device, const Scene& scene,
                                               const RenderSettings& settings, const View& view, SceneViews& views) {
     const View light = lightView(settings, view);
-    const auto seen = views.next();
+    const auto seen = nextView(views);
     layout::ViewConstants& c = seen->constants;
     c = passes::viewConstants(light, device.caps().snapPixels, light.width / 2.0, light.height / 2.0);
     const Clip& clip = settings.effects.clip;
@@ -190,23 +190,16 @@ graph::Extent imageExtent(const View& view) {
     return view.quarterTurns % 2 ? graph::Extent{view.height, view.width} : graph::Extent{view.width, view.height};
 }
 
-std::shared_ptr<passes::SceneView> SceneViews::next() {
-    auto free = std::find_if(views_.begin(), views_.end(), [](const auto& view) { return view.use_count() == 1; });
-    if (free == views_.end()) free = views_.insert(free, std::make_shared<passes::SceneView>());
-    (*free)->clear();
-    return *free;
-}
-
-void SceneViews::letGo() {
-    for (int held = 0; held < 2; ++held)  // a view holds what the light sees, and what is translucent
-        for (const auto& view : views_)
-            if (view.use_count() == 1) view->clear();
+std::shared_ptr<passes::SceneView> nextView(SceneViews& views) {
+    const std::shared_ptr<passes::SceneView>& view = views.free();
+    view->clear();
+    return view;
 }
 
 std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Scene& scene,
                                              const RenderSettings& settings, const View& view,
                                              const passes::Atlas& atlas, SceneViews& views) {
-    const auto seen = views.next();
+    const auto seen = nextView(views);
     const graph::Extent image = imageExtent(view);
     layout::ViewConstants& c = seen->constants;
     c = passes::viewConstants(view, device.caps().snapPixels, image.width / 2.0, image.height / 2.0);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "engine/gpu/pool.h"
 #include "engine/graph/graph.h"
 #include "engine/passes/scene_view.h"
 #include "engine/scene/translucency.h"
@@ -41,17 +42,10 @@ double meshErrorOf(const RenderSettings& settings, const View& view);
 /// Pixels across the map of what the light sees of a scene; 0 if the settings ask for no shadows.
 std::uint32_t shadowPixels(const RenderSettings& settings);
 
-/// Views of frames, of which some are in flight. One that no frame holds any more is used again.
-class SceneViews {
-public:
-    /// An empty one.
-    std::shared_ptr<passes::SceneView> next();
-    /// What no frame holds any more lets go of the scene, too.
-    void letGo();
+using SceneViews = gpu::Pool<passes::SceneView>;
 
-private:
-    std::vector<std::shared_ptr<passes::SceneView>> views_;
-};
+/// An empty view.
+std::shared_ptr<passes::SceneView> nextView(SceneViews& views);
 
 /// The scene as a view sees it. @param scene  outlives what is returned
 std::shared_ptr<passes::SceneView> viewScene(const gpu::Device& device, const Scene& scene,

@@ -113,6 +113,11 @@ void SceneFrames::count(SeenFrame& seen) {
     if (view.tiles) counts.lists = passes::countsOf(view.tiles->lists);
 }
 
+void SceneFrames::letGo() {
+    for (int held = 0; held < 2; ++held)  // a view holds what the light sees, and what is translucent
+        views_.eachFree([](passes::SceneView& view) { view.clear(); });
+}
+
 SeenFrame SceneFrames::see(const FrameRequest& request) {
     letGo();
     RenderSettings settings = request.settings.ofFrame();
@@ -141,7 +146,7 @@ SeenFrame SceneFrames::see(const FrameRequest& request) {
         view.copyRows = copyRows_.upload(std::as_bytes(std::span(std::as_const(view.copies.rows))));
     seen.counts.meshLevels = view.copies.triangleLevels(scene_->representation);
     if (layered) {
-        const auto over = views_.next();
+        const auto over = nextView(views_);
         passes::seeTranslucent(*over, view, scene_->translucent);
         view.translucent = over;
     }

@@ -50,7 +50,7 @@ public:
     /// Has a frame of that shape show it, and binds what it imports but for what its end does.
     static void bind(DeclaredFrame& declared, const SeenFrame& seen);
     /// Nothing but frames in flight holds on to a scene any more.
-    void letGo() { views_.letGo(); }
+    void letGo();
 
     /// Whether one frame can draw edges from more samples than what lies between them; else all pixels have as many.
     bool drawsEdges() const {

@@ -96,27 +96,10 @@ struct ScreenFrame {
 /// @param recorder  what the passes record; by default nothing: the frame is only looked at
 ScreenFrame screenFrame(const ScreenOptions& options, const Recorder& recorder = {});
 
-// One function a visibility path. Each declares its passes into a frame that has its depth and atlas.
-
-/// The paper's: opaque prepass, encoded depth, impostor colour; three subpasses, and colour alone leaves the tile.
-void declareEncoded(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
-/// Opaque prepass and impostor colour in one subpass; depth is settled by gl_FragDepth.
-void declareFragdepth(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
-/// Numbers of the nearest primitives by gl_FragDepth, then every covered pixel is shaded once. With rims they are drawn
-/// in between, where a pixel's nearest primitive is known and nothing has left the tile.
-void declareDeferred(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
-/// Nearest depth is read and written as an attachment in raster order: no blending, no second pass over the impostors.
-void declareRasterOrder(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
-/// Numbers of the nearest primitives by compute, tile by tile from lists in order of depth; then every covered pixel is
-/// shaded once. No triangles but those around what may be covered. Edges: what their samples see, from the same lists.
+/// The path of `tiles`: numbers of the nearest primitives by compute, tile by tile from lists in order of depth; then
+/// every covered pixel is shaded once. No triangles but those around what may be covered. Edges: what their samples
+/// see, from the same lists.
 void declareTiles(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
-
-// On every path:
-
-/// Numbers of the nearest translucent triangles of each pixel, and of the next ones behind.
-void declareTranslucentLayers(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
-/// Lays them over what the path has drawn, the farthest first.
-void declareTranslucentColors(ScreenFrame& frame, const ScreenOptions& options, const Recorder& draw);
 
 /// The same frame as the paper arranged it on OpenGL ES 2: prepass and depth texture in one framebuffer, then the
 /// picture in another, which samples the full-screen depth texture. Three 8-bit channels encode depth, and 16 bits of

@@ -8,27 +8,15 @@
 namespace nacre::gpu {
 
 inline vk::AttachmentLoadOp loadOp(graph::Load load) {
-    switch (load) {
-        case graph::Load::clear:
-            return vk::AttachmentLoadOp::eClear;
-        case graph::Load::load:
-            return vk::AttachmentLoadOp::eLoad;
-        case graph::Load::dontCare:
-            return vk::AttachmentLoadOp::eDontCare;
-    }
-    return {};
+    return load == graph::Load::clear  ? vk::AttachmentLoadOp::eClear
+           : load == graph::Load::load ? vk::AttachmentLoadOp::eLoad
+                                       : vk::AttachmentLoadOp::eDontCare;
 }
 
 inline vk::AttachmentStoreOp storeOp(graph::Store store) {
-    switch (store) {
-        case graph::Store::store:
-            return vk::AttachmentStoreOp::eStore;
-        case graph::Store::dontCare:
-            return vk::AttachmentStoreOp::eDontCare;
-        case graph::Store::none:
-            return vk::AttachmentStoreOp::eNone;
-    }
-    return {};
+    return store == graph::Store::store      ? vk::AttachmentStoreOp::eStore
+           : store == graph::Store::dontCare ? vk::AttachmentStoreOp::eDontCare
+                                             : vk::AttachmentStoreOp::eNone;
 }
 
 }  // namespace nacre::gpu

@@ -4,34 +4,6 @@
 
 namespace nacre::graph {
 
-const char* verbName(Verb verb) {
-    switch (verb) {
-        case Verb::depth:
-            return "depth write";
-        case Verb::depthTest:
-            return "depth test";
-        case Verb::color:
-            return "write";
-        case Verb::ordered:
-            return "ordered read and write";
-        case Verb::input:
-            return "input";
-        case Verb::samples:
-            return "sample";
-        case Verb::reads:
-            return "read";
-        case Verb::writes:
-            return "storage";
-        case Verb::vertices:
-            return "vertices";
-        case Verb::copiesFrom:
-            return "copy from";
-        case Verb::copiesTo:
-            return "copy to";
-    }
-    return "";
-}
-
 Graph::Graph(std::string name) : name_(std::move(name)) {
     static std::atomic<std::uint32_t> next{1};
     id_ = next++;

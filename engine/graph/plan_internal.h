@@ -23,6 +23,9 @@ void deriveOperations(const Graph& graph, const PlanCaps& caps, Plan& plan);
 /// Layouts, subpass dependencies and barriers.
 void deriveSynchronization(const Graph& graph, Plan& plan);
 
+/// What an image that is used so must be made for.
+VkImageUsageFlags usageFlag(Verb verb);
+
 /// The verb with which an attachment is used in a subpass; false if it is not.
 bool attachmentVerb(const Subpass& subpass, std::uint32_t attachment, Verb& verb);
 /// The verb of a use after inputs that left the tile became texture reads.

@@ -26,28 +26,6 @@ ImageUse useOf(const Graph& graph, const Plan& plan, const Step& step, std::uint
     return result;
 }
 
-VkImageUsageFlags usageFlag(Verb verb) {
-    switch (verb) {
-        case Verb::depth:
-        case Verb::depthTest:
-            return VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
-        case Verb::color:
-            return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
-        case Verb::ordered:
-            return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT;
-        case Verb::input:
-            return VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT;
-        case Verb::samples:
-            return VK_IMAGE_USAGE_SAMPLED_BIT;
-        case Verb::copiesFrom:
-            return VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-        case Verb::copiesTo:
-            return VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-        default:
-            return 0;
-    }
-}
-
 std::uint64_t bytesOf(const ImageDecl& image) {
     return std::uint64_t{bytesPerTexel(image.desc.format)} * image.desc.extent.width * image.desc.extent.height *
            image.desc.layers * image.desc.samples;

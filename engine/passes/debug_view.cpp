@@ -9,29 +9,17 @@ namespace {
 constexpr Type kLayers[] = {kSampled, kSampled};
 
 gpu::ShaderWords shaderOf(DebugView view) {
-    switch (view) {
-        case DebugView::none:
-            return {};
-        case DebugView::depth:
-            return shaders::debugDepth;
-        case DebugView::encoded:
-            return shaders::debugEncoded;
-        case DebugView::plates:
-            return shaders::debugPlates;
-        case DebugView::overdraw:
-            return shaders::debugOverdraw;
-        case DebugView::occlusion:
-            return shaders::debugOcclusion;
-        case DebugView::patches:
-            return shaders::debugPatches;
-        case DebugView::id:
-            return shaders::debugId;
-        case DebugView::normals:
-            return shaders::debugNormals;
-        case DebugView::tiles:
-            return shaders::debugTiles;
-    }
-    return {};
+    static const gpu::ShaderWords kShaders[] = {{},
+                                                shaders::debugDepth,
+                                                shaders::debugEncoded,
+                                                shaders::debugPlates,
+                                                shaders::debugOverdraw,
+                                                shaders::debugOcclusion,
+                                                shaders::debugPatches,
+                                                shaders::debugId,
+                                                shaders::debugNormals,
+                                                shaders::debugTiles};
+    return kShaders[static_cast<std::size_t>(view)];
 }
 
 void drawShown(gpu::PassContext& context, const SceneView& view, FullScreenPass pass, std::uint32_t tile,

@@ -1,5 +1,8 @@
 #include "engine/passes/deferred_shading.h"
 
+#include <array>
+#include <span>
+
 #include "engine/passes/bindings.h"
 #include "engine/passes/full_screen.h"
 #include "shaders.h"
@@ -7,75 +10,72 @@
 namespace nacre::passes {
 namespace {
 
-// Atlas, effects, shadow map, numbers, shapes, looks, rows of copies.
-constexpr Type kPlainInput[] = {kSampled, Type::eUniformBuffer, kSampled, Type::eInputAttachment, kStorage, kStorage,
-                                kStorage};
-constexpr Type kPlainTexture[] = {kSampled, Type::eUniformBuffer, kSampled, kSampled, kStorage, kStorage, kStorage};
-// And what is about primitives.
-constexpr Type kRimmedInput[] = {kSampled, Type::eUniformBuffer,  kSampled, Type::eInputAttachment, kStorage, kStorage,
-                                 kStorage, Type::eInputAttachment};
-constexpr Type kRimmedTexture[] = {kSampled, Type::eUniformBuffer, kSampled, kSampled, kStorage, kStorage, kStorage,
-                                   kSampled};
+/// Atlas, effects, shadow map, numbers, shapes, looks, rows of copies; where there are any, rims or nearest depth.
+constexpr std::array<Type, 8> bindingsOf(Type numbers, Type other) {
+    return {kSampled, Type::eUniformBuffer, kSampled, numbers, kStorage, kStorage, kStorage, other};
+}
+constexpr auto kAllInput = bindingsOf(Type::eInputAttachment, Type::eInputAttachment),
+               kAllSampled = bindingsOf(kSampled, kSampled), kOtherInput = bindingsOf(kSampled, Type::eInputAttachment);
 
-Stage shaderOf(Output output, bool texture) {
-    switch (output) {
-        case Output::surface:
-            return texture ? Stage{shaders::surfaceDeferredSampled, shaders::surfaceDeferredSampledCounting}
-                           : Stage{shaders::surfaceDeferredInput, shaders::surfaceDeferredInputCounting};
-        case Output::identity:
-            return texture ? Stage{shaders::identityDeferredSampled, shaders::identityDeferredSampledCounting}
-                           : Stage{shaders::identityDeferredInput, shaders::identityDeferredInputCounting};
-        default:
-            return texture ? Stage{shaders::colorDeferredSampled, shaders::colorDeferredSampledCounting}
-                           : Stage{shaders::colorDeferredInput, shaders::colorDeferredInputCounting};
-    }
+#define NACRE_NUMBERS(name) (texture ? NACRE_STAGE(name##Sampled) : NACRE_STAGE(name##Input))
+
+Stage shaderOf(const DeferredPass& pass) {
+    const bool texture = (pass.over ? pass.over->from : pass.reads.from) == NearestFrom::texture;
+    if (pass.over && pass.over->from == NearestFrom::depthBuffer) return NACRE_STAGE(translucentTested);
+    if (pass.over) return NACRE_NUMBERS(translucentNearest);
+    if (pass.rims) return NACRE_NUMBERS(rimmedDeferred);
+    if (pass.output == Output::surface) return NACRE_NUMBERS(surfaceDeferred);
+    return pass.output == Output::identity ? NACRE_NUMBERS(identityDeferred) : NACRE_NUMBERS(colorDeferred);
 }
 
-/// @param rims  null: they are not read
-void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout, const Reads& reads,
-               vk::ImageView rims) {
-    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
-    constexpr auto kRead = vk::ImageLayout::eShaderReadOnlyOptimal;
-    const bool texture = reads.from == NearestFrom::texture;
-    const vk::DescriptorImageInfo atlas(context.pipelines.sampler(vk::Filter::eLinear), reads.atlas, kRead);
-    const vk::DescriptorImageInfo numbers(texture ? context.pipelines.sampler(vk::Filter::eNearest) : vk::Sampler(),
-                                          reads.nearest, texture ? kRead : context.inputLayout);
-    const vk::DescriptorBufferInfo shapes(*view.buffers->shapes.handle, 0, VK_WHOLE_SIZE),
-        looks(*view.buffers->looks.handle, 0, VK_WHOLE_SIZE), rows(*view.copyRows->handle, 0, VK_WHOLE_SIZE),
-        effects(*view.effectConstants->handle, 0, VK_WHOLE_SIZE);
-    const vk::DescriptorImageInfo about(numbers.sampler, rims, kRead);
-    const vk::DescriptorImageInfo shadow = shadowOf(context, view, reads.atlas);
-    const vk::WriteDescriptorSet writes[] = {
-        {set, 0, 0, Type::eCombinedImageSampler, atlas},
-        {set, 1, 0, Type::eUniformBuffer, {}, effects},
-        {set, 2, 0, Type::eCombinedImageSampler, shadow},
-        {set, 3, 0, texture ? Type::eCombinedImageSampler : Type::eInputAttachment, numbers},
-        {set, 4, 0, Type::eStorageBuffer, {}, shapes},
-        {set, 5, 0, Type::eStorageBuffer, {}, looks},
-        {set, 6, 0, Type::eStorageBuffer, {}, rows},
-        {set, 7, 0, texture ? Type::eCombinedImageSampler : Type::eInputAttachment, about}};
-    context.device->updateDescriptorSets(vk::ArrayProxy<const vk::WriteDescriptorSet>(rims ? 8 : 7, writes), {});
-    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, set, {});
+/// What the last binding holds; null: nothing.
+vk::ImageView otherOf(const DeferredPass& pass) {
+    return pass.rims ? pass.rims->image : pass.over ? pass.over->nearest : vk::ImageView();
 }
 
 const gpu::Layout& layoutOf(gpu::PipelineContext& context, const SceneView& view, const DeferredPass& pass) {
-    const bool texture = pass.reads.from == NearestFrom::texture;
-    if (pass.rims)
-        return context.pipelines.layout({"deferred shading layout, rims", texture ? kRimmedTexture : kRimmedInput,
-                                         kDraw, sizeof(layout::ViewConstants), view.fragments != nullptr});
-    return context.pipelines.layout({"deferred shading layout", texture ? kPlainTexture : kPlainInput, kDraw,
+    const std::span<const Type> all = pass.reads.from != NearestFrom::texture                        ? kAllInput
+                                      : pass.over && pass.over->from == NearestFrom::inputAttachment ? kOtherInput
+                                                                                                     : kAllSampled;
+    const bool other = pass.rims || (pass.over && pass.over->from != NearestFrom::depthBuffer);
+    return context.pipelines.layout({"deferred shading layout", all.first(other ? 8 : 7), kDraw,
                                      sizeof(layout::ViewConstants), view.fragments != nullptr});
 }
 
+void bindReads(gpu::PassContext& context, const SceneView& view, const gpu::Layout& layout, const DeferredPass& pass) {
+    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
+    constexpr auto kRead = vk::ImageLayout::eShaderReadOnlyOptimal;
+    const vk::Sampler nearestTexel = context.pipelines.sampler(vk::Filter::eNearest);
+    const bool texture = pass.reads.from == NearestFrom::texture;
+    const bool otherTexture = pass.over ? pass.over->from == NearestFrom::texture : texture;
+    const vk::DescriptorImageInfo atlas(context.pipelines.sampler(vk::Filter::eLinear), pass.reads.atlas, kRead),
+        shadow = shadowOf(context, view, pass.reads.atlas),
+        numbers(texture ? nearestTexel : vk::Sampler(), pass.reads.nearest, texture ? kRead : context.inputLayout),
+        other(otherTexture ? nearestTexel : vk::Sampler(), otherOf(pass), kRead);
+    const vk::DescriptorBufferInfo shapes(*view.buffers->shapes.handle, 0, VK_WHOLE_SIZE),
+        looks(*view.buffers->looks.handle, 0, VK_WHOLE_SIZE), rows(*view.copyRows->handle, 0, VK_WHOLE_SIZE),
+        effects(*view.effectConstants->handle, 0, VK_WHOLE_SIZE);
+    const vk::WriteDescriptorSet writes[] = {
+        {set, 0, 0, kSampled, atlas},      {set, 1, 0, Type::eUniformBuffer, {}, effects},
+        {set, 2, 0, kSampled, shadow},     {set, 3, 0, texture ? kSampled : Type::eInputAttachment, numbers},
+        {set, 4, 0, kStorage, {}, shapes}, {set, 5, 0, kStorage, {}, looks},
+        {set, 6, 0, kStorage, {}, rows},   {set, 7, 0, otherTexture ? kSampled : Type::eInputAttachment, other}};
+    context.device->updateDescriptorSets(vk::ArrayProxy<const vk::WriteDescriptorSet>(other.imageView ? 8 : 7, writes),
+                                         {});
+    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, set, {});
+}
+
 FullScreenPass fullScreenOf(const SceneView& view, const DeferredPass& deferred) {
-    const bool texture = deferred.reads.from == NearestFrom::texture;
-    FullScreenPass pass{shaderOf(deferred.output, texture).of(view), {}, {}};
-    if (deferred.rims) {
-        const Stage stage = texture ? Stage{shaders::rimmedDeferredSampled, shaders::rimmedDeferredSampledCounting}
-                                    : Stage{shaders::rimmedDeferredInput, shaders::rimmedDeferredInputCounting};
-        pass.fragment = stage.of(view);
+    FullScreenPass pass{shaderOf(deferred).of(view), {}, {}};
+    if (deferred.rims)
         for (int i = 0; i < 4; ++i)
             pass.constants.set(layout::kClearId + i, deferred.rims->clear.value[static_cast<std::size_t>(i)]);
+    if (deferred.over) {
+        pass.detail = "layer";
+        pass.blend = gpu::Blend::over;
+        if (deferred.over->from == NearestFrom::depthBuffer) pass.depth = gpu::DepthUse::test;
+        pass.constants.set(layout::kDepthChannelsId, deferred.over->encoding.channels);
+        pass.constants.set(layout::kDepthStepsId, deferred.over->encoding.steps);
     }
     setGeometryConstants(pass.constants, view);
     setShadingConstants(pass.constants, view);
@@ -85,19 +85,23 @@ FullScreenPass fullScreenOf(const SceneView& view, const DeferredPass& deferred)
     return pass;
 }
 
+bool isEmpty(const SceneView& view, const DeferredPass& pass) {
+    return pass.over ? view.copies.triangles.empty() : view.buffers->empty();
+}
+
 }  // namespace
 
 void draw(gpu::PassContext& context, const SceneView& view, const DeferredPass& pass) {
-    if (view.buffers->empty()) return;
+    if (isEmpty(view, pass)) return;
     const gpu::Layout& layout = layoutOf(context, view, pass);
     bindFullScreen(context, fullScreenOf(view, pass), layout);
-    bindReads(context, view, layout, pass.reads, pass.rims ? pass.rims->image : vk::ImageView());
+    bindReads(context, view, layout, pass);
     bindCounter(context, view, layout);
     drawFullScreen(context, layout, kDraw, view.constants);
 }
 
 void want(gpu::PipelineContext& context, const SceneView& view, const DeferredPass& pass) {
-    if (view.buffers->empty()) return;
+    if (isEmpty(view, pass)) return;
     wantFullScreen(context, fullScreenOf(view, pass), layoutOf(context, view, pass));
 }
 

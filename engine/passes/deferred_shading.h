@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "engine/graph/graph.h"
 #include "engine/passes/output.h"
 #include "engine/passes/primitives.h"
@@ -13,9 +15,16 @@ struct DeferredPass {
         vk::ImageView image;  ///< as rims() leaves them
         graph::Clear clear;   ///< of the picture
     };
+    /// Of a layer of translucent triangles: how it knows whether what is opaque hides it.
+    struct Opaque {
+        NearestFrom from = NearestFrom::depthBuffer;
+        vk::ImageView nearest{};  ///< unless the depth test tells
+        Encoding encoding{};
+    };
     Output output = Output::color;
-    Reads reads;                 ///< `nearest` holds the numbers, as an input attachment or a texture
-    std::optional<Rims> rims{};  ///< lines and halos that are laid over
+    Reads reads;                   ///< `nearest` holds the numbers, as an input attachment or a texture
+    std::optional<Rims> rims{};    ///< lines and halos that are laid over
+    std::optional<Opaque> over{};  ///< the layer is laid over the picture
 };
 void draw(gpu::PassContext& context, const SceneView& view, const DeferredPass& pass);
 /// Asks for the pipeline of that.

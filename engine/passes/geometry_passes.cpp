@@ -7,9 +7,6 @@
 namespace nacre::passes {
 namespace {
 
-// The counting variant of a stage has the same name with "Counting" behind it.
-#define NACRE_STAGE(name) \
-    { shaders::name, shaders::name##Counting }
 /// @param reads  of the vertex stage of triangles, where the fragment stage reads: "Reads"
 #define NACRE_SHADERS(vertex, reads, fragment, variant)                                        \
     {                                                                                          \

@@ -1,6 +1,5 @@
 #include "engine/passes/plates.h"
 
-#include <array>
 #include <cmath>
 
 namespace nacre::passes {
@@ -33,23 +32,12 @@ double steadyRadius(double before, double now, const graph::GeometryCaps& caps) 
 }
 
 std::span<const Plate> platesOf(PlateShape shape) {
-    static constexpr std::array kSquare{Plate{4, 0.98516f}};
-    static constexpr std::array kOctagon{Plate{8, 0.98516f}};
-    static constexpr std::array kDome2{Plate{8, 0.98516f}, Plate{8, 0.75f}};
-    static constexpr std::array kDome3{Plate{8, 0.98516f}, Plate{8, 0.86f}, Plate{8, 0.6f}};
-    switch (shape) {
-        case PlateShape::automatic:
-        case PlateShape::none:
-            return {};
-        case PlateShape::square:
-            return kSquare;
-        case PlateShape::octagon:
-            return kOctagon;
-        case PlateShape::dome2:
-            return kDome2;
-        case PlateShape::dome3:
-            return kDome3;
-    }
+    static constexpr Plate kSquare[]{{4, 0.98516f}}, kDome2[]{{8, 0.98516f}, {8, 0.75f}},
+        kDome3[]{{8, 0.98516f}, {8, 0.86f}, {8, 0.6f}};
+    if (shape == PlateShape::square) return kSquare;
+    if (shape == PlateShape::octagon) return std::span(kDome2).first(1);
+    if (shape == PlateShape::dome2) return kDome2;
+    if (shape == PlateShape::dome3) return kDome3;
     return {};
 }
 

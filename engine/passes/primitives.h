@@ -16,6 +16,9 @@ struct Stage {
     gpu::ShaderWords plain, counting;
     gpu::ShaderWords of(const SceneView& view) const { return view.fragments ? counting : plain; }
 };
+/// By the name of the first (shaders/shaders.cmake).
+#define NACRE_STAGE(name) \
+    nacre::passes::Stage { shaders::name, shaders::name##Counting }
 
 /// How depth is encoded there.
 struct Encoding {

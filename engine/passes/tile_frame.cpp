@@ -97,9 +97,8 @@ TileCounts countsOf(const TileLists& lists) {
 
 std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, const SceneView& seen, const View& view,
                                                      graph::Extent image, TileWork work) {
-    auto free = std::find_if(frames_.begin(), frames_.end(), [](const auto& frame) { return frame.use_count() == 1; });
-    if (free == frames_.end()) free = frames_.insert(free, std::make_shared<TileFrame>());
-    TileFrame& frame = **free;
+    const std::shared_ptr<TileFrame>& free = frames_.free();
+    TileFrame& frame = *free;
     const std::uint32_t firstTriangle = seen.constants.spheres + seen.constants.cylinders;
     listCalls(seen, seen.copies.spheres, 0, spheres_);
     listCalls(seen, seen.copies.cylinders, seen.constants.spheres, cylinders_);
@@ -123,7 +122,7 @@ std::shared_ptr<const TileFrame> TileFrames::prepare(const Representation& r, co
     // A surface turns away in triangles that no pixel has in its middle, and a line may be narrower than a pixel.
     frame.edges.listed = seen.smallestPixels < kLargePixels || !r.triangles.empty() || seen.constants.contourWidth > 0;
     if (frame.edges.drawn) uploadEdges(frame, image);
-    return *free;
+    return free;
 }
 
 void reserve(const gpu::Device& device, TileBuffer& b, std::size_t bytes, vk::BufferUsageFlags usage, vk::Format format,

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "engine/gpu/pool.h"
 #include "engine/gpu/resources.h"
 #include "engine/graph/graph.h"
 #include "engine/passes/scene_view.h"
@@ -99,7 +100,7 @@ private:
     void uploadEdges(TileFrame& frame, graph::Extent image) const;
 
     const gpu::Device& device_;
-    std::vector<std::shared_ptr<TileFrame>> frames_;
+    gpu::Pool<TileFrame> frames_;
     std::vector<TileCall> spheres_, cylinders_, triangles_;  // of one frame
 };
 

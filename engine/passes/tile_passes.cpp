@@ -28,8 +28,7 @@ gpu::ShaderWords nearestShader(bool texels, TileScene scene, bool shaded) {
 }
 
 Stage layerShader(bool texels) {
-    return texels ? Stage{shaders::tileTranslucentTexels, shaders::tileTranslucentTexelsCounting}
-                  : Stage{shaders::tileTranslucentStorage, shaders::tileTranslucentStorageCounting};
+    return texels ? NACRE_STAGE(tileTranslucentTexels) : NACRE_STAGE(tileTranslucentStorage);
 }
 
 Stage shadeShader(Output output, bool texels, TileScene scene, bool depth) {

@@ -1,9 +1,7 @@
 #pragma once
-// Layers of translucent triangles: which of them is nearest to the viewer, which is next behind that, and what they
-// add to the picture of what is opaque.
+// What of a scene's triangles is opaque, and what is drawn in layers over that.
 
-#include "engine/passes/output.h"
-#include "engine/passes/primitives.h"
+#include "engine/passes/scene_view.h"
 #include "engine/scene/translucency.h"
 
 namespace nacre::passes {
@@ -20,15 +18,5 @@ void choose(std::vector<PlacedCopies::Call>& calls, const TranslucentRuns& runs,
 /// The translucent triangles of a scene, as a view that shows nothing else, and no lines.
 /// @param all  a view whose copies are those of the whole scene
 void seeTranslucent(SceneView& view, const SceneView& all, const TranslucentRuns& runs);
-
-/// How a layer knows whether what is opaque hides it.
-struct Opaque {
-    NearestFrom from = NearestFrom::depthBuffer;
-    vk::ImageView nearest{};  ///< unless the depth test tells
-    Encoding encoding{};
-};
-/// Lays a layer over the picture.
-void shadeTranslucentLayer(gpu::PassContext& context, const SceneView& view, vk::ImageView atlas, vk::ImageView numbers,
-                           const Opaque& opaque);
 
 }  // namespace nacre::passes
