@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "engine/passes/bindings.h"
 #include "engine/scene/tile_lists.h"
 #include "shaders.h"
 #include "shaders/common/layout.h"
@@ -9,20 +10,17 @@
 namespace nacre::occlusion {
 namespace {
 
-using Type = vk::DescriptorType;
-constexpr auto kCompute = vk::ShaderStageFlagBits::eCompute;
-constexpr Type kAccumulate[] = {Type::eStorageBuffer, Type::eUniformBuffer, Type::eStorageBuffer, Type::eStorageBuffer,
-                                Type::eCombinedImageSampler};
-constexpr Type kAccumulateStorage[] = {Type::eStorageBuffer, Type::eUniformBuffer, Type::eStorageBuffer,
-                                       Type::eStorageBuffer, Type::eStorageBuffer};
-constexpr Type kAccumulateTexels[] = {Type::eStorageBuffer, Type::eUniformTexelBuffer, Type::eStorageBuffer,
-                                      Type::eStorageBuffer, Type::eUniformTexelBuffer};
+using passes::kCompute;
+using passes::kStorage;
+using passes::kTexel;
+using passes::Type;
+constexpr std::array kAccumulate{kStorage, Type::eUniformBuffer, kStorage, kStorage, Type::eCombinedImageSampler};
+constexpr std::array kAccumulateStorage{kStorage, Type::eUniformBuffer, kStorage, kStorage, kStorage};
+constexpr std::array kAccumulateTexels{kStorage, kTexel, kStorage, kStorage, kTexel};
 // Shapes, rows of copies, lists, heights as they are read, and as they are written.
-constexpr Type kTileMapsTexels[] = {Type::eUniformTexelBuffer, Type::eUniformTexelBuffer, Type::eUniformTexelBuffer,
-                                    Type::eUniformTexelBuffer, Type::eStorageBuffer};
-constexpr Type kTileMapsStorage[] = {Type::eStorageBuffer, Type::eStorageBuffer, Type::eStorageBuffer,
-                                     Type::eStorageBuffer, Type::eStorageBuffer};
-constexpr Type kThreeBuffers[] = {Type::eStorageBuffer, Type::eStorageBuffer, Type::eStorageBuffer};
+constexpr std::array kTileMapsTexels{kTexel, kTexel, kTexel, kTexel, kStorage};
+constexpr auto kTileMapsStorage = passes::asStorage(kTileMapsTexels);
+constexpr std::array kThreeBuffers{kStorage, kStorage, kStorage};
 
 }  // namespace
 
@@ -42,9 +40,8 @@ const gpu::Layout& finishLayout(gpu::PipelineContext& context) {
 
 const gpu::Layout& tileMapsLayout(gpu::PipelineContext& context) {
     const bool texels = context.device.caps().tiles.texels;
-    return context.pipelines.layout({"depth maps by tiles layout",
-                                     texels ? std::span<const Type>(kTileMapsTexels) : kTileMapsStorage, kCompute,
-                                     sizeof(layout::MapConstants)});
+    return context.pipelines.layout({"depth maps by tiles layout", texels ? kTileMapsTexels : kTileMapsStorage,
+                                     kCompute, sizeof(layout::MapConstants)});
 }
 
 /// What the texels ask: an image, or heights as texels or in a storage buffer.

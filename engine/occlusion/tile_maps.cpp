@@ -167,7 +167,6 @@ graph::Buffer TileMaps::declare(graph::Graph& g, gpu::Imports& imports, std::uin
 void TileMaps::record(gpu::PassContext& context, const Part& part) const {
     const TileLists& lists = part.lists;
     if (lists.tiles().empty()) return;
-    const gpu::Layout& layout = tileMapsLayout(context);
     const TileView v = view();
     layout::MapConstants c{};
     c.origin = v.origin;
@@ -183,16 +182,13 @@ void TileMaps::record(gpu::PassContext& context, const Part& part) const {
     c.binsOfMap = apart_ / TileLists::kBinPixels;
     c.copies = copies_;
     const gpu::ComputePipeline pipeline = tileMapsPipeline(context, scene_.cylinderCount > 0);
-    context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, context.pipelines.compute(pipeline));
-    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
-    passes::TileBindings bindings(context, set, 0);
-    bindings.read(scene_.shapes, scene_.shapeTexels);
-    bindings.read(rowTexels_);
-    bindings.read(part.words);
-    bindings.read(heights_, heightTexels_);
-    bindings.store(heights_);
-    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline, 0, set, {});
-    context.commands.pushConstants<layout::MapConstants>(*layout.pipeline, vk::ShaderStageFlagBits::eCompute, 0, c);
+    passes::bindTiles(context, tileMapsLayout(context), pipeline, c, [&](passes::TileBindings& to) {
+        to.read(scene_.shapes, scene_.shapeTexels);
+        to.read(rowTexels_);
+        to.read(part.words);
+        to.read(heights_, heightTexels_);
+        to.store(heights_);
+    });
     passes::dispatchTiles(context, lists.tiles().size());
 }
 

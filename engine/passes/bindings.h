@@ -1,6 +1,8 @@
 #pragma once
 // What passes bind, and the stages that read it, by short names.
 
+#include <algorithm>
+#include <array>
 #include <vulkan/vulkan_raii.hpp>
 
 namespace nacre::passes {
@@ -10,5 +12,12 @@ constexpr Type kSampled = Type::eCombinedImageSampler, kStorage = Type::eStorage
                kTexel = Type::eUniformTexelBuffer;
 constexpr vk::ShaderStageFlags kDraw = vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
 constexpr auto kCompute = vk::ShaderStageFlagBits::eCompute;
+
+/// The same where the device reads streams from storage buffers, not as texels.
+template <std::size_t N>
+constexpr std::array<Type, N> asStorage(std::array<Type, N> types) {
+    std::replace(types.begin(), types.end(), kTexel, kStorage);
+    return types;
+}
 
 }  // namespace nacre::passes

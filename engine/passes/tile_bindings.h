@@ -29,8 +29,7 @@ inline TileScene tileScene(const SceneBuffers& scene) {
 /// Sets one binding after another.
 class TileBindings {
 public:
-    TileBindings(gpu::PassContext& context, vk::DescriptorSet set, std::uint32_t first)
-        : context_(context), set_(set), at_(first) {}
+    TileBindings(gpu::PassContext& context, vk::DescriptorSet set) : context_(context), set_(set) {}
 
     /// As the device reads streams: texels, or storage.
     void read(const gpu::Buffer& buffer, const vk::raii::BufferView& texels) {
@@ -56,8 +55,31 @@ private:
 
     gpu::PassContext& context_;
     vk::DescriptorSet set_;
-    std::uint32_t at_;
+    std::uint32_t at_ = 0;
 };
+
+/// Binds a pass: its pipeline, set 0 and push constants. @param write  gets TileBindings of the set
+template <typename Push, typename Write>
+void bindTiles(gpu::PassContext& context, const gpu::Layout& layout, vk::PipelineBindPoint point, vk::Pipeline pipeline,
+               const Push& push, const Write& write) {
+    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
+    TileBindings bindings(context, set);
+    write(bindings);
+    context.commands.bindPipeline(point, pipeline);
+    context.commands.bindDescriptorSets(point, *layout.pipeline, 0, set, {});
+    context.commands.pushConstants<Push>(*layout.pipeline, point == vk::PipelineBindPoint::eCompute ? kCompute : kDraw,
+                                         0, push);
+}
+template <typename Push, typename Write>
+void bindTiles(gpu::PassContext& context, const gpu::Layout& layout, const gpu::ComputePipeline& pipeline,
+               const Push& push, const Write& write) {
+    bindTiles(context, layout, vk::PipelineBindPoint::eCompute, context.pipelines.compute(pipeline), push, write);
+}
+template <typename Push, typename Write>
+void bindTiles(gpu::PassContext& context, const gpu::Layout& layout, const gpu::GraphicsPipeline& pipeline,
+               const Push& push, const Write& write) {
+    bindTiles(context, layout, vk::PipelineBindPoint::eGraphics, context.pipelines.graphics(pipeline), push, write);
+}
 
 inline void setTileView(gpu::Specialization& constants, const SceneView& view) {
     setGeometryConstants(constants, view);

@@ -7,33 +7,15 @@ namespace nacre::passes {
 namespace {
 
 // Atlas, effects; shapes, rows of copies, looks; lists, numbers, edge pixels; colours, which are written; shadow map;
-// cells of the atlas.
-constexpr Type kSampleTexels[] = {Type::eCombinedImageSampler,
-                                  Type::eUniformBuffer,
-                                  kTexel,
-                                  kTexel,
-                                  kTexel,
-                                  kTexel,
-                                  kTexel,
-                                  kTexel,
-                                  kStorage,
-                                  Type::eCombinedImageSampler,
-                                  kTexel};
-constexpr Type kSampleStorage[] = {Type::eCombinedImageSampler,
-                                   Type::eUniformBuffer,
-                                   kStorage,
-                                   kStorage,
-                                   kStorage,
-                                   kStorage,
-                                   kStorage,
-                                   kStorage,
-                                   kStorage,
-                                   Type::eCombinedImageSampler};
+// cells of the atlas, where they are texels.
+constexpr std::array kSampleTexels{
+    kSampled, Type::eUniformBuffer, kTexel, kTexel, kTexel, kTexel, kTexel, kTexel, kStorage, kSampled, kTexel};
+constexpr auto kSampleStorage = asStorage(kSampleTexels);
 // Lists, numbers, colours; edge pixels, and colours of none, which are written.
-constexpr Type kFindTexels[] = {kTexel, kTexel, kTexel, kStorage, kStorage};
-constexpr Type kFindStorage[] = {kStorage, kStorage, kStorage, kStorage, kStorage};
-constexpr Type kColorTexels[] = {kTexel};
-constexpr Type kColorStorage[] = {kStorage};
+constexpr std::array kFindTexels{kTexel, kTexel, kTexel, kStorage, kStorage};
+constexpr auto kFindStorage = asStorage(kFindTexels);
+constexpr std::array kColorTexels{kTexel};
+constexpr auto kColorStorage = asStorage(kColorTexels);
 
 Stage sampleStage(bool texels, TileScene scene) {
     return {NACRE_TILE_STAGE(tileEdges, ), NACRE_TILE_STAGE(tileEdges, Counting)};
@@ -58,8 +40,8 @@ gpu::ComputePipeline findPipeline(gpu::PipelineContext& context, const SceneView
 }
 
 const gpu::Layout& sampleLayout(gpu::PipelineContext& context, const SceneView& view) {
-    const std::span<const Type> types =
-        context.device.caps().tiles.texels ? std::span<const Type>(kSampleTexels) : kSampleStorage;
+    const auto types =
+        context.device.caps().tiles.texels ? std::span<const Type>(kSampleTexels) : std::span(kSampleStorage).first(10);
     return context.pipelines.layout(
         {"edges by tiles", types, kCompute, sizeof(layout::TileConstants), view.fragments != nullptr});
 }
@@ -86,18 +68,13 @@ void wantEdgesByTiles(gpu::PipelineContext& context, const SceneView& view) {
 void findEdgesByTiles(gpu::PassContext& context, const SceneView& view) {
     const TileFrame& f = *view.tiles;
     if (f.lists.tiles().empty()) return;
-    const gpu::Layout& layout = findLayout(context);
-    const gpu::ComputePipeline d = findPipeline(context, view);
-    context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, context.pipelines.compute(d));
-    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
-    TileBindings bindings(context, set, 0);
-    bindings.read(f.words);
-    bindings.read(f.sights().buffer, f.sights().quads);
-    bindings.read(f.numbers.buffer, f.numbers.quads);
-    bindings.store(f.edges.pixels.buffer);
-    bindings.store(f.shaded ? f.edges.pixels.buffer : f.edges.colors.buffer);  // what is shaded has no use for it
-    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline, 0, set, {});
-    context.commands.pushConstants<layout::TileConstants>(*layout.pipeline, kCompute, 0, f.constants);
+    bindTiles(context, findLayout(context), findPipeline(context, view), f.constants, [&](TileBindings& to) {
+        to.read(f.words);
+        to.read(f.sights().buffer, f.sights().quads);
+        to.read(f.numbers.buffer, f.numbers.quads);
+        to.store(f.edges.pixels.buffer);
+        to.store(f.shaded ? f.edges.pixels.buffer : f.edges.colors.buffer);  // what is shaded has no use for it
+    });
     dispatchTiles(context, f.lists.tiles().size() / (TileLists::kTilesInBin * TileLists::kTilesInBin));
 }
 
@@ -106,26 +83,21 @@ void drawEdgesByTiles(gpu::PassContext& context, const SceneView& view, vk::Imag
     const SceneBuffers& scene = *view.buffers;
     if (f.lists.tiles().empty()) return;
     const gpu::Layout& layout = sampleLayout(context, view);
-    const gpu::ComputePipeline d = samplePipeline(context, view);
-    context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, context.pipelines.compute(d));
-    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
-    TileBindings bindings(context, set, 0);
-    bindings.sample(atlas);
-    bindings.uniform(*view.effectConstants);
-    bindings.read(scene.shapes, scene.shapeTexels);
-    bindings.read(f.rows);
-    bindings.read(scene.looks, scene.lookTexels);
-    bindings.read(f.words);
-    bindings.read(f.sights());
-    bindings.read(f.edges.pixels);
-    bindings.store(f.shaded ? f.numbers.buffer : f.edges.colors.buffer);
-    bindings.sample(shadowOf(context, view, atlas));
-    // Never left unwritten, even where the shader reads none: lavapipe looks at it.
-    if (context.device.caps().tiles.texels)
-        bindings.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
-    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline, 0, set, {});
+    bindTiles(context, layout, samplePipeline(context, view), f.constants, [&](TileBindings& to) {
+        to.sample(atlas);
+        to.uniform(*view.effectConstants);
+        to.read(scene.shapes, scene.shapeTexels);
+        to.read(f.rows);
+        to.read(scene.looks, scene.lookTexels);
+        to.read(f.words);
+        to.read(f.sights());
+        to.read(f.edges.pixels);
+        to.store(f.shaded ? f.numbers.buffer : f.edges.colors.buffer);
+        to.sample(shadowOf(context, view, atlas));
+        // Never left unwritten, even where the shader reads none: lavapipe looks at it.
+        if (context.device.caps().tiles.texels) to.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
+    });
     bindCounter(context, view, layout, vk::PipelineBindPoint::eCompute);
-    context.commands.pushConstants<layout::TileConstants>(*layout.pipeline, kCompute, 0, f.constants);
     context.commands.dispatch(f.edges.groups, 1, 1);
 }
 
@@ -145,11 +117,7 @@ void drawEdgeColors(gpu::PassContext& context, const SceneView& view, const grap
     d.streams = spanStreams();
     d.layout = *layout.pipeline;
     d.colorsWritten = 1;
-    context.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, context.pipelines.graphics(d));
-    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
-    TileBindings(context, set, 0).read(f.edges.colors);
-    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, set, {});
-    context.commands.pushConstants<layout::TileConstants>(*layout.pipeline, kDraw, 0, f.constants);
+    bindTiles(context, layout, d, f.constants, [&](TileBindings& to) { to.read(f.edges.colors); });
     drawSpans(context, f);
 }
 

@@ -9,14 +9,14 @@ namespace nacre::passes {
 namespace {
 
 // Shapes, rows of copies, lists; numbers, which are written.
-constexpr Type kNearestTexels[] = {kTexel, kTexel, kTexel, kStorage};
-constexpr Type kNearestStorage[] = {kStorage, kStorage, kStorage, kStorage};
+constexpr std::array kNearestTexels{kTexel, kTexel, kTexel, kStorage};
+constexpr auto kNearestStorage = asStorage(kNearestTexels);
 // Where it shades: looks, atlas, effects and cells of the atlas, too, numbers beside the colours, and the shadow map.
-constexpr Type kNearestShaded[] = {kTexel, kTexel,   kTexel,  kStorage, kTexel, kSampled, Type::eUniformBuffer,
-                                   kTexel, kStorage, kSampled};
+constexpr std::array kNearestShaded{kTexel, kTexel,   kTexel,  kStorage, kTexel, kSampled, Type::eUniformBuffer,
+                                    kTexel, kStorage, kSampled};
 // Atlas, effects, shadow map, numbers, shapes, rows of copies, looks.
-constexpr Type kShadeTexels[] = {kSampled, Type::eUniformBuffer, kSampled, kTexel, kTexel, kTexel, kTexel};
-constexpr Type kShadeStorage[] = {kSampled, Type::eUniformBuffer, kSampled, kStorage, kStorage, kStorage, kStorage};
+constexpr std::array kShadeTexels{kSampled, Type::eUniformBuffer, kSampled, kTexel, kTexel, kTexel, kTexel};
+constexpr auto kShadeStorage = asStorage(kShadeTexels);
 
 constexpr vk::VertexInputBindingDescription kSpanBindings[] = {
     {0, sizeof(TileSpanVertex), vk::VertexInputRate::eInstance}};
@@ -114,27 +114,23 @@ void draw(gpu::PassContext& context, const SceneView& view, const NearestByTiles
     const TileFrame& f = *view.tiles;
     const SceneBuffers& scene = *view.buffers;
     if (f.lists.tiles().empty()) return;
-    const gpu::Layout& layout = nearestLayout(context, pass.atlas.has_value());
+    const bool shades = pass.atlas.has_value();
     if (f.edges.drawn && context.pipelines.makesAhead()) wantEdgesByTiles(context, view);
-    const gpu::ComputePipeline d = nearestPipeline(context, view, pass.atlas.has_value());
-    context.commands.bindPipeline(vk::PipelineBindPoint::eCompute, context.pipelines.compute(d));
-    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
-    TileBindings bindings(context, set, 0);
-    bindings.read(scene.shapes, scene.shapeTexels);
-    bindings.read(f.rows);
-    bindings.read(f.words);
-    bindings.store(f.numbers.buffer);
-    if (pass.atlas) {
-        bindings.read(scene.looks, scene.lookTexels);
-        bindings.sample(*pass.atlas);
-        bindings.uniform(*view.effectConstants);
+    const auto write = [&](TileBindings& to) {
+        to.read(scene.shapes, scene.shapeTexels);
+        to.read(f.rows);
+        to.read(f.words);
+        to.store(f.numbers.buffer);
+        if (!shades) return;
+        to.read(scene.looks, scene.lookTexels);
+        to.sample(*pass.atlas);
+        to.uniform(*view.effectConstants);
         // Never left unwritten, even where the shader reads none: lavapipe looks at it.
-        bindings.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
-        bindings.store(f.edges.drawn ? f.edges.numbers.buffer : f.numbers.buffer);
-        bindings.sample(shadowOf(context, view, *pass.atlas));
-    }
-    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout.pipeline, 0, set, {});
-    context.commands.pushConstants<layout::TileConstants>(*layout.pipeline, kCompute, 0, f.constants);
+        to.read(view.occlusionCells ? view.occlusionCells : *scene.lookTexels);
+        to.store(f.edges.drawn ? f.edges.numbers.buffer : f.numbers.buffer);
+        to.sample(shadowOf(context, view, *pass.atlas));
+    };
+    bindTiles(context, nearestLayout(context, shades), nearestPipeline(context, view, shades), f.constants, write);
     dispatchTiles(context, f.lists.tiles().size());
 }
 
@@ -147,43 +143,34 @@ void draw(gpu::PassContext& context, const SceneView& view, const TileShading& p
     const SceneBuffers& scene = *view.buffers;
     if (f.lists.spans().empty()) return;
     const gpu::Layout& layout = spanLayout(context, view);
-    const gpu::GraphicsPipeline d = spanPipeline(context, view, pass);
-    context.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, context.pipelines.graphics(d));
-    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
-    TileBindings bindings(context, set, 0);
-    bindings.sample(pass.atlas);
-    bindings.uniform(*view.effectConstants);
-    bindings.sample(shadowOf(context, view, pass.atlas));
-    bindings.read(f.numbers);
-    bindings.read(scene.shapes, scene.shapeTexels);
-    bindings.read(f.rows);
-    bindings.read(scene.looks, scene.lookTexels);
-    context.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *layout.pipeline, 0, set, {});
+    bindTiles(context, layout, spanPipeline(context, view, pass), f.constants, [&](TileBindings& to) {
+        to.sample(pass.atlas);
+        to.uniform(*view.effectConstants);
+        to.sample(shadowOf(context, view, pass.atlas));
+        to.read(f.numbers);
+        to.read(scene.shapes, scene.shapeTexels);
+        to.read(f.rows);
+        to.read(scene.looks, scene.lookTexels);
+    });
     bindCounter(context, view, layout);
-    context.commands.pushConstants<layout::TileConstants>(*layout.pipeline, kDraw, 0, f.constants);
     drawSpans(context, f);
 }
 
 void findLayersByTiles(gpu::PassContext& context, const SceneView& view) {
-    constexpr auto kPoint = vk::PipelineBindPoint::eCompute;
     const TileFrame& f = *view.tiles;
     const gpu::TileCaps& caps = context.device.caps().tiles;
     if (f.lists.tiles().empty()) return;
-    const gpu::Layout& layout = context.pipelines.layout(
-        {"layers by tiles", caps.texels ? kNearestTexels : kNearestStorage, kCompute, sizeof(layout::TileConstants)});
+    const gpu::Layout& layout = nearestLayout(context, false);
     gpu::ComputePipeline d{
         context.pass, caps.texels ? shaders::tileLayersTexels : shaders::tileLayersStorage, {}, *layout.pipeline};
     setTileView(d.constants, view);
     d.constants.set(layout::kLanesId, caps.lanes);
-    context.commands.bindPipeline(kPoint, context.pipelines.compute(d));
-    const vk::DescriptorSet set = context.descriptors.allocate(layout.set, context.pass);
-    TileBindings bindings(context, set, 0);
-    bindings.read(view.buffers->shapes, view.buffers->shapeTexels);
-    bindings.read(f.rows);
-    bindings.read(f.words);
-    bindings.store(f.numbers.buffer);
-    context.commands.bindDescriptorSets(kPoint, *layout.pipeline, 0, set, {});
-    context.commands.pushConstants<layout::TileConstants>(*layout.pipeline, kCompute, 0, f.constants);
+    bindTiles(context, layout, d, f.constants, [&](TileBindings& to) {
+        to.read(view.buffers->shapes, view.buffers->shapeTexels);
+        to.read(f.rows);
+        to.read(f.words);
+        to.store(f.numbers.buffer);
+    });
     dispatchTiles(context, f.lists.tiles().size());
 }
 
