@@ -41,12 +41,6 @@ void Graph::output(Buffer buffer) {
     buffers_[buffer.index].output = true;
 }
 
-Graph Graph::declarations() const {
-    Graph copy = *this;
-    for (PassDecl& pass : copy.passes_) pass.work = {};
-    return copy;
-}
-
 PassBuilder Graph::pass(std::string name, PassKind kind) {
     passes_.push_back({std::move(name), kind, {}, {}, false});
     return PassBuilder(*this, static_cast<std::uint32_t>(passes_.size() - 1));

@@ -178,9 +178,6 @@ public:
     void output(Image image);
     void output(Buffer buffer);
 
-    /// A copy that records nothing, and so holds on to nothing.
-    Graph declarations() const;
-
     const std::string& name() const { return name_; }
     const std::vector<PassDecl>& passes() const { return passes_; }
     const std::vector<ImageDecl>& images() const { return images_; }

@@ -1,7 +1,6 @@
 #include "engine/passes/hidden_spheres.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "engine/threads.h"
@@ -9,8 +8,7 @@
 namespace nacre::passes {
 namespace {
 
-constexpr std::uint32_t kDepths = 1024;  // that the order tells apart
-constexpr float kMargin = 0.05f;         // Å that something hidden is farther away, for what shaders round differently
+constexpr float kMargin = 0.05f;  // Å that something hidden is farther away, for what shaders round differently
 
 const glm::vec4* rowsOf(const PlacedCopies& placed, std::uint32_t copy) {
     return placed.rows.data() + 3 * std::size_t{copy};
@@ -59,39 +57,7 @@ void HiddenSpheres::list(const PlacedCopies& copies, const Chunks& chunks, const
     });
 }
 
-void HiddenSpheres::order(const TileView& view) {
-    const auto depthOf = [&](const Some& some) {
-        const float share = (some.near - view.nearest) / view.range;
-        return static_cast<std::uint32_t>(std::min(std::max(share * kDepths, 0.0f), kDepths - 1.0f));
-    };
-    std::array<std::uint32_t, kDepths + 1> at{};
-    for (const Some& some : all_) ++at[depthOf(some) + 1];
-    for (std::uint32_t i = 1; i <= kDepths; ++i) at[i] += at[i - 1];
-    order_.resize(all_.size());
-    for (std::uint32_t i = 0; i < all_.size(); ++i) order_[at[depthOf(all_[i])]++] = i;
-}
-
-void HiddenSpheres::part(std::size_t parts) {
-    const Coverage::Rows all = coverage_.rows();
-    parts_.clear();
-    if (parts <= 1) return parts_.push_back(all);
-    inRow_.assign(all.end, 0);
-    for (const Some& some : all_) {
-        const float row = std::min(std::max(some.y / coverage_.side(), 0.0f), static_cast<float>(all.end - 1));
-        ++inRow_[static_cast<std::uint32_t>(row)];
-    }
-    std::size_t before = 0;
-    std::uint32_t first = 0;
-    for (std::uint32_t row = 0; row < all.end; ++row) {
-        before += inRow_[row];
-        if (before * parts < all_.size() * (parts_.size() + 1) || parts_.size() + 1 == parts) continue;
-        parts_.push_back({first, row + 1});
-        first = row + 1;
-    }
-    parts_.push_back({first, all.end});
-}
-
-bool HiddenSpheres::hides(const Some& some, Coverage::Rows part) {
+bool HiddenSpheres::hides(const Some& some, RowBand part) {
     // A ball that is no ball reaches everywhere and hides nowhere.
     if (!std::isfinite(some.x + some.y + some.reach)) return false;
     const float row = some.y / coverage_.side(), rows = some.reach / coverage_.side() + 1;
@@ -100,7 +66,7 @@ bool HiddenSpheres::hides(const Some& some, Coverage::Rows part) {
 }
 
 /// @returns those of some spheres that may show in a part, a bit each @param asked  of these
-std::uint32_t HiddenSpheres::shownOf(const Some& some, std::uint32_t asked, const Scenery& scenery, Coverage::Rows part,
+std::uint32_t HiddenSpheres::shownOf(const Some& some, std::uint32_t asked, const Scenery& scenery, RowBand part,
                                      bool covers) {
     std::uint32_t shown = 0;
     const glm::vec4* rows = rowsOf(scenery.copies, some.copy);
@@ -119,7 +85,7 @@ std::uint32_t HiddenSpheres::shownOf(const Some& some, std::uint32_t asked, cons
 }
 
 void HiddenSpheres::look(const Scenery& scenery, std::size_t of) {
-    const Coverage::Rows part = parts_[of];
+    const RowBand part = parts_[of];
     std::vector<Shown>& shown = shown_[of];
     shown.clear();
     constexpr std::size_t kAhead = 16;  // they stand anywhere: the processor is told early
@@ -138,8 +104,13 @@ void HiddenSpheres::drop(PlacedCopies& copies, const Representation& r, const Ch
                          double radiusPixels) {
     coverage_.begin(view, radiusPixels);
     list(copies, chunks, view);
-    order(view);
-    part(threadsFor(all_.size()));
+    orderNearFirst<1024>(view, all_, order_);
+    const std::uint32_t rows = coverage_.rows();
+    const auto rowOf = [&](const Some& some) {
+        const float row = std::min(std::max(some.y / coverage_.side(), 0.0f), static_cast<float>(rows - 1));
+        return static_cast<std::uint32_t>(row);
+    };
+    partRows(rows, threadsFor(all_.size()), all_, rowOf, inRow_, parts_);
     shown_.resize(std::max(shown_.size(), parts_.size()));
     inParallel(parts_.size(), [&](std::size_t p) { look({view, r.spheres, copies}, p); });
     // What reaches over the border of two parts may show in one.

@@ -29,9 +29,6 @@ private:
     };
     static_assert(Chunk::kPrimitives == 32);
     void list(const PlacedCopies& placed, const Chunks& chunks, const TileView& view);
-    void order(const TileView& view);
-    /// Rows for each of some threads, with as many chunks each.
-    void part(std::size_t parts);
     struct Scenery {
         const TileView& view;
         const std::vector<Sphere>& spheres;
@@ -40,15 +37,14 @@ private:
     struct Shown {
         std::uint32_t some, spheres;  // its place, and a bit each
     };
-    bool hides(const Some& some, Coverage::Rows part);
-    std::uint32_t shownOf(const Some& some, std::uint32_t asked, const Scenery& scenery, Coverage::Rows part,
-                          bool covers);
+    bool hides(const Some& some, RowBand part);
+    std::uint32_t shownOf(const Some& some, std::uint32_t asked, const Scenery& scenery, RowBand part, bool covers);
     void look(const Scenery& scenery, std::size_t part);
 
     Coverage coverage_;
     std::vector<Some> all_;
     std::vector<std::uint32_t> begins_, order_, inRow_;
-    std::vector<Coverage::Rows> parts_;
+    std::vector<RowBand> parts_;
     std::vector<std::vector<Shown>> shown_;  // of each
 };
 

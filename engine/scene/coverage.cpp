@@ -29,7 +29,7 @@ void Coverage::begin(const TileView& view, double radiusPixels) {
 /// Goes through the cells of some rows whose middles a disc holds. @param work  gets neighbours of a row, and tells
 /// whether to go on @returns whether it has gone through all
 template <typename Work>
-bool Coverage::eachRow(const CellDisc& disc, Rows rows, const Work& work) {
+bool Coverage::eachRow(const CellDisc& disc, RowBand rows, const Work& work) {
     const glm::vec2 at = disc.at;
     const float right = static_cast<float>(across_), first = static_cast<float>(rows.first);
     // The cell in its middle tells most, and is all of a small one.
@@ -60,7 +60,7 @@ bool Coverage::eachRow(const CellDisc& disc, Rows rows, const Work& work) {
     return true;
 }
 
-void Coverage::cover(const TileView& view, const glm::vec3& center, float radius, Rows rows) {
+void Coverage::cover(const TileView& view, const glm::vec3& center, float radius, RowBand rows) {
     const float Z = view.origin - center.z;
     // A sphere that a plane cuts has lost some of its picture.
     if (!(Z - radius > view.clipNear) || !(Z + radius < view.clipFar)) return;
@@ -75,7 +75,7 @@ void Coverage::cover(const TileView& view, const glm::vec3& center, float radius
     });
 }
 
-bool Coverage::hidesLarge(const CellDisc& disc, float near, Rows rows) {
+bool Coverage::hidesLarge(const CellDisc& disc, float near, RowBand rows) {
     return eachRow(disc, rows, [&](const float* from, const float* to) {
         for (; from != to; ++from)
             if (!(*from < near)) return false;

@@ -5,34 +5,30 @@
 #include <glm/vec2.hpp>
 #include <vector>
 
-#include "engine/scene/tile_view.h"
+#include "engine/scene/near_first.h"
 
 namespace nacre {
 
 /// Square cells of pixels, each with a depth. One sphere must cover all of a cell, so cells are smaller than spheres.
-/// Kept from frame to frame, it allocates nothing once it has seen the largest.
+/// Kept from frame to frame, it allocates nothing once it has seen the largest. Threads may cover and ask bands of its
+/// rows at the same time.
 class Coverage {
 public:
-    /// Rows of cells: parts of a picture that threads may cover and ask at the same time.
-    struct Rows {
-        std::uint32_t first = 0, end = 0;
-    };
-
     /// Nothing is covered. @param radiusPixels  of a typical sphere
     void begin(const TileView& view, double radiusPixels);
     /// Covers what a sphere does. In perspective, too, its picture holds that of the disc about its centre which
     /// faces along z, and rays meet the sphere before they meet that.
     /// @param center  in view space, Å
-    void cover(const TileView& view, const glm::vec3& center, float radius, Rows rows);
+    void cover(const TileView& view, const glm::vec3& center, float radius, RowBand rows);
     /// Whether each cell of some rows that a disc touches is covered before a depth. What is outside of the picture is
     /// no matter.
     /// @param at, reach  of the disc, pixels @param near  Z, Å
-    bool hides(glm::vec2 at, float reach, float near, Rows rows) {
+    bool hides(glm::vec2 at, float reach, float near, RowBand rows) {
         const CellDisc disc = discOf(at, reach);
         return disc.radius < 0.5f ? hidesSmall(disc, near, rows) : hidesLarge(disc, near, rows);
     }
-    Rows rows() const { return {0, down_}; }  ///< all of them
-    float side() const { return side_; }      ///< of a cell, pixels
+    std::uint32_t rows() const { return down_; }  ///< of cells
+    float side() const { return side_; }          ///< of a cell, pixels
 
 private:
     struct CellDisc {
@@ -40,14 +36,14 @@ private:
         float radius, squared;
     };
     template <typename Work>
-    bool eachRow(const CellDisc& disc, Rows rows, const Work& work);
+    bool eachRow(const CellDisc& disc, RowBand rows, const Work& work);
     CellDisc discOf(glm::vec2 at, float reach) const {
         const float radius = (reach + outset_) * perSide_;
         return {at * perSide_, radius, radius * radius};
     }
     /// Of a disc that holds the middle of no cell but the one it stands in: of a million spheres that are smaller than
     /// pixels nearly all are asked so.
-    bool hidesSmall(const CellDisc& disc, float near, Rows rows) const {
+    bool hidesSmall(const CellDisc& disc, float near, RowBand rows) const {
         if (!(disc.at.x >= 0) || !(disc.at.x < static_cast<float>(across_)) ||
             !(disc.at.y >= static_cast<float>(rows.first)) || !(disc.at.y < static_cast<float>(rows.end)))
             return true;
@@ -55,7 +51,7 @@ private:
         const float aside = disc.at.x - static_cast<float>(x) - 0.5f, above = disc.at.y - static_cast<float>(y) - 0.5f;
         return aside * aside + above * above > disc.squared || depths_[std::size_t{y} * across_ + x] < near;
     }
-    bool hidesLarge(const CellDisc& disc, float near, Rows rows);
+    bool hidesLarge(const CellDisc& disc, float near, RowBand rows);
 
     std::uint32_t across_ = 0, down_ = 0;  // cells
     float side_ = 1, perSide_ = 1;         // pixels; one over that

@@ -117,37 +117,6 @@ void FrontSpheres::list(const Scenery& s) {
     }
 }
 
-void FrontSpheres::order(const TileView& view) {
-    constexpr std::uint32_t kDepths = 2048;
-    const auto depthOf = [&](const Group& group) {
-        const float share = (group.near - view.nearest) / view.range;
-        return static_cast<std::uint32_t>(std::min(std::max(share * kDepths, 0.0f), kDepths - 1.0f));
-    };
-    std::array<std::uint32_t, kDepths + 1> at{};
-    for (const Group& group : groups_) ++at[depthOf(group) + 1];
-    for (std::uint32_t i = 1; i <= kDepths; ++i) at[i] += at[i - 1];
-    order_.resize(groups_.size());
-    for (std::uint32_t i = 0; i < groups_.size(); ++i) order_[at[depthOf(groups_[i])]++] = i;
-}
-
-/// Rows for each of some threads, with as many groups each.
-void FrontSpheres::part(std::size_t parts) {
-    if (bands_.size() < parts) bands_.resize(parts);
-    inRow_.assign(height_, 0);
-    for (const Group& group : groups_) ++inRow_[pixelAt((group.top + group.bottom) * 0.5f, 0, height_ - 1)];
-    std::size_t before = 0;
-    std::uint32_t first = 0;
-    used_ = 0;
-    for (std::uint32_t row = 0; row < height_ && used_ + 1 < parts; ++row) {
-        before += inRow_[row];
-        if (before * parts < groups_.size() * (used_ + 1)) continue;
-        bands_[used_].first = first;
-        bands_[used_++].end = first = row + 1;
-    }
-    bands_[used_].first = first;
-    bands_[used_++].end = height_;
-}
-
 /// Whether what begins at a depth lies behind all that a rectangle shows. What has no pixel's centre shows nowhere.
 bool FrontSpheres::isHidden(const Band& band, float near, float left, float top, float right, float bottom) const {
     const std::uint32_t x0 = pixelAt(left, 0, width_), x1 = pixelAt(right, 0, width_);
@@ -160,7 +129,7 @@ bool FrontSpheres::isHidden(const Band& band, float near, float left, float top,
     return true;
 }
 
-void FrontSpheres::drawGroup(Band& band, const Scenery& s, const Group& group) {
+void FrontSpheres::drawGroup(const Band& band, const Scenery& s, const Group& group) {
     constexpr std::uint32_t kBoxes = SphereBoxes::kBoxes;
     if (isHidden(band, group.near, group.left, group.top, group.right, group.bottom)) return;
     const TileCall& call = s.calls[group.call];
@@ -192,7 +161,7 @@ void FrontSpheres::drawGroup(Band& band, const Scenery& s, const Group& group) {
 }
 
 /// A sphere that may be hit at a pixel's centre, and not certainly behind what is there.
-void FrontSpheres::meet(Band& band, std::size_t at, float Z, bool certain, std::uint32_t number) {
+void FrontSpheres::meet(const Band& band, std::size_t at, float Z, bool certain, std::uint32_t number) {
     const float there = z_[at];
     if (!certain) {
         band.doubts.push_back(number);
@@ -208,7 +177,7 @@ void FrontSpheres::meet(Band& band, std::size_t at, float Z, bool certain, std::
     }
 }
 
-void FrontSpheres::drawSpheres(Band& band, const Scenery& s, const TileCall& call, const Place& place,
+void FrontSpheres::drawSpheres(const Band& band, const Scenery& s, const TileCall& call, const Place& place,
                                std::uint32_t first, std::uint32_t end) {
     const Lanes none{}, across = none + static_cast<float>(width_), low = none + static_cast<float>(band.first),
                         high = none + static_cast<float>(band.end);
@@ -287,7 +256,7 @@ void FrontSpheres::listDoubts(const Scenery& s) {
     for (const TileCall& call : s.calls) most = std::max(most, call.number + call.first + call.count);
     marks_.assign(most / 64 + 1, 0);
     const auto mark = [&](std::uint32_t number) { marks_[number / 64] |= std::uint64_t{1} << number % 64; };
-    for (std::size_t b = 0; b < used_; ++b) std::for_each(bands_[b].doubts.begin(), bands_[b].doubts.end(), mark);
+    for (std::size_t b = 0; b < bands_.size(); ++b) std::for_each(doubts_[b].begin(), doubts_[b].end(), mark);
     doubtCalls_.clear();
     for (const TileCall& call : s.calls) {
         const std::uint32_t end = call.number + call.first + call.count;
@@ -320,12 +289,15 @@ void FrontSpheres::draw(const TileView& view, std::span<const Sphere> spheres, c
     const Scenery s{spheres, boxes, calls};
     begin(view, s);
     list(s);
-    order(view);
-    part(std::min<std::size_t>(groups_.size() / kWorth + 1, threadsPerTask()));
+    orderNearFirst<2048>(view, groups_, order_);
+    partRows(
+        height_, std::min<std::size_t>(groups_.size() / kWorth + 1, threadsPerTask()), groups_,
+        [&](const Group& group) { return pixelAt((group.top + group.bottom) * 0.5f, 0, height_ - 1); }, inRow_, bands_);
+    if (doubts_.size() < bands_.size()) doubts_.resize(bands_.size());
     z_.resize(std::max(z_.size(), pitch_ * height_));
     number_.resize(std::max(number_.size(), pitch_ * height_));
-    inParallel(used_, [&](std::size_t b) {
-        Band& band = bands_[b];
+    inParallel(bands_.size(), [&](std::size_t b) {
+        const Band band{bands_[b].first, bands_[b].end, doubts_[b]};
         band.doubts.clear();
         for (std::size_t y = band.first; y < band.end; ++y) {
             std::fill_n(z_.data() + y * pitch_, width_, kNothing);

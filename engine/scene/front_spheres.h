@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/scene/near_first.h"
 #include "engine/scene/sphere_boxes.h"
 #include "engine/scene/tile_view.h"
 
@@ -49,8 +50,8 @@ private:
     struct Rectangles;
     /// Rows of pixels that one thread draws.
     struct Band {
-        std::uint32_t first = 0, end = 0;
-        std::vector<std::uint32_t> doubts;
+        std::uint32_t first, end;
+        std::vector<std::uint32_t>& doubts;
     };
     struct Scenery {
         std::span<const Sphere> spheres;
@@ -60,14 +61,12 @@ private:
 
     void begin(const TileView& view, const Scenery& s);
     void list(const Scenery& s);
-    void order(const TileView& view);
-    void part(std::size_t parts);
     Rectangles rectanglesOf(const Place& place, const SphereBox* boxes) const;
     bool isHidden(const Band& band, float near, float left, float top, float right, float bottom) const;
-    void drawGroup(Band& band, const Scenery& s, const Group& group);
-    void drawSpheres(Band& band, const Scenery& s, const TileCall& call, const Place& place, std::uint32_t first,
+    void drawGroup(const Band& band, const Scenery& s, const Group& group);
+    void drawSpheres(const Band& band, const Scenery& s, const TileCall& call, const Place& place, std::uint32_t first,
                      std::uint32_t end);
-    void meet(Band& band, std::size_t at, float Z, bool certain, std::uint32_t number);
+    void meet(const Band& band, std::size_t at, float Z, bool certain, std::uint32_t number);
     void listDoubts(const Scenery& s);
 
     std::uint32_t width_ = 0, height_ = 0;
@@ -79,11 +78,11 @@ private:
     std::vector<Place> places_;
     std::vector<Group> groups_;
     std::vector<std::uint32_t> order_, inRow_;
-    std::vector<Band> bands_;
-    std::size_t used_ = 0;               // of them
-    std::vector<float> z_;               // of each pixel's sphere
-    std::vector<std::uint32_t> number_;  // its number, where there is one
-    std::vector<std::uint64_t> marks_;   // a bit a number
+    std::vector<RowBand> bands_;
+    std::vector<std::vector<std::uint32_t>> doubts_;  // of each band
+    std::vector<float> z_;                            // of each pixel's sphere
+    std::vector<std::uint32_t> number_;               // its number, where there is one
+    std::vector<std::uint64_t> marks_;                // a bit a number
     std::vector<TileCall> doubtCalls_;
     std::size_t shown_ = 0;
 };

@@ -1,0 +1,52 @@
+#pragma once
+// How the host draws many things by several threads: from near to far, each thread a part of the picture's rows.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/scene/tile_view.h"
+
+namespace nacre {
+
+/// Numbers of some things from near to far, of which so many depths are told apart. What stands at one depth keeps its
+/// order. @tparam T  has `near`, Z
+template <std::uint32_t kDepths, typename T>
+void orderNearFirst(const TileView& view, const std::vector<T>& things, std::vector<std::uint32_t>& order) {
+    const auto depthOf = [&](const T& thing) {
+        const float share = (thing.near - view.nearest) / view.range;
+        return static_cast<std::uint32_t>(std::min(std::max(share * kDepths, 0.0f), kDepths - 1.0f));
+    };
+    std::array<std::uint32_t, kDepths + 1> at{};
+    for (const T& thing : things) ++at[depthOf(thing) + 1];
+    for (std::uint32_t i = 1; i <= kDepths; ++i) at[i] += at[i - 1];
+    order.resize(things.size());
+    for (std::uint32_t i = 0; i < things.size(); ++i) order[at[depthOf(things[i])]++] = i;
+}
+
+/// Rows of a picture, to one past the last.
+struct RowBand {
+    std::uint32_t first = 0, end = 0;
+};
+
+/// Rows for each of some threads, with as many things each. @param rowOf  of a thing, below `rows`
+template <typename T, typename RowOf>
+void partRows(std::uint32_t rows, std::size_t parts, const std::vector<T>& things, const RowOf& rowOf,
+              std::vector<std::uint32_t>& inRow, std::vector<RowBand>& bands) {
+    bands.clear();
+    inRow.assign(rows, 0);
+    if (parts > 1)
+        for (const T& thing : things) ++inRow[rowOf(thing)];
+    std::size_t before = 0;
+    std::uint32_t first = 0;
+    for (std::uint32_t row = 0; row < rows && bands.size() + 1 < parts; ++row) {
+        before += inRow[row];
+        if (before * parts < things.size() * (bands.size() + 1)) continue;
+        bands.push_back({first, row + 1});
+        first = row + 1;
+    }
+    bands.push_back({first, rows});
+}
+
+}  // namespace nacre
