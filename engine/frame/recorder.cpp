@@ -110,7 +110,7 @@ graph::Work Recorder::shadedPrimitives(Output output, Image atlas, Image numbers
 graph::Work Recorder::rimmedPrimitives(Image atlas, Image numbers, Image rims, const graph::Clear& clear) const {
     return of([=](const auto& c, const SceneView&) {
         return passes::DeferredPass{Output::color, readsOf(c, left(c), atlas, numbers),
-                                    passes::DeferredPass::Rims{viewOf(c, rims), clear}};
+                                    passes::DeferredRims{viewOf(c, rims), clear}};
     });
 }
 
@@ -138,8 +138,8 @@ graph::Work Recorder::translucentColor(Image atlas, Image numbers, std::optional
                                        const graph::EncodedFormat& format) const {
     return later([=, encoding = passes::Encoding(format)](Context& c, const SceneView& scene) {
         passes::DeferredPass pass{Output::color, readsOf(c, NearestFrom::texture, atlas, numbers)};
-        pass.over.emplace();
-        if (nearest) pass.over = {left(c), c.view(*nearest), encoding};
+        pass.over = passes::LayerOver();
+        if (nearest) pass.over = passes::LayerOver{left(c), c.view(*nearest), encoding};
         passes::draw(c, *scene.translucent, pass);
     });
 }

@@ -89,6 +89,7 @@ private:
         ~Preparing() { stop.request_stop(); }
     };
     struct Baking {
+        explicit Baking(std::shared_ptr<Bake> made) : bake(std::move(made)) {}
         std::shared_ptr<Bake> bake;
         double shown = 0;           // the share that frames show
         double unshown = 0;         // milliseconds of work that they do not show yet
@@ -96,6 +97,7 @@ private:
         Clock::time_point submittedAt{};
     };
     struct Finished {
+        explicit Finished(std::shared_ptr<Bake> done) : bake(std::move(done)) {}
         std::shared_ptr<Bake> bake;
     };
     template <typename State>

@@ -8,23 +8,23 @@
 
 namespace nacre::passes {
 
+struct DeferredRims {
+    vk::ImageView image;  ///< as rims() leaves them
+    graph::Clear clear;   ///< of the picture
+};
+/// Of a layer of translucent triangles: how it knows whether what is opaque hides it.
+struct LayerOver {
+    NearestFrom from = NearestFrom::depthBuffer;
+    vk::ImageView nearest{};  ///< unless the depth test tells
+    Encoding encoding{};
+};
 /// Shades every covered pixel once: the hit is rebuilt from the pixel and the record of the primitive whose number it
 /// holds.
 struct DeferredPass {
-    struct Rims {
-        vk::ImageView image;  ///< as rims() leaves them
-        graph::Clear clear;   ///< of the picture
-    };
-    /// Of a layer of translucent triangles: how it knows whether what is opaque hides it.
-    struct Opaque {
-        NearestFrom from = NearestFrom::depthBuffer;
-        vk::ImageView nearest{};  ///< unless the depth test tells
-        Encoding encoding{};
-    };
     Output output = Output::color;
-    Reads reads;                   ///< `nearest` holds the numbers, as an input attachment or a texture
-    std::optional<Rims> rims{};    ///< lines and halos that are laid over
-    std::optional<Opaque> over{};  ///< the layer is laid over the picture
+    Reads reads;                         ///< `nearest` holds the numbers, as an input attachment or a texture
+    std::optional<DeferredRims> rims{};  ///< lines and halos that are laid over
+    std::optional<LayerOver> over{};     ///< the layer is laid over the picture
 };
 void draw(gpu::PassContext& context, const SceneView& view, const DeferredPass& pass);
 /// Asks for the pipeline of that.
