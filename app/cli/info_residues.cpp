@@ -5,8 +5,7 @@
 #include "app/cli/info_command.h"
 #include "app/files/messages.h"
 #include "app/files/printable.h"
-#include "engine/molecule/kabsch_sander.h"
-#include "engine/molecule/residue_kind.h"
+#include "engine/molecule/residue_facts.h"
 
 namespace nacre::app {
 
@@ -29,8 +28,7 @@ const char* nameOf(SecondaryStructure secondary) {
 }  // namespace
 
 Json residueList(const Molecule& molecule) {
-    const std::vector<SecondaryStructure> folds = secondaryStructure(molecule);
-    const std::vector<ResidueKind> kinds = residueKinds(molecule);
+    const ResidueFacts facts(molecule);
     const bool several = std::any_of(molecule.chains.begin(), molecule.chains.end(),
                                      [&](const Chain& chain) { return chain.model != molecule.chains.front().model; });
     Json list = Json::array();
@@ -42,7 +40,7 @@ Json residueList(const Molecule& molecule) {
         entry["number"] = residue.number;
         entry["insertion"] = residue.insertionCode ? std::string(1, residue.insertionCode) : "";
         entry["name"] = residue.name.view();
-        if (kinds[i] == ResidueKind::protein) entry["secondary"] = nameOf(folds[i]);
+        if (facts.kinds()[i] == ResidueKind::protein) entry["secondary"] = nameOf(facts.folds()[i]);
         list.push_back(std::move(entry));
     }
     return list;

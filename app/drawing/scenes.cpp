@@ -21,13 +21,15 @@ std::vector<std::uint32_t> someDrawnAtoms(const Molecule& molecule, const std::s
 
 MovingScene movingSceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawn,
                           const RepresentationOptions& look) {
-    return {molecule, someDrawnAtoms(molecule, name, drawn), look, sharedFrame(molecule, drawn, look)};
+    const ResidueFacts facts(molecule);
+    return {facts, someDrawnAtoms(molecule, name, drawn), look, sharedFrame(facts, drawn, look)};
 }
 
 Representation sceneOf(const Molecule& molecule, const std::string& name, const DrawnAtomsOptions& drawnOptions,
                        const RepresentationOptions& look, const std::optional<Bounds>& frame) {
     const std::vector<std::uint32_t> drawn = someDrawnAtoms(molecule, name, drawnOptions);
-    Representation scene = represent(molecule, drawn, look, frame ? frame : sharedFrame(molecule, drawnOptions, look));
+    const ResidueFacts facts(molecule);
+    Representation scene = represent(facts, drawn, look, frame ? frame : sharedFrame(facts, drawnOptions, look));
     if (!look.ownFrame && !molecule.othersMissing.empty())
         scene.warnings.push_back("the camera is this model's own, not that of all models: " + molecule.othersMissing);
     return scene;

@@ -7,7 +7,7 @@
 #include "app/files/messages.h"
 #include "engine/error.h"
 #include "engine/molecule/matched_atoms.h"
-#include "engine/molecule/overlay_models.h"
+#include "engine/molecule/join_models.h"
 #include "engine/molecule/superpose.h"
 
 namespace nacre::app {
@@ -74,7 +74,7 @@ Molecule joinInputs(const InputOptions& input, std::vector<Molecule> molecules,
                     const std::function<void(const std::string&)>& tell) {
     for (std::size_t i = 0; i < molecules.size(); ++i)
         for (Chain& chain : molecules[i].chains) chain.model = static_cast<int>(i + 1);
-    Molecule whole = overlayModels(input.path, std::move(molecules), kMaxAtoms);
+    Molecule whole = joinModels(input.path, std::move(molecules), kMaxAtoms);
     whole.modelsAreInputs = true;
     whole.assemblies.clear();  // they place one of the molecules, not all
     for (const FitOptions& fit : input.fits) tell(fitInput(whole, fit));

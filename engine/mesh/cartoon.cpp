@@ -10,7 +10,6 @@
 #include "engine/mesh/cartoon_trace.h"
 #include "engine/mesh/mesh_levels.h"
 #include "engine/mesh/solids.h"
-#include "engine/molecule/residue_positions.h"
 
 namespace nacre {
 namespace {
@@ -196,9 +195,9 @@ CartoonOptions settledOptions(const CartoonOptions& options, std::size_t residue
 
 }  // namespace
 
-Mesh cartoon(const Molecule& molecule, std::span<const std::uint32_t> atoms,
+Mesh cartoon(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
              std::span<const SecondaryStructure> secondary, const CartoonOptions& options, const glm::dvec3& origin) {
-    const std::vector<Trace> traces = cartoonTraces(molecule, atoms, secondary);
+    const std::vector<Trace> traces = cartoonTraces(facts, atoms, secondary);
     std::size_t residues = 0;
     for (const Trace& trace : traces) residues += trace.residues.size();
     const CartoonOptions settled = settledOptions(options, residues);
@@ -214,21 +213,21 @@ Mesh cartoon(const Molecule& molecule, std::span<const std::uint32_t> atoms,
     for (auto* places : {&nucleotides, &aminoAcids})
         std::sort(places->begin(), places->end(),
                   [](const RibbonPlace& a, const RibbonPlace& b) { return a.residue < b.residue; });
-    addBases(mesh, molecule, nucleotides, settled.bases, origin, settled.sides);
-    if (settled.disulfides) addDisulfides(mesh, molecule, aminoAcids, origin, settled.sides);
+    addBases(mesh, facts, nucleotides, settled.bases, origin, settled.sides);
+    if (settled.disulfides) addDisulfides(mesh, facts, aminoAcids, origin, settled.sides);
     dropFineLevels(mesh);
     return mesh;
 }
 
-std::vector<std::uint32_t> atomsOfCartoon(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
-    const std::vector<std::uint32_t> positions = residuePositions(molecule);
+std::vector<std::uint32_t> atomsOfCartoon(const ResidueFacts& facts, std::span<const std::uint32_t> atoms) {
+    const Molecule& molecule = facts.molecule();
     std::vector<bool> drawn(molecule.residues.size());
-    for (const Trace& trace : cartoonTraces(molecule, atoms, {}))
+    for (const Trace& trace : cartoonTraces(facts, atoms, {}))
         for (std::size_t i = 0; i < trace.residues.size(); ++i)
             if (trace.shown[i]) drawn[trace.residues[i]] = true;
     std::vector<std::uint32_t> found;
     for (const std::uint32_t atom : atoms)
-        if (drawn[positions[molecule.atoms[atom].residue]]) found.push_back(atom);
+        if (drawn[facts.positions()[molecule.atoms[atom].residue]]) found.push_back(atom);
     return found;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "engine/mesh/mesh.h"
-#include "engine/molecule/molecule.h"
+#include "engine/molecule/residue_facts.h"
 
 namespace nacre {
 
@@ -53,11 +53,11 @@ struct CartoonOptions {
 ///        under two are drawn as coil
 /// @param origin  what the positions are relative to, Å, in the file's frame
 /// @return empty if no such residue is there
-Mesh cartoon(const Molecule& molecule, std::span<const std::uint32_t> atoms,
+Mesh cartoon(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
              std::span<const SecondaryStructure> secondary, const CartoonOptions& options, const glm::dvec3& origin);
 
 /// The atoms, among `atoms`, whose residues cartoon() draws: all of these residues, side chains and hydrogens too.
 /// Ascending. What is left (ligands, ions, waters) needs another style to be seen.
-std::vector<std::uint32_t> atomsOfCartoon(const Molecule& molecule, std::span<const std::uint32_t> atoms);
+std::vector<std::uint32_t> atomsOfCartoon(const ResidueFacts& facts, std::span<const std::uint32_t> atoms);
 
 }  // namespace nacre

@@ -9,8 +9,6 @@
 #include "engine/mesh/cartoon_trace.h"
 #include "engine/mesh/solids.h"
 #include "engine/mesh/unit_vectors.h"
-#include "engine/molecule/drawn_atoms.h"
-#include "engine/molecule/residue_positions.h"
 
 namespace nacre {
 namespace {
@@ -38,8 +36,8 @@ struct Base {
 /// The index among places of the residue of each atom record's position; places.size() if it is none.
 class PlaceOfAtom {
 public:
-    PlaceOfAtom(const Molecule& molecule, std::span<const RibbonPlace> places)
-        : molecule_(molecule), positions_(residuePositions(molecule)), places_(places) {}
+    PlaceOfAtom(const ResidueFacts& facts, std::span<const RibbonPlace> places)
+        : molecule_(facts.molecule()), positions_(facts.positions()), places_(places) {}
 
     std::size_t operator()(std::uint32_t atom) const {
         const std::uint32_t residue = positions_[molecule_.atoms[atom].residue];
@@ -51,17 +49,18 @@ public:
 
 private:
     const Molecule& molecule_;
-    std::vector<std::uint32_t> positions_;
+    const std::vector<std::uint32_t>& positions_;
     std::span<const RibbonPlace> places_;
 };
 
 bool finitePlace(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-std::vector<Base> basesOf(const Molecule& molecule, std::span<const RibbonPlace> places) {
+std::vector<Base> basesOf(const ResidueFacts& facts, std::span<const RibbonPlace> places) {
+    const Molecule& molecule = facts.molecule();
     std::vector<Base> bases(places.size());
     for (Base& base : bases) base.atoms.fill(kNoAtom);
-    const PlaceOfAtom placeOf(molecule, places);
-    for (const std::uint32_t index : drawnAtoms(molecule)) {
+    const PlaceOfAtom placeOf(facts, places);
+    for (const std::uint32_t index : facts.conformer()) {
         const Atom& atom = molecule.atoms[index];
         Name name = atom.name;
         std::replace(name.bytes.begin(), name.bytes.end(), '*', '\'');
@@ -150,18 +149,19 @@ private:
 
 }  // namespace
 
-void addBases(Mesh& mesh, const Molecule& molecule, std::span<const RibbonPlace> places, BaseForm form,
+void addBases(Mesh& mesh, const ResidueFacts& facts, std::span<const RibbonPlace> places, BaseForm form,
               const glm::dvec3& origin, int sides) {
     if (form == BaseForm::none || places.empty()) return;
-    const std::vector<Base> bases = basesOf(molecule, places);
-    BaseDrawer drawer(mesh, molecule, origin, sides);
+    const std::vector<Base> bases = basesOf(facts, places);
+    BaseDrawer drawer(mesh, facts.molecule(), origin, sides);
     for (std::size_t i = 0; i < places.size(); ++i) drawer.draw(bases[i], places[i], form);
 }
 
-void addDisulfides(Mesh& mesh, const Molecule& molecule, std::span<const RibbonPlace> places, const glm::dvec3& origin,
+void addDisulfides(Mesh& mesh, const ResidueFacts& facts, std::span<const RibbonPlace> places, const glm::dvec3& origin,
                    int sides) {
+    const Molecule& molecule = facts.molecule();
     if (places.empty()) return;
-    const PlaceOfAtom placeOf(molecule, places);
+    const PlaceOfAtom placeOf(facts, places);
     std::vector<std::uint32_t> betas;  // CB of each place, found when the first bridge is
     for (const Bond& bond : molecule.bonds) {
         const Atom &a = molecule.atoms[bond.a], &b = molecule.atoms[bond.b];
@@ -171,7 +171,7 @@ void addDisulfides(Mesh& mesh, const Molecule& molecule, std::span<const RibbonP
         if (placeA == places.size() || placeB == places.size() || placeA == placeB) continue;
         if (betas.empty()) {
             betas.assign(places.size(), kNoAtom);
-            for (const std::uint32_t index : drawnAtoms(molecule))
+            for (const std::uint32_t index : facts.conformer())
                 if (molecule.atoms[index].name == Name("CB") && finitePlace(molecule.atoms[index].position))
                     if (const std::size_t place = placeOf(index); place != places.size()) betas[place] = index;
         }

@@ -21,12 +21,12 @@ struct RibbonPlace {
 /// Adds a base for each nucleotide: plates of its rings where all their atoms are there and lie as rings do, else a
 /// stick as far as the base is there.
 /// @param places  of nucleotides, by ascending residue
-void addBases(Mesh& mesh, const Molecule& molecule, std::span<const RibbonPlace> places, BaseForm form,
+void addBases(Mesh& mesh, const ResidueFacts& facts, std::span<const RibbonPlace> places, BaseForm form,
               const glm::dvec3& origin, int sides);
 
 /// Adds sticks from ribbon to ribbon for each bond between two sulphurs of residues that are drawn.
 /// @param places  of amino acids, by ascending residue
-void addDisulfides(Mesh& mesh, const Molecule& molecule, std::span<const RibbonPlace> places, const glm::dvec3& origin,
+void addDisulfides(Mesh& mesh, const ResidueFacts& facts, std::span<const RibbonPlace> places, const glm::dvec3& origin,
                    int sides);
 
 }  // namespace nacre

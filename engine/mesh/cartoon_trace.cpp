@@ -6,10 +6,6 @@
 #include <glm/geometric.hpp>
 #include <string_view>
 
-#include "engine/molecule/drawn_atoms.h"
-#include "engine/molecule/residue_kind.h"
-#include "engine/molecule/residue_positions.h"
-
 namespace nacre {
 namespace {
 
@@ -61,15 +57,16 @@ int guideNameOf(const Name& name) {
 }
 
 /// Residues with a guide atom, in the file's order.
-std::vector<Guided> guidedResidues(const Molecule& molecule) {
-    const std::vector<std::uint32_t> first = residuePositions(molecule);
-    const std::vector<ResidueKind> kinds = residueKinds(molecule);
+std::vector<Guided> guidedResidues(const ResidueFacts& facts) {
+    const Molecule& molecule = facts.molecule();
+    const std::vector<std::uint32_t>& first = facts.positions();
+    const std::vector<ResidueKind>& kinds = facts.kinds();
     std::vector<Guided> guided(molecule.residues.size());
     for (std::uint32_t r = 0; r < guided.size(); ++r) {
         guided[r].residue = r;
         guided[r].atoms.fill(kNoAtom);
     }
-    for (const std::uint32_t index : drawnAtoms(molecule)) {
+    for (const std::uint32_t index : facts.conformer()) {
         const Atom& atom = molecule.atoms[index];
         const ResidueKind kind = kinds[atom.residue];
         if ((kind != ResidueKind::protein && kind != ResidueKind::nucleic) || !isFinite(atom.position)) continue;
@@ -145,11 +142,12 @@ void addEnds(const Molecule& molecule, const Guided& last, Trace& trace) {
 
 }  // namespace
 
-std::vector<Trace> cartoonTraces(const Molecule& molecule, std::span<const std::uint32_t> atoms,
+std::vector<Trace> cartoonTraces(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
                                  std::span<const SecondaryStructure> secondary) {
+    const Molecule& molecule = facts.molecule();
     std::vector<bool> chosen(molecule.atoms.size());
     for (const std::uint32_t atom : atoms) chosen[atom] = true;
-    const std::vector<Guided> guided = guidedResidues(molecule);
+    const std::vector<Guided> guided = guidedResidues(facts);
     const ChainLinks links(molecule);
     std::vector<Trace> traces;
     for (std::size_t i = 0; i < guided.size(); ++i) {

@@ -35,7 +35,7 @@ struct Trace {
 };
 
 /// @param atoms, secondary  as cartoon() takes them
-std::vector<Trace> cartoonTraces(const Molecule& molecule, std::span<const std::uint32_t> atoms,
+std::vector<Trace> cartoonTraces(const ResidueFacts& facts, std::span<const std::uint32_t> atoms,
                                  std::span<const SecondaryStructure> secondary);
 
 /// Helices of at least three and strands of at least two residues.

@@ -8,12 +8,13 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "engine/error.h"
+#include "engine/molecule/text.h"
 
 namespace nacre {
 
 std::shared_ptr<ByteFile> ByteFile::open(const std::string& path) {
     struct stat status {};
+    errno = 0;
     // A pipe that is opened may be waited for without an end.
     if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return nullptr;
     const int file = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
@@ -44,8 +45,8 @@ void ByteFile::read(std::uint64_t at, void* to, std::size_t count) const {
     for (std::size_t done = 0; done < count;) {
         const ssize_t got = ::pread(file_, static_cast<char*>(to) + done, count - done, static_cast<off_t>(at + done));
         if (got > 0) done += static_cast<std::size_t>(got);
-        if (got == 0) throw Error("cannot read molecule", "", "the file has become shorter while it was read");
-        if (got < 0 && errno != EINTR) throw Error("cannot read molecule", "", std::strerror(errno));
+        if (got == 0) cannotRead("", "the file has become shorter while it was read");
+        if (got < 0 && errno != EINTR) cannotRead("", std::strerror(errno));
     }
 }
 

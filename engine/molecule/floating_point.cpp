@@ -14,11 +14,11 @@
 #include <xlocale.h>
 #endif
 
+#include "engine/molecule/text.h"
+
 namespace nacre {
 namespace portable {
 namespace {
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 /// The program may have set a locale whose numbers have a comma.
 locale_t plainLocale() {
@@ -26,70 +26,24 @@ locale_t plainLocale() {
     return only;
 }
 
-/// Where a word ends, in small or capital letters; `first` if another stands there.
-const char* afterWord(const char* first, const char* last, std::string_view word) {
-    if (static_cast<std::size_t>(last - first) < word.size()) return first;
-    const bool same =
-        std::equal(word.begin(), word.end(), first, [](char w, char c) { return w == c || w - 'a' + 'A' == c; });
-    return same ? first + word.size() : first;
-}
-
-/// "inf", "infinity", "nan", "nan(letters)".
-const char* afterNoNumber(const char* first, const char* last, double& value) {
-    if (const char* end = afterWord(first, last, "inf"); end != first) {
-        value = std::numeric_limits<double>::infinity();
-        return afterWord(end, last, "inity");
-    }
-    const char* end = afterWord(first, last, "nan");
-    if (end == first) return first;
-    value = std::numeric_limits<double>::quiet_NaN();
-    if (end == last || *end != '(') return end;
-    const char* close = std::find_if(end + 1, last, [](char c) {
-        return !isDigit(c) && !(c >= 'a' && c <= 'z') && !(c >= 'A' && c <= 'Z') && c != '_';
-    });
-    return close != last && *close == ')' ? close + 1 : end;
-}
-
-struct Decimal {
-    const char* end;
-    bool zero;
-};
-
-/// digits [. digits] [e [sign] digits]; ends where it begins if there is no digit.
-Decimal afterDecimal(const char* first, const char* last) {
-    const char* at = first;
-    bool any = false, zero = true;
-    for (bool point = false; at != last && (isDigit(*at) || (*at == '.' && !point)); ++at) {
-        point |= *at == '.';
-        any |= *at != '.';
-        zero &= *at == '.' || *at == '0';
-    }
-    if (!any) return {first, true};
-    if (at == last || (*at != 'e' && *at != 'E')) return {at, zero};
-    const char* digits = at + 1;
-    if (digits != last && (*digits == '+' || *digits == '-')) ++digits;
-    if (digits == last || !isDigit(*digits)) return {at, zero};
-    return {std::find_if_not(digits, last, isDigit), zero};
-}
-
 }  // namespace
 
 std::from_chars_result fromChars(const char* first, const char* last, double& value) {
-    const bool negative = first != last && *first == '-';
-    const char* const begin = first + negative;
-    double magnitude = 0;
-    if (const char* end = afterNoNumber(begin, last, magnitude); end != begin) {
-        value = negative ? -magnitude : magnitude;
-        return {end, std::errc()};
-    }
-    const Decimal decimal = afterDecimal(begin, last);
-    if (decimal.end == begin) return {first, std::errc::invalid_argument};
-    const std::string text(begin, decimal.end);
-    magnitude = strtod_l(text.c_str(), nullptr, plainLocale());
-    if (std::isinf(magnitude) || (magnitude == 0 && !decimal.zero))
-        return {decimal.end, std::errc::result_out_of_range};
-    value = negative ? -magnitude : magnitude;
-    return {decimal.end, std::errc()};
+    // strtod() also takes blanks, a plus and hexadecimals, which are no numbers here.
+    const char* const begin = first != last && *first == '-' ? first + 1 : first;
+    const bool starts = begin != last && (isDigit(*begin) || *begin == '.' || isLetter(*begin));
+    const bool hexadecimal = last - begin > 1 && begin[0] == '0' && (begin[1] | 0x20) == 'x';
+    const std::string text(begin, hexadecimal ? begin + 1 : last);
+    char* stop = nullptr;
+    const double magnitude = starts ? strtod_l(text.c_str(), &stop, plainLocale()) : 0;
+    if (!starts || stop == text.c_str()) return {first, std::errc::invalid_argument};
+    const char* const end = begin + (stop - text.c_str());
+    const char* const mantissaEnd = std::find_if(begin, end, [](char c) { return (c | 0x20) == 'e'; });
+    const bool zero = std::none_of(begin, mantissaEnd, [](char c) { return c >= '1' && c <= '9'; });
+    if (!isLetter(*begin) && (std::isinf(magnitude) || (magnitude == 0 && !zero)))
+        return {end, std::errc::result_out_of_range};
+    value = first != begin ? -magnitude : magnitude;
+    return {end, std::errc()};
 }
 
 std::to_chars_result toChars(char* first, char* last, double value) {

@@ -6,8 +6,6 @@
 #include <glm/geometric.hpp>
 #include <tuple>
 
-#include "engine/molecule/drawn_atoms.h"
-#include "engine/molecule/residue_positions.h"
 #include "engine/molecule/zhang_skolnik.h"
 
 namespace nacre {
@@ -37,13 +35,15 @@ struct Peptide {
     std::array<HydrogenBond, 2> bonds{};  ///< the two strongest that its N-H gives
 };
 
-std::vector<Peptide> wholeBackbones(const Molecule& molecule, const std::vector<std::uint32_t>& positions) {
+std::vector<Peptide> wholeBackbones(const ResidueFacts& facts) {
+    const Molecule& molecule = facts.molecule();
+    const std::vector<std::uint32_t>& positions = facts.positions();
     struct Found {
         std::array<std::uint32_t, 4> atoms{kNone, kNone, kNone, kNone};
     };
     static constexpr std::array<std::string_view, 4> kNames{"N", "CA", "C", "O"};
     std::vector<Found> found(molecule.residues.size());
-    for (const std::uint32_t index : drawnAtoms(molecule)) {
+    for (const std::uint32_t index : facts.conformer()) {
         const Atom& atom = molecule.atoms[index];
         const std::string_view name = atom.name.view();
         for (std::size_t i = 0; i < kNames.size(); ++i)
@@ -280,10 +280,10 @@ private:
 
 }  // namespace
 
-std::vector<SecondaryStructure> kabschSander(const Molecule& molecule) {
+std::vector<SecondaryStructure> kabschSander(const ResidueFacts& facts) {
+    const Molecule& molecule = facts.molecule();
     std::vector<SecondaryStructure> kinds(molecule.residues.size(), SecondaryStructure::none);
-    const std::vector<std::uint32_t> first = residuePositions(molecule);
-    std::vector<Peptide> peptides = wholeBackbones(molecule, first);
+    std::vector<Peptide> peptides = wholeBackbones(facts);
     if (peptides.empty()) return kinds;
     findPiecesAndHydrogens(molecule, peptides);
     const Pairs pairs = nearPairs(peptides);
@@ -293,14 +293,15 @@ std::vector<SecondaryStructure> kabschSander(const Molecule& molecule) {
     }
     const std::vector<SecondaryStructure> found = Assignment(peptides).run(pairs);
     for (std::size_t i = 0; i < peptides.size(); ++i) kinds[peptides[i].residue] = found[i];
-    for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = kinds[first[i]];
+    for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = kinds[facts.positions()[i]];
     return kinds;
 }
 
-std::vector<SecondaryStructure> secondaryStructure(const Molecule& molecule) {
+std::vector<SecondaryStructure> secondaryStructure(const ResidueFacts& facts) {
+    const Molecule& molecule = facts.molecule();
     if (!molecule.statesSecondaryStructure) {
-        std::vector<SecondaryStructure> kinds = kabschSander(molecule);
-        const std::vector<SecondaryStructure> ofCarbons = zhangSkolnik(molecule);  // other chains'
+        std::vector<SecondaryStructure> kinds = kabschSander(facts);
+        const std::vector<SecondaryStructure> ofCarbons = zhangSkolnik(facts);  // other chains'
         for (std::size_t i = 0; i < kinds.size(); ++i)
             if (ofCarbons[i] != SecondaryStructure::none) kinds[i] = ofCarbons[i];
         return kinds;

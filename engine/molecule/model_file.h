@@ -11,8 +11,8 @@ namespace nacre {
 
 /// Text (PDB, mmCIF, PDBQT, PQR, SDF, MOL2, XYZ, GRO) is scanned once for where its models are, and of each its own
 /// part is read: from the file, from a temporary one if that is compressed, or from memory while it is short. Models of
-/// BinaryCIF, mmJSON and MMTF stand in common tables: the packed file is held, and as many models as FileModels reads
-/// in one go. Of what cannot be told apart all are held, if it is short.
+/// BinaryCIF, mmJSON and MMTF stand in common tables: the packed file is held, and as many models as ModelReader reads
+/// in one pass. Of what cannot be told apart all are held, if it is short.
 class ModelFile {
 public:
     /// @param options  `model` and `others` do not matter @throws Error

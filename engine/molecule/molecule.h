@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/molecule/model_places.h"
+#include "engine/molecule/other_models.h"
 
 namespace nacre {
 
@@ -50,6 +50,9 @@ struct Atom {
 /// What the file says of a residue's place in the fold; `none` also where it says nothing.
 enum class SecondaryStructure : std::uint8_t { none, helix, strand };
 
+/// What the file says that a residue is part of; `unknown` also where it says nothing.
+enum class EntityKind : std::uint8_t { unknown, protein, nucleic, nonPolymer, water };
+
 /// A run of neighbouring atom records with the same chain, number, insertion code and name.
 struct Residue {
     Name name;                    ///< "ALA"; empty where the format has no residues
@@ -60,7 +63,13 @@ struct Residue {
     std::uint32_t firstAtom = 0;  ///< index into Molecule::atoms
     std::uint32_t atomCount = 0;
     SecondaryStructure secondary = SecondaryStructure::none;
+    EntityKind entityKind = EntityKind::unknown;
     std::uint32_t entity = 0;  ///< 1-based index into Molecule::entities; 0 = the file states none
+
+    /// Residues of different names may stand at one position, where the sequence itself alternates.
+    bool atPositionOf(const Residue& other) const {
+        return chain == other.chain && number == other.number && insertionCode == other.insertionCode;
+    }
 };
 
 struct Chain {
@@ -132,7 +141,7 @@ struct Molecule {
     std::vector<float> radii;               ///< by atom, Å, as PQR states them; empty otherwise
     std::vector<std::string> warnings;      ///< what was read leniently, one sentence each, bounded in number
     bool modelsAreInputs = false;           ///< what chains call models are several molecules that stand together
-    ModelPlaces others;         ///< if they were asked for: the file's other models, for a camera that all share
+    OtherModels others;         ///< if they were asked for: the file's other models, for a camera that all share
     std::string othersMissing;  ///< why they are not there though there are some; empty: they are, or none is
     FileSummary file;
 };

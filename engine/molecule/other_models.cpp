@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "engine/molecule/assemblies.h"
+#include "engine/molecule/byte_file.h"
+#include "engine/molecule/molecule.h"
 
 namespace nacre {
 namespace {
@@ -22,7 +24,7 @@ bool sameButForPlaces(const Molecule& a, const Molecule& b) {
     const auto sameResidue = [](const Residue& x, const Residue& y) {
         return x.name == y.name && x.number == y.number && x.insertionCode == y.insertionCode && x.chain == y.chain &&
                x.subchain == y.subchain && x.firstAtom == y.firstAtom && x.secondary == y.secondary &&
-               x.entity == y.entity;
+               x.entity == y.entity && x.entityKind == y.entityKind;
     };
     const auto sameChain = [](const Chain& x, const Chain& y) { return x.name == y.name; };
     return std::equal(a.atoms.begin(), a.atoms.end(), b.atoms.begin(), b.atoms.end(), sameAtom) &&
@@ -39,9 +41,59 @@ bool sameElements(const Molecule& a, const Molecule& b) {
 
 }  // namespace
 
-OtherModels::OtherModels(Molecule& own, std::size_t maxAtoms) : own_(own), mostBytes_(kBytesPerAtom * maxAtoms) {}
+struct OtherModels::Store {
+    struct Place {
+        OtherModel held;        ///< unless the file has it
+        std::uint64_t at = 0;   ///< in the file
+        std::size_t atoms = 0;  ///< whose positions these are
+        bool inFile = false;
+    };
+    std::vector<Place> places;
+    std::size_t heldBytes = 0;
+    std::shared_ptr<ByteFile> file;
+    bool noFile = false;
+};
 
-void OtherModels::add(Molecule model) {
+std::size_t OtherModels::size() const { return store_ ? store_->places.size() : 0; }
+
+OtherModel OtherModels::operator[](std::size_t i) const {
+    const Store::Place& place = store_->places[i];
+    if (!place.inFile) return place.held;
+    OtherModel other;
+    other.positions.resize(place.atoms);
+    store_->file->read(place.at, other.positions.data(), place.atoms * sizeof(glm::vec3));
+    return other;
+}
+
+bool OtherModels::allMove(std::size_t atoms) const {
+    return !empty() && std::all_of(store_->places.begin(), store_->places.end(), [&](const Store::Place& place) {
+        return !place.held.whole && place.atoms == atoms;
+    });
+}
+
+std::size_t OtherModels::add(OtherModel other, std::size_t mostHeld) {
+    if (!store_) store_ = std::make_shared<Store>();
+    Store& store = *store_;
+    Store::Place place;
+    place.atoms = other.positions.size();
+    const std::size_t bytes = place.atoms * sizeof(glm::vec3);
+    const bool much = !other.whole && store.heldBytes + bytes > mostHeld && !store.noFile;
+    if (much && !store.file) store.file = ByteFile::temporary();
+    if (much && store.file) place.at = store.file->size();
+    place.inFile = much && store.file && store.file->append(other.positions.data(), bytes);
+    store.noFile = much && !place.inFile;  // no room: held after all, as far as its reader lets it
+    if (!place.inFile) {
+        store.heldBytes += bytes;
+        place.held = std::move(other);
+    }
+    store.places.push_back(std::move(place));
+    return store.places.back().inFile ? 0 : bytes;
+}
+
+OtherModelCollector::OtherModelCollector(Molecule& own, std::size_t maxAtoms)
+    : own_(own), mostBytes_(kBytesPerAtom * maxAtoms) {}
+
+void OtherModelCollector::add(Molecule model) {
     OtherModel other;
     if (sameButForPlaces(own_, model)) {
         other.positions.reserve(model.atoms.size());
@@ -61,7 +113,7 @@ void OtherModels::add(Molecule model) {
         whole.statesSecondaryStructure = model.statesSecondaryStructure;
         other.whole = std::make_shared<const Molecule>(std::move(whole));
     }
-    bytes_ += own_.others.add(std::move(other), std::min(mostBytes_, ModelPlaces::kMostHeld));
+    bytes_ += own_.others.add(std::move(other), std::min(mostBytes_, OtherModels::kMostHeld));
     if (bytes_ > mostBytes_) {
         own_.others.clear();
         own_.othersMissing = "all models together have too many atoms";

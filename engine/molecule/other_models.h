@@ -1,20 +1,51 @@
 #pragma once
-// Gathers the other models of a molecule's file, as far as a camera that all of them share wants them.
+// The other models of a molecule's file, as far as a camera that all of them share wants them. Must also compile as
+// C++17.
 
 #include <cstddef>
-#include <cstdint>
-
-#include "engine/molecule/molecule.h"
+#include <glm/vec3.hpp>
+#include <memory>
+#include <vector>
 
 namespace nacre {
 
-/// Of models that have the molecule's own atoms the places alone are kept, in a file if they are many, of others all
-/// but their bonds.
+struct Molecule;
+
+/// Another model of a molecule's file. place() makes a molecule of it.
+struct OtherModel {
+    std::vector<glm::vec3> positions;       ///< of the molecule's own atoms, Å, if it has the same; else none
+    std::shared_ptr<const Molecule> whole;  ///< if it has other atoms
+};
+
+/// Other models, in the file's order. Positions beyond kMostHeld bytes stand in a temporary file and are read as they
+/// are needed. Copies share them.
 class OtherModels {
+public:
+    static constexpr std::size_t kMostHeld = std::size_t{16} << 20;
+
+    std::size_t size() const;
+    bool empty() const { return size() == 0; }
+    /// @throws Error if the temporary file cannot be read
+    OtherModel operator[](std::size_t i) const;
+    /// Whether all are positions of so many atoms.
+    bool allMove(std::size_t atoms) const;
+
+    /// @param mostHeld  bytes of positions that are held @returns the bytes that it takes in memory
+    std::size_t add(OtherModel other, std::size_t mostHeld = kMostHeld);
+    void clear() { store_.reset(); }
+
+private:
+    struct Store;
+    std::shared_ptr<Store> store_;
+};
+
+/// Gathers them. Of models that have the molecule's own atoms the positions alone are kept, of others all but their
+/// bonds.
+class OtherModelCollector {
 public:
     /// @param own       gets them
     /// @param maxAtoms  of the molecule; the others together take no more than a part of what that many take
-    OtherModels(Molecule& own, std::size_t maxAtoms);
+    OtherModelCollector(Molecule& own, std::size_t maxAtoms);
     /// Whether any more are wanted.
     bool wanted() const { return wanted_; }
     void add(Molecule model);

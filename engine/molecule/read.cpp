@@ -1,38 +1,21 @@
+// From a content to what is wanted of it (formats/model_reader.h has the way as a whole).
+
 #include "engine/molecule/read.h"
 
-#include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <memory>
+#include <limits>
 #include <new>
+#include <utility>
+#include <vector>
 
 #include "engine/error.h"
-#include "engine/molecule/formats/content.h"
-#include "engine/molecule/formats/read_models.h"
-#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/bonds/bonds.h"
+#include "engine/molecule/formats/model_reader.h"
+#include "engine/molecule/join_models.h"
+#include "engine/molecule/model_file.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
-
 namespace {
-
-struct NamedFormat {
-    std::string_view name;
-    Format format;
-};
-constexpr NamedFormat kFormats[] = {
-    {"pdb", Format::pdb},   {"mmcif", Format::mmcif}, {"mmjson", Format::mmjson}, {"bcif", Format::bcif},
-    {"mmtf", Format::mmtf}, {"sdf", Format::sdf},     {"xyz", Format::xyz},       {"mol2", Format::mol2},
-    {"pqr", Format::pqr},   {"gro", Format::gro},     {"pdbqt", Format::pdbqt},   {"cml", Format::cml},
-};
-
-struct CloseFile {
-    void operator()(std::FILE* file) const {
-        if (file != stdin) std::fclose(file);
-    }
-};
 
 /// Readers quote files and names; one line of clean text leaves here whatever they held.
 template <typename Read>
@@ -42,65 +25,161 @@ auto cleanly(const std::string& name, Read&& read) {
     } catch (const Error& error) {
         throw Error(printable(error.what(), kMaxMessage), "", "");
     } catch (const std::bad_alloc&) {
-        throw Error("cannot read molecule", printable(name, kMaxMessage), "not enough memory");
+        cannotRead(printable(name, kMaxMessage), "not enough memory");
     }
 }
 
-/// A model of a long text, whose other models are not held. @param inflated  as of textContentOf()
-std::optional<Molecule> readAlone(const std::string& path, const ReadOptions& options, std::string& inflated) {
-    return cleanly(path, [&]() -> std::optional<Molecule> {
-        std::optional<TextContent> content = textContentOf(path, options, inflated);
-        return content ? readModelAlone(path, std::move(*content), options) : std::nullopt;
-    });
+/// The model that the options name, of a text that is held.
+Molecule readOne(const Content& content, const ReadOptions& options) {
+    Molecule molecule = readStated(content, options);
+    perceiveBonds(molecule);
+    if (!options.others || modelsOf(molecule.file) < 2) return molecule;
+    try {
+        ModelReader models(content, options, molecule, ModelReader::Order::all);
+        OtherModelCollector others(molecule, options.maxAtoms);
+        for (int model = 1; model <= models.count() && others.wanted(); ++model)
+            if (model != options.model) others.add(models.read(model, options.maxAtoms));
+    } catch (const Error& error) {
+        molecule.others.clear();
+        molecule.othersMissing = std::string("another model cannot be read: ") + error.what();
+    }
+    return molecule;
+}
+
+/// What a file holds altogether, which the text of one model does not tell.
+void addUp(FileSummary& sum, const FileSummary& model) {
+    const auto add = [](std::optional<std::int64_t>& to, const std::optional<std::int64_t>& more) {
+        if (to && more) *to += *more;
+    };
+    add(sum.models, model.models);
+    add(sum.records, model.records);
+    add(sum.totalAtomsAllModels, model.totalAtomsAllModels);
+    add(sum.totalAtomsAllRecords, model.totalAtomsAllRecords);
+    add(sum.totalBondsAllRecords, model.totalBondsAllRecords);
+}
+
+/// The same of a text that is read model by model. Nothing if there is something to say that wants the whole text.
+std::optional<Molecule> readOneOfSpans(const Content& content, const ReadOptions& options) {
+    const auto count = static_cast<int>(content.spans.models.size());
+    if (options.model < 1 || options.model > count) return std::nullopt;
+    std::optional<Molecule> own = readSpan(content, options, options.model);
+    if (!own || !own->warnings.empty()) return std::nullopt;
+    OtherModelCollector others(*own, options.maxAtoms);
+    FileSummary sum = own->file;
+    for (int model = 1; model <= count; ++model) {
+        if (model == options.model) continue;
+        std::optional<Molecule> other = readSpan(content, options, model);
+        if (!other) return std::nullopt;
+        addUp(sum, other->file);
+        if (options.others && others.wanted()) others.add(std::move(*other));
+    }
+    own->file = sum;
+    perceiveBonds(*own);
+    return own;
+}
+
+Molecule readJoined(const Content& content, const ReadOptions& options) {
+    ReadOptions left = options;
+    left.model = 1;
+    left.others = false;
+    std::vector<Molecule> all;
+    all.push_back(readOne(content, left));
+    ModelReader models(content, left, all.front(), ModelReader::Order::all);
+    const auto tell = [&] {
+        if (options.onModel) options.onModel(static_cast<double>(all.size()) / static_cast<double>(models.count()));
+    };
+    tell();
+    for (int model = 2; model <= models.count(); ++model) {
+        if (all.back().atoms.size() > left.maxAtoms)
+            throw tooManyAtoms(content.name + ", all models", options.maxAtoms);
+        left.maxAtoms -= all.back().atoms.size();
+        all.push_back(models.read(model, left.maxAtoms));
+        perceiveBonds(all.back());
+        tell();
+    }
+    return joinModels(content.name, std::move(all), options.maxAtoms);
+}
+
+Molecule readContent(const Content& content, const ReadOptions& options) {
+    if (options.model < 0) cannotRead(content.name, "models are numbered from 1");
+    if (options.model == kAllModels) return readJoined(content, options);
+    if (content.bytes) return readOne(content, options);
+    if (std::optional<Molecule> molecule = readOneOfSpans(content, options)) return std::move(*molecule);
+    return readOne(heldWhole(content, options), options);
 }
 
 }  // namespace
 
-Error tooManyAtoms(const std::string& name, std::size_t maxAtoms) {
-    const char* why = maxAtoms < kMaxAtoms ? ", all that there is memory for" : "";
-    return {"cannot read molecule", name, "more than " + std::to_string(maxAtoms) + " atoms" + why};
-}
-
-std::optional<Format> formatFromName(std::string_view name) {
-    for (const NamedFormat& known : kFormats)
-        if (name == known.name) return known.format;
-    return std::nullopt;
-}
-
-std::string_view formatName(Format format) {
-    for (const NamedFormat& known : kFormats)
-        if (format == known.format) return known.name;
-    return {};
-}
-
-std::string formatNames() {
-    std::string names;
-    for (const NamedFormat& known : kFormats) names += (names.empty() ? "" : ", ") + std::string(known.name);
-    return names;
-}
-
 Molecule readMolecule(const std::string& name, std::string bytes, const ReadOptions& options) {
-    return cleanly(name, [&] {
-        if (options.model < 0) throw Error("cannot read molecule", name, "models are numbered from 1");
-        const FileContent content = contentOf(name, std::move(bytes), options);
-        return options.model == kAllModels ? readAllModels(name, content, options) : readModel(name, content, options);
-    });
+    return cleanly(name, [&] { return readContent(contentOf(name, std::move(bytes), options), options); });
 }
 
 Molecule readMoleculeFile(const std::string& path, const ReadOptions& options) {
-    if (path == "-")
-        return readMolecule("standard input", readAll(stdin, "standard input", options.maxBytes, 0), options);
-    const std::string shown = printable(path, kMaxMessage);
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) throw Error("cannot read molecule", shown, "it is a folder");
-    const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
-    if (!file) throw Error("cannot read molecule", shown, std::strerror(errno));
-    std::string inflated;
-    if (options.model != kAllModels)
-        if (std::optional<Molecule> alone = readAlone(path, options, inflated)) return std::move(*alone);
-    if (!inflated.empty()) return readMolecule(path, std::move(inflated), options);
-    const std::uintmax_t size = std::filesystem::file_size(path, ignored);
-    return readMolecule(path, readAll(file.get(), shown, options.maxBytes, ignored ? 0 : size), options);
+    return cleanly(path, [&] {
+        ReadOptions own = options;
+        if (options.model == kAllModels) own.heldText = std::numeric_limits<std::size_t>::max();
+        return readContent(openContent(path, own), options);
+    });
+}
+
+struct ModelFile::State {
+    std::string path;  ///< to open it again; empty: it is held
+    ReadOptions options;
+    Content content;
+    Molecule first;
+    std::optional<ModelReader> models;
+    std::vector<Molecule> all;  ///< where one cannot be read without the others
+
+    State(std::string from, Content opened, const ReadOptions& own)
+        : path(std::move(from)), options(own), content(std::move(opened)) {
+        options.model = 1;
+        options.others = true;
+        first = readContent(content, options);
+        options.others = false;
+        if (modelsOf(first.file) > 1) keep();
+    }
+
+    void keep() {
+        models.emplace(content, options, first, ModelReader::Order::any);
+        if (models->skipsOthers()) return;
+        const bool held = path.empty() || content.text.size <= options.heldText;
+        for (int model = 1; held && model <= models->count(); ++model) {
+            all.push_back(models->read(model, options.maxAtoms));
+            perceiveBonds(all.back());
+        }
+        models.reset();
+        content = {content.name, content.format, nullptr, {}, {}};
+    }
+
+    Molecule read(int model) {
+        if (!all.empty()) return all.at(static_cast<std::size_t>(model - 1));
+        if (!models) {
+            options.model = model;
+            return readContent(content.text.size > 0 ? content : openContent(path, options), options);
+        }
+        Molecule own = models->read(model, options.maxAtoms);
+        perceiveBonds(own);
+        return own;
+    }
+};
+
+ModelFile::ModelFile(const std::string& path, const ReadOptions& options)
+    : state_(cleanly(path, [&] {
+          return std::make_unique<State>(path == "-" ? "" : path, openContent(path, options), options);
+      })) {}
+
+ModelFile::ModelFile(const std::string& name, std::string bytes, const ReadOptions& options)
+    : state_(cleanly(
+          name, [&] { return std::make_unique<State>("", contentOf(name, std::move(bytes), options), options); })) {}
+
+ModelFile::~ModelFile() = default;
+
+int ModelFile::count() const { return static_cast<int>(modelsOf(state_->first.file)); }
+
+const Molecule& ModelFile::first() const { return state_->first; }
+
+Molecule ModelFile::read(int model) {
+    return cleanly(state_->content.name, [&] { return state_->read(model); });
 }
 
 }  // namespace nacre

@@ -38,6 +38,8 @@ std::string_view formatName(Format format);
 
 /// The names of all formats that are read, for messages: "pdb, mmcif, ...".
 std::string formatNames();
+/// The same as people call them: "PDB, mmCIF, ...".
+std::string formatTitles();
 
 /// Reads a molecule and completes its bonds (bonds.h). gzip, xz, bzip2 and zstd are recognised by
 /// content and inflated under maxBytes.

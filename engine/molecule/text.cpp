@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "engine/error.h"
 #include "engine/molecule/floating_point.h"
+#include "engine/molecule/read.h"
 
 namespace nacre {
 
@@ -53,6 +53,12 @@ std::string lowerCase(std::string_view text) {
     return lower;
 }
 
+std::string upperCase(std::string_view text) {
+    std::string upper(text);
+    for (char& c : upper) c = upperCase(c);
+    return upper;
+}
+
 bool startsWith(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
 
 std::optional<std::int64_t> parseInteger(std::string_view text) { return parseWhole<std::int64_t>(trim(text)); }
@@ -67,6 +73,15 @@ std::optional<double> parseNumber(std::string_view text) {
     return parseWhole<double>(fortran);
 }
 
+void cannotRead(const std::string& name, const std::string& why, std::uint64_t line) {
+    throw Error("cannot read molecule", name, why, line > 0 ? std::optional<std::uint64_t>(line) : std::nullopt);
+}
+
+Error tooManyAtoms(const std::string& name, std::size_t maxAtoms) {
+    const char* why = maxAtoms < kMaxAtoms ? ", all that there is memory for" : "";
+    return {"cannot read molecule", name, "more than " + std::to_string(maxAtoms) + " atoms" + why};
+}
+
 float parseCoordinate(std::string_view text, char axis, const std::string& name, std::uint64_t line, double scale) {
     const auto value = parseNumber(text);
     if (value && std::abs(*value * scale) <= kFarthestCoordinate)  // false for nan
@@ -74,9 +89,7 @@ float parseCoordinate(std::string_view text, char axis, const std::string& name,
     std::string why(1, axis);
     why += " is not a ";
     why += value ? "usable coordinate: '" : "number: '";
-    throw Error("cannot read molecule", name,
-                why + printable(trim(text)) + "'" + (value ? ", which is not within 1e9 Å" : ""),
-                line > 0 ? std::optional<std::uint64_t>(line) : std::nullopt);
+    cannotRead(name, why + printable(trim(text)) + "'" + (value ? ", which is not within 1e9 Å" : ""), line);
 }
 
 std::string printable(std::string_view text, std::size_t limit) {

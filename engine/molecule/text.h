@@ -8,22 +8,32 @@
 #include <string>
 #include <string_view>
 
+#include "engine/error.h"
+
 namespace nacre {
 
 /// Letters and capitals of ASCII, whatever the locale.
 inline bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
 inline char upperCase(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 /// Whether isspace() of the C locale holds.
 inline bool isBlank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 /// Without blanks at both ends.
 std::string_view trim(std::string_view text);
 std::string lowerCase(std::string_view text);
+std::string upperCase(std::string_view text);
 bool startsWith(std::string_view text, std::string_view start);
 
 /// The whole of `text` as a number, blanks around it allowed; empty if it is none. parseNumber also takes Fortran's
 /// exponents ("1.0D+02") and what C calls "nan" and "inf": the caller judges.
 std::optional<std::int64_t> parseInteger(std::string_view text);
 std::optional<double> parseNumber(std::string_view text);
+
+/// Throws the error of every reader. @param name  of the file @param line  1-based; 0 if there is none
+[[noreturn]] void cannotRead(const std::string& name, const std::string& why, std::uint64_t line = 0);
+
+/// What a reader throws at the atom after the last that there is room for.
+Error tooManyAtoms(const std::string& name, std::size_t maxAtoms);
 
 /// What an atom may stand from the origin along an axis, Å: every reader refuses more.
 constexpr double kFarthestCoordinate = 1e9;

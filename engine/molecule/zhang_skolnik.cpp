@@ -7,9 +7,6 @@
 #include <span>
 #include <string_view>
 
-#include "engine/molecule/drawn_atoms.h"
-#include "engine/molecule/residue_positions.h"
-
 namespace nacre {
 namespace {
 
@@ -33,13 +30,14 @@ struct AlphaCarbon {
 };
 
 /// Alpha carbons of the chains that have nothing else of their backbones, in the file's order.
-std::vector<AlphaCarbon> loneAlphaCarbons(const Molecule& molecule, const std::vector<std::uint32_t>& positions) {
+std::vector<AlphaCarbon> loneAlphaCarbons(const ResidueFacts& facts) {
+    const Molecule& molecule = facts.molecule();
     std::vector<AlphaCarbon> carbons(molecule.residues.size());
     for (std::uint32_t r = 0; r < carbons.size(); ++r) carbons[r].residue = r;
-    for (const std::uint32_t index : drawnAtoms(molecule)) {
+    for (const std::uint32_t index : facts.conformer()) {
         const Atom& atom = molecule.atoms[index];
         const std::string_view name = atom.name.view();
-        AlphaCarbon& carbon = carbons[positions[atom.residue]];
+        AlphaCarbon& carbon = carbons[facts.positions()[atom.residue]];
         if (name == "CA" && atom.element == kCarbon && carbon.atom == kNoCarbon) carbon.atom = index;
         carbon.nitrogen |= name == "N";
         carbon.oxygen |= name == "O";
@@ -83,16 +81,16 @@ void dropShort(std::vector<SecondaryStructure>& kinds) {
 
 }  // namespace
 
-std::vector<SecondaryStructure> zhangSkolnik(const Molecule& molecule) {
+std::vector<SecondaryStructure> zhangSkolnik(const ResidueFacts& facts) {
+    const Molecule& molecule = facts.molecule();
     std::vector<SecondaryStructure> kinds(molecule.residues.size(), SecondaryStructure::none);
-    const std::vector<std::uint32_t> positions = residuePositions(molecule);
-    const std::vector<AlphaCarbon> carbons = loneAlphaCarbons(molecule, positions);
+    const std::vector<AlphaCarbon> carbons = loneAlphaCarbons(facts);
     std::vector<SecondaryStructure> found(carbons.size(), SecondaryStructure::none);
     for (std::size_t i = 0; i + kWindow <= carbons.size(); ++i)
         found[i + kWindow / 2] = kindOf(molecule, std::span(carbons).subspan(i).first<kWindow>());
     dropShort(found);
     for (std::size_t i = 0; i < carbons.size(); ++i) kinds[carbons[i].residue] = found[i];
-    for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = kinds[positions[i]];
+    for (std::size_t i = 0; i < kinds.size(); ++i) kinds[i] = kinds[facts.positions()[i]];
     return kinds;
 }
 

@@ -4,13 +4,13 @@
 
 #include <vector>
 
-#include "engine/molecule/molecule.h"
+#include "engine/molecule/residue_facts.h"
 
 namespace nacre {
 
 /// Helices and strands by the distances between five alpha carbons in a row, of each residue; whatever the file states
 /// is left out of account. Those of four residues and more are kept of helices, of three of strands. Only chains in
 /// which no residue has both N and O beside CA are looked at: of others kabschSander() knows more. Linear time.
-std::vector<SecondaryStructure> zhangSkolnik(const Molecule& molecule);
+std::vector<SecondaryStructure> zhangSkolnik(const ResidueFacts& facts);
 
 }  // namespace nacre

@@ -55,13 +55,13 @@ std::string warningOfNothing(const Rule& rule, bool inMolecule) {
     return std::string("nothing to ") + verb + " by '" + rule.selection.text + why;
 }
 
-std::vector<AtomLook> settle(const Molecule& molecule, std::span<const std::uint32_t> drawn,
+std::vector<AtomLook> settle(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                              const RepresentationOptions& options, std::vector<std::string>& warnings) {
     std::vector<AtomLook> looks(drawn.size(), AtomLook(options.style));
     for (std::size_t r = 0; r < options.rules.size(); ++r) {
         const Rule& rule = options.rules[r];
         if (!rule.on) continue;
-        const std::vector<bool> selected = selectAtoms(molecule, rule.selection);
+        const std::vector<bool> selected = selectAtoms(facts, rule.selection);
         const auto number = static_cast<std::uint32_t>(r + 1);
         bool any = false;
         for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -107,7 +107,7 @@ std::vector<bool> bondedAmong(const Molecule& molecule, const std::vector<std::u
 }
 
 /// Parts all that is seen by how it is drawn. @param looks  of the seen atoms
-void partByStyle(const Molecule& molecule, const std::vector<AtomLook>& looks, const RepresentationOptions& options,
+void partByStyle(const ResidueFacts& facts, const std::vector<AtomLook>& looks, const RepresentationOptions& options,
                  Appearance& appearance) {
     const std::vector<Rule>& rules = options.rules;
     const std::size_t count = appearance.atoms.size();
@@ -118,11 +118,12 @@ void partByStyle(const Molecule& molecule, const std::vector<AtomLook>& looks, c
         inSurface[i] = looks[i].surface;
     }
     if (!wanted.empty()) {
-        const std::vector<std::uint32_t> drawn = atomsOfCartoon(molecule, wanted);
+        const std::vector<std::uint32_t> drawn = atomsOfCartoon(facts, wanted);
         for (std::size_t i = 0; i < count; ++i)
             inCartoon[i] = looks[i].cartoon && std::binary_search(drawn.begin(), drawn.end(), appearance.atoms[i]);
     }
-    const std::vector<bool> bonded = wanted.empty() ? std::vector<bool>() : bondedAmong(molecule, appearance.atoms);
+    const std::vector<bool> bonded =
+        wanted.empty() ? std::vector<bool>() : bondedAmong(facts.molecule(), appearance.atoms);
     Appearance atoms;
     for (std::size_t i = 0; i < count; ++i) {
         Style style = looks[i].style == kBase ? appearance.style : rules[looks[i].style - 1].style;
@@ -157,12 +158,12 @@ Coloring withPalette(Coloring coloring, Palette palette) {
 }
 
 /// Colours the atoms that one colouring settles, and adds its legend.
-void color(const Molecule& molecule, const Coloring& coloring, const std::string& selection,
+void color(const ResidueFacts& facts, const Coloring& coloring, const std::string& selection,
            const std::vector<std::uint32_t>& slots, Appearance& appearance) {
     std::vector<std::uint32_t> atoms;
     atoms.reserve(slots.size());
     for (const std::uint32_t slot : slots) atoms.push_back(appearance.atoms[slot]);
-    ColoredAtoms colored = colorAtoms(molecule, atoms, coloring);
+    ColoredAtoms colored = colorAtoms(facts, atoms, coloring);
     for (std::size_t i = 0; i < slots.size(); ++i) {
         appearance.colors[slots[i]] = colored.colors[i];
         appearance.tints[slots[i]] = colored.tints.empty() ? 0 : colored.tints[i];
@@ -174,28 +175,28 @@ void color(const Molecule& molecule, const Coloring& coloring, const std::string
 
 }  // namespace
 
-Appearance appearanceOf(const Molecule& molecule, std::span<const std::uint32_t> drawn,
+Appearance appearanceOf(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                         const RepresentationOptions& options) {
     const std::vector<Rule>& rules = options.rules;
     Appearance appearance;
-    std::vector<AtomLook> looks = settle(molecule, drawn, options, appearance.warnings);
+    std::vector<AtomLook> looks = settle(facts, drawn, options, appearance.warnings);
     std::vector<std::vector<std::uint32_t>> slotsOfColoring(rules.size() + 1);
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         if (looks[i].hidden) continue;
         slotsOfColoring[looks[i].color].push_back(static_cast<std::uint32_t>(appearance.atoms.size()));
         appearance.atoms.push_back(drawn[i]);
     }
-    appearance.style = options.style.value_or(defaultStyle(molecule, appearance.atoms));
+    appearance.style = options.style.value_or(defaultStyle(facts.molecule(), appearance.atoms));
     std::erase_if(looks, [](const AtomLook& look) { return look.hidden; });
     appearance.colors.resize(appearance.atoms.size());
     appearance.tints.resize(appearance.atoms.size());
     for (std::size_t i = 0; i < slotsOfColoring.size(); ++i) {
         if (slotsOfColoring[i].empty()) continue;
         const Coloring& coloring = i == kBase ? options.color : rules[i - 1].coloring;
-        color(molecule, withPalette(coloring, options.palette), i == kBase ? "all" : rules[i - 1].selection.text,
+        color(facts, withPalette(coloring, options.palette), i == kBase ? "all" : rules[i - 1].selection.text,
               slotsOfColoring[i], appearance);
     }
-    partByStyle(molecule, looks, options, appearance);
+    partByStyle(facts, looks, options, appearance);
     return appearance;
 }
 

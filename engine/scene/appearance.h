@@ -87,7 +87,7 @@ struct Appearance {
 
 /// Rules choose among the drawn atoms only: waters that are not drawn, or other conformers, stay away.
 /// @param drawn  indices of drawn atoms (drawn_atoms.h), ascending
-Appearance appearanceOf(const Molecule& molecule, std::span<const std::uint32_t> drawn,
+Appearance appearanceOf(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                         const RepresentationOptions& options);
 
 /// All that is seen as balls: atoms in their styles' radii, then those of meshes, which reach about as far.

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/molecule/molecule.h"
+#include "engine/molecule/residue_facts.h"
 
 namespace nacre {
 
@@ -15,6 +15,6 @@ constexpr int kResidueBits = 12, kGroupResidues = 6;
 /// A word for each atom: in the lowest bits where its residue stands in its
 /// chain, above them its chain. A ligand, an ion or a water is far from every residue of the chain that it is listed
 /// in.
-std::vector<std::uint32_t> atomGroups(const Molecule& molecule);
+std::vector<std::uint32_t> atomGroups(const ResidueFacts& facts);
 
 }  // namespace nacre

@@ -3,8 +3,6 @@
 #include <map>
 #include <optional>
 
-#include "engine/molecule/residue_kind.h"
-
 namespace nacre {
 namespace {
 
@@ -23,13 +21,12 @@ private:
     std::map<std::string, std::uint32_t> known_;
 };
 
-bool isPolymer(ResidueKind kind) { return kind == ResidueKind::protein || kind == ResidueKind::nucleic; }
-
 /// Names of the residues of each chain's polymer, in a row.
-std::vector<std::string> sequences(const Molecule& molecule, const std::vector<ResidueKind>& kinds) {
+std::vector<std::string> sequences(const ResidueFacts& facts) {
+    const Molecule& molecule = facts.molecule();
     std::vector<std::string> result(molecule.chains.size());
-    for (std::size_t i = 0; i < molecule.residues.size(); ++i)
-        if (isPolymer(kinds[i])) {
+    for (std::uint32_t i = 0; i < molecule.residues.size(); ++i)
+        if (facts.isPolymer(i)) {
             std::string& sequence = result[molecule.residues[i].chain];
             sequence += molecule.residues[i].name.view();
             sequence += ' ';
@@ -54,27 +51,27 @@ std::vector<std::string> chainLabels(const Molecule& molecule, const std::vector
 
 }  // namespace
 
-ResidueEntities residueEntities(const Molecule& molecule) {
-    const std::vector<ResidueKind> kinds = residueKinds(molecule);
-    const std::vector<std::string> sequenceOfChain = sequences(molecule, kinds);
+ResidueEntities residueEntities(const ResidueFacts& facts) {
+    const Molecule& molecule = facts.molecule();
+    const std::vector<std::string> sequenceOfChain = sequences(facts);
     const std::vector<std::string> labels = chainLabels(molecule, sequenceOfChain);
     EntityTable table;
     std::vector<std::optional<std::uint32_t>> ofChain(molecule.chains.size());  // sequences may be long
     ResidueEntities result;
     result.ofResidue.reserve(molecule.residues.size());
     // Keys start with what tells the three ways apart, so that no name collides with another's.
-    for (std::size_t i = 0; i < molecule.residues.size(); ++i) {
+    for (std::uint32_t i = 0; i < molecule.residues.size(); ++i) {
         const Residue& residue = molecule.residues[i];
         const std::string name(residue.name.view());
         std::uint32_t index = 0;
         if (residue.entity > 0 && residue.entity <= molecule.entities.size()) {
             const std::string& identifier = molecule.entities[residue.entity - 1];
             index = table.indexOf("e" + identifier, identifier);
-        } else if (isPolymer(kinds[i])) {
+        } else if (facts.isPolymer(i)) {
             std::optional<std::uint32_t>& known = ofChain[residue.chain];
             if (!known) known = table.indexOf("s" + sequenceOfChain[residue.chain], labels[residue.chain]);
             index = *known;
-        } else if (kinds[i] == ResidueKind::water) {
+        } else if (facts.kinds()[i] == ResidueKind::water) {
             index = table.indexOf("w", "water");
         } else {
             index = table.indexOf("r" + name, name.empty() ? "(no name)" : name);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/molecule/molecule.h"
+#include "engine/molecule/residue_facts.h"
 
 namespace nacre {
 
@@ -16,6 +16,6 @@ struct ResidueEntities {
 
 /// Entities as the file states them; where it does not, chains whose polymers have the same sequence of residues
 /// (as far as it has coordinates), and other residues by name.
-ResidueEntities residueEntities(const Molecule& molecule);
+ResidueEntities residueEntities(const ResidueFacts& facts);
 
 }  // namespace nacre

@@ -8,8 +8,6 @@
 #include <tuple>
 
 #include "engine/molecule/element.h"
-#include "engine/molecule/kabsch_sander.h"
-#include "engine/molecule/residue_kind.h"
 #include "engine/scene/chain_entities.h"
 #include "engine/scene/colors.h"
 #include "engine/scene/palettes.h"
@@ -162,8 +160,9 @@ Charge chargeOf(const Atom& atom, const Residue& residue, ResidueKind kind) {
     return atom.charge > 0 ? kPositive : atom.charge < 0 ? kNegative : kNeutral;
 }
 
-Classes byCharge(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
-    const std::vector<ResidueKind> kinds = residueKinds(molecule);
+Classes byCharge(const ResidueFacts& facts, std::span<const std::uint32_t> atoms) {
+    const Molecule& molecule = facts.molecule();
+    const std::vector<ResidueKind>& kinds = facts.kinds();
     Classes classes;
     classes.entries = {
         {"negative", packedColor(0xdd5548)}, {"neutral", packedColor(0xe9e6df)}, {"positive", packedColor(0x5279c7)}};
@@ -174,8 +173,9 @@ Classes byCharge(const Molecule& molecule, std::span<const std::uint32_t> atoms)
     return classes;
 }
 
-Classes bySecondaryStructure(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
-    const std::vector<ResidueKind> kinds = residueKinds(molecule);
+Classes bySecondaryStructure(const ResidueFacts& facts, std::span<const std::uint32_t> atoms) {
+    const Molecule& molecule = facts.molecule();
+    const std::vector<ResidueKind>& kinds = facts.kinds();
     Classes classes;
     // Hues of Paul Tol's "bright" scheme (SRON/EPS/TN/09-002, 2021).
     classes.entries = {{"helix", packedColor(0xee6677)},
@@ -183,7 +183,7 @@ Classes bySecondaryStructure(const Molecule& molecule, std::span<const std::uint
                        {"other protein", packedColor(0xe4e2dd)},
                        {"nucleic acid", packedColor(0x66ccee)},
                        {"not in a chain", packedColor(0xa9a59d)}};
-    const std::vector<SecondaryStructure> folds = secondaryStructure(molecule);
+    const std::vector<SecondaryStructure>& folds = facts.folds();
     sortAtoms(classes, atoms, [&](std::uint32_t i) {
         const std::uint32_t residue = molecule.atoms[i].residue;
         const SecondaryStructure secondary = folds[residue];
@@ -218,8 +218,9 @@ Classes byConfidence(const Molecule& molecule, std::span<const std::uint32_t> at
     return classes;
 }
 
-Classes byEntity(const Molecule& molecule, std::span<const std::uint32_t> atoms, Palette palette) {
-    const ResidueEntities entities = residueEntities(molecule);
+Classes byEntity(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, Palette palette) {
+    const Molecule& molecule = facts.molecule();
+    const ResidueEntities entities = residueEntities(facts);
     Classes classes;
     for (std::size_t i = 0; i < entities.labels.size(); ++i)
         classes.entries.push_back({entities.labels[i], kindColor(i, palette)});
@@ -227,7 +228,8 @@ Classes byEntity(const Molecule& molecule, std::span<const std::uint32_t> atoms,
     return classes;
 }
 
-Classes classesOf(const Molecule& molecule, std::span<const std::uint32_t> atoms, const Coloring& coloring) {
+Classes classesOf(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, const Coloring& coloring) {
+    const Molecule& molecule = facts.molecule();
     const auto palette = [&](Palette own) { return coloring.palette == Palette::automatic ? own : coloring.palette; };
     switch (coloring.scheme) {
         case ColorScheme::chain:
@@ -242,13 +244,13 @@ Classes classesOf(const Molecule& molecule, std::span<const std::uint32_t> atoms
         case ColorScheme::hydrophobicity:
             return byHydrophobicity(molecule, atoms, palette(Palette::lipophilicity));
         case ColorScheme::charge:
-            return byCharge(molecule, atoms);
+            return byCharge(facts, atoms);
         case ColorScheme::secondaryStructure:
-            return bySecondaryStructure(molecule, atoms);
+            return bySecondaryStructure(facts, atoms);
         case ColorScheme::plddt:
             return byConfidence(molecule, atoms);
         case ColorScheme::entity:
-            return byEntity(molecule, atoms, palette(Palette::okabeIto));
+            return byEntity(facts, atoms, palette(Palette::okabeIto));
         default:
             return byElement(molecule, atoms, coloring.color);
     }
@@ -256,8 +258,8 @@ Classes classesOf(const Molecule& molecule, std::span<const std::uint32_t> atoms
 
 }  // namespace
 
-ColoredAtoms colorByClass(const Molecule& molecule, std::span<const std::uint32_t> atoms, const Coloring& coloring) {
-    const Classes classes = classesOf(molecule, atoms, coloring);
+ColoredAtoms colorByClass(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, const Coloring& coloring) {
+    const Classes classes = classesOf(facts, atoms, coloring);
     ColoredAtoms result;
     result.warning = classes.warning;
     result.colors.reserve(atoms.size());

@@ -6,6 +6,6 @@
 namespace nacre {
 
 /// colorAtoms() for element, chain, residue, hydrophobicity, charge, secondaryStructure, plddt and entity.
-ColoredAtoms colorByClass(const Molecule& molecule, std::span<const std::uint32_t> atoms, const Coloring& coloring);
+ColoredAtoms colorByClass(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, const Coloring& coloring);
 
 }  // namespace nacre

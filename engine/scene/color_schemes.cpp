@@ -9,7 +9,6 @@
 #include <optional>
 #include <utility>
 
-#include "engine/molecule/residue_kind.h"
 #include "engine/molecule/text.h"
 #include "engine/scene/chain_entities.h"
 #include "engine/scene/color_classes.h"
@@ -139,21 +138,18 @@ ColoredAtoms byBFactor(const Molecule& molecule, Atoms atoms, const Coloring& co
     return result;
 }
 
-ColoredAtoms byRainbow(const Molecule& molecule, Atoms atoms, Palette ramp) {
-    const std::vector<ResidueKind> kinds = residueKinds(molecule);
-    const auto inPolymer = [&](std::size_t residue) {
-        return kinds[residue] == ResidueKind::protein || kinds[residue] == ResidueKind::nucleic;
-    };
+ColoredAtoms byRainbow(const ResidueFacts& facts, Atoms atoms, Palette ramp) {
+    const Molecule& molecule = facts.molecule();
     std::vector<std::size_t> lengths(molecule.chains.size()), positions(molecule.residues.size());
-    for (std::size_t i = 0; i < positions.size(); ++i)
-        if (inPolymer(i)) positions[i] = lengths[molecule.residues[i].chain]++;
+    for (std::uint32_t i = 0; i < positions.size(); ++i)
+        if (facts.isPolymer(i)) positions[i] = lengths[molecule.residues[i].chain]++;
     ColoredAtoms result;
     result.ramp = ramp;
     result.colors.reserve(atoms.size());
     bool any = false, outside = false;
     for (const std::uint32_t atom : atoms) {
         const std::uint32_t residue = molecule.atoms[atom].residue;
-        if (!inPolymer(residue)) {
+        if (!facts.isPolymer(residue)) {
             outside = true;
             result.colors.push_back(kOutside);
             continue;
@@ -179,11 +175,12 @@ struct TintKinds {
     std::vector<std::string> names;
     std::vector<std::uint32_t> ofAtom;
 };
-TintKinds tintKinds(const Molecule& molecule, Atoms atoms, ColorScheme scheme) {
+TintKinds tintKinds(const ResidueFacts& facts, Atoms atoms, ColorScheme scheme) {
+    const Molecule& molecule = facts.molecule();
     TintKinds kinds;
     if (scheme == ColorScheme::copy) return {{""}, std::vector<std::uint32_t>(atoms.size(), 0)};
     std::optional<ResidueEntities> entities;
-    if (scheme == ColorScheme::copyEntity) entities = residueEntities(molecule);
+    if (scheme == ColorScheme::copyEntity) entities = residueEntities(facts);
     std::map<std::uint32_t, std::uint32_t> numbers;
     for (const std::uint32_t atom : atoms) {
         const std::uint32_t residue = molecule.atoms[atom].residue, chain = molecule.residues[residue].chain;
@@ -196,9 +193,9 @@ TintKinds tintKinds(const Molecule& molecule, Atoms atoms, ColorScheme scheme) {
 }
 
 /// Of one copy there is only one colour; what an assembly makes of it is assembly_scene.cpp's.
-ColoredAtoms byCopy(const Molecule& molecule, Atoms atoms, const Coloring& coloring) {
+ColoredAtoms byCopy(const ResidueFacts& facts, Atoms atoms, const Coloring& coloring) {
     const std::uint32_t first = kindColor(0, rampOf(coloring, kChainPalette));
-    const TintKinds kinds = tintKinds(molecule, atoms, coloring.scheme);
+    const TintKinds kinds = tintKinds(facts, atoms, coloring.scheme);
     ColoredAtoms result;
     for (const std::uint32_t kind : kinds.ofAtom) {
         result.tints.push_back(copyTint(kind, kinds.names.size()));
@@ -255,7 +252,8 @@ std::string coloringText(const Coloring& coloring) {
     return text;
 }
 
-ColoredAtoms colorAtoms(const Molecule& molecule, Atoms atoms, const Coloring& coloring) {
+ColoredAtoms colorAtoms(const ResidueFacts& facts, Atoms atoms, const Coloring& coloring) {
+    const Molecule& molecule = facts.molecule();
     if (atoms.empty()) return {};
     switch (coloring.scheme) {
         case ColorScheme::bFactor:
@@ -264,11 +262,11 @@ ColoredAtoms colorAtoms(const Molecule& molecule, Atoms atoms, const Coloring& c
             return byNumber(atoms, rampOf(coloring, Palette::viridis), coloring.range.value_or(ColorRange{0, 1}),
                             [&](std::uint32_t atom) { return static_cast<double>(molecule.atoms[atom].occupancy); });
         case ColorScheme::rainbow:
-            return byRainbow(molecule, atoms, rampOf(coloring, Palette::rainbow));
+            return byRainbow(facts, atoms, rampOf(coloring, Palette::rainbow));
         case ColorScheme::copy:
         case ColorScheme::copyChain:
         case ColorScheme::copyEntity:
-            return byCopy(molecule, atoms, coloring);
+            return byCopy(facts, atoms, coloring);
         case ColorScheme::uniform:
             return {std::vector<std::uint32_t>(atoms.size(), coloring.color),
                     {{colorText(coloring.color), coloring.color}},
@@ -277,7 +275,7 @@ ColoredAtoms colorAtoms(const Molecule& molecule, Atoms atoms, const Coloring& c
                     {},
                     ""};
         default:
-            return colorByClass(molecule, atoms, coloring);
+            return colorByClass(facts, atoms, coloring);
     }
 }
 

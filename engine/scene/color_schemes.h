@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/molecule/molecule.h"
+#include "engine/molecule/residue_facts.h"
 #include "engine/scene/palettes.h"
 
 namespace nacre {
@@ -91,6 +91,6 @@ struct ColoredAtoms {
 };
 
 /// @param atoms  indices of the atoms to colour; of all others only what a scheme needs as context is looked at
-ColoredAtoms colorAtoms(const Molecule& molecule, std::span<const std::uint32_t> atoms, const Coloring& coloring);
+ColoredAtoms colorAtoms(const ResidueFacts& facts, std::span<const std::uint32_t> atoms, const Coloring& coloring);
 
 }  // namespace nacre

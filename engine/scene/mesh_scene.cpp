@@ -36,9 +36,9 @@ private:
 
 }  // namespace
 
-void addMeshes(const Molecule& molecule, const Appearance& appearance, const RepresentationOptions& options,
-               const std::vector<SecondaryStructure>& secondary,
+void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const RepresentationOptions& options,
                const std::function<std::uint32_t(std::uint32_t)>& groupOf, Representation& representation) {
+    const Molecule& molecule = facts.molecule();
     struct Group {
         std::vector<std::uint32_t> cartoon, surface;
     };
@@ -48,7 +48,7 @@ void addMeshes(const Molecule& molecule, const Appearance& appearance, const Rep
     const MeshLooks ofCartoon(molecule, appearance.cartoon), ofSurface(molecule, appearance.surface);
     for (const auto& [number, group] : groups) {
         if (!group.cartoon.empty())
-            appendMesh(cartoon(molecule, group.cartoon, secondary, options.cartoon, representation.center), {},
+            appendMesh(cartoon(facts, group.cartoon, facts.folds(), options.cartoon, representation.center), {},
                        ofCartoon, representation);
         if (!group.surface.empty())
             appendMesh(surface(molecule, group.surface, options.surface, representation.center), {}, ofSurface,

@@ -13,10 +13,8 @@ namespace nacre {
 
 /// Adds the meshes that an appearance asks for, relative to the representation's centre: of each group of atoms one by
 /// itself, groups in their order.
-/// @param secondary  of each residue, for cartoons
 /// @param groupOf    what an atom moves with: of an assembly the list of its copies, else its model
-void addMeshes(const Molecule& molecule, const Appearance& appearance, const RepresentationOptions& options,
-               const std::vector<SecondaryStructure>& secondary,
+void addMeshes(const ResidueFacts& facts, const Appearance& appearance, const RepresentationOptions& options,
                const std::function<std::uint32_t(std::uint32_t)>& groupOf, Representation& representation);
 
 /// The farthest that a vertex is from the centre, Å; 0 without meshes.

@@ -12,7 +12,6 @@
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"
-#include "engine/molecule/kabsch_sander.h"
 #include "engine/scene/assembly_scene.h"
 #include "engine/scene/atom_groups.h"
 #include "engine/scene/bond_cylinders.h"
@@ -267,14 +266,15 @@ std::size_t countAtoms(const Appearance& appearance, const AssemblyScene* assemb
 
 }  // namespace
 
-Representation represent(const Molecule& molecule, std::span<const std::uint32_t> drawn,
+Representation represent(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                          const RepresentationOptions& options, const std::optional<Bounds>& frame) {
+    const Molecule& molecule = facts.molecule();
     std::optional<AssemblyScene> assembly;
     if (!options.assembly.empty()) {
         assembly.emplace(molecule, options.assembly);
         drawn = assembly->place(drawn);
     }
-    Appearance appearance = appearanceOf(molecule, drawn, options);
+    Appearance appearance = appearanceOf(facts, drawn, options);
     if (appearance.seen == 0) throw Error("cannot draw molecule", "", "no atom is left to draw");
     if (assembly) {
         assembly->colorByCopy(appearance);
@@ -294,9 +294,7 @@ Representation represent(const Molecule& molecule, std::span<const std::uint32_t
         if (assembly) return assembly->listOf(atom);
         return static_cast<std::uint32_t>(molecule.chains[molecule.residues[molecule.atoms[atom].residue].chain].model);
     };
-    const bool folded = !appearance.cartoon.atoms.empty();
-    addMeshes(molecule, appearance, options, folded ? secondaryStructure(molecule) : std::vector<SecondaryStructure>(),
-              groupOf, result);
+    addMeshes(facts, appearance, options, groupOf, result);
     // Meshes end where they do, which is seldom as far out as it may be.
     if (!result.triangles.empty() && !assembly) {
         const double own = frame ? bounds.radius : spheresReach(result);
@@ -305,19 +303,19 @@ Representation represent(const Molecule& molecule, std::span<const std::uint32_t
     if (assembly) assembly->finish(result);
     if (!options.modelsOcclude && !molecule.modelsAreInputs) separateModels(molecule, result);
     refuseCrowd(result);
-    result.atomGroups = atomGroups(molecule);
+    result.atomGroups = atomGroups(facts);
     result.legends = std::move(appearance.legends);
     result.warnings = std::move(appearance.warnings);
     return result;
 }
 
-MovingScene::MovingScene(const Molecule& molecule, std::span<const std::uint32_t> drawn,
-                         const RepresentationOptions& options, const std::optional<Bounds>& frame) {
+MovingScene::MovingScene(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
+                         const RepresentationOptions& options, const std::optional<Bounds>& frame)
+    : facts_(facts) {
     if (!options.assembly.empty()) throw Error("cannot move molecule", "", "the copies of an assembly stand still");
-    scene_ = represent(molecule, drawn, options, frame);
-    appearance_ = appearanceOf(molecule, drawn, options);
+    scene_ = represent(facts, drawn, options, frame);
+    appearance_ = appearanceOf(facts, drawn, options);
     options_ = options;
-    if (!appearance_.cartoon.atoms.empty()) secondary_ = secondaryStructure(molecule);
 }
 
 void MovingScene::move(const Molecule& molecule) {
@@ -333,7 +331,7 @@ void MovingScene::move(const Molecule& molecule) {
     scene_.meshVertices.clear();
     scene_.meshLooks.clear();
     addMeshes(
-        molecule, appearance_, options_, secondary_, [](std::uint32_t) { return 0u; }, scene_);
+        facts_.moved(molecule), appearance_, options_, [](std::uint32_t) { return 0u; }, scene_);
     scene_.radius = std::max(spheresReach(scene_), meshReach(scene_));
     refuseCrowd(scene_);
 }

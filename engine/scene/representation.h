@@ -78,7 +78,7 @@ struct Representation {
 /// @param frame  the view's center and radius (shared_frame.h), which hold all that is drawn; empty: just that
 /// @throws Error if no atom is left, there is no such assembly, it has 2^32 primitives or more, or they lie over one
 /// another more than 10,000 times
-Representation represent(const Molecule& molecule, std::span<const std::uint32_t> drawn,
+Representation represent(const ResidueFacts& facts, std::span<const std::uint32_t> drawn,
                          const RepresentationOptions& options, const std::optional<Bounds>& frame = {});
 
 /// A molecule whose atoms move: chosen, styled and coloured once, as they stand at first, and seen from one place.
@@ -86,7 +86,7 @@ Representation represent(const Molecule& molecule, std::span<const std::uint32_t
 class MovingScene {
 public:
     /// As represent(). @throws Error of an assembly as well: its copies do not move
-    MovingScene(const Molecule& molecule, std::span<const std::uint32_t> drawn, const RepresentationOptions& options,
+    MovingScene(const ResidueFacts& facts, std::span<const std::uint32_t> drawn, const RepresentationOptions& options,
                 const std::optional<Bounds>& frame = {});
 
     /// Its centre stays that of the first positions, or of the frame; its radius is the least that holds every atom.
@@ -98,7 +98,7 @@ private:
     Representation scene_;
     Appearance appearance_;
     RepresentationOptions options_;
-    std::vector<SecondaryStructure> secondary_;  ///< as it was at first
+    ResidueFacts facts_;  ///< as they were at first
 };
 
 }  // namespace nacre

@@ -15,8 +15,9 @@ namespace {
 using VisitBall = std::function<void(const glm::dvec3&, double)>;
 
 /// Visits what is drawn of a model.
-void eachBall(const Molecule& model, const DrawnAtomsOptions& drawnOptions, const RepresentationOptions& options,
+void eachBall(const ResidueFacts& facts, const DrawnAtomsOptions& drawnOptions, const RepresentationOptions& options,
               const VisitBall& visit) {
+    const Molecule& model = facts.molecule();
     const std::vector<std::uint32_t> all = drawnAtoms(model, drawnOptions);
     std::span<const std::uint32_t> drawn = all;
     std::optional<AssemblyScene> assembly;
@@ -24,7 +25,7 @@ void eachBall(const Molecule& model, const DrawnAtomsOptions& drawnOptions, cons
         assembly.emplace(model, options.assembly);
         drawn = assembly->place(drawn);
     }
-    Appearance appearance = appearanceOf(model, drawn, options);
+    Appearance appearance = appearanceOf(facts, drawn, options);
     if (assembly) assembly->sortByCopies(appearance);
     const SeenBalls seen = seenBalls(model, appearance);
     if (assembly) return assembly->eachBall(seen, visit);
@@ -34,25 +35,25 @@ void eachBall(const Molecule& model, const DrawnAtomsOptions& drawnOptions, cons
 /// The balls of the models of a file, as often as they are asked for.
 class ModelBalls {
 public:
-    ModelBalls(const Molecule& molecule, const DrawnAtomsOptions& drawn, const RepresentationOptions& options)
-        : molecule_(molecule), drawn_(drawn), options_(options) {
-        const std::vector<std::uint32_t> all = drawnAtoms(molecule, drawn);
+    ModelBalls(const ResidueFacts& facts, const DrawnAtomsOptions& drawn, const RepresentationOptions& options)
+        : facts_(facts), molecule_(facts.molecule()), drawn_(drawn), options_(options) {
+        const std::vector<std::uint32_t> all = drawnAtoms(molecule_, drawn);
         std::span<const std::uint32_t> placed = all;
         std::optional<AssemblyScene> assembly;
         if (!options.assembly.empty()) {
-            assembly.emplace(molecule, options.assembly);
+            assembly.emplace(molecule_, options.assembly);
             placed = assembly->place(placed);
         }
-        Appearance own = appearanceOf(molecule, placed, options);
+        Appearance own = appearanceOf(facts, placed, options);
         options_.style = own.style;  // models share that, too
         options_.color = ColorScheme::element;
         std::erase_if(options_.rules, [](const Rule& rule) { return rule.action == Rule::Action::color; });
         simple_ = options_.rules.empty() && options_.assembly.empty();
-        seen_ = seenBalls(molecule, own);
+        seen_ = seenBalls(molecule_, own);
     }
 
     void eachBall(const VisitBall& visit) const {
-        nacre::eachBall(molecule_, drawn_, options_, visit);
+        nacre::eachBall(facts_, drawn_, options_, visit);
         Molecule placed;
         for (std::size_t i = 0; i < molecule_.others.size(); ++i) {
             const OtherModel other = molecule_.others[i];
@@ -71,6 +72,7 @@ public:
     }
 
 private:
+    ResidueFacts facts_;
     const Molecule& molecule_;
     DrawnAtomsOptions drawn_;
     RepresentationOptions options_;
@@ -80,10 +82,10 @@ private:
 
 }  // namespace
 
-std::optional<Bounds> sharedFrame(const Molecule& molecule, const DrawnAtomsOptions& drawn,
+std::optional<Bounds> sharedFrame(const ResidueFacts& facts, const DrawnAtomsOptions& drawn,
                                   const RepresentationOptions& options) {
-    if (molecule.others.empty() || options.ownFrame) return std::nullopt;
-    const ModelBalls models(molecule, drawn, options);
+    if (facts.molecule().others.empty() || options.ownFrame) return std::nullopt;
+    const ModelBalls models(facts, drawn, options);
     Box box;
     models.eachBall([&](const glm::dvec3& center, double) { box.add(center); });
     Bounds bounds{box.center(), 0};

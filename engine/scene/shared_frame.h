@@ -13,7 +13,7 @@ namespace nacre {
 /// The bounds of what is drawn of a molecule and of the other models of its file (Molecule::others), as represent()
 /// takes them; the same whichever model it is. Empty if there are no others, or the camera shall be the model's own.
 /// @throws Error as represent() does
-std::optional<Bounds> sharedFrame(const Molecule& molecule, const DrawnAtomsOptions& drawn,
+std::optional<Bounds> sharedFrame(const ResidueFacts& facts, const DrawnAtomsOptions& drawn,
                                   const RepresentationOptions& options);
 
 }  // namespace nacre

@@ -15,7 +15,7 @@
 
 #include "engine/molecule/formats/decompress.h"
 #include "engine/molecule/formats/detect.h"
-#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/formats/format_table.h"
 #include "tests/benchmark/gemmi_mmcif.h"
 #include "tests/molecule/bcif_writer.h"
 #include "tests/support/test_data.h"
@@ -48,13 +48,13 @@ Input inputOf(const std::string& path) {
 Molecule readAlone(const Input& input) {
     switch (input.format) {
         case Format::pdb:
-            return readPdb(input.name, input.bytes, {});
+            return formatRow(Format::pdb).read(input.name, input.bytes, {});
         case Format::mmcif:
-            return std::move(readMmcif(input.name, input.bytes, {}).front());
+            return std::move(formatRow(Format::mmcif).readTables(input.name, input.bytes, {}, 0).front());
         case Format::bcif:
-            return std::move(readBcif(input.name, input.bytes, {}).front());
+            return std::move(formatRow(Format::bcif).readTables(input.name, input.bytes, {}, 0).front());
         case Format::mmtf:
-            return std::move(readMmtf(input.name, input.bytes, {}).front());
+            return std::move(formatRow(Format::mmtf).readTables(input.name, input.bytes, {}, 0).front());
         default:
             throw std::runtime_error(input.name + ": no such format here");
     }

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "engine/molecule/drawn_atoms.h"
-#include "engine/molecule/formats/model_texts.h"
+#include "engine/molecule/formats/model_spans.h"
 #include "engine/molecule/other_models.h"
 #include "engine/molecule/read.h"
 #include "engine/molecule/selection/selection.h"
@@ -140,17 +140,17 @@ std::string rowsOf(const std::string& model, const std::string& x) {
 /// What a text is cut into, parts divided by '|': before, models, after.
 std::string cutOf(Format format, const std::string& text) {
     const TextSource source = textInMemory(text);
-    const ModelTexts texts = modelTexts(format, source);
+    const ModelSpans spans = modelSpans(format, source);
     std::string parts;
-    appendText(parts, source, texts.before);
-    for (const TextSpan& model : texts.models) appendText(parts += "|", source, model);
-    appendText(parts += "|", source, texts.after);
+    appendText(parts, source, spans.before);
+    for (const TextSpan& model : spans.models) appendText(parts += "|", source, model);
+    appendText(parts += "|", source, spans.after);
     return parts;
 }
 
 constexpr const char* kAtom = "ATOM      1  CA  GLY A   1       1.000   2.000   3.000  1.00  0.00           C\n";
 
-TEST(ModelTexts, OfPdbEndAtEndmdl) {
+TEST(ModelSpans, OfPdbEndAtEndmdl) {
     const std::string atom = kAtom, one = "MODEL 1\n" + atom + "ENDMDL\n", two = "MODEL 2\n" + atom + "ENDMDL\n";
     for (const Format format : {Format::pdb, Format::pdbqt, Format::pqr}) {
         EXPECT_EQ(cutOf(format, "TITLE x\n" + one + two + "CONECT    1    2\nEND\n"),
@@ -165,14 +165,14 @@ TEST(ModelTexts, OfPdbEndAtEndmdl) {
     }
 }
 
-TEST(ModelTexts, OfPdbEndAtEnd) {
+TEST(ModelSpans, OfPdbEndAtEnd) {
     const std::string frame = std::string(kAtom) + "END\n";
     EXPECT_EQ(cutOf(Format::pdb, "CRYST1\n" + frame + frame), "CRYST1\n|" + frame + "|" + frame + "|");
     EXPECT_EQ(cutOf(Format::pdb, frame + "HELIX 1\n" + frame), "|");
     EXPECT_EQ(cutOf(Format::pdb, frame + "CONECT    1    2\n" + frame), "|");
 }
 
-TEST(ModelTexts, OfFramesGoByTheirCounts) {
+TEST(ModelSpans, OfFramesGoByTheirCounts) {
     const std::string xyz = "1\nno atom\nHe 0 0 0\n", gro = "title\n1\n    1GLY     CA    1   0.1   0.2   0.3\n1 1 1\n";
     EXPECT_EQ(cutOf(Format::xyz, xyz + "\n" + xyz), "|" + xyz + "|\n" + xyz + "|");
     EXPECT_EQ(cutOf(Format::xyz, xyz + "2\n\nHe 0 0 0\n"), "|" + xyz + "|");
@@ -181,7 +181,7 @@ TEST(ModelTexts, OfFramesGoByTheirCounts) {
     EXPECT_EQ(cutOf(Format::gro, gro + "title\nmany\n"), "|" + gro + "|");
 }
 
-TEST(ModelTexts, OfMmcifGoByTheNumbersOfModels) {
+TEST(ModelSpans, OfMmcifGoByTheNumbersOfModels) {
     const std::string one = rowsOf("1", "1.0"), two = rowsOf("2", "2.0"), head = kHead;
     EXPECT_EQ(cutOf(Format::mmcif, head + one + two + kTail), head + "|" + one + "|" + two + "|" + kTail);
     EXPECT_EQ(cutOf(Format::mmcif, head + one + two + "loop_\n_x.y\n1\n"),
@@ -193,7 +193,7 @@ TEST(ModelTexts, OfMmcifGoByTheNumbersOfModels) {
     EXPECT_EQ(cutOf(Format::mmcif, "data_x\nloop_\n_atom_site.id\n1\n2\n"), "|");  // no numbers
 }
 
-TEST(ModelTexts, OfRecordsGoByTheirMarks) {
+TEST(ModelSpans, OfRecordsGoByTheirMarks) {
     EXPECT_EQ(cutOf(Format::sdf, "a\n$$$$\nb\n$$$$\n\n"), "|a\n$$$$\n|b\n$$$$\n|");
     const std::string record = "@<TRIPOS>MOLECULE\nx\n";
     EXPECT_EQ(cutOf(Format::mol2, "# made by\n" + record + record), "|" + record + "|" + record + "|");

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/formats/format_table.h"
 #include "tests/molecule/build_molecule.h"
 #include "tests/molecule/text_file.h"
 #include "tests/support/test_data.h"
@@ -207,7 +207,7 @@ TEST(HostileGeometry, FarApartCostsNothing) {
 // ---- real files -------------------------------------------------------------------------------------------------
 
 Molecule bondedFile(const std::string& file) {
-    Molecule molecule = readPdb(file, test::readText(test::dataFile(file)), {});
+    Molecule molecule = formatRow(Format::pdb).read(file, test::readText(test::dataFile(file)), {});
     perceiveBonds(molecule);
     return molecule;
 }

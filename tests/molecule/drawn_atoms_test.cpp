@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/formats/format_table.h"
 #include "tests/molecule/build_molecule.h"
 #include "tests/molecule/text_file.h"
 #include "tests/support/test_data.h"
@@ -62,7 +62,7 @@ TEST(DrawnAtoms, ChooseOneResidueWhereTheSequenceAlternates) {
 TEST(DrawnAtoms, OfRealFiles) {
     NACRE_NEEDS_DATA();
     const auto drawn = [](const char* file) {
-        return drawnAtoms(readPdb(file, test::readText(test::dataFile(file)), {})).size();
+        return drawnAtoms(formatRow(Format::pdb).read(file, test::readText(test::dataFile(file)), {})).size();
     };
     EXPECT_EQ(drawn("1bna.pdb"), 486u);
     EXPECT_EQ(drawn("4hhb.pdb"), 4558u);  // 4779 less 221 waters

@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "engine/error.h"
-#include "engine/molecule/model_places.h"
+#include "engine/molecule/other_models.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/test_data.h"
 #include "tests/support/written_files.h"
@@ -189,13 +189,13 @@ TEST(ModelFile, SaysWhatIsWrongWithAModelAndWhere) {
     }
 }
 
-TEST(ModelPlaces, BeyondABoundStandInAFile) {
-    ModelPlaces places;
+TEST(StoredModels, BeyondABoundStandInAFile) {
+    OtherModels places;
     const auto at = [](float x) { return OtherModel{{glm::vec3(x), glm::vec3(-x)}, nullptr}; };
     EXPECT_EQ(places.add(at(1), 24), 24u);
     EXPECT_EQ(places.add(at(2), 24), 0u) << "held, too";
     EXPECT_EQ(places.add(at(3), 24), 0u);
-    const ModelPlaces copy = places;
+    const OtherModels copy = places;
     places.clear();
     EXPECT_TRUE(places.empty());
     ASSERT_EQ(copy.size(), 3u);

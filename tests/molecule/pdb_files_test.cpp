@@ -10,7 +10,7 @@
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"
-#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/formats/format_table.h"
 #include "tests/molecule/text_file.h"
 #include "tests/support/test_data.h"
 
@@ -20,7 +20,7 @@ namespace {
 Molecule readFile(const std::string& file, int model = 1) {
     ReadOptions options;
     options.model = model;
-    return readPdb(file, test::readText(test::dataFile(file)), options);
+    return formatRow(Format::pdb).read(file, test::readText(test::dataFile(file)), options);
 }
 
 void expectCounts(const std::string& file, const nlohmann::json& expected) {

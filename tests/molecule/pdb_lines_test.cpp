@@ -4,8 +4,8 @@
 
 #include "engine/error.h"
 #include "engine/molecule/element.h"
+#include "engine/molecule/formats/format_table.h"
 #include "engine/molecule/formats/pdb_fields.h"
-#include "engine/molecule/formats/readers.h"
 
 namespace nacre {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 Molecule readText(const std::string& text, int model = 1) {
     ReadOptions options;
     options.model = model;
-    return readPdb("x.pdb", text, options);
+    return formatRow(Format::pdb).read("x.pdb", text, options);
 }
 
 const std::string kCarbon = "HETATM    1  C1  LIG A   1       1.000   2.000   3.000  1.00 10.00           C  \n";
@@ -122,7 +122,7 @@ TEST(PdbLines, EveryLineEndWillDo) {
         std::string text = kCarbon + kOxygen;
         for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += std::string(end).size())
             text.replace(at, 1, end);
-        EXPECT_EQ(readText(text).atoms.size(), 2u);
+        EXPECT_EQ(readMolecule("x.pdb", text).atoms.size(), 2u);
     }
     EXPECT_EQ(readText(kCarbon + kOxygen.substr(0, 54)).atoms.size(), 2u);  // cut after the last coordinate
     std::string nul = kCarbon;

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <set>
 
-#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/formats/format_table.h"
 #include "tests/molecule/bcif_writer.h"
 #include "tests/molecule/expect_error.h"
 #include "tests/molecule/gzip_bytes.h"
@@ -180,7 +180,8 @@ TEST(ReadBcif, AMillionAtoms) {
         return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     };
     Molecule parsed, whole, inflated;
-    const double parse = milliseconds([&] { parsed = std::move(readBcif("capsid.bcif", bytes, {}).front()); });
+    const double parse = milliseconds(
+        [&] { parsed = std::move(formatRow(Format::bcif).readTables("capsid.bcif", bytes, {}, 0).front()); });
     const double read = milliseconds([&] { whole = readMolecule("capsid.bcif", bytes); });
     const double gz = milliseconds([&] { inflated = readMolecule("capsid.bcif.gz", packed); });
     std::printf("%zu atoms, %zu bytes (%zu as gz): reader %.0f ms, with bonds %.0f ms, from gz with bonds %.0f ms\n",

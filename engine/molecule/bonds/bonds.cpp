@@ -9,38 +9,12 @@
 namespace nacre {
 namespace {
 
-/// Sorts, drops what is no pair of two different atoms, and joins repeated pairs: what the file stated comes first
-/// and keeps its source, while a higher order than 1 is taken from whoever knows it (CONECT mostly knows none).
-void sortAndMerge(Molecule& molecule) {
-    std::vector<Bond>& bonds = molecule.bonds;
-    const auto count = static_cast<std::uint32_t>(molecule.atoms.size());
-    for (Bond& bond : bonds)
-        if (bond.a > bond.b) std::swap(bond.a, bond.b);
-    bonds.erase(std::remove_if(bonds.begin(), bonds.end(),
-                               [&](const Bond& bond) { return bond.a == bond.b || bond.b >= count; }),
-                bonds.end());
-    const auto key = [](const Bond& bond) { return std::tie(bond.a, bond.b, bond.source, bond.order); };
-    const auto less = [&](const Bond& l, const Bond& r) { return key(l) < key(r); };
-    if (!std::is_sorted(bonds.begin(), bonds.end(), less)) std::sort(bonds.begin(), bonds.end(), less);
-    std::size_t kept = 0;
-    for (const Bond& bond : bonds) {
-        if (kept > 0 && bonds[kept - 1].a == bond.a && bonds[kept - 1].b == bond.b) {
-            bonds[kept - 1].order = std::max(bonds[kept - 1].order, bond.order);
-        } else {
-            bonds[kept++] = bond;
-        }
-    }
-    bonds.resize(kept);
-}
-
 std::vector<PositionGroup> findGroups(const Molecule& molecule) {
     std::vector<PositionGroup> groups;
     const Residue* before = nullptr;
     for (std::uint32_t r = 0; r < molecule.residues.size(); ++r) {
         const Residue& residue = molecule.residues[r];
-        const bool same = before && before->chain == residue.chain && before->number == residue.number &&
-                          before->insertionCode == residue.insertionCode;
-        if (!same) groups.push_back({r, 0, residue.firstAtom, 0});
+        if (!before || !residue.atPositionOf(*before)) groups.push_back({r, 0, residue.firstAtom, 0});
         ++groups.back().residueCount;
         groups.back().atomCount += residue.atomCount;
         before = &residue;
@@ -70,8 +44,33 @@ void markSettled(BondWork& work) {
 
 }  // namespace
 
+void mergeBonds(std::vector<Bond>& bonds, std::size_t atoms) {
+    for (Bond& bond : bonds)
+        if (bond.a > bond.b) std::swap(bond.a, bond.b);
+    std::erase_if(bonds, [&](const Bond& bond) { return bond.a == bond.b || bond.b >= atoms; });
+    // Dealt out to the first atoms, of which each has a handful: quicker than sorting all of them.
+    std::vector<std::uint32_t> ends(atoms + 1, 0);
+    for (const Bond& bond : bonds) ++ends[bond.a + 1];
+    for (std::size_t i = 1; i <= atoms; ++i) ends[i] += ends[i - 1];
+    std::vector<Bond> sorted(bonds.size());
+    for (const Bond& bond : bonds) sorted[ends[bond.a]++] = bond;  // now where each atom's bonds end
+    const auto key = [](const Bond& bond) { return std::tie(bond.b, bond.source, bond.order); };
+    bonds.clear();
+    for (std::size_t i = 0, first = 0; i < atoms; first = ends[i++]) {
+        const auto begin = sorted.begin() + static_cast<std::ptrdiff_t>(first);
+        const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(ends[i]);
+        std::sort(begin, end, [&](const Bond& l, const Bond& r) { return key(l) < key(r); });
+        for (auto bond = begin; bond != end; ++bond) {
+            if (bond != begin && bonds.back().b == bond->b)
+                bonds.back().order = std::max(bonds.back().order, bond->order);
+            else
+                bonds.push_back(*bond);
+        }
+    }
+}
+
 void perceiveBonds(Molecule& molecule) {
-    sortAndMerge(molecule);
+    mergeBonds(molecule.bonds, molecule.atoms.size());
     // A bond table (SDF, chemical component) is the whole truth; its coordinates may even be a flat drawing.
     if (molecule.file.bonds.value_or(0) > 0) return;
 
@@ -85,9 +84,9 @@ void perceiveBonds(Molecule& molecule) {
     }
     markSettled(work);
     addTemplateBonds(work);
-    sortAndMerge(molecule);
+    mergeBonds(molecule.bonds, molecule.atoms.size());
     addDistanceBonds(work);
-    sortAndMerge(molecule);
+    mergeBonds(molecule.bonds, molecule.atoms.size());
 }
 
 }  // namespace nacre

@@ -10,4 +10,8 @@ namespace nacre {
 /// sorted. Linear time by a grid.
 void perceiveBonds(Molecule& molecule);
 
+/// Sorts, drops what is no pair of two different atoms, and joins repeated pairs: what the file stated comes first and
+/// keeps its source, while a higher order than 1 is taken from whoever knows it (CONECT mostly knows none).
+void mergeBonds(std::vector<Bond>& bonds, std::size_t atoms);
+
 }  // namespace nacre

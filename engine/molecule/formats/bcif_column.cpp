@@ -1,6 +1,7 @@
 #include "engine/molecule/formats/bcif_column.h"
 
-#include <cstring>
+#include <bit>
+#include <type_traits>
 
 namespace nacre {
 
@@ -88,20 +89,11 @@ IntegersPointer decodeIntegers(std::string_view bytes, const std::vector<Msgpack
 
 template <typename Float>
 double takeFloat(std::string_view& bytes) {
-    static_assert(sizeof(Float) == 4 || sizeof(Float) == 8);
     std::uint64_t bits = 0;
     for (std::size_t k = sizeof(Float); k-- > 0;) bits = bits << 8 | static_cast<unsigned char>(bytes[k]);
     bytes.remove_prefix(sizeof(Float));
-    if constexpr (sizeof(Float) == 8) {
-        double value = 0;
-        std::memcpy(&value, &bits, sizeof value);
-        return value;
-    } else {
-        const auto half = static_cast<std::uint32_t>(bits);
-        float value = 0;
-        std::memcpy(&value, &half, sizeof value);
-        return static_cast<double>(value);
-    }
+    using Bits = std::conditional_t<sizeof(Float) == 4, std::uint32_t, std::uint64_t>;
+    return static_cast<double>(std::bit_cast<Float>(static_cast<Bits>(bits)));
 }
 
 }  // namespace

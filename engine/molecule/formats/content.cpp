@@ -1,15 +1,17 @@
 #include "engine/molecule/formats/content.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <memory>
+#include <filesystem>
 #include <utility>
 
 #include "engine/error.h"
 #include "engine/molecule/formats/decompress.h"
 #include "engine/molecule/formats/detect.h"
-#include "engine/molecule/formats/model_texts.h"
+#include "engine/molecule/formats/format_table.h"
 #include "engine/molecule/formats/text_encoding.h"
 #include "engine/molecule/text.h"
 
@@ -18,10 +20,8 @@ namespace {
 
 constexpr std::size_t kTellingBytes = std::size_t{64} << 10;  // tells the format
 
-bool isBinary(Format format) { return format == Format::bcif || format == Format::mmtf; }
-
-Error tooLarge(const std::string& name, std::size_t maxBytes) {
-    return Error("cannot read molecule", name, "it is larger than the limit of " + std::to_string(maxBytes) + " bytes");
+[[noreturn]] void refuseLarge(const std::string& name, std::size_t maxBytes) {
+    cannotRead(name, "it is larger than the limit of " + std::to_string(maxBytes) + " bytes");
 }
 
 std::string headOf(const TextSource& text) {
@@ -30,13 +30,24 @@ std::string headOf(const TextSource& text) {
     return head;
 }
 
-/// Text in a format that is read by lines, and told by its beginning; else nothing.
-std::optional<TextContent> plainText(const std::string& name, TextSource text, const ReadOptions& options) {
+/// A text that is read by lines, and where its models are; else nothing.
+std::optional<Content> plainText(const std::string& name, TextSource text, const ReadOptions& options) {
     const std::string head = headOf(text);
     if (!compressionOf(head).empty() || startsWith(head, "\xEF\xBB\xBF") || utf8FromUtf16(head)) return std::nullopt;
-    const std::optional<Format> binary = detectBinaryFormat(head);
-    if (binary) return std::nullopt;
-    return TextContent{std::move(text), options.format ? *options.format : detectFormat(name, head)};
+    if (detectBinaryFormat(head)) return std::nullopt;
+    Content content{name, options.format ? *options.format : detectFormat(name, head), nullptr, std::move(text), {}};
+    content.spans = modelSpans(content.format, content.text);
+    return content;
+}
+
+/// The same, if its models can be told apart, and each read without much of the rest.
+std::optional<Content> severalModels(const std::string& name, TextSource text, const ReadOptions& options) {
+    constexpr std::uint64_t kMostAround = std::uint64_t{32} << 20, kMostBytesOfPasses = std::uint64_t{1} << 32;
+    std::optional<Content> content = plainText(name, std::move(text), options);
+    if (!content || !content->spans.complete || content->spans.models.size() < 2) return std::nullopt;
+    const std::uint64_t around = content->spans.around();
+    if (around > kMostAround || content->spans.models.size() > kMostBytesOfPasses / (around + 1)) return std::nullopt;
+    return content;
 }
 
 /// Takes in what is inflated: in memory, and where that is much and has several models in a temporary file.
@@ -46,15 +57,14 @@ public:
 
     void take(std::string_view part) {
         if (file_) {
-            if (!file_->append(part.data(), part.size()))
-                throw Error("cannot read molecule", name_, "no room for a temporary file of its text");
+            if (!file_->append(part.data(), part.size())) cannotRead(name_, "no room for a temporary file of its text");
             return;
         }
         if (held_.size() + part.size() > held_.capacity()) held_.reserve(2 * held_.size() + part.size());
         held_.append(part);
         if (judged_ || held_.size() <= options_.heldText) return;
         judged_ = true;
-        if (!severalModels()) return;
+        if (!hasSeveralModels()) return;
         file_ = ByteFile::temporary();
         if (file_ && file_->append(held_.data(), held_.size()))
             held_ = {};
@@ -65,11 +75,11 @@ public:
     std::string& held() { return held_; }
 
 private:
-    bool severalModels() const {
+    bool hasSeveralModels() const {
         const TextSource begun = textInMemory(std::string_view(held_).substr(0, held_.rfind('\n') + 1));
         try {
-            const std::optional<TextContent> content = plainText(name_, begun, options_);
-            return content && modelTexts(content->format, begun).models.size() > 1;
+            const std::optional<Content> content = plainText(name_, begun, options_);
+            return content && content->spans.models.size() > 1;
         } catch (const Error&) {
             return false;
         }
@@ -81,6 +91,51 @@ private:
     std::shared_ptr<ByteFile> file_;
     bool judged_ = false;
 };
+
+struct CloseFile {
+    void operator()(std::FILE* file) const {
+        if (file != stdin) std::fclose(file);
+    }
+};
+
+/// Grows by what is there, to the limit and no further: a device or a pipe may never end.
+std::string readAll(std::FILE* file, const std::string& name, const ReadOptions& options) {
+    constexpr std::size_t kChunk = std::size_t{1} << 20;
+    struct stat status {};
+    const bool plain = fstat(fileno(file), &status) == 0 && S_ISREG(status.st_mode);
+    const std::uint64_t expected = plain ? static_cast<std::uint64_t>(status.st_size) : 0;
+    std::string bytes;
+    bytes.reserve(static_cast<std::size_t>(std::min<std::uint64_t>(expected, options.maxBytes)) + kChunk);
+    for (;;) {
+        const std::size_t size = bytes.size();
+        if (size > options.maxBytes) refuseLarge(name, options.maxBytes);
+        const std::size_t chunk = std::min(kChunk, options.maxBytes - size + 1);
+        if (size + chunk > bytes.capacity())
+            bytes.reserve(std::max(std::min(2 * size, options.maxBytes) + 1, size + chunk));
+        bytes.resize(size + chunk);
+        const std::size_t got = std::fread(bytes.data() + size, 1, chunk, file);
+        bytes.resize(size + got);
+        if (got == 0) break;
+    }
+    if (std::ferror(file)) cannotRead(name, std::strerror(errno));
+    return bytes;
+}
+
+/// A long text of several models, or one that is inflated; else nothing.
+std::optional<Content> openSeveral(const std::string& path, const ReadOptions& options) {
+    const std::shared_ptr<ByteFile> file = ByteFile::open(path);
+    if (!file || file->size() == 0 || file->size() > options.maxBytes) return std::nullopt;
+    TextSource text = textInFile(file);
+    if (compressionOf(headOf(text)).empty())
+        return file->size() > options.heldText ? severalModels(path, std::move(text), options) : std::nullopt;
+    std::string bytes(static_cast<std::size_t>(file->size()), '\0');
+    file->read(0, bytes.data(), bytes.size());
+    Inflated taken(path, options);
+    decompress(path, bytes, options.maxBytes, [&](std::string_view part) { taken.take(part); });
+    if (!taken.file()) return contentOf(path, std::move(taken.held()), options);
+    std::optional<Content> content = severalModels(path, textInFile(taken.file()), options);
+    return content ? content : contentOf(path, std::move(bytes), options);
+}
 
 }  // namespace
 
@@ -95,59 +150,37 @@ void unifyLineEnds(std::string& text) {
     text.resize(to);
 }
 
-FileContent contentOf(const std::string& name, std::string bytes, const ReadOptions& options) {
+Content contentOf(const std::string& name, std::string bytes, const ReadOptions& options) {
     if (!compressionOf(bytes).empty()) bytes = decompress(name, bytes, options.maxBytes);
     if (startsWith(bytes, "\xEF\xBB\xBF")) bytes.erase(0, 3);
-    if (bytes.size() > options.maxBytes) throw tooLarge(name, options.maxBytes);
+    if (bytes.size() > options.maxBytes) refuseLarge(name, options.maxBytes);
     if (auto utf8 = utf8FromUtf16(bytes)) bytes = std::move(*utf8);
-    if (bytes.empty()) throw Error("cannot read molecule", name, "it is empty");
+    if (bytes.empty()) cannotRead(name, "it is empty");
     std::optional<Format> known = options.format;
     if (!known) known = detectBinaryFormat(bytes);
-    if (!known || !isBinary(*known)) unifyLineEnds(bytes);
+    if (!known || !formatRow(*known).binary) unifyLineEnds(bytes);
     const Format format = known ? *known : detectFormat(name, bytes);
-    return {std::move(bytes), format};
+    const auto held = std::make_shared<const std::string>(std::move(bytes));
+    return {name, format, held, textInMemory(*held), {}};
 }
 
-std::optional<TextContent> textContentOf(const std::string& path, const ReadOptions& options, std::string& inflated) {
-    const std::shared_ptr<ByteFile> file = ByteFile::open(path);
-    if (!file || file->size() == 0 || file->size() > options.maxBytes) return std::nullopt;
-    TextSource text = textInFile(file);
-    if (compressionOf(headOf(text)).empty()) {
-        if (file->size() <= options.heldText) return std::nullopt;
-        return plainText(path, std::move(text), options);
-    }
-    std::string bytes(static_cast<std::size_t>(file->size()), '\0');
-    file->read(0, bytes.data(), bytes.size());
-    Inflated taken(path, options);
-    decompress(path, bytes, options.maxBytes, [&](std::string_view part) { taken.take(part); });
-    if (taken.file()) return plainText(path, textInFile(taken.file()), options);
-    inflated = std::move(taken.held());
-    return std::nullopt;
+Content openContent(const std::string& path, const ReadOptions& options) {
+    if (path == "-") return contentOf("standard input", readAll(stdin, "standard input", options), options);
+    const std::string shown = printable(path, kMaxMessage);
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) cannotRead(shown, "it is a folder");
+    const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
+    if (!file) cannotRead(shown, std::strerror(errno));
+    if (std::optional<Content> several = openSeveral(path, options)) return std::move(*several);
+    return contentOf(path, readAll(file.get(), shown, options), options);
 }
 
-std::optional<TextContent> textContentOf(const std::string& name, std::shared_ptr<const std::string> bytes,
-                                         const ReadOptions& options) {
-    TextSource text = textInMemory(*bytes);
-    text.read = [read = text.read, bytes](std::uint64_t at, char* to, std::size_t count) { read(at, to, count); };
-    return plainText(name, std::move(text), options);
-}
-
-std::string readAll(std::FILE* file, const std::string& name, std::size_t maxBytes, std::uintmax_t expected) {
-    constexpr std::size_t kChunk = std::size_t{1} << 20;
-    std::string bytes;
-    bytes.reserve(static_cast<std::size_t>(std::min<std::uintmax_t>(expected, maxBytes)) + kChunk);
-    for (;;) {
-        const std::size_t size = bytes.size();
-        if (size > maxBytes) throw tooLarge(name, maxBytes);
-        const std::size_t chunk = std::min(kChunk, maxBytes - size + 1);
-        if (size + chunk > bytes.capacity()) bytes.reserve(std::max(std::min(2 * size, maxBytes) + 1, size + chunk));
-        bytes.resize(size + chunk);
-        const std::size_t got = std::fread(bytes.data() + size, 1, chunk, file);
-        bytes.resize(size + got);
-        if (got == 0) break;
-    }
-    if (std::ferror(file)) throw Error("cannot read molecule", name, std::strerror(errno));
-    return bytes;
+Content heldWhole(const Content& content, const ReadOptions& options) {
+    std::string text;
+    appendText(text, content.text, {0, content.text.size});
+    ReadOptions known = options;
+    known.format = content.format;
+    return contentOf(content.name, std::move(text), known);
 }
 
 }  // namespace nacre

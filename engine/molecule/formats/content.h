@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
-#include <optional>
 #include <string>
 
+#include "engine/molecule/formats/model_spans.h"
 #include "engine/molecule/formats/text_source.h"
 #include "engine/molecule/read.h"
 
@@ -15,33 +15,25 @@ namespace nacre {
 
 constexpr std::size_t kMaxMessage = 600;  ///< bytes of text from a file that leave a reader
 
-struct FileContent {
-    std::string bytes;
+struct Content {
+    std::string name;  ///< for messages
     Format format;
-};
-
-/// Text that is not held: inflated, in whatever line ends.
-struct TextContent {
-    TextSource text;
-    Format format;
+    std::shared_ptr<const std::string> bytes;  ///< null: a text of several models that is read from a file in pieces
+    TextSource text;                           ///< in whatever line ends, unless it is `bytes`
+    ModelSpans spans;                          ///< of a text that is not held
 };
 
 /// @param bytes  as they are in the file @throws Error
-FileContent contentOf(const std::string& name, std::string bytes, const ReadOptions& options);
+Content contentOf(const std::string& name, std::string bytes, const ReadOptions& options);
 
-/// Of a file with more text than ReadOptions::heldText; one that is compressed, and has several models, is inflated
-/// into a temporary file. Nothing if it has less, or is no text as most are. @throws Error
-/// @param inflated  then gets what has been inflated, if anything has
-std::optional<TextContent> textContentOf(const std::string& path, const ReadOptions& options, std::string& inflated);
-/// The same of bytes, whatever their number. @param bytes  go with it
-std::optional<TextContent> textContentOf(const std::string& name, std::shared_ptr<const std::string> bytes,
-                                         const ReadOptions& options);
+/// A file's content. More text than ReadOptions::heldText is not held if its models can be told apart: it is read from
+/// the file, or from a temporary one if that is compressed. @param path  "-": standard input @throws Error
+Content openContent(const std::string& path, const ReadOptions& options);
+
+/// The same, held whole. @throws Error
+Content heldWhole(const Content& content, const ReadOptions& options);
 
 /// '\n' for every end of line, whatever the file came from; in place.
 void unifyLineEnds(std::string& text);
-
-/// Grows by what is there, to the limit and no further: a device or a pipe may never end.
-/// @param expected  bytes that are probably there; 0 if that is not known @throws Error
-std::string readAll(std::FILE* file, const std::string& name, std::size_t maxBytes, std::uintmax_t expected);
 
 }  // namespace nacre

@@ -1,4 +1,3 @@
-#include "engine/error.h"
 #include "engine/molecule/formats/ctab.h"
 
 namespace nacre {
@@ -27,9 +26,7 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& why) const {
-        throw Error("cannot read molecule", builder_.name(), why, lines_.number());
-    }
+    [[noreturn]] void fail(const std::string& why) const { cannotRead(builder_.name(), why, lines_.number()); }
     static std::string ordinal(const char* what, std::int64_t i, std::int64_t count) {
         return std::string(what) + " " + std::to_string(i + 1) + " of the " + std::to_string(count) + " announced";
     }

@@ -1,6 +1,5 @@
 #include <vector>
 
-#include "engine/error.h"
 #include "engine/molecule/formats/ctab.h"
 #include "engine/molecule/formats/id_index.h"
 
@@ -43,9 +42,7 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& why) const {
-        throw Error("cannot read molecule", builder_.name(), why, lines_.number());
-    }
+    [[noreturn]] void fail(const std::string& why) const { cannotRead(builder_.name(), why, lines_.number()); }
 
     /// Steps to the next V30 line, with its continuations put together; false at the end of the table.
     bool next() {

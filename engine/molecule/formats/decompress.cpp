@@ -40,6 +40,19 @@ struct Window {
     std::size_t outLeft;
 };
 
+/// A step of a library whose stream has its window as zlib's has. @return what the step does
+template <typename Stream, typename Step>
+auto stepOf(Stream& stream, Window& w, const Step& step) {
+    stream.next_in = reinterpret_cast<decltype(stream.next_in)>(const_cast<char*>(w.in));
+    stream.avail_in = static_cast<decltype(stream.avail_in)>(w.inLeft);
+    stream.next_out = reinterpret_cast<decltype(stream.next_out)>(w.out);
+    stream.avail_out = static_cast<decltype(stream.avail_out)>(w.outLeft);
+    const auto state = step(&stream);
+    w = {reinterpret_cast<const char*>(stream.next_in), stream.avail_in, reinterpret_cast<char*>(stream.next_out),
+         stream.avail_out};
+    return state;
+}
+
 /// Inflates one member.
 class Member {
 public:
@@ -57,13 +70,7 @@ public:
     ~GzipMember() override { inflateEnd(&stream_); }
 
     bool step(Window& w) override {
-        stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(w.in));
-        stream_.avail_in = static_cast<uInt>(w.inLeft);
-        stream_.next_out = reinterpret_cast<Bytef*>(w.out);
-        stream_.avail_out = static_cast<uInt>(w.outLeft);
-        const int state = inflate(&stream_, Z_NO_FLUSH);
-        w = {reinterpret_cast<const char*>(stream_.next_in), stream_.avail_in,
-             reinterpret_cast<char*>(stream_.next_out), stream_.avail_out};
+        const int state = stepOf(stream_, w, [](z_stream* stream) { return inflate(stream, Z_NO_FLUSH); });
         if (state == Z_DATA_ERROR && stream_.msg && std::string_view(stream_.msg) == "incorrect data check")
             throw Damage(kWrongChecksum);
         if (state != Z_OK && state != Z_STREAM_END && state != Z_BUF_ERROR)
@@ -83,13 +90,7 @@ public:
     ~XzMember() override { lzma_end(&stream_); }
 
     bool step(Window& w) override {
-        stream_.next_in = reinterpret_cast<const std::uint8_t*>(w.in);
-        stream_.avail_in = w.inLeft;
-        stream_.next_out = reinterpret_cast<std::uint8_t*>(w.out);
-        stream_.avail_out = w.outLeft;
-        const lzma_ret state = lzma_code(&stream_, LZMA_RUN);
-        w = {reinterpret_cast<const char*>(stream_.next_in), stream_.avail_in,
-             reinterpret_cast<char*>(stream_.next_out), stream_.avail_out};
+        const auto state = stepOf(stream_, w, [](lzma_stream* stream) { return lzma_code(stream, LZMA_RUN); });
         if (state == LZMA_MEM_ERROR) throw std::bad_alloc();
         if (state == LZMA_MEMLIMIT_ERROR) throw Damage("it takes too much memory to inflate");
         if (state == LZMA_OPTIONS_ERROR) throw Damage("it needs a newer xz than this program has");
@@ -110,12 +111,7 @@ public:
     ~Bzip2Member() override { BZ2_bzDecompressEnd(&stream_); }
 
     bool step(Window& w) override {
-        stream_.next_in = const_cast<char*>(w.in);
-        stream_.avail_in = static_cast<unsigned>(w.inLeft);
-        stream_.next_out = w.out;
-        stream_.avail_out = static_cast<unsigned>(w.outLeft);
-        const int state = BZ2_bzDecompress(&stream_);
-        w = {stream_.next_in, stream_.avail_in, stream_.next_out, stream_.avail_out};
+        const int state = stepOf(stream_, w, BZ2_bzDecompress);
         if (state == BZ_MEM_ERROR) throw std::bad_alloc();
         if (state != BZ_OK && state != BZ_STREAM_END) throw Damage("the file is damaged, or its checksum is wrong");
         return state == BZ_STREAM_END;

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "engine/error.h"
 #include "engine/molecule/formats/decompress.h"
+#include "engine/molecule/formats/format_table.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -138,35 +138,28 @@ std::string_view uncompressedName(std::string_view name) {
     return name;
 }
 
+bool hasWord(std::string_view list, std::string_view word) {
+    const std::string spaced = " " + std::string(list) + " ";
+    return !word.empty() && contains(spaced, " " + std::string(word) + " ");
+}
+
 Guess guessByName(const std::string& name) {
     const std::string whole = lowerCase(name);
     const std::string_view lower = uncompressedName(whole);
     const std::size_t dot = lower.find_last_of("./\\");
     if (dot == std::string::npos || lower[dot] != '.') return {};
     const std::string_view ending = lower.substr(dot + 1);
-    struct Ending {
-        std::string_view ending;
-        Format format;
-    };
-    static constexpr Ending kEndings[] = {
-        {"pdb", Format::pdb},     {"ent", Format::pdb},     {"cif", Format::mmcif},     {"mmcif", Format::mmcif},
-        {"mcif", Format::mmcif},  {"json", Format::mmjson}, {"mmjson", Format::mmjson}, {"sdf", Format::sdf},
-        {"sd", Format::sdf},      {"mol", Format::sdf},     {"mdl", Format::sdf},       {"xyz", Format::xyz},
-        {"extxyz", Format::xyz},  {"mol2", Format::mol2},   {"pqr", Format::pqr},       {"gro", Format::gro},
-        {"pdbqt", Format::pdbqt}, {"cml", Format::cml},     {"bcif", Format::bcif},     {"mmtf", Format::mmtf}};
-    for (const Ending& known : kEndings)
-        if (ending == known.ending) return is(known.format);
-    static constexpr std::string_view kOthers[] = {"pdbml", "dcd", "xtc", "trr", "cube", "mae", "prmtop", "psf"};
-    for (const std::string_view other : kOthers)
+    for (const FormatRow& row : formatRows())
+        if (hasWord(row.endings, ending)) return is(row.format);
+    for (const std::string_view other : {"pdbml", "dcd", "xtc", "trr", "cube", "mae", "prmtop", "psf"})
         if (ending == other) return isNot(other);
     return {};
 }
 
 [[noreturn]] void refuse(const std::string& name, std::string_view other) {
     const bool isFormat = other.find(' ') == std::string_view::npos;
-    if (!isFormat) throw Error("cannot read molecule", name, "it is " + std::string(other));
-    throw Error("cannot read molecule", name,
-                "format " + std::string(other) + " is not supported; supported: " + formatNames());
+    if (!isFormat) cannotRead(name, "it is " + std::string(other));
+    cannotRead(name, "format " + std::string(other) + " is not supported; supported: " + formatNames());
 }
 
 }  // namespace
@@ -186,8 +179,7 @@ Format detectFormat(const std::string& name, std::string_view text) {
     const bool narrowed = named.format == Format::pqr || named.format == Format::pdbqt;
     const Guess guess = content && !(content.format == Format::pdb && narrowed) ? content : named;
     if (!guess)
-        throw Error("cannot read molecule", name,
-                    "its format cannot be told from its content or name; state it (" + formatNames() + ")");
+        cannotRead(name, "its format cannot be told from its content or name; state it (" + formatNames() + ")");
     if (!guess.format) refuse(name, guess.other);
     return *guess.format;
 }

@@ -2,21 +2,12 @@
 
 #include <algorithm>
 
-#include "engine/error.h"
 #include "engine/molecule/formats/text_encoding.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
 
-namespace {
-
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
-}  // namespace
-
-void JsonWalk::fail(const std::string& why) const {
-    throw Error("cannot read molecule", *name_, "not valid JSON: " + why, line());
-}
+void JsonWalk::fail(const std::string& why) const { cannotRead(*name_, "not valid JSON: " + why, line()); }
 
 std::uint64_t JsonWalk::line() const {
     const std::string_view before = text_.substr(0, at_);

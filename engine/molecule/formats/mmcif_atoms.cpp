@@ -4,7 +4,6 @@
 #include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/mmcif_model.h"
-#include "engine/molecule/formats/readers.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {

@@ -1,7 +1,6 @@
 #include <array>
 #include <map>
 
-#include "engine/error.h"
 #include "engine/molecule/formats/mmcif_model.h"
 #include "engine/molecule/text.h"
 
@@ -125,7 +124,7 @@ void addComponent(MoleculeBuilder& builder, const MmcifTable& atoms, const Mmcif
     const Axes* source = nullptr;
     for (const Axes& axes : kSources)
         if (!source && complete(axes)) source = &axes;
-    if (!source) throw Error("cannot read molecule", builder.name(), "the chemical component has no coordinates");
+    if (!source) cannotRead(builder.name(), "the chemical component has no coordinates");
 
     std::map<std::string, std::uint32_t, std::less<>> position;
     for (std::size_t row = 0; row < atoms.rows(); ++row) {
@@ -146,8 +145,8 @@ void addComponent(MoleculeBuilder& builder, const MmcifTable& atoms, const Mmcif
         const auto a = position.find(bonds.get(row, {"atom_id_1"}).value_or(""));
         const auto b = position.find(bonds.get(row, {"atom_id_2"}).value_or(""));
         if (a == position.end() || b == position.end() || a == b)
-            throw Error("cannot read molecule", builder.name(),
-                        "row " + std::to_string(row + 1) + " of _chem_comp_bond names atoms that are not there");
+            cannotRead(builder.name(),
+                       "row " + std::to_string(row + 1) + " of _chem_comp_bond names atoms that are not there");
         builder.addBond(a->second, b->second, bondOrder(bonds.get(row, {"value_order", "type"})), 0);
     }
     builder.molecule().file.models = 1;

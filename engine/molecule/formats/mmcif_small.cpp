@@ -4,7 +4,6 @@
 #include <gemmi/symmetry.hpp>
 #include <gemmi/unitcell.hpp>
 
-#include "engine/error.h"
 #include "engine/molecule/assemblies.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/mmcif_model.h"
@@ -28,15 +27,13 @@ gemmi::UnitCell readCell(const std::string& name, const MmcifTable& table) {
         const auto given = table.rows() > 0 ? number(table, 0, {kColumns[i]}) : std::nullopt;
         const double high = i < 3 ? 1e6 : 180;
         if (!given || !(*given > 0 && *given < high))
-            throw Error("cannot read molecule", name,
-                        std::string("_cell_") + kColumns[i] +
-                            " is missing or impossible, without which fractional coordinates mean nothing");
+            cannotRead(name, std::string("_cell_") + kColumns[i] +
+                                 " is missing or impossible, without which fractional coordinates mean nothing");
         value[i] = *given;
     }
     gemmi::UnitCell cell;
     cell.set(value[0], value[1], value[2], value[3], value[4], value[5]);
-    if (!(cell.volume > 1e-6 && std::isfinite(cell.volume)))
-        throw Error("cannot read molecule", name, "the unit cell has no volume");
+    if (!(cell.volume > 1e-6 && std::isfinite(cell.volume))) cannotRead(name, "the unit cell has no volume");
     return cell;
 }
 
@@ -84,9 +81,8 @@ std::optional<gemmi::Fractional> readPosition(const std::string& name, const Mmc
         if (!text) return std::nullopt;
         const auto given = MmcifCell(*text).number();
         if (!given || !(std::abs(*given) <= 1e6))
-            throw Error("cannot read molecule", name,
-                        std::string(kColumns[axis]) + " of row " + std::to_string(row + 1) +
-                            " of _atom_site is not a finite number: '" + printable(*text) + "'");
+            cannotRead(name, std::string(kColumns[axis]) + " of row " + std::to_string(row + 1) +
+                                 " of _atom_site is not a finite number: '" + printable(*text) + "'");
         value[axis] = *given;
     }
     return gemmi::Fractional(value[0], value[1], value[2]);
@@ -147,8 +143,8 @@ void addSmallMolecule(MoleculeBuilder& builder, const SmallMoleculeTables& table
         const gemmi::Position position = cell.orthogonalize(*fractional);
         for (int axis = 0; axis < 3; ++axis) {
             if (!(std::abs(position.at(axis)) <= kFarthestCoordinate))
-                throw Error("cannot read molecule", builder.name(),
-                            "the position in row " + std::to_string(row + 1) + " of _atom_site is too far away");
+                cannotRead(builder.name(),
+                           "the position in row " + std::to_string(row + 1) + " of _atom_site is too far away");
             atom.position[axis] = static_cast<float>(position.at(axis));
         }
         builder.addAtom(atom, "", 1, '\0', "");

@@ -1,9 +1,8 @@
 #include "engine/molecule/formats/mmtf_fields.h"
 
 #include <algorithm>
-#include <cstring>
+#include <bit>
 
-#include "engine/error.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -25,7 +24,7 @@ bool isDivided(std::int32_t codec) { return codec >= 9 && codec <= 13; }
 MmtfFields::MmtfFields(const std::string& name, std::string_view document)
     : name_(name), bytes_(document.size()), root_(parseMsgpack(name, document)) {}
 
-void MmtfFields::fail(const std::string& why) const { throw Error("cannot read molecule", name_, why); }
+void MmtfFields::fail(const std::string& why) const { cannotRead(name_, why); }
 
 std::size_t MmtfFields::count(const char* field, std::size_t limit) const {
     const auto value = root_.find(field);
@@ -142,10 +141,7 @@ std::int32_t MmtfIntegers::next() {
 
 float MmtfFloats::next() {
     const std::int32_t value = values_.next();
-    if (!bits_) return static_cast<float>(value / divisor_);
-    float number = 0;
-    std::memcpy(&number, &value, sizeof number);
-    return number;
+    return bits_ ? std::bit_cast<float>(value) : static_cast<float>(value / divisor_);
 }
 
 std::vector<std::string_view> MmtfFields::names(const char* field, std::size_t size) const {

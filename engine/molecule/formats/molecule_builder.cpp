@@ -5,9 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "engine/error.h"
 #include "engine/molecule/element.h"
-#include "engine/molecule/formats/readers.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -25,8 +23,7 @@ void MoleculeBuilder::addAtom(Atom atom, std::string_view chain, std::int32_t nu
     if (!subchain.data()) subchain = chain;
     if (molecule_.atoms.size() >= maxAtoms_) throw tooManyAtoms(name_, maxAtoms_);
     if (chain.size() > kLongestChainName || subchain.size() > kLongestChainName)
-        throw Error("cannot read molecule", name_,
-                    "the name of a chain is longer than " + std::to_string(kLongestChainName) + " bytes");
+        cannotRead(name_, "the name of a chain is longer than " + std::to_string(kLongestChainName) + " bytes");
     const Name residueName(residue);
     const auto continues = [&](const Residue& last) {
         return last.number == number && last.insertionCode == insertionCode && last.name == residueName &&
@@ -70,16 +67,13 @@ std::optional<std::uint32_t> MoleculeBuilder::subchain(std::string_view name) co
 
 void MoleculeBuilder::addBond(std::int64_t a, std::int64_t b, int order, std::uint64_t line) {
     const auto count = static_cast<std::int64_t>(molecule_.atoms.size());
-    const auto where = line > 0 ? std::optional<std::uint64_t>(line) : std::nullopt;
     if (a < 0 || b < 0 || a >= count || b >= count)
-        throw Error("cannot read molecule", name_,
-                    "bond between atoms " + std::to_string(a + 1) + " and " + std::to_string(b + 1) + " of " +
-                        std::to_string(count),
-                    where);
-    if (a == b)
-        throw Error("cannot read molecule", name_, "bond of atom " + std::to_string(a + 1) + " to itself", where);
-    if (molecule_.bonds.size() >= mostBonds())
-        throw Error("cannot read molecule", name_, "it has more bonds than its atoms could form", where);
+        cannotRead(name_,
+                   "bond between atoms " + std::to_string(a + 1) + " and " + std::to_string(b + 1) + " of " +
+                       std::to_string(count),
+                   line);
+    if (a == b) cannotRead(name_, "bond of atom " + std::to_string(a + 1) + " to itself", line);
+    if (molecule_.bonds.size() >= mostBonds()) cannotRead(name_, "it has more bonds than its atoms could form", line);
     Bond bond;
     bond.a = static_cast<std::uint32_t>(std::min(a, b));
     bond.b = static_cast<std::uint32_t>(std::max(a, b));
@@ -114,7 +108,7 @@ void MoleculeBuilder::warn(const std::string& sentence) {
 }
 
 Molecule MoleculeBuilder::finish() {
-    if (molecule_.atoms.empty()) throw Error("cannot read molecule", name_, "it has no atoms");
+    if (molecule_.atoms.empty()) cannotRead(name_, "it has no atoms");
     if (unknownElements_ > 0)
         warn("atoms of unknown element: " + std::to_string(unknownElements_) + ", the first " + firstUnknown_);
     auto& bonds = molecule_.bonds;
@@ -125,7 +119,7 @@ Molecule MoleculeBuilder::finish() {
     if (end != bonds.end()) warn("bonds stated more than once: " + std::to_string(bonds.end() - end));
     bonds.erase(end, bonds.end());
     if (bonds.size() > kMostBondsPerAtom * molecule_.atoms.size())
-        throw Error("cannot read molecule", name_, "it has more bonds than its atoms could form");
+        cannotRead(name_, "it has more bonds than its atoms could form");
     if (warningsLeftOut_ > 0) molecule_.warnings.push_back("and " + std::to_string(warningsLeftOut_) + " more");
     return std::move(molecule_);
 }

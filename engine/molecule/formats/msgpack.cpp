@@ -1,9 +1,7 @@
 #include "engine/molecule/formats/msgpack.h"
 
+#include <bit>
 #include <cmath>
-#include <cstring>
-
-#include "engine/error.h"
 
 namespace nacre {
 
@@ -54,14 +52,8 @@ bool takeFloat(std::string_view& rest, std::size_t size, MsgpackValue& value) {
     std::uint64_t bits = 0;
     if (!takeUnsigned(rest, size, bits)) return false;
     value.kind = Kind::number;
-    if (size == 8) {
-        std::memcpy(&value.number, &bits, sizeof value.number);
-    } else {
-        const auto half = static_cast<std::uint32_t>(bits);
-        float number = 0;
-        std::memcpy(&number, &half, sizeof number);
-        value.number = static_cast<double>(number);
-    }
+    value.number = size == 8 ? std::bit_cast<double>(bits)
+                             : static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
     return true;
 }
 
@@ -170,7 +162,7 @@ MsgpackValue parseMsgpack(const std::string& name, std::string_view document) {
     std::string_view rest = document;
     if (!skip(rest)) {
         const std::string where = std::to_string(document.size() - rest.size());
-        throw Error("cannot read molecule", name, "not valid MessagePack, or cut short: byte " + where);
+        cannotRead(name, "not valid MessagePack, or cut short: byte " + where);
     }
     MsgpackValue value;
     take(document, value);

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "engine/molecule/bonds/bonds.h"
 #include "engine/molecule/formats/id_index.h"
 #include "engine/molecule/formats/pdb_fields.h"
 
@@ -24,27 +25,6 @@ struct Ignored {
                                     std::to_string(firstLine));
     }
 };
-
-/// By first atom, then second; of bonds of the same two atoms the one of the highest order. Dealt out to the first
-/// atoms, of which each has a handful: quicker than sorting all of them, where every atom has its record.
-std::vector<Bond> sortedUnique(const std::vector<Bond>& bonds, std::size_t atoms) {
-    std::vector<std::uint32_t> ends(atoms + 1, 0);
-    for (const Bond& bond : bonds) ++ends[bond.a + 1];
-    for (std::size_t i = 1; i <= atoms; ++i) ends[i] += ends[i - 1];
-    std::vector<Bond> sorted(bonds.size());
-    for (const Bond& bond : bonds) sorted[ends[bond.a]++] = bond;  // now where each atom's bonds end
-    std::size_t kept = 0, first = 0;
-    for (std::size_t i = 0; i < atoms; ++i) {
-        const auto begin = sorted.begin() + static_cast<std::ptrdiff_t>(first);
-        const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(ends[i]);
-        first = ends[i];
-        std::sort(begin, end, [](const Bond& l, const Bond& r) { return l.b != r.b ? l.b < r.b : l.order > r.order; });
-        const auto last = std::unique(begin, end, [](const Bond& l, const Bond& r) { return l.b == r.b; });
-        for (auto bond = begin; bond != last; ++bond) sorted[kept++] = *bond;
-    }
-    sorted.resize(kept);
-    return sorted;
-}
 
 }  // namespace
 
@@ -102,7 +82,7 @@ void ConectTable::resolve(const std::vector<std::int64_t>& serials, Molecule& mo
             bonds.push_back({std::min(a, b), std::max(a, b), pair.order, BondSource::file});
         }
     }
-    bonds = sortedUnique(bonds, serials.size());
+    mergeBonds(bonds, serials.size());
     if (bonds.size() > kMostBondsPerAtom * serials.size()) {
         molecule.warnings.push_back("ignored all " + std::to_string(bonds.size()) +
                                     " bonds of CONECT records: more than its atoms could form");

@@ -13,8 +13,6 @@ namespace nacre::pdb {
 namespace {
 
 bool isSpaceOrNul(char c) { return c == ' ' || c == '\0' || c == '\t'; }
-bool isDigit(char c) { return c >= '0' && c <= '9'; }
-
 /// Plain decimals of the width that PDB columns have, several times faster than the general conversion. Mantissa and
 /// power of ten are exact in double, so the quotient is correctly rounded.
 std::optional<double> shortDecimal(std::string_view text) {

@@ -1,10 +1,8 @@
 // BinaryCIF: the categories of mmCIF in columns, packed with MessagePack.
 #include <algorithm>
 
-#include "engine/error.h"
 #include "engine/molecule/formats/bcif_column.h"
 #include "engine/molecule/formats/mmcif_model.h"
-#include "engine/molecule/formats/readers.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -32,7 +30,7 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& why) const { throw Error("cannot read molecule", name_, why); }
+    [[noreturn]] void fail(const std::string& why) const { cannotRead(name_, why); }
 
     std::string nameOf(const MsgpackValue& map) const {
         const auto named = map.find("name");

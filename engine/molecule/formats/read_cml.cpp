@@ -9,10 +9,9 @@
 #include <memory>
 #include <vector>
 
-#include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/molecule_builder.h"
-#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/read.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -91,7 +90,7 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& why) const { throw Error("cannot read molecule", name_, why, line()); }
+    [[noreturn]] void fail(const std::string& why) const { cannotRead(name_, why, line()); }
 
     std::uint64_t line() const {
 #if XML_MAJOR_VERSION > 2 || (XML_MAJOR_VERSION == 2 && XML_MINOR_VERSION >= 9)
@@ -274,8 +273,8 @@ private:
         for (const CmlBond& bond : pending_) {
             const std::uint32_t a = atomOfId_[bond.a], b = atomOfId_[bond.b];
             if (a == kNoAtom || b == kNoAtom)
-                throw Error(
-                    "cannot read molecule", name_,
+                cannotRead(
+                    name_,
                     "bond to atom '" + printable(nameOf(a == kNoAtom ? bond.a : bond.b)) + "', which is not there",
                     bond.line);
             builder_.addBond(a, b, bond.order, bond.line);
@@ -308,9 +307,8 @@ private:
 
 Molecule readCml(const std::string& name, std::string_view text, const ReadOptions& options) {
     if (options.model > 1)
-        throw Error(
-            "cannot read molecule", name,
-            "there is no model " + std::to_string(options.model) + "; the molecules of a CML file are read as one");
+        cannotRead(name, "there is no model " + std::to_string(options.model) +
+                             "; the molecules of a CML file are read as one");
     return CmlReader(name, options.maxAtoms).run(text);
 }
 

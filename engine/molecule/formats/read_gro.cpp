@@ -1,8 +1,6 @@
 // GRO (GROMACS): frames of a title, a count, one line of fixed columns per atom and the box; lengths in nm.
-#include "engine/error.h"
 #include "engine/molecule/formats/frames.h"
 #include "engine/molecule/formats/pdb_fields.h"
-#include "engine/molecule/formats/readers.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -14,57 +12,23 @@ constexpr std::size_t kShortestGroLine = 26;  // coordinates of two characters, 
 constexpr double kAngstrom = 10;              // in a nm
 constexpr std::int32_t kNumbersWrapAt = 100000;
 
-class GroReader {
+class GroReader : public FrameReader {
 public:
-    GroReader(const std::string& name, std::string_view text, const ReadOptions& options)
-        : name_(name), lines_(text), model_(options.model), builder_(name, options.maxAtoms) {}
+    using FrameReader::FrameReader;
 
-    Molecule run() {
-        readFrames(builder_, "gro", model_, *this);
-        return builder_.finish();
-    }
-
-    /// The number of atoms of the next frame, with its title read; empty at the end of the frames.
-    std::optional<std::int64_t> begin(std::int64_t frame) {
+private:
+    std::optional<std::int64_t> begin(std::int64_t frame) override {
         if (trim(lines_.rest()).empty()) return std::nullopt;
         lines_.next();
         const std::string_view title = trim(lines_.line());
-        const bool second = lines_.next();
-        const std::string_view announced = second ? trim(lines_.line()) : std::string_view();
-        const bool digits = !announced.empty() && announced.find_first_not_of("0123456789") == std::string_view::npos;
-        const auto count = digits ? parseInteger(announced) : std::nullopt;
+        const std::string_view announced = lines_.next() ? trim(lines_.line()) : std::string_view();
+        const auto count = isCount(announced) ? parseInteger(announced) : std::nullopt;
         if (count && *count <= static_cast<std::int64_t>(lines_.rest().size() / kShortestGroLine + 1)) {
             if (frame == model_) builder_.molecule().file.title = printable(title, 200);
             return count;
         }
-        if (frame > model_) {
-            builder_.warn("what follows frame " + std::to_string(frame - 1) + " is passed over");
-            return std::nullopt;
-        }
-        if (!digits) fail("expected a number of atoms, not '" + printable(announced) + "'", lines_.number());
-        fail("it announces " + printable(announced) + " atoms, but does not have as many", lines_.number());
-    }
-
-    void read(std::int64_t count) {
-        for (std::int64_t i = 0; i < count; ++i) {
-            if (!lines_.next())
-                fail("it ends after " + std::to_string(i) + " of " + std::to_string(count) + " atoms", lines_.number());
-            if (i == 0) width_ = widthOfCoordinates(lines_.line());
-            readAtom(lines_.line());
-        }
-        readBox();
-    }
-
-    bool skip(std::int64_t count) {
-        for (std::int64_t i = 0; i < count; ++i)
-            if (!lines_.next()) return false;
-        lines_.next();
-        return true;
-    }
-
-private:
-    [[noreturn]] void fail(const std::string& why, std::uint64_t line) const {
-        throw Error("cannot read molecule", name_, why, line);
+        if (frame > model_) return passOver(frame);
+        refuseCount(announced, lines_.number());
     }
 
     /// The distance of the decimal points: files may be written with more digits than the usual three.
@@ -76,7 +40,8 @@ private:
         return second == std::string_view::npos || second - first > kWidest ? kUsual : second - first;
     }
 
-    void readAtom(std::string_view line) {
+    void readAtom(std::string_view line) override {
+        if (builder_.molecule().atoms.empty()) width_ = widthOfCoordinates(line);
         Atom atom;
         for (int axis = 0; axis < 3; ++axis)
             atom.position[axis] =
@@ -99,10 +64,12 @@ private:
     }
 
     /// Three lengths, or the nine components in the order xx yy zz xy xz yx yz zx zy.
-    void readBox() {
+    void end(bool wanted) override {
+        const bool there = lines_.next();
+        if (!wanted) return;
+        const Words words = there ? splitWords(lines_.line()) : Words();
         if (unknownElements_ > 0)
             builder_.warn("atoms of unknown element, such as virtual sites: " + std::to_string(unknownElements_));
-        const Words words = lines_.next() ? splitWords(lines_.line()) : Words();
         constexpr std::size_t kPlace[9][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 0}, {1, 2}, {2, 0}, {2, 1}};
         std::array<glm::vec3, 3> box{};
         const std::size_t count = words.count >= 9 ? 9 : 3;
@@ -118,10 +85,6 @@ private:
         if (box != kNone) builder_.molecule().file.box = box;
     }
 
-    const std::string& name_;
-    LineReader lines_;
-    int model_;
-    MoleculeBuilder builder_;
     std::size_t width_ = 8;
     std::int32_t lastNumber_ = 0, wraps_ = 0;
     std::size_t unknownElements_ = 0;
@@ -130,7 +93,7 @@ private:
 }  // namespace
 
 Molecule readGro(const std::string& name, std::string_view text, const ReadOptions& options) {
-    return GroReader(name, text, options).run();
+    return GroReader(name, text, options).run("gro");
 }
 
 }  // namespace nacre

@@ -2,10 +2,8 @@
 // capsid of a million atoms is over a gigabyte.
 #include <gemmi/cif.hpp>
 
-#include "engine/error.h"
 #include "engine/molecule/formats/cif_fault.h"
 #include "engine/molecule/formats/mmcif_model.h"
-#include "engine/molecule/formats/readers.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -97,9 +95,7 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& why, std::uint64_t line) const {
-        throw Error("cannot read molecule", name_, why, line);
-    }
+    [[noreturn]] void fail(const std::string& why, std::uint64_t line) const { cannotRead(name_, why, line); }
     static std::pair<std::string, std::string> split(std::string_view tag) {
         const std::string lower = lowerCase(tag.substr(1));
         const std::size_t dot = lower.find('.');
@@ -168,7 +164,7 @@ std::vector<Molecule> parseCif(const std::string& name, std::string_view text, c
         pegtl::parse<rules::file, Action, gemmi::cif::Errors>(input, walker);
     } catch (const pegtl::parse_error&) {
         if (walker.textBegin() == 0) throw;
-        throw Error("cannot read molecule", name, "this text field is never closed", walker.textBegin());
+        cannotRead(name, "this text field is never closed", walker.textBegin());
     }
     walker.flushItems();
     return model.finish("mmcif");
@@ -199,7 +195,7 @@ std::vector<Molecule> readMmcif(const std::string& name, std::string_view text, 
         const std::string message = messageOf(fault);
         std::string why = "not valid CIF: " + printable(message, 200);
         if (message == "parse error") why += "; perhaps a quote or a text field before it is not closed";
-        throw Error("cannot read molecule", name, why, lineOf(fault));
+        cannotRead(name, why, lineOf(fault));
     }
 }
 

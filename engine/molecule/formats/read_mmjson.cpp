@@ -2,10 +2,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "engine/error.h"
 #include "engine/molecule/formats/json_text.h"
 #include "engine/molecule/formats/mmcif_model.h"
-#include "engine/molecule/formats/readers.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -37,7 +35,7 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& why) const { throw Error("cannot read molecule", name_, why); }
+    [[noreturn]] void fail(const std::string& why) const { cannotRead(name_, why); }
     [[noreturn]] void notMmjson() const {
         fail("this JSON is not mmJSON: its only top-level key should begin with data_");
     }

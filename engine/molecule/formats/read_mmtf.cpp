@@ -4,10 +4,9 @@
 #include <cmath>
 #include <deque>
 
-#include "engine/error.h"
 #include "engine/molecule/assemblies.h"
 #include "engine/molecule/formats/mmtf_groups.h"
-#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/read.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {

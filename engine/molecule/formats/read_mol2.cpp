@@ -4,13 +4,12 @@
 #include <map>
 #include <vector>
 
-#include "engine/error.h"
 #include "engine/molecule/bonds/residue_templates.h"
 #include "engine/molecule/drawn_atoms.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/id_index.h"
 #include "engine/molecule/formats/molecule_builder.h"
-#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/read.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -125,9 +124,7 @@ public:
     }
 
 private:
-    [[noreturn]] void fail(const std::string& why, std::uint64_t line) const {
-        throw Error("cannot read molecule", name_, why, line > 0 ? std::optional(line) : std::nullopt);
-    }
+    [[noreturn]] void fail(const std::string& why, std::uint64_t line) const { cannotRead(name_, why, line); }
 
     void readRecord(const Mol2Record& record) {
         eachLine(record, [&](const Mol2Lines& lines) {

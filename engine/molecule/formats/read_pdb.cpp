@@ -9,18 +9,16 @@
 #include <utility>
 #include <vector>
 
-#include "engine/error.h"
 #include "engine/molecule/formats/pdb_assemblies.h"
 #include "engine/molecule/formats/pdb_conect.h"
 #include "engine/molecule/formats/pdb_fields.h"
-#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/read.h"
 #include "engine/molecule/secondary_structure.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
 namespace {
 
-constexpr const char* kCannotRead = "cannot read molecule";
 constexpr std::size_t kLongestJoinedTitle = 4096;
 
 /// Text for people: whatever is no printable ASCII becomes a question mark.
@@ -30,29 +28,6 @@ std::string asciiOnly(std::string_view text) {
         if (c < ' ' || c > '~') c = '?';
     return clean;
 }
-
-/// Hands out the lines of a text that ends them with LF, CR LF, or CR alone.
-class Lines {
-public:
-    explicit Lines(std::string_view text) : rest_(text) {
-        if (text.find('\n') == std::string_view::npos) end_ = '\r';
-    }
-    bool next(std::string_view& line) {
-        if (rest_.empty()) return false;
-        const std::size_t length = std::min(rest_.find(end_), rest_.size());
-        line = rest_.substr(0, length);
-        rest_.remove_prefix(std::min(length + 1, rest_.size()));
-        if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-        ++number_;
-        return true;
-    }
-    std::uint64_t number() const { return number_; }
-
-private:
-    std::string_view rest_;
-    char end_ = '\n';
-    std::uint64_t number_ = 0;
-};
 
 enum class Flavour { pdb, pdbqt };
 
@@ -70,12 +45,11 @@ public:
     }
 
     Molecule read() {
-        if (wanted_ < 1) throw Error(kCannotRead, name_, "models count from 1");
+        if (wanted_ < 1) cannotRead(name_, "models count from 1");
         molecule_.file.format = flavour_ == Flavour::pdb ? "pdb" : "pdbqt";
         // A bound on what the text can hold, so no header can ask for more.
         molecule_.atoms.reserve(std::min(text_.size() / 81 + 1, maxAtoms_));
-        std::string_view line;
-        while (lines_.next(line)) record(line);
+        while (lines_.next()) record(lines_.line());
         endModel();
         return finish();
     }
@@ -153,7 +127,7 @@ private:
         std::string why = shown.empty() ? "has no " + std::string(1, axis) + " coordinate"
                                         : "\"" + shown + "\" is no " + std::string(1, axis) + " coordinate";
         if (value) why += " within 1e9 Å";
-        throw Error(kCannotRead, name_, why, lines_.number());
+        cannotRead(name_, why, lines_.number());
     }
 
     /// A number that may be missing; what is there but unreadable counts as missing, with a warning.
@@ -230,14 +204,13 @@ private:
     }
 
     [[noreturn]] void refuseEmpty() const {
-        if (text_.empty()) throw Error(kCannotRead, name_, "the file is empty");
+        if (text_.empty()) cannotRead(name_, "the file is empty");
         const std::string_view head = text_.substr(0, 4096);
         const auto control = [](char c) {
             return static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\r' && c != '\t';
         };
-        if (std::count_if(head.begin(), head.end(), control) > 0)
-            throw Error(kCannotRead, name_, "it is no text, hence no PDB file");
-        throw Error(kCannotRead, name_, "it has no ATOM or HETATM records");
+        if (std::count_if(head.begin(), head.end(), control) > 0) cannotRead(name_, "it is no text, hence no PDB file");
+        cannotRead(name_, "it has no ATOM or HETATM records");
     }
 
     Molecule finish() {
@@ -245,7 +218,7 @@ private:
         if (wanted_ > models_) {
             const std::string have =
                 models_ == 1 ? "there is 1 model" : "there are " + std::to_string(models_) + " models";
-            throw Error(kCannotRead, name_, "no model " + std::to_string(wanted_) + ": " + have);
+            cannotRead(name_, "no model " + std::to_string(wanted_) + ": " + have);
         }
         FileSummary& file = molecule_.file;
         file.models = models_;
@@ -265,7 +238,7 @@ private:
 
     const std::string& name_;
     std::string_view text_;
-    Lines lines_;
+    LineReader lines_;
     int wanted_;
     std::size_t maxAtoms_;
     Flavour flavour_;

@@ -3,11 +3,10 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/error.h"
 #include "engine/molecule/formats/molecule_builder.h"
 #include "engine/molecule/formats/pdb_conect.h"
 #include "engine/molecule/formats/pdb_fields.h"
-#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/read.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -33,10 +32,10 @@ public:
     Molecule run() {
         while (lines_.next()) record(lines_.line());
         endModel();
-        if (models_ == 0) throw Error("cannot read molecule", name_, "it has no ATOM or HETATM records");
+        if (models_ == 0) cannotRead(name_, "it has no ATOM or HETATM records");
         if (model_ > models_)
-            throw Error("cannot read molecule", name_,
-                        "there is no model " + std::to_string(model_) + "; the file has " + std::to_string(models_));
+            cannotRead(name_,
+                       "there is no model " + std::to_string(model_) + "; the file has " + std::to_string(models_));
         if (unknownElements_ > 0)
             builder_.warn("atoms whose name tells no element: " + std::to_string(unknownElements_));
         Molecule& molecule = builder_.molecule();
@@ -144,8 +143,8 @@ private:
     float property(std::string_view text, const char* what, double least) const {
         const auto value = parseNumber(text);
         if (value && *value >= least && *value <= 1000) return static_cast<float>(*value);
-        throw Error("cannot read molecule", name_,
-                    std::string("the ") + what + " is not usable: '" + printable(trim(text)) + "'", lines_.number());
+        cannotRead(name_, std::string("the ") + what + " is not usable: '" + printable(trim(text)) + "'",
+                   lines_.number());
     }
 
     const std::string& name_;

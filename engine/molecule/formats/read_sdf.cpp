@@ -1,7 +1,6 @@
 // MOL and SDF files: splits the records and reads the header; the tables are in ctab_v2000.cpp and ctab_v3000.cpp.
-#include "engine/error.h"
 #include "engine/molecule/formats/ctab.h"
-#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/read.h"
 
 namespace nacre {
 
@@ -65,8 +64,7 @@ CtabCounts announcedCounts(std::string_view record) {
 CtabCounts readRecord(MoleculeBuilder& builder, std::string_view record, std::uint64_t firstLine) {
     LineReader lines(record, firstLine);
     const Heading header = readHeader(lines);
-    if (lines.number() < firstLine + 3)
-        throw Error("cannot read molecule", builder.name(), "it ends before the counts line", lines.number());
+    if (lines.number() < firstLine + 3) cannotRead(builder.name(), "it ends before the counts line", lines.number());
     FileSummary& file = builder.molecule().file;
     file.title = printable(header.title, 200);
     file.format = header.v3000 ? "sdf-v3000" : "sdf-v2000";
@@ -94,9 +92,8 @@ Molecule readSdf(const std::string& name, std::string_view text, const ReadOptio
         line += countLines(before.substr(0, before.size() - rest.size()));
     }
     if (options.model > records)
-        throw Error(
-            "cannot read molecule", name,
-            "there is no record " + std::to_string(options.model) + "; the file has " + std::to_string(records));
+        cannotRead(name,
+                   "there is no record " + std::to_string(options.model) + "; the file has " + std::to_string(records));
     FileSummary& file = builder.molecule().file;
     file.records = records;
     file.totalAtomsAllRecords = atoms;

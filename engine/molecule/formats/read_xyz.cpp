@@ -2,10 +2,8 @@
 // (Properties=species:S:1:pos:R:3:...).
 #include <algorithm>
 
-#include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/frames.h"
-#include "engine/molecule/formats/readers.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -19,71 +17,45 @@ struct Layout {
     std::size_t position = 1;  ///< word of x
 };
 
-class XyzReader {
+class XyzReader : public FrameReader {
 public:
-    XyzReader(const std::string& name, std::string_view text, const ReadOptions& options)
-        : name_(name), lines_(text), model_(options.model), builder_(name, options.maxAtoms) {}
+    using FrameReader::FrameReader;
 
-    Molecule run() {
-        readFrames(builder_, "xyz", model_, *this);
-        return builder_.finish();
-    }
-
-    /// The number of atoms of the next frame, with its comment read; empty at the end of the frames.
-    std::optional<std::int64_t> begin(std::int64_t frame) {
+private:
+    std::optional<std::int64_t> begin(std::int64_t frame) override {
         while (lines_.next()) {
             if (trim(lines_.line()).empty()) continue;
             const std::string_view text = trim(lines_.line());
-            const bool digits = text.find_first_not_of("0123456789") == std::string_view::npos;
-            if (!digits && frame > model_) {
-                builder_.warn("what follows frame " + std::to_string(frame - 1) + " is passed over");
-                return std::nullopt;
-            }
-            if (!digits) fail("expected a number of atoms, not '" + printable(text) + "'", lines_.number());
+            if (!isCount(text) && frame > model_) return passOver(frame);
+            if (!isCount(text)) refuseCount(text, lines_.number());
             const std::uint64_t line = lines_.number();
             const auto count = parseInteger(text);
             const bool comment = lines_.next();
             if (frame == model_) comment_ = comment ? lines_.line() : std::string_view();
             if (count && *count <= static_cast<std::int64_t>(lines_.rest().size() / kShortestAtomLine + 1))
                 return count;
-            if (frame <= model_) fail("it announces " + printable(text) + " atoms, but does not have as many", line);
+            if (frame <= model_) refuseCount(text, line);
             builder_.warn("frame " + std::to_string(frame) + " is incomplete");
             return std::nullopt;
         }
         return std::nullopt;
     }
 
-    void read(std::int64_t count) {
+    void beginAtoms() override {
         builder_.molecule().file.title = printable(trim(comment_), 200);
-        const Layout layout = layoutOf(comment_);
-        for (std::int64_t i = 0; i < count; ++i) {
-            if (!lines_.next())
-                fail("it ends after " + std::to_string(i) + " of " + std::to_string(count) + " atoms", lines_.number());
-            readAtom(layout);
-        }
+        layout_ = layoutOf(comment_);
     }
 
-    bool skip(std::int64_t count) {
-        for (std::int64_t i = 0; i < count; ++i)
-            if (!lines_.next()) return false;
-        return true;
-    }
-
-private:
-    [[noreturn]] void fail(const std::string& why, std::uint64_t line) const {
-        throw Error("cannot read molecule", name_, why, line);
-    }
-
-    void readAtom(const Layout& layout) {
-        const Words words = splitWords(lines_.line());
+    void readAtom(std::string_view text) override {
+        const Words words = splitWords(text);
         const std::uint64_t line = lines_.number();
-        if (words.count < std::max(layout.species + 1, layout.position + 3))
-            fail("an atom line needs an element and three coordinates: '" + printable(lines_.line()) + "'", line);
+        if (words.count < std::max(layout_.species + 1, layout_.position + 3))
+            cannotRead(name_, "an atom line needs an element and three coordinates: '" + printable(text) + "'", line);
         Atom atom;
         for (int axis = 0; axis < 3; ++axis)
             atom.position[axis] =
-                parseCoordinate(words[layout.position + static_cast<std::size_t>(axis)], "xyz"[axis], name_, line);
-        const std::string_view species = words[layout.species];
+                parseCoordinate(words[layout_.position + static_cast<std::size_t>(axis)], "xyz"[axis], name_, line);
+        const std::string_view species = words[layout_.species];
         atom.element = builder_.element(species, line);
         atom.name = Name(atom.element != 0 ? elementSymbol(atom.element) : species);
         builder_.addAtom(atom, "", 1, '\0', "");
@@ -124,17 +96,14 @@ private:
         return {};
     }
 
-    const std::string& name_;
-    LineReader lines_;
-    int model_;
-    MoleculeBuilder builder_;
     std::string_view comment_;
+    Layout layout_;
 };
 
 }  // namespace
 
 Molecule readXyz(const std::string& name, std::string_view text, const ReadOptions& options) {
-    return XyzReader(name, text, options).run();
+    return XyzReader(name, text, options).run("xyz");
 }
 
 }  // namespace nacre

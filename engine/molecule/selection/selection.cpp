@@ -5,9 +5,7 @@
 #include <tuple>
 
 #include "engine/molecule/element.h"
-#include "engine/molecule/kabsch_sander.h"
 #include "engine/molecule/near_atoms.h"
-#include "engine/molecule/residue_kind.h"
 #include "engine/molecule/text.h"
 
 namespace nacre {
@@ -52,7 +50,7 @@ bool anyHolds(const std::vector<NumberRange>& ranges, std::int32_t number, char 
 
 class Evaluator {
 public:
-    explicit Evaluator(const Molecule& molecule) : molecule_(molecule) {}
+    explicit Evaluator(const ResidueFacts& facts) : facts_(facts), molecule_(facts.molecule()) {}
 
     Set run(const Selection& selection) {
         for (const SelectionStep& step : selection.steps) apply(step);
@@ -148,13 +146,13 @@ private:
     }
 
     Set ofKind(std::initializer_list<ResidueKind> wanted) {
-        const std::vector<ResidueKind>& known = kinds();
+        const std::vector<ResidueKind>& known = facts_.kinds();
         return whereResidue(
             [&](std::size_t i) { return std::find(wanted.begin(), wanted.end(), known[i]) != wanted.end(); });
     }
 
     Set ofPolymer(bool backbone) {
-        const std::vector<ResidueKind>& known = kinds();
+        const std::vector<ResidueKind>& known = facts_.kinds();
         return whereAtom([&](const Atom& atom) {
             const ResidueKind kind = known[atom.residue];
             const bool polymer = kind == ResidueKind::protein || kind == ResidueKind::nucleic;
@@ -178,10 +176,9 @@ private:
     }
 
     Set ofFolds(const SelectionStep& step) {
-        const std::vector<ResidueKind>& known = kinds();
-        if (folds_.empty()) folds_ = secondaryStructure(molecule_);
+        const std::vector<ResidueKind>& known = facts_.kinds();
         return whereResidue([&](std::size_t i) {
-            const SecondaryStructure fold = folds_[i];
+            const SecondaryStructure fold = facts_.folds()[i];
             const char* name = fold == SecondaryStructure::helix    ? "HELIX"
                                : fold == SecondaryStructure::strand ? "STRAND"
                                                                     : "LOOP";
@@ -192,7 +189,7 @@ private:
 
     /// Residues of polymers in a row, wherever a pattern fits.
     Set ofSequences(const SelectionStep& step) {
-        const std::vector<ResidueKind>& known = kinds();
+        const std::vector<ResidueKind>& known = facts_.kinds();
         std::vector<std::string> letters(molecule_.chains.size());
         std::vector<std::vector<std::uint32_t>> places(molecule_.chains.size());
         for (std::uint32_t i = 0; i < molecule_.residues.size(); ++i) {
@@ -216,22 +213,8 @@ private:
         return whereResidue([&](std::size_t i) { return wanted[i]; });
     }
 
-    static bool holds(Comparison comparison, double a, double b) {
-        switch (comparison) {
-            case Comparison::less:
-                return a < b;
-            case Comparison::lessOrEqual:
-                return a <= b;
-            case Comparison::equal:
-                return a == b;
-            case Comparison::notEqual:
-                return a != b;
-            case Comparison::greaterOrEqual:
-                return a >= b;
-            case Comparison::greater:
-                return a > b;
-        }
-        return false;
+    static bool holds(Comparison comparison, float a, float b) {
+        return (static_cast<unsigned>(comparison) & (a < b ? 1u : a > b ? 4u : 2u)) != 0;
     }
 
     Set ofAtoms(const SelectionStep& step) const {
@@ -255,13 +238,11 @@ private:
             // The file's number is a float; so is the one that it is compared with, or 0.3 would not equal 0.3.
             case SelectionTest::temperatureFactor:
                 return whereAtom([&](const Atom& atom) {
-                    return holds(step.comparison, static_cast<double>(atom.temperatureFactor),
-                                 static_cast<double>(static_cast<float>(step.value)));
+                    return holds(step.comparison, atom.temperatureFactor, static_cast<float>(step.value));
                 });
             case SelectionTest::occupancy:
                 return whereAtom([&](const Atom& atom) {
-                    return holds(step.comparison, static_cast<double>(atom.occupancy),
-                                 static_cast<double>(static_cast<float>(step.value)));
+                    return holds(step.comparison, atom.occupancy, static_cast<float>(step.value));
                 });
             default:
                 return Set(molecule_.atoms.size(), true);
@@ -282,11 +263,6 @@ private:
         return whereResidue([&](std::size_t i) { return touched.count(key(molecule_.residues[i])) > 0; });
     }
 
-    const std::vector<ResidueKind>& kinds() {
-        if (kinds_.empty()) kinds_ = residueKinds(molecule_);
-        return kinds_;
-    }
-
     Set pop() {
         Set top = std::move(stack_.back());
         stack_.pop_back();
@@ -300,16 +276,15 @@ private:
         for (std::size_t i = 0; i < left.size(); ++i) left[i] = operation(left[i], right[i]);
     }
 
+    ResidueFacts facts_;
     const Molecule& molecule_;
     std::vector<Set> stack_;
-    std::vector<ResidueKind> kinds_;
-    std::vector<SecondaryStructure> folds_;
 };
 
 }  // namespace
 
-std::vector<bool> selectAtoms(const Molecule& molecule, const Selection& selection) {
-    return Evaluator(molecule).run(selection);
+std::vector<bool> selectAtoms(const ResidueFacts& facts, const Selection& selection) {
+    return Evaluator(facts).run(selection);
 }
 
 }  // namespace nacre

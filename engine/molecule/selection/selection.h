@@ -27,7 +27,7 @@
 #include <string_view>
 #include <vector>
 
-#include "engine/molecule/molecule.h"
+#include "engine/molecule/residue_facts.h"
 
 namespace nacre {
 
@@ -72,7 +72,15 @@ struct NumberRange {
     friend bool operator==(const NumberRange&, const NumberRange&) = default;
 };
 
-enum class Comparison : std::uint8_t { less, lessOrEqual, equal, notEqual, greaterOrEqual, greater };
+/// What may hold: 1 less, 2 equal, 4 greater.
+enum class Comparison : std::uint8_t {
+    less = 1,
+    equal = 2,
+    lessOrEqual = 3,
+    greater = 4,
+    notEqual = 5,
+    greaterOrEqual = 6
+};
 
 struct SelectionStep {
     SelectionTest test = SelectionTest::all;
@@ -96,6 +104,6 @@ struct Selection {
 Selection parseSelection(std::string_view text);
 
 /// One value per atom. The selection must come from parseSelection().
-std::vector<bool> selectAtoms(const Molecule& molecule, const Selection& selection);
+std::vector<bool> selectAtoms(const ResidueFacts& facts, const Selection& selection);
 
 }  // namespace nacre

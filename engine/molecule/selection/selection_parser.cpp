@@ -20,13 +20,6 @@ constexpr int kDeepest = 64;
 constexpr double kFarthest = 10'000;  // Å
 constexpr char kAnyCode = '\x7f';     // after every insertion code
 
-std::string upperCase(std::string_view text) {
-    std::string upper(text);
-    for (char& c : upper)
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    return upper;
-}
-
 class Parser : SelectionText {
 public:
     explicit Parser(std::string_view text) : SelectionText(text) {}
@@ -112,16 +105,10 @@ private:
         const std::size_t begin = position_;
         const std::string_view number = word();
         const auto distance = parseNumber(number);
-        if (!distance || !(*distance >= 0 && *distance <= kFarthest)) {
-            position_ = begin;
-            expected("a distance from 0 to 10000 Å");
-        }
+        if (!distance || !(*distance >= 0 && *distance <= kFarthest)) expectedAt(begin, "a distance from 0 to 10000 Å");
         skipBlanks();
         const std::size_t beforeOf = position_;
-        if (lowerCase(word()) != "of") {
-            position_ = beforeOf;
-            expected("'of'", {"of"});
-        }
+        if (lowerCase(word()) != "of") expectedAt(beforeOf, "'of'", {"of"});
         SelectionStep step;
         step.test = test;
         step.distance = *distance;
@@ -138,48 +125,27 @@ private:
         accept(*found);
         SelectionStep step;
         step.test = *found;
-        switch (*found) {
-            case chain:
-                values(step, "a chain name");
-                break;
-            case residueName:
-                values(step, "a residue name");
-                break;
-            case atomName:
-                values(step, "an atom name");
-                break;
-            case element:
-                values(step, "an element symbol");
-                break;
-            case alternate:
-                values(step, "an alternate location");
-                break;
-            case residueNumber:
-                numbers(step, "a residue number");
-                break;
-            case model:
-                numbers(step, "a model number");
-                break;
-            case atomNumber:
-                numbers(step, "an atom's number");
-                break;
-            case secondary:
-                if (word == "ss")
-                    folds(step);
-                else
-                    step.words.push_back(foldOf(word));
-                break;
-            case sequence:
-                pattern(step);
-                break;
-            case temperatureFactor:
-            case occupancy:
-                comparison(step);
-                break;
-            default:
-                break;
-        }
+        const auto isOneOf = [&](std::initializer_list<SelectionTest> tests) {
+            return std::find(tests.begin(), tests.end(), *found) != tests.end();
+        };
+        if (isOneOf({chain, residueName, atomName, element, alternate})) values(step);
+        if (isOneOf({residueNumber, model, atomNumber})) numbers(step, valueOf(*found));
+        if (isOneOf({temperatureFactor, occupancy})) comparison(step);
+        if (*found == sequence) pattern(step);
+        if (*found == secondary && word == "ss") folds(step);
+        if (*found == secondary && word != "ss") step.words.push_back(foldOf(word));
         result_.steps.push_back(std::move(step));
+    }
+
+    /// What is to follow a test, for messages.
+    static const char* valueOf(SelectionTest test) {
+        if (test == chain) return "a chain name";
+        if (test == residueName) return "a residue name";
+        if (test == atomName) return "an atom name";
+        if (test == element) return "an element symbol";
+        if (test == alternate) return "an alternate location";
+        if (test == residueNumber) return "a residue number";
+        return test == model ? "a model number" : "an atom's number";
     }
 
     /// "#1/A,B:10-20,HEM@CA": parts that all have to hold. A part means what the word does that stands for it.
@@ -199,10 +165,10 @@ private:
                 begin < text_.size() && (text_[begin] == '-' || (text_[begin] >= '0' && text_[begin] <= '9'));
             if (mark == '#' || (mark == ':' && number)) {
                 step.test = mark == '#' ? model : residueNumber;
-                numbers(step, mark == '#' ? "a model number" : "a residue number");
+                numbers(step, valueOf(step.test));
             } else {
                 step.test = mark == '/' ? chain : mark == ':' ? residueName : atomName;
-                values(step, mark == '/' ? "a chain name" : mark == ':' ? "a residue name or number" : "an atom name");
+                values(step, mark == ':' ? "a residue name or number" : nullptr);
             }
             result_.steps.push_back(std::move(step));
             if (marks.size() > 1) push(conjunction);
@@ -217,72 +183,58 @@ private:
         if (word == "loop" || word == "coil" || word == "l" || word == "c" || word.empty()) return "LOOP";
         return {};
     }
-    void folds(SelectionStep& step) {
-        constexpr const char* kWanted = "helix, strand or loop";
+
+    /// Values with + or commas between them. @param read  takes one; false if it is not usable
+    template <typename Read>
+    void list(const char* wanted, const Read& read) {
         do {
             skipBlanks();
             const std::size_t begin = position_;
-            step.words.push_back(foldOf(lowerCase(listItem(kWanted))));
-            if (!step.words.back().empty()) continue;
-            position_ = begin;
-            expected(kWanted);
+            if (!read()) expectedAt(begin, wanted);
         } while (acceptCharacter('+') || acceptCharacter(','));
+    }
+
+    void folds(SelectionStep& step) {
+        constexpr const char* kWanted = "helix, strand or loop";
+        list(kWanted, [&] { return !step.words.emplace_back(foldOf(lowerCase(listItem(kWanted)))).empty(); });
     }
 
     void pattern(SelectionStep& step) {
         constexpr const char* kWanted = "one-letter codes of residues in a row, at most 200";
-        do {
-            skipBlanks();
-            const std::size_t begin = position_;
-            step.words.push_back(upperCase(listItem(kWanted)));
-            const std::string& letters = step.words.back();
-            const bool usable =
-                !letters.empty() && letters.size() <= 200 &&
-                std::all_of(letters.begin(), letters.end(), [](char c) { return isLetter(c) || c == '?'; });
-            if (usable) continue;
-            position_ = begin;
-            expected(kWanted);
-        } while (acceptCharacter('+') || acceptCharacter(','));
+        list(kWanted, [&] {
+            const std::string& letters = step.words.emplace_back(upperCase(listItem(kWanted)));
+            return !letters.empty() && letters.size() <= 200 &&
+                   std::all_of(letters.begin(), letters.end(), [](char c) { return isLetter(c) || c == '?'; });
+        });
     }
 
     void comparison(SelectionStep& step) {
-        struct Sign {
-            std::string_view text;
-            Comparison meaning;
-        };
-        static constexpr Sign kSigns[] = {{"<=", Comparison::lessOrEqual}, {">=", Comparison::greaterOrEqual},
-                                          {"!=", Comparison::notEqual},    {"==", Comparison::equal},
-                                          {"<", Comparison::less},         {">", Comparison::greater},
-                                          {"=", Comparison::equal}};
+        // What may hold of a value and the number: 1 less, 2 equal, 4 greater.
+        static constexpr std::pair<std::string_view, std::uint8_t> kSigns[] = {
+            {"<=", 3}, {">=", 6}, {"!=", 5}, {"==", 2}, {"<", 1}, {">", 4}, {"=", 2}};
         skipBlanks();
-        const auto sign = std::find_if(std::begin(kSigns), std::end(kSigns), [&](const Sign& known) {
-            return text_.substr(position_, known.text.size()) == known.text;
+        const auto sign = std::find_if(std::begin(kSigns), std::end(kSigns), [&](const auto& known) {
+            return text_.substr(position_, known.first.size()) == known.first;
         });
         if (sign == std::end(kSigns)) expected("one of < <= = >= > !=");
-        position_ += sign->text.size();
-        step.comparison = sign->meaning;
+        position_ += sign->first.size();
+        step.comparison = static_cast<Comparison>(sign->second);
         skipBlanks();
         const std::size_t begin = position_;
         const auto number = parseNumber(word());
-        if (!number || !std::isfinite(*number)) {
-            position_ = begin;
-            expected("a number");
-        }
+        if (!number || !std::isfinite(*number)) expectedAt(begin, "a number");
         step.value = *number;
     }
 
-    void values(SelectionStep& step, const char* wanted) {
-        do {
-            skipBlanks();
-            const std::size_t begin = position_;
+    void values(SelectionStep& step, const char* wanted = nullptr) {
+        if (!wanted) wanted = valueOf(step.test);
+        list(wanted, [&] {
             std::string value = listItem(wanted);
             if (step.test != chain) value = upperCase(value);
-            if (step.test == element && value != "X" && nacre::elementFromSymbol(value) == 0) {
-                position_ = begin;
-                expected(wanted);
-            }
+            const bool usable = step.test != element || value == "X" || nacre::elementFromSymbol(value) != 0;
             step.words.push_back(std::move(value));
-        } while (acceptCharacter('+') || acceptCharacter(','));
+            return usable;
+        });
     }
 
     std::string listItem(const char* wanted) {
@@ -302,8 +254,7 @@ private:
     }
 
     void numbers(SelectionStep& step, const char* wanted) {
-        do {
-            skipBlanks();
+        list(wanted, [&] {
             const std::size_t end = wordEnd();
             NumberRange range;
             number(wanted, range.first, range.firstCode);
@@ -321,7 +272,8 @@ private:
             }
             if (position_ < end) expected("'+', ',' or the end of the number");
             step.numbers.push_back(range);
-        } while (acceptCharacter('+') || acceptCharacter(','));
+            return true;
+        });
     }
 
     void number(const char* wanted, std::int32_t& value, char& code) {
@@ -329,10 +281,7 @@ private:
         if (text_.substr(position_, 2) == "\\-") ++position_;
         const char* end = text_.data() + text_.size();
         const auto [stop, error] = std::from_chars(text_.data() + position_, end, value);
-        if (error != std::errc()) {
-            position_ = begin;
-            expected(wanted);
-        }
+        if (error != std::errc()) expectedAt(begin, wanted);
         position_ = static_cast<std::size_t>(stop - text_.data());
         if (atEndHere() || !isLetter(text_[position_])) return;
         code = upperCase(text_.substr(position_, 1))[0];

@@ -1,5 +1,6 @@
 #include "engine/molecule/selection/selection_text.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "engine/error.h"
@@ -11,89 +12,54 @@ namespace {
 
 using enum SelectionTest;
 
-struct Keyword {
-    std::string_view word;
+/// The words of a test, with blanks between them: the names of PyMOL, ChimeraX and VMD where they mean one thing.
+struct Keywords {
     SelectionTest test;
+    std::string_view words;
 };
-constexpr Keyword kKeywords[] = {
-    {"all", all},
-    {"*", all},
-    {"none", none},
-    {"protein", protein},
-    {"polymer.protein", protein},
-    {"nucleic", nucleic},
-    {"polymer.nucleic", nucleic},
-    {"polymer", polymer},
-    {"pol.", polymer},
-    {"ligand", ligand},
-    {"ligands", ligand},
-    {"water", water},
-    {"waters", water},
-    {"solvent", water},
-    {"sol.", water},
-    {"ion", ion},
-    {"ions", ion},
-    {"backbone", backbone},
-    {"bb.", backbone},
-    {"sidechain", sidechain},
-    {"sc.", sidechain},
-    {"hydrogen", hydrogen},
-    {"hydrogens", hydrogen},
-    {"hydro", hydrogen},
-    {"h.", hydrogen},
-    {"hetatm", hetatm},
-    {"het", hetatm},
-    {"chain", chain},
-    {"c.", chain},
-    {"resn", residueName},
-    {"resname", residueName},
-    {"r.", residueName},
-    {"resi", residueNumber},
-    {"resid", residueNumber},
-    {"i.", residueNumber},
-    {"name", atomName},
-    {"n.", atomName},
-    {"elem", element},
-    {"element", element},
-    {"symbol", element},
-    {"e.", element},
-    {"altloc", alternate},
-    {"alt", alternate},
-    {"model", model},
-    {"id", atomNumber},
-    {"serial", atomNumber},
-    {"ss", secondary},
-    {"helix", secondary},
-    {"strand", secondary},
-    {"sheet", secondary},
-    {"loop", secondary},
-    {"coil", secondary},
-    {"sequence", sequence},
-    {"seq", sequence},
-    {"pepseq", sequence},
-    {"ps.", sequence},
-    {"b", temperatureFactor},
-    {"bfactor", temperatureFactor},
-    {"b-factor", temperatureFactor},
-    {"occupancy", occupancy},
-    {"q", occupancy},
-    {"organic", ligand},
-    {"org.", ligand},
-    {"inorganic", ion},
-    {"mainchain", backbone},
-    {"around", around},
-    {"within", within},
-    {"w.", within},
-    {"byres", byResidue},
-    {"byresidue", byResidue},
-    {"br.", byResidue},
-    {"not", negation},
-    {"!", negation},
-    {"and", conjunction},
-    {"&", conjunction},
-    {"or", disjunction},
-    {"|", disjunction},
+constexpr Keywords kKeywords[] = {
+    {all, "all *"},
+    {none, "none"},
+    {protein, "protein polymer.protein"},
+    {nucleic, "nucleic polymer.nucleic"},
+    {polymer, "polymer pol."},
+    {ligand, "ligand ligands organic org."},
+    {water, "water waters solvent sol."},
+    {ion, "ion ions inorganic"},
+    {backbone, "backbone bb. mainchain"},
+    {sidechain, "sidechain sc."},
+    {hydrogen, "hydrogen hydrogens hydro h."},
+    {hetatm, "hetatm het"},
+    {chain, "chain c."},
+    {residueName, "resn resname r."},
+    {residueNumber, "resi resid i."},
+    {atomName, "name n."},
+    {element, "elem element symbol e."},
+    {alternate, "altloc alt"},
+    {model, "model"},
+    {atomNumber, "id serial"},
+    {secondary, "ss helix strand sheet loop coil"},
+    {sequence, "sequence seq pepseq ps."},
+    {temperatureFactor, "b bfactor b-factor"},
+    {occupancy, "occupancy q"},
+    {around, "around"},
+    {within, "within w."},
+    {byResidue, "byres byresidue br."},
+    {negation, "not !"},
+    {conjunction, "and &"},
+    {disjunction, "or |"},
 };
+
+/// Calls with each word and its test until that returns true.
+template <typename Visit>
+void anyKeyword(const Visit& visit) {
+    for (const auto& [test, words] : kKeywords)
+        for (std::string_view rest = words; !rest.empty();) {
+            const std::size_t end = std::min(rest.find(' '), rest.size());
+            if (visit(rest.substr(0, end), test)) return;
+            rest.remove_prefix(std::min(end + 1, rest.size()));
+        }
+}
 
 }  // namespace
 
@@ -130,9 +96,12 @@ std::string_view SelectionText::nextToken() {
 
 std::optional<SelectionTest> SelectionText::keyword() {
     const std::string token = lowerCase(nextToken());
-    for (const Keyword& entry : kKeywords)
-        if (entry.word == token) return entry.test;
-    return std::nullopt;
+    std::optional<SelectionTest> found;
+    anyKeyword([&](std::string_view word, SelectionTest test) {
+        if (word == token) found = test;
+        return found.has_value();
+    });
+    return found;
 }
 
 bool SelectionText::accept(SelectionTest wanted) {
@@ -155,8 +124,10 @@ void SelectionText::expected(const std::string& wanted, const std::vector<std::s
 
 std::vector<std::string> SelectionText::keywords() {
     std::vector<std::string> words;
-    for (const Keyword& entry : kKeywords)
-        if (entry.word.size() > 2 && entry.word.back() != '.') words.emplace_back(entry.word);
+    anyKeyword([&](std::string_view word, SelectionTest) {
+        if (word.size() > 2 && word.back() != '.') words.emplace_back(word);
+        return false;
+    });
     return words;
 }
 

@@ -31,6 +31,12 @@ protected:
 
     /// @param meant  what may be: the nearest is suggested
     [[noreturn]] void expected(const std::string& wanted, const std::vector<std::string>& meant = {});
+    /// The same of what stands at a place that was passed.
+    [[noreturn]] void expectedAt(std::size_t place, const std::string& wanted,
+                                 const std::vector<std::string>& meant = {}) {
+        position_ = place;
+        expected(wanted, meant);
+    }
     static std::vector<std::string> keywords();
     /// @throws Error with the column
     [[noreturn]] void fail(const std::string& why) const;

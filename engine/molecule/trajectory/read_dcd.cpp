@@ -8,19 +8,13 @@
 namespace nacre {
 namespace {
 
-class Dcd : public Trajectory {
+class Dcd : public FileTrajectory {
 public:
-    Dcd(OwnedFile file, bool swapped) : file_(std::move(file)), swapped_(swapped) {
-        name_ = file_->name();
-        format_ = "dcd";
-        readHeader();
-    }
+    Dcd(OwnedFile file, bool swapped) : FileTrajectory(std::move(file), "dcd", swapped) { readHeader(); }
 
 private:
     /// The number at a place of the header's control block, from 0.
-    std::int32_t control(std::uint64_t i) const {
-        return NumberReader(*file_, 8 + 4 * i, swapped_).next<std::int32_t>();
-    }
+    std::int32_t control(std::uint64_t i) const { return numbersAt(8 + 4 * i).next<std::int32_t>(); }
 
     void readHeader() {
         constexpr std::uint64_t kHeader = 84 + 8;
@@ -29,8 +23,7 @@ private:
         hasFourth_ = charmm && control(11) != 0;
         const std::int32_t fixed = control(8);
         // X-PLOR's step is a double in the place of two numbers.
-        NumberReader step(*file_, 8 + 4 * 9, swapped_);
-        const double units = charmm ? static_cast<double>(step.next<float>()) : step.next<double>();
+        const double units = numbersAt(8 + 4 * 9).next(!charmm);
         constexpr double kAkmaPicoseconds = 0.0488882129;  // sqrt(g/mol Å^2 / (kcal/mol)) in ps
         firstStep_ = control(1);
         perFrame_ = control(2);
@@ -39,7 +32,7 @@ private:
         std::uint64_t at = kHeader;
         at += record(at);  // the title
         if (record(at) != 4 + 8) file_->fail("its header has no number of atoms");
-        atoms_ = checkedAtoms(*file_, NumberReader(*file_, at + 4, swapped_).next<std::int32_t>());
+        atoms_ = checkedAtoms(*file_, numbersAt(at + 4).next<std::int32_t>());
         at += 4 + 8;
         if (fixed < 0 || static_cast<std::size_t>(fixed) >= atoms_)
             file_->fail("its header has " + std::to_string(fixed) + " fixed atoms of " + std::to_string(atoms_));
@@ -56,7 +49,7 @@ private:
 
     std::uint64_t readFree(std::uint64_t at, std::size_t count) {
         if (record(at) != count * 4 + 8) file_->fail("its list of free atoms has another length than its header says");
-        NumberReader numbers(*file_, at + 4, swapped_);
+        NumberReader numbers = numbersAt(at + 4);
         for (std::size_t i = 0; i < count; ++i) {
             const auto atom = numbers.next<std::int32_t>();
             if (atom < 1 || static_cast<std::size_t>(atom) > atoms_) file_->fail("its list of free atoms names none");
@@ -67,14 +60,13 @@ private:
 
     /// Bytes that a record takes with both its lengths. @throws Error if those differ
     std::uint64_t record(std::uint64_t at) const {
-        const auto length = NumberReader(*file_, at, swapped_).next<std::uint32_t>();
-        if (!file_->holds(at, std::uint64_t{length} + 8) ||
-            NumberReader(*file_, at + 4 + length, swapped_).next<std::uint32_t>() != length)
+        const auto length = numbersAt(at).next<std::uint32_t>();
+        if (!file_->holds(at, std::uint64_t{length} + 8) || numbersAt(at + 4 + length).next<std::uint32_t>() != length)
             file_->fail("a record has no end (byte " + std::to_string(at) + ")");
         return std::uint64_t{length} + 8;
     }
 
-    void readFrame(std::size_t frame, TrajectoryFrame& result) override {
+    void readWhole(std::size_t frame, TrajectoryFrame& result) override {
         std::uint64_t at = frame == 0 ? first_ : first_ + firstSize_ + (frame - 1) * frameSize_;
         if (stepPicoseconds_ > 0)
             result.time = stepPicoseconds_ * (firstStep_ + static_cast<double>(frame) * perFrame_);
@@ -88,7 +80,7 @@ private:
             if (fixedPositions_.empty()) {
                 TrajectoryFrame whole;
                 whole.positions.resize(atoms_);
-                readFrame(0, whole);
+                readWhole(0, whole);
                 fixedPositions_ = std::move(whole.positions);
             }
             result.positions = fixedPositions_;
@@ -102,12 +94,11 @@ private:
                 result.positions[part ? free_[i] : i][axis] = numberAt<float>(buffer_.data() + 4 * i, swapped_);
             at += count * 4 + 8;
         }
-        checkFinite(*file_, frame, result.positions);
     }
 
     /// A, gamma, B, beta, alpha, C; angles in degrees, or their cosines (NAMD).
     std::optional<PeriodicBox> cellAt(std::uint64_t at) const {
-        NumberReader numbers(*file_, at, swapped_);
+        NumberReader numbers = numbersAt(at);
         std::array<double, 6> v{};
         for (double& value : v) value = numbers.next<double>();
         glm::dvec3 angles(v[4], v[3], v[1]);
@@ -116,17 +107,11 @@ private:
         return boxOf({v[0], v[2], v[5]}, angles);
     }
 
-    [[noreturn]] void damaged(std::size_t frame) const {
-        file_->fail("frame " + std::to_string(frame + 1) + " is damaged");
-    }
-
-    OwnedFile file_;
-    bool swapped_, hasCell_ = false, hasFourth_ = false;
+    bool hasCell_ = false, hasFourth_ = false;
     std::vector<std::uint32_t> free_;  // atoms that move; empty: all
     std::vector<glm::vec3> fixedPositions_;
     std::uint64_t first_ = 0, firstSize_ = 0, frameSize_ = 0;
     double stepPicoseconds_ = 0, firstStep_ = 0, perFrame_ = 0;  // of the simulation; 0: not known
-    std::vector<std::byte> buffer_;
 };
 
 }  // namespace

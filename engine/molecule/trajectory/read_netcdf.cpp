@@ -116,11 +116,9 @@ private:
     int version_ = 0;
 };
 
-class Netcdf : public Trajectory {
+class Netcdf : public FileTrajectory {
 public:
-    explicit Netcdf(OwnedFile file) : file_(std::move(file)) {
-        name_ = file_->name();
-        format_ = "netcdf";
+    explicit Netcdf(OwnedFile file) : FileTrajectory(std::move(file), "netcdf") {
         const NetcdfHead head(*file_);
         const auto find = [&](const char* name) {
             const auto found = head.variables.find(name);
@@ -130,8 +128,7 @@ public:
         lengths_ = find("cell_lengths");
         angles_ = find("cell_angles");
         const auto& shape = coordinates_.dimensions;
-        if (!coordinates_.recorded || shape.size() != 3 || shape[2] != 3 ||
-            (coordinates_.type != kFloat && coordinates_.type != kDouble))
+        if (!coordinates_.recorded || shape.size() != 3 || shape[2] != 3 || !isReal(coordinates_))
             file_->fail("it has no coordinates as AMBER writes them (frame, atom, spatial)");
         atoms_ = checkedAtoms(*file_, static_cast<std::int64_t>(shape[1]));
         recordBytes_ = head.recordBytes;
@@ -143,44 +140,30 @@ public:
         if (!frames_) file_->fail("it has no whole frame");
         hasCell_ = isCell(lengths_) && isCell(angles_);
         times_ = find("time");
-        hasTimes_ =
-            times_.recorded && times_.dimensions.size() == 1 && (times_.type == kFloat || times_.type == kDouble);
+        hasTimes_ = times_.recorded && times_.dimensions.size() == 1 && isReal(times_);
     }
 
 private:
+    static bool isReal(const NetcdfVariable& v) { return v.type == kFloat || v.type == kDouble; }
     static bool isCell(const NetcdfVariable& v) {
-        return v.recorded && v.dimensions.size() == 2 && v.dimensions[1] == 3 &&
-               (v.type == kFloat || v.type == kDouble);
+        return v.recorded && v.dimensions.size() == 2 && v.dimensions[1] == 3 && isReal(v);
     }
     glm::dvec3 threeOf(const NetcdfVariable& v, std::size_t frame) const {
-        NumberReader numbers(*file_, v.begin + frame * recordBytes_, kBigEndianSwapped);
+        NumberReader numbers = numbersAt(v.begin + frame * recordBytes_);
         glm::dvec3 value;
-        for (int k = 0; k < 3; ++k)
-            value[k] = v.type == kDouble ? numbers.next<double>() : static_cast<double>(numbers.next<float>());
+        for (int k = 0; k < 3; ++k) value[k] = numbers.next(v.type == kDouble);
         return value;
     }
 
-    void readFrame(std::size_t frame, TrajectoryFrame& result) override {
-        if (hasTimes_) {
-            NumberReader numbers(*file_, times_.begin + frame * recordBytes_, kBigEndianSwapped);
-            result.time = times_.type == kDouble ? numbers.next<double>() : static_cast<double>(numbers.next<float>());
-        }
+    void readWhole(std::size_t frame, TrajectoryFrame& result) override {
+        if (hasTimes_) result.time = numbersAt(times_.begin + frame * recordBytes_).next(times_.type == kDouble);
         if (hasCell_) result.box = boxOf(threeOf(lengths_, frame), threeOf(angles_, frame));
-        buffer_.resize(coordinates_.bytes);
-        file_->read(coordinates_.begin + frame * recordBytes_, buffer_);
-        for (std::size_t i = 0; i < atoms_ * 3; ++i)
-            result.positions[i / 3][static_cast<int>(i % 3)] =
-                coordinates_.type == kDouble
-                    ? static_cast<float>(numberAt<double>(buffer_.data() + 8 * i, kBigEndianSwapped))
-                    : numberAt<float>(buffer_.data() + 4 * i, kBigEndianSwapped);
-        checkFinite(*file_, frame, result.positions);
+        readPositions(coordinates_.begin + frame * recordBytes_, coordinates_.type == kDouble, 1, result);
     }
 
-    OwnedFile file_;
     NetcdfVariable coordinates_, lengths_, angles_, times_;
     std::uint64_t recordBytes_ = 0;
     bool hasCell_ = false, hasTimes_ = false;
-    std::vector<std::byte> buffer_;
 };
 
 }  // namespace

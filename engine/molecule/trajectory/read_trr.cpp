@@ -34,7 +34,7 @@ TrrHead trrHeadAt(const TrajectoryFile& file, std::uint64_t at) {
     head.atoms = numbers.next<std::int32_t>();
     numbers.skip(8);  // step, energies
     head.twice = head.positions ? head.positions == static_cast<std::uint64_t>(head.atoms) * 24 : head.box == 72;
-    head.time = head.twice ? numbers.next<double>() : static_cast<double>(numbers.next<float>());
+    head.time = numbers.next(head.twice);
     numbers.skip(head.twice ? 8 : 4);  // lambda
     if (records + others != 0 || (head.box != 0 && head.box != (head.twice ? 72u : 36u)) ||
         (head.positions != 0 && head.positions != static_cast<std::uint64_t>(head.atoms) * (head.twice ? 24 : 12)))
@@ -45,11 +45,9 @@ TrrHead trrHeadAt(const TrajectoryFile& file, std::uint64_t at) {
     return head;
 }
 
-class Trr : public Trajectory {
+class Trr : public FileTrajectory {
 public:
-    explicit Trr(OwnedFile file) : file_(std::move(file)) {
-        name_ = file_->name();
-        format_ = "trr";
+    explicit Trr(OwnedFile file) : FileTrajectory(std::move(file), "trr") {
         constexpr std::uint64_t kLongestHead = 200;
         std::uint64_t at = 0;
         while (at < file_->size()) {
@@ -79,33 +77,21 @@ private:
         }
     }
 
-    void readFrame(std::size_t frame, TrajectoryFrame& result) override {
+    void readWhole(std::size_t frame, TrajectoryFrame& result) override {
         const TrrHead head = trrHeadAt(*file_, places_[frame]);
         result.time = head.time;
         if (head.box) {
             PeriodicBox box;
-            NumberReader numbers(*file_, head.begin, kBigEndianSwapped);
-            bool empty = false;
+            NumberReader numbers = numbersAt(head.begin);
             for (glm::vec3& row : box)
-                for (int k = 0; k < 3; ++k)
-                    row[k] =
-                        nanometres(head.twice ? static_cast<float>(numbers.next<double>()) : numbers.next<float>());
-            for (std::size_t k = 0; k < 3; ++k) empty = empty || !(box[k][static_cast<int>(k)] > 0);
-            if (!empty) result.box = box;
+                for (int k = 0; k < 3; ++k) row[k] = static_cast<float>(numbers.next(head.twice)) * kAngstrom;
+            if (box[0].x > 0 && box[1].y > 0 && box[2].z > 0) result.box = box;
         }
-        buffer_.resize(head.positions);
-        file_->read(head.begin + head.beforePositions, buffer_);
-        for (std::size_t i = 0; i < atoms_ * 3; ++i)
-            result.positions[i / 3][static_cast<int>(i % 3)] =
-                nanometres(head.twice ? static_cast<float>(numberAt<double>(buffer_.data() + 8 * i, kBigEndianSwapped))
-                                      : numberAt<float>(buffer_.data() + 4 * i, kBigEndianSwapped));
-        checkFinite(*file_, frame, result.positions);
+        readPositions(head.begin + head.beforePositions, head.twice, kAngstrom, result);
     }
-    static float nanometres(float value) { return value * 10; }
 
-    OwnedFile file_;
+    static constexpr float kAngstrom = 10;  // in a nm
     std::vector<std::uint64_t> places_;
-    std::vector<std::byte> buffer_;
 };
 
 }  // namespace

@@ -44,11 +44,9 @@ XtcHead xtcHeadAt(const TrajectoryFile& file, std::uint64_t at) {
     return head;
 }
 
-class Xtc : public Trajectory {
+class Xtc : public FileTrajectory {
 public:
-    explicit Xtc(OwnedFile file) : file_(std::move(file)) {
-        name_ = file_->name();
-        format_ = "xtc";
+    explicit Xtc(OwnedFile file) : FileTrajectory(std::move(file), "xtc") {
         std::uint64_t at = 0;
         while (file_->holds(at, kDataAt + 40) || (file_->holds(at, kDataAt) && atoms_ && atoms_ <= kFewAtoms)) {
             const XtcHead head = xtcHeadAt(*file_, at);
@@ -64,30 +62,23 @@ public:
     }
 
 private:
-    void readFrame(std::size_t frame, TrajectoryFrame& result) override {
+    void readWhole(std::size_t frame, TrajectoryFrame& result) override {
         const XtcHead head = xtcHeadAt(*file_, places_[frame]);
-        NumberReader numbers(*file_, places_[frame] + kTimeAt, kBigEndianSwapped);
+        NumberReader numbers = numbersAt(places_[frame] + kTimeAt);
         result.time = numbers.next<float>();
         PeriodicBox box;
         for (glm::vec3& row : box)
             for (int k = 0; k < 3; ++k) row[k] = numbers.next<float>() * 10;
         if (box[0].x > 0 && box[1].y > 0 && box[2].z > 0) result.box = box;
+        if (atoms_ <= kFewAtoms) return readPositions(head.begin, false, 10, result);
         buffer_.resize(head.count);
         file_->read(head.begin, buffer_);
-        if (atoms_ <= kFewAtoms) {
-            for (std::size_t i = 0; i < atoms_ * 3; ++i)
-                result.positions[i / 3][static_cast<int>(i % 3)] =
-                    numberAt<float>(buffer_.data() + 4 * i, kBigEndianSwapped) * 10;
-        } else if (!(head.packing.precision > 0) || !std::isfinite(head.packing.precision) ||
-                   !unpackXtc(head.packing, buffer_, result.positions)) {
-            file_->fail("frame " + std::to_string(frame + 1) + " is damaged");
-        }
-        checkFinite(*file_, frame, result.positions);
+        if (!(head.packing.precision > 0) || !std::isfinite(head.packing.precision) ||
+            !unpackXtc(head.packing, buffer_, result.positions))
+            damaged(frame);
     }
 
-    OwnedFile file_;
     std::vector<std::uint64_t> places_;
-    std::vector<std::byte> buffer_;
 };
 
 }  // namespace

@@ -1,9 +1,5 @@
 #include "engine/molecule/trajectory/trajectory.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -14,28 +10,13 @@
 
 namespace nacre {
 
-TrajectoryFile::TrajectoryFile(const std::string& path) : name_(path) {
-    file_ = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);  // a pipe is refused, not waited for
-    if (file_ < 0) fail(std::strerror(errno));
-    struct stat status {};
-    const bool plain = fstat(file_, &status) == 0 && S_ISREG(status.st_mode);
-    if (!plain) {
-        ::close(file_);
-        fail("it is not a plain file");
-    }
-    size_ = static_cast<std::uint64_t>(status.st_size);
+TrajectoryFile::TrajectoryFile(const std::string& path) : name_(path), file_(ByteFile::open(path)) {
+    if (!file_) fail(errno != 0 ? std::strerror(errno) : "it is not a plain file");
 }
-
-TrajectoryFile::~TrajectoryFile() { ::close(file_); }
 
 void TrajectoryFile::read(std::uint64_t offset, std::span<std::byte> bytes) const {
     if (!holds(offset, bytes.size())) fail("it ends within a frame");
-    for (std::size_t done = 0; done < bytes.size();) {
-        const ssize_t n = ::pread(file_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(offset + done));
-        if (n > 0) done += static_cast<std::size_t>(n);
-        if (n == 0) fail("it ends within a frame");
-        if (n < 0 && errno != EINTR) fail(std::strerror(errno));
-    }
+    file_->read(offset, bytes.data(), bytes.size());
 }
 
 std::size_t checkedAtoms(const TrajectoryFile& file, std::int64_t atoms) {
@@ -44,13 +25,30 @@ std::size_t checkedAtoms(const TrajectoryFile& file, std::int64_t atoms) {
     return static_cast<std::size_t>(atoms);
 }
 
-void checkFinite(const TrajectoryFile& file, std::size_t frame, std::span<const glm::vec3> positions) {
+FileTrajectory::FileTrajectory(OwnedFile file, const char* format, bool swapped)
+    : file_(std::move(file)), swapped_(swapped) {
+    name_ = file_->name();
+    format_ = format;
+}
+
+void FileTrajectory::readFrame(std::size_t frame, TrajectoryFrame& result) {
+    readWhole(frame, result);
     constexpr float kFarthest = 1e7f;  // Å; nothing is drawn beyond, nor was ever simulated
-    for (std::size_t i = 0; i < positions.size(); ++i)
+    for (std::size_t i = 0; i < result.positions.size(); ++i)
         for (int k = 0; k < 3; ++k)
-            if (!(std::abs(positions[i][k]) < kFarthest))
-                file.fail("frame " + std::to_string(frame + 1) + ": atom " + std::to_string(i + 1) +
-                          " has no position within 1e7 Å");
+            if (!(std::abs(result.positions[i][k]) < kFarthest))
+                file_->fail("frame " + std::to_string(frame + 1) + ": atom " + std::to_string(i + 1) +
+                            " has no position within 1e7 Å");
+}
+
+void FileTrajectory::readPositions(std::uint64_t offset, bool twice, float factor, TrajectoryFrame& result) {
+    buffer_.resize(atoms_ * (twice ? 24 : 12));
+    file_->read(offset, buffer_);
+    for (std::size_t i = 0; i < atoms_ * 3; ++i) {
+        const float number = twice ? static_cast<float>(numberAt<double>(buffer_.data() + 8 * i, swapped_))
+                                   : numberAt<float>(buffer_.data() + 4 * i, swapped_);
+        result.positions[i / 3][static_cast<int>(i % 3)] = number * factor;
+    }
 }
 
 TrajectoryFrame Trajectory::read(std::size_t frame) {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "engine/error.h"
+#include "engine/molecule/byte_file.h"
 #include "engine/molecule/trajectory/trajectory.h"
 
 namespace nacre {
@@ -18,21 +19,17 @@ class TrajectoryFile {
 public:
     /// @throws Error
     explicit TrajectoryFile(const std::string& path);
-    ~TrajectoryFile();
-    TrajectoryFile(const TrajectoryFile&) = delete;
-    TrajectoryFile& operator=(const TrajectoryFile&) = delete;
 
     const std::string& name() const { return name_; }
-    std::uint64_t size() const { return size_; }
-    bool holds(std::uint64_t offset, std::uint64_t count) const { return offset <= size_ && count <= size_ - offset; }
+    std::uint64_t size() const { return file_->size(); }
+    bool holds(std::uint64_t offset, std::uint64_t count) const { return offset <= size() && count <= size() - offset; }
     /// @throws Error if the file does not hold that
     void read(std::uint64_t offset, std::span<std::byte> bytes) const;
     [[noreturn]] void fail(const std::string& why) const { throw Error("cannot read trajectory", name_, why); }
 
 private:
     std::string name_;
-    int file_ = -1;
-    std::uint64_t size_ = 0;
+    std::shared_ptr<ByteFile> file_;
 };
 
 /// A number as it stands in a file. @param swapped  whether the file's byte order is not this machine's
@@ -57,6 +54,8 @@ public:
         offset_ += sizeof(Number);
         return numberAt<Number>(bytes.data(), swapped_);
     }
+    /// A number in double or single precision.
+    double next(bool twice) { return twice ? next<double>() : static_cast<double>(next<float>()); }
     std::uint64_t offset() const { return offset_; }
     void skip(std::uint64_t bytes) { offset_ += bytes; }
 
@@ -70,10 +69,31 @@ constexpr bool kBigEndianSwapped = std::endian::native == std::endian::little;  
 
 /// Numbers of atoms that no frame has are refused: more than kMaxAtoms, or none. @throws Error
 std::size_t checkedAtoms(const TrajectoryFile& file, std::int64_t atoms);
-/// @throws Error of a number that is none
-void checkFinite(const TrajectoryFile& file, std::size_t frame, std::span<const glm::vec3> positions);
 
 using OwnedFile = std::unique_ptr<TrajectoryFile>;
+
+/// A trajectory in a file, and what the formats share.
+class FileTrajectory : public Trajectory {
+protected:
+    FileTrajectory(OwnedFile file, const char* format, bool swapped = kBigEndianSwapped);
+
+    /// Positions that are not finite are refused afterwards.
+    virtual void readWhole(std::size_t frame, TrajectoryFrame& result) = 0;
+    NumberReader numbersAt(std::uint64_t offset) const { return {*file_, offset, swapped_}; }
+    /// x, y and z of all atoms, one after the other. @param twice  in double precision @param factor  Å in their unit
+    void readPositions(std::uint64_t offset, bool twice, float factor, TrajectoryFrame& result);
+    [[noreturn]] void damaged(std::size_t frame) const {
+        file_->fail("frame " + std::to_string(frame + 1) + " is damaged");
+    }
+
+    OwnedFile file_;
+    bool swapped_;
+    std::vector<std::byte> buffer_;
+
+private:
+    void readFrame(std::size_t frame, TrajectoryFrame& result) final;
+};
+
 std::unique_ptr<Trajectory> openDcd(OwnedFile file, bool swapped);
 std::unique_ptr<Trajectory> openXtc(OwnedFile file);
 std::unique_ptr<Trajectory> openTrr(OwnedFile file);

@@ -1,10 +1,9 @@
-#include "engine/molecule/overlay_models.h"
+#include "engine/molecule/join_models.h"
 
 #include <algorithm>
 #include <map>
 
-#include "engine/error.h"
-#include "engine/molecule/formats/readers.h"
+#include "engine/molecule/text.h"
 
 namespace nacre {
 namespace {
@@ -30,9 +29,9 @@ private:
     std::map<std::string, std::uint32_t> places_;
 };
 
-class Overlay {
+class Joined {
 public:
-    explicit Overlay(Molecule first)
+    explicit Joined(Molecule first)
         : whole_(std::move(first)), subchains_(whole_.subchains), entities_(whole_.entities) {}
 
     void add(const Molecule& model) {
@@ -87,16 +86,16 @@ private:
 
 }  // namespace
 
-Molecule overlayModels(const std::string& name, std::vector<Molecule> models, std::size_t maxAtoms) {
+Molecule joinModels(const std::string& name, std::vector<Molecule> models, std::size_t maxAtoms) {
     std::size_t atoms = 0;
     for (const Molecule& model : models) atoms += model.atoms.size();
     if (atoms > maxAtoms) throw tooManyAtoms(name + ", all models", maxAtoms);
-    Overlay overlay(std::move(models.front()));
+    Joined joined(std::move(models.front()));
     for (std::size_t i = 1; i < models.size(); ++i) {
-        overlay.add(models[i]);
+        joined.add(models[i]);
         models[i] = Molecule();
     }
-    return overlay.finish();
+    return joined.finish();
 }
 
 }  // namespace nacre

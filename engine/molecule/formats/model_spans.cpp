@@ -1,4 +1,4 @@
-#include "engine/molecule/formats/model_texts.h"
+#include "engine/molecule/formats/model_spans.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,8 +16,8 @@ bool isModel(std::string_view line) { return line == "MODEL" || startsWith(line,
 bool isEnd(std::string_view line) { return startsWith(line, "END") && trim(line) == "END"; }
 
 /// Frames that END divides. What stands before the first atom is every frame's.
-ModelTexts framesOfPdb(const TextSource& text) {
-    ModelTexts texts;
+ModelSpans framesOfPdb(const TextSource& text) {
+    ModelSpans spans;
     TextCutter cut(text);
     // Which structure these speak of is for the reader of the whole to say.
     const auto speaksOfOne = [&] {
@@ -26,7 +26,7 @@ ModelTexts framesOfPdb(const TextSource& text) {
     };
     for (; !cut.atEnd() && !isAtom(cut.line()); cut.pass())
         if (speaksOfOne()) return {};
-    texts.before = cut.since(0);
+    spans.before = cut.since(0);
     while (!cut.atEnd()) {
         const std::uint64_t begin = cut.place();
         bool atoms = false;
@@ -35,18 +35,18 @@ ModelTexts framesOfPdb(const TextSource& text) {
             atoms = atoms || isAtom(cut.line());
             end = isEnd(cut.line());
         }
-        if (atoms) texts.models.push_back(cut.since(begin));
+        if (atoms) spans.models.push_back(cut.since(begin));
     }
-    return texts;
+    return spans;
 }
 
 /// Models between MODEL and ENDMDL, one after the other. What stands around them is every model's.
-ModelTexts modelsOfPdb(const TextSource& text) {
-    ModelTexts texts;
+ModelSpans modelsOfPdb(const TextSource& text) {
+    ModelSpans spans;
     TextCutter cut(text);
     for (; !cut.atEnd() && !isModel(cut.line()); cut.pass())
         if (isAtom(cut.line())) return {};
-    texts.before = cut.since(0);
+    spans.before = cut.since(0);
     std::uint64_t end = cut.place();
     while (!cut.atEnd() && isModel(cut.line())) {
         const std::uint64_t begin = cut.place();
@@ -56,14 +56,14 @@ ModelTexts modelsOfPdb(const TextSource& text) {
             atoms = atoms || isAtom(cut.line());
         }
         cut.pass();
-        if (atoms) texts.models.push_back(cut.since(begin));
+        if (atoms) spans.models.push_back(cut.since(begin));
         end = cut.place();
         while (!cut.atEnd() && trim(cut.line()).empty()) cut.pass();
     }
-    texts.after = {end, text.size};
+    spans.after = {end, text.size};
     for (; !cut.atEnd(); cut.pass())
         if (isAtom(cut.line()) || isModel(cut.line())) return {};
-    return texts;
+    return spans;
 }
 
 /// Whether MODEL comes before any atom.
@@ -78,76 +78,30 @@ bool isCount(std::string_view line) {
     return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-ModelTexts framesOfXyz(const TextSource& text) {
-    ModelTexts texts;
-    TextCutter cut(text);
-    while (!cut.atEnd()) {
-        const std::uint64_t begin = cut.place();
-        while (!cut.atEnd() && trim(cut.line()).empty()) cut.pass();
-        if (cut.atEnd()) break;
-        texts.complete = false;  // unless this is a frame
-        if (!isCount(cut.line())) break;
-        const auto count = parseInteger(cut.line());
-        if (!count || *count > static_cast<std::int64_t>(text.size)) break;
-        if (!cut.pass(2 + *count)) break;
-        texts.complete = true;
-        texts.models.push_back(cut.since(begin));
-    }
-    return texts;
-}
-
 /// Whether nothing but blank lines is left.
 bool isBlankFrom(TextCutter cut) {
     while (!cut.atEnd() && trim(cut.line()).empty()) cut.pass();
     return cut.atEnd();
 }
 
-ModelTexts framesOfGro(const TextSource& text) {
-    ModelTexts texts;
+/// Frames that announce their atoms. @param toCount  goes on to the number of atoms; false: no frame follows
+/// @param before, after  lines from the number to the atoms, and behind them, which the last frame may lack
+template <typename ToCount>
+ModelSpans countedFrames(const TextSource& text, const ToCount& toCount, std::int64_t before, std::int64_t after) {
+    ModelSpans spans;
     for (TextCutter cut(text); !cut.atEnd();) {
-        if (trim(cut.line()).empty() && isBlankFrom(cut)) break;  // a title may be blank
         const std::uint64_t begin = cut.place();
-        texts.complete = false;  // unless this is a frame
-        cut.pass();
+        if (!toCount(cut)) break;
+        spans.complete = false;  // unless this is a frame
         if (!isCount(cut.line())) break;
         const auto count = parseInteger(cut.line());
         if (!count || *count > static_cast<std::int64_t>(text.size)) break;
-        if (!cut.pass(1 + *count)) break;
-        cut.pass();  // the box, which the last frame may lack
-        texts.complete = true;
-        texts.models.push_back(cut.since(begin));
+        if (!cut.pass(before + *count)) break;
+        cut.pass(after);
+        spans.complete = true;
+        spans.models.push_back(cut.since(begin));
     }
-    return texts;
-}
-
-ModelTexts recordsOfSdf(const TextSource& text) {
-    ModelTexts texts;
-    for (TextCutter cut(text); !cut.atEnd();) {
-        const std::uint64_t begin = cut.place();
-        bool blank = true;
-        for (; !cut.atEnd() && !startsWith(cut.line(), "$$$$"); cut.pass()) blank = blank && trim(cut.line()).empty();
-        blank = blank && cut.atEnd();
-        cut.pass();
-        if (!blank) texts.models.push_back(cut.since(begin));
-    }
-    return texts;
-}
-
-ModelTexts recordsOfMol2(const TextSource& text) {
-    const auto begins = [](std::string_view line) {
-        constexpr std::string_view kMark = "@<TRIPOS>";
-        return startsWith(line, kMark) && trim(line.substr(kMark.size())) == "MOLECULE";
-    };
-    ModelTexts texts;
-    TextCutter cut(text);
-    while (!cut.atEnd() && !begins(cut.line())) cut.pass();
-    while (!cut.atEnd()) {
-        const std::uint64_t begin = cut.place();
-        do cut.pass();
-        while (!cut.atEnd() && !begins(cut.line()));
-        texts.models.push_back(cut.since(begin));
-    }
-    return texts;
+    return spans;
 }
 
 /// How many words a row of a CIF loop has, and one of them. 0 where a quote is not closed on the line.
@@ -187,9 +141,60 @@ bool mayHaveModels(const TextSource& text, const TextCutter& cut, std::size_t co
     return false;
 }
 
+}  // namespace
+
+ModelSpans pdbSpans(const TextSource& text) { return hasModels(text) ? modelsOfPdb(text) : framesOfPdb(text); }
+
+ModelSpans xyzSpans(const TextSource& text) {
+    const auto toCount = [](TextCutter& cut) {
+        while (!cut.atEnd() && trim(cut.line()).empty()) cut.pass();
+        return !cut.atEnd();
+    };
+    return countedFrames(text, toCount, 2, 0);
+}
+
+ModelSpans groSpans(const TextSource& text) {
+    const auto toCount = [](TextCutter& cut) {
+        if (trim(cut.line()).empty() && isBlankFrom(cut)) return false;  // a title may be blank
+        cut.pass();
+        return true;
+    };
+    return countedFrames(text, toCount, 1, 1);
+}
+
+ModelSpans sdfSpans(const TextSource& text) {
+    ModelSpans spans;
+    for (TextCutter cut(text); !cut.atEnd();) {
+        const std::uint64_t begin = cut.place();
+        bool blank = true;
+        for (; !cut.atEnd() && !startsWith(cut.line(), "$$$$"); cut.pass()) blank = blank && trim(cut.line()).empty();
+        blank = blank && cut.atEnd();
+        cut.pass();
+        if (!blank) spans.models.push_back(cut.since(begin));
+    }
+    return spans;
+}
+
+ModelSpans mol2Spans(const TextSource& text) {
+    const auto begins = [](std::string_view line) {
+        constexpr std::string_view kMark = "@<TRIPOS>";
+        return startsWith(line, kMark) && trim(line.substr(kMark.size())) == "MOLECULE";
+    };
+    ModelSpans spans;
+    TextCutter cut(text);
+    while (!cut.atEnd() && !begins(cut.line())) cut.pass();
+    while (!cut.atEnd()) {
+        const std::uint64_t begin = cut.place();
+        do cut.pass();
+        while (!cut.atEnd() && !begins(cut.line()));
+        spans.models.push_back(cut.since(begin));
+    }
+    return spans;
+}
+
 /// Rows of the one _atom_site, a line each, by the number of their model.
-ModelTexts modelsOfMmcif(const TextSource& text) {
-    ModelTexts texts;
+ModelSpans mmcifSpans(const TextSource& text) {
+    ModelSpans spans;
     TextCutter cut(text);
     const auto tag = [&](std::string_view name) {
         return lowerCase(trim(cut.line())) == "_atom_site." + lowerCase(name);
@@ -200,7 +205,7 @@ ModelTexts modelsOfMmcif(const TextSource& text) {
     for (; !cut.atEnd() && isTag(); cut.pass(), ++columns)
         if (tag("pdbx_PDB_model_num")) number = columns;
     if (number == std::string_view::npos) return {};
-    texts.before = cut.since(0);
+    spans.before = cut.since(0);
     if (!mayHaveModels(text, cut, columns, number)) return {};
     std::vector<std::string> seen;
     std::uint64_t begin = cut.place();
@@ -212,38 +217,15 @@ ModelTexts modelsOfMmcif(const TextSource& text) {
         if (row[0] == ';' || wordsOfRow(row, number, word) != columns) return {};
         if (!seen.empty() && word == seen.back()) continue;
         if (std::find(seen.begin(), seen.end(), word) != seen.end()) return {};
-        if (!seen.empty()) texts.models.push_back(cut.since(begin));
+        if (!seen.empty()) spans.models.push_back(cut.since(begin));
         begin = cut.place();
         seen.emplace_back(word);
     }
-    if (!seen.empty()) texts.models.push_back(cut.since(begin));
-    texts.after = {cut.place(), text.size};
+    if (!seen.empty()) spans.models.push_back(cut.since(begin));
+    spans.after = {cut.place(), text.size};
     for (; !cut.atEnd(); cut.pass())
         if (isTag()) return {};
-    return texts;
-}
-
-}  // namespace
-
-ModelTexts modelTexts(Format format, const TextSource& text) {
-    switch (format) {
-        case Format::pdb:
-        case Format::pdbqt:
-        case Format::pqr:
-            return hasModels(text) ? modelsOfPdb(text) : framesOfPdb(text);
-        case Format::mmcif:
-            return modelsOfMmcif(text);
-        case Format::xyz:
-            return framesOfXyz(text);
-        case Format::gro:
-            return framesOfGro(text);
-        case Format::sdf:
-            return recordsOfSdf(text);
-        case Format::mol2:
-            return recordsOfMol2(text);
-        default:
-            return {};
-    }
+    return spans;
 }
 
 }  // namespace nacre

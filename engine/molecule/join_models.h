@@ -14,6 +14,6 @@ namespace nacre {
 /// @param name    file name for messages
 /// @param models  at least one; their bonds are complete
 /// @throws Error if they have more than maxAtoms together
-Molecule overlayModels(const std::string& name, std::vector<Molecule> models, std::size_t maxAtoms);
+Molecule joinModels(const std::string& name, std::vector<Molecule> models, std::size_t maxAtoms);
 
 }  // namespace nacre
