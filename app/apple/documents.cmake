@@ -1,33 +1,61 @@
-# The files that the apps open, as property lists state them: from one table
-#   NACRE_IMPORTED_TYPES, NACRE_DOCUMENT_TYPES
+# The files that the programs open: from one table
+#   NACRE_IMPORTED_TYPES, NACRE_DOCUMENT_TYPES   as Apple's property lists state them
+#   NACRE_MIME_TYPES, NACRE_MIME_INFO            as freedesktop's files do
 # Imported, since the formats are others': an app of theirs that exports a type under the same name has the last word.
 
-# name | type | endings (engine/molecule/formats/detect.cpp) | conforms to
+# name | type | conforms to | endings, as engine/molecule/formats/format_table.cpp has them, after the MIME type (chemical/x-)
+# that they have since Rzepa et al. 1998; none where that is none
 set(formats
-    "PDB structure|org.wwpdb.pdb|pdb ent|public.plain-text"
-    "mmCIF structure|org.wwpdb.mmcif|cif mmcif mcif|public.plain-text"
-    "mmJSON structure|org.pdbj.mmjson|mmjson|public.json"
-    "BinaryCIF structure|org.molstar.bcif|bcif|public.data"
-    "MMTF structure|org.rcsb.mmtf|mmtf|public.data"
-    "SDF molecule|com.mdl.sdf|sdf sd mol mdl|public.plain-text"
-    "XYZ coordinates|org.openmopac.xyz|xyz extxyz|public.plain-text"
-    "MOL2 molecule|com.tripos.mol2|mol2|public.plain-text"
-    "PQR structure|org.poissonboltzmann.pqr|pqr|public.plain-text"
-    "GROMACS structure|org.gromacs.gro|gro|public.plain-text"
-    "PDBQT structure|edu.scripps.pdbqt|pdbqt|public.plain-text"
-    "Chemical Markup Language|org.xml-cml.cml|cml|public.xml")
+    "PDB structure|org.wwpdb.pdb|public.plain-text|pdb:pdb,ent"
+    "mmCIF structure|org.wwpdb.mmcif|public.plain-text|cif:cif mmcif:mmcif,mcif"
+    "mmJSON structure|org.pdbj.mmjson|public.json|:mmjson"
+    "BinaryCIF structure|org.molstar.bcif|public.data|bcif:bcif"
+    "MMTF structure|org.rcsb.mmtf|public.data|mmtf:mmtf"
+    "SDF molecule|com.mdl.sdf|public.plain-text|mdl-sdfile:sdf,sd mdl-molfile:mol :mdl"
+    "XYZ coordinates|org.openmopac.xyz|public.plain-text|xyz:xyz,extxyz"
+    "MOL2 molecule|com.tripos.mol2|public.plain-text|mol2:mol2"
+    "PQR structure|org.poissonboltzmann.pqr|public.plain-text|pqr:pqr"
+    "GROMACS structure|org.gromacs.gro|public.plain-text|gro:gro"
+    "PDBQT structure|edu.scripps.pdbqt|public.plain-text|pdbqt:pdbqt"
+    "Chemical Markup Language|org.xml-cml.cml|public.xml|cml:cml")
+# What a file of a MIME type begins with, where that tells more than its ending.
+set(magic_pdb "    <magic priority=\"50\"><match type=\"string\" offset=\"0:81\" value=\"HEADER    \"/></magic>\n")
+set(magic_mol2 "    <magic priority=\"50\"><match type=\"string\" offset=\"0:1024\" value=\"@&lt;TRIPOS&gt;MOLECULE\"/></magic>\n")
+set(parent_public.plain-text text/plain)
+set(parent_public.data application/octet-stream)
+set(parent_public.xml application/xml)
 # The systems' own: mmJSON and saved views under their plain ending, and each of the above compressed.
 set(others "JSON|public.json" "Compressed structure|org.gnu.gnu-zip-archive")
 
 set(NACRE_IMPORTED_TYPES "")
 set(NACRE_DOCUMENT_TYPES "")
+set(NACRE_MIME_TYPES "")
+set(NACRE_MIME_INFO "")
 foreach(format ${formats})
     string(REPLACE "|" ";" format "${format}")
     list(GET format 0 name)
     list(GET format 1 type)
-    list(GET format 2 endings)
-    list(GET format 3 parent)
-    string(REPLACE " " "</string><string>" endings "${endings}")
+    list(GET format 2 parent)
+    list(GET format 3 kinds)
+    string(REPLACE " " ";" kinds "${kinds}")
+    set(endings "")
+    foreach(kind ${kinds})
+        string(REGEX MATCH "^([^:]*):(.*)$" kind "${kind}")
+        set(mime "${CMAKE_MATCH_1}")
+        string(REPLACE "," ";" own "${CMAKE_MATCH_2}")
+        list(APPEND endings ${own})
+        if(mime)
+            string(APPEND NACRE_MIME_TYPES "chemical/x-${mime};")
+            list(TRANSFORM own REPLACE "^(.+)$" "    <glob pattern=\"*.\\1\"/>\n" OUTPUT_VARIABLE globs)
+            list(JOIN globs "" globs)
+            string(APPEND NACRE_MIME_INFO "  <mime-type type=\"chemical/x-${mime}\">
+    <comment>${name}</comment>
+    <sub-class-of type=\"${parent_${parent}}\"/>
+    <generic-icon name=\"x-office-document\"/>
+${magic_${mime}}${globs}  </mime-type>\n")
+        endif()
+    endforeach()
+    list(JOIN endings "</string><string>" endings)
     string(APPEND NACRE_IMPORTED_TYPES "
         <dict>
             <key>UTTypeIdentifier</key><string>${type}</string>

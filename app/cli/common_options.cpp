@@ -61,10 +61,11 @@ std::string fileName(const std::string& text) {
 
 namespace {
 
-constexpr const char* kInputHelp =
-    "A structure file (PDB, mmCIF, mmJSON, BinaryCIF, MMTF, SDF/MOL, XYZ, MOL2, PQR, GRO, PDBQT, CML;\n"
-    "each also .gz), - for standard input, sample:dna, sample:glucose, sample:buckyball, or a download:\n"
-    "pdb:1BNA, pubchem:CID|NAME, afdb:UNIPROT.";
+std::string inputHelp() {
+    return "A structure file (" + formatTitles() +
+           ";\neach also .gz), - for standard input, sample:dna, sample:glucose, sample:buckyball, or a download:\n"
+           "pdb:1BNA, pubchem:CID|NAME, afdb:UNIPROT.";
+}
 
 void addReading(CommandSpec& command, InputOptions& input) {
     addValue(command, "--cache", "DIR|off", "NACRE_CACHE, else ~/.cache/nacre",
@@ -100,20 +101,19 @@ void addTrajectory(CommandSpec& command, TrajectoryOptions& trajectory) {
 }
 
 void addInput(CommandSpec& command, InputOptions& input, bool required) {
-    OptionSpec& option = command.add(
-        {"INPUT", "", "",
-         std::string(kInputHelp) + " Several are one picture: NAME=INPUT names one for\nselections, /NAME; else its "
+    OptionSpec& option =
+        command.add({"INPUT", "", "",
+                     inputHelp() + " Several are one picture: NAME=INPUT names one for\nselections, /NAME; else its "
                                    "file's name does",
-         [&](const std::string& text) { addInput(input, text); }});
+                     [&](const std::string& text) { addInput(input, text); }});
     option.required = required;
     option.repeatable = true;
     addReading(command, input);
 }
 
 void addInputs(CommandSpec& command, std::vector<std::string>& paths, InputOptions& input) {
-    OptionSpec& option =
-        command.add({"INPUT", "", "", std::string(kInputHelp) + " Several are taken one after the other",
-                     [&](const std::string& text) { paths.push_back(text); }});
+    OptionSpec& option = command.add({"INPUT", "", "", inputHelp() + " Several are taken one after the other",
+                                      [&](const std::string& text) { paths.push_back(text); }});
     option.required = option.repeatable = true;
     addReading(command, input);
 }

@@ -46,9 +46,10 @@ def imported(folder):
 
 
 def endings_read():
-    """The endings that the reader knows, by format."""
-    text = (SOURCE / "engine/molecule/formats/detect.cpp").read_text()
-    return {ending for ending, _ in re.findall(r'\{"(\w+)", Format::(\w+)\}', text)}
+    """The endings that the reader knows."""
+    text = (SOURCE / "engine/molecule/formats/format_table.cpp").read_text()
+    rows = re.findall(r'\{Format::\w+, "\w+", "[^"]+", "([^"]+)"', text)
+    return {ending for row in rows for ending in row.split()}
 
 
 class Projects(unittest.TestCase):

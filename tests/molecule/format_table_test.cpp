@@ -1,0 +1,70 @@
+// Lists that have to name every format, and what docs/contributing.md says of them.
+
+#include "engine/molecule/formats/format_table.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <sstream>
+
+#include "tests/molecule/text_file.h"
+
+namespace nacre {
+namespace {
+
+std::string sourceFile(const std::string& path) { return test::readText(NACRE_SOURCE_DIR "/" + path); }
+
+std::vector<std::string> wordsOf(std::string_view list) {
+    std::istringstream words{std::string(list)};
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
+TEST(FormatTable, HasARowForEveryFormat) {
+    std::set<std::string> endings;
+    std::size_t all = 0;
+    for (const FormatRow& row : formatRows()) {
+        EXPECT_EQ(formatFromName(row.name), row.format);
+        EXPECT_EQ(formatName(row.format), row.name);
+        EXPECT_NE(row.read != nullptr, row.readTables != nullptr) << row.name;
+        for (const std::string& ending : wordsOf(row.endings)) ++all, endings.insert(ending);
+    }
+    EXPECT_EQ(endings.size(), all) << "an ending of two formats";
+    const std::string header = sourceFile("engine/molecule/read.h");
+    const std::string list = header.substr(header.find("enum class Format {"));
+    EXPECT_EQ(std::count(list.begin(), list.begin() + static_cast<std::ptrdiff_t>(list.find('}')), ',') + 1,
+              static_cast<std::ptrdiff_t>(formatRows().size()));
+}
+
+TEST(FormatTable, IsFollowedByEveryList) {
+    const std::string documents = sourceFile("app/apple/documents.cmake"), readme = sourceFile("README.md"),
+                      android = sourceFile("app/android/src/main/AndroidManifest.xml");
+    for (const FormatRow& row : formatRows()) {
+        // mmJSON goes by the ending of JSON on phones, which is the systems' own.
+        const std::vector<std::string> endings = wordsOf(row.endings);
+        const bool json = row.format == Format::mmjson;
+        EXPECT_TRUE(json || android.find("\\\\." + endings.front() + "\"") != std::string::npos) << row.name;
+        for (const std::string& ending : endings) {
+            const bool named = documents.find(":" + ending) != std::string::npos ||
+                               documents.find("," + ending) != std::string::npos || ending == "json";
+            EXPECT_TRUE(named) << ending;
+        }
+        EXPECT_NE(readme.find(row.title.substr(0, row.title.find('/'))), std::string::npos) << row.title;
+    }
+}
+
+TEST(FormatTable, IsTheWayThatThePageForContributorsSays) {
+    const std::string page = sourceFile("docs/contributing.md");
+    const std::size_t begin = page.find("## A format"), end = page.find("\n## ", begin);
+    ASSERT_NE(begin, std::string::npos);
+    const std::string section = page.substr(begin, end - begin);
+    for (const char* file :
+         {"engine/molecule/read.h", "engine/molecule/formats/format_table.cpp", "engine/molecule/formats/detect.cpp",
+          "app/apple/documents.cmake", "app/android/src/main/AndroidManifest.xml", "README.md"}) {
+        EXPECT_NE(section.find(std::string("`") + file + "`"), std::string::npos) << file;
+        const std::string text = sourceFile(file);
+        EXPECT_TRUE(text.find("pdbqt") != std::string::npos || text.find("PDBQT") != std::string::npos) << file;
+    }
+}
+
+}  // namespace
+}  // namespace nacre
