@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/molecule/molecule.h"
+#include "engine/molecule/residue_facts.h"
 
 namespace nacre {
 
@@ -18,10 +18,7 @@ struct ChainSummary {
     std::map<std::string, std::size_t> ions;
 };
 
-/// One for each of Molecule::chains, in their order. What a residue is goes by its name (gemmi's table, and the names
-/// of protonation states); one that no table knows counts as part of a polymer if it has a polymer's backbone and is no
-/// HETATM, and one atom alone is an ion: bonds, which residue_kind.h asks, need not be known. A position where residues
-/// alternate counts once, with its first.
-std::vector<ChainSummary> summariseChains(const Molecule& molecule);
+/// One for each of Molecule::chains, in their order. A position where residues alternate counts once, with its first.
+std::vector<ChainSummary> summariseChains(const ResidueFacts& facts);
 
 }  // namespace nacre

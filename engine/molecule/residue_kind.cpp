@@ -4,9 +4,13 @@
 #include <array>
 #include <gemmi/resinfo.hpp>
 #include <initializer_list>
+#include <map>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "engine/molecule/bonds/residue_templates.h"
 #include "engine/molecule/drawn_atoms.h"
@@ -51,28 +55,55 @@ std::optional<ResidueKind> kindOfName(const Name& name) {
 
 enum Link : std::uint8_t { kPeptideLink = 1, kNucleicLink = 2 };
 
-/// By residue: which kinds of backbone atom are bonded to another residue.
-std::vector<std::uint8_t> chainLinks(const Molecule& molecule) {
-    std::vector<std::uint8_t> links(molecule.residues.size());
-    const auto mark = [&](const Atom& atom) {
-        const std::string_view name = atom.name.view();
-        if (name == "N" || name == "C") links[atom.residue] |= kPeptideLink;
-        if (name == "P" || name == "O3'" || name == "O3*") links[atom.residue] |= kNucleicLink;
-    };
+/// Which kind of backbone bond an atom of this name can have to another residue; 0: none.
+std::uint8_t linkOf(const Name& atom) {
+    const std::string_view name = atom.view();
+    if (name == "N" || name == "C") return kPeptideLink;
+    return name == "P" || name == "O3'" || name == "O3*" ? kNucleicLink : 0;
+}
+
+using Links = std::vector<std::pair<const Atom*, const Atom*>>;
+
+/// Bonds between two residues.
+Links linksOf(const Molecule& molecule) {
+    Links links;
     for (const Bond& bond : molecule.bonds) {
         const Atom &a = molecule.atoms[bond.a], &b = molecule.atoms[bond.b];
-        if (a.residue == b.residue) continue;
-        mark(a);
-        mark(b);
+        if (a.residue != b.residue) links.emplace_back(&a, &b);
     }
     return links;
 }
 
+bool isPolymer(ResidueKind kind) { return kind == ResidueKind::protein || kind == ResidueKind::nucleic; }
+
 class Classifier {
 public:
-    explicit Classifier(const Molecule& molecule) : molecule_(molecule), links_(chainLinks(molecule)) {}
+    Classifier(const Molecule& molecule, const Links& links) : molecule_(molecule), links_(molecule.residues.size()) {
+        for (const auto& [a, b] : links) {
+            links_[a->residue] |= linkOf(a->name);
+            links_[b->residue] |= linkOf(b->name);
+        }
+    }
 
     ResidueKind kindOf(std::uint32_t index) {
+        const Residue& residue = molecule_.residues[index];
+        if (residue.entityKind == EntityKind::protein) return ResidueKind::protein;
+        if (residue.entityKind == EntityKind::nucleic) return ResidueKind::nucleic;
+        if (residue.entityKind == EntityKind::water) return ResidueKind::water;
+        const ResidueKind kind = kindByName(index);
+        return residue.entityKind == EntityKind::nonPolymer && isPolymer(kind) ? ResidueKind::ligand : kind;
+    }
+
+    bool hasAll(const Residue& residue, std::initializer_list<std::string_view> names) const {
+        return std::all_of(names.begin(), names.end(), [&](std::string_view name) {
+            for (std::uint32_t i = 0; i < residue.atomCount; ++i)
+                if (currentAtomName(molecule_.atoms[residue.firstAtom + i].name) == Name(name)) return true;
+            return false;
+        });
+    }
+
+private:
+    ResidueKind kindByName(std::uint32_t index) {
         const Residue& residue = molecule_.residues[index];
         // Waters come by the hundred thousand, one after another.
         if (!latestKnown_ || residue.name != latestName_) {
@@ -88,15 +119,6 @@ public:
         return ResidueKind::ligand;
     }
 
-private:
-    bool hasAll(const Residue& residue, std::initializer_list<std::string_view> names) const {
-        return std::all_of(names.begin(), names.end(), [&](std::string_view name) {
-            for (std::uint32_t i = 0; i < residue.atomCount; ++i)
-                if (currentAtomName(molecule_.atoms[residue.firstAtom + i].name) == Name(name)) return true;
-            return false;
-        });
-    }
-
     /// One atom, perhaps in several alternate locations.
     bool isSingleIon(const Residue& residue) const {
         if (residue.atomCount == 0 || residue.name == Name()) return false;
@@ -108,19 +130,86 @@ private:
     }
 
     const Molecule& molecule_;
-    std::vector<std::uint8_t> links_;
+    std::vector<std::uint8_t> links_;  ///< by residue: which kinds of backbone atom are bonded to another residue
     Name latestName_;
     std::optional<ResidueKind> latestKind_;
     bool latestKnown_ = false;
 };
 
+/// Runs of HETATM residues that are bonded to each other, where the file states no entities.
+class HeteroGroups {
+public:
+    HeteroGroups(const Molecule& molecule, const Links& links, const Classifier& classifier,
+                 const std::vector<ResidueKind>& kinds)
+        : molecule_(molecule), group_(molecule.residues.size()), chained_(molecule.residues.size()) {
+        std::iota(group_.begin(), group_.end(), 0u);
+        for (const auto& [a, b] : links)
+            if (isOpen(a->residue) && isOpen(b->residue)) group_[rootOf(a->residue)] = rootOf(b->residue);
+        for (const auto& [a, b] : links) {
+            if (linkOf(a->name) == 0 || linkOf(a->name) != linkOf(b->name)) continue;
+            if (isOpen(a->residue) && !isOpen(b->residue)) chained_[rootOf(a->residue)] = true;
+            if (isOpen(b->residue) && !isOpen(a->residue)) chained_[rootOf(b->residue)] = true;
+        }
+        std::map<std::uint32_t, std::size_t> members, polymers;  // by the last of the group
+        for (std::uint32_t i = 0; i < group_.size(); ++i)
+            if (group_[i] != i) ++members[rootOf(i)];  // besides the last of the group
+        for (std::uint32_t i = 0; i < group_.size(); ++i) {
+            if (!isOpen(i) || !isPolymer(kinds[i])) continue;
+            const Residue& residue = molecule.residues[i];
+            // Where backbones are not whole, as in models of alpha carbons, bonds tell nothing. A modified residue by
+            // itself may stand between gaps of its chain.
+            const bool whole =
+                classifier.hasAll(residue, {"N", "CA", "C"}) || classifier.hasAll(residue, {"C3'", "O3'"});
+            const bool modified = !residueTemplate(residue.name) || residue.name == Name("MSE");
+            const bool alone = members.count(rootOf(i)) == 0 && modified;
+            if (!whole || alone || ++polymers[rootOf(i)] > kMostOfInhibitor) chained_[rootOf(i)] = true;
+        }
+    }
+
+    /// Whether a residue is part of a group that no backbone joins to a polymer.
+    bool isApart(std::uint32_t residue) { return isOpen(residue) && !chained_[rootOf(residue)]; }
+
+private:
+    static constexpr std::size_t kMostOfInhibitor = 8;
+
+    bool isOpen(std::uint32_t residue) const {
+        const Residue& r = molecule_.residues[residue];
+        return r.entityKind == EntityKind::unknown && r.atomCount > 0 && molecule_.atoms[r.firstAtom].hetero;
+    }
+    std::uint32_t rootOf(std::uint32_t residue) {
+        while (group_[residue] != residue) residue = group_[residue] = group_[group_[residue]];
+        return residue;
+    }
+
+    const Molecule& molecule_;
+    std::vector<std::uint32_t> group_;  ///< another residue of the group, or itself
+    std::vector<bool> chained_;         ///< by the last of these
+};
+
+void makeInhibitorsLigands(const Molecule& molecule, const Links& links, const Classifier& classifier,
+                           std::vector<ResidueKind>& kinds) {
+    bool chain = false, hetero = false;
+    for (std::uint32_t i = 0; i < kinds.size(); ++i) {
+        const Residue& residue = molecule.residues[i];
+        const bool open = isPolymer(kinds[i]) && residue.entityKind == EntityKind::unknown && residue.atomCount > 0;
+        hetero = hetero || (open && molecule.atoms[residue.firstAtom].hetero);
+        chain = chain || (open && !molecule.atoms[residue.firstAtom].hetero);
+    }
+    if (!chain || !hetero) return;
+    HeteroGroups groups(molecule, links, classifier, kinds);
+    for (std::uint32_t i = 0; i < kinds.size(); ++i)
+        if (isPolymer(kinds[i]) && groups.isApart(i)) kinds[i] = ResidueKind::ligand;
+}
+
 }  // namespace
 
 std::vector<ResidueKind> residueKinds(const Molecule& molecule) {
-    Classifier classifier(molecule);
+    const Links links = linksOf(molecule);
+    Classifier classifier(molecule, links);
     std::vector<ResidueKind> kinds;
     kinds.reserve(molecule.residues.size());
     for (std::uint32_t i = 0; i < molecule.residues.size(); ++i) kinds.push_back(classifier.kindOf(i));
+    makeInhibitorsLigands(molecule, links, classifier, kinds);
     return kinds;
 }
 

@@ -10,10 +10,11 @@ namespace {
 
 /// One atom line for each "chain residue number atom".
 std::string line(char chain, const char* residue, int number, const char* atom, bool hetero = false,
-                 char alternate = ' ') {
+                 char alternate = ' ', double along = 0) {
     char text[128];
     std::snprintf(text, sizeof text, "%-6s%5d %-4s%c%3s %c%4d    %8.3f%8.3f%8.3f  1.00  0.00\n",
-                  hetero ? "HETATM" : "ATOM", 1, atom, alternate, residue, chain, number, number * 3.0, 0.0, 0.0);
+                  hetero ? "HETATM" : "ATOM", 1, atom, alternate, residue, chain, number, number * 3.0 + along, 0.0,
+                  0.0);
     return text;
 }
 
@@ -21,14 +22,14 @@ TEST(ChainSummary, SequenceLigandsIonsAndWater) {
     const std::string text =
         line('A', "ALA", 1, " CA ") + line('A', "MSE", 2, " CA ", true) + line('A', "HIE", 3, " CA ") +
         line('A', "SER", 4, " CA ", false, 'A') + line('A', "THR", 4, " CA ", false, 'B') +
-        line('A', "UNX", 5, " N  ") + line('A', "UNX", 5, " CA ") + line('A', "UNX", 5, " C  ") +
-        line('A', " ZN", 9, "ZN  ", true) + line('A', "XYL", 10, " C1 ", true) + line('A', "XYL", 10, " C2 ", true) +
-        line('B', " DA", 1, " P  ") + line('B', "  U", 2, " P  ") + line('B', "HOH", 3, " O  ", true) +
-        line('B', "HOH", 4, " O  ", true);
+        line('A', "UNX", 5, " N  ") + line('A', "UNX", 5, " CA ", false, ' ', 1) +
+        line('A', "UNX", 5, " C  ", false, ' ', 1.8) + line('A', "GLY", 6, " N  ") + line('A', " ZN", 9, "ZN  ", true) +
+        line('A', "XYL", 10, " C1 ", true) + line('A', "XYL", 10, " C2 ", true) + line('B', " DA", 1, " P  ") +
+        line('B', "  U", 2, " P  ") + line('B', "HOH", 3, " O  ", true) + line('B', "HOH", 4, " O  ", true);
     const auto chains = summariseChains(readMolecule("a.pdb", text));
     ASSERT_EQ(chains.size(), 2u);
-    EXPECT_EQ(chains[0].sequence, "AMHSX");  // a modified residue as its parent, an alternating one once
-    EXPECT_EQ(chains[0].aminoAcids, 5u);
+    EXPECT_EQ(chains[0].sequence, "AMHSXG");  // a modified residue as its parent, an alternating one once
+    EXPECT_EQ(chains[0].aminoAcids, 6u);
     EXPECT_EQ(chains[0].ions, (std::map<std::string, std::size_t>{{"ZN", 1}}));
     EXPECT_EQ(chains[0].ligands, (std::map<std::string, std::size_t>{{"XYL", 1}}));
     EXPECT_EQ(chains[1].sequence, "AU");

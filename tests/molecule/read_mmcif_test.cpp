@@ -53,6 +53,15 @@ TEST(ReadMmcif, FieldsOfAtoms) {
     EXPECT_EQ(molecule.file.chainsLabel, 2);
 }
 
+TEST(ReadMmcif, CountsTheChainThatHasNoName) {
+    const std::string columns = "label_atom_id label_asym_id auth_asym_id Cartn_x Cartn_y Cartn_z";
+    const Molecule nameless = readMolecule("a.cif", atomSite(columns, "C . . 0 0 0\nC . . 9 0 0\n"));
+    EXPECT_EQ(nameless.chains.size(), 1u);
+    EXPECT_EQ(nameless.file.chainsAuth, 1);
+    EXPECT_EQ(nameless.file.chainsLabel, 1);
+    EXPECT_EQ(readMolecule("a.cif", atomSite(columns, "C A . 0 0 0\nC B . 9 0 0\n")).file.chainsAuth, 2);
+}
+
 TEST(ReadMmcif, ModelsByPositionNotNumber) {
     ReadOptions options;
     options.model = 2;

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/error.h"
 #include "engine/molecule/element.h"
 #include "engine/molecule/formats/mmcif_model.h"
 #include "engine/molecule/text.h"
@@ -67,8 +66,7 @@ MmcifAtoms::MmcifAtoms(std::deque<MoleculeBuilder>& builders, const std::vector<
     }
     for (int axis = 0; axis < 3; ++axis)
         if (column_[axis] < 0)
-            throw Error("cannot read molecule", name(),
-                        std::string("the column _atom_site.Cartn_") + "xyz"[axis] + " is missing");
+            cannotRead(name(), std::string("the column _atom_site.Cartn_") + "xyz"[axis] + " is missing");
 }
 
 void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
@@ -105,10 +103,10 @@ void MmcifAtoms::addRow(const MmcifCell* cells, std::uint64_t line) {
 void MmcifAtoms::refuseLongCells(const MmcifCell* cells, std::uint64_t line) const {
     for (const int place : column_)
         if (place >= 0 && cells[place].textSize() > kLongestCell)
-            throw Error("cannot read molecule", name(),
-                        "a value in row " + std::to_string(rows_) + " of _atom_site is longer than " +
-                            std::to_string(kLongestCell) + " bytes",
-                        line > 0 ? std::optional<std::uint64_t>(line) : std::nullopt);
+            cannotRead(name(),
+                       "a value in row " + std::to_string(rows_) + " of _atom_site is longer than " +
+                           std::to_string(kLongestCell) + " bytes",
+                       line);
 }
 
 MoleculeBuilder& MmcifAtoms::builderOf(int index) {
@@ -121,8 +119,7 @@ int MmcifAtoms::modelIndex(std::string_view number) {
     if (lastIndex_ > 0 && number == lastModel_) return lastIndex_;
     lastModel_ = std::string(number);
     lastIndex_ = models_.emplace(lastModel_, static_cast<int>(models_.size()) + 1).first->second;
-    if (models_.size() > kMaxModels)
-        throw Error("cannot read molecule", name(), "it has more than " + std::to_string(kMaxModels) + " models");
+    if (models_.size() > kMaxModels) cannotRead(name(), "it has more than " + std::to_string(kMaxModels) + " models");
     return lastIndex_;
 }
 
@@ -134,7 +131,7 @@ float MmcifAtoms::coordinate(const MmcifCell* cells, int axis, std::uint64_t lin
     const std::string why = std::string("Cartn_") + "xyz"[axis] + " of row " + std::to_string(rows_) +
                             " of _atom_site is not a finite number within 1e9: '" +
                             (given.missing() ? "?" : printable(given.text(buffer))) + "'";
-    throw Error("cannot read molecule", name(), why, line > 0 ? std::optional<std::uint64_t>(line) : std::nullopt);
+    cannotRead(name(), why, line);
 }
 
 float MmcifAtoms::property(const MmcifCell& given, float otherwise, MoleculeBuilder& builder) {
@@ -153,8 +150,9 @@ void MmcifAtoms::countChains(const MmcifCell* cells) {
         last = std::string(chain);
         all.emplace(last, true);
     };
-    if (!cell(cells, authAsym).missing()) count(text(cells, authAsym), lastAuth_, authChains_);
-    if (!cell(cells, labelAsym).missing()) count(text(cells, labelAsym), lastLabel_, labelChains_);
+    // Where the file writes '.', its chain has no name, and is one all the same.
+    if (column_[authAsym] >= 0) count(text(cells, authAsym, labelAsym), lastAuth_, authChains_);
+    if (column_[labelAsym] >= 0) count(text(cells, labelAsym), lastLabel_, labelChains_);
 }
 
 std::uint32_t MmcifAtoms::entityIndex(const MmcifCell& given) {
@@ -168,8 +166,8 @@ std::uint32_t MmcifAtoms::entityIndex(const MmcifCell& given) {
 void MmcifAtoms::summarise(FileSummary& file) const {
     const auto models = static_cast<std::int64_t>(models_.size());
     if (rows_ > 0 && wantedFrom_ > models)
-        throw Error("cannot read molecule", name(),
-                    "there is no model " + std::to_string(wantedFrom_) + "; the file has " + std::to_string(models));
+        cannotRead(name(),
+                   "there is no model " + std::to_string(wantedFrom_) + "; the file has " + std::to_string(models));
     file.models = models;
     file.totalAtomsAllModels = rows_;
     if (column_[authAsym] >= 0) file.chainsAuth = static_cast<std::int64_t>(authChains_.size());

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 
-#include "engine/error.h"
 #include "engine/molecule/floating_point.h"
 #include "engine/molecule/text.h"
 
@@ -79,6 +78,8 @@ bool MmcifModel::isKept(std::string_view category) {
     static constexpr std::string_view kKept[] = {"atom_site",
                                                  "struct",
                                                  "struct_conn",
+                                                 "entity",
+                                                 "entity_poly",
                                                  "pdbx_struct_assembly",
                                                  "pdbx_struct_assembly_gen",
                                                  "pdbx_struct_oper_list",
@@ -120,7 +121,7 @@ bool MmcifModel::beginCategory(const std::string& category, const std::vector<st
     if (done_) return false;
     const bool fractional = hasColumn(columns, "fract_") && !hasColumn(columns, "cartn_");
     if (category == "atom_site" && !fractional) {
-        if (atoms_) throw Error("cannot read molecule", builders_.front().name(), "_atom_site occurs twice", line);
+        if (atoms_) cannotRead(builders_.front().name(), "_atom_site occurs twice", line);
         atoms_ = std::make_unique<MmcifAtoms>(builders_, columns, options_, lastModel_);
         table_ = nullptr;
         return true;
@@ -135,7 +136,7 @@ bool MmcifModel::beginCategory(const std::string& category, const std::vector<st
 
 void MmcifModel::expectRows(std::size_t rows, std::size_t columns) const {
     if (rows > 0 && columns > (mostCells_ - std::min(cells_, mostCells_)) / rows)
-        throw Error("cannot read molecule", builders_.front().name(), "a category is too long");
+        cannotRead(builders_.front().name(), "a category is too long");
 }
 
 void MmcifModel::addRow(const std::vector<MmcifCell>& cells, std::uint64_t line) {
@@ -144,14 +145,13 @@ void MmcifModel::addRow(const std::vector<MmcifCell>& cells, std::uint64_t line)
         return;
     }
     cells_ += cells.size();
-    if (cells_ > mostCells_)
-        throw Error("cannot read molecule", builders_.front().name(), "a category is too long", line);
+    if (cells_ > mostCells_) cannotRead(builders_.front().name(), "a category is too long", line);
     for (const MmcifCell& cell : cells) {
         table_->cells.push_back(kept(cell));
         cellBytes_ += table_->cells.back().size();
     }
     if (cellBytes_ > document_.size() + kMostRepeatedBytes)
-        throw Error("cannot read molecule", builders_.front().name(), "the texts of a category are too long", line);
+        cannotRead(builders_.front().name(), "the texts of a category are too long", line);
 }
 
 /// A hostile document may refer to one long text from every cell: it is kept once, where it lies.
@@ -166,15 +166,39 @@ std::string_view MmcifModel::kept(const MmcifCell& cell) {
     return copies_.emplace_back(text);
 }
 
+/// Of each of the entities that atoms are of.
+std::vector<EntityKind> MmcifModel::entityKinds() {
+    std::map<std::string_view, EntityKind> kinds;
+    const MmcifTable &entities = tables_["entity"], &polymers = tables_["entity_poly"];
+    for (std::size_t row = 0; row < entities.rows(); ++row) {
+        const std::string type = lowerCase(entities.get(row, {"type"}).value_or(""));
+        const bool small = type == "non-polymer" || type == "branched" || type == "macrolide";
+        kinds[entities.get(row, {"id"}).value_or("")] = small             ? EntityKind::nonPolymer
+                                                        : type == "water" ? EntityKind::water
+                                                                          : EntityKind::unknown;
+    }
+    for (std::size_t row = 0; row < polymers.rows(); ++row) {
+        const std::string type = lowerCase(polymers.get(row, {"type"}).value_or(""));
+        EntityKind& kind = kinds[polymers.get(row, {"entity_id"}).value_or("")];
+        if (startsWith(type, "polypeptide")) kind = EntityKind::protein;
+        if (type.find("ribonucleotide") != std::string::npos) kind = EntityKind::nucleic;
+    }
+    std::vector<EntityKind> ofAtoms;
+    for (const std::string& name : atoms_->entities()) ofAtoms.push_back(kinds[name]);
+    return ofAtoms;
+}
+
 /// What the small categories say of each model.
 void MmcifModel::finishModels(FileSummary& file) {
     atoms_->summarise(file);
     // Each model looks at all of these.
     if (builders_.size() > kMostCellsOfModels / std::max<std::size_t>(cells_, 1))
-        throw Error("cannot read molecule", builders_.front().name(),
-                    "it has too many models for its connections and helices");
+        cannotRead(builders_.front().name(), "it has too many models for its connections and helices");
+    const std::vector<EntityKind> kinds = entityKinds();
     for (MoleculeBuilder& builder : builders_) {
         builder.molecule().entities = atoms_->entities();
+        for (Residue& residue : builder.molecule().residues)
+            if (residue.entity > 0) residue.entityKind = kinds[residue.entity - 1];
         addStructConnBonds(builder, tables_["struct_conn"]);
         addSecondaryStructure(builder, tables_["struct_conf"], tables_["struct_sheet_range"]);
     }
@@ -191,20 +215,18 @@ std::vector<Molecule> MmcifModel::finish(const std::string& format) {
         titleOf = "struct";
         finishModels(file);
     } else if (tables_["chem_comp_atom"].rows() > 0) {
-        if (options_.model > 1)
-            throw Error("cannot read molecule", builder.name(), "a chemical component has only model 1");
+        if (options_.model > 1) cannotRead(builder.name(), "a chemical component has only model 1");
         addComponent(builder, tables_["chem_comp_atom"], tables_["chem_comp_bond"]);
         file.format = format + "-chem_comp";
     } else if (tables_["atom_site"].rows() > 0) {
-        if (options_.model > 1)
-            throw Error("cannot read molecule", builder.name(), "a small-molecule CIF has only model 1");
+        if (options_.model > 1) cannotRead(builder.name(), "a small-molecule CIF has only model 1");
         titleOf = "chemical";
         const bool old = tables_["symmetry_equiv"].rows() > 0;
         addSmallMolecule(
             builder, {tables_["atom_site"], tables_["cell"], tables_[old ? "symmetry_equiv" : "space_group_symop"]});
         file.format = "cif-core";
     } else {
-        throw Error("cannot read molecule", builder.name(), "it has no _atom_site rows, so no atoms");
+        cannotRead(builder.name(), "it has no _atom_site rows, so no atoms");
     }
     summarise(file, titleOf);
     std::vector<Molecule> models;

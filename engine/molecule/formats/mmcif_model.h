@@ -151,6 +151,7 @@ public:
 
 private:
     std::string_view kept(const MmcifCell& cell);
+    std::vector<EntityKind> entityKinds();
     void finishModels(FileSummary& file);
     void summarise(FileSummary& file, const char* titleOf);
 
