@@ -44,7 +44,10 @@ bool sayTorn(const Motion& motion, const std::string& path) {
     if (motion.torn())
         sayWarning("frame " + std::to_string(*motion.torn() + 1) + " of " + path +
                    " is fitted with molecules that the periodic box cuts: --whole puts them together");
-    return motion.torn().has_value();
+    if (motion.boxless())
+        sayNote("frame " + std::to_string(*motion.boxless() + 1) + " of " + path +
+                " has no periodic box: --whole has nothing to put together there");
+    return motion.torn() || motion.boxless();
 }
 
 void movePositions(Molecule& molecule, const std::vector<glm::vec3>& positions) {

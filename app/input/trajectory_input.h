@@ -18,7 +18,8 @@ MotionOptions motionOptions(const TrajectoryOptions& options, const Molecule& mo
 /// @throws Error if its atoms are not those of the molecule, or nothing is selected to fit
 std::unique_ptr<Motion> openMotion(const TrajectoryOptions& options, const Molecule& molecule);
 
-/// Warns of frames that were read, and are laid by molecules that the periodic box cuts. @returns whether it did
+/// Warns of frames that were read and are fitted by molecules that the periodic box cuts, and notes those without a box
+/// that were to be made whole. @returns whether it did
 bool sayTorn(const Motion& motion, const std::string& path);
 
 /// Puts the atoms where the frame of the options has them. Without a trajectory nothing happens. @throws Error

@@ -165,6 +165,45 @@ TEST(Motion, LaysMoleculesThatTheBoxPartedAsIfItHadNot) {
     EXPECT_FALSE(whole.torn());
 }
 
+/// The same molecules, of which only some frames have a box.
+class Boxless : public Trajectory {
+public:
+    explicit Boxless(std::vector<bool> boxes) : boxes_(std::move(boxes)) {
+        atoms_ = 4;
+        frames_ = boxes_.size();
+    }
+
+private:
+    void readFrame(std::size_t frame, TrajectoryFrame& result) override {
+        // The second molecule stands at the other side of the box, and its bond goes through it.
+        result.positions = {{1, 1, 1}, {2.5f, 1, 1}, {19.5f, 5, 1}, {1, 5, 1}};
+        if (boxes_[frame]) result.box = {glm::vec3(20, 0, 0), glm::vec3(0, 20, 0), glm::vec3(0, 0, 20)};
+    }
+    std::vector<bool> boxes_;
+};
+
+TEST(Motion, MakesNothingWholeWithoutABox) {
+    const Molecule molecule = readMolecule("m.xyz", "4\n\nC 1 1 1\nC 2.5 1 1\nC 0 5 1\nC 1.5 5 1\n");
+    ASSERT_EQ(molecule.bonds.size(), 2u);
+    for (const std::vector<std::uint32_t>& fitted : {std::vector<std::uint32_t>{}, {0, 1, 2}}) {
+        MotionOptions options;
+        options.whole = true;
+        options.fitted = fitted;
+        for (const std::vector<bool>& boxes : {std::vector<bool>{false, true}, {true, false}, {false, false}}) {
+            Motion motion(std::make_unique<Boxless>(boxes), molecule, options);
+            for (const std::size_t frame : {1u, 0u, 1u}) {
+                const std::vector<glm::vec3> made = motion.positions(frame);
+                const float bond = glm::distance(made[2], made[3]);
+                EXPECT_NEAR(bond, boxes[frame] ? 1.5f : 18.5f, 1e-3f) << fitted.size() << frame;
+            }
+            EXPECT_TRUE(motion.boxless());
+        }
+        Motion boxed(std::make_unique<Boxless>(std::vector<bool>{true, true}), molecule, options);
+        boxed.positions(1);
+        EXPECT_FALSE(boxed.boxless());
+    }
+}
+
 // What else is stated of the same atoms does not stand in the way of fitting models; other atoms do, and are named.
 TEST(ModelTrajectory, IsOfPlacesAloneIfThatIsWanted) {
     const auto model = [](const char* name, const char* x, const char* factor) {

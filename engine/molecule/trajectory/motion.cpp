@@ -40,6 +40,7 @@ void Motion::change(MotionOptions options, const Molecule& molecule) {
     steps_.clear();
     ways_.clear();
     torn_.reset();
+    boxless_.reset();
     firstOf_.resize(molecule.atoms.size());
     std::iota(firstOf_.begin(), firstOf_.end(), std::uint32_t{0});
     if (options_.whole) findSteps(molecule);
@@ -157,8 +158,11 @@ std::vector<glm::dvec3> Motion::fittedOf(const std::vector<glm::vec3>& positions
 Motion::Kept Motion::lay(std::size_t frame) {
     TrajectoryFrame read = trajectory_->read(frame);
     if (options_.whole && read.box) makeWhole(read.positions, *read.box);
+    if (options_.whole && !read.box && !boxless_) boxless_ = frame;
     if (frame > 0 && !options_.fitted.empty() && first_.empty()) first_ = fittedOf(lay(0).positions);
-    if (!fittedOfMolecules_.empty() && read.box) gather(read.positions, *read.box, frame == 0);
+    // Without a box the first frame shows no ways between molecules that others could have.
+    if (!fittedOfMolecules_.empty() && read.box && (frame == 0 || !ways_.empty()))
+        gather(read.positions, *read.box, frame == 0);
     if (!torn_ && read.box && isTorn(read.positions, *read.box)) torn_ = frame;
     Kept kept{frame, std::move(read.positions), read.box, {}, read.time};
     if (options_.fitted.empty()) return kept;

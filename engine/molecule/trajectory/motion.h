@@ -43,6 +43,9 @@ public:
     std::optional<double> time() const { return time_; }
     /// A frame that was read, from 0, whose fitted atoms have bonds across the periodic box: what is laid is torn.
     std::optional<std::size_t> torn() const { return torn_; }
+    /// A frame that was read, from 0, that has no periodic box though molecules are to be made whole: it stays as it
+    /// is.
+    std::optional<std::size_t> boxless() const { return boxless_; }
 
 private:
     /// A frame as it was read, and whole if that is wanted; where it is to be laid is `onto`.
@@ -78,7 +81,7 @@ private:
     std::vector<Step> fittedBonds_;       // of fitted atoms, where nothing is made whole
     std::vector<std::vector<std::uint32_t>> fittedOfMolecules_;  // fitted atoms by the molecule that is made whole
     std::vector<glm::vec3> ways_;  // from the first of these molecules to each, in the first frame
-    std::optional<std::size_t> torn_;
+    std::optional<std::size_t> torn_, boxless_;
     std::deque<Kept> kept_;
     double rmsd_ = 0;
     std::optional<double> time_;
