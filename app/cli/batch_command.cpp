@@ -190,7 +190,7 @@ private:
     /// What the line says of its files, whatever else is wrong with it.
     static JobJson toldOf(const BatchLine& line) {
         JobJson told = {{"job", line.number}, {"input", nullptr}, {"output", nullptr}};
-        const JobJson job = JobJson::parse(line.text, nullptr, false);
+        const JobJson job = parseJson<JobJson>(line.text);
         for (const char* name : {"input", "output"})
             if (job.is_object() && job.contains(name)) told[name] = job[name];
         return told;

@@ -121,7 +121,12 @@ OptionSpec recorded(OptionSpec option, std::vector<OptionValue>& values) {
 
 std::vector<OptionValue> optionValuesOf(const std::string& json, const CommandSpec& command) {
     std::string twice;
-    const Json object = parseJson<Json>(json, twice);
+    Json object;
+    try {
+        object = parseJson<Json>(json, twice);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
     if (!object.is_object()) throw UsageError("it is no JSON object");
     if (!twice.empty()) refuse(twice, "it is there twice");
     std::vector<OptionValue> values;

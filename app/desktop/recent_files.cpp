@@ -4,6 +4,7 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "app/files/json_text.h"
 #include "app/picture/srgb.h"
@@ -48,7 +49,8 @@ RecentFiles::RecentFiles(std::string path) : path_(std::move(path)) {
     std::error_code none;
     if (path_.empty() || std::filesystem::file_size(path_, none) > kLargestList || none) return;
     std::ifstream in(path_);
-    const nlohmann::json list = nlohmann::json::parse(in, nullptr, false);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    const auto list = parseJson<nlohmann::json>(text);
     if (!list.is_array()) return;
     for (const auto& entry : list) {
         if (files_.size() == kMost || !entry.is_object() || !entry.contains("input") || !entry["input"].is_string())

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/download/partial_file.h"
+#include "app/files/json_text.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -82,7 +83,7 @@ std::string addressOf(const Source& source, const std::string& accession, const 
     HttpLimits limits = settings.limits;
     limits.maxBytes = kLargestList;
     get(source.url, limits, body, settings);
-    const auto list = nlohmann::json::parse(body.bytes(), nullptr, false);
+    const auto list = parseJson<nlohmann::json>(body.bytes());
     const auto fail = [&](const char* why) { throw FailureAt(source.url, why); };
     if (!list.is_array()) fail("the answer is no list of predictions");
     if (list.empty()) fail("there is no such entry");

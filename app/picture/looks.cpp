@@ -26,7 +26,7 @@ bool isLookKey(const std::string& key) {
 Look lookFromFile(const std::string& path) {
     Look look{path, "", {}};
     const SavedView view = readSavedView(path);  // judges every key and value
-    const auto keys = OrderedJson::parse(readViewText(path));
+    const auto keys = parseJson<OrderedJson>(readViewText(path));
     for (const auto& [key, value] : keys.items())
         if (isLookKey(key)) look.options.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
     return look;

@@ -268,7 +268,12 @@ void setViewKey(const std::string& key, const std::string& value, SavedView& vie
 
 SavedView parseSavedView(const std::string& json, const std::string& name) {
     std::string twice;
-    const Json object = parseJson<Json>(json, twice);
+    Json object;
+    try {
+        object = parseJson<Json>(json, twice);
+    } catch (const std::invalid_argument& error) {
+        throw Error("cannot read view", name, error.what());
+    }
     if (!object.is_object()) throw Error("cannot read view", name, "it is no JSON object");
     if (!twice.empty()) throw Error("cannot read view", name, "\"" + twice + "\": it is there twice");
     SavedView view;

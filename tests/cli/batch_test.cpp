@@ -155,6 +155,17 @@ TEST(Batch, OptionsOfTheCommandLineHoldForAllAndJobsPrevail) {
     EXPECT_EQ(nacreIn(folder, "batch").code, 2);
 }
 
+TEST(Batch, GoesOnAfterAJobThatIsNestedTooDeep) {
+    const TemporaryFolder folder;
+    const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
+    writeJobs(folder, {R"({"input": "sample:glucose", "output": )" + deep + "}", job("sample:glucose", "b.png")});
+    const Outcome outcome = nacreIn(folder, std::string("batch jobs.jsonl") + kSmall);
+    EXPECT_EQ(outcome.code, 1) << outcome.err;
+    auto report = reportOf(outcome.out);
+    EXPECT_EQ(report.at(1)["error"], "it is nested more than 64 levels deep");
+    EXPECT_EQ(report.at(2)["status"], "done");
+}
+
 TEST(Batch, ResumesWhereFilesAreMissing) {
     const TemporaryFolder folder;
     writeJobs(folder, {job("sample:glucose", "a.png"), job("sample:glucose", "b.png", R"("stats": "b.json")"),

@@ -90,6 +90,25 @@ TEST(SavedView, BadFilesAreRefusedByTheirKey) {
     EXPECT_THROW(readSavedView("/nowhere/v.json"), Error);
 }
 
+TEST(SavedView, IsRefusedWhereItIsNestedTooDeep) {
+    const auto nested = [](std::size_t levels) {
+        return R"({"title": ")" + std::string(100, '[') + R"(\"", "rules": )" + std::string(levels, '[') +
+               std::string(levels, ']') + "}";
+    };
+    const auto faultOf = [](const std::string& json) -> std::string {
+        try {
+            parseSavedView(json, "v.json");
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return "";
+    };
+    const std::string tooDeep = "cannot read view: v.json: it is nested more than 64 levels deep";
+    EXPECT_EQ(faultOf(nested(64)), tooDeep);
+    EXPECT_EQ(faultOf(nested(100'000)), tooDeep);
+    EXPECT_NE(faultOf(nested(63)), tooDeep) << "brackets in strings do not count";
+}
+
 TEST(SavedView, ManyKeysAreNoBurden) {
     std::string text = "{";
     for (int i = 0; i < 131'000; ++i) text += "\"k" + std::to_string(i) + "\":1,";
