@@ -28,6 +28,8 @@ static_assert(std::size(kElementNames) == 120);
 
 }  // namespace
 
-std::string_view elementName(Element element) { return element < std::size(kElementNames) ? kElementNames[element] : kElementNames[0]; }
+std::string_view elementName(Element element) {
+    return element < std::size(kElementNames) ? kElementNames[element] : kElementNames[0];
+}
 
 }  // namespace nacre::app

@@ -6,8 +6,8 @@
 
 #include "app/download/database_id.h"
 #include "app/download/load_molecule.h"
-#include "app/files/printable.h"
 #include "app/drawing/scenes.h"
+#include "app/files/printable.h"
 #include "app/input/input_files.h"
 #include "app/input/trajectory_input.h"
 #include "app/viewer/local_molecules.h"

@@ -6,8 +6,8 @@
 
 #include "app/files/messages.h"
 #include "engine/error.h"
-#include "engine/molecule/matched_atoms.h"
 #include "engine/molecule/join_models.h"
+#include "engine/molecule/matched_atoms.h"
 #include "engine/molecule/superpose.h"
 
 namespace nacre::app {

@@ -1,3 +1,5 @@
+#include "app/annotation/layout.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <numeric>
 #include <tuple>
 
-#include "app/annotation/layout.h"
 #include "app/annotation/painter.h"
 #include "app/annotation/visual_text.h"
 #include "engine/molecule/read.h"

@@ -124,14 +124,21 @@ TEST(SeveralInputs, AreLaidOntoEachOther) {
     // By numpy's SVD (Kabsch's way) from the same numbers.
     EXPECT_NE(bent.err.find("8 pairs of atoms, RMSD 0.242 Å"), std::string::npos) << bent.err;
     EXPECT_EQ(bent.err.find("no sense"), std::string::npos) << bent.err;
-    // Other residues in other places; and the same residues, in places that say otherwise.
-    std::string other = turned(0, 3);
-    for (std::size_t at; (at = other.find("ALA")) != std::string::npos;) other.replace(at, 3, "TRP");
-    for (std::size_t at; (at = other.find("GLY")) != std::string::npos;) other.replace(at, 3, "LYS");
+    // Other residues in other places, which BLOSUM62 pairs, or which have nothing in common; and the same residues, in
+    // places that say otherwise.
+    const auto named = [](const char* alanine, const char* glycine) {
+        std::string text = turned(0, 3);
+        for (std::size_t at; (at = text.find("ALA")) != std::string::npos;) text.replace(at, 3, alanine);
+        for (std::size_t at; (at = text.find("GLY")) != std::string::npos;) text.replace(at, 3, glycine);
+        return text;
+    };
     std::ofstream(folder / "d.pdb") << turned(0, 30);
-    std::ofstream(folder / "e.pdb") << other;
+    std::ofstream(folder / "e.pdb") << named("SER", "ASN");
+    std::ofstream(folder / "f.pdb") << named("TRP", "LYS");
     const Outcome far = nacreIn(folder, "render a.pdb d.pdb --fit /d /a" + kSmall),
-                  unlike = nacreIn(folder, "render d.pdb e.pdb --fit /d /e" + kSmall);
+                  unlike = nacreIn(folder, "render d.pdb e.pdb --fit /d /e" + kSmall),
+                  strange = nacreIn(folder, "render d.pdb f.pdb --fit /d /f" + kSmall);
+    EXPECT_NE(strange.err.find("fewer than three of its atoms have their like"), std::string::npos) << strange.err;
     EXPECT_NE(far.err.find("may make no sense: 8 of 8 residues have their like"), std::string::npos) << far.err;
     EXPECT_NE(unlike.err.find("may make no sense: 0 of 8 residues have their like"), std::string::npos) << unlike.err;
 }

@@ -45,8 +45,7 @@ TEST(MatchedAtoms, PairsTheResiduesThatBiopythonPairs) {
         test::MoleculeText text;
         int number = 0;
         for (const std::string& sequence : {sequences.first, sequences.second})
-            for (const char letter : sequence)
-                text.residue(residueOf(letter), ++number).atom("CA", "C", {0, 0, 0});
+            for (const char letter : sequence) text.residue(residueOf(letter), ++number).atom("CA", "C", {0, 0, 0});
         const auto second = static_cast<std::uint32_t>(sequences.first.size());
         std::vector<bool> first(text.molecule.atoms.size()), other(first.size());
         for (std::uint32_t i = 0; i < first.size(); ++i) (i < second ? first : other)[i] = true;
