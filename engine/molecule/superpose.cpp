@@ -10,10 +10,10 @@
 namespace nacre {
 namespace {
 
-glm::dvec3 middle(std::span<const glm::dvec3> points, std::size_t count) {
+glm::dvec3 middle(std::span<const glm::dvec3> points) {
     glm::dvec3 sum{};
-    for (std::size_t i = 0; i < count; ++i) sum += points[i];
-    return sum / static_cast<double>(std::max<std::size_t>(count, 1));
+    for (const glm::dvec3& point : points) sum += point;
+    return sum / static_cast<double>(points.size());
 }
 
 /// The shortest turn that takes one unit vector to another.
@@ -26,40 +26,39 @@ glm::dmat3 turnFromTo(const glm::dvec3& from, const glm::dvec3& to) {
     return glm::mat3_cast(glm::angleAxis(angle, glm::normalize(glm::cross(from, aside))));
 }
 
-double rmsdOf(const Superposition& s, std::span<const glm::dvec3> fixed, std::span<const glm::dvec3> moving,
-              std::size_t count) {
+double rmsdOf(const Superposition& s, std::span<const glm::dvec3> fixed, std::span<const glm::dvec3> moving) {
     double sum = 0;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < fixed.size(); ++i) {
         const glm::dvec3 d = s(moving[i]) - fixed[i];
         sum += glm::dot(d, d);
     }
-    return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(count, 1)));
+    return std::sqrt(sum / static_cast<double>(fixed.size()));
 }
 
 /// From the middle to the point farthest from it.
-glm::dvec3 farthestFrom(const glm::dvec3& middle, std::span<const glm::dvec3> points, std::size_t count) {
+glm::dvec3 farthestFrom(const glm::dvec3& middle, std::span<const glm::dvec3> points) {
     glm::dvec3 farthest{};
-    for (std::size_t i = 0; i < count; ++i)
-        if (glm::length(points[i] - middle) > glm::length(farthest)) farthest = points[i] - middle;
+    for (const glm::dvec3& point : points)
+        if (glm::length(point - middle) > glm::length(farthest)) farthest = point - middle;
     return farthest;
 }
 
 /// On a line, or at one place, within a ten thousandth of their extent.
-bool onALine(std::span<const glm::dvec3> points, std::size_t count) {
-    const glm::dvec3 m = middle(points, count), line = farthestFrom(m, points, count);
+bool onALine(std::span<const glm::dvec3> points) {
+    const glm::dvec3 m = middle(points), line = farthestFrom(m, points);
     const double length = glm::length(line);
-    for (std::size_t i = 0; i < count; ++i)
-        if (glm::length(glm::cross(points[i] - m, line)) > 1e-4 * length * length) return false;
-    return true;
+    return std::all_of(points.begin(), points.end(), [&](const glm::dvec3& point) {
+        return !(glm::length(glm::cross(point - m, line)) > 1e-4 * length * length);
+    });
 }
 
 /// Points on a line determine no turn about it: of all best motions the one that turns least.
-Superposition superposeLines(std::span<const glm::dvec3> fixed, std::span<const glm::dvec3> moving, std::size_t count) {
-    const glm::dvec3 a = middle(fixed, count), b = middle(moving, count);
-    const bool fixedLine = onALine(fixed, count);
-    const glm::dvec3 line = fixedLine ? farthestFrom(a, fixed, count) : farthestFrom(b, moving, count);
+Superposition superposeLines(std::span<const glm::dvec3> fixed, std::span<const glm::dvec3> moving) {
+    const glm::dvec3 a = middle(fixed), b = middle(moving);
+    const bool fixedLine = onALine(fixed);
+    const glm::dvec3 line = fixedLine ? farthestFrom(a, fixed) : farthestFrom(b, moving);
     glm::dvec3 other{};
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < fixed.size(); ++i)
         other +=
             fixedLine ? glm::dot(fixed[i] - a, line) * (moving[i] - b) : glm::dot(moving[i] - b, line) * (fixed[i] - a);
     Superposition s;
@@ -67,29 +66,28 @@ Superposition superposeLines(std::span<const glm::dvec3> fixed, std::span<const 
         s.rotation = fixedLine ? turnFromTo(glm::normalize(other), glm::normalize(line))
                                : turnFromTo(glm::normalize(line), glm::normalize(other));
     s.shift = a - s.rotation * b;
-    s.rmsd = rmsdOf(s, fixed, moving, count);
+    s.rmsd = rmsdOf(s, fixed, moving);
     return s;
 }
 
 }  // namespace
 
 Superposition superpose(std::span<const glm::dvec3> fixed, std::span<const glm::dvec3> moving) {
-    const std::size_t count = std::min(fixed.size(), moving.size());
     // The polynomial has no answer for them, or any.
-    if (onALine(fixed, count) || onALine(moving, count)) return superposeLines(fixed, moving, count);
+    if (onALine(fixed) || onALine(moving)) return superposeLines(fixed, moving);
     const auto positions = [&](std::span<const glm::dvec3> points) {
         std::vector<gemmi::Position> list;
-        list.reserve(count);
-        for (std::size_t i = 0; i < count; ++i) list.emplace_back(points[i].x, points[i].y, points[i].z);
+        list.reserve(points.size());
+        for (const glm::dvec3& p : points) list.emplace_back(p.x, p.y, p.z);
         return list;
     };
     const std::vector<gemmi::Position> a = positions(fixed), b = positions(moving);
-    const gemmi::SupResult result = gemmi::superpose_positions(a.data(), b.data(), count, nullptr);
+    const gemmi::SupResult result = gemmi::superpose_positions(a.data(), b.data(), a.size(), nullptr);
     Superposition s;
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column) s.rotation[column][row] = result.transform.mat[row][column];
     s.shift = {result.transform.vec.x, result.transform.vec.y, result.transform.vec.z};
-    s.rmsd = rmsdOf(s, fixed, moving, count);
+    s.rmsd = rmsdOf(s, fixed, moving);
     return s;
 }
 

@@ -3,13 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <map>
 #include <vector>
 
 namespace nacre {
 
 /// A table where files number their atoms one after the other, as they do; where one does not, and its table would be
-/// mostly holes, a sorted list. No hash, for which a file could choose numbers that collide.
+/// mostly holes, a tree. No hash, for which a file could choose numbers that collide.
 class IdIndex {
 public:
     enum class Found : std::uint8_t { none, one, several };
@@ -23,13 +23,8 @@ public:
     bool repeats() const { return repeats_; }
 
 private:
-    using Entry = std::pair<std::int64_t, std::uint32_t>;
-    void fillTable(const std::vector<std::int64_t>& ids, std::size_t size);
-    void sortEntries(const std::vector<std::int64_t>& ids);
-    Found findSorted(std::int64_t id, std::uint32_t& atom) const;
-
     std::vector<std::uint32_t> table_;
-    std::vector<Entry> entries_;
+    std::map<std::int64_t, std::uint32_t> tree_;  ///< without a table
     bool repeats_ = false;
 };
 

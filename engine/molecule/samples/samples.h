@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "engine/molecule/molecule.h"
+#include "engine/molecule/formats/molecule_builder.h"
 
 namespace nacre {
 
@@ -16,19 +16,25 @@ class SampleBuilder {
 public:
     explicit SampleBuilder(std::string_view title);
 
-    void chain(std::string_view name);
+    void chain(std::string_view name) { chain_ = name; }
     /// A residue of the latest chain; `hetero` marks its atoms.
-    void residue(std::string_view name, std::int32_t number, bool hetero);
+    void residue(std::string_view name, std::int32_t number, bool hetero) {
+        residue_ = name;
+        number_ = number;
+        hetero_ = hetero;
+    }
     /// An atom of the latest residue; returns its index. The position is in Å.
     std::uint32_t atom(std::string_view name, std::string_view symbol, glm::dvec3 position);
     /// A bond between two atoms of different index.
-    void bond(std::uint32_t a, std::uint32_t b, std::uint8_t order);
+    void bond(std::uint32_t a, std::uint32_t b, std::uint8_t order) { builder_.addBond(a, b, order, 0); }
 
     /// The molecule with its summary filled in and its bonds sorted.
     Molecule finish();
 
 private:
-    Molecule molecule_;
+    MoleculeBuilder builder_;
+    std::string chain_, residue_;
+    std::int32_t number_ = 0;
     bool hetero_ = false;
 };
 

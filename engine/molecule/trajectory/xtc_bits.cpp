@@ -46,57 +46,28 @@ private:
     bool over_ = false;
 };
 
-/// A number of up to 72 bits, by 32-bit digits, the lowest first: wide enough for three of 24 bits.
-struct WideNumber {
-    std::array<std::uint32_t, 3> digits{};
-
-    void multiply(std::uint32_t factor) {
-        std::uint64_t carry = 0;
-        for (std::uint32_t& digit : digits) {
-            carry += std::uint64_t{digit} * factor;
-            digit = static_cast<std::uint32_t>(carry);
-            carry >>= 32;
-        }
-    }
-    std::uint32_t divide(std::uint32_t divisor) {  // to the quotient; returns the remainder
-        std::uint64_t rest = 0;
-        for (std::size_t i = digits.size(); i-- > 0;) {
-            rest = rest << 32 | digits[i];
-            digits[i] = static_cast<std::uint32_t>(rest / divisor);
-            rest %= divisor;
-        }
-        return static_cast<std::uint32_t>(rest);
-    }
-    unsigned width() const {
-        for (std::size_t i = digits.size(); i-- > 0;)
-            if (digits[i]) return static_cast<unsigned>(32 * i) + static_cast<unsigned>(std::bit_width(digits[i]));
-        return 0;
-    }
-};
+/// Wide enough for the product of three numbers of 24 bits.
+__extension__ using WideNumber = unsigned __int128;
 
 unsigned widthOf(const std::array<std::uint32_t, 3>& sizes) {
-    WideNumber product{{1, 0, 0}};
-    for (const std::uint32_t size : sizes) product.multiply(size);
-    return product.width();
+    unsigned width = 0;
+    for (WideNumber product = WideNumber{sizes[0]} * sizes[1] * sizes[2]; product > 0; product >>= 1) ++width;
+    return width;
+}
+
+template <typename Number>
+GridPoint takePacked(BitReader& bits, unsigned width, const std::array<std::uint32_t, 3>& sizes) {
+    Number value = 0;
+    for (unsigned shift = 0; shift < width; shift += 8)
+        value |= Number{bits.take(std::min(8u, width - shift))} << shift;
+    const auto z = static_cast<std::int64_t>(value % sizes[2]);
+    value /= sizes[2];
+    return {static_cast<std::int64_t>(value / sizes[1]), static_cast<std::int64_t>(value % sizes[1]), z};
 }
 
 /// Three numbers below their sizes, packed together: bytes from the lowest on, the last one short.
 GridPoint takeThreeNumbers(BitReader& bits, unsigned width, const std::array<std::uint32_t, 3>& sizes) {
-    if (width <= 64) {  // nearly always
-        std::uint64_t value = 0;
-        unsigned shift = 0;
-        for (; width - shift >= 8; shift += 8) value |= std::uint64_t{bits.take(8)} << shift;
-        if (shift < width) value |= std::uint64_t{bits.take(width - shift)} << shift;
-        const std::uint64_t z = value % sizes[2];
-        value /= sizes[2];
-        return {static_cast<std::int64_t>(value / sizes[1]), static_cast<std::int64_t>(value % sizes[1]),
-                static_cast<std::int64_t>(z)};
-    }
-    WideNumber value;
-    for (unsigned shift = 0; shift < width; shift += 8)
-        value.digits[shift / 32] |= bits.take(std::min(8u, width - shift)) << shift % 32;
-    const std::uint32_t z = value.divide(sizes[2]), y = value.divide(sizes[1]);
-    return {value.digits[0], y, z};
+    return width <= 64 ? takePacked<std::uint64_t>(bits, width, sizes) : takePacked<WideNumber>(bits, width, sizes);
 }
 
 class XtcUnpacker {
