@@ -149,7 +149,11 @@ PreparedPicture preparePicture(const Molecule& molecule, const RenderOptions& op
     const double radius = buildScene(molecule, options, frame, prepared.scene);
     const Aimed aim = aimed(options.camera, options.aim, molecule, prepared.scene, options.size);
     prepared.settings = settingsOf(options, aim.camera, radius);
-    if (prepared.scene.radius > radius) reachTo(prepared.settings.view, prepared.scene.radius);
+    View& view = prepared.settings.view;
+    const auto depthFrom = [&] { return view.projection == Projection::perspective ? view.eyeDistance : view.radius; };
+    const double depthOfFirst = depthFrom();
+    if (prepared.scene.radius > radius) reachTo(view, prepared.scene.radius);
+    prepared.depthShift = depthFrom() - depthOfFirst;
     RunStats& run = prepared.run;
     run.zoom = aim.camera.zoom;
     uncoverTarget(prepared, options, aim, molecule);
@@ -264,6 +268,8 @@ void PictureJob::draw(Renderer& renderer) {
     if (options_.occlusion.megabytes || (isatty(STDERR_FILENO) && isCoarse(frame_.occlusion)))
         sayOcclusion(frame_.occlusion);
     if (layersFile_) layers_ = renderer.layers(settings);
+    if (layers_ && prepared_.depthShift != 0)  // the background's infinity stays
+        for (float& z : layers_->z) z = static_cast<float>(static_cast<double>(z) - prepared_.depthShift);
     if (statsFile_ && !written_) tellOfPasses(renderer, settings, frame_);
     checkValidation(renderer);
 }

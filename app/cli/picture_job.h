@@ -22,6 +22,9 @@ struct PreparedPicture {
     RenderSettings settings;
     PlacedWords words;
     RunStats run;  ///< as far as it is known by then
+    /// How far the plane or the eye that depths count from stands behind that of the trajectory's first frame, Å:
+    /// layers of all frames have one origin.
+    double depthShift = 0;
 };
 
 /// How the options ask for the file to be written.

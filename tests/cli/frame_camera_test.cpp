@@ -1,7 +1,10 @@
 // One camera for the frames of a trajectory.
 
+#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <fstream>
@@ -67,6 +70,37 @@ TEST(FrameCamera, IsThatOfTheFirstFrameUnlessEachIsToHaveItsOwn) {
     const nlohmann::json own = viewOf(folder, "--frame 5 --camera model");
     EXPECT_NEAR(own["center"][0].get<double>(), 5.25, 1e-6);
     EXPECT_NEAR(own["center"][1].get<double>(), 8, 1e-6);
+}
+
+/// The least depth of an atom in a file of layers, Å.
+float nearestOf(const std::string& path, float atom) {
+    const auto input = OIIO::ImageInput::open(path);
+    const OIIO::ImageSpec& spec = input->spec();
+    const auto channels = static_cast<std::size_t>(spec.nchannels);
+    std::vector<float> pixels(spec.image_pixels() * channels);
+    EXPECT_TRUE(input->read_image(OIIO::TypeDesc::FLOAT, pixels.data()));
+    const auto z = static_cast<std::size_t>(spec.channelindex("Z")),
+               id = static_cast<std::size_t>(spec.channelindex("id"));
+    float nearest = INFINITY;
+    for (std::size_t i = 0; i < pixels.size(); i += channels)
+        if (pixels[i + id] == atom) nearest = std::min(nearest, pixels[i + z]);
+    return nearest;
+}
+
+TEST(FrameCamera, DepthsOfAllFramesCountFromOnePlane) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "a.xyz") << "4\nnames\nC 9 9 9\nC 9 9 8\nC 9 9 7\nC 9 9 6\n";
+    std::ofstream(folder / "t.dcd", std::ios::binary) << drifting(5);
+    for (const char* lens : {"", " --projection perspective"}) {
+        std::vector<float> depths;
+        for (const char* frame : {"1", "3", "5"}) {
+            viewOf(folder, std::string("--zoom 0.3 --layers l.exr --frame ") + frame + lens);
+            depths.push_back(nearestOf(folder / "l.exr", 4));
+        }
+        // They drift across the view, whose plane is that of the file's z.
+        EXPECT_NEAR(depths[1], depths[0], 0.1) << lens;
+        EXPECT_NEAR(depths[2], depths[0], 0.1) << lens;
+    }
 }
 
 // A view and its trajectory that were moved together, or sent to someone: found by what it holds, told of if it is
