@@ -48,6 +48,10 @@ void mergeBonds(std::vector<Bond>& bonds, std::size_t atoms) {
     for (Bond& bond : bonds)
         if (bond.a > bond.b) std::swap(bond.a, bond.b);
     std::erase_if(bonds, [&](const Bond& bond) { return bond.a == bond.b || bond.b >= atoms; });
+    const auto inOrder = [](const Bond& l, const Bond& r) { return std::tie(l.a, l.b) < std::tie(r.a, r.b); };
+    const auto fault =
+        std::adjacent_find(bonds.begin(), bonds.end(), [&](const Bond& l, const Bond& r) { return !inOrder(l, r); });
+    if (fault == bonds.end()) return;  // as most readers have them
     // Dealt out to the first atoms, of which each has a handful: quicker than sorting all of them.
     std::vector<std::uint32_t> ends(atoms + 1, 0);
     for (const Bond& bond : bonds) ++ends[bond.a + 1];
