@@ -78,7 +78,7 @@ float nearestOf(const std::string& path, float atom) {
     const OIIO::ImageSpec& spec = input->spec();
     const auto channels = static_cast<std::size_t>(spec.nchannels);
     std::vector<float> pixels(spec.image_pixels() * channels);
-    EXPECT_TRUE(input->read_image(OIIO::TypeDesc::FLOAT, pixels.data()));
+    EXPECT_TRUE(input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels.data()));
     const auto z = static_cast<std::size_t>(spec.channelindex("Z")),
                id = static_cast<std::size_t>(spec.channelindex("id"));
     float nearest = INFINITY;
