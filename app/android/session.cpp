@@ -73,7 +73,7 @@ void AndroidSession::stopped() {
 }
 
 void AndroidSession::awaitFrame() {
-    if (seen()) viewer().awaitFrame(now());
+    if (seen()) viewer().frames().await(now());
 }
 
 }  // namespace nacre::app

@@ -26,8 +26,8 @@ public:
     void paused();
     void stopped();
     /// The display that the window is on shows so many pictures per second.
-    void displayRefreshes(double rate) { viewer().setDisplayInterval(1 / rate); }
-    /// As Viewer::awaitFrame.
+    void displayRefreshes(double rate) { viewer().schedule().setDisplayInterval(1 / rate); }
+    /// As Frames::await.
     void awaitFrame();
 
 private:

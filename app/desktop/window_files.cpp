@@ -22,7 +22,7 @@ void WindowSession::rememberFile() {
     if (!document || document->view.input == "-" || document->view.input.starts_with("sample:")) return;
     try {
         constexpr PixelSize kSize = RecentFiles::kPicture;
-        RenderSettings settings = viewer().pictureSettings(kSize);
+        RenderSettings settings = viewer().frames().pictureSettings(kSize);
         settings.supersample = 2;
         settings.debug = DebugView::none;
         settings.effects.contours.width = settings.effects.halos.width = 0;
@@ -40,9 +40,9 @@ std::string WindowSession::pictureName(const char* extension) {
 void WindowSession::savePicture(const PictureWish& wish) {
     try {
         writePictureTo(wish);
-        viewer().say("saved " + wish.path, now());
+        viewer().messages().say("saved " + wish.path, now());
     } catch (const std::exception& error) {
-        viewer().fail(error.what(), now());
+        viewer().messages().fail(error.what(), now());
     }
 }
 
@@ -54,13 +54,13 @@ void WindowSession::writePictureTo(const PictureWish& wish) {
     const double shorter = std::min(window_.size().width, window_.size().height);
     const bool asShown = size.width == window_.size().width && size.height == window_.size().height;
     const double textSize =
-        viewer().textSize() * (asShown ? 1 : std::min(size.width, size.height) / std::max(shorter, 1.0));
-    RenderSettings settings = viewer().pictureWithWords(size, textSize);
+        viewer().words().size() * (asShown ? 1 : std::min(size.width, size.height) / std::max(shorter, 1.0));
+    RenderSettings settings = viewer().words().settingsBeside(size, textSize);
     // What is larger than the window is antialiased as pictures are; the window's own as the window is.
-    settings.supersample = asShown ? viewer().mostSamples() : RenderSettings::kEdges;
+    settings.supersample = asShown ? viewer().frames().mostSamples() : RenderSettings::kEdges;
     if (transparent) settings.background = {0, 0, 0, 0};
     Picture drawn = renderer().render(settings);
-    viewer().paintWords(settings.view, textSize, transparent, drawn);
+    viewer().words().paint(viewer().picking().savedView(), settings.view, textSize, transparent, drawn);
     PictureFormat format;
     format.alpha = transparent;
     format.dpi = dpi;
@@ -76,15 +76,15 @@ void WindowSession::copyPicture() {
         const bool copied = copyPng(path);
         std::filesystem::remove(path);
         if (!copied) throw Error("cannot copy the picture", "", kCopyNeeds);
-        viewer().say("copied the picture", now());
+        viewer().messages().say("copied the picture", now());
     } catch (const std::exception& error) {
-        viewer().fail(error.what(), now());
+        viewer().messages().fail(error.what(), now());
     }
 }
 
 void WindowSession::record(const RecordingWish& wish, const std::vector<SavedView>& keys) {
     try {
-        const SavedView shown = viewer().savedView();
+        const SavedView shown = viewer().picking().savedView();
         if (shown.input == "-")
             throw Error("cannot record", "-", "a film reads its file again: open one, not standard input");
         std::vector<std::string> fixed;
@@ -94,7 +94,7 @@ void WindowSession::record(const RecordingWish& wish, const std::vector<SavedVie
         recorder_.start(wish, shown, keys, fixed);
         wasRecording_ = true;
     } catch (const Error& error) {
-        viewer().fail(error.what(), now());
+        viewer().messages().fail(error.what(), now());
     }
 }
 
@@ -103,13 +103,13 @@ void WindowSession::tellRecording() {
     if (!wasRecording_) return;
     const RecordingState state = recorder_.state();
     const std::string told = std::to_string(state.frame) + (state.stopping ? "stopping" : "");
-    if (std::exchange(told_, told) != told) viewer().overlayChanged();
+    if (std::exchange(told_, told) != told) viewer().schedule().overlayChanged();
     if (state.running) return;
     wasRecording_ = false;
     if (state.failed)
-        viewer().fail(state.message, now());
+        viewer().messages().fail(state.message, now());
     else
-        viewer().say(state.message, now());
+        viewer().messages().say(state.message, now());
 }
 
 /// As JSON, in the current folder under a name that is free.
@@ -118,7 +118,7 @@ void WindowSession::saveView() {
     try {
         const std::string path = freeName(viewer().document()->view.input, ".view.json");
         OutputFile file(path);
-        SavedView view = viewer().savedView();
+        SavedView view = viewer().picking().savedView();
         view.hash = fileHash(view.input);
         view.trajectory.hash = trajectoryHash(view.trajectory.path);
         for (FurtherInput& further : view.further) further.hash = fileHash(further.path);
@@ -126,9 +126,9 @@ void WindowSession::saveView() {
         view.trajectory.path = pathInView(path, view.trajectory.path);
         for (FurtherInput& further : view.further) further.path = pathInView(path, further.path);
         writeText(file, savedViewJson(view));
-        viewer().say("saved " + path, now());
+        viewer().messages().say("saved " + path, now());
     } catch (const Error& error) {
-        viewer().fail(error.what(), now());
+        viewer().messages().fail(error.what(), now());
     }
 }
 
@@ -136,9 +136,9 @@ void WindowSession::saveView() {
 /// started us.
 void WindowSession::captureFrame() {
     if (!renderer().captures())
-        return viewer().say(capturesBuilt() ? "F12 needs RenderDoc from the start: nacre view --capture"
-                                            : "this program was built without RenderDoc's header",
-                            now());
+        return viewer().messages().say(capturesBuilt() ? "F12 needs RenderDoc from the start: nacre view --capture"
+                                                       : "this program was built without RenderDoc's header",
+                                       now());
     if (!viewer().document()) return;
     try {
         std::optional<OutputFile> file;
@@ -146,13 +146,13 @@ void WindowSession::captureFrame() {
         renderer().beginCapture(file ? captureStem(*file) : "");
         WindowFrame frame;
         frame.overlay = panel_->draw(viewer(), window_.size(), now());
-        const bool shown = renderer().present(viewer().settings(), frame) == FrameOutcome::shown;
+        const bool shown = renderer().present(viewer().frames().settings(), frame) == FrameOutcome::shown;
         const std::string written = renderer().endCapture();
         if (!shown) throw Error("cannot capture", "", "the window is changing");
         if (file) keepCapture(written, *file);
-        viewer().say("captured to " + (file ? file->path() : written), now());
+        viewer().messages().say("captured to " + (file ? file->path() : written), now());
     } catch (const Error& error) {
-        viewer().say(error.what(), now());
+        viewer().messages().say(error.what(), now());
     }
 }
 
@@ -164,21 +164,21 @@ void WindowSession::writeStats() {
         json["start_ms"] = {{"before_device", 1000 * (opening_ - kStarted)},
                             {"device", 1000 * (open_ - opening_)},
                             {"first_picture", 1000 * (sceneShown_ - kStarted)}};
-    json["occlusion"] = viewer().occlusion();
+    json["occlusion"] = viewer().frames().occlusion();
     json["occlusion_cached"] = renderer().stats().occlusion.cached;
     json["occlusion_bytes"] = renderer().stats().occlusion.bytes;
     if (!latencies_.empty()) {
         std::sort(latencies_.begin(), latencies_.end());
         json["input_to_present"] = {{"min", latencies_.front()}, {"median", latencies_[latencies_.size() / 2]}};
     }
-    const MotionFrames& moved = viewer().motionFrames();
+    const MotionFrames& moved = viewer().schedule().motionFrames();
     if (moved.frames > 0)
         json["motion"] = {{"frames", moved.frames},
                           {"reduced", moved.reduced},
                           {"smallest_scale", moved.smallestScale},
                           {"frame_ms", renderer().stats().windowMilliseconds}};
     json["picked"] = nlohmann::ordered_json::array();
-    for (const std::uint32_t pick : viewer().picks()) json["picked"].push_back(pick + 1);
+    for (const std::uint32_t pick : viewer().picking().picks()) json["picked"].push_back(pick + 1);
     json["device"] = renderer().stats().device.name;
     OutputFile file(options_.stats, ".json");
     writeText(file, jsonText(json));

@@ -51,12 +51,12 @@ WindowSession::WindowSession(const ViewOptions& options)
     session_.open(opening_);
     open_ = now();
     if (renderer().stats().device.type == "software") {
-        viewer().setMostSamples(kSoftwareSamples);
-        viewer().keepSharp(kSoftwareFrameSeconds, kSoftwareScale);
+        viewer().frames().setMostSamples(kSoftwareSamples);
+        viewer().frames().keepSharp(kSoftwareFrameSeconds, kSoftwareScale);
     }
-    viewer().setDebugView(options.debug, now());
-    viewer().aim(options.aim, now());
-    viewer().throwEarlyFailure();
+    viewer().frames().setDebugView(options.debug, now());
+    viewer().camera().aim(options.aim, now());
+    viewer().reading().throwEarlyFailure();
     window_.show();
     resized();
 }
@@ -73,10 +73,10 @@ void WindowSession::loop() {
 
 double WindowSession::step(double longest) {
     // The newest input goes into the frame, not what was there before it had to wait.
-    viewer().awaitFrame(now());
+    viewer().frames().await(now());
     window_.handleEvents(0);
     tellRecording();
-    viewer().setDisplayInterval(1 / window_.refreshRate());
+    viewer().schedule().setDisplayInterval(1 / window_.refreshRate());
     const double wake = session_.step(now(), [this] {
         const Overlay* overlay = panel_->draw(viewer(), window_.size(), now());
         if (panel_->glyphsChanged()) renderer().setOverlayGlyphs(panel_->glyphs());
@@ -91,7 +91,7 @@ double WindowSession::step(double longest) {
     }
     inputAt_ = 0;  // what is not answered by now changed nothing
     window_.setTitle(printable(viewer().title()));
-    if (panel_->restless()) viewer().overlayChanged();
+    if (panel_->restless()) viewer().schedule().overlayChanged();
     // Frames come as often as the display's; looks at what is baked beside them may come more often.
     const double soonest = shown ? lastFrame_ + 0.95 / window_.refreshRate() : now();
     const double next = std::max(panel_->restless() ? now() : wake, soonest);
@@ -120,9 +120,9 @@ void WindowSession::openFiles(std::vector<std::string> paths) {
     const bool together = panel_->opensTogether();
     panel_->closeTop();
     for (std::string& path : paths) path = lasting(path);
-    if (together) return viewer().add(paths, now());
+    if (together) return viewer().reading().add(paths, now());
     rememberFile();
-    viewer().open(paths, now());
+    viewer().reading().open(paths, now());
 }
 
 std::unique_ptr<Panel> WindowSession::makePanel() {
@@ -138,9 +138,9 @@ PanelHost WindowSession::panelHost() {
     }
     host.open = [this](const std::string& input) {
         rememberFile();
-        viewer().open(lasting(input), now());
+        viewer().reading().open(lasting(input), now());
     };
-    host.add = [this](const std::string& input) { viewer().add(lasting(input), now()); };
+    host.add = [this](const std::string& input) { viewer().reading().add(lasting(input), now()); };
     host.recent = [this]() -> const std::vector<RecentFile>& { return recent_.files(); };
     if (options_.restore)
         if (const auto saved = loadState(); saved && !saved->input.empty() && saved->input != "-") {
@@ -208,48 +208,48 @@ WindowEvents WindowSession::events() {
         viewer().pause();
         saveState(viewer().view());
     };
-    e.damaged = [this] { viewer().overlayChanged(); };
+    e.damaged = [this] { viewer().schedule().overlayChanged(); };
     e.pointer = [this](glm::dvec2 at) {
         noteInput();
         pointer_ = at;
-        panel_->pointer(at);
-        if (panelDrag_ || panel_->ownsPointer())
-            viewer().pointerLeft();
+        panel_->input().pointer(at);
+        if (panelDrag_ || panel_->input().ownsPointer())
+            viewer().picking().pointerLeft();
         else
             viewer().mouseMove(at / scale_, now());
     };
     e.button = [this](MouseButton button, bool down, Modifiers with) {
         noteInput();
         // Who got the press gets the release.
-        if (down) panelDrag_ = panel_->ownsPointer();
+        if (down) panelDrag_ = panel_->input().ownsPointer();
         if (panelDrag_)
-            panel_->button(button, down);
+            panel_->input().button(button, down);
         else
             viewer().mouseButton(button, down, pointer_ / scale_, with, now());
         if (!down) panelDrag_ = false;
     };
     e.wheel = [this](double steps) {
         noteInput();
-        if (panel_->ownsPointer())
-            panel_->wheel(steps);
+        if (panel_->input().ownsPointer())
+            panel_->input().wheel(steps);
         else
             viewer().wheel(steps, pointer_ / scale_, now());
     };
     // The panel may let go of the keys by one: who had them before has that one.
     e.special = [this](SpecialKey key, bool down, Modifiers with) {
-        keyOwned_ = panel_->ownsKeys();
-        if (keyOwned_ || !down || key == SpecialKey::tab) panel_->key(key, down, with);
-        viewer().overlayChanged();
+        keyOwned_ = panel_->input().ownsKeys();
+        if (keyOwned_ || !down || key == SpecialKey::tab) panel_->input().key(key, down, with);
+        viewer().schedule().overlayChanged();
     };
     e.character = [this](char32_t c) {
-        keyOwned_ = panel_->ownsKeys();
-        if (keyOwned_) panel_->character(c);
-        viewer().overlayChanged();
+        keyOwned_ = panel_->input().ownsKeys();
+        if (keyOwned_) panel_->input().character(c);
+        viewer().schedule().overlayChanged();
     };
     e.key = [this](KeyEvent key) {
         noteInput();
         if (std::exchange(keyOwned_, false)) return;
-        if (key.with.control && panel_->ownsKeys()) return panel_->shortcut(key.key);
+        if (key.with.control && panel_->input().ownsKeys()) return panel_->input().shortcut(key.key);
         if (const auto command = commandOf(key)) run(*command);
     };
     e.dropped = [this](const std::vector<std::string>& paths) { openFiles(paths); };
@@ -267,12 +267,12 @@ void WindowSession::resized() {
     const PixelSize size = window_.size();
     if (size.width == 0 || size.height == 0) return viewer().pause();
     if (window_.pixelsPerPoint() != scale_) rescaled();
-    viewer().resize(size, scale_, now());
+    viewer().frames().resize(size, scale_, now());
     viewer().resume(now());
 }
 
 void WindowSession::run(ViewerCommand command) {
-    viewer().overlayChanged();
+    viewer().schedule().overlayChanged();
     switch (command) {
         case ViewerCommand::panel:
             return panel_->togglePanel();
@@ -284,8 +284,9 @@ void WindowSession::run(ViewerCommand command) {
             return viewer().document() ? panel_->showRecord() : void();
         case ViewerCommand::keepView:
             if (!viewer().document()) return;
-            panel_->keepView(viewer(), now());
-            return viewer().say("kept as view " + std::to_string(panel_->keptViews()) + " of a film (Shift R)", now());
+            panel_->keepView(viewer());
+            return viewer().messages().say(
+                "kept as view " + std::to_string(panel_->keptViews()) + " of a film (Shift R)", now());
         case ViewerCommand::saveAs:
             return viewer().document() ? panel_->showSave() : void();
         case ViewerCommand::clearPicks:

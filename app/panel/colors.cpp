@@ -10,8 +10,8 @@ std::optional<ImU32> Widgets::swatches(std::optional<ImU32> chosen, std::size_t 
     std::size_t placed = 0;
     for (const NamedColor& color : nacre::app::swatches()) {
         if (placed++ % perLine != 0) ImGui::SameLine(0, px(4));
-        const ImU32 packed = IM_COL32(color.rgb >> 16 & 255, color.rgb >> 8 & 255, color.rgb & 255, 255);
-        if (swatch(color.name, packed, chosen && (*chosen | IM_COL32_A_MASK) == packed)) taken = packed;
+        const bool is = chosen && (*chosen | IM_COL32_A_MASK) == color.packed();
+        if (swatch(color.name, color.packed(), is)) taken = color.packed();
     }
     return taken;
 }
@@ -32,11 +32,10 @@ void Widgets::showManyColors(ImVec2 corner, float side) const {
     if (side <= 0) side = rowHeight();
     const float in = px(7), cell = (side - 2 * in) / 2;
     for (std::size_t i = 0; i < 4; ++i) {
-        const std::uint32_t c = app::swatches()[i == 2 ? 4 : i == 3 ? 5 : i].rgb;
+        const NamedColor& color = app::swatches()[i == 2 ? 4 : i == 3 ? 5 : i];
         const ImVec2 low(corner.x + in + static_cast<float>(i % 2) * cell,
                          corner.y + in + static_cast<float>(i / 2) * cell);
-        ImGui::GetWindowDrawList()->AddRectFilled(low, ImVec2(low.x + cell, low.y + cell),
-                                                  IM_COL32(c >> 16 & 255, c >> 8 & 255, c & 255, 255));
+        ImGui::GetWindowDrawList()->AddRectFilled(low, ImVec2(low.x + cell, low.y + cell), color.packed());
     }
 }
 

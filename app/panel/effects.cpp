@@ -10,9 +10,10 @@ namespace {
 
 /// A slider of a number that a saved view writes: in hundredths, so that it reads well there.
 /// @returns whether it moved
-bool slide(Widgets& ui, const char* name, double& value, double low, double high, const char* format, int flags = 0) {
+bool slide(Widgets& ui, const char* name, double& value, double low, double high, const char* format,
+           bool byRatio = false) {
     auto at = static_cast<float>(value);
-    if (!ui.slide(name, at, static_cast<float>(low), static_cast<float>(high), format, flags)) return false;
+    if (!ui.slide(name, at, static_cast<float>(low), static_cast<float>(high), format, byRatio)) return false;
     value = std::round(static_cast<double>(at) * 100) / 100;
     return true;
 }
@@ -26,7 +27,7 @@ void chooseColor(Widgets& ui, const char* name, std::array<float, 3>& color) {
 void slideLines(Widgets& ui, Contours& lines) {
     slide(ui, "Lines", lines.width, 0, 8, lines.width > 0 ? "Lines %.1f px" : "No lines");
     if (lines.width <= 0) return;
-    slide(ui, "Depth of lines", lines.depth, 0.1, 20, "Where depth jumps %.1f Å", ImGuiSliderFlags_Logarithmic);
+    slide(ui, "Depth of lines", lines.depth, 0.1, 20, "Where depth jumps %.1f Å", true);
     bool three = lines.weights == 3;
     if (ui.toggle("Wider between chains and residues", three)) lines.weights = three ? 3 : 1;
     chooseColor(ui, "Colour of the lines", lines.color);
@@ -36,7 +37,7 @@ void slideHalos(Widgets& ui, Halos& halos) {
     slide(ui, "Halos", halos.width, 0, 24, halos.width > 0 ? "Halos %.1f px" : "No halos");
     if (halos.width <= 0) return;
     slide(ui, "Strength of halos", halos.strength, 0, 1, "Halo strength %.2f");
-    slide(ui, "Depth of halos", halos.depth, 0.5, 60, "Densest over %.1f Å", ImGuiSliderFlags_Logarithmic);
+    slide(ui, "Depth of halos", halos.depth, 0.5, 60, "Densest over %.1f Å", true);
     chooseColor(ui, "Colour of the halos", halos.color);
 }
 
@@ -85,9 +86,10 @@ void slidePlanes(Widgets& ui, Clip& clip, double radius) {
 
 }  // namespace
 
-void Panel::drawEffects(SavedView& look, double radius) {
-    Widgets& ui = state_->ui;
-    Effects& e = look.effects;
+void drawEffects(PanelFrame& f) {
+    Widgets& ui = f.ui;
+    const double radius = f.viewer.document() ? f.viewer.document()->scene.radius : 1;
+    Effects& e = f.look.effects;
     if (ui.unfold("Light, lines, fog")) {
         slide(ui, "Light all around", e.light.ambient, 0, 2, "Light all around %.2f");
         slide(ui, "Light from a side", e.light.direct, 0, 2, "Light from a side %.2f");
@@ -101,10 +103,7 @@ void Panel::drawEffects(SavedView& look, double radius) {
     if (ui.unfold("Cut open")) {
         slidePlanes(ui, e.clip, radius);
         constexpr const char* kCaps[] = {"plain", "dark", "hatched"};
-        std::string cap = kCaps[static_cast<std::size_t>(e.clip.cap)];
-        if (ui.choose("Cap", kCaps, cap))
-            for (std::size_t i = 0; i < std::size(kCaps); ++i)
-                if (cap == kCaps[i]) e.clip.cap = static_cast<Clip::Cap>(i);
+        ui.choose("Cap", kCaps, e.clip.cap);
     }
 }
 

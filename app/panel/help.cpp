@@ -12,33 +12,33 @@ constexpr float kHelpPoints = 620;
 
 }  // namespace
 
-void Panel::drawHelp() {
-    Widgets& ui = state_->ui;
-    if (beginCard("Help", "Help", kHelpPoints)) help_ = false;
+void drawHelp(PanelFrame& f) {
+    if (beginCard(f, "Help", "Help", kHelpPoints)) f.s.help = false;
     float keys = 0;
     for (const PointerBinding& b : pointerBindings())
-        if (const char* hand = forFingers() ? b.touch : b.mouse) keys = std::max(keys, ImGui::CalcTextSize(hand).x);
-    if (!forFingers())
+        if (const char* hand = f.ui.forFingers() ? b.touch : b.mouse)
+            keys = std::max(keys, ImGui::CalcTextSize(hand).x);
+    if (!f.ui.forFingers())
         for (const Binding& b : keyBindings()) keys = std::max(keys, ImGui::CalcTextSize(b.keys).x);
-    keys += ui.px(20);
-    const bool narrow = ImGui::GetContentRegionAvail().x < keys + ui.px(150);  // what keys do stands below them
+    keys += f.ui.px(20);
+    const bool narrow = ImGui::GetContentRegionAvail().x < keys + f.ui.px(150);  // what keys do stands below them
     const auto line = [&](const char* left, const char* right) {
         const float x = ImGui::GetCursorPosX();
-        ImGui::PushStyleColor(ImGuiCol_Text, ui.theme().faint);
+        ImGui::PushStyleColor(ImGuiCol_Text, f.ui.theme().faint);
         ImGui::TextUnformatted(left);
         ImGui::PopStyleColor();
-        ui.note("text", left);
-        narrow ? ImGui::Indent(ui.px(12)) : ImGui::SameLine(x + keys);
-        ui.paragraph(right);
-        if (narrow) ImGui::Unindent(ui.px(12));
+        f.ui.note("text", left);
+        narrow ? ImGui::Indent(f.ui.px(12)) : ImGui::SameLine(x + keys);
+        f.ui.paragraph(right);
+        if (narrow) ImGui::Unindent(f.ui.px(12));
     };
-    ui.heading(forFingers() ? "Fingers" : "Mouse and trackpad");
+    f.ui.heading(f.ui.forFingers() ? "Fingers" : "Mouse and trackpad");
     for (const PointerBinding& b : pointerBindings())
-        if (const char* hand = forFingers() ? b.touch : b.mouse) line(hand, b.what);
-    if (!forFingers()) line("double click a slider", "Type its number");
-    if (host_.shakes) line("shake", "Undo");
-    if (!forFingers()) {
-        ui.heading("Keys");
+        if (const char* hand = f.ui.forFingers() ? b.touch : b.mouse) line(hand, b.what);
+    if (!f.ui.forFingers()) line("double click a slider", "Type its number");
+    if (f.host.shakes) line("shake", "Undo");
+    if (!f.ui.forFingers()) {
+        f.ui.heading("Keys");
         line("Tab", "Go about in the panel; Enter presses, Esc leaves");
         // Several keys of one command stand in one line.
         const std::span<const Binding> all = keyBindings();
@@ -51,9 +51,9 @@ void Panel::drawHelp() {
         }
     }
     ImGui::Spacing();
-    if (ui.button(licences_ ? Icon::up : Icon::down, "Licences")) licences_ = !licences_;
-    if (licences_) ui.paragraph(notices());
-    endCard();
+    if (f.ui.button(f.s.licences ? Icon::up : Icon::down, "Licences")) f.s.licences = !f.s.licences;
+    if (f.s.licences) f.ui.paragraph(notices());
+    endGrown(f);
 }
 
 }  // namespace nacre::app

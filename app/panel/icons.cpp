@@ -98,10 +98,8 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 middle, float size, ImU32 colo
             return pen.line({{-0.6f, 0.6f}, {0.6f, -0.6f}});
         case Icon::fold:
             return pen.line({{0.3f, -0.65f}, {-0.35f, 0}, {0.3f, 0.65f}});
-        case Icon::menu:
         case Icon::label:
-            for (const float y : {-0.6f, 0.0f, 0.6f})
-                pen.line({{-0.8f, y}, {icon == Icon::label && y > 0.3f ? 0.2f : 0.8f, y}});
+            for (const float y : {-0.6f, 0.0f, 0.6f}) pen.line({{-0.8f, y}, {y > 0.3f ? 0.2f : 0.8f, y}});
             return;
         case Icon::eye:
             return drawEye(pen);

@@ -16,7 +16,6 @@ enum class Icon {
     help,
     close,
     fold,
-    menu,
     eye,
     eyeOff,
     play,

@@ -36,11 +36,9 @@ void drawText(ImDrawList& list, const TextMark& mark, const glm::dvec2& corner, 
     list.AddText(font, size, at, color, mark.text.c_str());
 }
 
-}  // namespace
-
 /// What of a picture's right the legend takes, where it would stand over the molecule, all of it seen; 0 where it would
 /// not, or would leave less than half.
-float Panel::legendRoom(const PlacedWords& words, const View& view, double size) const {
+float legendRoom(const PlacedWords& words, const View& view, double size) {
     PlacedWords alone;
     alone.legends = words.legends;
     const Marks marks = layOut(alone, view, size, {}, {1, 1, 1, 1}, textWidth);
@@ -53,20 +51,67 @@ float Panel::legendRoom(const PlacedWords& words, const View& view, double size)
     return beside || left < width / 2 ? 0 : static_cast<float>(std::ceil(width - left + size / 2));
 }
 
+/// A box upon the picture, for a text. It is told of, too.
+void drawBox(PanelFrame& f, const std::string& text, ImVec2 low, ImVec2 high, float lines) {
+    const Theme& theme = f.ui.theme();
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddRectFilled(low, high, ImGui::GetColorU32(theme.ground), f.ui.px(7));
+    list.AddRect(low, high, ImGui::GetColorU32(theme.line), f.ui.px(7), 0, f.ui.px(1));
+    Control told;
+    told.role = "status";
+    told.name = text;
+    told.window = "Picture";
+    told.left = told.seenLeft = low.x, told.top = told.seenTop = low.y;
+    told.right = told.seenRight = high.x, told.bottom = told.seenBottom = high.y;
+    told.lines = lines;
+    f.ui.controls.push_back(told);
+}
+
+/// Small, at the top right of what is free.
+void drawHint(PanelFrame& f, const std::string& text) {
+    if (text.empty()) return;
+    ImFont* font = fontOf(TextSize::caption);
+    const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
+    const ImVec2 pad(f.ui.px(8), f.ui.px(4));
+    const Rectangle free = f.s.freeRoom();
+    const ImVec2 low(std::round(free.right - f.ui.px(10) - size.x - 2 * pad.x), std::round(free.top + f.ui.px(10)));
+    drawBox(f, text, low, ImVec2(low.x + size.x + 2 * pad.x, low.y + size.y + 2 * pad.y), 1);
+    ImGui::GetBackgroundDrawList()->AddText(font, font->FontSize, ImVec2(low.x + pad.x, low.y + pad.y),
+                                            ImGui::GetColorU32(f.ui.theme().faint), text.c_str());
+}
+
+/// Low in the middle of what is free. @returns its top
+float drawStatus(PanelFrame& f, const std::string& text, float bottom, bool strong) {
+    const Theme& theme = f.ui.theme();
+    const Rectangle free = f.s.freeRoom();
+    const float widest = std::max(free.width() - f.ui.px(48), 1.0f);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, widest);
+    const float left = std::round(free.left + (free.width() - size.x) / 2), top = std::round(bottom - size.y);
+    const ImVec2 pad(f.ui.px(12), f.ui.px(7));
+    const ImVec2 low(left - pad.x, top - 2 * pad.y);
+    drawBox(f, text, low, ImVec2(left + size.x + pad.x, bottom), size.y / ImGui::GetFontSize());
+    ImGui::GetBackgroundDrawList()->AddText(nullptr, 0, ImVec2(left, top - pad.y),
+                                            ImGui::GetColorU32(strong ? theme.warning : theme.text), text.c_str(),
+                                            nullptr, widest);
+    return low.y;
+}
+
+}  // namespace
+
 /// Labels, measurements, legend and the like: what a saved picture has, too.
-void Panel::drawWords(const Viewer& viewer) {
-    const PlacedWords& words = viewer.words();
+void drawWords(PanelFrame& f) {
+    const PlacedWords& words = f.viewer.words().placed();
     // As in a picture of what the panel leaves free, whose molecule is beside the legend.
-    RenderSettings settings = viewer.pictureSettings(viewer.freeSize());
-    const float taken = state_->legendRoom;
+    RenderSettings settings = f.viewer.frames().pictureSettings(f.viewer.frames().freeSize());
+    const float taken = f.s.legendRoom;
     settings.view.width += static_cast<std::uint32_t>(taken);
     settings.view.pan.x -= static_cast<double>(taken) / 2 / settings.view.pixelsPerAngstrom;
-    state_->legendRoom = words.legends.empty() ? 0 : legendRoom(words, settings.view, viewer.textSize());
-    if (state_->legendRoom != taken) restless_ = std::max(restless_, 2);
+    f.s.legendRoom = words.legends.empty() ? 0 : legendRoom(words, settings.view, f.viewer.words().size());
+    if (f.s.legendRoom != taken) f.s.restless = std::max(f.s.restless, 2);
     if (!words.any()) return;
-    const Marks marks = layOut(words, settings.view, viewer.textSize(), viewer.view().words.color,
-                               viewer.view().background, textWidth, settings.effects.clip, &state_->wordMemory);
-    const glm::dvec2 corner = viewer.freeCorner();
+    const Marks marks = layOut(words, settings.view, f.viewer.words().size(), f.viewer.view().words.color,
+                               f.viewer.view().background, textWidth, settings.effects.clip, &f.s.wordMemory);
+    const glm::dvec2 corner = f.viewer.frames().freeCorner();
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const auto placeOf = [&](const glm::dvec2& p) { return place(p + corner); };
     const auto haloWidth = static_cast<float>(marks.haloWidth);
@@ -93,81 +138,28 @@ void Panel::drawWords(const Viewer& viewer) {
     for (const TextMark& text : marks.texts) drawText(list, text, corner, marks.color, marks.halo, haloWidth);
 }
 
-void Panel::drawAnnotations(const Annotations& a) {
+void drawAnnotations(PanelFrame& f) {
+    const Annotations a = f.viewer.picking().annotations();
     ImDrawList& list = *ImGui::GetBackgroundDrawList();  // beneath panel and help
+    const auto placeOf = [&](const glm::dvec2& points) { return place(points * f.s.pixelsPerPoint); };
     for (const glm::dvec2& points : a.selected) {
-        const ImVec2 at = place(points * pixelsPerPoint_);
-        list.AddRectFilled(ImVec2(at.x - 2.5f * scale(), at.y - 2.5f * scale()),
-                           ImVec2(at.x + 2.5f * scale(), at.y + 2.5f * scale()), kMarkEdge);
-        list.AddRectFilled(ImVec2(at.x - 1.5f * scale(), at.y - 1.5f * scale()),
-                           ImVec2(at.x + 1.5f * scale(), at.y + 1.5f * scale()), kSelected);
+        const ImVec2 at = placeOf(points);
+        for (const auto& [half, color] : {std::pair(f.ui.px(2.5f), kMarkEdge), {f.ui.px(1.5f), kSelected}})
+            list.AddRectFilled(ImVec2(at.x - half, at.y - half), ImVec2(at.x + half, at.y + half), color);
     }
-    const auto placeOf = [&](const glm::dvec2& points) { return place(points * pixelsPerPoint_); };
-    for (std::size_t i = 1; i < a.atoms.size(); ++i) {
-        list.AddLine(placeOf(a.atoms[i - 1]), placeOf(a.atoms[i]), kMarkEdge, 5 * scale());
-        list.AddLine(placeOf(a.atoms[i - 1]), placeOf(a.atoms[i]), kMark, 2 * scale());
-    }
-    for (const glm::dvec2& atom : a.atoms) {
-        list.AddCircle(placeOf(atom), 8 * scale(), kMarkEdge, 24, 5 * scale());
-        list.AddCircle(placeOf(atom), 8 * scale(), kMark, 24, 2 * scale());
-    }
-    drawHint(a.coarse);
+    constexpr std::pair<ImU32, float> kPens[] = {{kMarkEdge, 5.0f}, {kMark, 2.0f}};
+    for (std::size_t i = 1; i < a.atoms.size(); ++i)
+        for (const auto& [color, points] : kPens)
+            list.AddLine(placeOf(a.atoms[i - 1]), placeOf(a.atoms[i]), color, f.ui.px(points));
+    for (const glm::dvec2& atom : a.atoms)
+        for (const auto& [color, points] : kPens) list.AddCircle(placeOf(atom), f.ui.px(8), color, 24, f.ui.px(points));
+    drawHint(f, a.coarse);
     if (!a.error.empty()) return;  // that comes first
-    float bottom = freeRoom().bottom - 14 * scale();
+    float bottom = f.s.freeRoom().bottom - f.ui.px(14);
     const std::string& under = a.hover.empty() || a.hover == a.atom ? a.atom : a.hover;
     for (const auto& [text, strong] :
-         {std::pair(a.message, false), std::pair(a.measurement, true), std::pair(under, false)}) {
-        if (text.empty()) continue;
-        bottom = drawStatus(text, bottom, strong) - 6 * scale();
-    }
-}
-
-/// Small, at the top right of what is free.
-void Panel::drawHint(const std::string& text) {
-    if (text.empty()) return;
-    const Theme& theme = state_->ui.theme();
-    ImFont* font = fontOf(TextSize::caption);
-    const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
-    const ImVec2 pad(8 * scale(), 4 * scale());
-    const Rectangle free = freeRoom();
-    const ImVec2 low(std::round(free.right - 10 * scale() - size.x - 2 * pad.x), std::round(free.top + 10 * scale()));
-    const ImVec2 high(low.x + size.x + 2 * pad.x, low.y + size.y + 2 * pad.y);
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.AddRectFilled(low, high, ImGui::GetColorU32(theme.ground), 7 * scale());
-    list.AddRect(low, high, ImGui::GetColorU32(theme.line), 7 * scale(), 0, scale());
-    list.AddText(font, font->FontSize, ImVec2(low.x + pad.x, low.y + pad.y), ImGui::GetColorU32(theme.faint),
-                 text.c_str());
-    noteStatus(text, low, high, 1);
-}
-
-/// Tells of a text over the picture.
-void Panel::noteStatus(const std::string& text, const ImVec2& low, const ImVec2& high, float lines) {
-    Control told;
-    told.role = "status";
-    told.name = text;
-    told.window = "Picture";
-    told.left = told.seenLeft = low.x, told.top = told.seenTop = low.y;
-    told.right = told.seenRight = high.x, told.bottom = told.seenBottom = high.y;
-    told.lines = lines;
-    state_->ui.controls.push_back(told);
-}
-
-/// In a box, low in the middle of what is free. @returns its top
-float Panel::drawStatus(const std::string& text, float bottom, bool strong) {
-    const Theme& theme = state_->ui.theme();
-    const Rectangle free = freeRoom();
-    const float room = free.right - free.left, widest = std::max(room - 48 * scale(), 1.0f);
-    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, widest);
-    const float left = std::round(free.left + (room - size.x) / 2), top = std::round(bottom - size.y);
-    const ImVec2 pad(12 * scale(), 7 * scale());
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    const ImVec2 low(left - pad.x, top - 2 * pad.y), high(left + size.x + pad.x, bottom);
-    list.AddRectFilled(low, high, ImGui::GetColorU32(theme.ground), 7 * scale());
-    list.AddRect(low, high, ImGui::GetColorU32(theme.line), 7 * scale(), 0, scale());
-    noteStatus(text, low, high, size.y / ImGui::GetFontSize());
-    list.AddText(nullptr, 0, ImVec2(left, top - pad.y), ImGui::GetColorU32(strong ? theme.warning : theme.text),
-                 text.c_str(), nullptr, widest);
-    return low.y;
+         {std::pair(a.message, false), std::pair(a.measurement, true), std::pair(under, false)})
+        if (!text.empty()) bottom = drawStatus(f, text, bottom, strong) - f.ui.px(6);
 }
 
 }  // namespace nacre::app

@@ -33,85 +33,97 @@ void slideOpacity(Widgets& ui, const char* name, const char* format, double& opa
     held = -1;
 }
 
-}  // namespace
-
-void Panel::drawLookPage(SavedView& look, const Viewer& viewer) {
-    Widgets& ui = state_->ui;
-    ui.heading("Drawn as");
-    drawStyles(look);
-    ui.heading("Colours");
-    drawColors(look);
-    ui.heading("Ready-made");
-    std::vector<const char*> names{"Looks"};
-    for (const Look& named : looks()) names.push_back(named.name.c_str());
-    std::string chosen = names[0];
-    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-    if (ui.choose("Ready-made look", names, chosen, forFingers() ? -1 : half) && chosen != names[0])
-        applyLook(lookOf(chosen), look);
-    names.assign({"Views"});
-    for (const Preset& preset : presets()) names.push_back(preset.name);
-    chosen = names[0];
-    if (!forFingers()) ImGui::SameLine();
-    if (ui.choose("Ready-made view", names, chosen, -1))
-        for (const Preset& preset : presets())
-            if (chosen == preset.name) applyPreset(preset, look);
-    ui.heading("Background");
-    const float side = forFingers() ? ui.px(kFingerPoints) : ui.rowHeight();
-    bool named = false;
-    for (const NamedColor& color : backgrounds()) {
-        const std::array<float, 4> rgba = parseColor([&] {
-            char text[16];
-            std::snprintf(text, sizeof text, "#%06x", color.rgb);
-            return std::string(text);
-        }());
-        const ImU32 packed = IM_COL32(color.rgb >> 16 & 255, color.rgb >> 8 & 255, color.rgb & 255, 255);
-        named |= look.background == rgba;
-        if (ui.swatch(color.name, packed, look.background == rgba, side)) look.background = rgba;
-        ui.wrapLine(side);
-    }
-    std::array<float, 3> own{look.background[0], look.background[1], look.background[2]};
-    if (ui.chooseColor("Own background", own, side, named)) look.background = {own[0], own[1], own[2], 1};
-    ui.heading("Light");
-    ui.toggle("Light and shade", look.lighting);
-    bool occlusion = look.occlusionDirections > 0;
-    if (ui.toggle("Soft shadows", occlusion))
-        look.occlusionDirections = occlusion ? SavedView{}.occlusionDirections : 0;
-    bool perspective = look.camera.projection == Projection::perspective;
-    if (ui.toggle("Perspective", perspective))
-        look.camera.projection = perspective ? Projection::perspective : Projection::orthographic;
-    drawEffects(look, viewer.document() ? viewer.document()->scene.radius : 1);
-}
-
-void Panel::drawStyles(SavedView& look) {
-    Widgets& ui = state_->ui;
+void drawStyles(PanelFrame& f) {
+    RepresentationOptions& look = f.look.look;
     const float room = ImGui::GetContentRegionAvail().x;
-    const bool narrow = room < ui.px(kTwoColumnPoints);
+    const bool narrow = room < f.ui.px(kTwoColumnPoints);
     const float half = narrow ? room : (room - ImGui::GetStyle().ItemSpacing.x) / 2;
     bool second = false;
     for (const StyleWord& word : styleWords()) {
         if (second && !narrow) ImGui::SameLine();
-        if (ui.button(Icon::none, word.word, half, look.look.style == word.style)) {
-            look.look.style.reset();
-            if (word.style) setStyle(*word.style, look.look);
+        if (f.ui.button(Icon::none, word.word, half, look.style == word.style)) {
+            look.style.reset();
+            if (word.style) setStyle(*word.style, look);
         }
-        ui.controls.back().role = "choice";
-        ui.controls.back().value = look.look.style == word.style ? "on" : "off";
+        f.ui.controls.back().role = "choice";
+        f.ui.controls.back().value = look.style == word.style ? "on" : "off";
         second = !second;
     }
-    if (shows(Style::cartoon, look.look))
-        slideOpacity(ui, "Opacity of ribbons", "Ribbons: opacity %.2f", look.look.cartoonOpacity);
-    if (shows(Style::surface, look.look))
-        slideOpacity(ui, "Opacity of the surface", "Surface: opacity %.2f", look.look.surfaceOpacity);
+    if (shows(Style::cartoon, look))
+        slideOpacity(f.ui, "Opacity of ribbons", "Ribbons: opacity %.2f", look.cartoonOpacity);
+    if (shows(Style::surface, look))
+        slideOpacity(f.ui, "Opacity of the surface", "Surface: opacity %.2f", look.surfaceOpacity);
 }
 
-void Panel::drawColors(SavedView& look) {
-    Widgets& ui = state_->ui;
+}  // namespace
+
+void drawLookPage(PanelFrame& f) {
+    SavedView& look = f.look;
+    f.ui.heading("Drawn as");
+    drawStyles(f);
+    f.ui.heading("Colours");
+    chooseColoring(f.ui, "Colours", look.look.color);
+    f.ui.heading("Ready-made");
+    std::vector<const char*> names{"Looks"};
+    for (const Look& named : looks()) names.push_back(named.name.c_str());
+    std::string chosen = names[0];
+    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    if (f.ui.choose("Ready-made look", names, chosen, f.ui.forFingers() ? -1 : half) && chosen != names[0])
+        applyLook(lookOf(chosen), look);
+    names.assign({"Views"});
+    for (const Preset& preset : presets()) names.push_back(preset.name);
+    chosen = names[0];
+    if (!f.ui.forFingers()) ImGui::SameLine();
+    if (f.ui.choose("Ready-made view", names, chosen, -1))
+        for (const Preset& preset : presets())
+            if (chosen == preset.name) applyPreset(preset, look);
+    f.ui.heading("Background");
+    const float side = f.ui.forFingers() ? f.ui.px(kFingerPoints) : f.ui.rowHeight();
+    bool named = false;
+    for (const NamedColor& color : backgrounds()) {
+        char text[16];
+        std::snprintf(text, sizeof text, "#%06x", color.rgb);
+        const std::array<float, 4> rgba = parseColor(text);
+        named |= look.background == rgba;
+        if (f.ui.swatch(color.name, color.packed(), look.background == rgba, side)) look.background = rgba;
+        f.ui.wrapLine(side);
+    }
+    std::array<float, 3> own{look.background[0], look.background[1], look.background[2]};
+    if (f.ui.chooseColor("Own background", own, side, named)) look.background = {own[0], own[1], own[2], 1};
+    f.ui.heading("Light");
+    f.ui.toggle("Light and shade", look.lighting);
+    bool occlusion = look.occlusionDirections > 0;
+    if (f.ui.toggle("Soft shadows", occlusion))
+        look.occlusionDirections = occlusion ? SavedView{}.occlusionDirections : 0;
+    bool perspective = look.camera.projection == Projection::perspective;
+    if (f.ui.toggle("Perspective", perspective))
+        look.camera.projection = perspective ? Projection::perspective : Projection::orthographic;
+    drawEffects(f);
+}
+
+bool chooseStyle(Widgets& ui, const char* name, const char* none, std::optional<Style>& style, float width) {
+    std::vector<const char*> names;
+    std::vector<std::optional<Style>> styles;
+    std::size_t at = 0;
+    for (const StyleWord& word : styleWords()) {
+        if (!word.style && !none) continue;
+        if (word.style == style) at = names.size();
+        names.push_back(word.style ? word.word : none);
+        styles.push_back(word.style);
+    }
+    if (!ui.choose(name, names, at, width)) return false;
+    style = styles[at];
+    return true;
+}
+
+bool chooseColoring(Widgets& ui, const char* name, Coloring& coloring) {
     std::vector<const char*> names;
     for (const ColorWord& word : colorWords()) names.push_back(word.word);
-    std::string chosen = colorWord(look.look.color);
-    if (ui.choose("Colours", names, chosen))
-        for (const ColorWord& word : colorWords())
-            if (chosen == word.word) look.look.color = parseColoring(word.option);
+    std::string chosen = colorWord(coloring);
+    if (!ui.choose(name, names, chosen)) return false;
+    for (const ColorWord& word : colorWords())
+        if (chosen == word.word) coloring = parseColoring(word.option);
+    return true;
 }
 
 }  // namespace nacre::app

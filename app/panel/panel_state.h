@@ -1,15 +1,19 @@
 #pragma once
-// What the panel's pages keep from frame to frame.
+// What the panel's parts share: what is open, where it stands, and what pages keep from frame to frame; and the pages,
+// which are functions of one frame.
+
+#include <mutex>
 
 #include "app/annotation/layout.h"
 #include "app/panel/fonts.h"
 #include "app/panel/panel.h"
 #include "app/panel/widgets.h"
+#include "app/viewer/parts.h"
 
 namespace nacre::app {
 
 /// Dear ImGui works on one context, named by a global variable: panels on other threads wait for their turn.
-class Panel::Turn {
+class Turn {
 public:
     explicit Turn(ImGuiContext* context) : lock_(turns) { ImGui::SetCurrentContext(context); }
     static inline std::recursive_mutex turns;
@@ -18,20 +22,77 @@ private:
     std::lock_guard<std::recursive_mutex> lock_;
 };
 
-struct Panel::State {
-    State(const Theme& theme, float scale, bool fingers, FindFont find)
-        : ui(theme, scale, fingers), foreign(std::move(find)) {}
+/// Pixels of the window.
+struct Rectangle {
+    float left = 0, top = 0, right = 0, bottom = 0;
+    float width() const { return right - left; }
+    float height() const { return bottom - top; }
+    ImVec2 middle() const { return {(left + right) / 2, (top + bottom) / 2}; }
+    bool holds(glm::dvec2 p) const { return p.x >= left && p.x < right && p.y >= top && p.y < bottom; }
+};
 
+struct PanelState {
+    PanelState(PanelHost lent, double scale, bool fingers)
+        : host(std::move(lent)),
+          pixelsPerPoint(scale),
+          ui(darkTheme(), static_cast<float>(scale), fingers),
+          foreign(host.fontWith) {
+        shown = fingers ? Shown::folded : Shown::open;
+        ui.askText = host.askText;
+    }
+
+    PanelHost host;
+    double pixelsPerPoint;
     Widgets ui;
     ForeignGlyphs foreign;
-    char input[256] = "";      ///< of the start screen
-    bool together = false;     ///< what is opened next stands beside what is open
-    char selection[512] = "";  ///< as it is typed
-    std::string selected;      ///< what the viewer had when the field was filled last
-    char title[256] = "";
+    bool glyphsChanged = false;
+    int restless = 2;       ///< frames that Dear ImGui needs until nothing reacts any more
+    float scroll = 0;       ///< pixels that the finger dragged since the last frame
+    bool keyboard = false;  ///< keys go about in the panel
+
+    // What is open
+    enum class Shown { open, folded, hidden } shown;
+    Panel::Page page = Panel::Page::look;
+    Panel::Brightness brightness = Panel::Brightness::system;
+    bool help = false, licences = false, start = false, saving = false, recording = false, developers = false;
+    bool over() const { return help || saving || recording || start; }
+    bool closeTop();
+    void toggle();
+    void setBrightness(Panel::Brightness to);
+
+    // Where it stands
+    Insets insets;
+    Rectangle window{}, panel{};  ///< all, and the panel where it is open
+    bool sheet = false;           ///< it stands below the molecule
+    Rectangle playBar{};
+    float bar = 0;         ///< pixels that the bar for playing takes, with its margins
+    float legendRoom = 0;  ///< pixels at the right that the molecule leaves to the legend
+    std::vector<Rectangle> occupied;
+    bool occupies(glm::dvec2 pixel) const;
+    /// What the panel leaves of the window.
+    Rectangle freeRoom() const;
+
+    bool editing = false;   ///< a control that is held changed the look
+    std::string ruleError;  ///< why what was typed was not taken
+    /// Takes what was typed: while it cannot be read, what was there stays. @param take  @throws std::exception
+    template <typename Take>
+    void take(Take&& take) {
+        try {
+            take();
+            ruleError.clear();
+        } catch (const std::exception& error) {
+            ruleError = error.what();
+        }
+    }
+    std::optional<Aim> aim;           ///< that a button asked for in this frame
+    std::optional<SavedView> wanted;  ///< the same, of which the molecules are read anew
+    std::string input;                ///< of the start screen
+    bool together = false;            ///< what is opened next stands beside what is open
+    std::string selection;            ///< as it is typed
+    std::string selected;             ///< what the viewer had when the field was filled last
+    std::string title;
     bool typingTitle = false;
     WordMemory wordMemory;
-    float legendRoom = 0;  ///< pixels at the right that the molecule leaves to the legend
     // Parts of the molecule that is shown
     std::shared_ptr<const Molecule> molecule;
     std::vector<Part> parts;
@@ -46,21 +107,82 @@ struct Panel::State {
     std::vector<std::uint32_t> residueColors;        ///< of the same
     std::pair<RepresentationOptions, bool> colored;  ///< what they are the colours of
     int rule = -1;                                   ///< that is being edited
-    char ruleAtoms[512] = "";                        ///< of it, as they are typed
+    std::string ruleAtoms;                           ///< of it, as they are typed
     bool playOptions = false;                        ///< of the bar for playing are unfolded
     // The picture that is to be saved
     int preset = 0, format = 0;
     int widthMm = 160, heightMm = 120, dpi = 300;
     bool transparent = false;
-    char path[512] = "";
+    std::string path;
     // The film that is to be recorded
     int motion = 0, filmSize = 0, filmFormat = 0;
     float filmSeconds = 0;  ///< 0: what the motion takes
     bool filmLoop = false, filmTransparent = false;
-    char film[512] = "";
+    std::string film;
     std::vector<SavedView> keys;  ///< views that it goes through
     std::size_t previewed = 0;    ///< of them while they are shown in turn, counted from 1; 0: they are not
     double previewDue = 0;        ///< when the next one is flown to
 };
+
+/// A frame of the panel, of which its pages are drawn.
+struct PanelFrame {
+    PanelState& s;
+    Widgets& ui;
+    const PanelHost& host;
+    Viewer& viewer;
+    double now;
+    SavedView look{};  ///< the viewer's, which pages change
+};
+
+// The panel about its pages (chrome.cpp)
+/// Of an input, as it is shown: a file's without its folder.
+std::string shortName(const std::string& input);
+void drawMenuButton(PanelFrame& f);
+void drawPanel(PanelFrame& f);
+// Pages
+void drawLookPage(PanelFrame& f);
+void drawEffects(PanelFrame& f);
+void drawPartsPage(PanelFrame& f);
+void drawSequence(PanelFrame& f, const Part& part);
+void drawSelectPage(PanelFrame& f);
+void drawRules(PanelFrame& f);
+void drawLabelsPage(PanelFrame& f);
+void drawMorePage(PanelFrame& f);
+// Under the picture, and upon it
+void drawPlayBar(PanelFrame& f);
+void drawWords(PanelFrame& f);
+void drawAnnotations(PanelFrame& f);
+// Cards, which lie over everything
+void drawStart(PanelFrame& f);
+void drawSave(PanelFrame& f);
+void drawRecord(PanelFrame& f);
+void drawHelp(PanelFrame& f);
+void drawRecording(PanelFrame& f);
+/// Flies from one kept view to the next, as long as the film takes, and comes back to the film.
+void previewFilm(PanelFrame& f);
+void keepView(PanelState& s, const Viewer& viewer);
+void drawReading(PanelFrame& f);
+void drawFailure(PanelFrame& f);
+/// What went wrong, and what to do.
+void tellFailure(PanelFrame& f);
+void drawQuestion(PanelFrame& f);
+
+// Windows (windows.cpp)
+void beginWindow(PanelFrame& f, const char* name, int moreFlags);
+/// As high as what stands in it, at most as its room. @param pivot  0 to 1: where of the window `at` is
+void beginGrown(PanelFrame& f, const char* name, ImVec2 at, ImVec2 pivot, float width, float height);
+/// Ends such a window, which shows a frame late how high it is: that frame is asked for.
+void endGrown(PanelFrame& f);
+/// A window in the middle, over everything else, with a name and a sign that closes it.
+/// @returns whether it was closed
+bool beginCard(PanelFrame& f, const char* name, const char* title, float points, bool closable = true);
+/// At the top of what the panel leaves free: something that goes on, and can be stopped.
+void beginProgress(PanelFrame& f, const char* name);
+/// The window that is being laid out scrolls with the finger.
+void followFinger(PanelFrame& f);
+
+/// One of the styles that have words, or `none`, if that is offered. @returns whether it is another one
+bool chooseStyle(Widgets& ui, const char* name, const char* none, std::optional<Style>& style, float width = -1);
+bool chooseColoring(Widgets& ui, const char* name, Coloring& coloring);
 
 }  // namespace nacre::app

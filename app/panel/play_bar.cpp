@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "app/panel/panel_state.h"
 
@@ -21,11 +22,11 @@ constexpr std::array kFits = {"Frames as they are", "Lay backbones together", "L
 constexpr std::array kFitSelections = {"", "backbone", "all"};
 
 /// "Frame 12 of 200, 24 ps"
-std::string placeText(const Viewer& viewer) {
-    const Playback& playback = viewer.playback();
-    std::string text = (viewer.hasTrajectory() ? "Frame " : "Model ") + std::to_string(playback.frame() + 1) + " of " +
-                       std::to_string(playback.frames());
-    if (const auto time = viewer.frameTime()) {
+std::string placeText(const Playback& playback) {
+    const PlayClock& clock = playback.clock();
+    std::string text = playback.hasTrajectory() ? "Frame " : "Model ";
+    text += std::to_string(clock.frame() + 1) + " of " + std::to_string(clock.frames());
+    if (const auto time = playback.frameTime()) {
         std::array<char, 40> number{};
         const bool nanoseconds = std::abs(*time) >= 1000;
         std::snprintf(number.data(), number.size(), ", %.5g %s", nanoseconds ? *time / 1000 : *time,
@@ -35,106 +36,99 @@ std::string placeText(const Viewer& viewer) {
     return text;
 }
 
-}  // namespace
-
-void Panel::drawPlayBar(Viewer& viewer, double now) {
-    const float before = bar_;
-    bar_ = 0;
-    playBar_ = {};
-    if (viewer.document() && viewer.playback().frames() > 1) {
-        const Rectangle room = freeRoom();
-        const float margin = kBarMargin * scale();
-        const float width = std::min(kBarPoints * scale(), room.right - room.left - 2 * margin);
-        ImGui::SetNextWindowPos(ImVec2(std::round((room.left + room.right) / 2), room.bottom - margin),
-                                ImGuiCond_Always, ImVec2(0.5f, 1));
-        ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(width, room.bottom - room.top - 2 * margin));
-        beginWindow("Play", ImGuiWindowFlags_AlwaysAutoResize);
-        drawPlayRow(viewer, now);
-        if (state_->playOptions) drawPlayOptions(viewer, now);
-        bar_ = ImGui::GetWindowHeight() + 2 * margin;
-        playBar_ = occupied_.back();
-        endGrown();
-    }
-    if (bar_ != before) restless_ = std::max(restless_, 2);
-}
-
-void Panel::drawPlayRow(Viewer& viewer, double now) {
-    Widgets& ui = state_->ui;
-    const Playback& playback = viewer.playback();
-    const bool narrow = ImGui::GetContentRegionAvail().x < ui.px(kNarrowPoints);
-    if (narrow) ui.name(placeText(viewer));
-    const char* const what = viewer.hasTrajectory() ? "frame" : "model";
+void drawPlayRow(PanelFrame& f) {
+    Playback& playback = f.viewer.playback();
+    const PlayClock& clock = playback.clock();
+    const bool narrow = ImGui::GetContentRegionAvail().x < f.ui.px(kNarrowPoints);
+    if (narrow) f.ui.name(placeText(playback));
+    const char* const what = playback.hasTrajectory() ? "frame" : "model";
     const auto named = [&](const char* text) { return std::string(text) + " " + what; };
-    if (ui.sign(Icon::previous, named("Previous").c_str())) host_.run(ViewerCommand::previousModel);
+    if (f.ui.sign(Icon::previous, named("Previous").c_str())) f.host.run(ViewerCommand::previousModel);
     ImGui::SameLine();
-    if (ui.sign(playback.playing() ? Icon::pause : Icon::play, playback.playing() ? "Pause" : "Play"))
-        host_.run(ViewerCommand::playModels);
+    if (f.ui.sign(playback.playing() ? Icon::pause : Icon::play, playback.playing() ? "Pause" : "Play"))
+        f.host.run(ViewerCommand::playModels);
     ImGui::SameLine();
-    if (ui.sign(Icon::next, named("Next").c_str())) host_.run(ViewerCommand::nextModel);
+    if (f.ui.sign(Icon::next, named("Next").c_str())) f.host.run(ViewerCommand::nextModel);
     ImGui::SameLine();
-    const float gap = ImGui::GetStyle().ItemSpacing.x, end = ui.rowHeight() + gap;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - end - (narrow ? 0 : ui.px(kTextPointsOfBar) + gap));
-    int number = static_cast<int>(playback.frame() + 1);
-    if (ui.slideWhole("Frame", number, 1, static_cast<int>(playback.frames()), ""))
-        viewer.showFrame(static_cast<std::size_t>(number - 1), now);
+    const float gap = ImGui::GetStyle().ItemSpacing.x, end = f.ui.rowHeight() + gap;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - end - (narrow ? 0 : f.ui.px(kTextPointsOfBar) + gap));
+    int number = static_cast<int>(clock.frame() + 1);
+    if (f.ui.slideWhole("Frame", number, 1, static_cast<int>(clock.frames()), ""))
+        playback.show(static_cast<std::size_t>(number - 1), f.now);
     ImGui::SameLine();
     if (!narrow) {
         const float x = ImGui::GetCursorPosX();
-        ui.name(placeText(viewer), ui.px(kTextPointsOfBar));
-        ImGui::SameLine(x + ui.px(kTextPointsOfBar) + gap);
+        f.ui.name(placeText(playback), f.ui.px(kTextPointsOfBar));
+        ImGui::SameLine(x + f.ui.px(kTextPointsOfBar) + gap);
     }
-    if (ui.sign(Icon::more, "How it is played")) state_->playOptions = !state_->playOptions, restless_ = 2;
+    if (f.ui.sign(Icon::more, "How it is played")) f.s.playOptions = !f.s.playOptions, f.s.restless = 2;
 }
 
-void Panel::drawPlayOptions(Viewer& viewer, double now) {
-    Widgets& ui = state_->ui;
-    const Playback& playback = viewer.playback();
+void drawPlayOptions(PanelFrame& f) {
+    Playback& playback = f.viewer.playback();
+    const PlayClock& clock = playback.clock();
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-    const bool narrow = half < ui.px(210);
-    const auto place = [&](bool second) {
-        if (second && !narrow) ImGui::SameLine();
-        ImGui::SetNextItemWidth(narrow ? -1 : half);
-    };
-    place(false);
-    auto rate = static_cast<float>(playback.rate());
-    if (ui.slideRate("Speed", rate, Playback::kSlowest, Playback::kFastest, "%.3g a second"))
-        viewer.setRate(rate < 3 ? std::round(2 * rate) / 2 : std::round(rate));
-    std::string order = kOrders[static_cast<std::size_t>(playback.order())];
+    const bool narrow = half < f.ui.px(210);
+    ImGui::SetNextItemWidth(narrow ? -1 : half);
+    auto rate = static_cast<float>(clock.rate());
+    if (f.ui.slideRate("Speed", rate, PlayClock::kSlowest, PlayClock::kFastest, "%.3g a second"))
+        playback.setRate(rate < 3 ? std::round(2 * rate) / 2 : std::round(rate));
+    PlayOrder order = clock.order();
     if (!narrow) ImGui::SameLine();
-    if (ui.choose("Order", kOrders, order, narrow ? -1 : half))
-        viewer.setOrder(static_cast<PlayOrder>(std::find(kOrders.begin(), kOrders.end(), order) - kOrders.begin()));
-    if (!viewer.canLay()) return;
-    TrajectoryOptions laid = viewer.view().trajectory;
+    if (f.ui.choose("Order", kOrders, order, narrow ? -1 : half)) playback.setOrder(order);
+    if (!playback.canLay()) return;
+    const SavedView& view = f.viewer.view();
+    TrajectoryOptions laid = view.trajectory;
     bool changed = false;
-    place(false);
+    ImGui::SetNextItemWidth(narrow ? -1 : half);
     int smooth = static_cast<int>(laid.smooth / 2);
     const std::string mean = laid.smooth > 1 ? "Mean of " + std::to_string(laid.smooth) : "Not smoothed";
-    if (ui.slideWhole("Smoothing", smooth, 0, kMostSmoothing / 2, mean.c_str())) {
+    if (f.ui.slideWhole("Smoothing", smooth, 0, kMostSmoothing / 2, mean.c_str())) {
         laid.smooth = 2 * smooth + 1;
         changed = true;
     }
-    const std::string now_ = laid.fit ? laid.fit->text : "";
-    const auto known = std::find(kFitSelections.begin(), kFitSelections.end(), now_);
-    const std::string selected = viewer.selection().any() ? viewer.selection().text : "";
+    const std::string given = laid.fit ? laid.fit->text : "";
+    const auto known = std::find(kFitSelections.begin(), kFitSelections.end(), given);
+    const SelectedAtoms& selection = f.viewer.picking().selection();
+    const std::string selected = selection.any() ? selection.text : "";
     std::vector<const char*> choices(kFits.begin(), kFits.end());
     if (!selected.empty()) choices.push_back("Lay the selection together");
     std::string fit =
-        known == kFitSelections.end() ? "By " + now_ : kFits[static_cast<std::size_t>(known - kFitSelections.begin())];
+        known == kFitSelections.end() ? "By " + given : kFits[static_cast<std::size_t>(known - kFitSelections.begin())];
     if (!narrow) ImGui::SameLine();
-    if (ui.choose("Fit", choices, fit, narrow ? -1 : half)) {
+    if (f.ui.choose("Fit", choices, fit, narrow ? -1 : half)) {
         const auto taken = std::find(kFits.begin(), kFits.end(), fit);
         const std::string text =
             taken == kFits.end() ? selected : kFitSelections[static_cast<std::size_t>(taken - kFits.begin())];
         laid.fit = text.empty() ? std::nullopt : std::optional(parseSelection(text));
         changed = true;
     }
-    if (viewer.hasTrajectory()) changed = ui.toggle("Whole molecules", laid.whole) || changed;
-    if (changed) viewer.setMotion(laid, now);
+    if (playback.hasTrajectory()) changed = f.ui.toggle("Whole molecules", laid.whole) || changed;
+    if (changed) playback.setMotion(laid, f.now);
     if (laid.fit) {
         std::array<char, 60> text{};
-        std::snprintf(text.data(), text.size(), "%.2f Å from the first (RMSD)", viewer.frameRmsd());
-        ui.caption(text.data());
+        std::snprintf(text.data(), text.size(), "%.2f Å from the first (RMSD)", playback.frameRmsd());
+        f.ui.caption(text.data());
     }
+}
+
+}  // namespace
+
+void drawPlayBar(PanelFrame& f) {
+    const float before = std::exchange(f.s.bar, 0);
+    f.s.playBar = {};
+    if (f.viewer.document() && f.viewer.playback().clock().frames() > 1) {
+        const Rectangle room = f.s.freeRoom();
+        const float margin = f.ui.px(kBarMargin);
+        beginGrown(f, "Play", ImVec2(room.middle().x, room.bottom - margin), ImVec2(0.5f, 1),
+                   std::min(f.ui.px(kBarPoints), room.width() - 2 * margin), room.height() - 2 * margin);
+        drawPlayRow(f);
+        if (f.s.playOptions) drawPlayOptions(f);
+        f.s.bar = ImGui::GetWindowHeight() + 2 * margin;
+        f.s.playBar = f.s.occupied.back();
+        endGrown(f);
+    }
+    if (f.s.bar != before) f.s.restless = std::max(f.s.restless, 2);
 }
 
 }  // namespace nacre::app

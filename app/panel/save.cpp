@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 #include "app/panel/panel_state.h"
@@ -26,81 +25,68 @@ std::uint32_t pixelsOf(int millimetres, int dpi) {
 }  // namespace
 
 void Panel::setSavePath(const std::string& path) {
-    State& s = *state_;
-    std::string whole = path;
+    PanelState& s = *state_;
     const std::string end = std::filesystem::path(path).extension().string();
-    if (end.empty()) whole += kExtensions[s.format];
+    s.path = end.empty() ? path + kExtensions[s.format] : path;
     for (int i = 0; i < static_cast<int>(std::size(kExtensions)); ++i)
         if (end == kExtensions[i]) s.format = i;
-    std::snprintf(s.path, sizeof s.path, "%s", whole.c_str());
-    restless_ = 3;
+    s.restless = 3;
 }
 
-void Panel::drawSave(const Viewer& viewer) {
-    Widgets& ui = state_->ui;
-    State& s = *state_;
+void drawSave(PanelFrame& f) {
     const auto rename = [&] {
-        if (host_.freeName) std::snprintf(s.path, sizeof s.path, "%s", host_.freeName(kExtensions[s.format]).c_str());
+        if (f.host.freeName) f.s.path = f.host.freeName(kExtensions[f.s.format]);
     };
-    if (s.path[0] == '\0') rename();
-    if (beginCard("Save", "Save the picture", kSavePoints)) saving_ = false;
-    ui.heading("Size");
-    std::string size = kSizes[s.preset];
-    if (ui.choose("Size", kSizes, size))
-        for (int i = 0; i < static_cast<int>(std::size(kSizes)); ++i)
-            if (size == kSizes[i]) s.preset = i;
-    if (s.preset == kPaper) {
+    if (f.s.path.empty()) rename();
+    if (beginCard(f, "Save", "Save the picture", kSavePoints)) f.s.saving = false;
+    f.ui.heading("Size");
+    f.ui.choose("Size", kSizes, f.s.preset);
+    if (f.s.preset == kPaper) {
         const float third = (ImGui::GetContentRegionAvail().x - 2 * ImGui::GetStyle().ItemSpacing.x) / 3;
         const auto number = [&](const char* name, int& value, int most, const char* format) {
             ImGui::SetNextItemWidth(third);
             ImGui::PushID(name);
             ImGui::DragInt("##number", &value, 1, 1, most, format, ImGuiSliderFlags_AlwaysClamp);
             ImGui::PopID();
-            ui.note("slider", name, std::to_string(value));
+            f.ui.note("slider", name, std::to_string(value));
         };
-        number("Width", s.widthMm, kMostMm, "%d mm wide");
+        number("Width", f.s.widthMm, kMostMm, "%d mm wide");
         ImGui::SameLine();
-        number("Height", s.heightMm, kMostMm, "%d mm high");
+        number("Height", f.s.heightMm, kMostMm, "%d mm high");
         ImGui::SameLine();
-        number("Resolution", s.dpi, kMostDpi, "%d dpi");
+        number("Resolution", f.s.dpi, kMostDpi, "%d dpi");
     }
     PictureWish wish;
-    const PixelSize window = viewer.size();
+    const PixelSize window = f.viewer.frames().size();
     const PixelSize sizes[] = {
-        window, {2048, 2048}, {1920, 1080}, {pixelsOf(s.widthMm, s.dpi), pixelsOf(s.heightMm, s.dpi)}};
-    wish.size = sizes[s.preset];
-    ui.caption(std::to_string(wish.size.width) + " x " + std::to_string(wish.size.height) + " pixels");
-    ui.heading("Format");
-    std::string format = kFormats[s.format];
-    if (ui.choose("Format", kFormats, format)) {
-        for (int i = 0; i < static_cast<int>(std::size(kFormats)); ++i)
-            if (format == kFormats[i]) s.format = i;
-        rename();
-    }
-    if (s.format != kJpeg) ui.toggle("Transparent background", s.transparent);
-    ui.heading("Where to");
-    const float choose = host_.saveDialog ? ui.buttonWidth("Choose ...") + ui.px(2) : 0;
-    const float gap = host_.saveDialog ? ImGui::GetStyle().ItemSpacing.x : 0;
-    ui.field("Path", "picture.png", s.path, sizeof s.path, ImGui::GetContentRegionAvail().x - choose - gap);
-    if (host_.saveDialog) {
+        window, {2048, 2048}, {1920, 1080}, {pixelsOf(f.s.widthMm, f.s.dpi), pixelsOf(f.s.heightMm, f.s.dpi)}};
+    wish.size = sizes[f.s.preset];
+    f.ui.caption(std::to_string(wish.size.width) + " x " + std::to_string(wish.size.height) + " pixels");
+    f.ui.heading("Format");
+    if (f.ui.choose("Format", kFormats, f.s.format)) rename();
+    if (f.s.format != kJpeg) f.ui.toggle("Transparent background", f.s.transparent);
+    f.ui.heading("Where to");
+    const float choose = f.host.saveDialog ? f.ui.buttonWidth("Choose ...") + f.ui.px(2) : 0;
+    const float gap = f.host.saveDialog ? ImGui::GetStyle().ItemSpacing.x : 0;
+    f.ui.field("Path", "picture.png", f.s.path, ImGui::GetContentRegionAvail().x - choose - gap);
+    if (f.host.saveDialog) {
         ImGui::SameLine();
-        if (ui.button(Icon::none, "Choose ...", choose)) host_.saveDialog(s.path);
+        if (f.ui.button(Icon::none, "Choose ...", choose)) f.host.saveDialog(f.s.path);
     }
-    ui.folderOf(s.path);
+    f.ui.folderOf(f.s.path.c_str());
     ImGui::Spacing();
-    wish.transparent = s.transparent && s.format != kJpeg;
-    wish.path = s.path;
-    if (s.preset == kPaper) wish.dpi = s.dpi;
-    if (ui.button(Icon::save, "Save", 0, true) && wish.path[0] != '\0') {
-        saving_ = false;
-        host_.savePicture(wish);
-        s.path[0] = '\0';
-        restless_ = 3;
+    wish.transparent = f.s.transparent && f.s.format != kJpeg;
+    wish.path = f.s.path;
+    if (f.s.preset == kPaper) wish.dpi = f.s.dpi;
+    if (f.ui.button(Icon::save, "Save", 0, true) && !wish.path.empty()) {
+        f.s.saving = false;
+        f.host.savePicture(wish);
+        f.s.restless = 3;
     }
     ImGui::SameLine();
-    if (ui.button(Icon::none, "Cancel")) saving_ = false;
-    if (!saving_) s.path[0] = '\0';
-    endCard();
+    if (f.ui.button(Icon::none, "Cancel")) f.s.saving = false;
+    if (!f.s.saving) f.s.path.clear();
+    endGrown(f);
 }
 
 }  // namespace nacre::app

@@ -67,101 +67,96 @@ void drawFold(ImDrawList& list, SecondaryStructure fold, bool last, ImVec2 low, 
         list.AddTriangleFilled(ImVec2(end, low.y - unit), ImVec2(high.x, y), ImVec2(end, high.y + unit), ink);
 }
 
-}  // namespace
-
 /// Selects what lies between two residues of the sequence.
-void Panel::selectResidues(Viewer& viewer) {
-    const std::vector<std::uint32_t>& sequence = state_->sequence;
-    const auto [low, high] = std::minmax(state_->dragFrom, state_->dragTo);
-    viewer.select(residuesText(*state_->molecule, sequence[static_cast<std::size_t>(low)],
-                               sequence[static_cast<std::size_t>(high)], state_->sequenceInput));
+void selectResidues(PanelFrame& f) {
+    const std::vector<std::uint32_t>& sequence = f.s.sequence;
+    const auto [low, high] = std::minmax(f.s.dragFrom, f.s.dragTo);
+    f.viewer.picking().select(residuesText(*f.s.molecule, sequence[static_cast<std::size_t>(low)],
+                                           sequence[static_cast<std::size_t>(high)], f.s.sequenceInput));
 }
 
-void Panel::drawSequence(const Part& part, const SavedView& look, Viewer& viewer) {
-    Widgets& ui = state_->ui;
-    State& s = *state_;
-    if (s.sequence.empty()) return;
-    if (s.folds.empty()) s.folds = secondaryStructure(*s.molecule);
-    if (s.residueColors.empty() || s.colored != std::pair(look.look, look.drawn.hydrogens)) {
-        s.residueColors = residueColors(*s.molecule, look);
-        s.colored = {look.look, look.drawn.hydrogens};
+/// @param i  of the sequence
+void drawLetter(PanelFrame& f, int i, ImVec2 p, ImVec2 size, bool chosen, bool hovered) {
+    const Theme& theme = f.ui.theme();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const std::uint32_t r = f.s.sequence[static_cast<std::size_t>(i)];
+    const SecondaryStructure fold = f.s.folds[r];
+    const bool more = i + 1 < static_cast<int>(f.s.sequence.size());
+    const bool last = !more || f.s.folds[f.s.sequence[static_cast<std::size_t>(i) + 1]] != fold;
+    const float above = f.ui.px(14);
+    if (chosen)
+        list.AddRectFilled(ImVec2(p.x, p.y + above), ImVec2(p.x + size.x, p.y + size.y - f.ui.px(2)),
+                           ImGui::GetColorU32(theme.accent));
+    if (const std::uint32_t color = f.s.residueColors[r]; color != 0)
+        list.AddRectFilled(ImVec2(p.x, p.y + f.ui.px(5)), ImVec2(p.x + size.x, p.y + f.ui.px(8)), color | 0xff000000);
+    drawFold(list, fold, last, ImVec2(p.x, p.y + f.ui.px(10)), ImVec2(p.x + size.x, p.y + f.ui.px(13)),
+             ImGui::GetColorU32(theme.faint), f.ui.px(1));
+    const char letter[2] = {letterOf(f.s.molecule->residues[r]), '\0'};
+    const float width = ImGui::CalcTextSize(letter).x;
+    const ImVec4& ink = chosen ? theme.onAccent : hovered ? theme.mark : theme.text;
+    f.ui.write(ImVec2(p.x + (size.x - width) / 2, p.y + (size.y + above - f.ui.px(2) - ImGui::GetFontSize()) / 2),
+               ImGui::GetColorU32(ink), letter);
+}
+
+/// The number of the first residue of a line, to the left of it.
+void drawResidueNumber(PanelFrame& f, int i, ImVec2 right, float line) {
+    const std::string number = std::to_string(f.s.molecule->residues[f.s.sequence[static_cast<std::size_t>(i)]].number);
+    ImGui::PushFont(fontOf(TextSize::caption));
+    f.ui.write(ImVec2(right.x - ImGui::CalcTextSize(number.c_str()).x,
+                      right.y + (line + f.ui.px(12) - ImGui::GetFontSize()) / 2),
+               ImGui::GetColorU32(f.ui.theme().faint), number);
+    ImGui::PopFont();
+}
+
+}  // namespace
+
+void drawSequence(PanelFrame& f, const Part& part) {
+    if (f.s.sequence.empty()) return;
+    if (f.s.folds.empty()) f.s.folds = secondaryStructure(*f.s.molecule);
+    if (f.s.residueColors.empty() || f.s.colored != std::pair(f.look.look, f.look.drawn.hydrogens)) {
+        f.s.residueColors = residueColors(*f.s.molecule, f.look);
+        f.s.colored = {f.look.look, f.look.drawn.hydrogens};
     }
     Letters letters{};
-    letters.cell = ui.px(forFingers() ? 20 : 11.5f), letters.line = ui.px(forFingers() ? 42 : 31);
-    letters.gap = ui.px(6), letters.left = ui.px(36);
+    letters.cell = f.ui.px(f.ui.forFingers() ? 20 : 11.5f), letters.line = f.ui.px(f.ui.forFingers() ? 42 : 31);
+    letters.gap = f.ui.px(6), letters.left = f.ui.px(36);
     const float room = ImGui::GetContentRegionAvail().x - letters.left;
     letters.perLine =
         kBlock * std::max(static_cast<int>((room + letters.gap) / (kBlock * letters.cell + letters.gap)), 1);
-    letters.count = static_cast<int>(s.sequence.size());
+    letters.count = static_cast<int>(f.s.sequence.size());
     letters.at = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton(
         "##sequence", ImVec2(ImGui::GetContentRegionAvail().x, letters.line * static_cast<float>(letters.lines())));
-    ui.ringFocus();
-    ui.note("sequence", "Sequence of " + part.name, viewer.selection().text);
+    f.ui.ringFocus();
+    f.ui.note("sequence", "Sequence of " + part.name, f.viewer.picking().selection().text);
     const int under = letters.under(ImGui::GetIO().MousePos);
-    if (ImGui::IsItemActivated() && under >= 0) s.dragFrom = s.dragTo = under;
-    if (ImGui::IsItemActive() && under >= 0 && s.dragFrom >= 0) {
-        s.dragTo = under;
-        selectResidues(viewer);
+    if (ImGui::IsItemActivated() && under >= 0) f.s.dragFrom = f.s.dragTo = under;
+    if (ImGui::IsItemActive() && under >= 0 && f.s.dragFrom >= 0) {
+        f.s.dragTo = under;
+        selectResidues(f);
     }
-    s.alongSequence = ImGui::IsItemFocused() && ImGui::GetIO().NavVisible;
-    if (const int step = std::exchange(s.sequenceStep, 0); step != 0 && s.alongSequence) {
-        s.dragTo = s.dragTo < 0 ? 0 : std::clamp(s.dragTo + step, 0, letters.count - 1);
-        if (!s.sequenceExtends || s.dragFrom < 0) s.dragFrom = s.dragTo;
-        selectResidues(viewer);
+    f.s.alongSequence = ImGui::IsItemFocused() && ImGui::GetIO().NavVisible;
+    if (const int step = std::exchange(f.s.sequenceStep, 0); step != 0 && f.s.alongSequence) {
+        f.s.dragTo = f.s.dragTo < 0 ? 0 : std::clamp(f.s.dragTo + step, 0, letters.count - 1);
+        if (!f.s.sequenceExtends || f.s.dragFrom < 0) f.s.dragFrom = f.s.dragTo;
+        selectResidues(f);
     }
     const bool hovered = ImGui::IsItemHovered() && under >= 0;
-    const auto [low, high] = std::minmax(s.dragFrom, s.dragTo);
+    const auto [low, high] = std::minmax(f.s.dragFrom, f.s.dragTo);
     const ImDrawList& list = *ImGui::GetWindowDrawList();
     for (int i = 0; i < letters.count; ++i) {
         const ImVec2 p = letters.placeOf(i);
         if (p.y + letters.line < list.GetClipRectMin().y || p.y > list.GetClipRectMax().y) continue;
-        drawLetter(i, p, ImVec2(letters.cell, letters.line), low >= 0 && i >= low && i <= high, hovered && i == under);
+        drawLetter(f, i, p, ImVec2(letters.cell, letters.line), low >= 0 && i >= low && i <= high,
+                   hovered && i == under);
         if (i % letters.perLine == 0)
-            drawResidueNumber(i, ImVec2(letters.at.x + letters.left - ui.px(5), p.y), letters.line);
+            drawResidueNumber(f, i, ImVec2(letters.at.x + letters.left - f.ui.px(5), p.y), letters.line);
     }
     if (hovered) {
-        const Residue& residue = s.molecule->residues[s.sequence[static_cast<std::size_t>(under)]];
+        const Residue& residue = f.s.molecule->residues[f.s.sequence[static_cast<std::size_t>(under)]];
         ImGui::SetTooltip("%s %d", std::string(residue.name.view()).c_str(), residue.number);
     }
-    ui.caption("Above: colours as drawn; bars are helices, arrows are strands.");
-}
-
-/// @param i  of the sequence
-void Panel::drawLetter(int i, ImVec2 p, ImVec2 size, bool chosen, bool hovered) {
-    const Widgets& ui = state_->ui;
-    const Theme& theme = ui.theme();
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const std::uint32_t r = state_->sequence[static_cast<std::size_t>(i)];
-    const SecondaryStructure fold = state_->folds[r];
-    const bool more = i + 1 < static_cast<int>(state_->sequence.size());
-    const bool last = !more || state_->folds[state_->sequence[static_cast<std::size_t>(i) + 1]] != fold;
-    const float above = ui.px(14);
-    if (chosen)
-        list.AddRectFilled(ImVec2(p.x, p.y + above), ImVec2(p.x + size.x, p.y + size.y - ui.px(2)),
-                           ImGui::GetColorU32(theme.accent));
-    if (const std::uint32_t color = state_->residueColors[r]; color != 0)
-        list.AddRectFilled(ImVec2(p.x, p.y + ui.px(5)), ImVec2(p.x + size.x, p.y + ui.px(8)), color | 0xff000000);
-    drawFold(list, fold, last, ImVec2(p.x, p.y + ui.px(10)), ImVec2(p.x + size.x, p.y + ui.px(13)),
-             ImGui::GetColorU32(theme.faint), ui.px(1));
-    const char letter[2] = {letterOf(state_->molecule->residues[r]), '\0'};
-    const float width = ImGui::CalcTextSize(letter).x;
-    const ImVec4& ink = chosen ? theme.onAccent : hovered ? theme.mark : theme.text;
-    list.AddText(ImVec2(std::round(p.x + (size.x - width) / 2),
-                        std::round(p.y + (size.y + above - ui.px(2) - ImGui::GetFontSize()) / 2)),
-                 ImGui::GetColorU32(ink), letter);
-}
-
-/// The number of the first residue of a line, to the left of it.
-void Panel::drawResidueNumber(int i, ImVec2 right, float line) {
-    const Widgets& ui = state_->ui;
-    const std::string number =
-        std::to_string(state_->molecule->residues[state_->sequence[static_cast<std::size_t>(i)]].number);
-    ImGui::PushFont(fontOf(TextSize::caption));
-    ImGui::GetWindowDrawList()->AddText(ImVec2(std::round(right.x - ImGui::CalcTextSize(number.c_str()).x),
-                                               std::round(right.y + (line + ui.px(12) - ImGui::GetFontSize()) / 2)),
-                                        ImGui::GetColorU32(ui.theme().faint), number.c_str());
-    ImGui::PopFont();
+    f.ui.caption("Above: colours as drawn; bars are helices, arrows are strands.");
 }
 
 }  // namespace nacre::app

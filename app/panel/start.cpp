@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <span>
+#include <utility>
 
 #include "app/panel/panel_state.h"
 
@@ -34,113 +35,103 @@ void drawPicture(ImDrawList& list, const RecentFile& recent, ImVec2 low, ImVec2 
         }
 }
 
-}  // namespace
-
-bool Panel::opensTogether() const { return start_ && state_->together; }
-
-void Panel::openInput(const std::string& input, Viewer& viewer, double now) {
+void openInput(PanelFrame& f, const std::string& input) {
     if (input.empty()) return;
-    const bool together = opensTogether();
-    start_ = false;
-    if (together)
-        host_.add(input);
-    else if (host_.open)
-        host_.open(input);
+    const bool beside = std::exchange(f.s.start, false) && f.s.together;
+    if (beside)
+        f.host.add(input);
+    else if (f.host.open)
+        f.host.open(input);
     else
-        viewer.open(input, now);
+        f.viewer.reading().open(input, f.now);
 }
 
-void Panel::drawStart(Viewer& viewer, double now) {
-    Widgets& ui = state_->ui;
-    const bool empty = !viewer.document();
-    if (beginCard("Start", empty ? "Nacre" : "Open", kStartPoints, !empty)) start_ = false;
-    ui.caption("Molecules, from files and databases");
-    ImGui::Spacing();
-    if (!viewer.failure().empty()) {
-        tellFailure(viewer);
-        ImGui::Spacing();
-    }
-    if (empty) state_->together = false;
-    if (host_.add && !empty) ui.toggle("Beside what is open", state_->together);
-    if (host_.openDialog && ui.button(Icon::open, "Open a file ...", 0, true)) host_.openDialog();
-    if (host_.goOn && empty) {
-        const std::string words = "Go on with " + host_.lastView;
-        const float wide = ui.buttonWidth(words.c_str()) + ui.px(23);
-        if (host_.openDialog) ui.wrapLine(wide);
-        const bool fits = ImGui::GetContentRegionAvail().x >= wide;
-        if (ui.button(Icon::play, words.c_str(), fits ? 0 : -1, !host_.openDialog)) host_.goOn();
-        ui.controls.back().cut = false;  // a long name is shortened, as everywhere
-    }
-    if (!forFingers()) ui.caption(host_.openDialog ? "Or drop a file on this window." : "Drop a file on this window.");
-    if (!forFingers() || (host_.downloads && ui.typable())) {
-        ui.heading(forFingers()      ? "From a database"
-                   : host_.downloads ? "From a database, or by its path"
-                                     : "By its path");
-        const float go = ui.buttonWidth("Get it") + ui.px(2);
-        const float beside = ImGui::GetContentRegionAvail().x - go - ImGui::GetStyle().ItemSpacing.x;
-        const bool narrow = beside < ui.px(170);  // the button stands below the field
-        const char* hint = !host_.downloads ? "/home/me/1bna.pdb"
-                           : narrow         ? "pdb:1BNA"
-                                            : "pdb:1BNA, pubchem:aspirin, afdb:P69905";
-        const bool entered = ui.field("Identifier or path", hint, state_->input, sizeof state_->input,
-                                      narrow ? -1 : beside, ImGuiInputTextFlags_EnterReturnsTrue);
-        if (!narrow) ImGui::SameLine();
-        if (ui.button(Icon::none, "Get it", go) || entered) openInput(state_->input, viewer, now);
-        if (host_.downloads) {
-            constexpr std::pair<const char*, const char*> kExamples[] = {
-                {"Haemoglobin", "pdb:4HHB"}, {"Aspirin", "pubchem:aspirin"}, {"Predicted haemoglobin", "afdb:P69905"}};
-            std::size_t placed = 0;
-            for (const auto& [name, input] : kExamples) {
-                if (placed++ > 0) ui.wrapLine(ui.buttonWidth(name));
-                if (ui.button(Icon::none, name)) openInput(input, viewer, now);
-            }
-        }
-    }
-    if (host_.recent && !host_.recent().empty()) {
-        ui.heading("Open before");
-        const float width = ui.px(kRecentPoints);
-        bool first = true;
-        for (const RecentFile& recent : host_.recent()) {
-            if (!first) ui.wrapLine(width);
-            first = false;
-            drawRecent(recent, width, viewer, now);
-        }
-    }
-    ui.heading("Samples");
-    bool first = true;
-    for (const auto& [name, input] : kSamples) {
-        if (!first) ui.wrapLine(ui.buttonWidth(name));
-        first = false;
-        if (ui.button(Icon::none, name)) openInput(input, viewer, now);
-    }
-    if (empty) {
-        ImGui::Spacing();
-        if (ui.button(Icon::help, "Help")) help_ = true;
-    }
-    endCard();
+/// Buttons side by side, each of which opens something.
+void offer(PanelFrame& f, std::span<const std::pair<const char*, const char*>> inputs) {
+    for (const auto& each : inputs)
+        if (f.ui.word(each.first, &each != inputs.data())) openInput(f, each.second);
 }
 
 /// A card with a picture and a name below it.
-void Panel::drawRecent(const RecentFile& recent, float width, Viewer& viewer, double now) {
-    Widgets& ui = state_->ui;
-    const float picture = ui.px(kPicturePoints), height = picture + ui.px(26);
-    ImGui::PushID(recent.input.c_str());
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    const bool pressed = ImGui::Button("##recent", ImVec2(width, height));
-    ui.note("button", "Open " + recent.name, recent.input);
-    if (!forFingers() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", recent.input.c_str());
-    ImGui::PopID();
+void drawRecent(PanelFrame& f, const RecentFile& recent, float width) {
+    const float picture = f.ui.px(kPicturePoints), height = picture + f.ui.px(26);
+    const auto [pressed, low, ink] = f.ui.press("##recent", recent.input.c_str(), ImVec2(width, height));
+    f.ui.note("button", "Open " + recent.name, recent.input);
+    f.ui.explain(recent.input);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float in = ui.px(4);
+    const float in = f.ui.px(4);
     const ImVec2 from(low.x + in, low.y + in), to(low.x + width - in, low.y + picture);
-    list.AddRectFilled(from, to, IM_COL32(255, 255, 255, 255), ui.px(4));
+    list.AddRectFilled(from, to, IM_COL32(255, 255, 255, 255), f.ui.px(4));
     drawPicture(list, recent, from, to);
     ImGui::PushFont(fontOf(TextSize::caption));
-    const std::string shown = shortened(visualText(recent.name), width - 2 * ui.px(6));
-    list.AddText(ImVec2(std::round(low.x + ui.px(7)), std::round(low.y + picture + ui.px(5))),
-                 ImGui::GetColorU32(ui.theme().text), shown.c_str());
+    const std::string shown = shortened(visualText(recent.name), width - 2 * f.ui.px(6));
+    f.ui.write(ImVec2(low.x + f.ui.px(7), low.y + picture + f.ui.px(5)), ink, shown);
     ImGui::PopFont();
-    if (pressed) openInput(recent.input, viewer, now);
+    if (pressed) openInput(f, recent.input);
+}
+
+/// An identifier or a path is typed.
+void drawInput(PanelFrame& f) {
+    f.ui.heading(f.ui.forFingers()  ? "From a database"
+                 : f.host.downloads ? "From a database, or by its path"
+                                    : "By its path");
+    const float go = f.ui.buttonWidth("Get it") + f.ui.px(2);
+    const float beside = ImGui::GetContentRegionAvail().x - go - ImGui::GetStyle().ItemSpacing.x;
+    const bool narrow = beside < f.ui.px(170);  // the button stands below the field
+    const char* hint = !f.host.downloads ? "/home/me/1bna.pdb"
+                       : narrow          ? "pdb:1BNA"
+                                         : "pdb:1BNA, pubchem:aspirin, afdb:P69905";
+    const bool entered =
+        f.ui.field("Identifier or path", hint, f.s.input, narrow ? -1 : beside, ImGuiInputTextFlags_EnterReturnsTrue);
+    if (!narrow) ImGui::SameLine();
+    if (f.ui.button(Icon::none, "Get it", go) || entered) openInput(f, f.s.input);
+    constexpr std::pair<const char*, const char*> kExamples[] = {
+        {"Haemoglobin", "pdb:4HHB"}, {"Aspirin", "pubchem:aspirin"}, {"Predicted haemoglobin", "afdb:P69905"}};
+    if (f.host.downloads) offer(f, kExamples);
+}
+
+}  // namespace
+
+void drawStart(PanelFrame& f) {
+    const bool empty = !f.viewer.document();
+    if (beginCard(f, "Start", empty ? "Nacre" : "Open", kStartPoints, !empty)) f.s.start = false;
+    f.ui.caption("Molecules, from files and databases");
+    ImGui::Spacing();
+    if (!f.viewer.messages().failure().empty()) {
+        tellFailure(f);
+        ImGui::Spacing();
+    }
+    if (empty) f.s.together = false;
+    if (f.host.add && !empty) f.ui.toggle("Beside what is open", f.s.together);
+    if (f.host.openDialog && f.ui.button(Icon::open, "Open a file ...", 0, true)) f.host.openDialog();
+    if (f.host.goOn && empty) {
+        const std::string words = "Go on with " + f.host.lastView;
+        const float wide = f.ui.buttonWidth(words.c_str()) + f.ui.px(23);
+        if (f.host.openDialog) f.ui.wrapLine(wide);
+        const bool fits = ImGui::GetContentRegionAvail().x >= wide;
+        if (f.ui.button(Icon::play, words.c_str(), fits ? 0 : -1, !f.host.openDialog)) f.host.goOn();
+        f.ui.controls.back().cut = false;  // a long name is shortened, as everywhere
+    }
+    if (!f.ui.forFingers())
+        f.ui.caption(f.host.openDialog ? "Or drop a file on this window." : "Drop a file on this window.");
+    if (!f.ui.forFingers() || (f.host.downloads && f.ui.typable())) drawInput(f);
+    if (f.host.recent && !f.host.recent().empty()) {
+        f.ui.heading("Open before");
+        const float width = f.ui.px(kRecentPoints);
+        bool first = true;
+        for (const RecentFile& recent : f.host.recent()) {
+            if (!first) f.ui.wrapLine(width);
+            first = false;
+            drawRecent(f, recent, width);
+        }
+    }
+    f.ui.heading("Samples");
+    offer(f, kSamples);
+    if (empty) {
+        ImGui::Spacing();
+        if (f.ui.button(Icon::help, "Help")) f.s.help = true;
+    }
+    endGrown(f);
 }
 
 }  // namespace nacre::app

@@ -1,13 +1,33 @@
 #include "app/panel/widgets.h"
 
+#include <imgui_internal.h>  // Dear ImGui's own Tab goes to fields alone
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-
-#include "app/panel/focus.h"
+#include <utility>
 
 namespace nacre::app {
+namespace {
+
+/// Gives the keyboard's focus to the item that was drawn last, and scrolls to it.
+void focusLastItem() {
+    ImGuiContext& g = *ImGui::GetCurrentContext();
+    if (g.LastItemData.ID == 0) return;
+    ImGui::ClearActiveID();  // a field that was typed into
+    ImGui::SetFocusID(g.LastItemData.ID, g.CurrentWindow);
+#if IMGUI_VERSION_NUM < 19140
+    g.NavDisableHighlight = false;
+    g.NavDisableMouseHover = true;
+#else
+    g.NavCursorVisible = true;
+    g.NavHighlightItemUnderNav = true;
+#endif
+    ImGui::ScrollToItem();
+}
+
+}  // namespace
 
 std::string shortened(const std::string& text, float width) {
     if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
@@ -54,38 +74,40 @@ float Widgets::buttonWidth(const char* label) const {
     return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-bool Widgets::button(Icon icon, const char* label, float width, bool primary, bool enabled) {
-    const float height = rowHeight(), gap = px(8), side = icon == Icon::none ? 0 : px(15);
-    const ImVec2 text = ImGui::CalcTextSize(label, nullptr, true);
-    const float room = text.x + (icon == Icon::none ? 0 : side + gap);
-    float wide = room + 2 * ImGui::GetStyle().FramePadding.x;
-    if (width < 0) wide = ImGui::GetContentRegionAvail().x;
-    if (width > 0) wide = width;
-    if (primary) {
-        ImGui::PushStyleColor(ImGuiCol_Button, theme_->accent);
-        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, theme_->accent);
-    }
-    ImGui::PushID(label);
+Widgets::Pressed Widgets::press(const char* id, const char* name, ImVec2 size, Face face, bool enabled) {
+    const int colors = face == Face::field ? 0 : face == Face::clear ? 1 : 2;
+    const ImVec4& accent = theme_->accent;
+    if (colors > 0) ImGui::PushStyleColor(ImGuiCol_Button, colors > 1 ? accent : ImVec4(0, 0, 0, 0));
+    if (colors > 1) ImGui::PushStyleColor(ImGuiCol_ButtonHovered, accent);
+    ImGui::PushID(name);
     ImGui::BeginDisabled(!enabled);
-    const bool pressed = ImGui::Button("##button", ImVec2(wide, height));
+    const bool pressed = ImGui::Button(id, size);
     ImGui::EndDisabled();
     ImGui::PopID();
-    if (primary) ImGui::PopStyleColor(2);
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const float inner = wide - 2 * px(4);
-    const std::string whole = visualText(label);
-    const std::string shown = shortened(whole, inner - (icon == Icon::none ? 0 : side + gap));
-    const float shownWidth = ImGui::CalcTextSize(shown.c_str()).x;
-    float x = low.x + (wide - shownWidth - (icon == Icon::none ? 0 : side + gap)) / 2;
-    ImVec4 ink = primary ? theme_->onAccent : theme_->text;
+    ImGui::PopStyleColor(colors);
+    ImVec4 ink = colors > 1 ? theme_->onAccent : theme_->text;
     if (!enabled) ink.w = 0.5f;
-    const ImU32 color = ImGui::GetColorU32(ink);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (icon != Icon::none) {
-        drawIcon(list, icon, ImVec2(x + side / 2, low.y + height / 2), side, color);
-        x += side + gap;
-    }
-    list.AddText(ImVec2(std::round(x), std::round(low.y + (height - text.y) / 2)), color, shown.c_str());
+    return {pressed, ImGui::GetItemRectMin(), ImGui::GetColorU32(ink)};
+}
+
+void Widgets::write(ImVec2 at, ImU32 color, const std::string& text) const {
+    ImGui::GetWindowDrawList()->AddText(ImVec2(std::round(at.x), std::round(at.y)), color, text.c_str());
+}
+
+bool Widgets::button(Icon icon, const char* label, float width, bool primary, bool enabled) {
+    const float height = rowHeight(), sign = icon == Icon::none ? 0 : px(15) + px(8);
+    const ImVec2 text = ImGui::CalcTextSize(label, nullptr, true);
+    float wide = text.x + sign + 2 * ImGui::GetStyle().FramePadding.x;
+    if (width < 0) wide = ImGui::GetContentRegionAvail().x;
+    if (width > 0) wide = width;
+    const auto [pressed, low, ink] =
+        press("##button", label, ImVec2(wide, height), primary ? Face::accent : Face::field, enabled);
+    const std::string whole = visualText(label);
+    const std::string shown = shortened(whole, wide - 2 * px(4) - sign);
+    const float x = low.x + (wide - ImGui::CalcTextSize(shown.c_str()).x - sign) / 2;
+    const ImVec2 middle(x + px(7.5f), low.y + height / 2);
+    if (icon != Icon::none) drawIcon(*ImGui::GetWindowDrawList(), icon, middle, px(15), ink);
+    write(ImVec2(x + sign, low.y + (height - text.y) / 2), ink, shown);
     note("button", label, "", enabled);
     controls.back().cut = shown != whole;
     return pressed;
@@ -94,46 +116,25 @@ bool Widgets::button(Icon icon, const char* label, float width, bool primary, bo
 bool Widgets::row(Icon icon, const std::string& label, float width, bool faint) {
     const float height = rowHeight(), side = px(15), gap = px(6);
     const float wide = width < 0 ? ImGui::GetContentRegionAvail().x : width;
-    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
-    ImGui::PushID(label.c_str());
-    const bool pressed = ImGui::Button("##row", ImVec2(wide, height));
-    ImGui::PopID();
-    ImGui::PopStyleColor();
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const ImU32 color = ImGui::GetColorU32(faint ? theme_->faint : theme_->text);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    drawIcon(list, icon, ImVec2(low.x + px(2) + side / 2, low.y + height / 2), side, color);
+    const auto [pressed, low, ink] = press("##row", label.c_str(), ImVec2(wide, height), Face::clear);
+    const ImU32 color = faint ? ImGui::GetColorU32(theme_->faint) : ink;
+    drawIcon(*ImGui::GetWindowDrawList(), icon, ImVec2(low.x + px(2) + side / 2, low.y + height / 2), side, color);
     const std::string whole = visualText(label), shown = shortened(whole, wide - side - gap - px(4));
-    list.AddText(
-        ImVec2(std::round(low.x + px(2) + side + gap), std::round(low.y + (height - ImGui::GetFontSize()) / 2)), color,
-        shown.c_str());
+    write(ImVec2(low.x + px(2) + side + gap, low.y + (height - ImGui::GetFontSize()) / 2), color, shown);
     note("button", label);
-    if (!fingers_ && shown != whole && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", whole.c_str());
+    if (shown != whole) explain(whole);
     return pressed;
 }
 
 bool Widgets::tool(Icon icon, const char* label, ImVec2 size, bool on, bool enabled, const char* role) {
-    ImGui::PushID(label);
-    ImGui::PushStyleColor(ImGuiCol_Button, on ? theme_->accent : ImVec4(0, 0, 0, 0));
-    if (on) ImGui::PushStyleColor(ImGuiCol_ButtonHovered, theme_->accent);
-    ImGui::BeginDisabled(!enabled);
-    const bool pressed = ImGui::Button("##tool", size);
-    ImGui::EndDisabled();
-    ImGui::PopStyleColor(on ? 2 : 1);
-    ImGui::PopID();
-    const ImVec2 low = ImGui::GetItemRectMin();
-    ImVec4 ink = on ? theme_->onAccent : theme_->text;
-    if (!enabled) ink.w = 0.5f;
-    const ImU32 color = ImGui::GetColorU32(ink);
+    const auto [pressed, low, ink] = press("##tool", label, size, on ? Face::accent : Face::clear, enabled);
     ImFont* font = fontOf(TextSize::caption);
-    const float side = px(17), gap = px(4), text = font->FontSize;
-    const float top = low.y + (size.y - side - gap - text) / 2;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    drawIcon(list, icon, ImVec2(low.x + size.x / 2, top + side / 2), side, color);
+    const float side = px(17), gap = px(4);
+    const float top = low.y + (size.y - side - gap - font->FontSize) / 2;
+    drawIcon(*ImGui::GetWindowDrawList(), icon, ImVec2(low.x + size.x / 2, top + side / 2), side, ink);
     ImGui::PushFont(font);
     const std::string shown = shortened(label, size.x);
-    const float width = ImGui::CalcTextSize(shown.c_str()).x;
-    list.AddText(ImVec2(std::round(low.x + (size.x - width) / 2), std::round(top + side + gap)), color, shown.c_str());
+    write(ImVec2(low.x + (size.x - ImGui::CalcTextSize(shown.c_str()).x) / 2, top + side + gap), ink, shown);
     ImGui::PopFont();
     note(role, label, on ? "on" : "", enabled);
     controls.back().cut = shown != label;
@@ -142,21 +143,15 @@ bool Widgets::tool(Icon icon, const char* label, ImVec2 size, bool on, bool enab
 
 bool Widgets::sign(Icon icon, const char* name, bool enabled) {
     const float side = rowHeight();
-    ImGui::PushID(name);
-    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
-    ImGui::BeginDisabled(!enabled);
-    const bool pressed = ImGui::Button("##sign", ImVec2(side, side));
-    ImGui::EndDisabled();
-    ImGui::PopStyleColor();
-    ImGui::PopID();
-    const ImVec2 low = ImGui::GetItemRectMin();
-    ImVec4 ink = theme_->text;
-    if (!enabled) ink.w = 0.5f;
-    drawIcon(*ImGui::GetWindowDrawList(), icon, ImVec2(low.x + side / 2, low.y + side / 2), px(15),
-             ImGui::GetColorU32(ink));
+    const auto [pressed, low, ink] = press("##sign", name, ImVec2(side, side), Face::clear, enabled);
+    drawIcon(*ImGui::GetWindowDrawList(), icon, ImVec2(low.x + side / 2, low.y + side / 2), px(15), ink);
     note("button", name, "", enabled);
-    if (!fingers_ && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", name);
+    explain(name);
     return pressed;
+}
+
+void Widgets::explain(const std::string& text) const {
+    if (!fingers_ && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text.c_str());
 }
 
 bool Widgets::unfold(const char* label) {
@@ -191,12 +186,6 @@ bool Widgets::toggle(const char* label, bool& on) {
     ringFocus();
     note("switch", std::string(label), on ? "on" : "off");
     controls.back().lines = text.y / ImGui::GetFontSize();
-    return pressed;
-}
-
-bool Widgets::radio(const char* label, bool on) {
-    const bool pressed = ImGui::RadioButton(label, on);
-    note("choice", label, on ? "on" : "off");
     return pressed;
 }
 
@@ -244,33 +233,31 @@ bool Widgets::choose(const char* name, std::span<const char* const> choices, std
     return taken;
 }
 
-bool Widgets::field(const char* name, const char* hint, char* buffer, std::size_t size, float width, int flags) {
-    if (fingers_ && askText) return askedField(name, hint, buffer, size, width);
+bool Widgets::field(const char* name, const char* hint, std::string& text, float width, int flags) {
+    if (fingers_ && askText) return askedField(name, hint, text, width);
+    char buffer[kMostTyped + 1];
+    std::snprintf(buffer, sizeof buffer, "%s", text.c_str());
     ImGui::PushID(name);
     ImGui::SetNextItemWidth(width);
-    const bool done = ImGui::InputTextWithHint("##field", hint, buffer, size, flags);
+    const bool done = ImGui::InputTextWithHint("##field", hint, buffer, sizeof buffer, flags);
     edited_ = ImGui::IsItemEdited();
     ImGui::PopID();
-    note("field", name, buffer);
+    text = buffer;
+    note("field", name, text);
     return done;
 }
 
 /// What the system's own keyboard is for: a field that is pressed, and shows what was typed there.
-bool Widgets::askedField(const char* name, const char* hint, char* buffer, std::size_t size, float width) {
+bool Widgets::askedField(const char* name, const char* hint, std::string& text, float width) {
     edited_ = typed && typed->first == name;
-    if (edited_) std::snprintf(buffer, size, "%s", typed->second.c_str());
-    if (edited_) typed.reset();
+    if (edited_) text = std::exchange(typed, std::nullopt)->second.substr(0, kMostTyped);
     const float wide = width < 0 ? ImGui::GetContentRegionAvail().x : width, pad = px(10);
-    ImGui::PushID(name);
-    if (ImGui::Button("##field", ImVec2(wide, rowHeight()))) askText(name, buffer);
-    ImGui::PopID();
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const bool empty = buffer[0] == '\0';
-    ImGui::GetWindowDrawList()->AddText(
-        ImVec2(low.x + pad, std::round(low.y + (rowHeight() - ImGui::GetFontSize()) / 2)),
-        ImGui::GetColorU32(empty ? theme_->faint : theme_->text),
-        shortened(visualText(empty ? hint : buffer), wide - 2 * pad).c_str());
-    note("field", name, buffer);
+    const auto [pressed, low, ink] = press("##field", name, ImVec2(wide, rowHeight()));
+    if (pressed) askText(name, text);
+    write(ImVec2(low.x + pad, low.y + (rowHeight() - ImGui::GetFontSize()) / 2),
+          text.empty() ? ImGui::GetColorU32(theme_->faint) : ink,
+          shortened(visualText(text.empty() ? hint : text), wide - 2 * pad));
+    note("field", name, text);
     return edited_;
 }
 
@@ -290,59 +277,30 @@ bool Widgets::swatch(const char* name, ImU32 color, bool chosen, float side) {
                      ImGui::GetColorU32(theme_->mark), px(6), 0, px(2));
     ringFocus();
     note("colour", name, chosen ? "on" : "off");
-    if (!fingers_ && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", name);
+    explain(name);
     return pressed;
 }
 
-/// Of the text that was noted last, in the font that it is in.
-void Widgets::countLines() {
-    controls.back().lines = (controls.back().bottom - controls.back().top) / ImGui::GetFontSize();
-}
-
-void Widgets::heading(const char* text) {
-    ImGui::Dummy(ImVec2(0, px(3)));
-    ImGui::PushStyleColor(ImGuiCol_Text, theme_->faint);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text);
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-    note("text", text);
-    countLines();
-}
-
-void Widgets::title(const std::string& text, float right) {
-    ImGui::PushFont(fontOf(TextSize::heading));
+void Widgets::text(const std::string& text, TextSize size, const ImVec4& color, float right) {
+    ImGui::PushFont(fontOf(size));
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
     ImGui::PushTextWrapPos(right);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    note("text", text);
-    countLines();
-    ImGui::PopFont();
-}
-
-void Widgets::progress(double share, const std::string& text) {
-    ImGui::ProgressBar(static_cast<float>(share), ImVec2(-1, px(8)), "");
-    caption(text);
-}
-
-void Widgets::caption(const std::string& text) {
-    ImGui::PushFont(fontOf(TextSize::caption));
-    ImGui::PushStyleColor(ImGuiCol_Text, theme_->faint);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-    note("text", text);
-    countLines();
-    ImGui::PopFont();
-}
-
-void Widgets::paragraph(const std::string& text) {
-    ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(visualText(text).c_str());
     ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
     note("text", text);
-    countLines();
+    controls.back().lines = (controls.back().bottom - controls.back().top) / ImGui::GetFontSize();
+    ImGui::PopFont();
+}
+
+void Widgets::heading(const char* words) {
+    ImGui::Dummy(ImVec2(0, px(3)));
+    text(words, TextSize::body, theme_->faint);
+}
+
+void Widgets::progress(double share, const std::string& words) {
+    ImGui::ProgressBar(static_cast<float>(share), ImVec2(-1, px(8)), "");
+    caption(words);
 }
 
 void Widgets::folderOf(const char* path) {
@@ -351,16 +309,9 @@ void Widgets::folderOf(const char* path) {
     const std::filesystem::path whole = std::filesystem::absolute(path, none).lexically_normal();
     if (none || !whole.has_parent_path()) return;
     ImGui::PushFont(fontOf(TextSize::caption));
-    const std::string shown =
-        shortened(visualText("In " + whole.parent_path().string()), ImGui::GetContentRegionAvail().x);
+    const std::string shown = shortened("In " + whole.parent_path().string(), ImGui::GetContentRegionAvail().x);
     ImGui::PopFont();
     caption(shown);
-}
-
-void Widgets::warning(const std::string& text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, theme_->warning);
-    paragraph(text);
-    ImGui::PopStyleColor();
 }
 
 void Widgets::name(const std::string& text, float width) {
@@ -369,7 +320,7 @@ void Widgets::name(const std::string& text, float width) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(shown.c_str());
     note("text", text);
-    if (!fingers_ && shown != whole && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", whole.c_str());
+    if (shown != whole) explain(whole);
 }
 
 void Widgets::wrapLine(float width) {

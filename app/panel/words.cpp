@@ -1,6 +1,6 @@
 #include "app/panel/words.h"
 
-#include <string_view>
+#include "app/viewer/presets.h"
 
 namespace nacre::app {
 
@@ -11,34 +11,13 @@ std::span<const StyleWord> styleWords() {
     return kWords;
 }
 
-std::span<const ColorWord> colorWords() {
-    static constexpr ColorWord kWords[] = {{"By element", "element"},
-                                           {"By chain", "chain"},
-                                           {"By chain, atoms by element", "chain-carbons"},
-                                           {"By copy of the assembly", "copy"},
-                                           {"By copy, chains in tones", "copy-chain"},
-                                           {"By copy, molecules in tones", "copy-entity"},
-                                           {"By residue", "residue"},
-                                           {"By kind of molecule", "entity"},
-                                           {"Rainbow, start to end", "rainbow"},
-                                           {"By charge", "charge"},
-                                           {"By B factor", "b-factor"},
-                                           {"By helix and strand", "secondary-structure"},
-                                           {"By confidence (AlphaFold)", "plddt"},
-                                           {"By occupancy", "occupancy"},
-                                           {"Hydrophobic to polar", "hydrophobicity"}};
-    return kWords;
-}
-
 std::string colorWord(const Coloring& coloring) {
     const std::string text = coloringText(coloring);
     for (const ColorWord& word : colorWords())
         if (text == word.option) return word.word;
-    // Packed with red in the lowest byte, and named with red in the highest.
-    const std::uint32_t c = coloring.color;
-    const std::uint32_t rgb = (c & 0xff) << 16 | (c & 0xff00) | (c >> 16 & 0xff);
     for (const NamedColor& color : swatches())
-        if (coloring.scheme == ColorScheme::uniform && rgb == color.rgb) return color.name;
+        if (coloring.scheme == ColorScheme::uniform && (coloring.color | 0xff000000) == color.packed())
+            return color.name;
     return text;
 }
 

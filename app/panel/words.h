@@ -17,16 +17,11 @@ std::span<const StyleWord> styleWords();
 
 /// A coloring in words: "By chain"; a colour as it is written.
 std::string colorWord(const Coloring& coloring);
-/// Of what the panel offers: the words, and the colouring that they stand for.
-struct ColorWord {
-    const char* word;
-    const char* option;  ///< as `--color` takes it
-};
-std::span<const ColorWord> colorWords();
-
 struct NamedColor {
     const char* name;
     std::uint32_t rgb;  ///< 0xRRGGBB
+    /// Opaque, red in the lowest byte.
+    std::uint32_t packed() const { return 0xff000000 | (rgb & 0xff) << 16 | (rgb & 0xff00) | (rgb >> 16 & 0xff); }
 };
 /// Colours that are told apart by most people: M. Okabe and K. Ito's, and some more.
 std::span<const NamedColor> swatches();

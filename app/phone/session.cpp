@@ -88,12 +88,12 @@ void PhoneSession::resize(PixelSize pixels, double pixelsPerPoint) {
         makePanel(pixelsPerPoint);
         if (Renderer* held = session_.renderer()) held->setOverlayGlyphs(panel_->glyphs());
     }
-    if (pixels.width && pixels.height) viewer().resize(pixels, scale_, now());
+    if (pixels.width && pixels.height) viewer().frames().resize(pixels, scale_, now());
 }
 
 void PhoneSession::setInsets(const Insets& insets) {
     panel_->setInsets(insets);
-    viewer().overlayChanged();
+    viewer().schedule().overlayChanged();
 }
 
 void PhoneSession::setSeen(bool seen) {
@@ -108,25 +108,25 @@ void PhoneSession::releaseWindow() {
 }
 
 void PhoneSession::lowMemory() {
-    viewer().lowMemory();
+    viewer().frames().setMostSamples(1);
     if (!seen_) session_.close();
 }
 
 // --- the user
 
 void PhoneSession::touch(const TouchEvent& event, double when) {
-    if (panel_->touch(event))
-        viewer().overlayChanged();
+    if (panel_->input().touch(event))
+        viewer().schedule().overlayChanged();
     else
         viewer().touch(event, when);
 }
 
 void PhoneSession::mouse(MouseButton button, const TouchEvent& event, Modifiers with, double when) {
     const bool down = event.phase == TouchPhase::began;
-    if (down) panelDrag_ = panel_->touch(event);
+    if (down) panelDrag_ = panel_->input().touch(event);
     if (panelDrag_) {
-        if (!down) panel_->touch(event);
-        return viewer().overlayChanged();
+        if (!down) panel_->input().touch(event);
+        return viewer().schedule().overlayChanged();
     }
     if (event.phase == TouchPhase::moved)
         viewer().mouseMove(event.at, when);
@@ -135,7 +135,7 @@ void PhoneSession::mouse(MouseButton button, const TouchEvent& event, Modifiers 
 }
 
 void PhoneSession::run(ViewerCommand command) {
-    viewer().overlayChanged();
+    viewer().schedule().overlayChanged();
     switch (command) {
         case ViewerCommand::panel:
             return panel_->togglePanel();
@@ -160,18 +160,18 @@ void PhoneSession::run(ViewerCommand command) {
 bool PhoneSession::back() {
     const bool closed = panel_->closeTop(), open = !closed && panel_->panelOpen();
     if (open) panel_->togglePanel();
-    viewer().overlayChanged();
+    viewer().schedule().overlayChanged();
     return closed || open;
 }
 
 void PhoneSession::typed(const std::string& name, const std::string& text) {
-    panel_->typed(name, text);
-    viewer().overlayChanged();
+    panel_->input().typed(name, text);
+    viewer().schedule().overlayChanged();
 }
 
 void PhoneSession::fail(const std::string& text) {
     if (host_.log) host_.log(text);
-    viewer().fail(text, now());
+    viewer().messages().fail(text, now());
 }
 
 void PhoneSession::sharePicture() {
@@ -179,23 +179,23 @@ void PhoneSession::sharePicture() {
     try {
         host_.sharePicture(picture(), shareName() + ".png");
     } catch (const Error& error) {
-        viewer().fail(error.what(), now());
+        viewer().messages().fail(error.what(), now());
     }
 }
 
 /// As JSON. Another device has the molecule elsewhere: its file's name alone is told.
 void PhoneSession::shareView() {
     if (!host_.shareText || !viewer().document()) return;
-    SavedView view = viewer().savedView();
+    SavedView view = viewer().picking().savedView();
     view.input = std::filesystem::path(view.input).filename().string();
     host_.shareText(savedViewJson(view), shareName() + ".view.json");
 }
 
 PictureBytes PhoneSession::picture(std::uint32_t samples) {
-    RenderSettings settings = viewer().pictureWithWords(viewer().size(), viewer().textSize());
+    RenderSettings settings = viewer().words().settingsBeside(viewer().frames().size(), viewer().words().size());
     settings.supersample = samples;
     Picture picture = session_.renderer()->render(settings);
-    viewer().paintWords(settings.view, viewer().textSize(), false, picture);
+    viewer().words().paint(viewer().picking().savedView(), settings.view, viewer().words().size(), false, picture);
     PictureBytes bytes{picture.width, picture.height, std::vector<std::uint8_t>(picture.rgba.size())};
     for (std::size_t i = 0; i < picture.rgba.size(); i += 4) codePixel(&picture.rgba[i], true, &bytes.rgba[i]);
     return bytes;
@@ -215,9 +215,9 @@ std::vector<Control> PhoneSession::spoken() const {
     Control picture;
     picture.role = "image";
     picture.name = viewer().title();
-    picture.value = spokenValue(viewer().annotations());
-    picture.seenRight = static_cast<float>(viewer().size().width);
-    picture.seenBottom = static_cast<float>(viewer().size().height);
+    picture.value = spokenValue(viewer().picking().annotations());
+    picture.seenRight = static_cast<float>(viewer().frames().size().width);
+    picture.seenBottom = static_cast<float>(viewer().frames().size().height);
     std::vector<Control> all{picture};
     for (const Control& control : panel_->controls())
         if (control.seen() && control.role != "status") all.push_back(control);  // the picture's value has that
@@ -244,12 +244,12 @@ double PhoneSession::step() {
     if (!seen_ && session_.renderer() && !host_.windowMayGo) return kNever;
     const double time = now();
     const double wake = session_.step(time, [&] {
-        const Overlay* overlay = panel_->draw(viewer(), viewer().size(), time);
+        const Overlay* overlay = panel_->draw(viewer(), viewer().frames().size(), time);
         if (panel_->glyphsChanged()) session_.renderer()->setOverlayGlyphs(panel_->glyphs());
         return overlay;
     });
     if (!seen_ || !panel_->restless()) return wake;
-    viewer().overlayChanged();
+    viewer().schedule().overlayChanged();
     return time;
 }
 

@@ -74,10 +74,10 @@ public:
     bool back();
     bool wantsBack() const { return panel_->helpOpen() || panel_->panelOpen(); }
     /// The fingers that were down are not heard of again.
-    void forgetTouch() { panel_->forgetTouch(); }
-    /// As Panel::typed().
+    void forgetTouch() { panel_->input().forgetTouch(); }
+    /// As PanelInput::typed().
     void typed(const std::string& name, const std::string& text);
-    void open(const std::string& path) { viewer().open(path, host_.clock()); }
+    void open(const std::string& path) { viewer().reading().open(path, host_.clock()); }
     /// What could not be done, until it is read.
     void fail(const std::string& text);
 

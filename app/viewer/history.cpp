@@ -5,21 +5,32 @@
 namespace nacre::app {
 
 void History::begin(const SavedView& view) {
-    views_.clear();
-    views_.push_back({view, savedViewJson(view)});
+    views_.assign(1, {view, savedViewJson(view)});
     at_ = 0;
 }
 
-bool History::differs(const SavedView& view) const { return views_.empty() || savedViewJson(view) != views_[at_].text; }
+bool History::isAnother(const SavedView& now) const {
+    return acted_ && (views_.empty() || savedViewJson(now) != views_[at_].text);
+}
 
-void History::add(const SavedView& view) {
-    if (views_.empty()) return begin(view);
-    std::string text = savedViewJson(view);
+void History::remember(const SavedView& now) {
+    acted_ = true;
+    if (views_.empty()) return begin(now);
+    std::string text = savedViewJson(now);
     if (text == views_[at_].text) return;
     views_.resize(at_ + 1);
-    views_.push_back({view, std::move(text)});
+    views_.push_back({now, std::move(text)});
     if (views_.size() > kMost) views_.erase(views_.begin());
     at_ = views_.size() - 1;
+}
+
+const SavedView* History::go(const SavedView& now, int step) {
+    if (acted_) remember(now);
+    const std::size_t to = at_ + static_cast<std::size_t>(step);  // before the first: beyond all
+    if (to >= views_.size()) return nullptr;
+    acted_ = false;
+    at_ = to;
+    return &views_[at_].view;
 }
 
 }  // namespace nacre::app

@@ -1,5 +1,6 @@
 #pragma once
-// What was seen before, and what was taken back. A view is compared by what a file of it would say.
+// What was seen before, and what was taken back: each act of the user is a step, a drag from its beginning to its end.
+// A view is compared by what a file of it would say.
 
 #include <string>
 #include <vector>
@@ -14,24 +15,29 @@ public:
 
     /// Forgets everything but a view.
     void begin(const SavedView& view);
-    /// Adds a view, unless it is the one that is there; what was taken back is forgotten then.
-    void add(const SavedView& view);
-    bool canUndo() const { return at_ > 0; }
-    bool canRedo() const { return at_ + 1 < views_.size(); }
+    /// Before an act: what is seen until then becomes a step, unless it is the last one; what was taken back is
+    /// forgotten then.
+    void remember(const SavedView& now);
+    /// What is seen may be none of the steps: it is one before anything is taken back.
+    void acted() { acted_ = true; }
     bool empty() const { return views_.empty(); }
-    /// Whether a view is other than the one that is there.
-    bool differs(const SavedView& view) const;
-    /// The view before; only if canUndo(). Good until the next call.
-    const SavedView& undo() { return views_[--at_].view; }
-    const SavedView& redo() { return views_[++at_].view; }
+    // Of the view that is seen now
+    bool canUndo(const SavedView& now) const { return at_ > 0 || isAnother(now); }
+    bool canRedo(const SavedView& now) const { return at_ + 1 < views_.size() && !isAnother(now); }
+    /// The view before, or after; null: there is none. Good until the next call.
+    const SavedView* undo(const SavedView& now) { return go(now, -1); }
+    const SavedView* redo(const SavedView& now) { return go(now, 1); }
 
 private:
     struct Entry {
         SavedView view;
         std::string text;
     };
+    bool isAnother(const SavedView& now) const;
+    const SavedView* go(const SavedView& now, int step);
     std::vector<Entry> views_;
     std::size_t at_ = 0;
+    bool acted_ = false;
 };
 
 }  // namespace nacre::app

@@ -61,10 +61,6 @@ std::vector<std::pair<std::string, Group>> groupsOf(const Molecule& m, Test test
 
 bool isPolymer(ResidueKind kind) { return kind == ResidueKind::protein || kind == ResidueKind::nucleic; }
 
-}  // namespace
-
-namespace {
-
 /// Those of one molecule. @param model  its number among several
 void addParts(const Molecule& m, const std::vector<ResidueKind>& kinds, const std::string& input, int model,
               std::vector<Part>& parts) {

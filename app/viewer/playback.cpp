@@ -1,79 +1,197 @@
 #include "app/viewer/playback.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "app/input/trajectory_input.h"
+#include "engine/error.h"
 
 namespace nacre::app {
 namespace {
 
-constexpr double kRates[] = {0.5, 1, 2, 5, 10, 15, 20, 24, 30, 60, 120};
+constexpr double kNotAgain = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-void Playback::begin(std::size_t frames, std::size_t frame, double rate) {
-    const PlayOrder order = order_;
-    *this = {};
-    order_ = order;
-    frames_ = frames;
-    frame_ = frame;
-    rate_ = rate;
+Playback::Playback(Stage& stage, Frames& frames, Reading& reading, std::function<void(double now)> moved,
+                   std::function<void()> wake)
+    : stage_(stage), frames_(frames), reading_(reading), moved_(std::move(moved)), wake_(std::move(wake)) {}
+
+std::size_t Playback::models() const {
+    if (!stage_.shown()) return 0;
+    if (stage_.document.molecule->modelsAreInputs) return 1;
+    const FileSummary& file = stage_.document.molecule->file;
+    return static_cast<std::size_t>(std::max(file.models.value_or(1), file.records.value_or(1)));
 }
 
-void Playback::setFrames(std::size_t frames) {
-    if (frames == frames_) return;
-    frames_ = frames;
-    frame_ = std::min(frame_, frames - std::min<std::size_t>(frames, 1));
-    playing_ = false;
+bool Playback::hasTrajectory() const {
+    const SavedView& view = stage_.view();
+    return player_ && !view.trajectory.path.empty();
+}
+
+void Playback::arrived(const Reading::Arrival& arrival) {
+    Document& document = stage_.document;
+    const SavedView& view = document.view;
+    const std::size_t model = static_cast<std::size_t>(std::max(view.model, 1)) - 1;
+    if (arrival.another && !arrival.step) stop();
+    if (document.motion) {
+        player_ = std::make_unique<Player>(document.molecule, std::exchange(document.motion, nullptr), wake_);
+        const bool trajectory = !view.trajectory.path.empty();
+        const auto first = static_cast<std::size_t>(view.trajectory.frame - 1);
+        if (!arrival.step)
+            clock_.begin(player_->frames(), 0, trajectory ? PlayClock::kTrajectoryRate : PlayClock::kModelRate);
+        clock_.goTo(std::min(trajectory ? first : model, player_->frames() - 1));
+    } else if (arrival.another) {
+        player_.reset();
+        if (!arrival.step) clock_.begin(models(), model, PlayClock::kModelRate);
+        clock_.goTo(model);
+    }
+    waiting_.reset();
+    if (!player_) return;
+    clock_.setFrames(document.moves() ? player_->frames() : hasTrajectory() ? 1 : models());
+    player_->setScene(document.moving);
+    if (document.moves()) player_->want(clock_.frame());
+}
+
+void Playback::show(std::size_t frame, double now) {
+    if (clock_.frames() < 2) return;
+    if (!playing()) stage_.remember();
+    clock_.goTo(std::min(frame, clock_.frames() - 1));
+    waiting_.reset();
+    request(clock_.frame(), now);
+}
+
+void Playback::request(std::size_t frame, double now) {
+    if (canLay()) return player_->want(frame);
+    clock_.goTo(frame);
+    reading_.readModel(static_cast<int>(frame + 1));
+    stage_.messages.say("model " + std::to_string(frame + 1) + " of " + std::to_string(models()), now);
+}
+
+void Playback::step(int step, double now) {
+    stop();
+    const std::size_t frames = clock_.frames();
+    if (frames < 2) return stage_.messages.say("it has one model alone", now);
+    const bool all = stage_.view().model == kAllModels;
+    show(all ? 0 : (clock_.frame() + frames + static_cast<std::size_t>(step)) % frames, now);
 }
 
 void Playback::play(double now) {
-    playing_ = frames_ > 1;
-    due_ = now;
-    if (order_ == PlayOrder::once && frame_ + 1 >= frames_ && playing_) frame_ = frames_ - 1, back_ = true;
+    if (clock_.frames() < 2) return stage_.messages.say("it has one model alone", now);
+    stage_.remember();
+    clock_.play(now);
+    if (const auto next = clock_.next(); next && player_) request(*next, now);
+    stage_.changed(now);
 }
 
-std::optional<std::size_t> Playback::next() const {
-    if (frames_ < 2) return std::nullopt;
-    const bool last = frame_ + 1 >= frames_;
-    switch (order_) {
-        case PlayOrder::round:
-            return last ? 0 : frame_ + 1;
-        case PlayOrder::toAndFro:
-            return (back_ && frame_ > 0) || last ? frame_ - 1 : frame_ + 1;
-        default:
-            if (last && back_) return 0;
-            return last ? std::nullopt : std::optional(frame_ + 1);
+void Playback::setRate(double rate) {
+    clock_.setRate(rate);
+    stage_.schedule.overlayChanged();
+}
+
+void Playback::stepRate(int way, double now) {
+    clock_.stepRate(way);
+    stage_.messages.say(rateText(clock_.rate()), now);
+}
+
+void Playback::setOrder(PlayOrder order) {
+    clock_.setOrder(order);
+    stage_.schedule.overlayChanged();
+}
+
+void Playback::setMotion(const TrajectoryOptions& options, double now) {
+    if (!canLay()) return;
+    stage_.remember();
+    try {
+        lay(options);
+        player_->want(clock_.frame());
+    } catch (const Error& error) {
+        stage_.messages.say(error.what(), now);
     }
 }
 
-void Playback::shown(std::size_t frame, double now) {
-    if (order_ == PlayOrder::toAndFro && frame != frame_) back_ = frame < frame_;
-    if (order_ == PlayOrder::once) back_ = false;
-    frame_ = frame;
-    // One that was late does not make the next come sooner than they would.
-    const double interval = 1 / rate_;
-    due_ = std::max(due_ + interval, now);
-}
-
-std::string rateText(double rate) {
-    std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), "%g frame%s a second", rate, rate == 1 ? "" : "s");
-    return text.data();
-}
-
-void Playback::setRate(double rate) { rate_ = std::clamp(rate, kSlowest, kFastest); }
-
-void Playback::stepRate(int way) {
-    const auto end = std::end(kRates);
-    if (way > 0) {
-        const auto faster = std::upper_bound(std::begin(kRates), end, rate_ * 1.001);
-        if (faster != end) rate_ = *faster;
-    } else {
-        const auto slower = std::lower_bound(std::begin(kRates), end, rate_ * 0.999);
-        if (slower != std::begin(kRates)) rate_ = *(slower - 1);
+/// @throws Error if too few atoms are fitted
+void Playback::lay(const TrajectoryOptions& options) {
+    Document& document = stage_.document;
+    TrajectoryOptions& laid = document.view.trajectory;
+    if (laid.whole != options.whole || laid.fit != options.fit || laid.smooth != options.smooth) {
+        player_->setMotion(motionOptions(options, *document.molecule));
+        waiting_.reset();
     }
+    SavedView& view = stage_.wanted();
+    for (TrajectoryOptions* to : {&view.trajectory, &laid}) {
+        to->whole = options.whole;
+        to->fit = options.fit;
+        to->smooth = options.smooth;
+    }
+}
+
+void Playback::restore(const SavedView& view) {
+    lay(view.trajectory);
+    const std::int64_t number = hasTrajectory() ? view.trajectory.frame : view.model;
+    clock_.goTo(std::min(static_cast<std::size_t>(std::max<std::int64_t>(number, 1) - 1), clock_.frames() - 1));
+    player_->want(clock_.frame());
+}
+
+double Playback::advance(double now) {
+    if (!stage_.shown()) return kNotAgain;
+    if (!canLay()) return readNext(now);
+    try {
+        if (!waiting_) waiting_ = player_->take();
+    } catch (const std::exception& error) {
+        stop();
+        stage_.messages.fail(error.what(), now);
+    }
+    if (!waiting_) return kNotAgain;  // the player wakes
+    if (playing() && now < clock_.due()) return clock_.due();
+    put(now);
+    if (!playing()) return kNotAgain;
+    if (const auto next = clock_.next())
+        player_->want(*next);
+    else
+        stop();
+    return kNotAgain;
+}
+
+/// Models that are read one by one.
+double Playback::readNext(double now) {
+    if (!playing() || reading_.loader().busy()) return kNotAgain;
+    if (now < clock_.due()) return clock_.due();
+    const auto next = stage_.view().model == kAllModels ? 0 : clock_.next();
+    if (!next) return stop(), kNotAgain;
+    clock_.shown(*next, now);
+    request(*next, now);
+    return kNotAgain;
+}
+
+/// The frame that waits, on the screen.
+void Playback::put(double now) {
+    PlayedFrame played = *std::exchange(waiting_, std::nullopt);
+    try {
+        if (!frames_.moveScene(played.scene)) stop();
+    } catch (const Error& error) {
+        stop();
+        return stage_.messages.fail(error.what(), now);
+    }
+    if (playing())
+        clock_.shown(played.frame, now);
+    else
+        clock_.goTo(played.frame);
+    Document& document = stage_.document;
+    SavedView& view = stage_.wanted();
+    document.placed = std::move(played.molecule);
+    document.scene = std::move(played.scene);
+    frameTime_ = played.time;
+    frameRmsd_ = played.rmsd;
+    const int number = static_cast<int>(played.frame + 1);
+    if (hasTrajectory())
+        view.trajectory.frame = document.view.trajectory.frame = number;
+    else
+        view.model = document.view.model = number;
+    if (view.occlusionDirections) frames_.restartOcclusion();
+    moved_(now);
+    stage_.changed(now);
 }
 
 }  // namespace nacre::app

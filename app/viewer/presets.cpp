@@ -54,12 +54,23 @@ void firstLook(const Molecule& molecule, SavedView& view) {
     if (predicted || aminoAcids > kFewResidues) setStyle(Style::cartoon, look);
 }
 
-std::span<const char* const> colorChoices() {
-    static constexpr const char* kChoices[] = {"element",    "chain",       "chain-carbons", "copy",
-                                               "copy-chain", "copy-entity", "residue",       "entity",
-                                               "rainbow",    "charge",      "b-factor",      "secondary-structure",
-                                               "plddt",      "occupancy",   "hydrophobicity"};
-    return kChoices;
+std::span<const ColorWord> colorWords() {
+    static constexpr ColorWord kWords[] = {{"By element", "element"},
+                                           {"By chain", "chain"},
+                                           {"By chain, atoms by element", "chain-carbons"},
+                                           {"By copy of the assembly", "copy"},
+                                           {"By copy, chains in tones", "copy-chain"},
+                                           {"By copy, molecules in tones", "copy-entity"},
+                                           {"By residue", "residue"},
+                                           {"By kind of molecule", "entity"},
+                                           {"Rainbow, start to end", "rainbow"},
+                                           {"By charge", "charge"},
+                                           {"By B factor", "b-factor"},
+                                           {"By helix and strand", "secondary-structure"},
+                                           {"By confidence (AlphaFold)", "plddt"},
+                                           {"By occupancy", "occupancy"},
+                                           {"Hydrophobic to polar", "hydrophobicity"}};
+    return kWords;
 }
 
 std::span<const char* const> backgroundChoices() {

@@ -22,8 +22,13 @@ void applyPreset(const Preset& preset, SavedView& view);
 /// says something of styles, colours or selections, stays as it is.
 void firstLook(const Molecule& molecule, SavedView& view);
 
-/// What the panel offers, as `--color` and `--background` take it.
-std::span<const char* const> colorChoices();
+/// Colourings that are offered: the words, and the colouring that they stand for.
+struct ColorWord {
+    const char* word;
+    const char* option;  ///< as `--color` takes it
+};
+std::span<const ColorWord> colorWords();
+/// Backgrounds that a key steps through, as `--background` takes them.
 std::span<const char* const> backgroundChoices();
 
 }  // namespace nacre::app

@@ -88,14 +88,14 @@ void Session::open(double now) {
     renderer_ = std::make_unique<Renderer>(device);
     renderer_->setScene({});
     if (host_.prepare) host_.prepare(*renderer_);
-    viewer_.screenLost(now);
+    viewer_.frames().replaced(now);
 }
 
 void Session::close() { renderer_.reset(); }
 
 double Session::step(double now, const std::function<const Overlay*()>& overlay) {
     const double wake = viewer_.update(now, overlay);
-    if (viewer_.deviceLost()) {
+    if (viewer_.frames().lost()) {
         replace(now);
         return now;
     }
@@ -108,7 +108,7 @@ std::string Session::statistics() const {
     const FrameStats& stats = renderer_->stats();
     std::string text =
         stats.device.name + "\n" + stats.device.visibility + ", " + std::to_string(stats.windowFrames) + " frames";
-    text += ", display " + std::to_string(std::lround(1 / viewer_.displayInterval())) + " Hz";
+    text += ", display " + std::to_string(std::lround(1 / viewer_.schedule().displayInterval())) + " Hz";
     if (const std::string driver = describe(renderer_->driverFeedback()); !driver.empty()) text += "\n" + driver;
     return text;
 }

@@ -2,66 +2,47 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <utility>
 
-#include "app/annotation/measurement.h"
-#include "app/drawing/aim.h"
 #include "app/picture/input_names.h"
 #include "engine/error.h"
 
 namespace nacre::app {
 namespace {
 
-constexpr double kHandSeconds = 0.1;  // a hand that rests this long no longer moves the picture
-constexpr double kMessageSeconds = 4;
-constexpr double kHoverSeconds = 0.08;  // that a pointer rests before what it is over is looked for
-
-}  // namespace
-
-std::string Viewer::nameOf(const std::string& input) {
+std::string nameOf(const std::string& input) {
     return input.starts_with("sample:") ? input : std::filesystem::path(input).filename().string();
 }
 
-double Viewer::handRests() const { return handMoved_ + kHandSeconds; }
+}  // namespace
 
 Viewer::Viewer(Screen& screen, Sources sources, const SavedView& view, const ViewerOptions& options,
                std::function<void()> wake)
-    : screen_(screen), options_(options), loader_(std::move(sources), wake), view_(view), wake_(wake) {
-    motion_.set(view.camera);
-    // What was saved looks as it was.
-    if (!view.input.empty()) view.hash.empty() ? loader_.open(view_) : loader_.read(view_);
-}
-
-const SavedView& Viewer::view() const {
-    view_.camera = motion_.camera();
-    return view_;
-}
+    : stage_(view, options.errorsStay),
+      frames_(screen, stage_, options),
+      reading_(stage_, std::move(sources), wake),
+      words_(stage_, frames_),
+      picking_(stage_, frames_),
+      playback_(
+          stage_, frames_, reading_,
+          [this](double now) {
+              words_.follow(now);
+              picking_.placeSelection();
+          },
+          wake),
+      camera_(stage_, frames_, reading_) {}
 
 // --- events
 
-void Viewer::resize(PixelSize pixels, double pixelsPerPoint, double now) {
-    size_ = {std::max(pixels.width, 1u), std::max(pixels.height, 1u)};
-    scale_ = pixelsPerPoint;
-    hoverAgain(now);
-    schedule_.windowChanged(now);
-}
-
-void Viewer::touch(const TouchEvent& event, double now) { apply(touches_.handle(event, now), now); }
-
 void Viewer::mouseMove(glm::dvec2 at, double now) {
-    const Viewport v = viewport();
+    const Viewport v = frames_.viewport();
     const bool held = mouse_.held();
-    apply(mouse_.move(at, freeOrigin() + glm::dvec2(v.width / 2, v.height / 2)), now);
-    if (held) return pointerLeft();
-    pointerAt_ = at;
-    hoverDue_ = now + kHoverSeconds;
-}
-
-/// Something else may lie under the pointer by now: what did has no name any longer, and what does is looked for when
-/// it has come to rest.
-void Viewer::hoverAgain(double now) {
-    hovered_ = 0;
-    if (pointerAt_) hoverDue_ = now + kHoverSeconds;
+    apply(mouse_.move(at, frames_.freeOrigin() + glm::dvec2(v.width / 2, v.height / 2)), now);
+    if (held)
+        picking_.pointerLeft();
+    else
+        picking_.pointerMoved(at, now);
 }
 
 void Viewer::mouseButton(MouseButton button, bool down, glm::dvec2 at, Modifiers with, double now) {
@@ -69,151 +50,172 @@ void Viewer::mouseButton(MouseButton button, bool down, glm::dvec2 at, Modifiers
 }
 
 void Viewer::wheel(double steps, glm::dvec2 at, double now) {
-    if (now >= handRests()) remember();
+    if (now >= stage_.handRests()) stage_.remember();
     apply(mouse_.wheel(steps, at), now);
 }
 
 void Viewer::apply(const std::vector<Gesture>& gestures, double now) {
     for (const Gesture& g : gestures) {
-        switch (g.kind) {
-            case Gesture::Kind::touched:
-                remember();
-                motion_.touch();
-                break;
-            case Gesture::Kind::rotate:
-                motion_.rotate(g.by, now);
-                handMoved_ = now;
-                changed(now);
-                break;
-            case Gesture::Kind::transform:
-                motion_.pan(g.by, radius(), viewport());
-                motion_.zoom(g.scale, g.at - freeOrigin(), radius(), viewport());
-                motion_.roll(g.turn);
-                handMoved_ = now;
-                changed(now);
-                break;
-            case Gesture::Kind::tap:
-            case Gesture::Kind::longPress:
-                pick(g.at, now);
-                break;
-            case Gesture::Kind::doubleTap:
-                doubleTap(g.at, now);
-                break;
-            case Gesture::Kind::released:
-                motion_.release(now);
-                break;
-            case Gesture::Kind::undo:
-                undo(now);
-                break;
-            case Gesture::Kind::redo:
-                redo(now);
-                break;
+        if (camera_.apply(g, now)) continue;
+        if (g.kind == Gesture::Kind::undo) {
+            undo(now);
+        } else if (g.kind == Gesture::Kind::redo) {
+            redo(now);
+        } else if (g.kind != Gesture::Kind::doubleTap) {
+            picking_.tap(g.at, now);
+        } else if (auto residue = picking_.doubleTap(g.at, now)) {
+            Aim aim;
+            aim.zoomTo = std::move(residue);
+            camera_.take(aim, true, now);
+        } else {
+            camera_.fit(now);
         }
     }
 }
 
-void Viewer::aim(const Aim& aim, double now) {
-    if (loader_.busy() || !document())
-        aim_ = aim;
-    else
-        takeAim(aim, true, now);
-}
-
-/// What a close-up cut away, or a view left out, comes back.
-void Viewer::unclip() {
-    if (std::exchange(clipped_, false)) view_.effects.clip.near = -Clip::kNone;
-    if (!std::exchange(view_.uncover, std::nullopt) || !document_.molecule) return;
-    loader_.build(view(), document_);
-}
-
-void Viewer::takeAim(Aim aim, bool fly, double now) {
-    for (std::optional<Selection>* selection : {&aim.lookAt, &aim.zoomTo, &aim.uncover})
-        if (*selection && !document_.view.further.empty()) nameInputs(inputNames(inputOf(document_.view)), **selection);
-    try {
-        Camera from = motion_.camera();
-        if (aim.zoomTo || aim.principal) from.zoom = 1;
-        const Aimed to = aimed(from, aim, *document_.placed, document_.scene, {freeSize().width, freeSize().height});
-        remember();
-        if (fly)
-            motion_.fly(to.camera, now);
-        else
-            motion_.set(to.camera);
-        if (to.clipNear || (aim.zoomTo && clipped_)) view_.effects.clip.near = to.clipNear.value_or(-Clip::kNone);
-        clipped_ = to.clipNear.has_value();
-        changed(now);
-    } catch (const Error& error) {
-        say(error.what(), now);
-    }
-}
-
 void Viewer::pause() {
-    schedule_.setVisible(false);
-    pointerLeft();
+    stage_.schedule.setVisible(false);
+    picking_.pointerLeft();
     touches_.clear();
     mouse_.clear();
-    motion_.touch();
+    stage_.motion.touch();
 }
 
 void Viewer::resume(double now) {
-    schedule_.setVisible(true);
-    schedule_.windowChanged(now);
+    stage_.schedule.setVisible(true);
+    stage_.schedule.windowChanged(now);
 }
 
-void Viewer::setCovered(const Insets& pixels, double now) {
-    if (pixels == covered_) return;
-    covered_ = pixels;
-    hoverAgain(now);
-    schedule_.windowChanged(now);
+// --- what is shown
+
+void Viewer::setLook(const SavedView& look, double now, bool continues) {
+    const SavedView before = view();
+    if (!continues) stage_.remember();
+    stage_.history.acted();
+    SavedView& wanted = stage_.wanted();
+    wanted = look;
+    nameInputs(wanted);
+    stage_.motion.setProjection(look.camera.projection);
+    stage_.changed(now);
+    // What cannot be said of this molecule is not kept.
+    if (wanted.words != before.words && !words_.place(now)) wanted.words = before.words;
+    const bool scene = wanted.look != before.look || look.drawn != before.drawn;
+    // What is being read is seen in this look once it is there.
+    if (scene && stage_.shown() && !reading_.another()) reading_.build();
+    if (look.occlusionDirections != before.occlusionDirections) frames_.restartOcclusion();
 }
 
-void Viewer::fail(const std::string& what, double now) {
-    if (!options_.errorsStay) return say(what, now);
-    failure_ = what;
-    message_.clear();
-    schedule_.overlayChanged();
+void Viewer::undo(double now) {
+    if (!stage_.shown()) return;
+    if (const SavedView* to = stage_.history.undo(stage_.destination())) return restore(*to, now);
+    stage_.messages.say("nothing to undo", now);
 }
 
-void Viewer::dismissFailure() {
-    if (failure_.empty()) return;
-    failure_.clear();
-    schedule_.overlayChanged();
+void Viewer::redo(double now) {
+    if (!stage_.shown()) return;
+    if (const SavedView* to = stage_.history.redo(stage_.destination())) return restore(*to, now);
+    stage_.messages.say("nothing to redo", now);
 }
 
-void Viewer::say(const std::string& message, double now) {
-    message_ = message;
-    messageUntil_ = now + kMessageSeconds;
-    schedule_.overlayChanged();
+void Viewer::show(const SavedView& to, double now, double seconds) {
+    stage_.remember();
+    restore(to, now, seconds);
+    stage_.history.acted();
 }
 
-void Viewer::setDebugView(DebugView view, double now) {
-    debug_ = view;
-    changed(now);
+void Viewer::restore(const SavedView& to, double now, double seconds) {
+    const SavedView before = view();
+    // What is shown may still be something else than what was asked for before.
+    const Document& document = stage_.document;
+    const SavedView& there = document.view;
+    const bool file = !stage_.shown() || to.input != there.input || to.format != there.format ||
+                      to.name != there.name || to.further != there.further || to.fits != there.fits ||
+                      to.trajectory.path != there.trajectory.path;
+    const bool frame = !file && document.moves() && to.look.assembly == there.look.assembly;  // the player has it
+    const bool another = file || (!frame && to.model != there.model);
+    CameraMotion& motion = stage_.motion;
+    Camera camera = motion.camera();
+    stage_.wanted() = to;
+    camera.projection = to.camera.projection;
+    camera.fovDegrees = to.camera.fovDegrees;
+    motion.set(camera);
+    motion.fly(to.camera, now, seconds);
+    playback_.stop();
+    camera_.forgetClip();
+    stage_.messages.dismissFailure();
+    if (another || to.look != before.look || to.drawn != before.drawn || to.uncover != before.uncover ||
+        reading_.loader().busy())
+        reading_.restore(to, another);
+    if (!another) words_.place(now);
+    if (frame) playback_.restore(to);
+    if (to.occlusionDirections != before.occlusionDirections) frames_.restartOcclusion();
+    stage_.changed(now);
 }
 
-// --- state
-
-SavedView Viewer::savedView() const {
-    SavedView saved = view();
-    if (picks_.size() < 2) return saved;
-    std::string atoms;
-    for (const std::uint32_t pick : picks_) atoms += (atoms.empty() ? "" : ",") + std::to_string(pick + 1);
-    const Measure measure = parseMeasure(atoms);
-    std::vector<Measure>& kept = saved.words.measures;
-    if (std::find(kept.begin(), kept.end(), measure) == kept.end()) kept.push_back(measure);
-    return saved;
+void Viewer::takeDocument(double now) {
+    std::optional<Document> document = reading_.take(now);
+    if (!document) return;
+    try {
+        frames_.setScene(document->scene);
+    } catch (const Error& error) {
+        return stage_.messages.fail(error.what(), now);  // the document before stays
+    }
+    const Reading::Arrival arrival = reading_.arrive(std::move(*document));
+    if (arrival.another) {
+        picking_.drop();
+        if (!arrival.step) stage_.messages.clear();
+        camera_.arrived(now);
+    }
+    playback_.arrived(arrival);
+    words_.place(now);
+    if (arrival.another && !arrival.step) picking_.select("");
+    picking_.placeSelection();
+    if (stage_.history.empty())
+        stage_.history.begin(view());
+    else if (!arrival.restored)
+        stage_.history.acted();
+    frames_.restartOcclusion();
+    frames_.retryOcclusion();
+    const Document& shown = stage_.document;
+    if (!shown.scene.warnings.empty()) stage_.messages.say(shown.scene.warnings.front(), now);
+    stage_.changed(now);
+    if (arrival.another && (view().look != shown.view.look || view().drawn != shown.view.drawn)) reading_.build();
 }
-
-double Viewer::textSize() const { return (view_.words.size > 0 ? view_.words.size : kWordPoints) * scale_; }
 
 std::string Viewer::title() const {
-    std::string title = document() ? nameOf(document_.view.input) : "";
-    if (document())
-        for (const FurtherInput& further : document_.view.further) title += " + " + nameOf(further.path);
-    if (question_) title = "question";
-    if (loader_.busy()) title += title.empty() ? "reading" : ", building";
-    if (document() && occlusion_ < 1 && !playback_.playing())
-        title += ", occlusion " + std::to_string(static_cast<int>(100 * occlusion_)) + " %";
+    std::string title;
+    if (stage_.shown()) {
+        const SavedView& view = stage_.document.view;
+        title = nameOf(view.input);
+        for (const FurtherInput& further : view.further) title += " + " + nameOf(further.path);
+    }
+    if (reading_.question()) title = "question";
+    if (reading_.loader().busy()) title += title.empty() ? "reading" : ", building";
+    if (stage_.shown() && frames_.occlusion() < 1 && !playback_.playing())
+        title += ", occlusion " + std::to_string(static_cast<int>(100 * frames_.occlusion())) + " %";
     return title.empty() ? "Nacre" : title + " - Nacre";
+}
+
+// --- time
+
+/// Moves what moves by itself. @returns when something is due
+double Viewer::advance(double now) {
+    apply(touches_.tick(now), now);
+    if (stage_.motion.advance(now)) stage_.changed(now);
+    double due = playback_.advance(now);
+    due = std::min(due, stage_.messages.advance(now));
+    due = std::min(due, picking_.advance(now));
+    return std::min(due, touches_.wake().value_or(due));
+}
+
+double Viewer::update(double now, const std::function<const Overlay*()>& overlay) {
+    updated_ = now;
+    takeDocument(now);
+    const double due = advance(now);
+    if (!stage_.schedule.visible()) return std::numeric_limits<double>::infinity();
+    const double wake = frames_.update(now, playback_.playing(), overlay);
+    if (frames_.drew() && reading_.loader().busy()) frames_.expectScene(reading_.loader().view());
+    return std::min(due, wake);
 }
 
 }  // namespace nacre::app

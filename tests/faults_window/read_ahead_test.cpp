@@ -22,7 +22,7 @@ class SlowRead {
 public:
     explicit SlowRead(const File& file) : path_(file.path), session_(host(), sources(), viewOf(file), {}, {}) {
         session_.open(now_);
-        viewer().resize({64, 64}, 1, now_);
+        viewer().frames().resize({64, 64}, 1, now_);
         for (int i = 0; i < 5; ++i) step();
     }
     ~SlowRead() { read(); }
@@ -33,7 +33,7 @@ public:
     }
     void read() {
         if (!std::exchange(isRead_, true)) mayRead_.set_value();
-        viewer().waitForLoading();
+        viewer().reading().loader().wait();
     }
     std::uint64_t frames() { return session_.renderer()->stats().windowFrames; }
 

@@ -20,7 +20,7 @@ struct Maintained {
 
 void size(ViewerRun& run, std::uint32_t width, std::uint32_t height) {
     faults::setWindowSize(width, height);
-    run.viewer().resize({width, height}, 1, run.now());
+    run.viewer().frames().resize({width, height}, 1, run.now());
 }
 
 /// Drags the window's corner: a frame or two of each size.
@@ -31,7 +31,7 @@ void drag(ViewerRun& run, bool awaits = true) {
         size(run, s.width, s.height);
         run.rest(2);
         run.redraw();
-        if (awaits) run.viewer().awaitFrame(run.now());
+        if (awaits) run.viewer().frames().await(run.now());
     }
     size(run, 64, 64);
 }

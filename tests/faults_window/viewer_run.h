@@ -16,8 +16,8 @@ public:
     /// @param directions of the occlusion, which takes most of the time
     explicit ViewerRun(int directions = 0) : session_(host(), sources(), firstView(directions), quick(), {}) {
         session_.open(now_);
-        viewer().waitForLoading();
-        viewer().resize({64, 64}, 1, now_);
+        viewer().reading().loader().wait();
+        viewer().frames().resize({64, 64}, 1, now_);
     }
 
     app::Viewer& viewer() { return session_.viewer(); }
@@ -32,24 +32,24 @@ public:
     /// As if the window had been covered.
     void redraw() { viewer().resume(now_); }
     void open() {
-        viewer().open("sample:glucose", now_);
-        viewer().waitForLoading();
+        viewer().reading().open("sample:glucose", now_);
+        viewer().reading().loader().wait();
     }
     /// As if the window were new: scene and occlusion, too.
-    void anew() { viewer().screenLost(now_); }
+    void anew() { viewer().frames().replaced(now_); }
 
     /// Until nothing is left to be drawn. @returns whether that came
     bool rest(int mostUpdates = 5'000) {
         for (int i = 0; i < mostUpdates; ++i) {
             const int devices = devices_;
             const double wake = session_.step(now_, [this] { return &overlay_; });
-            const std::string message = viewer().annotations().message;
+            const std::string message = viewer().picking().annotations().message;
             if (!message.empty() && (said_.empty() || said_.back() != message)) said_.push_back(message);
             if (devices_ != devices) {
                 now_ += secondsAfterALoss;
                 continue;
             }
-            if (std::isinf(wake)) return viewer().document() && viewer().occlusion() == 1;
+            if (std::isinf(wake)) return viewer().document() && viewer().frames().occlusion() == 1;
             // The device bakes beside the frames, in its own time.
             std::this_thread::sleep_for(std::chrono::microseconds(500));
             now_ = std::max(now_ + 1.0 / 60, wake);
@@ -59,7 +59,7 @@ public:
 
     /// What the viewer shows, small.
     std::vector<float> picture() {
-        RenderSettings s = viewer().settings();
+        RenderSettings s = viewer().frames().settings();
         s.view = viewOf(viewer().view().camera, viewer().document()->scene.radius, 64, 64);
         return session_.renderer()->render(s).rgba;
     }

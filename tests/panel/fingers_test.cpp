@@ -48,7 +48,7 @@ TEST(Fingers, HitEveryControl) {
             expectHit(b, "a card");
             b.panel.closeTop();
         }
-        b.viewer.open("nothing.pdb", b.now);
+        b.viewer.reading().open("nothing.pdb", b.now);
         b.settle();
         expectHit(b, "an error");
     }
@@ -68,13 +68,13 @@ TEST(Fingers, ALetGoListGlidesOnAndComesToRest) {
     const auto place = [&] { return placeOf(b, "Background"); };
     const auto drag = [&](double to, bool rests) {
         const double x = 180, from = 600;
-        EXPECT_TRUE(b.panel.touch({1, TouchPhase::began, {x, from}}));
+        EXPECT_TRUE(b.panel.input().touch({1, TouchPhase::began, {x, from}}));
         for (int i = 1; i <= 8; ++i) {
-            b.panel.touch({1, TouchPhase::moved, {x, from + (to - from) * i / 8}});
+            b.panel.input().touch({1, TouchPhase::moved, {x, from + (to - from) * i / 8}});
             b.frame();
         }
         for (int i = 0; i < 20 && rests; ++i) b.frame();
-        b.panel.touch({1, TouchPhase::ended, {x, to}});
+        b.panel.input().touch({1, TouchPhase::ended, {x, to}});
         b.frame();
     };
     const float before = place();
@@ -96,7 +96,7 @@ TEST(Fingers, ALetGoListGlidesOnAndComesToRest) {
     for (int i = 0; i < 30; ++i) b.frame();
     EXPECT_EQ(place(), still);
     drag(560, false);
-    b.panel.touch({2, TouchPhase::began, {180, 600}});
+    b.panel.input().touch({2, TouchPhase::began, {180, 600}});
     b.frame();
     const float caught = place();
     for (int i = 0; i < 30; ++i) b.frame();
@@ -113,12 +113,12 @@ TEST(Fingers, TypeOnTheSystemsKeyboard) {
         const Control* c = b.find(name);
         ASSERT_TRUE(c) << name;
         const glm::dvec2 at((c->seenLeft + c->seenRight) / 2, (c->seenTop + c->seenBottom) / 2);
-        b.panel.touch({1, TouchPhase::began, at});
-        b.panel.touch({1, TouchPhase::ended, at});
+        b.panel.input().touch({1, TouchPhase::began, at});
+        b.panel.input().touch({1, TouchPhase::ended, at});
         b.settle();
     };
     const auto type = [&](const std::string& name, const std::string& text) {
-        b.panel.typed(name, text);
+        b.panel.input().typed(name, text);
         b.settle();
     };
     b.panel.togglePanel();
@@ -135,11 +135,11 @@ TEST(Fingers, TypeOnTheSystemsKeyboard) {
     b.settle();
     tap("Selection");
     type("Selection", "chain A");
-    EXPECT_GT(b.viewer.selection().count, 200u);
+    EXPECT_GT(b.viewer.picking().selection().count, 200u);
     SavedView look = b.viewer.view();
     look.look.rules = {parseHide("chain A")};
     b.viewer.setLook(look, b.now);
-    b.viewer.select("");
+    b.viewer.picking().select("");
     b.settle();
     tap("Hide chain A");
     tap("Atoms of the rule");
@@ -181,8 +181,8 @@ TEST(Fingers, ATapRightBehindAnotherIsOneOfItsOwn) {
     b.viewer.setLook(look, b.now);
     b.settle();
     const auto tap = [&](glm::dvec2 at) {
-        b.panel.touch({1, TouchPhase::began, at});
-        b.panel.touch({1, TouchPhase::ended, at});
+        b.panel.input().touch({1, TouchPhase::began, at});
+        b.panel.input().touch({1, TouchPhase::ended, at});
     };
     // What a screen reader steps a slider by.
     const auto step = placeOfStep(b.panel.controls(), "Opacity of the surface", false);

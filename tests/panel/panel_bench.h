@@ -57,7 +57,7 @@ struct Bench {
                static_cast<std::uint32_t>(points.height * pixelsPerPoint)},
           scale(pixelsPerPoint) {
         EXPECT_GT(panel.glyphs().width, 0u);
-        viewer.resize(size, pixelsPerPoint, now);
+        viewer.frames().resize(size, pixelsPerPoint, now);
         recent.push_back(
             {"/home/user/a rather long name of a structure.pdb", "a rather long name of a structure.pdb", 0, 0, {}});
         recent.push_back({"1bna.pdb", "1bna.pdb", 0, 0, {}});
@@ -80,7 +80,7 @@ struct Bench {
             viewer.run(c, now);
         };
         h.openDialog = [] {};
-        h.add = [this](const std::string& input) { viewer.add(input, now); };
+        h.add = [this](const std::string& input) { viewer.reading().add(input, now); };
         h.recent = [this]() -> const std::vector<RecentFile>& { return recent; };
         h.freeName = [](const char* extension) { return std::string("picture") + extension; };
         h.savePicture = [](const PictureWish&) {};
@@ -98,13 +98,13 @@ struct Bench {
     }
     void frame() {
         now += 1.0 / 60;
-        viewer.waitForFrame();
+        viewer.playback().wait();
         viewer.update(now);
         panel.draw(viewer, size, now);
     }
     void settle() {
         for (int i = 0; i < 6; ++i) {
-            viewer.waitForLoading();
+            viewer.reading().loader().wait();
             frame();
         }
     }
@@ -114,11 +114,11 @@ struct Bench {
         return nullptr;
     }
     void clickAt(double x, double y) {
-        panel.pointer({x, y});
+        panel.input().pointer({x, y});
         frame();
-        panel.button(MouseButton::left, true);
+        panel.input().button(MouseButton::left, true);
         frame();
-        panel.button(MouseButton::left, false);
+        panel.input().button(MouseButton::left, false);
         settle();
     }
     void click(const std::string& name) {
@@ -127,9 +127,9 @@ struct Bench {
         clickAt((c->seenLeft + c->seenRight) / 2, (c->seenTop + c->seenBottom) / 2);
     }
     void press(SpecialKey key, Modifiers with = {}) {
-        panel.key(key, true, with);
+        panel.input().key(key, true, with);
         frame();
-        panel.key(key, false, with);
+        panel.input().key(key, false, with);
         frame();
     }
 };

@@ -82,8 +82,8 @@ TEST(Panel, EveryCardIsReadableEverywhere) {
         EXPECT_TRUE(b.find("Transparent background"));
         expectReadable(b, where + ", save");
         b.panel.closeTop();
-        b.panel.keepView(b.viewer, b.now);
-        b.panel.keepView(b.viewer, b.now);
+        b.panel.keepView(b.viewer);
+        b.panel.keepView(b.viewer);
         b.panel.showRecord();
         b.settle();
         EXPECT_TRUE(b.find("Record a film", "text"));
@@ -98,7 +98,7 @@ TEST(Panel, EveryCardIsReadableEverywhere) {
         EXPECT_TRUE(b.find("Open a file ..."));
         expectReadable(b, where + ", start");
         b.panel.closeTop();
-        b.viewer.open("nothing.pdb", b.now);
+        b.viewer.reading().open("nothing.pdb", b.now);
         b.settle();
         EXPECT_TRUE(b.find("Open another")) << where;
         expectReadable(b, where + ", error");
@@ -117,7 +117,7 @@ TEST(Panel, KeepsItsSizeAndLeavesTheMoleculeTheRest) {
         for (const Panel::Page page : kPages) {
             b.panel.showPage(page);
             b.settle();
-            const View view = b.viewer.settings().view;
+            const View view = b.viewer.frames().settings().view;
             if (!pan) pan = view.pan;
             EXPECT_EQ(view.pan, *pan) << nameOf(place);
             // The sphere about the molecule lies in the window, beside the panel.
@@ -136,13 +136,13 @@ TEST(Panel, KeepsItsSizeAndLeavesTheMoleculeTheRest) {
         }
         b.panel.togglePanel();
         b.settle();
-        EXPECT_EQ(b.viewer.settings().view.pan, glm::dvec2(0));
+        EXPECT_EQ(b.viewer.frames().settings().view.pan, glm::dvec2(0));
     }
 }
 
 TEST(Panel, TheMoleculeStandsBesideTheLegend) {
     const auto right = [](const Bench& b) {  // of the sphere about it, pixels
-        const View view = b.viewer.settings().view;
+        const View view = b.viewer.frames().settings().view;
         return view.width / 2.0 + (view.pan.x + view.radius) * view.pixelsPerAngstrom;
     };
     const auto showLegend = [](Bench& b, bool shown) {
@@ -155,13 +155,13 @@ TEST(Panel, TheMoleculeStandsBesideTheLegend) {
         Bench b("sample:dna", kNarrow, scale);
         const double alone = right(b);
         showLegend(b, true);
-        ASSERT_FALSE(b.viewer.words().legends.empty());
+        ASSERT_FALSE(b.viewer.words().placed().legends.empty());
         // A swatch, a letter and the margin are no less than two ems.
-        EXPECT_LT(right(b), b.size.width - 2 * b.viewer.textSize());
-        const View fitted = b.viewer.settings().view;
+        EXPECT_LT(right(b), b.size.width - 2 * b.viewer.words().size());
+        const View fitted = b.viewer.frames().settings().view;
         EXPECT_GT(fitted.width / 2.0 + (fitted.pan.x - fitted.radius) * fitted.pixelsPerAngstrom, 0);
         b.settle();
-        EXPECT_EQ(b.viewer.settings().view.pan, fitted.pan) << "it comes to rest there";
+        EXPECT_EQ(b.viewer.frames().settings().view.pan, fitted.pan) << "it comes to rest there";
         showLegend(b, false);
         EXPECT_EQ(right(b), alone);
     }

@@ -14,21 +14,21 @@ TEST(Panel, AListClosesOnEscapeAndOnAClickBeside) {
         Bench b("sample:dna", kUsual);
         b.click("Colours");
         ASSERT_TRUE(b.find("Rainbow, start to end"));
-        EXPECT_TRUE(b.panel.ownsKeys());
+        EXPECT_TRUE(b.panel.input().ownsKeys());
         if (escape)
             b.press(SpecialKey::escape);
         else
             b.clickAt(800, 300);
         b.settle();
         EXPECT_FALSE(b.find("Rainbow, start to end"));
-        EXPECT_FALSE(b.panel.ownsKeys());
+        EXPECT_FALSE(b.panel.input().ownsKeys());
         EXPECT_EQ(b.viewer.view().look.color, Coloring(ColorScheme::element));
     }
 }
 
 TEST(Panel, AnErrorStaysUntilItIsRead) {
     Bench b("", kUsual);
-    b.viewer.open("nothing.pdb", b.now);
+    b.viewer.reading().open("nothing.pdb", b.now);
     b.settle();
     b.now += 60;
     b.settle();
@@ -37,7 +37,7 @@ TEST(Panel, AnErrorStaysUntilItIsRead) {
     for (const Control& c : b.panel.controls()) advised |= c.name.find("Check the name") != std::string::npos;
     EXPECT_TRUE(advised);
     b.click("Close");
-    EXPECT_EQ(b.viewer.failure(), "");
+    EXPECT_EQ(b.viewer.messages().failure(), "");
     EXPECT_TRUE(b.find("DNA"));
 }
 
@@ -45,7 +45,7 @@ TEST(Panel, ACardIsAsHighAsWhatComesToStandInIt) {
     Bench b("", kUsual);
     for (int i = 0; i < 10; ++i) b.frame();
     ASSERT_FALSE(b.panel.restless());
-    b.viewer.fail("the file is gone", b.now);
+    b.viewer.messages().fail("the file is gone", b.now);
     // Frames are drawn as long as they are asked for, as in a shell.
     b.frame();
     for (int i = 0; i < 20 && b.panel.restless(); ++i) b.frame();
@@ -82,9 +82,9 @@ TEST(Panel, KeysReachEveryControl) {
         b.panel.showPage(page);
         b.settle();
         EXPECT_EQ(unreached(b, "Nacre"), std::vector<std::string>()) << static_cast<int>(page);
-        EXPECT_TRUE(b.panel.ownsKeys());
+        EXPECT_TRUE(b.panel.input().ownsKeys());
         b.press(SpecialKey::escape);
-        EXPECT_FALSE(b.panel.ownsKeys());
+        EXPECT_FALSE(b.panel.input().ownsKeys());
     }
     const auto cards = {
         std::pair("Save", &Panel::showSave), {"Start", &Panel::showStart}, {"Help", &Panel::toggleHelp}};
@@ -150,7 +150,7 @@ TEST(Panel, AnotherMoleculeStandsBesideWhatIsOpen) {
     b.click("Buckyball");
     ASSERT_EQ(b.viewer.document()->molecule->atoms.size(), 486u + 60u);
     EXPECT_EQ(b.viewer.title(), "sample:dna + sample:buckyball - Nacre");
-    EXPECT_EQ(b.viewer.models(), 1) << "molecules are no models to step through";
+    EXPECT_EQ(b.viewer.playback().models(), 1) << "molecules are no models to step through";
     ASSERT_EQ(b.viewer.view().look.rules.size(), 1u);
     EXPECT_EQ(b.viewer.view().look.rules[0].selection.text, "/buckyball");
     b.panel.showPage(Panel::Page::parts);
@@ -164,8 +164,8 @@ TEST(Panel, AnotherMoleculeStandsBesideWhatIsOpen) {
     EXPECT_LT(drawn(), 300u);
     EXPECT_EQ(b.viewer.view().look.rules.back().selection.text, "/dna and chain A and polymer");
     // A click says which molecule it means, and so does what is typed.
-    b.viewer.select("/buckyball");
-    EXPECT_EQ(b.viewer.selection().count, 60u);
+    b.viewer.picking().select("/buckyball");
+    EXPECT_EQ(b.viewer.picking().selection().count, 60u);
     // What is saved with both is read with both, and means the same.
     const SavedView again = parseSavedView(savedViewJson(b.viewer.view()), "view");
     EXPECT_EQ(again.further, b.viewer.view().further);
@@ -175,14 +175,14 @@ TEST(Panel, AnotherMoleculeStandsBesideWhatIsOpen) {
     EXPECT_TRUE(b.viewer.view().look.rules.empty());
     b.click("Redo");
     EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), 546u);
-    b.viewer.open("sample:glucose", b.now);
+    b.viewer.reading().open("sample:glucose", b.now);
     b.settle();
     EXPECT_TRUE(b.viewer.view().further.empty());
 }
 
 TEST(Panel, SeveralMoleculesAreLaidOntoTheFirst) {
     Bench b("sample:dna", {1000, 900});
-    b.viewer.open(std::vector<std::string>{"sample:dna", "sample:dna"}, b.now);
+    b.viewer.reading().open(std::vector<std::string>{"sample:dna", "sample:dna"}, b.now);
     b.settle();
     ASSERT_EQ(b.viewer.document()->molecule->atoms.size(), 2u * 486u);
     b.panel.showPage(Panel::Page::parts);
@@ -190,7 +190,7 @@ TEST(Panel, SeveralMoleculesAreLaidOntoTheFirst) {
     b.click("Laid onto dna");
     ASSERT_EQ(b.viewer.view().fits.size(), 1u);
     EXPECT_EQ(b.viewer.view().fits[0].fixed.text, "/dna");
-    EXPECT_EQ(b.viewer.document()->view.fits, b.viewer.view().fits) << b.viewer.failure();
+    EXPECT_EQ(b.viewer.document()->view.fits, b.viewer.view().fits) << b.viewer.messages().failure();
     expectReadable(b, "a fit");
     b.click("Laid onto dna");
     EXPECT_TRUE(b.viewer.view().fits.empty());
@@ -203,12 +203,13 @@ TEST(Panel, SeveralMoleculesAreLaidOntoTheFirst) {
         return read(view);
     };
     Bench other("sample:dna", {1000, 900}, 1, PanelHand::mouse, unlike);
-    other.viewer.add("sample:dna", other.now);
+    other.viewer.reading().add("sample:dna", other.now);
     other.panel.showPage(Panel::Page::parts);
     other.settle();
     other.click("Laid onto dna");
-    EXPECT_NE(other.viewer.failure(), "");
-    EXPECT_TRUE(other.viewer.view().fits.empty());
+    EXPECT_NE(other.viewer.messages().failure(), "");
+    const SavedView& view = other.viewer.view();
+    EXPECT_TRUE(view.fits.empty());
     EXPECT_EQ(other.find("Laid onto dna")->value, "off");
 }
 
@@ -220,17 +221,17 @@ TEST(Panel, ADragAcrossTheSequenceSelectsResidues) {
     const Control* sequence = b.find("Sequence of Chain A");
     ASSERT_TRUE(sequence);
     const double y = sequence->top + 15, x = sequence->left + 36, letter = 11.5;
-    b.panel.pointer({x + letter * 2.5, y});
+    b.panel.input().pointer({x + letter * 2.5, y});
     b.frame();
-    b.panel.button(MouseButton::left, true);
+    b.panel.input().button(MouseButton::left, true);
     b.frame();
-    b.panel.pointer({x + letter * 4.5, y});
+    b.panel.input().pointer({x + letter * 4.5, y});
     b.frame();
-    b.panel.button(MouseButton::left, false);
+    b.panel.input().button(MouseButton::left, false);
     b.settle();
-    EXPECT_EQ(b.viewer.selection().text, "chain A and resi 3-5");
-    EXPECT_GT(b.viewer.selection().count, 50u);
-    EXPECT_EQ(b.viewer.annotations().selected.size(), b.viewer.selection().count);
+    EXPECT_EQ(b.viewer.picking().selection().text, "chain A and resi 3-5");
+    EXPECT_GT(b.viewer.picking().selection().count, 50u);
+    EXPECT_EQ(b.viewer.picking().annotations().selected.size(), b.viewer.picking().selection().count);
 }
 
 TEST(Panel, KeysGoAlongTheSequence) {
@@ -246,11 +247,11 @@ TEST(Panel, KeysGoAlongTheSequence) {
     ASSERT_TRUE(focused());
     b.press(SpecialKey::right);
     b.settle();
-    EXPECT_EQ(b.viewer.selection().text, "chain A and resi 1");
+    EXPECT_EQ(b.viewer.picking().selection().text, "chain A and resi 1");
     b.press(SpecialKey::right);
     b.press(SpecialKey::right, {true, false});
     b.settle();
-    EXPECT_EQ(b.viewer.selection().text, "chain A and resi 2-3");
+    EXPECT_EQ(b.viewer.picking().selection().text, "chain A and resi 2-3");
     EXPECT_TRUE(focused());
 }
 
@@ -272,7 +273,7 @@ TEST(Panel, RulesAreSwitchedOffEditedAndMoved) {
     b.click("Atoms of the rule");
     b.press(SpecialKey::end);
     for (const char c : std::string(" and resi 1")) {
-        b.panel.character(static_cast<char32_t>(c));
+        b.panel.input().character(static_cast<char32_t>(c));
         b.frame();
     }
     b.settle();
@@ -290,14 +291,14 @@ TEST(Panel, RulesAreSwitchedOffEditedAndMoved) {
     // What is typed after a click into the field replaces what stands there, as after a click on the molecule.
     b.click("Nucleic acid");
     b.settle();
-    EXPECT_EQ(b.viewer.selection().text, "nucleic");
+    EXPECT_EQ(b.viewer.picking().selection().text, "nucleic");
     b.click("Selection");
     for (const char c : std::string("chain B")) {
-        b.panel.character(static_cast<char32_t>(c));
+        b.panel.input().character(static_cast<char32_t>(c));
         b.frame();
     }
     b.settle();
-    EXPECT_EQ(b.viewer.selection().text, "chain B");
+    EXPECT_EQ(b.viewer.picking().selection().text, "chain B");
     b.press(SpecialKey::escape);
 }
 
@@ -312,14 +313,14 @@ TEST(Panel, RibbonsAndSurfacesLetThroughWhatASliderSays) {
         const Control* slider = b.find(name, "slider");
         ASSERT_TRUE(slider) << name;
         EXPECT_EQ(b.viewer.view().look.*value, 1);
-        b.panel.pointer({slider->right - 5, (slider->top + slider->bottom) / 2});
+        b.panel.input().pointer({slider->right - 5, (slider->top + slider->bottom) / 2});
         b.frame();
-        b.panel.button(MouseButton::left, true);
+        b.panel.input().button(MouseButton::left, true);
         b.frame();
-        b.panel.pointer({(slider->left + slider->right) / 2, (slider->top + slider->bottom) / 2});
+        b.panel.input().pointer({(slider->left + slider->right) / 2, (slider->top + slider->bottom) / 2});
         for (int i = 0; i < 4; ++i) b.frame();
         EXPECT_EQ(b.viewer.view().look.*value, 1) << "while it is held no scene is built";
-        b.panel.button(MouseButton::left, false);
+        b.panel.input().button(MouseButton::left, false);
         b.settle();
         EXPECT_NEAR(b.viewer.view().look.*value, 0.55, 0.02) << name;
         EXPECT_NEAR(parseSavedView(savedViewJson(b.viewer.view()), "view").look.*value, 0.55, 0.02) << name;
@@ -404,19 +405,19 @@ TEST(Panel, ADoubleClickOnASliderTypesItsNumber) {
     b.settle();
     const Control* slider = b.find("Opacity of ribbons");
     ASSERT_NE(slider, nullptr);
-    b.panel.pointer({(slider->left + slider->right) / 2, (slider->top + slider->bottom) / 2});
+    b.panel.input().pointer({(slider->left + slider->right) / 2, (slider->top + slider->bottom) / 2});
     for (int i = 0; i < 2; ++i) {
-        b.panel.button(MouseButton::left, true);
+        b.panel.input().button(MouseButton::left, true);
         b.frame();
-        b.panel.button(MouseButton::left, false);
+        b.panel.input().button(MouseButton::left, false);
         b.frame();
     }
-    ASSERT_TRUE(b.panel.ownsKeys());
-    for (const char c : std::string("0.25")) b.panel.character(static_cast<char32_t>(c)), b.frame();
+    ASSERT_TRUE(b.panel.input().ownsKeys());
+    for (const char c : std::string("0.25")) b.panel.input().character(static_cast<char32_t>(c)), b.frame();
     b.press(SpecialKey::enter);
     b.settle();
     EXPECT_EQ(b.viewer.view().look.cartoonOpacity, 0.25);
-    EXPECT_FALSE(b.panel.ownsKeys());
+    EXPECT_FALSE(b.panel.input().ownsKeys());
 }
 
 }  // namespace

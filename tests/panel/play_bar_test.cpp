@@ -69,12 +69,12 @@ TEST(PlayBar, StepsPlaysAndScrubs) {
     b.clickAt((slider->left + slider->right) / 2, (slider->top + slider->bottom) / 2);
     EXPECT_NEAR(b.viewer.view().model, 30, 3);
     b.click("Play");
-    EXPECT_TRUE(b.viewer.playing());
+    EXPECT_TRUE(b.viewer.playback().playing());
     EXPECT_TRUE(b.find("Pause"));
     b.click("How it is played");
     b.click("Order");
     b.click("Back and forth");
-    EXPECT_EQ(b.viewer.playback().order(), PlayOrder::toAndFro);
+    EXPECT_EQ(b.viewer.playback().clock().order(), PlayOrder::toAndFro);
     b.click("Pause");
     b.click("Fit");
     b.click("Lay all atoms together");
@@ -87,14 +87,14 @@ TEST(PlayBar, AFingerThatHoldsTheSliderMovesIt) {
     const Control* slider = b.find("Frame");
     ASSERT_TRUE(slider);
     const double y = (slider->top + slider->bottom) / 2, left = slider->left, right = slider->right;
-    EXPECT_TRUE(b.panel.touch({1, TouchPhase::began, {left + 14, y}}));
+    EXPECT_TRUE(b.panel.input().touch({1, TouchPhase::began, {left + 14, y}}));
     b.frame();
     for (int i = 1; i <= 10; ++i) {
-        b.panel.touch({1, TouchPhase::moved, {left + 14 + (right - left - 28) * 0.1 * i, y}});
+        b.panel.input().touch({1, TouchPhase::moved, {left + 14 + (right - left - 28) * 0.1 * i, y}});
         b.frame();
     }
     EXPECT_GT(b.viewer.view().model, 50) << "before it lets go";
-    b.panel.touch({1, TouchPhase::ended, {right - 14, y}});
+    b.panel.input().touch({1, TouchPhase::ended, {right - 14, y}});
     b.settle();
     EXPECT_EQ(b.viewer.view().model, 60);
 }
@@ -107,7 +107,7 @@ TEST(PlayBar, IsWholeEverywhereAndNextToTheMolecule) {
         PlayBench b(size, hand);
         const std::string where = std::to_string(size.width) + "x" + std::to_string(size.height);
         expectReadable(b, where);
-        const View view = b.viewer.settings().view;
+        const View view = b.viewer.frames().settings().view;
         const Control* bar = b.find("Frame");
         ASSERT_TRUE(bar) << where;
         EXPECT_LE(view.height / 2.0 + (view.radius - view.pan.y) * view.pixelsPerAngstrom, bar->top) << where;

@@ -54,8 +54,8 @@ public:
     void run(PhoneSession& session, double quiet = 5) {
         for (int steps = 0; steps < 20'000; ++steps) {
             const double wake = session.step();
-            if (session.viewer().loading())
-                session.viewer().waitForLoading();
+            if (session.viewer().reading().loader().busy())
+                session.viewer().reading().loader().wait();
             else if (wake > now + quiet)
                 return;
             // The device bakes beside the frames, in its own time.
@@ -88,7 +88,7 @@ void expectValid(const PhoneSession& session) {
 void begin(PhoneSession& session) {
     session.resize(kSize, kScale);
     session.setSeen(true);
-    session.viewer().lowMemory();
+    session.viewer().frames().setMostSamples(1);
 }
 
 TEST(PhoneSession, DrawsComesToRestAndPicks) {
@@ -108,8 +108,8 @@ TEST(PhoneSession, DrawsComesToRestAndPicks) {
     session.viewer().touch({1, TouchPhase::ended, {320, 180}}, host.now + 0.05);
     host.now += 0.05;
     host.run(session);
-    ASSERT_EQ(session.viewer().picks().size(), 1u);
-    EXPECT_EQ(spokenValue(session.viewer().annotations()).substr(0, 6), "Oxygen");
+    ASSERT_EQ(session.viewer().picking().picks().size(), 1u);
+    EXPECT_EQ(spokenValue(session.viewer().picking().annotations()).substr(0, 6), "Oxygen");
 
     // A twist of a trackpad.
     const std::string before = session.state();
@@ -127,7 +127,7 @@ TEST(PhoneSession, TheDebugPageTellsWhatTheRendererDoes) {
     PhoneSession session(host.lend(), viewOf("/far/water.xyz"));
     session.setSeen(true);
     session.resize(kSize, 0.5);  // all of the panel has room
-    session.viewer().lowMemory();
+    session.viewer().frames().setMostSamples(1);
     host.run(session);
     for (const auto& [role, name] : {std::pair("button", "Menu"), {"tab", "More"}, {"button", "For developers"}}) {
         session.press(role, name);
@@ -147,8 +147,8 @@ TEST(PhoneSession, TheDebugPageTellsWhatTheRendererDoes) {
     if (const std::string driver = describe(session.renderer()->driverFeedback()); !driver.empty())
         expected += "\n" + driver;
     EXPECT_EQ(told(), expected);
-    session.viewer().setDisplayInterval(1 / 120.0);
-    session.viewer().overlayChanged();
+    session.viewer().schedule().setDisplayInterval(1 / 120.0);
+    session.viewer().schedule().overlayChanged();
     host.run(session, 0.5);
     EXPECT_NE(told().find("display 120 Hz"), std::string::npos) << told();
     EXPECT_NE(told().find(", " + std::to_string(stats.windowFrames - 1) + " frames"), std::string::npos) << told();
@@ -236,8 +236,8 @@ TEST(PhoneSession, ALostDeviceIsReplacedAndTheLossIsSaid) {
     session.viewer().resume(host.now);
     for (int steps = 0; steps < 1000 && host.surfaces < 2; ++steps, host.now += 1.0 / 60) session.step();
     EXPECT_EQ(host.surfaces, 2);
-    EXPECT_TRUE(spokenValue(session.viewer().annotations()).find("the device was lost") != std::string::npos)
-        << spokenValue(session.viewer().annotations());
+    EXPECT_TRUE(spokenValue(session.viewer().picking().annotations()).find("the device was lost") != std::string::npos)
+        << spokenValue(session.viewer().picking().annotations());
     host.run(session);
     EXPECT_EQ(session.picture(1).rgba, shown.rgba);
     expectValid(session);
@@ -286,10 +286,10 @@ TEST(PhoneSession, SaysWhyAFileIsNotShown) {
     PhoneSession session(host.lend(), viewOf("sample:glucose"));
     begin(session);
     host.run(session);
-    session.viewer().open("/far/gone.pdb", host.now);
-    session.viewer().waitForLoading();
+    session.viewer().reading().open("/far/gone.pdb", host.now);
+    session.viewer().reading().loader().wait();
     session.step();
-    EXPECT_NE(spokenValue(session.viewer().annotations()).find("it is gone"), std::string::npos);
+    EXPECT_NE(spokenValue(session.viewer().picking().annotations()).find("it is gone"), std::string::npos);
     EXPECT_EQ(session.viewer().document()->view.input, "sample:glucose");
     EXPECT_EQ(session.shareName(), "glucose");
 }

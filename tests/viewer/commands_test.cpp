@@ -15,7 +15,7 @@ TEST(Presets, EveryPresetAndChoiceIsOneThatTheSceneTakes) {
         applyPreset(preset, view);
         EXPECT_EQ(parseSavedView(savedViewJson(view), preset.name).look, view.look) << preset.name;
     }
-    for (const char* color : colorChoices()) EXPECT_EQ(coloringText(parseColoring(color)), color);
+    for (const ColorWord& color : colorWords()) EXPECT_EQ(coloringText(parseColoring(color.option)), color.option);
     for (const char* color : backgroundChoices()) EXPECT_EQ(backgroundText(parseColor(color)), color);
 }
 

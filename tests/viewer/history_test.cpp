@@ -35,7 +35,7 @@ struct Desk {
                  {[](const SavedView& v) { return sampleMolecule(v.input.substr(7)); },
                   [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m, v.drawn), v.look); }},
                  first(), {}) {
-        viewer.resize({640, 480}, 1, now);
+        viewer.frames().resize({640, 480}, 1, now);
         rest();
     }
     static SavedView first() {
@@ -45,7 +45,7 @@ struct Desk {
     }
     void rest(double seconds = 3) {
         for (const double end = now + seconds; now < end; now += 0.05) {
-            viewer.waitForLoading();
+            viewer.reading().loader().wait();
             viewer.update(now);
         }
     }
@@ -138,8 +138,8 @@ void act(Desk& d, std::mt19937& random) {
         case 4:
             return changeLook(d, random);
         case 5:
-            if (random() % 4 == 0) d.viewer.add("sample:buckyball", d.now);
-            if (random() % 4 == 0) d.viewer.open(random() % 2 ? "sample:glucose" : "sample:dna", d.now);
+            if (random() % 4 == 0) d.viewer.reading().add("sample:buckyball", d.now);
+            if (random() % 4 == 0) d.viewer.reading().open(random() % 2 ? "sample:glucose" : "sample:dna", d.now);
             return;
         default:
             return d.viewer.run(kCommands[random() % std::size(kCommands)], d.now);

@@ -15,53 +15,53 @@
 namespace nacre::app {
 namespace {
 
-std::vector<std::size_t> played(Playback playback, int count) {
-    std::vector<std::size_t> frames{playback.frame()};
+std::vector<std::size_t> played(PlayClock clock, int count) {
+    std::vector<std::size_t> frames{clock.frame()};
     for (double now = 0; static_cast<int>(frames.size()) <= count; ++now) {
-        const auto next = playback.next();
+        const auto next = clock.next();
         if (!next) break;
-        playback.shown(*next, now);
+        clock.shown(*next, now);
         frames.push_back(*next);
     }
     return frames;
 }
 
-TEST(Playback, GoesRoundToAndFroOrToItsEnd) {
+TEST(PlayClock, GoesRoundToAndFroOrToItsEnd) {
     using Frames = std::vector<std::size_t>;
-    Playback playback;
-    playback.begin(3, 1, 10);
-    EXPECT_EQ(played(playback, 4), (Frames{1, 2, 0, 1, 2}));
-    playback.setOrder(PlayOrder::toAndFro);
-    EXPECT_EQ(played(playback, 6), (Frames{1, 2, 1, 0, 1, 2, 1}));
-    playback.setOrder(PlayOrder::once);
-    EXPECT_EQ(played(playback, 6), (Frames{1, 2}));
-    playback.goTo(2);
-    playback.play(0);
-    EXPECT_EQ(played(playback, 6), (Frames{2, 0, 1, 2})) << "from its end it plays once more";
-    playback.begin(1, 0, 10);
-    playback.play(0);
-    EXPECT_FALSE(playback.playing());
-    EXPECT_FALSE(playback.next());
+    PlayClock clock;
+    clock.begin(3, 1, 10);
+    EXPECT_EQ(played(clock, 4), (Frames{1, 2, 0, 1, 2}));
+    clock.setOrder(PlayOrder::toAndFro);
+    EXPECT_EQ(played(clock, 6), (Frames{1, 2, 1, 0, 1, 2, 1}));
+    clock.setOrder(PlayOrder::once);
+    EXPECT_EQ(played(clock, 6), (Frames{1, 2}));
+    clock.goTo(2);
+    clock.play(0);
+    EXPECT_EQ(played(clock, 6), (Frames{2, 0, 1, 2})) << "from its end it plays once more";
+    clock.begin(1, 0, 10);
+    clock.play(0);
+    EXPECT_FALSE(clock.playing());
+    EXPECT_FALSE(clock.next());
 }
 
-TEST(Playback, KeepsItsPace) {
-    Playback playback;
-    playback.begin(100, 0, 20);
-    playback.play(5);
-    EXPECT_EQ(playback.due(), 5);
-    playback.shown(1, 5.01);
-    EXPECT_DOUBLE_EQ(playback.due(), 5.05) << "what is a little late is made up for";
-    playback.shown(2, 6);
-    EXPECT_DOUBLE_EQ(playback.due(), 6) << "what is much too late is not";
-    playback.stepRate(1);
-    EXPECT_EQ(playback.rate(), 24);
-    playback.stepRate(-1);
-    playback.stepRate(-1);
-    EXPECT_EQ(playback.rate(), 15);
-    playback.setRate(1e9);
-    EXPECT_EQ(playback.rate(), Playback::kFastest);
-    playback.stepRate(1);
-    EXPECT_EQ(playback.rate(), Playback::kFastest);
+TEST(PlayClock, KeepsItsPace) {
+    PlayClock clock;
+    clock.begin(100, 0, 20);
+    clock.play(5);
+    EXPECT_EQ(clock.due(), 5);
+    clock.shown(1, 5.01);
+    EXPECT_DOUBLE_EQ(clock.due(), 5.05) << "what is a little late is made up for";
+    clock.shown(2, 6);
+    EXPECT_DOUBLE_EQ(clock.due(), 6) << "what is much too late is not";
+    clock.stepRate(1);
+    EXPECT_EQ(clock.rate(), 24);
+    clock.stepRate(-1);
+    clock.stepRate(-1);
+    EXPECT_EQ(clock.rate(), 15);
+    clock.setRate(1e9);
+    EXPECT_EQ(clock.rate(), PlayClock::kFastest);
+    clock.stepRate(1);
+    EXPECT_EQ(clock.rate(), PlayClock::kFastest);
 }
 
 /// Five models of two atoms; the second moves away by half an ångström a model. @param last  of another kind
@@ -96,7 +96,7 @@ public:
 struct PlayingBench {
     explicit PlayingBench(std::string content = fiveModels())
         : text(std::move(content)), viewer(screen, sources(), viewOfFile(), {}) {
-        viewer.resize({600, 400}, 1, now);
+        viewer.frames().resize({600, 400}, 1, now);
         run(1);
     }
     static SavedView viewOfFile() {
@@ -124,8 +124,8 @@ struct PlayingBench {
     /// @returns when the viewer wants to be called again
     void run(double seconds) {
         for (const double end = now + seconds; now < end; now += 0.005) {
-            viewer.waitForLoading();
-            viewer.waitForFrame();
+            viewer.reading().loader().wait();
+            viewer.playback().wait();
             viewer.update(now);
         }
     }
@@ -172,12 +172,12 @@ TEST(Player, MakesFramesInMoleculesThatNobodyHoldsAnyMore) {
 
 TEST(Playing, ModelsOfOneMoleculeMoveWithoutBeingReadAgain) {
     PlayingBench b;
-    EXPECT_EQ(b.viewer.playback().frames(), 5u);
-    EXPECT_TRUE(b.viewer.canLay());
-    EXPECT_FALSE(b.viewer.hasTrajectory());
+    EXPECT_EQ(b.viewer.playback().clock().frames(), 5u);
+    EXPECT_TRUE(b.viewer.playback().canLay());
+    EXPECT_FALSE(b.viewer.playback().hasTrajectory());
     const double scale = b.screen.scale;
     const int scenes = b.screen.scenes;
-    b.viewer.showFrame(3, b.now);
+    b.viewer.playback().show(3, b.now);
     b.run(0.1);
     EXPECT_NEAR(b.distance(), 2.5, 1e-5);
     EXPECT_EQ(b.viewer.view().model, 4);
@@ -197,7 +197,7 @@ TEST(Playing, ModelsOfOneMoleculeMoveWithoutBeingReadAgain) {
 
 TEST(Playing, ComesAtItsRateAndStops) {
     PlayingBench b;
-    b.viewer.setRate(20);
+    b.viewer.playback().setRate(20);
     const int moves = b.screen.moves;
     b.viewer.run(ViewerCommand::playModels, b.now);
     b.screen.hurried = false;
@@ -214,7 +214,7 @@ TEST(Playing, ComesAtItsRateAndStops) {
 
 TEST(Playing, ALookIsBuiltWhereTheMoleculeStands) {
     PlayingBench b;
-    b.viewer.showFrame(4, b.now);
+    b.viewer.playback().show(4, b.now);
     b.run(0.1);
     b.viewer.run(ViewerCommand::spacefill, b.now);
     b.run(0.2);
@@ -233,24 +233,25 @@ TEST(Playing, FramesAreSmoothedAsAsked) {
     PlayingBench b;
     TrajectoryOptions laid;
     laid.smooth = 3;
-    b.viewer.setMotion(laid, b.now);
+    b.viewer.playback().setMotion(laid, b.now);
     b.run(0.1);
     EXPECT_NEAR(b.distance(), 1.25, 1e-5) << "of the first and the second";
-    b.viewer.showFrame(2, b.now);
+    b.viewer.playback().show(2, b.now);
     b.run(0.1);
     EXPECT_NEAR(b.distance(), 2, 1e-5);
-    EXPECT_EQ(parseSavedView(savedViewJson(b.viewer.savedView()), "view").trajectory.smooth, 3);
+    const SavedView saved = parseSavedView(savedViewJson(b.viewer.picking().savedView()), "view");
+    EXPECT_EQ(saved.trajectory.smooth, 3);
     laid.fit = parseSelection("element N");
-    b.viewer.setMotion(laid, b.now);
+    b.viewer.playback().setMotion(laid, b.now);
     b.run(0.1);
-    EXPECT_NE(b.viewer.annotations().message.find("fewer than three"), std::string::npos);
+    EXPECT_NE(b.viewer.picking().annotations().message.find("fewer than three"), std::string::npos);
     EXPECT_NEAR(b.distance(), 2, 1e-5);
 }
 
 TEST(Playing, ModelsOfDifferentMoleculesAreReadOneByOne) {
     PlayingBench b(fiveModels(true));
-    EXPECT_FALSE(b.viewer.canLay());
-    EXPECT_EQ(b.viewer.playback().frames(), 5u);
+    EXPECT_FALSE(b.viewer.playback().canLay());
+    EXPECT_EQ(b.viewer.playback().clock().frames(), 5u);
     b.viewer.run(ViewerCommand::lastModel, b.now);
     b.run(0.2);
     EXPECT_EQ(b.viewer.document()->molecule->atoms[1].element, 7);

@@ -41,8 +41,8 @@ struct Stand {
                   [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m, v.drawn), v.look); },
                   [] { return 0.25; }, [this] { cancelled = true; }},
                  first(style), {}) {
-        viewer.resize({640, 480}, 1, now);
-        viewer.waitForLoading();
+        viewer.frames().resize({640, 480}, 1, now);
+        viewer.reading().loader().wait();
         rest(1);
     }
     static SavedView first(Style style) {
@@ -70,9 +70,9 @@ TEST(Pointing, ANameIsLookedForOnceThePointerRests) {
     EXPECT_EQ(s.screen.asked, 0);
     s.rest(1);
     EXPECT_EQ(s.screen.asked, 1);
-    EXPECT_NE(s.viewer.annotations().hover.find("atom 40"), std::string::npos);
-    s.viewer.pointerLeft();
-    EXPECT_EQ(s.viewer.annotations().hover, "");
+    EXPECT_NE(s.viewer.picking().annotations().hover.find("atom 40"), std::string::npos);
+    s.viewer.picking().pointerLeft();
+    EXPECT_EQ(s.viewer.picking().annotations().hover, "");
 }
 
 TEST(Pointing, ANameGoesWithWhatMovesAwayUnderThePointer) {
@@ -80,24 +80,24 @@ TEST(Pointing, ANameGoesWithWhatMovesAwayUnderThePointer) {
     s.screen.atom = 40;
     s.viewer.mouseMove({300, 200}, s.now);
     s.rest(1);
-    ASSERT_NE(s.viewer.annotations().hover.find("atom 40"), std::string::npos);
+    ASSERT_NE(s.viewer.picking().annotations().hover.find("atom 40"), std::string::npos);
     s.screen.atom = 41;
     s.viewer.run(ViewerCommand::autoRotate, s.now);
     s.rest(1);
-    EXPECT_EQ(s.viewer.annotations().hover, "") << "what turns has no name";
+    EXPECT_EQ(s.viewer.picking().annotations().hover, "") << "what turns has no name";
     EXPECT_EQ(s.screen.asked, 1) << "and is not looked for in each frame";
     s.viewer.run(ViewerCommand::autoRotate, s.now);
     s.rest(2);
-    EXPECT_NE(s.viewer.annotations().hover.find("atom 41"), std::string::npos);
+    EXPECT_NE(s.viewer.picking().annotations().hover.find("atom 41"), std::string::npos);
     EXPECT_EQ(s.screen.asked, 2);
     s.screen.atom = 42;
-    s.viewer.resize({500, 300}, 1, s.now);
+    s.viewer.frames().resize({500, 300}, 1, s.now);
     s.rest(1);
-    EXPECT_NE(s.viewer.annotations().hover.find("atom 42"), std::string::npos);
-    s.viewer.pointerLeft();
-    s.viewer.resize({600, 400}, 1, s.now);
+    EXPECT_NE(s.viewer.picking().annotations().hover.find("atom 42"), std::string::npos);
+    s.viewer.picking().pointerLeft();
+    s.viewer.frames().resize({600, 400}, 1, s.now);
     s.rest(1);
-    EXPECT_EQ(s.viewer.annotations().hover, "");
+    EXPECT_EQ(s.viewer.picking().annotations().hover, "");
     EXPECT_EQ(s.screen.asked, 3);
 }
 
@@ -105,26 +105,26 @@ TEST(Pointing, AClickSelectsTheResidueAndOneBesideNothing) {
     Stand s;
     s.screen.atom = 1;
     s.click();
-    EXPECT_EQ(s.viewer.selection().text, "chain A and resi 1");
-    EXPECT_EQ(s.viewer.annotations().selected.size(), s.viewer.selection().count);
-    EXPECT_GT(s.viewer.selection().count, 10u);
+    EXPECT_EQ(s.viewer.picking().selection().text, "chain A and resi 1");
+    EXPECT_EQ(s.viewer.picking().annotations().selected.size(), s.viewer.picking().selection().count);
+    EXPECT_GT(s.viewer.picking().selection().count, 10u);
     s.rest(1);
     s.screen.atom = 0;
     s.click();
-    EXPECT_EQ(s.viewer.selection().text, "");
-    EXPECT_TRUE(s.viewer.annotations().selected.empty());
+    EXPECT_EQ(s.viewer.picking().selection().text, "");
+    EXPECT_TRUE(s.viewer.picking().annotations().selected.empty());
 }
 
 TEST(Pointing, ARibbonIsMarkedWhereItIs) {
     Stand s(Style::cartoon);
-    s.viewer.select("chain A");
-    EXPECT_EQ(s.viewer.selection().count, 243u);
-    const std::size_t ofAll = s.viewer.annotations().selected.size();
-    EXPECT_GE(ofAll, 12u);                    // nucleotides
-    EXPECT_LE(ofAll, 36u);                    // their backbones and bases
-    s.viewer.select("chain A and name OP1");  // nothing is drawn of them alone
-    EXPECT_EQ(s.viewer.selection().count, 11u);
-    EXPECT_EQ(s.viewer.annotations().selected.size(), 11u);
+    s.viewer.picking().select("chain A");
+    EXPECT_EQ(s.viewer.picking().selection().count, 243u);
+    const std::size_t ofAll = s.viewer.picking().annotations().selected.size();
+    EXPECT_GE(ofAll, 12u);                              // nucleotides
+    EXPECT_LE(ofAll, 36u);                              // their backbones and bases
+    s.viewer.picking().select("chain A and name OP1");  // nothing is drawn of them alone
+    EXPECT_EQ(s.viewer.picking().selection().count, 11u);
+    EXPECT_EQ(s.viewer.picking().annotations().selected.size(), 11u);
 }
 
 TEST(Pointing, ADoubleClickZoomsToTheResidue) {
@@ -145,38 +145,38 @@ TEST(Pointing, ADoubleClickZoomsToTheResidue) {
 
 TEST(Pointing, ATypedSelectionIsCountedOrSaysWhatIsWrong) {
     Stand s;
-    s.viewer.select("chain A");
-    EXPECT_TRUE(s.viewer.selection().any());
-    EXPECT_EQ(s.viewer.selection().count, 243u);
-    s.viewer.select("chain A and si");
-    EXPECT_FALSE(s.viewer.selection().any());
-    EXPECT_NE(s.viewer.selection().error, "");
-    EXPECT_TRUE(s.viewer.annotations().selected.empty());
+    s.viewer.picking().select("chain A");
+    EXPECT_TRUE(s.viewer.picking().selection().any());
+    EXPECT_EQ(s.viewer.picking().selection().count, 243u);
+    s.viewer.picking().select("chain A and si");
+    EXPECT_FALSE(s.viewer.picking().selection().any());
+    EXPECT_NE(s.viewer.picking().selection().error, "");
+    EXPECT_TRUE(s.viewer.picking().annotations().selected.empty());
 }
 
 TEST(Pointing, WhatAPanelCoversMovesTheMoleculeAside) {
     Stand s;
-    const View whole = s.viewer.settings().view;
-    s.viewer.setCovered({200, 0, 0, 0}, s.now);
-    const View beside = s.viewer.settings().view;
+    const View whole = s.viewer.frames().settings().view;
+    s.viewer.frames().setCovered({200, 0, 0, 0}, s.now);
+    const View beside = s.viewer.frames().settings().view;
     EXPECT_EQ(beside.width, 640u);
     EXPECT_NEAR(beside.pan.x * beside.pixelsPerAngstrom, 100, 1e-9);
     EXPECT_NEAR(beside.pixelsPerAngstrom, whole.pixelsPerAngstrom * 440 / 480, 1e-9);
-    EXPECT_EQ(s.viewer.pictureSettings({640, 480}).view.pan, glm::dvec2(0));
+    EXPECT_EQ(s.viewer.frames().pictureSettings({640, 480}).view.pan, glm::dvec2(0));
     // What is under the pointer stays there.
     const glm::dvec2 before = planePointAt(beside, 500, 100);
     s.viewer.wheel(4, {500, 100}, s.now);
-    const glm::dvec2 after = planePointAt(s.viewer.settings().view, 500, 100);
+    const glm::dvec2 after = planePointAt(s.viewer.frames().settings().view, 500, 100);
     EXPECT_NEAR(before.x, after.x, 1e-6);
     EXPECT_NEAR(before.y, after.y, 1e-6);
 }
 
 TEST(Pointing, ALookThatIsTakenMeanwhileDoesNotStopReading) {
     Stand s;
-    s.viewer.open("another", s.now);
+    s.viewer.reading().open("another", s.now);
     s.viewer.run(ViewerCommand::licorice, s.now);
     for (int i = 0; i < 3; ++i) {
-        s.viewer.waitForLoading();
+        s.viewer.reading().loader().wait();
         s.rest(0.1);
     }
     EXPECT_EQ(s.viewer.view().input, "another");
@@ -186,21 +186,21 @@ TEST(Pointing, ALookThatIsTakenMeanwhileDoesNotStopReading) {
 
 TEST(Pointing, ReadingThatIsStoppedLeavesWhatWasThere) {
     Stand s;
-    s.viewer.open("slow", s.now);
-    EXPECT_TRUE(s.viewer.loading());
-    EXPECT_EQ(s.viewer.loadingProgress(), 0.25);
-    s.viewer.cancelLoading(s.now);
-    EXPECT_FALSE(s.viewer.loading());
+    s.viewer.reading().open("slow", s.now);
+    EXPECT_TRUE(s.viewer.reading().loader().busy());
+    EXPECT_EQ(s.viewer.reading().loader().progress(), 0.25);
+    s.viewer.reading().cancel(s.now);
+    EXPECT_FALSE(s.viewer.reading().loader().busy());
     EXPECT_TRUE(s.cancelled);
-    s.viewer.waitForLoading();
+    s.viewer.reading().loader().wait();
     s.rest(0.2);
-    EXPECT_EQ(s.viewer.annotations().message, "stopped");
+    EXPECT_EQ(s.viewer.picking().annotations().message, "stopped");
     EXPECT_EQ(s.viewer.view().input, "sample:dna");
     // And another can be read.
-    s.viewer.open("sample:dna", s.now);
-    s.viewer.waitForLoading();
+    s.viewer.reading().open("sample:dna", s.now);
+    s.viewer.reading().loader().wait();
     s.rest(0.2);
-    EXPECT_FALSE(s.viewer.loading());
+    EXPECT_FALSE(s.viewer.reading().loader().busy());
 }
 
 }  // namespace

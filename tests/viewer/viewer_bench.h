@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/drawing/scenes.h"
 #include "app/viewer/viewer.h"
 #include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
@@ -80,7 +81,7 @@ struct Bench {
     double now = 100;
 
     explicit Bench(const char* input = "sample:glucose") : viewer(screen, sampleSources(), viewOf(input), {}) {
-        viewer.resize({640, 480}, 1, now);
+        viewer.frames().resize({640, 480}, 1, now);
         load();
     }
     static SavedView viewOf(const char* input) {
@@ -89,7 +90,7 @@ struct Bench {
         return v;
     }
     void load() {
-        viewer.waitForLoading();
+        viewer.reading().loader().wait();
         step();
     }
     double step(double frame = 1.0 / 60) {

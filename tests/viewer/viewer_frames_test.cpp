@@ -34,7 +34,7 @@ TEST(Viewer, AnEmptyOneRestsToo) {
     const std::size_t drawn = b.screen.frames.size();
     EXPECT_GT(drawn, 0u);
     EXPECT_TRUE(std::isinf(b.step())) << "there is nothing to bake, and nobody is to wait for it";
-    b.viewer.open("sample:glucose", b.now);
+    b.viewer.reading().open("sample:glucose", b.now);
     b.load();
     b.run(2);
     EXPECT_EQ(b.screen.occlusion, 1);
@@ -83,7 +83,7 @@ TEST(Viewer, AnOverlayThatChangesCostsOneFrameOfTheKeptPicture) {
     Bench b;
     b.run(2);
     const std::size_t before = b.screen.frames.size();
-    b.viewer.overlayChanged();
+    b.viewer.schedule().overlayChanged();
     b.run(5);
     ASSERT_EQ(b.screen.frames.size(), before + 1);
     EXPECT_EQ(b.screen.frames.back().quality, Quality::kept);
@@ -102,7 +102,7 @@ TEST(Viewer, TurnsByItselfUntilTouched) {
     const std::size_t after = b.screen.frames.size();
     b.run(5);
     EXPECT_EQ(b.screen.frames.size(), after);
-    EXPECT_FALSE(b.viewer.autoRotating());
+    EXPECT_FALSE(b.viewer.motion().autoRotation());
 }
 
 TEST(Viewer, ResolutionDropsWhileFramesAreLateAndReturnsAtRest) {
@@ -122,7 +122,7 @@ TEST(Viewer, ResolutionDropsWhileFramesAreLateAndReturnsAtRest) {
 TEST(Viewer, ResolutionGoesByTheDevicesTimeAndTheDisplaysInterval) {
     for (const double hertz : {60.0, 90.0, 120.0}) {
         Bench b;
-        b.viewer.setDisplayInterval(1 / hertz);
+        b.viewer.schedule().setDisplayInterval(1 / hertz);
         b.run(2, 1 / hertz);
         b.viewer.run(ViewerCommand::autoRotate, b.now);
         b.screen.milliseconds = 0.8 * 1000 / hertz;  // the display shows every frame, and has room to spare
@@ -139,10 +139,10 @@ TEST(Viewer, ResolutionGoesByTheDevicesTimeAndTheDisplaysInterval) {
 
 TEST(Viewer, ADisplayThatThereIsNotIsNotTaken) {
     Bench b;
-    b.viewer.setDisplayInterval(1 / 120.0);
+    b.viewer.schedule().setDisplayInterval(1 / 120.0);
     for (const double rate : {0.0, -60.0, 0.5, 1e9, std::numeric_limits<double>::quiet_NaN()})
-        b.viewer.setDisplayInterval(1 / rate);
-    EXPECT_EQ(b.viewer.displayInterval(), 1 / 120.0);
+        b.viewer.schedule().setDisplayInterval(1 / rate);
+    EXPECT_EQ(b.viewer.schedule().displayInterval(), 1 / 120.0);
 }
 
 TEST(Viewer, ADeviceOfSoftwareKeepsItsResolutionLonger) {
@@ -150,28 +150,29 @@ TEST(Viewer, ADeviceOfSoftwareKeepsItsResolutionLonger) {
     for (const auto& [milliseconds, scale] :
          {std::pair(24.5, 1.0), {25.5, 0.85}, {28.0, 0.85}, {40.0, 0.7}, {200.0, 0.7}}) {
         Bench b;
-        b.viewer.keepSharp(0.025, 0.7);
+        b.viewer.frames().keepSharp(0.025, 0.7);
         b.run(2);
         b.viewer.run(ViewerCommand::autoRotate, b.now);
         b.screen.millisecondsOfWhole = milliseconds;
         b.run(2 + milliseconds / 50, milliseconds / 1000);
         EXPECT_EQ(b.screen.frames.back().scale, scale) << milliseconds;
-        const MotionFrames& moved = b.viewer.motionFrames();
+        const MotionFrames& moved = b.viewer.schedule().motionFrames();
         EXPECT_EQ(moved.smallestScale, scale) << milliseconds;
         EXPECT_EQ(moved.reduced > 0, scale < 1) << milliseconds;
         EXPECT_GT(moved.frames, moved.reduced) << "the first are whole";
         const std::string percent = std::to_string(std::lround(100 * scale)) + " %";
-        EXPECT_EQ(b.viewer.annotations().coarse.find(percent) != std::string::npos, scale < 1) << milliseconds;
+        EXPECT_EQ(b.viewer.picking().annotations().coarse.find(percent) != std::string::npos, scale < 1)
+            << milliseconds;
         b.viewer.run(ViewerCommand::autoRotate, b.now);
         b.run(2);
-        EXPECT_EQ(b.viewer.annotations().coarse, "");
+        EXPECT_EQ(b.viewer.picking().annotations().coarse, "");
     }
 }
 
 TEST(Viewer, CartoonsGiveUpTrianglesBeforePixels) {
     for (const bool meshes : {true, false}) {
         Bench b("sample:dna");
-        b.viewer.keepSharp(0.025, 0.7);
+        b.viewer.frames().keepSharp(0.025, 0.7);
         if (meshes) {
             SavedView look = b.viewer.view();
             look.look.style = Style::cartoon;
@@ -210,10 +211,10 @@ TEST(Viewer, ResolutionDoesNotSwing) {
 TEST(Viewer, WaitsForRoomOnlyIfAFrameIsToBeDrawn) {
     Bench b;
     b.run(2);
-    b.viewer.awaitFrame(b.now);
+    b.viewer.frames().await(b.now);
     EXPECT_EQ(b.screen.awaited, 0);
     b.viewer.run(ViewerCommand::rotateLeft, b.now);
-    b.viewer.awaitFrame(b.now);
+    b.viewer.frames().await(b.now);
     EXPECT_EQ(b.screen.awaited, 1);
 }
 
@@ -246,7 +247,7 @@ TEST(Viewer, NothingIsDrawnWhilePausedOrHidden) {
 TEST(Viewer, AWindowThatChangedMeanwhileIsDrawnInItsNewSize) {
     Bench b;
     b.run(2);
-    b.viewer.resize({800, 600}, 1, b.now);
+    b.viewer.frames().resize({800, 600}, 1, b.now);
     b.screen.outcome = FrameOutcome::resized;  // it is 640 x 480 again
     b.step();
     b.screen.outcome = FrameOutcome::shown;
@@ -261,10 +262,10 @@ TEST(Viewer, ADeviceThatIsLostIsToldAndItsSceneSetAgain) {
     b.screen.outcome = FrameOutcome::lost;
     b.viewer.run(ViewerCommand::rotateLeft, b.now);
     b.step();
-    EXPECT_TRUE(b.viewer.deviceLost());
+    EXPECT_TRUE(b.viewer.frames().lost());
     const int scenes = b.screen.scenes;
     b.screen.outcome = FrameOutcome::shown;
-    b.viewer.screenLost(b.now);
+    b.viewer.frames().replaced(b.now);
     b.run(2);
     EXPECT_EQ(b.screen.scenes, scenes + 1);
     EXPECT_EQ(b.screen.occlusion, 1);
@@ -277,8 +278,8 @@ TEST(Viewer, BakesWithinTheMemoryAndIntoTheCacheThatItWasGiven) {
     options.occlusionBytes = 3 << 20;
     options.occlusionCache = "kept here";
     const Viewer viewer(screen, sampleSources(), Bench::viewOf("sample:glucose"), options);
-    EXPECT_EQ(viewer.settings().occlusion.bytes, 3u << 20);
-    EXPECT_EQ(viewer.settings().occlusion.cache, "kept here");
+    EXPECT_EQ(viewer.frames().settings().occlusion.bytes, 3u << 20);
+    EXPECT_EQ(viewer.frames().settings().occlusion.cache, "kept here");
 }
 
 TEST(Viewer, DebugViewsComeOneAfterTheOtherAndAreNotAveraged) {
@@ -286,7 +287,7 @@ TEST(Viewer, DebugViewsComeOneAfterTheOtherAndAreNotAveraged) {
     b.run(2);
     for (std::size_t i = 1; i <= debugViewNames().size(); ++i) {
         const auto wanted = static_cast<DebugView>(i % debugViewNames().size());
-        b.viewer.setDebugView(wanted, b.now);
+        b.viewer.frames().setDebugView(wanted, b.now);
         b.run(2);
         EXPECT_EQ(b.screen.settings.back().debug, wanted);
         EXPECT_EQ(b.screen.frames.back().samples == 1, wanted != DebugView::none);
@@ -295,7 +296,7 @@ TEST(Viewer, DebugViewsComeOneAfterTheOtherAndAreNotAveraged) {
 
 TEST(Viewer, LowMemoryEndsSupersampling) {
     Bench b;
-    b.viewer.lowMemory();
+    b.viewer.frames().setMostSamples(1);
     b.run(2);
     EXPECT_EQ(b.screen.frames.back().quality, Quality::refined);
     EXPECT_EQ(b.screen.frames.back().samples, 1u);
@@ -305,7 +306,7 @@ TEST(Viewer, WhatFailsIsSaidAndTriedAgainLaterAndLater) {
     Bench b;
     b.screen.failures = 3;  // occlusion and frame; then one of them again
     b.step();
-    EXPECT_EQ(b.viewer.annotations().message, "out of memory: the screen: it was too much");
+    EXPECT_EQ(b.viewer.picking().annotations().message, "out of memory: the screen: it was too much");
     EXPECT_EQ(b.screen.failures, 1);
     for (int i = 0; i < 20; ++i) b.step();
     EXPECT_EQ(b.screen.failures, 1);  // not within a third of a second
@@ -314,7 +315,7 @@ TEST(Viewer, WhatFailsIsSaidAndTriedAgainLaterAndLater) {
     EXPECT_EQ(b.screen.failures, 0);
     EXPECT_EQ(b.screen.occlusion, 1);
     EXPECT_EQ(b.screen.count(Quality::refined), 16);
-    EXPECT_EQ(b.viewer.annotations().message, "");
+    EXPECT_EQ(b.viewer.picking().annotations().message, "");
 }
 
 TEST(Viewer, APersistentFailureCostsLittle) {
@@ -335,11 +336,11 @@ TEST(Viewer, ASceneThatFindsNoRoomLeavesTheOneBefore) {
     const Document* before = b.viewer.document();
     const std::size_t atoms = before->molecule->atoms.size();
     b.screen.failures = 1;
-    b.viewer.open("sample:dna", b.now);
+    b.viewer.reading().open("sample:dna", b.now);
     b.load();
-    EXPECT_EQ(b.viewer.annotations().message, "out of memory: the screen: it was too much");
+    EXPECT_EQ(b.viewer.picking().annotations().message, "out of memory: the screen: it was too much");
     EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), atoms);
-    b.viewer.open("sample:dna", b.now);
+    b.viewer.reading().open("sample:dna", b.now);
     b.load();
     EXPECT_NE(b.viewer.document()->molecule->atoms.size(), atoms);
 }
@@ -357,13 +358,13 @@ TEST(Viewer, ALossIsNoticedWhereverItComesAndSaidAfterwards) {
             b.now += 0.05;
         }
         b.run(1);
-        ASSERT_TRUE(b.viewer.deviceLost()) << when;
+        ASSERT_TRUE(b.viewer.frames().lost()) << when;
         b.screen.loss.clear();
         const int scenes = b.screen.scenes, refined = b.screen.count(Quality::refined);
-        b.viewer.screenLost(b.now);
-        EXPECT_FALSE(b.viewer.deviceLost());
+        b.viewer.frames().replaced(b.now);
+        EXPECT_FALSE(b.viewer.frames().lost());
         EXPECT_EQ(b.screen.scenes, scenes + 1);
-        EXPECT_EQ(b.viewer.annotations().message, "the device was lost: so and so");
+        EXPECT_EQ(b.viewer.picking().annotations().message, "the device was lost: so and so");
         b.run(6);
         EXPECT_EQ(b.screen.count(Quality::refined), refined + 16);
     }

@@ -23,24 +23,24 @@ TEST(Viewer, AQuestionIsAnsweredBeforeAnythingIsRead) {
             return sampleMolecule(v.input.substr(7));
         };
         Viewer viewer(screen, asking, Bench::viewOf("sample:glucose"), {});
-        viewer.resize({640, 480}, 1, 100);
-        viewer.waitForLoading();
+        viewer.frames().resize({640, 480}, 1, 100);
+        viewer.reading().loader().wait();
         viewer.update(101);
-        ASSERT_TRUE(viewer.question());
-        EXPECT_STREQ(viewer.question()->what(), "May it?");
-        EXPECT_EQ(viewer.question()->yes(), "Do it");
+        ASSERT_TRUE(viewer.reading().question());
+        EXPECT_STREQ(viewer.reading().question()->what(), "May it?");
+        EXPECT_EQ(viewer.reading().question()->yes(), "Do it");
         EXPECT_FALSE(viewer.document());
         if (yes)
-            viewer.answer(true, 102);
+            viewer.reading().answer(true, 102);
         else
             viewer.run(ViewerCommand::clearPicks, 102);  // Esc is a no
-        EXPECT_FALSE(viewer.question());
-        viewer.waitForLoading();
+        EXPECT_FALSE(viewer.reading().question());
+        viewer.reading().loader().wait();
         viewer.update(103);
         EXPECT_EQ(viewer.document() != nullptr, yes);
         EXPECT_EQ(allowed, yes);
-        viewer.open("sample:dna", 104);  // another file is no question
-        viewer.waitForLoading();
+        viewer.reading().open("sample:dna", 104);  // another file is no question
+        viewer.reading().loader().wait();
         viewer.update(105);
         EXPECT_EQ(viewer.document()->view.input, "sample:dna");
     }
@@ -63,10 +63,10 @@ TEST(Viewer, StepsThroughModelsAndPlaysThem) {
         screen,
         {threeModels, [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m), v.look); }}, first,
         {});
-    viewer.resize({640, 480}, 1, now);
+    viewer.frames().resize({640, 480}, 1, now);
     const auto run = [&](double seconds) {
         for (const double end = now + seconds; now < end; now += 1.0 / 60) {
-            viewer.waitForLoading();
+            viewer.reading().loader().wait();
             viewer.update(now);
         }
     };
@@ -87,7 +87,7 @@ TEST(Viewer, StepsThroughModelsAndPlaysThem) {
     const int scenes = screen.scenes;
     run(2);
     EXPECT_NEAR(screen.scenes - scenes, 18, 4) << "ten a second, or as fast as they are read";
-    EXPECT_TRUE(viewer.playing());
+    EXPECT_TRUE(viewer.playback().playing());
     viewer.run(ViewerCommand::playModels, now);
     run(0.3);
     const int stopped = screen.scenes;
@@ -103,11 +103,11 @@ TEST(Viewer, PicksNameAndMeasure) {
         b.viewer.touch({1, TouchPhase::began, {300, 200}}, b.now);
         b.viewer.touch({1, TouchPhase::ended, {300, 200}}, b.now + 0.05);
         b.run(1);
-        return b.viewer.annotations();
+        return b.viewer.picking().annotations();
     };
     EXPECT_EQ(tap(1).measurement, "");
     EXPECT_NE(tap(1).atom.find("atom 1"), std::string::npos);  // the same again is no second one
-    EXPECT_EQ(b.viewer.picks().size(), 1u);
+    EXPECT_EQ(b.viewer.picking().picks().size(), 1u);
     EXPECT_EQ(tap(2).measurement.substr(0, 8), "distance");
     EXPECT_EQ(tap(3).measurement.substr(0, 5), "angle");
     EXPECT_EQ(tap(4).measurement.substr(0, 7), "torsion");
@@ -115,16 +115,16 @@ TEST(Viewer, PicksNameAndMeasure) {
     EXPECT_EQ(tap(0).atoms.size(), 0u);
     // Where the marks are is where the atoms are seen: atom 1 through the camera's own formula.
     tap(1);
-    const View view = b.viewer.settings().view;
+    const View view = b.viewer.frames().settings().view;
     const Document& d = *b.viewer.document();
     const glm::dvec3 v = view.rotation * (glm::dvec3(d.molecule->atoms[0].position) - d.scene.center);
-    EXPECT_NEAR(b.viewer.annotations().atoms[0].x, 320 + v.x * view.pixelsPerAngstrom, 1e-9);
-    EXPECT_NEAR(b.viewer.annotations().atoms[0].y, 240 - v.y * view.pixelsPerAngstrom, 1e-9);
+    EXPECT_NEAR(b.viewer.picking().annotations().atoms[0].x, 320 + v.x * view.pixelsPerAngstrom, 1e-9);
+    EXPECT_NEAR(b.viewer.picking().annotations().atoms[0].y, 240 - v.y * view.pixelsPerAngstrom, 1e-9);
 }
 
 TEST(Viewer, AimsAtWhatIsPicked) {
     Bench b;
-    b.viewer.resize({640, 480}, 1, b.now);
+    b.viewer.frames().resize({640, 480}, 1, b.now);
     b.run(2);
     b.viewer.run(ViewerCommand::orient, b.now);
     b.run(1);
@@ -141,13 +141,13 @@ TEST(Viewer, AimsAtWhatIsPicked) {
     EXPECT_EQ(b.viewer.view().camera.orientation, flat);
     Aim nothing;
     nothing.lookAt = parseSelection("resn XYZ");
-    b.viewer.aim(nothing, b.now);
-    EXPECT_NE(b.viewer.annotations().message.find("no such atoms"), std::string::npos);
+    b.viewer.camera().aim(nothing, b.now);
+    EXPECT_NE(b.viewer.picking().annotations().message.find("no such atoms"), std::string::npos);
     // What is aimed at before the molecule is there, is when it is.
     Aim flatAim;
     flatAim.principal = true;
-    b.viewer.open("sample:dna", b.now);
-    b.viewer.aim(flatAim, b.now);
+    b.viewer.reading().open("sample:dna", b.now);
+    b.viewer.camera().aim(flatAim, b.now);
     b.load();
     EXPECT_NE(b.viewer.view().camera.orientation, glm::dquat(1, 0, 0, 0));
     EXPECT_GT(b.viewer.view().camera.zoom, 1);  // as large as fits
@@ -211,7 +211,7 @@ TEST(Viewer, ADoubleTapFitsAndPicksNothing) {
         b.viewer.touch({1, TouchPhase::ended, {300, 200}}, b.now + t + 0.05);
     }
     b.run(2);
-    EXPECT_TRUE(b.viewer.picks().empty());
+    EXPECT_TRUE(b.viewer.picking().picks().empty());
     EXPECT_EQ(b.viewer.view().camera.zoom, 1);
     EXPECT_EQ(b.viewer.view().camera.pan, glm::dvec2(0));
 }
@@ -219,13 +219,13 @@ TEST(Viewer, ADoubleTapFitsAndPicksNothing) {
 TEST(Viewer, OpensFilesAndSaysWhatIsWrongWithThem) {
     Bench b;
     b.run(2);
-    b.viewer.open("bad", b.now);
+    b.viewer.reading().open("bad", b.now);
     b.load();
-    EXPECT_NE(b.viewer.annotations().message.find("it is bad"), std::string::npos);
+    EXPECT_NE(b.viewer.picking().annotations().message.find("it is bad"), std::string::npos);
     EXPECT_EQ(b.viewer.title(), "sample:glucose - Nacre");
     b.viewer.wheel(5, {100, 100}, b.now);
-    b.viewer.open("sample:dna", b.now);
-    EXPECT_TRUE(b.viewer.loading());
+    b.viewer.reading().open("sample:dna", b.now);
+    EXPECT_TRUE(b.viewer.reading().loader().busy());
     b.load();
     EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), sampleMolecule("dna").atoms.size());
     EXPECT_EQ(b.viewer.view().camera.zoom, 1);
@@ -244,9 +244,9 @@ TEST(Viewer, AnotherStyleIsBuiltWithoutReadingAndRestartsOcclusion) {
     b.load();
     EXPECT_EQ(b.viewer.document()->molecule.get(), before);
     EXPECT_EQ(b.screen.scenes, scenes + 1);
-    EXPECT_LT(b.viewer.occlusion(), 1);
+    EXPECT_LT(b.viewer.frames().occlusion(), 1);
     b.run(2);
-    EXPECT_EQ(b.viewer.occlusion(), 1);
+    EXPECT_EQ(b.viewer.frames().occlusion(), 1);
 }
 
 TEST(Viewer, WhatItSavesIsWhereItGoesOn) {
@@ -257,16 +257,16 @@ TEST(Viewer, WhatItSavesIsWhereItGoesOn) {
     a.viewer.touch({1, TouchPhase::ended, {390, 230}}, a.now + 2);
     a.viewer.wheel(3, {10, 400}, a.now);
     a.viewer.run(ViewerCommand::licorice, a.now);
-    a.viewer.waitForLoading();
+    a.viewer.reading().loader().wait();
     a.run(3);
     const std::string saved = savedViewJson(a.viewer.view());
     CountingScreen screen;
     Viewer back(screen, sampleSources(), parseSavedView(saved, "saved"), {});
-    back.resize({640, 480}, 1, 0);
-    back.waitForLoading();
+    back.frames().resize({640, 480}, 1, 0);
+    back.reading().loader().wait();
     back.update(1);
     EXPECT_EQ(savedViewJson(back.view()), saved);
-    const View x = a.viewer.settings().view, y = back.settings().view;
+    const View x = a.viewer.frames().settings().view, y = back.frames().settings().view;
     EXPECT_EQ(x.pan, y.pan);
     EXPECT_EQ(x.pixelsPerAngstrom, y.pixelsPerAngstrom);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(glm::distance(x.rotation[i], y.rotation[i]), 0, 1e-12);
@@ -276,25 +276,26 @@ TEST(Viewer, AKeptPictureHasTheMoleculeBesideItsLegend) {
     Bench b("sample:dna");
     b.run(1);
     const auto left = [&](double shown) {  // pixels that the sphere leaves at the right of a square picture
-        const View view = b.viewer.pictureWithWords({400, 400}, shown).view;
+        const View view = b.viewer.words().settingsBeside({400, 400}, shown).view;
         return 200 - (view.pan.x + view.radius) * view.pixelsPerAngstrom;
     };
     const double alone = left(14);
-    EXPECT_EQ(b.viewer.pictureWithWords({400, 400}, 14).view.pan, b.viewer.pictureSettings({400, 400}).view.pan);
+    EXPECT_EQ(b.viewer.words().settingsBeside({400, 400}, 14).view.pan,
+              b.viewer.frames().pictureSettings({400, 400}).view.pan);
     SavedView look = b.viewer.view();
     look.words.title = "A title that goes over the molecule";
     look.words.legend = true;
     b.viewer.setLook(look, b.now);
     b.load();
-    const View beside = b.viewer.pictureWithWords({400, 400}, 40).view,
-               over = b.viewer.pictureSettings({400, 400}).view;
+    const View beside = b.viewer.words().settingsBeside({400, 400}, 40).view,
+               over = b.viewer.frames().pictureSettings({400, 400}).view;
     EXPECT_LT(beside.pixelsPerAngstrom, over.pixelsPerAngstrom);
     EXPECT_GT(left(40), alone);
     // What was placed by hand stays there.
     b.viewer.wheel(2, {320, 240}, b.now);
     b.run(1);
-    EXPECT_EQ(b.viewer.pictureWithWords({400, 400}, 40).view.pixelsPerAngstrom,
-              b.viewer.pictureSettings({400, 400}).view.pixelsPerAngstrom);
+    EXPECT_EQ(b.viewer.words().settingsBeside({400, 400}, 40).view.pixelsPerAngstrom,
+              b.viewer.frames().pictureSettings({400, 400}).view.pixelsPerAngstrom);
 }
 
 TEST(Viewer, WordsOfWhatIsHiddenWaitUntilItIsDrawnAgain) {
@@ -307,20 +308,20 @@ TEST(Viewer, WordsOfWhatIsHiddenWaitUntilItIsDrawnAgain) {
     look.words.labels = {parseLabel("id 1=first"), parseLabel("id 2=second")};
     look.words.measures = {parseMeasure("1,2")};
     show(look);
-    EXPECT_EQ(b.viewer.words().labels.size(), 2u);
-    EXPECT_EQ(b.viewer.words().measures.size(), 1u);
+    EXPECT_EQ(b.viewer.words().placed().labels.size(), 2u);
+    EXPECT_EQ(b.viewer.words().placed().measures.size(), 1u);
     SavedView hidden = b.viewer.view();
     hidden.look.rules.push_back(parseHide("id 2"));
     show(hidden);
-    ASSERT_EQ(b.viewer.words().labels.size(), 1u);
-    EXPECT_EQ(b.viewer.words().labels[0].text, "first");
-    EXPECT_TRUE(b.viewer.words().measures.empty());
+    ASSERT_EQ(b.viewer.words().placed().labels.size(), 1u);
+    EXPECT_EQ(b.viewer.words().placed().labels[0].text, "first");
+    EXPECT_TRUE(b.viewer.words().placed().measures.empty());
     EXPECT_EQ(b.viewer.view().words, look.words);
-    EXPECT_NE(b.viewer.annotations().message.find("id 2 and 1 more"), std::string::npos)
-        << b.viewer.annotations().message;
+    EXPECT_NE(b.viewer.picking().annotations().message.find("id 2 and 1 more"), std::string::npos)
+        << b.viewer.picking().annotations().message;
     show(look);
-    EXPECT_EQ(b.viewer.words().labels.size(), 2u);
-    EXPECT_EQ(b.viewer.words().measures.size(), 1u);
+    EXPECT_EQ(b.viewer.words().placed().labels.size(), 2u);
+    EXPECT_EQ(b.viewer.words().placed().measures.size(), 1u);
     // What the molecule does not have is not kept.
     look.words.labels.push_back(parseLabel("id 999=none"));
     show(look);

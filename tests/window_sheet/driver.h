@@ -29,8 +29,8 @@ public:
         const double end = seconds() + most;
         int downloading = 0;
         for (int quiet = 0; quiet < 4 && seconds() < end && downloading < 40;
-             downloading += viewer().loadingProgress() >= 0)
-            quiet = session_.step(0.05) > 0.2 && !viewer().loading() ? quiet + 1 : 0;
+             downloading += viewer().reading().loader().progress() >= 0)
+            quiet = session_.step(0.05) > 0.2 && !viewer().reading().loader().busy() ? quiet + 1 : 0;
     }
     void pause(double time) {
         const double end = seconds() + time;

@@ -62,10 +62,10 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         d.pause(0.2);
     };
     const auto keep = [](Driver& d) {
-        d.panel().keepView(d.viewer(), seconds());
+        d.panel().keepView(d.viewer());
         d.viewer().run(ViewerCommand::rotateLeft, seconds());
         d.viewer().run(ViewerCommand::zoomIn, seconds());
-        d.panel().keepView(d.viewer(), seconds());
+        d.panel().keepView(d.viewer());
     };
     const auto recording = [](Driver& d) {
         d.panel().showRecord();
@@ -76,7 +76,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         for (int i = 0; i < 400 && !d.tells("frame "); ++i) d.pause(0.05);
         d.rests = false;
     };
-    const auto failure = [](Driver& d) { d.viewer().open("no such file.pdb", seconds()); };
+    const auto failure = [](Driver& d) { d.viewer().reading().open("no such file.pdb", seconds()); };
     return {
         {"start", kUsual, "", [](Driver&) {}},
         {"start, light", kUsual, "", light},
@@ -107,9 +107,9 @@ std::vector<State> states(const std::string& protein, const std::string& models)
              d.settle();
              std::filesystem::remove_all(folder);
          }},
-        {"download goes on", kUsual, "sample:dna", [](Driver& d) { d.viewer().open("pdb:4hhb", seconds()); }},
+        {"download goes on", kUsual, "sample:dna", [](Driver& d) { d.viewer().reading().open("pdb:4hhb", seconds()); }},
         {"download goes on, narrow, dark", kNarrow, "sample:dna",
-         [=](Driver& d) { dark(d), d.viewer().open("pdb:4hhb", seconds()); }},
+         [=](Driver& d) { dark(d), d.viewer().reading().open("pdb:4hhb", seconds()); }},
         {"download is asked for", kUsual, "pdb:4hhb", [](Driver&) {}},
         {"look, dark", kUsual, p, dark},
         {"look, narrow, dark", kNarrow, p, dark},
@@ -154,7 +154,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
          }},
         {"parts, two molecules", kUsual, "sample:dna",
          [](Driver& d) {
-             d.viewer().add("sample:buckyball", seconds());
+             d.viewer().reading().add("sample:buckyball", seconds());
              d.settle();
              d.panel().showPage(Panel::Page::parts);
          }},
@@ -186,7 +186,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         {"folded", kUsual, p, [](Driver& d) { d.click("Fold the panel"); }},
         {"picked and hovered", kUsual, p,
          [](Driver& d) {
-             const double scale = d.viewer().size().height / 720.0;
+             const double scale = d.viewer().frames().size().height / 720.0;
              d.clickAt(scale * glm::dvec2(600, 300));
              d.clickAt(scale * glm::dvec2(690, 400));
              d.pause(0.3);
@@ -242,14 +242,14 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         {"film, recording, narrow, dark", kNarrow, "sample:dna", [=](Driver& d) { dark(d), recording(d); }},
         {"motion is coarser", kUsual, p,
          [=](Driver& d) {
-             d.viewer().keepSharp(0.001, 0.7);
+             d.viewer().frames().keepSharp(0.001, 0.7);
              d.viewer().run(ViewerCommand::autoRotate, seconds());
              d.pause(3);
              d.rests = false;
          }},
         {"parts, laid onto", kUsual, "sample:dna",
          [](Driver& d) {
-             d.viewer().open(std::vector<std::string>{"sample:dna", "sample:dna"}, seconds());
+             d.viewer().reading().open(std::vector<std::string>{"sample:dna", "sample:dna"}, seconds());
              d.settle();
              d.panel().showPage(Panel::Page::parts);
              d.pause(0.2);

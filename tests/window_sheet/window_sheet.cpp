@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
             driver.settle();
             driver.pause(0.2);
         }
-        const PixelSize size = driver.viewer().size();
+        const PixelSize size = driver.viewer().frames().size();
         const std::string name = std::string(state.name) + (scale == 1 ? "" : ", 200 %");
         writePicture(display, folder + "/" + name + ".ppm", size.width, size.height);
     }

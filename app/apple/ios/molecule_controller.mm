@@ -133,7 +133,7 @@ NSString* const kBookmark = @"bookmark";  // of the state: the right to the file
 
 - (double)step:(double)interval {
     __block double next = std::numeric_limits<double>::infinity();
-    _session->viewer().setDisplayInterval(interval);
+    _session->viewer().schedule().setDisplayInterval(interval);
     const BOOL drawn = [self attempt:^{
       next = self->_session->step();
     }];

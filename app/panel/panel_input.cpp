@@ -1,10 +1,10 @@
-// What pointer, keys and fingers tell the panel.
+#include "app/panel/panel_input.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "app/panel/panel.h"
 #include "app/panel/panel_state.h"
 
 namespace nacre::app {
@@ -29,6 +29,8 @@ constexpr std::pair<ImGuiKey, char32_t> kLetters[] = {{ImGuiKey_Space, U' '}, {I
                                                       {ImGuiKey_V, U'v'},     {ImGuiKey_X, U'x'}, {ImGuiKey_Y, U'y'},
                                                       {ImGuiKey_Z, U'z'}};
 
+bool popupOpen() { return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel); }
+
 #if IMGUI_VERSION_NUM < 18700
 int indexOf(SpecialKey key) { return static_cast<int>(keyOf(key) - 0x110000); }
 int indexOf(char32_t letter) { return 256 + static_cast<int>(letter & 0x7f); }
@@ -36,56 +38,56 @@ int indexOf(char32_t letter) { return 256 + static_cast<int>(letter & 0x7f); }
 
 }  // namespace
 
+PanelInput::PanelInput(ImGuiContext* context, PanelState& state) : context_(context), s_(state) {
 #if IMGUI_VERSION_NUM < 18700
-/// Under which index Dear ImGui finds each key.
-void Panel::mapKeys() {
+    // Under which index Dear ImGui finds each key.
     ImGuiIO& io = ImGui::GetIO();
     for (const auto& [theirs, ours] : kKeys) io.KeyMap[theirs] = indexOf(ours);
     for (const auto& [theirs, ours] : kLetters) io.KeyMap[theirs] = indexOf(ours);
-}
 #endif
+}
 
-void Panel::pointer(glm::dvec2 at) {
+void PanelInput::pointer(glm::dvec2 at) {
     const Turn turn(context_);
     const bool was = ownsPointer();
     ImGui::GetIO().MousePos = ImVec2(static_cast<float>(at.x), static_cast<float>(at.y));
-    if (was || ownsPointer()) restless_ = 2;
+    if (was || ownsPointer()) s_.restless = 2;
 }
 
-void Panel::button(MouseButton button, bool down) {
+void PanelInput::button(MouseButton button, bool down) {
     const Turn turn(context_);
     const auto i = static_cast<std::size_t>(button == MouseButton::left ? 0 : button == MouseButton::right ? 1 : 2);
     down_[i] = down;
     if (down) pressed_[i] = true;
     const ImVec2 at = ImGui::GetIO().MousePos;
-    const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-    if (down && !popup && !occupies({at.x, at.y})) closeTop();  // a click beside
-    keyboard_ = false;
-    restless_ = 3;
+    const bool popup = popupOpen();
+    if (down && !popup && !s_.occupies({at.x, at.y})) s_.closeTop();  // a click beside
+    s_.keyboard = false;
+    s_.restless = 3;
 }
 
-void Panel::wheel(double steps) {
+void PanelInput::wheel(double steps) {
     const Turn turn(context_);
     ImGui::GetIO().MouseWheel += static_cast<float>(steps);
-    restless_ = 3;
+    s_.restless = 3;
 }
 
-void Panel::character(char32_t c) {
+void PanelInput::character(char32_t c) {
     const Turn turn(context_);
     ImGuiIO& io = ImGui::GetIO();
     if (io.WantTextInput) io.AddInputCharacter(static_cast<unsigned>(c));
 #if IMGUI_VERSION_NUM < 18700
     if (c == U' ' && !io.WantTextInput) shortcut(U' ');  // presses what has the focus
 #endif
-    restless_ = 3;
+    s_.restless = 3;
 }
 
-void Panel::typed(const std::string& name, const std::string& text) {
-    state_->ui.typed = {name, text};
-    restless_ = 3;
+void PanelInput::typed(const std::string& name, const std::string& text) {
+    s_.ui.typed = {name, text};
+    s_.restless = 3;
 }
 
-void Panel::shortcut(char32_t letter) {
+void PanelInput::shortcut(char32_t letter) {
     const Turn turn(context_);
 #if IMGUI_VERSION_NUM < 18700
     ImGuiIO& io = ImGui::GetIO();
@@ -97,35 +99,35 @@ void Panel::shortcut(char32_t letter) {
 #else
     (void)letter;
 #endif
-    restless_ = 3;
+    s_.restless = 3;
 }
 
-void Panel::key(SpecialKey key, bool down, Modifiers with) {
+void PanelInput::key(SpecialKey key, bool down, Modifiers with) {
     const Turn turn(context_);
     ImGuiIO& io = ImGui::GetIO();
-    restless_ = 3;
-    const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    s_.restless = 3;
+    const bool popup = popupOpen();
     if (key == SpecialKey::tab && !popup) {
         // Into the panel, and on to its next control. A card keeps to itself.
-        const char* card = help_ ? "Help" : saving_ ? "Save" : recording_ ? "Record" : start_ ? "Start" : "";
-        const auto next = down ? nextStop(controls(), with.shift, card) : std::nullopt;
+        const char* card = s_.help ? "Help" : s_.saving ? "Save" : s_.recording ? "Record" : s_.start ? "Start" : "";
+        const auto next = down ? nextStop(s_.ui.controls, with.shift, card) : std::nullopt;
         if (!next) return;
-        keyboard_ = true;
-        state_->ui.focusNext = {*next, controls()[*next].name};
+        s_.keyboard = true;
+        s_.ui.focusNext = {*next, s_.ui.controls[*next].name};
         return;
     }
-    if (key == SpecialKey::escape && down && !popup && !io.WantTextInput) keyboard_ = false;
-    if (state_->alongSequence && keyboard_ && (key == SpecialKey::left || key == SpecialKey::right)) {
-        if (down) state_->sequenceStep = key == SpecialKey::left ? -1 : 1;
-        state_->sequenceExtends = with.shift;
+    if (key == SpecialKey::escape && down && !popup && !io.WantTextInput) s_.keyboard = false;
+    if (s_.alongSequence && s_.keyboard && (key == SpecialKey::left || key == SpecialKey::right)) {
+        if (down) s_.sequenceStep = key == SpecialKey::left ? -1 : 1;
+        s_.sequenceExtends = with.shift;
         return;
     }
 #if IMGUI_VERSION_NUM < 18700
     // There Enter goes into fields and sliders alone, and Space presses.
     if (key == SpecialKey::enter && !io.WantTextInput) {
         const auto focus =
-            std::find_if(controls().begin(), controls().end(), [](const Control& c) { return c.focused; });
-        const bool typing = focus != controls().end() && (focus->role == "field" || focus->role == "slider");
+            std::find_if(s_.ui.controls.begin(), s_.ui.controls.end(), [](const Control& c) { return c.focused; });
+        const bool typing = focus != s_.ui.controls.end() && (focus->role == "field" || focus->role == "slider");
         if (!typing && down) return shortcut(U' ');
     }
     io.KeysDown[indexOf(key)] = down;
@@ -137,47 +139,40 @@ void Panel::key(SpecialKey key, bool down, Modifiers with) {
 #endif
 }
 
-bool Panel::occupies(glm::dvec2 pixel) const {
-    return std::any_of(occupied_.begin(), occupied_.end(), [&](const Rectangle& r) { return r.holds(pixel); });
-}
-
-bool Panel::ownsPointer() const {
+bool PanelInput::ownsPointer() const {
     const Turn turn(context_);
     const ImVec2 at = ImGui::GetIO().MousePos;
-    return ImGui::IsAnyItemActive() || help_ || saving_ || recording_ || start_ || occupies({at.x, at.y}) ||
-           ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    return ImGui::IsAnyItemActive() || s_.over() || s_.occupies({at.x, at.y}) || popupOpen();
 }
 
-bool Panel::ownsKeys() const {
+bool PanelInput::ownsKeys() const {
     const Turn turn(context_);
-    return ImGui::GetIO().WantTextInput || keyboard_ ||
-           ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    return ImGui::GetIO().WantTextInput || s_.keyboard || popupOpen();
 }
 
-/// A press is told to Dear ImGui when the finger leaves again, for before that it may turn out to scroll.
-bool Panel::touch(const TouchEvent& event) {
+bool PanelInput::touch(const TouchEvent& event) {
     const Turn turn(context_);
-    const glm::dvec2 pixel = event.at * pixelsPerPoint_;
+    const glm::dvec2 pixel = event.at * s_.pixelsPerPoint;
     if (event.phase == TouchPhase::began) {
         gliding_ = 0;
-        if (!occupies(pixel)) return closeTop();
+        if (!s_.occupies(pixel)) return s_.closeTop();
         if (finger_) return true;
-        finger_ = Finger{event.finger, event.at, event.at, false, playBar_.holds(pixel)};
+        finger_ = Finger{event.finger, event.at, event.at, false, s_.playBar.holds(pixel)};
         if (finger_->holds) pressed_[0] = down_[0] = true;
     }
     if (!finger_ || finger_->id != event.finger) return false;
     if (finger_->holds) {
         ImGui::GetIO().MousePos = ImVec2(static_cast<float>(pixel.x), static_cast<float>(pixel.y));
-        restless_ = 3;
+        s_.restless = 3;
         down_[0] = event.phase == TouchPhase::began || event.phase == TouchPhase::moved;
         if (!down_[0]) finger_.reset();
         return true;
     }
     if (event.phase == TouchPhase::began) return true;
     finger_->scrolls |= glm::distance(event.at, finger_->start) > TouchGestures::kSlop;
-    if (finger_->scrolls) scroll_ += static_cast<float>((finger_->at.y - event.at.y) * pixelsPerPoint_);
+    if (finger_->scrolls) s_.scroll += static_cast<float>((finger_->at.y - event.at.y) * s_.pixelsPerPoint);
     finger_->at = event.at;
-    restless_ = 3;
+    s_.restless = 3;
     if (event.phase == TouchPhase::moved) return true;
     if (event.phase == TouchPhase::ended && !finger_->scrolls) taps_.push_back(pixel);
     if (event.phase == TouchPhase::ended && finger_->scrolls) gliding_ = dragged_;
@@ -187,7 +182,7 @@ bool Panel::touch(const TouchEvent& event) {
 
 /// A click that came and went between two frames is still a click. A tap is pressed in one frame and let go in the
 /// next, where it was: one that comes meanwhile waits for its turn.
-void Panel::pressButtons() {
+void PanelInput::pressButtons() {
     ImGuiIO& io = ImGui::GetIO();
     for (std::size_t i = 0; i < std::size(down_); ++i) {
         io.MouseDown[i] = down_[i] || pressed_[i];
@@ -205,11 +200,19 @@ void Panel::pressButtons() {
         moveTo(*tap_);
         io.MouseDown[0] = true;
     }
-    if (tap_ || !taps_.empty()) restless_ = std::max(restless_, 3);
+    if (tap_ || !taps_.empty()) s_.restless = std::max(s_.restless, 3);
+}
+
+void PanelInput::beginFrame(float seconds) {
+    pressButtons();
+    if (s_.restless > 0) --s_.restless;
+    // The finger is gone.
+    if (s_.ui.forFingers() && s_.restless == 0 && !finger_) ImGui::GetIO().MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
+    glide(seconds);
 }
 
 /// Keys that were pressed for one frame go up again.
-void Panel::endKeys() {
+void PanelInput::endFrame() {
 #if IMGUI_VERSION_NUM < 18700
     ImGuiIO& io = ImGui::GetIO();
     for (const auto& [theirs, ours] : kLetters) io.KeysDown[indexOf(ours)] = false;
@@ -218,25 +221,18 @@ void Panel::endKeys() {
 }
 
 /// A list that a finger let go while it moved goes on for a while.
-void Panel::glide(float passed) {
+void PanelInput::glide(float seconds) {
     if (finger_) {
-        dragged_ = 0.6f * dragged_ + 0.4f * scroll_ / passed;
+        dragged_ = 0.6f * dragged_ + 0.4f * s_.scroll / seconds;
         return;
     }
     dragged_ = 0;
     if (gliding_ == 0) return;
     constexpr auto kSeconds = static_cast<float>(CameraMotion::kInertiaSeconds);
-    scroll_ += gliding_ * passed;
-    gliding_ *= std::exp(-passed / kSeconds);
-    if (std::abs(gliding_) < kStillPoints * scale()) gliding_ = 0;
-    restless_ = std::max(restless_, 2);
-}
-
-/// The window that is being laid out scrolls with the finger.
-void Panel::followFinger() {
-    if (scroll_ == 0 || ImGui::GetScrollMaxY() <= 0) return;
-    ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() + scroll_, 0.0f, ImGui::GetScrollMaxY()));
-    scroll_ = 0;
+    s_.scroll += gliding_ * seconds;
+    gliding_ *= std::exp(-seconds / kSeconds);
+    if (std::abs(gliding_) < s_.ui.px(kStillPoints)) gliding_ = 0;
+    s_.restless = std::max(s_.restless, 2);
 }
 
 }  // namespace nacre::app

@@ -1,12 +1,11 @@
-// What the pointer and fingers point at: names, measurements, the selection.
+#include "app/viewer/picking.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/annotation/measurement.h"
 #include "app/picture/input_names.h"
 #include "app/viewer/parts.h"
-#include "app/viewer/viewer.h"
-#include "engine/error.h"
 #include "engine/molecule/drawn_atoms.h"
 
 namespace nacre::app {
@@ -14,6 +13,7 @@ namespace {
 
 constexpr double kFingerPoints = 12;      // what a pick may miss by
 constexpr double kHoverPoints = 2;        // and a pointer that rests
+constexpr double kHoverSeconds = 0.08;    // that it rests before what it is over is looked for
 constexpr std::size_t kMostMarks = 3000;  // of a selection: of more atoms, some
 
 /// A selection as it is typed: `/name` is one of several molecules. @throws std::invalid_argument
@@ -51,70 +51,60 @@ std::string residueText(const Document& document, std::uint32_t atom) {
 
 }  // namespace
 
-/// @returns the atom from 1, 0 for none; nothing if it could not be had
-std::optional<std::uint32_t> Viewer::atomUnder(glm::dvec2 at, double reach, double now) {
-    if (!document() || !sceneThere_) return std::nullopt;
-    try {
-        return screen_.atomAt(settings(), at.x * scale_, at.y * scale_, reach * scale_);
-    } catch (const Error& error) {
-        if (!noticeLoss()) say(error.what(), now);
-        return std::nullopt;
-    }
-}
-
-void Viewer::pick(glm::dvec2 at, double now) {
+void Picking::tap(glm::dvec2 at, double now) {
     picksBefore_ = picks_;
-    const std::optional<std::uint32_t> atom = atomUnder(at, kFingerPoints, now);
+    const std::optional<std::uint32_t> atom = frames_.atomAt(at, kFingerPoints, now);
     if (!atom) return;
-    schedule_.overlayChanged();
-    message_.clear();
+    stage_.schedule.overlayChanged();
+    stage_.messages.clear();
     pointerLeft();
     if (*atom == 0) {
         picks_.clear();
         select("");
         return;
     }
-    select(residueText(document_, *atom - 1));
+    select(residueText(stage_.document, *atom - 1));
     if (!picks_.empty() && picks_.back() == *atom - 1) return;
     if (picks_.size() == 4) picks_.clear();
     picks_.push_back(*atom - 1);
 }
 
-/// Zooms to what is there; beside the molecule, and where one residue is all of it, to the whole.
-void Viewer::doubleTap(glm::dvec2 at, double now) {
-    picks_ = picksBefore_;  // its first tap was no pick
-    schedule_.overlayChanged();
-    const std::uint32_t atom = atomUnder(at, kFingerPoints, now).value_or(0);
-    if (atom != 0 && document_.molecule->residues.size() > 1) {
-        Aim aim;
-        aim.zoomTo = selectionOf(residueText(document_, atom - 1), document_.view);
-        return takeAim(aim, true, now);
+/// Beside the molecule it means the whole, and where one residue is all of it.
+std::optional<Selection> Picking::doubleTap(glm::dvec2 at, double now) {
+    picks_ = picksBefore_;
+    stage_.schedule.overlayChanged();
+    const std::uint32_t atom = frames_.atomAt(at, kFingerPoints, now).value_or(0);
+    if (atom == 0 || stage_.document.molecule->residues.size() < 2) return std::nullopt;
+    return parseSelection(residueText(stage_.document, atom - 1));
+}
+
+void Picking::pointerLeft() {
+    pointer_.reset();
+    if (std::exchange(hovered_, 0) != 0) stage_.schedule.overlayChanged();
+}
+
+/// Something else may lie under the pointer when the picture has changed: what did has no name any longer, and what
+/// does is looked for when both have come to rest.
+double Picking::advance(double now) {
+    if (std::exchange(seen_, stage_.changes()) != stage_.changes()) {
+        hovered_ = 0;
+        if (pointer_) pointer_->asked = false;
     }
-    motion_.fit(now);
-    unclip();
-}
-
-void Viewer::hover(double now) {
-    hoverDue_.reset();
-    if (motion_.moving() || !pointerAt_) return;
-    const std::uint32_t atom = atomUnder(*pointerAt_, kHoverPoints, now).value_or(0);
-    if (atom == hovered_) return;
-    hovered_ = atom;
-    schedule_.overlayChanged();
-}
-
-void Viewer::pointerLeft() {
-    pointerAt_.reset();
-    hoverDue_.reset();
-    if (hovered_ == 0) return;
-    hovered_ = 0;
-    schedule_.overlayChanged();
+    if (!pointer_ || pointer_->asked) return std::numeric_limits<double>::infinity();
+    const double due = std::max(pointer_->since, stage_.changedAt()) + kHoverSeconds;
+    if (now < due) return due;
+    pointer_->asked = true;
+    if (!stage_.motion.moving())
+        if (const std::uint32_t atom = frames_.atomAt(pointer_->at, kHoverPoints, now).value_or(0);
+            std::exchange(hovered_, atom) != atom)
+            stage_.schedule.overlayChanged();
+    return std::numeric_limits<double>::infinity();
 }
 
 // --- the selection
 
-void Viewer::select(const std::string& text) {
-    if (text != selected_.text) schedule_.overlayChanged();
+void Picking::select(const std::string& text) {
+    if (text != selected_.text) stage_.schedule.overlayChanged();
     selected_ = {};
     selected_.text = text;
     placeSelection();
@@ -122,12 +112,12 @@ void Viewer::select(const std::string& text) {
 
 /// Which atoms are marked for those that are chosen: each that something is drawn of. A residue of which a ribbon or a
 /// surface is drawn without them is marked once, where that is.
-std::vector<std::uint32_t> Viewer::markedAtoms(const std::vector<bool>& chosen) const {
-    const Molecule& m = *document_.molecule;
-    const std::vector<bool> seen = seenAtoms(document_.scene, m.atoms.size());
+std::vector<std::uint32_t> Picking::markedAtoms(const std::vector<bool>& chosen) const {
+    const Molecule& m = *stage_.document.molecule;
+    const std::vector<bool> seen = seenAtoms(stage_.document.scene, m.atoms.size());
     std::vector<bool> marked(m.atoms.size());
     std::vector<std::uint32_t> atoms;
-    for (const std::uint32_t atom : drawnAtoms(m, view_.drawn)) {
+    for (const std::uint32_t atom : drawnAtoms(m, stage_.view().drawn)) {
         if (!chosen[atom]) continue;
         const Residue& residue = m.residues[m.atoms[atom].residue];
         std::uint32_t at = seen[atom] ? atom : residue.firstAtom;
@@ -140,18 +130,19 @@ std::vector<std::uint32_t> Viewer::markedAtoms(const std::vector<bool>& chosen) 
 }
 
 /// Where the selection's atoms stand in the scene that is shown.
-void Viewer::placeSelection() {
+void Picking::placeSelection() {
     selectedPlaces_.clear();
     selected_.error.clear();
     selected_.count = 0;
-    if (selected_.text.empty() || !document()) return;
+    if (selected_.text.empty() || !stage_.shown()) return;
+    const Document& document = stage_.document;
     try {
-        const std::vector<bool> chosen = selectAtoms(*document_.placed, selectionOf(selected_.text, document_.view));
+        const std::vector<bool> chosen = selectAtoms(*document.placed, selectionOf(selected_.text, document.view));
         selected_.count = static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), true));
         const std::vector<std::uint32_t> shown = markedAtoms(chosen);
         const std::size_t step = shown.size() / kMostMarks + 1;
         for (std::size_t i = 0; i < shown.size(); i += step)
-            selectedPlaces_.push_back(glm::dvec3(document_.placed->atoms[shown[i]].position) - document_.scene.center);
+            selectedPlaces_.push_back(glm::dvec3(document.placed->atoms[shown[i]].position) - document.scene.center);
     } catch (const std::exception& error) {
         selected_.error = error.what();
     }
@@ -159,36 +150,37 @@ void Viewer::placeSelection() {
 
 // --- what is said of it
 
-/// Of a place from the scene's centre.
-glm::dvec2 Viewer::pointOf(const glm::dvec3& place, const View& view) const {
-    const glm::dvec3 v = view.rotation * place;
-    const double magnify =
-        view.projection == Projection::perspective ? view.eyeDistance / (view.eyeDistance - v.z) : 1.0;
-    const glm::dvec2 q = (glm::dvec2(v) * magnify + view.pan) * view.pixelsPerAngstrom;
-    return {(view.width / 2.0 + q.x) / scale_, (view.height / 2.0 - q.y) / scale_};
-}
-
-Annotations Viewer::annotations() const {
+Annotations Picking::annotations() const {
     Annotations a;
-    a.message = message_;
-    a.error = failure_;
-    if (tellsScale_ && drawnScale_ < 1)
-        a.coarse = "While it moves: " + std::to_string(std::lround(100 * drawnScale_)) + " % of the sharpness";
-    if (!document()) return a;
-    const View view = settings().view;
-    for (const glm::dvec3& place : selectedPlaces_) a.selected.push_back(pointOf(place, view));
-    if (hovered_ > 0 && hovered_ <= document_.molecule->atoms.size())
-        a.hover = atomText(*document_.molecule, hovered_ - 1);
+    a.message = stage_.messages.message();
+    a.error = stage_.messages.failure();
+    a.coarse = frames_.coarseness();
+    if (!stage_.shown()) return a;
+    const Document& document = stage_.document;
+    const View view = frames_.settings().view;
+    for (const glm::dvec3& place : selectedPlaces_) a.selected.push_back(frames_.pointOf(place, view));
+    if (hovers() && hovered_ <= document.molecule->atoms.size()) a.hover = atomText(*document.molecule, hovered_ - 1);
     if (picks_.empty()) return a;
     std::vector<glm::dvec3> places;
     for (const std::uint32_t pick : picks_) {
-        const glm::dvec3 place = document_.placed->atoms[pick].position;
+        const glm::dvec3 place = document.placed->atoms[pick].position;
         places.push_back(place);
-        a.atoms.push_back(pointOf(place - document_.scene.center, view));
+        a.atoms.push_back(frames_.pointOf(place - document.scene.center, view));
     }
-    a.atom = atomText(*document_.molecule, picks_.back());
+    a.atom = atomText(*document.molecule, picks_.back());
     a.measurement = measurementText(places);
     return a;
+}
+
+SavedView Picking::savedView() const {
+    SavedView saved = stage_.view();
+    if (picks_.size() < 2) return saved;
+    std::string atoms;
+    for (const std::uint32_t pick : picks_) atoms += (atoms.empty() ? "" : ",") + std::to_string(pick + 1);
+    const Measure measure = parseMeasure(atoms);
+    std::vector<Measure>& kept = saved.words.measures;
+    if (std::find(kept.begin(), kept.end(), measure) == kept.end()) kept.push_back(measure);
+    return saved;
 }
 
 }  // namespace nacre::app

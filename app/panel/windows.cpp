@@ -1,0 +1,164 @@
+// Windows of the panel: how they stand, cards that lie over everything, and what most of them are for: what goes on,
+// what went wrong, what has to be answered.
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <utility>
+
+#include "app/panel/panel_state.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr int kWindow = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse;
+constexpr float kTightPoints = 320;  // of width: under it a card has all of it
+constexpr float kErrorPoints = 220;  // of height that what went wrong takes, with what to do
+
+/// What lies below a card is dimmed, and a click there closes the card.
+void drawScrim(PanelFrame& f, const char* below) {
+    ImGui::SetNextWindowPos(ImVec2(0, 0));
+    ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0, 0, 0, 0.45f));
+    ImGui::Begin(below, nullptr, kWindow | ImGuiWindowFlags_NoNav);
+    if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) f.s.closeTop();
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+}
+
+/// What may be done about an error, in a sentence: by what its text says.
+std::string adviceFor(const std::string& error) {
+    const auto says = [&](std::initializer_list<const char*> words) {
+        for (const char* word : words)
+            if (error.find(word) != std::string::npos) return true;
+        return false;
+    };
+    if (says({"resolve", "connect", "timed out", "timeout", "network", "certificate"}))
+        return "Check that this computer is online, then open it once more.";
+    if (says({"no such file", "No such file", "does not exist"}))
+        return "Check the name, or whether the file was moved or renamed.";
+    if (says({"not found", "404", "no such entry"}))
+        return "Check the identifier: a PDB entry has four signs, as 1BNA.";
+    if (says({"ermission"})) return "Ask whoever owns the file or folder, or choose another one.";
+    if (says({"memory"})) return "Close other programs, or show less of the molecule.";
+    if (says({"cannot read molecule", "cannot read"}))
+        return "The file may be damaged, or no structure: PDB, mmCIF, BinaryCIF, SDF, MOL2, XYZ and others are read.";
+    return "What was there before is unchanged.";
+}
+
+}  // namespace
+
+void followFinger(PanelFrame& f) {
+    float& scroll = f.s.scroll;
+    if (!f.ui.forFingers() || scroll == 0 || ImGui::GetScrollMaxY() <= 0) return;
+    ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() + std::exchange(scroll, 0), 0.0f, ImGui::GetScrollMaxY()));
+}
+
+void beginWindow(PanelFrame& f, const char* name, int moreFlags) {
+    ImGui::Begin(name, nullptr, kWindow | moreFlags);
+    f.ui.window = name;
+    if (ImGui::IsWindowAppearing()) f.s.restless = std::max(f.s.restless, 3);  // it is measured before it is shown
+    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    f.s.occupied.push_back({at.x, at.y, at.x + size.x, at.y + size.y});
+    followFinger(f);
+}
+
+void beginGrown(PanelFrame& f, const char* name, ImVec2 at, ImVec2 pivot, float width, float height) {
+    ImGui::SetNextWindowPos(ImVec2(std::round(at.x), std::round(at.y)), ImGuiCond_Always, pivot);
+    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0), ImVec2(width, height));
+    beginWindow(f, name, ImGuiWindowFlags_AlwaysAutoResize);
+}
+
+void endGrown(PanelFrame& f) {
+    const float end = ImGui::GetCursorPosY();
+    float& before = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("##end"), 0);
+    if (std::abs(end - before) > 0.5f) f.s.restless = std::max(f.s.restless, 2);
+    before = end;
+    ImGui::End();
+}
+
+bool beginCard(PanelFrame& f, const char* name, const char* title, float points, bool closable) {
+    const Rectangle& window = f.s.window;
+    const float edge = window.width() < f.ui.px(kTightPoints) ? 0 : f.ui.px(8);
+    if (closable) drawScrim(f, (std::string("Below ") + name).c_str());
+    beginGrown(f, name, window.middle(), ImVec2(0.5f, 0.5f), std::min(f.ui.px(points), window.width() - 2 * edge),
+               window.height() - 2 * edge);
+    if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
+    const float x = ImGui::GetCursorPosX(), y = ImGui::GetCursorPosY();
+    const float right = ImGui::GetContentRegionAvail().x - f.ui.rowHeight();
+    f.ui.title(title, closable ? x + right : 0);
+    const float below = ImGui::GetCursorPosY();
+    if (!closable) return false;
+    ImGui::SetCursorPos(ImVec2(x + right, y));
+    const bool closed = f.ui.sign(Icon::close, "Close");
+    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), below));
+    return closed;
+}
+
+void beginProgress(PanelFrame& f, const char* name) {
+    const Rectangle room = f.s.freeRoom();
+    beginGrown(f, name, ImVec2(room.middle().x, room.top + f.ui.px(16)), ImVec2(0.5f, 0),
+               std::min(f.ui.px(380), room.width() - f.ui.px(16)), room.height());
+}
+
+/// What is being read, with a way to stop it.
+void drawReading(PanelFrame& f) {
+    if (!f.viewer.reading().another()) return;
+    const Loader& loader = f.viewer.reading().loader();
+    beginProgress(f, "Reading");
+    f.ui.name("Reading " + shortName(loader.view().input));
+    if (const double share = loader.progress(); share >= 0)
+        f.ui.progress(share, std::to_string(std::lround(100 * share)) + " % downloaded");
+    if (f.ui.button(Icon::close, "Cancel")) f.viewer.reading().cancel(f.now);
+    endGrown(f);
+    f.s.restless = std::max(f.s.restless, 1);  // it goes on
+}
+
+void tellFailure(PanelFrame& f) {
+    Messages& messages = f.viewer.messages();
+    f.ui.warning("This did not work");
+    f.ui.paragraph(messages.failure());
+    f.ui.caption(adviceFor(messages.failure()));
+    if (f.ui.button(Icon::none, "Close")) messages.dismissFailure();
+}
+
+/// The same in a card of its own, until it is read.
+void drawFailure(PanelFrame& f) {
+    Rectangle room = f.s.freeRoom();
+    if (room.height() < f.ui.px(kErrorPoints)) room = f.s.window;
+    beginGrown(f, "Error", ImVec2(room.middle().x, room.bottom - f.ui.px(16)), ImVec2(0.5f, 1),
+               std::min(f.ui.px(460), room.width() - f.ui.px(16)), room.height() - f.ui.px(32));
+    if (ImGui::IsWindowAppearing()) ImGui::SetWindowFocus();
+    tellFailure(f);
+    if (f.ui.word("Open another", true, Icon::open)) {
+        f.viewer.messages().dismissFailure();
+        f.s.start = true;
+        f.s.restless = 2;
+    }
+    endGrown(f);
+}
+
+/// In the middle of the window, over everything else.
+void drawQuestion(PanelFrame& f) {
+    const Rectangle& window = f.s.window;
+    ImGui::SetNextWindowFocus();
+    beginGrown(f, "Question", window.middle(), ImVec2(0.5f, 0.5f),
+               std::min(f.ui.px(340), std::max(window.width() - f.ui.px(24), 1.0f)), window.height());
+    const Question question = *f.viewer.reading().question();
+    f.ui.paragraph(question.what());
+    ImGui::Spacing();
+    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    const bool yes = f.ui.button(Icon::none, question.yes().c_str(), half, true);
+    ImGui::SameLine();
+    const bool no = f.ui.button(Icon::none, "Cancel", half);
+    endGrown(f);
+    if (!yes && !no) return;
+    f.viewer.reading().answer(yes, f.now);
+    f.s.restless = 2;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,266 @@
+#include "app/viewer/frames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "app/drawing/scenes.h"
+#include "engine/error.h"
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/read.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// Something in a style, small: what has no backbone makes no cartoon.
+Representation standIn(RepresentationOptions look, Style style) {
+    look.style = style;
+    look.rules.clear();
+    look.assembly.clear();
+    const Molecule m = sampleMolecule(style == Style::cartoon ? "dna" : "glucose");
+    return represent(m, drawnAtoms(m), look);
+}
+
+}  // namespace
+
+// --- the window
+
+void Frames::resize(PixelSize pixels, double pixelsPerPoint, double now) {
+    size_ = {std::max(pixels.width, 1u), std::max(pixels.height, 1u)};
+    scale_ = pixelsPerPoint;
+    stage_.changed(now);
+}
+
+void Frames::setCovered(const Insets& pixels, double now) {
+    if (pixels == covered_) return;
+    covered_ = pixels;
+    stage_.changed(now);
+}
+
+PixelSize Frames::freeSize() const {
+    const auto left = [](std::uint32_t side, float covered) {
+        return static_cast<std::uint32_t>(std::max(static_cast<float>(side) - covered, 1.0f));
+    };
+    return {left(size_.width, covered_.left + covered_.right), left(size_.height, covered_.top + covered_.bottom)};
+}
+
+// --- the picture
+
+RenderSettings Frames::settings() const {
+    RenderSettings s = pictureSettings(freeSize());
+    s.view.width = size_.width;
+    s.view.height = size_.height;
+    // From the middle of the window to that of what is free.
+    s.view.pan +=
+        glm::dvec2(covered_.left - covered_.right, covered_.bottom - covered_.top) / 2.0 / s.view.pixelsPerAngstrom;
+    return s;
+}
+
+RenderSettings Frames::pictureSettings(PixelSize size) const {
+    const SavedView& view = stage_.view();
+    RenderSettings s;
+    s.view = viewOf(view.camera, stage_.radius(), size.width, size.height);
+    if (stage_.document.moves()) reachTo(s.view, stage_.document.scene.radius);
+    s.background = view.background;
+    s.lighting = view.lighting;
+    s.effects = view.effects;
+    s.occlusion.directions = view.occlusionDirections;
+    s.occlusion.bytes = options_.occlusionBytes;
+    s.occlusion.cache = options_.occlusionCache;
+    s.tuning = options_.tuning;
+    s.debug = debug_;
+    return s;
+}
+
+glm::dvec2 Frames::pointOf(const glm::dvec3& place, const View& view) const {
+    const glm::dvec3 v = view.rotation * place;
+    const double magnify =
+        view.projection == Projection::perspective ? view.eyeDistance / (view.eyeDistance - v.z) : 1.0;
+    const glm::dvec2 q = (glm::dvec2(v) * magnify + view.pan) * view.pixelsPerAngstrom;
+    return {(view.width / 2.0 + q.x) / scale_, (view.height / 2.0 - q.y) / scale_};
+}
+
+std::optional<std::uint32_t> Frames::atomAt(glm::dvec2 at, double reach, double now) {
+    if (!stage_.shown() || !sceneThere_) return std::nullopt;
+    try {
+        return screen_.atomAt(settings(), at.x * scale_, at.y * scale_, reach * scale_);
+    } catch (const Error& error) {
+        if (!noticeLoss()) stage_.messages.say(error.what(), now);
+        return std::nullopt;
+    }
+}
+
+void Frames::setDebugView(DebugView view, double now) {
+    debug_ = view;
+    stage_.changed(now);
+}
+
+void Frames::keepSharp(double seconds, double leastScale) {
+    stage_.schedule.setLongestFrame(seconds);
+    stage_.schedule.setLeastScale(leastScale);
+    tellsScale_ = true;
+}
+
+std::string Frames::coarseness() const {
+    if (!tellsScale_ || frame_.scale >= 1) return {};
+    return "While it moves: " + std::to_string(std::lround(100 * frame_.scale)) + " % of the sharpness";
+}
+
+std::uint32_t Frames::refinedSamples() const {
+    const std::uint32_t n = debug_ == DebugView::none ? options_.mostSamples : 1;  // numbers have no mean
+    return n * n;
+}
+
+// --- the scene
+
+bool Frames::put(const Representation& scene, void (Screen::*how)(const Representation&)) {
+    try {
+        (screen_.*how)(scene);
+        sceneThere_ = true;
+    } catch (const Error&) {
+        if (!noticeLoss()) throw;
+        sceneThere_ = false;
+    }
+    return sceneThere_;
+}
+
+/// The document's scene, where it is not there.
+void Frames::putScene(double now) {
+    restartOcclusion();
+    if (sceneThere_) return;
+    try {
+        screen_.setScene(stage_.document.scene);
+        sceneThere_ = true;
+        sceneRetry_.succeeded();
+    } catch (const Error& error) {
+        failed(error, sceneRetry_, now);
+    }
+}
+
+void Frames::expectScene(const SavedView& coming) {
+    std::vector<Style> styles{Style::spacefill, Style::cartoon};  // of which firstLook() chooses
+    if (coming.look.style) styles = {*coming.look.style};
+    if (styles == expected_) return;
+    expected_ = styles;
+    RenderSettings s = settings();
+    try {
+        for (const Style style : styles) {
+            Representation like = standIn(coming.look, style);
+            Camera camera;
+            camera.projection = stage_.view().camera.projection;
+            s.view = viewOf(camera, like.radius, size_.width, size_.height);
+            screen_.expectScene(std::move(like), s, frame_);
+        }
+    } catch (const Error&) {
+        // What is read meets the same, or has nothing to do with it.
+    }
+}
+
+void Frames::advanceOcclusion(double now, bool moving) {
+    try {
+        // At rest every change of it draws a frame, which is not to cost more than the work that it shows.
+        const double shown = std::clamp(2 * screen_.frameMilliseconds(), 50.0, 250.0);
+        const OcclusionPace pace = moving ? OcclusionPace{options_.movingMilliseconds, 0, true}
+                                          : OcclusionPace{options_.restingMilliseconds, shown, false};
+        occlusion_ = screen_.advanceOcclusion(settings(), pace);
+        occlusionRetry_.succeeded();
+        noticeLoss();
+    } catch (const Error& error) {
+        occlusion_ = 0;  // what there was is gone
+        failed(error, occlusionRetry_, now);
+    }
+}
+
+// --- frames
+
+FrameSchedule::Next Frames::next(double now, bool moving) const {
+    return stage_.schedule.next(now, moving, bakedShare());
+}
+
+double Frames::update(double now, bool playing, const std::function<const Overlay*()>& overlay) {
+    const bool moving = stage_.moving(now);
+    drew_ = false;
+    if (!sceneThere_ && sceneRetry_.due(now)) putScene(now);
+    if (stage_.shown() && sceneThere_ && occlusion_ < 1 && occlusionRetry_.due(now))
+        advanceOcclusion(now, moving || playing);
+    if (lost_) return now;
+    if (!frameRetry_.due(now)) return frameRetry_.at();
+    stage_.schedule.setSamples(refinedSamples());
+    stage_.schedule.setMeshes(!stage_.document.scene.triangles.empty());
+    if (const auto due = next(now, moving); due.draw != Draw::nothing) draw(due, now, moving, overlay);
+    const FrameSchedule::Next after = next(now, moving);
+    double wake = after.draw != Draw::nothing ? now : after.wake;
+    if (after.draw == Draw::nothing && !occlusionRetry_.due(now)) wake = occlusionRetry_.at();
+    wake = std::min(wake, now < stage_.handRests() ? stage_.handRests() : kNever);
+    if (!sceneThere_) wake = std::min(wake, sceneRetry_.at());
+    return frameRetry_.due(now) ? wake : frameRetry_.at();
+}
+
+void Frames::await(double now) {
+    if (!stage_.schedule.visible() || lost_ || !frameRetry_.due(now)) return;
+    if (next(now, stage_.moving(now)).draw != Draw::nothing) screen_.awaitFrame();
+}
+
+void Frames::draw(const FrameSchedule::Next& next, double now, bool moving,
+                  const std::function<const Overlay*()>& overlay) {
+    frame_ = {};
+    frame_.quality = next.draw == Draw::live     ? WindowFrame::Quality::live
+                     : next.draw == Draw::refine ? WindowFrame::Quality::refined
+                                                 : WindowFrame::Quality::kept;
+    frame_.scale = next.scale;
+    frame_.meshError = next.meshError;
+    frame_.samples = refinedSamples();
+    frame_.sample = next.sample;
+    if (overlay) frame_.overlay = overlay();
+    FrameOutcome outcome = FrameOutcome::lost;
+    try {
+        outcome = screen_.present(settings(), frame_);
+        frameRetry_.succeeded();
+    } catch (const Error& error) {
+        return failed(error, frameRetry_, now);
+    }
+    switch (outcome) {
+        case FrameOutcome::shown:
+            stage_.schedule.shown(next, now, moving, bakedShare(), screen_.frameMilliseconds() / 1000);
+            drew_ = true;
+            break;
+        case FrameOutcome::resized:
+            resize(screen_.windowSize(), scale_, now);
+            break;
+        case FrameOutcome::hidden:
+            stage_.schedule.setVisible(false);  // until Viewer::resume()
+            break;
+        case FrameOutcome::lost:
+            noticeLoss();
+            lost_ = true;
+            break;
+    }
+}
+
+void Frames::replaced(double now) {
+    lost_ = false;
+    if (!loss_.empty()) stage_.messages.say(std::exchange(loss_, {}), now);
+    expected_.clear();
+    sceneThere_ = !stage_.shown();
+    sceneRetry_ = occlusionRetry_ = frameRetry_ = {};
+    putScene(now);
+    stage_.schedule.windowChanged(now);
+}
+
+void Frames::failed(const std::exception& error, Retry& retry, double now) {
+    retry.failed(now);
+    if (!noticeLoss()) stage_.messages.say(error.what(), now);
+}
+
+bool Frames::noticeLoss() {
+    const std::string loss = screen_.deviceLoss();
+    if (loss.empty()) return false;
+    loss_ = loss;
+    lost_ = true;
+    return true;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,52 @@
+#include "app/viewer/picture_words.h"
+
+#include "app/annotation/painter.h"
+#include "engine/error.h"
+#include "engine/scene/orientation.h"
+
+namespace nacre::app {
+
+bool PictureWords::place(double now) {
+    if (!stage_.shown()) return true;
+    stage_.schedule.overlayChanged();
+    const Document& document = stage_.document;
+    try {
+        placed_ = placeWords(stage_.view().words, *document.placed, document.scene, WordsOfHidden::leftOut);
+    } catch (const Error& error) {
+        stage_.messages.say(error.what(), now);
+        return false;
+    }
+    const std::vector<std::string>& leftOut = placed_.leftOut;
+    if (leftOut.empty()) return true;
+    const std::string more = leftOut.size() > 1 ? " and " + std::to_string(leftOut.size() - 1) + " more" : "";
+    stage_.messages.say("Not shown while its atoms are not drawn: " + leftOut.front() + more, now);
+    return true;
+}
+
+double PictureWords::size() const {
+    const double own = stage_.view().words.size;
+    return (own > 0 ? own : kWordPoints) * frames_.pixelsPerPoint();
+}
+
+RenderSettings PictureWords::settingsBeside(PixelSize size, double textSize) const {
+    constexpr std::size_t kMany = 200000;  // spheres and vertices: their sphere is nearly as good
+    RenderSettings settings = frames_.pictureSettings(size);
+    const Camera& camera = stage_.view().camera;
+    if (!placed_.any() || camera.zoom != 1 || camera.pan != glm::dvec2(0)) return settings;
+    const Representation& scene = stage_.document.scene;
+    std::vector<glm::dvec4> balls{{0, 0, 0, settings.view.radius}};
+    if (scene.drawnAtoms + scene.meshVertices.size() < kMany) balls = drawnBalls(scene);
+    settings.view = WordPainter().besideWords(settings.view, placed_, textSize, balls, camera.zoom);
+    return settings;
+}
+
+void PictureWords::paint(const SavedView& saved, const View& view, double size, bool transparent,
+                         Picture& picture) const {
+    const Document& document = stage_.document;
+    std::array<float, 4> background = saved.background;
+    if (transparent) background = {0, 0, 0, 0};
+    WordPainter().paint(placeWords(saved.words, *document.placed, document.scene, WordsOfHidden::leftOut), view, size,
+                        saved.words.color, background, picture, saved.effects.clip);
+}
+
+}  // namespace nacre::app

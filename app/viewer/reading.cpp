@@ -1,0 +1,146 @@
+#include "app/viewer/reading.h"
+
+#include <utility>
+
+#include "app/picture/input_names.h"
+
+namespace nacre::app {
+namespace {
+
+/// Which molecules a view is of, and where they come from.
+void takeInput(const SavedView& from, SavedView& to) {
+    to.input = from.input;
+    to.format = from.format;
+    to.model = from.model;
+    to.trajectory = from.trajectory;
+    to.name = from.name;
+    to.further = from.further;
+    to.fits = from.fits;
+    to.look.assembly = from.look.assembly;
+}
+
+}  // namespace
+
+Reading::Reading(Stage& stage, Sources sources, std::function<void()> wake)
+    : stage_(stage), loader_(std::move(sources), std::move(wake)) {
+    const SavedView& view = stage.view();
+    // What was saved looks as it was.
+    if (!view.input.empty()) view.hash.empty() ? loader_.open(view) : loader_.read(view);
+}
+
+void Reading::open(const std::vector<std::string>& paths, double now) {
+    if (paths.empty()) return;
+    SavedView fresh = stage_.view();
+    SavedView first;
+    first.input = paths.front();
+    takeInput(first, fresh);
+    fresh.look.rules.clear();
+    fresh.words.labels.clear();
+    fresh.words.measures.clear();
+    fresh.words.title.clear();
+    first.camera.projection = fresh.camera.projection;
+    fresh.camera = first.camera;
+    if (beginWith(fresh, {paths.begin() + 1, paths.end()}, now)) loader_.open(fresh);
+}
+
+void Reading::add(const std::vector<std::string>& paths, double now) {
+    if (!stage_.shown()) return open(paths, now);
+    SavedView more = stage_.view();
+    more.model = 1;  // models of one are nothing to the others
+    more.trajectory = {};
+    more.look.assembly.clear();
+    more.camera.pan = {};
+    more.camera.zoom = 1;
+    if (beginWith(more, paths, now)) loader_.read(more);
+}
+
+/// Further molecules beside a view's, which is about to be read. @returns whether there is room for them
+bool Reading::beginWith(SavedView& view, const std::vector<std::string>& paths, double now) {
+    question_.reset();
+    stage_.messages.dismissFailure();
+    stage_.remember();
+    restoring_ = false;
+    stage_.schedule.overlayChanged();
+    const std::size_t before = view.further.size() + 1;
+    if (before + paths.size() > kMostInputs) {
+        stage_.messages.fail("more than 100 molecules are not shown together", now);
+        return false;
+    }
+    for (const std::string& path : paths) view.further.push_back({"", path, ""});
+    if (!paths.empty()) colorApart(inputNames(inputOf(view)), view.look, before);
+    return true;
+}
+
+void Reading::restore(const SavedView& view, bool another) {
+    restoring_ = another;
+    another ? loader_.read(view) : loader_.build(view, stage_.document);
+}
+
+void Reading::readModel(int model) {
+    SavedView next = stage_.view();
+    next.model = model;
+    loader_.read(next);
+}
+
+void Reading::cancel(double now) {
+    if (!loader_.busy()) return;
+    loader_.cancel();
+    stage_.messages.say("stopped", now);
+}
+
+void Reading::answer(bool yes, double now) {
+    if (!question_) return;
+    const Question question = *std::exchange(question_, std::nullopt);
+    stage_.schedule.overlayChanged();
+    if (!yes) return stage_.messages.say("not opened", now);
+    question.accept();
+    loader_.read(asked_);
+}
+
+bool Reading::another() const {
+    const SavedView& there = stage_.document.view;
+    return loader_.busy() && (!stage_.shown() || loader_.view().input != there.input);
+}
+
+std::optional<Document> Reading::take(double now) {
+    try {
+        std::optional<Document> document = loader_.take();
+        if (document) question_.reset();
+        return document;
+    } catch (const Question& question) {
+        question_ = question;
+        asked_ = loader_.view();
+        stage_.schedule.overlayChanged();
+    } catch (const std::exception& error) {
+        if (std::exchange(restoring_, false) && stage_.shown()) takeInput(stage_.document.view, stage_.wanted());
+        stage_.messages.fail(error.what(), now);
+    }
+    return std::nullopt;
+}
+
+Reading::Arrival Reading::arrive(Document document) {
+    const SavedView& before = stage_.document.view;
+    const SavedView& view = document.view;
+    Arrival arrival;
+    arrival.another = document.molecule != stage_.document.molecule;
+    // The camera stays in the hand that turns it.
+    arrival.step = arrival.another && stage_.shown() && view.input == before.input && view.model != before.model;
+    arrival.restored = std::exchange(restoring_, false);
+    stage_.document = std::move(document);
+    if (!arrival.another) return arrival;
+    const SavedView& there = stage_.document.view;
+    SavedView& wanted = stage_.wanted();
+    takeInput(there, wanted);
+    if (!arrival.step && !wanted.look.style) {
+        wanted.look.style = there.look.style;
+        wanted.look.color = there.look.color;
+    }
+    if (!std::exchange(first_, false) && !arrival.step && !arrival.restored) {
+        wanted.look.rules = there.look.rules;
+        wanted.words = there.words;
+        stage_.motion.set(there.camera);
+    }
+    return arrival;
+}
+
+}  // namespace nacre::app
