@@ -42,18 +42,19 @@ double densityOf(const ANativeActivity* activity) {
 }
 
 /// What was saved, if what it shows is still there.
-std::optional<SavedView> stillThere(std::optional<SavedView> view) {
+std::optional<PictureDescription> stillThere(std::optional<PictureDescription> view) {
     std::error_code ignored;
-    if (!view || view->input.starts_with("sample:") || std::filesystem::exists(view->input, ignored)) return view;
+    if (!view || view->input.path.starts_with("sample:") || std::filesystem::exists(view->input.path, ignored))
+        return view;
     try {
-        if (parseDatabaseId(view->input)) return view;
+        if (parseDatabaseId(view->input.path)) return view;
     } catch (const std::exception& error) {
         logError(error.what());
     }
     return std::nullopt;
 }
 
-std::optional<SavedView> viewOf(const void* state, std::size_t size) {
+std::optional<PictureDescription> viewOf(const void* state, std::size_t size) {
     if (!state || size == 0) return std::nullopt;
     const auto view = viewOfState(std::string(static_cast<const char*>(state), size));
     if (!view) logError("the saved state is no view");
@@ -75,11 +76,11 @@ public:
                   if (session_) session_->awaitFrame();
               },
               [this] { return step(); }, [this](const char* why) { fail(why); }) {
-        const SavedView first = firstView();
+        const PictureDescription first = firstView();
         {
             // Until the first step, which waits for the device, this is what there is to keep.
             const std::lock_guard lock(mutex_);
-            if (!first.input.empty()) view_ = first;
+            if (!first.input.path.empty()) view_ = first;
         }
         thread_.post([this, first, density = density_] {
             PhoneHost host;
@@ -135,12 +136,12 @@ public:
     }
 
 private:
-    SavedView firstView() const {
-        SavedView view;
+    PictureDescription firstView() const {
+        PictureDescription view;
         if (restored_) return *restored_;
         if (document_->present()) return view;
         if (const auto last = stillThere(loadView(folder_ + "/view.json"))) return *last;
-        view.input = "sample:dna";
+        view.input.path = "sample:dna";
         return view;
     }
 
@@ -240,7 +241,7 @@ private:
 
     ANativeActivity* activity_;
     std::string folder_;
-    std::optional<SavedView> restored_;
+    std::optional<PictureDescription> restored_;
     double density_;
     AInputQueue* queue_ = nullptr;
     bool ownsBack_ = false;
@@ -250,8 +251,8 @@ private:
     std::atomic<bool> wantsBack_{false};  // the back key is ours, to close the panel or the help
     std::atomic<bool> read_{false};       // a screen reader wants to know what is there
     std::mutex mutex_;
-    std::optional<SavedView> view_;  // under the mutex: as it was after the last step
-    std::string lines_;              // likewise: controlLines() of what the reader is told of
+    std::optional<PictureDescription> view_;  // under the mutex: as it was after the last step
+    std::string lines_;                       // likewise: controlLines() of what the reader is told of
     RenderThread thread_;
     std::unique_ptr<AndroidSession> session_;  // the thread's
 };

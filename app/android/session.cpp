@@ -8,7 +8,8 @@
 
 namespace nacre::app {
 
-AndroidSession::AndroidSession(PhoneHost host, const SavedView& first, double pixelsPerPoint, std::string viewFile)
+AndroidSession::AndroidSession(PhoneHost host, const PictureDescription& first, double pixelsPerPoint,
+                               std::string viewFile)
     : PhoneSession(onWindow(std::move(host), window_), first, pixelsPerPoint), viewFile_(std::move(viewFile)) {}
 
 PhoneHost AndroidSession::onWindow(PhoneHost host, ANativeWindow* const& window) {

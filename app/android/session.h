@@ -14,7 +14,7 @@ class AndroidSession : public PhoneSession {
 public:
     /// @param host      without a clock and a surface
     /// @param viewFile  where the last view is kept
-    AndroidSession(PhoneHost host, const SavedView& first, double pixelsPerPoint, std::string viewFile);
+    AndroidSession(PhoneHost host, const PictureDescription& first, double pixelsPerPoint, std::string viewFile);
 
     void windowCreated(ANativeWindow* window);
     /// It has another size, or lost what was in it.

@@ -40,41 +40,41 @@ public:
 
     /// @returns whether the device was there to the end; if not, the job is to be prepared again. @throws Error
     bool draw(PictureJob& job) {
-        std::unique_ptr<Renderer> renderer = take();
+        std::unique_ptr<Canvas> canvas = take();
         try {
-            job.draw(*renderer);
+            job.draw(*canvas);
         } catch (const Error&) {
-            const bool lost = !renderer->deviceLoss().empty();
-            if (lost) renderer.reset();
-            giveBack(std::move(renderer), lost);
+            const bool lost = !canvas->renderer.deviceLoss().empty();
+            if (lost) canvas.reset();
+            giveBack(std::move(canvas), lost);
             if (!lost || tooManyLosses()) throw;
             return false;
         } catch (...) {
-            giveBack(std::move(renderer));
+            giveBack(std::move(canvas));
             throw;
         }
-        giveBack(std::move(renderer));
+        giveBack(std::move(canvas));
         return true;
     }
 
 private:
-    std::unique_ptr<Renderer> take() {
+    std::unique_ptr<Canvas> take() {
         std::unique_lock lock(turn_);
         idles_.wait(lock, [&] { return !idle_.empty() || atWork_ < most_; });
         if (idle_.empty()) {
             idle_.push_back(make());
-            if (idle_.back()->stats().device.type == "software") most_ = threads_;
+            if (idle_.back()->renderer.stats().device.type == "software") most_ = threads_;
         }
-        std::unique_ptr<Renderer> renderer = std::move(idle_.back());
+        std::unique_ptr<Canvas> canvas = std::move(idle_.back());
         idle_.pop_back();
         ++atWork_;
         idles_.notify_one();
-        return renderer;
+        return canvas;
     }
 
-    void giveBack(std::unique_ptr<Renderer> renderer, bool lost = false) {
+    void giveBack(std::unique_ptr<Canvas> canvas, bool lost = false) {
         const std::lock_guard lock(turn_);
-        if (renderer) idle_.push_back(std::move(renderer));
+        if (canvas) idle_.push_back(std::move(canvas));
         --atWork_;
         if (lost) ++losses_;
         idles_.notify_one();
@@ -85,9 +85,9 @@ private:
         return losses_ > kMostLosses;
     }
 
-    std::unique_ptr<Renderer> make() {
+    std::unique_ptr<Canvas> make() {
         try {
-            return std::make_unique<Renderer>(options_);
+            return std::make_unique<Canvas>(options_);
         } catch (const Error& error) {
             throw NoDevice(error.what());
         }
@@ -98,7 +98,7 @@ private:
     const int threads_;
     std::mutex turn_;  // of all below
     std::condition_variable idles_;
-    std::vector<std::unique_ptr<Renderer>> idle_;
+    std::vector<std::unique_ptr<Canvas>> idle_;
     int atWork_ = 0, most_ = 1, losses_ = 0;
 };
 
@@ -164,7 +164,7 @@ private:
         JobJson told = toldOf(line);
         HeardMessages heard;
         try {
-            const RenderOptions job = jobOf(line.text, options_);
+            const PictureDescription job = jobOf(line.text, options_);
             if (told["input"].is_null()) told["input"] = job.input.path;
             files_.claim(job);
             if (options_.resume && isThere(job.output) && isThere(job.layers) && isThere(job.stats)) {
@@ -202,7 +202,7 @@ private:
         told["error"] = why;
     }
 
-    void draw(const RenderOptions& options) {
+    void draw(const PictureDescription& options) {
         for (bool drawn = false; !drawn;) {
             PictureJob job(options, silent_);
             job.prepare();

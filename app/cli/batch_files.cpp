@@ -18,7 +18,7 @@ std::size_t placeOf(const std::string& path) {
     return std::hash<std::string>{}(error ? path : place.string());
 }
 
-std::vector<std::string> inputsOf(const RenderOptions& job) {
+std::vector<std::string> inputsOf(const PictureDescription& job) {
     std::vector<std::string> inputs{filePathOf(job.input), job.view, trajectoryPathOf(job.input)};
     for (const FurtherInput& further : job.input.further) {
         InputOptions each = job.input;
@@ -46,7 +46,7 @@ BatchFiles::BatchFiles(const std::string& jobs) {
     if (jobs != "-") files_.emplace(placeOf(jobs), false);
 }
 
-void BatchFiles::claim(const RenderOptions& job) {
+void BatchFiles::claim(const PictureDescription& job) {
     const std::pair<const char*, const std::string&> outputs[] = {
         {"output", job.output}, {"layers", job.layers}, {"stats", job.stats}};
     if (isOther(job.stats)) throw UsageError("\"stats\": what is there is no such file: " + job.stats);

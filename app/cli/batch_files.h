@@ -18,7 +18,7 @@ public:
     /// Takes note of what a job reads and writes; several threads may. What is to come cannot be known: but pictures
     /// and layers have names of their own kind, and stats only take the place of stats.
     /// @throws UsageError if it would write what an earlier job reads or writes
-    void claim(const RenderOptions& job);
+    void claim(const PictureDescription& job);
 
 private:
     std::mutex turn_;

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "app/cli/options.h"
-#include "app/cli/set_options.h"
 
 namespace nacre::app {
 
@@ -13,6 +12,6 @@ namespace nacre::app {
 void addBatch(CommandSpec& command, BatchOptions& options);
 
 /// A picture of a batch: its line, after the options that hold for all. @throws UsageError
-RenderOptions jobOf(const std::string& json, const BatchOptions& batch);
+PictureDescription jobOf(const std::string& json, const BatchOptions& batch);
 
 }  // namespace nacre::app

@@ -28,10 +28,10 @@ Json benchOf(const BenchOptions& options, const InputOptions& input) {
     const auto start = Clock::now();
     const Molecule molecule = loadMolecule(input, downloadProgress(progress));
     const double load = millisecondsSince(start);
-    const Representation scene = sceneOf(molecule, input.path, options.drawn, options.look);
+    const Representation scene = sceneOf(molecule, input.path, options.picture.drawn, options.picture.look);
     Json report{{"input", input.path},
                 {"atoms", {{"read", molecule.atoms.size()}, {"drawn", scene.drawnAtoms}}},
-                {"size", {options.size.width, options.size.height}},
+                {"size", {options.picture.size.width, options.picture.size.height}},
                 {"device", Json::object()},
                 {"times", {{"load", load}, {"scene", millisecondsSince(start) - load}}}};
     addFrames(options, scene, report, progress);
@@ -45,7 +45,7 @@ void benchCommand(const BenchOptions& options, std::ostream& out) {
     Json reports = Json::array();
     std::optional<Error> failure;  // the last one; those before it are said at once
     for (const std::string& path : options.paths) try {
-            InputOptions input = options.input;
+            InputOptions input = options.picture.input;
             input.path = path;
             reports.push_back(benchOf(options, input));
             if (options.json) continue;

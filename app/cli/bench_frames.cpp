@@ -52,14 +52,14 @@ Json timesJson(std::vector<double> samples) {
 
 /// The settings of a frame of a turn about the vertical axis. @param radius  of the scene @param frame  from 0
 RenderSettings benchFrame(const BenchOptions& options, double radius, int frame) {
-    Camera camera = options.camera;
+    Camera camera = options.picture.camera;
     camera.rotationDegrees.y += 5.0 * frame;
     RenderSettings settings;
-    settings.view = viewOf(camera, radius, options.size.width, options.size.height);
-    settings.supersample = options.supersample;
-    settings.meshError = options.meshError;
-    settings.occlusion.directions = options.occlusion.directions;
-    settings.occlusion.bytes = options.occlusion.bytes();
+    settings.view = viewOf(camera, radius, options.picture.size.width, options.picture.size.height);
+    settings.supersample = options.picture.supersample;
+    settings.meshError = options.picture.meshError;
+    settings.occlusion.directions = options.picture.occlusion.directions;
+    settings.occlusion.bytes = options.picture.occlusion.bytes();
     return settings;
 }
 
@@ -91,10 +91,10 @@ double timeFrame(Renderer& renderer, const RenderSettings& settings, Samples* sa
 std::vector<Timed> timedPaths(const BenchOptions& options, const Representation& scene, Json& lacks,
                               Progress& progress) {
     std::vector<Timed> timed;
-    const bool all = options.device.visibility == Visibility::automatic;
+    const bool all = options.picture.device.visibility == Visibility::automatic;
     for (const Visibility path : kTimedPaths) {
-        if (!all && path != options.device.visibility) continue;
-        DeviceOptions device = options.device;
+        if (!all && path != options.picture.device.visibility) continue;
+        DeviceOptions device = options.picture.device;
         device.visibility = path;
         try {
             timed.push_back({path, std::make_unique<Renderer>(device), {}});
@@ -204,7 +204,7 @@ Representation visiblePart(const Representation& scene, const Seen& seen) {
 /// The first frame with only what belongs to atoms that own a pixel in it, in turns with the whole one.
 Json floorJson(const BenchOptions& options, const Representation& part, const Timed& timed) {
     const RenderSettings settings = benchFrame(options, part.radius, 0);
-    DeviceOptions device = options.device;
+    DeviceOptions device = options.picture.device;
     device.visibility = timed.path;
     Renderer least(device);
     least.setScene(part);
@@ -253,8 +253,9 @@ void addFrames(const BenchOptions& options, const Representation& scene, Json& r
     report["paths"] = pathsJson(options, scene.radius, timed);
     report["lacks"] = lacks;
     // The path that a user gets.
-    const Visibility used = options.device.visibility == Visibility::automatic ? planOf(options.device).visibility
-                                                                               : options.device.visibility;
+    const Visibility used = options.picture.device.visibility == Visibility::automatic
+                                ? planOf(options.picture.device).visibility
+                                : options.picture.device.visibility;
     const auto it = std::find_if(timed.begin(), timed.end(), [&](const Timed& t) { return t.path == used; });
     const DeviceInfo& device = it->renderer->stats().device;
     report["device"] = {{"name", device.name}, {"driver", device.driver}, {"visibility", visibilityName(used)}};

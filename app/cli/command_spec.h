@@ -3,16 +3,12 @@
 
 #include <functional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace nacre::app {
+#include "app/picture/usage_error.h"
 
-/// The command line was used wrongly; what() says how, in one line.
-struct UsageError : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
+namespace nacre::app {
 
 struct OptionSpec {
     std::string names;     ///< "-o,--output"; of what stands without a name: "INPUT"
@@ -43,6 +39,14 @@ struct CommandSpec {
     OptionSpec& add(OptionSpec option) {
         options.push_back(std::move(option));
         return options.back();
+    }
+    /// An option with one value.
+    OptionSpec& value(const std::string& names, const std::string& type, const std::string& fallback,
+                      const std::string& help, std::function<void(const std::string&)> set) {
+        return add({names, type, fallback, help, std::move(set)});
+    }
+    void flag(const std::string& names, bool& target, const std::string& help) {
+        add({names, "", "", help, [&target](const std::string&) { target = true; }});
     }
 };
 

@@ -7,7 +7,7 @@
 
 namespace nacre::app {
 
-void renderCommand(const RenderOptions& options);
+void renderCommand(const PictureDescription& options);
 void movieCommand(const MovieOptions& options);
 /// Reports to `out`, line by line. @returns whether all jobs are done
 bool batchCommand(const BatchOptions& options, std::ostream& out);

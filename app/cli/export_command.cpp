@@ -44,13 +44,13 @@ std::string exportStats(const ExportScene& scene, std::size_t bytes) {
 
 /// Puts the scene in the order that the renderer has it in, and bakes it.
 BakedOcclusion bakedOcclusion(const ExportCommandOptions& options, Representation& scene, Progress& progress) {
-    if (options.directions == 0) return {};
+    if (options.picture.occlusion.directions == 0) return {};
     progress.begin("baking occlusion");
     orderInSpace(scene);
-    Renderer renderer(options.device);
+    Renderer renderer(options.picture.device);
     renderer.setScene(scene);
     OcclusionSettings settings;
-    settings.directions = options.directions;
+    settings.directions = options.picture.occlusion.directions;
     settings.onProgress = [&](double share) { progress.advance(share); };
     return renderer.bakedOcclusion(settings);
 }
@@ -58,25 +58,25 @@ BakedOcclusion bakedOcclusion(const ExportCommandOptions& options, Representatio
 }  // namespace
 
 void exportCommand(const ExportCommandOptions& options) {
-    OutputFile file(options.output);
+    OutputFile file(options.picture.output);
     std::optional<OutputFile> stats;
-    if (!options.stats.empty()) stats.emplace(options.stats, ".json");
+    if (!options.picture.stats.empty()) stats.emplace(options.picture.stats, ".json");
     Progress progress;
     progress.begin("reading");
     const Molecule molecule =
-        loadMolecule(options.input, downloadProgress(progress), [&](double share) { progress.advance(share); });
+        loadMolecule(options.picture.input, downloadProgress(progress), [&](double share) { progress.advance(share); });
     progress.begin("building the scene");
-    Representation scene = sceneOf(molecule, options.input.path, options.drawn, options.look);
+    Representation scene = sceneOf(molecule, options.picture.input.path, options.picture.drawn, options.picture.look);
     for (const std::string& warning : scene.warnings) sayWarning(warning);
     const BakedOcclusion baked = bakedOcclusion(options, scene, progress);
     ExportOptions how = options.scene;
-    if (options.directions > 0) how.occlusion = &baked;
+    if (options.picture.occlusion.directions > 0) how.occlusion = &baked;
     const ExportScene exported = exportScene(molecule, scene, how);
     progress.begin("writing");
     const std::string& title = molecule.file.title;
-    const SceneFileOptions titled{title.empty() ? std::filesystem::path(options.input.path).filename().string() : title,
-                                  options.scale};
-    const std::string bytes = sceneFile(exported, extensionOf(options.output), titled);
+    const SceneFileOptions titled{
+        title.empty() ? std::filesystem::path(options.picture.input.path).filename().string() : title, options.scale};
+    const std::string bytes = sceneFile(exported, extensionOf(options.picture.output), titled);
     writeText(file, bytes);
     if (stats) writeText(*stats, exportStats(exported, bytes.size()));
 }

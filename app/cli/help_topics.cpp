@@ -1,21 +1,21 @@
 // `nacre help TOPIC`: what concerns several options at once, with those options' own words.
 
 #include <algorithm>
-#include <array>
 
 #include "app/cli/option_words.h"
+#include "app/picture/options.h"
 #include "engine/molecule/nearest_word.h"
 
 namespace nacre::app {
 namespace {
 
-struct Topic {
+struct HelpTopic {
     const char* name;
     const char* text;
-    std::array<const char*, 11> options;  ///< of `render`, which say what stands there of them
+    Topics topics;  ///< of the options of `render` that are shown with it
 };
 
-constexpr Topic kTopics[] = {
+constexpr HelpTopic kTopics[] = {
     {"selections",
      "A selection names atoms. Options that take one are written SEL.\n\n"
      "  chain A+B   resn HEM+ATP   resi 10-20+35   name CA+CB   elem FE   altloc A   model 1\n"
@@ -27,33 +27,29 @@ constexpr Topic kTopics[] = {
      "  byres (SEL)         its whole residues\n\n"
      "Rules apply in the order they stand in, the last one prevails:\n"
      "  nacre render 1hpv.pdb -o a.png --style licorice --hide water --show ligand=spacefill\n",
-     {"--show", "--hide", "--color-by"}},
+     static_cast<Topics>(Topic::rules)},
     {"colors",
      "A colour is a scheme, which gives each atom its own, or one colour: a CSS name (navy, lightgray), #rgb, "
      "#rrggbb,\n"
      "and for backgrounds #rrggbbaa. element:COLOR has its carbons in the colour and the rest by element.\n",
-     {"--color", "--color-by", "--palette", "--background", "--legend"}},
+     Topic::color | Topic::background},
     {"formats",
      "Structure files are told apart by their content first, and by their ending; each may be compressed (gzip, xz,\n"
      "bzip2, zstd). INPUT may also be a sample that is built in, or a download. Pictures are told by their ending.\n",
-     {"INPUT", "--format", "--model", "--assembly", "--output", "--layers", "--offline", "--cache"}},
+     Topic::input | Topic::reading | Topic::trajectory | Topic::fit | Topic::files},
     {"views",
      "At zoom 1 the molecule's sphere fills 95 % of the shorter side. Rotations are right-handed, about the view's "
      "axes:\n"
      "x to the right, y up, z to the viewer. `Shift S` in the window saves a view, a small JSON; `render --view` and\n"
      "`movie --views` draw it. Its keys are the options' names. What it names as its molecule is found beside it, "
      "too.\n",
-     {"--view", "--rotate", "--zoom", "--projection", "--fov", "--orient", "--look-at", "--zoom-to", "--uncover",
-      "--size", "--allow-download"}},
-    {"light",
-     "Ambient occlusion is baked once for a molecule and its style, and kept on disk if that took long.\n",
-     {"--occlusion", "--occlusion-detail", "--occlusion-memory", "--lighting", "--fog", "--contours", "--halos",
-      "--shadow", "--supersample", "--cache"}},
+     Topic::view | Topic::camera | Topic::aim | Topic::size},
+    {"light", "Ambient occlusion is baked once for a molecule and its style, and kept on disk if that took long.\n",
+     Topic::look | Topic::lighting | Topic::occlusion | Topic::detail | Topic::effects | Topic::samples},
     {"devices",
      "Any Vulkan driver will do, Mesa's lavapipe among them, which needs no GPU. `nacre devices` lists what is "
      "there.\n",
-     {"--device", "--visibility", "--encoded-format", "--prepass", "--merge", "--transient", "--validate",
-      "--capture"}},
+     Topic::device | Topic::path | Topic::frame | Topic::validation},
 };
 
 /// An option as it stands in --help, wrapped by hand already.
@@ -69,7 +65,7 @@ std::string described(const OptionSpec& option) {
 
 std::vector<std::string> helpTopicNames() {
     std::vector<std::string> names;
-    for (const Topic& topic : kTopics) names.emplace_back(topic.name);
+    for (const HelpTopic& topic : kTopics) names.emplace_back(topic.name);
     return names;
 }
 
@@ -79,9 +75,11 @@ bool isHelpTopic(const std::string& name) {
 }
 
 std::string helpTopic(const std::string& name, std::span<const CommandSpec> commands) {
+    if (name == "reference") return referencePage();
+    if (name == "keywords") return pythonKeywords();
     const std::string spelt = name == "colours" || name == "colour" || name == "color" ? "colors" : name;
     const auto topic =
-        std::find_if(std::begin(kTopics), std::end(kTopics), [&](const Topic& t) { return spelt == t.name; });
+        std::find_if(std::begin(kTopics), std::end(kTopics), [&](const HelpTopic& t) { return spelt == t.name; });
     if (topic == std::end(kTopics)) {
         std::vector<std::string> known = helpTopicNames();
         std::string list;
@@ -93,9 +91,11 @@ std::string helpTopic(const std::string& name, std::span<const CommandSpec> comm
     std::string text = topic->text;
     const auto render =
         std::find_if(commands.begin(), commands.end(), [](const CommandSpec& c) { return c.name == "render"; });
-    for (const char* wanted : topic->options)
-        for (const OptionSpec& option : render->options)
-            if (wanted && option.longName() == wanted) text += "\n" + described(option);
+    for (const Option& option : options())
+        if (has(topic->topics, option.topic))
+            for (const OptionSpec& spec : render->options)
+                if (spec.longName() == (option.positional ? "INPUT" : "--" + std::string(option.key)))
+                    text += "\n" + described(spec);
     return text;
 }
 

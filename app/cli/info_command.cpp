@@ -337,7 +337,7 @@ void infoCommand(const InfoOptions& options, std::ostream& out) {
     Json list = Json::array();
     std::optional<Error> failure;  // the last one; those before it are said at once
     for (const std::string& path : options.paths) try {
-            InputOptions input = options.input;
+            InputOptions input = options.picture.input;
             input.alone = true;
             input.path = path;
             Json json = several ? Json{{"file", path}} : Json::object();

@@ -4,9 +4,9 @@
 #include <ostream>
 
 #include "app/cli/commands.h"
-#include "app/cli/picture_job.h"
-#include "app/cli/saved_options.h"
+#include "app/cli/progress.h"
 #include "app/download/load_molecule.h"
+#include "app/drawing/drawing.h"
 #include "app/files/json_text.h"
 #include "app/files/messages.h"
 #include "app/images/image_file.h"
@@ -52,22 +52,18 @@ void drawSheet(const LooksOptions& options) {
     const Molecule molecule =
         loadMolecule(options.picture.input, downloadProgress(progress), [&](double share) { progress.advance(share); });
     progress.begin("drawing");
-    Renderer renderer(options.picture.device);
+    Canvas canvas(options.picture.device);
+    Drawing drawing;
     Sheet sheet(options.picture.size, looks().size(), static_cast<std::size_t>(options.columns));
-    std::optional<Coloring> drawn;  // of the scene that the renderer has
     std::size_t done = 0;
     for (const Look& look : looks()) {
-        RenderOptions one = options.picture;
-        takeLook(look, one);
+        PictureDescription one = options.picture;
+        applyLook(look, one);
         one.words.title = look.name;
-        PreparedPicture prepared = preparePicture(molecule, one);
-        if (!drawn)
-            for (const std::string& warning : prepared.scene.warnings) sayWarning(warning);
-        if (drawn != one.look.color) renderer.setScene(std::move(prepared.scene));
-        drawn = one.look.color;
-        Picture cell = renderer.render(prepared.settings);
-        addWords(prepared, one, prepared.settings, cell);
-        sheet.put(done, cell);
+        drawing.prepare(molecule, one);
+        if (done == 0)
+            for (const std::string& warning : drawing.warnings) sayWarning(warning);
+        sheet.put(done, drawing.draw(canvas));
         progress.advance(static_cast<double>(++done) / static_cast<double>(looks().size()));
     }
     writePicture(file, sheet.picture(), {});

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/cli/common_options.h"
 #include "app/movie/movie_file.h"
 
 namespace nacre::app {
@@ -34,43 +33,43 @@ bool goesRound(const MovieOptions& options) {
 }  // namespace
 
 void addMotion(CommandSpec& command, MovieOptions& options) {
-    addValue(command, "--spin", "AXIS", "none",
-             "Turn about x, y, z (across, up, to the viewer) or a vector X,Y,Z, right-handed; ends where it began",
-             [&](const std::string& text) { options.spin = parseAxis(text); });
-    addValue(command, "--turns", "N", "1", "Of --spin, -100 to 100, not 0; a part of one ends elsewhere",
-             [&](const std::string& text) {
-                 options.turns = parseNumber(text, -100, 100);
-                 if (*options.turns == 0) throw std::invalid_argument("nothing moves by 0 turns");
-             });
-    addValue(command, "--rock", "DEGREES", "none", "Swing to either side and back, up to 180",
-             [&](const std::string& text) {
-                 options.rock = parseNumber(text, 0, 180);
-                 if (*options.rock == 0) throw std::invalid_argument("nothing moves by 0 degrees");
-             });
-    addValue(command, "--axis", "AXIS", "y", "Of --rock, as for --spin",
-             [&](const std::string& text) { options.axis = parseAxis(text); });
-    addFlag(command, "--models", options.models,
-            "Through the models, frames or records of INPUT, or the frames of --trajectory");
-    addValue(command, "--views", "A.json,B.json,...", "none",
-             "Along views that `nacre view` saved: turn, move and zoom; what looks otherwise is faded over;\n"
-             "options prevail over each",
-             [&](const std::string& text) { options.views = parseViews(text); });
-    addFlag(command, "--loop", options.loop, "From the last of --views back to the first");
-    addValue(command, "--easing", "NAME", "smooth for --views that do not loop, else linear",
-             "linear: the same pace throughout; smooth: starts and ends at rest; stops: rests at each view",
-             [&](const std::string& text) {
-                 constexpr Easing kEasings[] = {Easing::linear, Easing::smooth, Easing::stops};
-                 options.easing = kEasings[parseChoice(text, {"linear", "smooth", "stops"})];
-             });
-    addValue(command, "--seconds", "S",
-             "6 for --spin, 4 for --rock, 2 from view to view, 0.1 a model, a frame each of --trajectory",
-             "How long it takes, to 86400",
-             [&](const std::string& text) { options.seconds = parseNumber(text, 0.001, 86400); });
-    addValue(command, "--fps", "N", "30", "Frames a second, 0.1 to 120 (GIF: 50)", [&](const std::string& text) {
+    command.value("--spin", "AXIS", "none",
+                  "Turn about x, y, z (across, up, to the viewer) or a vector X,Y,Z, right-handed; ends where it began",
+                  [&](const std::string& text) { options.spin = parseAxis(text); });
+    command.value("--turns", "N", "1", "Of --spin, -100 to 100, not 0; a part of one ends elsewhere",
+                  [&](const std::string& text) {
+                      options.turns = parseNumber(text, -100, 100);
+                      if (*options.turns == 0) throw std::invalid_argument("nothing moves by 0 turns");
+                  });
+    command.value("--rock", "DEGREES", "none", "Swing to either side and back, up to 180",
+                  [&](const std::string& text) {
+                      options.rock = parseNumber(text, 0, 180);
+                      if (*options.rock == 0) throw std::invalid_argument("nothing moves by 0 degrees");
+                  });
+    command.value("--axis", "AXIS", "y", "Of --rock, as for --spin",
+                  [&](const std::string& text) { options.axis = parseAxis(text); });
+    command.flag("--models", options.models,
+                 "Through the models, frames or records of INPUT, or the frames of --trajectory");
+    command.value("--views", "A.json,B.json,...", "none",
+                  "Along views that `nacre view` saved: turn, move and zoom; what looks otherwise is faded over;\n"
+                  "options prevail over each",
+                  [&](const std::string& text) { options.views = parseViews(text); });
+    command.flag("--loop", options.loop, "From the last of --views back to the first");
+    command.value("--easing", "NAME", "smooth for --views that do not loop, else linear",
+                  "linear: the same pace throughout; smooth: starts and ends at rest; stops: rests at each view",
+                  [&](const std::string& text) {
+                      constexpr Easing kEasings[] = {Easing::linear, Easing::smooth, Easing::stops};
+                      options.easing = kEasings[parseChoice(text, {"linear", "smooth", "stops"})];
+                  });
+    command.value("--seconds", "S",
+                  "6 for --spin, 4 for --rock, 2 from view to view, 0.1 a model, a frame each of --trajectory",
+                  "How long it takes, to 86400",
+                  [&](const std::string& text) { options.seconds = parseNumber(text, 0.001, 86400); });
+    command.value("--fps", "N", "30", "Frames a second, 0.1 to 120 (GIF: 50)", [&](const std::string& text) {
         options.framesPerSecond = parseNumber(text, kSlowestMovie, kFastestMovie);
     });
-    addValue(command, "--report", "FILE", "none", "Tells of each frame in a line of JSON; - for standard output",
-             [&](const std::string& text) { options.report = fileName(text); });
+    command.value("--report", "FILE", "none", "Tells of each frame in a line of JSON; - for standard output",
+                  [&](const std::string& text) { options.report = fileName(text); });
 }
 
 void checkMotion(const MovieOptions& options) {
@@ -97,8 +96,7 @@ void checkMotion(const MovieOptions& options) {
 }
 
 bool isGiven(const MovieOptions& options, const char* name) {
-    return std::any_of(options.given.begin(), options.given.end(),
-                       [&](const OptionValue& v) { return v.name == name; });
+    return std::any_of(options.given.begin(), options.given.end(), [&](const OptionValue& v) { return v.key == name; });
 }
 
 std::uint64_t framesOf(const MovieOptions& options, std::uint64_t models) {

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/cli/picture_options.h"
-#include "app/cli/saved_options.h"
 #include "app/download/load_molecule.h"
+#include "app/drawing/complete.h"
 #include "app/drawing/scenes.h"
 #include "app/files/messages.h"
 #include "app/input/input_files.h"
@@ -19,13 +18,12 @@
 namespace nacre::app {
 namespace {
 
-/// Whether two pictures show the same but from elsewhere.
-bool sameLook(const RenderOptions& a, const RenderOptions& b) {
-    Effects effects = b.effects;  // clipping planes move
-    effects.clip.near = a.effects.clip.near;
-    effects.clip.far = a.effects.clip.far;
-    return a.effects == effects && a.look == b.look && a.drawn == b.drawn && a.lighting == b.lighting &&
-           a.background == b.background && a.words == b.words && a.occlusion.directions == b.occlusion.directions;
+/// Whether two pictures show the same but from elsewhere; clipping planes move.
+bool sameLook(const PictureDescription& a, PictureDescription b) {
+    b.effects.clip.near = a.effects.clip.near;
+    b.effects.clip.far = a.effects.clip.far;
+    const Parts parts = difference(a, b);
+    return !has(parts, Part::scene) && !has(parts, Part::shading) && !has(parts, Part::annotation);
 }
 
 std::string pathsOf(const InputOptions& input) {
@@ -51,17 +49,14 @@ void checkSameInput(const MovieOptions& options, const InputOptions& named) {
 }
 
 /// A key view as `nacre render --view` has it, with the options that were given beside it. @throws Error
-RenderOptions keyOptions(const MovieOptions& options, const std::string& file) {
-    RenderOptions key;
-    applySavedView(readSavedView(file), key);
-    InputOptions named = key.savedInput;
-    named.namedBy = file;
-    checkSameInput(options, named);
-    CommandSpec seen{"movie", "", ""};
-    addMoviePicture(seen, key);
-    setOptions(seen, options.given);
+PictureDescription keyOptions(const MovieOptions& options, const std::string& file) {
+    PictureDescription key;
+    applySavedView(file, key);
+    key.input.namedBy = file;
+    checkSameInput(options, key.input);
+    setOptions(options.given, key);
     key.input = options.picture.input;
-    nameInputs(key);
+    takeSeveral(key);
     return key;
 }
 
@@ -122,9 +117,9 @@ MovieScenes::MovieScenes(const MovieOptions& options, Progress& progress) : opti
     }
     addLook(options.picture);
     const Look& look = ready(0, molecules_);
-    first_ = look.prepared->settings.view;
-    firstClip_ = look.prepared->settings.effects.clip;
-    center_ = look.prepared->run.center;
+    first_ = look.drawing.settings.view;
+    firstClip_ = look.drawing.settings.effects.clip;
+    center_ = look.drawing.run.center;
 }
 
 MovieScenes::~MovieScenes() = default;
@@ -138,7 +133,7 @@ void MovieScenes::layModels(const InputOptions& input) {
     motion_ = std::make_unique<Motion>(std::move(models), molecule_, motionOptions(input.trajectory, molecule_));
 }
 
-void MovieScenes::addLook(const RenderOptions& options) {
+void MovieScenes::addLook(const PictureDescription& options) {
     looks_.emplace_back();
     looks_.back().options = options;
     looks_.back().options.aim.turns = true;
@@ -147,14 +142,15 @@ void MovieScenes::addLook(const RenderOptions& options) {
 void MovieScenes::addKeys() {
     std::vector<Lens> lenses;
     for (const std::string& file : options_.views) {
-        RenderOptions options = keyOptions(options_, file);
+        PictureDescription options = keyOptions(options_, file);
         const auto same = std::find_if(looks_.begin(), looks_.end(),
                                        [&](const Look& look) { return sameLook(look.options, options); });
         Key key{static_cast<std::size_t>(same - looks_.begin()), {}, {}};
-        const PreparedPicture prepared = preparePicture(molecule_, options);
-        key.view = prepared.settings.view;
-        key.clip = prepared.settings.effects.clip;
-        lenses.push_back(lensOf(key.view, prepared.run.center));
+        Drawing drawing;
+        drawing.prepare(molecule_, options);
+        key.view = drawing.settings.view;
+        key.clip = drawing.settings.effects.clip;
+        lenses.push_back(lensOf(key.view, drawing.run.center));
         if (lenses.back().projection != lenses.front().projection)
             throw Error("cannot join views", file, "it is not of the same --projection as the first");
         if (same == looks_.end()) addLook(options);
@@ -171,12 +167,12 @@ void MovieScenes::addKeys() {
 /// A look with its scene on a renderer.
 MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     Look& look = looks_[number];
-    if (look.renderer && look.model == model) return look;
+    if (look.canvas && look.model == model) return look;
     if (look.moving) {
         moveTo(look, model);
         return look;
     }
-    const bool first = !look.prepared;
+    const bool first = look.model == 0;
     if (motion_) movePositions(molecule_, motion_->positions(static_cast<std::size_t>(model - 1)));
     if (molecules_ != model && !motion_) {
         molecule_ = file_->read(model);
@@ -184,19 +180,20 @@ MovieScenes::Look& MovieScenes::ready(std::size_t number, int model) {
     }
     const std::optional<Bounds> frame = file_ && !motion_ ? frameOf(look) : std::nullopt;
     look.framed = frame.has_value();
-    look.prepared = preparePicture(molecule_, look.options, frame);
+    look.drawing.forget();
+    look.drawing.prepare(molecule_, look.options, frame);
     if (first)
-        for (const std::string& warning : look.prepared->scene.warnings) sayWarning(warning);
+        for (const std::string& warning : look.drawing.warnings) sayWarning(warning);
     look.model = model;
-    look.prepared->settings.occlusion.onProgress = [this](double share) {
+    look.drawing.settings.occlusion.onProgress = [this](double share) {
         if (onBake) onBake(share);
     };
     // Occlusion of models that come and go is not worth room on the disk.
-    if (options_.models) look.prepared->settings.occlusion.cache.clear();
+    if (options_.models) look.drawing.settings.occlusion.cache.clear();
     if (motion_ && !look.options.look.ownFrame)
         look.moving.emplace(movingSceneOf(molecule_, look.options.input.path, look.options.drawn, look.options.look));
-    if (!look.renderer) look.renderer = std::make_unique<Renderer>(look.options.device);
-    look.renderer->setScene(std::move(look.prepared->scene));
+    if (!look.canvas) look.canvas = std::make_unique<Canvas>(look.options.device);
+    look.drawing.handOver(*look.canvas);
     return look;
 }
 
@@ -217,20 +214,20 @@ void MovieScenes::moveTo(Look& look, int frame) {
     if (!saidTorn_) saidTorn_ = sayTorn(*motion_, look.options.input.trajectory.path);
     look.moving->move(molecule_);
     look.model = frame;
-    look.renderer->setScene(look.moving->scene());
-    look.prepared->words = placeWords(look.options.words, molecule_, look.moving->scene());
-    reachTo(look.prepared->settings.view, look.moving->scene().radius);
+    look.canvas->renderer.setScene(look.moving->scene());
+    look.drawing.words = placeWords(look.options.words, molecule_, look.moving->scene());
+    reachTo(look.drawing.settings.view, look.moving->scene().radius);
 }
 
 /// Renderers of other looks than these two hold no memory.
 void MovieScenes::letGo(std::size_t a, std::size_t b) {
     for (std::size_t i = 0; i < looks_.size(); ++i)
-        if (i != a && i != b) looks_[i].renderer.reset();
+        if (i != a && i != b) looks_[i].canvas.reset();
 }
 
 Picture MovieScenes::pictureOf(Look& look, const RenderSettings& settings) const {
-    Picture picture = look.renderer->render(settings);
-    addWords(*look.prepared, look.options, settings, picture, look.wordMemory.get());
+    Picture picture = look.canvas->renderer.render(settings);
+    look.drawing.addWords(settings, picture, look.wordMemory.get());
     return picture;
 }
 
@@ -255,7 +252,7 @@ Picture MovieScenes::drawKeys(double place, int model) {
     letGo(a.look, b.look);
     const auto draw = [&](std::size_t number) {
         Look& look = ready(number, model);
-        RenderSettings settings = look.prepared->settings;
+        RenderSettings settings = look.drawing.settings;
         Clip& clip = settings.effects.clip;
         // At a key view itself the very numbers of that view.
         if (share == 0 && number == a.look) {
@@ -266,7 +263,7 @@ Picture MovieScenes::drawKeys(double place, int model) {
             clip = b.clip;
         } else {
             settings.view =
-                viewThrough(path_->at(static_cast<double>(from) + share), settings.view, look.prepared->run.center);
+                viewThrough(path_->at(static_cast<double>(from) + share), settings.view, look.drawing.run.center);
             moveClip(clip, a.clip, b.clip, share, settings.view.radius);
         }
         return pictureOf(look, settings);
@@ -294,8 +291,8 @@ Picture MovieScenes::draw(std::uint64_t frame) {
         return drawKeys(eased(easing, time) * static_cast<double>(path_->stretches()), model);
     }
     Look& look = ready(0, model);
-    RenderSettings settings = look.prepared->settings;
-    const glm::dvec3 center = look.prepared->run.center;
+    RenderSettings settings = look.drawing.settings;
+    const glm::dvec3 center = look.drawing.run.center;
     View& view = settings.view;
     // Every model from the same place, where the first was aimed at, unless each is to have its own.
     const bool aimed = options_.picture.aim.any() && file_ && !motion_ && model != 1;

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "app/cli/movie_options.h"
-#include "app/cli/picture_job.h"
 #include "app/cli/progress.h"
+#include "app/drawing/drawing.h"
 #include "engine/molecule/model_file.h"
 #include "engine/molecule/trajectory/motion.h"
 
@@ -33,10 +33,10 @@ public:
 private:
     /// What is seen in some way: key views that differ only in their cameras have it in common.
     struct Look {
-        RenderOptions options;
-        std::optional<PreparedPicture> prepared;  ///< less the scene, once that is with the renderer
-        std::unique_ptr<Renderer> renderer;
-        int model = 0;
+        PictureDescription options;
+        Drawing drawing;
+        std::unique_ptr<Canvas> canvas;
+        int model = 0;                                  ///< that it was prepared for; 0: none yet
         std::map<Style, std::optional<Bounds>> frames;  ///< of the camera that models share
         bool framed = false;                            ///< the model that is there has such a one
         std::optional<MovingScene> moving;              ///< of a trajectory whose frames share a camera
@@ -48,7 +48,7 @@ private:
         Clip clip;
     };
 
-    void addLook(const RenderOptions& options);
+    void addLook(const PictureDescription& options);
     void layModels(const InputOptions& input);
     void addKeys();
     Look& ready(std::size_t look, int model);

@@ -34,6 +34,11 @@ std::string completionScript(const std::string& shell, const CommandSpec& progra
 /// The manual page, in the macros of man(7).
 std::string manualPage(const CommandSpec& program, std::span<const CommandSpec> commands);
 
+/// docs/reference.md: every option of a picture.
+std::string referencePage();
+/// A line for each keyword argument of Python's render(), with its type.
+std::string pythonKeywords();
+
 /// What `nacre help TOPIC` says. @throws UsageError if there is no such topic or command
 std::string helpTopic(const std::string& topic, std::span<const CommandSpec> commands);
 std::vector<std::string> helpTopicNames();

@@ -4,13 +4,13 @@
 #include <string_view>
 
 #include "app/cli/batch_options.h"
-#include "app/cli/common_options.h"
 #include "app/cli/examples.h"
 #include "app/cli/option_words.h"
 #include "app/cli/picture_options.h"
-#include "app/cli/saved_options.h"
+#include "app/drawing/complete.h"
 #include "app/export/scene_files.h"
 #include "app/files/output_file.h"
+#include "app/input/input_files.h"
 #include "engine/error.h"
 #include "engine/graph/capability_sets.h"
 
@@ -25,94 +25,99 @@ std::string capabilitySetNames() {
 }
 
 void addBench(CommandSpec& command, BenchOptions& options) {
-    addInputs(command, options.paths, options.input);
-    addTrajectory(command, options.input.trajectory);
-    addAppearance(command, options.drawn, options.look);
-    addSize(command, "640x960", options.size);
-    addCameraValues(command, options.camera, "Degrees of the first frame; each next one turns by 5 about Y");
-    addSupersample(command, "1", options.supersample);
-    addMeshError(command, "0.5", options.meshError);
-    addValue(command, "--frames", "N", "20, or what 3 seconds hold", "Timed frames a path, 1 to 10000",
-             [&](const std::string& text) { options.frames = static_cast<int>(parseInteger(text, 1, 10000)); });
-    addVisibility(command, options.device);
-    addOcclusion(command, options.occlusion);
-    addDeviceName(command, options.device);
-    addFlag(command, "--json", options.json, "As one JSON object");
+    PictureDescription& picture = options.picture;
+    picture.size = {640, 960};
+    picture.supersample = 1;
+    picture.meshError = 0.5;
+    addInputs(command, options.paths, picture);
+    addPicture(command, picture,
+               kAppearance | Topic::trajectory | Topic::camera | Topic::occlusion | Topic::size | Topic::samples |
+                   Topic::levels | Topic::device | Topic::path);
+    command.value("--frames", "N", "20, or as many as 3 seconds hold", "Timed frames per path, 1 to 10000",
+                  [&](const std::string& text) { options.frames = static_cast<int>(parseInteger(text, 1, 10000)); });
+    command.flag("--json", options.json, "As one JSON object");
 }
 
 void addPlan(CommandSpec& command, PlanOptions& options) {
-    RenderOptions& picture = options.picture;
-    addLook(command, picture);
-    addContent(command, picture.input, false, picture.drawn, picture.look);
-    addCameraValues(command, picture.camera, "Degrees about X, Y and Z");
-    addOnOff(command, "--lighting", picture.lighting, "off: there are no shadows");
-    addEffects(command, picture);
-    addValue(command, "--caps", "NAME", "none", "A capability set instead of a device: " + capabilitySetNames(),
-             [&](const std::string& text) {
-                 try {
-                     options.caps = graph::capabilitySet(text).plan.name;
-                 } catch (const Error& error) {
-                     throw std::invalid_argument(error.what());
-                 }
-             });
-    addDeviceName(command, picture.device).excludes = "--caps";
-    addVisibility(command, picture.device);
-    addSize(command, "1024x1024", picture.size);
-    addValue(command, "--supersample", "auto|1", "1",
-             "auto: the frames of a picture, 16 samples where a pixel shows an edge", [&](const std::string& text) {
-                 options.edges = parseChoice(text, {"auto", "1"}) == 0;
-             });
-    addMeshError(command, "0.25", picture.meshError);
-    addOnOff(command, "--merge", options.merge, "Passes as subpasses of one render pass");
-    addFlag(command, "--json", options.json, "As one JSON object");
+    PictureDescription& picture = options.picture;
+    addPicture(command, picture,
+               kReading | kAppearance | Topic::look | Topic::camera | Topic::lighting | Topic::effects | Topic::size |
+                   Topic::levels | Topic::device | Topic::path);
+    for (OptionSpec& option : command.options)
+        if (option.longName() == "--device") option.excludes = "--caps";
+    OptionSpec caps{"--caps", "NAME", "none", "A capability set instead of a device: " + capabilitySetNames(),
+                    [&](const std::string& text) {
+                        try {
+                            options.caps = graph::capabilitySet(text).plan.name;
+                        } catch (const Error& error) {
+                            throw std::invalid_argument(error.what());
+                        }
+                    }};
+    command.options.insert(command.options.begin(), caps);  // before --device, which names it
+    command.value("--supersample", "auto|1", "1",
+                  "auto: the frames of a picture, 16 samples where a pixel shows an edge",
+                  [&](const std::string& text) {
+                      options.edges = parseChoice(text, {"auto", "1"}) == 0;
+                  });
+    command.value("--merge", "on|off", "on", "Passes as subpasses of one render pass", [&](const std::string& text) {
+        options.merge = parseChoice(text, {"on", "off"}) == 0;
+    });
+    command.flag("--json", options.json, "As one JSON object");
 }
 
 void addExport(CommandSpec& command, ExportCommandOptions& options) {
-    addContent(command, options.input, true, options.drawn, options.look);
-    addValue(command, "-o,--output", "FILE", "", "The file: .glb (glTF 2.0), .ply, .stl or .obj",
-             [&](const std::string& text) {
-                 if (!isSceneName(text))
-                     throw std::invalid_argument("expected a name that ends in .glb, .ply, .stl or .obj, not '" + text +
-                                                 "'");
-                 options.output = text;
-             })
+    PictureDescription& picture = options.picture;
+    picture.occlusion.directions = 0;
+    addPicture(command, picture, kReading | kAppearance);
+    command.options.front().required = true;
+    command
+        .value("-o,--output", "FILE", "", "The file: .glb (glTF 2.0), .ply, .stl or .obj",
+               [&](const std::string& text) {
+                   if (!isSceneName(text))
+                       throw std::invalid_argument("expected a name that ends in .glb, .ply, .stl or .obj, not '" +
+                                                   text + "'");
+                   picture.output = text;
+               })
         .required = true;
-    addValue(command, "--atoms", "FORM", "tessellated",
-             "Balls and sticks as tessellated triangles, or as instanced ones (.glb, EXT_mesh_gpu_instancing)",
-             [&](const std::string& text) {
-                 options.scene.instances = parseChoice(text, {"tessellated", "instanced"}) == 1;
-             });
-    addValue(command, "--sides", "auto|N", "auto",
-             "Vertices around a ball or stick, even, 4 to 128; auto: 24, fewer for many", [&](const std::string& text) {
-                 options.scene.sides = text == "auto" ? 0 : static_cast<int>(parseInteger(text, 4, 128));
-                 if (options.scene.sides % 2) throw std::invalid_argument("expected an even number");
-             });
-    addValue(command, "--scale", "F", "1", "Units of the file to the Å, 0.000001 to 1000000",
-             [&](const std::string& text) { options.scale = parseNumber(text, 1e-6, 1e6); });
-    addValue(command, "--occlusion", "K|off", "off",
-             "Darkens colours by ambient occlusion from K directions, 1 to 4096 (.glb, with attribute _OCCLUSION)",
-             [&](const std::string& text) { options.directions = parseOcclusion(text); });
-    addValue(command, "--stats", "FILE.json", "none", "Triangles, area and volume as JSON; - for standard output",
-             [&](const std::string& text) { options.stats = fileName(text); });
+    command.value("--atoms", "FORM", "tessellated",
+                  "Balls and sticks as tessellated triangles, or as instanced ones (.glb, EXT_mesh_gpu_instancing)",
+                  [&](const std::string& text) {
+                      options.scene.instances = parseChoice(text, {"tessellated", "instanced"}) == 1;
+                  });
+    command.value("--sides", "auto|N", "auto",
+                  "Vertices around a ball or stick, even, 4 to 128; auto: 24, fewer for many",
+                  [&](const std::string& text) {
+                      options.scene.sides = text == "auto" ? 0 : static_cast<int>(parseInteger(text, 4, 128));
+                      if (options.scene.sides % 2) throw std::invalid_argument("expected an even number");
+                  });
+    command.value("--scale", "F", "1", "Units of the file per Å, 0.000001 to 1000000",
+                  [&](const std::string& text) { options.scale = parseNumber(text, 1e-6, 1e6); });
+    command.value("--occlusion", "K|off", "off",
+                  "Darkens colours by ambient occlusion from K directions, 1 to 4096 (.glb, with attribute _OCCLUSION)",
+                  [&](const std::string& text) { picture.occlusion.directions = parseOcclusion(text); });
+    command.value("--stats", "FILE.json", "none", "Triangles, area and volume as JSON; - for standard output",
+                  [&](const std::string& text) { picture.stats = fileName(text); });
 }
 
 /// @throws UsageError
 void checkExport(const ExportCommandOptions& options) {
-    if (options.scene.instances && extensionOf(options.output) != ".glb")
+    if (options.scene.instances && extensionOf(options.picture.output) != ".glb")
         throw UsageError("--atoms instanced is for .glb");
-    if (options.directions > 0 && extensionOf(options.output) != ".glb") throw UsageError("--occlusion is for .glb");
-    if (options.directions > 0 && options.scene.instances)
+    if (options.picture.occlusion.directions > 0 && extensionOf(options.picture.output) != ".glb")
+        throw UsageError("--occlusion is for .glb");
+    if (options.picture.occlusion.directions > 0 && options.scene.instances)
         throw UsageError("--occlusion is of vertices, which --atoms instanced has none of its own");
     try {
-        const NamedFile files[] = {
-            {"INPUT", options.input.path}, {"--output", options.output, true}, {"--stats", options.stats, true}};
+        const NamedFile files[] = {{"INPUT", options.picture.input.path},
+                                   {"--output", options.picture.output, true},
+                                   {"--stats", options.picture.stats, true}};
         checkApart(files);
     } catch (const std::invalid_argument& error) {
         throw UsageError(error.what());
     }
 }
 
-std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
+std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& window) {
     CommandSpec render{"render", "Draw a molecule into a picture file", kRenderExamples};
     addRender(render, line.render);
     CommandSpec movie{"movie", "Draw a movie: turning, swinging, through models or along saved views", kMovieExamples};
@@ -126,9 +131,9 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     addExport(exported, line.exported);
     CommandSpec info{"info", "Say what a structure file holds",
                      "Examples:\n  nacre info 1bna.pdb 4hhb.cif.gz\n  nacre info ligands.sdf --model 3 --json"};
-    addInputs(info, line.info.paths, line.info.input);
-    addFlag(info, "--residues", line.info.residues, "Each residue, with helix, strand or coil");
-    addFlag(info, "--json", line.info.json, "As one JSON object");
+    addInputs(info, line.info.paths, line.info.picture);
+    info.flag("--residues", line.info.residues, "Each residue, with helix, strand or coil");
+    info.flag("--json", line.info.json, "As one JSON object");
     CommandSpec bench{"bench", "Time frames by each visibility path",
                       "Examples:\n  nacre bench 1bna.pdb\n  nacre bench 1aon.pdb.gz --frames 50 --json\n"
                       "  nacre bench 1bna.pdb 4hhb.cif.gz --visibility tiles --zoom 10"};
@@ -143,11 +148,11 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     addPlan(plan, line.plan);
     CommandSpec devices{"devices", "List the Vulkan devices",
                         "Examples:\n  nacre devices\n  nacre devices --self-test --json"};
-    addFlag(devices, "--self-test", line.devices.selfTest,
-            "Draw by every path, tell which is right and how long it takes, and keep that for `auto`");
-    addValue(devices, "--cache", "DIR|off", "NACRE_CACHE, else ~/.cache/nacre", "Where self-tests are kept",
-             [&](const std::string& text) { line.devices.cache = fileName(text); });
-    addFlag(devices, "--json", line.devices.json, "As a JSON array");
+    devices.flag("--self-test", line.devices.selfTest,
+                 "Draw by every path, tell which is right and how long it takes, and keep that for `auto`");
+    devices.value("--cache", "DIR|off", "NACRE_CACHE, else ~/.cache/nacre", "Where self-tests are kept",
+                  [&](const std::string& text) { line.devices.cache = fileName(text); });
+    devices.flag("--json", line.devices.json, "As a JSON array");
     CommandSpec completion{"completion", "Print a shell's completion",
                            "Examples:\n  source <(nacre completion bash)\n  nacre completion fish | source"};
     completion
@@ -168,7 +173,7 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, RenderOptions& window) {
     static_cast<void>(window);
 #endif
     for (CommandSpec& command : commands)
-        addFlag(command, "-q,--quiet", line.quiet, "Nothing on standard error but errors");
+        command.flag("-q,--quiet", line.quiet, "Nothing on standard error but errors");
     return commands;
 }
 
@@ -187,11 +192,11 @@ Command commandOf(const std::string& name) {
 
 CommandLine parseCommandLine(int argc, const char* const* argv) {
     CommandLine line;
-    RenderOptions window;
+    PictureDescription window;
     CommandSpec program{"nacre", "Nacre draws molecules.", kExamples};
     bool version = false, notices = false;
-    addFlag(program, "--version", version, "Commit, Vulkan headers, device and driver");
-    addFlag(program, "--notices", notices, "Licences of Nacre and of the parts that it is made of");
+    program.flag("--version", version, "Commit, Vulkan headers, device and driver");
+    program.flag("--notices", notices, "Licences of Nacre and of the parts that it is made of");
     const std::vector<CommandSpec> commands = commandsOf(line, window);
     const bool isHelp = argc > 2 && std::string_view(argv[1]) == "help";
     if (isHelp && std::none_of(commands.begin(), commands.end(), [&](const auto& c) { return c.name == argv[2]; })) {
@@ -207,14 +212,13 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     line.command = version ? Command::version : notices ? Command::notices : commandOf(parsed.name);
     if (parsed.name == "completion") line.help = completionScript(line.shell, program, commands);
     if (parsed.name == "man") line.help = manualPage(program, commands);
-    if (line.command == Command::render) checkRender(line.render);
+    if (line.command == Command::render) completePicture(line.render);
     if (line.command == Command::movie) checkMovie(line.movie);
     if (line.command == Command::looks) checkLooks(line.looks);
     if (line.command == Command::exporting) checkExport(line.exported);
     if (line.command == Command::view) {
         const bool named = checkWindow(window);
-        line.view = viewOptionsOf(window);
-        line.view.restore = !named;
+        line.view = {withWholePaths(window), !named};
     }
     return line;
 }

@@ -1,35 +1,30 @@
 #pragma once
-// The options of the commands that draw pictures.
+// The options of commands that draw pictures: rows of app/picture/options.h, and what some commands have beside them.
+
+#include <functional>
 
 #include "app/cli/options.h"
 
 namespace nacre::app {
 
-/// `nacre looks`.
+/// The options of a picture that are about some topics, in the order of the table.
+/// @param given  notes what is given; null: nobody does
+void addPicture(CommandSpec& command, PictureDescription& picture, Topics topics,
+                std::vector<OptionValue>* given = nullptr);
+/// INPUT, as many as there are, and how each is read.
+void addInputs(CommandSpec& command, std::vector<std::string>& paths, PictureDescription& picture);
+
+void addRender(CommandSpec& command, PictureDescription& picture);
+void addMovie(CommandSpec& command, MovieOptions& options);
+/// What a window shows at first is said as for `render`; `size` is the window's.
+void addWindow(CommandSpec& command, PictureDescription& first);
 void addLooks(CommandSpec& command, LooksOptions& options);
+
 /// @throws UsageError
 void checkLooks(const LooksOptions& options);
-
-/// --look. Goes behind --view and before the options that it stands for, so that those prevail.
-void addLook(CommandSpec& command, RenderOptions& options);
-/// Lines, halos, fog, shadow, planes, light.
-void addEffects(CommandSpec& command, RenderOptions& options);
-
-void addRender(CommandSpec& command, RenderOptions& options);
-void addMovie(CommandSpec& command, MovieOptions& options);
-/// What is seen in a movie: its options but for the file and the motion.
-void addMoviePicture(CommandSpec& command, RenderOptions& options);
-/// What a window shows at first is said as for `render`; `size` is the window's.
-void addWindow(CommandSpec& command, RenderOptions& first);
-
-/// Names of several INPUTs, in selections of how they are seen, become what they mean; the carbons of each get a colour
-/// of its own, unless a saved view has them.
-void nameInputs(RenderOptions& options);
-/// What no option alone can tell; INPUT is that of the saved view if there is no other. @throws UsageError
-void checkRender(RenderOptions& options);
-/// The same for a movie; INPUT may also be that of its first key view. @throws UsageError, Error
+/// What no option alone can tell; INPUT is that of its first key view if there is no other. @throws UsageError, Error
 void checkMovie(MovieOptions& options);
 /// The same for a window. @returns whether there is an INPUT
-bool checkWindow(RenderOptions& first);
+bool checkWindow(PictureDescription& first);
 
 }  // namespace nacre::app

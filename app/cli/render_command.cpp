@@ -5,7 +5,7 @@
 
 namespace nacre::app {
 
-void renderCommand(const RenderOptions& options) {
+void renderCommand(const PictureDescription& options) {
     Progress progress;
     PictureJob job(options, progress);
     job.prepare();
@@ -16,9 +16,9 @@ void renderCommand(const RenderOptions& options) {
         sayNote(
             "this device and driver are tried out, once: which ways of drawing are right on it, and how fast they are");
     };
-    Renderer renderer(device);
-    renderer.makePipelinesAhead();
-    job.draw(renderer);
+    Canvas canvas(device);
+    canvas.renderer.makePipelinesAhead();
+    job.draw(canvas);
     job.write();
 }
 

@@ -40,7 +40,7 @@ std::string temporaryFolder() {
     return name;
 }
 
-std::string writeView(const std::string& folder, std::size_t number, const SavedView& view) {
+std::string writeView(const std::string& folder, std::size_t number, const PictureDescription& view) {
     const std::string path = folder + "/" + std::to_string(number) + ".view.json";
     OutputFile file(path);
     writeText(file, savedViewJson(view));
@@ -78,27 +78,27 @@ std::string readAll(int file) {
 
 }  // namespace
 
-std::vector<std::string> movieArguments(const RecordingWish& wish, const SavedView& shown, const std::string& view,
-                                        const std::vector<std::string>& keys) {
+std::vector<std::string> movieArguments(const RecordingWish& wish, const PictureDescription& shown,
+                                        const std::string& view, const std::vector<std::string>& keys) {
     using M = RecordingWish::Motion;
     std::vector<std::string> words{"movie"};
     // Several are named by the view alone, which has their colours, too.
-    if (shown.further.empty()) words.push_back(shown.input);
+    if (shown.input.further.empty()) words.push_back(shown.input.path);
     words.insert(words.end(), {"--output", wish.path});
     const auto add = [&](std::initializer_list<std::string> more) {
         words.insert(words.end(), more.begin(), more.end());
     };
     add({"--size", std::to_string(wish.size.width) + "x" + std::to_string(wish.size.height)});
     add({"--seconds", numberText(wish.seconds), "--fps", numberText(wish.framesPerSecond), "--report", "-"});
-    if (shown.format) add({"--format", std::string(formatName(*shown.format))});
-    const TrajectoryOptions& t = shown.trajectory;
+    if (shown.input.format) add({"--format", std::string(formatName(*shown.input.format))});
+    const TrajectoryOptions& t = shown.input.trajectory;
     if (!t.path.empty()) add({"--trajectory", t.path});
     if (!t.path.empty() && wish.motion != M::models) add({"--frame", std::to_string(t.frame)});
     if (t.whole) add({"--whole"});
     if (t.fit) add({"--fit-frames", t.fit->text});
     if (t.smooth > 1) add({"--smooth", std::to_string(t.smooth)});
-    if (wish.motion != M::models && shown.model != 1)
-        add({"--model", shown.model == kAllModels ? "all" : std::to_string(shown.model)});
+    if (wish.motion != M::models && shown.input.model != 1)
+        add({"--model", shown.input.model == kAllModels ? "all" : std::to_string(shown.input.model)});
     if (wish.motion == M::views) {
         std::string list;
         for (const std::string& key : keys) list += (list.empty() ? "" : ",") + key;
@@ -106,7 +106,7 @@ std::vector<std::string> movieArguments(const RecordingWish& wish, const SavedVi
         if (wish.loop) add({"--loop"});
     } else {
         add({"--view", view});
-        if (!shown.further.empty()) add({"--allow-download"});  // once more, where nothing is kept
+        if (!shown.input.further.empty()) add({"--allow-download"});  // once more, where nothing is kept
     }
     if (wish.motion == M::spin) add({"--spin", "y"});
     if (wish.motion == M::rock) add({"--rock", "30"});
@@ -119,14 +119,14 @@ Recorder::~Recorder() {
     if (thread_.joinable()) thread_.join();
 }
 
-void Recorder::start(const RecordingWish& wish, SavedView shown, std::vector<SavedView> keys,
+void Recorder::start(const RecordingWish& wish, PictureDescription shown, std::vector<PictureDescription> keys,
                      const std::vector<std::string>& fixed) {
     if (state().running) return;
     if (thread_.joinable()) thread_.join();
     folder_ = temporaryFolder();
     if (wish.transparent) shown.background[3] = 0;
     std::vector<std::string> files;
-    for (SavedView& key : keys) {
+    for (PictureDescription& key : keys) {
         if (wish.transparent) key.background[3] = 0;
         files.push_back(writeView(folder_, files.size() + 1, key));
     }

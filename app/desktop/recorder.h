@@ -15,8 +15,8 @@ namespace nacre::app {
 
 /// What `nacre movie` is called with. @param view, keys  files of saved views, of which the options name what else they
 /// leave open  @param shown  what the window shows
-std::vector<std::string> movieArguments(const RecordingWish& wish, const SavedView& shown, const std::string& view,
-                                        const std::vector<std::string>& keys);
+std::vector<std::string> movieArguments(const RecordingWish& wish, const PictureDescription& shown,
+                                        const std::string& view, const std::vector<std::string>& keys);
 
 class Recorder {
 public:
@@ -29,7 +29,7 @@ public:
     Recorder(const Recorder&) = delete;
 
     /// Begins, unless one is being recorded. @param fixed  options of the device and the like @throws Error
-    void start(const RecordingWish& wish, SavedView shown, std::vector<SavedView> keys,
+    void start(const RecordingWish& wish, PictureDescription shown, std::vector<PictureDescription> keys,
                const std::vector<std::string>& fixed);
     /// The film ends with the frame that is being drawn, and keeps those before.
     void stop();

@@ -24,8 +24,8 @@ std::string pipelinePath() { return pathOf("XDG_CACHE_HOME", ".cache", "pipeline
 }  // namespace
 
 std::string recentPath() { return pathOf("XDG_STATE_HOME", ".local/state", "recent.json"); }
-std::optional<SavedView> loadState() { return loadView(viewPath()); }
-void saveState(const SavedView& view) { keepView(viewPath(), view); }
+std::optional<PictureDescription> loadState() { return loadView(viewPath()); }
+void saveState(const PictureDescription& view) { keepView(viewPath(), view); }
 std::vector<std::byte> loadPipelineCache() { return loadPipelineCache(pipelinePath()); }
 void savePipelineCache(const std::vector<std::byte>& data) { keepPipelineCache(pipelinePath(), data); }
 

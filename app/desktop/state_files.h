@@ -11,8 +11,8 @@
 namespace nacre::app {
 
 /// $XDG_STATE_HOME/nacre/view.json, by default ~/.local/state/nacre/view.json
-std::optional<SavedView> loadState();
-void saveState(const SavedView& view);
+std::optional<PictureDescription> loadState();
+void saveState(const PictureDescription& view);
 
 /// $XDG_STATE_HOME/nacre/recent.json, by default ~/.local/state/nacre/recent.json; empty if there is no such folder
 std::string recentPath();

@@ -1,27 +1,13 @@
 #pragma once
-// What a window is asked for, as plain data.
 
-#include <cstdint>
-#include <string>
-
-#include "app/picture/aim.h"
-#include "app/picture/option_values.h"
-#include "app/picture/saved_view.h"
-#include "engine/settings.h"
+#include "app/picture/description.h"
 
 namespace nacre::app {
 
+/// What a window is asked for.
 struct ViewOptions {
-    SavedView first;       ///< what it shows at first
-    Aim aim;               ///< and from where
+    PictureDescription first;  ///< that it shows at first; `size` is the window's
     bool restore = false;  ///< nothing is named: the start screen, which offers to go on where the last window was left
-    InputOptions input;    ///< how molecules are had: cache, network, memory; what they are is `first`'s
-    Size size{1280, 800};
-    std::uint64_t occlusionBytes = RenderSettings{}.occlusion.bytes;
-    DebugView debug = DebugView::none;
-    FrameTuning tuning;
-    DeviceOptions device;
-    std::string stats;  ///< path; may be empty
 };
 
 }  // namespace nacre::app

@@ -12,6 +12,7 @@
 #include "app/files/json_text.h"
 #include "app/images/image_file.h"
 #include "app/input/input_files.h"
+#include "app/picture/picture_names.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -19,22 +20,22 @@ namespace nacre::app {
 /// What is shown goes to the top of the recent files, as it is seen now.
 void WindowSession::rememberFile() {
     const Document* document = viewer().document();
-    if (!document || document->view.input == "-" || document->view.input.starts_with("sample:")) return;
+    if (!document || document->view.input.path == "-" || document->view.input.path.starts_with("sample:")) return;
     try {
         constexpr PixelSize kSize = RecentFiles::kPicture;
         RenderSettings settings = viewer().frames().pictureSettings(kSize);
         settings.supersample = 2;
         settings.debug = DebugView::none;
         settings.effects.contours.width = settings.effects.halos.width = 0;
-        const std::string name = std::filesystem::path(document->view.input).filename().string();
-        recent_.add(document->view.input, name, renderer().render(settings));
+        const std::string name = std::filesystem::path(document->view.input.path).filename().string();
+        recent_.add(document->view.input.path, name, renderer().render(settings));
     } catch (const Error&) {
         // No picture is no reason to stay.
     }
 }
 
 std::string WindowSession::pictureName(const char* extension) {
-    return freeName(viewer().document() ? viewer().document()->view.input : "nacre", extension);
+    return freeName(viewer().document() ? viewer().document()->view.input.path : "nacre", extension);
 }
 
 void WindowSession::savePicture(const PictureWish& wish) {
@@ -82,15 +83,16 @@ void WindowSession::copyPicture() {
     }
 }
 
-void WindowSession::record(const RecordingWish& wish, const std::vector<SavedView>& keys) {
+void WindowSession::record(const RecordingWish& wish, const std::vector<PictureDescription>& keys) {
     try {
-        const SavedView shown = viewer().picking().savedView();
-        if (shown.input == "-")
+        const PictureDescription shown = viewer().picking().savedView();
+        if (shown.input.path == "-")
             throw Error("cannot record", "-", "a film reads its file again: open one, not standard input");
         std::vector<std::string> fixed;
-        if (!options_.device.device.empty()) fixed.insert(fixed.end(), {"--device", options_.device.device});
-        if (options_.input.cache) fixed.insert(fixed.end(), {"--cache", *options_.input.cache});
-        if (options_.input.offline) fixed.push_back("--offline");
+        if (!options_.first.device.device.empty())
+            fixed.insert(fixed.end(), {"--device", options_.first.device.device});
+        if (options_.first.input.cache) fixed.insert(fixed.end(), {"--cache", *options_.first.input.cache});
+        if (options_.first.input.offline) fixed.push_back("--offline");
         recorder_.start(wish, shown, keys, fixed);
         wasRecording_ = true;
     } catch (const Error& error) {
@@ -116,15 +118,15 @@ void WindowSession::tellRecording() {
 void WindowSession::saveView() {
     if (!viewer().document()) return;
     try {
-        const std::string path = freeName(viewer().document()->view.input, ".view.json");
+        const std::string path = freeName(viewer().document()->view.input.path, ".view.json");
         OutputFile file(path);
-        SavedView view = viewer().picking().savedView();
-        view.hash = fileHash(view.input);
-        view.trajectory.hash = trajectoryHash(view.trajectory.path);
-        for (FurtherInput& further : view.further) further.hash = fileHash(further.path);
-        view.input = pathInView(path, view.input);
-        view.trajectory.path = pathInView(path, view.trajectory.path);
-        for (FurtherInput& further : view.further) further.path = pathInView(path, further.path);
+        PictureDescription view = viewer().picking().savedView();
+        view.input.hash = fileHash(view.input.path);
+        view.input.trajectory.hash = trajectoryHash(view.input.trajectory.path);
+        for (FurtherInput& further : view.input.further) further.hash = fileHash(further.path);
+        view.input.path = pathInView(path, view.input.path);
+        view.input.trajectory.path = pathInView(path, view.input.trajectory.path);
+        for (FurtherInput& further : view.input.further) further.path = pathInView(path, further.path);
         writeText(file, savedViewJson(view));
         viewer().messages().say("saved " + path, now());
     } catch (const Error& error) {
@@ -142,7 +144,7 @@ void WindowSession::captureFrame() {
     if (!viewer().document()) return;
     try {
         std::optional<OutputFile> file;
-        if (!renderer().startedByRenderDoc()) file.emplace(freeName(viewer().document()->view.input, ".rdc"));
+        if (!renderer().startedByRenderDoc()) file.emplace(freeName(viewer().document()->view.input.path, ".rdc"));
         renderer().beginCapture(file ? captureStem(*file) : "");
         WindowFrame frame;
         frame.overlay = panel_->draw(viewer(), window_.size(), now());
@@ -180,7 +182,7 @@ void WindowSession::writeStats() {
     json["picked"] = nlohmann::ordered_json::array();
     for (const std::uint32_t pick : viewer().picking().picks()) json["picked"].push_back(pick + 1);
     json["device"] = renderer().stats().device.name;
-    OutputFile file(options_.stats, ".json");
+    OutputFile file(options_.first.stats, ".json");
     writeText(file, jsonText(json));
 }
 

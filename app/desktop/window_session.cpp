@@ -40,11 +40,11 @@ struct WindowSession::Chosen {
 
 WindowSession::WindowSession(const ViewOptions& options)
     : options_(options),
-      window_({options.size.width, options.size.height}, events()),
+      window_({options.first.size.width, options.first.size.height}, events()),
       recent_(recentPath()),
       dark_(systemIsDark()),
       panel_(makePanel()),
-      session_(host(), windowSources(options.input), firstView(), viewerOptions(), Window::wake),
+      session_(host(), windowSources(options.first.input), firstView(), viewerOptions(), Window::wake),
       chosen_(std::make_shared<Chosen>()) {
     scale_ = window_.pixelsPerPoint();
     opening_ = now();
@@ -54,8 +54,8 @@ WindowSession::WindowSession(const ViewOptions& options)
         viewer().frames().setMostSamples(kSoftwareSamples);
         viewer().frames().keepSharp(kSoftwareFrameSeconds, kSoftwareScale);
     }
-    viewer().frames().setDebugView(options.debug, now());
-    viewer().camera().aim(options.aim, now());
+    viewer().frames().setDebugView(options.first.debug, now());
+    viewer().camera().aim(options.first.aim, now());
     viewer().reading().throwEarlyFailure();
     window_.show();
     resized();
@@ -65,7 +65,7 @@ void WindowSession::loop() {
     while (!window_.closing() && !EndSignals::came()) step(std::numeric_limits<double>::infinity());
     saveState(viewer().view());
     rememberFile();
-    if (!options_.stats.empty()) writeStats();
+    if (!options_.first.stats.empty()) writeStats();
     if (const std::vector<std::string> messages = renderer().validationMessages(); !messages.empty())
         throw Error("Vulkan validation", renderer().stats().device.name,
                     std::to_string(messages.size()) + " messages, the first: " + messages.front());
@@ -143,13 +143,15 @@ PanelHost WindowSession::panelHost() {
     host.add = [this](const std::string& input) { viewer().reading().add(lasting(input), now()); };
     host.recent = [this]() -> const std::vector<RecentFile>& { return recent_.files(); };
     if (options_.restore)
-        if (const auto saved = loadState(); saved && !saved->input.empty() && saved->input != "-") {
-            host.lastView = std::filesystem::path(saved->input).filename().string();
+        if (const auto saved = loadState(); saved && !saved->input.path.empty() && saved->input.path != "-") {
+            host.lastView = std::filesystem::path(saved->input.path).filename().string();
             host.goOn = [this, view = *saved] { viewer().show(view, now()); };
         }
     host.freeName = [this](const char* extension) { return pictureName(extension); };
     host.savePicture = [this](const PictureWish& wish) { savePicture(wish); };
-    host.record = [this](const RecordingWish& wish, const std::vector<SavedView>& keys) { record(wish, keys); };
+    host.record = [this](const RecordingWish& wish, const std::vector<PictureDescription>& keys) {
+        record(wish, keys);
+    };
     host.recording = [this] { return recorder_.state(); };
     host.stopRecording = [this] { recorder_.stop(); };
     host.videos = hasProgram("ffmpeg");
@@ -157,7 +159,7 @@ PanelHost WindowSession::panelHost() {
     host.clipboard = [this] { return (clipboard_ = window_.clipboard()).c_str(); };
     host.setClipboard = [this](const char* text) { window_.setClipboard(text); };
     host.downloads = true;
-    host.captures = options_.device.capture;
+    host.captures = options_.first.device.capture;
     host.statistics = [this] { return session_.statistics(); };
     host.dark = dark_;
     host.fontWith = systemFontWith;
@@ -167,8 +169,8 @@ PanelHost WindowSession::panelHost() {
 SessionHost WindowSession::host() {
     SessionHost host;
     host.device = [this] {
-        DeviceOptions device = options_.device;
-        device.selfTests = cacheFolder(options_.input.cache, "devices");
+        DeviceOptions device = options_.first.device;
+        device.selfTests = cacheFolder(options_.first.input.cache, "devices");
         device.surface = window_.surface();
         return device;
     };
@@ -179,18 +181,20 @@ SessionHost WindowSession::host() {
     return host;
 }
 
-SavedView WindowSession::firstView() const {
-    SavedView view = options_.first;
-    view.input = lasting(view.input);
-    for (FurtherInput& further : view.further) further.path = lasting(further.path);
+PictureDescription WindowSession::firstView() const {
+    PictureDescription view = options_.first;
+    view.aim = {};  // the viewer is told of it
+    view.aim.uncover = options_.first.aim.uncover;
+    view.input.path = lasting(view.input.path);
+    for (FurtherInput& further : view.input.further) further.path = lasting(further.path);
     return view;
 }
 
 ViewerOptions WindowSession::viewerOptions() const {
     ViewerOptions options;
-    options.occlusionBytes = options_.occlusionBytes;
-    options.occlusionCache = cacheFolder(options_.input.cache, "occlusion");
-    options.tuning = options_.tuning;
+    options.occlusionBytes = options_.first.occlusion.bytes();
+    options.occlusionCache = cacheFolder(options_.first.input.cache, "occlusion");
+    options.tuning = options_.first.tuning;
     options.errorsStay = true;
     return options;
 }

@@ -35,7 +35,7 @@ private:
     PanelHost panelHost();
     SessionHost host();
     Renderer& renderer() { return *session_.renderer(); }
-    SavedView firstView() const;
+    PictureDescription firstView() const;
     ViewerOptions viewerOptions() const;
     /// Seconds, from some time on.
     static double now();
@@ -53,7 +53,7 @@ private:
     void savePicture(const PictureWish& wish);
     void writePictureTo(const PictureWish& wish);
     void copyPicture();
-    void record(const RecordingWish& wish, const std::vector<SavedView>& keys);
+    void record(const RecordingWish& wish, const std::vector<PictureDescription>& keys);
     void tellRecording();
     void saveView();
     void captureFrame();

@@ -43,11 +43,11 @@ Sources windowSources(const InputOptions& first) {
     const auto allowed = std::make_shared<std::atomic<bool>>(first.allowDownload);
     const auto progress = std::make_shared<Progress>();
     Sources all;
-    all.read = [first, allowed, progress](const SavedView& view) {
+    all.read = [first, allowed, progress](const PictureDescription& view) {
         InputOptions input = inputOf(view, first);
         input.alone = input.alone || !input.trajectory.path.empty();
-        input.trajectory = {};                                         // what moves begins at its first frame
-        if (view.input != lasting(first.path)) input.namedBy.clear();  // opened by hand
+        input.trajectory = {};                                              // what moves begins at its first frame
+        if (view.input.path != lasting(first.path)) input.namedBy.clear();  // opened by hand
         input.allowDownload = *allowed;
         progress->share = -1;
         progress->cancelled = false;
@@ -62,11 +62,12 @@ Sources windowSources(const InputOptions& first) {
         }
     };
     all.build = sceneOfView;
-    all.motion = [](const std::shared_ptr<const Molecule>& molecule, const SavedView& view) -> std::unique_ptr<Motion> {
-        if (!view.trajectory.path.empty()) return openMotion(view.trajectory, *molecule);
-        auto models = trajectoryOfModels(molecule, view.model);
+    all.motion = [](const std::shared_ptr<const Molecule>& molecule,
+                    const PictureDescription& view) -> std::unique_ptr<Motion> {
+        if (!view.input.trajectory.path.empty()) return openMotion(view.input.trajectory, *molecule);
+        auto models = trajectoryOfModels(molecule, view.input.model);
         if (!models) return nullptr;
-        return std::make_unique<Motion>(std::move(models), *molecule, motionOptions(view.trajectory, *molecule));
+        return std::make_unique<Motion>(std::move(models), *molecule, motionOptions(view.input.trajectory, *molecule));
     };
     all.progress = [progress] { return progress->share.load(); };
     all.cancel = [progress] { progress->cancelled = true; };
@@ -76,8 +77,8 @@ Sources windowSources(const InputOptions& first) {
 Sources phoneSources(const InputOptions& first, const std::function<std::string(const std::string&)>& readFile) {
     Sources all = localMolecules(readFile);
     const Sources downloads = windowSources(first);
-    all.read = [local = all.read, fetched = downloads.read](const SavedView& view) {
-        return parseDatabaseId(view.input) ? fetched(view) : local(view);
+    all.read = [local = all.read, fetched = downloads.read](const PictureDescription& view) {
+        return parseDatabaseId(view.input.path) ? fetched(view) : local(view);
     };
     all.progress = downloads.progress;
     all.cancel = downloads.cancel;

@@ -35,15 +35,15 @@ Representation sceneOf(const Molecule& molecule, const std::string& name, const 
     return scene;
 }
 
-void uncoverIn(Representation& scene, const Molecule& molecule, const SavedView& view) {
-    if (!view.uncover) return;
+void uncoverIn(Representation& scene, const Molecule& molecule, const PictureDescription& view) {
+    if (!view.aim.uncover) return;
     constexpr std::uint32_t kAnySize = 256;
-    uncover(scene, selectAtoms(molecule, *view.uncover), viewOf(view.camera, scene.radius, kAnySize, kAnySize),
+    uncover(scene, selectAtoms(molecule, *view.aim.uncover), viewOf(view.camera, scene.radius, kAnySize, kAnySize),
             view.effects.clip.near);
 }
 
-Representation sceneOfView(const Molecule& molecule, const SavedView& view) {
-    Representation scene = sceneOf(molecule, view.input, view.drawn, view.look);
+Representation sceneOfView(const Molecule& molecule, const PictureDescription& view) {
+    Representation scene = sceneOf(molecule, view.input.path, view.drawn, view.look);
     uncoverIn(scene, molecule, view);
     return scene;
 }

@@ -30,8 +30,8 @@ inline void reachTo(View& view, double radius) {
 }
 
 /// Leaves out what hides the atoms that a view wants uncovered; `scene` shows its molecule, as it stands now.
-void uncoverIn(Representation& scene, const Molecule& molecule, const SavedView& view);
+void uncoverIn(Representation& scene, const Molecule& molecule, const PictureDescription& view);
 /// What is drawn of a view's molecule. @throws Error if that is nothing
-Representation sceneOfView(const Molecule& molecule, const SavedView& view);
+Representation sceneOfView(const Molecule& molecule, const PictureDescription& view);
 
 }  // namespace nacre::app

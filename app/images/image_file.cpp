@@ -20,8 +20,6 @@ namespace nacre::app {
 namespace {
 
 bool isExr(const std::string& path) { return extensionOf(path) == ".exr"; }
-bool isTiff(const std::string& path) { return extensionOf(path) == ".tif" || extensionOf(path) == ".tiff"; }
-bool isWebp(const std::string& path) { return extensionOf(path) == ".webp"; }
 bool isPng(const std::string& path) { return extensionOf(path) == ".png"; }
 bool isJpeg(const std::string& path) { return extensionOf(path) == ".jpg" || extensionOf(path) == ".jpeg"; }
 
@@ -34,7 +32,7 @@ bool isJpeg(const std::string& path) { return extensionOf(path) == ".jpg" || ext
 /// Folders that may hold the module: that of the program, and where it is installed.
 std::vector<std::string> moduleNames() {
     Dl_info info{};
-    if (!dladdr(reinterpret_cast<const void*>(&isPictureName), &info) || !info.dli_fname) return {};
+    if (!dladdr(reinterpret_cast<const void*>(&writeLayers), &info) || !info.dli_fname) return {};
     // A program that was found along PATH is there under the name that was typed, which leads nowhere.
     const std::filesystem::path name = info.dli_fname;
     std::error_code error;
@@ -102,8 +100,8 @@ ImageRequest requestOf(std::uint32_t width, std::uint32_t height, std::uint32_t 
 
 }  // namespace
 
-bool isPictureName(const std::string& path) {
-    return isStandardOutput(path) || isExr(path) || isTiff(path) || isJpeg(path) || isWebp(path) || isPng(path);
+PictureFormat formatOf(const PictureDescription& picture) {
+    return {picture.background[3] < 1.0f, picture.bits, picture.dpi.value_or(0)};
 }
 
 void writePicture(OutputFile& file, const Picture& picture, const PictureFormat& format) {

@@ -5,13 +5,10 @@
 #include <string>
 
 #include "app/files/output_file.h"
+#include "app/picture/description.h"
 #include "engine/results.h"
 
 namespace nacre::app {
-
-/// Whether a picture can be written under this name: standard output, or .png .tif .tiff .jpg .jpeg .webp .exr in any
-/// case.
-bool isPictureName(const std::string& path);
 
 /// How a picture is written.
 struct PictureFormat {
@@ -19,6 +16,9 @@ struct PictureFormat {
     int bits = 8;        ///< of a channel, 8 or 16; PNG and TIFF
     double dpi = 0;      ///< dots an inch, which PNG, TIFF and JPEG say; 0: not said
 };
+
+/// How a description asks for its file to be written.
+PictureFormat formatOf(const PictureDescription& picture);
 
 /// PNG, TIFF, JPEG and WebP: sRGB; with straight alpha if the format says so, otherwise three channels, over
 /// white where the picture is not opaque (JPEG always). EXR: linear light, premultiplied, half, with alpha.

@@ -46,11 +46,11 @@ void drawHeader(PanelFrame& f) {
     const float side = f.ui.rowHeight();
     const float room = ImGui::GetContentRegionAvail().x - side - f.ui.px(4);
     const float x = ImGui::GetCursorPosX();
-    std::string name = document                             ? shortName(document->view.input)
+    std::string name = document                             ? shortName(document->view.input.path)
                        : f.viewer.reading().loader().busy() ? "Reading ..."
                                                             : "Nacre";
     if (document)
-        for (const FurtherInput& further : document->view.further) name += " + " + shortName(further.path);
+        for (const FurtherInput& further : document->view.input.further) name += " + " + shortName(further.path);
     f.ui.name(name, room);
     ImGui::SameLine(x + room + f.ui.px(4));
     if (f.ui.sign(f.s.sheet ? Icon::down : Icon::fold, "Fold the panel")) {

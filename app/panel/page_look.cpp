@@ -8,7 +8,6 @@
 #include "app/panel/words.h"
 #include "app/picture/appearance_values.h"
 #include "app/picture/looks.h"
-#include "app/picture/mesh_options.h"
 #include "app/picture/option_text.h"
 #include "app/viewer/presets.h"
 
@@ -58,7 +57,7 @@ void drawStyles(PanelFrame& f) {
 }  // namespace
 
 void drawLookPage(PanelFrame& f) {
-    SavedView& look = f.look;
+    PictureDescription& look = f.look;
     f.ui.heading("Drawn as");
     drawStyles(f);
     f.ui.heading("Colours");
@@ -92,9 +91,9 @@ void drawLookPage(PanelFrame& f) {
     if (f.ui.chooseColor("Own background", own, side, named)) look.background = {own[0], own[1], own[2], 1};
     f.ui.heading("Light");
     f.ui.toggle("Light and shade", look.lighting);
-    bool occlusion = look.occlusionDirections > 0;
+    bool occlusion = look.occlusion.directions > 0;
     if (f.ui.toggle("Soft shadows", occlusion))
-        look.occlusionDirections = occlusion ? SavedView{}.occlusionDirections : 0;
+        look.occlusion.directions = occlusion ? PictureDescription{}.occlusion.directions : 0;
     bool perspective = look.camera.projection == Projection::perspective;
     if (f.ui.toggle("Perspective", perspective))
         look.camera.projection = perspective ? Projection::perspective : Projection::orthographic;

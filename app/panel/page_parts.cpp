@@ -25,14 +25,14 @@ std::string countOf(const Part& part) {
 /// A molecule laid onto the first of several.
 void drawFit(PanelFrame& f, const std::string& input, const std::string& onto) {
     const auto isIt = [&](const FitOptions& fit) { return fit.moving.text == "/" + input; };
-    const SavedView& look = f.look;
-    std::vector<FitOptions> fits = look.fits;
+    const PictureDescription& look = f.look;
+    std::vector<FitOptions> fits = look.input.fits;
     bool laid = std::any_of(fits.begin(), fits.end(), isIt);
     if (!f.ui.toggle(("Laid onto " + onto).c_str(), laid)) return;
     std::erase_if(fits, isIt);
     if (laid) fits.push_back({parseSelection("/" + input), parseSelection("/" + onto)});
-    SavedView& view = f.s.wanted.emplace(look);
-    view.fits = std::move(fits);
+    PictureDescription& view = f.s.wanted.emplace(look);
+    view.input.fits = std::move(fits);
     nameInputs(view);
 }
 

@@ -50,7 +50,7 @@ struct PanelHost {
     std::function<void(const PictureWish&)> savePicture;
     std::function<void()> copyPicture;
     /// A film; of key views, if its motion goes through them.
-    std::function<void(const RecordingWish&, const std::vector<SavedView>&)> record;
+    std::function<void(const RecordingWish&, const std::vector<PictureDescription>&)> record;
     std::function<RecordingState()> recording;
     std::function<void()> stopRecording;
     bool videos = false;  ///< what .mp4 and .webm need is there

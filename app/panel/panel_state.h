@@ -84,12 +84,12 @@ struct PanelState {
             ruleError = error.what();
         }
     }
-    std::optional<Aim> aim;           ///< that a button asked for in this frame
-    std::optional<SavedView> wanted;  ///< the same, of which the molecules are read anew
-    std::string input;                ///< of the start screen
-    bool together = false;            ///< what is opened next stands beside what is open
-    std::string selection;            ///< as it is typed
-    std::string selected;             ///< what the viewer had when the field was filled last
+    std::optional<Aim> aim;                    ///< that a button asked for in this frame
+    std::optional<PictureDescription> wanted;  ///< the same, of which the molecules are read anew
+    std::string input;                         ///< of the start screen
+    bool together = false;                     ///< what is opened next stands beside what is open
+    std::string selection;                     ///< as it is typed
+    std::string selected;                      ///< what the viewer had when the field was filled last
     std::string title;
     bool typingTitle = false;
     WordMemory wordMemory;
@@ -119,9 +119,9 @@ struct PanelState {
     float filmSeconds = 0;  ///< 0: what the motion takes
     bool filmLoop = false, filmTransparent = false;
     std::string film;
-    std::vector<SavedView> keys;  ///< views that it goes through
-    std::size_t previewed = 0;    ///< of them while they are shown in turn, counted from 1; 0: they are not
-    double previewDue = 0;        ///< when the next one is flown to
+    std::vector<PictureDescription> keys;  ///< views that it goes through
+    std::size_t previewed = 0;             ///< of them while they are shown in turn, counted from 1; 0: they are not
+    double previewDue = 0;                 ///< when the next one is flown to
 };
 
 /// A frame of the panel, of which its pages are drawn.
@@ -131,7 +131,7 @@ struct PanelFrame {
     const PanelHost& host;
     Viewer& viewer;
     double now;
-    SavedView look{};  ///< the viewer's, which pages change
+    PictureDescription look{};  ///< the viewer's, which pages change
 };
 
 // The panel about its pages (chrome.cpp)

@@ -77,8 +77,8 @@ void drawPlayOptions(PanelFrame& f) {
     if (!narrow) ImGui::SameLine();
     if (f.ui.choose("Order", kOrders, order, narrow ? -1 : half)) playback.setOrder(order);
     if (!playback.canLay()) return;
-    const SavedView& view = f.viewer.view();
-    TrajectoryOptions laid = view.trajectory;
+    const PictureDescription& view = f.viewer.view();
+    TrajectoryOptions laid = view.input.trajectory;
     bool changed = false;
     ImGui::SetNextItemWidth(narrow ? -1 : half);
     int smooth = static_cast<int>(laid.smooth / 2);

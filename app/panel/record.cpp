@@ -27,7 +27,7 @@ std::string timeText(double seconds) {
 PixelSize even(PixelSize size) { return {std::max(size.width & ~1u, 2u), std::max(size.height & ~1u, 2u)}; }
 
 void drawKeyViews(PanelFrame& f) {
-    std::vector<SavedView>& keys = f.s.keys;
+    std::vector<PictureDescription>& keys = f.s.keys;
     if (keys.size() < 2) f.ui.caption("Keep two views or more: a film goes smoothly from one to the next.");
     for (std::size_t i = 0; i < keys.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
@@ -144,8 +144,8 @@ void previewFilm(PanelFrame& f) {
 void keepView(PanelState& s, const Viewer& viewer) {
     if (!viewer.document()) return;
     // Views of another molecule are of no use beside this one.
-    const SavedView& view = viewer.view();
-    std::erase_if(s.keys, [&](const SavedView& key) { return key.input != view.input; });
+    const PictureDescription& view = viewer.view();
+    std::erase_if(s.keys, [&](const PictureDescription& key) { return key.input.path != view.input.path; });
     s.keys.push_back(viewer.picking().savedView());
     s.filmSeconds = 0;
     s.restless = 2;

@@ -40,7 +40,7 @@ struct Letters {
 
 /// Of each residue the colour that its first seen atom is drawn in; 0: none is seen, or copies have colours of their
 /// own.
-std::vector<std::uint32_t> residueColors(const Molecule& molecule, const SavedView& view) {
+std::vector<std::uint32_t> residueColors(const Molecule& molecule, const PictureDescription& view) {
     const Appearance seen = appearanceOf(molecule, drawnAtoms(molecule, view.drawn), view.look);
     std::vector<std::uint32_t> colors(molecule.residues.size());
     const auto take = [&](const std::vector<std::uint32_t>& atoms, const std::vector<std::uint32_t>& of) {

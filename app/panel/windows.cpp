@@ -110,7 +110,7 @@ void drawReading(PanelFrame& f) {
     if (!f.viewer.reading().another()) return;
     const Loader& loader = f.viewer.reading().loader();
     beginProgress(f, "Reading");
-    f.ui.name("Reading " + shortName(loader.view().input));
+    f.ui.name("Reading " + shortName(loader.view().input.path));
     if (const double share = loader.progress(); share >= 0)
         f.ui.progress(share, std::to_string(std::lround(100 * share)) + " % downloaded");
     if (f.ui.button(Icon::close, "Cancel")) f.viewer.reading().cancel(f.now);

@@ -28,10 +28,10 @@ ViewerOptions viewerOptions(const PhoneHost& host) {
 }
 
 /// A view that came from elsewhere, or was kept, asks before it downloads.
-InputOptions inputOf(const PhoneHost& host, const SavedView& first) {
+InputOptions inputOf(const PhoneHost& host, const PictureDescription& first) {
     InputOptions input;
-    input.path = first.input;
-    if (!first.input.empty()) input.namedBy = "the last view";
+    input.path = first.input.path;
+    if (!first.input.path.empty()) input.namedBy = "the last view";
     input.cache = host.cache.empty() ? "off" : host.cache;
     input.memoryMegabytes = static_cast<std::int64_t>(memoryShare(4) >> 20);
     return input;
@@ -39,7 +39,7 @@ InputOptions inputOf(const PhoneHost& host, const SavedView& first) {
 
 }  // namespace
 
-PhoneSession::PhoneSession(PhoneHost host, const SavedView& first, double pixelsPerPoint)
+PhoneSession::PhoneSession(PhoneHost host, const PictureDescription& first, double pixelsPerPoint)
     : host_(std::move(host)),
       session_(sessionHost(), phoneSources(inputOf(host_, first), host_.readFile), first, viewerOptions(host_),
                host_.wake) {
@@ -186,8 +186,8 @@ void PhoneSession::sharePicture() {
 /// As JSON. Another device has the molecule elsewhere: its file's name alone is told.
 void PhoneSession::shareView() {
     if (!host_.shareText || !viewer().document()) return;
-    SavedView view = viewer().picking().savedView();
-    view.input = std::filesystem::path(view.input).filename().string();
+    PictureDescription view = viewer().picking().savedView();
+    view.input.path = std::filesystem::path(view.input.path).filename().string();
     host_.shareText(savedViewJson(view), shareName() + ".view.json");
 }
 
@@ -202,7 +202,7 @@ PictureBytes PhoneSession::picture(std::uint32_t samples) {
 }
 
 std::string PhoneSession::shareName() const {
-    const std::string& input = viewer().view().input;
+    const std::string& input = viewer().view().input.path;
     const std::size_t colon = input.starts_with(kSample) ? kSample.size() : 0;
     std::string name = std::filesystem::path(input.substr(colon)).filename().string();
     if (const std::size_t dot = name.find('.', 1); dot != std::string::npos) name.resize(dot);
@@ -253,7 +253,7 @@ double PhoneSession::step() {
     return time;
 }
 
-std::optional<SavedView> viewOfState(const std::string& json) {
+std::optional<PictureDescription> viewOfState(const std::string& json) {
     try {
         return parseSavedView(json, "the last view");
     } catch (const Error&) {

@@ -45,7 +45,7 @@ struct PhoneHost {
 class PhoneSession {
 public:
     /// Not seen, and without a device, until setSeen().
-    PhoneSession(PhoneHost host, const SavedView& first, double pixelsPerPoint = 1);
+    PhoneSession(PhoneHost host, const PictureDescription& first, double pixelsPerPoint = 1);
     PhoneSession(const PhoneSession&) = delete;
 
     Viewer& viewer() { return session_.viewer(); }
@@ -120,7 +120,7 @@ private:
 };
 
 /// The view of state(); nothing if it is none.
-std::optional<SavedView> viewOfState(const std::string& json);
+std::optional<PictureDescription> viewOfState(const std::string& json);
 
 /// What a screen reader says of the picture besides title(): what went wrong, the last pick, its measurement, the
 /// message.

@@ -204,6 +204,13 @@ std::string paletteNames(bool ramps) {
     return names;
 }
 
+std::string schemeNames() {
+    std::string names;
+    for (int s = 0; s < static_cast<int>(ColorScheme::uniform); ++s)
+        names += (s ? ", " : "") + std::string(colorSchemeName(static_cast<ColorScheme>(s)));
+    return names;
+}
+
 Palette parsePalette(std::string_view text) {
     if (const auto palette = paletteFromName(lowerCase(text))) return *palette;
     std::vector<std::string> words;
@@ -225,14 +232,15 @@ Coloring parseColoring(std::string_view text) {
         return coloring;
     }
     if (isColor(text)) return Coloring::uniform(parseAtomColor(text));
-    constexpr const char* kWanted =
-        "element, chain, chain-carbons, copy, copy-chain, copy-entity, residue, hydrophobicity, charge, "
-        "secondary-structure, b-factor, plddt, "
-        "rainbow, occupancy, entity, a colour's name, #rrggbb or element:COLOR for carbons in one colour";
     std::vector<std::string> words = colorNames();
     for (int s = 0; s < static_cast<int>(ColorScheme::uniform); ++s)
         words.emplace_back(colorSchemeName(static_cast<ColorScheme>(s)));
-    refuse(text, kWanted, words);
+    refuse(text, schemeNames() + ", a colour's name, #rrggbb or element:COLOR for carbons in one colour", words);
+}
+
+void setStyle(Style style, RepresentationOptions& look) {
+    look.style = style;
+    if (style == Style::cartoon && look.color == Coloring()) look.color = ColorScheme::chainCarbons;
 }
 
 namespace {

@@ -22,10 +22,18 @@ Palette parsePalette(std::string_view text);
 /// Their names, with commas. @param ramps  those of numbers, else those of kinds
 std::string paletteNames(bool ramps);
 
+/// The names of all colour schemes, with commas.
+std::string schemeNames();
+
 /// The name of a colour scheme, an opaque colour as parseColor() takes it, or "element:COLOR", whose carbons alone
 /// have the colour; behind the name of a scheme that has them, its range and its palette: "b-factor:10..60:viridis".
 Coloring parseColoring(std::string_view text);
 
+/// A style for all. A cartoon in the colours of elements would be that of its alpha carbons: where no colours were
+/// asked for, its chains have their own.
+void setStyle(Style style, RepresentationOptions& look);
+
+constexpr std::size_t kMostRules = 1000;
 /// "SELECTION=STYLE", "SELECTION" and "SELECTION=SCHEME" or "SELECTION=COLOR", divided at the last '='.
 Rule parseShow(std::string_view text);
 Rule parseHide(std::string_view text);

@@ -71,13 +71,16 @@ void nameInputs(const std::vector<std::string>& names, Selection& selection) {
     }
 }
 
-void nameInputs(SavedView& view) {
-    if (view.further.empty()) return;
-    const std::vector<std::string> names = inputNames(inputOf(view));
-    for (Rule& rule : view.look.rules) nameInputs(names, rule.selection);
-    for (Label& label : view.words.labels) nameInputs(names, label.selection);
-    if (view.uncover) nameInputs(names, *view.uncover);
-    for (FitOptions& fit : view.fits) {
+void nameInputs(PictureDescription& d) {
+    if (d.input.further.empty()) return;
+    const std::vector<std::string> names = inputNames(d.input);
+    for (Rule& rule : d.look.rules) nameInputs(names, rule.selection);
+    for (Label& label : d.words.labels) nameInputs(names, label.selection);
+    for (Measure& measure : d.words.measures)
+        for (Selection& point : measure.points) nameInputs(names, point);
+    for (std::optional<Selection>* selection : {&d.aim.lookAt, &d.aim.zoomTo, &d.aim.uncover})
+        if (*selection) nameInputs(names, **selection);
+    for (FitOptions& fit : d.input.fits) {
         nameInputs(names, fit.moving);
         nameInputs(names, fit.fixed);
     }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/picture/saved_view.h"
+#include "app/picture/description.h"
 #include "engine/scene/appearance.h"
 
 namespace nacre::app {
@@ -23,8 +23,8 @@ bool isInputName(const std::string& text);
 
 /// `/ligand`, which the grammar takes for a chain, means the INPUT of that name. INPUTs are told apart as models.
 void nameInputs(const std::vector<std::string>& names, Selection& selection);
-/// The same in all selections of a view that has several.
-void nameInputs(SavedView& view);
+/// The same in all selections of a description that has several.
+void nameInputs(PictureDescription& description);
 
 /// Where nothing else is asked for, each INPUT but the first has carbons of a colour of its own.
 /// @param from  the first to be coloured, counted from 0

@@ -1,11 +1,11 @@
 #include "app/picture/looks.h"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
 #include "app/files/json_text.h"
-#include "app/picture/effect_options.h"
+#include "app/picture/options.h"
+#include "app/picture/saved_view.h"
 #include "engine/error.h"
 #include "engine/molecule/nearest_word.h"
 
@@ -14,21 +14,18 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// Keys of a look beside those of effects.
-constexpr std::array kOwnKeys{"background", "lighting", "occlusion", "color"};
-
-bool isLookKey(const std::string& key) {
-    if (std::find(kOwnKeys.begin(), kOwnKeys.end(), key) != kOwnKeys.end()) return true;
-    const EffectOption* option = effectOption(key);
-    return option && option->look;
+const Option* lookOption(std::string_view key) {
+    const Option* found = findOption(key);
+    return found && found->look ? found : nullptr;
 }
 
 Look lookFromFile(const std::string& path) {
     Look look{path, "", {}};
-    const SavedView view = readSavedView(path);  // judges every key and value
+    readSavedView(path);  // judges every key and value
     const auto keys = parseJson<OrderedJson>(readViewText(path));
     for (const auto& [key, value] : keys.items())
-        if (isLookKey(key)) look.options.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
+        if (lookOption(key))
+            look.options.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
     return look;
 }
 
@@ -103,24 +100,20 @@ Look lookOf(const std::string& nameOrFile) {
                                 suggestion(nameOrFile, names));
 }
 
-void applyLook(const Look& look, SavedView& view) {
-    const SavedView plain;
-    const Clip clip = view.effects.clip;
-    view.effects = plain.effects;
-    view.effects.clip = clip;
-    view.background = plain.background;
-    view.lighting = plain.lighting;
-    view.occlusionDirections = plain.occlusionDirections;
-    for (const auto& [key, value] : look.options) setViewKey(key, value, view);
+void applyLook(const Look& look, PictureDescription& view) {
+    const PictureDescription plain;
+    for (const Option& option : options())  // how a cut looks stays with the cut
+        if (option.look && option.key != "color" && option.needs != "clip") option.parse(option.print(plain), view);
+    for (const auto& [key, value] : look.options) option(key).parse(value, view);
 }
 
 std::string lookJson(const Look& look) { return textOf(look.options); }
 
-std::string lookJson(const SavedView& view) {
+std::string lookJson(const PictureDescription& view) {
     const auto all = OrderedJson::parse(savedViewJson(view));
     std::vector<std::pair<std::string, std::string>> options;
     for (const auto& [key, value] : all.items())
-        if (isLookKey(key)) options.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
+        if (lookOption(key)) options.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
     return textOf(options);
 }
 

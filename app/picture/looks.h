@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/picture/saved_view.h"
+#include "app/picture/description.h"
 
 namespace nacre::app {
 
@@ -26,10 +26,10 @@ std::span<const Look> looks();
 Look lookOf(const std::string& nameOrFile);
 
 /// Gives a view a look instead of the one that it has. Colours stay unless the look has some.
-void applyLook(const Look& look, SavedView& view);
+void applyLook(const Look& look, PictureDescription& view);
 
 /// The look of a view, as lookOf() reads it.
-std::string lookJson(const SavedView& view);
+std::string lookJson(const PictureDescription& view);
 std::string lookJson(const Look& look);
 
 }  // namespace nacre::app

@@ -1,6 +1,7 @@
 #include "app/picture/option_text.h"
 
 #include <cstdio>
+#include <cstdlib>
 
 #include "app/picture/appearance_values.h"
 #include "app/picture/srgb.h"
@@ -10,6 +11,15 @@ namespace nacre::app {
 std::string numberText(double value) {
     std::array<char, 32> digits{};
     return {digits.data(), static_cast<std::size_t>(std::snprintf(digits.data(), digits.size(), "%.12g", value))};
+}
+
+std::string exactText(double value) {
+    std::array<char, 40> digits{};
+    for (int precision = 1; precision <= 17; ++precision) {
+        std::snprintf(digits.data(), digits.size(), "%.*g", precision, value);
+        if (std::strtod(digits.data(), nullptr) == value) break;
+    }
+    return digits.data();
 }
 
 const char* styleName(Style style) {
@@ -35,6 +45,12 @@ std::string backgroundText(const std::array<float, 4>& color) {
     std::snprintf(text, sizeof text, color[3] < 1 ? "#%02x%02x%02x%02x" : "#%02x%02x%02x", toByte(color[0]),
                   toByte(color[1]), toByte(color[2]), toByte(color[3]));
     return text;
+}
+
+std::string clipText(const Clip& clip) {
+    if (!clip.on()) return "off";
+    const std::string near = clip.near > -Clip::kNone ? numberText(clip.near) : "";
+    return clip.far < Clip::kNone ? near + "," + numberText(clip.far) : near;
 }
 
 std::pair<std::string, std::string> ruleText(const Rule& rule) {

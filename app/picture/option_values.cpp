@@ -27,6 +27,11 @@ void refuse(std::string_view text, const std::string& wanted, std::span<const st
     throw std::invalid_argument("expected " + wanted + ", not '" + std::string(text) + "'" + suggestion(text, words));
 }
 
+std::string fileName(std::string_view text) {
+    if (text.empty()) throw std::invalid_argument("expected a file name");
+    return std::string(text);
+}
+
 Size parseSize(std::string_view text) {
     const std::string wanted = "WIDTHxHEIGHT, each 1 to " + std::to_string(kLargestSide);
     const std::size_t cross = text.find('x');

@@ -24,6 +24,9 @@ constexpr double kSmallestFov = 1, kLargestFov = 120;  ///< degrees
 /// The reason why `text` is no value. @param words  of which the nearest is suggested
 [[noreturn]] void refuse(std::string_view text, const std::string& wanted, std::span<const std::string> words = {});
 
+/// A file's name as it is; not empty.
+std::string fileName(std::string_view text);
+
 /// Of a side of a picture: pixels, or paper.
 struct Length {
     double value = 0;

@@ -1,28 +1,25 @@
 #include "app/picture/saved_view.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
-#include <glm/geometric.hpp>
-#include <iterator>
+#include <utility>
 
 #include "app/files/json_text.h"
 #include "app/picture/appearance_values.h"
-#include "app/picture/effect_options.h"
 #include "app/picture/input_names.h"
-#include "app/picture/mesh_options.h"
 #include "app/picture/option_text.h"
-#include "app/picture/option_values.h"
+#include "app/picture/options.h"
 #include "engine/error.h"
-#include "engine/molecule/read.h"
 
 namespace nacre::app {
 namespace {
 
 using Json = nlohmann::json;  // sorts its keys, so that many of them are no burden
 using OrderedJson = nlohmann::ordered_json;
+using Kind = Option::Kind;
 
 constexpr std::size_t kMostBytes = 1 << 20;
-constexpr std::size_t kMostRules = 1000;
 
 /// A number or text as an option would have it.
 std::string textOf(const Json& value) {
@@ -35,30 +32,6 @@ std::string textOf(const Json& value) {
     throw std::invalid_argument("expected a text or a number");
 }
 
-bool isOn(const Json& value, const char* on, const char* off) { return parseChoice(textOf(value), {on, off}) == 0; }
-
-template <std::size_t count>
-std::array<double, count> numbersOf(const Json& value) {
-    if (!value.is_array() || value.size() != count)
-        throw std::invalid_argument("expected a list of " + std::to_string(count) + " numbers");
-    std::array<double, count> numbers{};
-    for (std::size_t i = 0; i < count; ++i) {
-        if (!value[i].is_number() || !std::isfinite(value[i].get<double>()))
-            throw std::invalid_argument("expected a list of " + std::to_string(count) + " numbers");
-        numbers[i] = value[i].get<double>();
-    }
-    return numbers;
-}
-
-glm::dquat orientationOf(const Json& value) {
-    const auto q = numbersOf<4>(value);
-    const glm::dquat orientation(q[0], q[1], q[2], q[3]);
-    const double length = glm::length(orientation);
-    if (!(length > 1e-6 && length < 1e6)) throw std::invalid_argument("expected a quaternion w, x, y, z");
-    // One that is unit already keeps its very digits.
-    return std::abs(length - 1) < 1e-12 ? orientation : orientation / length;
-}
-
 Rule parseRule(const std::string& option, const std::string& value) {
     if (option == "show") return parseShow(value);
     if (option == "hide") return parseHide(value);
@@ -66,7 +39,7 @@ Rule parseRule(const std::string& option, const std::string& value) {
     throw std::invalid_argument("expected show, hide or color-by, not '" + option + "'");
 }
 
-void readRules(const Json& list, SavedView& view) {
+void readRules(const Json& list, std::vector<Rule>& rules) {
     if (!list.is_array() || list.size() > kMostRules)
         throw std::invalid_argument("expected a list of at most " + std::to_string(kMostRules) + " rules");
     for (const Json& rule : list) {
@@ -74,48 +47,24 @@ void readRules(const Json& list, SavedView& view) {
         if (!rule.is_object() || rule.size() != (off ? 2 : 1) || (off && !rule["off"].is_boolean()))
             throw std::invalid_argument("expected each rule as {\"option\": \"value\"}, and \"off\": true if so");
         for (const auto& [option, value] : rule.items())
-            if (option != "off") view.look.rules.push_back(parseRule(option, textOf(value)));
-        if (off) view.look.rules.back().on = !rule["off"].get<bool>();
+            if (option != "off") rules.push_back(parseRule(option, textOf(value)));
+        if (off) rules.back().on = !rule["off"].get<bool>();
     }
 }
 
-std::optional<Format> parseFormat(const std::string& name) {
-    const auto format = formatFromName(name);
-    if (!name.empty() && !format) throw std::invalid_argument("expected one of " + formatNames());
-    return format;
+OrderedJson rulesJson(const std::vector<Rule>& rules) {
+    OrderedJson list = OrderedJson::array();
+    for (const Rule& rule : rules) {
+        const auto [option, value] = ruleText(rule);
+        list.push_back({{option, value}});
+        if (!rule.on) list.back()["off"] = true;
+    }
+    return list;
 }
 
-/// Texts of an option that may be given many times.
-template <typename Value>
-void readList(const Json& list, std::vector<Value>& values, Value (*parse)(std::string_view)) {
-    if (!list.is_array() || list.size() > kMostWordOptions)
-        throw std::invalid_argument("expected a list of at most " + std::to_string(kMostWordOptions) + " texts");
-    for (const Json& text : list) values.push_back(parse(textOf(text)));
-}
-
-/// @returns whether the key is one of how atoms move
-bool readTrajectory(const std::string& key, const Json& value, TrajectoryOptions& trajectory) {
-    if (key == "trajectory")
-        trajectory.path = textOf(value);
-    else if (key == "trajectory-hash")
-        trajectory.hash = textOf(value);
-    else if (key == "frame")
-        trajectory.frame = parseFrame(textOf(value));
-    else if (key == "whole")
-        trajectory.whole = isOn(value, "on", "off");
-    else if (key == "fit-frames")
-        trajectory.fit = parseSelection(textOf(value));
-    else if (key == "smooth")
-        trajectory.smooth = parseSmoothing(textOf(value));
-    else
-        return false;
-    return true;
-}
-
-std::vector<FurtherInput> readInputs(const Json& list) {
+void readInputs(const Json& list, std::vector<FurtherInput>& inputs) {
     if (!list.is_array() || list.size() + 1 > kMostInputs)
         throw std::invalid_argument("expected a list of fewer than " + std::to_string(kMostInputs) + " molecules");
-    std::vector<FurtherInput> inputs;
     for (const Json& each : list) {
         FurtherInput& input = inputs.emplace_back();
         if (!each.is_object()) throw std::invalid_argument("expected each molecule as {\"input\": ...}");
@@ -128,145 +77,129 @@ std::vector<FurtherInput> readInputs(const Json& list) {
         if (!input.name.empty() && !isInputName(input.name))
             throw std::invalid_argument("'" + input.name + "' is no name: letters, digits, - and _");
     }
-    return inputs;
 }
 
-std::vector<FitOptions> readFits(const Json& list) {
-    if (!list.is_array() || list.size() > kMostInputs) throw std::invalid_argument("expected a list of pairs");
-    std::vector<FitOptions> fits;
-    for (const Json& pair : list) {
-        if (!pair.is_array() || pair.size() != 2) throw std::invalid_argument("expected each fit as a pair");
-        fits.push_back({parseSelection(textOf(pair[0])), parseSelection(textOf(pair[1]))});
-    }
-    return fits;
-}
-
-void addInputKeys(const SavedView& view, OrderedJson& json) {
-    if (!view.name.empty()) json["name"] = view.name;
-    for (const FurtherInput& further : view.further) {
+OrderedJson inputsJson(const std::vector<FurtherInput>& inputs) {
+    OrderedJson list = OrderedJson::array();
+    for (const FurtherInput& further : inputs) {
         OrderedJson each = OrderedJson::object();
         if (!further.name.empty()) each["name"] = further.name;
         each["input"] = further.path;
         if (!further.hash.empty()) each["hash"] = further.hash;
-        json["further-inputs"].push_back(each);
+        list.push_back(each);
     }
-    for (const FitOptions& fit : view.fits) json["fits"].push_back({fit.moving.text, fit.fixed.text});
+    return list;
 }
 
-void addMotionKeys(const TrajectoryOptions& trajectory, OrderedJson& json) {
-    if (!trajectory.path.empty()) {
-        json["trajectory"] = trajectory.path;
-        if (!trajectory.hash.empty()) json["trajectory-hash"] = trajectory.hash;
-        json["frame"] = trajectory.frame;
-    }
-    if (trajectory.whole) json["whole"] = "on";
-    if (trajectory.fit) json["fit-frames"] = trajectory.fit->text;
-    if (trajectory.smooth > 1) json["smooth"] = trajectory.smooth;
-}
-
-/// @returns whether the key is one of words
-bool readWords(const std::string& key, const Json& value, Words& words) {
-    if (key == "labels")
-        readList(value, words.labels, parseLabel);
-    else if (key == "measures")
-        readList(value, words.measures, parseMeasure);
-    else if (key == "title")
-        words.title = parseTitle(textOf(value));
-    else if (key == "scale-bar")
-        words.scaleBar = parseScaleBar(textOf(value));
-    else if (key == "legend")
-        words.legend = isOn(value, "on", "off");
-    else if (key == "show-labels")
-        words.seenOnly = !isOn(value, "all", "seen");
-    else if (key == "text-size")
-        words.size = parseNumber(textOf(value), 4, 2000);
-    else if (key == "text-color")
-        words.color = parseInk(textOf(value));
-    else
-        return false;
-    return true;
-}
-
-void addWords(const Words& words, OrderedJson& json) {
-    for (const Label& label : words.labels) json["labels"].push_back(labelText(label));
-    for (const Measure& measure : words.measures) json["measures"].push_back(measure.text);
-    if (!words.title.empty()) json["title"] = words.title;
-    if (words.scaleBar != ScaleBar::off) json["scale-bar"] = scaleBarText(words.scaleBar);
-    if (words.legend) json["legend"] = "on";
-    if (words.seenOnly) json["show-labels"] = "seen";
-    if (words.size > 0) json["text-size"] = words.size;
-    if (words.color) json["text-color"] = backgroundText({(*words.color)[0], (*words.color)[1], (*words.color)[2], 1});
-}
-
-void readKey(const std::string& key, const Json& value, SavedView& view) {
-    if (key == "input") {
-        view.input = textOf(value);
-    } else if (key == "hash") {
-        view.hash = textOf(value);
-    } else if (key == "name") {
-        view.name = textOf(value);
-        if (!isInputName(view.name))
-            throw std::invalid_argument("'" + view.name + "' is no name: letters, digits, - and _");
-    } else if (key == "further-inputs") {
-        view.further = readInputs(value);
-    } else if (key == "fits") {
-        view.fits = readFits(value);
-    } else if (key == "format") {
-        view.format = parseFormat(textOf(value));
-    } else if (key == "model") {
-        view.model = parseModel(textOf(value));
-    } else if (key == "camera") {
-        view.look.ownFrame = !isOn(value, "all", "model");
-    } else if (key == "occlusion-models") {
-        view.look.modelsOcclude = !isOn(value, "own", "all");
-    } else if (key == "assembly") {
-        view.look.assembly = textOf(value);
-    } else if (key == "style") {
-        view.look.style = parseStyle(textOf(value));
-    } else if (key == "color") {
-        view.look.color = parseColoring(textOf(value));
-    } else if (key == "palette") {
-        view.look.palette = parsePalette(textOf(value));
-    } else if (key == "rules") {
-        readRules(value, view);
-    } else if (key == "water") {
-        view.drawn.water = isOn(value, "show", "hide");
-    } else if (key == "hydrogens") {
-        view.drawn.hydrogens = isOn(value, "show", "hide");
-    } else if (key == "projection") {
-        view.camera.projection =
-            isOn(value, "ortho", "perspective") ? Projection::orthographic : Projection::perspective;
-    } else if (key == "fov") {
-        view.camera.fovDegrees = parseNumber(textOf(value), kSmallestFov, kLargestFov);
-    } else if (key == "zoom") {
-        view.camera.zoom = parseNumber(textOf(value), kSmallestZoom, kLargestZoom);
-    } else if (key == "orientation") {
-        view.camera.orientation = orientationOf(value);
-    } else if (key == "pan") {
-        const auto pan = numbersOf<2>(value);
-        view.camera.pan = {pan[0], pan[1]};
-    } else if (key == "uncover") {
-        view.uncover = parseSelection(textOf(value));
-    } else if (key == "background") {
-        view.background = parseColor(textOf(value));
-    } else if (key == "lighting") {
-        view.lighting = isOn(value, "on", "off");
-    } else if (key == "occlusion") {
-        view.occlusionDirections = parseOcclusion(textOf(value));
-    } else if (const EffectOption* option = effectOption(key)) {
-        option->set(textOf(value), view.effects);
-    } else if (const MeshOption* mesh = meshOption(key)) {
-        mesh->set(textOf(value), view.look);
-    } else if (!readWords(key, value, view.words) && !readTrajectory(key, value, view.trajectory)) {
-        throw std::invalid_argument("no such key");
+/// Each of a list goes to the option by itself.
+void readList(const Option& option, const Json& list, PictureDescription& view) {
+    if (!list.is_array() || list.size() > kMostWordOptions)
+        throw std::invalid_argument("expected a list of at most " + std::to_string(kMostWordOptions) +
+                                    (option.kind == Kind::pair ? " pairs" : " texts"));
+    option.parse("", view);
+    for (const Json& one : list) {
+        if (option.kind == Kind::pair && (!one.is_array() || one.size() != 2))
+            throw std::invalid_argument("expected each as a pair");
+        option.parse(option.kind == Kind::pair ? textOf(one[0]) + "\n" + textOf(one[1]) : textOf(one), view);
     }
 }
 
-}  // namespace
+/// [1, 2.5] as "1,2.5"; what is no number is left out, so that their count is wrong.
+std::string joined(const Json& list) {
+    std::string text;
+    for (const Json& number : list)
+        if (number.is_number() && std::isfinite(number.get<double>()))
+            text += (text.empty() ? "" : ",") + number.dump();
+    return text;
+}
 
-void setViewKey(const std::string& key, const std::string& value, SavedView& view) { readKey(key, value, view); }
+void readOption(const Option& option, const Json& value, PictureDescription& view) {
+    switch (option.kind) {
+        case Kind::rules:
+            return readRules(value, view.look.rules);
+        case Kind::inputs:
+            return readInputs(value, view.input.further);
+        case Kind::list:
+        case Kind::pair:
+            return readList(option, value, view);
+        case Kind::numbers:
+            return option.parse(value.is_array() ? joined(value) : std::string(), view);
+        case Kind::value:
+        case Kind::flag:
+            return option.parse(textOf(value), view);
+    }
+}
 
-SavedView parseSavedView(const std::string& json, const std::string& name) {
+OrderedJson numberJson(const std::string& text, Option::Number number) {
+    char* end = nullptr;
+    const double value = std::strtod(text.c_str(), &end);
+    if (number == Option::Number::none || end == text.c_str() || *end) return text;
+    return number == Option::Number::real ? OrderedJson(value) : OrderedJson(std::strtoll(text.c_str(), nullptr, 10));
+}
+
+/// The pieces of a text between signs.
+std::vector<std::string> divided(const std::string& text, char sign) {
+    std::vector<std::string> pieces;
+    for (std::size_t from = 0; from <= text.size() && !text.empty();) {
+        const std::size_t end = std::min(text.find(sign, from), text.size());
+        pieces.push_back(text.substr(from, end - from));
+        from = end + 1;
+    }
+    return pieces;
+}
+
+OrderedJson jsonOf(const Option& option, const PictureDescription& view) {
+    if (option.kind == Kind::rules) return rulesJson(view.look.rules);
+    if (option.kind == Kind::inputs) return inputsJson(view.input.further);
+    const std::string text = option.print(view);
+    if (option.kind == Kind::value || option.kind == Kind::flag) return numberJson(text, option.number);
+    OrderedJson list = OrderedJson::array();
+    for (const std::string& one : divided(text, option.kind == Kind::numbers ? ',' : '\n'))
+        list.push_back(option.kind == Kind::numbers ? numberJson(one, Option::Number::real)
+                       : option.kind == Kind::pair  ? OrderedJson(divided(one, '\t'))
+                                                    : OrderedJson(one));
+    return list;
+}
+
+bool isSaved(const Option& option, const PictureDescription& view) {
+    static const PictureDescription kStandard;
+    switch (option.save) {
+        case Option::Save::never:
+            return false;
+        case Option::Save::always:
+            return true;
+        case Option::Save::withTrajectory:
+            return !view.input.trajectory.path.empty();
+        case Option::Save::differing:
+            return option.kind == Kind::inputs ? !view.input.further.empty()
+                                               : option.print(view) != option.print(kStandard);
+    }
+    return false;
+}
+
+/// Keys in the order of the options, whatever theirs: some lean on those before them.
+void readKeys(const Json& object, const std::string& name, PictureDescription& view) {
+    const auto fail = [&](std::string_view key, const std::string& why) {
+        throw Error("cannot read view", name, "\"" + std::string(key) + "\": " + why);
+    };
+    std::set<std::string_view> known;
+    for (const Option& option : options()) {
+        if (option.save == Option::Save::never) continue;
+        known.insert(option.savedKey());
+        const auto found = object.find(std::string(option.savedKey()));
+        if (found == object.end()) continue;
+        try {
+            readOption(option, *found, view);
+        } catch (const std::exception& error) {
+            fail(option.savedKey(), error.what());
+        }
+    }
+    for (const auto& [key, value] : object.items())
+        if (!known.contains(key)) fail(key, "no such key");
+    nameInputs(view);
+}
+
+void readView(const std::string& json, const std::string& name, PictureDescription& view) {
     std::string twice;
     Json object;
     try {
@@ -276,15 +209,21 @@ SavedView parseSavedView(const std::string& json, const std::string& name) {
     }
     if (!object.is_object()) throw Error("cannot read view", name, "it is no JSON object");
     if (!twice.empty()) throw Error("cannot read view", name, "\"" + twice + "\": it is there twice");
-    SavedView view;
-    for (const auto& [key, value] : object.items()) {
-        try {
-            readKey(key, value, view);
-        } catch (const std::exception& error) {
-            throw Error("cannot read view", name, "\"" + key + "\": " + error.what());
-        }
-    }
-    nameInputs(view);
+    readKeys(object, name, view);
+    view.aim.uncovers = true;  // a plane that was saved asks for nothing
+}
+
+/// Those of a view go before those that were there.
+template <typename Value>
+void append(std::vector<Value>& list, const std::vector<Value>& before) {
+    list.insert(list.end(), before.begin(), before.end());
+}
+
+}  // namespace
+
+PictureDescription parseSavedView(const std::string& json, const std::string& name) {
+    PictureDescription view;
+    readView(json, name, view);
     return view;
 }
 
@@ -297,59 +236,46 @@ std::string readViewText(const std::string& path) {
     return text;
 }
 
-SavedView readSavedView(const std::string& path) { return parseSavedView(readViewText(path), path); }
+PictureDescription readSavedView(const std::string& path) { return parseSavedView(readViewText(path), path); }
 
-std::string savedViewJson(const SavedView& view) {
+std::string savedViewJson(const PictureDescription& view) {
     OrderedJson json = OrderedJson::object();
-    if (!view.input.empty()) json["input"] = view.input;
-    if (!view.hash.empty()) json["hash"] = view.hash;
-    addInputKeys(view, json);
-    if (view.format) json["format"] = formatName(*view.format);
-    json["model"] = view.model == kAllModels ? OrderedJson("all") : OrderedJson(view.model);
-    addMotionKeys(view.trajectory, json);
-    if (view.look.ownFrame) json["camera"] = "model";
-    if (view.look.modelsOcclude) json["occlusion-models"] = "all";
-    if (!view.look.assembly.empty()) json["assembly"] = view.look.assembly;
-    if (view.look.style) json["style"] = styleName(*view.look.style);
-    json["color"] = coloringText(view.look.color);
-    if (view.look.palette != Palette::automatic) json["palette"] = paletteName(view.look.palette);
-    for (const MeshOption& option : meshOptions())
-        if (option.text(view.look) != option.text({})) json[option.name] = option.text(view.look);
-    json["rules"] = OrderedJson::array();
-    for (const Rule& rule : view.look.rules) {
-        const auto [option, value] = ruleText(rule);
-        json["rules"].push_back({{option, value}});
-        if (!rule.on) json["rules"].back()["off"] = true;
-    }
-    json["water"] = view.drawn.water ? "show" : "hide";
-    json["hydrogens"] = view.drawn.hydrogens ? "show" : "hide";
-    json["projection"] = view.camera.projection == Projection::orthographic ? "ortho" : "perspective";
-    json["fov"] = view.camera.fovDegrees;
-    json["zoom"] = view.camera.zoom;
-    const glm::dquat& q = view.camera.orientation;
-    json["orientation"] = {q.w, q.x, q.y, q.z};
-    json["pan"] = {view.camera.pan.x, view.camera.pan.y};
-    if (view.uncover) json["uncover"] = view.uncover->text;
-    json["background"] = backgroundText(view.background);
-    json["lighting"] = view.lighting ? "on" : "off";
-    json["occlusion"] = view.occlusionDirections ? OrderedJson(view.occlusionDirections) : OrderedJson("off");
-    for (const EffectOption& option : effectOptions())
-        if (option.text(view.effects) != option.text({})) json[option.name] = option.text(view.effects);
-    addWords(view.words, json);
+    for (const Option& option : options())
+        if (isSaved(option, view)) json[std::string(option.savedKey())] = jsonOf(option, view);
     return jsonText(json);
 }
 
-InputOptions inputOf(const SavedView& view, InputOptions options) {
-    options.path = view.input;
-    options.hash = view.hash;
-    options.format = view.format;
-    options.model = view.model;
-    options.alone = view.look.ownFrame;
-    options.trajectory = view.trajectory;
-    options.name = view.name;
-    options.further = view.further;
-    options.fits = view.fits;
-    return options;
+void applySavedView(const std::string& path, PictureDescription& description) {
+    PictureDescription view = description;
+    view.look.rules.clear();
+    view.words.labels.clear();
+    view.words.measures.clear();
+    view.input.fits.clear();
+    readView(readViewText(path), path, view);
+    append(view.look.rules, description.look.rules);
+    append(view.words.labels, description.words.labels);
+    append(view.words.measures, description.words.measures);
+    append(view.input.fits, description.input.fits);
+    view.view = path;
+    view.aim.placed = view.camera.zoom != 1 || view.camera.pan != glm::dvec2(0);
+    if (description.input.path.empty()) {
+        view.input.namedBy = view.input.path.empty() ? "" : path;
+        view.input.trajectory.namedBy = view.input.trajectory.path.empty() ? "" : path;
+    } else {
+        view.input = description.input;
+    }
+    description = std::move(view);
+}
+
+InputOptions inputOf(const PictureDescription& view, InputOptions options) {
+    InputOptions input = view.input;
+    input.alone = view.look.ownFrame;
+    input.cache = options.cache;
+    input.offline = options.offline;
+    input.namedBy = options.namedBy;
+    input.allowDownload = options.allowDownload;
+    input.memoryMegabytes = options.memoryMegabytes;
+    return input;
 }
 
 }  // namespace nacre::app

@@ -1,26 +1,34 @@
 #pragma once
-// What the Python module draws with: the command line's options, and one renderer for all threads.
+// What the Python module draws with: the options of a picture, and one renderer for all threads.
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
+#include "app/drawing/drawing.h"
 #include "app/images/image_file.h"
 #include "engine/molecule/molecule.h"
 #include "engine/results.h"
 
 namespace nacre::python {
 
-/// A molecule and what it was opened as, which selections and messages name. Nothing changes it, so threads may share
+/// A molecule and what it was opened as, which selections and messages name. Threads may share
 /// it.
 struct Structure {
     std::shared_ptr<const Molecule> molecule;
     std::vector<std::string> inputs;                     ///< one, or several that are drawn together
     std::vector<std::string> warnings = {}, notes = {};  ///< of how it was opened
+    /// Its scene, kept from picture to picture; whoever draws it has it alone.
+    struct Kept {
+        std::mutex turn;
+        app::Drawing drawing;
+    };
+    std::shared_ptr<Kept> kept = std::make_shared<Kept>();
 };
 
-struct Drawing {
+struct Drawn {
     Picture picture;
     app::PictureFormat format;          ///< that its options ask a file to have
     std::vector<std::string> warnings;  ///< of the scene
@@ -34,7 +42,7 @@ Structure openBytes(const std::string& name, std::string bytes, const std::strin
 
 /// Draws by the one renderer, after whoever draws just now. @param options  JSON, keys as those of `nacre render`
 /// @throws app::UsageError, Error
-Drawing draw(const Structure& structure, const std::string& options);
+Drawn draw(const Structure& structure, const std::string& options);
 LayerPicture drawLayers(const Structure& structure, const std::string& options, std::vector<std::string>& warnings);
 
 /// Draws, and writes the picture as `nacre render -o` does; layers, too, if `options` name a file for them.

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "app/cli/command_spec.h"
 #include "app/picture/srgb.h"
+#include "app/picture/usage_error.h"
 #include "app/python/drawing.h"
 #include "engine/error.h"
 #include "engine/molecule/bonds/bonds.h"
@@ -254,8 +254,8 @@ PYBIND11_MODULE(_nacre, m) {
                                 {names, residueNames, chains, residueNumbers, temperatureFactors, occupancies}, name);
           });
     m.def("render", [](const Structure& s, const std::string& options) {
-        const Drawing drawing = freely([&] { return draw(s, options); });
-        return std::pair(bytesOf(drawing.picture), drawing.warnings);
+        const Drawn drawn = freely([&] { return draw(s, options); });
+        return std::pair(bytesOf(drawn.picture), drawn.warnings);
     });
     m.def("layers", [](const Structure& s, const std::string& options) {
         std::vector<std::string> warnings;

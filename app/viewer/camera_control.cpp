@@ -118,15 +118,16 @@ void CameraControl::fit(double now) {
 
 /// What a close-up cut away, or a view left out, comes back.
 void CameraControl::unclip() {
-    SavedView& view = stage_.wanted();
+    PictureDescription& view = stage_.wanted();
     if (std::exchange(clipped_, false)) view.effects.clip.near = -Clip::kNone;
-    if (std::exchange(view.uncover, std::nullopt) && stage_.shown()) reading_.build();
+    if (std::exchange(view.aim.uncover, std::nullopt) && stage_.shown()) reading_.build();
 }
 
 void CameraControl::take(Aim aim, bool fly, double now) {
     const Document& document = stage_.document;
     for (std::optional<Selection>* selection : {&aim.lookAt, &aim.zoomTo, &aim.uncover})
-        if (*selection && !document.view.further.empty()) nameInputs(inputNames(inputOf(document.view)), **selection);
+        if (*selection && !document.view.input.further.empty())
+            nameInputs(inputNames(inputOf(document.view)), **selection);
     try {
         const PixelSize size = frames_.freeSize();
         Camera from = stage_.motion.camera();

@@ -60,14 +60,14 @@ RenderSettings Frames::settings() const {
 }
 
 RenderSettings Frames::pictureSettings(PixelSize size) const {
-    const SavedView& view = stage_.view();
+    const PictureDescription& view = stage_.view();
     RenderSettings s;
     s.view = viewOf(view.camera, stage_.radius(), size.width, size.height);
     if (stage_.document.moves()) reachTo(s.view, stage_.document.scene.radius);
     s.background = view.background;
     s.lighting = view.lighting;
     s.effects = view.effects;
-    s.occlusion.directions = view.occlusionDirections;
+    s.occlusion.directions = view.occlusion.directions;
     s.occlusion.bytes = options_.occlusionBytes;
     s.occlusion.cache = options_.occlusionCache;
     s.tuning = options_.tuning;
@@ -140,7 +140,7 @@ void Frames::putScene(double now) {
     }
 }
 
-void Frames::expectScene(const SavedView& coming) {
+void Frames::expectScene(const PictureDescription& coming) {
     std::vector<Style> styles{Style::spacefill, Style::cartoon};  // of which firstLook() chooses
     if (coming.look.style) styles = {*coming.look.style};
     if (styles == expected_) return;

@@ -69,12 +69,12 @@ public:
     /// The same of one whose atoms have moved.
     bool moveScene(const Representation& scene) { return !sceneThere_ || put(scene, &Screen::moveScene); }
     /// Has made what the first frame of what is being read is going to want.
-    void expectScene(const SavedView& coming);
+    void expectScene(const PictureDescription& coming);
     /// Share of the ambient occlusion that is done.
     double occlusion() const { return occlusion_; }
     void restartOcclusion() {
-        const SavedView& view = stage_.view();
-        occlusion_ = view.occlusionDirections ? 0 : 1;
+        const PictureDescription& view = stage_.view();
+        occlusion_ = view.occlusion.directions ? 0 : 1;
     }
     /// Another document may have room for what failed before.
     void retryOcclusion() { occlusionRetry_ = {}; }

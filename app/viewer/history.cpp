@@ -4,16 +4,16 @@
 
 namespace nacre::app {
 
-void History::begin(const SavedView& view) {
+void History::begin(const PictureDescription& view) {
     views_.assign(1, {view, savedViewJson(view)});
     at_ = 0;
 }
 
-bool History::isAnother(const SavedView& now) const {
+bool History::isAnother(const PictureDescription& now) const {
     return acted_ && (views_.empty() || savedViewJson(now) != views_[at_].text);
 }
 
-void History::remember(const SavedView& now) {
+void History::remember(const PictureDescription& now) {
     acted_ = true;
     if (views_.empty()) return begin(now);
     std::string text = savedViewJson(now);
@@ -24,7 +24,7 @@ void History::remember(const SavedView& now) {
     at_ = views_.size() - 1;
 }
 
-const SavedView* History::go(const SavedView& now, int step) {
+const PictureDescription* History::go(const PictureDescription& now, int step) {
     if (acted_) remember(now);
     const std::size_t to = at_ + static_cast<std::size_t>(step);  // before the first: beyond all
     if (to >= views_.size()) return nullptr;

@@ -14,27 +14,27 @@ public:
     static constexpr std::size_t kMost = 200;  ///< views
 
     /// Forgets everything but a view.
-    void begin(const SavedView& view);
+    void begin(const PictureDescription& view);
     /// Before an act: what is seen until then becomes a step, unless it is the last one; what was taken back is
     /// forgotten then.
-    void remember(const SavedView& now);
+    void remember(const PictureDescription& now);
     /// What is seen may be none of the steps: it is one before anything is taken back.
     void acted() { acted_ = true; }
     bool empty() const { return views_.empty(); }
     // Of the view that is seen now
-    bool canUndo(const SavedView& now) const { return at_ > 0 || isAnother(now); }
-    bool canRedo(const SavedView& now) const { return at_ + 1 < views_.size() && !isAnother(now); }
+    bool canUndo(const PictureDescription& now) const { return at_ > 0 || isAnother(now); }
+    bool canRedo(const PictureDescription& now) const { return at_ + 1 < views_.size() && !isAnother(now); }
     /// The view before, or after; null: there is none. Good until the next call.
-    const SavedView* undo(const SavedView& now) { return go(now, -1); }
-    const SavedView* redo(const SavedView& now) { return go(now, 1); }
+    const PictureDescription* undo(const PictureDescription& now) { return go(now, -1); }
+    const PictureDescription* redo(const PictureDescription& now) { return go(now, 1); }
 
 private:
     struct Entry {
-        SavedView view;
+        PictureDescription view;
         std::string text;
     };
-    bool isAnother(const SavedView& now) const;
-    const SavedView* go(const SavedView& now, int step);
+    bool isAnother(const PictureDescription& now) const;
+    const PictureDescription* go(const PictureDescription& now, int step);
     std::vector<Entry> views_;
     std::size_t at_ = 0;
     bool acted_ = false;

@@ -39,7 +39,7 @@ std::uint64_t hashOf(std::string_view bytes) {
 
 }  // namespace
 
-std::optional<SavedView> loadView(const std::string& path) {
+std::optional<PictureDescription> loadView(const std::string& path) {
     const auto json = readPlain(path, kLargestView);
     if (!json) return std::nullopt;
     try {
@@ -51,7 +51,7 @@ std::optional<SavedView> loadView(const std::string& path) {
 
 void keepText(const std::string& path, const std::string& text) { write(path, text); }
 
-void keepView(const std::string& path, const SavedView& view) { write(path, savedViewJson(view)); }
+void keepView(const std::string& path, const PictureDescription& view) { write(path, savedViewJson(view)); }
 
 std::vector<std::byte> loadPipelineCache(const std::string& path) {
     const std::string content = readPlain(path, kLargestCache).value_or("");

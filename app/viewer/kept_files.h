@@ -11,9 +11,9 @@
 
 namespace nacre::app {
 
-std::optional<SavedView> loadView(const std::string& path);
+std::optional<PictureDescription> loadView(const std::string& path);
 /// Makes the folder where it is missing.
-void keepView(const std::string& path, const SavedView& view);
+void keepView(const std::string& path, const PictureDescription& view);
 
 /// Any other text.
 void keepText(const std::string& path, const std::string& text);

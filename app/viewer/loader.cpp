@@ -44,7 +44,7 @@ Document Loader::load(const Job& job) const {
         document.placed = document.molecule = molecule;
         if (sources_.motion) document.motion = sources_.motion(molecule, job.view);
         // The file of the names may have the atoms elsewhere: the camera goes by where the first frame has them.
-        if (document.motion && !job.view.trajectory.path.empty())
+        if (document.motion && !job.view.input.trajectory.path.empty())
             movePositions(*molecule, document.motion->positions(0));
     }
     if (job.first) firstLook(*document.molecule, document.view);
@@ -54,7 +54,7 @@ Document Loader::load(const Job& job) const {
 
 /// Copies of an assembly stand still.
 void Loader::build(Document& document, bool moves) const {
-    const SavedView& view = document.view;
+    const PictureDescription& view = document.view;
     if (!moves || !view.look.assembly.empty()) {
         document.scene = sources_.build(*document.molecule, view);
         document.placed = document.molecule;
@@ -62,7 +62,7 @@ void Loader::build(Document& document, bool moves) const {
         return;
     }
     document.moving =
-        std::make_shared<MovingScene>(movingSceneOf(*document.molecule, view.input, view.drawn, view.look));
+        std::make_shared<MovingScene>(movingSceneOf(*document.molecule, view.input.path, view.drawn, view.look));
     document.radius = document.moving->scene().radius;
     if (document.placed != document.molecule) document.moving->move(*document.placed);
     document.scene = document.moving->scene();

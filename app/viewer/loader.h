@@ -32,20 +32,21 @@ private:
 
 /// How a shell gets at molecules. Called on the loader's thread. @throws Error
 struct Sources {
-    std::function<Molecule(const SavedView&)> read;
-    std::function<Representation(const Molecule&, const SavedView&)> build;
+    std::function<Molecule(const PictureDescription&)> read;
+    std::function<Representation(const Molecule&, const PictureDescription&)> build;
     /// Share of a download that is there, 0..1; below 0: nothing is downloaded, or how much is not known. Any thread.
     std::function<double()> progress = {};
     /// Makes read() throw soon, where it can. Any thread.
     std::function<void()> cancel = {};
     /// What the atoms of a molecule that was read move by, as the view says; null: they stand still. What it throws is
     /// the failure of the whole. Empty: they always do.
-    std::function<std::unique_ptr<Motion>(const std::shared_ptr<const Molecule>&, const SavedView&)> motion = {};
+    std::function<std::unique_ptr<Motion>(const std::shared_ptr<const Molecule>&, const PictureDescription&)> motion =
+        {};
 };
 
 /// What is shown. The molecule is shared with a build that is under way.
 struct Document {
-    SavedView view;                            ///< as it was asked for
+    PictureDescription view;                   ///< as it was asked for
     std::shared_ptr<const Molecule> molecule;  ///< as it was read: the same as long as its file is shown
     Representation scene;
     std::shared_ptr<const Molecule> placed =
@@ -65,11 +66,11 @@ public:
     Loader(const Loader&) = delete;
 
     /// Starts with a file. What was under way is finished and thrown away.
-    void read(const SavedView& view) { start({view, nullptr}); }
+    void read(const PictureDescription& view) { start({view, nullptr}); }
     /// The same, of one that is seen for the first time: as it looks best (firstLook()), if the view leaves that open.
-    void open(const SavedView& view) { start({view, nullptr, true}); }
+    void open(const PictureDescription& view) { start({view, nullptr, true}); }
     /// Starts with what is shown, seen in another way.
-    void build(const SavedView& view, const Document& shown) {
+    void build(const PictureDescription& view, const Document& shown) {
         start({view, shown.molecule, false, shown.placed, shown.moves()});
     }
     bool busy() const { return running_.valid() && !cancelled_; }
@@ -77,7 +78,7 @@ public:
     void cancel();
     double progress() const { return busy() && sources_.progress ? sources_.progress() : -1; }
     /// The view that was read or built last.
-    const SavedView& view() const { return last_; }
+    const PictureDescription& view() const { return last_; }
     /// The document when it is ready. @throws what reading or building threw
     std::optional<Document> take();
     /// @throws Error  that take() would throw; anything else waits for it
@@ -87,7 +88,7 @@ public:
 
 private:
     struct Job {
-        SavedView view;
+        PictureDescription view;
         std::shared_ptr<const Molecule> molecule;
         bool first = false;                           ///< is seen for the first time
         std::shared_ptr<const Molecule> placed = {};  ///< where it stands
@@ -100,7 +101,7 @@ private:
 
     Sources sources_;
     std::function<void()> wake_;
-    SavedView last_;
+    PictureDescription last_;
     std::optional<Job> next_;
     bool cancelled_ = false;  // what is running
     std::future<Document> running_;

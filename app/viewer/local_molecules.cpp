@@ -6,7 +6,7 @@
 namespace nacre::app {
 
 Sources localMolecules(std::function<std::string(const std::string&)> readFile) {
-    return {[readFile = std::move(readFile)](const SavedView& view) {
+    return {[readFile = std::move(readFile)](const PictureDescription& view) {
                 return readLocally(inputOf(view), memoryShare(4), readFile);
             },
             sceneOfView};

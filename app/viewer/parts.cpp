@@ -108,7 +108,7 @@ std::vector<Part> partsOf(const Molecule& m, const std::vector<std::string>& inp
     return parts;
 }
 
-PartLook lookOf(const SavedView& view, const Part& part) {
+PartLook lookOf(const PictureDescription& view, const Part& part) {
     PartLook look;
     if (part.kind == Part::Kind::water) look.seen = view.drawn.water;
     for (const Rule& rule : view.look.rules) {
@@ -120,7 +120,7 @@ PartLook lookOf(const SavedView& view, const Part& part) {
     return look;
 }
 
-void setLookOf(SavedView& view, const Part& part, const PartLook& look) {
+void setLookOf(PictureDescription& view, const Part& part, const PartLook& look) {
     std::vector<Rule>& rules = view.look.rules;
     std::erase_if(rules, [&](const Rule& rule) { return rule.on && rule.selection.text == part.selection; });
     const auto add = [&](Rule::Action action) -> Rule& {

@@ -33,9 +33,9 @@ struct PartLook {
     std::optional<Style> style;        ///< empty: as all
     std::optional<Coloring> coloring;  ///< empty: as all
 };
-PartLook lookOf(const SavedView& view, const Part& part);
+PartLook lookOf(const PictureDescription& view, const Part& part);
 /// Gives a part a look: by rules of just its selection, behind all others.
-void setLookOf(SavedView& view, const Part& part, const PartLook& look);
+void setLookOf(PictureDescription& view, const Part& part, const PartLook& look);
 
 /// Residues of a chain that have letters: the polymer, in the file's order. @param chain  index into Molecule::chains
 /// @returns indices into Molecule::residues

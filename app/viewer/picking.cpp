@@ -17,9 +17,9 @@ constexpr double kHoverSeconds = 0.08;    // that it rests before what it is ove
 constexpr std::size_t kMostMarks = 3000;  // of a selection: of more atoms, some
 
 /// A selection as it is typed: `/name` is one of several molecules. @throws std::invalid_argument
-Selection selectionOf(const std::string& text, const SavedView& view) {
+Selection selectionOf(const std::string& text, const PictureDescription& view) {
     Selection selection = parseSelection(text);
-    if (!view.further.empty()) nameInputs(inputNames(inputOf(view)), selection);
+    if (!view.input.further.empty()) nameInputs(inputNames(inputOf(view)), selection);
     return selection;
 }
 
@@ -172,8 +172,8 @@ Annotations Picking::annotations() const {
     return a;
 }
 
-SavedView Picking::savedView() const {
-    SavedView saved = stage_.view();
+PictureDescription Picking::savedView() const {
+    PictureDescription saved = stage_.view();
     if (picks_.size() < 2) return saved;
     std::string atoms;
     for (const std::uint32_t pick : picks_) atoms += (atoms.empty() ? "" : ",") + std::to_string(pick + 1);

@@ -57,7 +57,7 @@ public:
     double advance(double now);
     Annotations annotations() const;
     /// The view as it is saved: what the picked atoms measure stays.
-    SavedView savedView() const;
+    PictureDescription savedView() const;
 
 private:
     struct Pointer {

@@ -40,7 +40,7 @@ RenderSettings PictureWords::settingsBeside(PixelSize size, double textSize) con
     return settings;
 }
 
-void PictureWords::paint(const SavedView& saved, const View& view, double size, bool transparent,
+void PictureWords::paint(const PictureDescription& saved, const View& view, double size, bool transparent,
                          Picture& picture) const {
     const Document& document = stage_.document;
     std::array<float, 4> background = saved.background;

@@ -28,7 +28,8 @@ public:
     RenderSettings settingsBeside(PixelSize size, double textSize) const;
     /// Onto a picture that was drawn so. Only if Stage::shown().
     /// @param saved  whose words  @param size  pixels of an em  @param transparent  the picture has no background
-    void paint(const SavedView& saved, const View& view, double size, bool transparent, Picture& picture) const;
+    void paint(const PictureDescription& saved, const View& view, double size, bool transparent,
+               Picture& picture) const;
 
 private:
     Stage& stage_;

@@ -26,19 +26,19 @@ std::size_t Playback::models() const {
 }
 
 bool Playback::hasTrajectory() const {
-    const SavedView& view = stage_.view();
-    return player_ && !view.trajectory.path.empty();
+    const PictureDescription& view = stage_.view();
+    return player_ && !view.input.trajectory.path.empty();
 }
 
 void Playback::arrived(const Reading::Arrival& arrival) {
     Document& document = stage_.document;
-    const SavedView& view = document.view;
-    const std::size_t model = static_cast<std::size_t>(std::max(view.model, 1)) - 1;
+    const PictureDescription& view = document.view;
+    const std::size_t model = static_cast<std::size_t>(std::max(view.input.model, 1)) - 1;
     if (arrival.another && !arrival.step) stop();
     if (document.motion) {
         player_ = std::make_unique<Player>(document.molecule, std::exchange(document.motion, nullptr), wake_);
-        const bool trajectory = !view.trajectory.path.empty();
-        const auto first = static_cast<std::size_t>(view.trajectory.frame - 1);
+        const bool trajectory = !view.input.trajectory.path.empty();
+        const auto first = static_cast<std::size_t>(view.input.trajectory.frame - 1);
         if (!arrival.step)
             clock_.begin(player_->frames(), 0, trajectory ? PlayClock::kTrajectoryRate : PlayClock::kModelRate);
         clock_.goTo(std::min(trajectory ? first : model, player_->frames() - 1));
@@ -73,7 +73,7 @@ void Playback::step(int step, double now) {
     stop();
     const std::size_t frames = clock_.frames();
     if (frames < 2) return stage_.messages.say("it has one model alone", now);
-    const bool all = stage_.view().model == kAllModels;
+    const bool all = stage_.view().input.model == kAllModels;
     show(all ? 0 : (clock_.frame() + frames + static_cast<std::size_t>(step)) % frames, now);
 }
 
@@ -114,22 +114,22 @@ void Playback::setMotion(const TrajectoryOptions& options, double now) {
 /// @throws Error if too few atoms are fitted
 void Playback::lay(const TrajectoryOptions& options) {
     Document& document = stage_.document;
-    TrajectoryOptions& laid = document.view.trajectory;
+    TrajectoryOptions& laid = document.view.input.trajectory;
     if (laid.whole != options.whole || laid.fit != options.fit || laid.smooth != options.smooth) {
         player_->setMotion(motionOptions(options, *document.molecule));
         waiting_.reset();
     }
-    SavedView& view = stage_.wanted();
-    for (TrajectoryOptions* to : {&view.trajectory, &laid}) {
+    PictureDescription& view = stage_.wanted();
+    for (TrajectoryOptions* to : {&view.input.trajectory, &laid}) {
         to->whole = options.whole;
         to->fit = options.fit;
         to->smooth = options.smooth;
     }
 }
 
-void Playback::restore(const SavedView& view) {
-    lay(view.trajectory);
-    const std::int64_t number = hasTrajectory() ? view.trajectory.frame : view.model;
+void Playback::restore(const PictureDescription& view) {
+    lay(view.input.trajectory);
+    const std::int64_t number = hasTrajectory() ? view.input.trajectory.frame : view.input.model;
     clock_.goTo(std::min(static_cast<std::size_t>(std::max<std::int64_t>(number, 1) - 1), clock_.frames() - 1));
     player_->want(clock_.frame());
 }
@@ -158,7 +158,7 @@ double Playback::advance(double now) {
 double Playback::readNext(double now) {
     if (!playing() || reading_.loader().busy()) return kNotAgain;
     if (now < clock_.due()) return clock_.due();
-    const auto next = stage_.view().model == kAllModels ? 0 : clock_.next();
+    const auto next = stage_.view().input.model == kAllModels ? 0 : clock_.next();
     if (!next) return stop(), kNotAgain;
     clock_.shown(*next, now);
     request(*next, now);
@@ -179,17 +179,17 @@ void Playback::put(double now) {
     else
         clock_.goTo(played.frame);
     Document& document = stage_.document;
-    SavedView& view = stage_.wanted();
+    PictureDescription& view = stage_.wanted();
     document.placed = std::move(played.molecule);
     document.scene = std::move(played.scene);
     frameTime_ = played.time;
     frameRmsd_ = played.rmsd;
     const int number = static_cast<int>(played.frame + 1);
     if (hasTrajectory())
-        view.trajectory.frame = document.view.trajectory.frame = number;
+        view.input.trajectory.frame = document.view.input.trajectory.frame = number;
     else
-        view.model = document.view.model = number;
-    if (view.occlusionDirections) frames_.restartOcclusion();
+        view.input.model = document.view.input.model = number;
+    if (view.occlusion.directions) frames_.restartOcclusion();
     moved_(now);
     stage_.changed(now);
 }

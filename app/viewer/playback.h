@@ -46,7 +46,7 @@ public:
     /// The document was read, or built anew: what plays it goes with it.
     void arrived(const Reading::Arrival& arrival);
     /// The frame of a view of the same molecules, laid as it says. @throws Error if too few atoms are fitted
-    void restore(const SavedView& view);
+    void restore(const PictureDescription& view);
     /// Shows what is due of what is played. @returns when to look again; infinity: something wakes
     double advance(double now);
     /// Until the frame that was asked for last is ready, if one was.

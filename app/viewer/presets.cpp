@@ -1,7 +1,6 @@
 #include "app/viewer/presets.h"
 
 #include "app/picture/appearance_values.h"
-#include "app/picture/mesh_options.h"
 #include "engine/molecule/chain_summary.h"
 
 namespace nacre::app {
@@ -34,7 +33,7 @@ std::span<const Preset> presets() {
     return kPresets;
 }
 
-void applyPreset(const Preset& preset, SavedView& view) {
+void applyPreset(const Preset& preset, PictureDescription& view) {
     const std::string assembly = view.look.assembly;
     const Palette palette = view.look.palette;
     view.look = preset.look;
@@ -43,7 +42,7 @@ void applyPreset(const Preset& preset, SavedView& view) {
     view.background = preset.background;
 }
 
-void firstLook(const Molecule& molecule, SavedView& view) {
+void firstLook(const Molecule& molecule, PictureDescription& view) {
     constexpr std::size_t kFewResidues = 200;
     RepresentationOptions& look = view.look;
     if (look.style || !look.rules.empty() || look.color != Coloring()) return;

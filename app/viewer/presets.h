@@ -15,12 +15,12 @@ struct Preset {
 
 std::span<const Preset> presets();
 /// Changes what is drawn and its colours; camera and file stay.
-void applyPreset(const Preset& preset, SavedView& view);
+void applyPreset(const Preset& preset, PictureDescription& view);
 
 /// How a molecule looks at first where nothing was asked for: proteins of over 200 residues as cartoons, their ligands
 /// as sticks; a prediction that states its confidence as a cartoon coloured by it. Anything else, and any view that
 /// says something of styles, colours or selections, stays as it is.
-void firstLook(const Molecule& molecule, SavedView& view);
+void firstLook(const Molecule& molecule, PictureDescription& view);
 
 /// Colourings that are offered: the words, and the colouring that they stand for.
 struct ColorWord {

@@ -8,14 +8,14 @@ namespace nacre::app {
 namespace {
 
 /// Which molecules a view is of, and where they come from.
-void takeInput(const SavedView& from, SavedView& to) {
-    to.input = from.input;
-    to.format = from.format;
-    to.model = from.model;
-    to.trajectory = from.trajectory;
-    to.name = from.name;
-    to.further = from.further;
-    to.fits = from.fits;
+void takeInput(const PictureDescription& from, PictureDescription& to) {
+    to.input.path = from.input.path;
+    to.input.format = from.input.format;
+    to.input.model = from.input.model;
+    to.input.trajectory = from.input.trajectory;
+    to.input.name = from.input.name;
+    to.input.further = from.input.further;
+    to.input.fits = from.input.fits;
     to.look.assembly = from.look.assembly;
 }
 
@@ -23,16 +23,16 @@ void takeInput(const SavedView& from, SavedView& to) {
 
 Reading::Reading(Stage& stage, Sources sources, std::function<void()> wake)
     : stage_(stage), loader_(std::move(sources), std::move(wake)) {
-    const SavedView& view = stage.view();
+    const PictureDescription& view = stage.view();
     // What was saved looks as it was.
-    if (!view.input.empty()) view.hash.empty() ? loader_.open(view) : loader_.read(view);
+    if (!view.input.path.empty()) view.input.hash.empty() ? loader_.open(view) : loader_.read(view);
 }
 
 void Reading::open(const std::vector<std::string>& paths, double now) {
     if (paths.empty()) return;
-    SavedView fresh = stage_.view();
-    SavedView first;
-    first.input = paths.front();
+    PictureDescription fresh = stage_.view();
+    PictureDescription first;
+    first.input.path = paths.front();
     takeInput(first, fresh);
     fresh.look.rules.clear();
     fresh.words.labels.clear();
@@ -45,9 +45,9 @@ void Reading::open(const std::vector<std::string>& paths, double now) {
 
 void Reading::add(const std::vector<std::string>& paths, double now) {
     if (!stage_.shown()) return open(paths, now);
-    SavedView more = stage_.view();
-    more.model = 1;  // models of one are nothing to the others
-    more.trajectory = {};
+    PictureDescription more = stage_.view();
+    more.input.model = 1;  // models of one are nothing to the others
+    more.input.trajectory = {};
     more.look.assembly.clear();
     more.camera.pan = {};
     more.camera.zoom = 1;
@@ -55,30 +55,30 @@ void Reading::add(const std::vector<std::string>& paths, double now) {
 }
 
 /// Further molecules beside a view's, which is about to be read. @returns whether there is room for them
-bool Reading::beginWith(SavedView& view, const std::vector<std::string>& paths, double now) {
+bool Reading::beginWith(PictureDescription& view, const std::vector<std::string>& paths, double now) {
     question_.reset();
     stage_.messages.dismissFailure();
     stage_.remember();
     restoring_ = false;
     stage_.schedule.overlayChanged();
-    const std::size_t before = view.further.size() + 1;
+    const std::size_t before = view.input.further.size() + 1;
     if (before + paths.size() > kMostInputs) {
         stage_.messages.fail("more than 100 molecules are not shown together", now);
         return false;
     }
-    for (const std::string& path : paths) view.further.push_back({"", path, ""});
+    for (const std::string& path : paths) view.input.further.push_back({"", path, ""});
     if (!paths.empty()) colorApart(inputNames(inputOf(view)), view.look, before);
     return true;
 }
 
-void Reading::restore(const SavedView& view, bool another) {
+void Reading::restore(const PictureDescription& view, bool another) {
     restoring_ = another;
     another ? loader_.read(view) : loader_.build(view, stage_.document);
 }
 
 void Reading::readModel(int model) {
-    SavedView next = stage_.view();
-    next.model = model;
+    PictureDescription next = stage_.view();
+    next.input.model = model;
     loader_.read(next);
 }
 
@@ -98,8 +98,8 @@ void Reading::answer(bool yes, double now) {
 }
 
 bool Reading::another() const {
-    const SavedView& there = stage_.document.view;
-    return loader_.busy() && (!stage_.shown() || loader_.view().input != there.input);
+    const PictureDescription& there = stage_.document.view;
+    return loader_.busy() && (!stage_.shown() || loader_.view().input.path != there.input.path);
 }
 
 std::optional<Document> Reading::take(double now) {
@@ -119,17 +119,18 @@ std::optional<Document> Reading::take(double now) {
 }
 
 Reading::Arrival Reading::arrive(Document document) {
-    const SavedView& before = stage_.document.view;
-    const SavedView& view = document.view;
+    const PictureDescription& before = stage_.document.view;
+    const PictureDescription& view = document.view;
     Arrival arrival;
     arrival.another = document.molecule != stage_.document.molecule;
     // The camera stays in the hand that turns it.
-    arrival.step = arrival.another && stage_.shown() && view.input == before.input && view.model != before.model;
+    arrival.step = arrival.another && stage_.shown() && view.input.path == before.input.path &&
+                   view.input.model != before.input.model;
     arrival.restored = std::exchange(restoring_, false);
     stage_.document = std::move(document);
     if (!arrival.another) return arrival;
-    const SavedView& there = stage_.document.view;
-    SavedView& wanted = stage_.wanted();
+    const PictureDescription& there = stage_.document.view;
+    PictureDescription& wanted = stage_.wanted();
     takeInput(there, wanted);
     if (!arrival.step && !wanted.look.style) {
         wanted.look.style = there.look.style;

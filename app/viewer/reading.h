@@ -22,7 +22,7 @@ public:
     void add(const std::vector<std::string>& paths, double now);
     void add(const std::string& path, double now) { add(std::vector{path}, now); }
     /// What a view says, which is the wanted one already. @param another  it is of other molecules
-    void restore(const SavedView& view, bool another);
+    void restore(const PictureDescription& view, bool another);
     /// Another model of the same file.
     void readModel(int model);
     /// What is shown, as it is wanted.
@@ -53,14 +53,14 @@ public:
     Arrival arrive(Document document);
 
 private:
-    bool beginWith(SavedView& view, const std::vector<std::string>& paths, double now);
+    bool beginWith(PictureDescription& view, const std::vector<std::string>& paths, double now);
 
     Stage& stage_;
     Loader loader_;
     std::optional<Question> question_;
-    SavedView asked_;         // what question_ is about
-    bool restoring_ = false;  // what is being read belongs to the view as it is
-    bool first_ = true;       // nothing was shown yet
+    PictureDescription asked_;  // what question_ is about
+    bool restoring_ = false;    // what is being read belongs to the view as it is
+    bool first_ = true;         // nothing was shown yet
 };
 
 }  // namespace nacre::app

@@ -77,7 +77,7 @@ std::string Session::OwnScreen::deviceLoss() const {
 
 // --- the session
 
-Session::Session(SessionHost host, Sources sources, const SavedView& first, const ViewerOptions& options,
+Session::Session(SessionHost host, Sources sources, const PictureDescription& first, const ViewerOptions& options,
                  std::function<void()> wake)
     : host_(std::move(host)), viewer_(screen_, std::move(sources), first, options, std::move(wake)) {}
 

@@ -27,7 +27,7 @@ struct SessionHost {
 class Session {
 public:
     /// Without a renderer: open() makes it.
-    Session(SessionHost host, Sources sources, const SavedView& first, const ViewerOptions& options,
+    Session(SessionHost host, Sources sources, const PictureDescription& first, const ViewerOptions& options,
             std::function<void()> wake);
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;

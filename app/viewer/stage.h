@@ -14,7 +14,7 @@ class Stage {
 public:
     static constexpr double kHandSeconds = 0.1;  ///< a hand that rests this long no longer moves the picture
 
-    Stage(const SavedView& view, bool errorsStay) : messages(schedule, errorsStay), view_(view) {
+    Stage(const PictureDescription& view, bool errorsStay) : messages(schedule, errorsStay), view_(view) {
         motion.set(view.camera);
     }
     Stage(const Stage&) = delete;
@@ -26,15 +26,15 @@ public:
     Document document;
 
     /// As it is wanted, seen from where `motion` has the camera.
-    const SavedView& view() const {
+    const PictureDescription& view() const {
         view_.camera = motion.camera();
         return view_;
     }
     /// The same, to be changed; its camera is not looked at.
-    SavedView& wanted() { return view_; }
+    PictureDescription& wanted() { return view_; }
     /// The same where a flight has arrived.
-    SavedView destination() const {
-        SavedView view = view_;
+    PictureDescription destination() const {
+        PictureDescription view = view_;
         view.camera = motion.destination();
         return view;
     }
@@ -66,7 +66,7 @@ public:
     bool moving(double now) const { return motion.moving() || now < handRests(); }
 
 private:
-    mutable SavedView view_;
+    mutable PictureDescription view_;
     std::uint64_t changes_ = 0;
     double changedAt_ = 0, handMoved_ = -1e9;
 };

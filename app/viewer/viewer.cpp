@@ -17,7 +17,7 @@ std::string nameOf(const std::string& input) {
 
 }  // namespace
 
-Viewer::Viewer(Screen& screen, Sources sources, const SavedView& view, const ViewerOptions& options,
+Viewer::Viewer(Screen& screen, Sources sources, const PictureDescription& view, const ViewerOptions& options,
                std::function<void()> wake)
     : stage_(view, options.errorsStay),
       frames_(screen, stage_, options),
@@ -88,11 +88,11 @@ void Viewer::resume(double now) {
 
 // --- what is shown
 
-void Viewer::setLook(const SavedView& look, double now, bool continues) {
-    const SavedView before = view();
+void Viewer::setLook(const PictureDescription& look, double now, bool continues) {
+    const PictureDescription before = view();
     if (!continues) stage_.remember();
     stage_.history.acted();
-    SavedView& wanted = stage_.wanted();
+    PictureDescription& wanted = stage_.wanted();
     wanted = look;
     nameInputs(wanted);
     stage_.motion.setProjection(look.camera.projection);
@@ -102,37 +102,37 @@ void Viewer::setLook(const SavedView& look, double now, bool continues) {
     const bool scene = wanted.look != before.look || look.drawn != before.drawn;
     // What is being read is seen in this look once it is there.
     if (scene && stage_.shown() && !reading_.another()) reading_.build();
-    if (look.occlusionDirections != before.occlusionDirections) frames_.restartOcclusion();
+    if (look.occlusion.directions != before.occlusion.directions) frames_.restartOcclusion();
 }
 
 void Viewer::undo(double now) {
     if (!stage_.shown()) return;
-    if (const SavedView* to = stage_.history.undo(stage_.destination())) return restore(*to, now);
+    if (const PictureDescription* to = stage_.history.undo(stage_.destination())) return restore(*to, now);
     stage_.messages.say("nothing to undo", now);
 }
 
 void Viewer::redo(double now) {
     if (!stage_.shown()) return;
-    if (const SavedView* to = stage_.history.redo(stage_.destination())) return restore(*to, now);
+    if (const PictureDescription* to = stage_.history.redo(stage_.destination())) return restore(*to, now);
     stage_.messages.say("nothing to redo", now);
 }
 
-void Viewer::show(const SavedView& to, double now, double seconds) {
+void Viewer::show(const PictureDescription& to, double now, double seconds) {
     stage_.remember();
     restore(to, now, seconds);
     stage_.history.acted();
 }
 
-void Viewer::restore(const SavedView& to, double now, double seconds) {
-    const SavedView before = view();
+void Viewer::restore(const PictureDescription& to, double now, double seconds) {
+    const PictureDescription before = view();
     // What is shown may still be something else than what was asked for before.
     const Document& document = stage_.document;
-    const SavedView& there = document.view;
-    const bool file = !stage_.shown() || to.input != there.input || to.format != there.format ||
-                      to.name != there.name || to.further != there.further || to.fits != there.fits ||
-                      to.trajectory.path != there.trajectory.path;
+    const PictureDescription& there = document.view;
+    const bool file = !stage_.shown() || to.input.path != there.input.path || to.input.format != there.input.format ||
+                      to.input.name != there.input.name || to.input.further != there.input.further ||
+                      to.input.fits != there.input.fits || to.input.trajectory.path != there.input.trajectory.path;
     const bool frame = !file && document.moves() && to.look.assembly == there.look.assembly;  // the player has it
-    const bool another = file || (!frame && to.model != there.model);
+    const bool another = file || (!frame && to.input.model != there.input.model);
     CameraMotion& motion = stage_.motion;
     Camera camera = motion.camera();
     stage_.wanted() = to;
@@ -143,12 +143,12 @@ void Viewer::restore(const SavedView& to, double now, double seconds) {
     playback_.stop();
     camera_.forgetClip();
     stage_.messages.dismissFailure();
-    if (another || to.look != before.look || to.drawn != before.drawn || to.uncover != before.uncover ||
+    if (another || to.look != before.look || to.drawn != before.drawn || to.aim.uncover != before.aim.uncover ||
         reading_.loader().busy())
         reading_.restore(to, another);
     if (!another) words_.place(now);
     if (frame) playback_.restore(to);
-    if (to.occlusionDirections != before.occlusionDirections) frames_.restartOcclusion();
+    if (to.occlusion.directions != before.occlusion.directions) frames_.restartOcclusion();
     stage_.changed(now);
 }
 
@@ -185,9 +185,9 @@ void Viewer::takeDocument(double now) {
 std::string Viewer::title() const {
     std::string title;
     if (stage_.shown()) {
-        const SavedView& view = stage_.document.view;
-        title = nameOf(view.input);
-        for (const FurtherInput& further : view.further) title += " + " + nameOf(further.path);
+        const PictureDescription& view = stage_.document.view;
+        title = nameOf(view.input.path);
+        for (const FurtherInput& further : view.input.further) title += " + " + nameOf(further.path);
     }
     if (reading_.question()) title = "question";
     if (reading_.loader().busy()) title += title.empty() ? "reading" : ", building";

@@ -24,7 +24,7 @@ namespace nacre::app {
 
 class Viewer {
 public:
-    Viewer(Screen& screen, Sources sources, const SavedView& view, const ViewerOptions& options,
+    Viewer(Screen& screen, Sources sources, const PictureDescription& view, const ViewerOptions& options,
            std::function<void()> wake = {});
     Viewer(const Viewer&) = delete;
 
@@ -57,13 +57,13 @@ public:
     void resume(double now);
 
     // What is shown
-    const SavedView& view() const { return stage_.view(); }
+    const PictureDescription& view() const { return stage_.view(); }
     const Document* document() const { return stage_.shown() ? &stage_.document : nullptr; }
     /// All that a view says: its molecule is read. @param seconds  that the flight there takes
-    void show(const SavedView& view, double now, double seconds = CameraMotion::kFlightSeconds);
+    void show(const PictureDescription& view, double now, double seconds = CameraMotion::kFlightSeconds);
     /// Another look or projection; the camera of `look` is not looked at.
     /// @param continues  one step of the history with the look before, as while a slider is dragged
-    void setLook(const SavedView& look, double now, bool continues = false);
+    void setLook(const PictureDescription& look, double now, bool continues = false);
     bool canUndo() const { return stage_.shown() && stage_.history.canUndo(stage_.destination()); }
     bool canRedo() const { return stage_.shown() && stage_.history.canRedo(stage_.destination()); }
     void undo(double now);
@@ -80,8 +80,8 @@ public:
 private:
     void apply(const std::vector<Gesture>& gestures, double now);
     void aimAt(ViewerCommand command, double now);
-    bool changeLook(ViewerCommand command, SavedView& look, double now);
-    void restore(const SavedView& view, double now, double seconds = CameraMotion::kFlightSeconds);
+    bool changeLook(ViewerCommand command, PictureDescription& look, double now);
+    void restore(const PictureDescription& view, double now, double seconds = CameraMotion::kFlightSeconds);
     void takeDocument(double now);
     double advance(double now);
 

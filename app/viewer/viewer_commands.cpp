@@ -42,7 +42,7 @@ void Viewer::aimAt(ViewerCommand command, double now) {
 }
 
 /// @returns whether it was a command that changes the look
-bool Viewer::changeLook(ViewerCommand command, SavedView& look, double now) {
+bool Viewer::changeLook(ViewerCommand command, PictureDescription& look, double now) {
     using C = ViewerCommand;
     std::string said;
     const auto toggle = [](bool& value) { return value = !value; };
@@ -87,7 +87,7 @@ bool Viewer::changeLook(ViewerCommand command, SavedView& look, double now) {
             toggle(look.lighting);
             break;
         case C::occlusion:
-            look.occlusionDirections = look.occlusionDirections ? 0 : SavedView{}.occlusionDirections;
+            look.occlusion.directions = look.occlusion.directions ? 0 : PictureDescription{}.occlusion.directions;
             break;
         case C::keepMeasurement:
             look = picking_.savedView();
@@ -109,7 +109,7 @@ bool Viewer::changeLook(ViewerCommand command, SavedView& look, double now) {
 void Viewer::run(ViewerCommand command, double now) {
     using C = ViewerCommand;
     if (camera_.run(command, now)) return;
-    if (SavedView look = view(); changeLook(command, look, now)) return setLook(look, now);
+    if (PictureDescription look = view(); changeLook(command, look, now)) return setLook(look, now);
     switch (command) {
         case C::orient:
         case C::lookAt:

@@ -12,7 +12,7 @@ namespace {
 TEST_F(AndroidHost, BringsASample) {
     Host host(folder_);
     host.start();
-    EXPECT_EQ(host.view().input, "sample:dna");
+    EXPECT_EQ(host.view().input.path, "sample:dna");
 }
 
 TEST_F(AndroidHost, TheStateOutlivesTheProcess) {
@@ -60,9 +60,9 @@ TEST_F(AndroidHost, OpensWhatOtherAppsHandOver) {
         host.lowMemory();
         host.open(120, 120);
         host.key(AKEYCODE_O, AKEY_EVENT_ACTION_DOWN);  // occlusion off
-        ASSERT_TRUE(eventually([&] { return !host.view().input.empty(); }));
+        ASSERT_TRUE(eventually([&] { return !host.view().input.path.empty(); }));
         expectAsRendered(host, kMenu, "", 1);
-        const std::filesystem::path copy = host.view().input;
+        const std::filesystem::path copy = host.view().input.path;
         EXPECT_EQ(copy.filename(), "two atoms.pdb");
         EXPECT_EQ(copy.parent_path().parent_path(), folder_ / "opened");
         state = host.saveState();
@@ -102,7 +102,7 @@ TEST_F(AndroidHost, OpensWhatIsPickedThere) {
     document.name = "picked.pdb";
     document.bytes = pdbOf("FE", 1);
     host.java().documentPicked(document);
-    ASSERT_TRUE(eventually([&] { return host.view().input.ends_with("picked.pdb"); }));
+    ASSERT_TRUE(eventually([&] { return host.view().input.path.ends_with("picked.pdb"); }));
 }
 
 TEST_F(AndroidHost, WhatIsTypedIsInTheSharedPictureAndView) {
@@ -166,7 +166,7 @@ TEST_F(AndroidHost, ShowsWhatADatabaseHas) {
         host.java().typed("Identifier or path", what);
     };
     ask("pdb:1xyz");
-    ASSERT_TRUE(eventually([&] { return host.view().input == "pdb:1xyz"; }));
+    ASSERT_TRUE(eventually([&] { return host.view().input.path == "pdb:1xyz"; }));
     std::size_t kept = 0;
     for (const auto& file : std::filesystem::recursive_directory_iterator(folder_))
         kept += file.path().filename() == "pdb-1xyz.cif.gz";
@@ -175,7 +175,7 @@ TEST_F(AndroidHost, ShowsWhatADatabaseHas) {
     ask("pdb:2xyz");
     ASSERT_TRUE(eventually([&] { return !toldOf(host, "This did not work").empty(); }));
     EXPECT_TRUE(eventually([&] { return host.java().controls().find("no such entry (404)") != std::string::npos; }));
-    EXPECT_EQ(host.view().input, "pdb:1xyz");
+    EXPECT_EQ(host.view().input.path, "pdb:1xyz");
 }
 
 TEST_F(AndroidHost, TellsScreenReadersWhatIsThere) {
@@ -234,8 +234,8 @@ TEST_F(AndroidHost, OpensWhatProvidersStream) {
     document.hasDescriptor = false;
     Host host(folder_, document);
     host.start();
-    ASSERT_TRUE(eventually([&] { return !host.view().input.empty(); }));
-    const std::filesystem::path copy = host.view().input;
+    ASSERT_TRUE(eventually([&] { return !host.view().input.path.empty(); }));
+    const std::filesystem::path copy = host.view().input.path;
     EXPECT_EQ(copy.filename(), "7");  // the provider keeps no names
     std::ifstream file(copy, std::ios::binary);
     EXPECT_TRUE(std::string(std::istreambuf_iterator<char>(file), {}) == document.bytes);
@@ -263,7 +263,7 @@ TEST_F(AndroidHost, KeepsAFewOfTheOpenedFiles) {
         document.bytes = pdbOf("C", 1 + i);
         Host host(folder_, document);
         host.start();
-        ASSERT_TRUE(eventually([&] { return !host.view().input.empty(); })) << i;
+        ASSERT_TRUE(eventually([&] { return !host.view().input.path.empty(); })) << i;
     }
     std::size_t count = 0;
     for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder_ / "opened")) ++count;

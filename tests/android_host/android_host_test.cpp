@@ -43,7 +43,7 @@ TEST_F(AndroidHost, FingersRotateZoomAndFit) {
     host.lowMemory();  // no refinement, which other tests see
     host.open(320, 320);
     host.drag(100, 160, 210, 160, 11);  // the first 10 points tell a drag from a tap
-    app::SavedView view = host.view();
+    app::PictureDescription view = host.view();
     const double half = 50 * M_PI / 180;
     EXPECT_NEAR(view.camera.orientation.w, std::cos(half), 1e-5);
     EXPECT_NEAR(view.camera.orientation.y, std::sin(half), 1e-5);

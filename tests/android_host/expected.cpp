@@ -26,7 +26,7 @@ Renderer& expectingRenderer() {
 
 const std::string& driverKey() { return expectingRenderer().stats().device.driverKey; }
 
-WindowPicture expectedPicture(const app::SavedView& view, std::uint32_t width, std::uint32_t height,
+WindowPicture expectedPicture(const app::PictureDescription& view, std::uint32_t width, std::uint32_t height,
                               std::uint32_t samples) {
     const app::Sources sources = app::localMolecules();
     const Molecule molecule = sources.read(view);
@@ -35,7 +35,7 @@ WindowPicture expectedPicture(const app::SavedView& view, std::uint32_t width, s
     settings.view = viewOf(view.camera, scene.radius, width, height);
     settings.background = view.background;
     settings.lighting = view.lighting;
-    settings.occlusion.directions = view.occlusionDirections;
+    settings.occlusion.directions = view.occlusion.directions;
     settings.supersample = samples;
     Renderer& renderer = expectingRenderer();
     renderer.setScene(scene);

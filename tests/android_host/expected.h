@@ -10,7 +10,7 @@ namespace nacre::test {
 
 /// The view without overlay.
 /// @param samples a side of a pixel
-WindowPicture expectedPicture(const app::SavedView& view, std::uint32_t width, std::uint32_t height,
+WindowPicture expectedPicture(const app::PictureDescription& view, std::uint32_t width, std::uint32_t height,
                               std::uint32_t samples);
 
 /// What is kept of devices is named by it.

@@ -32,7 +32,7 @@ public:
     void open(std::int32_t width, std::int32_t height, int quarterTurns = 0);
     /// What the system would keep of it. Empty: nothing.
     std::string saveState();
-    app::SavedView view() { return app::parseSavedView(saveState(), "state"); }
+    app::PictureDescription view() { return app::parseSavedView(saveState(), "state"); }
     void lowMemory();
     void setDensity(std::int32_t density);
     void setContent(const ARect& content);

@@ -34,7 +34,7 @@ protected:
     static void expectAsRendered(Host& host, Covered covered = kMenu, const char* what = "",
                                  std::uint32_t samples = app::ViewerOptions{}.mostSamples) {
         EXPECT_TRUE(eventually([&] { return host.picture().width > 0; })) << what << ": there is no picture";
-        const app::SavedView view = host.view();
+        const app::PictureDescription view = host.view();
         const WindowPicture first = host.picture();
         const WindowPicture expected = expectedPicture(view, first.width, first.height, samples);
         Difference d;

@@ -114,7 +114,7 @@ TEST(Words, MarkupRaisesAndLowers) {
 }
 
 TEST(Words, TravelInASavedView) {
-    SavedView view;
+    PictureDescription view;
     view.words.labels = {parseLabel("chain A={residue}_{x}")};
     view.words.measures = {parseMeasure("3,7"), parseMeasure("id 1,id 2,id 3")};
     view.words.title = "B-DNA";
@@ -123,7 +123,7 @@ TEST(Words, TravelInASavedView) {
     view.words.size = 31.5;
     view.words.color = std::array<float, 3>{1, 0, 0};
     view.look.palette = Palette::muted;
-    const SavedView back = parseSavedView(savedViewJson(view), "v");
+    const PictureDescription back = parseSavedView(savedViewJson(view), "v");
     EXPECT_EQ(back.words, view.words);
     EXPECT_EQ(back.look.palette, Palette::muted);
     EXPECT_THROW(parseSavedView(R"({"labels": ["all={foo}"]})", "v"), Error);

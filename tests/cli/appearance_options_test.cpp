@@ -22,13 +22,13 @@ using test::nacreIn;
 using test::Outcome;
 using test::TemporaryFolder;
 
-RenderOptions parsed(std::vector<const char*> arguments) {
+PictureDescription parsed(std::vector<const char*> arguments) {
     arguments.insert(arguments.begin(), {"nacre", "render"});
     return parseCommandLine(static_cast<int>(arguments.size()), arguments.data()).render;
 }
 
 TEST(AppearanceOptions, KeepTheOrderOfTheCommandLine) {
-    const RenderOptions options =
+    const PictureDescription options =
         parsed({"--color-by", "all=chain", "--hide", "chain A", "in.pdb", "--show", "resn HEM=licorice", "--hide",
                 "water", "-o", "a.png", "--color-by", "chain A=#0f8", "--show", "ion=spacefill"});
     EXPECT_EQ(options.input.path, "in.pdb");

@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/cli/picture_job.h"
+#include "app/annotation/painter.h"
+#include "app/drawing/drawing.h"
 #include "app/images/image_codec.h"
 #include "engine/molecule/read.h"
 
@@ -12,7 +13,7 @@ namespace nacre::app {
 namespace {
 
 TEST(BandedPicture, IsThePictureThatIsDrawnAtOnce) {
-    RenderOptions options;
+    PictureDescription options;
     options.input.path = "sample:dna";
     options.size = {301, 203};
     options.occlusion.directions = 16;
@@ -24,14 +25,16 @@ TEST(BandedPicture, IsThePictureThatIsDrawnAtOnce) {
     options.words.legend = true;
     options.words.labels.push_back(parseLabel("name P={residue}{number}"));
     const Molecule molecule = sampleMolecule("dna");
-    PreparedPicture prepared = preparePicture(molecule, options);
-    Renderer renderer{DeviceOptions{}};
-    renderer.setScene(std::move(prepared.scene));
+    Drawing prepared;
+    prepared.prepare(molecule, options);
+    Canvas canvas{DeviceOptions{}};
+    Renderer& renderer = canvas.renderer;
+    prepared.show(canvas);
     const View& view = prepared.settings.view;
     EXPECT_FALSE(isBanded(renderer, prepared.settings));
     Picture whole = renderer.render(prepared.settings);
     const std::uint64_t covered = renderer.stats().coveredPixels;
-    const std::size_t crowded = addWords(prepared, options, prepared.settings, whole);
+    const std::size_t crowded = prepared.addWords(prepared.settings, whole);
 
     const WordPainter painter;
     Marks marks = painter.layOut(prepared.words, view, options.words.size, options.words.color, options.background);

@@ -1,8 +1,9 @@
 // `nacre render --view`: a saved view is the options that it stands for.
 
+#include "app/picture/saved_view.h"
+
 #include <gtest/gtest.h>
 
-#include "app/cli/saved_options.h"
 #include "app/input/input_files.h"
 #include "app/picture/appearance_values.h"
 #include "tests/support/run_program.h"
@@ -109,7 +110,7 @@ TEST(SavedView, FindsItsFileBesideItByItsHash) {
 }
 
 TEST(SavedView, OptionsBecomeAViewThatMeansThem) {
-    app::RenderOptions options;
+    app::PictureDescription options;
     options.input.path = "x.pdb";
     options.input.format = Format::pdb;
     options.look.style = Style::licorice;
@@ -117,13 +118,13 @@ TEST(SavedView, OptionsBecomeAViewThatMeansThem) {
                           app::parseColorBy("chain A=b-factor")};
     options.background = {1, 0, 0, 0.5f};
     options.camera.zoom = 3;
-    const app::SavedView view = app::savedViewOf(options);
-    app::RenderOptions back;
-    app::applySavedView(view, back);
-    EXPECT_EQ(app::savedViewJson(app::savedViewOf(back)).size() +
-                  std::string("\"input\": \"x.pdb\",\n  \"format\": \"pdb\",\n  ").size(),
-              app::savedViewJson(view).size());
-    EXPECT_EQ(back.savedInput.path, "x.pdb");
+    const TemporaryFolder folder;
+    std::ofstream(folder / "v.json") << app::savedViewJson(options);
+    app::PictureDescription back;
+    app::applySavedView(folder / "v.json", back);
+    EXPECT_EQ(app::savedViewJson(back), app::savedViewJson(options));
+    EXPECT_EQ(back.input.path, "x.pdb");
+    EXPECT_EQ(back.input.namedBy, (folder / "v.json"));
     EXPECT_EQ(back.look.rules.size(), 3u);
     EXPECT_EQ(back.look.rules[2].coloring.scheme, ColorScheme::bFactor);
     EXPECT_EQ(back.camera.zoom, 3);

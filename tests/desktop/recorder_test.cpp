@@ -21,11 +21,11 @@ struct Recording {
     TemporaryFolder folder;
     Recorder recorder{{}, NACRE_PROGRAM};
     RecordingWish wish;
-    SavedView shown;
+    PictureDescription shown;
 
     Recording() {
-        shown.input = "sample:glucose";
-        shown.occlusionDirections = 2;
+        shown.input.path = "sample:glucose";
+        shown.occlusion.directions = 2;
         wish.seconds = 0.4;
         wish.framesPerSecond = 10;
         wish.size = {40, 30};
@@ -36,7 +36,7 @@ struct Recording {
             std::this_thread::sleep_for(std::chrono::milliseconds(10));
         return recorder.state();
     }
-    RecordingState record(const std::vector<SavedView>& keys = {}) {
+    RecordingState record(const std::vector<PictureDescription>& keys = {}) {
         recorder.start(wish, shown, keys, {"--cache", "off"});
         return wait([](const RecordingState& s) { return !s.running; });
     }
@@ -59,7 +59,7 @@ TEST(Recorder, MakesTheFilmThatMovieMakes) {
 
 TEST(Recorder, GoesThroughKeptViews) {
     Recording r;
-    SavedView other = r.shown;
+    PictureDescription other = r.shown;
     other.camera.zoom = 2;
     r.wish.motion = RecordingWish::Motion::views;
     EXPECT_FALSE(r.record({r.shown, other}).failed);
@@ -100,12 +100,12 @@ TEST(Recorder, AsksForWhatTheWindowShows) {
     wish.motion = RecordingWish::Motion::models;
     wish.size = {64, 48};
     wish.path = "film.mp4";
-    SavedView shown;
-    shown.input = "/data/md.gro";
-    shown.trajectory.path = "/data/md.xtc";
-    shown.trajectory.smooth = 5;
-    shown.trajectory.whole = true;
-    shown.trajectory.fit = parseSelection("backbone");
+    PictureDescription shown;
+    shown.input.path = "/data/md.gro";
+    shown.input.trajectory.path = "/data/md.xtc";
+    shown.input.trajectory.smooth = 5;
+    shown.input.trajectory.whole = true;
+    shown.input.trajectory.fit = parseSelection("backbone");
     const std::vector<std::string> words = movieArguments(wish, shown, "v.json", {});
     const auto after = [&](const std::string& option) {
         const auto at = std::find(words.begin(), words.end(), option);
@@ -120,7 +120,7 @@ TEST(Recorder, AsksForWhatTheWindowShows) {
     EXPECT_NE(std::find(words.begin(), words.end(), "--whole"), words.end());
     EXPECT_EQ(after("--frame"), "none") << "it goes through all of them";
     wish.motion = RecordingWish::Motion::spin;
-    shown.trajectory.frame = 7;
+    shown.input.trajectory.frame = 7;
     const std::vector<std::string> spin = movieArguments(wish, shown, "v.json", {});
     EXPECT_EQ(*(std::find(spin.begin(), spin.end(), "--frame") + 1), "7");
 }

@@ -52,18 +52,19 @@ private:
     }
     app::Sources sources() {
         const std::shared_future<void> may = mayRead_.get_future().share();
-        return {
-            [may](const app::SavedView& v) {
-                may.wait();
-                return sampleMolecule(v.input.substr(7));
-            },
-            [](const Molecule& m, const app::SavedView& v) { return represent(m, drawnAtoms(m, v.drawn), v.look); }};
+        return {[may](const app::PictureDescription& v) {
+                    may.wait();
+                    return sampleMolecule(v.input.path.substr(7));
+                },
+                [](const Molecule& m, const app::PictureDescription& v) {
+                    return represent(m, drawnAtoms(m, v.drawn), v.look);
+                }};
     }
-    static app::SavedView viewOf(const File& file) {
-        app::SavedView view;
-        view.input = file.input;
+    static app::PictureDescription viewOf(const File& file) {
+        app::PictureDescription view;
+        view.input.path = file.input;
         view.look.style = file.style;
-        view.occlusionDirections = 0;
+        view.occlusion.directions = 0;
         return view;
     }
 

@@ -91,15 +91,16 @@ private:
         return options;
     }
     static app::Sources sources() {
-        return {
-            [](const app::SavedView& v) { return sampleMolecule(v.input.substr(7)); },
-            [](const Molecule& m, const app::SavedView& v) { return represent(m, drawnAtoms(m, v.drawn), v.look); }};
+        return {[](const app::PictureDescription& v) { return sampleMolecule(v.input.path.substr(7)); },
+                [](const Molecule& m, const app::PictureDescription& v) {
+                    return represent(m, drawnAtoms(m, v.drawn), v.look);
+                }};
     }
-    static app::SavedView firstView(int directions) {
-        app::SavedView view;
-        view.input = "sample:glucose";
+    static app::PictureDescription firstView(int directions) {
+        app::PictureDescription view;
+        view.input.path = "sample:glucose";
         view.look.style = Style::spacefill;
-        view.occlusionDirections = directions;
+        view.occlusion.directions = directions;
         return view;
     }
     static app::ViewerOptions quick() {

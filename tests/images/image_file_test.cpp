@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/picture/picture_names.h"
 #include "app/picture/srgb.h"
 #include "engine/error.h"
 #include "tests/support/temporary_folder.h"

@@ -73,8 +73,8 @@ std::vector<Writer> writers() {
     all.push_back({"view",
                    [](const std::string& folder, int version) {
                        setenv("XDG_STATE_HOME", folder.c_str(), 1);
-                       SavedView view;
-                       view.input = std::string(200000, static_cast<char>('a' + version));
+                       PictureDescription view;
+                       view.input.path.path = std::string(200000, static_cast<char>('a' + version));
                        saveState(view);
                    },
                    [](const std::string& folder) { return folder + "/nacre/view.json"; }});
@@ -185,8 +185,8 @@ TEST(StateFiles, DamagedOnesCountAsAbsent) {
         EXPECT_TRUE(loadPipelineCache().empty()) << bit;
     }
     // A view is text: one that still reads as a view may be another, never an error.
-    SavedView view;
-    view.input = "sample:dna";
+    PictureDescription view;
+    view.input.path.path = "sample:dna";
     view.look.rules = {parseHide("water"), parseShow("protein=licorice")};
     saveState(view);
     const std::string state = folder / "nacre/view.json", json = contentOf(state);

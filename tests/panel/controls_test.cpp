@@ -31,7 +31,7 @@ TEST(Controls, EveryOneHasARoleANameAndAValue) {
     for (const PanelHand hand : {PanelHand::mouse, PanelHand::fingers}) {
         Bench b("sample:dna", kUsual, 1, hand);
         if (!b.panel.panelOpen()) b.panel.togglePanel();
-        SavedView look = b.viewer.view();
+        PictureDescription look = b.viewer.view();
         look.look.rules = {Rule{Rule::Action::hide, parseSelection("resi 1"), {}, {}},
                            Rule{Rule::Action::hide, parseSelection("resi 2"), {}, {}}};
         b.viewer.setLook(look, b.now);

@@ -27,11 +27,12 @@ void expectHit(const Bench& b, const std::string& state) {
 
 TEST(Fingers, HitEveryControl) {
     for (const double scale : {1.0, 2.6}) {
-        Bench b("sample:dna", kPhone, scale, PanelHand::fingers, sampleSources(),
-                [](PanelHost& host) { host.record = [](const RecordingWish&, const std::vector<SavedView>&) {}; });
+        Bench b("sample:dna", kPhone, scale, PanelHand::fingers, sampleSources(), [](PanelHost& host) {
+            host.record = [](const RecordingWish&, const std::vector<PictureDescription>&) {};
+        });
         expectHit(b, "menu");
         b.panel.togglePanel();
-        SavedView look = b.viewer.view();
+        PictureDescription look = b.viewer.view();
         look.look.rules = {parseHide("resi 1"), parseShow("chain B=licorice")};
         look.words.labels.push_back(parseLabel("resi 3={residue}"));
         look.effects.contours.width = look.effects.halos.width = 3;
@@ -136,7 +137,7 @@ TEST(Fingers, TypeOnTheSystemsKeyboard) {
     tap("Selection");
     type("Selection", "chain A");
     EXPECT_GT(b.viewer.picking().selection().count, 200u);
-    SavedView look = b.viewer.view();
+    PictureDescription look = b.viewer.view();
     look.look.rules = {parseHide("chain A")};
     b.viewer.setLook(look, b.now);
     b.viewer.picking().select("");
@@ -176,7 +177,7 @@ TEST(Fingers, AreToldListsByOtherNamesThanTabs) {
 TEST(Fingers, ATapRightBehindAnotherIsOneOfItsOwn) {
     Bench b("sample:dna", {1400, 1300}, 1, PanelHand::fingers);
     b.panel.togglePanel();
-    SavedView look = b.viewer.view();
+    PictureDescription look = b.viewer.view();
     look.look.style = Style::surface;
     b.viewer.setLook(look, b.now);
     b.settle();

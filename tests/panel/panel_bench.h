@@ -25,18 +25,19 @@ public:
 };
 
 inline Sources sampleSources() {
-    return {[](const SavedView& v) {
-                const auto sample = [](const std::string& input) {
-                    if (!input.starts_with("sample:"))
-                        throw Error("cannot read molecule", input, "No such file or directory");
-                    return sampleMolecule(input.substr(7));
-                };
-                if (v.further.empty()) return sample(v.input);
-                std::vector<Molecule> all{sample(v.input)};
-                for (const FurtherInput& further : v.further) all.push_back(sample(further.path));
-                return joinInputs(inputOf(v), std::move(all), [](const std::string&) {});
-            },
-            [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m, v.drawn), v.look); }};
+    return {
+        [](const PictureDescription& v) {
+            const auto sample = [](const std::string& input) {
+                if (!input.starts_with("sample:"))
+                    throw Error("cannot read molecule", input, "No such file or directory");
+                return sampleMolecule(input.substr(7));
+            };
+            if (v.input.further.empty()) return sample(v.input.path);
+            std::vector<Molecule> all{sample(v.input.path)};
+            for (const FurtherInput& further : v.input.further) all.push_back(sample(further.path));
+            return joinInputs(inputOf(v), std::move(all), [](const std::string&) {});
+        },
+        [](const Molecule& m, const PictureDescription& v) { return represent(m, drawnAtoms(m, v.drawn), v.look); }};
 }
 
 struct Bench {
@@ -68,9 +69,9 @@ struct Bench {
         options.errorsStay = true;
         return options;
     }
-    static SavedView viewOf(const std::string& input) {
-        SavedView v;
-        v.input = input;
+    static PictureDescription viewOf(const std::string& input) {
+        PictureDescription v;
+        v.input.path = input;
         return v;
     }
     PanelHost host(const std::function<void(PanelHost&)>& lend) {

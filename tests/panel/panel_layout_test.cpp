@@ -71,8 +71,9 @@ TEST(Panel, EveryPageIsReadableEverywhere) {
 TEST(Panel, EveryCardIsReadableEverywhere) {
     for (const Place& place : kPlaces) {
         const std::string where = nameOf(place);
-        Bench b("sample:dna", place.points, place.scale, place.hand, sampleSources(),
-                [](PanelHost& host) { host.record = [](const RecordingWish&, const std::vector<SavedView>&) {}; });
+        Bench b("sample:dna", place.points, place.scale, place.hand, sampleSources(), [](PanelHost& host) {
+            host.record = [](const RecordingWish&, const std::vector<PictureDescription>&) {};
+        });
         b.panel.toggleHelp();
         b.settle();
         EXPECT_GT(expectReadable(b, where + ", help"), 10u);
@@ -146,7 +147,7 @@ TEST(Panel, TheMoleculeStandsBesideTheLegend) {
         return view.width / 2.0 + (view.pan.x + view.radius) * view.pixelsPerAngstrom;
     };
     const auto showLegend = [](Bench& b, bool shown) {
-        SavedView look = b.viewer.view();
+        PictureDescription look = b.viewer.view();
         look.words.legend = shown;
         b.viewer.setLook(look, b.now);
         b.settle();

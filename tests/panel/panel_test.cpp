@@ -167,8 +167,8 @@ TEST(Panel, AnotherMoleculeStandsBesideWhatIsOpen) {
     b.viewer.picking().select("/buckyball");
     EXPECT_EQ(b.viewer.picking().selection().count, 60u);
     // What is saved with both is read with both, and means the same.
-    const SavedView again = parseSavedView(savedViewJson(b.viewer.view()), "view");
-    EXPECT_EQ(again.further, b.viewer.view().further);
+    const PictureDescription again = parseSavedView(savedViewJson(b.viewer.view()), "view");
+    EXPECT_EQ(again.input.further, b.viewer.view().input.further);
     EXPECT_EQ(again.look.rules, b.viewer.view().look.rules);
     for (int i = 0; i < 3; ++i) b.click("Undo");
     EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), 486u);
@@ -177,7 +177,7 @@ TEST(Panel, AnotherMoleculeStandsBesideWhatIsOpen) {
     EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), 546u);
     b.viewer.reading().open("sample:glucose", b.now);
     b.settle();
-    EXPECT_TRUE(b.viewer.view().further.empty());
+    EXPECT_TRUE(b.viewer.view().input.further.empty());
 }
 
 TEST(Panel, SeveralMoleculesAreLaidOntoTheFirst) {
@@ -188,18 +188,19 @@ TEST(Panel, SeveralMoleculesAreLaidOntoTheFirst) {
     b.panel.showPage(Panel::Page::parts);
     b.settle();
     b.click("Laid onto dna");
-    ASSERT_EQ(b.viewer.view().fits.size(), 1u);
-    EXPECT_EQ(b.viewer.view().fits[0].fixed.text, "/dna");
-    EXPECT_EQ(b.viewer.document()->view.fits, b.viewer.view().fits) << b.viewer.messages().failure();
+    ASSERT_EQ(b.viewer.view().input.fits.size(), 1u);
+    EXPECT_EQ(b.viewer.view().input.fits[0].fixed.text, "/dna");
+    EXPECT_EQ(b.viewer.document()->view.input.fits, b.viewer.view().input.fits) << b.viewer.messages().failure();
     expectReadable(b, "a fit");
     b.click("Laid onto dna");
-    EXPECT_TRUE(b.viewer.view().fits.empty());
+    EXPECT_TRUE(b.viewer.view().input.fits.empty());
     b.click("Undo");
-    EXPECT_EQ(b.viewer.view().fits.size(), 1u);
+    EXPECT_EQ(b.viewer.view().input.fits.size(), 1u);
     // What cannot be laid stays where it is, and the view does not say otherwise.
     Sources unlike = sampleSources();
-    unlike.read = [read = unlike.read](const SavedView& view) {
-        if (!view.fits.empty()) throw Error("cannot fit", "/dna_2", "fewer than three of its atoms have their like");
+    unlike.read = [read = unlike.read](const PictureDescription& view) {
+        if (!view.input.fits.empty())
+            throw Error("cannot fit", "/dna_2", "fewer than three of its atoms have their like");
         return read(view);
     };
     Bench other("sample:dna", {1000, 900}, 1, PanelHand::mouse, unlike);
@@ -208,8 +209,8 @@ TEST(Panel, SeveralMoleculesAreLaidOntoTheFirst) {
     other.settle();
     other.click("Laid onto dna");
     EXPECT_NE(other.viewer.messages().failure(), "");
-    const SavedView& view = other.viewer.view();
-    EXPECT_TRUE(view.fits.empty());
+    const PictureDescription& view = other.viewer.view();
+    EXPECT_TRUE(view.input.fits.empty());
     EXPECT_EQ(other.find("Laid onto dna")->value, "off");
 }
 
@@ -257,7 +258,7 @@ TEST(Panel, KeysGoAlongTheSequence) {
 
 TEST(Panel, RulesAreSwitchedOffEditedAndMoved) {
     Bench b("sample:dna", kUsual);
-    SavedView look = b.viewer.view();
+    PictureDescription look = b.viewer.view();
     look.look.rules = {parseHide("chain A"), parseShow("chain B=licorice")};
     b.viewer.setLook(look, b.now);
     b.panel.showPage(Panel::Page::select);
@@ -304,7 +305,7 @@ TEST(Panel, RulesAreSwitchedOffEditedAndMoved) {
 
 TEST(Panel, RibbonsAndSurfacesLetThroughWhatASliderSays) {
     Bench b("sample:dna", {1600, 1500});
-    SavedView look = b.viewer.view();
+    PictureDescription look = b.viewer.view();
     look.look.rules = {parseShow("chain B and resi 1-2=surface")};
     b.viewer.setLook(look, b.now);
     b.click("Ribbons");
@@ -375,7 +376,7 @@ TEST(Panel, LinesHalosAndFogHaveSlidersAndColours) {
 
 TEST(Panel, MeasurementsAreToldByTheirAtoms) {
     Bench b("sample:dna", kUsual);
-    SavedView look = b.viewer.view();
+    PictureDescription look = b.viewer.view();
     look.words.measures.push_back(parseMeasure("chain A and resi 1 and name C1',chain B and resi 24 and name C1'"));
     b.viewer.setLook(look, b.now);
     b.panel.showPage(Panel::Page::labels);
@@ -399,7 +400,7 @@ TEST(Panel, MeasurementsAreToldByTheirAtoms) {
 
 TEST(Panel, ADoubleClickOnASliderTypesItsNumber) {
     Bench b("sample:dna", kUsual);
-    SavedView look = b.viewer.view();
+    PictureDescription look = b.viewer.view();
     look.look.style = Style::cartoon;
     b.viewer.setLook(look, b.now);
     b.settle();

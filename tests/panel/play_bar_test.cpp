@@ -15,19 +15,19 @@ namespace {
 /// Sixty models of four atoms.
 Sources movingSources() {
     Sources s;
-    s.read = [](const SavedView& v) {
+    s.read = [](const PictureDescription& v) {
         std::string text;
         for (int m = 0; m < 60; ++m)
             text += "4\nframe\nC 0 0 0\nO " + std::to_string(1.2 + 0.01 * m) + " 0 0\nN 0 1.4 0\nC 0 0 1.5\n";
         ReadOptions options;
-        options.model = v.model;
+        options.model = v.input.model;
         options.others = true;
-        return readMolecule(v.input, text, options);
+        return readMolecule(v.input.path, text, options);
     };
     s.build = sceneOfView;
-    s.motion = [](const std::shared_ptr<const Molecule>& molecule, const SavedView& v) {
-        return std::make_unique<Motion>(trajectoryOfModels(molecule, v.model), *molecule,
-                                        motionOptions(v.trajectory, *molecule));
+    s.motion = [](const std::shared_ptr<const Molecule>& molecule, const PictureDescription& v) {
+        return std::make_unique<Motion>(trajectoryOfModels(molecule, v.input.model), *molecule,
+                                        motionOptions(v.input.trajectory, *molecule));
     };
     return s;
 }
@@ -43,7 +43,7 @@ struct PlayBench : Films, Bench {
         : Bench("models.xyz", points, 1, hand, movingSources(), [this](PanelHost& h) { lend(h); }) {}
     void lend(PanelHost& h) {
         h.freeName = [](const char* extension) { return std::string("film") + extension; };
-        h.record = [this](const RecordingWish& wish, const std::vector<SavedView>& views) {
+        h.record = [this](const RecordingWish& wish, const std::vector<PictureDescription>& views) {
             films.push_back(wish);
             keys = views.size();
         };
@@ -62,12 +62,12 @@ TEST(PlayBar, StepsPlaysAndScrubs) {
     PlayBench b({1000, 700});
     EXPECT_TRUE(b.says("Model 1 of 60"));
     b.click("Next model");
-    EXPECT_EQ(b.viewer.view().model, 2);
+    EXPECT_EQ(b.viewer.view().input.model, 2);
     EXPECT_TRUE(b.says("Model 2 of 60"));
     const Control* slider = b.find("Frame");
     ASSERT_TRUE(slider);
     b.clickAt((slider->left + slider->right) / 2, (slider->top + slider->bottom) / 2);
-    EXPECT_NEAR(b.viewer.view().model, 30, 3);
+    EXPECT_NEAR(b.viewer.view().input.model, 30, 3);
     b.click("Play");
     EXPECT_TRUE(b.viewer.playback().playing());
     EXPECT_TRUE(b.find("Pause"));
@@ -78,7 +78,7 @@ TEST(PlayBar, StepsPlaysAndScrubs) {
     b.click("Pause");
     b.click("Fit");
     b.click("Lay all atoms together");
-    EXPECT_EQ(b.viewer.view().trajectory.fit->text, "all");
+    EXPECT_EQ(b.viewer.view().input.trajectory.fit->text, "all");
     EXPECT_TRUE(b.says("RMSD"));
 }
 
@@ -93,10 +93,10 @@ TEST(PlayBar, AFingerThatHoldsTheSliderMovesIt) {
         b.panel.input().touch({1, TouchPhase::moved, {left + 14 + (right - left - 28) * 0.1 * i, y}});
         b.frame();
     }
-    EXPECT_GT(b.viewer.view().model, 50) << "before it lets go";
+    EXPECT_GT(b.viewer.view().input.model, 50) << "before it lets go";
     b.panel.input().touch({1, TouchPhase::ended, {right - 14, y}});
     b.settle();
-    EXPECT_EQ(b.viewer.view().model, 60);
+    EXPECT_EQ(b.viewer.view().input.model, 60);
 }
 
 TEST(PlayBar, IsWholeEverywhereAndNextToTheMolecule) {

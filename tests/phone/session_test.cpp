@@ -70,11 +70,11 @@ public:
     double now = 100;
 };
 
-SavedView viewOf(const std::string& input) {
-    SavedView view;
-    view.input = input;
+PictureDescription viewOf(const std::string& input) {
+    PictureDescription view;
+    view.input.path.path = input;
     view.look.style = Style::spacefill;
-    view.occlusionDirections = 4;
+    view.occlusion.directions = 4;
     return view;
 }
 
@@ -290,7 +290,7 @@ TEST(PhoneSession, SaysWhyAFileIsNotShown) {
     session.viewer().reading().loader().wait();
     session.step();
     EXPECT_NE(spokenValue(session.viewer().picking().annotations()).find("it is gone"), std::string::npos);
-    EXPECT_EQ(session.viewer().document()->view.input, "sample:glucose");
+    EXPECT_EQ(session.viewer().document()->view.input.path, "sample:glucose");
     EXPECT_EQ(session.shareName(), "glucose");
 }
 
@@ -332,7 +332,7 @@ TEST(PhoneSession, VoiceOverHearsAndMovesEveryControl) {
     session.run(ViewerCommand::saveView);
     EXPECT_EQ(shared, (std::vector<std::string>{"pair.png", "pair.view.json"}));
     // A slider, a tenth of its way at a time.
-    SavedView look = session.viewer().view();
+    PictureDescription look = session.viewer().view();
     look.look.style = Style::surface;
     session.viewer().setLook(look, host.now);
     host.run(session);

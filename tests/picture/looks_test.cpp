@@ -6,7 +6,8 @@
 #include <set>
 
 #include "app/picture/appearance_values.h"
-#include "app/picture/effect_options.h"
+#include "app/picture/options.h"
+#include "app/picture/saved_view.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -16,23 +17,23 @@ TEST(Looks, EachIsOneThatAFileCanHoldToo) {
     std::set<std::string> seen;
     const std::string path = testing::TempDir() + "look.json";
     for (const Look& look : looks()) {
-        SavedView view;
+        PictureDescription view;
         applyLook(look, view);
-        EXPECT_TRUE(seen.insert(lookJson(view)).second) << look.name << " is another one's twin";
+        EXPECT_TRUE(seen.insert(lookJson(view)).second) << look.input.name << " is another one's twin";
         std::ofstream(path) << lookJson(look);
-        SavedView read;
+        PictureDescription read;
         applyLook(lookOf(path), read);
-        EXPECT_EQ(savedViewJson(read), savedViewJson(view)) << look.name;
-        EXPECT_EQ(lookOf(look.name).options, look.options);
+        EXPECT_EQ(savedViewJson(read), savedViewJson(view)) << look.input.name;
+        EXPECT_EQ(lookOf(look.input.name).options, look.options);
     }
     EXPECT_EQ(looks()[0].name, "default");
-    SavedView view;
+    PictureDescription view;
     applyLook(looks()[0], view);
-    EXPECT_EQ(savedViewJson(view), savedViewJson(SavedView{}));
+    EXPECT_EQ(savedViewJson(view), savedViewJson(PictureDescription{}));
 }
 
 TEST(Looks, TakeThePlaceOfTheOneBeforeAndLeaveWhatIsSeen) {
-    SavedView view = parseSavedView(
+    PictureDescription view = parseSavedView(
         R"({"input": "a.pdb", "style": "licorice", "zoom": 2, "clip": "1,7", "cap": "dark", "color": "residue",
             "contours": 4, "background": "navy", "lighting": "off"})",
         "test");
@@ -53,12 +54,12 @@ TEST(Looks, TakeThePlaceOfTheOneBeforeAndLeaveWhatIsSeen) {
 
 TEST(Looks, ASavedViewServesAsOne) {
     const std::string path = testing::TempDir() + "saved.json";
-    SavedView saved =
+    PictureDescription saved =
         parseSavedView(R"({"input": "b.pdb", "zoom": 3, "contours": 2.5, "fog": "-3,9", "clip": 0})", "test");
     std::ofstream(path) << savedViewJson(saved);
-    SavedView view = parseSavedView(R"({"input": "a.pdb"})", "test");
+    PictureDescription view = parseSavedView(R"({"input": "a.pdb"})", "test");
     applyLook(lookOf(path), view);
-    EXPECT_EQ(view.input, "a.pdb");
+    EXPECT_EQ(view.input.path.path, "a.pdb");
     EXPECT_EQ(view.camera.zoom, 1);
     EXPECT_FALSE(view.effects.clip.on());
     EXPECT_EQ(view.effects.contours.width, 2.5);
@@ -98,21 +99,20 @@ TEST(EffectOptions, WhatEachSaysIsWhatItReads) {
                                                          {"clip", "-3,4"},
                                                          {"clip", ",2.5"},
                                                          {"cap", "hatched"}};
-    std::set<std::string> met;
-    for (const auto& [name, value] : cases) {
-        const EffectOption* option = effectOption(name);
-        ASSERT_TRUE(option) << name;
-        met.insert(name);
-        Effects e;
-        EXPECT_EQ(option->text(e), option->fallback) << name;
-        option->set(value, e);
-        EXPECT_EQ(option->text(e), value) << name;
-        EXPECT_NE(e, Effects{}) << name;
-        SavedView view;
-        view.effects = e;
-        EXPECT_EQ(parseSavedView(savedViewJson(view), "test").effects, e) << name;
+    std::set<std::string_view> met;
+    const PictureDescription plain;
+    for (const auto& [key, value] : cases) {
+        met.insert(key);
+        PictureDescription view;
+        option(key).parse(value, view);
+        EXPECT_EQ(option(key).print(view), value) << key;
+        EXPECT_NE(view.effects, plain.effects) << key;
+        EXPECT_EQ(parseSavedView(savedViewJson(view), "test").effects, view.effects) << key;
     }
-    for (const EffectOption& option : effectOptions()) EXPECT_TRUE(met.contains(option.name)) << option.name;
+    for (const Option& option : options())
+        if (option.topic == Topic::effects && option.print) {
+            EXPECT_TRUE(met.contains(option.key)) << option.key;
+        }
 }
 
 TEST(EffectOptions, NonsenseIsRefused) {
@@ -139,9 +139,9 @@ TEST(EffectOptions, NonsenseIsRefused) {
                                                          {"ambient", "-1"},
                                                          {"occlusion-strength", "2"}};
     for (const auto& [name, value] : cases) {
-        Effects e;
-        EXPECT_THROW(effectOption(name)->set(value, e), std::invalid_argument) << name << " " << value;
-        EXPECT_EQ(e.contours, Contours{}) << "nothing half-set";
+        PictureDescription d;
+        EXPECT_THROW(option(name).parse(value, d), std::invalid_argument) << name << " " << value;
+        EXPECT_EQ(d.effects.contours, Contours{}) << "nothing half-set";
     }
 }
 

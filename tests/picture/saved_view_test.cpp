@@ -12,10 +12,10 @@ namespace nacre::app {
 namespace {
 
 TEST(SavedView, ComesBackToTheLastDigit) {
-    SavedView view;
-    view.input = "/tmp/a \"b\".pdb";
-    view.format = Format::pdb;
-    view.model = 3;
+    PictureDescription view;
+    view.input.path.path = "/tmp/a \"b\".pdb";
+    view.input.path.format = Format::pdb;
+    view.input.path.model = 3;
     view.look.assembly = "PAU";
     view.look.style = Style::licorice;
     view.look.color = ColorScheme::chain;
@@ -36,8 +36,8 @@ TEST(SavedView, ComesBackToTheLastDigit) {
     view.camera.orientation = glm::normalize(glm::dquat(0.3, -0.2, 0.9, 0.1));
     view.background = parseColor("#102030");
     view.lighting = false;
-    view.occlusionDirections = 0;
-    const SavedView back = parseSavedView(savedViewJson(view), "test");
+    view.occlusion.directions = 0;
+    const PictureDescription back = parseSavedView(savedViewJson(view), "test");
     EXPECT_EQ(savedViewJson(back), savedViewJson(view));
     EXPECT_EQ(back.camera.orientation, view.camera.orientation);
     EXPECT_EQ(back.camera.pan, view.camera.pan);
@@ -56,7 +56,7 @@ TEST(SavedView, StatesFilesFromItsFolderOn) {
 }
 
 TEST(SavedView, AnEmptyObjectIsTheDefault) {
-    EXPECT_EQ(savedViewJson(parseSavedView("{}", "test")), savedViewJson(SavedView{}));
+    EXPECT_EQ(savedViewJson(parseSavedView("{}", "test")), savedViewJson(PictureDescription{}));
 }
 
 TEST(SavedView, BadFilesAreRefusedByTheirKey) {

@@ -275,22 +275,21 @@ def test_others_run_while_it_draws(dna):
 
 
 def test_options_are_the_command_lines():
-    def names_of(command):
-        text = subprocess.run([PROGRAM, command, "--help"], capture_output=True, text=True, check=True).stdout
-        return {line.split()[0].split(",")[-1][2:].replace("-", "_") for line in text.splitlines() if line.startswith("  -")}
-    names = names_of("render")
-    files = {"output", "layers", "stats", "capture", "view", "allow_download", "fit", "help", "quiet"}
-    reading = names_of("info") | {"trajectory", "frame", "whole", "fit_frames", "smooth"}
+    text = subprocess.run([PROGRAM, "help", "keywords"], capture_output=True, text=True, check=True).stdout
+    keywords = {line.split(":")[0].strip() for line in text.splitlines()}
     ours = set(nacre.options())
-    assert ours <= names and names - ours <= files | reading
+    assert ours == keywords | {"cache"}
     assert {"size", "color", "show", "occlusion"} <= ours
+    stub = (pathlib.Path(nacre.__file__).parent / "__init__.pyi").read_text()
+    assert text in stub, "nacre help keywords has another list than the class Options of __init__.pyi"
 
 
 def test_stubs_name_what_there_is(tmp_path):
     mypy = pytest.importorskip("mypy.api")
     program = tmp_path / "use.py"
     program.write_text("import nacre\ns = nacre.open('a.pdb', model=2)\np = s.render(size=(3, 4), color='chain')\n"
-                       "reveal_type(p.shape)\nd = s.layers()['z']\nb: bytes = s._repr_png_()\nx: str = s.save('a.png')\n")
-    out, _, _ = mypy.run([str(program), "--no-incremental", "--cache-dir", str(tmp_path), "--ignore-missing-imports"])
+                       "reveal_type(p.shape)\nd = s.layers()['z']\nb: bytes = s._repr_png_()\nx: str = s.save('a.png')\ns.render(sise=3)\n")
+    out, _, _ = mypy.run([str(program), "--no-incremental", "--cache-dir", str(tmp_path), "--ignore-missing-imports",
+                         "--enable-incomplete-feature=Unpack"])
     errors = [line for line in out.splitlines() if "error" in line and "Found" not in line]
-    assert len(errors) == 1 and "save" in errors[0], out
+    assert len(errors) == 2 and "save" in errors[0] and "sise" in errors[1], out

@@ -11,7 +11,7 @@ namespace {
 
 TEST(Presets, EveryPresetAndChoiceIsOneThatTheSceneTakes) {
     for (const Preset& preset : presets()) {
-        SavedView view;
+        PictureDescription view;
         applyPreset(preset, view);
         EXPECT_EQ(parseSavedView(savedViewJson(view), preset.name).look, view.look) << preset.name;
     }

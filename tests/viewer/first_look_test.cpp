@@ -9,11 +9,11 @@ namespace nacre::app {
 namespace {
 
 TEST(FirstLook, LargeProteinsAreCartoons) {
-    SavedView view;
+    PictureDescription view;
     firstLook(test::chainOf(201, -57, -47), view);
     EXPECT_EQ(view.look.style, Style::cartoon);
     EXPECT_EQ(view.look.color, Coloring(ColorScheme::chainCarbons));
-    SavedView small;
+    PictureDescription small;
     firstLook(test::chainOf(200, -57, -47), small);
     EXPECT_EQ(small.look, RepresentationOptions());
 }
@@ -21,24 +21,24 @@ TEST(FirstLook, LargeProteinsAreCartoons) {
 TEST(FirstLook, PredictionsShowTheirConfidence) {
     Molecule molecule = test::chainOf(20, -57, -47);
     molecule.file.confidence = true;
-    SavedView view;
+    PictureDescription view;
     firstLook(molecule, view);
     EXPECT_EQ(view.look.style, Style::cartoon);
     EXPECT_EQ(view.look.color, Coloring(ColorScheme::plddt));
     Molecule ligand = test::MoleculeText().residue("LIG").atom("C", "C", {}).molecule;
     ligand.file.confidence = true;
-    SavedView other;
+    PictureDescription other;
     firstLook(ligand, other);
     EXPECT_EQ(other.look, RepresentationOptions());
 }
 
 TEST(FirstLook, WhatWasAskedForStays) {
     const Molecule protein = test::chainOf(300, -57, -47);
-    SavedView styled, colored, ruled;
+    PictureDescription styled, colored, ruled;
     styled.look.style = Style::licorice;
     colored.look.color = ColorScheme::chain;
     ruled.look.rules.push_back({Rule::Action::hide, parseSelection("resi 5"), {}, {}});
-    for (SavedView view : {styled, colored, ruled}) {
+    for (PictureDescription view : {styled, colored, ruled}) {
         const RepresentationOptions before = view.look;
         firstLook(protein, view);
         EXPECT_EQ(view.look, before);
@@ -46,11 +46,11 @@ TEST(FirstLook, WhatWasAskedForStays) {
 }
 
 TEST(FirstLook, IsOfWhatIsOpenedNotOfWhatIsReadAgain) {
-    const Sources sources{[](const SavedView&) { return test::chainOf(300, -57, -47); },
-                          [](const Molecule&, const SavedView&) { return Representation(); }};
+    const Sources sources{[](const PictureDescription&) { return test::chainOf(300, -57, -47); },
+                          [](const Molecule&, const PictureDescription&) { return Representation(); }};
     Loader loader(sources, {});
-    SavedView view;
-    view.input = "protein.pdb";
+    PictureDescription view;
+    view.input.path = "protein.pdb";
     loader.open(view);
     loader.wait();
     EXPECT_EQ(loader.take().value().view.look.style, Style::cartoon);

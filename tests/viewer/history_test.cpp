@@ -32,15 +32,17 @@ struct Desk {
 
     Desk()
         : viewer(screen,
-                 {[](const SavedView& v) { return sampleMolecule(v.input.substr(7)); },
-                  [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m, v.drawn), v.look); }},
+                 {[](const PictureDescription& v) { return sampleMolecule(v.input.path.substr(7)); },
+                  [](const Molecule& m, const PictureDescription& v) {
+                      return represent(m, drawnAtoms(m, v.drawn), v.look);
+                  }},
                  first(), {}) {
         viewer.frames().resize({640, 480}, 1, now);
         rest();
     }
-    static SavedView first() {
-        SavedView v;
-        v.input = "sample:dna";
+    static PictureDescription first() {
+        PictureDescription v;
+        v.input.path = "sample:dna";
         return v;
     }
     void rest(double seconds = 3) {
@@ -61,7 +63,7 @@ void drag(Desk& d, std::mt19937& random, MouseButton button) {
 }
 
 void changeLook(Desk& d, std::mt19937& random) {
-    SavedView look = d.viewer.view();
+    PictureDescription look = d.viewer.view();
     const auto share = [&] { return static_cast<double>(random() % 100) / 100; };
     Effects& e = look.effects;
     switch (random() % 12) {
@@ -182,7 +184,7 @@ TEST(History, ADragIsOneStepAndASliderToo) {
     std::mt19937 random(3);
     drag(d, random, MouseButton::left);
     d.rest();
-    SavedView look = d.viewer.view();
+    PictureDescription look = d.viewer.view();
     for (int i = 0; i < 10; ++i) {
         look.effects.light.ambient = 0.1 * i;
         d.viewer.setLook(look, d.now, i > 0);
@@ -225,7 +227,7 @@ TEST(Parts, RowsOfAMolecule) {
 TEST(Parts, ALookThatIsGivenIsTheOneThatIsFound) {
     const Molecule m = sampleMolecule("dna");
     const Part part = partsOf(m)[1];
-    SavedView view;
+    PictureDescription view;
     view.look.rules.push_back(parseHide("resi 1"));
     for (int i = 0; i < 8; ++i) {
         PartLook look;

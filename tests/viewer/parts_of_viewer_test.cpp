@@ -7,8 +7,8 @@
 namespace nacre::app::test {
 namespace {
 
-SavedView zoomed(double zoom) {
-    SavedView view = Bench::viewOf("sample:glucose");
+PictureDescription zoomed(double zoom) {
+    PictureDescription view = Bench::viewOf("sample:glucose");
     view.camera.zoom = zoom;
     return view;
 }
@@ -36,7 +36,7 @@ TEST(ViewHistory, StepsAreWhatStoodBeforeAnAct) {
     EXPECT_FALSE(history.canUndo(zoomed(2))) << "nobody said that anything was done";
     history.remember(zoomed(1));
     EXPECT_TRUE(history.canUndo(zoomed(2)));
-    const SavedView* before = history.undo(zoomed(2));
+    const PictureDescription* before = history.undo(zoomed(2));
     ASSERT_TRUE(before);
     EXPECT_EQ(before->camera.zoom, 1);
     EXPECT_EQ(history.undo(zoomed(1)), nullptr);
@@ -125,8 +125,8 @@ TEST(Reading, SaysHowADocumentDiffersFromTheOneBefore) {
     reading.loader().wait();
     EXPECT_FALSE(reading.take(0));
     EXPECT_NE(stage.messages.failure().find("it is bad"), std::string::npos);
-    const SavedView& there = stage.document.view;
-    EXPECT_EQ(there.input, "sample:dna") << "the one before stays";
+    const PictureDescription& there = stage.document.view;
+    EXPECT_EQ(there.input.path, "sample:dna") << "the one before stays";
 }
 
 TEST(Frames, TheMoleculeStandsInTheMiddleOfWhatIsFree) {

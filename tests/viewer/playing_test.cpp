@@ -99,25 +99,26 @@ struct PlayingBench {
         viewer.frames().resize({600, 400}, 1, now);
         run(1);
     }
-    static SavedView viewOfFile() {
-        SavedView view;
-        view.input = "five.xyz";
+    static PictureDescription viewOfFile() {
+        PictureDescription view;
+        view.input.path = "five.xyz";
         return view;
     }
     Sources sources() {
         Sources s;
-        s.read = [this](const SavedView& v) {
+        s.read = [this](const PictureDescription& v) {
             ++reads;
             ReadOptions options;
-            options.model = v.model;
+            options.model = v.input.model;
             options.others = true;
-            return readMolecule(v.input, text, options);
+            return readMolecule(v.input.path, text, options);
         };
         s.build = sceneOfView;
-        s.motion = [](const std::shared_ptr<const Molecule>& molecule, const SavedView& v) -> std::unique_ptr<Motion> {
-            auto models = trajectoryOfModels(molecule, v.model);
+        s.motion = [](const std::shared_ptr<const Molecule>& molecule,
+                      const PictureDescription& v) -> std::unique_ptr<Motion> {
+            auto models = trajectoryOfModels(molecule, v.input.model);
             if (!models) return nullptr;
-            return std::make_unique<Motion>(std::move(models), *molecule, motionOptions(v.trajectory, *molecule));
+            return std::make_unique<Motion>(std::move(models), *molecule, motionOptions(v.input.trajectory, *molecule));
         };
         return s;
     }
@@ -180,7 +181,7 @@ TEST(Playing, ModelsOfOneMoleculeMoveWithoutBeingReadAgain) {
     b.viewer.playback().show(3, b.now);
     b.run(0.1);
     EXPECT_NEAR(b.distance(), 2.5, 1e-5);
-    EXPECT_EQ(b.viewer.view().model, 4);
+    EXPECT_EQ(b.viewer.view().input.model, 4);
     EXPECT_EQ(b.viewer.document()->placed->atoms[1].position.x, 2.5f);
     b.viewer.run(ViewerCommand::nextModel, b.now);
     b.run(0.1);
@@ -219,12 +220,12 @@ TEST(Playing, ALookIsBuiltWhereTheMoleculeStands) {
     b.viewer.run(ViewerCommand::spacefill, b.now);
     b.run(0.2);
     EXPECT_NEAR(b.distance(), 3, 1e-5);
-    EXPECT_EQ(b.viewer.view().model, 5);
+    EXPECT_EQ(b.viewer.view().input.model, 5);
     b.viewer.undo(b.now);
     b.run(0.3);
     b.viewer.undo(b.now);
     b.run(0.3);
-    EXPECT_EQ(b.viewer.view().model, 1);
+    EXPECT_EQ(b.viewer.view().input.model, 1);
     EXPECT_NEAR(b.distance(), 1, 1e-5);
     EXPECT_EQ(b.reads, 1);
 }
@@ -239,8 +240,8 @@ TEST(Playing, FramesAreSmoothedAsAsked) {
     b.viewer.playback().show(2, b.now);
     b.run(0.1);
     EXPECT_NEAR(b.distance(), 2, 1e-5);
-    const SavedView saved = parseSavedView(savedViewJson(b.viewer.picking().savedView()), "view");
-    EXPECT_EQ(saved.trajectory.smooth, 3);
+    const PictureDescription saved = parseSavedView(savedViewJson(b.viewer.picking().savedView()), "view");
+    EXPECT_EQ(saved.input.trajectory.smooth, 3);
     laid.fit = parseSelection("element N");
     b.viewer.playback().setMotion(laid, b.now);
     b.run(0.1);
@@ -255,7 +256,7 @@ TEST(Playing, ModelsOfDifferentMoleculesAreReadOneByOne) {
     b.viewer.run(ViewerCommand::lastModel, b.now);
     b.run(0.2);
     EXPECT_EQ(b.viewer.document()->molecule->atoms[1].element, 7);
-    EXPECT_EQ(b.viewer.view().model, 5);
+    EXPECT_EQ(b.viewer.view().input.model, 5);
     b.viewer.run(ViewerCommand::playModels, b.now);
     b.run(1);
     EXPECT_GE(b.reads, 8);

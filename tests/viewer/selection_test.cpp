@@ -32,22 +32,24 @@ struct Stand {
 
     explicit Stand(Style style = Style::spacefill)
         : viewer(screen,
-                 {[this](const SavedView& v) {
-                      for (int i = 0; v.input == "slow" && !cancelled && i < 1000; ++i)
+                 {[this](const PictureDescription& v) {
+                      for (int i = 0; v.input.path == "slow" && !cancelled && i < 1000; ++i)
                           std::this_thread::sleep_for(std::chrono::milliseconds(5));
-                      if (v.input == "slow") throw Error("stopped", "", "");
+                      if (v.input.path == "slow") throw Error("stopped", "", "");
                       return sampleMolecule("dna");
                   },
-                  [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m, v.drawn), v.look); },
+                  [](const Molecule& m, const PictureDescription& v) {
+                      return represent(m, drawnAtoms(m, v.drawn), v.look);
+                  },
                   [] { return 0.25; }, [this] { cancelled = true; }},
                  first(style), {}) {
         viewer.frames().resize({640, 480}, 1, now);
         viewer.reading().loader().wait();
         rest(1);
     }
-    static SavedView first(Style style) {
-        SavedView v;
-        v.input = "sample:dna";
+    static PictureDescription first(Style style) {
+        PictureDescription v;
+        v.input.path = "sample:dna";
         v.look.style = style;
         return v;
     }
@@ -179,7 +181,7 @@ TEST(Pointing, ALookThatIsTakenMeanwhileDoesNotStopReading) {
         s.viewer.reading().loader().wait();
         s.rest(0.1);
     }
-    EXPECT_EQ(s.viewer.view().input, "another");
+    EXPECT_EQ(s.viewer.view().input.path, "another");
     EXPECT_EQ(s.viewer.document()->view.look.style, Style::licorice);
     EXPECT_GT(s.viewer.document()->scene.drawnBonds, 100u);
 }
@@ -195,7 +197,7 @@ TEST(Pointing, ReadingThatIsStoppedLeavesWhatWasThere) {
     s.viewer.reading().loader().wait();
     s.rest(0.2);
     EXPECT_EQ(s.viewer.picking().annotations().message, "stopped");
-    EXPECT_EQ(s.viewer.view().input, "sample:dna");
+    EXPECT_EQ(s.viewer.view().input.path, "sample:dna");
     // And another can be read.
     s.viewer.reading().open("sample:dna", s.now);
     s.viewer.reading().loader().wait();

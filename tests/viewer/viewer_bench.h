@@ -68,9 +68,9 @@ public:
 };
 
 inline Sources sampleSources() {
-    return {[](const SavedView& v) {
-                if (v.input == "bad") throw Error("cannot read molecule", "bad", "it is bad");
-                return sampleMolecule(v.input.substr(7));
+    return {[](const PictureDescription& v) {
+                if (v.input.path == "bad") throw Error("cannot read molecule", "bad", "it is bad");
+                return sampleMolecule(v.input.path.substr(7));
             },
             sceneOfView};
 }
@@ -84,9 +84,9 @@ struct Bench {
         viewer.frames().resize({640, 480}, 1, now);
         load();
     }
-    static SavedView viewOf(const char* input) {
-        SavedView v;
-        v.input = input;
+    static PictureDescription viewOf(const char* input) {
+        PictureDescription v;
+        v.input.path = input;
         return v;
     }
     void load() {

@@ -174,7 +174,7 @@ TEST(Viewer, CartoonsGiveUpTrianglesBeforePixels) {
         Bench b("sample:dna");
         b.viewer.frames().keepSharp(0.025, 0.7);
         if (meshes) {
-            SavedView look = b.viewer.view();
+            PictureDescription look = b.viewer.view();
             look.look.style = Style::cartoon;
             b.viewer.setLook(look, b.now);
             b.load();

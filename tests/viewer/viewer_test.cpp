@@ -18,9 +18,10 @@ TEST(Viewer, AQuestionIsAnsweredBeforeAnythingIsRead) {
         bool allowed = false;
         CountingScreen screen;
         Sources asking = sampleSources();
-        asking.read = [&allowed](const SavedView& v) {
-            if (!allowed && v.input == "sample:glucose") throw Question("May it?", "Do it", [&] { allowed = true; });
-            return sampleMolecule(v.input.substr(7));
+        asking.read = [&allowed](const PictureDescription& v) {
+            if (!allowed && v.input.path == "sample:glucose")
+                throw Question("May it?", "Do it", [&] { allowed = true; });
+            return sampleMolecule(v.input.path.substr(7));
         };
         Viewer viewer(screen, asking, Bench::viewOf("sample:glucose"), {});
         viewer.frames().resize({640, 480}, 1, 100);
@@ -42,14 +43,14 @@ TEST(Viewer, AQuestionIsAnsweredBeforeAnythingIsRead) {
         viewer.reading().open("sample:dna", 104);  // another file is no question
         viewer.reading().loader().wait();
         viewer.update(105);
-        EXPECT_EQ(viewer.document()->view.input, "sample:dna");
+        EXPECT_EQ(viewer.document()->view.input.path, "sample:dna");
     }
 }
 
 /// Three models of two atoms, as a source of files would have them.
-Molecule threeModels(const SavedView& view) {
+Molecule threeModels(const PictureDescription& view) {
     ReadOptions options;
-    options.model = view.model;
+    options.model = view.input.model;
     return readMolecule("m.xyz", "2\n\nC 0 0 0\nO 1.2 0 0\n2\n\nC 0 0 0\nO 1.3 0 0\n2\n\nC 0 0 0\nO 1.4 0 0\n",
                         options);
 }
@@ -57,12 +58,12 @@ Molecule threeModels(const SavedView& view) {
 TEST(Viewer, StepsThroughModelsAndPlaysThem) {
     CountingScreen screen;
     double now = 0;
-    SavedView first;
-    first.input = "m.xyz";
-    Viewer viewer(
-        screen,
-        {threeModels, [](const Molecule& m, const SavedView& v) { return represent(m, drawnAtoms(m), v.look); }}, first,
-        {});
+    PictureDescription first;
+    first.input.path = "m.xyz";
+    Viewer viewer(screen,
+                  {threeModels,
+                   [](const Molecule& m, const PictureDescription& v) { return represent(m, drawnAtoms(m), v.look); }},
+                  first, {});
     viewer.frames().resize({640, 480}, 1, now);
     const auto run = [&](double seconds) {
         for (const double end = now + seconds; now < end; now += 1.0 / 60) {
@@ -75,14 +76,14 @@ TEST(Viewer, StepsThroughModelsAndPlaysThem) {
     const glm::dquat turned = viewer.view().camera.orientation;
     viewer.run(ViewerCommand::nextModel, now);
     run(0.2);
-    EXPECT_EQ(viewer.view().model, 2);
+    EXPECT_EQ(viewer.view().input.model, 2);
     EXPECT_EQ(viewer.document()->molecule->atoms[1].position.x, 1.3f);
     EXPECT_EQ(viewer.view().camera.orientation, turned) << "the camera stays";
     viewer.run(ViewerCommand::previousModel, now);
     run(0.2);
     viewer.run(ViewerCommand::previousModel, now);
     run(0.2);
-    EXPECT_EQ(viewer.view().model, 3) << "the one before the first is the last";
+    EXPECT_EQ(viewer.view().input.model, 3) << "the one before the first is the last";
     viewer.run(ViewerCommand::playModels, now);
     const int scenes = screen.scenes;
     run(2);
@@ -157,13 +158,13 @@ TEST(Viewer, LeavesOutWhatHidesThePartOfAView) {
     Bench b("sample:dna");
     b.run(2);
     const std::size_t all = b.viewer.document()->scene.spheres.size();
-    SavedView view = b.viewer.view();
-    view.uncover = parseSelection("chain B and resi 19");
+    PictureDescription view = b.viewer.view();
+    view.aim.uncover = parseSelection("chain B and resi 19");
     b.viewer.show(view, b.now, 0);
     b.load();
     b.run(1);
     EXPECT_LT(b.viewer.document()->scene.spheres.size(), all);
-    EXPECT_EQ(b.viewer.view().uncover, view.uncover);
+    EXPECT_EQ(b.viewer.view().aim.uncover, view.aim.uncover);
     b.viewer.run(ViewerCommand::undo, b.now);
     b.load();
     EXPECT_EQ(b.viewer.document()->scene.spheres.size(), all);
@@ -173,7 +174,7 @@ TEST(Viewer, LeavesOutWhatHidesThePartOfAView) {
     b.viewer.run(ViewerCommand::fit, b.now);  // all of it
     b.load();
     EXPECT_EQ(b.viewer.document()->scene.spheres.size(), all);
-    EXPECT_FALSE(b.viewer.view().uncover);
+    EXPECT_FALSE(b.viewer.view().aim.uncover);
 }
 
 TEST(Viewer, ATouchIsAnsweredByTheNextFrameWhateverGoesOnAtRest) {
@@ -229,7 +230,7 @@ TEST(Viewer, OpensFilesAndSaysWhatIsWrongWithThem) {
     b.load();
     EXPECT_EQ(b.viewer.document()->molecule->atoms.size(), sampleMolecule("dna").atoms.size());
     EXPECT_EQ(b.viewer.view().camera.zoom, 1);
-    EXPECT_EQ(b.viewer.view().input, "sample:dna");
+    EXPECT_EQ(b.viewer.view().input.path, "sample:dna");
     EXPECT_NE(b.viewer.title().find("occlusion"), std::string::npos);
     b.run(2);
     EXPECT_EQ(b.viewer.title(), "sample:dna - Nacre");
@@ -282,7 +283,7 @@ TEST(Viewer, AKeptPictureHasTheMoleculeBesideItsLegend) {
     const double alone = left(14);
     EXPECT_EQ(b.viewer.words().settingsBeside({400, 400}, 14).view.pan,
               b.viewer.frames().pictureSettings({400, 400}).view.pan);
-    SavedView look = b.viewer.view();
+    PictureDescription look = b.viewer.view();
     look.words.title = "A title that goes over the molecule";
     look.words.legend = true;
     b.viewer.setLook(look, b.now);
@@ -300,17 +301,17 @@ TEST(Viewer, AKeptPictureHasTheMoleculeBesideItsLegend) {
 
 TEST(Viewer, WordsOfWhatIsHiddenWaitUntilItIsDrawnAgain) {
     Bench b;
-    const auto show = [&](const SavedView& look) {
+    const auto show = [&](const PictureDescription& look) {
         b.viewer.setLook(look, b.now);
         b.load();
     };
-    SavedView look = b.viewer.view();
+    PictureDescription look = b.viewer.view();
     look.words.labels = {parseLabel("id 1=first"), parseLabel("id 2=second")};
     look.words.measures = {parseMeasure("1,2")};
     show(look);
     EXPECT_EQ(b.viewer.words().placed().labels.size(), 2u);
     EXPECT_EQ(b.viewer.words().placed().measures.size(), 1u);
-    SavedView hidden = b.viewer.view();
+    PictureDescription hidden = b.viewer.view();
     hidden.look.rules.push_back(parseHide("id 2"));
     show(hidden);
     ASSERT_EQ(b.viewer.words().placed().labels.size(), 1u);

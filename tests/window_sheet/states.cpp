@@ -18,7 +18,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
     const auto light = [](Driver& d) { d.panel().setBrightness(Panel::Brightness::light); };
     const auto dark = [](Driver& d) {
         d.panel().setBrightness(Panel::Brightness::dark);
-        SavedView look = d.viewer().view();
+        PictureDescription look = d.viewer().view();
         look.background = parseColor("black");
         d.viewer().setLook(look, seconds());
     };
@@ -37,7 +37,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         d.click("ligand: Vermilion");
     };
     const auto measured = [](Driver& d) {
-        SavedView look = d.viewer().view();
+        PictureDescription look = d.viewer().view();
         look.look.rules.push_back(parseShow("resi 1-16 or ligand=ball-and-stick"));
         d.viewer().setLook(look, seconds());
         d.settle();  // words are about atoms that are drawn
@@ -126,7 +126,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
          {1000, 1000},
          "sample:dna",
          [](Driver& d) {
-             SavedView look = d.viewer().view();
+             PictureDescription look = d.viewer().view();
              look.effects.contours.width = 2;
              look.effects.halos.width = 6;
              look.effects.fog.range = Fog::Range::automatic;
@@ -208,7 +208,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         {"error, dark", kUsual, "sample:dna", [=](Driver& d) { dark(d), failure(d); }},
         {"legends", kUsual, p,
          [](Driver& d) {
-             SavedView look = d.viewer().view();
+             PictureDescription look = d.viewer().view();
              look.look.color = ColorScheme::secondaryStructure;
              look.words.legend = true;
              d.viewer().setLook(look, seconds());

@@ -53,14 +53,12 @@ int main(int argc, char** argv) {
         for (int i = 5; i < argc; ++i) wanted |= std::string(state.name).find(argv[i]) != std::string::npos;
         if (!wanted) continue;
         ViewOptions options;
-        options.size = state.size;
-        options.first.input = state.input;
-        options.first.occlusionDirections = 32;
-        options.restore = options.first.input.empty();
-        if (options.first.input.starts_with("pdb:")) {  // as a view names it
-            options.input.path = options.first.input;
-            options.input.namedBy = "haemoglobin.view.json";
-        }
+        options.first.size = state.size;
+        options.first.input.path = state.input;
+        options.first.occlusion.directions = 32;
+        options.restore = options.first.input.path.empty();
+        if (options.first.input.path.starts_with("pdb:"))  // as a view names it
+            options.first.input.namedBy = "haemoglobin.view.json";
         Driver driver(options);
         state.act(driver);
         if (driver.rests) {

@@ -29,7 +29,7 @@ NSString* const kBookmark = @"bookmark";  // of the state: the right to the file
 
 @implementation MoleculeController {
     std::unique_ptr<PhoneSession> _session;
-    SavedView _first;
+    PictureDescription _first;
     DocumentAccess* _document;
     SpokenMoleculeView* _molecule;
     FrameClock* _clock;
@@ -40,10 +40,10 @@ NSString* const kBookmark = @"bookmark";  // of the state: the right to the file
     if ((self = [super initWithNibName:nil bundle:nil])) {
         NSString* json = state[kView];
         NSData* bookmark = state[kBookmark];
-        if (json) _first = viewOfState(textOf(json)).value_or(SavedView());
+        if (json) _first = viewOfState(textOf(json)).value_or(PictureDescription());
         if (bookmark) _document = [DocumentAccess accessWithBookmark:bookmark];
-        if (_document) _first.input = textOf(_document.url.path);  // it may have moved
-        if (_first.input.empty()) _first.input = "sample:dna";
+        if (_document) _first.input.path.path = textOf(_document.url.path);  // it may have moved
+        if (_first.input.path.path.empty()) _first.input.path.path = "sample:dna";
     }
     return self;
 }
@@ -89,7 +89,7 @@ NSString* const kBookmark = @"bookmark";  // of the state: the right to the file
 }
 
 /// Without a device until the view has its size.
-- (void)startSession:(const SavedView&)first {
+- (void)startSession:(const PictureDescription&)first {
     nacre::app::setHttpFetch(nacre::app::fetchBySystem);
     __weak MoleculeController* weakSelf = self;
     PhoneHost host;

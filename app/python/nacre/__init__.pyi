@@ -1,5 +1,6 @@
 from os import PathLike
 from typing import Any, Literal, Sequence, TypedDict
+from typing_extensions import Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,6 +15,87 @@ class Layers(TypedDict):
     id: NDArray[np.uint32]
     occlusion: NDArray[np.float32]
 
+# What `nacre help keywords` writes.
+class Options(TypedDict, total=False):
+    look: str
+    thumbnail: str
+    camera: str
+    occlusion_models: str
+    assembly: str | float
+    style: str
+    color: str
+    palette: str
+    helices: str
+    bases: str
+    putty: str | bool
+    disulfides: str
+    surface: str
+    probe: str | float
+    surface_resolution: str | float
+    cavities: str
+    surface_opacity: str | float
+    cartoon_opacity: str | float
+    show: str | Sequence[str]
+    hide: str | Sequence[str]
+    color_by: str | Sequence[str]
+    water: str
+    hydrogens: str
+    projection: str
+    fov: str | float
+    zoom: str | float
+    rotate: str | Sequence[float]
+    orient: str
+    look_at: str
+    zoom_to: str
+    uncover: str
+    background: str
+    transparent: bool
+    lighting: str | bool
+    occlusion: str | float
+    occlusion_memory: str | float
+    contours: str | float
+    contour_depth: str | float
+    contour_weights: str | float
+    contour_color: str
+    halos: str | float
+    halo_depth: str | float
+    halo_strength: str | float
+    halo_color: str
+    fog: str
+    fog_strength: str | float
+    shadow: str | float
+    ambient: str | float
+    direct: str | float
+    highlight: str | float
+    gloss: str | float
+    occlusion_strength: str | float
+    clip: str | float
+    cap: str
+    slab: str | float
+    label: str | Sequence[str]
+    measure: str | Sequence[str]
+    title: str | float
+    scale_bar: str
+    legend: str | bool
+    show_labels: str
+    text_size: str
+    text_color: str
+    occlusion_detail: str
+    size: str | Sequence[float]
+    supersample: str | float
+    mesh_error: str | float
+    width: str | float
+    height: str | float
+    dpi: str | float
+    depth: str
+    debug: str
+    device: str | float
+    visibility: str
+    encoded_format: str
+    prepass: str | bool
+    transient: str | bool
+    merge: str | bool
+    validate: bool
 class Structure:
     def __len__(self) -> int: ...
     @property
@@ -28,13 +110,9 @@ class Structure:
     def atoms(self) -> dict[str, NDArray[Any]]: ...
     @property
     def bonds(self) -> NDArray[np.uint32]: ...
-    def render(self, *, size: str | Sequence[int] = ..., style: str = ..., color: str = ...,
-               rotate: str | Sequence[float] = ..., zoom: float = ..., occlusion: int | Literal["off"] = ...,
-               background: str = ..., **options: Any) -> NDArray[np.uint8]: ...
-    def layers(self, *, size: str | Sequence[int] = ..., style: str = ..., color: str = ...,
-               rotate: str | Sequence[float] = ..., zoom: float = ..., occlusion: int | Literal["off"] = ...,
-               **options: Any) -> Layers: ...
-    def save(self, path: str | PathLike[str], **options: Any) -> None: ...
+    def render(self, **options: Unpack[Options]) -> NDArray[np.uint8]: ...
+    def layers(self, **options: Unpack[Options]) -> Layers: ...
+    def save(self, path: str | PathLike[str], **options: Unpack[Options]) -> None: ...
     def _repr_png_(self) -> bytes: ...
 
 def open(source: str | PathLike[str] | Sequence[str | PathLike[str]] | bytes | bytearray | memoryview, *, name: str = ..., format: str = ...,

@@ -1,10 +1,10 @@
-#include "app/cli/idle_options.h"
+#include "app/drawing/idle_options.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/picture/effect_options.h"
 #include "app/picture/option_text.h"
+#include "app/picture/options.h"
 #include "engine/scene/color_schemes.h"
 
 namespace nacre::app {
@@ -21,13 +21,15 @@ bool takesPalette(const Representation& scene, Palette palette) {
 
 }  // namespace
 
-std::vector<std::string> idleOptions(const RenderOptions& options, const Representation& scene, const Effects& effects,
-                                     double reach) {
+std::vector<std::string> idleOptions(const PictureDescription& options, const Representation& scene,
+                                     const Effects& effects, double reach) {
     std::vector<std::string> said;
-    for (const std::string& name : options.givenEffects) {
-        const char* of = effectOption(name)->of;
-        if (of && effectOption(of)->text(effects) == "off")
-            said.push_back("--" + name + " changes nothing without --" + of);
+    PictureDescription drawn = options;
+    drawn.effects = effects;
+    for (const std::string& key : options.given) {
+        const std::string needs(option(key).needs);
+        if (!needs.empty() && option(needs).print(drawn) == "off")
+            said.push_back("--" + key + " changes nothing without --" + needs);
     }
     if (const Palette palette = options.look.palette; palette != Palette::automatic && !takesPalette(scene, palette))
         said.push_back("--palette " + std::string(paletteName(palette)) + " changes nothing: nothing is coloured by " +

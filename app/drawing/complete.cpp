@@ -1,0 +1,145 @@
+#include "app/drawing/complete.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iterator>
+
+#include "app/input/input_files.h"
+#include "app/picture/input_names.h"
+#include "app/picture/usage_error.h"
+
+namespace nacre::app {
+namespace {
+
+constexpr double kPrint = 300, kScreen = 96;  // dots per inch, where none are said: on paper, and as CSS has it
+
+std::uint32_t sideOf(const char* name, double pixels) {
+    const double rounded = std::round(pixels);
+    if (rounded < 1 || rounded > kLargestSide)
+        throw UsageError(std::string(name) + ": " + std::to_string(static_cast<std::int64_t>(rounded)) +
+                         " pixels; 1 to " + std::to_string(kLargestSide) + " are drawn");
+    return static_cast<std::uint32_t>(rounded);
+}
+
+}  // namespace
+
+bool takeInput(PictureDescription& picture) {
+    InputOptions& input = picture.input;
+    input.alone = picture.look.ownFrame;
+    if (!input.trajectory.namedBy.empty()) input.trajectory.path = trajectoryPathOf(input);
+    return !input.path.empty();
+}
+
+void takeSeveral(PictureDescription& picture) {
+    const InputOptions& input = picture.input;
+    if (input.further.empty()) {
+        if (!input.fits.empty()) throw UsageError("--fit lays one INPUT onto another: name two");
+        return;
+    }
+    if (!picture.look.assembly.empty()) throw UsageError("--assembly is for one INPUT");
+    const auto standardInputs = std::count_if(input.further.begin(), input.further.end(),
+                                              [](const FurtherInput& further) { return further.path == "-"; });
+    if (standardInputs + (input.path == "-" ? 1 : 0) > 1) throw UsageError("standard input is one INPUT alone");
+    const std::vector<std::string> names = inputNames(input);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (const std::string& given = i == 0 ? input.name : input.further[i - 1].name;
+            !given.empty() && given != names[i])
+            throw UsageError("two INPUTs have the name '" + given + "'");
+    nameInputs(picture);
+    // A view that holds several has the colours that it was saved with.
+    if (input.namedBy.empty()) colorApart(names, picture.look);
+}
+
+void checkFrames(const PictureDescription& picture, bool throughModels) {
+    const TrajectoryOptions& frames = picture.input.trajectory;
+    if (frames.path.empty() && (frames.frame != 1 || frames.whole))
+        throw UsageError("--frame and --whole are for the frames of --trajectory");
+    if (frames.path.empty() && !throughModels && (frames.fit || frames.smooth != 1))
+        throw UsageError(
+            "--fit-frames and --smooth are for the frames of --trajectory, or of a movie through --models");
+}
+
+void checkDebug(const PictureDescription& picture) {
+    const std::string view = debugViewNames()[static_cast<std::size_t>(picture.debug)];
+    if (needsOcclusion(picture.debug) && picture.occlusion.directions == 0)
+        throw UsageError("--debug " + view + " shows nothing with --occlusion off");
+    if (picture.debug != DebugView::none && picture.supersample > 1)
+        throw UsageError("--debug " + view + " takes one sample a pixel: leave out --supersample");
+}
+
+void checkSize(const PictureDescription& picture, std::uint64_t most) {
+    try {
+        checkSamples(picture.size, picture.supersample, most);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
+}
+
+void checkFiles(const PictureDescription& picture, std::vector<NamedFile> further) {
+    std::vector<NamedFile> files{{"INPUT", filePathOf(picture.input)}, {"--view", picture.view},
+                                 {"--output", picture.output, true},   {"--layers", picture.layers, true},
+                                 {"--stats", picture.stats, true},     {"--capture", picture.capture, true}};
+    files.push_back({"--trajectory", picture.input.trajectory.path});
+    for (const FurtherInput& input : picture.input.further) files.push_back({"INPUT", input.path});
+    std::move(further.begin(), further.end(), std::back_inserter(files));
+    try {
+        checkApart(files);
+    } catch (const std::invalid_argument& error) {
+        throw UsageError(error.what());
+    }
+}
+
+void takePaper(PictureDescription& picture) {
+    if ((picture.width && picture.width->inches) || (picture.height && picture.height->inches))
+        picture.dpi = picture.dpi.value_or(kPrint);
+    const double dpi = picture.dpi.value_or(kScreen);
+    Size& size = picture.size;
+    const double shape = static_cast<double>(size.height) / size.width;
+    const double width = picture.width ? picture.width->pixels(dpi) : 0;
+    const double height = picture.height ? picture.height->pixels(dpi) : 0;
+    if (picture.width) size.width = sideOf("--width", width);
+    if (picture.height) size.height = sideOf("--height", height);
+    if (picture.width && !picture.height) size.height = sideOf("--width", width * shape);
+    if (picture.height && !picture.width) size.width = sideOf("--height", height / shape);
+    constexpr double kPointsPerInch = 72;
+    if (picture.contourPoints) picture.effects.contours.width = *picture.contourPoints * dpi / kPointsPerInch;
+    if (picture.haloPoints) picture.effects.halos.width = *picture.haloPoints * dpi / kPointsPerInch;
+    if (picture.textPoints) picture.words.size = *picture.textPoints * dpi / kPointsPerInch;
+}
+
+void checkFormat(const PictureDescription& picture) {
+    const std::string format = isStandardOutput(picture.output) ? ".png" : extensionOf(picture.output);
+    if (picture.bits == 16 && format != ".png" && format != ".tif" && format != ".tiff")
+        throw UsageError("--depth 16 is for PNG and TIFF, not " + picture.output);
+    constexpr std::uint32_t kLargestWebp = 16383;  // the format's own limit
+    if (format == ".webp" && std::max(picture.size.width, picture.size.height) > kLargestWebp)
+        throw UsageError("WebP holds at most " + std::to_string(kLargestWebp) + " pixels a side");
+}
+
+void completePicture(PictureDescription& picture) {
+    if (!takeInput(picture)) throw UsageError("INPUT is required");
+    checkFrames(picture);
+    takeSeveral(picture);
+    checkDebug(picture);
+    takePaper(picture);
+    checkFormat(picture);
+    checkSize(picture);
+    checkFiles(picture);
+}
+
+PictureDescription withWholePaths(PictureDescription picture) {
+    const InputOptions each = picture.input;
+    picture.input.path = filePathOf(each);
+    for (FurtherInput& further : picture.input.further) {
+        InputOptions one = each;
+        one.path = further.path;
+        one.hash = further.hash;
+        further.path = filePathOf(one);
+    }
+    std::string& trajectory = picture.input.trajectory.path;
+    if (!trajectory.empty()) trajectory = std::filesystem::absolute(trajectory).lexically_normal().string();
+    return picture;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,188 @@
+#include "app/drawing/drawing.h"
+
+#include <atomic>
+
+#include "app/annotation/painter.h"
+#include "app/drawing/aim.h"
+#include "app/drawing/idle_options.h"
+#include "app/drawing/scenes.h"
+#include "app/files/cache_folder.h"
+#include "app/files/messages.h"
+#include "app/files/output_file.h"
+#include "app/input/trajectory_input.h"
+#include "app/picture/option_text.h"
+#include "app/picture/options.h"
+#include "engine/error.h"
+#include "engine/milliseconds.h"
+#include "engine/scene/orientation.h"
+
+namespace nacre::app {
+namespace {
+
+/// A frame of a trajectory is seen from where the first is, as in a window and in films, and drawn as chosen there;
+/// unless each is to have a camera of its own. @returns the radius that the camera goes by
+double buildScene(const Molecule& molecule, const PictureDescription& options, const std::optional<Bounds>& frame,
+                  Representation& scene) {
+    const InputOptions& input = options.input;
+    const TrajectoryOptions& frames = input.trajectory;
+    if (frames.path.empty() || frames.frame == 1 || options.look.ownFrame || !options.look.assembly.empty() ||
+        !input.further.empty()) {
+        scene = sceneOf(molecule, input.path, options.drawn, options.look, frame);
+        return scene.radius;
+    }
+    Molecule first = molecule;
+    const HeardMessages again;  // what there is to say was said when the molecule was read
+    movePositions(first, openMotion(frames, molecule)->positions(0));
+    MovingScene moving = movingSceneOf(first, input.path, options.drawn, options.look);
+    const double radius = moving.scene().radius;
+    moving.move(molecule);
+    scene = moving.scene();
+    return radius;
+}
+
+RenderSettings settingsOf(const PictureDescription& options, const Camera& camera, double radius) {
+    RenderSettings settings;
+    settings.view = viewOf(camera, radius, options.size.width, options.size.height);
+    settings.supersample = options.supersample;
+    settings.meshError = options.meshError;
+    settings.background = options.background;
+    settings.lighting = options.lighting;
+    settings.effects = options.effects;
+    settings.occlusion.directions = options.occlusion.directions;
+    settings.occlusion.bytes = options.occlusion.bytes();
+    settings.occlusion.detail = options.occlusion.detail;
+    settings.fine = options.bits == 16 || extensionOf(options.output) == ".exr";
+    settings.tuning = options.tuning;
+    settings.debug = options.debug;
+    // What is captured is to be seen: the bake, too, is done then.
+    if (options.capture.empty()) settings.occlusion.cache = cacheFolder(options.input.cache, "occlusion");
+    return settings;
+}
+
+/// What is to be seen whole is. A plane cuts where what is left out would not do: copies of an assembly share what
+/// they are made of, and a movie goes around it.
+void uncoverTarget(const Aimed& aim, const Aim& wanted, const Molecule& molecule, Representation& scene,
+                   RenderSettings& settings, RunStats& run) {
+    const std::optional<Selection>& target = uncoveredBy(wanted);
+    if (!target) return;
+    double& clipNear = settings.effects.clip.near;
+    if (aim.clipNear && (wanted.turns || !scene.copies.transforms.empty()))
+        clipNear = std::max(clipNear, *aim.clipNear);
+    if (wanted.turns) return;
+    run.uncovers = target->text;
+    run.uncovered = uncover(scene, selectAtoms(molecule, *target), settings.view, clipNear);
+}
+
+void tellScene(const Molecule& molecule, const Representation& scene, RunStats& run) {
+    run.atomsRead = molecule.atoms.size();
+    run.bondsKnown = molecule.bonds.size();
+    run.center = scene.center;
+    run.atomsDrawn = scene.drawnAtoms;
+    run.bondsDrawn = scene.drawnBonds;
+    run.triangles = scene.triangles.size();
+    run.vertices = scene.meshVertices.size();
+    run.legends = scene.legends;
+}
+
+}  // namespace
+
+void Drawing::prepare(const Molecule& molecule, const PictureDescription& description,
+                      const std::optional<Bounds>& frame) {
+    static std::atomic<std::uint64_t> scenes{0};
+    const Clock::time_point start = Clock::now();
+    const Parts parts = difference(description_, description);
+    if (scene_ && parts == 0) return;
+    // What is left out since it hides something depends on the view, too.
+    const bool another = !scene_ || has(parts, Part::input) || has(parts, Part::scene) ||
+                         uncoveredBy(description.aim) || uncoveredBy(description_.aim);
+    description_ = description;
+    if (another) {
+        scene_.emplace();
+        radius_ = buildScene(molecule, description_, frame, *scene_);
+        number_ = ++scenes;
+        ++counts_.scenes;
+    }
+    run = {};
+    const Aimed aim = aimed(description_.camera, description_.aim, molecule, *scene_, description_.size);
+    settings = settingsOf(description_, aim.camera, radius_);
+    const View& view = settings.view;
+    const auto depthFrom = [&] { return view.projection == Projection::perspective ? view.eyeDistance : view.radius; };
+    const double depthOfFirst = depthFrom();
+    if (scene_->radius > radius_) reachTo(settings.view, scene_->radius);
+    depthShift_ = depthFrom() - depthOfFirst;
+    run.zoom = aim.camera.zoom;
+    uncoverTarget(aim, description_.aim, molecule, *scene_, settings, run);
+    run.clip = clipText(settings.effects.clip);
+    warnings = scene_->warnings;
+    if (description_.debug == DebugView::none) putWords(molecule);
+    for (std::string& idle : idleOptions(description_, *scene_, settings.effects, scene_->radius))
+        warnings.push_back(std::move(idle));
+    makeRoom();
+    tellScene(molecule, *scene_, run);
+    run.warnings = molecule.warnings;
+    run.warnings.insert(run.warnings.end(), warnings.begin(), warnings.end());
+    run.sceneMs = millisecondsSince(start);
+}
+
+/// Words of what is left out since it hides something go with it.
+void Drawing::putWords(const Molecule& molecule) {
+    const bool some = !run.uncovers.empty();
+    words = placeWords(description_.words, molecule, *scene_, some ? WordsOfHidden::leftOut : WordsOfHidden::refused);
+    if (words.leftOut.empty()) return;
+    const std::size_t others = words.leftOut.size() - 1;
+    warnings.push_back("no words at " + words.leftOut.front() +
+                       (others ? " and " + std::to_string(others) + " more" : "") +
+                       ": none of its atoms is drawn beside " + run.uncovers + ", which they hide (--uncover off)");
+}
+
+/// Moves the molecule out of the way of the words that stand beside it, unless a part of it is what is to be seen.
+void Drawing::makeRoom() {
+    if (!words.any() || description_.aim.placed || description_.aim.zoomTo) return;
+    constexpr std::size_t kMany = 200000;  // spheres and vertices: their sphere is nearly as good
+    View& view = settings.view;
+    std::vector<glm::dvec4> balls{{0, 0, 0, view.radius}};
+    if (!description_.aim.turns && scene_->drawnAtoms + scene_->meshVertices.size() < kMany)
+        balls = drawnBalls(*scene_);
+    const View beside =
+        WordPainter().besideWords(view, words, description_.words.size, balls, description_.camera.zoom);
+    run.zoom *= beside.pixelsPerAngstrom / view.pixelsPerAngstrom;
+    view = beside;
+}
+
+void Drawing::show(Canvas& canvas) {
+    if (canvas.scene == number_) return;
+    canvas.scene = 0;
+    canvas.renderer.setScene(*scene_);
+    canvas.scene = number_;
+    ++counts_.uploads;
+}
+
+void Drawing::handOver(Canvas& canvas) {
+    canvas.scene = 0;
+    canvas.renderer.setScene(std::move(*scene_));
+    scene_.reset();
+    ++counts_.uploads;
+}
+
+Picture Drawing::draw(Canvas& canvas, std::size_t* crowded) {
+    show(canvas);
+    Picture picture = canvas.renderer.render(settings);
+    const std::size_t labels = addWords(settings, picture);
+    if (crowded) *crowded = labels;
+    return picture;
+}
+
+LayerPicture Drawing::layers(Renderer& renderer) const {
+    LayerPicture layers = renderer.layers(settings);
+    if (depthShift_ != 0)  // the background's infinity stays
+        for (float& z : layers.z) z = static_cast<float>(static_cast<double>(z) - depthShift_);
+    return layers;
+}
+
+std::size_t Drawing::addWords(const RenderSettings& drawn, Picture& picture, WordMemory* memory) const {
+    if (!words.any()) return 0;
+    return WordPainter().paint(words, drawn.view, description_.words.size, description_.words.color,
+                               description_.background, picture, drawn.effects.clip, memory);
+}
+
+}  // namespace nacre::app

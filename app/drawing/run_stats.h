@@ -1,0 +1,33 @@
+#pragma once
+// What is known of a picture's making beside what the renderer measured.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/results.h"
+#include "engine/scene/representation.h"
+#include "engine/scene/uncover.h"
+
+namespace nacre::app {
+
+struct RunStats {
+    std::size_t atomsRead = 0, bondsKnown = 0;
+    std::size_t atomsDrawn = 0, bondsDrawn = 0;
+    std::size_t triangles = 0, vertices = 0;  ///< of cartoons and surfaces, stored once for all copies
+    glm::dvec3 center{};                      ///< of the view, Å
+    double zoom = 1;                          ///< of the view
+    std::string clip;                         ///< as --clip takes it
+    std::string uncovers;                     ///< the selection that is to be seen whole; empty: none
+    Uncovered uncovered;
+    std::vector<Legend> legends;
+    std::vector<std::string> warnings;  ///< of the file and of the rules
+    double loadMs = 0;                  ///< reading, inflating, bonds
+    double sceneMs = 0;                 ///< choosing atoms, building the streams
+    double firstPictureMs = 0;          ///< from the command's start to the first picture in memory
+    DriverFeedback driver;              ///< after the picture
+    std::uint64_t parts = 1;            ///< that the picture was drawn in
+    double totalMs = 0;                 ///< from the command's start until only this file is left to write
+};
+
+}  // namespace nacre::app

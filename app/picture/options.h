@@ -1,0 +1,134 @@
+#pragma once
+// The options of a picture's description, one row an option. From these rows, and from nothing else, come the command
+// line with its help, manual page and completions, keys of jobs, Python's arguments, saved views, looks, undo, what has
+// to be drawn again, and the reference in docs/options.md. Rows stand in rows_*.cpp, by what they are about.
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/picture/description.h"
+
+namespace nacre::app {
+
+/// What options are about. A command takes the topics that concern it; `nacre help` explains some of them.
+enum class Topic : std::uint32_t {
+    view = 1 << 0,        ///< saved views
+    look = 1 << 1,        ///< several options at once, by a name
+    thumbnail = 1 << 2,   ///< the same
+    input = 1 << 3,       ///< INPUT
+    reading = 1 << 4,     ///< how it is read
+    trajectory = 1 << 5,  ///< where its atoms are
+    fit = 1 << 6,         ///< several inputs
+    style = 1 << 7,
+    color = 1 << 8,
+    rules = 1 << 9,
+    mesh = 1 << 10,   ///< cartoons and surfaces
+    atoms = 1 << 11,  ///< which are drawn
+    files = 1 << 12,
+    camera = 1 << 13,
+    aim = 1 << 14,
+    background = 1 << 15,
+    lighting = 1 << 16,
+    occlusion = 1 << 17,
+    effects = 1 << 18,
+    words = 1 << 19,
+    detail = 1 << 20,  ///< of occlusion
+    size = 1 << 21,
+    samples = 1 << 22,
+    levels = 1 << 23,  ///< of meshes
+    paper = 1 << 24,
+    debug = 1 << 25,
+    device = 1 << 26,
+    path = 1 << 27,   ///< how a device draws
+    frame = 1 << 28,  ///< the same, never seen in a picture
+    validation = 1 << 29,
+    saved = 1u << 31,  ///< only of saved views
+};
+using Topics = std::uint32_t;
+constexpr Topics operator|(Topic a, Topic b) { return static_cast<Topics>(a) | static_cast<Topics>(b); }
+constexpr Topics operator|(Topics a, Topic b) { return a | static_cast<Topics>(b); }
+constexpr bool has(Topics topics, Topic topic) { return (topics & static_cast<Topics>(topic)) != 0; }
+constexpr Topics kReading = Topic::input | Topic::reading | Topic::trajectory | Topic::fit;
+constexpr Topics kAppearance = Topic::style | Topic::color | Topic::rules | Topic::mesh | Topic::atoms;
+constexpr Topics kEveryTopic = ~static_cast<Topics>(Topic::saved);
+
+/// Which part of the work an option concerns: what is done again when it changes.
+enum class Part : unsigned {
+    input = 1 << 0,       ///< the molecule is read
+    scene = 1 << 1,       ///< spheres, sticks and meshes are made
+    view = 1 << 2,        ///< where it is seen from
+    shading = 1 << 3,     ///< how pixels are shaded
+    annotation = 1 << 4,  ///< the words in the picture
+    file = 1 << 5,        ///< what is written where
+    device = 1 << 6       ///< what draws it
+};
+using Parts = unsigned;
+constexpr Parts operator|(Part a, Part b) { return static_cast<Parts>(a) | static_cast<Parts>(b); }
+constexpr bool has(Parts parts, Part part) { return (parts & static_cast<Parts>(part)) != 0; }
+
+struct Option {
+    /// How many values it takes, and how JSON has them.
+    enum class Kind {
+        value,    ///< one text; JSON: a text or number
+        flag,     ///< none, or "on" and "off"; JSON: a boolean
+        list,     ///< one each time; JSON: a list of texts
+        pair,     ///< two each time, a line's end between them; JSON: a list of pairs
+        numbers,  ///< several, with commas between them; JSON: a list of numbers
+        rules,    ///< show, hide and color-by in their common order; JSON: a list of objects
+        inputs    ///< further inputs; JSON: a list of objects
+    };
+    enum class Number { none, whole, real };
+    /// When a saved view has it.
+    enum class Save { never, differing, always, withTrajectory };
+
+    std::string_view key = {};  ///< "contours": --contours, "contours" in JSON, contours= in Python
+    std::string syntax = {};    ///< of the value, for the help; empty: a flag
+    std::string standard = {};  ///< what holds without it, for the help; "=": as print() has it
+    std::string help = {};      ///< '\n' where a line of the help may end
+    Topic topic = Topic::saved;
+    Part part = Part::file;
+    /// Takes a value; of a list one more, or none any more of "". @throws std::invalid_argument, in words that
+    /// continue "--key: ", or Error
+    void (*parse)(std::string_view text, PictureDescription&) = nullptr;
+    /// What parse() reads; of a list each on a line of its own. Null: the option stands for others.
+    std::string (*print)(const PictureDescription&) = nullptr;
+
+    Kind kind = Kind::value;
+    Save save = Save::never;
+    Number number = Number::none;    ///< as what a saved view has it, where it is one
+    bool look = false;               ///< part of a look
+    std::string_view savedAs = {};   ///< key in saved views; empty: the same
+    std::string_view needs = {};     ///< the option without which this one shows nothing
+    std::string_view excludes = {};  ///< an option that cannot be given beside it
+    std::string_view bare = {};      ///< value that its name alone stands for
+    std::string_view letter = {};    ///< "-o"
+    bool positional = false;         ///< INPUT
+    bool required = false;
+    std::vector<std::string> choices = {};  ///< words that it takes beside others, for completion
+
+    /// How a panel shows it, if it does.
+    struct Control {
+        const char* label = nullptr;
+        double low = 0, high = 0;     ///< of a slider
+        const char* shown = nullptr;  ///< its value in words, as printf has it
+    } control = {};
+
+    std::string_view savedKey() const { return savedAs.empty() ? key : savedAs; }
+};
+
+/// In the order of help and saved views.
+std::span<const Option> options();
+/// Null if there is none. @param topics  among which it is looked for
+const Option* findOption(std::string_view key, Topics topics = kEveryTopic);
+/// One that is known to be there.
+const Option& option(std::string_view key);
+
+/// Takes a value, and notes that it was given. @throws as Option::parse
+void setOption(const Option& option, std::string_view text, PictureDescription& description);
+
+/// The parts of the work in which two descriptions differ.
+Parts difference(const PictureDescription& a, const PictureDescription& b);
+
+}  // namespace nacre::app

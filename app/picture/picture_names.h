@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace nacre::app {
+
+/// Whether a picture can be written under this name: standard output, or .png .tif .tiff .jpg .jpeg .webp .exr in any
+/// case.
+bool isPictureName(const std::string& path);
+
+}  // namespace nacre::app

@@ -1,0 +1,261 @@
+// What a picture is of: saved views, looks, inputs and how they are read.
+
+#include "app/picture/input_names.h"
+#include "app/picture/looks.h"
+#include "app/picture/rows.h"
+#include "app/picture/saved_view.h"
+#include "engine/molecule/read.h"
+
+namespace nacre::app {
+namespace {
+
+using P = PictureDescription;
+using T = std::string_view;
+using enum Option::Kind;
+using enum Option::Save;
+
+std::vector<std::string> lookNames() {
+    std::vector<std::string> names;
+    for (const Look& look : looks()) names.push_back(look.input.name);
+    return names;
+}
+
+void takeThumbnail(T text, P& d) {
+    const auto side = static_cast<std::uint32_t>(parseInteger(text, 16, 4096));
+    d.size = {side, side};
+    d.occlusion.detail = 12;
+    d.aim.principal = d.view.empty();
+}
+
+/// Several options at once go before those that they stand for, so that these override them.
+std::vector<Option> severalAtOnce() {
+    return {
+        {.key = "view",
+         .syntax = "FILE",
+         .standard = "none",
+         .help = "A saved view: camera and everything else that is seen; options override it",
+         .topic = Topic::view,
+         .parse = [](T text, P& d) { applySavedView(fileName(text), d); }},
+        {.key = "allow-download",
+         .help = "Download the molecules that a saved view names; otherwise only the cache is used",
+         .topic = Topic::view,
+         .part = Part::input,
+         .parse = parseFlag<&P::input, &InputOptions::allowDownload>,
+         .print = printSwitch<kOnOff, &P::input, &InputOptions::allowDownload>,
+         .kind = flag},
+        {.key = "look",
+         .syntax = "NAME|FILE",
+         .standard = "default",
+         .help = "Light, outlines, fog and colours that go together, as `nacre looks` lists them, or a JSON file of\n"
+                 "such options; options override it",
+         .topic = Topic::look,
+         .parse = [](T text, P& d) { applyLook(lookOf(std::string(text)), d); },
+         .choices = lookNames()},
+        {.key = "thumbnail",
+         .syntax = "N",
+         .standard = "none",
+         .help = "A picture for lists of structures, N pixels per side, 16 to 4096: --size NxN --orient principal\n"
+                 "--occlusion-detail 12; options override it, and so does the camera of --view",
+         .topic = Topic::thumbnail,
+         .parse = takeThumbnail},
+    };
+}
+
+std::string printInputs(const P& d) {
+    std::string text = d.input.name + "=" + d.input.path;
+    for (const FurtherInput& further : d.input.further) text += "\n" + further.name + "=" + further.path;
+    return text;
+}
+
+void parseInputName(T text, P& d) {
+    if (!isInputName(std::string(text)))
+        throw std::invalid_argument("'" + std::string(text) + "' is no name: letters, digits, - and _");
+    d.input.name = text;
+}
+
+std::string printFits(const P& d) {
+    return lines(d.input.fits, [](const FitOptions& fit) { return fit.moving.text + "\t" + fit.fixed.text; });
+}
+
+void parseFit(T text, P& d) {
+    addTo(d.input.fits, text, kMostInputs, [](T pair) {
+        const std::size_t end = pair.find('\n');
+        return FitOptions{parseSelection(pair.substr(0, end)), parseSelection(pair.substr(end + 1))};
+    });
+}
+
+std::vector<Option> named() {
+    return {
+        {.key = "input",
+         .help = "A structure file (" + formatTitles() +
+                 ";\neach also compressed), - for standard input, sample:dna, sample:glucose, sample:buckyball, or a "
+                 "download:\npdb:1BNA, pubchem:CID|NAME, afdb:UNIPROT. Several are one picture: NAME=INPUT names one "
+                 "for\nselections, /NAME; without a name the file's name is used",
+         .topic = Topic::input,
+         .part = Part::input,
+         .parse = [](T text, P& d) { addInput(d.input, std::string(text)); },
+         .print = printInputs,
+         .kind = list,
+         .positional = true},
+        {.key = "input",
+         .part = Part::input,
+         .parse = parseFile<&P::input, &InputOptions::path>,
+         .print = printText<&P::input, &InputOptions::path>,
+         .save = differing},
+        {.key = "hash",
+         .part = Part::input,
+         .parse = [](T text, P& d) { d.input.hash = text; },
+         .print = printText<&P::input, &InputOptions::hash>,
+         .save = differing},
+        {.key = "name",
+         .part = Part::input,
+         .parse = parseInputName,
+         .print = printText<&P::input, &InputOptions::name>,
+         .save = differing},
+        {.key = "further-inputs", .part = Part::input, .print = printInputs, .kind = inputs, .save = differing},
+        {.key = "fit",
+         .syntax = "SEL SEL",
+         .standard = "none",
+         .help = "Superpose one INPUT on another: the atoms that move, then the atoms they move to,\n"
+                 "paired by sequence and name; reports the RMSD; repeatable",
+         .topic = Topic::fit,
+         .part = Part::input,
+         .parse = parseFit,
+         .print = printFits,
+         .kind = pair,
+         .save = differing,
+         .savedAs = "fits"},
+    };
+}
+
+void parseFormatName(T text, P& d) {
+    d.input.format = formatFromName(text);
+    if (!d.input.format)
+        throw std::invalid_argument("expected one of " + formatNames() + ", not '" + std::string(text) + "'");
+}
+
+std::string printModel(const P& d) { return d.input.model == kAllModels ? "all" : std::to_string(d.input.model); }
+
+std::vector<Option> reading() {
+    return {
+        {.key = "cache",
+         .syntax = "DIR|off",
+         .standard = "NACRE_CACHE, else ~/.cache/nacre",
+         .help = "Folder for downloads and ambient occlusion",
+         .topic = Topic::reading,
+         .parse = [](T text, P& d) { d.input.cache = fileName(text); },
+         .print = [](const P& d) { return d.input.cache.value_or(""); }},
+        {.key = "offline",
+         .help = "Take downloads from the cache only",
+         .topic = Topic::reading,
+         .part = Part::input,
+         .parse = parseFlag<&P::input, &InputOptions::offline>,
+         .print = printSwitch<kOnOff, &P::input, &InputOptions::offline>,
+         .kind = flag},
+        {.key = "memory",
+         .syntax = "MB",
+         .standard = "half of the machine's",
+         .help = "Memory limit for the molecule, 1 to 1048576; a larger one is refused (700 bytes per atom, two per "
+                 "byte of text)",
+         .topic = Topic::reading,
+         .part = Part::input,
+         .parse = [](T text, P& d) { d.input.memoryMegabytes = parseInteger(text, 1, 1 << 20); },
+         .print =
+             [](const P& d) {
+                 return d.input.memoryMegabytes ? std::to_string(*d.input.memoryMegabytes) : std::string();
+             }},
+        {.key = "format",
+         .syntax = "NAME",
+         .standard = "by content",
+         .help = "One of " + formatNames(),
+         .topic = Topic::reading,
+         .part = Part::input,
+         .parse = parseFormatName,
+         .print = [](const P& d) { return std::string(d.input.format ? formatName(*d.input.format) : ""); },
+         .save = differing},
+        {.key = "model",
+         .syntax = "N|all",
+         .standard = "1",
+         .help = "Model, frame or record, counted from 1; all: superimposed",
+         .topic = Topic::reading,
+         .part = Part::input,
+         .parse = [](T text, P& d) { d.input.model = parseModel(text); },
+         .print = printModel,
+         .save = always,
+         .number = Option::Number::whole},
+    };
+}
+
+void parseTrajectory(T text, P& d) {
+    d.input.trajectory.path = fileName(text);
+    d.input.trajectory.namedBy.clear();
+}
+
+std::vector<Option> moving() {
+    using Q = TrajectoryOptions;
+    return {
+        {.key = "trajectory",
+         .syntax = "FILE",
+         .standard = "none",
+         .help = "Positions of INPUT's atoms, frame by frame: DCD, XTC, TRR or AMBER NetCDF",
+         .topic = Topic::trajectory,
+         .part = Part::input,
+         .parse = parseTrajectory,
+         .print = printText<&P::input, &InputOptions::trajectory, &Q::path>,
+         .save = differing},
+        {.key = "trajectory-hash",
+         .part = Part::input,
+         .parse = [](T text, P& d) { d.input.trajectory.hash = text; },
+         .print = printText<&P::input, &InputOptions::trajectory, &Q::hash>,
+         .save = differing},
+        {.key = "frame",
+         .syntax = "N",
+         .standard = "1",
+         .help = "Frame of --trajectory, counted from 1",
+         .topic = Topic::trajectory,
+         .part = Part::input,
+         .parse = [](T text, P& d) { d.input.trajectory.frame = parseFrame(text); },
+         .print = [](const P& d) { return std::to_string(d.input.trajectory.frame); },
+         .save = withTrajectory,
+         .number = Option::Number::whole},
+        {.key = "whole",
+         .help = "Join molecules that the periodic box of --trajectory splits, along their bonds",
+         .topic = Topic::trajectory,
+         .part = Part::input,
+         .parse = parseFlag<&P::input, &InputOptions::trajectory, &Q::whole>,
+         .print = printSwitch<kOnOff, &P::input, &InputOptions::trajectory, &Q::whole>,
+         .kind = flag,
+         .save = differing},
+        {.key = "fit-frames",
+         .syntax = "SEL",
+         .standard = "none",
+         .help = "Superpose each frame of --trajectory (and of a movie's --models) on the first by these atoms: "
+                 "backbone, name CA",
+         .topic = Topic::trajectory,
+         .part = Part::input,
+         .parse = parseSelected<&P::input, &InputOptions::trajectory, &Q::fit>,
+         .print = printSelected<&P::input, &InputOptions::trajectory, &Q::fit>,
+         .save = differing},
+        {.key = "smooth",
+         .syntax = "N",
+         .standard = "1",
+         .help = "Average N frames of --trajectory (and of a movie's --models), odd, up to 101",
+         .topic = Topic::trajectory,
+         .part = Part::input,
+         .parse = [](T text, P& d) { d.input.trajectory.smooth = parseSmoothing(text); },
+         .print = [](const P& d) { return std::to_string(d.input.trajectory.smooth); },
+         .save = differing,
+         .number = Option::Number::whole},
+    };
+}
+
+}  // namespace
+
+std::vector<Option> inputRows() {
+    std::vector<Option> rows;
+    for (std::vector<Option> (*some)() : {severalAtOnce, named, reading, moving})
+        for (Option& option : some()) rows.push_back(std::move(option));
+    return rows;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,249 @@
+// What is written where, how large and how fine, and what draws it.
+
+#include "app/files/output_file.h"
+#include "app/picture/picture_names.h"
+#include "app/picture/rows.h"
+
+namespace nacre::app {
+namespace {
+
+using P = PictureDescription;
+using T = std::string_view;
+
+inline constexpr std::array<const char*, 6> kPaths{"auto", "encoded", "fragdepth", "deferred", "raster-order", "tiles"};
+inline constexpr Visibility kPathValues[] = {Visibility::automatic, Visibility::encoded,     Visibility::fragdepth,
+                                             Visibility::deferred,  Visibility::rasterOrder, Visibility::tiles};
+inline constexpr std::array<const char*, 6> kRungs{"auto", "r32f", "rgba16f", "rg16f", "a2b10g10r10", "rgba8"};
+inline constexpr EncodedDepth kRungValues[] = {EncodedDepth::automatic,   EncodedDepth::r32f,
+                                               EncodedDepth::rgba16f,     EncodedDepth::rg16f,
+                                               EncodedDepth::a2b10g10r10, EncodedDepth::rgba8};
+
+/// Of two lists of the same length: the name that stands where a value does.
+template <typename Value>
+std::string nameOf(Value value, const auto& values, const auto& names) {
+    return names[static_cast<std::size_t>(std::find(std::begin(values), std::end(values), value) - std::begin(values))];
+}
+
+void parseOutput(T text, P& d) {
+    if (!isPictureName(std::string(text)))
+        throw std::invalid_argument(
+            "expected a name that ends in .png, .tif, .tiff, .jpg, .jpeg, .webp or .exr, not '" + std::string(text) +
+            "'");
+    d.output = text;
+}
+
+/// A file of one ending, or standard output.
+std::string parseEnding(T text, const char* ending) {
+    const std::string path(text);
+    if (!isStandardOutput(path) && extensionOf(path) != ending)
+        throw std::invalid_argument(std::string("expected a name that ends in ") + ending + ", not '" + path + "'");
+    return path;
+}
+
+std::string printLength(const std::optional<Length>& length) {
+    return length ? exactText(length->value) + (length->inches ? "in" : "px") : std::string();
+}
+
+std::string debugNames() {
+    std::string names;
+    for (const char* name : debugViewNames()) names += names.empty() ? name : std::string(", ") + name;
+    return names;
+}
+
+std::string printSamples(const P& d) {
+    return d.supersample == RenderSettings::kEdges ? std::string("auto") : std::to_string(d.supersample);
+}
+
+std::vector<Option> sizeRows() {
+    return {
+        {.key = "occlusion-detail",
+         .syntax = "N",
+         .standard = "=",
+         .help = "Texels of occlusion across an atom's patch at most, 4 to 32; 12 are enough for thumbnails, in a\n"
+                 "quarter of the time",
+         .topic = Topic::detail,
+         .part = Part::shading,
+         .parse = [](T text, P& d) { d.occlusion.detail = static_cast<std::uint32_t>(parseInteger(text, 4, 32)); },
+         .print = [](const P& d) { return std::to_string(d.occlusion.detail); }},
+        {.key = "size",
+         .syntax = "WxH",
+         .standard = "=",
+         .help = "Pixels, each side 1 to 32768",
+         .topic = Topic::size,
+         .part = Part::view,
+         .parse = [](T text, P& d) { d.size = parseSize(text); },
+         .print = [](const P& d) { return std::to_string(d.size.width) + "x" + std::to_string(d.size.height); }},
+        {.key = "supersample",
+         .syntax = "auto|N",
+         .standard = "=",
+         .help = "N x N samples per pixel, 1 to 8; auto: 16 where a pixel shows an edge, one elsewhere",
+         .topic = Topic::samples,
+         .part = Part::shading,
+         .parse = [](T text, P& d) { d.supersample = parseSupersample(text); },
+         .print = printSamples},
+        {.key = "mesh-error",
+         .syntax = "SHARE",
+         .standard = "=",
+         .help = "How far outlines of cartoons and surfaces may be off, in distances between samples (auto's edges:\n"
+                 "a quarter of a pixel), 0 to 4; small meshes take fewer triangles; 0: all of them",
+         .topic = Topic::levels,
+         .part = Part::shading,
+         .parse = [](T text, P& d) { d.meshError = parseNumber(text, 0, kLargestMeshError); },
+         .print = printNumber<&P::meshError>},
+        {.key = "width",
+         .syntax = "LENGTH",
+         .standard = "as --size says",
+         .help = "85mm, 8.5cm, 3.3in, at --dpi; or 1200px. Without --height, the shape of --size is kept",
+         .topic = Topic::paper,
+         .part = Part::view,
+         .parse = [](T text, P& d) { d.width = parseLength(text); },
+         .print = [](const P& d) { return printLength(d.width); }},
+        {.key = "height",
+         .syntax = "LENGTH",
+         .standard = "as --size says",
+         .help = "Height, as --width",
+         .topic = Topic::paper,
+         .part = Part::view,
+         .parse = [](T text, P& d) { d.height = parseLength(text); },
+         .print = [](const P& d) { return printLength(d.height); }},
+        {.key = "dpi",
+         .syntax = "N",
+         .standard = "300 with lengths on paper",
+         .help = "Dots per inch, 1 to 10000; stored in PNG, TIFF and JPEG",
+         .topic = Topic::paper,
+         .part = Part::view,
+         .parse = [](T text, P& d) { d.dpi = parseNumber(text, 1, 10000); },
+         .print = [](const P& d) { return d.dpi ? exactText(*d.dpi) : std::string(); }},
+        {.key = "depth",
+         .syntax = "8|16",
+         .standard = "=",
+         .help = "Bits per channel, 16 in PNG and TIFF",
+         .topic = Topic::paper,
+         .parse =
+             [](T text, P& d) {
+                 d.bits = parseChoice(text, {"8", "16"}) == 0 ? 8 : 16;
+             },
+         .print = [](const P& d) { return std::to_string(d.bits); }},
+    };
+}
+
+void parseDevice(T text, P& d) {
+    if (text.empty()) throw std::invalid_argument("expected a device's number or part of its name");
+    d.device.device = text;
+}
+
+std::vector<Option> drawingRows() {
+    return {
+        {.key = "debug",
+         .syntax = "VIEW",
+         .standard = "none",
+         .help = "Shows an intermediate image of the frame instead: " + debugNames(),
+         .topic = Topic::debug,
+         .part = Part::shading,
+         .parse = [](T text, P& d) { d.debug = static_cast<DebugView>(parseChoice(text, debugViewNames())); },
+         .print = [](const P& d) { return std::string(debugViewNames()[static_cast<std::size_t>(d.debug)]); }},
+        {.key = "device",
+         .syntax = "N|NAME",
+         .standard = "the best one",
+         .help = "Number or part of the name, as `nacre devices` lists them",
+         .topic = Topic::device,
+         .parse = parseDevice,
+         .print = printText<&P::device, &DeviceOptions::device>},
+        {.key = "visibility",
+         .syntax = "PATH",
+         .standard = "auto",
+         .help = "auto, encoded, fragdepth, deferred, raster-order or tiles",
+         .topic = Topic::path,
+         .parse = [](T text, P& d) { d.device.visibility = kPathValues[parseChoice(text, kPaths)]; },
+         .print = [](const P& d) { return nameOf(d.device.visibility, kPathValues, kPaths); }},
+        {.key = "encoded-format",
+         .syntax = "FORMAT",
+         .standard = "auto",
+         .help = "Format of encoded depth: auto, r32f, rgba16f, rg16f, a2b10g10r10 or rgba8",
+         .topic = Topic::path,
+         .parse = [](T text, P& d) { d.device.encoded = kRungValues[parseChoice(text, kRungs)]; },
+         .print = [](const P& d) { return nameOf(d.device.encoded, kRungValues, kRungs); }},
+        {.key = "prepass",
+         .syntax = "on|off",
+         .standard = "on",
+         .help = "Opaque plates that reject hidden work; never changes the picture",
+         .topic = Topic::frame,
+         .parse =
+             [](T text, P& d) {
+                 d.tuning.plates = parseChoice(text, kOnOff) == 0 ? PlateShape::automatic : PlateShape::none;
+             },
+         .print = [](const P& d) { return std::string(d.tuning.plates == PlateShape::none ? "off" : "on"); }},
+        {.key = "transient",
+         .syntax = "on|off",
+         .standard = "on",
+         .help = "off: every attachment has memory and is stored; never changes the picture",
+         .topic = Topic::frame,
+         .parse = parseSwitch<kOnOff, &P::tuning, &FrameTuning::transient>,
+         .print = printSwitch<kOnOff, &P::tuning, &FrameTuning::transient>},
+        {.key = "merge",
+         .syntax = "on|off",
+         .standard = "on",
+         .help = "Passes as subpasses of one render pass; never changes the picture",
+         .topic = Topic::frame,
+         .parse = parseSwitch<kOnOff, &P::tuning, &FrameTuning::merge>,
+         .print = printSwitch<kOnOff, &P::tuning, &FrameTuning::merge>},
+        {.key = "validate",
+         .help = "Run under the Vulkan validation layer; any message is an error",
+         .topic = Topic::validation,
+         .parse = parseFlag<&P::device, &DeviceOptions::validate>,
+         .print = printSwitch<kOnOff, &P::device, &DeviceOptions::validate>,
+         .kind = Option::Kind::flag},
+    };
+}
+
+}  // namespace
+
+std::vector<Option> fileRows() {
+    return {
+        {.key = "output",
+         .syntax = "FILE",
+         .help = "The picture: .png, .tif, .tiff, .jpg, .jpeg, .webp or .exr; - is PNG to standard output",
+         .topic = Topic::files,
+         .parse = parseOutput,
+         .print = printText<&P::output>,
+         .letter = "o",
+         .required = true},
+        {.key = "layers",
+         .syntax = "FILE.exr",
+         .standard = "none",
+         .help = "Colour, depth, normal, atom and occlusion of every pixel; - for standard output",
+         .topic = Topic::files,
+         .parse = [](T text, P& d) { d.layers = parseEnding(text, ".exr"); },
+         .print = printText<&P::layers>},
+        {.key = "stats",
+         .syntax = "FILE.json",
+         .standard = "none",
+         .help = "View, counts, times and memory as JSON; - for standard output",
+         .topic = Topic::files,
+         .parse = parseFile<&P::stats>,
+         .print = printText<&P::stats>},
+        {.key = "capture",
+         .syntax = "FILE.rdc",
+         .standard = "none",
+         .help = "The frame and its occlusion bake for RenderDoc, which must be installed and listens on this machine "
+                 "only;\n- for standard output",
+         .topic = Topic::files,
+         .parse =
+             [](T text, P& d) {
+                 d.capture = parseEnding(text, ".rdc");
+                 d.device.capture = true;
+             },
+         .print = printText<&P::capture>},
+    };
+}
+
+std::vector<Option> deviceRows() {
+    std::vector<Option> rows = sizeRows();
+    for (Option& option : drawingRows()) {
+        if (option.key != "debug") option.part = Part::device;
+        rows.push_back(std::move(option));
+    }
+    return rows;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,215 @@
+// How the molecule is represented: style, colours, rules, meshes, and which atoms are drawn.
+
+#include "app/picture/appearance_values.h"
+#include "app/picture/rows.h"
+
+namespace nacre::app {
+namespace {
+
+using P = PictureDescription;
+using R = RepresentationOptions;
+using T = std::string_view;
+using enum Option::Kind;
+using enum Option::Save;
+
+inline constexpr Words2 kModelAll = {"model", "all"}, kAllOwn = {"all", "own"};
+inline constexpr std::array<const char*, 3> kHelixForms{"ribbon", "tube", "cylinder"};
+inline constexpr std::array<const char*, 3> kBaseForms{"plates", "ladder", "none"};
+inline constexpr std::array<const char*, 3> kSurfaceKinds{"excluded", "accessible", "gaussian"};
+
+void parseAssembly(T text, P& d) {
+    if (text.empty()) throw std::invalid_argument("expected an assembly's identifier");
+    d.look.assembly = text;
+}
+
+std::vector<Option> whole() {
+    return {
+        {.key = "camera",
+         .syntax = "all|model",
+         .standard = "all",
+         .help = "In a file with several models: one camera for all of them, or each model's own",
+         .topic = Topic::style,
+         .part = Part::scene,
+         .parse =
+             [](T text, P& d) {
+                 d.look.ownFrame = parseChoice(text, {"all", "model"}) == 1;
+             },
+         .print = printSwitch<kModelAll, &P::look, &R::ownFrame>,
+         .save = differing},
+        {.key = "occlusion-models",
+         .syntax = "own|all",
+         .standard = "own",
+         .help = "When models are drawn together: ambient occlusion by each one's own model, or by all of them",
+         .topic = Topic::style,
+         .part = Part::scene,
+         .parse =
+             [](T text, P& d) {
+                 d.look.modelsOcclude = parseChoice(text, {"own", "all"}) == 1;
+             },
+         .print = printSwitch<kAllOwn, &P::look, &R::modelsOcclude>,
+         .save = differing},
+        {.key = "assembly",
+         .syntax = "ID",
+         .standard = "none: the file's atoms as they are",
+         .help = "Biological assembly or unit cell, one that `nacre info` lists",
+         .topic = Topic::style,
+         .part = Part::scene,
+         .parse = parseAssembly,
+         .print = printText<&P::look, &R::assembly>,
+         .save = differing},
+        {.key = "style",
+         .syntax = "NAME",
+         .standard = "spacefill; ball-and-stick under 100 atoms with bonds",
+         .help = "spacefill, ball-and-stick, licorice, cartoon (with ligands as licorice) or surface",
+         .topic = Topic::style,
+         .part = Part::scene,
+         .parse = [](T text, P& d) { setStyle(parseStyle(text), d.look); },
+         .print = [](const P& d) { return std::string(d.look.style ? styleName(*d.look.style) : ""); },
+         .save = differing},
+        {.key = "color",
+         .syntax = "SCHEME|COLOR",
+         .standard = "element; chain-carbons for cartoons",
+         .help = schemeNames() + ";\nor a colour as for --background; element:COLOR colours only the carbons;\n"
+                                 "b-factor:10..60:viridis gives the range and the palette, chain:muted a palette",
+         .topic = Topic::color,
+         .part = Part::scene,
+         .parse = [](T text, P& d) { d.look.color = parseColoring(text); },
+         .print = [](const P& d) { return coloringText(d.look.color); },
+         .save = always,
+         .look = true},
+        {.key = "palette",
+         .syntax = "NAME",
+         .standard = "by the scheme",
+         .help = "Colours of categories (chains, copies, entities): " + paletteNames(false) +
+                 ";\nof numbers: " + paletteNames(true),
+         .topic = Topic::color,
+         .part = Part::scene,
+         .parse = [](T text, P& d) { d.look.palette = parsePalette(text); },
+         .print =
+             [](const P& d) {
+                 return std::string(d.look.palette == Palette::automatic ? "" : paletteName(d.look.palette));
+             },
+         .save = differing},
+    };
+}
+
+void parseResolution(T text, P& d) {
+    d.look.surface.resolution = text == "auto" ? 0 : parseNumber(text, kFinestSurface, kCoarsestSurface);
+}
+std::string printResolution(const P& d) {
+    return d.look.surface.resolution > 0 ? numberText(d.look.surface.resolution) : "auto";
+}
+
+std::vector<Option> meshes() {
+    using C = CartoonOptions;
+    using S = SurfaceOptions;
+    const auto row = [](T key, const char* syntax, const char* help, auto parse, auto print) {
+        return Option{.key = key,
+                      .syntax = syntax,
+                      .standard = "=",
+                      .help = help,
+                      .topic = Topic::mesh,
+                      .part = Part::scene,
+                      .parse = parse,
+                      .print = print,
+                      .save = differing};
+    };
+    std::vector<Option> rows{
+        row("helices", "FORM", "Cartoon helices: ribbon, tube (follows the bends) or cylinder (straight)",
+            parseNamed<kHelixForms, &P::look, &R::cartoon, &C::helices>,
+            printNamed<kHelixForms, &P::look, &R::cartoon, &C::helices>),
+        row("bases", "FORM", "Nucleic acid cartoons: plates, ladder or none",
+            parseNamed<kBaseForms, &P::look, &R::cartoon, &C::bases>,
+            printNamed<kBaseForms, &P::look, &R::cartoon, &C::bases>),
+        row("putty", "on|off", "Cartoons as tubes that are wider where the B factor is larger",
+            parseSwitch<kOnOff, &P::look, &R::cartoon, &C::putty>,
+            printSwitch<kOnOff, &P::look, &R::cartoon, &C::putty>),
+        row("disulfides", "show|hide", "Disulfide bonds as sticks in cartoons",
+            parseSwitch<kShowHide, &P::look, &R::cartoon, &C::disulfides>,
+            printSwitch<kShowHide, &P::look, &R::cartoon, &C::disulfides>),
+        row("surface", "KIND",
+            "Kind of --style surface: excluded (what a probe cannot enter), accessible (where its centre goes) or "
+            "gaussian",
+            parseNamed<kSurfaceKinds, &P::look, &R::surface, &S::kind>,
+            printNamed<kSurfaceKinds, &P::look, &R::surface, &S::kind>),
+        row(
+            "probe", "RADIUS", "Probe radius of surfaces in Å, 0 to 10",
+            [](T text, P& d) { d.look.surface.probe = parseNumber(text, 0, kLargestProbe); },
+            printNumber<&P::look, &R::surface, &S::probe>),
+        row("surface-resolution", "auto|CELL",
+            "Edge of the grid cells of surfaces in Å, 0.1 to 1.2; auto: 0.4, larger for many atoms", parseResolution,
+            printResolution),
+        row("cavities", "show|hide", "Surfaces of closed cavities",
+            parseSwitch<kShowHide, &P::look, &R::surface, &S::cavities>,
+            printSwitch<kShowHide, &P::look, &R::surface, &S::cavities>),
+        row(
+            "surface-opacity", "SHARE", "Opacity of surfaces, 0.01 to 1",
+            [](T text, P& d) { d.look.surfaceOpacity = parseNumber(text, kLeastOpacity, 1); },
+            printNumber<&P::look, &R::surfaceOpacity>),
+        row(
+            "cartoon-opacity", "SHARE", "Opacity of cartoons, 0.01 to 1",
+            [](T text, P& d) { d.look.cartoonOpacity = parseNumber(text, kLeastOpacity, 1); },
+            printNumber<&P::look, &R::cartoonOpacity>),
+    };
+    rows[8].control = {"Surface opacity", 0.1, 1, "Surface opacity: %.2f"};
+    rows[9].control = {"Cartoon opacity", 0.1, 1, "Cartoon opacity: %.2f"};
+    return rows;
+}
+
+template <Rule (*parse)(T)>
+void parseRule(T text, P& d) {
+    addTo(d.look.rules, text, kMostRules, parse);
+}
+
+std::string printRules(const P& d) {
+    return lines(d.look.rules, [](const Rule& rule) {
+        const auto [option, value] = ruleText(rule);
+        return option + "=" + value + (rule.on ? "" : "\toff");
+    });
+}
+
+std::vector<Option> chosen() {
+    const auto rule = [](T key, const char* syntax, const char* help, void (*parse)(T, P&)) {
+        return Option{.key = key,
+                      .syntax = syntax,
+                      .help = help,
+                      .topic = Topic::rules,
+                      .part = Part::scene,
+                      .parse = parse,
+                      .kind = list};
+    };
+    const auto shown = [](T key, const char* standard, const char* help, auto parse, auto print) {
+        return Option{.key = key,
+                      .syntax = "show|hide",
+                      .standard = standard,
+                      .help = help,
+                      .topic = Topic::atoms,
+                      .part = Part::scene,
+                      .parse = parse,
+                      .print = print,
+                      .save = always};
+    };
+    return {
+        rule("show", "SEL=STYLE", "Draw the atoms of a selection in a style; repeatable", parseRule<parseShow>),
+        rule("hide", "SEL", "Hide the atoms of a selection; repeatable", parseRule<parseHide>),
+        rule("color-by", "SEL=SCHEME|COLOR",
+             "Colour the atoms of a selection; repeatable. These three apply in the given order, the last one wins",
+             parseRule<parseColorBy>),
+        {.key = "rules", .part = Part::scene, .print = printRules, .kind = rules, .save = always},
+        shown("water", "hide", "Water molecules", parseSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::water>,
+              printSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::water>),
+        shown("hydrogens", "show", "Hydrogen atoms", parseSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::hydrogens>,
+              printSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::hydrogens>),
+    };
+}
+
+}  // namespace
+
+std::vector<Option> sceneRows() {
+    std::vector<Option> rows = whole();
+    for (std::vector<Option> (*some)() : {meshes, chosen})
+        for (Option& option : some()) rows.push_back(std::move(option));
+    return rows;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,267 @@
+// How pixels are shaded: background, light, ambient occlusion, and effects.
+
+#include "app/picture/appearance_values.h"
+#include "app/picture/rows.h"
+
+namespace nacre::app {
+namespace {
+
+using P = PictureDescription;
+using T = std::string_view;
+using E = Effects;
+using enum Option::Save;
+
+constexpr double kWidest = 64, kDeepest = 1000, kFarthest = 1e6;  // pixels, Å, Å
+constexpr double kBrightest = 10, kSharpest = 2000;
+constexpr std::int64_t kMostOcclusionMegabytes = 65536;
+inline constexpr std::array<const char*, 3> kCaps{"plain", "dark", "hatched"};
+
+std::vector<Option> lightRows() {
+    return {
+        {.key = "background",
+         .syntax = "COLOR",
+         .standard = "=",
+         .help = "transparent, a CSS colour name (navy, lightgray), #rgb, #rrggbb or #rrggbbaa\n"
+                 "(JPEG has no transparency: over white)",
+         .topic = Topic::background,
+         .part = Part::shading,
+         .parse = [](T text, P& d) { d.background = parseColor(text); },
+         .print = [](const P& d) { return backgroundText(d.background); },
+         .save = always,
+         .look = true},
+        {.key = "transparent",
+         .help = "Same as --background transparent",
+         .topic = Topic::background,
+         .part = Part::shading,
+         .parse = [](T, P& d) { d.background = parseColor("transparent"); },
+         .kind = Option::Kind::flag,
+         .excludes = "background"},
+        {.key = "lighting",
+         .syntax = "on|off",
+         .standard = "=",
+         .help = "off: base colour times occlusion, without light or shadow",
+         .topic = Topic::lighting,
+         .part = Part::shading,
+         .parse = parseSwitch<kOnOff, &P::lighting>,
+         .print = printSwitch<kOnOff, &P::lighting>,
+         .save = always,
+         .look = true},
+        {.key = "occlusion",
+         .syntax = "K|off",
+         .standard = "=",
+         .help = "Ambient occlusion from K directions, 1 to 4096",
+         .topic = Topic::occlusion,
+         .part = Part::shading,
+         .parse = [](T text, P& d) { d.occlusion.directions = parseOcclusion(text); },
+         .print =
+             [](const P& d) {
+                 return d.occlusion.directions ? std::to_string(d.occlusion.directions) : std::string("off");
+             },
+         .save = always,
+         .number = Option::Number::whole,
+         .look = true},
+        {.key = "occlusion-memory",
+         .syntax = "MB",
+         .standard = "64",
+         .help = "Device memory for ambient occlusion, 1 to 65536; more memory gives finer detail (reports the choice\n"
+                 "on standard error). 64 grows with meshes of more than a million vertices",
+         .topic = Topic::occlusion,
+         .part = Part::shading,
+         .parse = [](T text, P& d) { d.occlusion.megabytes = parseInteger(text, 1, kMostOcclusionMegabytes); },
+         .print =
+             [](const P& d) { return d.occlusion.megabytes ? std::to_string(*d.occlusion.megabytes) : std::string(); }},
+    };
+}
+
+/// An effect: part of a look, and saved where it differs.
+Option effect(T key, const char* syntax, const char* help, void (*parse)(T, P&), std::string (*print)(const P&),
+              T needs = {}, Option::Control control = {}) {
+    return {.key = key,
+            .syntax = syntax,
+            .standard = "=",
+            .help = help,
+            .topic = Topic::effects,
+            .part = Part::shading,
+            .parse = parse,
+            .print = print,
+            .save = differing,
+            .look = true,
+            .needs = needs,
+            .control = control};
+}
+
+/// A width in pixels, of which 0 is "off". @param points  what it is in points, if it is
+void parseWidth(T text, double& width, std::optional<double>& points) {
+    width = text == "off" ? 0 : parsePixels(text, 0.1, kWidest);
+    points = pointsOf(text);
+}
+std::string offOr(double value) { return value > 0 ? numberText(value) : "off"; }
+
+std::array<float, 3> parseOpaque(T text) {
+    const auto [r, g, b, a] = parseColor(text);
+    if (a < 1) throw std::invalid_argument("lines cannot be transparent: '" + std::string(text) + "'");
+    return {r, g, b};
+}
+std::string opaqueText(const std::array<float, 3>& color) { return backgroundText({color[0], color[1], color[2], 1}); }
+
+std::vector<Option> lineRows() {
+    return {
+        effect(
+            "contours", "PIXELS|off", "Outlines where depth jumps, 0.1 to 64 pixels wide",
+            [](T text, P& d) { parseWidth(text, d.effects.contours.width, d.contourPoints); },
+            [](const P& d) { return offOr(d.effects.contours.width); }, {}, {"Outlines", 0, 8, "Outlines: %.1f px"}),
+        effect("contour-depth", "A", "Depth jump in Å from which there is an outline",
+               [](T text, P& d) { d.effects.contours.depth = parseNumber(text, 0.01, kDeepest); },
+               printNumber<&P::effects, &E::contours, &Contours::depth>, "contours",
+               {"Outline depth", 0.1, 20, "From a depth jump of %.1f Å"}),
+        effect(
+            "contour-weights", "1|3",
+            "3: full width around chains, two thirds between residues more than 6 apart in a chain,\n"
+            "one third at other depth jumps. Drawn as --visibility deferred on every path",
+            [](T text, P& d) {
+                d.effects.contours.weights = parseChoice(text, {"1", "3"}) == 0 ? 1 : 3;
+            },
+            [](const P& d) { return std::to_string(d.effects.contours.weights); }, "contours",
+            {"Wider between chains and residues"}),
+        effect(
+            "contour-color", "COLOR", "An opaque colour as for --background",
+            [](T text, P& d) { d.effects.contours.color = parseOpaque(text); },
+            [](const P& d) { return opaqueText(d.effects.contours.color); }, "contours", {"Outline colour"}),
+        effect(
+            "halos", "PIXELS|off",
+            "Soft rims around what stands in front, 0.1 to 64 pixels wide, denser the farther back the\n"
+            "background lies. Drawn as --visibility deferred on every path",
+            [](T text, P& d) { parseWidth(text, d.effects.halos.width, d.haloPoints); },
+            [](const P& d) { return offOr(d.effects.halos.width); }, {}, {"Halos", 0, 24, "Halos: %.1f px"}),
+        effect("halo-depth", "A", "Distance behind in Å at which a halo is densest",
+               [](T text, P& d) { d.effects.halos.depth = parseNumber(text, 0.01, kDeepest); },
+               printNumber<&P::effects, &E::halos, &Halos::depth>, "halos",
+               {"Halo depth", 0.5, 60, "Densest over %.1f Å"}),
+        effect("halo-strength", "F", "Share of the halo's colour where it is densest, 0 to 1",
+               [](T text, P& d) { d.effects.halos.strength = parseNumber(text, 0, 1); },
+               printNumber<&P::effects, &E::halos, &Halos::strength>, "halos",
+               {"Halo strength", 0, 1, "Halo strength: %.2f"}),
+        effect(
+            "halo-color", "COLOR", "An opaque colour as for --background",
+            [](T text, P& d) { d.effects.halos.color = parseOpaque(text); },
+            [](const P& d) { return opaqueText(d.effects.halos.color); }, "halos", {"Halo colour"}),
+    };
+}
+
+/// One number, or two with a comma between them.
+std::vector<double> oneOrTwo(T text) {
+    const std::size_t comma = text.find(',');
+    std::vector<double> numbers{parseNumber(text.substr(0, comma), -kFarthest, kFarthest)};
+    if (comma != T::npos) numbers.push_back(parseNumber(text.substr(comma + 1), -kFarthest, kFarthest));
+    if (numbers.size() == 2 && !(numbers[0] < numbers[1]))
+        throw std::invalid_argument("expected the nearer one first, not '" + std::string(text) + "'");
+    return numbers;
+}
+
+void parseFog(T text, P& d) {
+    Fog& fog = d.effects.fog;
+    if (text == "off" || text == "auto") {
+        fog.range = text == "off" ? Fog::Range::off : Fog::Range::automatic;
+        return;
+    }
+    const std::vector<double> ends = oneOrTwo(text);
+    if (ends.size() != 2) throw std::invalid_argument("expected off, auto or START,END");
+    fog.range = Fog::Range::given;
+    fog.start = ends[0];
+    fog.end = ends[1];
+}
+std::string printFog(const P& d) {
+    const Fog& fog = d.effects.fog;
+    if (fog.range == Fog::Range::off) return "off";
+    return fog.range == Fog::Range::automatic ? "auto" : numberText(fog.start) + "," + numberText(fog.end);
+}
+
+template <double Light::*member>
+Option light(T key, const char* help, Option::Control control = {}) {
+    return effect(
+        key, "F", help, [](T text, P& d) { d.effects.light.*member = parseNumber(text, 0, kBrightest); },
+        printNumber<&P::effects, &E::light, member>, {}, control);
+}
+
+std::vector<Option> lightEffectRows() {
+    return {
+        effect("fog", "auto|START,END|off",
+               "Fades into the background (white, if that is transparent) between two distances\nfrom the centre in Å, "
+               "away from the viewer; auto: from the centre to the far end",
+               parseFog, printFog, {}, {"Fog", 0, 1, "Fog: %.2f"}),
+        effect(
+            "fog-strength", "F", "Share of the background where fog ends, 0 to 1",
+            [](T text, P& d) { d.effects.fog.strength = parseNumber(text, 0, 1); },
+            printNumber<&P::effects, &E::fog, &Fog::strength>, "fog"),
+        effect(
+            "shadow", "F|off", "Share of the direct light that cast shadows take away, 0 to 1",
+            [](T text, P& d) { d.effects.shadow.strength = text == "off" ? 0 : parseNumber(text, 0, 1); },
+            [](const P& d) { return offOr(d.effects.shadow.strength); }, {}, {"Shadow", 0, 1, "Shadow: %.2f"}),
+        light<&Light::ambient>("ambient", "Ambient light, 0 to 10", {"Ambient light", 0, 2, "Ambient light: %.2f"}),
+        light<&Light::direct>("direct", "Direct light, from over the left shoulder, 0 to 10",
+                              {"Direct light", 0, 2, "Direct light: %.2f"}),
+        light<&Light::highlight>("highlight", "Brightness of the highlight, 0 to 10",
+                                 {"Highlight", 0, 6, "Highlight: %.2f"}),
+        effect(
+            "gloss", "F", "Sharpness of the highlight, 1 to 2000",
+            [](T text, P& d) { d.effects.light.gloss = parseNumber(text, 1, kSharpest); },
+            printNumber<&P::effects, &E::light, &Light::gloss>),
+        effect("occlusion-strength", "F", "Strength of ambient occlusion, 0 to 1",
+               [](T text, P& d) { d.effects.light.occlusion = parseNumber(text, 0, 1); },
+               printNumber<&P::effects, &E::light, &Light::occlusion>, {},
+               {"Ambient occlusion", 0, 1, "Ambient occlusion: %.2f"}),
+    };
+}
+
+void parseClip(T text, P& d) {
+    Clip& clip = d.effects.clip;
+    d.aim.uncovers = false;
+    clip.near = -Clip::kNone;
+    clip.far = Clip::kNone;
+    if (text == "off") return;
+    if (text.starts_with(',')) {
+        clip.far = parseNumber(text.substr(1), -kFarthest, kFarthest);
+        return;
+    }
+    const std::vector<double> planes = oneOrTwo(text);
+    clip.near = planes[0];
+    if (planes.size() == 2) clip.far = planes[1];
+}
+
+void parseSlab(T text, P& d) {
+    const double half = parseNumber(text, 0.01, kFarthest) / 2;
+    d.effects.clip.near = -half;
+    d.effects.clip.far = half;
+    d.aim.uncovers = false;
+}
+
+std::vector<Option> clipRows() {
+    Option clip = effect("clip", "NEAR[,FAR]|off",
+                         "Clipping planes: cut away what is nearer than one, and farther than the other, in Å from\n"
+                         "the centre, away from the viewer: 0 opens a half; ,FAR is the back plane alone",
+                         parseClip, [](const P& d) { return clipText(d.effects.clip); });
+    clip.look = false;
+    return {clip,
+            effect("cap", "plain|dark|hatched", "How atoms and sticks look where the front plane cuts them",
+                   parseNamed<kCaps, &P::effects, &E::clip, &Clip::cap>,
+                   printNamed<kCaps, &P::effects, &E::clip, &Clip::cap>, "clip"),
+            {.key = "slab",
+             .syntax = "A",
+             .standard = "none",
+             .help = "Two clipping planes this far apart, with the centre in the middle",
+             .topic = Topic::effects,
+             .part = Part::shading,
+             .parse = parseSlab,
+             .excludes = "clip"}};
+}
+
+}  // namespace
+
+std::vector<Option> shadingRows() {
+    std::vector<Option> rows = lightRows();
+    for (std::vector<Option> (*some)() : {lineRows, lightEffectRows, clipRows})
+        for (Option& option : some()) rows.push_back(std::move(option));
+    return rows;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,170 @@
+// Where the picture is seen from.
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "app/picture/rows.h"
+
+namespace nacre::app {
+namespace {
+
+using P = PictureDescription;
+using T = std::string_view;
+using enum Option::Kind;
+using enum Option::Save;
+
+inline constexpr std::array<const char*, 2> kProjections{"ortho", "perspective"};
+
+template <std::size_t count>
+std::array<double, count> parseNumbers(T text) {
+    std::array<double, count> numbers{};
+    std::size_t i = 0;
+    for (std::size_t from = 0; from <= text.size(); ++i) {
+        const std::size_t comma = std::min(text.find(',', from), text.size());
+        if (i == count) break;
+        numbers[i] = parseNumber(text.substr(from, comma - from), -1e300, 1e300);
+        from = comma + 1;
+        if (comma == text.size()) {
+            ++i;
+            break;
+        }
+    }
+    if (i != count || std::count(text.begin(), text.end(), ',') + 1 != count)
+        throw std::invalid_argument("expected a list of " + std::to_string(count) + " numbers");
+    return numbers;
+}
+
+void parseOrientation(T text, P& d) {
+    const auto q = parseNumbers<4>(text);
+    const glm::dquat orientation(q[0], q[1], q[2], q[3]);
+    const double length = glm::length(orientation);
+    if (!(length > 1e-6 && length < 1e6)) throw std::invalid_argument("expected a quaternion w, x, y, z");
+    // One that is unit already keeps its very digits.
+    d.camera.orientation = std::abs(length - 1) < 1e-12 ? orientation : orientation / length;
+}
+std::string printOrientation(const P& d) {
+    const glm::dquat& q = d.camera.orientation;
+    return exactText(q.w) + "," + exactText(q.x) + "," + exactText(q.y) + "," + exactText(q.z);
+}
+
+void parsePan(T text, P& d) {
+    const auto pan = parseNumbers<2>(text);
+    d.camera.pan = {pan[0], pan[1]};
+}
+std::string printPan(const P& d) { return exactText(d.camera.pan.x) + "," + exactText(d.camera.pan.y); }
+
+std::string printRotation(const P& d) {
+    const glm::dvec3& r = d.camera.rotationDegrees;
+    return exactText(r.x) + "," + exactText(r.y) + "," + exactText(r.z);
+}
+
+std::vector<Option> cameraRows() {
+    return {
+        {.key = "projection",
+         .syntax = "NAME",
+         .standard = "=",
+         .help = "ortho or perspective",
+         .topic = Topic::camera,
+         .part = Part::view,
+         .parse = parseNamed<kProjections, &P::camera, &Camera::projection>,
+         .print = printNamed<kProjections, &P::camera, &Camera::projection>,
+         .save = always},
+        {.key = "fov",
+         .syntax = "DEGREES",
+         .standard = "=",
+         .help = "Perspective: field of view across the shorter side, 1 to 120",
+         .topic = Topic::camera,
+         .part = Part::view,
+         .parse = [](T text, P& d) { d.camera.fovDegrees = parseNumber(text, kSmallestFov, kLargestFov); },
+         .print = printExact<&P::camera, &Camera::fovDegrees>,
+         .save = always,
+         .number = Option::Number::real},
+        {.key = "zoom",
+         .syntax = "F",
+         .standard = "=",
+         .help = "Scales the picture, 0.0001 to 10000",
+         .topic = Topic::camera,
+         .part = Part::view,
+         .parse = [](T text, P& d) { d.camera.zoom = parseNumber(text, kSmallestZoom, kLargestZoom); },
+         .print = printExact<&P::camera, &Camera::zoom>,
+         .save = always,
+         .number = Option::Number::real},
+        {.key = "orientation",
+         .part = Part::view,
+         .parse = parseOrientation,
+         .print = printOrientation,
+         .kind = numbers,
+         .save = always},
+        {.key = "pan", .part = Part::view, .parse = parsePan, .print = printPan, .kind = numbers, .save = always},
+        {.key = "rotate",
+         .syntax = "X,Y,Z",
+         .standard = "=",
+         .help = "Degrees, right-handed, about the view axes, X first",
+         .topic = Topic::camera,
+         .part = Part::view,
+         .parse = [](T text, P& d) { d.camera.rotationDegrees = parseRotation(text); },
+         .print = printRotation},
+    };
+}
+
+void parseOrient(T text, P& d) {
+    d.aim.principal = parseChoice(text, {"principal", "file"}) == 0;
+    if (!d.aim.principal) d.camera.orientation = glm::dquat(1, 0, 0, 0);
+}
+
+void parseUncover(T text, P& d) {
+    d.aim.uncovers = false;
+    d.aim.uncover = text == "off" ? std::nullopt : std::optional(parseSelection(text));
+}
+/// "" is what holds where nothing was asked for: what is zoomed to is uncovered.
+std::string printUncover(const P& d) { return d.aim.uncover ? d.aim.uncover->text : d.aim.uncovers ? "" : "off"; }
+
+std::vector<Option> aimRows() {
+    return {
+        {.key = "orient",
+         .syntax = "principal|file",
+         .standard = "file, or the saved view's",
+         .help = "principal: longest axis across the longer side, shortest towards the viewer, as large as fits;\n"
+                 "file: axes as in the file. --rotate turns it further",
+         .topic = Topic::aim,
+         .part = Part::view,
+         .parse = parseOrient,
+         .print = [](const P& d) { return std::string(d.aim.principal ? "principal" : "file"); }},
+        {.key = "look-at",
+         .syntax = "SEL",
+         .standard = "none",
+         .help = "Turn to the viewer the side from which a selection is least hidden",
+         .topic = Topic::aim,
+         .part = Part::view,
+         .parse = parseSelected<&P::aim, &Aim::lookAt>,
+         .print = printSelected<&P::aim, &Aim::lookAt>},
+        {.key = "zoom-to",
+         .syntax = "SEL",
+         .standard = "none: the whole molecule",
+         .help = "Close-up of a selection, with 3 Å around it, without what hides it (unless --clip or --uncover is\n"
+                 "given); --zoom scales it",
+         .topic = Topic::aim,
+         .part = Part::view,
+         .parse = parseSelected<&P::aim, &Aim::zoomTo>,
+         .print = printSelected<&P::aim, &Aim::zoomTo>},
+        {.key = "uncover",
+         .syntax = "SEL|off",
+         .standard = "the selection of --zoom-to",
+         .help = "Leave out what hides a selection in this view",
+         .topic = Topic::aim,
+         .part = Part::view,
+         .parse = parseUncover,
+         .print = printUncover,
+         .save = differing},
+    };
+}
+
+}  // namespace
+
+std::vector<Option> viewRows() {
+    std::vector<Option> rows = cameraRows();
+    for (Option& option : aimRows()) rows.push_back(std::move(option));
+    return rows;
+}
+
+}  // namespace nacre::app

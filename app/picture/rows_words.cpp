@@ -1,0 +1,102 @@
+// The words in the picture.
+
+#include "app/picture/appearance_values.h"
+#include "app/picture/rows.h"
+
+namespace nacre::app {
+namespace {
+
+using P = PictureDescription;
+using T = std::string_view;
+using enum Option::Kind;
+using enum Option::Save;
+
+inline constexpr Words2 kSeenAll = {"seen", "all"};
+
+void parseTextSize(T text, P& d) {
+    d.words.size = parsePixels(text, 4, 2000);
+    d.textPoints = pointsOf(text);
+}
+
+std::string printTextColor(const P& d) {
+    const auto& ink = d.words.color;
+    return ink ? backgroundText({(*ink)[0], (*ink)[1], (*ink)[2], 1}) : std::string();
+}
+
+}  // namespace
+
+std::vector<Option> wordRows() {
+    std::vector<Option> rows{
+        {.key = "label",
+         .syntax = "SEL=TEXT",
+         .help = "Label a selection; {residue}, {number}, {letter}, {chain}, {atom}, {element}, ... in the text, one "
+                 "label\nfor each of them; _ lowers, ^ raises, \\alpha is a letter; repeatable",
+         .parse = [](T text, P& d) { addTo(d.words.labels, text, kMostWordOptions, parseLabel); },
+         .print = [](const P& d) { return lines(d.words.labels, labelText); },
+         .kind = list,
+         .save = differing,
+         .savedAs = "labels"},
+        {.key = "measure",
+         .syntax = "A,B[,C[,D]]",
+         .help = "Distance, angle or torsion of atoms, each a selection or an atom's number; repeatable",
+         .parse = [](T text, P& d) { addTo(d.words.measures, text, kMostWordOptions, parseMeasure); },
+         .print = [](const P& d) { return lines(d.words.measures, [](const Measure& m) { return m.text; }); },
+         .kind = list,
+         .save = differing,
+         .savedAs = "measures"},
+        {.key = "title",
+         .syntax = "TEXT",
+         .standard = "none",
+         .help = "Above the molecule, with the markup of labels",
+         .parse = [](T text, P& d) { d.words.title = parseTitle(text); },
+         .print = printText<&P::words, &Words::title>,
+         .save = differing},
+        {.key = "scale-bar",
+         .syntax = "angstrom|nm|off",
+         .standard = "=",
+         .help = "A scale bar at the lower right; in perspective, for the plane of the molecule's centre",
+         .parse = [](T text, P& d) { d.words.scaleBar = parseScaleBar(text); },
+         .print = [](const P& d) { return std::string(scaleBarText(d.words.scaleBar)); },
+         .save = differing},
+        {.key = "legend",
+         .syntax = "on|off",
+         .standard = "=",
+         .help = "Colour legend at the upper right",
+         .parse = parseSwitch<kOnOff, &P::words, &Words::legend>,
+         .print = printSwitch<kOnOff, &P::words, &Words::legend>,
+         .save = differing,
+         .bare = "on"},
+        {.key = "show-labels",
+         .syntax = "all|seen",
+         .standard = "=",
+         .help = "seen: no labels of what is hidden by other residues (less than a quarter of its near side shows)",
+         .parse =
+             [](T text, P& d) {
+                 d.words.seenOnly = parseChoice(text, {"all", "seen"}) == 1;
+             },
+         .print = printSwitch<kSeenAll, &P::words, &Words::seenOnly>,
+         .save = differing},
+        {.key = "text-size",
+         .syntax = "PIXELS|POINTSpt",
+         .standard = "a 42nd of the shorter side",
+         .help = "Size of letters (an em), 4 to 2000 pixels, or as 8pt at --dpi",
+         .parse = parseTextSize,
+         .print = [](const P& d) { return d.words.size > 0 ? exactText(d.words.size) : std::string(); },
+         .save = differing,
+         .number = Option::Number::real},
+        {.key = "text-color",
+         .syntax = "COLOR",
+         .standard = "dark or light, against the background",
+         .help = "An opaque colour as for --background; a halo keeps it readable on atoms",
+         .parse = [](T text, P& d) { d.words.color = parseInk(text); },
+         .print = printTextColor,
+         .save = differing},
+    };
+    for (Option& row : rows) {
+        row.topic = Topic::words;
+        row.part = Part::annotation;
+    }
+    return rows;
+}
+
+}  // namespace nacre::app

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <stdexcept>
+
+namespace nacre::app {
+
+/// Options were used wrongly; what() says how, in one line.
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+}  // namespace nacre::app

@@ -1,0 +1,95 @@
+// A description that differs from the last one has only those parts of the work done again that differ.
+
+#include "app/drawing/drawing.h"
+
+#include <gtest/gtest.h>
+
+#include "app/picture/options.h"
+#include "engine/molecule/read.h"
+
+namespace nacre::app {
+namespace {
+
+class DrawingTest : public testing::Test {
+protected:
+    DrawingTest() {
+        picture.input.path = "sample:dna";
+        picture.input.cache = "off";
+        picture.size = {64, 48};
+        picture.occlusion.directions = 8;
+        picture.look.style = Style::cartoon;
+    }
+    Picture drawn() {
+        drawing.prepare(molecule, picture);
+        return drawing.draw(canvas);
+    }
+    /// Draws by one that has drawn nothing yet.
+    Picture anew() const {
+        Canvas other{DeviceOptions{}};
+        Drawing fresh;
+        fresh.prepare(molecule, picture);
+        return fresh.draw(other);
+    }
+    void set(std::string_view key, const std::string& value) { setOption(option(key), value, picture); }
+
+    const Molecule molecule = sampleMolecule("dna");
+    PictureDescription picture;
+    Canvas canvas{DeviceOptions{}};
+    Drawing drawing;
+};
+
+TEST_F(DrawingTest, ViewShadingAndWordsBuildNoSceneAndNoBake) {
+    drawn();
+    ASSERT_EQ(drawing.counts().scenes, 1);
+    ASSERT_EQ(drawing.counts().uploads, 1);
+    const std::pair<const char*, const char*> changes[] = {{"rotate", "10,20,30"},
+                                                           {"zoom", "1.5"},
+                                                           {"size", "80x60"},
+                                                           {"projection", "perspective"},
+                                                           {"fog", "auto"},
+                                                           {"contours", "2"},
+                                                           {"background", "navy"},
+                                                           {"lighting", "off"},
+                                                           {"title", "DNA"},
+                                                           {"legend", "on"},
+                                                           {"label", "chain A and resi 1={residue}"}};
+    for (const auto& [key, value] : changes) {
+        set(key, value);
+        const Picture again = drawn();
+        EXPECT_EQ(drawing.counts().scenes, 1) << key;
+        EXPECT_EQ(drawing.counts().uploads, 1) << key;  // without which what is baked stays
+        EXPECT_EQ(again.rgba, anew().rgba) << key;
+    }
+}
+
+TEST_F(DrawingTest, WhatIsDrawnOtherwiseIsBuiltAnew) {
+    drawn();
+    int scenes = 1;
+    const std::pair<const char*, const char*> changes[] = {
+        {"style", "licorice"}, {"color", "chain"}, {"hide", "chain B"}, {"hydrogens", "hide"}, {"zoom-to", "chain A"}};
+    for (const auto& [key, value] : changes) {
+        set(key, value);
+        EXPECT_EQ(drawn().rgba, anew().rgba) << key;
+        EXPECT_EQ(drawing.counts().scenes, ++scenes) << key;
+        EXPECT_EQ(drawing.counts().uploads, scenes) << key;
+    }
+    // What hides the target depends on the view.
+    set("rotate", "0,90,0");
+    EXPECT_EQ(drawn().rgba, anew().rgba);
+    EXPECT_EQ(drawing.counts().scenes, ++scenes);
+}
+
+TEST_F(DrawingTest, TwoShareACanvas) {
+    const Picture first = drawn();
+    Drawing other;
+    PictureDescription elsewhere = picture;
+    elsewhere.look.style = Style::spacefill;
+    other.prepare(molecule, elsewhere);
+    other.draw(canvas);
+    EXPECT_EQ(drawing.draw(canvas).rgba, first.rgba);
+    EXPECT_EQ(drawing.counts().scenes, 1);
+    EXPECT_EQ(drawing.counts().uploads, 2);
+}
+
+}  // namespace
+}  // namespace nacre::app

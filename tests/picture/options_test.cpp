@@ -1,0 +1,203 @@
+#include "app/picture/options.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "app/picture/option_json.h"
+#include "app/picture/saved_view.h"
+#include "engine/error.h"
+
+namespace nacre::app {
+namespace {
+
+/// A value of each option that has one, other than what holds without it.
+const std::map<std::string_view, std::string>& otherValues() {
+    static const std::map<std::string_view, std::string> kValues{{"allow-download", ""},
+                                                                 {"input", "a.pdb"},
+                                                                 {"hash", "12-ab"},
+                                                                 {"name", "receptor"},
+                                                                 {"fit", "/a\nresn STI"},
+                                                                 {"cache", "off"},
+                                                                 {"offline", ""},
+                                                                 {"memory", "100"},
+                                                                 {"format", "pdb"},
+                                                                 {"model", "all"},
+                                                                 {"trajectory", "md.xtc"},
+                                                                 {"trajectory-hash", "5-cd"},
+                                                                 {"frame", "7"},
+                                                                 {"whole", ""},
+                                                                 {"fit-frames", "backbone"},
+                                                                 {"smooth", "5"},
+                                                                 {"camera", "model"},
+                                                                 {"occlusion-models", "all"},
+                                                                 {"assembly", "1"},
+                                                                 {"style", "licorice"},
+                                                                 {"color", "chain"},
+                                                                 {"palette", "muted"},
+                                                                 {"helices", "tube"},
+                                                                 {"bases", "ladder"},
+                                                                 {"putty", "on"},
+                                                                 {"disulfides", "hide"},
+                                                                 {"surface", "gaussian"},
+                                                                 {"probe", "2"},
+                                                                 {"surface-resolution", "0.5"},
+                                                                 {"cavities", "hide"},
+                                                                 {"surface-opacity", "0.5"},
+                                                                 {"cartoon-opacity", "0.25"},
+                                                                 {"water", "show"},
+                                                                 {"hydrogens", "hide"},
+                                                                 {"output", "a.png"},
+                                                                 {"layers", "a.exr"},
+                                                                 {"stats", "a.json"},
+                                                                 {"capture", "a.rdc"},
+                                                                 {"projection", "perspective"},
+                                                                 {"fov", "41.7"},
+                                                                 {"zoom", "0.1"},
+                                                                 {"orientation", "0,1,0,0"},
+                                                                 {"pan", "1.5,-2"},
+                                                                 {"rotate", "10,20,30"},
+                                                                 {"orient", "principal"},
+                                                                 {"look-at", "ligand"},
+                                                                 {"zoom-to", "ligand"},
+                                                                 {"uncover", "ligand"},
+                                                                 {"background", "#203040"},
+                                                                 {"lighting", "off"},
+                                                                 {"occlusion", "64"},
+                                                                 {"occlusion-memory", "32"},
+                                                                 {"contours", "2"},
+                                                                 {"contour-depth", "3"},
+                                                                 {"contour-weights", "3"},
+                                                                 {"contour-color", "#102030"},
+                                                                 {"halos", "6"},
+                                                                 {"halo-depth", "20"},
+                                                                 {"halo-strength", "0.4"},
+                                                                 {"halo-color", "#203040"},
+                                                                 {"fog", "-5,20"},
+                                                                 {"fog-strength", "0.3"},
+                                                                 {"shadow", "0.5"},
+                                                                 {"ambient", "0.5"},
+                                                                 {"direct", "2"},
+                                                                 {"highlight", "0"},
+                                                                 {"gloss", "100"},
+                                                                 {"occlusion-strength", "0.25"},
+                                                                 {"clip", "-3,4"},
+                                                                 {"cap", "dark"},
+                                                                 {"label", "ligand={residue}"},
+                                                                 {"measure", "1,2"},
+                                                                 {"title", "DNA"},
+                                                                 {"scale-bar", "nm"},
+                                                                 {"legend", "on"},
+                                                                 {"show-labels", "seen"},
+                                                                 {"text-size", "13.3"},
+                                                                 {"text-color", "#202020"},
+                                                                 {"occlusion-detail", "12"},
+                                                                 {"size", "640x480"},
+                                                                 {"supersample", "2"},
+                                                                 {"mesh-error", "0.5"},
+                                                                 {"width", "85mm"},
+                                                                 {"height", "100px"},
+                                                                 {"dpi", "600"},
+                                                                 {"depth", "16"},
+                                                                 {"debug", "plates"},
+                                                                 {"device", "0"},
+                                                                 {"visibility", "tiles"},
+                                                                 {"encoded-format", "r32f"},
+                                                                 {"prepass", "off"},
+                                                                 {"transient", "off"},
+                                                                 {"merge", "off"},
+                                                                 {"validate", ""}};
+    return kValues;
+}
+
+TEST(Options, EachHasAKeyOfItsOwnAndAHelp) {
+    std::set<std::pair<std::string_view, bool>> keys;
+    for (const Option& option : options()) {
+        const bool saved = option.topic == Topic::saved;
+        EXPECT_TRUE(keys.emplace(option.key, saved).second) << option.key;
+        EXPECT_NE(saved, !option.help.empty()) << option.key;
+        EXPECT_TRUE(option.needs.empty() || findOption(option.needs)) << option.key;
+        EXPECT_TRUE(option.excludes.empty() || findOption(option.excludes)) << option.key;
+        EXPECT_EQ(option.syntax.empty(), saved || option.positional || option.kind == Option::Kind::flag) << option.key;
+    }
+}
+
+TEST(Options, WhatEachPrintsIsWhatItReads) {
+    const PictureDescription plain;
+    for (const Option& option : options()) {
+        if (!option.print || !option.parse) continue;
+        ASSERT_TRUE(otherValues().contains(option.key)) << option.key;
+        PictureDescription other;
+        option.parse(otherValues().at(option.key), other);
+        const std::string text = option.print(other);
+        EXPECT_NE(text, option.print(plain)) << option.key;
+        EXPECT_EQ(difference(plain, other) & static_cast<Parts>(option.part), static_cast<Parts>(option.part))
+            << option.key;
+        if (option.kind == Option::Kind::pair || option.positional) continue;  // print for people, divided otherwise
+        PictureDescription again;
+        option.parse(text, again);
+        EXPECT_EQ(option.print(again), text) << option.key;
+        EXPECT_EQ(difference(again, other), 0u) << option.key;
+    }
+}
+
+TEST(Options, ASavedViewKeepsEachThatIsSaved) {
+    const PictureDescription plain;
+    PictureDescription all;
+    for (const Option& option : options())
+        if (option.save != Option::Save::never && option.parse) option.parse(otherValues().at(option.key), all);
+    option("show").parse("ligand=spacefill", all);
+    option("hide").parse("water", all);
+    all.look.rules.back().on = false;
+    all.input.further.push_back({"drug", "b.sdf", "3-ef"});
+    const std::string json = savedViewJson(all);
+    const PictureDescription read = parseSavedView(json, "test");
+    EXPECT_EQ(savedViewJson(read), json);
+    for (const Option& option : options())
+        if (option.save != Option::Save::never) {
+            EXPECT_EQ(option.print(read), option.print(all)) << option.key;
+        }
+    EXPECT_EQ(difference(plain, parseSavedView(savedViewJson(plain), "test")), 0u);
+}
+
+TEST(Options, DifferenceIsInThePartsThatDiffer) {
+    const PictureDescription plain;
+    const auto changed = [&](std::string_view key, const std::string& value) {
+        PictureDescription other;
+        option(key).parse(value, other);
+        return difference(plain, other);
+    };
+    EXPECT_EQ(difference(plain, plain), 0u);
+    EXPECT_EQ(changed("fog", "auto"), static_cast<Parts>(Part::shading));
+    EXPECT_EQ(changed("rotate", "1,2,3"), static_cast<Parts>(Part::view));
+    EXPECT_EQ(changed("title", "A"), static_cast<Parts>(Part::annotation));
+    EXPECT_EQ(changed("show", "ligand=licorice"), static_cast<Parts>(Part::scene));
+    EXPECT_EQ(changed("model", "2"), static_cast<Parts>(Part::input));
+    EXPECT_EQ(changed("look", "dark"), static_cast<Parts>(Part::shading));
+    EXPECT_EQ(changed("look", "illustrative"), Part::scene | Part::shading);
+}
+
+TEST(OptionJson, TakesWhatACommandLineTakes) {
+    PictureDescription job;
+    setOptions(optionValuesOf(R"({"input": ["a=a.pdb", "b=b.sdf"], "output": "a.png", "size": [64, 48], "legend": true,
+                                  "rotate": [1, 2, 3], "validate": true, "fit": ["/b", "/a"], "zoom": 2, "title": null,
+                                  "rules": [{"hide": "water"}, {"show": "ligand=licorice"}]})"),
+               job);
+    EXPECT_EQ(job.input.name, "a");
+    EXPECT_EQ(job.input.further.at(0).path, "b.sdf");
+    EXPECT_EQ(job.size.width, 64u);
+    EXPECT_TRUE(job.words.legend && job.device.validate);
+    EXPECT_EQ(job.camera.rotationDegrees.z, 3);
+    EXPECT_EQ(job.input.fits.size(), 1u);
+    EXPECT_EQ(job.look.rules.size(), 2u);
+    EXPECT_TRUE(job.given.contains("zoom") && !job.given.contains("title"));
+    for (const char* bad : {"[]", "{\"zoom\": true}", "{\"zom\": 2}", "{\"zoom\": 1, \"zoom\": 2}", "{\"output\": 3}",
+                            "{\"hash\": \"1-2\"}", "{\"orientation\": [1,0,0,0]}"})
+        EXPECT_THROW(optionValuesOf(bad), UsageError) << bad;
+    EXPECT_THROW(setOptions(optionValuesOf(R"({"clip": "1", "slab": 3})"), job), UsageError);
+    EXPECT_THROW(setOptions(optionValuesOf(R"({"zoom": -1})"), job), UsageError);
+}
+
+}  // namespace
+}  // namespace nacre::app
