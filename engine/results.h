@@ -32,7 +32,7 @@ struct DeviceInfo {
     std::string name, driver, type;  ///< type: "discrete", "integrated", "virtual", "software", "other"
     std::string apiVersion;          ///< "1.3.230"
     std::string visibility, why;     ///< the path that `automatic` takes here, and the reason
-    std::string encodedFormat;       ///< "R32F"
+    std::string encodedFormat;       ///< "R32F", "R32F in raster order"
     bool lazyMemory = false;
     bool timestamps = false;       ///< passes can be timed
     bool rasterOrder = false;      ///< fragments can read their own attachment in raster order

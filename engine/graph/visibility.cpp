@@ -10,7 +10,7 @@ VisibilityChoice chooseVisibility(DeviceKind kind, const PlanCaps& caps) {
                         "subpasses do not stay on the tile here: one subpass, and no encoded depth in memory"};
             return {Visibility::encoded, "tile-based GPU: depth stays fixed-function, encoded depth on the tile"};
         case DeviceKind::layered:
-            return {Visibility::fragdepth, "MoltenVK leaves the tile between subpasses"};
+            return {Visibility::fragdepth, "Vulkan over Metal leaves the tile between subpasses"};
         case DeviceKind::software:
             if (caps.tiles)
                 return {Visibility::tiles,

@@ -40,9 +40,9 @@ TEST(Plan, OfMaliIsOneRenderPassWhoseTrafficIsTheColourAlone) {
     }
     EXPECT_EQ(json["memory_bytes"]["loaded"], 0);
     EXPECT_EQ(json["memory_bytes"]["stored"], kPixels * 4);
-    EXPECT_EQ(json["memory_bytes"]["unmerged"], kPixels * 32);  // 16 each way
+    EXPECT_EQ(json["memory_bytes"]["unmerged"], kPixels * 24);  // 12 each way
     EXPECT_EQ(json["memory_bytes"]["paper"], kPixels * 16);     // 6 loaded, 10 stored
-    EXPECT_EQ(json["tile_bytes_per_pixel"], 12);
+    EXPECT_EQ(json["tile_bytes_per_pixel"], 8);
 }
 
 TEST(Plan, CountsTheGeometryOfASceneThatIsGiven) {
@@ -304,7 +304,7 @@ TEST(Plan, OfAPictureTellsHowItsEdgesAreDrawn) {
 }
 
 TEST(Plan, RefusesWhatTheDeviceCannotDo) {
-    PlanOptions options = phone("mali");
+    PlanOptions options = phone("mali-old");
     options.picture.device.encoded = EncodedDepth::r32f;
     EXPECT_THROW(planReport(options), Error);
     options.picture.device.encoded = EncodedDepth::rgba8;

@@ -123,6 +123,40 @@ private:
     RenderSettings settings_;
 };
 
+// A timestamp is an encoder of its own over Metal: frames that nobody measures have none.
+TEST(PipelinesAhead, OnlyLiveFramesAreTimed) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "draws";
+    setenv("NACRE_PHONE_DRAWS", file.c_str(), 1);
+    const Representation r = scene("sample:glucose", Style::spacefill);
+    Renderer renderer(window());
+    renderer.setScene(r);
+    RenderSettings s = settings(r, 32, Projection::orthographic);
+    s.occlusion.directions = 0;
+    renderer.present(s, {});
+    const PixelSize size = renderer.windowSize();
+    s.view = viewOf({}, r.radius, size.width, size.height);
+    const auto stampsOf = [&](const WindowFrame& frame) {
+        std::ofstream(file, std::ios::trunc).close();
+        EXPECT_EQ(renderer.present(s, frame), FrameOutcome::shown);
+        std::ifstream lines(file);
+        int count = 0;
+        for (std::string line; std::getline(lines, line);) count += line == "stamp";
+        return count;
+    };
+    EXPECT_EQ(stampsOf({}), 2);
+    WindowFrame still;
+    still.quality = WindowFrame::Quality::refined;
+    still.samples = 4;
+    EXPECT_EQ(stampsOf(still), 0);
+    still.quality = WindowFrame::Quality::kept;
+    EXPECT_EQ(stampsOf(still), 0);
+    EXPECT_EQ(stampsOf({}), 2);
+    stampsOf({});
+    EXPECT_GT(renderer.stats().windowMilliseconds, 0);
+    unsetenv("NACRE_PHONE_DRAWS");
+}
+
 TEST(PipelinesAhead, ShapesStayWhileAZoomGoesToAndFro) {
     Shapes shapes;
     const double up = shapes.changes(0.002, 1);
