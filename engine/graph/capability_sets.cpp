@@ -106,10 +106,11 @@ std::vector<CapabilitySet> makeSets() {
     constexpr auto kTiler = DeviceKind::tiler;
     const EncodedFormat kFloat = encodedFormats()[0], kHalf = encodedFormats()[1];
     PlanCaps mali = plan("mali", 32, true);
-    mali.rasterOrder = true;
+    mali.rasterOrder = mali.blendsByShader = true;
     mali.geometry = kStored;
     PlanCaps maliOld = plan("mali-old", 16, false);
     maliOld.geometry = kStored;
+    maliOld.blendsByShader = true;
     PlanCaps powerVr = plan("powervr", 16, false);
     powerVr.geometry = kStored;
     PlanCaps adreno = plan("adreno", 16, true);
@@ -132,7 +133,7 @@ std::vector<CapabilitySet> makeSets() {
     PlanCaps panvk = v3dv;
     panvk.name = "panvk";
     panvk.storeAll = true;
-    panvk.loadsUniforms = true;
+    panvk.loadsUniforms = panvk.blendsByShader = true;
     panvk.geometry = kStoredLate;
     PlanCaps apple = plan("apple-moltenvk", 32, false);
     apple.tileSubpasses = false;

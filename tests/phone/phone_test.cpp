@@ -29,7 +29,7 @@ TEST(Phone, IsTakenForWhatItSaysItIs) {
                                                                                       : "the least phone");
     EXPECT_EQ(device.type, "integrated");
     EXPECT_EQ(device.apiVersion, "1.1.106");
-    EXPECT_EQ(device.visibility, onMoltenVk() ? "fragdepth" : "encoded");
+    EXPECT_EQ(device.visibility, onMoltenVk() ? "fragdepth" : onMali() ? "raster-order" : "encoded");
     EXPECT_EQ(device.encodedFormat, onMoltenVk() ? "R32F" : onMali() ? "R32F in raster order" : "RGBA16F");
     EXPECT_EQ(device.rasterOrder, onMali());
     EXPECT_TRUE(device.lazyMemory);
