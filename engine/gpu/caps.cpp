@@ -227,8 +227,7 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.plan.maxInputAttachments = std::min(properties.limits.maxPerStageDescriptorInputAttachments, 8u);
     applyEnvironment(caps.plan);
     caps.encoded = encodedFormatOf(device, options.encoded, caps.plan.rasterOrder);
-    caps.encodedMaps =
-        caps.encoded.ordered ? blendedFormatOf(device, EncodedDepth::automatic) : caps.encoded;
+    caps.encodedMaps = caps.encoded.ordered ? blendedFormatOf(device, EncodedDepth::automatic) : caps.encoded;
     caps.software = identity.software;
     constexpr double kNever = std::numeric_limits<double>::infinity();
     if (caps.software) caps.plan.geometry = {false, kNever, kNever, kNever};  // a triangle costs a hundred fragments

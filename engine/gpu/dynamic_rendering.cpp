@@ -82,9 +82,8 @@ DynamicRendering::DynamicRendering(const Device& device, const graph::RenderPass
 bool DynamicRendering::takes(const Device& device, const graph::RenderPassPlan& plan) {
     if (!device.caps().localRead) return false;
     // A render pass without inputs gains nothing by it.
-    const bool reads = plan.subpasses.size() > 1 || std::ranges::any_of(plan.subpasses, [](const graph::Subpass& s) {
-                           return !s.inputs.empty();
-                       });
+    const bool reads = plan.subpasses.size() > 1 ||
+                       std::ranges::any_of(plan.subpasses, [](const graph::Subpass& s) { return !s.inputs.empty(); });
     if (!reads) return false;
     const auto depths = std::count_if(plan.attachments.begin(), plan.attachments.end(),
                                       [](const graph::Attachment& a) { return graph::isDepthFormat(a.format); });

@@ -6,8 +6,8 @@
 namespace nacre::graph {
 namespace {
 
-constexpr std::uint32_t kArm = 0x13B5, kQualcomm = 0x5143, kImagination = 0x1010, kBroadcom = 0x14E4,
-                        kHuawei = 0x19E5, kSamsung = 0x144D;
+constexpr std::uint32_t kArm = 0x13B5, kQualcomm = 0x5143, kImagination = 0x1010, kBroadcom = 0x14E4, kHuawei = 0x19E5,
+                        kSamsung = 0x144D;
 constexpr std::uint32_t kAnyNumber = 0xffffu;
 
 constexpr const char* kStreams = "the command streams that Mesa 25.0.7 writes over its no-op kernel drivers (drm-shim)";
@@ -38,7 +38,8 @@ constexpr KnownDriver kRows[] = {
      {"Mesa's PanVK makes a framebuffer of each subpass, and stores what need not be", kStreams}},
     {by(kKosmicKrisp),
      "apple-moltenvk",
-     {"Mesa's KosmicKrisp, on Metal without the portability subset: Mesa's common code begins a render encoder for each "
+     {"Mesa's KosmicKrisp, on Metal without the portability subset: Mesa's common code begins a render encoder for "
+      "each "
       "subpass",
       "Mesa, src/vulkan/runtime/vk_render_pass.c and src/kosmickrisp/vulkan/kk_cmd_draw.c"}},
     {named(kQualcomm, "Adreno", 500, 599),
@@ -135,8 +136,8 @@ std::span<const KnownDriver> knownDrivers() { return kRows; }
 std::span<const KnownQuirk> knownQuirks() { return kQuirks; }
 
 bool has(Quirk quirk, const DriverIdentity& identity) {
-    return std::ranges::any_of(
-        kQuirks, [&](const KnownQuirk& row) { return row.quirk == quirk && fits(row.of, identity); });
+    return std::ranges::any_of(kQuirks,
+                               [&](const KnownQuirk& row) { return row.quirk == quirk && fits(row.of, identity); });
 }
 
 DeviceClass classOf(const DriverIdentity& identity) {

@@ -45,9 +45,9 @@ std::uint64_t countUnseen(const std::vector<bool>& seen) {
 /// What decides a texel beside the scene's shapes.
 std::string howBaked(const gpu::Caps& caps, const BakeOptions& options) {
     return std::to_string(options.directions) + " directions, " + std::to_string(options.budgetBytes) + " bytes, " +
-           std::to_string(options.detail) + " texels, " + nameOf(options.path) + ", " + std::string(caps.encodedMaps.name) +
-           ", " + caps.deviceName + ", " + caps.driverName + ", " + std::to_string(caps.driverVersion) + ", " +
-           std::to_string(caps.maxImageSize);
+           std::to_string(options.detail) + " texels, " + nameOf(options.path) + ", " +
+           std::string(caps.encodedMaps.name) + ", " + caps.deviceName + ", " + caps.driverName + ", " +
+           std::to_string(caps.driverVersion) + ", " + std::to_string(caps.maxImageSize);
 }
 
 }  // namespace
@@ -249,9 +249,8 @@ void SceneOcclusion::runSlice(Bake& bake, const Allowance& allowance) {
     // a stamp, and what they are told to do they do as it comes.
     const bool timed = !device_.caps().software;
     if (timed && !timer_) timer_ = std::make_unique<gpu::Timer>(device_);
-    device_.submitAndWait([&](gpu::CommandBuffer& c) {
-        executor_.record(c, g, plan, imports, timed ? timer_.get() : nullptr);
-    });
+    device_.submitAndWait(
+        [&](gpu::CommandBuffer& c) { executor_.record(c, g, plan, imports, timed ? timer_.get() : nullptr); });
     executor_.reset();
     const double took = millisecondsSince(start);
     learn(units, timed ? timer_->milliseconds().value_or(took) : took);

@@ -2,13 +2,13 @@
 // and the memory types of tile-based GPUs: one that the host sees coherently and does not cache, one that it caches and
 // must invalidate, one that is lazily allocated. What the host may not see yet, it does not see here. Under the
 // validation layer a program that asks for more is told. The environment variable NACRE_PHONE names the phone:
-// "android" (of Arm's make), "mali" (the same, in raster order), "adreno" (adreno.h) or "moltenvk" (1.4, restarts.h); NACRE_PHONE_DRIVER its driver's UUID, NACRE_PHONE_WRONG a fault of that,
-// NACRE_PHONE_TILE the tile of the former (feedback.h); NACRE_PHONE_SHADERS may name a folder that takes every shader
-// which the program hands over, as 1.spv, 2.spv, ...; NACRE_PHONE_FRAMES a file that is told of frames (frames.h),
-// NACRE_PHONE_PIPELINES one that gets the thread which made a graphics pipeline, a line each, NACRE_PHONE_DRAWS one
-// that gets the corners of each draw, and each timestamp; NACRE_PHONE_NO_CLOCK takes the queue's clock away;
-// NACRE_PHONE_WORK one that gets what each submission takes of its device
-// (clock.h).
+// "android" (of Arm's make), "mali" (the same, in raster order), "adreno" (adreno.h) or "moltenvk" (1.4, restarts.h);
+// NACRE_PHONE_DRIVER its driver's UUID, NACRE_PHONE_WRONG a fault of that, NACRE_PHONE_TILE the tile of the former
+// (feedback.h); NACRE_PHONE_SHADERS may name a folder that takes every shader which the program hands over,
+// as 1.spv, 2.spv, ...; NACRE_PHONE_FRAMES a file that is told of frames (frames.h), NACRE_PHONE_PIPELINES one that
+// gets the thread which made a graphics pipeline, a line each, NACRE_PHONE_DRAWS one that gets the corners of each
+// draw, and each timestamp; NACRE_PHONE_NO_CLOCK takes the queue's clock away; NACRE_PHONE_WORK one that gets what each
+// submission takes of its device (clock.h).
 
 #define VK_ENABLE_BETA_EXTENSIONS
 #include <vulkan/vk_layer.h>
@@ -180,8 +180,8 @@ VKAPI_ATTR VkResult VKAPI_CALL EnumerateDeviceExtensionProperties(VkPhysicalDevi
     std::erase_if(kept, [](const VkExtensionProperties& e) {
         const std::string_view name = e.extensionName;
         const bool ordered = name == VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME;
-        const bool rendering = name == VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME ||
-                               name == VK_KHR_DEPTH_STENCIL_RESOLVE_EXTENSION_NAME;
+        const bool rendering =
+            name == VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME || name == VK_KHR_DEPTH_STENCIL_RESOLVE_EXTENSION_NAME;
         return !isFloorExtension(name) && !(molten() && rendering) && !(mali() && ordered);
     });
     std::vector<const char*> added{kMergeFeedback};  // what no software driver has

@@ -144,13 +144,14 @@ inline VKAPI_ATTR void VKAPI_CALL CmdBeginRenderingKHR(VkCommandBuffer commands,
 inline VKAPI_ATTR void VKAPI_CALL CmdSetRenderingAttachmentLocationsKHR(VkCommandBuffer,
                                                                         const VkRenderingAttachmentLocationInfoKHR*) {}
 
-inline VKAPI_ATTR void VKAPI_CALL CmdSetRenderingInputAttachmentIndicesKHR(
-    VkCommandBuffer commands, const VkRenderingInputAttachmentIndexInfoKHR* info) {
+inline VKAPI_ATTR void VKAPI_CALL
+CmdSetRenderingInputAttachmentIndicesKHR(VkCommandBuffer commands, const VkRenderingInputAttachmentIndexInfoKHR* info) {
     Encoding& e = encodings[commands];
     if (info->colorAttachmentCount == e.inputs) return;
     e.inputs = info->colorAttachmentCount;
     for (std::uint32_t i = 0; i < e.attachments.size(); ++i) {
-        const VkImageAspectFlags aspect = e.attachments[i].depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+        const VkImageAspectFlags aspect =
+            e.attachments[i].depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
         if (e.attachments[i].lost) fillWithNoise(commands, e, {aspect, e.attachments[i].depth ? 0 : i, {}});
     }
 }
