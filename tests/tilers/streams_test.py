@@ -124,6 +124,16 @@ class Streams(unittest.TestCase):
         self.assertEqual(found, {"colour, spheres, vertex": {"instructions": 60, "loads": 7, "registers": 32, "spills": 0},
                                  "colour, spheres, fragment": {"instructions": 90, "loads": 2, "registers": 64, "spills": 3}})
 
+    def test_a_shader_that_blends_is_told_beside_the_encoding(self):
+        line = COMPILED.splitlines()[4].replace("VARYING", "BLEND")
+        self.assertEqual(tilers_streams.blending_of_mali(COMPILED), {})
+        found = tilers_streams.blending_of_mali(COMPILED + line)
+        self.assertEqual(found, {"depth encoding, blending, fragment": {"instructions": 10}})
+        found = tilers_streams.blending_of_mali(COMPILED + COMPILED.splitlines()[5].replace("FRAGMENT", "BLEND"))
+        self.assertEqual(found, {"depth encoding, blending, fragment": {"instructions": 90}})
+        self.assertEqual(tilers_streams.pipelines_of(tilers_streams.of_mali(COMPILED + line), "spheres"),
+                         tilers_streams.pipelines_of(tilers_streams.of_mali(COMPILED), "spheres"))
+
 
 class Worse(unittest.TestCase):
     def row(self, **stream):
@@ -153,6 +163,13 @@ class Worse(unittest.TestCase):
         self.assertEqual(tilers.worse("A", self.row(), lacking), ["A, encoded: it ends the program"])
         self.assertEqual(tilers.worse("A", self.row(), {**self.row(), "visibility": "fragdepth"}),
                          ["A: fragdepth by default, in the table encoded"])
+
+    def test_pipelines_are_compared_where_nobody_tells_of_a_stream(self):
+        before, now = self.row(), self.row(stores=8)
+        for row in (before, now):
+            del row["paths"]["encoded"]["stream"]
+        self.assertEqual(tilers.worse("A", before, now), ["A, encoded, colour, fragment: instructions 14, now 18",
+                                                          "A, bake, sums, compute: loads 4, now 8"])
 
     def test_nothing_goes_by_being_told_no_more(self):
         now = self.row()
