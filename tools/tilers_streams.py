@@ -176,9 +176,13 @@ def blending_of_mali(text):
 FEATURES = ("lazy_memory", "timestamps", "merge_feedback")
 
 
-def table(rows):
-    """The numbers as a page of Markdown: all devices in one table, then each by itself."""
-    return "\n".join([*summary(rows), "", *(line for name, row in rows.items() for line in device_page(name, row))])
+def written_into(page, rows):
+    """A page of Markdown with the numbers: all devices in one table, and behind all else each by itself."""
+    text = page.split("<!-- pages -->")[0]
+    before, marker, after = text.partition("<!-- devices -->\n")
+    after = re.sub(r"\A(\|.*\n)*", "", after)
+    pages = "\n".join(line for name, row in rows.items() for line in device_page(name, row))
+    return before + marker + "\n".join(summary(rows)) + "\n" + after + "<!-- pages -->\n\n" + pages
 
 
 def instructions(row, path, *pipelines):

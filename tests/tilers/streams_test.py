@@ -134,6 +134,21 @@ class Streams(unittest.TestCase):
         self.assertEqual(tilers_streams.pipelines_of(tilers_streams.of_mali(COMPILED + line), "spheres"),
                          tilers_streams.pipelines_of(tilers_streams.of_mali(COMPILED), "spheres"))
 
+    def test_a_page_is_written_anew_around_its_words(self):
+        plan = {"render_passes": 1, "loads": 0, "stores": 4}
+        row = {"driver": "turnip", "visibility": "encoded", "why": "it is a tiler", "encoded_format": "R32F",
+               "dynamic_rendering": False, "features": {"api_version": "1.1.0", **{f: True for f in tilers_streams.FEATURES}},
+               "bake": {}, "paths": {"encoded": {"plan": plan, "pipelines": {
+                   "depth encoding, spheres, fragment": {"instructions": 39},
+                   "depth encoding, blending, fragment": {"instructions": 12},
+                   "impostor colour, spheres, fragment": {"instructions": 115}}}, "fragdepth": {"lacks": "all of it"}}}
+        page = "first\n<!-- devices -->\n\nthen\n\n<!-- pages -->\n"
+        once = tilers_streams.written_into(page, {"A": row})
+        self.assertIn("| A | `encoded` | R32F | 1; 0, 4 B | not told, not told | 39 + 12; 115 | ;  |\n\nthen", once)
+        self.assertIn("| depth encoding, spheres | encoded |  | 39 |", once)
+        self.assertIn("| fragdepth | all of it | | | |", once)
+        self.assertEqual(tilers_streams.written_into(once, {"A": row}), once)
+
 
 class Worse(unittest.TestCase):
     def row(self, **stream):
