@@ -144,7 +144,7 @@ class Streams(unittest.TestCase):
                    "impostor colour, spheres, fragment": {"instructions": 115}}}, "fragdepth": {"lacks": "all of it"}}}
         page = "first\n<!-- devices -->\n\nthen\n\n<!-- pages -->\n"
         once = tilers_streams.written_into(page, {"A": row})
-        self.assertIn("| A | `encoded` | R32F | 1; 0, 4 B | not told, not told | 39 + 12; 115 | ;  |\n\nthen", once)
+        self.assertIn("| A | `encoded` | R32F | 1; 0, 4 B | not told, not told | 39 + 12; 115 | 12;  |\n\nthen", once)
         self.assertIn("| depth encoding, spheres | encoded |  | 39 |", once)
         self.assertIn("| fragdepth | all of it | | | |", once)
         self.assertEqual(tilers_streams.written_into(once, {"A": row}), once)
