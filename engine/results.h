@@ -32,11 +32,11 @@ struct DeviceInfo {
     std::string name, driver, type;  ///< type: "discrete", "integrated", "virtual", "software", "other"
     std::string apiVersion;          ///< "1.3.230"
     std::string visibility, why;     ///< the path that `automatic` takes here, and the reason
-    std::string encodedFormat;       ///< "R32F"
+    std::string encodedFormat;       ///< "R32F", "R32F in raster order"
     bool lazyMemory = false;
     bool timestamps = false;       ///< passes can be timed
     bool rasterOrder = false;      ///< fragments can read their own attachment in raster order
-    bool localRead = false;        ///< render passes are carried out by dynamic rendering with local reads
+    bool localRead = false;        ///< render passes with inputs are carried out by dynamic rendering with local reads
     bool mergeFeedback = false;    ///< the driver tells what it makes of subpasses
     std::string driverKey;         ///< of this device and driver, for names of files
     std::string selfTest;          ///< "encoded 1.20 ms, fragdepth wrong"; empty: nobody tried

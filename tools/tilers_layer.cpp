@@ -1,17 +1,21 @@
 // A Vulkan layer for tools/tilers: asks the driver for the statistics of every pipeline (VK_KHR_pipeline_executable_
 // properties) once the pipeline is given its name, and appends them to the file that NACRE_STATISTICS names, a line of
 // JSON for each shader. Which pipeline is made and named it says on standard error, too, where drivers' compilers print
-// what they know besides: one at a time.
+// what they know besides: one at a time. With NACRE_AS_ARM PanVK says that it is Arm's driver: it reads attachments in
+// raster order, and blends no R32F.
 
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "tests/support/layer_link.h"
@@ -25,9 +29,52 @@ std::mutex oneAtATime;
 PFN_vkGetInstanceProcAddr nextInstanceCall = nullptr;
 PFN_vkGetDeviceProcAddr nextDeviceCall = nullptr;
 
+// Looked up in time: later the loader would give this layer's own.
+PFN_vkGetPhysicalDeviceProperties2 nextProperties = nullptr;
+PFN_vkGetPhysicalDeviceFeatures2 nextFeatures = nullptr;
+PFN_vkGetPhysicalDeviceFormatProperties nextFormat = nullptr;
+PFN_vkEnumerateDeviceExtensionProperties nextExtensions = nullptr;
+
 template <typename Call>
 Call next(const char* name) {
     return reinterpret_cast<Call>(nextDeviceCall(device, name));
+}
+const bool asArm = std::getenv("NACRE_AS_ARM") != nullptr;
+constexpr const char* kOrder = VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME;
+
+VKAPI_ATTR void VKAPI_CALL getProperties(VkPhysicalDevice of, VkPhysicalDeviceProperties2* p) {
+    nextProperties(of, p);
+    for (auto* s = static_cast<VkBaseOutStructure*>(p->pNext); s; s = s->pNext)
+        if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES)
+            reinterpret_cast<VkPhysicalDeviceDriverProperties*>(s)->driverID = VK_DRIVER_ID_ARM_PROPRIETARY;
+}
+
+VKAPI_ATTR void VKAPI_CALL getFeatures(VkPhysicalDevice of, VkPhysicalDeviceFeatures2* f) {
+    nextFeatures(of, f);
+    for (auto* s = static_cast<VkBaseOutStructure*>(f->pNext); s; s = s->pNext)
+        if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_FEATURES_EXT)
+            reinterpret_cast<VkPhysicalDeviceRasterizationOrderAttachmentAccessFeaturesEXT*>(s)
+                ->rasterizationOrderColorAttachmentAccess = true;
+}
+
+VKAPI_ATTR void VKAPI_CALL getFormat(VkPhysicalDevice of, VkFormat format, VkFormatProperties* p) {
+    nextFormat(of, format, p);
+    if (format == VK_FORMAT_R32_SFLOAT) p->optimalTilingFeatures &= ~VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL getExtensions(VkPhysicalDevice of, const char* layer, std::uint32_t* count,
+                                             VkExtensionProperties* list) {
+    std::uint32_t all = 0;
+    nextExtensions(of, nullptr, &all, nullptr);
+    std::vector<VkExtensionProperties> known(all);
+    nextExtensions(of, nullptr, &all, known.data());
+    if (layer) known.clear();
+    VkExtensionProperties own{};
+    std::strcpy(own.extensionName, kOrder);
+    known.push_back(own);
+    *count = list ? std::min<std::uint32_t>(*count, known.size()) : known.size();
+    if (list) std::copy_n(known.begin(), *count, list);
+    return VK_SUCCESS;
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
@@ -37,7 +84,15 @@ VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, 
     nextInstanceCall = below->pfnNextGetInstanceProcAddr;
     const auto create = reinterpret_cast<PFN_vkCreateInstance>(nextInstanceCall(nullptr, "vkCreateInstance"));
     const VkResult result = create(info, allocator, made);
-    if (result == VK_SUCCESS) instance = *made;
+    if (result != VK_SUCCESS) return result;
+    instance = *made;
+    const auto find = [](auto& call, const char* name) {
+        call = reinterpret_cast<std::remove_reference_t<decltype(call)>>(nextInstanceCall(instance, name));
+    };
+    find(nextProperties, "vkGetPhysicalDeviceProperties2");
+    find(nextFeatures, "vkGetPhysicalDeviceFeatures2");
+    find(nextFormat, "vkGetPhysicalDeviceFormatProperties");
+    find(nextExtensions, "vkEnumerateDeviceExtensionProperties");
     return result;
 }
 
@@ -50,6 +105,7 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice of, const VkDeviceC
     std::vector<const char*> extensions(info->ppEnabledExtensionNames,
                                         info->ppEnabledExtensionNames + info->enabledExtensionCount);
     extensions.push_back(VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
+    if (asArm) std::erase_if(extensions, [](std::string_view name) { return name == kOrder; });
     VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR tells{
         VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PIPELINE_EXECUTABLE_PROPERTIES_FEATURES_KHR, const_cast<void*>(info->pNext),
         true};
@@ -149,6 +205,12 @@ VKAPI_ATTR VkResult VKAPI_CALL setName(VkDevice of, const VkDebugUtilsObjectName
 }
 
 PFN_vkVoidFunction own(std::string_view name) {
+    const auto is = [&](std::string_view call) { return name == call || name == std::string(call) + "KHR"; };
+    if (asArm && is("vkGetPhysicalDeviceProperties2")) return reinterpret_cast<PFN_vkVoidFunction>(getProperties);
+    if (asArm && is("vkGetPhysicalDeviceFeatures2")) return reinterpret_cast<PFN_vkVoidFunction>(getFeatures);
+    if (asArm && name == "vkGetPhysicalDeviceFormatProperties") return reinterpret_cast<PFN_vkVoidFunction>(getFormat);
+    if (asArm && name == "vkEnumerateDeviceExtensionProperties")
+        return reinterpret_cast<PFN_vkVoidFunction>(getExtensions);
     if (name == "vkCreateGraphicsPipelines") return reinterpret_cast<PFN_vkVoidFunction>(createGraphics);
     if (name == "vkCreateComputePipelines") return reinterpret_cast<PFN_vkVoidFunction>(createCompute);
     if (name == "vkSetDebugUtilsObjectNameEXT") return reinterpret_cast<PFN_vkVoidFunction>(setName);

@@ -167,45 +167,86 @@ def of_mali(text):
     return records
 
 
+def blending_of_mali(text):
+    """Blending that is a shader, which is made as it is drawn with: the encoding's MIN."""
+    counts = [int(count) for stage, count, *_ in MALI.findall(text) if stage == "BLEND"]
+    return {"depth encoding, blending, fragment": {"instructions": max(counts)}} if counts else {}
+
+
 FEATURES = ("lazy_memory", "timestamps", "merge_feedback")
 
 
-def table(rows):
-    """The numbers as a page of Markdown."""
-    lines = []
+def written_into(page, rows):
+    """A page of Markdown with the numbers: all devices in one table, and behind all else each by itself."""
+    text = page.split("<!-- pages -->")[0]
+    before, marker, after = text.partition("<!-- devices -->\n")
+    after = re.sub(r"\A(\|.*\n)*", "", after)
+    pages = "\n".join(line for name, row in rows.items() for line in device_page(name, row))
+    return before + marker + "\n".join(summary(rows)) + "\n" + after + "<!-- pages -->\n\n" + pages
+
+
+def instructions(row, path, *pipelines):
+    """Of pipelines' fragments in a path, "39 + 12" where several are told."""
+    found = [row["paths"].get(path, {}).get("pipelines", {}).get(f"{p}, fragment") for p in pipelines]
+    return " + ".join(str(n["instructions"]) for n in found if n)
+
+
+def summary(rows):
+    lines = ["| device | path by default | encoded depth | render passes; loads, stores per pixel | "
+             "late depth tests: `encoded`, `fragdepth` | instructions of a sphere: encoding, colour | of a stick |",
+             "|---" * 7 + "|"]
     for name, row in rows.items():
-        has = [f.replace("_", " ") for f in FEATURES if row["features"][f]]
-        lines += [f"## {name} ({row['driver']})", "", f"Path by default: `{row['visibility']}`: {row['why']}. Encoded depth "
-                  f"{row['encoded_format']}; render passes by "
-                  f"{'dynamic rendering' if row['dynamic_rendering'] else 'VkRenderPass'}. Vulkan "
-                  f"{row['features']['api_version']}; has {', '.join(has) or 'none'} of "
-                  f"{', '.join(f.replace('_', ' ') for f in FEATURES)}.", "",
-                  "| path | plan: passes, loads, stores | driver: passes, loads, stores | late depth tests | bins |",
-                  "|---|---|---|---|---|"]
-        pipelines = dict(row["bake"])
-        for path, entry in row["paths"].items():
-            if "lacks" in entry:
-                lines.append(f"| {path} | {entry['lacks']} | | | |")
-                continue
-            plan, stream = entry["plan"], entry["stream"]
-            bins = stream.get("bins", "") + ("" if stream.get("tiles_by_default", True) else "; none by default")
-            late = f"{stream['late']} of {stream['draws']}" if "late" in stream else "not told"
-            late += f"; {stream['without_lrz']} without LRZ" if "without_lrz" in stream else ""
-            lines.append(f"| {path} | {plan['render_passes']}, {plan['loads']}, {plan['stores']} B | {stream['passes']}, "
-                         f"{stream['loads']}, {stream['stores']} B | {late} | {bins} |")
+        path = row["visibility"]
+        plan = row["paths"][path]["plan"]
+        late = ", ".join(f"{s['late']} of {s['draws']}" if "late" in s else "not told"
+                         for s in (row["paths"][p].get("stream", {}) for p in ("encoded", "fragdepth")))
+        costs = [f"{instructions(row, 'encoded', f'depth encoding, {kind}', 'depth encoding, blending')}; "
+                 f"{instructions(row, path, f'impostor colour, {kind}')}" for kind in ("spheres", "cylinders")]
+        lines.append(f"| {name} | `{path}` | {row['encoded_format']} | {plan['render_passes']}; {plan['loads']}, "
+                     f"{plan['stores']} B | {late} | {costs[0]} | {costs[1]} |")
+    return lines
+
+
+def device_page(name, row):
+    has = [f.replace("_", " ") for f in FEATURES if row["features"][f]]
+    lines = [f"## {name} ({row['driver']})", "", f"`{row['visibility']}` by default: {row['why']}. Render passes by "
+             f"{'dynamic rendering' if row['dynamic_rendering'] else 'VkRenderPass'}. Vulkan "
+             f"{row['features']['api_version']}; has {', '.join(has) or 'none'} of "
+             f"{', '.join(f.replace('_', ' ') for f in FEATURES)}.", "",
+             "| path | plan: passes, loads, stores | driver: passes, loads, stores | late depth tests | bins |",
+             "|---|---|---|---|---|"]
+    pipelines = dict(row["bake"])
+    for path, entry in row["paths"].items():
+        if "lacks" in entry:
+            lines.append(f"| {path} | {entry['lacks']} | | | |")
+            continue
+        plan, stream = entry["plan"], entry.get("stream")
+        if path in (row["visibility"], "encoded"):  # docs/tilers.json has the others
             pipelines |= {f"{path}: {n}": v for n, v in entry["pipelines"].items()}
-        lines += ["", *pipeline_table(pipelines), ""]
-    return "\n".join(lines)
+        planned = f"{plan['render_passes']}, {plan['loads']}, {plan['stores']} B"
+        if not stream:
+            lines.append(f"| {path} | {planned} | not told | | |")
+            continue
+        bins = stream.get("bins", "") + ("" if stream.get("tiles_by_default", True) else "; none by default")
+        late = f"{stream['late']} of {stream['draws']}" if "late" in stream else "not told"
+        late += f"; {stream['without_lrz']} without LRZ" if "without_lrz" in stream else ""
+        lines.append(f"| {path} | {planned} | {stream['passes']}, {stream['loads']}, {stream['stores']} B | {late} | {bins} |")
+    return [*lines, "", *pipeline_table(pipelines), ""]
 
 
 def pipeline_table(pipelines):
-    """Numbers of each stage; a line for all the paths that have the same."""
-    keys = [k for k in ("instructions", "loads", "registers", "spills") if any(k in n for n in pipelines.values())]
-    same = {}
+    """Instructions of both stages, registers and spills of the worse one; a line for all the paths that have the same."""
+    stages = {}
     for name, numbers in pipelines.items():
-        path, _, pipeline = name.rpartition(": ")
-        same.setdefault((pipeline, tuple(numbers.get(k) for k in keys)), []).append(path)
-    lines = [f"| pipeline | of | {' | '.join(keys)} |", "|---" * (2 + len(keys)) + "|"]
-    lines += [f"| {pipeline} | {', '.join(paths) or 'bake'} | {' | '.join('' if v is None else str(v) for v in values)} |"
+        path, _, rest = name.rpartition(": ")
+        pipeline, _, stage = rest.rpartition(", ")
+        stages.setdefault((path, pipeline), {})[stage] = numbers
+    same = {}
+    for (path, pipeline), of in stages.items():
+        counts = tuple(of[s]["instructions"] if s in of else "" for s in ("vertex", "fragment", "compute"))
+        most = tuple(max((n[k] for n in of.values() if k in n), default="") for k in ("registers", "spills"))
+        same.setdefault((pipeline, counts + most), []).append(path)
+    lines = ["| pipeline | of | vertex | fragment | compute | registers | spills |", "|---" * 7 + "|"]
+    lines += [f"| {pipeline} | {', '.join(p for p in paths if p) or 'bake'} | {' | '.join(str(v) for v in values)} |"
               for (pipeline, values), paths in sorted(same.items(), key=lambda s: s[0][0])]
     return lines

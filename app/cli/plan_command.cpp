@@ -31,13 +31,13 @@ void chooseBySet(const PlanOptions& options, PlanReport& report) {
     if (report.visibility == Visibility::tiles && !set.plan.tiles)
         throw Error("cannot draw by tiles", set.plan.name, "it is not known whether its subgroups hand values round");
     report.why = automatic ? choice.why : "asked for";
-    report.encoded = formatOf(set.encoded);
+    report.encoded = set.encoded;
     if (options.picture.device.encoded == EncodedDepth::automatic) return;
     // The ladder stands finest first: a device blends its own rung and all coarser ones.
     const graph::EncodedFormat& wanted = formatOf(options.picture.device.encoded);
-    if (wanted.rung < set.encoded)
+    if (wanted.rung < set.encoded.rung)
         throw Error("cannot encode depth", std::string(wanted.name), set.plan.name + " does not blend that format");
-    report.encoded = wanted;
+    if (wanted.rung != set.encoded.rung) report.encoded = wanted;
 }
 
 void chooseByDevice(const PlanOptions& options, PlanReport& report) {

@@ -13,8 +13,8 @@ namespace {
 // Bindings name every member: where one is added, nothing compiles until it is compared, too.
 
 auto membersOf(const graph::EncodedFormat& e) {
-    const auto& [rung, name, format, channels, steps, farthest] = e;
-    return std::tuple(rung, name, format, channels, steps, farthest);
+    const auto& [rung, name, format, channels, steps, farthest, ordered] = e;
+    return std::tuple(rung, name, format, channels, steps, farthest, ordered);
 }
 
 auto membersOf(const ScreenTarget& t) {

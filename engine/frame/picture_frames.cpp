@@ -132,9 +132,9 @@ PictureFrames::Drawn PictureFrames::draw(const RenderSettings& settings, const p
     drawn.colors = seen.colors();
     drawn.pixels = bindPixels(device_, *declared);
     const auto start = Clock::now();
-    const auto record = [&](const vk::raii::CommandBuffer& c) {
+    const auto record = [&](gpu::CommandBuffer& c) {
         executor_.record(c, *declared->recording, declared->imports, settings.tuning.timePasses ? &timer_ : nullptr);
-        if (fragments) fragments->finish(c);
+        if (fragments) fragments->finish(*c);
     };
     device_.submitAndWait(record, gpu::Device::Ends::frame);
     stats_.frameMilliseconds = millisecondsSince(start);

@@ -34,10 +34,11 @@ void declareEncoded(ScreenFrame& f, const ScreenOptions& options, const Recorder
     const graph::EncodedFormat& format = options.encoded;
     addPrepass(f, draw);
     f.nearest = f.graph.image("encoded depth", {format.format, options.extent});
-    f.graph.graphics("depth encoding")
-        .depthTest(f.depth)
-        .color(f.nearest, Clear{format.farthest})
-        .record(draw.encodedDepth(format));
+    graph::PassBuilder encoding = f.graph.graphics("depth encoding").depthTest(f.depth);
+    if (format.ordered)
+        encoding.ordered(f.nearest, Clear{format.farthest}).record(draw.encodedDepthInOrder(f.atlas, f.nearest));
+    else
+        encoding.color(f.nearest, Clear{format.farthest}).record(draw.encodedDepth(format));
 
     for (const ScreenTarget& target : options.targets) {
         const graph::Image image = f.add(target, options.extent);

@@ -245,11 +245,13 @@ void WindowFrames::submit(gpu::FrameSlot& slot, const RenderSettings& settings, 
     if (seen.shape.overlay) overlay_.upload(slot, *frame.overlay);
     device_.log().begin();
     slot.commands.reset();
-    slot.commands->begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-    slot.timer.begin(*slot.commands);
-    executor_.record(*slot.commands, *declared.recording, declared.imports, slot.descriptors, nullptr, &retired_);
-    slot.timer.lap(*slot.commands, declared.frame.graph.name());
-    slot.commands->end();
+    slot.commands.begin();
+    // Resolution and bake are paced by live frames alone. Over Metal each stamp is an encoder of its own.
+    slot.timed = frame.quality == Quality::live;
+    if (slot.timed) slot.timer.begin(*slot.commands);
+    executor_.record(slot.commands, *declared.recording, declared.imports, slot.descriptors, nullptr, &retired_);
+    if (slot.timed) slot.timer.lap(*slot.commands, declared.frame.graph.name());
+    slot.commands.end();
     ring_.submit(slot, swapchain_.drawn(*slot.image));
     slot.retired = std::exchange(retired_, {});  // by what was submitted before this
 }

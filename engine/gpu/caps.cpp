@@ -10,7 +10,6 @@
 #include "engine/gpu/context.h"
 #include "engine/gpu/dynamic_rendering.h"
 #include "engine/gpu/frame_boundary.h"
-#include "engine/graph/known_drivers.h"
 
 namespace nacre::gpu {
 namespace {
@@ -51,7 +50,7 @@ bool hasLazyMemory(const vk::raii::PhysicalDevice& device) {
 
 /// The finest rung that the device blends. R32F keeps depth exactly, but neither Mali nor Adreno 5xx blends it;
 /// RGBA16F blends everywhere (the Vulkan specification's table of mandatory format support).
-graph::EncodedFormat encodedFormatOf(const vk::raii::PhysicalDevice& device, EncodedDepth wanted) {
+graph::EncodedFormat blendedFormatOf(const vk::raii::PhysicalDevice& device, EncodedDepth wanted) {
     for (const graph::EncodedFormat& format : graph::encodedFormats()) {
         if (wanted != EncodedDepth::automatic && wanted != format.rung) continue;
         if (blends(device, static_cast<vk::Format>(format.format))) return format;
@@ -59,6 +58,13 @@ graph::EncodedFormat encodedFormatOf(const vk::raii::PhysicalDevice& device, Enc
             throw Error("cannot encode depth", std::string(format.name), "this device does not blend that format");
     }
     throw Error("unsuitable device", device.getProperties().deviceName.data(), "it blends no format for encoded depth");
+}
+
+/// Where R32F does not blend, it is written in raster order, if the device can.
+graph::EncodedFormat encodedFormatOf(const vk::raii::PhysicalDevice& device, EncodedDepth wanted, bool rasterOrder) {
+    const bool finest = wanted == EncodedDepth::automatic || wanted == EncodedDepth::r32f;
+    if (finest && rasterOrder && !blends(device, vk::Format::eR32Sfloat)) return graph::encodedInOrder();
+    return blendedFormatOf(device, wanted);
 }
 
 bool set(const char* variable) {
@@ -158,6 +164,24 @@ bool readsInRasterOrder(const vk::raii::PhysicalDevice& device) {
         .rasterizationOrderColorAttachmentAccess;
 }
 
+graph::DriverIdentity identityOf(const vk::raii::PhysicalDevice& device) {
+    const vk::PhysicalDeviceProperties properties = device.getProperties();
+    graph::DriverIdentity identity;
+    identity.vendor = properties.vendorID;
+    identity.device = properties.deviceName.data();
+    identity.version = properties.driverVersion;
+    identity.vulkan = properties.apiVersion;
+    identity.software = properties.deviceType == vk::PhysicalDeviceType::eCpu;
+    identity.portable = hasExtension(device, "VK_KHR_portability_subset");
+    identity.lazyMemory = hasLazyMemory(device);
+    if (hasExtension(device, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME))
+        identity.driver = static_cast<VkDriverId>(
+            device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>()
+                .get<vk::PhysicalDeviceDriverProperties>()
+                .driverID);
+    return identity;
+}
+
 Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options) {
     const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceIDProperties>();
     const auto& properties = chain.get<vk::PhysicalDeviceProperties2>().properties;
@@ -166,18 +190,12 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.type = typeName(properties.deviceType);
     caps.apiVersion = properties.apiVersion;
     caps.driverVersion = properties.driverVersion;
-    graph::DriverIdentity identity;
-    identity.vendor = properties.vendorID;
-    identity.device = caps.deviceName;
-    identity.software = properties.deviceType == vk::PhysicalDeviceType::eCpu;
-    identity.portable = hasExtension(device, "VK_KHR_portability_subset");
-    identity.lazyMemory = hasLazyMemory(device);
+    const graph::DriverIdentity identity = identityOf(device);
     if (hasExtension(device, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME)) {
         const auto driver = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>()
                                 .get<vk::PhysicalDeviceDriverProperties>();
         caps.driverName = std::string(driver.driverName.data()) + " " + driver.driverInfo.data();
         caps.cacheMixesRenderPasses = driver.driverID == vk::DriverId::eGoogleSwiftshader;
-        identity.driver = static_cast<VkDriverId>(driver.driverID);
     }
     caps.snapPixels = std::ldexp(1.0f, -static_cast<int>(properties.limits.subPixelPrecisionBits));
     caps.blendsFloats = blends(device, vk::Format::eR32G32B32A32Sfloat);
@@ -202,11 +220,14 @@ Caps capsOf(const vk::raii::PhysicalDevice& device, const DeviceOptions& options
     caps.plan.name = caps.deviceName;
     caps.plan.rasterOrder = readsInRasterOrder(device);
     caps.plan.transient = identity.lazyMemory;
-    caps.plan.storeNone = hasExtension(device, VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME);
+    // MoltenVK offers it, and stores all the same.
+    caps.plan.storeNone = hasExtension(device, VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME) && !identity.portable;
+    caps.dispatchesApart = graph::has(graph::Quirk::dispatchesApart, identity);
     caps.plan.maxColorAttachments = std::min(properties.limits.maxColorAttachments, 8u);
     caps.plan.maxInputAttachments = std::min(properties.limits.maxPerStageDescriptorInputAttachments, 8u);
     applyEnvironment(caps.plan);
-    caps.encoded = encodedFormatOf(device, options.encoded);
+    caps.encoded = encodedFormatOf(device, options.encoded, caps.plan.rasterOrder);
+    caps.encodedMaps = caps.encoded.ordered ? blendedFormatOf(device, EncodedDepth::automatic) : caps.encoded;
     caps.software = identity.software;
     constexpr double kNever = std::numeric_limits<double>::infinity();
     if (caps.software) caps.plan.geometry = {false, kNever, kNever, kNever};  // a triangle costs a hundred fragments

@@ -7,6 +7,7 @@
 #include "engine/device_options.h"
 #include "engine/graph/capability_sets.h"
 #include "engine/graph/encoded_format.h"
+#include "engine/graph/known_drivers.h"
 #include "engine/graph/plan.h"
 
 namespace nacre::gpu {
@@ -27,7 +28,8 @@ struct Caps {
     std::uint32_t driverVersion = 0;
     float snapPixels = 1.0f / 16;  ///< how far the rasteriser may move a vertex
     std::uint32_t maxImageSize = 4096;
-    bool localRead = false;           ///< render passes are carried out by dynamic rendering with local reads
+    bool localRead = false;           ///< render passes with inputs are carried out by dynamic rendering
+    bool dispatchesApart = false;     ///< quirk: no dispatch in a command buffer behind a draw
     bool mergeFeedback = false;       ///< the driver tells what it makes of subpasses
     bool blendsFloats = false;        ///< colour attachments of 32 bits a channel
     std::uint32_t timestampBits = 0;  ///< of the queue's clock; 0: it has none
@@ -35,7 +37,8 @@ struct Caps {
     std::uint64_t maxStorageBufferBytes = 1u << 27;
     std::uint64_t maxBufferBytes = UINT64_MAX;  ///< of any buffer, where the device says so (VK_KHR_maintenance4)
     graph::PlanCaps plan;
-    graph::EncodedFormat encoded;
+    graph::EncodedFormat encoded;      ///< of pictures
+    graph::EncodedFormat encodedMaps;  ///< of a bake's maps: it blends
     TileCaps tiles;
     /// Quirk: a pipeline cache is not to be used. SwiftShader looks shaders up in it by the address of the render pass,
     /// and takes those of one that is gone for those of another that was made in its place.
@@ -47,6 +50,9 @@ struct Caps {
     std::string capabilitySet;  ///< what the plan's caps started from
     graph::Fact knownAs{};      ///< what the table of drivers says of it; null where it has no row
 };
+
+/// What a device tells of itself, for the tables of known drivers.
+graph::DriverIdentity identityOf(const vk::raii::PhysicalDevice& device);
 
 /// @param options what the user asked for; `automatic` leaves the choice to the device
 /// @throws Error if the device cannot do what was asked for

@@ -155,15 +155,16 @@ Device::Single Device::begin() const {
         single.done = vk::raii::Fence(device_, vk::FenceCreateInfo());
         name(*single.done, "single commands are done");
     }
-    single.commands->begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    single.commands.begin();
     log_->begin();
     return single;
 }
 
 void Device::finish(Single& single, Ends ends) const {
-    single.commands->end();
+    single.commands.end();
     log_->submitted();
-    vk::SubmitInfo info({}, {}, **single.commands);
+    const auto handles = single.commands.handles();
+    vk::SubmitInfo info({}, {}, handles);
     VkFrameBoundaryEXT boundary{};
     boundary.sType = VK_STRUCTURE_TYPE_FRAME_BOUNDARY_EXT;
     boundary.frameID = *frame_;

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
@@ -83,12 +84,16 @@ public:
     /// What is over with a submission: nothing, or a frame that is not presented, which tools that record frames are
     /// told where the device lets them be.
     enum class Ends { nothing, frame };
-    /// Records a command buffer by the given function, submits it and waits until it is done.
+    /// Records a command buffer by the given function, submits it and waits until it is done. The function takes a
+    /// CommandBuffer where it may split it, else a vk::raii::CommandBuffer.
     /// If any of that fails, nothing of it is in flight any more.
     template <typename RecordCommands>
     void submitAndWait(RecordCommands&& record, Ends ends = Ends::nothing) const {
         Single single = begin();
-        record(*single.commands);
+        if constexpr (std::is_invocable_v<RecordCommands&, CommandBuffer&>)
+            record(single.commands);
+        else
+            record(*single.commands);
         finish(single, ends);
     }
 

@@ -28,7 +28,7 @@ DeviceInfo gpu::infoOf(const Caps& caps) {
                       std::to_string(VK_API_VERSION_PATCH(caps.apiVersion));
     info.visibility = visibilityName(caps.visibility);
     info.why = caps.visibilityReason;
-    info.encodedFormat = graph::formatName(caps.encoded.format);
+    info.encodedFormat = graph::formatName(caps.encoded.format) + (caps.encoded.ordered ? " in raster order" : "");
     info.lazyMemory = caps.plan.transient;
     info.timestamps = caps.timestampBits > 0;
     info.rasterOrder = caps.plan.rasterOrder;

@@ -12,6 +12,7 @@ namespace nacre::gpu {
 namespace {
 
 constexpr std::uint32_t kNone = VK_ATTACHMENT_UNUSED;
+constexpr auto kInputLayout = static_cast<vk::ImageLayout>(VK_IMAGE_LAYOUT_RENDERING_LOCAL_READ_KHR);
 
 /// All that happens to an attachment between begin and end, loads and stores too.
 graph::State workOn(VkFormat format) {
@@ -37,16 +38,8 @@ graph::State before(const graph::RenderPassPlan& plan) {
 }
 
 bool trusted(const vk::raii::PhysicalDevice& device) {
-    if (!hasExtension(device, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME)) return false;
-    const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties>();
-    const vk::DriverId driver = chain.get<vk::PhysicalDeviceDriverProperties>().driverID;
-    const std::uint32_t version = chain.get<vk::PhysicalDeviceProperties2>().properties.driverVersion;
-    if (driver == vk::DriverId::eArmProprietary) return VK_API_VERSION_MAJOR(version) >= 52;
-    // Turnip takes masked colour attachments for blending: it gives up its coarse depth test (LRZ) where plates are
-    // drawn beside them, which a subpass of depth alone is not (docs/tilers.md).
-    if (driver == vk::DriverId::eMesaTurnip) return false;
-    // SwiftShader ends the program with an illegal instruction in steady frames of a window.
-    return driver != vk::DriverId::eSamsungProprietary && driver != vk::DriverId::eGoogleSwiftshader;
+    const graph::DriverIdentity identity = identityOf(device);
+    return identity.driver != VkDriverId{} && !graph::has(graph::Quirk::noLocalRead, identity);
 }
 
 }  // namespace
@@ -88,6 +81,10 @@ DynamicRendering::DynamicRendering(const Device& device, const graph::RenderPass
 
 bool DynamicRendering::takes(const Device& device, const graph::RenderPassPlan& plan) {
     if (!device.caps().localRead) return false;
+    // A render pass without inputs gains nothing by it.
+    const bool reads = plan.subpasses.size() > 1 ||
+                       std::ranges::any_of(plan.subpasses, [](const graph::Subpass& s) { return !s.inputs.empty(); });
+    if (!reads) return false;
     const auto depths = std::count_if(plan.attachments.begin(), plan.attachments.end(),
                                       [](const graph::Attachment& a) { return graph::isDepthFormat(a.format); });
     const std::size_t most =
@@ -107,6 +104,11 @@ vk::ImageLayout DynamicRendering::layoutOf(std::uint32_t a) const {
     if (read) return kInputLayout;
     return static_cast<std::int32_t>(a) == depth_ ? vk::ImageLayout::eDepthStencilAttachmentOptimal
                                                   : vk::ImageLayout::eColorAttachmentOptimal;
+}
+
+vk::ImageLayout DynamicRendering::inputLayout(std::uint32_t s) const {
+    const std::vector<std::uint32_t>& inputs = plan_.subpasses[s].inputs;
+    return inputs.empty() ? kInputLayout : layoutOf(inputs.front());
 }
 
 /// What a VkRenderPass does by itself: into the layouts that it works in, behind what came before, and out of them. The

@@ -26,8 +26,8 @@ struct RenderingFormats {
     friend bool operator==(const RenderingFormats&, const RenderingFormats&) = default;
 };
 
-/// Whether a driver can render dynamically with local reads, and is trusted to: not Arm's before r52, nor Samsung's,
-/// Turnip or SwiftShader. NACRE_NO_DYNAMIC_RENDERING=1 says no for all: as if the driver had never heard of it.
+/// Whether a driver can render dynamically with local reads, and is trusted to (engine/graph/known_drivers.cpp).
+/// NACRE_NO_DYNAMIC_RENDERING=1 says no for all: as if the driver had never heard of it.
 /// @param validate  the validation layer is there: one that is older than the extension calls every use of it an error
 bool readsLocally(const vk::raii::PhysicalDevice& device, bool validate);
 /// @param device  made with what readsLocally() asks for
@@ -39,7 +39,7 @@ public:
     /// @param images  by graph index; all outlive this
     DynamicRendering(const Device& device, const graph::RenderPassPlan& plan, std::span<const ImageRef> images,
                      const vk::raii::CommandBuffer& commands);
-    /// Whether the device carries out such a render pass in this way.
+    /// Whether the device carries out such a render pass in this way: one of several subpasses, or with inputs.
     static bool takes(const Device& device, const graph::RenderPassPlan& plan);
 
     RenderingFormats formatsOf(std::uint32_t subpass) const;
@@ -48,7 +48,7 @@ public:
     RenderingFormats beginSubpass(std::uint32_t subpass) const;
     void end() const;
     /// Of what a subpass reads as input attachment.
-    static constexpr auto kInputLayout = static_cast<vk::ImageLayout>(VK_IMAGE_LAYOUT_RENDERING_LOCAL_READ_KHR);
+    vk::ImageLayout inputLayout(std::uint32_t subpass) const;
 
 private:
     vk::ImageLayout layoutOf(std::uint32_t attachment) const;

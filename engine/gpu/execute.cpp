@@ -126,14 +126,13 @@ void Executor::recordRenderPass(Recording& recording, std::size_t step, PassCont
     context.inputLayout = vk::ImageLayout::eShaderReadOnlyOptimal;
     if (DynamicRendering::takes(device_, pass)) {
         dynamic.emplace(device_, pass, context.images, context.commands).begin();
-        context.inputLayout = DynamicRendering::kInputLayout;
     } else {
         beginRenderPass(recording, step, context);
     }
     const vk::Rect2D area({0, 0}, {pass.extent.width, pass.extent.height});
     for (std::uint32_t s = 0; s < pass.subpasses.size(); ++s) {
         if (dynamic)
-            context.rendering = dynamic->beginSubpass(s);
+            context.rendering = dynamic->beginSubpass(s), context.inputLayout = dynamic->inputLayout(s);
         else if (s > 0)
             context.commands.nextSubpass2KHR(kInline, vk::SubpassEndInfo());
         context.subpass = dynamic ? 0 : s;
@@ -183,35 +182,41 @@ void Executor::bind(Recording& recording, const Imports& imports, Retired* retir
     }
 }
 
-void Executor::record(const vk::raii::CommandBuffer& commands, Recording& recording, const Imports& imports,
+void Executor::record(CommandBuffer& commands, Recording& recording, const Imports& imports,
                       DescriptorPool& descriptors, Timer* timer, Retired* retired) {
     const graph::Graph& graph = recording.graph_;
     const graph::Plan& plan = recording.plan_;
     bind(recording, imports, retired);
-    PassContext context{{device_, pipelines_}, commands, descriptors};
-    context.images = recording.images_;
-    context.buffers = recording.buffers_;
-    device_.name(*commands, graph.name());  // here, since RenderDoc keeps names given while a buffer is recorded
+    device_.name(**commands, graph.name());  // here, since RenderDoc keeps names given while a buffer is recorded
     device_.log().record(recording.work_);
-    device_.beginLabel(commands, graph.name());
-    if (timer) timer->begin(commands);
+    device_.beginLabel(*commands, graph.name());
+    if (timer) timer->begin(*commands);
     for (std::size_t i = 0; i < plan.steps.size(); ++i) {
         const graph::Step& step = plan.steps[i];
-        barriers(commands, step.before, recording);
+        if (step.kind == graph::PassKind::compute && commands.draws && device_.caps().dispatchesApart) {
+            device_.endLabel(*commands);
+            commands.split();
+            device_.beginLabel(*commands, graph.name());
+        }
+        PassContext context{{device_, pipelines_}, *commands, descriptors};
+        context.images = recording.images_;
+        context.buffers = recording.buffers_;
+        barriers(*commands, step.before, recording);
         if (step.kind == graph::PassKind::graphics) {
+            commands.draws = true;
             recordRenderPass(recording, i, context);
-            if (timer) timer->lap(commands, recording.renderPasses_[i].name);
+            if (timer) timer->lap(*commands, recording.renderPasses_[i].name);
             continue;
         }
         const graph::PassDecl& pass = graph.passes()[step.pass];
-        device_.beginLabel(commands, pass.name);
+        device_.beginLabel(*commands, pass.name);
         context.pass = pass.name;
         if (pass.work.record) pass.work.record(context);
-        device_.endLabel(commands);
-        if (timer) timer->lap(commands, pass.name);
+        device_.endLabel(*commands);
+        if (timer) timer->lap(*commands, pass.name);
     }
-    barriers(commands, plan.after, recording);
-    device_.endLabel(commands);
+    barriers(*commands, plan.after, recording);
+    device_.endLabel(*commands);
 }
 
 void Executor::prepare(const graph::Graph& graph, const graph::Plan& plan) {
@@ -240,7 +245,7 @@ void Executor::prepare(const graph::Graph& graph, const graph::Plan& plan) {
 }
 
 void Executor::run(const graph::Graph& graph, const graph::Plan& plan, const Imports& imports) {
-    device_.submitAndWait([&](const vk::raii::CommandBuffer& c) { record(c, graph, plan, imports); });
+    device_.submitAndWait([&](CommandBuffer& c) { record(c, graph, plan, imports); });
     reset();
 }
 

@@ -88,13 +88,12 @@ public:
 
     /// Records a graph as planned. Images of the same graph and name are kept from one execution to the next.
     /// For commands that are waited for before the next ones are recorded: their descriptor sets last until then.
-    void record(const vk::raii::CommandBuffer& commands, Recording& recording, const Imports& imports,
-                Timer* timer = nullptr) {
+    void record(CommandBuffer& commands, Recording& recording, const Imports& imports, Timer* timer = nullptr) {
         reset();  // what failed half way may have left some
         record(commands, recording, imports, descriptors_, timer);
     }
-    void record(const vk::raii::CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan,
-                const Imports& imports, Timer* timer = nullptr) {
+    void record(CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan, const Imports& imports,
+                Timer* timer = nullptr) {
         Recording once(graph, plan);
         record(commands, once, imports, timer);
     }
@@ -102,10 +101,10 @@ public:
     /// @param timer    not null: takes a lap for each render pass, dispatch and copy
     /// @param retired  not null: gets what is replaced, as images are when their size changes, until these commands are
     ///                 done. Else that is waited for
-    void record(const vk::raii::CommandBuffer& commands, Recording& recording, const Imports& imports,
-                DescriptorPool& descriptors, Timer* timer = nullptr, Retired* retired = nullptr);
-    void record(const vk::raii::CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan,
-                const Imports& imports, DescriptorPool& descriptors, Timer* timer = nullptr) {
+    void record(CommandBuffer& commands, Recording& recording, const Imports& imports, DescriptorPool& descriptors,
+                Timer* timer = nullptr, Retired* retired = nullptr);
+    void record(CommandBuffer& commands, const graph::Graph& graph, const graph::Plan& plan, const Imports& imports,
+                DescriptorPool& descriptors, Timer* timer = nullptr) {
         Recording once(graph, plan);
         record(commands, once, imports, descriptors, timer);
     }

@@ -19,7 +19,7 @@ FrameSlot& FrameRing::next() {
     FrameSlot& slot = slots_[at_];
     if (slot.submitted && device_->waitForFences(*slot.done, true, UINT64_MAX) != vk::Result::eSuccess)
         throw Error("the device stopped", device_.caps().deviceName, "waiting for a frame failed");
-    if (slot.submitted) milliseconds_ = slot.timer.milliseconds().value_or(0);
+    if (slot.submitted && slot.timed) milliseconds_ = slot.timer.milliseconds().value_or(0);
     slot.submitted = false;
     slot.retired = {};
     slot.descriptors.reset();
@@ -45,9 +45,8 @@ void FrameRing::submit(FrameSlot& slot, std::span<const vk::CommandBuffer> comma
 }
 
 void FrameRing::submit(FrameSlot& slot, vk::Semaphore drawn) {
-    const vk::CommandBuffer commands = **slot.commands;
     slot.drawn = slot.image;
-    submit(slot, {&commands, 1}, {&drawn, 1});
+    submit(slot, slot.commands.handles(), {&drawn, 1});
 }
 
 std::optional<std::uint32_t> FrameRing::skipImage() {

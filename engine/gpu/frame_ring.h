@@ -18,7 +18,8 @@ struct FrameSlot {
     bool submitted = false;                 ///< and `done` tells when it is done
     vk::raii::Semaphore acquired{nullptr};  ///< the window's image may be drawn into
     DescriptorPool descriptors;
-    Timer timer;                         ///< of the commands
+    Timer timer;                         ///< of the commands, where it was begun
+    bool timed = false;                  ///< it was
     Buffer vertices, indices;            ///< of what is drawn over the picture
     std::shared_ptr<const void> held;    ///< what the commands use, until they are done
     Retired retired;                     ///< what earlier ones used
@@ -36,7 +37,7 @@ public:
 
     /// The slot of the next frame, free of what the frame before last left in it. Waits until that one is done.
     FrameSlot& next();
-    /// What the device took for the last frame that is known to be done; 0: nobody knows.
+    /// What the device took for the last timed frame that is known to be done; 0: nobody knows.
     double milliseconds() const { return milliseconds_; }
     /// Submits the slot's commands: they wait for `acquired` where colour is written, and signal `drawn`. If that
     /// fails, the slot is what next() gives again, and may try again with the image that it has.

@@ -18,19 +18,19 @@ Submission::~Submission() {
     if (pending_) device_.settle();
 }
 
-const vk::raii::CommandBuffer& Submission::begin() {
+void Submission::begin() {
     descriptors_.reset();
     device_.log().begin();
     commands_.reset();
-    commands_->begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-    return *commands_;
+    commands_.begin();
 }
 
 void Submission::end() {
-    commands_->end();
+    commands_.end();
     device_->resetFences(*fence_);
     device_.log().submitted();
-    device_.queue().submit(vk::SubmitInfo({}, {}, **commands_), *fence_);
+    const auto handles = commands_.handles();
+    device_.queue().submit(vk::SubmitInfo({}, {}, handles), *fence_);
     pending_ = true;
 }
 

@@ -17,8 +17,8 @@ public:
     /// Records by the given function and submits. Nothing is pending before, nor if any of that fails.
     template <typename RecordCommands>
     void submit(RecordCommands&& record) {
-        const vk::raii::CommandBuffer& commands = begin();
-        record(commands);
+        begin();
+        record(commands_);
         end();
     }
     /// It was submitted, and nobody has found it done yet.
@@ -32,7 +32,7 @@ public:
     Timer& timer() { return timer_; }
 
 private:
-    const vk::raii::CommandBuffer& begin();
+    void begin();
     void end();
 
     const Device& device_;

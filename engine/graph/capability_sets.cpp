@@ -23,10 +23,10 @@ constexpr Fact kMali[] = {
     {"256 bits a pixel on the tile, hardware depth beside them", kMesaTiles},
     {"subpasses that read each other's pixel alone run on one tile",
      "Arm, 'Vulkan best practice for mobile developers', render subpasses tutorial"},
-    {"R32F does not blend; encoded depth takes RGBA16F", kBlendTable},
+    {"MIN is a blend shader, and R32F does not blend: encoded depth is R32F that is written in raster order",
+     "Mesa, src/panfrost/lib/pan_blend.c: can_fixed_function_equation; VK_ARM_rasterization_order_attachment_access, "
+     "contributed by Arm, promoted to EXT"},
     {"a tested depth buffer need not be stored again", "VK_EXT_load_store_op_none, vulkan.gpuinfo.org, Arm drivers"},
-    {"attachments can be read in raster order",
-     "VK_ARM_rasterization_order_attachment_access, contributed by Arm; promoted to EXT"},
 };
 constexpr Fact kMaliOld[] = {
     {kStoredVaryings, kArmVertices},
@@ -45,6 +45,9 @@ constexpr Fact kAdreno[] = {
 constexpr Fact kAdrenoNoSubpass[] = {
     {"some drivers fail to compile shaders with input attachments, or crash in them",
      "github.com/microsoft/DirectXShaderCompiler issue 2842; github.com/SaschaWillems/Vulkan pull request 697"},
+};
+constexpr Fact kNoSubpass[] = {
+    {"one subpass, and nothing read from the tile: the least that may go wrong", "engine/graph/known_drivers.cpp"},
 };
 constexpr Fact kPowerVr[] = {
     {kStoredVaryings,
@@ -101,13 +104,13 @@ constexpr GeometryCaps kDirect{false, 3.5, 6.5, 6.5}, kDirectLate{false, 3.5, 3.
 
 std::vector<CapabilitySet> makeSets() {
     constexpr auto kTiler = DeviceKind::tiler;
-    constexpr auto kHalf = EncodedDepth::rgba16f;
-    constexpr auto kFloat = EncodedDepth::r32f;
+    const EncodedFormat kFloat = encodedFormats()[0], kHalf = encodedFormats()[1];
     PlanCaps mali = plan("mali", 32, true);
-    mali.rasterOrder = true;
+    mali.rasterOrder = mali.blendsByShader = true;
     mali.geometry = kStored;
     PlanCaps maliOld = plan("mali-old", 16, false);
     maliOld.geometry = kStored;
+    maliOld.blendsByShader = true;
     PlanCaps powerVr = plan("powervr", 16, false);
     powerVr.geometry = kStored;
     PlanCaps adreno = plan("adreno", 16, true);
@@ -115,6 +118,9 @@ std::vector<CapabilitySet> makeSets() {
     PlanCaps noSubpass = plan("adreno-no-subpass", 16, true);
     noSubpass.geometry = kDirectLate;
     noSubpass.tileSubpasses = false;
+    PlanCaps doubtful = plan("no-subpass", 16, false);
+    doubtful.geometry = kStoredLate;
+    doubtful.tileSubpasses = false;
     PlanCaps turnip = plan("turnip", 16, true);
     turnip.transient = false;
     turnip.geometry = kDirect;
@@ -127,18 +133,19 @@ std::vector<CapabilitySet> makeSets() {
     PlanCaps panvk = v3dv;
     panvk.name = "panvk";
     panvk.storeAll = true;
-    panvk.loadsUniforms = true;
+    panvk.loadsUniforms = panvk.blendsByShader = true;
     panvk.geometry = kStoredLate;
     PlanCaps apple = plan("apple-moltenvk", 32, false);
     apple.tileSubpasses = false;
     PlanCaps desktop = plan("desktop", 16, false);
     desktop.transient = false;
     return {
-        {mali, kTiler, kHalf, kMali},
+        {mali, kTiler, encodedInOrder(), kMali},
         {maliOld, kTiler, kHalf, kMaliOld},
         {adreno, kTiler, kHalf, kAdreno},
         {noSubpass, kTiler, kHalf, kAdrenoNoSubpass},
         {powerVr, kTiler, kHalf, kPowerVr},
+        {doubtful, kTiler, kHalf, kNoSubpass},
         {turnip, kTiler, kFloat, kTurnip},
         {v3dv, kTiler, kHalf, kV3dv},
         {panvk, kTiler, kHalf, kPanvk},

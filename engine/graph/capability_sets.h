@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "engine/device_options.h"
+#include "engine/graph/encoded_format.h"
 #include "engine/graph/visibility.h"
 
 namespace nacre::graph {
@@ -19,7 +20,7 @@ struct Fact {
 struct CapabilitySet {
     PlanCaps plan;
     DeviceKind kind{};
-    EncodedDepth encoded{};  ///< what `auto` takes
+    EncodedFormat encoded;  ///< what `auto` takes
     std::span<const Fact> facts;
 };
 

@@ -18,6 +18,8 @@ struct EncodedFormat {
     int channels = 1;
     int steps = 0;          ///< codes of a channel, less one; 0: the channel is the depth
     float farthest = 1.0f;  ///< the value that MIN never keeps
+    /// Nothing is blended: fragments read their own attachment in raster order.
+    bool ordered = false;
 
     /// Depths that it tells apart; 2^24 for a float, whose steps are finer near 0.
     int levels() const { return steps == 0 ? 1 << 24 : channels * steps; }
@@ -27,5 +29,12 @@ struct EncodedFormat {
 
 /// Every rung, finest first.
 std::span<const EncodedFormat> encodedFormats();
+
+/// The finest rung by raster order: for devices that do not blend it, or by a shader.
+inline EncodedFormat encodedInOrder() {
+    EncodedFormat format = encodedFormats().front();
+    format.ordered = true;
+    return format;
+}
 
 }  // namespace nacre::graph

@@ -6,130 +6,144 @@
 namespace nacre::graph {
 namespace {
 
-constexpr std::uint32_t kArm = 0x13B5, kQualcomm = 0x5143, kImagination = 0x1010, kBroadcom = 0x14E4, kAnyVendor = 0;
-constexpr VkDriverId kAnyDriver{};
+constexpr std::uint32_t kArm = 0x13B5, kQualcomm = 0x5143, kImagination = 0x1010, kBroadcom = 0x14E4, kHuawei = 0x19E5,
+                        kSamsung = 0x144D;
 constexpr std::uint32_t kAnyNumber = 0xffffu;
 
 constexpr const char* kStreams = "the command streams that Mesa 25.0.7 writes over its no-op kernel drivers (drm-shim)";
+constexpr const char* kAngle = "ANGLE, vk_renderer.cpp: supportsDynamicRenderingLocalRead";
+constexpr Fact kPixelLocal{"from BXE on: subpasses map to pixel local storage",
+                           "Imagination, 'PowerVR Performance Recommendations', Vulkan"};
+
+constexpr VkDriverId kKosmicKrisp = static_cast<VkDriverId>(28);  // headers of 1.3.239 have no name for it
+constexpr const char* kImpeller = "Flutter's Impeller, driver_info_vk.cc: it refuses Vulkan there";
+
+/// Of any vendor.
+constexpr DriverPattern by(VkDriverId driver) { return {0, driver}; }
+constexpr DriverPattern named(std::uint32_t vendor, std::string_view name, std::uint32_t least = 0,
+                              std::uint32_t most = kAnyNumber) {
+    return {vendor, {}, name, least, most};
+}
 
 constexpr KnownDriver kRows[] = {
     // Mesa's drivers go first: their devices bear the vendors' names, too.
-    {kAnyVendor,
-     VK_DRIVER_ID_MESA_TURNIP,
-     "",
-     0,
-     kAnyNumber,
+    {by(VK_DRIVER_ID_MESA_TURNIP),
      "turnip",
      {"Mesa's Turnip keeps the three subpasses in GMEM, whatever memory it reports", kStreams}},
-    {kAnyVendor,
-     VK_DRIVER_ID_MESA_V3DV,
-     "",
-     0,
-     kAnyNumber,
+    {by(VK_DRIVER_ID_MESA_V3DV),
      "v3dv",
      {"Mesa's v3dv makes a job of each subpass, which loads and stores what they share", kStreams}},
-    {kAnyVendor,
-     VK_DRIVER_ID_MESA_PANVK,
-     "",
-     0,
-     kAnyNumber,
+    {by(VK_DRIVER_ID_MESA_PANVK),
      "panvk",
      {"Mesa's PanVK makes a framebuffer of each subpass, and stores what need not be", kStreams}},
-    {kQualcomm,
-     kAnyDriver,
-     "Adreno",
-     500,
-     599,
+    {by(kKosmicKrisp),
+     "apple-moltenvk",
+     {"Mesa's KosmicKrisp, on Metal without the portability subset: Mesa's common code begins a render encoder for "
+      "each "
+      "subpass",
+      "Mesa, src/vulkan/runtime/vk_render_pass.c and src/kosmickrisp/vulkan/kk_cmd_draw.c"}},
+    {named(kQualcomm, "Adreno", 500, 599),
      "adreno-no-subpass",
      {"Adreno 540's driver loses depth from subpass to subpass", "github.com/SaschaWillems/Vulkan issue 484"}},
-    {kQualcomm,
-     kAnyDriver,
-     "Adreno",
-     600,
-     630,
+    {named(kQualcomm, "Adreno", 600, 630),
      "adreno-no-subpass",
      {"Flutter's Impeller reads no input attachments up to Adreno 630: they crash",
       "github.com/flutter/flutter issue 161274"}},
-    {kQualcomm,
-     kAnyDriver,
-     "Adreno",
-     631,
-     650,
+    {named(kQualcomm, "Adreno", 631, 650),
      "adreno-no-subpass",
      {"Impeller has given up Vulkan on Adreno 640 and 650: the least that may go wrong there is asked for",
       "github.com/flutter/flutter issue 178833"}},
-    {kQualcomm,
-     kAnyDriver,
-     "",
-     0,
-     kAnyNumber,
+    {named(kQualcomm, ""),
      "adreno",
      {"Qualcomm's driver keeps subpasses in GMEM",
       "Samsung and Qualcomm, 'Introduction to Vulkan Render Passes', developer.samsung.com/game/qualcomm"}},
-    {kArm,
-     kAnyDriver,
-     "Mali-T",
-     0,
-     kAnyNumber,
-     "mali-old",
-     {"Midgard: 8 KiB of tile buffer", "Mesa, src/panfrost/lib/pan_props.c"}},
-    {kArm,
-     kAnyDriver,
-     "Mali-G",
-     71,
-     71,
+    {named(kArm, "Mali-T"), "mali-old", {"Midgard: 8 KiB of tile buffer", "Mesa, src/panfrost/lib/pan_props.c"}},
+    {named(kArm, "Mali-G", 71, 71),
      "mali-old",
      {"the first Bifrost: 8 KiB of tile buffer", "Mesa, src/panfrost/lib/pan_props.c"}},
-    {kArm,
-     kAnyDriver,
-     "",
-     0,
-     kAnyNumber,
-     "mali",
-     {"from G72 on: 16 KiB of tile buffer and more", "Mesa, src/panfrost/lib/pan_props.c"}},
-    {kImagination,
-     kAnyDriver,
-     "",
-     0,
-     kAnyNumber,
-     "powervr",
-     {"subpasses map to pixel local storage", "Imagination, 'PowerVR Performance Recommendations', Vulkan"}},
-    {kBroadcom,
-     kAnyDriver,
-     "",
-     0,
-     kAnyNumber,
-     "v3dv",
-     {"VideoCore, by a driver that does not tell its name: as Mesa's", kStreams}},
+    {named(kArm, ""), "mali", {"from G72 on: 16 KiB of tile buffer and more", "Mesa, src/panfrost/lib/pan_props.c"}},
+    {named(kImagination, "BX"), "powervr", kPixelLocal},
+    {named(kImagination, "CX"), "powervr", kPixelLocal},
+    {named(kImagination, "DX"), "powervr", kPixelLocal},
+    {named(kImagination, ""), "no-subpass", {"PowerVR before BXE", kImpeller}},
+    {named(kHuawei, ""), "no-subpass", {"Maleoon", kImpeller}},
+    {{kSamsung, {}, "Xclipse", 0, kAnyNumber, 0, VK_API_VERSION_1_3},
+     "no-subpass",
+     {"Xclipse below Vulkan 1.3", kImpeller}},
+    {named(kBroadcom, ""), "v3dv", {"VideoCore, by a driver that does not tell its name: as Mesa's", kStreams}},
+};
+
+constexpr KnownQuirk kQuirks[] = {
+    {by(VK_DRIVER_ID_MOLTENVK),
+     Quirk::noLocalRead,
+     {"MoltenVK begins its encoder anew when the number of inputs changes: memoryless depth is lost",
+      "MoltenVK 1.4, MVKCommandBuffer.mm and MVKRenderPass.mm"}},
+    {by(kKosmicKrisp),
+     Quirk::noLocalRead,
+     {"KosmicKrisp is drawn in one subpass without inputs", "Mesa, src/kosmickrisp/vulkan/kk_cmd_draw.c"}},
+    {by(VK_DRIVER_ID_MESA_TURNIP),
+     Quirk::noLocalRead,
+     {"Turnip takes masked colour attachments for blending: it gives up its coarse depth test (LRZ) where plates are "
+      "drawn beside them, which a subpass of depth alone is not",
+      kStreams}},
+    {by(VK_DRIVER_ID_GOOGLE_SWIFTSHADER),
+     Quirk::noLocalRead,
+     {"SwiftShader ends the program with an illegal instruction in steady frames of a window",
+      "tests/desktop, by SwiftShader of Debian's Chromium"}},
+    {by(VK_DRIVER_ID_SAMSUNG_PROPRIETARY), Quirk::noLocalRead, {"Xclipse", kAngle}},
+    {{kArm, VK_DRIVER_ID_ARM_PROPRIETARY, "", 0, kAnyNumber, VK_MAKE_VERSION(52, 0, 0)},
+     Quirk::noLocalRead,
+     {"Arm's driver before r52", kAngle}},
+    {{kQualcomm, VK_DRIVER_ID_QUALCOMM_PROPRIETARY, "", 0, kAnyNumber, VK_MAKE_VERSION(512, 801, 0)},
+     Quirk::noLocalRead,
+     {"Qualcomm's driver before 512.801", "ANGLE, vk_renderer.cpp; crbug.com/415738891"}},
+    {{kImagination, VK_DRIVER_ID_IMAGINATION_PROPRIETARY},
+     Quirk::noLocalRead,
+     {"PowerVR", "ANGLE, vk_renderer.cpp; issuetracker.google.com/372273294"}},
+    {{kQualcomm, VK_DRIVER_ID_QUALCOMM_PROPRIETARY, "Adreno", 600, 699, VK_MAKE_VERSION(512, 503, 0)},
+     Quirk::dispatchesApart,
+     {"a dispatch behind dynamic viewport or scissor state of the same command buffer crashes",
+      "github.com/godotengine/godot pull request 91514"}},
 };
 
 /// Whether a device's name has a row's words in it, and behind them a number in its range ("Mali-G610 MC4" of "Mali-G",
 /// "Adreno (TM) 540" of "Adreno"). A row of all numbers wants none.
-bool named(const KnownDriver& row, std::string_view device) {
-    if (row.name.empty()) return true;
-    const std::size_t at = device.find(row.name);
+bool hasName(const DriverPattern& of, std::string_view device) {
+    if (of.name.empty()) return true;
+    const std::size_t at = device.find(of.name);
     if (at == std::string_view::npos) return false;
-    if (row.least == 0 && row.most == kAnyNumber) return true;
-    const std::string_view rest = device.substr(at + row.name.size());
+    if (of.least == 0 && of.most == kAnyNumber) return true;
+    const std::string_view rest = device.substr(at + of.name.size());
     const std::size_t digit = rest.find_first_of("0123456789");
     if (digit == std::string_view::npos) return false;
     std::uint32_t number = 0;
     std::from_chars(rest.data() + digit, rest.data() + rest.size(), number);
-    return number >= row.least && number <= row.most;
+    return number >= of.least && number <= of.most;
+}
+
+/// A driver that does not tell its name is its vendor's own.
+bool fits(const DriverPattern& of, const DriverIdentity& identity) {
+    const bool own = identity.driver == VkDriverId{} && of.vendor != 0;
+    return (of.vendor == 0 || of.vendor == identity.vendor) &&
+           (of.driver == VkDriverId{} || of.driver == identity.driver || own) &&
+           (of.before == 0 || identity.version < of.before) &&
+           (of.beforeVulkan == 0 || identity.vulkan < of.beforeVulkan) && hasName(of, identity.device);
 }
 
 }  // namespace
 
 std::span<const KnownDriver> knownDrivers() { return kRows; }
+std::span<const KnownQuirk> knownQuirks() { return kQuirks; }
+
+bool has(Quirk quirk, const DriverIdentity& identity) {
+    return std::ranges::any_of(kQuirks,
+                               [&](const KnownQuirk& row) { return row.quirk == quirk && fits(row.of, identity); });
+}
 
 DeviceClass classOf(const DriverIdentity& identity) {
     // A layer or a processor is what it is, whosever name it bears.
     if (identity.portable) return {&capabilitySet("apple-moltenvk"), DeviceKind::layered, nullptr};
-    const auto fits = [&](const KnownDriver& row) {
-        return (row.vendor == 0 || row.vendor == identity.vendor) &&
-               (row.driver == kAnyDriver || row.driver == identity.driver) && named(row, identity.device);
-    };
-    const auto row = std::find_if(std::begin(kRows), std::end(kRows), fits);
+    const auto row = std::ranges::find_if(kRows, [&](const KnownDriver& r) { return fits(r.of, identity); });
     if (!identity.software && row != std::end(kRows)) {
         const CapabilitySet& set = capabilitySet(row->set);
         return {&set, set.kind, row};

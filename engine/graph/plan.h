@@ -26,6 +26,7 @@ struct PlanCaps {
     bool transient = true;                  ///< attachments that never leave the tile need no memory
     bool rasterOrder = false;               ///< VK_EXT_rasterization_order_attachment_access
     bool tiles = false;                     ///< compute can draw by tiles: subgroups hand values round
+    bool blendsByShader = false;            ///< MIN is a shader behind the fragment's own
     bool loadsUniforms = false;             ///< each invocation loads uniforms for itself
     bool conservativeDepth = true;          ///< depth_greater lets the test reject before the fragment shader
     bool storeAll = false;                  ///< every attachment is stored, to look at it in a capture

@@ -8,9 +8,12 @@ VisibilityChoice chooseVisibility(DeviceKind kind, const PlanCaps& caps) {
             if (!caps.tileSubpasses)
                 return {Visibility::fragdepth,
                         "subpasses do not stay on the tile here: one subpass, and no encoded depth in memory"};
+            if (caps.rasterOrder && caps.blendsByShader)
+                return {Visibility::rasterOrder,
+                        "tile-based GPU whose MIN is a shader: one pass over the impostors, in raster order"};
             return {Visibility::encoded, "tile-based GPU: depth stays fixed-function, encoded depth on the tile"};
         case DeviceKind::layered:
-            return {Visibility::fragdepth, "MoltenVK leaves the tile between subpasses"};
+            return {Visibility::fragdepth, "Vulkan over Metal leaves the tile between subpasses"};
         case DeviceKind::software:
             if (caps.tiles)
                 return {Visibility::tiles,

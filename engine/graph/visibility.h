@@ -9,7 +9,7 @@ namespace nacre::graph {
 /// What decides how a GPU wants to be fed.
 enum class DeviceKind : std::uint8_t {
     tiler,      ///< draws tile by tile in memory of its own
-    layered,    ///< Vulkan on another interface (VK_KHR_portability_subset): MoltenVK
+    layered,    ///< Vulkan on another interface: MoltenVK, KosmicKrisp
     immediate,  ///< no tile memory
     software,   ///< a CPU draws: triangles cost more than fragments
 };

@@ -53,7 +53,7 @@ void SceneOcclusion::submit(Baking& baking, const OcclusionPace& pace) {
     if (!submission_) submission_ = std::make_unique<gpu::Submission>(device_, "occlusion");
     baking.submittedAt = Clock::now();
     const double share = this->share();
-    submission_->submit([&](const vk::raii::CommandBuffer& commands) {
+    submission_->submit([&](gpu::CommandBuffer& commands) {
         const auto record = [&](const graph::Graph& g, const gpu::Imports& imports, gpu::Timer* timer) {
             const graph::Plan plan = graph::compile(g, device_.caps().plan);
             executor_.record(commands, g, plan, imports, submission_->descriptors(), timer);

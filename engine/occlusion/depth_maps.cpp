@@ -73,7 +73,7 @@ double wantedResolution(const Representation& r) {
 DepthMapSizes::DepthMapSizes(const gpu::Caps& caps, const Representation& representation, OcclusionMaps path,
                              std::uint64_t budgetBytes, std::uint32_t detail) {
     const bool tiles = path == OcclusionMaps::tiles;
-    const std::uint32_t each = bytesPerPixel(path, caps.encoded);
+    const std::uint32_t each = bytesPerPixel(path, caps.encodedMaps);
     const auto bytesOf = [&](std::uint32_t batch) {
         return tiles ? 2 * TileMaps::bytesFor(pixels, mapsAcross(batch))
                      : std::uint64_t{each} * pixels * pixels * batch;
@@ -195,7 +195,7 @@ void DepthMaps::declareDrawn(graph::Graph& g, const Images& images, std::span<co
                              std::uint32_t across, std::uint32_t model, MapPart part) const {
     const auto& [depth, maps] = images;
     std::optional<graph::Clear> clear, clearMaps;
-    const graph::EncodedFormat& encoded = device_.caps().encoded;
+    const graph::EncodedFormat& encoded = device_.caps().encodedMaps;
     if (part.first == 0) clear = graph::Clear{1.0f}, clearMaps = graph::Clear{encoded.farthest};
     g.graphics("opaque prepass")
         .depth(depth, clear)
@@ -214,12 +214,12 @@ DepthMaps::Images DepthMaps::addImages(graph::Graph& g, std::uint32_t across) co
     const graph::Extent extent{pixels() * across, pixels() * across};
     const auto depth = g.image("depth maps' hardware depth", {VK_FORMAT_D32_SFLOAT, extent});
     if (!encoded()) return {depth, {}};
-    return {depth, g.image("depth maps", {device_.caps().encoded.format, extent})};
+    return {depth, g.image("depth maps", {device_.caps().encodedMaps.format, extent})};
 }
 
 DepthMaps::Images DepthMaps::addPartImages(graph::Graph& g, bool begins) const {
     const graph::Extent extent{pixels(), pixels()};
-    const VkFormat format = encoded() ? device_.caps().encoded.format : VK_FORMAT_D32_SFLOAT;
+    const VkFormat format = encoded() ? device_.caps().encodedMaps.format : VK_FORMAT_D32_SFLOAT;
     const graph::Image map = g.importImage("depth map in parts", {format, extent}, kPartState, begins);
     if (!encoded()) return {map, {}};
     const graph::State depth = graph::stateOf(graph::Verb::depth, graph::PassKind::graphics);
@@ -269,7 +269,7 @@ void DepthMaps::makePartImages() {
         partMap_ = gpu::makeImage(device_, {VK_FORMAT_D32_SFLOAT, extent}, depth, false, "depth map in parts");
         return;
     }
-    partMap_ = gpu::makeImage(device_, {device_.caps().encoded.format, extent},
+    partMap_ = gpu::makeImage(device_, {device_.caps().encodedMaps.format, extent},
                               Usage::eColorAttachment | Usage::eSampled, false, "depth map in parts");
     partDepth_ = gpu::makeImage(device_, {VK_FORMAT_D32_SFLOAT, extent}, depth, false, "its hardware depth");
 }

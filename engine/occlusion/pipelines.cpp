@@ -73,7 +73,7 @@ gpu::ComputePipeline accumulationPipeline(gpu::PipelineContext& context, const A
         d.name = "occlusion accumulation, vertices";
         d.code = NACRE_ACCUMULATION_OR_NARROW(Vertex);
     }
-    const graph::EncodedFormat& encoded = context.device.caps().encoded;
+    const graph::EncodedFormat& encoded = context.device.caps().encodedMaps;
     d.constants.set(layout::kBatchId, accumulation.batch);
     d.constants.set(layout::kDepthChannelsId, accumulation.encoded ? encoded.channels : 1);
     d.constants.set(layout::kDepthStepsId, accumulation.encoded ? encoded.steps : 0);

@@ -16,7 +16,9 @@ constexpr std::uint32_t kLeastOfMoved = 102;
 /// The path of the depth maps, if the device is to choose. @param tiles  these can be had
 OcclusionMaps automaticMaps(const gpu::Caps& caps, bool tiles) {
     if (caps.software && tiles) return OcclusionMaps::tiles;
-    return caps.visibility == Visibility::encoded ? OcclusionMaps::encoded : OcclusionMaps::fragdepth;
+    // Where MIN is a blend shader, depth costs less by the depth buffer.
+    return caps.visibility == Visibility::encoded && !caps.encoded.ordered ? OcclusionMaps::encoded
+                                                                           : OcclusionMaps::fragdepth;
 }
 
 const char* nameOf(OcclusionMaps maps) {
@@ -43,9 +45,9 @@ std::uint64_t countUnseen(const std::vector<bool>& seen) {
 /// What decides a texel beside the scene's shapes.
 std::string howBaked(const gpu::Caps& caps, const BakeOptions& options) {
     return std::to_string(options.directions) + " directions, " + std::to_string(options.budgetBytes) + " bytes, " +
-           std::to_string(options.detail) + " texels, " + nameOf(options.path) + ", " + std::string(caps.encoded.name) +
-           ", " + caps.deviceName + ", " + caps.driverName + ", " + std::to_string(caps.driverVersion) + ", " +
-           std::to_string(caps.maxImageSize);
+           std::to_string(options.detail) + " texels, " + nameOf(options.path) + ", " +
+           std::string(caps.encodedMaps.name) + ", " + caps.deviceName + ", " + caps.driverName + ", " +
+           std::to_string(caps.driverVersion) + ", " + std::to_string(caps.maxImageSize);
 }
 
 }  // namespace
@@ -247,9 +249,8 @@ void SceneOcclusion::runSlice(Bake& bake, const Allowance& allowance) {
     // a stamp, and what they are told to do they do as it comes.
     const bool timed = !device_.caps().software;
     if (timed && !timer_) timer_ = std::make_unique<gpu::Timer>(device_);
-    device_.submitAndWait([&](const vk::raii::CommandBuffer& c) {
-        executor_.record(c, g, plan, imports, timed ? timer_.get() : nullptr);
-    });
+    device_.submitAndWait(
+        [&](gpu::CommandBuffer& c) { executor_.record(c, g, plan, imports, timed ? timer_.get() : nullptr); });
     executor_.reset();
     const double took = millisecondsSince(start);
     learn(units, timed ? timer_->milliseconds().value_or(took) : took);

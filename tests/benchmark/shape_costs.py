@@ -4,7 +4,7 @@
 usage: NACRE_DATA=FOLDER tests/benchmark/shape_costs.py BENCHMARK
 
 BENCHMARK is shape_benchmark, built by the preset `benchmark`. Instructions as docs/tilers.json has them of each stage, times the vertices of 4HHB's spheres and the fragments that a
-software device counts by each shape. GPUs that bin vertices run them twice; to those that store varyings a byte,
+software device counts by each shape; then what each path costs Mali by Arm's driver. GPUs that bin vertices run them twice; to those that store varyings a byte,
 written and read, counts as twenty instructions (at 100 pJ a byte and 10 an instruction).
 """
 
@@ -31,11 +31,39 @@ def cost(pipelines, shape, spheres, stores):
         corners = spheres * CORNERS[shape["plates" if one["name"] == "opaque prepass" else "impostor"]]
         vertex, fragment = (pipelines[f"{one['name']}, spheres, {s}"]["instructions"] for s in ("vertex", "fragment"))
         total += corners * vertex + one["shaded_fragments"] * fragment
+        blending = pipelines.get(f"{one['name']}, blending, fragment", {"instructions": 0})["instructions"]
+        total += one["shaded_fragments"] * blending
         if stores:
             total += 20 * BYTES[one["name"]] * corners
         else:  # positions alone, as those of the encoding
             total += corners * min(vertex, pipelines["depth encoding, spheres, vertex"]["instructions"])
     return total / 1e6
+
+
+# Path of the table, and its passes: by early tests against plates, or late and without them.
+ARM_PATHS = {"encoded, RGBA16F": ("encoded, RGBA16F", ("opaque prepass", "depth encoding", "impostor colour"), True),
+             "encoded": ("encoded", ("opaque prepass", "depth encoding", "impostor colour"), True),
+             "raster-order": ("raster-order", ("opaque prepass", "impostor colour"), True),
+             "fragdepth, early": ("fragdepth", ("opaque prepass", "impostor colour"), True),
+             "fragdepth, late": ("fragdepth", ("impostor colour",), False)}
+
+
+def path_costs(kept, benches):
+    print("\n| device | radius, pixels |" + "".join(f" {p} |" for p in ARM_PATHS))
+    print("|---" * (2 + len(ARM_PATHS)) + "|")
+    for device in ("Mali-G52, Arm's driver", "Mali-G610, Arm's driver"):
+        for size, bench in benches:
+            radius = size * 0.95 / 2 / SCENE_RADIUS * MEAN_RADIUS
+            # As GPUs that store varyings are drawn.
+            plates, impostor = "square" if radius < 9 else "octagon", "square"
+            line = f"| {device} | {radius:.1f} |"
+            for path, passes, early in ARM_PATHS.values():
+                pipelines = kept[device]["paths"][path]["pipelines"]
+                shape = next(s for s in bench["shapes"]
+                             if (s["plates"], s["impostor"]) == (plates if early else "off", impostor))
+                drawn = {**shape, "plates": plates, "passes": [p for p in shape["passes"] if p["name"] in passes]}
+                line += f" {cost(pipelines, drawn, bench['atoms'], True):.1f} |"
+            print(line)
 
 
 def main():
@@ -51,6 +79,7 @@ def main():
             pipelines = kept[device]["paths"]["encoded"]["pipelines"]
             costs = [cost(pipelines, shapes[s], bench["atoms"], stores) for s in SHAPES]
             print(f"| {device} | {radius:.1f} |" + "".join(f" {c:.1f} |" for c in costs))
+    path_costs(kept, list(zip(SIZES, benches)))
 
 
 if __name__ == "__main__":

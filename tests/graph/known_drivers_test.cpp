@@ -24,6 +24,7 @@ struct Told {
     const char* device;
     const char* set;
     Visibility visibility;
+    std::uint32_t vulkan = VK_API_VERSION_1_1;
 };
 
 // As the drivers name their devices.
@@ -40,22 +41,33 @@ constexpr Told kTold[] = {
     {kQualcommId, VK_DRIVER_ID_QUALCOMM_PROPRIETARY, "Adreno (TM) 750", "adreno", Visibility::encoded},
     {kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Mali-T880", "mali-old", Visibility::encoded},
     {kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Mali-G71", "mali-old", Visibility::encoded},
-    {kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Mali-G710", "mali", Visibility::encoded},
-    {kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Mali-G72", "mali", Visibility::encoded},
-    {kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Immortalis-G715", "mali", Visibility::encoded},
-    {0x1010, VK_DRIVER_ID_IMAGINATION_PROPRIETARY, "PowerVR Rogue GE8320", "powervr", Visibility::encoded},
+    {kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Mali-G710", "mali", Visibility::rasterOrder},
+    {kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Mali-G72", "mali", Visibility::rasterOrder},
+    {kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Immortalis-G715", "mali", Visibility::rasterOrder},
+    {0x1010, VK_DRIVER_ID_IMAGINATION_PROPRIETARY, "PowerVR B-Series BXM-8-256", "powervr", Visibility::encoded},
+    {0x1010, VK_DRIVER_ID_IMAGINATION_PROPRIETARY, "PowerVR CXTP-48-1536", "powervr", Visibility::encoded},
+    {0x1010, VK_DRIVER_ID_IMAGINATION_PROPRIETARY, "PowerVR D-Series DXT-48-1536", "powervr", Visibility::encoded},
+    {0x1010, VK_DRIVER_ID_IMAGINATION_PROPRIETARY, "PowerVR Rogue GE8320", "no-subpass", Visibility::fragdepth},
+    {0x19E5, VkDriverId{}, "Maleoon 910", "no-subpass", Visibility::fragdepth},
+    {0x144D, VK_DRIVER_ID_SAMSUNG_PROPRIETARY, "Samsung Xclipse 920", "no-subpass", Visibility::fragdepth},
 };
 
 TEST(KnownDrivers, TellTilersByVendorDriverAndDevice) {
     std::set<const KnownDriver*> met;
     for (const Told& told : kTold) {
         SCOPED_TRACE(told.device);
-        const DeviceClass found = classOf(identity(told.vendor, told.driver, told.device));
+        DriverIdentity of = identity(told.vendor, told.driver, told.device);
+        of.vulkan = told.vulkan;
+        const DeviceClass found = classOf(of);
         EXPECT_EQ(found.set->plan.name, told.set);
         EXPECT_EQ(found.kind, DeviceKind::tiler);  // without lazily allocated memory
         EXPECT_EQ(chooseVisibility(found.kind, found.set->plan).visibility, told.visibility);
         met.insert(found.row);
     }
+    DriverIdentity metal = identity(0x106B, static_cast<VkDriverId>(28), "Apple M2");  // KosmicKrisp
+    EXPECT_EQ(classOf(metal).kind, DeviceKind::layered);
+    EXPECT_EQ(chooseVisibility(classOf(metal).kind, classOf(metal).set->plan).visibility, Visibility::fragdepth);
+    met.insert(classOf(metal).row);
     // Each row has a device here, and a source.
     EXPECT_EQ(met.size(), knownDrivers().size());
     for (const KnownDriver& row : knownDrivers()) {
@@ -71,6 +83,39 @@ TEST(KnownDrivers, WhatNobodyKnowsGoesByItsMemory) {
     of.lazyMemory = true;
     EXPECT_EQ(classOf(of).kind, DeviceKind::tiler);
     EXPECT_EQ(classOf(of).set->plan.name, "desktop");
+}
+
+TEST(KnownDrivers, AVersionIsPartOfAnIdentity) {
+    DriverIdentity xclipse = identity(0x144D, VK_DRIVER_ID_SAMSUNG_PROPRIETARY, "Samsung Xclipse 940");
+    xclipse.vulkan = VK_API_VERSION_1_3;
+    EXPECT_EQ(classOf(xclipse).row, nullptr);
+
+    const auto told = [](Quirk quirk, std::uint32_t vendor, VkDriverId driver, const char* device, std::uint32_t major,
+                         std::uint32_t minor) {
+        DriverIdentity of = identity(vendor, driver, device);
+        of.version = VK_MAKE_VERSION(major, minor, 0);
+        return has(quirk, of);
+    };
+    constexpr auto kOwn = VK_DRIVER_ID_QUALCOMM_PROPRIETARY, kTurnip = VK_DRIVER_ID_MESA_TURNIP;
+    constexpr auto kApart = Quirk::dispatchesApart, kNoLocalRead = Quirk::noLocalRead;
+    EXPECT_TRUE(told(kApart, kQualcommId, kOwn, "Adreno (TM) 660", 512, 502));
+    EXPECT_TRUE(told(kApart, kQualcommId, VkDriverId{}, "Adreno (TM) 618", 64, 17));
+    EXPECT_FALSE(told(kApart, kQualcommId, kOwn, "Adreno (TM) 660", 512, 503));
+    EXPECT_FALSE(told(kApart, kQualcommId, kOwn, "Adreno (TM) 730", 512, 502));
+    EXPECT_FALSE(told(kApart, kQualcommId, kTurnip, "Turnip Adreno (TM) 660", 25, 0));
+    EXPECT_TRUE(told(kNoLocalRead, kQualcommId, kOwn, "Adreno (TM) 740", 512, 800));
+    EXPECT_FALSE(told(kNoLocalRead, kQualcommId, kOwn, "Adreno (TM) 740", 512, 801));
+    EXPECT_TRUE(told(kNoLocalRead, kQualcommId, kTurnip, "Turnip Adreno (TM) 740", 25, 0));
+    EXPECT_TRUE(told(kNoLocalRead, kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Mali-G710", 51, 0));
+    EXPECT_FALSE(told(kNoLocalRead, kArmId, VK_DRIVER_ID_ARM_PROPRIETARY, "Mali-G710", 52, 0));
+    EXPECT_TRUE(told(kNoLocalRead, 0x1010, VK_DRIVER_ID_IMAGINATION_PROPRIETARY, "PowerVR DXT", 25, 1));
+    EXPECT_TRUE(told(kNoLocalRead, 0x144D, VK_DRIVER_ID_SAMSUNG_PROPRIETARY, "Samsung Xclipse 940", 25, 1));
+    EXPECT_TRUE(told(kNoLocalRead, 0x106B, VK_DRIVER_ID_MOLTENVK, "Apple M2", 0, 2));
+    EXPECT_TRUE(told(kNoLocalRead, 0x106B, static_cast<VkDriverId>(28), "Apple M2", 26, 0));
+    EXPECT_TRUE(told(kNoLocalRead, 0x1AE0, VK_DRIVER_ID_GOOGLE_SWIFTSHADER, "SwiftShader Device", 5, 0));
+    EXPECT_FALSE(told(kNoLocalRead, 0x10DE, VK_DRIVER_ID_NVIDIA_PROPRIETARY, "NVIDIA H200", 550, 0));
+    EXPECT_FALSE(told(kNoLocalRead, 0x10005, VK_DRIVER_ID_MESA_LLVMPIPE, "llvmpipe", 25, 0));
+    for (const KnownQuirk& row : knownQuirks()) EXPECT_GT(std::string(row.fact.source).size(), 10u) << row.fact.what;
 }
 
 TEST(KnownDrivers, SoftwareAndLayersAreWhatTheyAre) {

@@ -344,7 +344,7 @@ TEST(VisibilityChoice, OfASoftwareDeviceIsTilesWhereComputeCanDrawThem) {
 }
 
 TEST(CapabilitySets, AllHaveFactsWithSources) {
-    EXPECT_EQ(capabilitySets().size(), 10u);
+    EXPECT_EQ(capabilitySets().size(), 11u);
     for (const CapabilitySet& set : capabilitySets()) {
         EXPECT_FALSE(set.facts.empty()) << set.plan.name;
         for (const Fact& fact : set.facts) EXPECT_GT(std::string(fact.source).size(), 10u) << fact.what;

@@ -94,6 +94,29 @@ TEST(ScreenPlan, MaliEncodedIsOneRenderPassOfThreeSubpasses) {
               "memory: loaded 0 B, stored 20000 B\n");
 }
 
+TEST(ScreenPlan, MaliEncodesDepthInRasterOrderAndReadsItOnTheTile) {
+    ScreenOptions options;
+    options.extent = kScreen;
+    options.encoded = capabilitySet("mali").encoded;
+    options.targets = kScreenTargets;
+    ScreenFrame frame = screenFrame(options);
+    frame.graph.output(frame.targets[0]);
+    const Plan plan = compile(frame.graph, capabilitySet("mali").plan);
+    EXPECT_EQ(describe(frame.graph, plan),
+              "render pass 100x50\n"
+              "  depth  D32F  clear  -  transient\n"
+              "  encoded depth  R32F  clear  -  transient\n"
+              "  colour  RGBA8 sRGB  clear  store\n"
+              "  subpass 0 opaque prepass: depth write\n"
+              "  subpass 1 depth encoding: depth test, encoded depth ordered\n"
+              "  subpass 2 impostor colour: depth test, encoded depth input, colour write, occlusion atlas sample\n"
+              "  dependency 0 -> 1 by region\n"
+              "  dependency 0 -> 2 by region\n"
+              "  dependency 1 -> 2 by region\n"
+              "  tile 8 B/px + depth\n"
+              "memory: loaded 0 B, stored 20000 B\n");
+}
+
 TEST(ScreenPlan, MaliUnmergedIsThreeRenderPassesAndSixteenBytesEachWay) {
     PlanCaps caps = capabilitySet("mali").plan;
     caps.merge = false;

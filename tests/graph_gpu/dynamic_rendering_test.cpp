@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/devices.h"
+#include "engine/gpu/execute.h"
 #include "tests/renderer/scenes.h"
 #include "tests/support/newer_lavapipe.h"
 
@@ -51,6 +52,27 @@ TEST(NewerDriver, DrawsTheSameBitsByDynamicRenderingOnEveryPath) {
         EXPECT_TRUE(now == before) << visibilityName(path);
         EXPECT_TRUE(std::any_of(now.id.begin(), now.id.end(), [](std::uint32_t id) { return id > 0; }));
     }
+}
+
+// What reads nothing on the tile is a VkRenderPass there, too: some encoders begin anew where inputs change.
+TEST(NewerDriver, RendersDynamicallyOnlyWhereAPassReadsAnother) {
+    if (!NewerLavapipe::there()) GTEST_SKIP() << NewerLavapipe::kAbsent;
+    const NewerLavapipe newer;
+    const gpu::Device device{DeviceOptions()};
+    ASSERT_TRUE(device.caps().localRead);
+    const auto takes = [&](bool reads) {
+        graph::Graph g("frame");
+        const auto first = g.image("first", {VK_FORMAT_R8G8B8A8_UNORM, {8, 8}});
+        const auto second = g.image("second", {VK_FORMAT_R8G8B8A8_UNORM, {8, 8}});
+        g.graphics("first").color(first, graph::Clear{0.0f});
+        if (reads) g.graphics("second").input(first).color(second, graph::Clear{0.0f});
+        g.output(reads ? second : first);
+        const graph::Plan plan = graph::compile(g, device.caps().plan);
+        EXPECT_EQ(plan.steps.size(), 1u);
+        return gpu::DynamicRendering::takes(device, plan.steps[0].renderPass);
+    };
+    EXPECT_FALSE(takes(false));
+    EXPECT_TRUE(takes(true));
 }
 
 // A driver that lacks it is drawn with as ever.

@@ -69,7 +69,7 @@ public:
         imports.bind(depth, noDepth_);
         gpu::Executor executor(device);
         plan = compile(g, device.caps().plan);
-        device.submitAndWait([&](const vk::raii::CommandBuffer& c) { executor.record(c, g, plan, imports); });
+        device.submitAndWait([&](gpu::CommandBuffer& c) { executor.record(c, g, plan, imports); });
     }
 
     /// All outputs and buffers after one execution.

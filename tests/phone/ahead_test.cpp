@@ -88,19 +88,21 @@ public:
     }
     ~Shapes() { unsetenv("NACRE_PHONE_DRAWS"); }
 
-    /// Corners of each draw of the next frame.
-    std::string at(double zoom) {
+    /// Corners of each draw of the next frame, and its timestamps.
+    std::string at(double zoom, const WindowFrame& frame = {}) {
         const PixelSize size = renderer_.windowSize();
         Camera camera;
         camera.zoom = zoom;
         settings_.view = viewOf(camera, scene_.radius, size.width, size.height);
         std::ofstream(file_, std::ios::trunc).close();
-        EXPECT_EQ(renderer_.present(settings_, {}), FrameOutcome::shown);
+        EXPECT_EQ(renderer_.present(settings_, frame), FrameOutcome::shown);
         std::ostringstream draws;
         draws << std::ifstream(file_).rdbuf();
         EXPECT_FALSE(draws.str().empty());
         return draws.str();
     }
+
+    double windowMilliseconds() const { return renderer_.stats().windowMilliseconds; }
 
     /// The zoom at which frames that come from one zoom no longer draw what they draw there, on the way to another.
     double changes(double from, double to) {
@@ -122,6 +124,27 @@ private:
     const Representation scene_;
     RenderSettings settings_;
 };
+
+// A timestamp is an encoder of its own over Metal: frames that nobody measures have none.
+TEST(PipelinesAhead, OnlyLiveFramesAreTimed) {
+    Shapes shapes;
+    const auto stampsOf = [&](const WindowFrame& frame) {
+        std::istringstream lines(shapes.at(1, frame));
+        int count = 0;
+        for (std::string line; std::getline(lines, line);) count += line == "stamp";
+        return count;
+    };
+    EXPECT_EQ(stampsOf({}), 2);
+    WindowFrame still;
+    still.quality = WindowFrame::Quality::refined;
+    still.samples = 4;
+    EXPECT_EQ(stampsOf(still), 0);
+    still.quality = WindowFrame::Quality::kept;
+    EXPECT_EQ(stampsOf(still), 0);
+    EXPECT_EQ(stampsOf({}), 2);
+    stampsOf({});
+    EXPECT_GT(shapes.windowMilliseconds(), 0);
+}
 
 TEST(PipelinesAhead, ShapesStayWhileAZoomGoesToAndFro) {
     Shapes shapes;

@@ -3,7 +3,19 @@
 
 #include <vulkan/vulkan.h>
 
+#include <cstdlib>
+#include <string_view>
+
 namespace nacre::phone {
+
+/// Which phone it is: NACRE_PHONE.
+inline bool isPhone(std::string_view name) {
+    const char* phone = std::getenv("NACRE_PHONE");
+    return phone && name == phone;
+}
+inline bool molten() { return isPhone("moltenvk"); }
+inline bool adreno() { return isPhone("adreno"); }
+inline bool mali() { return isPhone("mali"); }
 
 // What lies below. Looked up in time: later the loader would give this layer's own.
 #define NACRE_BELOW(X)                        \
@@ -20,6 +32,15 @@ namespace nacre::phone {
     X(GetPhysicalDeviceMemoryProperties2)
 #define NACRE_DEVICE_BELOW(X)       \
     X(AllocateMemory)               \
+    X(BeginCommandBuffer)           \
+    X(CmdBeginRenderPass2KHR)       \
+    X(CmdNextSubpass2KHR)           \
+    X(CmdBeginRenderingKHR)         \
+    X(CmdSetViewport)               \
+    X(CmdSetScissor)                \
+    X(CreateFramebuffer)            \
+    X(CreateImage)                  \
+    X(CreateImageView)              \
     X(CreateRenderPass2KHR)         \
     X(GetDeviceMemoryCommitment)    \
     X(QueueSubmit)                  \
@@ -43,6 +64,7 @@ namespace nacre::phone {
 #define NACRE_DECLARE(name) inline PFN_vk##name next##name = nullptr;
 NACRE_BELOW(NACRE_DECLARE)
 NACRE_DEVICE_BELOW(NACRE_DECLARE)
+inline PFN_vkCmdClearAttachments nextCmdClearAttachments = nullptr;
 #undef NACRE_DECLARE
 
 }  // namespace nacre::phone

@@ -14,6 +14,7 @@
 #include <map>
 #include <utility>
 
+#include "tests/phone_layer/adreno.h"
 #include "tests/phone_layer/below.h"
 
 namespace nacre::phone {
@@ -41,12 +42,16 @@ inline void tellWork() {
 
 inline VKAPI_ATTR void VKAPI_CALL CmdDispatch(VkCommandBuffer commands, std::uint32_t x, std::uint32_t y,
                                               std::uint32_t z) {
+    crashBehindDraws(commands);
     work(64.0 * x * y * z);
+    const char* wrong = std::getenv("NACRE_PHONE_WRONG");
+    if (wrong && std::string_view(wrong) == "dispatch") return;
     nextCmdDispatch(commands, x, y, z);
 }
 
 inline VKAPI_ATTR void VKAPI_CALL CmdWriteTimestamp(VkCommandBuffer commands, VkPipelineStageFlagBits stage,
                                                     VkQueryPool pool, std::uint32_t query) {
+    if (const char* file = std::getenv("NACRE_PHONE_DRAWS")) std::ofstream(file, std::ios::app) << "stamp\n";
     if (clockGoesByWork()) workClock.stamps[{pool, query}] = static_cast<std::uint64_t>(workClock.nanoseconds);
     nextCmdWriteTimestamp(commands, stage, pool, query);
 }

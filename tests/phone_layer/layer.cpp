@@ -2,12 +2,13 @@
 // and the memory types of tile-based GPUs: one that the host sees coherently and does not cache, one that it caches and
 // must invalidate, one that is lazily allocated. What the host may not see yet, it does not see here. Under the
 // validation layer a program that asks for more is told. The environment variable NACRE_PHONE names the phone:
-// "android" (of Arm's make) or "moltenvk"; NACRE_PHONE_DRIVER its driver's UUID, NACRE_PHONE_WRONG a fault of that,
-// NACRE_PHONE_TILE the tile of the former (feedback.h); NACRE_PHONE_SHADERS may name a folder that takes every shader
-// which the program hands over, as 1.spv, 2.spv, ...; NACRE_PHONE_FRAMES a file that is told of frames (frames.h),
-// NACRE_PHONE_PIPELINES one that gets the thread which made a graphics pipeline, a line each, NACRE_PHONE_DRAWS one
-// that gets the corners of each draw, NACRE_PHONE_WORK one that gets what each submission takes of its device
-// (clock.h).
+// "android" (of Arm's make), "mali" (the same, in raster order), "adreno" (adreno.h) or "moltenvk" (1.4, restarts.h);
+// NACRE_PHONE_DRIVER its driver's UUID, NACRE_PHONE_WRONG a fault of that, NACRE_PHONE_TILE the tile of the former
+// (feedback.h); NACRE_PHONE_SHADERS may name a folder that takes every shader which the program hands over,
+// as 1.spv, 2.spv, ...; NACRE_PHONE_FRAMES a file that is told of frames (frames.h), NACRE_PHONE_PIPELINES one that
+// gets the thread which made a graphics pipeline, a line each, NACRE_PHONE_DRAWS one that gets the corners of each
+// draw, and each timestamp; NACRE_PHONE_NO_CLOCK takes the queue's clock away; NACRE_PHONE_WORK one that gets what each
+// submission takes of its device (clock.h).
 
 #define VK_ENABLE_BETA_EXTENSIONS
 #include <vulkan/vk_layer.h>
@@ -30,6 +31,7 @@
 #include "tests/phone_layer/floor.h"
 #include "tests/phone_layer/frames.h"
 #include "tests/phone_layer/memory.h"
+#include "tests/phone_layer/restarts.h"
 #include "tests/support/layer_link.h"
 
 namespace nacre::phone {
@@ -38,16 +40,13 @@ namespace {
 constexpr const char* kPortability = VK_KHR_PORTABILITY_SUBSET_EXTENSION_NAME;
 constexpr const char* kMergeFeedback = VK_EXT_SUBPASS_MERGE_FEEDBACK_EXTENSION_NAME;
 constexpr const char* kFrameBoundary = VK_EXT_FRAME_BOUNDARY_EXTENSION_NAME;
+constexpr const char* kLocalRead = VK_KHR_DYNAMIC_RENDERING_LOCAL_READ_EXTENSION_NAME;
+constexpr const char* kStoreNone = VK_EXT_LOAD_STORE_OP_NONE_EXTENSION_NAME;
 
 VkInstance instance = VK_NULL_HANDLE;
 VkDevice device = VK_NULL_HANDLE;
 PFN_vkGetInstanceProcAddr nextInstanceCall = nullptr;
 PFN_vkGetDeviceProcAddr nextDeviceCall = nullptr;
-
-bool molten() {
-    const char* phone = std::getenv("NACRE_PHONE");
-    return phone && std::string_view(phone) == "moltenvk";
-}
 
 /// Where somebody listens: the validation layer here is older than the extension.
 bool marksFrames() { return !molten() && std::getenv("NACRE_PHONE_FRAMES"); }
@@ -76,8 +75,10 @@ VKAPI_ATTR void VKAPI_CALL DestroyInstance(VkInstance of, const VkAllocationCall
 VkPhysicalDeviceProperties seen(VkPhysicalDeviceProperties p) {
     p.apiVersion = VK_MAKE_API_VERSION(0, 1, 1, 106);
     p.deviceType = VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU;
-    p.vendorID = molten() ? 0x106b : 0x13b5;
-    std::strncpy(p.deviceName, molten() ? "the least iPhone" : "the least phone", sizeof(p.deviceName) - 1);
+    p.vendorID = molten() ? 0x106b : adreno() ? 0x5143 : 0x13b5;
+    const char* name = molten() ? "the least iPhone" : adreno() ? "Adreno (TM) 660" : "the least phone";
+    std::strncpy(p.deviceName, name, sizeof(p.deviceName) - 1);
+    if (adreno()) p.driverVersion = VK_MAKE_VERSION(512, 502, 0);
     applyFloor(p.limits);
     return p;
 }
@@ -101,6 +102,9 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceProperties2(VkPhysicalDevice of, VkP
                 4;
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ID_PROPERTIES)
             tellDriver(*reinterpret_cast<VkPhysicalDeviceIDProperties*>(s));
+        else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES && (molten() || adreno()))
+            reinterpret_cast<VkPhysicalDeviceDriverProperties*>(s)->driverID =
+                molten() ? VK_DRIVER_ID_MOLTENVK : VK_DRIVER_ID_QUALCOMM_PROPRIETARY;
 }
 
 VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceFeatures(VkPhysicalDevice of, VkPhysicalDeviceFeatures* f) {
@@ -127,13 +131,17 @@ VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceFeatures2(VkPhysicalDevice of, VkPhy
             reinterpret_cast<VkPhysicalDeviceSubpassMergeFeedbackFeaturesEXT*>(s)->subpassMergeFeedback = !molten();
         else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAME_BOUNDARY_FEATURES_EXT)
             reinterpret_cast<VkPhysicalDeviceFrameBoundaryFeaturesEXT*>(s)->frameBoundary = marksFrames();
+        else if (s->sType == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_LOCAL_READ_FEATURES_KHR)
+            reinterpret_cast<VkPhysicalDeviceDynamicRenderingLocalReadFeaturesKHR*>(s)->dynamicRenderingLocalRead =
+                molten();
 }
 
-/// The least iPhone's queue has no clock.
+/// A queue may have no clock.
 VKAPI_ATTR void VKAPI_CALL GetPhysicalDeviceQueueFamilyProperties(VkPhysicalDevice of, std::uint32_t* count,
                                                                   VkQueueFamilyProperties* families) {
     nextGetPhysicalDeviceQueueFamilyProperties(of, count, families);
-    for (std::uint32_t i = 0; families && molten() && i < *count; ++i) families[i].timestampValidBits = 0;
+    const bool none = std::getenv("NACRE_PHONE_NO_CLOCK") != nullptr;
+    for (std::uint32_t i = 0; families && none && i < *count; ++i) families[i].timestampValidBits = 0;
 }
 
 VkFormatProperties seen(VkFormat format, VkFormatProperties p) {
@@ -169,12 +177,21 @@ VKAPI_ATTR VkResult VKAPI_CALL EnumerateDeviceExtensionProperties(VkPhysicalDevi
     nextEnumerateDeviceExtensionProperties(of, nullptr, &all, nullptr);
     std::vector<VkExtensionProperties> kept(all);
     nextEnumerateDeviceExtensionProperties(of, nullptr, &all, kept.data());
-    std::erase_if(kept, [](const VkExtensionProperties& e) { return !isFloorExtension(e.extensionName); });
-    for (const char* name : {molten() ? kPortability : kMergeFeedback, kFrameBoundary}) {
-        VkExtensionProperties own{};  // what no software driver has
+    std::erase_if(kept, [](const VkExtensionProperties& e) {
+        const std::string_view name = e.extensionName;
+        const bool ordered = name == VK_EXT_RASTERIZATION_ORDER_ATTACHMENT_ACCESS_EXTENSION_NAME;
+        const bool rendering =
+            name == VK_KHR_DYNAMIC_RENDERING_EXTENSION_NAME || name == VK_KHR_DEPTH_STENCIL_RESOLVE_EXTENSION_NAME;
+        return !isFloorExtension(name) && !(molten() && rendering) && !(mali() && ordered);
+    });
+    std::vector<const char*> added{kMergeFeedback};  // what no software driver has
+    if (molten()) added = {kPortability, kLocalRead, kStoreNone};
+    if (marksFrames()) added.push_back(kFrameBoundary);
+    for (const char* name : added) {
+        VkExtensionProperties own{};
         std::strcpy(own.extensionName, name);
         own.specVersion = 1;
-        if (name != kFrameBoundary || marksFrames()) kept.push_back(own);
+        kept.push_back(own);
     }
     const auto room = list ? *count : 0;
     *count = static_cast<std::uint32_t>(kept.size());
@@ -199,7 +216,7 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateShaderModule(VkDevice of, const VkShaderMod
 
 // --- a driver that is wrong
 
-/// NACRE_PHONE_WRONG=min: it blends by MIN as if that were MAX, and says nothing.
+/// NACRE_PHONE_WRONG=min: it blends by MIN as if that were MAX, and says nothing. =dispatch: it dispatches nothing.
 VKAPI_ATTR VkResult VKAPI_CALL CreateGraphicsPipelines(VkDevice of, VkPipelineCache cache, std::uint32_t count,
                                                        const VkGraphicsPipelineCreateInfo* infos,
                                                        const VkAllocationCallbacks* allocator, VkPipeline* pipelines) {
@@ -229,7 +246,9 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateGraphicsPipelines(VkDevice of, VkPipelineCa
 VKAPI_ATTR VkResult VKAPI_CALL CreateRenderPass2KHR(VkDevice of, const VkRenderPassCreateInfo2* info,
                                                     const VkAllocationCallbacks* allocator, VkRenderPass* pass) {
     tellOfMerges(*info);
-    return nextCreateRenderPass2KHR(of, info, allocator, pass);
+    const VkResult result = nextCreateRenderPass2KHR(of, info, allocator, pass);
+    if (result == VK_SUCCESS) planEncoders(*info, *pass);
+    return result;
 }
 
 // --- draws
@@ -276,13 +295,15 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice of, const VkDeviceC
     std::vector<const char*> extensions(info->ppEnabledExtensionNames,
                                         info->ppEnabledExtensionNames + info->enabledExtensionCount);
     std::erase_if(extensions, [](std::string_view name) {
-        return name == kPortability || name == kMergeFeedback || name == kFrameBoundary;
+        return name == kPortability || name == kMergeFeedback || name == kFrameBoundary || name == kLocalRead ||
+               name == kStoreNone;
     });
     VkDeviceCreateInfo real = *info;
     for (auto* s = reinterpret_cast<VkBaseOutStructure*>(&real); s->pNext;) {
         const VkStructureType type = s->pNext->sType;
         if (type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBPASS_MERGE_FEEDBACK_FEATURES_EXT ||
-            type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAME_BOUNDARY_FEATURES_EXT)
+            type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAME_BOUNDARY_FEATURES_EXT ||
+            type == VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_LOCAL_READ_FEATURES_KHR)
             s->pNext = s->pNext->pNext;
         else
             s = s->pNext;
@@ -295,6 +316,7 @@ VKAPI_ATTR VkResult VKAPI_CALL CreateDevice(VkPhysicalDevice of, const VkDeviceC
     device = *made;
 #define NACRE_FIND_DEVICE(name) next##name = reinterpret_cast<PFN_vk##name>(nextDeviceCall(device, "vk" #name));
     NACRE_DEVICE_BELOW(NACRE_FIND_DEVICE)
+    NACRE_FIND_DEVICE(CmdClearAttachments)
     return result;
 }
 
@@ -302,6 +324,8 @@ PFN_vkVoidFunction deviceCall(std::string_view name) {
 #define NACRE_GIVE(call) \
     if (name == "vk" #call) return reinterpret_cast<PFN_vkVoidFunction>(call);
     NACRE_DEVICE_BELOW(NACRE_GIVE)
+    NACRE_GIVE(CmdSetRenderingAttachmentLocationsKHR)
+    NACRE_GIVE(CmdSetRenderingInputAttachmentIndicesKHR)
     return nullptr;
 }
 

@@ -124,6 +124,31 @@ class Streams(unittest.TestCase):
         self.assertEqual(found, {"colour, spheres, vertex": {"instructions": 60, "loads": 7, "registers": 32, "spills": 0},
                                  "colour, spheres, fragment": {"instructions": 90, "loads": 2, "registers": 64, "spills": 3}})
 
+    def test_a_shader_that_blends_is_told_beside_the_encoding(self):
+        line = COMPILED.splitlines()[4].replace("VARYING", "BLEND")
+        self.assertEqual(tilers_streams.blending_of_mali(COMPILED), {})
+        found = tilers_streams.blending_of_mali(COMPILED + line)
+        self.assertEqual(found, {"depth encoding, blending, fragment": {"instructions": 10}})
+        found = tilers_streams.blending_of_mali(COMPILED + COMPILED.splitlines()[5].replace("FRAGMENT", "BLEND"))
+        self.assertEqual(found, {"depth encoding, blending, fragment": {"instructions": 90}})
+        self.assertEqual(tilers_streams.pipelines_of(tilers_streams.of_mali(COMPILED + line), "spheres"),
+                         tilers_streams.pipelines_of(tilers_streams.of_mali(COMPILED), "spheres"))
+
+    def test_a_page_is_written_anew_around_its_words(self):
+        plan = {"render_passes": 1, "loads": 0, "stores": 4}
+        row = {"driver": "turnip", "visibility": "encoded", "why": "it is a tiler", "encoded_format": "R32F",
+               "dynamic_rendering": False, "features": {"api_version": "1.1.0", **{f: True for f in tilers_streams.FEATURES}},
+               "bake": {}, "paths": {"encoded": {"plan": plan, "pipelines": {
+                   "depth encoding, spheres, fragment": {"instructions": 39},
+                   "depth encoding, blending, fragment": {"instructions": 12},
+                   "impostor colour, spheres, fragment": {"instructions": 115}}}, "fragdepth": {"lacks": "all of it"}}}
+        page = "first\n<!-- devices -->\n\nthen\n\n<!-- pages -->\n"
+        once = tilers_streams.written_into(page, {"A": row})
+        self.assertIn("| A | `encoded` | R32F | 1; 0, 4 B | not told, not told | 39 + 12; 115 | 12;  |\n\nthen", once)
+        self.assertIn("| depth encoding, spheres | encoded |  | 39 |", once)
+        self.assertIn("| fragdepth | all of it | | | |", once)
+        self.assertEqual(tilers_streams.written_into(once, {"A": row}), once)
+
 
 class Worse(unittest.TestCase):
     def row(self, **stream):
@@ -153,6 +178,13 @@ class Worse(unittest.TestCase):
         self.assertEqual(tilers.worse("A", self.row(), lacking), ["A, encoded: it ends the program"])
         self.assertEqual(tilers.worse("A", self.row(), {**self.row(), "visibility": "fragdepth"}),
                          ["A: fragdepth by default, in the table encoded"])
+
+    def test_pipelines_are_compared_where_nobody_tells_of_a_stream(self):
+        before, now = self.row(), self.row(stores=8)
+        for row in (before, now):
+            del row["paths"]["encoded"]["stream"]
+        self.assertEqual(tilers.worse("A", before, now), ["A, encoded, colour, fragment: instructions 14, now 18",
+                                                          "A, bake, sums, compute: loads 4, now 8"])
 
     def test_nothing_goes_by_being_told_no_more(self):
         now = self.row()
