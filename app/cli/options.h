@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/info_interactions.h"
 #include "app/cli/command_spec.h"
 #include "app/cli/set_options.h"
 #include "app/desktop/view_options.h"
@@ -90,7 +91,9 @@ struct InfoOptions {
     std::vector<std::string> paths;  ///< one or more
     InputOptions input;              ///< how each of them is read
     bool residues = false;           ///< each of them, with its place in the fold
-    bool json = false;
+    std::optional<InteractionRequest> interactions;
+    InteractionRules interactionRules = InteractionRules::molstar;
+    bool json = false, csv = false;  ///< csv: of the interactions alone
 };
 
 struct BenchOptions {

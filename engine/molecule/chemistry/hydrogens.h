@@ -1,0 +1,33 @@
+#pragma once
+// Hydrogens that a file leaves out.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/molecule/chemistry/chemistry.h"
+
+namespace nacre {
+
+/// How to place what geometry leaves free.
+struct HydrogenPlacing {
+    float carbon = 1.09f, nitrogen = 1.01f, oxygen = 0.96f, sulphur = 1.34f;  ///< bond lengths, Å
+    float flatNitrogen = 1.01f, flatOxygen = 0.96f;                           ///< of planar atoms, Å
+    /// A hydrogen that could turn stands trans to a neighbour of its atom's one neighbour: the first in the file, or,
+    /// as Open Babel does for want of a better rule, the one of the largest z.
+    bool transToLargestZ = false;
+};
+
+/// Directions from an atom in which `count` further hydrogens go, ideal angles: 109.5 degrees about tetrahedral atoms,
+/// 120 degrees about planar ones. Determined by the neighbours but for atoms of one neighbour that may turn.
+/// @returns positions, Å
+std::vector<glm::vec3> hydrogenPositions(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t atom,
+                                         std::size_t count, const HydrogenPlacing& placing = {});
+
+/// The molecule with the hydrogens that it lacks at neutral pH (Chemistry::hydrogens), each after the atoms of its
+/// residue, named after its atom ("HA", "HB1", as in the PDB of version 3 for standard residues), with bonds of order 1.
+/// Those of water point away from each other's oxygen in a fixed direction, for nothing determines them.
+/// Every index of an atom moves; residues, chains and what else refers to residues stay.
+Molecule withHydrogens(const Molecule& molecule, const Chemistry& chemistry);
+
+}  // namespace nacre

@@ -1,0 +1,224 @@
+// Donors, acceptors, charges and rings as PLIP 2.2 has them: of the receptor by the names of amino acids, of ligands by
+// functional groups of heavy atoms; polar hydrogens by neutral valence.
+
+#include <algorithm>
+
+#include "engine/molecule/chemistry/features.h"
+#include "engine/molecule/chemistry/steps.h"
+
+namespace nacre {
+namespace {
+
+class PlipFeatures {
+public:
+    PlipFeatures(const Molecule& molecule, const Chemistry& chemistry)
+        : molecule_(molecule), chemistry_(chemistry), features_(sharedFeatures(molecule, chemistry)) {}
+
+    Features run() {
+        for (std::uint32_t i = 0; i < chemistry_.present.size(); ++i) {
+            if (!chemistry_.present[i] || features_.waterOxygen[i]) continue;
+            addPolar(i);
+            if (receptor(i) ? receptorBindsMetal(i) : ligandBindsMetal(i)) features_.metalBinders.push_back(i);
+            if (!receptor(i)) addLigandGroup(i);
+        }
+        features_.metalBinders.insert(features_.metalBinders.end(), features_.waters.begin(), features_.waters.end());
+        addSideChains();
+        for (std::uint32_t r = 0; r < chemistry_.rings.size(); ++r) {
+            const Ring& ring = chemistry_.rings[r];
+            if ((ring.atoms.size() == 5 || ring.atoms.size() == 6) && (ring.aromatic || ring.planar))
+                features_.rings.push_back(r);
+        }
+        return std::move(features_);
+    }
+
+private:
+    Element element(std::uint32_t atom) const { return molecule_.atoms[atom].element; }
+    bool receptor(std::uint32_t atom) const { return features_.receptor[molecule_.atoms[atom].residue] != 0; }
+    std::string_view residueOf(std::uint32_t atom) const {
+        return molecule_.residues[molecule_.atoms[atom].residue].name.view();
+    }
+    std::string_view nameOf(std::uint32_t atom) const { return molecule_.atoms[atom].name.view(); }
+
+    int orders(std::uint32_t atom) const {
+        int sum = 0;
+        for (const Neighbour& n : chemistry_.of(atom)) sum += std::min<int>(chemistry_.order[n.bond], 3);
+        return sum;
+    }
+
+    std::size_t count(std::uint32_t atom, Element e) const {
+        std::size_t number = 0;
+        for (const Neighbour& n : chemistry_.of(atom)) number += element(n.atom) == e;
+        return number;
+    }
+
+    /// The acid's oxygen that bears the hydrogen in a neutral group: of two ends the one of the larger z.
+    bool acidHydroxyl(std::uint32_t atom) const {
+        const auto around = heavyNeighbours(molecule_, chemistry_, atom);
+        if (around.size() != 1 || element(around[0]) != kCarbon) return false;
+        for (const Neighbour& n : chemistry_.of(around[0]))
+            if (n.atom != atom && element(n.atom) == kOxygen && heavyNeighbours(molecule_, chemistry_, n.atom).size() == 1)
+                return molecule_.atoms[atom].position.z > molecule_.atoms[n.atom].position.z;
+        return false;
+    }
+
+    bool inAcid(std::uint32_t atom) const {
+        const auto around = heavyNeighbours(molecule_, chemistry_, atom);
+        if (around.size() != 1 || element(around[0]) != kCarbon) return false;
+        std::size_t ends = 0;
+        for (const Neighbour& n : chemistry_.of(around[0]))
+            ends += element(n.atom) == kOxygen && heavyNeighbours(molecule_, chemistry_, n.atom).size() == 1;
+        return ends == 2;
+    }
+
+    /// Hydrogens of an uncharged atom of N, O or S that the file lacks.
+    std::uint8_t missing(std::uint32_t atom) const {
+        const Element e = element(atom);
+        int valence = e == kNitrogen ? 3 : 2;
+        if (chemistry_.charge[atom] != 0 && molecule_.atoms[atom].charge != 0) valence += molecule_.atoms[atom].charge;
+        if (receptor(atom) && residueOf(atom) == "ARG" && nameOf(atom) == "NE") return 0;
+        if (receptor(atom) && residueOf(atom) == "ARG" && (nameOf(atom) == "NH1" || nameOf(atom) == "NH2")) return 2;
+        if (e == kOxygen && inAcid(atom)) return acidHydroxyl(atom) ? 1 : 0;
+        for (const Neighbour& n : chemistry_.of(atom))  // nitro groups and N-oxides
+            if (e == kOxygen && element(n.atom) == kNitrogen && orders(n.atom) >= 4) return 0;
+        return static_cast<std::uint8_t>(std::clamp(valence - orders(atom), 0, 3));
+    }
+
+    void addPolar(std::uint32_t atom) {
+        const Element e = element(atom);
+        if (e != kNitrogen && e != kOxygen && e != kSulphur) return;
+        const std::uint8_t lacking = e == kSulphur ? 0 : missing(atom);
+        const std::size_t there = chemistry_.of(atom).size() - heavyNeighbours(molecule_, chemistry_, atom).size();
+        if (e != kSulphur && lacking + there > 0) features_.donors.push_back({atom, lacking});
+        if (accepts(atom, lacking)) features_.acceptors.push_back(atom);
+    }
+
+    /// Open Babel's IsHbondAcceptor(), which sees hydrogens on the receptor and none on ligands.
+    bool accepts(std::uint32_t atom, std::uint8_t lacking) const {
+        const Element e = element(atom);
+        const std::size_t heavy = heavyNeighbours(molecule_, chemistry_, atom).size();
+        if (e == kNitrogen) {
+            const std::size_t bonds = receptor(atom) ? chemistry_.of(atom).size() + lacking : heavy;
+            return !((bonds == 4 && chemistry_.hybrid[atom] == 3) || (bonds == 3 && chemistry_.hybrid[atom] == 2));
+        }
+        if (e != kOxygen || chemistry_.aromaticAtom[atom]) return false;
+        std::size_t aromatic = 0;
+        for (const Neighbour& n : chemistry_.of(atom)) {
+            const Element other = element(n.atom);
+            if (other == kNitrogen && orders(n.atom) >= 4) return false;
+            if (other == kSulphur && orders(n.atom) == 6 && count(n.atom, kOxygen) == 2) return false;
+            aromatic += chemistry_.aromaticAtom[n.atom] != 0;
+            if (!chemistry_.aromaticAtom[n.atom] && heavy == 2 && acyl(n.atom, atom)) return false;
+        }
+        return aromatic < 2;
+    }
+
+    /// A carbon with a double bond to an oxygen other than this one: then this one is an ester's.
+    bool acyl(std::uint32_t carbon, std::uint32_t oxygen) const {
+        if (element(carbon) != kCarbon) return false;
+        for (const Neighbour& n : chemistry_.of(carbon))
+            if (n.atom != oxygen && element(n.atom) == kOxygen && chemistry_.order[n.bond] == 2) return true;
+        return false;
+    }
+
+    void addCharge(std::vector<std::uint32_t> atoms, std::vector<std::uint32_t> centre, bool positive,
+                   bool tertiary = false) {
+        if (!atoms.empty()) features_.charged.push_back({std::move(atoms), std::move(centre), positive, tertiary});
+    }
+
+    void addSideChains() {
+        for (std::uint32_t r = 0; r < molecule_.residues.size(); ++r) {
+            if (!features_.receptor[r]) continue;
+            const std::string_view name = molecule_.residues[r].name.view();
+            const bool positive = name == "ARG" || name == "HIS" || name == "LYS";
+            if (!positive && name != "ASP" && name != "GLU") continue;
+            std::vector<std::uint32_t> atoms;
+            const std::uint32_t begin = molecule_.residues[r].firstAtom;
+            for (std::uint32_t i = begin; i < begin + molecule_.residues[r].atomCount; ++i)
+                if (chemistry_.present[i] && element(i) == (positive ? kNitrogen : kOxygen) && isSideChain(molecule_, i))
+                    atoms.push_back(i);
+            addCharge(atoms, atoms, positive);
+        }
+    }
+
+    std::vector<std::uint32_t> neighboursOf(std::uint32_t atom, Element e) const {
+        std::vector<std::uint32_t> list;
+        for (const Neighbour& n : chemistry_.of(atom))
+            if (element(n.atom) == e) list.push_back(n.atom);
+        return list;
+    }
+
+    /// PLIP's functional groups of ligands.
+    void addLigandGroup(std::uint32_t atom) {
+        const auto around = heavyNeighbours(molecule_, chemistry_, atom);
+        const std::size_t degree = around.size(), oxygens = count(atom, kOxygen);
+        switch (element(atom)) {
+            case kNitrogen:
+                if (degree == 4) addCharge({atom}, {atom}, true);
+                if (degree == 3 && chemistry_.hybrid[atom] == 3) addCharge({atom}, {atom}, true, true);
+                break;
+            case kSulphur:
+                if (degree == 3) addCharge({atom}, {atom}, true);
+                if (degree != 3 && (oxygens == 3 || oxygens == 4)) {
+                    std::vector<std::uint32_t> atoms = neighboursOf(atom, kOxygen);
+                    atoms.push_back(atom);
+                    addCharge(atoms, {atom}, false);
+                }
+                break;
+            case kPhosphorus:
+                if (degree > 0 && oxygens == degree) {
+                    std::vector<std::uint32_t> atoms = around;
+                    atoms.push_back(atom);
+                    addCharge(atoms, {atom}, false);
+                }
+                break;
+            case kCarbon:
+                if (oxygens == 2 && count(atom, kCarbon) == 1) {
+                    const auto ends = neighboursOf(atom, kOxygen);
+                    addCharge(ends, ends, false);
+                } else if (degree == 3 && count(atom, kNitrogen) == 3) {
+                    const bool end = std::any_of(around.begin(), around.end(), [&](std::uint32_t n) {
+                        return heavyNeighbours(molecule_, chemistry_, n).size() == 1;
+                    });
+                    if (end) addCharge(around, {atom}, true);
+                }
+                break;
+            default:
+                break;
+        }
+    }
+
+    bool receptorBindsMetal(std::uint32_t atom) const {
+        const std::string_view residue = residueOf(atom);
+        const bool side = isSideChain(molecule_, atom);
+        if (element(atom) == kOxygen)
+            return !side || residue == "ASP" || residue == "GLU" || residue == "SER" || residue == "THR" ||
+                   residue == "TYR";
+        if (element(atom) == kNitrogen) return side && residue == "HIS";
+        return element(atom) == kSulphur && residue == "CYS";
+    }
+
+    bool ligandBindsMetal(std::uint32_t atom) const {
+        const Element e = element(atom);
+        if (e == kNitrogen) return count(atom, kCarbon) == 2;
+        if (e != kOxygen && e != kSulphur) return false;
+        for (const Neighbour& n : chemistry_.of(atom)) {
+            if (chemistry_.aromaticAtom[n.atom] && !chemistry_.aromaticAtom[atom]) return true;
+            if (e == kOxygen && element(n.atom) == kPhosphorus && count(n.atom, kOxygen) >= 2) return true;
+            if (e == kOxygen && element(n.atom) == kCarbon && count(n.atom, kOxygen) == 2 && count(n.atom, kCarbon) == 1)
+                return true;
+        }
+        return false;
+    }
+
+    const Molecule& molecule_;
+    const Chemistry& chemistry_;
+    Features features_;
+};
+
+}  // namespace
+
+Features plipFeatures(const Molecule& molecule, const Chemistry& chemistry) {
+    return PlipFeatures(molecule, chemistry).run();
+}
+
+}  // namespace nacre
