@@ -1,7 +1,7 @@
 #pragma once
 // What `nacre info --interactions` says.
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 

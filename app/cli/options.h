@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/info_interactions.h"
 #include "app/cli/command_spec.h"
+#include "app/cli/info_interactions.h"
 #include "app/cli/set_options.h"
 #include "app/desktop/view_options.h"
 #include "app/export/export_scene.h"

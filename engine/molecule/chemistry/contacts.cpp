@@ -204,8 +204,10 @@ void findMetals(InteractionSearch& search) {
         grid.near(search.molecule.atoms[metal].position, [&](std::uint32_t index, double squared) {
             const std::uint32_t binder = search.features.metalBinders[index];
             if (squared >= kMetal * kMetal || binder == metal) return;
-            const int sides = search.sides(metal, binder);
-            if (sides == 0) return;
+            int sides = search.sides(metal, binder);
+            // A metal that is selected with its ligand is held by it all the same.
+            if (sides == 0 && search.query.a[metal] && search.query.a[binder]) sides = 1;
+            if (sides == 0 || !search.apart(metal, binder)) return;
             search.add(InteractionKind::metal, {{metal}, search.at(metal)}, {{binder}, search.at(binder)},
                        DonorSide::none, sides);
         });

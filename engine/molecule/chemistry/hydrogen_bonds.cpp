@@ -115,7 +115,7 @@ std::vector<PlacedHydrogen> hydrogensOf(const InteractionSearch& search, const D
     for (const Neighbour& n : search.chemistry.of(donor.atom))
         if (isHydrogen(search.molecule.atoms[n.atom].element)) hydrogens.push_back({search.at(n.atom), n.atom});
     if (donor.hydrogens > 0) {
-        // Open Babel's lengths and its rule for what may turn, as PLIP prepares its files.
+        // Open Babel prepares PLIP's files: its lengths, and its rule for what may turn.
         constexpr HydrogenPlacing kPlacing{1.09f, 1.02f, 0.97f, 1.36f, 0.985f, 0.937f, true};
         for (const glm::vec3& place :
              hydrogenPositions(search.molecule, search.chemistry, donor.atom, donor.hydrogens, kPlacing))

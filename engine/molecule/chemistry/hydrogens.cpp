@@ -26,8 +26,8 @@ glm::dvec3 anyAcross(const glm::dvec3& along) {
 /// Unit vectors in which further neighbours of an atom go.
 class Directions {
 public:
-    Directions(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t atom, bool largestZ)
-        : molecule_(molecule), chemistry_(chemistry), atom_(atom), largestZ_(largestZ) {
+    Directions(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t atom, bool asOpenBabel)
+        : molecule_(molecule), chemistry_(chemistry), atom_(atom), asOpenBabel_(asOpenBabel) {
         for (const Neighbour& n : chemistry.of(atom)) taken_.push_back(unitOr(at(n.atom) - at(atom), {0, 0, 1}));
     }
 
@@ -49,20 +49,28 @@ private:
     glm::dvec3 away() const {
         const std::uint32_t other = chemistry_.of(atom_).front().atom;
         const glm::dvec3 along = taken_.front();
-        glm::dvec3 best(0);
-        bool any = false;
-        double height = 0;
+        const Neighbour* best = nullptr;
         for (const Neighbour& n : chemistry_.of(other)) {
-            const Element e = molecule_.atoms[n.atom].element;
-            if (n.atom == atom_ || e == kHydrogenAtom) continue;
-            const double z = at(n.atom).z;
-            if (any && !(largestZ_ && z > height)) continue;
-            const glm::dvec3 side = at(n.atom) - at(other);
-            best = side - glm::dot(side, along) * along;
-            height = z;
-            any = true;
+            if (n.atom == atom_ || molecule_.atoms[n.atom].element == kHydrogenAtom) continue;
+            if (asOpenBabel_ && otherAcidOxygen(other, n)) {
+                best = &n;
+                break;
+            }
+            if (!best || (asOpenBabel_ && comesLater(molecule_, n, *best))) best = &n;
         }
-        return unitOr(-best, anyAcross(along));
+        if (!best) return anyAcross(along);
+        const glm::dvec3 side = at(best->atom) - at(other);
+        return unitOr(glm::dot(side, along) * along - side, anyAcross(along));
+    }
+
+    /// The doubly bonded oxygen of the acid whose hydroxyl this atom is.
+    bool otherAcidOxygen(std::uint32_t carbon, const Neighbour& n) const {
+        const auto end = [&](std::uint32_t atom) {
+            std::size_t heavy = 0;
+            for (const Neighbour& m : chemistry_.of(atom)) heavy += molecule_.atoms[m.atom].element != kHydrogenAtom;
+            return molecule_.atoms[atom].element == kOxygen && heavy == 1;
+        };
+        return molecule_.atoms[carbon].element == kCarbon && end(atom_) && end(n.atom);
     }
 
     glm::dvec3 linear() const { return taken_.empty() ? glm::dvec3(0, 0, 1) : -taken_.front(); }
@@ -95,7 +103,7 @@ private:
     const Molecule& molecule_;
     const Chemistry& chemistry_;
     std::uint32_t atom_;
-    bool largestZ_;
+    bool asOpenBabel_;
     std::vector<glm::dvec3> taken_;
 };
 
@@ -114,12 +122,20 @@ float hydrogenLength(Element element, bool flat, const HydrogenPlacing& placing)
 
 }  // namespace
 
+bool comesLater(const Molecule& molecule, const Neighbour& l, const Neighbour& r) {
+    const bool lStated = molecule.bonds[l.bond].source == BondSource::file;
+    const bool rStated = molecule.bonds[r.bond].source == BondSource::file;
+    if (lStated != rStated) return rStated;
+    if (lStated) return l.atom > r.atom;
+    return molecule.atoms[l.atom].position.z > molecule.atoms[r.atom].position.z;
+}
+
 std::vector<glm::vec3> hydrogenPositions(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t atom,
                                          std::size_t count, const HydrogenPlacing& placing) {
     const glm::dvec3 centre = molecule.atoms[atom].position;
     const double length = hydrogenLength(molecule.atoms[atom].element, chemistry.hybrid[atom] == 2, placing);
     std::vector<glm::vec3> positions;
-    for (const glm::dvec3& direction : Directions(molecule, chemistry, atom, placing.transToLargestZ).free(count))
+    for (const glm::dvec3& direction : Directions(molecule, chemistry, atom, placing.asOpenBabel).free(count))
         positions.push_back(centre + length * direction);
     return positions;
 }

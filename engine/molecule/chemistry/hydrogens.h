@@ -14,9 +14,14 @@ struct HydrogenPlacing {
     float carbon = 1.09f, nitrogen = 1.01f, oxygen = 0.96f, sulphur = 1.34f;  ///< bond lengths, Å
     float flatNitrogen = 1.01f, flatOxygen = 0.96f;                           ///< of planar atoms, Å
     /// A hydrogen that could turn stands trans to a neighbour of its atom's one neighbour: the first in the file, or,
-    /// as Open Babel does for want of a better rule, the one of the largest z.
-    bool transToLargestZ = false;
+    /// as Open Babel has it, the last that was bonded (comesLater()), but for acids: trans to the other oxygen.
+    bool asOpenBabel = false;
 };
+
+/// Open Babel bonds what a file states first, in the file's order, then what distances tell, in the order of z. Where it
+/// has a choice, of an acid's double bond or of what a hydroxyl turns away from, this order decides.
+/// @param l, r  neighbours of one atom
+bool comesLater(const Molecule& molecule, const Neighbour& l, const Neighbour& r);
 
 /// Directions from an atom in which `count` further hydrogens go, ideal angles: 109.5 degrees about tetrahedral atoms,
 /// 120 degrees about planar ones. Determined by the neighbours but for atoms of one neighbour that may turn.

@@ -190,8 +190,19 @@ private:
         return {{hydrogens ? kLikely : 0, 0, 0}, 1};
     }
 
+    /// An oxygen at a carbon that has a nitrogen or another oxygen: of an amide, lactam, urea, acid or ester, whatever
+    /// its length in a poor model.
+    bool amideOxygen(std::uint32_t oxygen, std::uint32_t carbon) const {
+        if (work_.element(oxygen) != kOxygen || work_.degree(oxygen) != 1 || work_.element(carbon) != kCarbon)
+            return false;
+        for (const Neighbour& n : work_.chemistry.of(carbon))
+            if (n.atom != oxygen && (work_.element(n.atom) == kNitrogen || work_.element(n.atom) == kOxygen)) return true;
+        return false;
+    }
+
     /// Pi bonds inside flat rings are preferred to those that lead out of them, but for carbonyl groups.
     float ringBonus(std::uint32_t bond, std::uint32_t a, std::uint32_t b) const {
+        if (amideOxygen(a, b) || amideOxygen(b, a)) return kMaybe;
         if (work_.inRing[bond]) return work_.flatRing[a] && work_.flatRing[b] ? 0.3f : 0;
         const bool leadsOut = work_.flatRing[a] || work_.flatRing[b];
         const bool carbonyl = work_.element(a) == kOxygen || work_.element(b) == kOxygen;

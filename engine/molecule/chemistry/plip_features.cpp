@@ -4,7 +4,10 @@
 #include <algorithm>
 
 #include "engine/molecule/chemistry/features.h"
+#include "engine/molecule/chemistry/hydrogens.h"
+#include "engine/molecule/chemistry/place_grid.h"
 #include "engine/molecule/chemistry/steps.h"
+#include "engine/molecule/element.h"
 
 namespace nacre {
 namespace {
@@ -15,6 +18,7 @@ public:
         : molecule_(molecule), chemistry_(chemistry), features_(sharedFeatures(molecule, chemistry)) {}
 
     Features run() {
+        countMetalBonds();
         for (std::uint32_t i = 0; i < chemistry_.present.size(); ++i) {
             if (!chemistry_.present[i] || features_.waterOxygen[i]) continue;
             addPolar(i);
@@ -51,36 +55,83 @@ private:
         return number;
     }
 
-    /// The acid's oxygen that bears the hydrogen in a neutral group: of two ends the one of the larger z.
-    bool acidHydroxyl(std::uint32_t atom) const {
+    /// Oxygens that end at a neighbour, before this one as Open Babel counts, and all of them.
+    struct Ends {
+        std::size_t before = 0, all = 0;
+    };
+    Ends acidEnds(std::uint32_t atom) const {
+        Ends ends;
         const auto around = heavyNeighbours(molecule_, chemistry_, atom);
-        if (around.size() != 1 || element(around[0]) != kCarbon) return false;
+        if (around.size() != 1) return ends;
+        const Neighbour* self = nullptr;
         for (const Neighbour& n : chemistry_.of(around[0]))
-            if (n.atom != atom && element(n.atom) == kOxygen && heavyNeighbours(molecule_, chemistry_, n.atom).size() == 1)
-                return molecule_.atoms[atom].position.z > molecule_.atoms[n.atom].position.z;
-        return false;
-    }
-
-    bool inAcid(std::uint32_t atom) const {
-        const auto around = heavyNeighbours(molecule_, chemistry_, atom);
-        if (around.size() != 1 || element(around[0]) != kCarbon) return false;
-        std::size_t ends = 0;
-        for (const Neighbour& n : chemistry_.of(around[0]))
-            ends += element(n.atom) == kOxygen && heavyNeighbours(molecule_, chemistry_, n.atom).size() == 1;
-        return ends == 2;
+            if (n.atom == atom) self = &n;
+        for (const Neighbour& n : chemistry_.of(around[0])) {
+            if (element(n.atom) != kOxygen || heavyNeighbours(molecule_, chemistry_, n.atom).size() != 1) continue;
+            if (metalBonds_[n.atom] > 0 && element(around[0]) != kCarbon) continue;
+            ++ends.all;
+            if (n.atom != atom && comesLater(molecule_, *self, n)) ++ends.before;
+        }
+        return ends;
     }
 
     /// Hydrogens of an uncharged atom of N, O or S that the file lacks.
     std::uint8_t missing(std::uint32_t atom) const {
         const Element e = element(atom);
-        int valence = e == kNitrogen ? 3 : 2;
-        if (chemistry_.charge[atom] != 0 && molecule_.atoms[atom].charge != 0) valence += molecule_.atoms[atom].charge;
-        if (receptor(atom) && residueOf(atom) == "ARG" && nameOf(atom) == "NE") return 0;
-        if (receptor(atom) && residueOf(atom) == "ARG" && (nameOf(atom) == "NH1" || nameOf(atom) == "NH2")) return 2;
-        if (e == kOxygen && inAcid(atom)) return acidHydroxyl(atom) ? 1 : 0;
+        int valence = (e == kNitrogen ? 3 : 2) + molecule_.atoms[atom].charge - metalBonds_[atom];
+        if (receptor(atom)) {
+            // As it kekulises them: arginine's double bond is that of NE, tryptophan's nitrogen has no hydrogen, and
+            // histidine's ND1 has one where it stands above CD2.
+            const std::string_view residue = residueOf(atom), name = nameOf(atom);
+            if (residue == "ARG" && name == "NE") return 0;
+            if (residue == "ARG" && (name == "NH1" || name == "NH2")) return 2;
+            if (residue == "TRP" && name == "NE1") return 0;
+            if (residue == "HIS" && name == "NE2") return 0;
+            if (residue == "HIS" && name == "ND1") return aboveItsRing(atom) ? 1 : 0;
+        }
+        if (e == kOxygen && heavyNeighbours(molecule_, chemistry_, atom).size() == 1) {
+            const Element centre = element(heavyNeighbours(molecule_, chemistry_, atom)[0]);
+            const Ends ends = acidEnds(atom);
+            const std::size_t twofold = centre == kCarbon && ends.all == 2 ? 1 : centre == kPhosphorus ? 1
+                                        : centre == kSulphur && ends.all >= 2 ? 2 : 0;
+            if (twofold > 0) valence -= ends.before < twofold && metalBonds_[atom] == 0 ? 2 : 1;
+            if (twofold > 0) return static_cast<std::uint8_t>(std::clamp(valence, 0, 1));
+        }
         for (const Neighbour& n : chemistry_.of(atom))  // nitro groups and N-oxides
             if (e == kOxygen && element(n.atom) == kNitrogen && orders(n.atom) >= 4) return 0;
         return static_cast<std::uint8_t>(std::clamp(valence - orders(atom), 0, 3));
+    }
+
+    /// Whether an atom of histidine lies higher (z) than CD2 of the same residue.
+    bool aboveItsRing(std::uint32_t atom) const {
+        const Residue& residue = molecule_.residues[molecule_.atoms[atom].residue];
+        for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i)
+            if (chemistry_.present[i] && nameOf(i) == "CD2")
+                return molecule_.atoms[atom].position.z > molecule_.atoms[i].position.z;
+        return false;
+    }
+
+    /// Open Babel bonds metals to all that is near enough; such a bond takes the place of a hydrogen.
+    void countMetalBonds() {
+        metalBonds_.assign(molecule_.atoms.size(), 0);
+        std::vector<glm::vec3> places;
+        float largest = 0;
+        for (const std::uint32_t metal : features_.metals) {
+            places.push_back(molecule_.atoms[metal].position);
+            largest = std::max(largest, covalentRadius(element(metal)));
+        }
+        if (places.empty()) return;
+        constexpr double kTolerance = 0.45, kLargestNeighbour = 1.2;
+        const PlaceGrid grid(places, static_cast<double>(largest) + kLargestNeighbour + kTolerance);
+        for (std::uint32_t i = 0; i < metalBonds_.size(); ++i) {
+            if (!chemistry_.present[i] || isMetal(element(i))) continue;
+            grid.near(molecule_.atoms[i].position, [&](std::uint32_t index, double squared) {
+                const std::uint32_t metal = features_.metals[index];
+                const double most = static_cast<double>(covalentRadius(element(metal)) + covalentRadius(element(i))) +
+                                    kTolerance;
+                if (squared < most * most) ++metalBonds_[i];
+            });
+        }
     }
 
     void addPolar(std::uint32_t atom) {
@@ -213,6 +264,7 @@ private:
     const Molecule& molecule_;
     const Chemistry& chemistry_;
     Features features_;
+    std::vector<std::uint8_t> metalBonds_;  // by atom
 };
 
 }  // namespace
