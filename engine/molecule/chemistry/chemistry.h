@@ -10,7 +10,7 @@
 
 namespace nacre {
 
-/// A ring of the smallest set of rings. Atoms stand in the order of the ring.
+/// A ring of a smallest set of rings (where several such sets are, of all of them). Atoms stand in the order of the ring.
 struct Ring {
     std::vector<std::uint32_t> atoms;  ///< indices into Molecule::atoms
     bool aromatic = false;             ///< by Hückel's rule, alone or with the rings fused to it

@@ -67,6 +67,9 @@ std::vector<PlacedHydrogen> hydrogensOf(const InteractionSearch& search, const D
 /// Whether Mol* would call donor and acceptor a hydrogen bond, by its angles; the distance is the caller's.
 bool molstarGeometry(const InteractionSearch& search, std::uint32_t donor, std::uint32_t acceptor);
 
+/// By partner of a metal: PLIP finds no place for it in the geometry (linear to octahedral) that the partners fit best.
+std::vector<std::uint8_t> superfluousPartners(const glm::dvec3& metal, const std::vector<glm::dvec3>& partners);
+
 /// Drops what stronger interactions of the same groups stand for.
 void refineMolstar(const InteractionSearch& search);
 void refinePlip(const InteractionSearch& search);

@@ -33,13 +33,13 @@ const BondLengths* lengthsOf(Element a, Element b) {
 /// Weights of the distribution. A pi bond gains from +1 at the length of a double bond to -1 at that of a single one,
 /// bounded a little beyond; an atom that is surely planar costs more than any length can gain.
 constexpr float kLongestGain = 1.4f;
+constexpr float kLengthError = 0.06f;  // Å, of bonds to the ends of a group at the resolution of crystals of proteins
+constexpr double kLeastPlanarAngle = 114;  // degrees, mean of three
 constexpr float kCertain = 4, kLikely = 2, kMaybe = 1;
 
 float gainOf(float length, float lower, float upper) {
     return std::clamp((0.5f * (lower + upper) - length) / (0.5f * (upper - lower)), -2 * kLongestGain, kLongestGain);
 }
-
-enum class Shape : std::uint8_t { linear, planar, perhapsPlanar, tetrahedral, end };
 
 class OrderPerception {
 public:
@@ -77,23 +77,31 @@ private:
         }
     }
 
-    /// Neighbours that have no other neighbour and may bear a double bond, shortest bond first.
+    /// Neighbours that have no other neighbour and may bear a double bond: the likeliest first.
     std::vector<Neighbour> endsOf(std::uint32_t atom) const {
-        std::vector<Neighbour> ends;
+        std::vector<Neighbour> left, ends;
         for (const Neighbour& n : work_.chemistry.of(atom)) {
             const Element e = work_.element(n.atom);
-            if (work_.degree(n.atom) == 1 && (e == kOxygen || e == kSulphur) && unknown(n.bond)) ends.push_back(n);
+            if (work_.degree(n.atom) == 1 && (e == kOxygen || e == kSulphur) && unknown(n.bond)) left.push_back(n);
         }
-        std::stable_sort(ends.begin(), ends.end(), [&](const Neighbour& l, const Neighbour& r) {
-            // Oxygen before sulphur; lengths that differ by less than their error leave the file's order.
-            const bool lo = work_.element(l.atom) == kOxygen, ro = work_.element(r.atom) == kOxygen;
-            if (lo != ro) return lo;
-            return std::round(work_.length(atom, l.atom) / 0.03f) < std::round(work_.length(atom, r.atom) / 0.03f);
-        });
+        // Oxygen before sulphur, then by length; but lengths that differ by less than their error leave the file's order.
+        const auto measure = [&](const Neighbour& n) {
+            return work_.length(atom, n.atom) + (work_.element(n.atom) == kSulphur ? 1 : 0);
+        };
+        while (!left.empty()) {
+            const auto shortest = std::min_element(left.begin(), left.end(), [&](const Neighbour& l, const Neighbour& r) {
+                return measure(l) < measure(r);
+            });
+            const float most = measure(*shortest) + kLengthError;
+            const auto next =
+                std::find_if(left.begin(), left.end(), [&](const Neighbour& n) { return measure(n) <= most; });
+            ends.push_back(*next);
+            left.erase(next);
+        }
         return ends;
     }
 
-    /// Groups beyond the octet, and nitro groups: as chemists draw them.
+    /// Groups beyond the octet, nitro groups and carboxylates: as chemists draw them.
     void setGroup(std::uint32_t atom) {
         const Element e = work_.element(atom);
         const std::size_t degree = work_.degree(atom);
@@ -103,6 +111,7 @@ private:
         if (e == kChlorine || e == kBromine || e == kIodine) doubles = degree == 4 ? 3 : degree == 3 ? 2 : 0;
         const std::vector<Neighbour> ends = endsOf(atom);
         if (e == kNitrogen && degree == 3 && ends.size() >= 2) doubles = 1;
+        if (e == kCarbon && degree == 3 && ends.size() == 2 && meanAngle(atom) > kLeastPlanarAngle) doubles = 1;
         if (doubles == 0) return;
         for (std::size_t i = 0; i < ends.size() && i < doubles; ++i) settle(ends[i].bond, 2);
         for (const Neighbour& n : work_.chemistry.of(atom))
@@ -162,14 +171,14 @@ private:
         const bool flat = work_.flatRing[atom] > 0;
         if (degree == 3) {
             // From a pyramid of tetrahedral angles (109.5 degrees) to a plane (120).
-            if (angle < 114 && !flat) return impossible();
-            const auto cost = static_cast<float>(std::clamp((angle - 114) / 5, 0.2, 1.0)) * kCertain;
+            if (angle < (flat ? kLeastPlanarAngle - 2 : kLeastPlanarAngle)) return impossible();
+            const auto cost = static_cast<float>(std::clamp((angle - kLeastPlanarAngle) / 5, 0.2, 1.0)) * kCertain;
             return {{cost, 0, 0}, 1};
         }
         if (angle > 155) return {{2 * kCertain, kLikely, 0}, 2};
         if (work_.flatRing[atom] == 6) return {{kLikely + 0.5f, 0, 0}, 1};
         if (work_.flatRing[atom] == 5) return {{kMaybe + 0.2f, 0, 0}, 1};
-        return {{static_cast<float>(std::clamp((angle - 113) / 7, -0.5, 1.0)) * kLikely, 0, 0}, 1};
+        return {{static_cast<float>(std::clamp((angle - 115) / 7, -0.5, 1.0)) * kMaybe, 0, 0}, 1};
     }
 
     PiSystem::Atom nitrogen(std::uint32_t atom) const {

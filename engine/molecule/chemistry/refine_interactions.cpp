@@ -141,8 +141,27 @@ std::vector<std::size_t> clusters(const InteractionSearch& search, const std::ve
     return group;
 }
 
+/// What is merged below never leaves a residue without a contact: then its shortest one stays.
+void keepOnePerResidue(const InteractionSearch& search, const std::vector<std::size_t>& contacts,
+                       std::vector<std::uint8_t>& dropped) {
+    struct Best {
+        bool kept = false;
+        std::size_t shortest = 0;
+    };
+    std::map<AtomPair, Best> byPair;
+    for (const std::size_t i : contacts) {
+        const Interaction& interaction = search.found[i];
+        const AtomPair pair = ordered(search.residue(interaction.a.atoms[0]), search.residue(interaction.b.atoms[0]));
+        Best& best = byPair.try_emplace(pair, Best{false, i}).first->second;
+        best.kept = best.kept || !dropped[i];
+        if (interaction.distance < search.found[best.shortest].distance) best.shortest = i;
+    }
+    for (const auto& [pair, best] : byPair)
+        if (!best.kept) dropped[best.shortest] = 0;
+}
+
 /// Where one atom of the receptor touches several atoms of a ligand: the shortest of each group of atoms bonded to each
-/// other; an atom bonded to none of the others is passed over, as PLIP's program does.
+/// other; atoms bonded to none of the others are passed over, as PLIP's program does.
 void reducePlipHydrophobic(const InteractionSearch& search, std::vector<std::uint8_t>& dropped) {
     std::map<std::uint32_t, std::vector<std::size_t>> byReceptor;
     const std::vector<std::size_t> shortest = shortestPerResidue(search, dropped);
@@ -166,6 +185,31 @@ void reducePlipHydrophobic(const InteractionSearch& search, std::vector<std::uin
             }
             if (keep) dropped[contacts[i]] = 0;
         }
+    }
+    keepOnePerResidue(search, shortest, dropped);
+}
+
+/// A metal that holds nothing but water is no complex, and of those of a complex some may be superfluous.
+void dropMetals(const InteractionSearch& search, std::vector<std::uint8_t>& dropped) {
+    std::map<std::uint32_t, std::vector<std::size_t>> byMetal;
+    const std::set<std::uint32_t> metals(search.features.metals.begin(), search.features.metals.end());
+    for (std::size_t i = 0; i < search.found.size(); ++i) {
+        const Interaction& interaction = search.found[i];
+        if (interaction.kind != InteractionKind::metal) continue;
+        const std::uint32_t a = interaction.a.atoms[0];
+        byMetal[metals.contains(a) ? a : interaction.b.atoms[0]].push_back(i);
+    }
+    for (const auto& [metal, contacts] : byMetal) {
+        bool onlyWater = true;
+        std::vector<glm::dvec3> places;
+        for (const std::size_t i : contacts) {
+            const Interaction& interaction = search.found[i];
+            const std::uint32_t other = (interaction.a.atoms[0] == metal ? interaction.b : interaction.a).atoms[0];
+            onlyWater = onlyWater && search.features.waterOxygen[other];
+            places.push_back(search.at(other));
+        }
+        const std::vector<std::uint8_t> superfluous = superfluousPartners(search.at(metal), places);
+        for (std::size_t i = 0; i < contacts.size(); ++i) dropped[contacts[i]] = onlyWater || superfluous[i];
     }
 }
 
@@ -192,6 +236,9 @@ void keepShortestPerPair(const InteractionSearch& search, std::vector<std::uint8
 
 void refineMolstar(const InteractionSearch& search) {
     std::vector<std::uint8_t> dropped = markImplied(search);
+    if (search.rules != InteractionRules::molstar)  // hydrogen bonds of other rules stand for themselves
+        for (std::size_t i = 0; i < dropped.size(); ++i)
+            if (search.found[i].kind == InteractionKind::hydrogenBond) dropped[i] = 0;
     const std::set<AtomPair> stacked = residuePairs(search, InteractionKind::piStacking);
     for (std::size_t i = 0; i < dropped.size(); ++i) {
         const Interaction& interaction = search.found[i];
@@ -208,19 +255,7 @@ void refinePlip(const InteractionSearch& search) {
     keepOnePerDonor(search, dropped);
     dropHistidineCations(search, dropped);
     reducePlipHydrophobic(search, dropped);
-    // A metal that holds nothing but water is no complex.
-    std::set<std::uint32_t> held;
-    const auto metalOf = [&](const Interaction& i) {
-        const bool first = std::find(search.features.metals.begin(), search.features.metals.end(), i.a.atoms[0]) !=
-                           search.features.metals.end();
-        return first ? std::pair(i.a.atoms[0], i.b.atoms[0]) : std::pair(i.b.atoms[0], i.a.atoms[0]);
-    };
-    for (const Interaction& interaction : search.found)
-        if (interaction.kind == InteractionKind::metal && !search.features.waterOxygen[metalOf(interaction).second])
-            held.insert(metalOf(interaction).first);
-    for (std::size_t i = 0; i < dropped.size(); ++i)
-        if (search.found[i].kind == InteractionKind::metal && !held.contains(metalOf(search.found[i]).first))
-            dropped[i] = 1;
+    dropMetals(search, dropped);
     dropMarked(search.found, dropped);
 }
 

@@ -1,5 +1,5 @@
-// The smallest set of rings: bridges first (Tarjan 1974), then shortest cycles through each atom (Horton 1987), of which
-// those are kept that are independent of smaller ones.
+// The smallest rings: bridges first (Tarjan 1974), then shortest cycles through each atom (Horton 1987), of which those
+// are kept that are no sum of smaller ones: every smallest set of rings, so that no face of a cage is left out.
 
 #include <algorithm>
 #include <cmath>
@@ -126,12 +126,13 @@ private:
 /// Gaussian elimination over the field of two elements, sparse: a basis cycle by its first bond.
 class CycleBasis {
 public:
-    bool independent(std::vector<std::uint32_t> bonds) {
+    /// Whether a cycle is no sum of those that were added. @param add  then it is one of them
+    bool independent(std::vector<std::uint32_t> bonds, bool add) {
         for (int step = 0; !bonds.empty(); ++step) {
             if (step > kMostSteps || bonds.size() > kMostBonds) return true;
             const auto known = rows_.find(bonds.front());
             if (known == rows_.end()) {
-                rows_.emplace(bonds.front(), std::move(bonds));
+                if (add) rows_.emplace(bonds.front(), std::move(bonds));
                 return true;
             }
             std::vector<std::uint32_t> sum;
@@ -166,6 +167,18 @@ double meanTorsion(const ChemistryWork& work, const std::vector<std::uint32_t>& 
     return sum / static_cast<double>(n);
 }
 
+void addRing(ChemistryWork& work, std::vector<std::uint32_t> atoms) {
+    Ring ring{std::move(atoms)};
+    const auto size = static_cast<std::uint8_t>(ring.atoms.size());
+    if (size == 5 || size == 6) ring.planar = meanTorsion(work, ring.atoms) <= (size == 5 ? kFlatFive : kFlatSix);
+    for (const std::uint32_t atom : ring.atoms) {
+        std::uint8_t& smallest = work.ringAtom[atom];
+        if (smallest == 0 || size < smallest) smallest = size;
+        if (ring.planar && work.flatRing[atom] == 0) work.flatRing[atom] = size;
+    }
+    work.chemistry.rings.push_back(std::move(ring));
+}
+
 }  // namespace
 
 void findRings(ChemistryWork& work) {
@@ -188,18 +201,14 @@ void findRings(ChemistryWork& work) {
                              [](const Cycle& l, const Cycle& r) { return l.bonds == r.bonds; }),
                  cycles.end());
     CycleBasis basis;
-    for (Cycle& cycle : cycles) {
-        if (!basis.independent(cycle.bonds)) continue;
-        Ring ring{std::move(cycle.atoms)};
-        const auto size = static_cast<std::uint8_t>(ring.atoms.size());
-        if (size == 5 || size == 6)
-            ring.planar = meanTorsion(work, ring.atoms) <= (size == 5 ? kFlatFive : kFlatSix);
-        for (const std::uint32_t atom : ring.atoms) {
-            std::uint8_t& smallest = work.ringAtom[atom];
-            if (smallest == 0 || size < smallest) smallest = size;
-            if (ring.planar && work.flatRing[atom] == 0) work.flatRing[atom] = size;
-        }
-        chemistry.rings.push_back(std::move(ring));
+    for (std::size_t begin = 0, end = 0; begin < cycles.size(); begin = end) {
+        while (end < cycles.size() && cycles[end].bonds.size() == cycles[begin].bonds.size()) ++end;
+        std::vector<std::uint8_t> kept(end - begin);
+        for (std::size_t i = begin; i < end; ++i) kept[i - begin] = basis.independent(cycles[i].bonds, false);
+        for (std::size_t i = begin; i < end; ++i)
+            if (kept[i - begin]) basis.independent(cycles[i].bonds, true);
+        for (std::size_t i = begin; i < end; ++i)
+            if (kept[i - begin]) addRing(work, std::move(cycles[i].atoms));
     }
 }
 
