@@ -41,12 +41,20 @@ std::vector<OrderSource> orderSources(const Molecule& molecule) {
     return sources;
 }
 
-/// Neighbours of present atoms. Coordination to a metal is no bond of valence: such bonds are left out.
+/// Neighbours of present atoms. Coordination to a metal is no bond of valence: such bonds are left out, and so are those of
+/// atoms that a file gives more neighbours than any atom has.
 void linkNeighbours(const Molecule& molecule, Chemistry& chemistry) {
-    const auto counts = [&](const Bond& bond) {
-        return chemistry.present[bond.a] && chemistry.present[bond.b] && !isMetal(molecule.atoms[bond.a].element) &&
-               !isMetal(molecule.atoms[bond.b].element);
+    constexpr std::uint32_t kMostNeighbours = 24;
+    std::vector<std::uint32_t> degree(molecule.atoms.size());
+    for (const Bond& bond : molecule.bonds) {
+        if (!chemistry.present[bond.a] || !chemistry.present[bond.b]) continue;
+        ++degree[bond.a];
+        ++degree[bond.b];
+    }
+    const auto able = [&](std::uint32_t atom) {
+        return chemistry.present[atom] && degree[atom] <= kMostNeighbours && !isMetal(molecule.atoms[atom].element);
     };
+    const auto counts = [&](const Bond& bond) { return able(bond.a) && able(bond.b); };
     chemistry.first.assign(molecule.atoms.size() + 1, 0);
     for (const Bond& bond : molecule.bonds) {
         if (!counts(bond)) continue;

@@ -57,7 +57,7 @@ Features sharedFeatures(const Molecule& molecule, const Chemistry& chemistry) {
         const Residue& residue = molecule.residues[r];
         const bool hetero = residue.atomCount > 0 && molecule.atoms[residue.firstAtom].hetero;
         features.receptor[r] = kinds[r] == ResidueKind::protein && !hetero;
-        features.macromolecule[r] = kinds[r] == ResidueKind::protein || kinds[r] == ResidueKind::nucleic;
+        features.macromolecule[r] = features.receptor[r] || kinds[r] == ResidueKind::nucleic;
         for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i) {
             if (!chemistry.present[i]) continue;
             const Element e = molecule.atoms[i].element;

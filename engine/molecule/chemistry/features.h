@@ -10,6 +10,9 @@
 
 namespace nacre {
 
+/// Atoms of what bears the name of an amino acid: more are a file without residues, not one.
+constexpr std::uint32_t kLargestAminoAcid = 100;
+
 struct Donor {
     std::uint32_t atom = 0;
     std::uint8_t hydrogens = 0;  ///< that the file lacks and whose places are worked out
@@ -37,8 +40,8 @@ struct Features {
     std::vector<std::uint32_t> metals, metalBinders;
     std::vector<std::uint32_t> waters;         ///< oxygens
     std::vector<std::uint8_t> waterOxygen;     ///< by atom
-    std::vector<std::uint8_t> receptor;        ///< by residue: of an amino acid of a chain
-    std::vector<std::uint8_t> macromolecule;   ///< by residue: of a protein or nucleic acid
+    std::vector<std::uint8_t> receptor;        ///< by residue: an amino acid that is no HETATM
+    std::vector<std::uint8_t> macromolecule;   ///< by residue: a receptor, or a nucleotide
 };
 
 Features molstarFeatures(const Molecule& molecule, const Chemistry& chemistry);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/molecule/bonds/residue_templates.h"
 #include "engine/molecule/chemistry/steps.h"
 
 namespace nacre {
@@ -142,14 +143,46 @@ std::vector<glm::vec3> hydrogenPositions(const Molecule& molecule, const Chemist
 
 namespace {
 
-/// "HA" of "CA", "HG1" and "HG2" of "SG", at most four characters where the file's names are.
-Name hydrogenName(const Atom& parent, std::size_t index, std::size_t count) {
-    const std::string_view name = parent.name.view();
-    std::string text = "H";
-    text += name.size() > 1 ? name.substr(1) : std::string_view();
-    if (count > 1) text += std::to_string(index + 1);
-    return Name(text);
+/// Hydrogens of standard residues as the PDB's third version names them: HA, HB2 and HB3 of two, HB1 to HB3 of three,
+/// HD21 and HD22, H5' and H5'', HO2'.
+std::string standardName(std::string_view parent, Element element, std::size_t index, std::size_t count) {
+    const bool prime = !parent.empty() && parent.back() == '\'';
+    if (prime && element == kOxygen) return "H" + std::string(parent);
+    std::string text = "H" + std::string(parent.substr(std::min<std::size_t>(parent.size(), 1)));
+    if (prime && count == 2) return index == 0 ? text : text + "'";
+    if (count == 1) return text;
+    const bool pair = count == 2 && element == kCarbon;
+    return text + std::to_string(index + (pair ? 2 : 1));
 }
+
+/// Names of the hydrogens that are added to one residue. Other residues than standard ones count theirs: H1, H2, ...
+class HydrogenNames {
+public:
+    HydrogenNames(const Molecule& molecule, const Residue& residue)
+        : molecule_(molecule), residue_(residue), standard_(residueTemplate(residue.name) != nullptr) {}
+
+    Name next(const Atom& parent, std::size_t index, std::size_t count) {
+        if (standard_) return Name(standardName(currentAtomName(parent.name).view(), parent.element, index, count));
+        Name name;
+        do name = Name("H" + std::to_string(++number_));
+        while (taken(name));
+        return name;
+    }
+
+private:
+    bool taken(const Name& name) const {
+        if (residue_.atomCount > kLargestNamed) return false;
+        for (std::uint32_t i = residue_.firstAtom; i < residue_.firstAtom + residue_.atomCount; ++i)
+            if (molecule_.atoms[i].name == name) return true;
+        return false;
+    }
+
+    static constexpr std::uint32_t kLargestNamed = 1000;  // beyond it names repeat anyway
+    const Molecule& molecule_;
+    const Residue residue_;
+    bool standard_;
+    std::size_t number_ = 0;
+};
 
 }  // namespace
 
@@ -161,6 +194,7 @@ Molecule withHydrogens(const Molecule& molecule, const Chemistry& chemistry) {
     result.radii.clear();
     std::vector<std::uint32_t> moved(molecule.atoms.size());
     for (Residue& residue : result.residues) {
+        HydrogenNames names(molecule, residue);
         const std::uint32_t begin = residue.firstAtom, end = begin + residue.atomCount;
         residue.firstAtom = static_cast<std::uint32_t>(result.atoms.size());
         for (std::uint32_t i = begin; i < end; ++i) {
@@ -179,7 +213,7 @@ Molecule withHydrogens(const Molecule& molecule, const Chemistry& chemistry) {
                 atom.position = positions[h];
                 atom.element = kHydrogenAtom;
                 atom.charge = 0;
-                atom.name = hydrogenName(molecule.atoms[i], h, missing);
+                atom.name = names.next(molecule.atoms[i], h, missing);
                 const auto index = static_cast<std::uint32_t>(result.atoms.size());
                 result.bonds.push_back({moved[i], index, 1, BondSource::residueTemplate});
                 result.atoms.push_back(atom);

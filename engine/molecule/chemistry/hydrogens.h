@@ -30,9 +30,9 @@ std::vector<glm::vec3> hydrogenPositions(const Molecule& molecule, const Chemist
                                          std::size_t count, const HydrogenPlacing& placing = {});
 
 /// The molecule with the hydrogens that it lacks at neutral pH (Chemistry::hydrogens), each after the atoms of its
-/// residue, named after its atom ("HA", "HB1", as in the PDB of version 3 for standard residues), with bonds of order 1.
-/// Those of water point away from each other's oxygen in a fixed direction, for nothing determines them.
-/// Every index of an atom moves; residues, chains and what else refers to residues stay.
+/// residue, with a bond to its atom. Those of standard residues have the PDB's names (HA, HB2, HD21, HO2'), others H1,
+/// H2, ... Nothing determines where those of water point. Every index of an atom moves; residues, chains and what else
+/// refers to residues stay. Partial charges and radii, which hydrogens lack, are dropped.
 Molecule withHydrogens(const Molecule& molecule, const Chemistry& chemistry);
 
 }  // namespace nacre

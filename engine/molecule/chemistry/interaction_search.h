@@ -24,11 +24,18 @@ struct InteractionSearch {
     const InteractionQuery& query;
     const std::vector<bool>& b;         ///< of the query, filled in
     bool plipReceptors = false;         ///< ligands meet receptors alone
+    bool modelsApart = false;           ///< several models of one molecule lie over each other: none meets another
     std::vector<Interaction>& found;
 
     glm::dvec3 at(std::uint32_t atom) const { return molecule.atoms[atom].position; }
     std::uint32_t residue(std::uint32_t atom) const { return molecule.atoms[atom].residue; }
     bool wants(InteractionKind kind) const { return query.kinds[static_cast<std::size_t>(kind)]; }
+
+    /// Whether two atoms are ever in one picture of the molecule.
+    bool together(std::uint32_t first, std::uint32_t second) const {
+        return !modelsApart || modelOf(first) == modelOf(second);
+    }
+    int modelOf(std::uint32_t atom) const { return molecule.chains[molecule.residues[residue(atom)].chain].model; }
 
     /// Whether a pair belongs to the query, and which way: 0 no, 1 the first is a, 2 the second is a.
     int sides(const std::vector<std::uint32_t>& first, const std::vector<std::uint32_t>& second) const;

@@ -46,11 +46,13 @@ std::optional<InteractionRules> interactionRulesFromName(std::string_view name) 
 }
 
 int InteractionSearch::sides(std::uint32_t first, std::uint32_t second) const {
+    if (!together(first, second)) return 0;
     if (query.a[first] && b[second]) return 1;
     return query.a[second] && b[first] ? 2 : 0;
 }
 
 int InteractionSearch::sides(const std::vector<std::uint32_t>& first, const std::vector<std::uint32_t>& second) const {
+    if (!together(first.front(), second.front())) return 0;
     if (anyIn(first, query.a) && anyIn(second, b)) return 1;
     return anyIn(second, query.a) && anyIn(first, b) ? 2 : 0;
 }
@@ -125,8 +127,10 @@ std::vector<Interaction> InteractionFinder::find(const Molecule& molecule, const
         if (!all) others.flip();
     }
     std::vector<Interaction> found;
-    InteractionSearch search{molecule, kept_->chemistry, kept_->features, kept_->rules, query, others, false, found};
+    InteractionSearch search{molecule, kept_->chemistry, kept_->features, kept_->rules, query, others, false, false, found};
     const bool plip = kept_->rules == InteractionRules::plip;
+    search.modelsApart = !molecule.modelsAreInputs && !molecule.chains.empty() &&
+                         molecule.chains.front().model != molecule.chains.back().model;
     search.plipReceptors = plip && query.b.empty();
     const bool byHydrogens =
         kept_->rules == InteractionRules::bakerHubbard || kept_->rules == InteractionRules::wernetNilsson;

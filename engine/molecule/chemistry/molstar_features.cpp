@@ -87,6 +87,7 @@ private:
             const bool positive = namedOneOf(name, {"ARG", "LYS", "HIS", "HIP", "HSP"});
             if (!positive && !namedOneOf(name, {"ASP", "GLU"})) continue;
             std::vector<std::uint32_t> atoms;
+            if (molecule_.residues[r].atomCount > kLargestAminoAcid) continue;
             const std::uint32_t begin = molecule_.residues[r].firstAtom;
             for (std::uint32_t i = begin; i < begin + molecule_.residues[r].atomCount; ++i)
                 if (chemistry_.present[i] && element(i) == (positive ? kNitrogen : kOxygen) && isSideChain(molecule_, i))

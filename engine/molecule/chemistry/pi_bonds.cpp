@@ -51,6 +51,7 @@ class PiSearch {
 public:
     explicit PiSearch(const PiSystem& system) : system_(system), slot_(system.atoms.size(), kClosed) {
         lastUse_.resize(system.atoms.size());
+        most_ = std::clamp<std::size_t>(kMostPiStatesInAll / (system.bonds.size() + 1), 8, kMostPiStates);
     }
 
     std::vector<std::uint8_t> run() {
@@ -129,13 +130,13 @@ private:
         return true;
     }
 
-    static void keepBest(std::vector<std::uint64_t>& keys, std::vector<PiState>& layer) {
-        if (keys.size() <= kMostPiStates) return;
+    void keepBest(std::vector<std::uint64_t>& keys, std::vector<PiState>& layer) const {
+        if (keys.size() <= most_) return;
         std::vector<std::uint32_t> rank(keys.size());
         for (std::uint32_t i = 0; i < rank.size(); ++i) rank[i] = i;
-        std::nth_element(rank.begin(), rank.begin() + kMostPiStates, rank.end(),
+        std::nth_element(rank.begin(), rank.begin() + static_cast<std::ptrdiff_t>(most_), rank.end(),
                          [&](std::uint32_t l, std::uint32_t r) { return layer[l].score > layer[r].score; });
-        rank.resize(kMostPiStates);
+        rank.resize(most_);
         std::sort(rank.begin(), rank.end());
         std::vector<std::uint64_t> fewerKeys;
         std::vector<PiState> fewer;
@@ -155,6 +156,7 @@ private:
     }
 
     const PiSystem& system_;
+    std::size_t most_;  // states
     std::vector<std::uint8_t> slot_;
     std::vector<std::uint32_t> lastUse_;
     std::uint32_t used_ = 0;

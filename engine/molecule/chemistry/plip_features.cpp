@@ -105,7 +105,8 @@ private:
     /// Whether an atom of histidine lies higher (z) than CD2 of the same residue.
     bool aboveItsRing(std::uint32_t atom) const {
         const Residue& residue = molecule_.residues[molecule_.atoms[atom].residue];
-        for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i)
+        const std::uint32_t count = std::min(residue.atomCount, kLargestAminoAcid);
+        for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + count; ++i)
             if (chemistry_.present[i] && nameOf(i) == "CD2")
                 return molecule_.atoms[atom].position.z > molecule_.atoms[i].position.z;
         return false;
@@ -183,6 +184,7 @@ private:
             const bool positive = name == "ARG" || name == "HIS" || name == "LYS";
             if (!positive && name != "ASP" && name != "GLU") continue;
             std::vector<std::uint32_t> atoms;
+            if (molecule_.residues[r].atomCount > kLargestAminoAcid) continue;
             const std::uint32_t begin = molecule_.residues[r].firstAtom;
             for (std::uint32_t i = begin; i < begin + molecule_.residues[r].atomCount; ++i)
                 if (chemistry_.present[i] && element(i) == (positive ? kNitrogen : kOxygen) && isSideChain(molecule_, i))

@@ -78,7 +78,8 @@ public:
         queue_.assign(1, root);
         depth_[root] = 1;
         from_[root] = {root, 0};
-        for (std::size_t at = 0; at < queue_.size(); ++at) {
+        const std::size_t before = found.size();
+        for (std::size_t at = 0; at < queue_.size() && at < kMostVisited && found.size() - before < kMostPerAtom; ++at) {
             const std::uint32_t atom = queue_[at];
             for (const Neighbour& n : chemistry_.of(atom)) {
                 if (!cyclic_[n.bond] || n.bond == from_[atom].bond) continue;
@@ -96,6 +97,9 @@ public:
     }
 
 private:
+    // Far beyond any cage of single bonds; a crowd of atoms that are all bonded to each other would take for ever.
+    static constexpr std::size_t kMostVisited = 2000, kMostPerAtom = 60;
+
     void addCycle(std::uint32_t root, std::uint32_t a, const Neighbour& across, std::vector<Cycle>& found) {
         Cycle cycle;
         cycle.bonds.push_back(across.bond);
@@ -167,6 +171,18 @@ double meanTorsion(const ChemistryWork& work, const std::vector<std::uint32_t>& 
     return sum / static_cast<double>(n);
 }
 
+/// Shortest first, each once.
+void sortCycles(std::vector<Cycle>& cycles) {
+    std::sort(cycles.begin(), cycles.end(), [](const Cycle& l, const Cycle& r) {
+        return l.bonds.size() != r.bonds.size() ? l.bonds.size() < r.bonds.size() : l.bonds < r.bonds;
+    });
+    cycles.erase(
+        std::unique(cycles.begin(), cycles.end(), [](const Cycle& l, const Cycle& r) { return l.bonds == r.bonds; }),
+        cycles.end());
+}
+
+constexpr std::size_t kMostCycles = 1'000'000;  // that are held; atoms beyond are taken for atoms outside of rings
+
 void addRing(ChemistryWork& work, std::vector<std::uint32_t> atoms) {
     Ring ring{std::move(atoms)};
     const auto size = static_cast<std::uint8_t>(ring.atoms.size());
@@ -193,13 +209,11 @@ void findRings(ChemistryWork& work) {
         const auto around = chemistry.of(i);
         if (std::any_of(around.begin(), around.end(), [&](const Neighbour& n) { return work.inRing[n.bond] != 0; }))
             shortest.through(i, cycles);
+        if (cycles.size() < kMostCycles) continue;
+        sortCycles(cycles);
+        if (cycles.size() > kMostCycles / 2) break;
     }
-    std::sort(cycles.begin(), cycles.end(), [](const Cycle& l, const Cycle& r) {
-        return l.bonds.size() != r.bonds.size() ? l.bonds.size() < r.bonds.size() : l.bonds < r.bonds;
-    });
-    cycles.erase(std::unique(cycles.begin(), cycles.end(),
-                             [](const Cycle& l, const Cycle& r) { return l.bonds == r.bonds; }),
-                 cycles.end());
+    sortCycles(cycles);
     CycleBasis basis;
     for (std::size_t begin = 0, end = 0; begin < cycles.size(); begin = end) {
         while (end < cycles.size() && cycles[end].bonds.size() == cycles[begin].bonds.size()) ++end;

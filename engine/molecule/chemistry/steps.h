@@ -65,10 +65,10 @@ struct PiSystem {
     std::vector<Bond> bonds;
 };
 
-/// Pi bonds of each bond, such that the sum of gains less the sum of costs is largest. Exact as long as fewer than
-/// kMostPiStates states are open at a time, which rings fused in a row or a plane never reach; beyond, the best are
-/// kept.
+/// Pi bonds of each bond, such that the sum of gains less the sum of costs is largest. Exact as long as no more than
+/// kMostPiStates distributions are open at a time (fewer where there are very many bonds, for the memory they take),
+/// which rings fused in a row or a plane never reach; beyond, the best are kept.
 std::vector<std::uint8_t> bestPiBonds(const PiSystem& system);
-constexpr std::size_t kMostPiStates = 4000;
+constexpr std::size_t kMostPiStates = 4000, kMostPiStatesInAll = 8'000'000;
 
 }  // namespace nacre

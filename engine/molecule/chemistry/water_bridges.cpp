@@ -10,8 +10,10 @@
 namespace nacre {
 namespace {
 
-// Å, degrees. PLIP's; Mol*'s rules take their own hydrogen bonds, and PLIP's angles between the two.
-constexpr double kMolstarWater = 3.5, kPlipWater = 4.1, kPlipNearestWater = 2.5;
+// Å, degrees. Under Mol*'s rules both are hydrogen bonds, which leave the water at the angle of a tetrahedron within what
+// the rules allow about any donor.
+constexpr double kMolstarWater = 3.5, kTetrahedralWater = 109.47, kWaterDeviation = 45;
+constexpr double kPlipWater = 4.1, kPlipNearestWater = 2.5;
 constexpr double kLeastWaterAngle = 71, kMostWaterAngle = 140, kIdealWaterAngle = 110, kLeastDonorAngle = 100;
 
 struct WaterPartner {
@@ -49,6 +51,7 @@ Partners molstarPartners(InteractionSearch& search, const PlaceGrid& grid) {
         if (search.features.waterOxygen[atom]) return;
         grid.near(search.molecule.atoms[atom].position, [&](std::uint32_t index, double) {
             const std::uint32_t water = search.features.waters[index];
+            if (!search.together(atom, water)) return;
             if (!(donates ? molstarGeometry(search, atom, water) : molstarGeometry(search, water, atom))) return;
             std::vector<WaterPartner>& list = partners[water];
             const bool known =
@@ -69,7 +72,7 @@ void findMolstarBridges(InteractionSearch& search, const PlaceGrid& grid) {
                 if (sides == 0 || !search.apart(list[i].atom, list[j].atom)) continue;
                 const double angle = angleBetween(search.at(list[i].atom) - search.at(water),
                                                   search.at(list[j].atom) - search.at(water));
-                if (angle > kLeastWaterAngle && angle < kMostWaterAngle)
+                if (std::abs(angle - kTetrahedralWater) <= kWaterDeviation)
                     addBridge(search, list[i], list[j], water, angle, sides);
             }
         }
@@ -96,14 +99,14 @@ Partners plipPartners(InteractionSearch& search, const PlaceGrid& grid) {
     constexpr double kNearest = kPlipNearestWater * kPlipNearestWater;
     for (const std::uint32_t acceptor : search.features.acceptors)
         grid.near(search.molecule.atoms[acceptor].position, [&](std::uint32_t index, double squared) {
-            if (squared >= kNearest)
+            if (squared >= kNearest && search.together(acceptor, search.features.waters[index]))
                 partners[search.features.waters[index]].push_back({acceptor, false, {}, kNoHydrogen, -1});
         });
     for (const Donor& donor : search.features.donors) {
         const std::vector<PlacedHydrogen> hydrogens = hydrogensOf(search, donor);
         grid.near(search.molecule.atoms[donor.atom].position, [&](std::uint32_t index, double squared) {
-            if (squared < kNearest) return;
             const std::uint32_t water = search.features.waters[index];
+            if (squared < kNearest || !search.together(donor.atom, water)) return;
             for (const PlacedHydrogen& h : hydrogens) {
                 const double angle = angleBetween(search.at(donor.atom) - h.place, search.at(water) - h.place);
                 if (angle > kLeastDonorAngle) partners[water].push_back({donor.atom, true, h.place, h.atom, angle});
