@@ -88,7 +88,8 @@ def contacts_of_program(program, path, members):
     terms = []
     for member in members:
         name, chain, number = member.split(":")
-        terms.append(f"(chain '{chain}' and resi {number} and resn {name})")
+        chain = "Z+''" if chain == "Z" else f"'{chain}'"  # plip's name for a blank one
+        terms.append(f"(chain {chain} and resi {number} and resn {name})")
     run = subprocess.run([program, "info", path, "--interactions", " or ".join(terms), "--interaction-rules", "plip",
                           "--json", "-q"], check=True, capture_output=True, text=True)
     found = []

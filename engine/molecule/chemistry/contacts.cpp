@@ -207,7 +207,7 @@ void findMetals(InteractionSearch& search) {
             int sides = search.sides(metal, binder);
             // A metal that is selected with its ligand is held by it all the same.
             if (sides == 0 && search.query.a[metal] && search.query.a[binder]) sides = 1;
-            if (sides == 0 || !search.apart(metal, binder)) return;
+            if (sides == 0 || (!isPlip(search) && !search.apart(metal, binder))) return;
             search.add(InteractionKind::metal, {{metal}, search.at(metal)}, {{binder}, search.at(binder)},
                        DonorSide::none, sides);
         });

@@ -56,7 +56,9 @@ Features sharedFeatures(const Molecule& molecule, const Chemistry& chemistry) {
     for (std::size_t r = 0; r < kinds.size(); ++r) {
         const Residue& residue = molecule.residues[r];
         const bool hetero = residue.atomCount > 0 && molecule.atoms[residue.firstAtom].hetero;
-        features.receptor[r] = kinds[r] == ResidueKind::protein && !hetero;
+        const std::string_view name = residue.name.view();
+        features.receptor[r] =
+            kinds[r] == ResidueKind::protein && (!hetero || name == "PCA" || name == "HYP");  // as Open Babel's table
         features.macromolecule[r] = features.receptor[r] || kinds[r] == ResidueKind::nucleic;
         for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i) {
             if (!chemistry.present[i]) continue;

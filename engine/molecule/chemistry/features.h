@@ -40,6 +40,7 @@ struct Features {
     std::vector<std::uint32_t> metals, metalBinders;
     std::vector<std::uint32_t> waters;         ///< oxygens
     std::vector<std::uint8_t> waterOxygen;     ///< by atom
+    std::vector<std::uint32_t> unit;           ///< by residue: the first of those that are one ligand with it; PLIP's
     std::vector<std::uint8_t> receptor;        ///< by residue: an amino acid that is no HETATM
     std::vector<std::uint8_t> macromolecule;   ///< by residue: a receptor, or a nucleotide
 };

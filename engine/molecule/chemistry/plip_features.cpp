@@ -2,9 +2,12 @@
 // functional groups of heavy atoms; polar hydrogens by neutral valence.
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
 
 #include "engine/molecule/chemistry/features.h"
 #include "engine/molecule/chemistry/hydrogens.h"
+#include "engine/molecule/chemistry/interaction_search.h"
 #include "engine/molecule/chemistry/place_grid.h"
 #include "engine/molecule/chemistry/steps.h"
 #include "engine/molecule/element.h"
@@ -23,19 +26,76 @@ public:
             if (!chemistry_.present[i] || features_.waterOxygen[i]) continue;
             addPolar(i);
             if (receptor(i) ? receptorBindsMetal(i) : ligandBindsMetal(i)) features_.metalBinders.push_back(i);
-            if (!receptor(i)) addLigandGroup(i);
+            if (receptor(i)) continue;
+            addLigandGroup(i);
+            addLinkedCarbon(i);
         }
         features_.metalBinders.insert(features_.metalBinders.end(), features_.waters.begin(), features_.waters.end());
         addSideChains();
-        for (std::uint32_t r = 0; r < chemistry_.rings.size(); ++r) {
-            const Ring& ring = chemistry_.rings[r];
-            if ((ring.atoms.size() == 5 || ring.atoms.size() == 6) && (ring.aromatic || ring.planar))
-                features_.rings.push_back(r);
-        }
+        for (std::uint32_t r = 0; r < chemistry_.rings.size(); ++r)
+            if (isFlatRing(chemistry_.rings[r])) features_.rings.push_back(r);
+        addUnits();
         return std::move(features_);
     }
 
 private:
+    /// Of five or six atoms; aromatic, or with the normals at all its atoms within 5 degrees of each other. Aromaticity
+    /// of rings that hold a metal depends on how their bonds are drawn: there the normals alone decide.
+    bool isFlatRing(const Ring& ring) const {
+        constexpr double kMostBend = 5;
+        if (ring.atoms.size() != 5 && ring.atoms.size() != 6) return false;
+        const bool holdsMetal = std::any_of(ring.atoms.begin(), ring.atoms.end(),
+                                            [&](std::uint32_t atom) { return metalBonds_[atom] > 0; });
+        if (ring.aromatic && (!holdsMetal || receptor(ring.atoms[0]))) return true;
+        std::vector<glm::dvec3> normals;
+        for (std::size_t i = 0; i < ring.atoms.size(); ++i) {
+            const auto at = [&](std::size_t k) {
+                return glm::dvec3(molecule_.atoms[ring.atoms[k % ring.atoms.size()]].position);
+            };
+            normals.push_back(glm::cross(at(i + 1) - at(i), at(i + ring.atoms.size() - 1) - at(i)));
+        }
+        for (const glm::dvec3& u : normals)
+            for (const glm::dvec3& v : normals) {
+                const double angle = angleBetween(u, v);
+                if (angle > kMostBend && angle < 180 - kMostBend) return false;
+            }
+        return true;
+    }
+
+    /// Residues that bonds join are one ligand, but for water and receptors.
+    void addUnits() {
+        std::vector<std::uint32_t>& unit = features_.unit;
+        unit.resize(molecule_.residues.size());
+        std::iota(unit.begin(), unit.end(), 0u);
+        const auto root = [&](std::uint32_t r) {
+            while (unit[r] != r) r = unit[r] = unit[unit[r]];
+            return r;
+        };
+        for (const Bond& bond : molecule_.bonds) {
+            const std::uint32_t a = molecule_.atoms[bond.a].residue, b = molecule_.atoms[bond.b].residue;
+            if (a == b || features_.receptor[a] || features_.receptor[b]) continue;
+            if (features_.waterOxygen[bond.a] || features_.waterOxygen[bond.b]) continue;
+            const std::uint32_t low = std::min(root(a), root(b)), high = std::max(root(a), root(b));
+            unit[high] = low;
+        }
+        for (std::uint32_t r = 0; r < unit.size(); ++r) unit[r] = root(r);
+    }
+
+    /// A ligand is looked at without what it is bonded to: its carbon there is hydrophobic by the rest of its neighbours.
+    void addLinkedCarbon(std::uint32_t atom) {
+        if (element(atom) != kCarbon) return;
+        bool linked = false, others = true, already = true;
+        for (const Neighbour& n : chemistry_.of(atom)) {
+            const bool plain = element(n.atom) == kCarbon || element(n.atom) == kHydrogenAtom;
+            already = already && plain;
+            if (receptor(n.atom))
+                linked = true;
+            else
+                others = others && plain;
+        }
+        if (linked && others && !already) features_.hydrophobic.push_back(atom);
+    }
+
     Element element(std::uint32_t atom) const { return molecule_.atoms[atom].element; }
     bool receptor(std::uint32_t atom) const { return features_.receptor[molecule_.atoms[atom].residue] != 0; }
     std::string_view residueOf(std::uint32_t atom) const {
@@ -75,6 +135,13 @@ private:
         return ends;
     }
 
+    /// Double bonds that Open Babel gives the ends of an acid: of a sulphonate none.
+    static std::optional<std::size_t> twofoldEnds(Element centre, std::size_t ends) {
+        if (centre == kPhosphorus || (centre == kCarbon && ends == 2)) return 1;
+        if (centre == kSulphur && ends >= 2) return ends == 3 ? 0 : 2;
+        return std::nullopt;
+    }
+
     /// Hydrogens of an uncharged atom of N, O or S that the file lacks.
     std::uint8_t missing(std::uint32_t atom) const {
         const Element e = element(atom);
@@ -92,10 +159,10 @@ private:
         if (e == kOxygen && heavyNeighbours(molecule_, chemistry_, atom).size() == 1) {
             const Element centre = element(heavyNeighbours(molecule_, chemistry_, atom)[0]);
             const Ends ends = acidEnds(atom);
-            const std::size_t twofold = centre == kCarbon && ends.all == 2 ? 1 : centre == kPhosphorus ? 1
-                                        : centre == kSulphur && ends.all >= 2 ? 2 : 0;
-            if (twofold > 0) valence -= ends.before < twofold && metalBonds_[atom] == 0 ? 2 : 1;
-            if (twofold > 0) return static_cast<std::uint8_t>(std::clamp(valence, 0, 1));
+            if (const auto twofold = twofoldEnds(centre, ends.all)) {
+                valence -= ends.before < *twofold && metalBonds_[atom] == 0 ? 2 : 1;
+                return static_cast<std::uint8_t>(std::clamp(valence, 0, 1));
+            }
         }
         for (const Neighbour& n : chemistry_.of(atom))  // nitro groups and N-oxides
             if (e == kOxygen && element(n.atom) == kNitrogen && orders(n.atom) >= 4) return 0;
@@ -157,7 +224,7 @@ private:
         for (const Neighbour& n : chemistry_.of(atom)) {
             const Element other = element(n.atom);
             if (other == kNitrogen && orders(n.atom) >= 4) return false;
-            if (other == kSulphur && orders(n.atom) == 6 && count(n.atom, kOxygen) == 2) return false;
+            if (other == kSulphur && count(n.atom, kOxygen) == 2 && count(n.atom, kCarbon) == 2) return false;  // sulphone
             aromatic += chemistry_.aromaticAtom[n.atom] != 0;
             if (!chemistry_.aromaticAtom[n.atom] && heavy == 2 && acyl(n.atom, atom)) return false;
         }

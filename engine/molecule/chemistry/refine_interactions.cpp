@@ -76,7 +76,7 @@ void keepOnePerDonor(const InteractionSearch& search, std::vector<std::uint8_t>&
         const bool fromA = interaction.donor == DonorSide::a;
         const std::uint32_t donor = (fromA ? interaction.a : interaction.b).atoms[0];
         const std::uint32_t partner = search.residue((fromA ? interaction.b : interaction.a).atoms[0]);
-        const std::uint32_t unit = search.features.receptor[partner] ? 0 : partner + 1;
+        const std::uint32_t unit = search.features.receptor[partner] ? 0 : search.features.unit[partner] + 1;
         const auto [known, added] = best.try_emplace({donor, unit}, i);
         if (added) continue;
         if (search.found[known->second].angles[0].degrees < interaction.angles[0].degrees) {

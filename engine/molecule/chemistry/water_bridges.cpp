@@ -82,8 +82,8 @@ void findMolstarBridges(InteractionSearch& search, const PlaceGrid& grid) {
 /// What PLIP thinks of as one ligand with its site.
 std::uint32_t unitOf(const InteractionSearch& search, std::uint32_t acceptor, std::uint32_t donor) {
     const std::uint32_t first = search.residue(acceptor), second = search.residue(donor);
-    if (!search.features.receptor[first]) return first;
-    return search.features.receptor[second] ? first : second;
+    const bool byDonor = search.features.receptor[first] && !search.features.receptor[second];
+    return search.features.unit[byDonor ? second : first];
 }
 
 struct PlipBridge {
