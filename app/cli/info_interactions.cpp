@@ -33,9 +33,13 @@ struct EndFields {
 EndFields fieldsOf(const Molecule& molecule, const std::vector<std::uint32_t>& atoms) {
     const Residue& residue = molecule.residues[molecule.atoms[atoms.front()].residue];
     const Chain& chain = molecule.chains[residue.chain];
-    EndFields fields{chain.name, std::string(residue.name.view()),
-                     residue.insertionCode ? std::string(1, residue.insertionCode) : "", chain.model, residue.number,
-                     {}, {}};
+    EndFields fields{chain.name,
+                     std::string(residue.name.view()),
+                     residue.insertionCode ? std::string(1, residue.insertionCode) : "",
+                     chain.model,
+                     residue.number,
+                     {},
+                     {}};
     for (const std::uint32_t atom : atoms) {
         fields.atoms.emplace_back(molecule.atoms[atom].name.view());
         fields.ids.push_back(atom + 1);
@@ -172,10 +176,10 @@ std::string interactionCsv(const Molecule& molecule, const std::vector<Interacti
             angles += (angles.empty() ? "" : " ") + std::string(angle.name) + "=" + decimals(angle.degrees, 1);
         std::vector<std::uint32_t> waters;
         for (const std::uint32_t water : interaction.waters) waters.push_back(water + 1);
-        text += std::string(interactionKindName(interaction.kind)) + "," + endCells(molecule, interaction.a.atoms) + "," +
-                endCells(molecule, interaction.b.atoms) + "," + decimals(interaction.distance, 3) + "," + angles + "," +
-                (interaction.offset >= 0 ? decimals(interaction.offset, 3) : "") + "," + donorName(interaction) + "," +
-                joined(waters) + "\n";
+        text += std::string(interactionKindName(interaction.kind)) + "," + endCells(molecule, interaction.a.atoms) +
+                "," + endCells(molecule, interaction.b.atoms) + "," + decimals(interaction.distance, 3) + "," + angles +
+                "," + (interaction.offset >= 0 ? decimals(interaction.offset, 3) : "") + "," + donorName(interaction) +
+                "," + joined(waters) + "\n";
     }
     return text;
 }

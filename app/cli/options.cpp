@@ -121,10 +121,11 @@ void checkInfo(const InfoOptions& options) {
 }
 
 void addInteractions(CommandSpec& command, InfoOptions& options) {
-    addValue(command, "--interactions", "SEL[,SEL]|all", "none",
-             "Hydrogen bonds, salt bridges and the like of a selection with what is around it, between two selections, or "
-             "of all atoms",
-             [&](const std::string& text) { options.interactions = parseInteractionRequest(text); });
+    addValue(
+        command, "--interactions", "SEL[,SEL]|all", "none",
+        "Hydrogen bonds, salt bridges and the like of a selection with what is around it, between two selections, or "
+        "of all atoms",
+        [&](const std::string& text) { options.interactions = parseInteractionRequest(text); });
     addValue(command, "--interaction-rules", "molstar|plip|baker-hubbard|wernet-nilsson", "molstar",
              "Whose definitions of interactions: docs/interactions.md",
              [&](const std::string& text) { options.interactionRules = parseInteractionRules(text); });

@@ -1,8 +1,8 @@
 // What a file's chemistry is taken to be, as JSON, for the judges beside_rdkit.py:
 //   chemistry_report FILE [--model N] [--forget-orders] [--add-hydrogens]
 // atoms [{element, residue, number, chain, name, position, hydrogens, charge, hybrid, ring}] and bonds [[a, b, order,
-// aromatic, delocalised]] (0-based). --forget-orders leaves nothing but which atoms are bonded, so that orders come from
-// geometry.
+// aromatic, delocalised]] (0-based). --forget-orders leaves nothing but which atoms are bonded, so that orders come
+// from geometry.
 
 #include <cstdio>
 #include <cstring>

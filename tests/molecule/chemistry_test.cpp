@@ -78,7 +78,8 @@ TEST(BondOrders, AChairIsSaturated) {
 glm::vec3 forked(float length, bool up) { return {length * 0.5f, length * (up ? 0.8660254f : -0.8660254f), 0}; }
 
 TEST(BondOrders, GroupsAreDrawnAsChemistsDrawThem) {
-    const auto group = [](std::string_view centre, std::string_view first, float l1, std::string_view second, float l2) {
+    const auto group = [](std::string_view centre, std::string_view first, float l1, std::string_view second,
+                          float l2) {
         MoleculeText text;
         text.residue("LIG").atom("C2", "C", {-1.5f, 0, 0}).atom("X", centre, {0, 0, 0});
         text.atom("A", first, forked(l1, true)).atom("B", second, forked(l2, false));
@@ -110,19 +111,22 @@ TEST(BondOrders, HydrogensThatAreThereDecide) {
 }
 
 TEST(BondOrders, StatedOnesStay) {
-    const std::string atoms = "a\n\n\n  2  1  0     0  0            999 V2000\n    0.0       0.0       0.0    C   0  0\n"
-                              "    1.20      0.0       0.0    O   0  0\n";
+    const std::string atoms =
+        "a\n\n\n  2  1  0     0  0            999 V2000\n    0.0       0.0       0.0    C   0  0\n"
+        "    1.20      0.0       0.0    O   0  0\n";
     EXPECT_EQ(ordersOf(readMolecule("a.sdf", atoms + "  1  2  1  0\nM  END\n")), "C-O");
     EXPECT_EQ(ordersOf(readMolecule("a.sdf", atoms + "  1  2  2  0\nM  END\n")), "C=O");
 }
 
 TEST(BondOrders, ComponentsOfAnMmcifFileStateThem) {
     const std::string atoms =
-        "data_a\nloop_\n_atom_site.label_comp_id\n_atom_site.label_atom_id\n_atom_site.type_symbol\n_atom_site.Cartn_x\n"
+        "data_a\nloop_\n_atom_site.label_comp_id\n_atom_site.label_atom_id\n_atom_site.type_symbol\n_atom_site.Cartn_"
+        "x\n"
         "_atom_site.Cartn_y\n_atom_site.Cartn_z\n_atom_site.label_alt_id\nLIG C1 C 0 0 0 .\nLIG C2 C 1.5 0 0 A\n"
         "LIG C2 C 1.5 0.2 0 B\n";
-    const std::string bonds = "loop_\n_chem_comp_bond.comp_id\n_chem_comp_bond.atom_id_1\n_chem_comp_bond.atom_id_2\n"
-                              "_chem_comp_bond.value_order\nLIG C1 C2 TRIP\nLIG C2 C3 SING\nOTH C1 C2 DOUB\n";
+    const std::string bonds =
+        "loop_\n_chem_comp_bond.comp_id\n_chem_comp_bond.atom_id_1\n_chem_comp_bond.atom_id_2\n"
+        "_chem_comp_bond.value_order\nLIG C1 C2 TRIP\nLIG C2 C3 SING\nOTH C1 C2 DOUB\n";
     const Molecule molecule = readMolecule("a.cif", atoms + bonds);
     ASSERT_EQ(molecule.bonds.size(), 2u);  // to both places of C2, none to C3, which is not there
     EXPECT_EQ(molecule.bonds[0].source, BondSource::file);

@@ -41,8 +41,7 @@ TEST(Hydrogens, StandAtIdealAnglesAboutATetrahedralAtom) {
     for (const glm::dvec3& p : h) {
         EXPECT_NEAR(glm::length(p), 1.09, 1e-3);
         EXPECT_NEAR(degreesAt(p, {0, 0, 0}, {1.53, 0, 0}), 109.47, 0.1);
-        for (const glm::dvec3& q : h)
-            EXPECT_TRUE(p == q || std::abs(degreesAt(p, {0, 0, 0}, q) - 109.47) < 1);
+        for (const glm::dvec3& q : h) EXPECT_TRUE(p == q || std::abs(degreesAt(p, {0, 0, 0}, q) - 109.47) < 1);
     }
 }
 

@@ -34,8 +34,8 @@ std::string words(const std::vector<Interaction>& found) {
     std::string text;
     for (const Interaction& interaction : found) {
         text += text.empty() ? "" : ", ";
-        text += std::string(interactionKindName(interaction.kind)) + " " + std::to_string(interaction.a.atoms[0]) + "-" +
-                std::to_string(interaction.b.atoms[0]);
+        text += std::string(interactionKindName(interaction.kind)) + " " + std::to_string(interaction.a.atoms[0]) +
+                "-" + std::to_string(interaction.b.atoms[0]);
         if (interaction.donor != DonorSide::none) text += interaction.donor == DonorSide::a ? " a" : " b";
     }
     return text;
@@ -76,8 +76,7 @@ Molecule hydroxylAndKetone(glm::vec3 oxygen) {
 TEST(HydrogenBonds, OfBakerAndHubbardByDistanceAndAngleAtTheHydrogen) {
     const auto at = [](double distance, double degrees) {
         const double turn = glm::radians(180 - degrees);
-        const Molecule molecule = hydroxylAndKetone(
-            {0.96 + distance * std::cos(turn), distance * std::sin(turn), 0});
+        const Molecule molecule = hydroxylAndKetone({0.96 + distance * std::cos(turn), distance * std::sin(turn), 0});
         return words(interactions(molecule, InteractionRules::bakerHubbard));
     };
     EXPECT_EQ(at(2.49, 180), "hydrogen-bond 1-3 a");
@@ -89,8 +88,7 @@ TEST(HydrogenBonds, OfBakerAndHubbardByDistanceAndAngleAtTheHydrogen) {
 TEST(HydrogenBonds, OfWernetAndNilssonByACone) {
     const auto at = [](double distance, double delta) {
         const double turn = glm::radians(delta);
-        const Molecule molecule =
-            hydroxylAndKetone({distance * std::cos(turn), distance * std::sin(turn), 0});
+        const Molecule molecule = hydroxylAndKetone({distance * std::cos(turn), distance * std::sin(turn), 0});
         return words(interactions(molecule, InteractionRules::wernetNilsson));
     };
     EXPECT_EQ(at(3.29, 0), "hydrogen-bond 1-3 a");
@@ -163,8 +161,8 @@ TEST(Interactions, OfRingsByDistanceAngleAndOffset) {
     EXPECT_NEAR(stacked.angles[0].degrees, 10, 0.01);
     EXPECT_NEAR(stacked.distance, std::sqrt(1.5 * 1.5 + 3.5 * 3.5), 1e-3);
     EXPECT_LE(stacked.offset, 1.5 + 1e-3);
-    EXPECT_TRUE(rings({2.3f, 0, 3.9f}, 0).empty());   // offset
-    EXPECT_TRUE(rings({0, 0, 4.5f}, 45).empty());     // neither parallel nor across
+    EXPECT_TRUE(rings({2.3f, 0, 3.9f}, 0).empty());  // offset
+    EXPECT_TRUE(rings({0, 0, 4.5f}, 45).empty());    // neither parallel nor across
     EXPECT_EQ(rings({0, 0, 5.2f}, 90).size(), 1u);
     EXPECT_TRUE(rings({0, 0, 5.6f}, 90).empty());
 }

@@ -73,9 +73,8 @@ std::vector<std::uint32_t> candidates(const ChemistryWork& work, const PiElectro
         const std::vector<std::uint32_t>& ring = work.chemistry.rings[r].atoms;
         if (ring.size() < 5 || ring.size() > kLargestAromatic) continue;
         const std::set<std::uint32_t> atoms(ring.begin(), ring.end());
-        const bool able = std::all_of(ring.begin(), ring.end(), [&](std::uint32_t atom) {
-            return electrons.of(atom, atoms) != kNoElectrons;
-        });
+        const bool able = std::all_of(ring.begin(), ring.end(),
+                                      [&](std::uint32_t atom) { return electrons.of(atom, atoms) != kNoElectrons; });
         if (able) list.push_back(r);
     }
     return list;

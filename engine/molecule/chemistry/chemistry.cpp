@@ -41,8 +41,8 @@ std::vector<OrderSource> orderSources(const Molecule& molecule) {
     return sources;
 }
 
-/// Neighbours of present atoms. Coordination to a metal is no bond of valence: such bonds are left out, and so are those of
-/// atoms that a file gives more neighbours than any atom has.
+/// Neighbours of present atoms. Coordination to a metal is no bond of valence: such bonds are left out, and so are
+/// those of atoms that a file gives more neighbours than any atom has.
 void linkNeighbours(const Molecule& molecule, Chemistry& chemistry) {
     constexpr std::uint32_t kMostNeighbours = 24;
     std::vector<std::uint32_t> degree(molecule.atoms.size());

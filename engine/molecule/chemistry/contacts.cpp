@@ -10,7 +10,7 @@
 namespace nacre {
 namespace {
 
-constexpr double kNearestContact = 0.5;  // Å: nearer is a copy
+constexpr double kNearestContact = 0.5;                            // Å: nearer is a copy
 constexpr double kMolstarSaltBridge = 5.0, kPlipSaltBridge = 5.5;  // Å between atoms; between middles
 constexpr double kStacking = 5.5, kStackingAngle = 30, kOffset = 2.0;
 constexpr double kCationPi = 6.0, kAmineAngle = 30;
@@ -82,8 +82,8 @@ void findStacking(InteractionSearch& search, const std::vector<RingPlace>& rings
 /// PLIP: a tertiary amine points its lone pair at the ring, not its substituents.
 bool aminePoints(const InteractionSearch& search, const ChargedGroup& group, const glm::dvec3& normal) {
     const auto around = heavyNeighbours(search.molecule, search.chemistry, group.atoms.front());
-    const glm::dvec3 across = glm::cross(search.at(around[1]) - search.at(around[0]),
-                                         search.at(around[0]) - search.at(around[2]));
+    const glm::dvec3 across =
+        glm::cross(search.at(around[1]) - search.at(around[0]), search.at(around[0]) - search.at(around[2]));
     return anglesOfPlanes(normal, across) <= kAmineAngle;
 }
 
@@ -117,8 +117,8 @@ void addHalogenBond(InteractionSearch& search, const HalogenEnd& donor, const Ha
         return;
     const int sides = search.sides(donor.atom, acceptor.atom);
     if (sides == 0 || !search.apart(donor.atom, acceptor.atom) || !search.allowed(donor.atom, acceptor.atom)) return;
-    Interaction& found = search.add(InteractionKind::halogenBond, {{donor.atom}, x}, {{acceptor.atom}, y}, DonorSide::a,
-                                    sides);
+    Interaction& found =
+        search.add(InteractionKind::halogenBond, {{donor.atom}, x}, {{acceptor.atom}, y}, DonorSide::a, sides);
     found.angles = {{"donor", atDonor}, {"acceptor", atAcceptor}};
 }
 
@@ -185,7 +185,8 @@ void findHydrophobic(InteractionSearch& search) {
     const PlaceGrid grid(places, kHydrophobic);
     for (std::uint32_t i = 0; i < atoms.size(); ++i)
         grid.near(places[i], [&](std::uint32_t j, double squared) {
-            if (j <= i || squared >= kHydrophobic * kHydrophobic || squared <= kNearestContact * kNearestContact) return;
+            if (j <= i || squared >= kHydrophobic * kHydrophobic || squared <= kNearestContact * kNearestContact)
+                return;
             const int sides = search.sides(atoms[i], atoms[j]);
             if (sides == 0 || !search.apart(atoms[i], atoms[j]) || !search.allowed(atoms[i], atoms[j])) return;
             const auto element = [&](std::uint32_t k) { return search.molecule.atoms[atoms[k]].element; };

@@ -9,7 +9,9 @@
 namespace nacre {
 namespace {
 
-bool anyOf(Element e, std::initializer_list<Element> list) { return std::find(list.begin(), list.end(), e) != list.end(); }
+bool anyOf(Element e, std::initializer_list<Element> list) {
+    return std::find(list.begin(), list.end(), e) != list.end();
+}
 
 /// Carbon whose neighbours are carbon and hydrogen alone.
 bool hydrophobicCarbon(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t atom) {
@@ -45,6 +47,17 @@ std::vector<std::uint32_t> heavyNeighbours(const Molecule& molecule, const Chemi
 
 bool isSideChain(const Molecule& molecule, std::uint32_t atom) {
     return !isBackbone(ResidueKind::protein, molecule.atoms[atom].name);
+}
+
+std::vector<std::uint32_t> sideChainAtoms(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t residue,
+                                          Element element) {
+    std::vector<std::uint32_t> atoms;
+    const std::uint32_t begin = molecule.residues[residue].firstAtom, count = molecule.residues[residue].atomCount;
+    if (count > kLargestAminoAcid) return atoms;
+    for (std::uint32_t i = begin; i < begin + count; ++i)
+        if (chemistry.present[i] && molecule.atoms[i].element == element && isSideChain(molecule, i))
+            atoms.push_back(i);
+    return atoms;
 }
 
 Features sharedFeatures(const Molecule& molecule, const Chemistry& chemistry) {

@@ -38,11 +38,11 @@ struct Features {
     std::vector<std::uint32_t> rings;  ///< indices into Chemistry::rings
     std::vector<HalogenEnd> halogens, halogenAcceptors;
     std::vector<std::uint32_t> metals, metalBinders;
-    std::vector<std::uint32_t> waters;         ///< oxygens
-    std::vector<std::uint8_t> waterOxygen;     ///< by atom
-    std::vector<std::uint32_t> unit;           ///< by residue: the first of those that are one ligand with it; PLIP's
-    std::vector<std::uint8_t> receptor;        ///< by residue: an amino acid that is no HETATM
-    std::vector<std::uint8_t> macromolecule;   ///< by residue: a receptor, or a nucleotide
+    std::vector<std::uint32_t> waters;        ///< oxygens
+    std::vector<std::uint8_t> waterOxygen;    ///< by atom
+    std::vector<std::uint32_t> unit;          ///< by residue: the first of those that are one ligand with it; PLIP's
+    std::vector<std::uint8_t> receptor;       ///< by residue: an amino acid that is no HETATM
+    std::vector<std::uint8_t> macromolecule;  ///< by residue: a receptor, or a nucleotide
 };
 
 Features molstarFeatures(const Molecule& molecule, const Chemistry& chemistry);
@@ -56,5 +56,9 @@ std::vector<std::uint32_t> heavyNeighbours(const Molecule& molecule, const Chemi
 
 /// Whether an atom is one of a side chain's: of an amino acid, and none of N, CA, C, O, OXT and their hydrogens.
 bool isSideChain(const Molecule& molecule, std::uint32_t atom);
+
+/// Those of an element, of a residue that is no larger than an amino acid.
+std::vector<std::uint32_t> sideChainAtoms(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t residue,
+                                          Element element);
 
 }  // namespace nacre

@@ -43,7 +43,8 @@ double angleOutOfPlane(const InteractionSearch& search, std::uint32_t atom, cons
             }
     }
     if (around.size() < 2) return 0;
-    const glm::dvec3 across = glm::cross(search.at(around[0]) - search.at(atom), search.at(around[1]) - search.at(atom));
+    const glm::dvec3 across =
+        glm::cross(search.at(around[0]) - search.at(atom), search.at(around[1]) - search.at(atom));
     return std::abs(90 - angleBetween(across, way));
 }
 
@@ -53,8 +54,8 @@ bool mayBind(const InteractionSearch& search, std::uint32_t donor, std::uint32_t
     return search.apart(donor, acceptor) && search.allowed(donor, acceptor);
 }
 
-void addBond(InteractionSearch& search, std::uint32_t donor, std::uint32_t hydrogen, std::uint32_t acceptor, double angle,
-             int sides) {
+void addBond(InteractionSearch& search, std::uint32_t donor, std::uint32_t hydrogen, std::uint32_t acceptor,
+             double angle, int sides) {
     InteractionEnd first{{donor}, search.at(donor)}, second{{acceptor}, search.at(acceptor)};
     if (hydrogen != kNoHydrogen) first.atoms.push_back(hydrogen);
     Interaction& bond =
@@ -81,10 +82,9 @@ void findMolstarBonds(InteractionSearch& search, const PlaceGrid& grid) {
                 least = away;
                 nearest = h.atom;
             }
-            const double angle = nearest == kNoHydrogen
-                                     ? -1
-                                     : angleBetween(search.at(donor.atom) - search.at(nearest),
-                                                    search.at(acceptor) - search.at(nearest));
+            const double angle = nearest == kNoHydrogen ? -1
+                                                        : angleBetween(search.at(donor.atom) - search.at(nearest),
+                                                                       search.at(acceptor) - search.at(nearest));
             addBond(search, donor.atom, nearest, acceptor, angle, sides);
         });
     }
@@ -170,10 +170,10 @@ void findHydrogenBondsByHydrogens(InteractionSearch& search) {
             grid.near(search.molecule.atoms[from].position, [&](std::uint32_t index, double squared) {
                 const std::uint32_t acceptor = acceptors[index];
                 if (acceptor == donor) return;
-                const double angle = angleBetween(search.at(donor) - search.at(n.atom),
-                                                  search.at(acceptor) - search.at(n.atom));
-                const double delta = angleBetween(search.at(n.atom) - search.at(donor),
-                                                  search.at(acceptor) - search.at(donor));
+                const double angle =
+                    angleBetween(search.at(donor) - search.at(n.atom), search.at(acceptor) - search.at(n.atom));
+                const double delta =
+                    angleBetween(search.at(n.atom) - search.at(donor), search.at(acceptor) - search.at(donor));
                 const bool bound = baker ? squared < kBakerLength * kBakerLength && angle > kBakerAngle
                                          : std::sqrt(squared) < kWernetLength - kWernetFactor * delta * delta;
                 if (!bound) return;

@@ -18,8 +18,8 @@ struct HydrogenPlacing {
     bool asOpenBabel = false;
 };
 
-/// Open Babel bonds what a file states first, in the file's order, then what distances tell, in the order of z. Where it
-/// has a choice, of an acid's double bond or of what a hydroxyl turns away from, this order decides.
+/// Open Babel bonds what a file states first, in the file's order, then what distances tell, in the order of z. Where
+/// it has a choice, of an acid's double bond or of what a hydroxyl turns away from, this order decides.
 /// @param l, r  neighbours of one atom
 bool comesLater(const Molecule& molecule, const Neighbour& l, const Neighbour& r);
 

@@ -22,9 +22,9 @@ struct InteractionSearch {
     const Features& features;
     InteractionRules rules;
     const InteractionQuery& query;
-    const std::vector<bool>& b;         ///< of the query, filled in
-    bool plipReceptors = false;         ///< ligands meet receptors alone
-    bool modelsApart = false;           ///< several models of one molecule lie over each other: none meets another
+    const std::vector<bool>& b;  ///< of the query, filled in
+    bool plipReceptors = false;  ///< ligands meet receptors alone
+    bool modelsApart = false;    ///< several models of one molecule lie over each other: none meets another
     std::vector<Interaction>& found;
 
     glm::dvec3 at(std::uint32_t atom) const { return molecule.atoms[atom].position; }

@@ -127,7 +127,8 @@ std::vector<Interaction> InteractionFinder::find(const Molecule& molecule, const
         if (!all) others.flip();
     }
     std::vector<Interaction> found;
-    InteractionSearch search{molecule, kept_->chemistry, kept_->features, kept_->rules, query, others, false, false, found};
+    InteractionSearch search{molecule, kept_->chemistry, kept_->features, kept_->rules, query, others, false, false,
+                             found};
     const bool plip = kept_->rules == InteractionRules::plip;
     search.modelsApart = !molecule.modelsAreInputs && !molecule.chains.empty() &&
                          molecule.chains.front().model != molecule.chains.back().model;

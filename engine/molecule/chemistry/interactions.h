@@ -1,6 +1,6 @@
 #pragma once
-// Non-covalent interactions: hydrogen bonds, salt bridges, stacked rings and the like, by three published sets of rules.
-// docs/interactions.md states each definition with its source.
+// Non-covalent interactions: hydrogen bonds, salt bridges, stacked rings and the like, by three published sets of
+// rules. docs/interactions.md states each definition with its source.
 
 #include <array>
 #include <cstdint>
@@ -29,10 +29,10 @@ std::string_view interactionKindName(InteractionKind kind);
 std::optional<InteractionKind> interactionKindFromName(std::string_view name);
 
 enum class InteractionRules : std::uint8_t {
-    molstar,        ///< Mol*: no hydrogens needed
-    plip,           ///< Protein-Ligand Interaction Profiler 2.2
-    bakerHubbard,   ///< hydrogen bonds of Baker and Hubbard (1984) by the hydrogens of the file; the rest as molstar
-    wernetNilsson   ///< hydrogen bonds of Wernet, Nilsson et al. (2004), likewise
+    molstar,       ///< Mol*: no hydrogens needed
+    plip,          ///< Protein-Ligand Interaction Profiler 2.2
+    bakerHubbard,  ///< hydrogen bonds of Baker and Hubbard (1984) by the hydrogens of the file; the rest as molstar
+    wernetNilsson  ///< hydrogen bonds of Wernet, Nilsson et al. (2004), likewise
 };
 /// "molstar", "plip", "baker-hubbard", "wernet-nilsson".
 std::string_view interactionRulesName(InteractionRules rules);
@@ -55,12 +55,12 @@ enum class DonorSide : std::uint8_t { none, a, b };
 
 struct Interaction {
     InteractionKind kind = InteractionKind::hydrogenBond;
-    InteractionEnd a, b;   ///< a in the selection, b its partner
-    double distance = 0;   ///< Å, between the places; of a water bridge the longer of the two
+    InteractionEnd a, b;                ///< a in the selection, b its partner
+    double distance = 0;                ///< Å, between the places; of a water bridge the longer of the two
     DonorSide donor = DonorSide::none;  ///< of hydrogen bonds, halogen bonds and water bridges
     std::vector<InteractionAngle> angles;
-    double offset = -1;                  ///< Å, of the middles of rings; -1 where it has no meaning
-    std::vector<std::uint32_t> waters;   ///< oxygens of a water bridge
+    double offset = -1;                 ///< Å, of the middles of rings; -1 where it has no meaning
+    std::vector<std::uint32_t> waters;  ///< oxygens of a water bridge
 };
 
 /// Between which atoms. Values by atom.
@@ -73,8 +73,8 @@ struct InteractionQuery {
 /// More are an error: a heap of atoms that no molecule is.
 constexpr std::size_t kMostInteractions = 5'000'000;
 
-/// Finds the interactions of a molecule, of which it keeps what does not move: chemistry, donors, acceptors, charges and
-/// rings. A trajectory asks it once per frame.
+/// Finds the interactions of a molecule, of which it keeps what does not move: chemistry, donors, acceptors, charges
+/// and rings. A trajectory asks it once per frame.
 class InteractionFinder {
 public:
     InteractionFinder(const Molecule& molecule, InteractionRules rules);

@@ -9,7 +9,8 @@
 namespace nacre {
 namespace {
 
-/// The angles (degrees) from each partner of an ideal complex to the others: `sets` of the same angles, that many times.
+/// The angles (degrees) from each partner of an ideal complex to the others: `sets` of the same angles, that many
+/// times.
 struct IdealComplex {
     std::size_t partners;
     struct Set {
@@ -21,15 +22,14 @@ struct IdealComplex {
 };
 
 // From the largest number of partners to the smallest.
-constexpr IdealComplex kComplexes[] = {
-    {6, 1, {{6, 5, {90, 90, 90, 90, 180}}, {}}},
-    {5, 2, {{3, 4, {120, 120, 90, 90}}, {2, 4, {90, 90, 90, 180}}}},
-    {5, 2, {{4, 4, {90, 90, 90, 180}}, {1, 4, {90, 90, 90, 90}}}},
-    {4, 1, {{4, 4, {109.5, 109.5, 109.5, 109.5}}, {}}},
-    {4, 1, {{4, 4, {90, 90, 90, 90}}, {}}},
-    {3, 1, {{3, 2, {120, 120}}, {}}},
-    {3, 1, {{3, 2, {109.5, 109.5}}, {}}},
-    {2, 1, {{2, 1, {180}}, {}}}};
+constexpr IdealComplex kComplexes[] = {{6, 1, {{6, 5, {90, 90, 90, 90, 180}}, {}}},
+                                       {5, 2, {{3, 4, {120, 120, 90, 90}}, {2, 4, {90, 90, 90, 180}}}},
+                                       {5, 2, {{4, 4, {90, 90, 90, 180}}, {1, 4, {90, 90, 90, 90}}}},
+                                       {4, 1, {{4, 4, {109.5, 109.5, 109.5, 109.5}}, {}}},
+                                       {4, 1, {{4, 4, {90, 90, 90, 90}}, {}}},
+                                       {3, 1, {{3, 2, {120, 120}}, {}}},
+                                       {3, 1, {{3, 2, {109.5, 109.5}}, {}}},
+                                       {2, 1, {{2, 1, {180}}, {}}}};
 
 using Angles = std::vector<std::vector<double>>;  // by partner: to each other one
 
@@ -40,7 +40,8 @@ double misfit(const std::vector<double>& observed, const IdealComplex::Set& set)
     for (std::size_t i = 0; i < set.angles; ++i) {
         std::optional<std::size_t> best;
         for (std::size_t j = 0; j < observed.size(); ++j)
-            if (!used[j] && (!best || std::abs(set.degrees[i] - observed[j]) < std::abs(set.degrees[i] - observed[*best])))
+            if (!used[j] &&
+                (!best || std::abs(set.degrees[i] - observed[j]) < std::abs(set.degrees[i] - observed[*best])))
                 best = j;
         if (!best) continue;
         used[*best] = 1;

@@ -37,13 +37,12 @@ public:
 
 private:
     Element element(std::uint32_t atom) const { return molecule_.atoms[atom].element; }
-    const Name& residueName(std::uint32_t atom) const {
-        return molecule_.residues[molecule_.atoms[atom].residue].name;
-    }
+    const Name& residueName(std::uint32_t atom) const { return molecule_.residues[molecule_.atoms[atom].residue].name; }
 
     /// Which nitrogen of a histidine has the hydrogen is seldom known: both donate and accept.
     bool histidineNitrogen(std::uint32_t atom) const {
-        return element(atom) == kNitrogen && namedOneOf(residueName(atom), {"HIS", "HID", "HIE", "HIP", "HSD", "HSE", "HSP"}) &&
+        return element(atom) == kNitrogen &&
+               namedOneOf(residueName(atom), {"HIS", "HID", "HIE", "HIP", "HSD", "HSE", "HSP"}) &&
                namedOneOf(molecule_.atoms[atom].name, {"ND1", "NE2"});
     }
 
@@ -56,8 +55,7 @@ private:
     bool accepts(std::uint32_t atom) const {
         const Element e = element(atom);
         if (e == kOxygen) return chemistry_.charge[atom] < 1;
-        if (e == kSulphur)
-            return namedOneOf(residueName(atom), {"CYS", "MET"}) || chemistry_.charge[atom] < 0;
+        if (e == kSulphur) return namedOneOf(residueName(atom), {"CYS", "MET"}) || chemistry_.charge[atom] < 0;
         if (e != kNitrogen) return false;
         if (histidineNitrogen(atom)) return true;
         if (chemistry_.charge[atom] > 0) return false;
@@ -86,13 +84,7 @@ private:
             const Name& name = molecule_.residues[r].name;
             const bool positive = namedOneOf(name, {"ARG", "LYS", "HIS", "HIP", "HSP"});
             if (!positive && !namedOneOf(name, {"ASP", "GLU"})) continue;
-            std::vector<std::uint32_t> atoms;
-            if (molecule_.residues[r].atomCount > kLargestAminoAcid) continue;
-            const std::uint32_t begin = molecule_.residues[r].firstAtom;
-            for (std::uint32_t i = begin; i < begin + molecule_.residues[r].atomCount; ++i)
-                if (chemistry_.present[i] && element(i) == (positive ? kNitrogen : kOxygen) && isSideChain(molecule_, i))
-                    atoms.push_back(i);
-            add(std::move(atoms), positive);
+            add(sideChainAtoms(molecule_, chemistry_, r, positive ? kNitrogen : kOxygen), positive);
         }
     }
 

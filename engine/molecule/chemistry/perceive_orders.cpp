@@ -1,5 +1,5 @@
-// Bond orders from geometry. Lengths say how much of a double bond each pair looks like, angles and flat rings say which
-// atoms are planar, and the best distribution of pi bonds over each system decides (pi_bonds.cpp).
+// Bond orders from geometry. Lengths say how much of a double bond each pair looks like, angles and flat rings say
+// which atoms are planar, and the best distribution of pi bonds over each system decides (pi_bonds.cpp).
 
 #include <algorithm>
 #include <array>
@@ -84,14 +84,15 @@ private:
             const Element e = work_.element(n.atom);
             if (work_.degree(n.atom) == 1 && (e == kOxygen || e == kSulphur) && unknown(n.bond)) left.push_back(n);
         }
-        // Oxygen before sulphur, then by length; but lengths that differ by less than their error leave the file's order.
+        // Oxygen before sulphur, then by length; but lengths that differ by less than their error leave the file's
+        // order.
         const auto measure = [&](const Neighbour& n) {
             return work_.length(atom, n.atom) + (work_.element(n.atom) == kSulphur ? 1 : 0);
         };
         while (!left.empty()) {
-            const auto shortest = std::min_element(left.begin(), left.end(), [&](const Neighbour& l, const Neighbour& r) {
-                return measure(l) < measure(r);
-            });
+            const auto shortest =
+                std::min_element(left.begin(), left.end(),
+                                 [&](const Neighbour& l, const Neighbour& r) { return measure(l) < measure(r); });
             const float most = measure(*shortest) + kLengthError;
             const auto next =
                 std::find_if(left.begin(), left.end(), [&](const Neighbour& n) { return measure(n) <= most; });
@@ -205,7 +206,8 @@ private:
         if (work_.element(oxygen) != kOxygen || work_.degree(oxygen) != 1 || work_.element(carbon) != kCarbon)
             return false;
         for (const Neighbour& n : work_.chemistry.of(carbon))
-            if (n.atom != oxygen && (work_.element(n.atom) == kNitrogen || work_.element(n.atom) == kOxygen)) return true;
+            if (n.atom != oxygen && (work_.element(n.atom) == kNitrogen || work_.element(n.atom) == kOxygen))
+                return true;
         return false;
     }
 
@@ -281,7 +283,8 @@ void kekulise(ChemistryWork& work) {
         bonds.push_back(b);
     }
     const std::vector<std::uint8_t> pi = bestPiBonds(system);
-    for (std::size_t i = 0; i < bonds.size(); ++i) work.chemistry.order[bonds[i]] = static_cast<std::uint8_t>(1 + pi[i]);
+    for (std::size_t i = 0; i < bonds.size(); ++i)
+        work.chemistry.order[bonds[i]] = static_cast<std::uint8_t>(1 + pi[i]);
 }
 
 }  // namespace nacre

@@ -116,7 +116,8 @@ private:
         layers_.push_back(std::move(layer));
     }
 
-    bool add(std::uint64_t& key, float& score, const PiSystem::Bond& bond, std::uint8_t pi, bool closesA, bool closesB) {
+    bool add(std::uint64_t& key, float& score, const PiSystem::Bond& bond, std::uint8_t pi, bool closesA,
+             bool closesB) {
         for (const auto& [atom, closes] : {std::pair(bond.a, closesA), std::pair(bond.b, closesB)}) {
             const std::uint8_t slot = slot_[atom];
             const unsigned count = countOf(key, slot) + pi;

@@ -17,9 +17,8 @@ public:
     PlaceGrid(const std::vector<glm::vec3>& places, double reach) : places_(places), reach_(reach) {
         entries_.reserve(places.size());
         for (std::uint32_t i = 0; i < places.size(); ++i) entries_.push_back({keyOf(cellOf(places[i])), i});
-        std::sort(entries_.begin(), entries_.end(), [](const Entry& l, const Entry& r) {
-            return l.key != r.key ? l.key < r.key : l.index < r.index;
-        });
+        std::sort(entries_.begin(), entries_.end(),
+                  [](const Entry& l, const Entry& r) { return l.key != r.key ? l.key < r.key : l.index < r.index; });
     }
 
     /// Calls visit(index, squared distance) for each place at most `reach` away.

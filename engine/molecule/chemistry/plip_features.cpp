@@ -81,7 +81,8 @@ private:
         for (std::uint32_t r = 0; r < unit.size(); ++r) unit[r] = root(r);
     }
 
-    /// A ligand is looked at without what it is bonded to: its carbon there is hydrophobic by the rest of its neighbours.
+    /// A ligand is looked at without what it is bonded to: its carbon there is hydrophobic by the rest of its
+    /// neighbours.
     void addLinkedCarbon(std::uint32_t atom) {
         if (element(atom) != kCarbon) return;
         bool linked = false, others = true, already = true;
@@ -195,8 +196,8 @@ private:
             if (!chemistry_.present[i] || isMetal(element(i))) continue;
             grid.near(molecule_.atoms[i].position, [&](std::uint32_t index, double squared) {
                 const std::uint32_t metal = features_.metals[index];
-                const double most = static_cast<double>(covalentRadius(element(metal)) + covalentRadius(element(i))) +
-                                    kTolerance;
+                const double most =
+                    static_cast<double>(covalentRadius(element(metal)) + covalentRadius(element(i))) + kTolerance;
                 if (squared < most * most) ++metalBonds_[i];
             });
         }
@@ -224,7 +225,8 @@ private:
         for (const Neighbour& n : chemistry_.of(atom)) {
             const Element other = element(n.atom);
             if (other == kNitrogen && orders(n.atom) >= 4) return false;
-            if (other == kSulphur && count(n.atom, kOxygen) == 2 && count(n.atom, kCarbon) == 2) return false;  // sulphone
+            if (other == kSulphur && count(n.atom, kOxygen) == 2 && count(n.atom, kCarbon) == 2)
+                return false;  // sulphone
             aromatic += chemistry_.aromaticAtom[n.atom] != 0;
             if (!chemistry_.aromaticAtom[n.atom] && heavy == 2 && acyl(n.atom, atom)) return false;
         }
@@ -250,12 +252,7 @@ private:
             const std::string_view name = molecule_.residues[r].name.view();
             const bool positive = name == "ARG" || name == "HIS" || name == "LYS";
             if (!positive && name != "ASP" && name != "GLU") continue;
-            std::vector<std::uint32_t> atoms;
-            if (molecule_.residues[r].atomCount > kLargestAminoAcid) continue;
-            const std::uint32_t begin = molecule_.residues[r].firstAtom;
-            for (std::uint32_t i = begin; i < begin + molecule_.residues[r].atomCount; ++i)
-                if (chemistry_.present[i] && element(i) == (positive ? kNitrogen : kOxygen) && isSideChain(molecule_, i))
-                    atoms.push_back(i);
+            const auto atoms = sideChainAtoms(molecule_, chemistry_, r, positive ? kNitrogen : kOxygen);
             addCharge(atoms, atoms, positive);
         }
     }
@@ -324,7 +321,8 @@ private:
         for (const Neighbour& n : chemistry_.of(atom)) {
             if (chemistry_.aromaticAtom[n.atom] && !chemistry_.aromaticAtom[atom]) return true;
             if (e == kOxygen && element(n.atom) == kPhosphorus && count(n.atom, kOxygen) >= 2) return true;
-            if (e == kOxygen && element(n.atom) == kCarbon && count(n.atom, kOxygen) == 2 && count(n.atom, kCarbon) == 1)
+            if (e == kOxygen && element(n.atom) == kCarbon && count(n.atom, kOxygen) == 2 &&
+                count(n.atom, kCarbon) == 1)
                 return true;
         }
         return false;

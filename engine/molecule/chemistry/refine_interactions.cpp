@@ -219,8 +219,7 @@ void keepShortestPerPair(const InteractionSearch& search, std::vector<std::uint8
     for (std::size_t i = 0; i < search.found.size(); ++i) {
         const Interaction& interaction = search.found[i];
         if (interaction.kind != InteractionKind::hydrophobic || dropped[i]) continue;
-        const AtomPair pair =
-            ordered(search.residue(interaction.a.atoms[0]), search.residue(interaction.b.atoms[0]));
+        const AtomPair pair = ordered(search.residue(interaction.a.atoms[0]), search.residue(interaction.b.atoms[0]));
         const auto [known, added] = best.try_emplace(pair, i);
         if (added) continue;
         if (search.found[known->second].distance > interaction.distance) {

@@ -79,7 +79,8 @@ public:
         depth_[root] = 1;
         from_[root] = {root, 0};
         const std::size_t before = found.size();
-        for (std::size_t at = 0; at < queue_.size() && at < kMostVisited && found.size() - before < kMostPerAtom; ++at) {
+        for (std::size_t at = 0; at < queue_.size() && at < kMostVisited && found.size() - before < kMostPerAtom;
+             ++at) {
             const std::uint32_t atom = queue_[at];
             for (const Neighbour& n : chemistry_.of(atom)) {
                 if (!cyclic_[n.bond] || n.bond == from_[atom].bond) continue;

@@ -55,7 +55,8 @@ private:
         // A lone pair beside a pi bond of carbon or nitrogen is part of it.
         std::size_t conjugated = 0;
         for (const Neighbour& n : chemistry_.of(atom))
-            conjugated += (work_.element(n.atom) == kCarbon || work_.element(n.atom) == kNitrogen) && planarAtom(n.atom);
+            conjugated +=
+                (work_.element(n.atom) == kCarbon || work_.element(n.atom) == kNitrogen) && planarAtom(n.atom);
         if (e == kNitrogen) return conjugated > 0 && work_.degree(atom) <= 3 ? 2 : 3;
         return conjugated == work_.heavyDegree(atom) && conjugated > 0 ? 2 : 3;
     }
@@ -129,7 +130,8 @@ private:
             if (known) return 0;
             return amine(atom) || amidinium(atom) ? 1 : 0;
         }
-        if ((e == kOxygen || e == kSulphur) && sum == 1 && work_.degree(atom) == 1) return acidEnd(atom, known) ? -1 : 0;
+        if ((e == kOxygen || e == kSulphur) && sum == 1 && work_.degree(atom) == 1)
+            return acidEnd(atom, known) ? -1 : 0;
         if (e == kSulphur && sum == 3 && work_.degree(atom) == 3) return 1;
         if (e == kPhosphorus && sum == 4 && work_.degree(atom) == 4) return 1;
         return 0;
@@ -184,8 +186,8 @@ private:
     /// Bonds from a centre to the ends that share a charge or a pi bond.
     void markDelocalised(std::uint32_t centre) {
         const Element e = work_.element(centre);
-        const bool guanidine = e == kCarbon && !chemistry_.aromaticAtom[centre] && piOf(centre) == 1 &&
-                               amidineCarbon(centre);
+        const bool guanidine =
+            e == kCarbon && !chemistry_.aromaticAtom[centre] && piOf(centre) == 1 && amidineCarbon(centre);
         std::size_t ends = 0, twofold = 0;
         const auto counts = [&](const Neighbour& n) {
             const Element other = work_.element(n.atom);

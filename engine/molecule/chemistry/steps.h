@@ -8,9 +8,22 @@
 namespace nacre {
 
 /// Atomic numbers that the rules name.
-enum : Element { kHydrogenAtom = 1, kBoron = 5, kCarbon = 6, kNitrogen = 7, kOxygen = 8, kFluorine = 9, kSilicon = 14,
-                 kPhosphorus = 15, kSulphur = 16, kChlorine = 17, kArsenic = 33, kSelenium = 34, kBromine = 35,
-                 kIodine = 53 };
+enum : Element {
+    kHydrogenAtom = 1,
+    kBoron = 5,
+    kCarbon = 6,
+    kNitrogen = 7,
+    kOxygen = 8,
+    kFluorine = 9,
+    kSilicon = 14,
+    kPhosphorus = 15,
+    kSulphur = 16,
+    kChlorine = 17,
+    kArsenic = 33,
+    kSelenium = 34,
+    kBromine = 35,
+    kIodine = 53
+};
 
 /// Which bonds have an order that nobody needs to guess.
 enum class OrderSource : std::uint8_t { unknown, stated, residueTemplate };
@@ -18,10 +31,10 @@ enum class OrderSource : std::uint8_t { unknown, stated, residueTemplate };
 struct ChemistryWork {
     const Molecule& molecule;
     Chemistry& chemistry;
-    std::vector<OrderSource> source;      ///< by bond
-    std::vector<std::uint8_t> inRing;     ///< by bond
-    std::vector<std::uint8_t> flatRing;   ///< by atom: smallest flat ring of five or six that it is in, else 0
-    std::vector<std::uint8_t> ringAtom;   ///< by atom: size of the smallest ring that it is in, else 0
+    std::vector<OrderSource> source;     ///< by bond
+    std::vector<std::uint8_t> inRing;    ///< by bond
+    std::vector<std::uint8_t> flatRing;  ///< by atom: smallest flat ring of five or six that it is in, else 0
+    std::vector<std::uint8_t> ringAtom;  ///< by atom: size of the smallest ring that it is in, else 0
 
     const Atom& atom(std::uint32_t i) const { return molecule.atoms[i]; }
     Element element(std::uint32_t i) const { return molecule.atoms[i].element; }
@@ -54,8 +67,8 @@ void findStates(ChemistryWork& work);
 /// A system of atoms that may share pi bonds, and the pi bonds that serve it best.
 struct PiSystem {
     struct Atom {
-        float cost[3] = {0, 0, 0};   ///< of having 0, 1, 2 pi bonds
-        std::uint8_t most = 1;       ///< pi bonds at most
+        float cost[3] = {0, 0, 0};  ///< of having 0, 1, 2 pi bonds
+        std::uint8_t most = 1;      ///< pi bonds at most
     };
     struct Bond {
         std::uint32_t a = 0, b = 0;  ///< into atoms

@@ -10,8 +10,8 @@
 namespace nacre {
 namespace {
 
-// Å, degrees. Under Mol*'s rules both are hydrogen bonds, which leave the water at the angle of a tetrahedron within what
-// the rules allow about any donor.
+// Å, degrees. Under Mol*'s rules both are hydrogen bonds, which leave the water at the angle of a tetrahedron within
+// what the rules allow about any donor.
 constexpr double kMolstarWater = 3.5, kTetrahedralWater = 109.47, kWaterDeviation = 45;
 constexpr double kPlipWater = 4.1, kPlipNearestWater = 2.5;
 constexpr double kLeastWaterAngle = 71, kMostWaterAngle = 140, kIdealWaterAngle = 110, kLeastDonorAngle = 100;

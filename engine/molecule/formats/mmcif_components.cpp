@@ -23,7 +23,8 @@ Components componentsOf(const MmcifTable& bonds) {
         const auto component = bonds.get(row, {"comp_id"}), a = bonds.get(row, {"atom_id_1"}),
                    b = bonds.get(row, {"atom_id_2"});
         if (!component || !a || !b || residueTemplate(Name(*component))) continue;
-        components[std::string(*component)].push_back({*a, *b, mmcifBondOrder(bonds.get(row, {"value_order", "type"}))});
+        components[std::string(*component)].push_back(
+            {*a, *b, mmcifBondOrder(bonds.get(row, {"value_order", "type"}))});
     }
     return components;
 }
