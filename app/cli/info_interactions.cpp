@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "app/shared/printable.h"
+#include "app/files/printable.h"
 #include "engine/error.h"
 #include "engine/molecule/selection/selection.h"
 
