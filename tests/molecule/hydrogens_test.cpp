@@ -74,10 +74,14 @@ TEST(Hydrogens, OfStandardResiduesBearThePdbsNames) {
 
 TEST(Hydrogens, ThatAreThereAreNotAddedAgain) {
     MoleculeText text;
-    text.residue("LIG").atom("C1", "C", {0, 0, 0}).atom("C2", "C", {1.53f, 0, 0}).atom("H1", "H", {-0.36f, 1.03f, 0});
+    text.residue("LIG").atom("C1", "C", {0, 0, 0}).atom("C2", "C", {1.53f, 0, 0});
     const Molecule once = hydrogenated(text.molecule);
-    const Molecule twice = hydrogenated(once);
-    EXPECT_EQ(twice.atoms.size(), once.atoms.size());
+    EXPECT_EQ(once.atoms.size(), 8u);
+    EXPECT_EQ(hydrogenated(once).atoms.size(), 8u);
+    Molecule heavy = once;
+    for (Atom& atom : heavy.atoms)
+        if (atom.element == 1) atom.element = elementFromSymbol("D");
+    EXPECT_EQ(hydrogenated(heavy).atoms.size(), 8u);
 }
 
 }  // namespace

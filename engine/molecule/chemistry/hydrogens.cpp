@@ -7,6 +7,7 @@
 
 #include "engine/molecule/bonds/residue_templates.h"
 #include "engine/molecule/chemistry/steps.h"
+#include "engine/molecule/element.h"
 
 namespace nacre {
 namespace {
@@ -52,7 +53,7 @@ private:
         const glm::dvec3 along = taken_.front();
         const Neighbour* best = nullptr;
         for (const Neighbour& n : chemistry_.of(other)) {
-            if (n.atom == atom_ || molecule_.atoms[n.atom].element == kHydrogenAtom) continue;
+            if (n.atom == atom_ || isHydrogen(molecule_.atoms[n.atom].element)) continue;
             if (asOpenBabel_ && otherAcidOxygen(other, n)) {
                 best = &n;
                 break;
@@ -68,7 +69,7 @@ private:
     bool otherAcidOxygen(std::uint32_t carbon, const Neighbour& n) const {
         const auto end = [&](std::uint32_t atom) {
             std::size_t heavy = 0;
-            for (const Neighbour& m : chemistry_.of(atom)) heavy += molecule_.atoms[m.atom].element != kHydrogenAtom;
+            for (const Neighbour& m : chemistry_.of(atom)) heavy += !isHydrogen(molecule_.atoms[m.atom].element);
             return molecule_.atoms[atom].element == kOxygen && heavy == 1;
         };
         return molecule_.atoms[carbon].element == kCarbon && end(atom_) && end(n.atom);
@@ -204,7 +205,7 @@ Molecule withHydrogens(const Molecule& molecule, const Chemistry& chemistry) {
         for (std::uint32_t i = begin; i < end; ++i) {
             if (!chemistry.present[i] || chemistry.hybrid[i] == 0) continue;
             std::size_t there = 0;
-            for (const Neighbour& n : chemistry.of(i)) there += molecule.atoms[n.atom].element == kHydrogenAtom;
+            for (const Neighbour& n : chemistry.of(i)) there += isHydrogen(molecule.atoms[n.atom].element);
             if (chemistry.hydrogens[i] <= there) continue;
             const std::size_t missing = chemistry.hydrogens[i] - there;
             const std::vector<glm::vec3> positions = hydrogenPositions(molecule, chemistry, i, missing);
