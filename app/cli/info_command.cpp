@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "app/cli/commands.h"
+#include "app/cli/info_interactions.h"
 #include "app/cli/progress.h"
 #include "app/download/load_molecule.h"
 #include "app/files/json_text.h"
@@ -318,16 +319,33 @@ std::string infoText(const std::string& name, const Json& json) {
 
 namespace {
 
-Json infoOf(const InputOptions& input, bool residues) {
+/// One INPUT: its summary, and what comes after it where it is for people, or alone as CSV.
+struct InfoOfInput {
+    Json json;
+    std::string text;
+};
+
+InfoOfInput infoOf(const InputOptions& input, const InfoOptions& options) {
     Progress progress;
     progress.begin("reading");
     const Molecule molecule = loadMolecule(input, downloadProgress(progress));
-    Json json = infoJson(molecule);
-    if (residues) json["residues"] = residueList(molecule);
+    InfoOfInput info{infoJson(molecule), {}};
+    if (options.residues) {
+        info.json["residues"] = residueList(molecule);
+        info.text = residueText(info.json["residues"]);
+    }
+    if (options.interactions) {
+        InteractionRequest request = *options.interactions;
+        request.rules = options.interactionRules;
+        const std::vector<Interaction> interactions = interactionsOf(molecule, request);
+        if (options.csv) info.text = interactionCsv(molecule, interactions);
+        if (options.json) info.json["interactions"] = interactionList(molecule, interactions);
+        if (!options.csv && !options.json) info.text += interactionText(molecule, interactions);
+    }
     std::error_code error;
     const auto bytes = std::filesystem::file_size(input.path, error);
-    if (!error) json["bytes"] = bytes;
-    return json;
+    if (!error) info.json["bytes"] = bytes;
+    return info;
 }
 
 }  // namespace
@@ -341,9 +359,10 @@ void infoCommand(const InfoOptions& options, std::ostream& out) {
             input.alone = true;
             input.path = path;
             Json json = several ? Json{{"file", path}} : Json::object();
-            json.update(infoOf(input, options.residues));
-            if (!options.json) out << (list.empty() ? "" : "\n") << infoText(path, json);
-            if (!options.json && options.residues) out << residueText(json["residues"]);
+            InfoOfInput info = infoOf(input, options);
+            json.update(std::move(info.json));
+            if (!options.json && !options.csv) out << (list.empty() ? "" : "\n") << infoText(path, json);
+            if (!options.json) out << info.text;
             list.push_back(std::move(json));
         } catch (const Error& error) {
             if (failure) sayError(failure->what());

@@ -117,6 +117,26 @@ void checkExport(const ExportCommandOptions& options) {
     }
 }
 
+/// @throws UsageError
+void checkInfo(const InfoOptions& options) {
+    if (!options.csv) return;
+    if (!options.interactions) throw UsageError("--csv is for --interactions");
+    if (options.json) throw UsageError("--csv and --json exclude each other");
+    if (options.paths.size() > 1) throw UsageError("--csv is for one INPUT");
+}
+
+void addInteractions(CommandSpec& command, InfoOptions& options) {
+    command.value(
+        "--interactions", "SEL[,SEL]|all", "none",
+        "Hydrogen bonds, salt bridges and the like of a selection with what is around it, between two selections, or "
+        "of all atoms",
+        [&](const std::string& text) { options.interactions = parseInteractionRequest(text); });
+    command.value("--interaction-rules", "molstar|plip|baker-hubbard|wernet-nilsson", "molstar",
+                  "Whose definitions of interactions: docs/interactions.md",
+                  [&](const std::string& text) { options.interactionRules = parseInteractionRules(text); });
+    command.flag("--csv", options.csv, "The interactions as a table of comma-separated values");
+}
+
 std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& window) {
     CommandSpec render{"render", "Draw a molecule into a picture file", kRenderExamples};
     addRender(render, line.render);
@@ -133,6 +153,7 @@ std::vector<CommandSpec> commandsOf(CommandLine& line, PictureDescription& windo
                      "Examples:\n  nacre info 1bna.pdb 4hhb.cif.gz\n  nacre info ligands.sdf --model 3 --json"};
     addInputs(info, line.info.paths, line.info.picture);
     info.flag("--residues", line.info.residues, "Each residue, with helix, strand or coil");
+    addInteractions(info, line.info);
     info.flag("--json", line.info.json, "As one JSON object");
     CommandSpec bench{"bench", "Time frames by each visibility path",
                       "Examples:\n  nacre bench 1bna.pdb\n  nacre bench 1aon.pdb.gz --frames 50 --json\n"
@@ -216,6 +237,7 @@ CommandLine parseCommandLine(int argc, const char* const* argv) {
     if (line.command == Command::movie) checkMovie(line.movie);
     if (line.command == Command::looks) checkLooks(line.looks);
     if (line.command == Command::exporting) checkExport(line.exported);
+    if (line.command == Command::info) checkInfo(line.info);
     if (line.command == Command::view) {
         const bool named = checkWindow(window);
         line.view = {withWholePaths(window), !named};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/cli/command_spec.h"
+#include "app/cli/info_interactions.h"
 #include "app/desktop/view_options.h"
 #include "app/export/export_scene.h"
 #include "app/movie/camera_path.h"
@@ -44,7 +45,9 @@ struct InfoOptions {
     std::vector<std::string> paths;  ///< one or more
     PictureDescription picture;      ///< how each of them is read
     bool residues = false;           ///< each of them, with its place in the fold
-    bool json = false;
+    std::optional<InteractionRequest> interactions;
+    InteractionRules interactionRules = InteractionRules::molstar;
+    bool json = false, csv = false;  ///< csv: of the interactions alone
 };
 
 struct BenchOptions {

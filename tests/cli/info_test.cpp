@@ -3,6 +3,8 @@
 #include <fstream>
 
 #include "app/cli/info_command.h"
+#include "app/cli/info_interactions.h"
+#include "engine/error.h"
 #include "engine/molecule/read.h"
 #include "tests/support/test_data.h"
 
@@ -135,6 +137,57 @@ TEST(Info, AgreesWithIndependentCounts) {
         ++compared;
     }
     EXPECT_GT(compared, 50);
+}
+
+Molecule twoCarbons() {
+    Molecule molecule = twoAtoms();
+    molecule.atoms[0].name = Name("CA");
+    molecule.atoms[1].name = Name("C1");
+    molecule.residues[0].name = Name("ALA");
+    molecule.residues[1].name = Name("LIG");
+    return molecule;
+}
+
+Interaction contactOf(const Molecule& molecule) {
+    Interaction contact;
+    contact.kind = InteractionKind::waterBridge;
+    contact.a = {{1}, molecule.atoms[1].position};
+    contact.b = {{0}, molecule.atoms[0].position};
+    contact.distance = 3.14159;
+    contact.angles = {{"water", 101.26}};
+    contact.donor = DonorSide::b;
+    contact.waters = {0};
+    return contact;
+}
+
+TEST(Info, InteractionsAsJsonCsvAndText) {
+    const Molecule molecule = twoCarbons();
+    const std::vector<Interaction> found = {contactOf(molecule)};
+    EXPECT_EQ(interactionList(molecule, found).dump(),
+              R"([{"kind":"water-bridge","a":{"chain":"A","residue":"LIG","number":0,"insertion":"B","atoms":["C1"],)"
+              R"("ids":[2]},"b":{"chain":"A","residue":"ALA","number":-3,"insertion":"","atoms":["CA"],"ids":[1]},)"
+              R"("distance":3.142,"angles":{"water":101.3},"donor":"b","waters":[{"chain":"A","residue":"ALA",)"
+              R"("number":-3,"insertion":"","atoms":["CA"],"ids":[1]}]}])");
+    EXPECT_EQ(interactionCsv(molecule, found),
+              "kind,a_chain,a_model,a_residue,a_number,a_insertion,a_atoms,a_ids,b_chain,b_model,b_residue,b_number,"
+              "b_insertion,b_atoms,b_ids,distance,angles,offset,donor,waters\n"
+              "water-bridge,A,1,LIG,0,B,C1,2,A,1,ALA,-3,,CA,1,3.142,water=101.3,,b,1\n");
+    EXPECT_EQ(interactionText(molecule, found),
+              "  interactions\n    water-bridge   3.14 Å  A/LIG0B C1  -  A/ALA-3 CA  by A/ALA-3 CA\n");
+}
+
+TEST(Info, InteractionsOfOneSelectionOrTwo) {
+    const auto two = parseInteractionRequest("ligand,protein");
+    EXPECT_EQ(two.a + "|" + two.b, "ligand|protein");
+    const auto list = parseInteractionRequest("chain A,B");  // a list of one selection
+    EXPECT_EQ(list.a + "|" + list.b, "chain A,B|");
+    const auto lists = parseInteractionRequest("resn HEM,CMO,chain A and protein");
+    EXPECT_EQ(lists.a + "|" + lists.b, "resn HEM,CMO|chain A and protein");
+    EXPECT_THROW(parseInteractionRequest("chain"), Error);
+    EXPECT_THROW(parseInteractionRequest("ligand,"), Error);
+    EXPECT_THROW(interactionsOf(twoCarbons(), parseInteractionRequest("resn XYZ")), Error);
+    EXPECT_EQ(parseInteractionRules("wernet-nilsson"), InteractionRules::wernetNilsson);
+    EXPECT_THROW(parseInteractionRules("probe"), Error);
 }
 
 }  // namespace

@@ -72,7 +72,7 @@ public:
 
 PictureDescription viewOf(const std::string& input) {
     PictureDescription view;
-    view.input.path.path = input;
+    view.input.path = input;
     view.look.style = Style::spacefill;
     view.occlusion.directions = 4;
     return view;
@@ -303,7 +303,7 @@ TEST(PhoneSession, VoiceOverHearsAndMovesEveryControl) {
         shared.push_back(name);
     };
     lent.shareText = [&](const std::string& text, const std::string& name) {
-        EXPECT_EQ(parseSavedView(text, name).input, "pair.pdb") << "another device has it elsewhere";
+        EXPECT_EQ(parseSavedView(text, name).input.path, "pair.pdb") << "another device has it elsewhere";
         shared.push_back(name);
     };
     PhoneSession session(std::move(lent), viewOf("/far/pair.pdb"));

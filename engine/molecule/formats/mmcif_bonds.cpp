@@ -8,13 +8,6 @@ namespace nacre {
 
 namespace {
 
-int bondOrder(std::optional<std::string_view> text) {
-    const std::string order = lowerCase(text.value_or("sing").substr(0, 4));
-    if (order == "doub") return 2;
-    if (order == "trip") return 3;
-    return order == "arom" || order == "delo" ? 4 : 1;
-}
-
 /// Where to look a residue up: the runs with the same chain, number and insertion code.
 using ResidueIndex = std::multimap<std::string, std::uint32_t>;  // no hash that a file could aim at
 
@@ -84,6 +77,13 @@ bool isBond(const MmcifTable& table, std::size_t row) {
 
 }  // namespace
 
+int mmcifBondOrder(std::optional<std::string_view> text) {
+    const std::string order = lowerCase(text.value_or("sing").substr(0, 4));
+    if (order == "doub") return 2;
+    if (order == "trip") return 3;
+    return order == "arom" || order == "delo" ? 4 : 1;
+}
+
 void addStructConnBonds(MoleculeBuilder& builder, const MmcifTable& connections) {
     const Molecule& molecule = builder.molecule();
     ResidueIndex index;
@@ -98,7 +98,7 @@ void addStructConnBonds(MoleculeBuilder& builder, const MmcifTable& connections)
         const auto first = findAtoms(molecule, index, connections, row, kPartners[0], comparisons);
         const auto second = findAtoms(molecule, index, connections, row, kPartners[1], comparisons);
         if (first.empty() || second.empty()) ++missing;
-        const int order = bondOrder(connections.get(row, {"pdbx_value_order"}));
+        const int order = mmcifBondOrder(connections.get(row, {"pdbx_value_order"}));
         for (const std::uint32_t a : first)
             for (const std::uint32_t b : second) {
                 const char p = molecule.atoms[a].alternate, q = molecule.atoms[b].alternate;
@@ -147,7 +147,7 @@ void addComponent(MoleculeBuilder& builder, const MmcifTable& atoms, const Mmcif
         if (a == position.end() || b == position.end() || a == b)
             cannotRead(builder.name(),
                        "row " + std::to_string(row + 1) + " of _chem_comp_bond names atoms that are not there");
-        builder.addBond(a->second, b->second, bondOrder(bonds.get(row, {"value_order", "type"})), 0);
+        builder.addBond(a->second, b->second, mmcifBondOrder(bonds.get(row, {"value_order", "type"})), 0);
     }
     builder.molecule().file.models = 1;
     builder.molecule().file.bonds = static_cast<std::int64_t>(bonds.rows());

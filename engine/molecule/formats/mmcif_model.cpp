@@ -200,6 +200,7 @@ void MmcifModel::finishModels(FileSummary& file) {
         for (Residue& residue : builder.molecule().residues)
             if (residue.entity > 0) residue.entityKind = kinds[residue.entity - 1];
         addStructConnBonds(builder, tables_["struct_conn"]);
+        addComponentBonds(builder, tables_["chem_comp_bond"]);
         addSecondaryStructure(builder, tables_["struct_conf"], tables_["struct_sheet_range"]);
     }
     addMmcifAssemblies(builders_.front(), tables_["pdbx_struct_assembly"], tables_["pdbx_struct_assembly_gen"],

@@ -172,6 +172,12 @@ private:
 /// hydrogen bonds, and none to symmetry mates.
 void addStructConnBonds(MoleculeBuilder& builder, const MmcifTable& connections);
 
+/// Order of a bond by the dictionary's words ("SING", "doub", "arom", "delo"); 1 for any other.
+int mmcifBondOrder(std::optional<std::string_view> text);
+
+/// Bonds of _chem_comp_bond inside residues, but for those of our templates.
+void addComponentBonds(MoleculeBuilder& builder, const MmcifTable& bonds);
+
 /// Helices of _struct_conf and strands of _struct_sheet_range.
 void addSecondaryStructure(MoleculeBuilder& builder, const MmcifTable& conformations, const MmcifTable& strands);
 /// Assemblies of _pdbx_struct_assembly, _pdbx_struct_assembly_gen and _pdbx_struct_oper_list. One that cannot be read

@@ -1,0 +1,93 @@
+#include "engine/molecule/chemistry/features.h"
+
+#include <algorithm>
+
+#include "engine/molecule/chemistry/steps.h"
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/element.h"
+
+namespace nacre {
+namespace {
+
+bool anyOf(Element e, std::initializer_list<Element> list) {
+    return std::find(list.begin(), list.end(), e) != list.end();
+}
+
+/// Carbon whose neighbours are carbon and hydrogen alone.
+bool hydrophobicCarbon(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t atom) {
+    if (molecule.atoms[atom].element != kCarbon) return false;
+    for (const Neighbour& n : chemistry.of(atom))
+        if (!anyOf(molecule.atoms[n.atom].element, {kCarbon, kHydrogenAtom, 119})) return false;
+    return true;
+}
+
+void addHalogenEnds(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t atom, Features& features) {
+    const Element e = molecule.atoms[atom].element;
+    const std::vector<std::uint32_t> around = heavyNeighbours(molecule, chemistry, atom);
+    if (anyOf(e, {kFluorine, kChlorine, kBromine, kIodine})) {
+        if (around.size() == 1 && molecule.atoms[around[0]].element == kCarbon)
+            features.halogens.push_back({atom, around[0]});
+        return;
+    }
+    if (!anyOf(e, {kNitrogen, kOxygen, kSulphur})) return;
+    std::vector<std::uint32_t> bases;
+    for (const std::uint32_t n : around)
+        if (anyOf(molecule.atoms[n].element, {kCarbon, kNitrogen, kPhosphorus, kSulphur})) bases.push_back(n);
+    if (bases.size() == 1) features.halogenAcceptors.push_back({atom, bases[0]});
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> heavyNeighbours(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t atom) {
+    std::vector<std::uint32_t> heavy;
+    for (const Neighbour& n : chemistry.of(atom))
+        if (!isHydrogen(molecule.atoms[n.atom].element)) heavy.push_back(n.atom);
+    return heavy;
+}
+
+bool isSideChain(const Molecule& molecule, std::uint32_t atom) {
+    return !isBackbone(ResidueKind::protein, molecule.atoms[atom].name);
+}
+
+std::vector<std::uint32_t> sideChainAtoms(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t residue,
+                                          Element element) {
+    std::vector<std::uint32_t> atoms;
+    const std::uint32_t begin = molecule.residues[residue].firstAtom, count = molecule.residues[residue].atomCount;
+    if (count > kLargestAminoAcid) return atoms;
+    for (std::uint32_t i = begin; i < begin + count; ++i)
+        if (chemistry.present[i] && molecule.atoms[i].element == element && isSideChain(molecule, i))
+            atoms.push_back(i);
+    return atoms;
+}
+
+Features sharedFeatures(const Molecule& molecule, const Chemistry& chemistry) {
+    Features features;
+    const std::vector<ResidueKind> kinds = residueKinds(molecule);
+    features.receptor.resize(kinds.size());
+    features.macromolecule.resize(kinds.size());
+    features.waterOxygen.resize(molecule.atoms.size());
+    for (std::size_t r = 0; r < kinds.size(); ++r) {
+        const Residue& residue = molecule.residues[r];
+        const bool hetero = residue.atomCount > 0 && molecule.atoms[residue.firstAtom].hetero;
+        const std::string_view name = residue.name.view();
+        features.receptor[r] =
+            kinds[r] == ResidueKind::protein && (!hetero || name == "PCA" || name == "HYP");  // as Open Babel's table
+        features.macromolecule[r] = features.receptor[r] || kinds[r] == ResidueKind::nucleic;
+        for (std::uint32_t i = residue.firstAtom; i < residue.firstAtom + residue.atomCount; ++i) {
+            if (!chemistry.present[i]) continue;
+            const Element e = molecule.atoms[i].element;
+            if (kinds[r] == ResidueKind::water) {
+                if (e != kOxygen) continue;
+                features.waters.push_back(i);
+                features.waterOxygen[i] = 1;
+                continue;
+            }
+            if (isMetal(e)) features.metals.push_back(i);
+            if (hydrophobicCarbon(molecule, chemistry, i)) features.hydrophobic.push_back(i);
+            addHalogenEnds(molecule, chemistry, i, features);
+        }
+    }
+    return features;
+}
+
+}  // namespace nacre

@@ -1,0 +1,64 @@
+#pragma once
+// Atoms and groups that take part in interactions. They depend on chemistry alone, not on positions: one set serves all
+// frames of a trajectory. Internal to this folder.
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/molecule/chemistry/chemistry.h"
+#include "engine/molecule/residue_kind.h"
+
+namespace nacre {
+
+/// Atoms of what bears the name of an amino acid: more are a file without residues, not one.
+constexpr std::uint32_t kLargestAminoAcid = 100;
+
+struct Donor {
+    std::uint32_t atom = 0;
+    std::uint8_t hydrogens = 0;  ///< that the file lacks and whose places are worked out
+};
+
+struct ChargedGroup {
+    std::vector<std::uint32_t> atoms;   ///< those that bear the charge
+    std::vector<std::uint32_t> centre;  ///< whose mean is its place
+    bool positive = false;
+    bool tertiaryAmine = false;
+};
+
+/// A halogen and its carbon, or an acceptor of its bond and the atom that bears it.
+struct HalogenEnd {
+    std::uint32_t atom = 0, base = 0;
+};
+
+struct Features {
+    std::vector<Donor> donors;
+    std::vector<std::uint32_t> acceptors;
+    std::vector<std::uint32_t> hydrophobic;
+    std::vector<ChargedGroup> charged;
+    std::vector<std::uint32_t> rings;  ///< indices into Chemistry::rings
+    std::vector<HalogenEnd> halogens, halogenAcceptors;
+    std::vector<std::uint32_t> metals, metalBinders;
+    std::vector<std::uint32_t> waters;        ///< oxygens
+    std::vector<std::uint8_t> waterOxygen;    ///< by atom
+    std::vector<std::uint32_t> unit;          ///< by residue: the first of those that are one ligand with it; PLIP's
+    std::vector<std::uint8_t> receptor;       ///< by residue: an amino acid that is no HETATM
+    std::vector<std::uint8_t> macromolecule;  ///< by residue: a receptor, or a nucleotide
+};
+
+Features molstarFeatures(const Molecule& molecule, const Chemistry& chemistry);
+Features plipFeatures(const Molecule& molecule, const Chemistry& chemistry);
+
+/// What both share: waters, what residues are, metals, hydrophobic carbons, ends of halogen bonds.
+Features sharedFeatures(const Molecule& molecule, const Chemistry& chemistry);
+
+/// Heavy neighbours of an atom.
+std::vector<std::uint32_t> heavyNeighbours(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t atom);
+
+/// Whether an atom is one of a side chain's: of an amino acid, and none of N, CA, C, O, OXT and their hydrogens.
+bool isSideChain(const Molecule& molecule, std::uint32_t atom);
+
+/// Those of an element, of a residue that is no larger than an amino acid.
+std::vector<std::uint32_t> sideChainAtoms(const Molecule& molecule, const Chemistry& chemistry, std::uint32_t residue,
+                                          Element element);
+
+}  // namespace nacre

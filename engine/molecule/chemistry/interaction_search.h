@@ -1,0 +1,84 @@
+#pragma once
+// What the searches for each kind of interaction share. Internal to this folder.
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "engine/molecule/chemistry/features.h"
+#include "engine/molecule/chemistry/interactions.h"
+
+namespace nacre {
+
+inline double angleBetween(const glm::dvec3& u, const glm::dvec3& v) {
+    const double length = std::sqrt(glm::dot(u, u) * glm::dot(v, v));
+    return length < 1e-9 ? 0 : std::acos(std::clamp(glm::dot(u, v) / length, -1.0, 1.0)) * 57.29577951308232;
+}
+
+/// Everything that a search reads, and where it puts what it finds.
+struct InteractionSearch {
+    const Molecule& molecule;
+    const Chemistry& chemistry;
+    const Features& features;
+    InteractionRules rules;
+    const InteractionQuery& query;
+    const std::vector<bool>& b;  ///< of the query, filled in
+    bool plipReceptors = false;  ///< ligands meet receptors alone
+    bool modelsApart = false;    ///< several models of one molecule lie over each other: none meets another
+    std::vector<Interaction>& found;
+
+    glm::dvec3 at(std::uint32_t atom) const { return molecule.atoms[atom].position; }
+    std::uint32_t residue(std::uint32_t atom) const { return molecule.atoms[atom].residue; }
+    bool wants(InteractionKind kind) const { return query.kinds[static_cast<std::size_t>(kind)]; }
+
+    /// Whether two atoms are ever in one picture of the molecule.
+    bool together(std::uint32_t first, std::uint32_t second) const {
+        return !modelsApart || modelOf(first) == modelOf(second);
+    }
+    int modelOf(std::uint32_t atom) const { return molecule.chains[molecule.residues[residue(atom)].chain].model; }
+
+    /// Whether a pair belongs to the query, and which way: 0 no, 1 the first is a, 2 the second is a.
+    int sides(const std::vector<std::uint32_t>& first, const std::vector<std::uint32_t>& second) const;
+    int sides(std::uint32_t first, std::uint32_t second) const;
+
+    /// Puts a found interaction the right way round. @param donor of `first`: a, of `second`: b
+    Interaction& add(InteractionKind kind, InteractionEnd first, InteractionEnd second, DonorSide donor, int sides);
+
+    /// Atoms of the same residue, or joined by a bond, are no partners.
+    bool apart(std::uint32_t first, std::uint32_t second) const;
+    /// Under PLIP's rules a ligand has contacts with receptors alone.
+    bool allowed(std::uint32_t first, std::uint32_t second) const;
+
+    /// Middle of atoms; normal of a ring.
+    glm::dvec3 middle(const std::vector<std::uint32_t>& atoms) const;
+    glm::dvec3 normal(const std::vector<std::uint32_t>& ring) const;
+};
+
+void findHydrogenBonds(InteractionSearch& search);
+void findHydrogenBondsByHydrogens(InteractionSearch& search);
+void findSaltBridges(InteractionSearch& search);
+void findRingContacts(InteractionSearch& search);
+void findHalogenBonds(InteractionSearch& search);
+void findHydrophobic(InteractionSearch& search);
+void findMetals(InteractionSearch& search);
+void findWaterBridges(InteractionSearch& search);
+
+/// A donor's hydrogens: of the file, then those worked out. Empty under the rules that need none.
+struct PlacedHydrogen {
+    glm::dvec3 place;
+    std::uint32_t atom;  ///< kNoHydrogen: worked out
+};
+constexpr std::uint32_t kNoHydrogen = 0xffffffffu;
+std::vector<PlacedHydrogen> hydrogensOf(const InteractionSearch& search, const Donor& donor);
+
+/// Whether Mol* would call donor and acceptor a hydrogen bond, by its angles; the distance is the caller's.
+bool molstarGeometry(const InteractionSearch& search, std::uint32_t donor, std::uint32_t acceptor);
+
+/// By partner of a metal: PLIP finds no place for it in the geometry (linear to octahedral) that the partners fit best.
+std::vector<std::uint8_t> superfluousPartners(const glm::dvec3& metal, const std::vector<glm::dvec3>& partners);
+
+/// Drops what stronger interactions of the same groups stand for.
+void refineMolstar(const InteractionSearch& search);
+void refinePlip(const InteractionSearch& search);
+
+}  // namespace nacre

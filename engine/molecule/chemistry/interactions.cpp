@@ -1,0 +1,155 @@
+#include "engine/molecule/chemistry/interactions.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "engine/error.h"
+#include "engine/molecule/chemistry/interaction_search.h"
+#include "engine/molecule/drawn_atoms.h"
+
+namespace nacre {
+namespace {
+
+constexpr std::array<std::string_view, kInteractionKinds> kKindNames = {
+    "hydrogen-bond", "salt-bridge", "pi-stacking", "cation-pi", "halogen-bond", "hydrophobic", "metal", "water-bridge"};
+constexpr std::array<std::string_view, 4> kRulesNames = {"molstar", "plip", "baker-hubbard", "wernet-nilsson"};
+
+template <typename Value, std::size_t Count>
+std::optional<Value> valueOfName(const std::array<std::string_view, Count>& names, std::string_view name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return std::nullopt;
+    return static_cast<Value>(found - names.begin());
+}
+
+/// PLIP reads atoms without alternate location and those of location A. All other rules take what is drawn.
+std::vector<std::uint32_t> conformer(const Molecule& molecule, InteractionRules rules) {
+    if (rules != InteractionRules::plip) return drawnAtoms(molecule, {.water = true, .hydrogens = true});
+    std::vector<std::uint32_t> atoms;
+    for (std::uint32_t i = 0; i < molecule.atoms.size(); ++i)
+        if (molecule.atoms[i].alternate == '\0' || molecule.atoms[i].alternate == 'A') atoms.push_back(i);
+    return atoms;
+}
+
+bool anyIn(const std::vector<std::uint32_t>& atoms, const std::vector<bool>& set) {
+    return std::any_of(atoms.begin(), atoms.end(), [&](std::uint32_t atom) { return set[atom]; });
+}
+
+}  // namespace
+
+std::string_view interactionKindName(InteractionKind kind) { return kKindNames[static_cast<std::size_t>(kind)]; }
+std::optional<InteractionKind> interactionKindFromName(std::string_view name) {
+    return valueOfName<InteractionKind>(kKindNames, name);
+}
+std::string_view interactionRulesName(InteractionRules rules) { return kRulesNames[static_cast<std::size_t>(rules)]; }
+std::optional<InteractionRules> interactionRulesFromName(std::string_view name) {
+    return valueOfName<InteractionRules>(kRulesNames, name);
+}
+
+int InteractionSearch::sides(std::uint32_t first, std::uint32_t second) const {
+    if (!together(first, second)) return 0;
+    if (query.a[first] && b[second]) return 1;
+    return query.a[second] && b[first] ? 2 : 0;
+}
+
+int InteractionSearch::sides(const std::vector<std::uint32_t>& first, const std::vector<std::uint32_t>& second) const {
+    if (!together(first.front(), second.front())) return 0;
+    if (anyIn(first, query.a) && anyIn(second, b)) return 1;
+    return anyIn(second, query.a) && anyIn(first, b) ? 2 : 0;
+}
+
+Interaction& InteractionSearch::add(InteractionKind kind, InteractionEnd first, InteractionEnd second, DonorSide donor,
+                                    int sides) {
+    if (found.size() == kMostInteractions)
+        throw Error("cannot find interactions", molecule.file.title.empty() ? "molecule" : molecule.file.title,
+                    "there are more than " + std::to_string(kMostInteractions));
+    Interaction& interaction = found.emplace_back();
+    interaction.kind = kind;
+    interaction.distance = glm::distance(glm::dvec3(first.place), glm::dvec3(second.place));
+    if (sides == 2) {
+        std::swap(first, second);
+        if (donor != DonorSide::none) donor = donor == DonorSide::a ? DonorSide::b : DonorSide::a;
+    }
+    interaction.a = std::move(first);
+    interaction.b = std::move(second);
+    interaction.donor = donor;
+    return interaction;
+}
+
+bool InteractionSearch::apart(std::uint32_t first, std::uint32_t second) const {
+    if (residue(first) == residue(second)) return false;
+    const auto around = chemistry.of(first);
+    return std::none_of(around.begin(), around.end(), [&](const Neighbour& n) { return n.atom == second; });
+}
+
+bool InteractionSearch::allowed(std::uint32_t first, std::uint32_t second) const {
+    if (!plipReceptors) return true;
+    return features.macromolecule[residue(first)] || features.macromolecule[residue(second)];
+}
+
+glm::dvec3 InteractionSearch::middle(const std::vector<std::uint32_t>& atoms) const {
+    glm::dvec3 sum(0);
+    for (const std::uint32_t atom : atoms) sum += at(atom);
+    return sum / static_cast<double>(atoms.size());
+}
+
+/// Of the best plane through a ring: the mean of the cross products around its middle.
+glm::dvec3 InteractionSearch::normal(const std::vector<std::uint32_t>& ring) const {
+    const glm::dvec3 centre = middle(ring);
+    glm::dvec3 sum(0);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        sum += glm::cross(at(ring[i]) - centre, at(ring[(i + 1) % ring.size()]) - centre);
+    const double length = std::sqrt(glm::dot(sum, sum));
+    return length < 1e-9 ? glm::dvec3(0, 0, 1) : sum / length;
+}
+
+struct InteractionFinder::Kept {
+    InteractionRules rules;
+    Chemistry chemistry;
+    Features features;
+};
+
+InteractionFinder::InteractionFinder(const Molecule& molecule, InteractionRules rules)
+    : kept_(std::make_unique<Kept>()) {
+    kept_->rules = rules;
+    kept_->chemistry = perceiveChemistry(molecule, conformer(molecule, rules));
+    kept_->features = rules == InteractionRules::plip ? plipFeatures(molecule, kept_->chemistry)
+                                                      : molstarFeatures(molecule, kept_->chemistry);
+}
+InteractionFinder::~InteractionFinder() = default;
+InteractionFinder::InteractionFinder(InteractionFinder&&) noexcept = default;
+InteractionFinder& InteractionFinder::operator=(InteractionFinder&&) noexcept = default;
+
+std::vector<Interaction> InteractionFinder::find(const Molecule& molecule, const InteractionQuery& query) const {
+    const bool all = std::find(query.a.begin(), query.a.end(), false) == query.a.end();
+    std::vector<bool> others = query.b;
+    if (others.empty()) {
+        others = query.a;
+        if (!all) others.flip();
+    }
+    std::vector<Interaction> found;
+    InteractionSearch search{molecule, kept_->chemistry, kept_->features, kept_->rules, query, others, false, false,
+                             found};
+    const bool plip = kept_->rules == InteractionRules::plip;
+    search.modelsApart = !molecule.modelsAreInputs && !molecule.chains.empty() &&
+                         molecule.chains.front().model != molecule.chains.back().model;
+    search.plipReceptors = plip && query.b.empty();
+    const bool byHydrogens =
+        kept_->rules == InteractionRules::bakerHubbard || kept_->rules == InteractionRules::wernetNilsson;
+    byHydrogens ? findHydrogenBondsByHydrogens(search) : findHydrogenBonds(search);
+    findSaltBridges(search);
+    findRingContacts(search);
+    findHalogenBonds(search);
+    findHydrophobic(search);
+    findMetals(search);
+    plip ? refinePlip(search) : refineMolstar(search);
+    findWaterBridges(search);
+    found.erase(std::remove_if(found.begin(), found.end(),
+                               [&](const Interaction& interaction) { return !search.wants(interaction.kind); }),
+                found.end());
+    const auto key = [](const Interaction& i) { return std::tie(i.kind, i.a.atoms, i.b.atoms, i.waters); };
+    std::stable_sort(found.begin(), found.end(),
+                     [&](const Interaction& l, const Interaction& r) { return key(l) < key(r); });
+    return found;
+}
+
+}  // namespace nacre

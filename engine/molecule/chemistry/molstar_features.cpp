@@ -1,0 +1,126 @@
+// Donors, acceptors, charges and rings as Mol* defines them: by valence at neutral pH, needing no hydrogens.
+
+#include <algorithm>
+
+#include "engine/molecule/chemistry/features.h"
+#include "engine/molecule/chemistry/steps.h"
+
+namespace nacre {
+namespace {
+
+bool namedOneOf(const Name& name, std::initializer_list<std::string_view> names) {
+    return std::find(names.begin(), names.end(), name.view()) != names.end();
+}
+
+class MolstarFeatures {
+public:
+    MolstarFeatures(const Molecule& molecule, const Chemistry& chemistry)
+        : molecule_(molecule), chemistry_(chemistry), features_(sharedFeatures(molecule, chemistry)) {}
+
+    Features run() {
+        for (std::uint32_t i = 0; i < chemistry_.present.size(); ++i) {
+            if (!chemistry_.present[i]) continue;
+            if (donates(i)) features_.donors.push_back({i, 0});
+            if (accepts(i)) features_.acceptors.push_back(i);
+            if (bindsMetal(i)) features_.metalBinders.push_back(i);
+        }
+        inGroup_.resize(chemistry_.present.size());
+        addSideChains();
+        for (std::uint32_t i = 0; i < chemistry_.present.size(); ++i)
+            if (chemistry_.present[i]) addGroupAround(i);
+        for (std::uint32_t i = 0; i < chemistry_.present.size(); ++i)
+            if (chemistry_.present[i] && chemistry_.charge[i] != 0 && !inGroup_[i]) addSingle(i);
+        for (std::uint32_t r = 0; r < chemistry_.rings.size(); ++r)
+            if (chemistry_.rings[r].aromatic) features_.rings.push_back(r);
+        return std::move(features_);
+    }
+
+private:
+    Element element(std::uint32_t atom) const { return molecule_.atoms[atom].element; }
+    const Name& residueName(std::uint32_t atom) const { return molecule_.residues[molecule_.atoms[atom].residue].name; }
+
+    /// Which nitrogen of a histidine has the hydrogen is seldom known: both donate and accept.
+    bool histidineNitrogen(std::uint32_t atom) const {
+        return element(atom) == kNitrogen &&
+               namedOneOf(residueName(atom), {"HIS", "HID", "HIE", "HIP", "HSD", "HSE", "HSP"}) &&
+               namedOneOf(molecule_.atoms[atom].name, {"ND1", "NE2"});
+    }
+
+    bool donates(std::uint32_t atom) const {
+        const Element e = element(atom);
+        if (e != kNitrogen && e != kOxygen && e != kSulphur) return false;
+        return chemistry_.hydrogens[atom] > 0 || histidineNitrogen(atom);
+    }
+
+    bool accepts(std::uint32_t atom) const {
+        const Element e = element(atom);
+        if (e == kOxygen) return chemistry_.charge[atom] < 1;
+        if (e == kSulphur) return namedOneOf(residueName(atom), {"CYS", "MET"}) || chemistry_.charge[atom] < 0;
+        if (e != kNitrogen) return false;
+        if (histidineNitrogen(atom)) return true;
+        if (chemistry_.charge[atom] > 0) return false;
+        const auto bonds = heavyNeighbours(molecule_, chemistry_, atom).size() + chemistry_.hydrogens[atom];
+        const std::uint8_t hybrid = chemistry_.hybrid[atom];
+        return (hybrid == 3 && bonds < 4) || (hybrid == 2 && bonds < 3) || (hybrid == 1 && bonds < 2);
+    }
+
+    bool bindsMetal(std::uint32_t atom) const {
+        const Element e = element(atom);
+        if (e == kOxygen || e == kSulphur || e == kFluorine || e == kChlorine || e == kBromine || e == kIodine ||
+            e == kSelenium)
+            return chemistry_.charge[atom] < 1;
+        if (e != kNitrogen) return false;
+        return accepts(atom) || chemistry_.aromaticAtom[atom];
+    }
+
+    void add(std::vector<std::uint32_t> atoms, bool positive) {
+        if (atoms.empty()) return;
+        for (const std::uint32_t atom : atoms) inGroup_[atom] = 1;
+        features_.charged.push_back({atoms, atoms, positive, false});
+    }
+
+    void addSideChains() {
+        for (std::uint32_t r = 0; r < molecule_.residues.size(); ++r) {
+            const Name& name = molecule_.residues[r].name;
+            const bool positive = namedOneOf(name, {"ARG", "LYS", "HIS", "HIP", "HSP"});
+            if (!positive && !namedOneOf(name, {"ASP", "GLU"})) continue;
+            add(sideChainAtoms(molecule_, chemistry_, r, positive ? kNitrogen : kOxygen), positive);
+        }
+    }
+
+    /// Carboxylates, phosphates, sulphates, sulphonates: the ends of a centre. Guanidines and amidines.
+    void addGroupAround(std::uint32_t centre) {
+        const Element e = element(centre);
+        if (e != kCarbon && e != kPhosphorus && e != kSulphur) return;
+        std::vector<std::uint32_t> ends, nitrogens;
+        bool negative = false, positive = false;
+        for (const Neighbour& n : chemistry_.of(centre)) {
+            if (!chemistry_.delocalised[n.bond] || inGroup_[n.atom]) continue;
+            (element(n.atom) == kNitrogen ? nitrogens : ends).push_back(n.atom);
+            negative = negative || chemistry_.charge[n.atom] < 0;
+            positive = positive || chemistry_.charge[n.atom] > 0;
+        }
+        if (negative) add(std::move(ends), false);
+        if (positive) add(std::move(nitrogens), true);
+    }
+
+    void addSingle(std::uint32_t atom) {
+        // Formal charges that a neighbour cancels (nitro groups, N-oxides) attract nothing.
+        for (const Neighbour& n : chemistry_.of(atom))
+            if (chemistry_.charge[n.atom] * chemistry_.charge[atom] < 0) return;
+        add({atom}, chemistry_.charge[atom] > 0);
+    }
+
+    const Molecule& molecule_;
+    const Chemistry& chemistry_;
+    Features features_;
+    std::vector<std::uint8_t> inGroup_;  // by atom
+};
+
+}  // namespace
+
+Features molstarFeatures(const Molecule& molecule, const Chemistry& chemistry) {
+    return MolstarFeatures(molecule, chemistry).run();
+}
+
+}  // namespace nacre

@@ -1,0 +1,290 @@
+// Bond orders from geometry. Lengths say how much of a double bond each pair looks like, angles and flat rings say
+// which atoms are planar, and the best distribution of pi bonds over each system decides (pi_bonds.cpp).
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/molecule/chemistry/steps.h"
+
+namespace nacre {
+namespace {
+
+/// Lengths (Å) of a single bond between planar atoms, a double and a triple bond: Allen et al. (1987), J. Chem. Soc.
+/// Perkin Trans. 2, S1, means over the Cambridge Structural Database.
+struct BondLengths {
+    Element a, b;
+    float single, twofold, threefold;
+};
+constexpr BondLengths kBondLengths[] = {
+    {kCarbon, kCarbon, 1.48f, 1.34f, 1.19f},     {kCarbon, kNitrogen, 1.41f, 1.29f, 1.15f},
+    {kCarbon, kOxygen, 1.36f, 1.22f, 1.13f},     {kCarbon, kSulphur, 1.77f, 1.66f, 1.55f},
+    {kNitrogen, kNitrogen, 1.39f, 1.24f, 1.12f}, {kNitrogen, kOxygen, 1.39f, 1.22f, 1.13f},
+    {kOxygen, kOxygen, 1.46f, 1.21f, 1.1f},      {kCarbon, kSelenium, 1.90f, 1.79f, 1.7f},
+    {kCarbon, kPhosphorus, 1.80f, 1.67f, 1.55f}, {kNitrogen, kSulphur, 1.68f, 1.54f, 1.45f},
+    {kPhosphorus, kNitrogen, 1.68f, 1.57f, 1.5f}};
+
+const BondLengths* lengthsOf(Element a, Element b) {
+    for (const BondLengths& row : kBondLengths)
+        if ((row.a == a && row.b == b) || (row.a == b && row.b == a)) return &row;
+    return nullptr;
+}
+
+/// Weights of the distribution. A pi bond gains from +1 at the length of a double bond to -1 at that of a single one,
+/// bounded a little beyond; an atom that is surely planar costs more than any length can gain.
+constexpr float kLongestGain = 1.4f;
+constexpr float kLengthError = 0.06f;  // Å, of bonds to the ends of a group at the resolution of crystals of proteins
+constexpr double kLeastPlanarAngle = 114;  // degrees, mean of three
+constexpr float kCertain = 4, kLikely = 2, kMaybe = 1;
+
+float gainOf(float length, float lower, float upper) {
+    return std::clamp((0.5f * (lower + upper) - length) / (0.5f * (upper - lower)), -2 * kLongestGain, kLongestGain);
+}
+
+class OrderPerception {
+public:
+    explicit OrderPerception(ChemistryWork& work) : work_(work), open_(work.molecule.atoms.size()) {}
+
+    void run() {
+        for (std::uint32_t b = 0; b < work_.source.size(); ++b) {
+            if (work_.source[b] != OrderSource::unknown) continue;
+            work_.chemistry.order[b] = 1;
+            const Bond& bond = work_.molecule.bonds[b];
+            if (!work_.chemistry.present[bond.a] || !work_.chemistry.present[bond.b]) continue;
+            open_[bond.a] = open_[bond.b] = 1;
+        }
+        findHydrogenated();
+        for (std::uint32_t i = 0; i < open_.size(); ++i)
+            if (open_[i]) setGroup(i);
+        placePiBonds();
+    }
+
+private:
+    bool unknown(std::uint32_t bond) const { return work_.source[bond] == OrderSource::unknown; }
+
+    void settle(std::uint32_t bond, std::uint8_t order) {
+        work_.chemistry.order[bond] = order;
+        work_.source[bond] = OrderSource::stated;
+    }
+
+    /// Residues whose carbons have hydrogens: there, what a carbon lacks to four neighbours is pi bonds.
+    void findHydrogenated() {
+        hydrogenated_.assign(work_.molecule.residues.size(), 0);
+        for (std::uint32_t i = 0; i < open_.size(); ++i) {
+            if (!open_[i] || work_.element(i) != kCarbon) continue;
+            for (const Neighbour& n : work_.chemistry.of(i))
+                if (work_.isHydrogenAt(n.atom)) hydrogenated_[work_.atom(i).residue] = 1;
+        }
+    }
+
+    /// Neighbours that have no other neighbour and may bear a double bond: the likeliest first.
+    std::vector<Neighbour> endsOf(std::uint32_t atom) const {
+        std::vector<Neighbour> left, ends;
+        for (const Neighbour& n : work_.chemistry.of(atom)) {
+            const Element e = work_.element(n.atom);
+            if (work_.degree(n.atom) == 1 && (e == kOxygen || e == kSulphur) && unknown(n.bond)) left.push_back(n);
+        }
+        // Oxygen before sulphur, then by length; but lengths that differ by less than their error leave the file's
+        // order.
+        const auto measure = [&](const Neighbour& n) {
+            return work_.length(atom, n.atom) + (work_.element(n.atom) == kSulphur ? 1 : 0);
+        };
+        while (!left.empty()) {
+            const auto shortest =
+                std::min_element(left.begin(), left.end(),
+                                 [&](const Neighbour& l, const Neighbour& r) { return measure(l) < measure(r); });
+            const float most = measure(*shortest) + kLengthError;
+            const auto next =
+                std::find_if(left.begin(), left.end(), [&](const Neighbour& n) { return measure(n) <= most; });
+            ends.push_back(*next);
+            left.erase(next);
+        }
+        return ends;
+    }
+
+    /// Groups beyond the octet, nitro groups and carboxylates: as chemists draw them.
+    void setGroup(std::uint32_t atom) {
+        const Element e = work_.element(atom);
+        const std::size_t degree = work_.degree(atom);
+        std::size_t doubles = 0;
+        if (e == kSulphur || e == kSelenium) doubles = degree == 4 ? 2 : degree == 3 ? 1 : 0;
+        if (e == kPhosphorus || e == kArsenic) doubles = degree == 4 || degree == 3 ? 1 : 0;
+        if (e == kChlorine || e == kBromine || e == kIodine) doubles = degree == 4 ? 3 : degree == 3 ? 2 : 0;
+        const std::vector<Neighbour> ends = endsOf(atom);
+        if (e == kNitrogen && degree == 3 && ends.size() >= 2) doubles = 1;
+        if (e == kCarbon && degree == 3 && ends.size() == 2 && meanAngle(atom) > kLeastPlanarAngle) doubles = 1;
+        if (doubles == 0) return;
+        for (std::size_t i = 0; i < ends.size() && i < doubles; ++i) settle(ends[i].bond, 2);
+        for (const Neighbour& n : work_.chemistry.of(atom))
+            if (unknown(n.bond)) settle(n.bond, 1);
+    }
+
+    double meanAngle(std::uint32_t atom) const {
+        const auto around = work_.chemistry.of(atom);
+        double sum = 0;
+        int count = 0;
+        for (std::size_t i = 0; i < around.size(); ++i) {
+            for (std::size_t j = i + 1; j < around.size(); ++j) {
+                const glm::dvec3 u = glm::dvec3(work_.position(around[i].atom)) - glm::dvec3(work_.position(atom));
+                const glm::dvec3 v = glm::dvec3(work_.position(around[j].atom)) - glm::dvec3(work_.position(atom));
+                const double length = glm::length(u) * glm::length(v);
+                if (length < 1e-9) continue;
+                sum += std::acos(std::clamp(glm::dot(u, v) / length, -1.0, 1.0)) * 57.29577951308232;
+                ++count;
+            }
+        }
+        return count > 0 ? sum / count : 0;
+    }
+
+    /// Pi bonds that are settled already: by the file, a template or a group.
+    std::uint8_t settledPi(std::uint32_t atom) const {
+        int pi = 0;
+        for (const Neighbour& n : work_.chemistry.of(atom))
+            if (!unknown(n.bond)) pi += std::min<int>(work_.chemistry.order[n.bond], 3) - 1;
+        return static_cast<std::uint8_t>(pi);
+    }
+
+    PiSystem::Atom impossible() const { return {{0, 0, 0}, 0}; }
+
+    PiSystem::Atom piAtom(std::uint32_t atom) const {
+        if (!open_[atom] || settledPi(atom) > 0) return impossible();
+        switch (work_.element(atom)) {
+            case kCarbon:
+                return carbon(atom);
+            case kNitrogen:
+                return nitrogen(atom);
+            case kOxygen:
+            case kSulphur:
+            case kSelenium:
+                return chalcogen(atom);
+            default:
+                return impossible();
+        }
+    }
+
+    PiSystem::Atom carbon(std::uint32_t atom) const {
+        const std::size_t degree = work_.degree(atom);
+        if (degree >= 4) return impossible();
+        if (hydrogenated_[work_.atom(atom).residue])
+            return degree == 3 ? PiSystem::Atom{{kCertain, 0, 0}, 1} : PiSystem::Atom{{2 * kCertain, kLikely, 0}, 2};
+        if (degree == 1) return {{0, 0.3f, 0.3f}, 2};
+        const double angle = meanAngle(atom);
+        const bool flat = work_.flatRing[atom] > 0;
+        if (degree == 3) {
+            // From a pyramid of tetrahedral angles (109.5 degrees) to a plane (120).
+            if (angle < (flat ? kLeastPlanarAngle - 2 : kLeastPlanarAngle)) return impossible();
+            const auto cost = static_cast<float>(std::clamp((angle - kLeastPlanarAngle) / 5, 0.2, 1.0)) * kCertain;
+            return {{cost, 0, 0}, 1};
+        }
+        if (angle > 155) return {{2 * kCertain, kLikely, 0}, 2};
+        if (work_.flatRing[atom] == 6) return {{kLikely + 0.5f, 0, 0}, 1};
+        if (work_.flatRing[atom] == 5) return {{kMaybe + 0.2f, 0, 0}, 1};
+        return {{static_cast<float>(std::clamp((angle - 115) / 7, -0.5, 1.0)) * kMaybe, 0, 0}, 1};
+    }
+
+    PiSystem::Atom nitrogen(std::uint32_t atom) const {
+        const std::size_t degree = work_.degree(atom);
+        if (degree >= 4) return impossible();
+        const bool hydrogens = hydrogenated_[work_.atom(atom).residue] != 0;
+        if (degree == 3) return {{0, meanAngle(atom) > 116 ? 1.5f : kCertain, 0}, 1};
+        if (degree == 1) return {{hydrogens ? kCertain : 0, hydrogens ? kLikely : 0.3f, 0}, 2};
+        if (meanAngle(atom) > 155) return {{kLikely, kMaybe, 0}, 2};
+        if (hydrogens) return {{kCertain, 0, 0}, 1};
+        if (work_.flatRing[atom] == 6) return {{1.1f, 0, 0}, 1};
+        return {{0, 0, 0}, 1};
+    }
+
+    PiSystem::Atom chalcogen(std::uint32_t atom) const {
+        if (work_.degree(atom) != 1) return impossible();
+        const bool hydrogens = hydrogenated_[work_.atom(atom).residue] != 0;
+        return {{hydrogens ? kLikely : 0, 0, 0}, 1};
+    }
+
+    /// An oxygen at a carbon that has a nitrogen or another oxygen: of an amide, lactam, urea, acid or ester, whatever
+    /// its length in a poor model.
+    bool amideOxygen(std::uint32_t oxygen, std::uint32_t carbon) const {
+        if (work_.element(oxygen) != kOxygen || work_.degree(oxygen) != 1 || work_.element(carbon) != kCarbon)
+            return false;
+        for (const Neighbour& n : work_.chemistry.of(carbon))
+            if (n.atom != oxygen && (work_.element(n.atom) == kNitrogen || work_.element(n.atom) == kOxygen))
+                return true;
+        return false;
+    }
+
+    /// Pi bonds inside flat rings are preferred to those that lead out of them, but for carbonyl groups.
+    float ringBonus(std::uint32_t bond, std::uint32_t a, std::uint32_t b) const {
+        if (amideOxygen(a, b) || amideOxygen(b, a)) return kMaybe;
+        if (work_.inRing[bond]) return work_.flatRing[a] && work_.flatRing[b] ? 0.3f : 0;
+        const bool leadsOut = work_.flatRing[a] || work_.flatRing[b];
+        const bool carbonyl = work_.element(a) == kOxygen || work_.element(b) == kOxygen;
+        return leadsOut && !carbonyl ? -0.6f : 0;
+    }
+
+    void placePiBonds() {
+        PiSystem system;
+        std::vector<std::uint32_t> bonds, index(open_.size(), kNone);
+        const auto place = [&](std::uint32_t atom) {
+            if (index[atom] != kNone) return index[atom];
+            system.atoms.push_back(piAtom(atom));
+            return index[atom] = static_cast<std::uint32_t>(system.atoms.size() - 1);
+        };
+        for (std::uint32_t b = 0; b < work_.source.size(); ++b) {
+            const Bond& bond = work_.molecule.bonds[b];
+            if (!unknown(b) || !work_.chemistry.present[bond.a] || !work_.chemistry.present[bond.b]) continue;
+            const BondLengths* lengths = lengthsOf(work_.element(bond.a), work_.element(bond.b));
+            if (!lengths) continue;
+            const std::uint32_t i = place(bond.a), j = place(bond.b);
+            const std::uint8_t most = std::min(system.atoms[i].most, system.atoms[j].most);
+            if (most == 0) continue;
+            const float length = work_.length(bond.a, bond.b);
+            const float one = gainOf(length, lengths->twofold, lengths->single) + ringBonus(b, bond.a, bond.b);
+            const float two = one + gainOf(length, lengths->threefold, lengths->twofold);
+            system.bonds.push_back({i, j, {0, one, two}});
+            bonds.push_back(b);
+        }
+        const std::vector<std::uint8_t> pi = bestPiBonds(system);
+        for (std::size_t i = 0; i < bonds.size(); ++i)
+            work_.chemistry.order[bonds[i]] = static_cast<std::uint8_t>(1 + pi[i]);
+    }
+
+    static constexpr std::uint32_t kNone = 0xffffffffu;
+    ChemistryWork& work_;
+    std::vector<std::uint8_t> open_;          // by atom: it has bonds of unknown order
+    std::vector<std::uint8_t> hydrogenated_;  // by residue
+};
+
+}  // namespace
+
+void perceiveOrders(ChemistryWork& work) { OrderPerception(work).run(); }
+
+void kekulise(ChemistryWork& work) {
+    PiSystem system;
+    std::vector<std::uint32_t> bonds, index(work.molecule.atoms.size(), 0xffffffffu);
+    const auto place = [&](std::uint32_t atom) {
+        if (index[atom] != 0xffffffffu) return index[atom];
+        index[atom] = static_cast<std::uint32_t>(system.atoms.size());
+        const Element e = work.element(atom);
+        const std::size_t degree = work.degree(atom);
+        PiSystem::Atom pi{{e == kCarbon ? 4.0f : 1.0f, 0, 0}, 1};
+        if (e == kNitrogen && degree == 3) pi = {{0, 1.5f, 0}, 1};
+        if (e != kCarbon && e != kNitrogen && degree != 1) pi.most = 0;
+        for (const Neighbour& n : work.chemistry.of(atom))
+            if (work.molecule.bonds[n.bond].order == 2 || work.molecule.bonds[n.bond].order == 3) pi.most = 0;
+        system.atoms.push_back(pi);
+        return index[atom];
+    };
+    for (std::uint32_t b = 0; b < work.molecule.bonds.size(); ++b) {
+        const Bond& bond = work.molecule.bonds[b];
+        if (bond.order != 4) continue;
+        work.chemistry.order[b] = 1;
+        if (!work.chemistry.present[bond.a] || !work.chemistry.present[bond.b]) continue;
+        const std::uint32_t i = place(bond.a), j = place(bond.b);
+        system.bonds.push_back({i, j, {0, 0.5f, -100}});
+        bonds.push_back(b);
+    }
+    const std::vector<std::uint8_t> pi = bestPiBonds(system);
+    for (std::size_t i = 0; i < bonds.size(); ++i)
+        work.chemistry.order[bonds[i]] = static_cast<std::uint8_t>(1 + pi[i]);
+}
+
+}  // namespace nacre

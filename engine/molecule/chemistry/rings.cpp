@@ -1,0 +1,230 @@
+// The smallest rings: bridges first (Tarjan 1974), then shortest cycles through each atom (Horton 1987), of which those
+// are kept that are no sum of smaller ones: every smallest set of rings, so that no face of a cage is left out.
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "engine/molecule/chemistry/steps.h"
+
+namespace nacre {
+namespace {
+
+/// Marks the bonds that lie on any cycle.
+class CycleBonds {
+public:
+    explicit CycleBonds(const Chemistry& chemistry)
+        : chemistry_(chemistry), entered_(chemistry.present.size()), lowest_(chemistry.present.size()) {}
+
+    std::vector<std::uint8_t> find() {
+        std::vector<std::uint8_t> cyclic(chemistry_.order.size());
+        for (std::uint32_t i = 0; i < entered_.size(); ++i)
+            if (chemistry_.present[i] && !entered_[i]) visit(i, cyclic);
+        return cyclic;
+    }
+
+private:
+    struct Frame {
+        std::uint32_t atom, bond, next;
+    };
+    static constexpr std::uint32_t kNoBond = 0xffffffffu;
+
+    void visit(std::uint32_t start, std::vector<std::uint8_t>& cyclic) {
+        stack_.assign(1, {start, kNoBond, 0});
+        entered_[start] = lowest_[start] = ++clock_;
+        while (!stack_.empty()) {
+            Frame& top = stack_.back();
+            const auto around = chemistry_.of(top.atom);
+            if (top.next == around.size()) {
+                const Frame done = top;
+                stack_.pop_back();
+                if (stack_.empty()) break;
+                const std::uint32_t parent = stack_.back().atom;
+                lowest_[parent] = std::min(lowest_[parent], lowest_[done.atom]);
+                cyclic[done.bond] = lowest_[done.atom] <= entered_[parent];
+                continue;
+            }
+            const Neighbour n = around[top.next++];
+            if (n.bond == top.bond) continue;
+            if (entered_[n.atom]) {
+                cyclic[n.bond] = 1;
+                lowest_[top.atom] = std::min(lowest_[top.atom], entered_[n.atom]);
+            } else {
+                entered_[n.atom] = lowest_[n.atom] = ++clock_;
+                stack_.push_back({n.atom, n.bond, 0});
+            }
+        }
+    }
+
+    const Chemistry& chemistry_;
+    std::vector<std::uint32_t> entered_, lowest_;
+    std::vector<Frame> stack_;
+    std::uint32_t clock_ = 0;
+};
+
+struct Cycle {
+    std::vector<std::uint32_t> atoms;
+    std::vector<std::uint32_t> bonds;  // ascending
+};
+
+/// Shortest cycles through an atom, of at most kLargestRing atoms, by breadth-first search over cyclic bonds.
+class ShortCycles {
+public:
+    ShortCycles(const Chemistry& chemistry, const std::vector<std::uint8_t>& cyclic)
+        : chemistry_(chemistry), cyclic_(cyclic), depth_(chemistry.present.size()), from_(chemistry.present.size()) {}
+
+    void through(std::uint32_t root, std::vector<Cycle>& found) {
+        queue_.assign(1, root);
+        depth_[root] = 1;
+        from_[root] = {root, 0};
+        const std::size_t before = found.size();
+        for (std::size_t at = 0; at < queue_.size() && at < kMostVisited && found.size() - before < kMostPerAtom;
+             ++at) {
+            const std::uint32_t atom = queue_[at];
+            for (const Neighbour& n : chemistry_.of(atom)) {
+                if (!cyclic_[n.bond] || n.bond == from_[atom].bond) continue;
+                if (depth_[n.atom] == 0) {
+                    if (2 * depth_[atom] > kLargestRing) continue;
+                    depth_[n.atom] = depth_[atom] + 1;
+                    from_[n.atom] = {atom, n.bond};
+                    queue_.push_back(n.atom);
+                } else if (depth_[atom] + depth_[n.atom] - 1 <= kLargestRing && atom < n.atom) {
+                    addCycle(root, atom, n, found);
+                }
+            }
+        }
+        for (const std::uint32_t atom : queue_) depth_[atom] = 0;
+    }
+
+private:
+    // Far beyond any cage of single bonds; a crowd of atoms that are all bonded to each other would take for ever.
+    static constexpr std::size_t kMostVisited = 2000, kMostPerAtom = 60;
+
+    void addCycle(std::uint32_t root, std::uint32_t a, const Neighbour& across, std::vector<Cycle>& found) {
+        Cycle cycle;
+        cycle.bonds.push_back(across.bond);
+        std::vector<std::uint32_t> back;
+        for (std::uint32_t i = a; i != root; i = from_[i].atom) {
+            cycle.atoms.push_back(i);
+            cycle.bonds.push_back(from_[i].bond);
+        }
+        for (std::uint32_t i = across.atom; i != root; i = from_[i].atom) {
+            if (std::find(cycle.atoms.begin(), cycle.atoms.end(), i) != cycle.atoms.end()) return;
+            back.push_back(i);
+            cycle.bonds.push_back(from_[i].bond);
+        }
+        if (cycle.bonds.size() < 3) return;
+        cycle.atoms.push_back(root);
+        cycle.atoms.insert(cycle.atoms.end(), back.rbegin(), back.rend());
+        std::sort(cycle.bonds.begin(), cycle.bonds.end());
+        found.push_back(std::move(cycle));
+    }
+
+    const Chemistry& chemistry_;
+    const std::vector<std::uint8_t>& cyclic_;
+    std::vector<std::uint32_t> depth_;
+    std::vector<Neighbour> from_;
+    std::vector<std::uint32_t> queue_;
+};
+
+/// Gaussian elimination over the field of two elements, sparse: a basis cycle by its first bond.
+class CycleBasis {
+public:
+    /// Whether a cycle is no sum of those that were added. @param add  then it is one of them
+    bool independent(std::vector<std::uint32_t> bonds, bool add) {
+        for (int step = 0; !bonds.empty(); ++step) {
+            if (step > kMostSteps || bonds.size() > kMostBonds) return true;
+            const auto known = rows_.find(bonds.front());
+            if (known == rows_.end()) {
+                if (add) rows_.emplace(bonds.front(), std::move(bonds));
+                return true;
+            }
+            std::vector<std::uint32_t> sum;
+            std::set_symmetric_difference(bonds.begin(), bonds.end(), known->second.begin(), known->second.end(),
+                                          std::back_inserter(sum));
+            bonds = std::move(sum);
+        }
+        return false;
+    }
+
+private:
+    // In a cage of thousands of rings sums grow long. A ring that is not settled by then is kept.
+    static constexpr int kMostSteps = 500;
+    static constexpr std::size_t kMostBonds = 200;
+    std::map<std::uint32_t, std::vector<std::uint32_t>> rows_;
+};
+
+/// Largest mean torsion (degrees) of a flat ring of five and of six, as Open Babel has them for planar rings.
+constexpr double kFlatFive = 7.5, kFlatSix = 12;
+
+double meanTorsion(const ChemistryWork& work, const std::vector<std::uint32_t>& ring) {
+    double sum = 0;
+    const std::size_t n = ring.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        const glm::dvec3 p[4] = {work.position(ring[i]), work.position(ring[(i + 1) % n]),
+                                 work.position(ring[(i + 2) % n]), work.position(ring[(i + 3) % n])};
+        const glm::dvec3 u = glm::cross(p[1] - p[0], p[2] - p[1]), v = glm::cross(p[2] - p[1], p[3] - p[2]);
+        const double length = glm::length(u) * glm::length(v);
+        if (length < 1e-9) return 180;
+        sum += std::acos(std::clamp(glm::dot(u, v) / length, -1.0, 1.0)) * 180 / 3.14159265358979;
+    }
+    return sum / static_cast<double>(n);
+}
+
+/// Shortest first, each once.
+void sortCycles(std::vector<Cycle>& cycles) {
+    std::sort(cycles.begin(), cycles.end(), [](const Cycle& l, const Cycle& r) {
+        return l.bonds.size() != r.bonds.size() ? l.bonds.size() < r.bonds.size() : l.bonds < r.bonds;
+    });
+    cycles.erase(
+        std::unique(cycles.begin(), cycles.end(), [](const Cycle& l, const Cycle& r) { return l.bonds == r.bonds; }),
+        cycles.end());
+}
+
+constexpr std::size_t kMostCycles = 1'000'000;  // that are held; atoms beyond are taken for atoms outside of rings
+
+void addRing(ChemistryWork& work, std::vector<std::uint32_t> atoms) {
+    Ring ring{std::move(atoms)};
+    const auto size = static_cast<std::uint8_t>(ring.atoms.size());
+    if (size == 5 || size == 6) ring.planar = meanTorsion(work, ring.atoms) <= (size == 5 ? kFlatFive : kFlatSix);
+    for (const std::uint32_t atom : ring.atoms) {
+        std::uint8_t& smallest = work.ringAtom[atom];
+        if (smallest == 0 || size < smallest) smallest = size;
+        if (ring.planar && work.flatRing[atom] == 0) work.flatRing[atom] = size;
+    }
+    work.chemistry.rings.push_back(std::move(ring));
+}
+
+}  // namespace
+
+void findRings(ChemistryWork& work) {
+    Chemistry& chemistry = work.chemistry;
+    work.ringAtom.assign(chemistry.present.size(), 0);
+    work.flatRing.assign(chemistry.present.size(), 0);
+    work.inRing = CycleBonds(chemistry).find();
+    std::vector<Cycle> cycles;
+    ShortCycles shortest(chemistry, work.inRing);
+    for (std::uint32_t i = 0; i < chemistry.present.size(); ++i) {
+        if (!chemistry.present[i]) continue;
+        const auto around = chemistry.of(i);
+        if (std::any_of(around.begin(), around.end(), [&](const Neighbour& n) { return work.inRing[n.bond] != 0; }))
+            shortest.through(i, cycles);
+        if (cycles.size() < kMostCycles) continue;
+        sortCycles(cycles);
+        if (cycles.size() > kMostCycles / 2) break;
+    }
+    sortCycles(cycles);
+    CycleBasis basis;
+    for (std::size_t begin = 0, end = 0; begin < cycles.size(); begin = end) {
+        while (end < cycles.size() && cycles[end].bonds.size() == cycles[begin].bonds.size()) ++end;
+        std::vector<std::uint8_t> kept(end - begin);
+        for (std::size_t i = begin; i < end; ++i) kept[i - begin] = basis.independent(cycles[i].bonds, false);
+        for (std::size_t i = begin; i < end; ++i)
+            if (kept[i - begin]) basis.independent(cycles[i].bonds, true);
+        for (std::size_t i = begin; i < end; ++i)
+            if (kept[i - begin]) addRing(work, std::move(cycles[i].atoms));
+    }
+}
+
+}  // namespace nacre

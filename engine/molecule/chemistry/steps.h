@@ -1,0 +1,87 @@
+#pragma once
+// The steps of perceiveChemistry() and what they share. Internal to this folder.
+
+#include <glm/geometric.hpp>
+
+#include "engine/molecule/chemistry/chemistry.h"
+
+namespace nacre {
+
+/// Atomic numbers that the rules name.
+enum : Element {
+    kHydrogenAtom = 1,
+    kBoron = 5,
+    kCarbon = 6,
+    kNitrogen = 7,
+    kOxygen = 8,
+    kFluorine = 9,
+    kSilicon = 14,
+    kPhosphorus = 15,
+    kSulphur = 16,
+    kChlorine = 17,
+    kArsenic = 33,
+    kSelenium = 34,
+    kBromine = 35,
+    kIodine = 53
+};
+
+/// Which bonds have an order that nobody needs to guess.
+enum class OrderSource : std::uint8_t { unknown, stated, residueTemplate };
+
+struct ChemistryWork {
+    const Molecule& molecule;
+    Chemistry& chemistry;
+    std::vector<OrderSource> source;     ///< by bond
+    std::vector<std::uint8_t> inRing;    ///< by bond
+    std::vector<std::uint8_t> flatRing;  ///< by atom: smallest flat ring of five or six that it is in, else 0
+    std::vector<std::uint8_t> ringAtom;  ///< by atom: size of the smallest ring that it is in, else 0
+
+    const Atom& atom(std::uint32_t i) const { return molecule.atoms[i]; }
+    Element element(std::uint32_t i) const { return molecule.atoms[i].element; }
+    glm::vec3 position(std::uint32_t i) const { return molecule.atoms[i].position; }
+    bool isHydrogenAt(std::uint32_t i) const { return element(i) == kHydrogenAtom || element(i) == 119; }
+    std::size_t degree(std::uint32_t i) const { return chemistry.of(i).size(); }
+    std::size_t heavyDegree(std::uint32_t i) const {
+        std::size_t count = 0;
+        for (const Neighbour& n : chemistry.of(i)) count += !isHydrogenAt(n.atom);
+        return count;
+    }
+    float length(std::uint32_t i, std::uint32_t j) const { return glm::distance(position(i), position(j)); }
+};
+
+/// Fills Chemistry::rings, ::inRing, ::ringAtom and whether rings are flat.
+void findRings(ChemistryWork& work);
+
+/// Orders of the bonds whose source is unknown, from lengths and angles.
+void perceiveOrders(ChemistryWork& work);
+
+/// One Kekulé structure for stated aromatic bonds (order 4).
+void kekulise(ChemistryWork& work);
+
+/// Marks aromatic rings, their atoms and bonds. Needs orders.
+void findAromatic(ChemistryWork& work);
+
+/// Charges, hydrogens, hybridisation and delocalised bonds. Needs aromatic rings.
+void findStates(ChemistryWork& work);
+
+/// A system of atoms that may share pi bonds, and the pi bonds that serve it best.
+struct PiSystem {
+    struct Atom {
+        float cost[3] = {0, 0, 0};  ///< of having 0, 1, 2 pi bonds
+        std::uint8_t most = 1;      ///< pi bonds at most
+    };
+    struct Bond {
+        std::uint32_t a = 0, b = 0;  ///< into atoms
+        float gain[3] = {0, 0, 0};   ///< of 0, 1, 2 pi bonds here
+    };
+    std::vector<Atom> atoms;
+    std::vector<Bond> bonds;
+};
+
+/// Pi bonds of each bond, such that the sum of gains less the sum of costs is largest. Exact as long as no more than
+/// kMostPiStates distributions are open at a time (fewer where there are very many bonds, for the memory they take),
+/// which rings fused in a row or a plane never reach; beyond, the best are kept.
+std::vector<std::uint8_t> bestPiBonds(const PiSystem& system);
+constexpr std::size_t kMostPiStates = 4000, kMostPiStatesInAll = 8'000'000;
+
+}  // namespace nacre

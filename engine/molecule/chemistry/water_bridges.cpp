@@ -1,0 +1,197 @@
+// Water that holds two partners.
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "engine/molecule/chemistry/interaction_search.h"
+#include "engine/molecule/chemistry/place_grid.h"
+
+namespace nacre {
+namespace {
+
+// Å, degrees. Under Mol*'s rules both are hydrogen bonds, which leave the water at the angle of a tetrahedron within
+// what the rules allow about any donor.
+constexpr double kMolstarWater = 3.5, kTetrahedralWater = 109.47, kWaterDeviation = 45;
+constexpr double kPlipWater = 4.1, kPlipNearestWater = 2.5;
+constexpr double kLeastWaterAngle = 71, kMostWaterAngle = 140, kIdealWaterAngle = 110, kLeastDonorAngle = 100;
+
+struct WaterPartner {
+    std::uint32_t atom = 0;
+    bool donates = false;  ///< to the water
+    glm::dvec3 hydrogen{};
+    std::uint32_t hydrogenAtom = kNoHydrogen;
+    double angle = -1;  ///< at the hydrogen
+};
+
+Interaction& addBridge(InteractionSearch& search, const WaterPartner& first, const WaterPartner& second,
+                       std::uint32_t water, double angle, int sides) {
+    const auto end = [&](const WaterPartner& partner) {
+        InteractionEnd made{{partner.atom}, search.at(partner.atom)};
+        if (partner.hydrogenAtom != kNoHydrogen) made.atoms.push_back(partner.hydrogenAtom);
+        return made;
+    };
+    const DonorSide donor = first.donates ? DonorSide::a : second.donates ? DonorSide::b : DonorSide::none;
+    Interaction& bridge = search.add(InteractionKind::waterBridge, end(first), end(second), donor, sides);
+    bridge.waters = {water};
+    bridge.angles.push_back({"water", angle});
+    const double donorAngle = first.donates ? first.angle : second.angle;
+    if (donorAngle >= 0) bridge.angles.push_back({"donor", donorAngle});
+    bridge.distance = std::max(glm::distance(search.at(first.atom), search.at(water)),
+                               glm::distance(search.at(second.atom), search.at(water)));
+    return bridge;
+}
+
+using Partners = std::map<std::uint32_t, std::vector<WaterPartner>>;  // by water
+
+/// Partners that a hydrogen bond by Mol*'s rules joins to a water.
+Partners molstarPartners(InteractionSearch& search, const PlaceGrid& grid) {
+    Partners partners;
+    const auto each = [&](std::uint32_t atom, bool donates) {
+        if (search.features.waterOxygen[atom]) return;
+        grid.near(search.molecule.atoms[atom].position, [&](std::uint32_t index, double) {
+            const std::uint32_t water = search.features.waters[index];
+            if (!search.together(atom, water)) return;
+            if (!(donates ? molstarGeometry(search, atom, water) : molstarGeometry(search, water, atom))) return;
+            std::vector<WaterPartner>& list = partners[water];
+            const bool known =
+                std::any_of(list.begin(), list.end(), [&](const WaterPartner& p) { return p.atom == atom; });
+            if (!known) list.push_back({atom, donates, {}, kNoHydrogen, -1});
+        });
+    };
+    for (const Donor& donor : search.features.donors) each(donor.atom, true);
+    for (const std::uint32_t acceptor : search.features.acceptors) each(acceptor, false);
+    return partners;
+}
+
+void findMolstarBridges(InteractionSearch& search, const PlaceGrid& grid) {
+    for (const auto& [water, list] : molstarPartners(search, grid)) {
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            for (std::size_t j = i + 1; j < list.size(); ++j) {
+                const int sides = search.sides(list[i].atom, list[j].atom);
+                if (sides == 0 || !search.apart(list[i].atom, list[j].atom)) continue;
+                const double angle = angleBetween(search.at(list[i].atom) - search.at(water),
+                                                  search.at(list[j].atom) - search.at(water));
+                if (std::abs(angle - kTetrahedralWater) <= kWaterDeviation)
+                    addBridge(search, list[i], list[j], water, angle, sides);
+            }
+        }
+    }
+}
+
+/// What PLIP thinks of as one ligand with its site.
+std::uint32_t unitOf(const InteractionSearch& search, std::uint32_t acceptor, std::uint32_t donor) {
+    const std::uint32_t first = search.residue(acceptor), second = search.residue(donor);
+    const bool byDonor = search.features.receptor[first] && !search.features.receptor[second];
+    return search.features.unit[byDonor ? second : first];
+}
+
+struct PlipBridge {
+    const WaterPartner* acceptor = nullptr;
+    const WaterPartner* donor = nullptr;
+    std::uint32_t water = 0;
+    double angle = 0;
+    double off() const { return std::abs(kIdealWaterAngle - angle); }
+};
+
+Partners plipPartners(InteractionSearch& search, const PlaceGrid& grid) {
+    Partners partners;
+    constexpr double kNearest = kPlipNearestWater * kPlipNearestWater;
+    for (const std::uint32_t acceptor : search.features.acceptors)
+        grid.near(search.molecule.atoms[acceptor].position, [&](std::uint32_t index, double squared) {
+            if (squared >= kNearest && search.together(acceptor, search.features.waters[index]))
+                partners[search.features.waters[index]].push_back({acceptor, false, {}, kNoHydrogen, -1});
+        });
+    for (const Donor& donor : search.features.donors) {
+        const std::vector<PlacedHydrogen> hydrogens = hydrogensOf(search, donor);
+        grid.near(search.molecule.atoms[donor.atom].position, [&](std::uint32_t index, double squared) {
+            const std::uint32_t water = search.features.waters[index];
+            if (squared < kNearest || !search.together(donor.atom, water)) return;
+            for (const PlacedHydrogen& h : hydrogens) {
+                const double angle = angleBetween(search.at(donor.atom) - h.place, search.at(water) - h.place);
+                if (angle > kLeastDonorAngle) partners[water].push_back({donor.atom, true, h.place, h.atom, angle});
+            }
+        });
+    }
+    return partners;
+}
+
+/// Donors that have a hydrogen bond already, with the ligand that it is of.
+std::set<std::pair<std::uint32_t, std::uint32_t>> busyDonors(const InteractionSearch& search) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> busy;
+    for (const Interaction& bond : search.found) {
+        if (bond.kind != InteractionKind::hydrogenBond) continue;
+        const bool fromA = bond.donor == DonorSide::a;
+        const std::uint32_t donor = (fromA ? bond.a : bond.b).atoms[0], other = (fromA ? bond.b : bond.a).atoms[0];
+        busy.insert({donor, unitOf(search, other, donor)});
+    }
+    return busy;
+}
+
+/// Of the bridges of one water and ligand, those that PLIP's program leaves: of each acceptor the one whose angle is
+/// farthest from 110 degrees, then two of them, in the order of the ligand's acceptors, then the receptor's.
+std::vector<PlipBridge> keptByPlip(const InteractionSearch& search, std::vector<PlipBridge> bridges) {
+    std::stable_sort(bridges.begin(), bridges.end(), [&](const PlipBridge& l, const PlipBridge& r) {
+        const auto rank = [&](const PlipBridge& bridge) {
+            return std::pair(search.features.receptor[search.residue(bridge.acceptor->atom)], bridge.acceptor->atom);
+        };
+        return rank(l) < rank(r);
+    });
+    std::vector<PlipBridge> perAcceptor, kept;
+    for (const PlipBridge& bridge : bridges) {
+        if (perAcceptor.empty() || perAcceptor.back().acceptor->atom != bridge.acceptor->atom)
+            perAcceptor.push_back(bridge);
+        else if (perAcceptor.back().off() < bridge.off())
+            perAcceptor.back() = bridge;
+    }
+    double second = 0;
+    for (const PlipBridge& bridge : perAcceptor) {
+        if (kept.size() < 2) {
+            kept.push_back(bridge);
+            std::stable_sort(kept.begin(), kept.end(),
+                             [](const PlipBridge& l, const PlipBridge& r) { return l.off() < r.off(); });
+            second = kept.back().off();
+        } else if (second < bridge.off()) {
+            kept[1] = bridge;
+            second = bridge.angle;
+        }
+    }
+    return kept;
+}
+
+void findPlipBridges(InteractionSearch& search, const PlaceGrid& grid) {
+    const auto busy = busyDonors(search);
+    for (const auto& [water, list] : plipPartners(search, grid)) {
+        std::map<std::uint32_t, std::vector<PlipBridge>> byUnit;
+        for (const WaterPartner& acceptor : list) {
+            for (const WaterPartner& donor : list) {
+                if (acceptor.donates || !donor.donates || search.sides(acceptor.atom, donor.atom) == 0) continue;
+                if (!search.apart(acceptor.atom, donor.atom) || !search.allowed(acceptor.atom, donor.atom)) continue;
+                const std::uint32_t unit = unitOf(search, acceptor.atom, donor.atom);
+                if (busy.contains({donor.atom, unit})) continue;
+                // The program measures the angle between acceptor-to-water and water-to-hydrogen.
+                const double angle =
+                    angleBetween(search.at(water) - search.at(acceptor.atom), donor.hydrogen - search.at(water));
+                if (angle > kLeastWaterAngle && angle < kMostWaterAngle)
+                    byUnit[unit].push_back({&acceptor, &donor, water, angle});
+            }
+        }
+        for (auto& [unit, bridges] : byUnit)
+            for (const PlipBridge& bridge : keptByPlip(search, std::move(bridges)))
+                addBridge(search, *bridge.acceptor, *bridge.donor, water, bridge.angle,
+                          search.sides(bridge.acceptor->atom, bridge.donor->atom));
+    }
+}
+
+}  // namespace
+
+void findWaterBridges(InteractionSearch& search) {
+    if (!search.wants(InteractionKind::waterBridge)) return;
+    std::vector<glm::vec3> places;
+    for (const std::uint32_t water : search.features.waters) places.push_back(search.molecule.atoms[water].position);
+    const bool plip = search.rules == InteractionRules::plip;
+    const PlaceGrid grid(places, plip ? kPlipWater : kMolstarWater);
+    plip ? findPlipBridges(search, grid) : findMolstarBridges(search, grid);
+}
+
+}  // namespace nacre

@@ -1,0 +1,246 @@
+#include "engine/molecule/chemistry/chemistry.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <string>
+
+#include "engine/molecule/bonds/bonds.h"
+#include "engine/molecule/chemistry/steps.h"
+#include "engine/molecule/drawn_atoms.h"
+#include "engine/molecule/read.h"
+#include "tests/molecule/build_molecule.h"
+#include "tests/molecule/build_peptide.h"
+
+namespace nacre {
+namespace {
+
+using test::MoleculeText;
+
+Chemistry chemistryOf(Molecule& molecule) {
+    perceiveBonds(molecule);
+    return perceiveChemistry(molecule, drawnAtoms(molecule, {.water = true, .hydrogens = true}));
+}
+
+/// "C1-C2 C2=O1": bonds by the names of atoms; aromatic ones with a colon.
+std::string ordersOf(Molecule molecule) {
+    const Chemistry chemistry = chemistryOf(molecule);
+    std::string text;
+    for (std::size_t i = 0; i < molecule.bonds.size(); ++i) {
+        const Bond& bond = molecule.bonds[i];
+        text += text.empty() ? "" : " ";
+        text += molecule.atoms[bond.a].name.view();
+        text += chemistry.aromatic[i] ? ':' : "-=#"[chemistry.order[i] - 1];
+        text += molecule.atoms[bond.b].name.view();
+    }
+    return text;
+}
+
+/// A regular polygon of carbons whose sides are as long as given, Å.
+void addPolygon(MoleculeText& text, int sides, float length, std::string_view symbols) {
+    const float turn = 6.2831853f / static_cast<float>(sides), radius = length / (2 * std::sin(turn / 2));
+    for (int i = 0; i < sides; ++i) {
+        const float angle = turn * static_cast<float>(i);
+        const std::string symbol(1, symbols[static_cast<std::size_t>(i)]);
+        text.atom(symbol + std::to_string(i + 1), symbol, {radius * std::cos(angle), radius * std::sin(angle), 0});
+    }
+}
+
+std::string polygon(int sides, float length, std::string_view symbols) {
+    MoleculeText text;
+    text.residue("LIG");
+    addPolygon(text, sides, length, symbols);
+    return ordersOf(text.molecule);
+}
+
+TEST(BondOrders, FlatRingsAreAromaticByHueckelsRule) {
+    EXPECT_EQ(polygon(6, 1.39f, "CCCCCC"), "C1:C2 C1:C6 C2:C3 C3:C4 C4:C5 C5:C6");
+    EXPECT_EQ(polygon(6, 1.35f, "NCCCCC"), "N1:C2 N1:C6 C2:C3 C3:C4 C4:C5 C5:C6");
+    EXPECT_EQ(polygon(5, 1.38f, "NCNCC"), "N1:C2 N1:C5 C2:N3 N3:C4 C4:C5");
+    EXPECT_EQ(polygon(5, 1.40f, "OCCCC"), "O1:C2 O1:C5 C2:C3 C3:C4 C4:C5");
+}
+
+TEST(BondOrders, AChairIsSaturated) {
+    MoleculeText text;
+    text.residue("LIG");
+    for (int i = 0; i < 6; ++i) {
+        const float angle = 1.0471976f * static_cast<float>(i);
+        text.atom("C" + std::to_string(i + 1), "C",
+                  {1.45f * std::cos(angle), 1.45f * std::sin(angle), i % 2 ? 0.25f : -0.25f});
+    }
+    EXPECT_EQ(ordersOf(text.molecule), "C1-C2 C1-C6 C2-C3 C3-C4 C4-C5 C5-C6");
+}
+
+/// Two further atoms about C1 at (0, 0, 0), whose first neighbour lies on the negative x axis: 120 degrees apart.
+glm::vec3 forked(float length, bool up) { return {length * 0.5f, length * (up ? 0.8660254f : -0.8660254f), 0}; }
+
+TEST(BondOrders, GroupsAreDrawnAsChemistsDrawThem) {
+    const auto group = [](std::string_view centre, std::string_view first, float l1, std::string_view second,
+                          float l2) {
+        MoleculeText text;
+        text.residue("LIG").atom("C2", "C", {-1.5f, 0, 0}).atom("X", centre, {0, 0, 0});
+        text.atom("A", first, forked(l1, true)).atom("B", second, forked(l2, false));
+        return ordersOf(text.molecule);
+    };
+    EXPECT_EQ(group("C", "O", 1.25f, "O", 1.26f), "C2-X X=A X-B");  // lengths that do not differ leave the file's order
+    EXPECT_EQ(group("C", "O", 1.32f, "O", 1.21f), "C2-X X-A X=B");
+    EXPECT_EQ(group("C", "N", 1.33f, "O", 1.23f), "C2-X X-A X=B");
+    EXPECT_EQ(group("C", "C", 1.34f, "C", 1.50f), "C2-X X=A X-B");
+    EXPECT_EQ(group("N", "O", 1.22f, "O", 1.22f), "C2-X X=A X-B");
+}
+
+TEST(BondOrders, LinearAtomsHaveTripleBonds) {
+    MoleculeText text;
+    text.residue("LIG").atom("C1", "C", {-1.46f, 0, 0}).atom("C2", "C", {0, 0, 0}).atom("N", "N", {1.15f, 0, 0});
+    EXPECT_EQ(ordersOf(text.molecule), "C1-C2 C2#N");
+}
+
+TEST(BondOrders, HydrogensThatAreThereDecide) {
+    // Formaldehyde and methanol with the same length of the bond: what counts is who has the hydrogens.
+    MoleculeText flat;
+    flat.residue("LIG").atom("C", "C", {0, 0, 0}).atom("O", "O", {1.30f, 0, 0});
+    flat.atom("H1", "H", {-0.55f, 0.95f, 0}).atom("H2", "H", {-0.55f, -0.95f, 0});
+    EXPECT_EQ(ordersOf(flat.molecule), "C=O C-H1 C-H2");
+    MoleculeText full;
+    full.residue("LIG").atom("C", "C", {0, 0, 0}).atom("O", "O", {1.30f, 0, 0}).atom("HO", "H", {1.6f, 0.9f, 0});
+    full.atom("H1", "H", {-0.4f, 1, 0}).atom("H2", "H", {-0.4f, -0.5f, 0.87f}).atom("H3", "H", {-0.4f, -0.5f, -0.87f});
+    EXPECT_EQ(ordersOf(full.molecule), "C-O C-H1 C-H2 C-H3 O-HO");
+}
+
+TEST(BondOrders, StatedOnesStay) {
+    const std::string atoms =
+        "a\n\n\n  2  1  0     0  0            999 V2000\n    0.0       0.0       0.0    C   0  0\n"
+        "    1.20      0.0       0.0    O   0  0\n";
+    EXPECT_EQ(ordersOf(readMolecule("a.sdf", atoms + "  1  2  1  0\nM  END\n")), "C-O");
+    EXPECT_EQ(ordersOf(readMolecule("a.sdf", atoms + "  1  2  2  0\nM  END\n")), "C=O");
+}
+
+TEST(BondOrders, ComponentsOfAnMmcifFileStateThem) {
+    const std::string atoms =
+        "data_a\nloop_\n_atom_site.label_comp_id\n_atom_site.label_atom_id\n_atom_site.type_symbol\n_atom_site.Cartn_"
+        "x\n"
+        "_atom_site.Cartn_y\n_atom_site.Cartn_z\n_atom_site.label_alt_id\nLIG C1 C 0 0 0 .\nLIG C2 C 1.5 0 0 A\n"
+        "LIG C2 C 1.5 0.2 0 B\n";
+    const std::string bonds =
+        "loop_\n_chem_comp_bond.comp_id\n_chem_comp_bond.atom_id_1\n_chem_comp_bond.atom_id_2\n"
+        "_chem_comp_bond.value_order\nLIG C1 C2 TRIP\nLIG C2 C3 SING\nOTH C1 C2 DOUB\n";
+    const Molecule molecule = readMolecule("a.cif", atoms + bonds);
+    ASSERT_EQ(molecule.bonds.size(), 2u);  // to both places of C2, none to C3, which is not there
+    EXPECT_EQ(molecule.bonds[0].source, BondSource::file);
+    EXPECT_EQ(ordersOf(molecule), "C1#C2 C1#C2");
+    EXPECT_EQ(ordersOf(readMolecule("a.cif", atoms)), "C1-C2 C1-C2");
+}
+
+TEST(Rings, EveryFaceOfACage) {
+    Molecule cage = sampleMolecule("buckyball");
+    const Chemistry chemistry = chemistryOf(cage);
+    std::map<std::size_t, int> sizes;
+    for (const Ring& ring : chemistry.rings) ++sizes[ring.atoms.size()];
+    EXPECT_EQ(sizes, (std::map<std::size_t, int>{{5, 12}, {6, 20}}));  // Euler: 32 faces
+    std::vector<int> twofold(cage.atoms.size());
+    for (std::size_t i = 0; i < cage.bonds.size(); ++i)
+        if (chemistry.order[i] == 2) {
+            ++twofold[cage.bonds[i].a];
+            ++twofold[cage.bonds[i].b];
+        }
+    EXPECT_EQ(std::count(twofold.begin(), twofold.end(), 1), 60);
+}
+
+TEST(Rings, NoneInAChain) {
+    Molecule chain = test::chainOf(20, -60, -45);
+    EXPECT_TRUE(chemistryOf(chain).rings.empty());
+}
+
+/// The best sum by trying all.
+float bestByTrial(const PiSystem& system, std::size_t bond, std::vector<std::uint8_t>& used, float sum) {
+    if (bond == system.bonds.size()) {
+        for (std::size_t i = 0; i < used.size(); ++i) {
+            if (used[i] > system.atoms[i].most) return -1e9f;
+            sum -= system.atoms[i].cost[used[i]];
+        }
+        return sum;
+    }
+    float best = -1e9f;
+    for (std::uint8_t pi = 0; pi <= 2; ++pi) {
+        used[system.bonds[bond].a] += pi;
+        used[system.bonds[bond].b] += pi;
+        if (used[system.bonds[bond].a] <= 2 && used[system.bonds[bond].b] <= 2)
+            best = std::max(best, bestByTrial(system, bond + 1, used, sum + system.bonds[bond].gain[pi]));
+        used[system.bonds[bond].a] -= pi;
+        used[system.bonds[bond].b] -= pi;
+    }
+    return best;
+}
+
+TEST(PiBonds, AreTheBestOfAllDistributions) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> value(-1, 1);
+    for (int trial = 0; trial < 60; ++trial) {
+        PiSystem system;
+        system.atoms.resize(8);
+        for (PiSystem::Atom& atom : system.atoms)
+            atom = {{value(random), value(random), value(random)}, static_cast<std::uint8_t>(random() % 3)};
+        for (int i = 0; i < 9; ++i) {
+            const auto a = static_cast<std::uint32_t>(random() % 8), b = static_cast<std::uint32_t>(random() % 8);
+            if (a != b) system.bonds.push_back({a, b, {0, value(random), value(random)}});
+        }
+        std::vector<std::uint8_t> used(8);
+        std::vector<std::uint8_t> touched(8);
+        for (const PiSystem::Bond& bond : system.bonds) touched[bond.a] = touched[bond.b] = 1;
+        for (std::size_t i = 0; i < 8; ++i)  // an atom without bonds costs the same in any case
+            if (!touched[i]) system.atoms[i].cost[0] = 0;
+        const std::vector<std::uint8_t> found = bestPiBonds(system);
+        ASSERT_EQ(found.size(), system.bonds.size());
+        float sum = 0;
+        std::vector<std::uint8_t> counts(8);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            sum += system.bonds[i].gain[found[i]];
+            counts[system.bonds[i].a] = static_cast<std::uint8_t>(counts[system.bonds[i].a] + found[i]);
+            counts[system.bonds[i].b] = static_cast<std::uint8_t>(counts[system.bonds[i].b] + found[i]);
+        }
+        for (std::size_t i = 0; i < 8; ++i) {
+            ASSERT_LE(counts[i], system.atoms[i].most);
+            sum -= system.atoms[i].cost[counts[i]];
+        }
+        EXPECT_NEAR(sum, bestByTrial(system, 0, used, 0), 1e-4) << trial;
+    }
+}
+
+TEST(States, AcidsBasesAndWhatIsDelocalised) {
+    MoleculeText text;  // an acetate and a methylamine, apart
+    text.residue("ACT").atom("CH3", "C", {-1.5f, 0, 0}).atom("C", "C", {0, 0, 0});
+    text.atom("O", "O", forked(1.25f, true)).atom("OXT", "O", forked(1.25f, false));
+    text.residue("NME", 2).atom("C", "C", {20, 0, 0}).atom("N", "N", {21.47f, 0, 0});
+    const Chemistry chemistry = chemistryOf(text.molecule);
+    EXPECT_EQ(chemistry.charge, (std::vector<std::int8_t>{0, 0, 0, -1, 0, 1}));
+    EXPECT_EQ(chemistry.hydrogens, (std::vector<std::uint8_t>{3, 0, 0, 0, 3, 3}));
+    EXPECT_EQ(chemistry.delocalised, (std::vector<std::uint8_t>{0, 1, 1, 0}));
+    EXPECT_EQ(chemistry.hybrid, (std::vector<std::uint8_t>{3, 2, 2, 2, 3, 3}));
+}
+
+TEST(Chemistry, AHeapOfAtomsAndALatticeEnd) {
+    MoleculeText heap;
+    heap.residue("LIG");
+    for (int i = 0; i < 3000; ++i) heap.atom("C", "C", {0.01f * static_cast<float>(i % 50), 0, 0});
+    chemistryOf(heap.molecule);
+    MoleculeText lattice;  // diamond, whose rings share every bond
+    lattice.residue("LIG");
+    for (int x = 0; x < 8; ++x)
+        for (int y = 0; y < 8; ++y)
+            for (int z = 0; z < 8; ++z)
+                for (int i = 0; i < 8; ++i) {
+                    const int half = i % 4;
+                    const glm::vec3 base(half == 1 || half == 2, half == 1 || half == 3, half == 2 || half == 3);
+                    const glm::vec3 shift = i < 4 ? glm::vec3(0) : glm::vec3(0.5f);
+                    lattice.atom("C", "C", 1.7835f * (base + shift) + 3.567f * glm::vec3(x, y, z));
+                }
+    const Chemistry chemistry = chemistryOf(lattice.molecule);
+    EXPECT_GT(chemistry.rings.size(), 4000u);
+    EXPECT_EQ(std::count(chemistry.order.begin(), chemistry.order.end(), 2), 0);
+}
+
+}  // namespace
+}  // namespace nacre
