@@ -95,6 +95,8 @@ public:
     void resume(double now);
     /// Gives up what can be made again: the refined picture's samples from now on, picks stay.
     void lowMemory() { options_.mostSamples = 1; }
+    /// As ViewerOptions::occlusionBytes, from now on.
+    void setOcclusionBytes(std::uint64_t bytes) { options_.occlusionBytes = bytes; }
     /// A side of a pixel, of the refinement, from now on.
     void setMostSamples(std::uint32_t samples) { options_.mostSamples = samples; }
     std::uint32_t mostSamples() const { return options_.mostSamples; }
@@ -194,6 +196,8 @@ public:
     /// Seconds from one picture of the display to the next; what no display has is not taken.
     void setDisplayInterval(double seconds) { schedule_.setDisplayInterval(seconds); }
     double displayInterval() const { return schedule_.displayInterval(); }
+    /// As ResolutionControl::setHeat.
+    void setHeat(double heat) { schedule_.setHeat(heat); }
     /// A processor draws: a frame of a motion may take so many seconds before its resolution drops, which it does not
     /// below a share, and which is told.
     void keepSharp(double seconds, double leastScale) {
