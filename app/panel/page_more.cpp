@@ -42,6 +42,7 @@ void Panel::drawForDevelopers(Viewer& viewer, double now) {
         for (std::size_t i = 0; i < choices.size(); ++i)
             if (chosen == choices[i]) viewer.setDebugView(static_cast<DebugView>(i), now);
     if (host_.captures && ui.button(Icon::none, "Capture a frame (F12)", -1)) host_.run(ViewerCommand::captureFrame);
+    if (host_.copyReport && ui.button(Icon::none, "Copy report", -1)) host_.copyReport();
     if (host_.statistics) ui.caption(host_.statistics());
 }
 
