@@ -38,7 +38,7 @@ struct Renderer::Impl {
 
     explicit Impl(const DeviceOptions& options) : device(options) {
         const std::string selfTest = chooseTested(options);
-        stats.device = gpu::infoOf(device.caps());
+        stats.device = gpu::infoOf(device.caps(), device.physical());
         stats.device.selfTest = selfTest;
         if (options.surface.create) window = std::make_unique<WindowFrames>(device, executor, frames, options.surface);
     }

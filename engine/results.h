@@ -42,6 +42,13 @@ struct DeviceInfo {
     std::string selfTest;          ///< "encoded 1.20 ms, fragdepth wrong"; empty: nobody tried
     std::string capabilitySet;     ///< what a plan for it starts from: "turnip"
     std::string knownAs, knownBy;  ///< what is known of its driver, and the source; empty where nothing is
+    // What it says of itself
+    std::uint32_t vendorId = 0, deviceId = 0, driverVersion = 0;  ///< the numbers of Vulkan
+    /// Of its own memory: all, and what this program may use of it by now (VK_EXT_memory_budget; 0: it does not tell).
+    std::uint64_t memoryBytes = 0, budgetBytes = 0;
+    std::vector<std::pair<std::string, std::uint64_t>> limits;
+    std::vector<std::string> formats;     ///< "R32F: sampled, colour, blended"
+    std::vector<std::string> extensions;  ///< by name
 };
 
 struct PassCount {

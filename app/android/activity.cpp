@@ -1,11 +1,12 @@
-// The activity's callbacks, which Android calls on the main thread. Each says what happened to the render thread; those
-// after which something is no longer to be touched, or has to be there, wait for it.
+// The activity's callbacks, which Android calls on the main thread. Each says what happened to the render thread. Some
+// wait for it, a few seconds in all: Android calls an app dead whose main thread is not back after 5.
 
 #include <android/configuration.h>
 #include <android/keycodes.h>
 #include <android/looper.h>
 #include <android/native_activity.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
@@ -14,6 +15,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <thread>
 
 #include "app/android/input.h"
 #include "app/android/intent.h"
@@ -27,8 +29,7 @@
 namespace nacre::app {
 namespace {
 
-constexpr double kForever = 1e6;  // seconds: what Android says must have happened
-constexpr double kPatience = 4;   // what would only be nicer: Android calls an app dead after 5
+constexpr double kRedrawPatience = 1;  // seconds, for a picture of the window's new size
 constexpr double kPointsPerInch = 160;
 
 /// Pixels a point of the display that the activity is on.
@@ -62,6 +63,8 @@ std::optional<PictureDescription> viewOf(const void* state, std::size_t size) {
 }
 
 class App {
+    ~App() = default;  // end()
+
 public:
     App(ANativeActivity* activity, const void* state, std::size_t size)
         : activity_(activity),
@@ -70,6 +73,7 @@ public:
           density_(densityOf(activity)),
           // A view that is restored shows the copy of what the intent named.
           platform_(activity, told()),
+          cache_(platform_.cacheFolder().value_or(folder_)),
           document_(restored_ ? nullptr : documentOf(nullptr)),
           thread_(
               [this] {
@@ -82,41 +86,63 @@ public:
             const std::lock_guard lock(mutex_);
             if (!first.input.path.empty()) view_ = first;
         }
-        thread_.post([this, first, density = density_] {
+        thread_.post([this, first, density = density_, system = platform_.system()] {
             PhoneHost host;
             host.wake = [this] { thread_.post([] {}); };
             host.log = [](const std::string& text) { logError(text); };
-            host.cache = folder_;
+            host.cache = cache_;
+            host.system = system;
             platform_.lend(host);
             session_ = std::make_unique<AndroidSession>(std::move(host), first, density, folder_ + "/view.json");
+            session_->onMotion([this](bool moving) { platform_.animate(moving); });
         });
-        setHttpFetch([this](const std::string& url, const HttpTake& take) { platform_.fetch(url, take); });
+        setHttpFetch([this](const std::string& url, const HttpTake& take) { platform_.fetch(url, take); }, this);
         if (document_) document_->open();
     }
 
-    /// What the session still loads calls the thread when it is done: the thread goes last.
-    ~App() {
+    App(const App&) = delete;
+
+    /// The activity goes. Should a driver or the network hold the session up, this outlives it until that goes on.
+    void end() {
         detach();
         document_.reset();
-        thread_.call([this] { session_.reset(); }, kForever);
-        setHttpFetch({});
+        platform_.detach();
+        setHttpFetch({}, this);
+        ended_ = true;
+        if (wait(RenderThread::Task([this] { session_.reset(); }))) return delete this;
+        std::thread([this] {
+            constexpr double kLong = 1e6;
+            while (!thread_.call([] {}, kLong)) {
+            }
+            delete this;
+        }).detach();
     }
-    App(const App&) = delete;
 
     /// Tells the session something, on its thread.
     using Tell = Platform::Tell;
     void post(Tell tell) {
         thread_.post([this, tell = std::move(tell)] { tell(*session_); });
     }
-    /// The same, and waits.
-    void call(double seconds, Tell tell) {
-        thread_.call([this, tell = std::move(tell)] { tell(*session_); }, seconds);
+    /// The same, and waits for at most so many seconds.
+    bool call(double seconds, Tell tell) {
+        return thread_.call([this, tell = std::move(tell)] { tell(*session_); }, seconds);
     }
+    /// The same out of the patience that is left, all waits together.
+    bool wait(RenderThread::Task task) {
+        const double before = steadySeconds();
+        const bool done = thread_.call(std::move(task), patience_);
+        patience_ = std::max(patience_ - (steadySeconds() - before), 0.0);
+        return done;
+    }
+    bool wait(Tell tell) {
+        return wait(RenderThread::Task([this, tell = std::move(tell)] { tell(*session_); }));
+    }
+    void refillPatience() { patience_ = mainThreadPatience; }
 
     /// JSON; empty before the first step of what nobody named yet. Should the thread be busy for long, the view of its
     /// last step.
     std::string lastView() {
-        call(kPatience, [](AndroidSession&) {});
+        wait(Tell([](AndroidSession&) {}));
         const std::lock_guard lock(mutex_);
         return view_ ? savedViewJson(*view_) : std::string();
     }
@@ -171,9 +197,9 @@ private:
     /// On the render thread, like the two that follow.
     double step() {
         if (!session_) return std::numeric_limits<double>::infinity();
-        const double wake = session_->step();
+        const double wake = session_->turn();
         if (read_) tellControls();
-        wantsBack_ = session_->wantsBack();
+        if (wantsBack_.exchange(session_->wantsBack()) != wantsBack_) platform_.wantsBack(wantsBack_);
         const std::lock_guard lock(mutex_);
         view_ = session_->viewer().view();
         return wake;
@@ -196,7 +222,7 @@ private:
             session_->setSeen(false);
             session_->lowMemory();
         }
-        ANativeActivity_finish(activity_);
+        if (!ended_) ANativeActivity_finish(activity_);
     }
 
     static int takeInput(int, int, void* app) {
@@ -231,6 +257,16 @@ private:
             post([wheel = *wheel](AndroidSession& s) { s.wheel(wheel.steps, wheel.at); });
             return true;
         }
+        if (const auto mouse = mouseOf(event, density_)) {
+            post([mouse = *mouse, when = secondsOf(event)](AndroidSession& s) {
+                s.mouse(mouse.button, mouse.touch, mouse.with, when);
+            });
+            return true;
+        }
+        if (const auto hover = hoverOf(event, density_)) {
+            post([hover = *hover](AndroidSession& s) { s.hover(hover.at); });
+            return true;
+        }
         auto touches = touchesOf(event, density_);
         if (touches.empty()) return false;
         post([touches = std::move(touches), when = secondsOf(event)](AndroidSession& s) {
@@ -245,7 +281,10 @@ private:
     double density_;
     AInputQueue* queue_ = nullptr;
     bool ownsBack_ = false;
+    double patience_ = mainThreadPatience;
+    std::atomic<bool> ended_{false};
     Platform platform_;
+    std::string cache_;
     std::unique_ptr<IntentDocument> document_;
     // What the main thread may ask at any time
     std::atomic<bool> wantsBack_{false};  // the back key is ours, to close the panel or the help
@@ -271,7 +310,8 @@ void* saveState(ANativeActivity* activity, std::size_t* size) {
 
 void setCallbacks(ANativeActivityCallbacks& on) {
     on.onStart = [](ANativeActivity* a) { appOf(a).post([](AndroidSession& s) { s.started(); }); };
-    on.onPause = [](ANativeActivity* a) { appOf(a).call(kPatience, [](AndroidSession& s) { s.paused(); }); };
+    on.onResume = [](ANativeActivity* a) { appOf(a).refillPatience(); };
+    on.onPause = [](ANativeActivity* a) { appOf(a).wait(App::Tell([](AndroidSession& s) { s.paused(); })); };
     on.onStop = [](ANativeActivity* a) { appOf(a).post([](AndroidSession& s) { s.stopped(); }); };
     on.onSaveInstanceState = saveState;
     on.onLowMemory = [](ANativeActivity* a) { appOf(a).post([](AndroidSession& s) { s.lowMemory(); }); };
@@ -283,10 +323,10 @@ void setCallbacks(ANativeActivityCallbacks& on) {
         appOf(a).post([](AndroidSession& s) { s.windowChanged(); });
     };
     on.onNativeWindowRedrawNeeded = [](ANativeActivity* a, ANativeWindow*) {
-        appOf(a).call(kPatience, [](AndroidSession& s) { s.windowChanged(); });
+        appOf(a).call(kRedrawPatience, [](AndroidSession& s) { s.windowChanged(); });
     };
     on.onNativeWindowDestroyed = [](ANativeActivity* a, ANativeWindow*) {
-        appOf(a).call(kForever, [](AndroidSession& s) { s.windowDestroyed(); });
+        appOf(a).wait(App::Tell([](AndroidSession& s) { s.windowDestroyed(); }));
     };
     on.onContentRectChanged = [](ANativeActivity* a, const ARect* content) {
         appOf(a).post([content = *content](AndroidSession& s) { s.contentChanged(content); });
@@ -294,7 +334,7 @@ void setCallbacks(ANativeActivityCallbacks& on) {
     on.onInputQueueCreated = [](ANativeActivity* a, AInputQueue* queue) { appOf(a).attach(queue); };
     on.onInputQueueDestroyed = [](ANativeActivity* a, AInputQueue*) { appOf(a).detach(); };
     on.onDestroy = [](ANativeActivity* a) {
-        delete &appOf(a);
+        appOf(a).end();
         a->instance = nullptr;
     };
 }

@@ -8,6 +8,21 @@ TouchEvent touchOf(const AInputEvent* event, std::size_t pointer, TouchPhase pha
             glm::dvec2(AMotionEvent_getX(event, pointer), AMotionEvent_getY(event, pointer)) / pixelsPerPoint};
 }
 
+glm::dvec2 placeOf(const AInputEvent* event, double pixelsPerPoint) {
+    return glm::dvec2(AMotionEvent_getX(event, 0), AMotionEvent_getY(event, 0)) / pixelsPerPoint;
+}
+
+/// Without the number of the pointer that it is of; nothing: the event is of no pointer.
+std::optional<std::int32_t> actionOf(const AInputEvent* event) {
+    if (AInputEvent_getType(event) != AINPUT_EVENT_TYPE_MOTION) return std::nullopt;
+    if ((AInputEvent_getSource(event) & AINPUT_SOURCE_CLASS_MASK) != AINPUT_SOURCE_CLASS_POINTER) return std::nullopt;
+    return AMotionEvent_getAction(event) & AMOTION_EVENT_ACTION_MASK;
+}
+
+Modifiers modifiersOf(std::int32_t meta) { return {(meta & AMETA_SHIFT_ON) != 0, (meta & AMETA_CTRL_ON) != 0}; }
+
+bool isMouse(const AInputEvent* event) { return AMotionEvent_getToolType(event, 0) == AMOTION_EVENT_TOOL_TYPE_MOUSE; }
+
 struct KeyMeaning {
     std::int32_t code;
     char32_t plain, shifted;  ///< shifted: 0 if Shift makes no other character
@@ -42,8 +57,7 @@ char32_t characterOf(std::int32_t code, bool shift) {
 }  // namespace
 
 std::vector<TouchEvent> touchesOf(const AInputEvent* event, double pixelsPerPoint) {
-    if (AInputEvent_getType(event) != AINPUT_EVENT_TYPE_MOTION) return {};
-    if ((AInputEvent_getSource(event) & AINPUT_SOURCE_CLASS_MASK) != AINPUT_SOURCE_CLASS_POINTER) return {};
+    if (!actionOf(event) || isMouse(event)) return {};
     const std::int32_t action = AMotionEvent_getAction(event);
     const std::size_t pointers = AMotionEvent_getPointerCount(event);
     const auto which = static_cast<std::size_t>((action & AMOTION_EVENT_ACTION_POINTER_INDEX_MASK) >>
@@ -73,22 +87,54 @@ std::vector<TouchEvent> touchesOf(const AInputEvent* event, double pixelsPerPoin
     return touches;
 }
 
+std::optional<MouseEvent> mouseOf(const AInputEvent* event, double pixelsPerPoint) {
+    const auto action = actionOf(event);
+    if (!action || !isMouse(event)) return std::nullopt;
+    TouchPhase phase;
+    switch (*action) {
+        case AMOTION_EVENT_ACTION_DOWN:
+            phase = TouchPhase::began;
+            break;
+        case AMOTION_EVENT_ACTION_MOVE:
+            phase = TouchPhase::moved;
+            break;
+        case AMOTION_EVENT_ACTION_UP:
+            phase = TouchPhase::ended;
+            break;
+        case AMOTION_EVENT_ACTION_CANCEL:
+            phase = TouchPhase::cancelled;
+            break;
+        default:
+            return std::nullopt;  // of single buttons, of which the above tell, too
+    }
+    const std::int32_t buttons = AMotionEvent_getButtonState(event);
+    const MouseButton button = buttons & AMOTION_EVENT_BUTTON_SECONDARY  ? MouseButton::right
+                               : buttons & AMOTION_EVENT_BUTTON_TERTIARY ? MouseButton::middle
+                                                                         : MouseButton::left;
+    constexpr std::int64_t kMouse = -1;  // stands for a finger
+    return MouseEvent{
+        button, {kMouse, phase, placeOf(event, pixelsPerPoint)}, modifiersOf(AMotionEvent_getMetaState(event))};
+}
+
+std::optional<HoverEvent> hoverOf(const AInputEvent* event, double pixelsPerPoint) {
+    const auto action = actionOf(event);
+    if (action == AMOTION_EVENT_ACTION_HOVER_EXIT) return HoverEvent{};
+    if (action != AMOTION_EVENT_ACTION_HOVER_ENTER && action != AMOTION_EVENT_ACTION_HOVER_MOVE) return std::nullopt;
+    return HoverEvent{placeOf(event, pixelsPerPoint)};
+}
+
 std::optional<WheelEvent> wheelOf(const AInputEvent* event, double pixelsPerPoint) {
-    if (AInputEvent_getType(event) != AINPUT_EVENT_TYPE_MOTION ||
-        (AMotionEvent_getAction(event) & AMOTION_EVENT_ACTION_MASK) != AMOTION_EVENT_ACTION_SCROLL)
-        return std::nullopt;
-    return WheelEvent{AMotionEvent_getAxisValue(event, AMOTION_EVENT_AXIS_VSCROLL, 0),
-                      glm::dvec2(AMotionEvent_getX(event, 0), AMotionEvent_getY(event, 0)) / pixelsPerPoint};
+    if (actionOf(event) != AMOTION_EVENT_ACTION_SCROLL) return std::nullopt;
+    return WheelEvent{AMotionEvent_getAxisValue(event, AMOTION_EVENT_AXIS_VSCROLL, 0), placeOf(event, pixelsPerPoint)};
 }
 
 std::optional<KeyEvent> keyOf(const AInputEvent* event) {
     if (AInputEvent_getType(event) != AINPUT_EVENT_TYPE_KEY || AKeyEvent_getAction(event) != AKEY_EVENT_ACTION_DOWN)
         return std::nullopt;
-    const std::int32_t meta = AKeyEvent_getMetaState(event);
-    const bool shift = (meta & AMETA_SHIFT_ON) != 0;
-    const char32_t character = characterOf(AKeyEvent_getKeyCode(event), shift);
+    const Modifiers with = modifiersOf(AKeyEvent_getMetaState(event));
+    const char32_t character = characterOf(AKeyEvent_getKeyCode(event), with.shift);
     if (character == 0) return std::nullopt;
-    return KeyEvent{character, {shift, (meta & AMETA_CTRL_ON) != 0}};
+    return KeyEvent{character, with};
 }
 
 double secondsOf(const AInputEvent* motion) { return 1e-9 * static_cast<double>(AMotionEvent_getEventTime(motion)); }

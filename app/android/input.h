@@ -10,8 +10,24 @@
 
 namespace nacre::app {
 
-/// What a motion event says of fingers, pens and a mouse with a button down. Places in points.
+/// What a motion event says of fingers and pens. Places in points.
 std::vector<TouchEvent> touchesOf(const AInputEvent* event, double pixelsPerPoint);
+
+struct MouseEvent {
+    MouseButton button;  ///< that went down
+    TouchEvent touch;
+    Modifiers with;
+};
+
+/// A mouse with a button down, if it is one.
+std::optional<MouseEvent> mouseOf(const AInputEvent* event, double pixelsPerPoint);
+
+struct HoverEvent {
+    std::optional<glm::dvec2> at;  ///< points; nothing: it left
+};
+
+/// A mouse or a pen that points to something and does not touch it.
+std::optional<HoverEvent> hoverOf(const AInputEvent* event, double pixelsPerPoint);
 
 struct WheelEvent {
     double steps;

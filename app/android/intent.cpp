@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <thread>
 
-#include "app/android/java.h"
 #include "app/android/log.h"
 #include "engine/error.h"
 
@@ -72,47 +72,67 @@ int descriptorOf(const Java& java, jobject resolver, jobject uri) {
 }  // namespace
 
 IntentDocument::IntentDocument(ANativeActivity* activity, jobject uri, OpenedFiles files, Post post)
-    : activity_(activity), files_(std::move(files)), post_(std::move(post)) {
+    : env_(activity->env), work_(std::make_shared<Work>()) {
+    work_->machine = activity->vm;
+    work_->files = std::move(files);
+    work_->post = std::move(post);
     try {
-        const Java java(activity->env);
+        const Java java(env_);
         if (!uri) {
             const jobject intent = java.object(activity->clazz, "getIntent", "()Landroid/content/Intent;");
             if (!intent) return;
             uri = java.object(intent, "getData", "()Landroid/net/Uri;");
         }
-        if (uri) uri_ = java.env()->NewGlobalRef(uri);
+        if (!uri) return;
+        work_->uri = env_->NewGlobalRef(uri);
+        work_->activity = env_->NewGlobalRef(activity->clazz);
     } catch (const JavaError& error) {
         logError(error.what());
     }
 }
 
 IntentDocument::~IntentDocument() {
-    if (thread_.joinable()) thread_.join();
-    if (uri_) activity_->env->DeleteGlobalRef(uri_);
+    {
+        const std::lock_guard lock(work_->mutex);
+        work_->post = {};
+    }
+    if (!opened_) work_->release(env_);
 }
 
 void IntentDocument::open() {
-    if (!uri_) return;
-    thread_ = std::thread([this] {
-        try {
-            post_([path = copy()](AndroidSession& session) { session.open(path); });
-        } catch (const std::exception& error) {
-            post_([why = std::string(error.what())](AndroidSession& session) { session.fail(why); });
-        }
-    });
+    if (!present()) return;
+    opened_ = true;
+    std::thread([work = work_] { work->run(); }).detach();
 }
 
-std::string IntentDocument::copy() const {
+void IntentDocument::Work::release(JNIEnv* env) {
+    if (uri) env->DeleteGlobalRef(uri);
+    if (activity) env->DeleteGlobalRef(activity);
+}
+
+void IntentDocument::Work::run() {
+    const AttachedThread thread(machine);
+    std::function<void(AndroidSession&)> told;
     try {
-        const AttachedThread thread(activity_->vm);
-        const Java java(thread.env());
-        const jobject resolver =
-            java.object(activity_->clazz, "getContentResolver", "()Landroid/content/ContentResolver;");
-        const std::string name = nameOf(java, resolver, uri_);
-        const int number = descriptorOf(java, resolver, uri_);
-        if (number < 0) return files_.keep(name, streamOf(java, resolver, uri_));
+        told = [path = copy(Java(thread.env()))](AndroidSession& session) { session.open(path); };
+    } catch (const std::exception& error) {
+        told = [why = std::string(error.what())](AndroidSession& session) { session.fail(why); };
+    }
+    {
+        const std::lock_guard lock(mutex);
+        if (post) post(std::move(told));
+    }
+    release(thread.env());
+}
+
+std::string IntentDocument::Work::copy(const Java& java) const {
+    try {
+        const jobject resolver = java.object(activity, "getContentResolver", "()Landroid/content/ContentResolver;");
+        const std::string name = nameOf(java, resolver, uri);
+        const int number = descriptorOf(java, resolver, uri);
+        if (number < 0) return files.keep(name, streamOf(java, resolver, uri));
         const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(fdopen(number, "rb"), std::fclose);
-        return files_.keep(name, [&](char* to, std::size_t most) {
+        return files.keep(name, [&](char* to, std::size_t most) {
             const std::size_t count = file ? std::fread(to, 1, most, file.get()) : 0;
             if (!file || std::ferror(file.get())) throw Error("cannot open file", "", std::strerror(errno));
             return count;

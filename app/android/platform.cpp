@@ -16,10 +16,15 @@ const Platform::Told& toldBy(jlong platform) { return *reinterpret_cast<const Pl
 std::string fromJava(JNIEnv* env, jstring text) { return Java(env).text(text); }
 bool fromJava(JNIEnv*, jboolean value) { return value == JNI_TRUE; }
 double fromJava(JNIEnv*, jfloat value) { return value; }
+jint fromJava(JNIEnv*, jint value) { return value; }
+jlong fromJava(JNIEnv*, jlong value) { return value; }
+
+jstring toJava(const Java& java, const std::string& text) { return java.string(text); }
+jboolean toJava(const Java&, bool value) { return value ? JNI_TRUE : JNI_FALSE; }
 
 /// Has the session told by one of its functions.
 template <auto kCall, typename... Values>
-void tell(JNIEnv* env, jclass, jlong platform, Values... values) {
+void tell([[maybe_unused]] JNIEnv* env, jclass, jlong platform, Values... values) {
     toldBy(platform).post([... told = fromJava(env, values)](AndroidSession& session) { (session.*kCall)(told...); });
 }
 
@@ -55,8 +60,12 @@ JNINativeMethod native(const char* name, const char* signature, Function functio
 
 }  // namespace
 
-Platform::Platform(ANativeActivity* activity, Told told) : activity_(activity), told_(std::move(told)) {
-    const Java java(activity->env);
+Platform::Platform(ANativeActivity* activity, Told told)
+    : env_(activity->env),
+      machine_(activity->vm),
+      object_(env_->NewGlobalRef(activity->clazz)),
+      told_(std::move(told)) {
+    const Java java(env_);
     using S = AndroidSession;
     const JNINativeMethod methods[] = {
         native("opened", "(JLandroid/net/Uri;)V", opened),
@@ -64,16 +73,20 @@ Platform::Platform(ANativeActivity* activity, Told told) : activity_(activity), 
         native("controls", "(J)Ljava/lang/String;", controls),
         native("press", "(JLjava/lang/String;Ljava/lang/String;)V", tell<&S::press, jstring, jstring>),
         native("adjust", "(JLjava/lang/String;Z)V", tell<&S::adjust, jstring, jboolean>),
-        native("refreshes", "(JF)V", tell<&S::displayRefreshes, jfloat>),
+        native("back", "(J)V", tell<&S::back>),
+        native("insets", "(JIIII)V", tell<&S::covered, jint, jint, jint, jint>),
+        native("textScale", "(JF)V", tell<&S::setTextScale, jfloat>),
+        native("refreshes", "(JFF)V", tell<&S::displayRefreshes, jfloat, jfloat>),
+        native("tick", "(JJ)V", tell<&S::tick, jlong>),
         native("typed", "(JLjava/lang/String;Ljava/lang/String;)V", tell<&S::typed, jstring, jstring>),
         native("received", "(J[BIJ)Z", received)};
-    const jclass type = java.env()->GetObjectClass(activity->clazz);
+    const jclass type = java.env()->GetObjectClass(object_);
     if (java.env()->RegisterNatives(type, methods, std::size(methods)) != JNI_OK) {
         java.env()->ExceptionClear();
         return;
     }
     try {
-        java.nothing(activity->clazz, "attach", "(J)V", reinterpret_cast<jlong>(&told_));
+        java.nothing(object_, "attach", "(J)V", reinterpret_cast<jlong>(&told_));
         there_ = true;
     } catch (const JavaError& error) {
         logError(error.what());
@@ -81,11 +94,42 @@ Platform::Platform(ANativeActivity* activity, Told told) : activity_(activity), 
 }
 
 Platform::~Platform() {
-    if (!there_) return;
+    detach();
+    if (std::this_thread::get_id() == main_) {
+        env_->DeleteGlobalRef(object_);
+    } else {
+        const AttachedThread thread(machine_);
+        thread.env()->DeleteGlobalRef(object_);
+    }
+}
+
+void Platform::detach() {
+    if (!there_.exchange(false)) return;
     try {
-        Java(activity_->env).nothing(activity_->clazz, "attach", "(J)V", jlong{0});
+        Java(env_).nothing(object_, "attach", "(J)V", jlong{0});
     } catch (const JavaError& error) {
         logError(error.what());
+    }
+}
+
+std::string Platform::system() const {
+    try {
+        const Java java(env_);
+        return java.text(java.object(object_, "system", "()Ljava/lang/String;"));
+    } catch (const JavaError& error) {
+        logError(error.what());
+        return {};
+    }
+}
+
+std::optional<std::string> Platform::cacheFolder() const {
+    try {
+        const Java java(env_);
+        const jobject folder = java.object(object_, "getCacheDir", "()Ljava/io/File;");
+        return java.text(java.object(folder, "getPath", "()Ljava/lang/String;"));
+    } catch (const JavaError& error) {
+        logError(error.what());
+        return std::nullopt;
     }
 }
 
@@ -93,7 +137,7 @@ template <typename Call>
 void Platform::call(const Call& call) const {
     if (!there_) return;
     try {
-        const AttachedThread thread(activity_->vm);
+        const AttachedThread thread(machine_);
         call(Java(thread.env()));
     } catch (const JavaError& error) {
         logError(error.what());
@@ -104,20 +148,22 @@ void Platform::fetch(const std::string& url, const HttpTake& take) const {
     if (!there_) throw HttpFailure("there is no network here", false);
     Transfer transfer{take, {}};
     try {
-        const AttachedThread thread(activity_->vm);
+        const AttachedThread thread(machine_);
         const Java java(thread.env());
-        java.nothing(activity_->clazz, "fetch", "(Ljava/lang/String;J)V", java.string(url),
-                     reinterpret_cast<jlong>(&transfer));
+        java.nothing(object_, "fetch", "(Ljava/lang/String;J)V", java.string(url), reinterpret_cast<jlong>(&transfer));
     } catch (const JavaError& error) {
         throw HttpFailure(error.what(), false);
     }
     if (transfer.failed) std::rethrow_exception(transfer.failed);
 }
 
-template <typename... Texts>
-void Platform::ask(const char* method, const char* signature, const Texts&... texts) const {
-    call([&](const Java& java) { java.nothing(activity_->clazz, method, signature, java.string(texts)...); });
+template <typename... Values>
+void Platform::ask(const char* method, const char* signature, const Values&... values) const {
+    call([&](const Java& java) { java.nothing(object_, method, signature, toJava(java, values)...); });
 }
+
+void Platform::wantsBack(bool wanted) const { ask("wantsBack", "(Z)V", wanted); }
+void Platform::animate(bool on) const { ask("animate", "(Z)V", on); }
 
 void Platform::controlsChanged() const { ask("controlsChanged", "()V"); }
 
@@ -131,6 +177,7 @@ void Platform::lend(PhoneHost& host) const {
     host.shareText = [this](const std::string& text, const std::string& name) {
         ask("shareText", "(Ljava/lang/String;Ljava/lang/String;)V", text, name);
     };
+    host.copyText = [this](const std::string& text) { ask("copyText", "(Ljava/lang/String;)V", text); };
     host.sharePicture = [this](const PictureBytes& picture, const std::string& name) { share(picture, name); };
 }
 
@@ -146,8 +193,8 @@ void Platform::share(const PictureBytes& picture, const std::string& name) const
         const jintArray array = java.env()->NewIntArray(count);
         java.check();
         java.env()->SetIntArrayRegion(array, 0, count, pixels.data());
-        java.nothing(activity_->clazz, "sharePicture", "([IIILjava/lang/String;)V", array,
-                     static_cast<jint>(picture.width), static_cast<jint>(picture.height), java.string(name));
+        java.nothing(object_, "sharePicture", "([IIILjava/lang/String;)V", array, static_cast<jint>(picture.width),
+                     static_cast<jint>(picture.height), java.string(name));
     });
 }
 

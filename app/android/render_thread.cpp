@@ -33,12 +33,13 @@ void RenderThread::post(Task task) {
     changed_.notify_one();
 }
 
-void RenderThread::call(Task task, double seconds) {
+bool RenderThread::call(Task task, double seconds) {
     std::unique_lock lock(mutex_);
     tasks_.push_back(std::move(task));
     const std::uint64_t mine = ++posted_;
     changed_.notify_one();
     stepped_.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return done_ >= mine; });
+    return done_ >= mine;
 }
 
 void RenderThread::run() {

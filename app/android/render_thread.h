@@ -26,7 +26,8 @@ public:
     /// From any thread.
     void post(Task task);
     /// The same, and waits until it ran and the step after it was taken, but no longer than `seconds`.
-    void call(Task task, double seconds);
+    /// @returns whether it ran
+    bool call(Task task, double seconds);
 
 private:
     void run();
@@ -43,5 +44,9 @@ private:
 };
 
 double steadySeconds();
+
+/// Seconds that the main thread waits for the render thread, all waits from a pause to the end together: Android calls
+/// an app dead whose main thread is not back after 5. Tests on busy machines have more.
+inline double mainThreadPatience = 3;
 
 }  // namespace nacre::app

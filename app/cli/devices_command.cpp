@@ -6,6 +6,7 @@
 
 #include "app/cli/commands.h"
 #include "app/files/cache_folder.h"
+#include "app/files/device_report.h"
 #include "app/files/json_text.h"
 #include "engine/error.h"
 #include "engine/renderer.h"
@@ -57,23 +58,11 @@ void devicesCommand(const DevicesOptions& options, std::ostream& out) {
         return;
     }
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (std::size_t i = 0; i < devices.size(); ++i)
-        list.push_back({{"number", i},
-                        {"name", devices[i].name},
-                        {"type", devices[i].type},
-                        {"api_version", devices[i].apiVersion},
-                        {"driver", devices[i].driver},
-                        {"visibility", devices[i].visibility},
-                        {"why", devices[i].why},
-                        {"encoded_format", devices[i].encodedFormat},
-                        {"lazy_memory", devices[i].lazyMemory},
-                        {"timestamps", devices[i].timestamps},
-                        {"dynamic_rendering", devices[i].localRead},
-                        {"merge_feedback", devices[i].mergeFeedback},
-                        {"self_test", devices[i].selfTest},
-                        {"capability_set", devices[i].capabilitySet},
-                        {"known_as", devices[i].knownAs},
-                        {"known_by", devices[i].knownBy}});
+    for (std::size_t i = 0; i < devices.size(); ++i) {
+        nlohmann::ordered_json device{{"number", i}};
+        device.update(deviceJson(devices[i]));
+        list.push_back(device);
+    }
     out << jsonText(list);
 }
 

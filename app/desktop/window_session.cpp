@@ -161,6 +161,10 @@ PanelHost WindowSession::panelHost() {
     host.downloads = true;
     host.captures = options_.first.device.capture;
     host.statistics = [this] { return session_.statistics(); };
+    host.copyReport = [this] {
+        window_.setClipboard(session_.report("desktop").c_str());
+        viewer().messages().say("Report copied", now());
+    };
     host.dark = dark_;
     host.fontWith = systemFontWith;
     return host;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <mutex>
+#include <utility>
+#include <vector>
 
 #include "app/download/http.h"
 
@@ -9,13 +11,14 @@ namespace nacre::app {
 namespace {
 
 std::mutex fetchMutex;
-HttpFetch theFetch;
+std::vector<std::pair<const void*, HttpFetch>> fetches;  // the latest last
 
 }  // namespace
 
-void setHttpFetch(HttpFetch fetch) {
+void setHttpFetch(HttpFetch fetch, const void* owner) {
     const std::lock_guard lock(fetchMutex);
-    theFetch = std::move(fetch);
+    std::erase_if(fetches, [&](const auto& entry) { return entry.first == owner; });
+    if (fetch) fetches.emplace_back(owner, std::move(fetch));
 }
 
 /// What broke off begins anew: systems do not tell what names a version.
@@ -24,7 +27,7 @@ void httpGet(const std::string& url, const HttpLimits& limits, HttpBody& body,
     HttpFetch fetch;
     {
         const std::lock_guard lock(fetchMutex);
-        fetch = theFetch;
+        if (!fetches.empty()) fetch = fetches.back().second;
     }
     if (!fetch) throw HttpFailure("there is no network here", false);
     body.restart("");

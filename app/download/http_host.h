@@ -14,7 +14,8 @@ using HttpTake = std::function<void(std::string_view bytes, std::uint64_t come, 
 /// Gets an address. @throws HttpFailure
 using HttpFetch = std::function<void(const std::string& url, const HttpTake& take)>;
 
-/// Of the whole program; an empty one: there is no network. For any thread.
-void setHttpFetch(HttpFetch fetch);
+/// Of the whole program: the one that was set last, of the owners that have one. For any thread.
+/// @param fetch  empty: this owner has none any more
+void setHttpFetch(HttpFetch fetch, const void* owner = nullptr);
 
 }  // namespace nacre::app

@@ -14,6 +14,7 @@ void drawForDevelopers(PanelFrame& f) {
     if (f.ui.choose("Debug view", choices, debug)) f.viewer.frames().setDebugView(debug, f.now);
     if (f.host.captures && f.ui.button(Icon::none, "Capture a frame (F12)", -1))
         f.host.run(ViewerCommand::captureFrame);
+    if (f.host.copyReport && f.ui.button(Icon::none, "Copy report", -1)) f.host.copyReport();
     if (f.host.statistics) f.ui.caption(f.host.statistics());
 }
 

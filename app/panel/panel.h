@@ -62,6 +62,7 @@ struct PanelHost {
     bool captures = false;                    ///< a frame can be captured for RenderDoc
     bool shakes = false;                      ///< who shakes the device takes something back
     std::function<std::string()> statistics;  ///< for developers, in lines
+    std::function<void()> copyReport;         ///< of the device, to the clipboard
     bool dark = true;                         ///< what the system asks for
     FindFont fontWith;                        ///< for characters that the panel's font has not
 };

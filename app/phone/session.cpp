@@ -1,7 +1,9 @@
 #include "app/phone/session.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 #include "app/download/molecule_sources.h"
 #include "app/input/read_input.h"
@@ -43,7 +45,8 @@ PhoneSession::PhoneSession(PhoneHost host, const PictureDescription& first, doub
     : host_(std::move(host)),
       session_(sessionHost(), phoneSources(inputOf(host_, first), host_.readFile), first, viewerOptions(host_),
                host_.wake) {
-    makePanel(pixelsPerPoint);
+    scale_ = pixelsPerPoint;
+    makePanel();
     viewer().pause();
 }
 
@@ -66,8 +69,7 @@ SessionHost PhoneSession::sessionHost() {
     return session;
 }
 
-void PhoneSession::makePanel(double pixelsPerPoint) {
-    scale_ = pixelsPerPoint;
+void PhoneSession::makePanel() {
     panel_.reset();
     PanelHost host;
     host.run = [this](ViewerCommand command) { run(command); };
@@ -76,22 +78,44 @@ void PhoneSession::makePanel(double pixelsPerPoint) {
     host.downloads = host_.downloads;
     host.fontWith = systemFontWith;
     host.statistics = [this] { return session_.statistics(); };
+    if (host_.copyText)
+        host.copyReport = [this] {
+            host_.copyText(session_.report(host_.system));
+            viewer().messages().say("Report copied", now());
+        };
     host.dark = host_.dark;
     host.shakes = host_.shakes;
-    panel_ = std::make_unique<Panel>(pixelsPerPoint, std::move(host), PanelHand::fingers);
+    panel_ = std::make_unique<Panel>(scale_ * textScale_, std::move(host), PanelHand::fingers);
+    panel_->setInsets(insets_);
+}
+
+/// Text is drawn anew at its size.
+void PhoneSession::remakePanel() {
+    makePanel();
+    if (Renderer* held = session_.renderer()) held->setOverlayGlyphs(panel_->glyphs());
+    viewer().schedule().overlayChanged();
+}
+
+/// The panel's points are larger where its text is.
+TouchEvent PhoneSession::onPanel(const TouchEvent& event) const {
+    return {event.finger, event.phase, event.at / textScale_};
 }
 
 // --- the window
 
 void PhoneSession::resize(PixelSize pixels, double pixelsPerPoint) {
-    if (pixelsPerPoint != scale_) {
-        makePanel(pixelsPerPoint);
-        if (Renderer* held = session_.renderer()) held->setOverlayGlyphs(panel_->glyphs());
-    }
+    if (std::exchange(scale_, pixelsPerPoint) != pixelsPerPoint) remakePanel();
     if (pixels.width && pixels.height) viewer().frames().resize(pixels, scale_, now());
 }
 
+void PhoneSession::setTextScale(double scale) {
+    constexpr double kSmallest = 0.8, kLargest = 2;  // beyond these the panel has no room
+    const double taken = std::clamp(scale, kSmallest, kLargest);
+    if (std::exchange(textScale_, taken) != taken) remakePanel();
+}
+
 void PhoneSession::setInsets(const Insets& insets) {
+    insets_ = insets;
     panel_->setInsets(insets);
     viewer().schedule().overlayChanged();
 }
@@ -99,23 +123,48 @@ void PhoneSession::setInsets(const Insets& insets) {
 void PhoneSession::setSeen(bool seen) {
     seen_ = seen;
     if (!seen) return viewer().pause();
-    if (!session_.renderer()) session_.open(now());
-    viewer().resume(now());
+    if (session_.renderer()) return viewer().resume(now());
+    if (!host_.windowMayGo) {
+        session_.open(now());
+        return viewer().resume(now());
+    }
+    if (session_.opening()) return;
+    openedFor_ = windows_;
+    session_.openAside();
+}
+
+/// The device that was made aside, maybe for a window that has gone meanwhile.
+void PhoneSession::takeDevice() {
+    try {
+        if (!session_.takeOpened(now())) return;
+    } catch (const Error&) {
+        if (openedFor_ == windows_) throw;
+        return setSeen(seen_);
+    }
+    if (openedFor_ != windows_) session_.renderer()->releaseWindow();
+    setSeen(seen_);
+}
+
+void PhoneSession::awaitDevice() {
+    if (!session_.opening()) return;
+    session_.awaitOpened();
+    takeDevice();
 }
 
 void PhoneSession::releaseWindow() {
+    ++windows_;
     if (Renderer* held = session_.renderer()) held->releaseWindow();
 }
 
 void PhoneSession::lowMemory() {
     viewer().frames().setMostSamples(1);
-    if (!seen_) session_.close();
+    if (!seen_ && !session_.opening()) session_.close();
 }
 
 // --- the user
 
 void PhoneSession::touch(const TouchEvent& event, double when) {
-    if (panel_->input().touch(event))
+    if (panel_->input().touch(onPanel(event)))
         viewer().schedule().overlayChanged();
     else
         viewer().touch(event, when);
@@ -123,15 +172,23 @@ void PhoneSession::touch(const TouchEvent& event, double when) {
 
 void PhoneSession::mouse(MouseButton button, const TouchEvent& event, Modifiers with, double when) {
     const bool down = event.phase == TouchPhase::began;
-    if (down) panelDrag_ = panel_->input().touch(event);
+    if (down) held_ = button, panelDrag_ = panel_->input().touch(onPanel(event));
     if (panelDrag_) {
-        if (!down) panel_->input().touch(event);
+        if (!down) panel_->input().touch(onPanel(event));
         return viewer().schedule().overlayChanged();
     }
     if (event.phase == TouchPhase::moved)
         viewer().mouseMove(event.at, when);
     else
-        viewer().mouseButton(button, down, event.at, with, when);
+        viewer().mouseButton(held_, down, event.at, with, when);
+}
+
+void PhoneSession::hover(std::optional<glm::dvec2> at) {
+    if (at) panel_->input().pointer(*at * scale_);
+    if (!at || panel_->input().ownsPointer())
+        viewer().picking().pointerLeft();
+    else
+        viewer().mouseMove(*at, now());
 }
 
 void PhoneSession::run(ViewerCommand command) {
@@ -241,6 +298,7 @@ void PhoneSession::adjust(const std::string& name, bool up) {
 // --- the loop
 
 double PhoneSession::step() {
+    takeDevice();
     if (!seen_ && session_.renderer() && !host_.windowMayGo) return kNever;
     const double time = now();
     const double wake = session_.step(time, [&] {
@@ -248,7 +306,7 @@ double PhoneSession::step() {
         if (panel_->glyphsChanged()) session_.renderer()->setOverlayGlyphs(panel_->glyphs());
         return overlay;
     });
-    if (!seen_ || !panel_->restless()) return wake;
+    if (!seen_ || !session_.renderer() || !panel_->restless()) return wake;
     viewer().schedule().overlayChanged();
     return time;
 }

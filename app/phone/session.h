@@ -32,8 +32,10 @@ struct PhoneHost {
     std::function<void()> pickDocument = {};                                              ///< shows the system's picker
     std::function<void(const PictureBytes&, const std::string& name)> sharePicture = {};  ///< with another app
     std::function<void(const std::string& text, const std::string& name)> shareText = {};
+    std::function<void(const std::string& text)> copyText = {};  ///< to the clipboard
     /// Shows the keyboard for a field of the panel; PhoneSession::typed() hears of it.
     std::function<void(const std::string& name, const std::string& text)> askText = {};
+    std::string system;      ///< "Android 16, Example Phone", for the report
     bool downloads = false;  ///< setHttpFetch() was called
     bool shakes = false;     ///< a shake takes the last step back
     bool dark = true;        ///< what the system asks for
@@ -54,9 +56,12 @@ public:
 
     // The window
     void resize(PixelSize pixels, double pixelsPerPoint);
+    /// How much larger than usual the user wants to read, by the system's settings: words and widgets of the panel are.
+    void setTextScale(double scale);
     /// What the system covers of it, pixels.
     void setInsets(const Insets& insets);
-    /// Nothing is drawn while it is not seen. @throws Error if there is no suitable device
+    /// Nothing is drawn while it is not seen. @throws Error if there is no suitable device; where the window may go,
+    /// the device is made on a thread of its own, and step() throws that
     void setSeen(bool seen);
     bool seen() const { return seen_; }
     /// The window goes, or is another one from now on.
@@ -67,7 +72,10 @@ public:
     // What the user does; the panel has it, or else the picture. Places in points.
     void touch(const TouchEvent& event, double when);
     /// One button of a mouse, as a finger that is not down between its phases.
+    /// @param button  at the beginning; who got that has the rest
     void mouse(MouseButton button, const TouchEvent& event, Modifiers with, double when);
+    /// Where a mouse or a pen points to and touches nothing; nothing: it left.
+    void hover(std::optional<glm::dvec2> at);
     void wheel(double steps, glm::dvec2 at) { viewer().wheel(steps, at, host_.clock()); }
     void run(ViewerCommand command);
     /// Closes what lies over the picture. @returns whether something did
@@ -104,10 +112,15 @@ public:
 protected:
     double now() const { return host_.clock(); }
     double scale() const { return scale_; }
+    /// Waits for a device that is being made.
+    void awaitDevice();
 
 private:
+    void takeDevice();
     SessionHost sessionHost();
-    void makePanel(double pixelsPerPoint);
+    void makePanel();
+    void remakePanel();
+    TouchEvent onPanel(const TouchEvent& event) const;
     void sharePicture();
     void shareView();
     void tap(glm::dvec2 pixel);
@@ -115,8 +128,11 @@ private:
     PhoneHost host_;
     std::unique_ptr<Panel> panel_;
     Session session_;
-    double scale_ = 1;
+    double scale_ = 1, textScale_ = 1;
+    MouseButton held_ = MouseButton::left;
+    Insets insets_;
     bool seen_ = false, panelDrag_ = false;
+    int windows_ = 0, openedFor_ = 0;  // that went, in all and when a device began to be made
 };
 
 /// The view of state(); nothing if it is none.

@@ -12,7 +12,10 @@ constexpr double kRoom = 0.9;      // share of the display's interval that a fra
 
 }  // namespace
 
-double ResolutionControl::scale() const { return kLevels[level_].scale; }
+double ResolutionControl::scale() const {
+    const double hot = std::clamp((heat_ - kWarm) / (1 - kWarm), 0.0, 1.0);
+    return std::max(std::min(kLevels[level_].scale, 1 - hot * (1 - kHotScale)), leastScale_);
+}
 double ResolutionControl::meshError() const { return kLevels[level_].meshError; }
 
 /// The level that is a step on; the same where there is none.

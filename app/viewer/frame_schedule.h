@@ -28,6 +28,10 @@ public:
     void setMeshes(bool meshes) { meshes_ = meshes; }
     /// The least share of the window's resolution that is taken.
     void setLeastScale(double scale) { leastScale_ = scale; }
+    /// How near the device is to slowing itself down for its heat: 0 cold, 1 it does. From kWarm on motions give up
+    /// pixels before it comes to that, down to kHotScale of the window's resolution.
+    void setHeat(double heat) { heat_ = heat; }
+    static constexpr double kWarm = 0.8, kHotScale = 0.55;
     /// @param seconds   from one frame of a motion to the next
     /// @param device    of which the device took so many; 0: nobody knows
     /// @param longest   that a frame may take: from one picture of the display to the next, or more
@@ -40,7 +44,7 @@ private:
     int nextLevel(int step) const;
     int level_ = 0, slow_ = 0, fast_ = 0, unsettled_ = 0;
     bool meshes_ = false;
-    double leastScale_ = 0;
+    double leastScale_ = 0, heat_ = 0;
 };
 
 enum class Draw {
@@ -83,6 +87,8 @@ public:
     /// Seconds that a frame of a motion may take at full resolution, where that is more than the display's interval.
     void setLongestFrame(double seconds) { longest_ = seconds; }
     void setMeshes(bool meshes) { resolution_.setMeshes(meshes); }
+    /// As ResolutionControl's.
+    void setHeat(double heat) { resolution_.setHeat(heat); }
     void setLeastScale(double scale) { resolution_.setLeastScale(scale); }
 
 private:

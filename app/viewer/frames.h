@@ -56,6 +56,8 @@ public:
     void setDebugView(DebugView view, double now);
     /// A side of a pixel, of the refinement, from now on.
     void setMostSamples(std::uint32_t samples) { options_.mostSamples = samples; }
+    /// As ViewerOptions::occlusionBytes, from now on.
+    void setOcclusionBytes(std::uint64_t bytes) { options_.occlusionBytes = bytes; }
     std::uint32_t mostSamples() const { return options_.mostSamples; }
     /// A processor draws: a frame of a motion may take so many seconds before its resolution drops, which it does not
     /// below a share, and which is told.

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "app/files/device_report.h"
+#include "app/files/json_text.h"
+#include "engine/devices.h"
 #include "engine/error.h"
 
 namespace nacre::app {
@@ -79,13 +82,51 @@ std::string Session::OwnScreen::deviceLoss() const {
 
 Session::Session(SessionHost host, Sources sources, const PictureDescription& first, const ViewerOptions& options,
                  std::function<void()> wake)
-    : host_(std::move(host)), viewer_(screen_, std::move(sources), first, options, std::move(wake)) {}
+    : host_(std::move(host)),
+      wake_(wake),
+      occlusionBytes_(options.occlusionBytes),
+      viewer_(screen_, std::move(sources), first, options, std::move(wake)) {}
+
+Session::~Session() {
+    if (opener_.joinable()) opener_.join();
+}
+
+DeviceOptions Session::deviceOptions() const {
+    DeviceOptions device = host_.device();
+    device.pipelineCache = host_.loadPipelines();
+    return device;
+}
 
 void Session::open(double now) {
     close();
-    DeviceOptions device = host_.device();
-    device.pipelineCache = host_.loadPipelines();
-    renderer_ = std::make_unique<Renderer>(device);
+    opened(std::make_unique<Renderer>(deviceOptions()), now);
+}
+
+void Session::openAside() {
+    if (opening()) return;
+    close();
+    std::promise<std::unique_ptr<Renderer>> made;
+    opening_ = made.get_future();
+    opener_ = std::thread([this, made = std::move(made)]() mutable {
+        try {
+            made.set_value(std::make_unique<Renderer>(deviceOptions()));
+        } catch (...) {
+            made.set_exception(std::current_exception());
+        }
+        wake_();
+    });
+}
+
+bool Session::takeOpened(double now) {
+    if (!opening() || opening_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return false;
+    opener_.join();
+    opened(opening_.get(), now);
+    return true;
+}
+
+void Session::opened(std::unique_ptr<Renderer> renderer, double now) {
+    renderer_ = std::move(renderer);
+    viewer_.frames().setOcclusionBytes(occlusionBytes(occlusionBytes_, renderer_->stats().device.budgetBytes));
     renderer_->setScene({});
     if (host_.prepare) host_.prepare(*renderer_);
     viewer_.frames().replaced(now);
@@ -111,6 +152,31 @@ std::string Session::statistics() const {
     text += ", display " + std::to_string(std::lround(1 / viewer_.schedule().displayInterval())) + " Hz";
     if (const std::string driver = describe(renderer_->driverFeedback()); !driver.empty()) text += "\n" + driver;
     return text;
+}
+
+std::string Session::report(const std::string& system) const {
+    nlohmann::ordered_json report{{"system", system}};
+    const MotionFrames& motions = viewer_.schedule().motionFrames();
+    if (renderer_) {
+        const FrameStats& stats = renderer_->stats();
+        report["device"] = deviceJson(stats.device);
+        report["driver_feedback"] = describe(renderer_->driverFeedback());
+        report["frames"] = {{"shown", stats.windowFrames},
+                            {"device_milliseconds", stats.windowMilliseconds},
+                            {"of_motions", motions.frames},
+                            {"reduced", motions.reduced},
+                            {"smallest_scale", motions.smallestScale}};
+    }
+    report["window"] = {{"width", viewer_.frames().size().width},
+                        {"height", viewer_.frames().size().height},
+                        {"display_hertz", 1 / viewer_.schedule().displayInterval()}};
+    return jsonText(report);
+}
+
+/// The maps of occlusion take a part of what there is.
+std::uint64_t occlusionBytes(std::uint64_t wanted, std::uint64_t budget) {
+    constexpr std::uint64_t kPart = 8, kLeast = 4u << 20;
+    return budget == 0 ? wanted : std::min(wanted, std::max(budget / kPart, kLeast));
 }
 
 void Session::replace(double now) {

@@ -3,8 +3,10 @@
 // device is lost, and what the driver compiled is kept for the next run. For one thread.
 
 #include <functional>
+#include <future>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "app/viewer/screen.h"
@@ -29,6 +31,8 @@ public:
     /// Without a renderer: open() makes it.
     Session(SessionHost host, Sources sources, const PictureDescription& first, const ViewerOptions& options,
             std::function<void()> wake);
+    /// Waits for a renderer that is being made.
+    ~Session();
     Session(const Session&) = delete;
     Session& operator=(const Session&) = delete;
 
@@ -41,9 +45,20 @@ public:
     /// For developers, in lines: the device, its path, and what its driver makes of the frame.
     std::string statistics() const;
 
+    /// For those who have no such device: all that this one tells of itself and of its frames, as JSON.
+    /// @param system  what it runs: "Android 16, Example Phone"
+    std::string report(const std::string& system) const;
+
     /// Makes a renderer, which shows what the viewer has. The one before is gone first: it has the window.
     /// @throws Error if there is no suitable device
     void open(double now);
+    /// The same on a thread of its own: the first start on a device takes seconds. Nothing is drawn until takeOpened();
+    /// `wake` is called when that has something to take.
+    void openAside();
+    bool opening() const { return opening_.valid(); }
+    /// Takes what openAside() made, if it is there. @returns whether it was. @throws as open()
+    bool takeOpened(double now);
+    void awaitOpened() const { opening_.wait(); }
     /// Gives up the renderer and all that it holds on the device.
     void close();
 
@@ -78,10 +93,16 @@ private:
         double hostMilliseconds_ = 0;  // of the last frame
     };
 
+    DeviceOptions deviceOptions() const;
+    void opened(std::unique_ptr<Renderer> renderer, double now);
     void replace(double now);
     void keepPipelines();
 
     SessionHost host_;
+    std::function<void()> wake_;
+    std::uint64_t occlusionBytes_;  // that the shell wants at the most
+    std::thread opener_;
+    std::future<std::unique_ptr<Renderer>> opening_;
     std::unique_ptr<Renderer> renderer_;
     OwnScreen screen_{*this};
     Viewer viewer_;
@@ -89,5 +110,9 @@ private:
     int losses_ = 0;        // of late
     double lostAt_ = -1e9;  // the last of them
 };
+
+/// Of the occlusion's maps, where a device tells how much memory the program may use.
+/// @param wanted  at the most  @param budget  0: it does not tell
+std::uint64_t occlusionBytes(std::uint64_t wanted, std::uint64_t budget);
 
 }  // namespace nacre::app

@@ -1,5 +1,7 @@
 #include "engine/gpu/device_info.h"
 
+#include <algorithm>
+
 #include "engine/devices.h"
 #include "engine/error.h"
 #include "engine/gpu/capture_hook.h"
@@ -40,6 +42,82 @@ DeviceInfo gpu::infoOf(const Caps& caps) {
     return info;
 }
 
+namespace {
+
+std::vector<std::pair<std::string, std::uint64_t>> limitsOf(const vk::PhysicalDeviceLimits& l) {
+    return {{"max_image_dimension_2d", l.maxImageDimension2D},
+            {"max_color_attachments", l.maxColorAttachments},
+            {"max_fragment_output_attachments", l.maxFragmentOutputAttachments},
+            {"max_fragment_combined_output_resources", l.maxFragmentCombinedOutputResources},
+            {"max_per_stage_input_attachments", l.maxPerStageDescriptorInputAttachments},
+            {"max_per_stage_storage_buffers", l.maxPerStageDescriptorStorageBuffers},
+            {"max_bound_descriptor_sets", l.maxBoundDescriptorSets},
+            {"max_push_constants_size", l.maxPushConstantsSize},
+            {"max_storage_buffer_range", l.maxStorageBufferRange},
+            {"max_texel_buffer_elements", l.maxTexelBufferElements},
+            {"max_memory_allocations", l.maxMemoryAllocationCount},
+            {"max_compute_shared_memory_size", l.maxComputeSharedMemorySize},
+            {"max_compute_work_group_invocations", l.maxComputeWorkGroupInvocations},
+            {"min_storage_buffer_offset_alignment", l.minStorageBufferOffsetAlignment},
+            {"sub_pixel_precision_bits", l.subPixelPrecisionBits},
+            {"timestamp_period_picoseconds", static_cast<std::uint64_t>(l.timestampPeriod * 1000.0f)}};
+}
+
+/// Of the formats that the renderer may draw into.
+std::vector<std::string> formatsOf(const vk::raii::PhysicalDevice& device) {
+    using F = vk::FormatFeatureFlagBits;
+    std::vector<std::string> all;
+    for (const vk::Format format :
+         {vk::Format::eR32Sfloat, vk::Format::eR32Uint, vk::Format::eR16G16B16A16Sfloat, vk::Format::eR16G16Sfloat,
+          vk::Format::eA2B10G10R10UnormPack32, vk::Format::eR8G8B8A8Unorm, vk::Format::eD32Sfloat,
+          vk::Format::eX8D24UnormPack32, vk::Format::eD16Unorm}) {
+        const vk::FormatFeatureFlags features = device.getFormatProperties(format).optimalTilingFeatures;
+        std::string text;
+        const auto add = [&](F feature, const char* name) {
+            if (features & feature) text += (text.empty() ? "" : ", ") + std::string(name);
+        };
+        add(F::eSampledImage, "sampled");
+        add(F::eStorageImage, "storage");
+        add(F::eColorAttachment, "colour");
+        add(F::eColorAttachmentBlend, "blended");
+        add(F::eDepthStencilAttachment, "depth");
+        all.push_back(vk::to_string(format) + ": " + (text.empty() ? "none" : text));
+    }
+    return all;
+}
+
+void addMemory(const vk::raii::PhysicalDevice& device, DeviceInfo& info) {
+    const vk::PhysicalDeviceMemoryProperties memory = device.getMemoryProperties();
+    vk::PhysicalDeviceMemoryBudgetPropertiesEXT budget{};
+    if (gpu::hasExtension(device, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME))
+        budget = device
+                     .getMemoryProperties2<vk::PhysicalDeviceMemoryProperties2,
+                                           vk::PhysicalDeviceMemoryBudgetPropertiesEXT>()
+                     .get<vk::PhysicalDeviceMemoryBudgetPropertiesEXT>();
+    for (std::uint32_t i = 0; i < memory.memoryHeapCount; ++i) {
+        if (!(memory.memoryHeaps[i].flags & vk::MemoryHeapFlagBits::eDeviceLocal)) continue;
+        info.memoryBytes += memory.memoryHeaps[i].size;
+        info.budgetBytes += budget.heapBudget[i];
+    }
+}
+
+}  // namespace
+
+DeviceInfo gpu::infoOf(const Caps& caps, const vk::raii::PhysicalDevice& device) {
+    DeviceInfo info = infoOf(caps);
+    const vk::PhysicalDeviceProperties properties = device.getProperties();
+    info.vendorId = properties.vendorID;
+    info.deviceId = properties.deviceID;
+    info.driverVersion = properties.driverVersion;
+    info.limits = limitsOf(properties.limits);
+    info.formats = formatsOf(device);
+    for (const vk::ExtensionProperties& extension : device.enumerateDeviceExtensionProperties())
+        info.extensions.emplace_back(extension.extensionName.data());
+    std::sort(info.extensions.begin(), info.extensions.end());
+    addMemory(device, info);
+    return info;
+}
+
 std::string describe(const DriverFeedback& feedback) {
     std::string text;
     const auto line = [&](const std::string& words) { text += (text.empty() ? "" : "\n") + words; };
@@ -60,7 +138,7 @@ std::vector<DeviceInfo> listDevices() {
         const vk::raii::Instance instance = gpu::makeInstance(context, false, found);
         std::vector<DeviceInfo> devices;
         for (const auto& physical : vk::raii::PhysicalDevices(instance))
-            devices.push_back(gpu::infoOf(gpu::capsOf(physical)));
+            devices.push_back(gpu::infoOf(gpu::capsOf(physical), physical));
         return devices;
     } catch (const vk::SystemError& failure) {
         throw Error("cannot list devices", "", gpu::inOneLine(failure.what()));

@@ -20,7 +20,7 @@ TEST_F(AndroidHost, ShowsTheSampleAndThenRests) {
     const std::uint64_t before = host.frames();
     sleep(2);
     EXPECT_EQ(host.frames(), before);
-    EXPECT_FALSE(std::filesystem::is_empty(folder_ / "occlusion"));  // the bake is kept
+    EXPECT_FALSE(std::filesystem::is_empty(folder_ / "cache/occlusion"));  // the bake is kept
     EXPECT_TRUE(takeLog().empty());
 }
 
@@ -236,8 +236,8 @@ TEST_F(AndroidHost, ALostDeviceIsReplacedAndOneThatGoesOnBeingLostIsTold) {
 TEST_F(AndroidHost, ADeviceIsTriedAtItsFirstStartAlone) {
     callDevicesPhones(true);
     // All paths but one were found right before the program ended: tests/phone tries all.
-    std::filesystem::create_directory(folder_ / "devices");
-    std::ofstream(folder_ / ("devices/paths-" + driverKey()))
+    std::filesystem::create_directories(folder_ / "cache/devices");
+    std::ofstream(folder_ / ("cache/devices/paths-" + driverKey()))
         << "nacre self-test 2\nencoded right 1 1 0 0 0 0\nfragdepth right 1 1 0 0 0 0\nraster-order right 1 1 0 0 0 "
            "0\n";
     const auto started = [&] {

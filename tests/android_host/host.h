@@ -54,8 +54,15 @@ public:
     /// @returns whether the app took it, or else the activity would end
     bool back();
     bool scroll(float steps, float x, float y);
+    /// A mouse or a pen. @param tool, action, buttons  as AMOTION_EVENT_... has them
+    bool pointer(std::int32_t tool, std::int32_t action, float x, float y, std::int32_t buttons = 0);
 
     // What is seen
+    /// The app is held up by the test: its windows may go while it still has them.
+    void setHeldUp(bool heldUp) { heldUp_ = heldUp; }
+    /// Nothing is left of windows that went.
+    bool windowsAreLetGo() const;
+    const ANativeWindow* window() const { return window_.get(); }
     bool windowIsThere() const { return window_ != nullptr; }
     std::uint64_t frames() const;
     WindowPicture picture() const;
@@ -72,6 +79,7 @@ private:
     std::unique_ptr<ANativeWindow> window_;
     std::vector<std::unique_ptr<ANativeWindow>> gone_;  // kept, so that whoever still touches one is told
     std::unique_ptr<AInputQueue> queue_;
+    bool heldUp_ = false;
     bool started_ = false, resumed_ = false, alive_ = true;
 };
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <thread>
 
+#include "app/android/render_thread.h"
 #include "tests/android_host/expected.h"
 #include "tests/android_host/host.h"
 
@@ -24,6 +25,7 @@ protected:
     AndroidHost() {
         char name[] = "/tmp/nacre-android-XXXXXX";
         folder_ = mkdtemp(name);
+        app::mainThreadPatience = 600;  // tests of other patience say so
     }
     ~AndroidHost() override {
         for (const std::string& fault : Faults::take()) ADD_FAILURE() << fault;
@@ -66,6 +68,7 @@ protected:
 
 /// Whether the text box low in the window is there.
 inline bool saysSomething(const WindowPicture& p) {
+    if (p.rgb.empty()) return false;
     const std::size_t at = std::size_t{3} * (std::size_t{p.height - 20} * p.width + p.width / 2 - 40);
     return p.rgb[at] < 40 && p.rgb[at + 1] < 40 && p.rgb[at + 2] < 50;
 }

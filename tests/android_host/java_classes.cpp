@@ -20,6 +20,12 @@ constexpr struct {
 } kMethods[] = {
     {kActivity, "getIntent", "()Landroid/content/Intent;"},
     {kActivity, "getContentResolver", "()Landroid/content/ContentResolver;"},
+    {kActivity, "getCacheDir", "()Ljava/io/File;"},
+    {"java/io/File", "getPath", "()Ljava/lang/String;"},
+    {kActivity, "system", "()Ljava/lang/String;"},
+    {kActivity, "wantsBack", "(Z)V"},
+    {kActivity, "animate", "(Z)V"},
+    {kActivity, "copyText", "(Ljava/lang/String;)V"},
     {kActivity, "attach", "(J)V"},
     {kActivity, "pickDocument", "()V"},
     {kActivity, "sharePicture", "([IIILjava/lang/String;)V"},
@@ -52,6 +58,7 @@ Object* openStream(JNIEnv* env) {
 bool providerRefuses(JNIEnv* env) {
     const Document& document = *machineOf(env).document;
     std::this_thread::sleep_for(std::chrono::duration<double>(document.seconds));
+    if (document.opens.valid()) document.opens.wait();
     if (document.refuses) raise(env, "java.lang.SecurityException", "Permission Denial");
     return document.refuses;
 }
@@ -80,6 +87,9 @@ bool known(const std::string& type, const std::string& name, const std::string& 
 
 Object* callObject(JNIEnv* env, Object* of, const std::string& name, va_list arguments) {
     Impl& machine = machineOf(env);
+    if (name == "system") return machine.make("java/lang/String", "Android 16 (36), Example Phone");
+    if (name == "getCacheDir") return machine.make("java/io/File", machine.cacheFolder);
+    if (name == "getPath") return machine.make("java/lang/String", of->text);
     if (name == "getIntent") return machine.make("android/content/Intent");
     if (name == "getData") return machine.document ? machine.make("android/net/Uri", machine.document->uri) : nullptr;
     if (name == "getContentResolver") return machine.make("android/content/ContentResolver");
@@ -141,6 +151,9 @@ void callVoid(JNIEnv* env, Object*, const std::string& name, va_list arguments) 
     const std::lock_guard lock(machine.mutex);
     if (name == "close") ++machine.closed;
     if (name == "attach") machine.attached = va_arg(arguments, jlong);
+    if (name == "wantsBack") machine.wantsBack = va_arg(arguments, int) != 0;
+    if (name == "animate") machine.animated = va_arg(arguments, int) != 0;
+    if (name == "copyText") machine.copied = in(va_arg(arguments, jobject))->text;
     if (name == "pickDocument") ++machine.documentsAsked;
     if (name == "controlsChanged") ++machine.controlChanges;
     if (name == "askText" || name == "shareText") {

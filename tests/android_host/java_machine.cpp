@@ -1,6 +1,7 @@
 #include "tests/android_host/java_machine.h"
 
 #include <algorithm>
+#include <chrono>
 #include <climits>
 #include <clocale>
 #include <cstring>
@@ -246,7 +247,8 @@ jint detach(JavaVM* vm) {
 
 }  // namespace
 
-JavaMachine::JavaMachine(std::optional<Document> document) : impl_(std::make_unique<Impl>(std::move(document))) {
+JavaMachine::JavaMachine(std::optional<Document> document, const std::string& cache)
+    : impl_(std::make_unique<Impl>(std::move(document), cache)) {
     std::setlocale(LC_CTYPE, "C.UTF-8");  // for the conversions
     fillObjects(impl_->functions);
     fillCalls(impl_->functions);
@@ -263,6 +265,14 @@ JavaMachine::JavaMachine(std::optional<Document> document) : impl_(std::make_uni
 }
 
 JavaMachine::~JavaMachine() {
+    // Threads of the app may outlive the activity; the machine is there for good.
+    for (int i = 0; i < 1200; ++i) {
+        {
+            const std::lock_guard lock(impl_->mutex);
+            if (impl_->globals.empty() && impl_->threads.size() == 1) break;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
     if (!impl_->globals.empty()) Faults::add("global references left");
     if (impl_->threads.size() != 1) Faults::add("threads left attached");
     for (const auto& [id, thread] : impl_->threads) {
@@ -343,7 +353,25 @@ void JavaMachine::typed(const std::string& name, const std::string& text) {
                      as<jstring>(impl_->make("java/lang/String", text)));
 }
 
-void JavaMachine::displayRefreshes(float rate) { callNative<void>(*impl_, "refreshes(JF)V", rate); }
+void JavaMachine::displayRefreshes(float rate, float most) { callNative<void>(*impl_, "refreshes(JFF)V", rate, most); }
+
+bool JavaMachine::wantsBack() const { return impl_->wantsBack; }
+void JavaMachine::back() { callNative<void>(*impl_, "back(J)V"); }
+void JavaMachine::insets(int left, int top, int right, int bottom) {
+    callNative<void>(*impl_, "insets(JIIII)V", left, top, right, bottom);
+}
+void JavaMachine::textScale(float scale) { callNative<void>(*impl_, "textScale(JF)V", scale); }
+bool JavaMachine::animated() const { return impl_->animated; }
+void JavaMachine::tick() {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    callNative<void>(*impl_, "tick(JJ)V",
+                     static_cast<jlong>(std::chrono::duration_cast<std::chrono::nanoseconds>(now).count()));
+}
+
+std::string JavaMachine::copied() const {
+    const std::lock_guard lock(impl_->mutex);
+    return impl_->copied;
+}
 
 JavaVM* JavaMachine::vm() { return &impl_->vm; }
 JNIEnv* JavaMachine::env() { return impl_->mainEnv; }

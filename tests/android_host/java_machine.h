@@ -4,6 +4,7 @@
 
 #include <jni.h>
 
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,15 +18,17 @@ struct Document {
     std::string uri = "content://org.example.files/document/7";
     std::string name;  ///< empty: the provider keeps none
     std::string bytes;
-    bool hasDescriptor = true;  ///< else it comes as a stream
-    bool refuses = false;       ///< throws SecurityException
-    double seconds = 0;         ///< that it takes to open
+    bool hasDescriptor = true;            ///< else it comes as a stream
+    bool refuses = false;                 ///< throws SecurityException
+    double seconds = 0;                   ///< that it takes to open
+    std::shared_future<void> opens = {};  ///< when it does, if it has to be waited for
 };
 
 class JavaMachine {
 public:
     /// @param document of the activity's intent; nothing: it was started from the launcher
-    explicit JavaMachine(std::optional<Document> document);
+    /// @param cache  the app's cache folder
+    JavaMachine(std::optional<Document> document, const std::string& cache);
     /// Tells of references that are left.
     ~JavaMachine();
     JavaMachine(const JavaMachine&) = delete;
@@ -54,7 +57,19 @@ public:
     std::string controls();
     void press(const std::string& role, const std::string& name);
     void adjust(const std::string& name, bool up);
-    void displayRefreshes(float rate);
+    void displayRefreshes(float rate, float most);
+    /// Another document, by an intent to the activity that is there.
+    void newIntent(const Document& document) { documentPicked(document); }
+    /// Whether Back is the app's; and the user's Back then.
+    bool wantsBack() const;
+    void back();
+    void insets(int left, int top, int right, int bottom);
+    void textScale(float scale);
+    /// Whether native code wants to be told of the display's pictures; and one of them, now.
+    bool animated() const;
+    void tick();
+    /// To the clipboard.
+    std::string copied() const;
 
     struct Impl;
 

@@ -46,7 +46,7 @@ struct Thread {
 };
 
 struct JavaMachine::Impl {
-    explicit Impl(std::optional<Document> d) : document(std::move(d)) {}
+    Impl(std::optional<Document> d, std::string cache) : document(std::move(d)), cacheFolder(std::move(cache)) {}
 
     Object* make(const std::string& type, const std::string& text = {}) {
         const std::lock_guard lock(mutex);
@@ -71,6 +71,9 @@ struct JavaMachine::Impl {
     std::map<std::string, void*> natives;
     jlong attached = 0;  // what native code has itself called by
     std::atomic<int> documentsAsked{0}, controlChanges{0};
+    std::atomic<bool> wantsBack{false}, animated{false};
+    std::string cacheFolder;
+    std::string copied;                                     // under the mutex
     JavaMachine::Shared shared;                             // under the mutex
     std::pair<std::string, std::string> asked, sharedText;  // likewise
     std::map<std::string, std::string> web;                 // likewise

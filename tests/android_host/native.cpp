@@ -3,6 +3,7 @@
 #include <android/log.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdarg>
 #include <cstdio>
 #include <mutex>
@@ -24,6 +25,9 @@ using nacre::test::Faults;
 std::mutex mutex;
 std::vector<std::string> lines;
 std::set<const ANativeActivity*> finishes;
+std::atomic<float> headroomToCome{0};
+std::atomic<int> reports{0}, hintSessions{0}, thermalManagers{0};
+std::atomic<std::int64_t> target{0};
 ALooper looper;
 
 }  // namespace
@@ -34,6 +38,10 @@ std::vector<std::string> takeLog() {
     const std::lock_guard lock(mutex);
     return std::exchange(lines, {});
 }
+
+void setThermalHeadroom(float headroom) { headroomToCome = headroom; }
+int workReports() { return reports; }
+std::int64_t workTarget() { return target; }
 
 bool finishAsked(const ANativeActivity* activity) {
     const std::lock_guard lock(mutex);
@@ -71,17 +79,68 @@ void ANativeActivity_finish(ANativeActivity* activity) {
 
 // --- window
 
+void ANativeWindow_acquire(ANativeWindow* window) {
+    const std::lock_guard lock(window->mutex);
+    if (!window->alive) Faults::add("took a window that is gone");
+    ++window->references;
+}
+
+void ANativeWindow_release(ANativeWindow* window) {
+    const std::lock_guard lock(window->mutex);
+    --window->references;
+}
+
 int32_t ANativeWindow_getWidth(ANativeWindow* window) {
     const std::lock_guard lock(window->mutex);
-    if (!window->alive) Faults::add("asked the width of a window that is gone");
+    if (window->references < 1) Faults::add("asked the width of a window that may be gone");
     return window->width;
 }
 
 int32_t ANativeWindow_getHeight(ANativeWindow* window) {
     const std::lock_guard lock(window->mutex);
-    if (!window->alive) Faults::add("asked the height of a window that is gone");
+    if (window->references < 1) Faults::add("asked the height of a window that may be gone");
     return window->height;
 }
+
+// --- what newer systems have, which is looked up by name
+
+struct AThermalManager {};
+struct APerformanceHintManager {};
+struct APerformanceHintSession {};
+
+int32_t ANativeWindow_setFrameRate(ANativeWindow* window, float rate, int8_t) {
+    const std::lock_guard lock(window->mutex);
+    window->rate = rate;
+    return 0;
+}
+
+AThermalManager* AThermal_acquireManager() { return ++thermalManagers, new AThermalManager; }
+void AThermal_releaseManager(AThermalManager* manager) { --thermalManagers, delete manager; }
+float AThermal_getThermalHeadroom(AThermalManager*, int forecast) {
+    if (forecast < 0 || forecast > 60) Faults::add("a forecast that Android does not make");
+    return headroomToCome;
+}
+
+APerformanceHintManager* APerformanceHint_getManager() {
+    static APerformanceHintManager only;
+    return &only;
+}
+APerformanceHintSession* APerformanceHint_createSession(APerformanceHintManager*, const int32_t* threads, size_t count,
+                                                        int64_t nanoseconds) {
+    if (count != 1 || threads[0] <= 0 || nanoseconds <= 0) Faults::add("hints of no thread or no time");
+    target = nanoseconds;
+    return ++hintSessions, new APerformanceHintSession;
+}
+int APerformanceHint_updateTargetWorkDuration(APerformanceHintSession*, int64_t nanoseconds) {
+    target = nanoseconds;
+    return 0;
+}
+int APerformanceHint_reportActualWorkDuration(APerformanceHintSession*, int64_t nanoseconds) {
+    if (nanoseconds <= 0) Faults::add("work that takes no time");
+    ++reports;
+    return 0;
+}
+void APerformanceHint_closeSession(APerformanceHintSession* session) { --hintSessions, delete session; }
 
 // --- configuration
 
@@ -128,6 +187,9 @@ int32_t AKeyEvent_getAction(const AInputEvent* event) { return event->action; }
 int32_t AKeyEvent_getKeyCode(const AInputEvent* event) { return event->key; }
 int32_t AKeyEvent_getMetaState(const AInputEvent* event) { return event->meta; }
 int32_t AMotionEvent_getAction(const AInputEvent* event) { return event->action; }
+int32_t AMotionEvent_getToolType(const AInputEvent* event, size_t) { return event->tool; }
+int32_t AMotionEvent_getButtonState(const AInputEvent* event) { return event->buttons; }
+int32_t AMotionEvent_getMetaState(const AInputEvent* event) { return event->meta; }
 int64_t AMotionEvent_getEventTime(const AInputEvent* event) { return event->time; }
 size_t AMotionEvent_getPointerCount(const AInputEvent* event) { return event->pointers.size(); }
 int32_t AMotionEvent_getPointerId(const AInputEvent* event, size_t i) { return event->pointers.at(i).id; }

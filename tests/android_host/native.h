@@ -21,7 +21,7 @@ struct AInputEvent {
     std::vector<Pointer> pointers;
     float scroll = 0;
     std::int64_t time = 0;  ///< nanoseconds
-    std::int32_t key = 0, meta = 0;
+    std::int32_t key = 0, meta = 0, tool = AMOTION_EVENT_TOOL_TYPE_FINGER, buttons = 0;
 };
 
 struct AInputQueue {
@@ -44,6 +44,12 @@ namespace nacre::test {
 
 /// Lines that the app wrote to the log so far, and forgets them.
 std::vector<std::string> takeLog();
+
+/// What the system will tell of the heat to come.
+void setThermalHeadroom(float headroom);
+/// Work that the app reported, frames in all, and the time that it was said to have, nanoseconds.
+int workReports();
+std::int64_t workTarget();
 
 /// Activities that asked to be finished.
 bool finishAsked(const ANativeActivity* activity);

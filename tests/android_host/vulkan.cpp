@@ -151,6 +151,7 @@ VKAPI_ATTR void VKAPI_CALL properties2(VkPhysicalDevice device, VkPhysicalDevice
 
 VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkDeviceCreateInfo* info,
                                             const VkAllocationCallbacks* allocator, VkDevice* device) {
+    deviceIsMade();
     const std::lock_guard lock(mutex);
     const VkResult result = NACRE_LOADERS(lastInstance, vkCreateDevice)(physical, info, allocator, device);
     if (result == VK_SUCCESS)

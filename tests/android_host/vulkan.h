@@ -22,6 +22,9 @@ void loseDevices(int count);
 /// Devices say that they are a phone's, and no software that needs no trying.
 void callDevicesPhones(bool phones);
 
+/// What happens on the app's thread before a device is made; empty: nothing.
+void whileDevicesAreMade(std::function<void()> happens);
+
 /// Devices that were made since the process began.
 int devicesMade();
 

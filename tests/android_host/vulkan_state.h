@@ -29,6 +29,7 @@ struct SwapchainRecord {
 
 /// Told by the waits that vulkan.h lets a test watch.
 void imageIsAwaited();
+void deviceIsMade();
 void fenceIsAwaited();
 void commandsAreSubmitted();
 

@@ -11,7 +11,7 @@ namespace nacre::test {
 namespace {
 
 std::mutex waitsMutex;
-std::function<void()> whileAwaited;
+std::function<void()> whileAwaited, whileMade;
 std::atomic<int> fencesAwaited{0}, awaitedAtSubmission{0};
 
 }  // namespace
@@ -21,14 +21,26 @@ void whileImagesAreAwaited(std::function<void()> happens) {
     whileAwaited = std::move(happens);
 }
 
-void imageIsAwaited() {
+void whileDevicesAreMade(std::function<void()> happens) {
+    const std::lock_guard lock(waitsMutex);
+    whileMade = std::move(happens);
+}
+
+namespace {
+
+void let(const std::function<void()>& what) {
     std::function<void()> happens;
     {
         const std::lock_guard lock(waitsMutex);
-        happens = whileAwaited;
+        happens = what;
     }
     if (happens) happens();
 }
+
+}  // namespace
+
+void imageIsAwaited() { let(whileAwaited); }
+void deviceIsMade() { let(whileMade); }
 
 int fenceWaits() { return fencesAwaited; }
 void fenceIsAwaited() { ++fencesAwaited; }

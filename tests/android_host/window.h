@@ -32,7 +32,9 @@ struct ANativeWindow {
     std::int32_t width = 0, height = 0;
     int quarterTurns = 0;  ///< clockwise, that pictures have to be turned for this display
     bool alive = true;
-    int surfaces = 0;  ///< VkSurfaceKHR that are there
+    int references = 0;  ///< of the app
+    float rate = -1;     ///< pictures per second that the app asked for; -1: it did not
+    int surfaces = 0;    ///< VkSurfaceKHR that are there
     std::uint64_t frames = 0;
     nacre::test::WindowPicture picture;
 };

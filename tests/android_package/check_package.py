@@ -50,10 +50,20 @@ def check_manifest(apk):
     for text in ("android.intent.action.VIEW", "chemical/x-pdb", "chemical/x-mmcif", "chemical/x-mdl-sdfile",
                  "application/octet-stream", r".*\\.pdb", r".*\\.cif", r".*\\.sdf", "content"):
         expect(f'"{text}"' in tree, f"the manifest names {text}")
+    # A path of the file system needs a permission that is not asked for.
+    expect('"file"' not in tree, "no file: address is offered to be opened")
+    activity = [l.strip() for l in tree.splitlines()]
+    expect(any(l.startswith("A: android:launchMode(") and l.endswith("0x2") for l in activity), "the activity is the only one")
     changes = next(l for l in tree.splitlines() if "android:configChanges(" in l)
     kept = int(changes.rsplit("0x", 1)[1], 16)
     # orientation, screen layout, smallest size, screen size, density: none of them makes the activity anew.
     expect(kept & 0x1D80 == 0x1D80, f"turning keeps the activity: {kept:#x}")
+
+
+def check_icon(apk):
+    tree = run("aapt", "dump", "xmltree", apk, "res/mipmap-anydpi-v26/icon.xml")
+    for layer in ("background", "foreground", "monochrome"):
+        expect(f"E: {layer} " in tree, f"the icon has a layer {layer}")
 
 
 def check_libraries(apk):
@@ -105,6 +115,7 @@ def main():
         expect("stand-ins, which do not run" in said, "the tool says what it packs")
         check_badging(apk)
         check_manifest(apk)
+        check_icon(apk)
         check_libraries(apk)
         check_signature(apk, folder)
 

@@ -285,6 +285,15 @@ TEST(CommandLine, DevicesAsJson) {
     ASSERT_GE(json.size(), 1u);
     for (const char* key : {"number", "name", "type", "api_version", "driver", "visibility", "why", "encoded_format"})
         EXPECT_TRUE(json[0].contains(key)) << key;
+    // What is wanted of a device that nobody here has: as Vulkan itself tells it.
+    const nlohmann::json& device = json[0];
+    EXPECT_GT(device["memory_bytes"], 0);
+    EXPECT_GE(device["limits"]["max_image_dimension_2d"], 4096);
+    EXPECT_EQ(device["formats"].size(), 9u);
+    const auto& extensions = device["extensions"];
+    EXPECT_TRUE(std::is_sorted(extensions.begin(), extensions.end()));
+    const bool budget = std::count(extensions.begin(), extensions.end(), "VK_EXT_memory_budget") > 0;
+    EXPECT_EQ(device["memory_budget_bytes"] > 0, budget);
 }
 
 TEST(CommandLine, InfoAsJsonAndAsText) {

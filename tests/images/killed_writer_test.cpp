@@ -74,7 +74,7 @@ std::vector<Writer> writers() {
                    [](const std::string& folder, int version) {
                        setenv("XDG_STATE_HOME", folder.c_str(), 1);
                        PictureDescription view;
-                       view.input.path.path = std::string(200000, static_cast<char>('a' + version));
+                       view.input.path = std::string(200000, static_cast<char>('a' + version));
                        saveState(view);
                    },
                    [](const std::string& folder) { return folder + "/nacre/view.json"; }});
@@ -186,7 +186,7 @@ TEST(StateFiles, DamagedOnesCountAsAbsent) {
     }
     // A view is text: one that still reads as a view may be another, never an error.
     PictureDescription view;
-    view.input.path.path = "sample:dna";
+    view.input.path = "sample:dna";
     view.look.rules = {parseHide("water"), parseShow("protein=licorice")};
     saveState(view);
     const std::string state = folder / "nacre/view.json", json = contentOf(state);

@@ -294,6 +294,27 @@ TEST(PhoneSession, SaysWhyAFileIsNotShown) {
     EXPECT_EQ(session.shareName(), "glucose");
 }
 
+TEST(PhoneSession, OcclusionTakesAPartOfTheMemoryThatMayBeUsed) {
+    EXPECT_EQ(occlusionBytes(64 << 20, 0), 64u << 20) << "a device that does not tell";
+    EXPECT_EQ(occlusionBytes(64 << 20, std::uint64_t{4} << 30), 64u << 20);
+    EXPECT_EQ(occlusionBytes(64 << 20, 256 << 20), 32u << 20);
+    EXPECT_EQ(occlusionBytes(64 << 20, 1 << 20), 4u << 20) << "one value per atom has room in that";
+}
+
+TEST(PhoneSession, APointerThatTouchesNothingNamesTheAtomBelow) {
+    Host host;
+    PhoneSession session(host.lend(), viewOf("/far/water.xyz"));
+    begin(session);
+    host.run(session);
+    session.hover(glm::dvec2(320, 180));
+    host.now += 1;
+    host.run(session, 0.5);
+    EXPECT_EQ(session.viewer().picking().annotations().hover.substr(0, 6), "Oxygen");
+    session.hover(std::nullopt);
+    host.run(session, 0.5);
+    EXPECT_EQ(session.viewer().picking().annotations().hover, "");
+}
+
 TEST(PhoneSession, VoiceOverHearsAndMovesEveryControl) {
     Host host;
     PhoneHost lent = host.lend();

@@ -59,7 +59,7 @@ TEST(Looks, ASavedViewServesAsOne) {
     std::ofstream(path) << savedViewJson(saved);
     PictureDescription view = parseSavedView(R"({"input": "a.pdb"})", "test");
     applyLook(lookOf(path), view);
-    EXPECT_EQ(view.input.path.path, "a.pdb");
+    EXPECT_EQ(view.input.path, "a.pdb");
     EXPECT_EQ(view.camera.zoom, 1);
     EXPECT_FALSE(view.effects.clip.on());
     EXPECT_EQ(view.effects.contours.width, 2.5);

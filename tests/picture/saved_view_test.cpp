@@ -13,7 +13,7 @@ namespace {
 
 TEST(SavedView, ComesBackToTheLastDigit) {
     PictureDescription view;
-    view.input.path.path = "/tmp/a \"b\".pdb";
+    view.input.path = "/tmp/a \"b\".pdb";
     view.input.path.format = Format::pdb;
     view.input.path.model = 3;
     view.look.assembly = "PAU";

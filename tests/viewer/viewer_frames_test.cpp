@@ -137,6 +137,22 @@ TEST(Viewer, ResolutionGoesByTheDevicesTimeAndTheDisplaysInterval) {
     }
 }
 
+TEST(Viewer, AWarmDeviceDrawsFewerPixelsBeforeItIsSlowedDown) {
+    Bench b;
+    b.run(2);
+    b.viewer.run(ViewerCommand::autoRotate, b.now);
+    b.screen.milliseconds = 1;  // it keeps up with ease
+    for (const auto& [heat, scale] :
+         {std::pair(0.0, 1.0), {0.8, 1.0}, {0.9, 0.775}, {1.0, 0.55}, {1.5, 0.55}, {0.5, 1.0}, {1.0, 0.55}}) {
+        b.viewer.schedule().setHeat(heat);
+        b.run(0.5);
+        EXPECT_NEAR(b.screen.frames.back().scale, scale, 1e-9) << heat;
+    }
+    b.viewer.run(ViewerCommand::autoRotate, b.now);
+    b.run(2);
+    EXPECT_EQ(b.screen.frames.back().scale, 1) << "a picture at rest is whole";
+}
+
 TEST(Viewer, ADisplayThatThereIsNotIsNotTaken) {
     Bench b;
     b.viewer.schedule().setDisplayInterval(1 / 120.0);

@@ -14,6 +14,8 @@ NS_ASSUME_NONNULL_BEGIN
 - (instancetype)initWithStep:(std::function<double(double interval)>)step;
 - (instancetype)init NS_UNAVAILABLE;
 
+/// The device is hot: pictures come no more often than 60 times per second.
+@property(nonatomic, getter=isHot) BOOL hot;
 /// Something happened: step with the next frame of the display.
 - (void)wake;
 /// Nothing is to be seen: no steps until NO is set.

@@ -14,8 +14,7 @@
     if ((self = [super init])) {
         _step = std::move(step);
         _link = [CADisplayLink displayLinkWithTarget:self selector:@selector(frame:)];
-        const float most = static_cast<float>(UIScreen.mainScreen.maximumFramesPerSecond);
-        _link.preferredFrameRateRange = CAFrameRateRangeMake(30, most, most);
+        self.hot = NO;
         [_link addToRunLoop:NSRunLoop.mainRunLoop forMode:NSRunLoopCommonModes];
     }
     return self;
@@ -37,6 +36,14 @@
                                         [weakSelf wake];
                                       }];
     [NSRunLoop.mainRunLoop addTimer:_alarm forMode:NSRunLoopCommonModes];
+}
+
+- (void)setHot:(BOOL)hot {
+    _hot = hot;
+    const float best = static_cast<float>(UIScreen.mainScreen.maximumFramesPerSecond);
+    const float most = hot && best > 60 ? 60 : best;
+    // A display of 120 keeps to it for what names 80 at the least.
+    _link.preferredFrameRateRange = CAFrameRateRangeMake(most > 60 ? 80 : 30, most, most);
 }
 
 - (void)wake {

@@ -22,6 +22,22 @@ namespace {
 NSString* const kView = @"view";          // of the state: JSON
 NSString* const kBookmark = @"bookmark";  // of the state: the right to the file
 
+constexpr double kHot = 0.94;
+
+/// As ResolutionControl::setHeat: the system slows down from "serious" on.
+double heatOf(NSProcessInfoThermalState state) {
+    switch (state) {
+        case NSProcessInfoThermalStateNominal:
+            return 0;
+        case NSProcessInfoThermalStateFair:
+            return 0.85;
+        case NSProcessInfoThermalStateSerious:
+            return 0.95;
+        default:
+            return 1;
+    }
+}
+
 }  // namespace
 
 @interface MoleculeController () <MoleculeViewDelegate, UIDocumentPickerDelegate>
@@ -42,8 +58,8 @@ NSString* const kBookmark = @"bookmark";  // of the state: the right to the file
         NSData* bookmark = state[kBookmark];
         if (json) _first = viewOfState(textOf(json)).value_or(PictureDescription());
         if (bookmark) _document = [DocumentAccess accessWithBookmark:bookmark];
-        if (_document) _first.input.path.path = textOf(_document.url.path);  // it may have moved
-        if (_first.input.path.path.empty()) _first.input.path.path = "sample:dna";
+        if (_document) _first.input.path = textOf(_document.url.path);  // it may have moved
+        if (_first.input.path.empty()) _first.input.path = "sample:dna";
     }
     return self;
 }
@@ -77,6 +93,7 @@ NSString* const kBookmark = @"bookmark";  // of the state: the right to the file
 - (void)moleculeViewResized:(MoleculeView*)view {
     if (view.pixels.width == 0) return;
     _session->resize(view.pixels, view.contentScaleFactor);
+    _session->setTextScale([UIFontMetrics.defaultMetrics scaledValueForValue:100] / 100);
     const UIEdgeInsets safe = view.safeAreaInsets;
     const auto pixels = [&](CGFloat points) { return static_cast<float>(points * view.contentScaleFactor); };
     _session->setInsets({pixels(safe.left), pixels(safe.top), pixels(safe.right), pixels(safe.bottom)});
@@ -86,6 +103,12 @@ NSString* const kBookmark = @"bookmark";  // of the state: the right to the file
           self->_clock.suspended = NO;
         }];
     [_clock wake];
+}
+
+/// The size of text, among others.
+- (void)traitCollectionDidChange:(nullable UITraitCollection*)previous {
+    [super traitCollectionDidChange:previous];
+    if (_session) [self moleculeViewResized:_molecule];
 }
 
 /// Without a device until the view has its size.
@@ -112,6 +135,9 @@ NSString* const kBookmark = @"bookmark";  // of the state: the right to the file
     host.askText = [weakSelf](const std::string& name, const std::string& text) {
         [weakSelf askFor:stringOf(name) text:stringOf(text)];
     };
+    host.copyText = [](const std::string& text) { UIPasteboard.generalPasteboard.string = stringOf(text); };
+    host.system = textOf([NSString stringWithFormat:@"%@ %@, %@", UIDevice.currentDevice.systemName,
+                                                    UIDevice.currentDevice.systemVersion, UIDevice.currentDevice.model]);
     host.downloads = true;
     host.shakes = true;
     host.dark = self.traitCollection.userInterfaceStyle == UIUserInterfaceStyleDark;
@@ -134,6 +160,9 @@ NSString* const kBookmark = @"bookmark";  // of the state: the right to the file
 - (double)step:(double)interval {
     __block double next = std::numeric_limits<double>::infinity();
     _session->viewer().schedule().setDisplayInterval(interval);
+    const double heat = heatOf(NSProcessInfo.processInfo.thermalState);
+    _session->viewer().schedule().setHeat(heat);
+    if (_clock.hot != (heat > kHot)) _clock.hot = heat > kHot;
     const BOOL drawn = [self attempt:^{
       next = self->_session->step();
     }];

@@ -83,6 +83,7 @@ std::optional<ViewerCommand> commandOfKey(UIKey* key) {
             recognizer.cancelsTouchesInView = NO;
             [self addGestureRecognizer:recognizer];
         }
+        [self addGestureRecognizer:[[UIHoverGestureRecognizer alloc] initWithTarget:self action:@selector(hover:)]];
     }
     return self;
 }
@@ -156,6 +157,15 @@ std::optional<ViewerCommand> commandOfKey(UIKey* key) {
     self.session->wheel([recognizer translationInView:self].y / kPointsPerStep,
                         placeOf([recognizer locationInView:self]));
     [recognizer setTranslation:CGPointZero inView:self];
+    [self.delegate moleculeViewTouched:self];
+}
+
+/// A pointer or a pencil above the glass.
+- (void)hover:(UIHoverGestureRecognizer*)recognizer {
+    if (!self.session) return;
+    const BOOL there =
+        recognizer.state == UIGestureRecognizerStateBegan || recognizer.state == UIGestureRecognizerStateChanged;
+    self.session->hover(there ? std::optional(placeOf([recognizer locationInView:self])) : std::nullopt);
     [self.delegate moleculeViewTouched:self];
 }
 

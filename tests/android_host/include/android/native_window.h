@@ -9,6 +9,8 @@ extern "C" {
 
 typedef struct ANativeWindow ANativeWindow;
 
+void ANativeWindow_acquire(ANativeWindow* window);
+void ANativeWindow_release(ANativeWindow* window);
 int32_t ANativeWindow_getWidth(ANativeWindow* window);
 int32_t ANativeWindow_getHeight(ANativeWindow* window);
 

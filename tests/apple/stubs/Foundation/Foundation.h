@@ -216,6 +216,17 @@ typedef NS_OPTIONS(NSUInteger, NSFileCoordinatorReadingOptions) { NSFileCoordina
                         byAccessor:(void(NS_NOESCAPE ^)(NSURL* current))reader;
 @end
 
+typedef NS_ENUM(NSInteger, NSProcessInfoThermalState) {
+    NSProcessInfoThermalStateNominal,
+    NSProcessInfoThermalStateFair,
+    NSProcessInfoThermalStateSerious,
+    NSProcessInfoThermalStateCritical,
+};
+@interface NSProcessInfo : NSObject
+@property(class, readonly, strong) NSProcessInfo* processInfo;
+@property(readonly) NSProcessInfoThermalState thermalState API_AVAILABLE_IOS(11.0);
+@end
+
 @interface NSBundle : NSObject
 @property(class, readonly, strong) NSBundle* mainBundle;
 @end

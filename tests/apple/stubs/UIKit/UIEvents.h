@@ -80,9 +80,18 @@ API_AVAILABLE_IOS(13.4)
 - (BOOL)gestureRecognizer:(UIGestureRecognizer*)recognizer shouldReceiveEvent:(UIEvent*)event API_AVAILABLE_IOS(13.4);
 @end
 @class NSNumber;
+typedef NS_ENUM(NSInteger, UIGestureRecognizerState) {
+    UIGestureRecognizerStatePossible,
+    UIGestureRecognizerStateBegan,
+    UIGestureRecognizerStateChanged,
+    UIGestureRecognizerStateEnded,
+    UIGestureRecognizerStateCancelled,
+    UIGestureRecognizerStateFailed,
+};
 @interface UIGestureRecognizer : NSObject
 - (instancetype)initWithTarget:(nullable id)target action:(nullable SEL)action;
 - (CGPoint)locationInView:(nullable UIView*)view;
+@property(nonatomic, readonly) UIGestureRecognizerState state;
 @property(nullable, nonatomic, weak) id<UIGestureRecognizerDelegate> delegate;
 @property(nonatomic, copy) NSArray<NSNumber*>* allowedTouchTypes;
 @property(nonatomic) BOOL cancelsTouchesInView;
@@ -96,6 +105,8 @@ typedef NS_OPTIONS(NSInteger, UIScrollTypeMask) {
 - (CGPoint)translationInView:(nullable UIView*)view;
 - (void)setTranslation:(CGPoint)translation inView:(nullable UIView*)view;
 @property(nonatomic) UIScrollTypeMask allowedScrollTypesMask API_AVAILABLE_IOS(13.4);
+@end
+@interface UIHoverGestureRecognizer : UIGestureRecognizer
 @end
 @interface UIPinchGestureRecognizer : UIGestureRecognizer
 @property(nonatomic) CGFloat scale;

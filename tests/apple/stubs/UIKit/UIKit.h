@@ -65,6 +65,7 @@ typedef NS_ENUM(NSInteger, UIUserInterfaceStyle) {
 - (void)viewDidLoad;
 - (void)viewDidAppear:(BOOL)animated;
 - (void)didReceiveMemoryWarning;
+- (void)traitCollectionDidChange:(nullable UITraitCollection*)previous;
 - (void)presentViewController:(UIViewController*)controller
                      animated:(BOOL)animated
                    completion:(void (^__nullable)(void))completion;
@@ -147,4 +148,21 @@ typedef NS_ENUM(NSInteger, UIAlertActionStyle) { UIAlertActionStyleDefault, UIAl
 @end
 extern "C" int UIApplicationMain(int argc, char* _Nullable argv[_Nonnull], NSString* _Nullable principal,
                                  NSString* _Nullable delegate);
+@interface UIDevice : NSObject
+@property(class, nonatomic, readonly) UIDevice* currentDevice;
+@property(nonatomic, readonly, strong) NSString* systemName;
+@property(nonatomic, readonly, strong) NSString* systemVersion;
+@property(nonatomic, readonly, strong) NSString* model;
+@end
+
+@interface UIPasteboard : NSObject
+@property(class, nonatomic, readonly) UIPasteboard* generalPasteboard;
+@property(nullable, nonatomic, copy) NSString* string;
+@end
+
+@interface UIFontMetrics : NSObject
+@property(class, readonly, strong) UIFontMetrics* defaultMetrics;
+- (CGFloat)scaledValueForValue:(CGFloat)value;
+@end
+
 #pragma clang assume_nonnull end

@@ -3,15 +3,24 @@ package org.nacre.viewer;
 import android.app.AlertDialog;
 import android.app.NativeActivity;
 import android.content.ActivityNotFoundException;
+import android.content.ClipData;
+import android.content.ClipboardManager;
 import android.content.Intent;
+import android.content.res.Configuration;
 import android.graphics.Bitmap;
+import android.graphics.Insets;
 import android.hardware.display.DisplayManager;
 import android.net.Uri;
+import android.os.Build;
 import android.os.Bundle;
+import android.view.Choreographer;
 import android.view.Display;
 import android.view.View;
+import android.view.WindowInsets;
 import android.view.WindowManager;
 import android.widget.EditText;
+import android.window.OnBackInvokedCallback;
+import android.window.OnBackInvokedDispatcher;
 
 import java.io.File;
 import java.io.FileOutputStream;
@@ -24,11 +33,14 @@ import java.nio.charset.StandardCharsets;
 
 /**
  * What native code cannot do by itself: have a document picked and a text typed, share a picture, tell a screen reader what
- * is there, know how often the display refreshes.
+ * is there, know of the display and of what the system lays over the window.
  */
-public final class NacreActivity extends NativeActivity implements DisplayManager.DisplayListener {
+public final class NacreActivity extends NativeActivity
+        implements DisplayManager.DisplayListener, Choreographer.FrameCallback {
     private static final int PICKED = 1, PATIENCE = 30_000; // milliseconds
     private PanelNodes nodes;
+    private Back back; // registered while Back is the app's
+    private boolean animated, awaited;
 
     // Native code registers these when the activity is made. `app` is what it handed to attach(); 0: it is gone.
     static native void opened(long app, Uri document);
@@ -36,7 +48,11 @@ public final class NacreActivity extends NativeActivity implements DisplayManage
     static native String controls(long app);
     static native void press(long app, String role, String name);
     static native void adjust(long app, String name, boolean up);
-    static native void refreshes(long app, float rate);
+    static native void back(long app);
+    static native void insets(long app, int left, int top, int right, int bottom);
+    static native void textScale(long app, float scale);
+    static native void refreshes(long app, float rate, float most);
+    static native void tick(long app, long nanoseconds);
     static native void typed(long app, String name, String text);
     static native boolean received(long transfer, byte[] bytes, int count, long all);
 
@@ -47,8 +63,21 @@ public final class NacreActivity extends NativeActivity implements DisplayManage
         super.onCreate(state);
         View content = getWindow().getDecorView().findViewById(android.R.id.content);
         nodes = new PanelNodes(this, content);
+        content.setOnApplyWindowInsetsListener((view, insets) -> {
+            tellInsets(insets);
+            return view.onApplyWindowInsets(insets);
+        });
         displays().registerDisplayListener(this, null);
-        onDisplayChanged(Display.DEFAULT_DISPLAY);
+        onDisplayChanged(display().getDisplayId());
+        tellTextScale(getResources().getConfiguration());
+    }
+
+    /** Another document, while this activity is there: it is the only one. */
+    @Override
+    protected void onNewIntent(Intent intent) {
+        super.onNewIntent(intent);
+        setIntent(intent);
+        if (app != 0 && intent.getData() != null) opened(app, intent.getData());
     }
 
     @Override
@@ -61,16 +90,74 @@ public final class NacreActivity extends NativeActivity implements DisplayManage
         return app;
     }
 
+    // --- Back, while something lies over the picture. Up to Android 12 it comes as a key.
+
+    /** In a class of its own, which older systems do not look at. */
+    private static final class Back implements OnBackInvokedCallback {
+        private final NacreActivity activity;
+
+        Back(NacreActivity activity) {
+            this.activity = activity;
+            activity.getOnBackInvokedDispatcher().registerOnBackInvokedCallback(
+                    OnBackInvokedDispatcher.PRIORITY_DEFAULT, this);
+        }
+
+        void end() {
+            activity.getOnBackInvokedDispatcher().unregisterOnBackInvokedCallback(this);
+        }
+
+        @Override
+        public void onBackInvoked() {
+            if (activity.app != 0) back(activity.app);
+        }
+    }
+
+    // --- the window, which the system's bars lie over, and the size of text
+
+    private void tellInsets(WindowInsets insets) {
+        if (app == 0) return;
+        if (Build.VERSION.SDK_INT < 30) {
+            insets(app, insets.getSystemWindowInsetLeft(), insets.getSystemWindowInsetTop(),
+                    insets.getSystemWindowInsetRight(), insets.getSystemWindowInsetBottom());
+            return;
+        }
+        Insets covered = insets.getInsets(WindowInsets.Type.systemBars() | WindowInsets.Type.displayCutout()
+                | WindowInsets.Type.systemGestures());
+        insets(app, covered.left, covered.top, covered.right, covered.bottom);
+    }
+
+    private void tellTextScale(Configuration configuration) {
+        if (app != 0) textScale(app, configuration.fontScale);
+    }
+
+    @Override
+    public void onConfigurationChanged(Configuration configuration) {
+        super.onConfigurationChanged(configuration);
+        tellTextScale(configuration);
+    }
+
     // --- the display, which may change its rate at any time
 
     private DisplayManager displays() {
         return getSystemService(DisplayManager.class);
     }
 
+    private Display display() {
+        Display own = Build.VERSION.SDK_INT < 30 ? null : getDisplay();
+        return own != null ? own : displays().getDisplay(Display.DEFAULT_DISPLAY);
+    }
+
+    /** The rate of the moment, and the best of the same size. */
     @Override
     public void onDisplayChanged(int id) {
-        Display display = displays().getDisplay(id);
-        if (id == Display.DEFAULT_DISPLAY && display != null && app != 0) refreshes(app, display.getRefreshRate());
+        Display display = display();
+        if (app == 0 || display == null || id != display.getDisplayId()) return;
+        Display.Mode now = display.getMode();
+        float most = now.getRefreshRate();
+        for (Display.Mode mode : display.getSupportedModes())
+            if (mode.getPhysicalWidth() == now.getPhysicalWidth() && mode.getPhysicalHeight() == now.getPhysicalHeight())
+                most = Math.max(most, mode.getRefreshRate());
+        refreshes(app, display.getRefreshRate(), most);
     }
 
     @Override
@@ -83,6 +170,43 @@ public final class NacreActivity extends NativeActivity implements DisplayManage
 
     void attach(long to) {
         app = to;
+    }
+
+    String system() {
+        return "Android " + Build.VERSION.RELEASE + " (" + Build.VERSION.SDK_INT + "), " + Build.MANUFACTURER + " " + Build.MODEL;
+    }
+
+    void wantsBack(boolean wanted) {
+        runOnUiThread(() -> {
+            if (Build.VERSION.SDK_INT < 33 || wanted == (back != null)) return;
+            if (!wanted) back.end();
+            back = wanted ? new Back(this) : null;
+        });
+    }
+
+    /** From now on native code hears of each picture that the display begins, or no more. */
+    void animate(boolean on) {
+        runOnUiThread(() -> {
+            animated = on;
+            await();
+        });
+    }
+
+    private void await() {
+        if (awaited || !animated || app == 0) return;
+        awaited = true;
+        Choreographer.getInstance().postFrameCallback(this);
+    }
+
+    @Override
+    public void doFrame(long nanoseconds) {
+        awaited = false;
+        if (animated && app != 0) tick(app, nanoseconds);
+        await();
+    }
+
+    void copyText(String text) {
+        runOnUiThread(() -> getSystemService(ClipboardManager.class).setPrimaryClip(ClipData.newPlainText("Nacre", text)));
     }
 
     void pickDocument() {

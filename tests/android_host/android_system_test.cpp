@@ -1,0 +1,205 @@
+// What Android asks of an app besides windows and documents: Back, the system's bars, a main thread that never hangs,
+// the display's rate, heat, mice and pens, the size of text.
+
+#include <cmath>
+#include <future>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/android_host/host_fixture.h"
+
+namespace nacre::test {
+namespace {
+
+struct Place {
+    int left = -1, top = -1, height = 0;
+};
+
+/// Where the control of a name stands, pixels; -1: it is not there.
+Place placeOf(Host& host, const std::string& name) {
+    std::istringstream lines(host.java().controls());
+    for (std::string line; std::getline(lines, line);) {
+        if (line.find('\t' + name + '\t') == std::string::npos) continue;
+        std::vector<std::string> fields;
+        std::istringstream parts(line);
+        for (std::string part; std::getline(parts, part, '\t');) fields.push_back(part);
+        const int top = std::stoi(fields.at(5));
+        return {std::stoi(fields.at(4)), top, std::stoi(fields.at(7)) - top};
+    }
+    return {};
+}
+
+TEST_F(AndroidHost, BackClosesThePanelWhereItIsACallback) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.lowMemory();
+    host.open(360, 480);
+    ASSERT_TRUE(eventually([&] { return placeOf(host, "Menu").left >= 0; }));
+    EXPECT_FALSE(host.java().wantsBack());
+    host.java().press("button", "Menu");
+    ASSERT_TRUE(eventually([&] { return host.java().wantsBack(); }));
+    host.java().back();
+    EXPECT_TRUE(eventually([&] { return !host.java().wantsBack(); }));
+    EXPECT_TRUE(eventually([&] { return placeOf(host, "Spheres").left < 0; }));
+}
+
+TEST_F(AndroidHost, ThePanelKeepsClearOfTheSystemsBars) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.lowMemory();
+    host.open(360, 480);  // edge to edge: the content is all of it
+    ASSERT_TRUE(eventually([&] { return placeOf(host, "Menu").left >= 0; }));
+    const auto before = placeOf(host, "Menu");
+    host.java().insets(30, 40, 0, 20);
+    EXPECT_TRUE(eventually([&] {
+        const auto now = placeOf(host, "Menu");
+        return now.left == before.left + 30 && now.top == before.top + 40;
+    })) << placeOf(host, "Menu").left
+        << " " << placeOf(host, "Menu").top;
+}
+
+TEST_F(AndroidHost, TextIsAsLargeAsTheUserWantsIt) {
+    Host host(folder_, std::nullopt, kQuick, 80);
+    host.lowMemory();
+    host.open(300, 500);
+    ASSERT_TRUE(eventually([&] { return placeOf(host, "Menu").left >= 0; }));
+    const int before = placeOf(host, "Menu").height;
+    host.java().textScale(1.5f);
+    EXPECT_TRUE(eventually([&] { return std::abs(placeOf(host, "Menu").height - 1.5 * before) <= 1; }))
+        << before << " " << placeOf(host, "Menu").height;
+    // A finger still hits what it points to.
+    host.java().press("button", "Menu");
+    EXPECT_TRUE(eventually([&] { return placeOf(host, "Fold the panel").left >= 0; })) << host.java().controls();
+}
+
+// The first start on a device takes seconds: none of them on the main thread, whatever the system does meanwhile.
+TEST_F(AndroidHost, NothingWaitsForADeviceThatIsBeingMade) {
+    std::promise<void> made;
+    const std::shared_future<void> device = made.get_future().share();
+    whileDevicesAreMade([device] { device.wait(); });
+    Host host(folder_, std::nullopt, kQuick);
+    host.lowMemory();
+    host.open(120, 160);
+    EXPECT_EQ(host.view().input, "sample:glucose");
+    host.resizeWindow(160, 120, 1);
+    host.pause();
+    host.stop();
+    host.destroyWindow();
+    host.start();
+    host.resume();
+    host.createWindow(160, 160);
+    EXPECT_EQ(host.frames(), 0u);
+    made.set_value();
+    whileDevicesAreMade({});
+    expectAsRendered(host, kMenu, "", 1);
+    EXPECT_FALSE(host.finishAsked());
+}
+
+// A driver that hangs holds up the render thread alone: what waits for it does so for a while, all waits together.
+TEST_F(AndroidHost, NothingWaitsForEverForADriverThatHangs) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.lowMemory();
+    host.open(120, 160);
+    expectAsRendered(host, kMenu, "", 1);
+    host.setHeldUp(true);
+    std::promise<void> goesOn;
+    const std::shared_future<void> driver = goesOn.get_future().share();
+    std::atomic<bool> hangs{false};
+    whileImagesAreAwaited([&hangs, driver] { hangs = true, driver.wait(); });
+    host.key(AKEYCODE_3, AKEY_EVENT_ACTION_DOWN);
+    ASSERT_TRUE(eventually([&] { return hangs.load(); }));
+    app::mainThreadPatience = 0.2;
+    host.resume();
+    host.pause();
+    EXPECT_FALSE(host.saveState().empty());
+    host.stop();
+    host.destroyWindow();
+    host.destroy();
+    goesOn.set_value();
+    whileImagesAreAwaited({});
+    EXPECT_TRUE(eventually([&] { return host.windowsAreLetGo(); })) << "what was left ends once the driver goes on";
+    // The frame that hung comes late, which Android's own windows refuse.
+    for (const std::string& fault : Faults::take()) EXPECT_EQ(fault, "a frame for a window that is gone");
+}
+
+TEST_F(AndroidHost, AMotionAsksForTheDisplaysBestRateAndItsTicks) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.lowMemory();
+    host.open(160, 160);
+    host.java().displayRefreshes(60, 120);
+    expectAsRendered(host, kMenu, "", 1);
+    EXPECT_FALSE(host.java().animated());
+    const int before = workReports();
+    host.key(AKEYCODE_SPACE, AKEY_EVENT_ACTION_DOWN);  // turns by itself
+    ASSERT_TRUE(eventually([&] { return host.java().animated(); }));
+    EXPECT_EQ(host.window()->rate, 120);
+    const std::uint64_t frames = host.frames();
+    for (int i = 0; i < 1200 && host.frames() < frames + 5; ++i) {
+        host.java().tick();
+        sleep(0.01);
+    }
+    EXPECT_GE(host.frames(), frames + 5);
+    EXPECT_GT(workReports(), before);
+    EXPECT_EQ(workTarget(), std::llround(1e9 / 60));
+    host.key(AKEYCODE_SPACE, AKEY_EVENT_ACTION_DOWN);
+    EXPECT_TRUE(eventually([&] { return !host.java().animated(); }));
+    EXPECT_EQ(host.window()->rate, 0);
+}
+
+TEST_F(AndroidHost, APhoneThatGetsHotAsksForNoMoreThanSixty) {
+    setThermalHeadroom(1);
+    Host host(folder_, std::nullopt, kQuick);
+    host.lowMemory();
+    host.open(160, 160);
+    host.java().displayRefreshes(60, 120);
+    expectAsRendered(host, kMenu, "", 1);
+    host.key(AKEYCODE_SPACE, AKEY_EVENT_ACTION_DOWN);
+    ASSERT_TRUE(eventually([&] { return host.java().animated(); }));
+    EXPECT_EQ(host.window()->rate, 60);
+    setThermalHeadroom(0);
+}
+
+TEST_F(AndroidHost, TheReportTellsOfThePhone) {
+    Host host(folder_, std::nullopt, kQuick, 40);  // all of the panel has room
+    host.lowMemory();
+    host.open(500, 320);
+    for (const char* name : {"Menu", "More", "For developers", "Copy report"}) {
+        ASSERT_TRUE(eventually([&] { return placeOf(host, name).left >= 0; })) << name << host.java().controls();
+        host.java().press(std::string(name) == "More" ? "tab" : "button", name);
+    }
+    ASSERT_TRUE(eventually([&] { return !host.java().copied().empty(); }));
+    const auto report = nlohmann::json::parse(host.java().copied());
+    EXPECT_EQ(report.at("system"), "Android 16 (36), Example Phone");
+    EXPECT_EQ(report.at("window").at("width"), 500);
+    EXPECT_GT(report.at("frames").at("shown"), 0);
+    EXPECT_NE(report.at("device").at("name").get<std::string>().find("SwiftShader"), std::string::npos);
+    EXPECT_FALSE(report.at("device").at("extensions").empty());
+}
+
+TEST_F(AndroidHost, AMouseRotatesPansAndPointsAndAPenPoints) {
+    Host host(folder_, std::nullopt, kQuick);
+    host.lowMemory();
+    host.open(320, 320);
+    expectAsRendered(host, kMenu, "", 1);
+    // Whoever rests on an atom is told of it, and no more once the pointer has left.
+    for (const std::int32_t tool : {AMOTION_EVENT_TOOL_TYPE_MOUSE, AMOTION_EVENT_TOOL_TYPE_STYLUS}) {
+        host.pointer(tool, AMOTION_EVENT_ACTION_HOVER_ENTER, 160, 150);
+        host.pointer(tool, AMOTION_EVENT_ACTION_HOVER_MOVE, 160, 160);
+        EXPECT_TRUE(eventually([&] { return saysSomething(host.picture()); })) << tool;
+        host.pointer(tool, AMOTION_EVENT_ACTION_HOVER_EXIT, 160, 160);
+        EXPECT_TRUE(eventually([&] { return !saysSomething(host.picture()); })) << tool;
+    }
+    const auto drag = [&](std::int32_t buttons) {
+        host.pointer(AMOTION_EVENT_TOOL_TYPE_MOUSE, AMOTION_EVENT_ACTION_DOWN, 160, 160, buttons);
+        for (int i = 1; i <= 5; ++i)
+            host.pointer(AMOTION_EVENT_TOOL_TYPE_MOUSE, AMOTION_EVENT_ACTION_MOVE, 160 + 10 * static_cast<float>(i),
+                         160, buttons);
+        host.pointer(AMOTION_EVENT_TOOL_TYPE_MOUSE, AMOTION_EVENT_ACTION_UP, 210, 160);
+    };
+    drag(AMOTION_EVENT_BUTTON_SECONDARY);
+    EXPECT_TRUE(eventually([&] { return std::abs(host.view().camera.pan.x) > 1e-3; }));
+    EXPECT_NEAR(std::abs(host.view().camera.orientation.w), 1, 1e-9);
+    drag(AMOTION_EVENT_BUTTON_PRIMARY);
+    EXPECT_TRUE(eventually([&] { return std::abs(host.view().camera.orientation.w) < 0.999; }));
+}
+
+}  // namespace
+}  // namespace nacre::test
