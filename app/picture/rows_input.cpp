@@ -16,7 +16,7 @@ using enum Option::Save;
 
 std::vector<std::string> lookNames() {
     std::vector<std::string> names;
-    for (const Look& look : looks()) names.push_back(look.input.name);
+    for (const Look& look : looks()) names.push_back(look.name);
     return names;
 }
 

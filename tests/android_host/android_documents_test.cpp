@@ -295,7 +295,7 @@ TEST_F(AndroidHost, ADocumentThatIsOpenedComesToTheActivityThatIsThere) {
     document.name = "second.pdb";
     document.bytes = pdbOf("FE", 1);
     host.java().newIntent(document);
-    EXPECT_TRUE(eventually([&] { return host.view().input.ends_with("second.pdb"); }));
+    EXPECT_TRUE(eventually([&] { return host.view().input.path.ends_with("second.pdb"); }));
 }
 
 TEST_F(AndroidHost, AnActivityThatEndsTakesTheNetworkFromNoOther) {
@@ -316,7 +316,7 @@ TEST_F(AndroidHost, AnActivityThatEndsTakesTheNetworkFromNoOther) {
     press("field", "Identifier or path");
     ASSERT_TRUE(eventually([&] { return host.java().asked().first == "Identifier or path"; }));
     host.java().typed("Identifier or path", "pdb:1xyz");
-    EXPECT_TRUE(eventually([&] { return host.view().input == "pdb:1xyz"; }));
+    EXPECT_TRUE(eventually([&] { return host.view().input.path == "pdb:1xyz"; }));
 }
 
 TEST_F(AndroidHost, WithoutADeviceTheActivityEnds) {

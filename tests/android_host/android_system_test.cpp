@@ -78,7 +78,7 @@ TEST_F(AndroidHost, NothingWaitsForADeviceThatIsBeingMade) {
     Host host(folder_, std::nullopt, kQuick);
     host.lowMemory();
     host.open(120, 160);
-    EXPECT_EQ(host.view().input, "sample:glucose");
+    EXPECT_EQ(host.view().input.path, "sample:glucose");
     host.resizeWindow(160, 120, 1);
     host.pause();
     host.stop();

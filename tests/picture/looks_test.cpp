@@ -19,12 +19,12 @@ TEST(Looks, EachIsOneThatAFileCanHoldToo) {
     for (const Look& look : looks()) {
         PictureDescription view;
         applyLook(look, view);
-        EXPECT_TRUE(seen.insert(lookJson(view)).second) << look.input.name << " is another one's twin";
+        EXPECT_TRUE(seen.insert(lookJson(view)).second) << look.name << " is another one's twin";
         std::ofstream(path) << lookJson(look);
         PictureDescription read;
         applyLook(lookOf(path), read);
-        EXPECT_EQ(savedViewJson(read), savedViewJson(view)) << look.input.name;
-        EXPECT_EQ(lookOf(look.input.name).options, look.options);
+        EXPECT_EQ(savedViewJson(read), savedViewJson(view)) << look.name;
+        EXPECT_EQ(lookOf(look.name).options, look.options);
     }
     EXPECT_EQ(looks()[0].name, "default");
     PictureDescription view;

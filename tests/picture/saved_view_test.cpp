@@ -14,8 +14,8 @@ namespace {
 TEST(SavedView, ComesBackToTheLastDigit) {
     PictureDescription view;
     view.input.path = "/tmp/a \"b\".pdb";
-    view.input.path.format = Format::pdb;
-    view.input.path.model = 3;
+    view.input.format = Format::pdb;
+    view.input.model = 3;
     view.look.assembly = "PAU";
     view.look.style = Style::licorice;
     view.look.color = ColorScheme::chain;
