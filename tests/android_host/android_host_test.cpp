@@ -238,7 +238,7 @@ TEST_F(AndroidHost, ADeviceIsTriedAtItsFirstStartAlone) {
     // All paths but one were found right before the program ended: tests/phone tries all.
     std::filesystem::create_directories(folder_ / "cache/devices");
     std::ofstream(folder_ / ("cache/devices/paths-" + driverKey()))
-        << "nacre self-test 2\nencoded right 1 1 0 0 0 0\nfragdepth right 1 1 0 0 0 0\nraster-order right 1 1 0 0 0 "
+        << "nacre self-test 3\nencoded right 1 1 0 0 0 0\nfragdepth right 1 1 0 0 0 0\nraster-order right 1 1 0 0 0 "
            "0\n";
     const auto started = [&] {
         const int before = devicesMade();

@@ -105,7 +105,7 @@ class InputAttachments(unittest.TestCase):
             self.assertEqual(inputs("--caps", "apple-moltenvk", "--size", size), [])
         for visibility in ("encoded", "deferred"):
             self.assertEqual(inputs("--caps", "apple-moltenvk", "--visibility", visibility), [])
-        self.assertEqual(inputs("--caps", "mali", "--visibility", "encoded"), ["encoded depth"])
+        self.assertEqual(set(inputs("--caps", "mali", "--visibility", "encoded")), {"encoded depth"})
 
     def test_none_is_handed_to_moltenvk(self):
         built = {(SHADERS / f"{name}.spv").read_bytes(): name for name in listed()}

@@ -101,6 +101,7 @@ inline void planEncoders(const VkRenderPassCreateInfo2& info, VkRenderPass made)
 
 /// The encoder of a subpass begins. @param noise  it is not the first
 inline void beginEncoder(VkCommandBuffer commands, Encoding& e, bool noise) {
+    if (e.subpass >= e.pass->subpasses.size()) return;  // of a device that is no phone
     const PlannedPass::Subpass& subpass = e.pass->subpasses[e.subpass];
     const auto take = [&](std::uint32_t a, VkImageAspectFlags aspect, std::uint32_t color) {
         if (a == VK_ATTACHMENT_UNUSED) return;
