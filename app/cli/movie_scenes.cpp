@@ -22,8 +22,8 @@ namespace {
 bool sameLook(const PictureDescription& a, PictureDescription b) {
     b.effects.clip.near = a.effects.clip.near;
     b.effects.clip.far = a.effects.clip.far;
-    const Parts parts = difference(a, b);
-    return !has(parts, Part::scene) && !has(parts, Part::shading) && !has(parts, Part::annotation);
+    const Facets parts = difference(a, b);
+    return !has(parts, Facet::scene) && !has(parts, Facet::shading) && !has(parts, Facet::annotation);
 }
 
 std::string pathsOf(const InputOptions& input) {

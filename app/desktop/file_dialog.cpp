@@ -18,7 +18,7 @@ PortalAnswer openByPortal(const std::string&) { return {}; }
 PortalAnswer saveByPortal(const std::string&, const std::string&) { return {}; }
 #endif
 
-constexpr const char *kOpen = "Open structures", *kSave = "Save the picture";
+constexpr const char *kOpen = "Open structures", *kSave = "Save image";
 
 bool preferKdialog() {
     const char* desktop = std::getenv("XDG_CURRENT_DESKTOP");

@@ -90,10 +90,10 @@ void Drawing::prepare(const Molecule& molecule, const PictureDescription& descri
                       const std::optional<Bounds>& frame) {
     static std::atomic<std::uint64_t> scenes{0};
     const Clock::time_point start = Clock::now();
-    const Parts parts = difference(description_, description);
+    const Facets parts = difference(description_, description);
     if (scene_ && parts == 0) return;
     // What is left out since it hides something depends on the view, too.
-    const bool another = !scene_ || has(parts, Part::input) || has(parts, Part::scene) ||
+    const bool another = !scene_ || has(parts, Facet::input) || has(parts, Facet::scene) ||
                          uncoveredBy(description.aim) || uncoveredBy(description_.aim);
     description_ = description;
     if (another) {

@@ -1,50 +1,72 @@
-// Light, lines, halos, fog and the planes that cut, as sliders and colours.
+// Light, outlines, halos, fog and clipping planes. Labels and ranges are those of the options' table.
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "app/panel/panel_state.h"
+#include "app/picture/option_text.h"
+#include "app/picture/options.h"
 
 namespace nacre::app {
 namespace {
 
-/// A slider of a number that a saved view writes: in hundredths, so that it reads well there.
-/// @returns whether it moved
-bool slide(Widgets& ui, const char* name, double& value, double low, double high, const char* format,
-           bool byRatio = false) {
+/// In hundredths, so that a saved view reads well.
+double inHundredths(float value) { return std::round(static_cast<double>(value) * 100) / 100; }
+
+/// A slider of an option that is a number, or "off" at its lower end. @returns whether it is on
+bool slide(PanelFrame& f, std::string_view key, bool byRatio = false) {
+    const Option& row = option(key);
+    const Option::Control& control = row.control;
+    const std::string text = row.print(f.look), off = std::string(control.label) + ": off";
+    auto at = static_cast<float>(text == "off" ? 0 : std::strtod(text.c_str(), nullptr));
+    if (f.ui.slide(control.label, at, static_cast<float>(control.low), static_cast<float>(control.high),
+                   text == "off" ? off.c_str() : control.shown, byRatio)) {
+        const double value = inHundredths(at);
+        const bool canBeOff = row.syntax.ends_with("|off");
+        row.parse(canBeOff && value < 0.1 ? "off" : numberText(value), f.look);
+    }
+    return text != "off";
+}
+
+void chooseColor(PanelFrame& f, std::string_view key, std::array<float, 3>& color) {
+    const char* label = option(key).control.label;
+    f.ui.chooseColor(label, color);
+    ImGui::SameLine();
+    f.ui.name(label);
+}
+
+void slideOutlines(PanelFrame& f) {
+    Contours& lines = f.look.effects.contours;
+    if (!slide(f, "contours")) return;
+    slide(f, "contour-depth", true);
+    bool three = lines.weights == 3;
+    if (f.ui.toggle(option("contour-weights").control.label, three)) lines.weights = three ? 3 : 1;
+    chooseColor(f, "contour-color", lines.color);
+}
+
+void slideHalos(PanelFrame& f) {
+    if (!slide(f, "halos")) return;
+    slide(f, "halo-strength");
+    slide(f, "halo-depth", true);
+    chooseColor(f, "halo-color", f.look.effects.halos.color);
+}
+
+/// A slider of a number that no option has by itself. @returns whether it moved
+bool slideValue(Widgets& ui, const char* name, double& value, double low, double high, const char* format) {
     auto at = static_cast<float>(value);
-    if (!ui.slide(name, at, static_cast<float>(low), static_cast<float>(high), format, byRatio)) return false;
-    value = std::round(static_cast<double>(at) * 100) / 100;
+    if (!ui.slide(name, at, static_cast<float>(low), static_cast<float>(high), format)) return false;
+    value = inHundredths(at);
     return true;
 }
 
-void chooseColor(Widgets& ui, const char* name, std::array<float, 3>& color) {
-    ui.chooseColor(name, color);
-    ImGui::SameLine();
-    ui.name(name);
-}
-
-void slideLines(Widgets& ui, Contours& lines) {
-    slide(ui, "Lines", lines.width, 0, 8, lines.width > 0 ? "Lines %.1f px" : "No lines");
-    if (lines.width <= 0) return;
-    slide(ui, "Depth of lines", lines.depth, 0.1, 20, "Where depth jumps %.1f Å", true);
-    bool three = lines.weights == 3;
-    if (ui.toggle("Wider between chains and residues", three)) lines.weights = three ? 3 : 1;
-    chooseColor(ui, "Colour of the lines", lines.color);
-}
-
-void slideHalos(Widgets& ui, Halos& halos) {
-    slide(ui, "Halos", halos.width, 0, 24, halos.width > 0 ? "Halos %.1f px" : "No halos");
-    if (halos.width <= 0) return;
-    slide(ui, "Strength of halos", halos.strength, 0, 1, "Halo strength %.2f");
-    slide(ui, "Depth of halos", halos.depth, 0.5, 60, "Densest over %.1f Å", true);
-    chooseColor(ui, "Colour of the halos", halos.color);
-}
-
 /// At its lower end it is off. @param radius  of the scene, Å: by itself fog is from the centre to it
-void slideFog(Widgets& ui, Fog& fog, double radius) {
+void slideFog(PanelFrame& f, double radius) {
+    Fog& fog = f.look.effects.fog;
+    Widgets& ui = f.ui;
+    const Option::Control& control = option("fog").control;
     double share = fog.range == Fog::Range::off ? 0 : fog.strength;
-    if (slide(ui, "Fog", share, 0, 1, share > 0 ? "Fog %.2f" : "No fog")) {
+    if (slideValue(ui, control.label, share, control.low, control.high, share > 0 ? control.shown : "Fog: off")) {
         const bool off = share <= 0;
         fog.strength = off ? Fog{}.strength : share;
         if (off || fog.range == Fog::Range::off) fog.range = off ? Fog::Range::off : Fog::Range::automatic;
@@ -54,9 +76,9 @@ void slideFog(Widgets& ui, Fog& fog, double radius) {
     bool fits = fog.range == Fog::Range::automatic;
     double start = fits ? 0 : fog.start, end = fits ? reach : fog.end;
     const bool was = fits;
-    ui.toggle("Fog from the middle to the far end", fits);
-    const bool startMoved = slide(ui, "Start of fog", start, -2 * reach, 2 * reach, "Fog begins at %.1f Å");
-    const bool endMoved = slide(ui, "End of fog", end, -2 * reach, 2 * reach, "Fog is full at %.1f Å");
+    ui.toggle("Fog from the centre to the far end", fits);
+    const bool startMoved = slideValue(ui, "Start of fog", start, -2 * reach, 2 * reach, "Fog begins at %.1f Å");
+    const bool endMoved = slideValue(ui, "End of fog", end, -2 * reach, 2 * reach, "Fog is full at %.1f Å");
     if (fits != was) fog.range = fits ? Fog::Range::automatic : Fog::Range::given;
     if (startMoved || endMoved) fog.range = Fog::Range::given;
     if (fog.range != Fog::Range::given) {
@@ -74,11 +96,11 @@ void slideFog(Widgets& ui, Fog& fog, double radius) {
 void slidePlanes(Widgets& ui, Clip& clip, double radius) {
     const double reach = std::ceil(radius);
     double near = std::max(clip.near, -reach), far = std::min(clip.far, reach);
-    if (slide(ui, "Cut before", near, -reach, reach,
-              clip.near > -Clip::kNone ? "Cut before %.1f Å" : "Cut nothing before"))
+    if (slideValue(ui, "Front clipping plane", near, -reach, reach,
+                   clip.near > -Clip::kNone ? "Front clipping plane: %.1f Å" : "Front clipping plane: off"))
         clip.near = near <= -reach ? -Clip::kNone : near;
-    if (slide(ui, "Cut behind", far, -reach, reach,
-              clip.far < Clip::kNone ? "Cut behind %.1f Å" : "Cut nothing behind"))
+    if (slideValue(ui, "Back clipping plane", far, -reach, reach,
+                   clip.far < Clip::kNone ? "Back clipping plane: %.1f Å" : "Back clipping plane: off"))
         clip.far = far >= reach ? Clip::kNone : far;
     // Whichever moved, the other gives way.
     if (clip.near >= clip.far) clip.far = Clip::kNone;
@@ -87,23 +109,17 @@ void slidePlanes(Widgets& ui, Clip& clip, double radius) {
 }  // namespace
 
 void drawEffects(PanelFrame& f) {
-    Widgets& ui = f.ui;
     const double radius = f.viewer.document() ? f.viewer.document()->scene.radius : 1;
-    Effects& e = f.look.effects;
-    if (ui.unfold("Light, lines, fog")) {
-        slide(ui, "Light all around", e.light.ambient, 0, 2, "Light all around %.2f");
-        slide(ui, "Light from a side", e.light.direct, 0, 2, "Light from a side %.2f");
-        slide(ui, "Shadow", e.shadow.strength, 0, 1, e.shadow.strength > 0 ? "Shadow %.2f" : "No shadow");
-        slide(ui, "Highlight", e.light.highlight, 0, 6, "Highlight %.2f");
-        slide(ui, "Strength of soft shadows", e.light.occlusion, 0, 1, "Soft shadows %.2f");
-        slideLines(ui, e.contours);
-        slideHalos(ui, e.halos);
-        slideFog(ui, e.fog, radius);
+    if (f.ui.unfold("Light, outlines, fog")) {
+        for (const char* key : {"ambient", "direct", "shadow", "highlight", "occlusion-strength"}) slide(f, key);
+        slideOutlines(f);
+        slideHalos(f);
+        slideFog(f, radius);
     }
-    if (ui.unfold("Cut open")) {
-        slidePlanes(ui, e.clip, radius);
-        constexpr const char* kCaps[] = {"plain", "dark", "hatched"};
-        ui.choose("Cap", kCaps, e.clip.cap);
+    if (f.ui.unfold("Clipping planes")) {
+        slidePlanes(f.ui, f.look.effects.clip, radius);
+        constexpr const char* kCaps[] = {"Cap style: plain", "Cap style: dark", "Cap style: hatched"};
+        f.ui.choose("Cap style", kCaps, f.look.effects.clip.cap);
     }
 }
 

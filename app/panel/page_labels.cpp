@@ -40,7 +40,7 @@ void drawLabelsPage(PanelFrame& f) {
     f.s.typingTitle = ImGui::IsItemActive();
     if (f.ui.edited()) f.s.take([&] { words.title = parseTitle(f.s.title); });
     if (!f.s.ruleError.empty()) f.ui.warning(f.s.ruleError);
-    f.ui.toggle("Legend of the colours", words.legend);
+    f.ui.toggle("Colour legend", words.legend);
     f.ui.heading("Scale bar");
     constexpr const char* kBars[] = {"None", "In ångström", "In nanometres"};
     f.ui.choose("Scale bar", kBars, words.scaleBar);
@@ -51,7 +51,7 @@ void drawLabelsPage(PanelFrame& f) {
                                        : "Click two atoms for a distance, three for an angle, four for a torsion.");
     } else {
         f.ui.paragraph(f.viewer.picking().annotations().measurement);
-        if (f.ui.button(Icon::none, "Keep it in the picture")) f.host.run(ViewerCommand::keepMeasurement);
+        if (f.ui.button(Icon::none, "Pin measurement")) f.host.run(ViewerCommand::keepMeasurement);
     }
     listWords(f, 0, words.measures,
               [&](const Measure& measure) { return rowText(measure, f.viewer.words().placed()); });
@@ -59,7 +59,7 @@ void drawLabelsPage(PanelFrame& f) {
     bool hidden = !words.seenOnly;
     if (words.labels.empty())
         f.ui.caption("Choose atoms under \"Select\", then \"Label\".");
-    else if (f.ui.toggle("Those behind atoms, too", hidden))
+    else if (f.ui.toggle("Show hidden labels", hidden))
         words.seenOnly = !hidden;
     listWords(f, 1000, words.labels, [](const Label& label) { return label.selection.text; });
 }

@@ -49,31 +49,31 @@ void drawStyles(PanelFrame& f) {
         second = !second;
     }
     if (shows(Style::cartoon, look))
-        slideOpacity(f.ui, "Opacity of ribbons", "Ribbons: opacity %.2f", look.cartoonOpacity);
+        slideOpacity(f.ui, "Cartoon opacity", "Cartoon opacity: %.2f", look.cartoonOpacity);
     if (shows(Style::surface, look))
-        slideOpacity(f.ui, "Opacity of the surface", "Surface: opacity %.2f", look.surfaceOpacity);
+        slideOpacity(f.ui, "Surface opacity", "Surface opacity: %.2f", look.surfaceOpacity);
 }
 
 }  // namespace
 
 void drawLookPage(PanelFrame& f) {
     PictureDescription& look = f.look;
-    f.ui.heading("Drawn as");
+    f.ui.heading("Style");
     drawStyles(f);
     f.ui.heading("Colours");
     chooseColoring(f.ui, "Colours", look.look.color);
-    f.ui.heading("Ready-made");
+    f.ui.heading("Presets");
     std::vector<const char*> names{"Looks"};
     for (const Look& named : looks()) names.push_back(named.name.c_str());
     std::string chosen = names[0];
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-    if (f.ui.choose("Ready-made look", names, chosen, f.ui.forFingers() ? -1 : half) && chosen != names[0])
+    if (f.ui.choose("Look preset", names, chosen, f.ui.forFingers() ? -1 : half) && chosen != names[0])
         applyLook(lookOf(chosen), look);
     names.assign({"Views"});
     for (const Preset& preset : presets()) names.push_back(preset.name);
     chosen = names[0];
     if (!f.ui.forFingers()) ImGui::SameLine();
-    if (f.ui.choose("Ready-made view", names, chosen, -1))
+    if (f.ui.choose("Style preset", names, chosen, -1))
         for (const Preset& preset : presets())
             if (chosen == preset.name) applyPreset(preset, look);
     f.ui.heading("Background");
@@ -90,9 +90,9 @@ void drawLookPage(PanelFrame& f) {
     std::array<float, 3> own{look.background[0], look.background[1], look.background[2]};
     if (f.ui.chooseColor("Own background", own, side, named)) look.background = {own[0], own[1], own[2], 1};
     f.ui.heading("Light");
-    f.ui.toggle("Light and shade", look.lighting);
+    f.ui.toggle("Lighting", look.lighting);
     bool occlusion = look.occlusion.directions > 0;
-    if (f.ui.toggle("Soft shadows", occlusion))
+    if (f.ui.toggle("Ambient occlusion", occlusion))
         look.occlusion.directions = occlusion ? PictureDescription{}.occlusion.directions : 0;
     bool perspective = look.camera.projection == Projection::perspective;
     if (f.ui.toggle("Perspective", perspective))

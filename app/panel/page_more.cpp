@@ -7,7 +7,7 @@ namespace nacre::app {
 namespace {
 
 void drawForDevelopers(PanelFrame& f) {
-    f.ui.heading("What the frame works with");
+    f.ui.heading("Debug views");
     const auto names = debugViewNames();
     const std::vector<const char*> choices(names.begin(), names.end());
     DebugView debug = f.viewer.frames().debugView();
@@ -24,19 +24,19 @@ void drawMorePage(PanelFrame& f) {
     f.ui.heading("Motion");
     bool spinning = f.viewer.motion().autoRotation(), rocking = f.viewer.motion().rocking();
     if (f.ui.toggle("Spin", spinning)) f.host.run(ViewerCommand::autoRotate);
-    if (f.ui.toggle("Swing to and fro", rocking)) f.host.run(ViewerCommand::rock);
+    if (f.ui.toggle("Rock", rocking)) f.host.run(ViewerCommand::rock);
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
-    if (f.ui.button(Icon::none, "Lay flat", half)) f.host.run(ViewerCommand::orient);
+    if (f.ui.button(Icon::none, "Align axes", half)) f.host.run(ViewerCommand::orient);
     ImGui::SameLine();
-    if (f.ui.button(Icon::none, "First view", half)) f.host.run(ViewerCommand::reset);
+    if (f.ui.button(Icon::none, "Reset view", half)) f.host.run(ViewerCommand::reset);
     f.ui.heading("View");
     if (f.ui.button(Icon::save, "Save this view", -1)) f.host.run(ViewerCommand::saveView);
     if (f.host.record) {
-        if (f.ui.button(Icon::eye, "Keep this view for a film", -1)) f.host.run(ViewerCommand::keepView);
-        if (f.ui.button(Icon::record, "Record a film", -1)) f.host.run(ViewerCommand::record);
+        if (f.ui.button(Icon::eye, "Add keyframe", -1)) f.host.run(ViewerCommand::keepView);
+        if (f.ui.button(Icon::record, "Record movie", -1)) f.host.run(ViewerCommand::record);
     }
     f.ui.heading("Panel");
-    constexpr const char* kBrightness[] = {"As the system", "Dark", "Light"};
+    constexpr const char* kBrightness[] = {"Theme: system", "Theme: dark", "Theme: light"};
     if (f.ui.choose("Brightness", kBrightness, f.s.brightness)) f.s.setBrightness(f.s.brightness);
     ImGui::Spacing();
     if (f.ui.button(f.s.developers ? Icon::up : Icon::down, "For developers", -1)) f.s.developers = !f.s.developers;

@@ -57,7 +57,8 @@ void drawAssemblies(PanelFrame& f, const Molecule& molecule) {
 
 void drawStyleChoice(PanelFrame& f, const Part& part, float width) {
     PartLook of = lookOf(f.look, part);
-    if (chooseStyle(f.ui, ("Style of " + part.name).c_str(), "As all", of.style, width)) setLookOf(f.look, part, of);
+    if (chooseStyle(f.ui, ("Style of " + part.name).c_str(), "Default", of.style, width))
+        setLookOf(f.look, part, of);
 }
 
 /// A field of colour that opens swatches, schemes and a picker.
@@ -78,7 +79,7 @@ void drawColorChoice(PanelFrame& f, const Part& part) {
     f.ui.name(name);
     if (const auto color = f.ui.pickColor("Own colour", own ? std::optional(shown) : std::nullopt))
         take(Coloring::uniform(*color));
-    if (f.ui.button(Icon::none, "As all")) take(std::nullopt);
+    if (f.ui.button(Icon::none, "Default")) take(std::nullopt);
     ImGui::SameLine();
     if (f.ui.button(Icon::none, "By element")) take(Coloring(ColorScheme::element));
     ImGui::EndPopup();

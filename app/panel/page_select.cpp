@@ -28,12 +28,12 @@ void drawSelectionActions(PanelFrame& f, const std::string& selection) {
         f.s.aim.emplace();
         (*f.s.aim).*which = parseSelection(selection);
     };
-    f.ui.heading("Do with them");
+    f.ui.heading("Actions");
     if (f.ui.button(Icon::fit, "Zoom to")) aim(&Aim::zoomTo);
-    if (f.ui.word("Face me")) aim(&Aim::lookAt);
+    if (f.ui.word("Turn to front")) aim(&Aim::lookAt);
     if (f.ui.word("Label")) f.look.words.labels.push_back(parseLabel(selection + "={residue} {number}"));
     if (f.ui.word("Hide")) add(parseHide(selection));
-    if (f.ui.word("Only these")) add(parseHide("not (" + selection + ")"));
+    if (f.ui.word("Show only these")) add(parseHide("not (" + selection + ")"));
     for (const StyleWord& word : styleWords())
         if (word.style && f.ui.word(word.word)) add(parseShow(selection + "=" + styleName(*word.style)));
     if (const auto color = f.ui.swatches(std::nullopt, f.ui.forFingers() ? 6 : 8)) {
@@ -92,7 +92,7 @@ void drawSelectPage(PanelFrame& f) {
         f.ui.caption(std::to_string(selection.count) +
                      (selection.count == 1 ? " atom is chosen" : " atoms are chosen"));
     else
-        f.ui.caption("Nothing is chosen.");
+        f.ui.caption("Nothing selected.");
     if (selection.any() && selection.count > 0) drawSelectionActions(f, selection.text);
     if (!f.s.ruleError.empty()) f.ui.warning(f.s.ruleError);
     drawRules(f);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kRecordPoints = 460;
 constexpr std::array kMotions = {"A whole turn", "To and fro", "Models", "Kept views"};
-constexpr std::array kFilmSizes = {"As on the screen", "Wide, 1920 x 1080", "Wide, 1280 x 720", "Square, 1080"};
+constexpr std::array kFilmSizes = {"Screen size", "Wide, 1920 x 1080", "Wide, 1280 x 720", "Square, 1080"};
 constexpr std::array kFilmFormats = {"MP4", "WebM", "GIF", "Animated PNG"};
 constexpr std::array kFilmExtensions = {".mp4", ".webm", ".gif", ".png"};
 constexpr int kLongestSeconds = 120;
@@ -44,7 +44,7 @@ void drawKeyViews(PanelFrame& f) {
         keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(i));
         break;
     }
-    if (f.ui.button(Icon::eye, "Keep this view", -1)) keepView(f.s, f.viewer);
+    if (f.ui.button(Icon::eye, "Add keyframe", -1)) keepView(f.s, f.viewer);
     if (keys.size() < 2) return;
     f.ui.toggle("Back to the first", f.s.filmLoop);
     if (!f.ui.button(Icon::play, "Preview", -1)) return;
@@ -69,7 +69,7 @@ void drawFilmLength(PanelFrame& f) {
 }  // namespace
 
 void drawRecord(PanelFrame& f) {
-    if (beginCard(f, "Record", "Record a film", kRecordPoints)) f.s.recording = false;
+    if (beginCard(f, "Record", "Record movie", kRecordPoints)) f.s.recording = false;
     f.ui.heading("What moves");
     const bool moves = f.viewer.playback().clock().frames() > 1;
     if (f.s.motion == 2 && !moves) f.s.motion = 0;
@@ -95,7 +95,7 @@ void drawRecord(PanelFrame& f) {
     const bool video = f.s.filmFormat < 2;
     if (video && !f.host.videos) f.ui.caption("MP4 and WebM need the program ffmpeg, which is not installed.");
     if (f.s.filmFormat > 0) f.ui.toggle("Transparent background", f.s.filmTransparent);
-    f.ui.heading("Where to");
+    f.ui.heading("Save as");
     f.ui.field("Film path", "film.mp4", f.s.film);
     f.ui.folderOf(f.s.film.c_str());
     ImGui::Spacing();

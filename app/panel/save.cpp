@@ -10,7 +10,7 @@
 namespace nacre::app {
 namespace {
 
-constexpr const char* kSizes[] = {"As on the screen", "Square, 2048", "Wide, 1920 x 1080", "For paper"};
+constexpr const char* kSizes[] = {"Screen size", "Square, 2048", "Wide, 1920 x 1080", "Print"};
 constexpr const char* kFormats[] = {"PNG", "WebP", "TIFF", "JPEG", "OpenEXR"};
 constexpr const char* kExtensions[] = {".png", ".webp", ".tif", ".jpg", ".exr"};
 constexpr int kPaper = 3, kJpeg = 3;  // of sizes, and of formats the one without transparency
@@ -38,7 +38,7 @@ void drawSave(PanelFrame& f) {
         if (f.host.freeName) f.s.path = f.host.freeName(kExtensions[f.s.format]);
     };
     if (f.s.path.empty()) rename();
-    if (beginCard(f, "Save", "Save the picture", kSavePoints)) f.s.saving = false;
+    if (beginCard(f, "Save", "Save image", kSavePoints)) f.s.saving = false;
     f.ui.heading("Size");
     f.ui.choose("Size", kSizes, f.s.preset);
     if (f.s.preset == kPaper) {
@@ -65,7 +65,7 @@ void drawSave(PanelFrame& f) {
     f.ui.heading("Format");
     if (f.ui.choose("Format", kFormats, f.s.format)) rename();
     if (f.s.format != kJpeg) f.ui.toggle("Transparent background", f.s.transparent);
-    f.ui.heading("Where to");
+    f.ui.heading("Save as");
     const float choose = f.host.saveDialog ? f.ui.buttonWidth("Choose ...") + f.ui.px(2) : 0;
     const float gap = f.host.saveDialog ? ImGui::GetStyle().ItemSpacing.x : 0;
     f.ui.field("Path", "picture.png", f.s.path, ImGui::GetContentRegionAvail().x - choose - gap);

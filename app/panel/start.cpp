@@ -75,7 +75,7 @@ void drawInput(PanelFrame& f) {
     f.ui.heading(f.ui.forFingers()  ? "From a database"
                  : f.host.downloads ? "From a database, or by its path"
                                     : "By its path");
-    const float go = f.ui.buttonWidth("Get it") + f.ui.px(2);
+    const float go = f.ui.buttonWidth("Open") + f.ui.px(2);
     const float beside = ImGui::GetContentRegionAvail().x - go - ImGui::GetStyle().ItemSpacing.x;
     const bool narrow = beside < f.ui.px(170);  // the button stands below the field
     const char* hint = !f.host.downloads ? "/home/me/1bna.pdb"
@@ -84,7 +84,7 @@ void drawInput(PanelFrame& f) {
     const bool entered =
         f.ui.field("Identifier or path", hint, f.s.input, narrow ? -1 : beside, ImGuiInputTextFlags_EnterReturnsTrue);
     if (!narrow) ImGui::SameLine();
-    if (f.ui.button(Icon::none, "Get it", go) || entered) openInput(f, f.s.input);
+    if (f.ui.button(Icon::none, "Open", go) || entered) openInput(f, f.s.input);
     constexpr std::pair<const char*, const char*> kExamples[] = {
         {"Haemoglobin", "pdb:4HHB"}, {"Aspirin", "pubchem:aspirin"}, {"Predicted haemoglobin", "afdb:P69905"}};
     if (f.host.downloads) offer(f, kExamples);
@@ -102,7 +102,7 @@ void drawStart(PanelFrame& f) {
         ImGui::Spacing();
     }
     if (empty) f.s.together = false;
-    if (f.host.add && !empty) f.ui.toggle("Beside what is open", f.s.together);
+    if (f.host.add && !empty) f.ui.toggle("Add to current scene", f.s.together);
     if (f.host.openDialog && f.ui.button(Icon::open, "Open a file ...", 0, true)) f.host.openDialog();
     if (f.host.goOn && empty) {
         const std::string words = "Go on with " + f.host.lastView;
@@ -116,7 +116,7 @@ void drawStart(PanelFrame& f) {
         f.ui.caption(f.host.openDialog ? "Or drop a file on this window." : "Drop a file on this window.");
     if (!f.ui.forFingers() || (f.host.downloads && f.ui.typable())) drawInput(f);
     if (f.host.recent && !f.host.recent().empty()) {
-        f.ui.heading("Open before");
+        f.ui.heading("Recent files");
         const float width = f.ui.px(kRecentPoints);
         bool first = true;
         for (const RecentFile& recent : f.host.recent()) {

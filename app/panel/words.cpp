@@ -6,8 +6,8 @@ namespace nacre::app {
 
 std::span<const StyleWord> styleWords() {
     static const StyleWord kWords[] = {
-        {"Automatic", std::nullopt}, {"Spheres", Style::spacefill}, {"Balls and sticks", Style::ballAndStick},
-        {"Sticks", Style::licorice}, {"Ribbons", Style::cartoon},   {"Surface", Style::surface}};
+        {"Automatic", std::nullopt},   {"Spacefill", Style::spacefill}, {"Ball and stick", Style::ballAndStick},
+        {"Licorice", Style::licorice}, {"Cartoon", Style::cartoon},     {"Surface", Style::surface}};
     return kWords;
 }
 

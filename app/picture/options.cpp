@@ -36,11 +36,11 @@ void setOption(const Option& option, std::string_view text, PictureDescription& 
     description.given.emplace(option.key);
 }
 
-Parts difference(const PictureDescription& a, const PictureDescription& b) {
-    Parts parts = 0;
+Facets difference(const PictureDescription& a, const PictureDescription& b) {
+    Facets parts = 0;
     for (const Option& option : options())
-        if (option.print && !has(parts, option.part) && option.print(a) != option.print(b))
-            parts |= static_cast<Parts>(option.part);
+        if (option.print && !has(parts, option.facet) && option.print(a) != option.print(b))
+            parts |= static_cast<Facets>(option.facet);
     return parts;
 }
 

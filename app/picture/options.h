@@ -55,7 +55,7 @@ constexpr Topics kAppearance = Topic::style | Topic::color | Topic::rules | Topi
 constexpr Topics kEveryTopic = ~static_cast<Topics>(Topic::saved);
 
 /// Which part of the work an option concerns: what is done again when it changes.
-enum class Part : unsigned {
+enum class Facet : unsigned {
     input = 1 << 0,       ///< the molecule is read
     scene = 1 << 1,       ///< spheres, sticks and meshes are made
     view = 1 << 2,        ///< where it is seen from
@@ -64,9 +64,9 @@ enum class Part : unsigned {
     file = 1 << 5,        ///< what is written where
     device = 1 << 6       ///< what draws it
 };
-using Parts = unsigned;
-constexpr Parts operator|(Part a, Part b) { return static_cast<Parts>(a) | static_cast<Parts>(b); }
-constexpr bool has(Parts parts, Part part) { return (parts & static_cast<Parts>(part)) != 0; }
+using Facets = unsigned;
+constexpr Facets operator|(Facet a, Facet b) { return static_cast<Facets>(a) | static_cast<Facets>(b); }
+constexpr bool has(Facets facets, Facet facet) { return (facets & static_cast<Facets>(facet)) != 0; }
 
 struct Option {
     /// How many values it takes, and how JSON has them.
@@ -88,7 +88,7 @@ struct Option {
     std::string standard = {};  ///< what holds without it, for the help; "=": as print() has it
     std::string help = {};      ///< '\n' where a line of the help may end
     Topic topic = Topic::saved;
-    Part part = Part::file;
+    Facet facet = Facet::file;
     /// Takes a value; of a list one more, or none any more of "". @throws std::invalid_argument, in words that
     /// continue "--key: ", or Error
     void (*parse)(std::string_view text, PictureDescription&) = nullptr;
@@ -129,6 +129,6 @@ const Option& option(std::string_view key);
 void setOption(const Option& option, std::string_view text, PictureDescription& description);
 
 /// The parts of the work in which two descriptions differ.
-Parts difference(const PictureDescription& a, const PictureDescription& b);
+Facets difference(const PictureDescription& a, const PictureDescription& b);
 
 }  // namespace nacre::app

@@ -62,7 +62,7 @@ std::vector<Option> sizeRows() {
          .help = "Texels of occlusion across an atom's patch at most, 4 to 32; 12 are enough for thumbnails, in a\n"
                  "quarter of the time",
          .topic = Topic::detail,
-         .part = Part::shading,
+         .facet = Facet::shading,
          .parse = [](T text, P& d) { d.occlusion.detail = static_cast<std::uint32_t>(parseInteger(text, 4, 32)); },
          .print = [](const P& d) { return std::to_string(d.occlusion.detail); }},
         {.key = "size",
@@ -70,7 +70,7 @@ std::vector<Option> sizeRows() {
          .standard = "=",
          .help = "Pixels, each side 1 to 32768",
          .topic = Topic::size,
-         .part = Part::view,
+         .facet = Facet::view,
          .parse = [](T text, P& d) { d.size = parseSize(text); },
          .print = [](const P& d) { return std::to_string(d.size.width) + "x" + std::to_string(d.size.height); }},
         {.key = "supersample",
@@ -78,7 +78,7 @@ std::vector<Option> sizeRows() {
          .standard = "=",
          .help = "N x N samples per pixel, 1 to 8; auto: 16 where a pixel shows an edge, one elsewhere",
          .topic = Topic::samples,
-         .part = Part::shading,
+         .facet = Facet::shading,
          .parse = [](T text, P& d) { d.supersample = parseSupersample(text); },
          .print = printSamples},
         {.key = "mesh-error",
@@ -87,7 +87,7 @@ std::vector<Option> sizeRows() {
          .help = "How far outlines of cartoons and surfaces may be off, in distances between samples (auto's edges:\n"
                  "a quarter of a pixel), 0 to 4; small meshes take fewer triangles; 0: all of them",
          .topic = Topic::levels,
-         .part = Part::shading,
+         .facet = Facet::shading,
          .parse = [](T text, P& d) { d.meshError = parseNumber(text, 0, kLargestMeshError); },
          .print = printNumber<&P::meshError>},
         {.key = "width",
@@ -95,7 +95,7 @@ std::vector<Option> sizeRows() {
          .standard = "as --size says",
          .help = "85mm, 8.5cm, 3.3in, at --dpi; or 1200px. Without --height, the shape of --size is kept",
          .topic = Topic::paper,
-         .part = Part::view,
+         .facet = Facet::view,
          .parse = [](T text, P& d) { d.width = parseLength(text); },
          .print = [](const P& d) { return printLength(d.width); }},
         {.key = "height",
@@ -103,7 +103,7 @@ std::vector<Option> sizeRows() {
          .standard = "as --size says",
          .help = "Height, as --width",
          .topic = Topic::paper,
-         .part = Part::view,
+         .facet = Facet::view,
          .parse = [](T text, P& d) { d.height = parseLength(text); },
          .print = [](const P& d) { return printLength(d.height); }},
         {.key = "dpi",
@@ -111,7 +111,7 @@ std::vector<Option> sizeRows() {
          .standard = "300 with lengths on paper",
          .help = "Dots per inch, 1 to 10000; stored in PNG, TIFF and JPEG",
          .topic = Topic::paper,
-         .part = Part::view,
+         .facet = Facet::view,
          .parse = [](T text, P& d) { d.dpi = parseNumber(text, 1, 10000); },
          .print = [](const P& d) { return d.dpi ? exactText(*d.dpi) : std::string(); }},
         {.key = "depth",
@@ -139,7 +139,7 @@ std::vector<Option> drawingRows() {
          .standard = "none",
          .help = "Shows an intermediate image of the frame instead: " + debugNames(),
          .topic = Topic::debug,
-         .part = Part::shading,
+         .facet = Facet::shading,
          .parse = [](T text, P& d) { d.debug = static_cast<DebugView>(parseChoice(text, debugViewNames())); },
          .print = [](const P& d) { return std::string(debugViewNames()[static_cast<std::size_t>(d.debug)]); }},
         {.key = "device",
@@ -240,7 +240,7 @@ std::vector<Option> fileRows() {
 std::vector<Option> deviceRows() {
     std::vector<Option> rows = sizeRows();
     for (Option& option : drawingRows()) {
-        if (option.key != "debug") option.part = Part::device;
+        if (option.key != "debug") option.facet = Facet::device;
         rows.push_back(std::move(option));
     }
     return rows;

@@ -29,7 +29,7 @@ std::vector<Option> whole() {
          .standard = "all",
          .help = "In a file with several models: one camera for all of them, or each model's own",
          .topic = Topic::style,
-         .part = Part::scene,
+         .facet = Facet::scene,
          .parse =
              [](T text, P& d) {
                  d.look.ownFrame = parseChoice(text, {"all", "model"}) == 1;
@@ -41,7 +41,7 @@ std::vector<Option> whole() {
          .standard = "own",
          .help = "When models are drawn together: ambient occlusion by each one's own model, or by all of them",
          .topic = Topic::style,
-         .part = Part::scene,
+         .facet = Facet::scene,
          .parse =
              [](T text, P& d) {
                  d.look.modelsOcclude = parseChoice(text, {"own", "all"}) == 1;
@@ -53,7 +53,7 @@ std::vector<Option> whole() {
          .standard = "none: the file's atoms as they are",
          .help = "Biological assembly or unit cell, one that `nacre info` lists",
          .topic = Topic::style,
-         .part = Part::scene,
+         .facet = Facet::scene,
          .parse = parseAssembly,
          .print = printText<&P::look, &R::assembly>,
          .save = differing},
@@ -62,7 +62,7 @@ std::vector<Option> whole() {
          .standard = "spacefill; ball-and-stick under 100 atoms with bonds",
          .help = "spacefill, ball-and-stick, licorice, cartoon (with ligands as licorice) or surface",
          .topic = Topic::style,
-         .part = Part::scene,
+         .facet = Facet::scene,
          .parse = [](T text, P& d) { setStyle(parseStyle(text), d.look); },
          .print = [](const P& d) { return std::string(d.look.style ? styleName(*d.look.style) : ""); },
          .save = differing},
@@ -72,7 +72,7 @@ std::vector<Option> whole() {
          .help = schemeNames() + ";\nor a colour as for --background; element:COLOR colours only the carbons;\n"
                                  "b-factor:10..60:viridis gives the range and the palette, chain:muted a palette",
          .topic = Topic::color,
-         .part = Part::scene,
+         .facet = Facet::scene,
          .parse = [](T text, P& d) { d.look.color = parseColoring(text); },
          .print = [](const P& d) { return coloringText(d.look.color); },
          .save = always,
@@ -83,7 +83,7 @@ std::vector<Option> whole() {
          .help = "Colours of categories (chains, copies, entities): " + paletteNames(false) +
                  ";\nof numbers: " + paletteNames(true),
          .topic = Topic::color,
-         .part = Part::scene,
+         .facet = Facet::scene,
          .parse = [](T text, P& d) { d.look.palette = parsePalette(text); },
          .print =
              [](const P& d) {
@@ -109,7 +109,7 @@ std::vector<Option> meshes() {
                       .standard = "=",
                       .help = help,
                       .topic = Topic::mesh,
-                      .part = Part::scene,
+                      .facet = Facet::scene,
                       .parse = parse,
                       .print = print,
                       .save = differing};
@@ -174,7 +174,7 @@ std::vector<Option> chosen() {
                       .syntax = syntax,
                       .help = help,
                       .topic = Topic::rules,
-                      .part = Part::scene,
+                      .facet = Facet::scene,
                       .parse = parse,
                       .kind = list};
     };
@@ -184,7 +184,7 @@ std::vector<Option> chosen() {
                       .standard = standard,
                       .help = help,
                       .topic = Topic::atoms,
-                      .part = Part::scene,
+                      .facet = Facet::scene,
                       .parse = parse,
                       .print = print,
                       .save = always};
@@ -195,7 +195,7 @@ std::vector<Option> chosen() {
         rule("color-by", "SEL=SCHEME|COLOR",
              "Colour the atoms of a selection; repeatable. These three apply in the given order, the last one wins",
              parseRule<parseColorBy>),
-        {.key = "rules", .part = Part::scene, .print = printRules, .kind = rules, .save = always},
+        {.key = "rules", .facet = Facet::scene, .print = printRules, .kind = rules, .save = always},
         shown("water", "hide", "Water molecules", parseSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::water>,
               printSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::water>),
         shown("hydrogens", "show", "Hydrogen atoms", parseSwitch<kShowHide, &P::drawn, &DrawnAtomsOptions::hydrogens>,

@@ -24,7 +24,7 @@ std::vector<Option> lightRows() {
          .help = "transparent, a CSS colour name (navy, lightgray), #rgb, #rrggbb or #rrggbbaa\n"
                  "(JPEG has no transparency: over white)",
          .topic = Topic::background,
-         .part = Part::shading,
+         .facet = Facet::shading,
          .parse = [](T text, P& d) { d.background = parseColor(text); },
          .print = [](const P& d) { return backgroundText(d.background); },
          .save = always,
@@ -32,7 +32,7 @@ std::vector<Option> lightRows() {
         {.key = "transparent",
          .help = "Same as --background transparent",
          .topic = Topic::background,
-         .part = Part::shading,
+         .facet = Facet::shading,
          .parse = [](T, P& d) { d.background = parseColor("transparent"); },
          .kind = Option::Kind::flag,
          .excludes = "background"},
@@ -41,7 +41,7 @@ std::vector<Option> lightRows() {
          .standard = "=",
          .help = "off: base colour times occlusion, without light or shadow",
          .topic = Topic::lighting,
-         .part = Part::shading,
+         .facet = Facet::shading,
          .parse = parseSwitch<kOnOff, &P::lighting>,
          .print = printSwitch<kOnOff, &P::lighting>,
          .save = always,
@@ -51,7 +51,7 @@ std::vector<Option> lightRows() {
          .standard = "=",
          .help = "Ambient occlusion from K directions, 1 to 4096",
          .topic = Topic::occlusion,
-         .part = Part::shading,
+         .facet = Facet::shading,
          .parse = [](T text, P& d) { d.occlusion.directions = parseOcclusion(text); },
          .print =
              [](const P& d) {
@@ -66,7 +66,7 @@ std::vector<Option> lightRows() {
          .help = "Device memory for ambient occlusion, 1 to 65536; more memory gives finer detail (reports the choice\n"
                  "on standard error). 64 grows with meshes of more than a million vertices",
          .topic = Topic::occlusion,
-         .part = Part::shading,
+         .facet = Facet::shading,
          .parse = [](T text, P& d) { d.occlusion.megabytes = parseInteger(text, 1, kMostOcclusionMegabytes); },
          .print =
              [](const P& d) { return d.occlusion.megabytes ? std::to_string(*d.occlusion.megabytes) : std::string(); }},
@@ -81,7 +81,7 @@ Option effect(T key, const char* syntax, const char* help, void (*parse)(T, P&),
             .standard = "=",
             .help = help,
             .topic = Topic::effects,
-            .part = Part::shading,
+            .facet = Facet::shading,
             .parse = parse,
             .print = print,
             .save = differing,
@@ -209,7 +209,7 @@ std::vector<Option> lightEffectRows() {
         effect("occlusion-strength", "F", "Strength of ambient occlusion, 0 to 1",
                [](T text, P& d) { d.effects.light.occlusion = parseNumber(text, 0, 1); },
                printNumber<&P::effects, &E::light, &Light::occlusion>, {},
-               {"Ambient occlusion", 0, 1, "Ambient occlusion: %.2f"}),
+               {"Occlusion strength", 0, 1, "Occlusion strength: %.2f"}),
     };
 }
 
@@ -250,7 +250,7 @@ std::vector<Option> clipRows() {
              .standard = "none",
              .help = "Two clipping planes this far apart, with the centre in the middle",
              .topic = Topic::effects,
-             .part = Part::shading,
+             .facet = Facet::shading,
              .parse = parseSlab,
              .excludes = "clip"}};
 }

@@ -94,7 +94,7 @@ std::vector<Option> wordRows() {
     };
     for (Option& row : rows) {
         row.topic = Topic::words;
-        row.part = Part::annotation;
+        row.facet = Facet::annotation;
     }
     return rows;
 }

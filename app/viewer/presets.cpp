@@ -24,7 +24,7 @@ std::span<const Preset> presets() {
           {parseHide("not (ligand or ion or byres within 6 of ligand)"), parseShow("ligand or ion=spacefill"),
            parseColorBy("ligand or ion=element")}},
          kWhite},
-        {"Sticks", {licorice, ColorScheme::element}, kWhite},
+        {"Licorice", {licorice, ColorScheme::element}, kWhite},
         {"N to C", {spacefill, ColorScheme::rainbow}, kWhite},
         {"Predicted confidence", {cartoon, ColorScheme::plddt}, kWhite},
         {"Hydrophobic and polar", {spacefill, ColorScheme::hydrophobicity}, kWhite},

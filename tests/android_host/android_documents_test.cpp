@@ -193,7 +193,7 @@ TEST_F(AndroidHost, TellsScreenReadersWhatIsThere) {
     EXPECT_FALSE(toldOf(host, "Menu").empty());
     const int before = host.java().controlChanges();
     host.java().press("button", "Menu");
-    ASSERT_TRUE(eventually([&] { return !toldOf(host, "Spheres").empty(); }));
+    ASSERT_TRUE(eventually([&] { return !toldOf(host, "Spacefill").empty(); }));
     EXPECT_TRUE(eventually([&] { return host.java().controlChanges() > before; }));  // told once they are there
 }
 
@@ -207,11 +207,11 @@ TEST_F(AndroidHost, MovesSlidersAndGoesByTheDisplaysOwnRate) {
     };
     press("Menu");
     // A slider, as a screen reader moves it: a tenth of its way at a time.
-    press("Light, lines, fog");
-    ASSERT_TRUE(eventually([&] { return !toldOf(host, "Light all around").empty(); })) << host.java().controls();
+    press("Light, outlines, fog");
+    ASSERT_TRUE(eventually([&] { return !toldOf(host, "Ambient light").empty(); })) << host.java().controls();
     const double light = host.view().effects.light.ambient;
     host.java().adjust("no such slider", true);
-    host.java().adjust("Light all around", true);
+    host.java().adjust("Ambient light", true);
     EXPECT_TRUE(eventually([&] { return std::abs(host.view().effects.light.ambient - light - 0.2) < 0.06; }))
         << light << " " << host.view().effects.light.ambient;
     sleep(0.3);  // the finger is lifted with the next frame

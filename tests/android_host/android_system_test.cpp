@@ -40,7 +40,7 @@ TEST_F(AndroidHost, BackClosesThePanelWhereItIsACallback) {
     ASSERT_TRUE(eventually([&] { return host.java().wantsBack(); }));
     host.java().back();
     EXPECT_TRUE(eventually([&] { return !host.java().wantsBack(); }));
-    EXPECT_TRUE(eventually([&] { return placeOf(host, "Spheres").left < 0; }));
+    EXPECT_TRUE(eventually([&] { return placeOf(host, "Spacefill").left < 0; }));
 }
 
 TEST_F(AndroidHost, ThePanelKeepsClearOfTheSystemsBars) {

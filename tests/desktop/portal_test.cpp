@@ -90,7 +90,7 @@ TEST(Portal, TellsWhatWasChosen) {
 TEST(Portal, SavesUnderTheNameThatWasSuggested) {
     const Session session;
     const Companion mock(portal("choose"));
-    const PortalAnswer answer = saveByPortal("Save the picture", "/tmp/a folder/1bna.png");
+    const PortalAnswer answer = saveByPortal("Save image", "/tmp/a folder/1bna.png");
     EXPECT_EQ(answer.paths, std::vector<std::string>{"/tmp/a folder/chosen 1bna.png"});
 }
 

@@ -186,7 +186,7 @@ TEST(Fingers, ATapRightBehindAnotherIsOneOfItsOwn) {
         b.panel.input().touch({1, TouchPhase::ended, at});
     };
     // What a screen reader steps a slider by.
-    const auto step = placeOfStep(b.panel.controls(), "Opacity of the surface", false);
+    const auto step = placeOfStep(b.panel.controls(), "Surface opacity", false);
     const Control* after = b.find("Perspective");
     ASSERT_TRUE(step && after);
     const glm::dvec2 at(after->left + 10, (after->seenTop + after->seenBottom) / 2);

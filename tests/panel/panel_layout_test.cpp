@@ -87,7 +87,7 @@ TEST(Panel, EveryCardIsReadableEverywhere) {
         b.panel.keepView(b.viewer);
         b.panel.showRecord();
         b.settle();
-        EXPECT_TRUE(b.find("Record a film", "text"));
+        EXPECT_TRUE(b.find("Record movie", "text"));
         expectReadable(b, where + ", film");
         b.click("Motion");
         b.click("Kept views");

@@ -49,7 +49,7 @@ TEST(Panel, ACardIsAsHighAsWhatComesToStandInIt) {
     // Frames are drawn as long as they are asked for, as in a shell.
     b.frame();
     for (int i = 0; i < 20 && b.panel.restless(); ++i) b.frame();
-    for (const char* name : {"Close", "Get it", "DNA", "Help"}) EXPECT_TRUE(b.find(name)) << name;
+    for (const char* name : {"Close", "Open", "DNA", "Help"}) EXPECT_TRUE(b.find(name)) << name;
 }
 
 /// Of the controls of a window those that keys do not come to.
@@ -106,7 +106,7 @@ TEST(Panel, EnterPressesWhatHasTheFocus) {
         for (int i = 0; i < 60 && !there(); ++i) b.press(SpecialKey::tab);
         ASSERT_TRUE(there()) << name;
     };
-    goTo("Sticks");
+    goTo("Licorice");
     b.press(SpecialKey::enter);
     EXPECT_EQ(b.viewer.view().look.style, Style::licorice);
     goTo("Colours");
@@ -146,7 +146,7 @@ TEST(Panel, AnotherMoleculeStandsBesideWhatIsOpen) {
     Bench b("sample:dna", {1000, 900});
     b.panel.showStart();
     b.settle();
-    b.click("Beside what is open");
+    b.click("Add to current scene");
     b.click("Buckyball");
     ASSERT_EQ(b.viewer.document()->molecule->atoms.size(), 486u + 60u);
     EXPECT_EQ(b.viewer.title(), "sample:dna + sample:buckyball - Nacre");
@@ -284,7 +284,7 @@ TEST(Panel, RulesAreSwitchedOffEditedAndMoved) {
     b.press(SpecialKey::escape);
     b.click("Later");
     EXPECT_EQ(b.viewer.view().look.rules[1].action, Rule::Action::hide);
-    b.click("chain B: Sticks");
+    b.click("chain B: Licorice");
     ASSERT_TRUE(b.find("Style of the rule"));
     b.click("Remove");
     ASSERT_EQ(b.viewer.view().look.rules.size(), 1u);
@@ -308,9 +308,9 @@ TEST(Panel, RibbonsAndSurfacesLetThroughWhatASliderSays) {
     PictureDescription look = b.viewer.view();
     look.look.rules = {parseShow("chain B and resi 1-2=surface")};
     b.viewer.setLook(look, b.now);
-    b.click("Ribbons");
-    for (const auto& [name, value] : {std::pair("Opacity of ribbons", &RepresentationOptions::cartoonOpacity),
-                                      {"Opacity of the surface", &RepresentationOptions::surfaceOpacity}}) {
+    b.click("Cartoon");
+    for (const auto& [name, value] : {std::pair("Cartoon opacity", &RepresentationOptions::cartoonOpacity),
+                                      {"Surface opacity", &RepresentationOptions::surfaceOpacity}}) {
         const Control* slider = b.find(name, "slider");
         ASSERT_TRUE(slider) << name;
         EXPECT_EQ(b.viewer.view().look.*value, 1);
@@ -343,15 +343,15 @@ TEST(Panel, LinesHalosAndFogHaveSlidersAndColours) {
         b.press(SpecialKey::escape);
         b.settle();
     };
-    b.click("Light, lines, fog");
-    EXPECT_FALSE(b.find("Colour of the lines"));
-    slideTo("Lines", 0.5);
+    b.click("Light, outlines, fog");
+    EXPECT_FALSE(b.find("Outline colour"));
+    slideTo("Outlines", 0.5);
     EXPECT_NEAR(effects().contours.width, 4, 0.3);
-    color("Colour of the lines");
+    color("Outline colour");
     const auto [r, g, blue, a] = parseColor("#d55e00");
     EXPECT_EQ(effects().contours.color, (std::array{r, g, blue}));
     slideTo("Halos", 0.5);
-    color("Colour of the halos");
+    color("Halo colour");
     EXPECT_EQ(effects().halos.color, (std::array{r, g, blue}));
     slideTo("Fog", 0.7);
     EXPECT_EQ(effects().fog.range, Fog::Range::automatic);
@@ -366,10 +366,10 @@ TEST(Panel, LinesHalosAndFogHaveSlidersAndColours) {
     EXPECT_LT(effects().fog.start, effects().fog.end);
     // What was saved with it is read again.
     EXPECT_EQ(parseSavedView(savedViewJson(b.viewer.view()), "view").effects, effects());
-    b.click("Fog from the middle to the far end");
+    b.click("Fog from the centre to the far end");
     EXPECT_EQ(effects().fog.range, Fog::Range::automatic);
-    b.click("Cut open");
-    slideTo("Cut behind", 0.6);
+    b.click("Clipping planes");
+    slideTo("Back clipping plane", 0.6);
     EXPECT_LT(effects().clip.far, 0.3 * radius);
     EXPECT_EQ(parseSavedView(savedViewJson(b.viewer.view()), "view").effects, effects());
 }
@@ -404,7 +404,7 @@ TEST(Panel, ADoubleClickOnASliderTypesItsNumber) {
     look.look.style = Style::cartoon;
     b.viewer.setLook(look, b.now);
     b.settle();
-    const Control* slider = b.find("Opacity of ribbons");
+    const Control* slider = b.find("Cartoon opacity");
     ASSERT_NE(slider, nullptr);
     b.panel.input().pointer({(slider->left + slider->right) / 2, (slider->top + slider->bottom) / 2});
     for (int i = 0; i < 2; ++i) {

@@ -148,10 +148,10 @@ TEST(Films, AreAskedForAsTheCardSays) {
     b.click("Kept views");
     b.click("Record");
     EXPECT_EQ(b.films.size(), 2u);
-    b.click("Keep this view");
+    b.click("Add keyframe");
     b.viewer.run(ViewerCommand::zoomIn, b.now);
     const double far = b.viewer.view().camera.zoom;
-    b.click("Keep this view");
+    b.click("Add keyframe");
     // The preview flies along them in the time that the film takes, and leads back to the card.
     b.click("Preview");
     EXPECT_FALSE(b.find("Preview"));

@@ -344,9 +344,9 @@ TEST(PhoneSession, VoiceOverHearsAndMovesEveryControl) {
     EXPECT_EQ(session.spoken().front().name, "pair.pdb - Nacre");
     press("button", "Menu");
     EXPECT_EQ(value("tab", "Look"), "on");
-    press("choice", "Sticks");
+    press("choice", "Licorice");
     EXPECT_EQ(session.viewer().view().look.style, Style::licorice);
-    EXPECT_EQ(value("choice", "Sticks"), "on");
+    EXPECT_EQ(value("choice", "Licorice"), "on");
     press("button", "Undo");
     EXPECT_EQ(session.viewer().view().look.style, Style::spacefill);
     press("button", "Save");
@@ -357,8 +357,8 @@ TEST(PhoneSession, VoiceOverHearsAndMovesEveryControl) {
     look.look.style = Style::surface;
     session.viewer().setLook(look, host.now);
     host.run(session);
-    EXPECT_EQ(value("slider", "Opacity of the surface"), "1.00");
-    session.adjust("Opacity of the surface", false);
+    EXPECT_EQ(value("slider", "Surface opacity"), "1.00");
+    session.adjust("Surface opacity", false);
     host.run(session);
     EXPECT_NEAR(session.viewer().view().look.surfaceOpacity, 0.91, 0.05);
     session.viewer().undo(host.now);

@@ -132,7 +132,7 @@ TEST(Options, WhatEachPrintsIsWhatItReads) {
         option.parse(otherValues().at(option.key), other);
         const std::string text = option.print(other);
         EXPECT_NE(text, option.print(plain)) << option.key;
-        EXPECT_EQ(difference(plain, other) & static_cast<Parts>(option.part), static_cast<Parts>(option.part))
+        EXPECT_EQ(difference(plain, other) & static_cast<Facets>(option.facet), static_cast<Facets>(option.facet))
             << option.key;
         if (option.kind == Option::Kind::pair || option.positional) continue;  // print for people, divided otherwise
         PictureDescription again;
@@ -169,13 +169,13 @@ TEST(Options, DifferenceIsInThePartsThatDiffer) {
         return difference(plain, other);
     };
     EXPECT_EQ(difference(plain, plain), 0u);
-    EXPECT_EQ(changed("fog", "auto"), static_cast<Parts>(Part::shading));
-    EXPECT_EQ(changed("rotate", "1,2,3"), static_cast<Parts>(Part::view));
-    EXPECT_EQ(changed("title", "A"), static_cast<Parts>(Part::annotation));
-    EXPECT_EQ(changed("show", "ligand=licorice"), static_cast<Parts>(Part::scene));
-    EXPECT_EQ(changed("model", "2"), static_cast<Parts>(Part::input));
-    EXPECT_EQ(changed("look", "dark"), static_cast<Parts>(Part::shading));
-    EXPECT_EQ(changed("look", "illustrative"), Part::scene | Part::shading);
+    EXPECT_EQ(changed("fog", "auto"), static_cast<Facets>(Facet::shading));
+    EXPECT_EQ(changed("rotate", "1,2,3"), static_cast<Facets>(Facet::view));
+    EXPECT_EQ(changed("title", "A"), static_cast<Facets>(Facet::annotation));
+    EXPECT_EQ(changed("show", "ligand=licorice"), static_cast<Facets>(Facet::scene));
+    EXPECT_EQ(changed("model", "2"), static_cast<Facets>(Facet::input));
+    EXPECT_EQ(changed("look", "dark"), static_cast<Facets>(Facet::shading));
+    EXPECT_EQ(changed("look", "illustrative"), Facet::scene | Facet::shading);
 }
 
 TEST(OptionJson, TakesWhatACommandLineTakes) {

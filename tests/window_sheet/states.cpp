@@ -119,7 +119,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
         {"look, list open", kUsual, "sample:dna", [](Driver& d) { d.click("Colours"); }},
         {"look, sliders", kUsual, p,
          [](Driver& d) {
-             d.click("Light, lines, fog");
+             d.click("Light, outlines, fog");
              for (int i = 0; i < 4; ++i) d.press(SpecialKey::tab);
          }},
         {"look, effects",
@@ -131,7 +131,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
              look.effects.halos.width = 6;
              look.effects.fog.range = Fog::Range::automatic;
              d.viewer().setLook(look, seconds());
-             d.click("Light, lines, fog");
+             d.click("Light, outlines, fog");
              d.click("Colour of the halos");
          }},
         {"parts", kUsual, p, page(Panel::Page::parts)},
@@ -162,7 +162,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
          [](Driver& d) {
              d.panel().showStart();
              d.pause(0.2);
-             d.click("Beside what is open");
+             d.click("Add to current scene");
          }},
         {"parts, small molecule", kUsual, "sample:glucose", page(Panel::Page::parts)},
         {"select, nothing", kUsual, p, page(Panel::Page::select)},
@@ -199,7 +199,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
              save(d);
              d.pause(0.2);
              d.click("Size");
-             d.click("For paper");
+             d.click("Print");
          }},
         {"help", kUsual, "sample:dna", help},
         {"help, dark", kUsual, "sample:dna", [=](Driver& d) { dark(d), help(d); }},
