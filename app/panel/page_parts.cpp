@@ -57,8 +57,7 @@ void drawAssemblies(PanelFrame& f, const Molecule& molecule) {
 
 void drawStyleChoice(PanelFrame& f, const Part& part, float width) {
     PartLook of = lookOf(f.look, part);
-    if (chooseStyle(f.ui, ("Style of " + part.name).c_str(), "Default", of.style, width))
-        setLookOf(f.look, part, of);
+    if (chooseStyle(f.ui, ("Style of " + part.name).c_str(), "Default", of.style, width)) setLookOf(f.look, part, of);
 }
 
 /// A field of colour that opens swatches, schemes and a picker.

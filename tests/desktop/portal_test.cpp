@@ -141,13 +141,13 @@ TEST(FileDialog, AsksTheProgramOfTheDesktop) {
         EXPECT_EQ(asked("zenity", askToOpen),
                   "--file-selection\n--multiple\n--separator=\n\n--title=Open structures\n");
         EXPECT_EQ(asked("zenity", askToSave),
-                  "--file-selection\n--save\n--confirm-overwrite\n--title=Save the picture\n"
+                  "--file-selection\n--save\n--confirm-overwrite\n--title=Save image\n"
                   "--filename=my picture.png\n");
     }
     const Variable desktop("XDG_CURRENT_DESKTOP", "KDE");
     EXPECT_EQ(asked("kdialog", askToOpen),
               "--title\nOpen structures\n--multiple\n--separate-output\n--getopenfilename\n.\n");
-    EXPECT_EQ(asked("kdialog", askToSave), "--title\nSave the picture\n--getsavefilename\nmy picture.png\n");
+    EXPECT_EQ(asked("kdialog", askToSave), "--title\nSave image\n--getsavefilename\nmy picture.png\n");
 }
 
 TEST(Portal, ADesktopWithoutOneHasOtherDialogs) {

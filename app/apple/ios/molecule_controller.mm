@@ -136,8 +136,9 @@ double heatOf(NSProcessInfoThermalState state) {
         [weakSelf askFor:stringOf(name) text:stringOf(text)];
     };
     host.copyText = [](const std::string& text) { UIPasteboard.generalPasteboard.string = stringOf(text); };
-    host.system = textOf([NSString stringWithFormat:@"%@ %@, %@", UIDevice.currentDevice.systemName,
-                                                    UIDevice.currentDevice.systemVersion, UIDevice.currentDevice.model]);
+    host.system =
+        textOf([NSString stringWithFormat:@"%@ %@, %@", UIDevice.currentDevice.systemName,
+                                          UIDevice.currentDevice.systemVersion, UIDevice.currentDevice.model]);
     host.downloads = true;
     host.shakes = true;
     host.dark = self.traitCollection.userInterfaceStyle == UIUserInterfaceStyleDark;
