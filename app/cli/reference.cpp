@@ -1,5 +1,4 @@
-// What is written from the options' table for other places: the reference page of docs/, and the keyword arguments of
-// Python's type stubs.
+// Text for other files from the options' table: docs/reference.md, and the keyword arguments in Python's type stubs.
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What no option alone can tell: a description is completed and checked before anything is drawn by it.
+// Completes and checks a description before anything is drawn by it: rules that concern several options at once.
 
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace nacre::app {
 /// All of what follows, for one picture in a file. @throws UsageError
 void completePicture(PictureDescription& picture);
 
-/// INPUT where the saved view's trajectory is, and how each is read. @returns whether there is one
+/// Finds the trajectory that a saved view names, and sets how INPUT is read. @returns whether there is an INPUT
 bool takeInput(PictureDescription& picture);
 /// Several INPUTs: their names in selections become what they mean, and the carbons of each get a colour of its own,
 /// unless a saved view has them. @throws UsageError

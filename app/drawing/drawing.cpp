@@ -19,7 +19,7 @@
 namespace nacre::app {
 namespace {
 
-/// A frame of a trajectory is seen from where the first is, as in a window and in films, and drawn as chosen there;
+/// A frame of a trajectory is seen from where the first is, as in a window and in movies, and drawn as chosen there;
 /// unless each is to have a camera of its own. @returns the radius that the camera goes by
 double buildScene(const Molecule& molecule, const PictureDescription& options, const std::optional<Bounds>& frame,
                   Representation& scene) {
@@ -59,8 +59,8 @@ RenderSettings settingsOf(const PictureDescription& options, const Camera& camer
     return settings;
 }
 
-/// What is to be seen whole is. A plane cuts where what is left out would not do: copies of an assembly share what
-/// they are made of, and a movie goes around it.
+/// Leaves out what hides the target. A plane cuts instead in assemblies, whose copies share their primitives, and in
+/// movies, which go around it.
 void uncoverTarget(const Aimed& aim, const Aim& wanted, const Molecule& molecule, Representation& scene,
                    RenderSettings& settings, RunStats& run) {
     const std::optional<Selection>& target = uncoveredBy(wanted);
@@ -88,6 +88,16 @@ void tellScene(const Molecule& molecule, const Representation& scene, RunStats& 
 
 void Drawing::prepare(const Molecule& molecule, const PictureDescription& description,
                       const std::optional<Bounds>& frame) {
+    try {
+        bringUpTo(molecule, description, frame);
+    } catch (...) {
+        forget();  // what was half done must not pass for done when the same is asked for again
+        throw;
+    }
+}
+
+void Drawing::bringUpTo(const Molecule& molecule, const PictureDescription& description,
+                        const std::optional<Bounds>& frame) {
     static std::atomic<std::uint64_t> scenes{0};
     const Clock::time_point start = Clock::now();
     const Facets parts = difference(description_, description);

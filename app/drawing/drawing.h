@@ -27,7 +27,7 @@ public:
     /// @param molecule  the same as before, unless forget() was called
     /// @param frame  that all models of its file share (shared_frame.h), if that is known; else it is found, if it can
     /// be
-    /// @throws Error if nothing of the molecule is drawn
+    /// @throws Error if nothing of the molecule is drawn, or a selection has no drawn atom
     void prepare(const Molecule& molecule, const PictureDescription& description,
                  const std::optional<Bounds>& frame = {});
     /// The molecule is going to be another one, or its atoms elsewhere.
@@ -61,6 +61,7 @@ public:
     const Counts& counts() const { return counts_; }
 
 private:
+    void bringUpTo(const Molecule& molecule, const PictureDescription& description, const std::optional<Bounds>& frame);
     void putWords(const Molecule& molecule);
     void makeRoom();
 

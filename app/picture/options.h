@@ -1,7 +1,7 @@
 #pragma once
 // The options of a picture's description, one row an option. From these rows, and from nothing else, come the command
 // line with its help, manual page and completions, keys of jobs, Python's arguments, saved views, looks, undo, what has
-// to be drawn again, and the reference in docs/options.md. Rows stand in rows_*.cpp, by what they are about.
+// to be drawn again, and docs/reference.md. Rows stand in rows_*.cpp, by what they are about.
 
 #include <span>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace nacre::app {
 
-/// What options are about. A command takes the topics that concern it; `nacre help` explains some of them.
+/// The subject of an option. A command takes the topics that concern it; `nacre help` explains some of them.
 enum class Topic : std::uint32_t {
     view = 1 << 0,        ///< saved views
     look = 1 << 1,        ///< several options at once, by a name
@@ -54,7 +54,7 @@ constexpr Topics kReading = Topic::input | Topic::reading | Topic::trajectory | 
 constexpr Topics kAppearance = Topic::style | Topic::color | Topic::rules | Topic::mesh | Topic::atoms;
 constexpr Topics kEveryTopic = ~static_cast<Topics>(Topic::saved);
 
-/// Which part of the work an option concerns: what is done again when it changes.
+/// The part of the work that is done again when an option changes.
 enum class Facet : unsigned {
     input = 1 << 0,       ///< the molecule is read
     scene = 1 << 1,       ///< spheres, sticks and meshes are made

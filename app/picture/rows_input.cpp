@@ -1,4 +1,4 @@
-// What a picture is of: saved views, looks, inputs and how they are read.
+// Saved views, looks, inputs and how they are read.
 
 #include "app/picture/input_names.h"
 #include "app/picture/looks.h"

@@ -1,4 +1,4 @@
-// What is written where, how large and how fine, and what draws it.
+// Files, size and quality of a picture, and the device that draws it.
 
 #include "app/files/output_file.h"
 #include "app/picture/picture_names.h"

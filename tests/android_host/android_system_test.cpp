@@ -181,17 +181,11 @@ TEST_F(AndroidHost, TheReportTellsOfThePhone) {
     EXPECT_FALSE(report.at("device").at("extensions").empty());
 }
 
-TEST_F(AndroidHost, AMouseRotatesPansAndPointsAndAPenPoints) {
+TEST_F(AndroidHost, AMouseRotatesAndPans) {
     Host host(folder_, std::nullopt, kQuick);
     host.lowMemory();
     host.open(320, 320);
     expectAsRendered(host, kMenu, "", 1);
-    for (const std::int32_t tool :
-         {AMOTION_EVENT_TOOL_TYPE_MOUSE, AMOTION_EVENT_TOOL_TYPE_STYLUS}) {  // tests/phone sees
-        host.pointer(tool, AMOTION_EVENT_ACTION_HOVER_ENTER, 160, 150);      // what it names
-        host.pointer(tool, AMOTION_EVENT_ACTION_HOVER_MOVE, 160, 160);
-        host.pointer(tool, AMOTION_EVENT_ACTION_HOVER_EXIT, 160, 160);
-    }
     const auto drag = [&](std::int32_t buttons) {
         host.pointer(AMOTION_EVENT_TOOL_TYPE_MOUSE, AMOTION_EVENT_ACTION_DOWN, 160, 160, buttons);
         for (int i = 1; i <= 5; ++i)

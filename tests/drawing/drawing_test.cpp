@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/picture/options.h"
+#include "engine/error.h"
 #include "engine/molecule/read.h"
 
 namespace nacre::app {
@@ -77,6 +78,18 @@ TEST_F(DrawingTest, WhatIsDrawnOtherwiseIsBuiltAnew) {
     set("rotate", "0,90,0");
     EXPECT_EQ(drawn().rgba, anew().rgba);
     EXPECT_EQ(drawing.counts().scenes, ++scenes);
+}
+
+TEST_F(DrawingTest, WhatFailedOnceFailsAgainAndLeavesNothingBehind) {
+    const Picture before = drawn();
+    const PictureDescription good = picture;
+    for (const auto& [key, value] : {std::pair("zoom-to", "resn ZZZ"), {"hide", "all"}}) {
+        set(key, value);
+        EXPECT_THROW(drawn(), Error) << key;
+        EXPECT_THROW(drawn(), Error) << key << ", the same once more";
+        picture = good;
+        EXPECT_EQ(drawn().rgba, before.rgba) << key;
+    }
 }
 
 TEST_F(DrawingTest, TwoShareACanvas) {
