@@ -211,7 +211,7 @@ void Recorder::follow(int reports, int complaints) {
         state_.running = false;
         state_.failed = !done && !state_.stopping;
         const std::string complaint = lastComplaint(complained);
-        state_.message = done ? "saved " + state_.path : complaint.empty() ? "the film could not be made" : complaint;
+        state_.message = done ? "saved " + state_.path : complaint.empty() ? "the movie could not be made" : complaint;
         state_.stopping = false;
     }
     std::error_code error;

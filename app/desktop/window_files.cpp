@@ -87,7 +87,7 @@ void WindowSession::record(const RecordingWish& wish, const std::vector<PictureD
     try {
         const PictureDescription shown = viewer().picking().savedView();
         if (shown.input.path == "-")
-            throw Error("cannot record", "-", "a film reads its file again: open one, not standard input");
+            throw Error("cannot record", "-", "a movie reads its file again: open one, not standard input");
         std::vector<std::string> fixed;
         if (!options_.first.device.device.empty())
             fixed.insert(fixed.end(), {"--device", options_.first.device.device});

@@ -294,7 +294,7 @@ void WindowSession::run(ViewerCommand command) {
             if (!viewer().document()) return;
             panel_->keepView(viewer());
             return viewer().messages().say(
-                "kept as view " + std::to_string(panel_->keptViews()) + " of a film (Shift R)", now());
+                "added as keyframe " + std::to_string(panel_->keptViews()) + " (Shift R records)", now());
         case ViewerCommand::saveAs:
             return viewer().document() ? panel_->showSave() : void();
         case ViewerCommand::clearPicks:

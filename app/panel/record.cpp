@@ -28,7 +28,7 @@ PixelSize even(PixelSize size) { return {std::max(size.width & ~1u, 2u), std::ma
 
 void drawKeyViews(PanelFrame& f) {
     std::vector<PictureDescription>& keys = f.s.keys;
-    if (keys.size() < 2) f.ui.caption("Keep two views or more: a film goes smoothly from one to the next.");
+    if (keys.size() < 2) f.ui.caption("Add two keyframes or more: the movie goes smoothly from one to the next.");
     for (std::size_t i = 0; i < keys.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
         const std::string number = std::to_string(i + 1);
@@ -85,18 +85,18 @@ void drawRecord(PanelFrame& f) {
     if (views) drawKeyViews(f);
     drawFilmLength(f);
     f.ui.heading("Size");
-    f.ui.choose("Film size", kFilmSizes, f.s.filmSize);
+    f.ui.choose("Movie size", kFilmSizes, f.s.filmSize);
     f.ui.heading("Format");
     const auto rename = [&] {
         const char* extension = kFilmExtensions[static_cast<std::size_t>(f.s.filmFormat)];
         if (f.host.freeName) f.s.film = f.host.freeName(extension);
     };
-    if (f.ui.choose("Film format", kFilmFormats, f.s.filmFormat) || f.s.film.empty()) rename();
+    if (f.ui.choose("Movie format", kFilmFormats, f.s.filmFormat) || f.s.film.empty()) rename();
     const bool video = f.s.filmFormat < 2;
     if (video && !f.host.videos) f.ui.caption("MP4 and WebM need the program ffmpeg, which is not installed.");
     if (f.s.filmFormat > 0) f.ui.toggle("Transparent background", f.s.filmTransparent);
     f.ui.heading("Save as");
-    f.ui.field("Film path", "film.mp4", f.s.film);
+    f.ui.field("Movie path", "movie.mp4", f.s.film);
     f.ui.folderOf(f.s.film.c_str());
     ImGui::Spacing();
     const bool can = !f.s.film.empty() && (!views || f.s.keys.size() > 1) && (!video || f.host.videos);

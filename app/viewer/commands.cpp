@@ -57,7 +57,7 @@ constexpr Binding kBindings[] = {
     {C::clearPicks, key(SpecialKey::escape), "Esc", "Forget the picked atoms"},
     {C::savePicture, key(U's'), "S", "Save image as PNG"},
     {C::saveView, {U's', {true, false}}, "Shift S", "Save the view, for nacre render --view"},
-    {C::keepView, key(U'd'), "D", "Keep the view as a key of a film"},
+    {C::keepView, key(U'd'), "D", "Add keyframe"},
     {C::record, {U'r', {true, false}}, "Shift R", "Record movie"},
     {C::openFile, control(U'o'), "Ctrl O", "Open a file"},
     {C::saveAs, control(U's'), "Ctrl S", "Save image as ..."},

@@ -99,7 +99,7 @@ TEST(Recorder, AsksForWhatTheWindowShows) {
     RecordingWish wish;
     wish.motion = RecordingWish::Motion::models;
     wish.size = {64, 48};
-    wish.path = "film.mp4";
+    wish.path = "movie.mp4";
     PictureDescription shown;
     shown.input.path = "/data/md.gro";
     shown.input.trajectory.path = "/data/md.xtc";

@@ -133,7 +133,7 @@ TEST(Films, AreAskedForAsTheCardSays) {
     b.settle();
     b.click("Motion");
     b.click("Models");
-    b.click("Film format");
+    b.click("Movie format");
     b.click("GIF");
     b.click("Record");
     ASSERT_EQ(b.films.size(), 2u);

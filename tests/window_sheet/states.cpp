@@ -70,7 +70,7 @@ std::vector<State> states(const std::string& protein, const std::string& models)
     const auto recording = [](Driver& d) {
         d.panel().showRecord();
         d.pause(0.2);
-        d.click("Film format");
+        d.click("Movie format");
         d.click("GIF");
         d.click("Record");
         for (int i = 0; i < 400 && !d.tells("frame "); ++i) d.pause(0.05);
